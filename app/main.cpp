@@ -1,0 +1,2 @@
+/// @file  The program's entry.
+int main() { return 0; }

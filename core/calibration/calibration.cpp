@@ -1,0 +1,75 @@
+#include "core/calibration/calibration.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace flytri {
+namespace {
+
+constexpr std::array<std::array<int, 3>, TrivariateCubic::kTerms> make_exponents() {
+  std::array<std::array<int, 3>, TrivariateCubic::kTerms> exponents{};
+  int next = 0;
+  for (int degree = 0; degree <= 3; ++degree) {
+    for (int i = degree; i >= 0; --i) {
+      for (int j = degree - i; j >= 0; --j) exponents[next++] = {i, j, degree - i - j};
+    }
+  }
+  return exponents;
+}
+
+/// powers[axis][e] = t[axis]^e
+std::array<std::array<double, 4>, 3> powers_of(const Vec3& t) {
+  std::array<std::array<double, 4>, 3> powers{};
+  for (int axis = 0; axis < 3; ++axis) {
+    powers[axis] = {1.0, t[axis], t[axis] * t[axis], t[axis] * t[axis] * t[axis]};
+  }
+  return powers;
+}
+
+}  // namespace
+
+const std::array<std::array<int, 3>, TrivariateCubic::kTerms> TrivariateCubic::kExponents =
+    make_exponents();
+
+double TrivariateCubic::operator()(const Vec3& x) const {
+  const auto p = powers_of((x - center).cwiseQuotient(half_range));
+  double value = 0.0;
+  for (int term = 0; term < kTerms; ++term) {
+    const auto& e = kExponents[term];
+    value += coefficients[term] * p[0][e[0]] * p[1][e[1]] * p[2][e[2]];
+  }
+  return value;
+}
+
+Vec3 TrivariateCubic::gradient(const Vec3& x) const {
+  const auto p = powers_of((x - center).cwiseQuotient(half_range));
+  Vec3 gradient = Vec3::Zero();
+  for (int term = 0; term < kTerms; ++term) {
+    const auto& e = kExponents[term];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (e[axis] == 0) continue;
+      double factor = coefficients[term] * e[axis] * p[axis][e[axis] - 1];
+      for (int k = 0; k < 3; ++k) {
+        if (k != axis) factor *= p[k][e[k]];
+      }
+      gradient[axis] += factor;
+    }
+  }
+  return gradient.cwiseQuotient(half_range);
+}
+
+Vec3 Calibration::locate(Pattern pattern, LineIndex n, const LinePixel& pixel) const {
+  const auto& rows = of(pattern).lines[n.at()];
+  const LineRow& row = rows[static_cast<std::size_t>(std::lround(pixel.along_px))];
+  assert(row.valid());
+  const double z = row.depth_mm(pixel.across_px);
+  const Pixel at = to_pixel(pattern, pixel);
+  const Vec3 uvz(at.u_px, at.v_px, z);
+  return {x_mm(uvz), y_mm(uvz), z};
+}
+
+Pixel Calibration::project_to_texture(const Vec3& p_sensor) const {
+  return {texture_u_px(p_sensor), texture_v_px(p_sensor)};
+}
+
+}  // namespace flytri

@@ -1,0 +1,37 @@
+/// @file  Points on the measured surface, before and after they are thinned.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/geometry/rigid.h"
+
+namespace flytri {
+
+/// sRGB, 8 bits a channel.
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// What an untextured surface looks like: light plaster.
+inline constexpr Rgb kUntexturedColor = {226, 222, 212};
+
+/// One measured point with its normal, in the world frame, still as noisy as the sensor.
+struct SurfaceSample {
+  Vec3f position_mm;
+  Vec3f normal;        ///< unit, outwards (towards the sensor)
+  Vec3f deviation_mm;  ///< ProfilePoint::deviation_mm turned into the world frame
+  ViewIndex view;      ///< which view saw it
+};
+
+/// One point of the thinned surface, in the world frame.
+struct SurfacePoint {
+  Vec3f position_mm = Vec3f::Zero();
+  Vec3f normal = Vec3f::UnitZ();  ///< unit, outwards
+  Rgb color = kUntexturedColor;
+  float sigma_mm = 0.0F;  ///< standard uncertainty along the normal
+};
+
+using PointCloud = std::vector<SurfacePoint>;
+
+}  // namespace flytri

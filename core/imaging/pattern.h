@@ -1,0 +1,45 @@
+/// @file  Which of the two crossed line patterns lit a frame, and which image axis runs along it.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace flytri {
+
+/// "Vertical" lines run along image columns and are localized in every row; "horizontal" lines run
+/// along image rows and are localized in every column.
+enum class Pattern { kVertical, kHorizontal };
+
+inline constexpr std::array kPatterns = {Pattern::kVertical, Pattern::kHorizontal};
+
+[[nodiscard]] constexpr Pattern other(Pattern pattern) {
+  return pattern == Pattern::kVertical ? Pattern::kHorizontal : Pattern::kVertical;
+}
+
+[[nodiscard]] constexpr std::string_view to_string(Pattern pattern) {
+  return pattern == Pattern::kVertical ? "vertical" : "horizontal";
+}
+
+/// A pixel as seen from a line: `along` counts the rows (vertical) or columns (horizontal) that the
+/// line passes, `across` is where it lies in that row or column.
+struct LinePixel {
+  double along_px = 0.0;
+  double across_px = 0.0;
+};
+
+/// An image position: u runs right, v down, (0, 0) is the center of the top-left pixel.
+struct Pixel {
+  double u_px = 0.0;
+  double v_px = 0.0;
+};
+
+[[nodiscard]] constexpr Pixel to_pixel(Pattern pattern, const LinePixel& p) {
+  return pattern == Pattern::kVertical ? Pixel{p.across_px, p.along_px}
+                                       : Pixel{p.along_px, p.across_px};
+}
+
+[[nodiscard]] constexpr LinePixel to_line_pixel(Pattern pattern, const Pixel& p) {
+  return pattern == Pattern::kVertical ? LinePixel{p.v_px, p.u_px} : LinePixel{p.u_px, p.v_px};
+}
+
+}  // namespace flytri
