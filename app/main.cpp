@@ -1,2 +1,56 @@
-/// @file  The program's entry.
-int main() { return 0; }
+/// @file  The program's entry: parses the command line, runs what it names, reports how it ended.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "app/cli/commands.h"
+#include "app/cli/progress_bar.h"
+
+namespace flytri::cli {
+namespace {
+
+enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2 };
+
+int run(const Job& job) {
+  const Progress progress;
+  const Result<void> result = [&] {
+    const ProgressBar bar(progress);
+    return job(progress);
+  }();
+  if (result) return kDone;
+  fmt::print(stderr, "flytri: {}\n", result.error().message);
+  return kFailed;
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("flytri: from line frames of a hand-guided scanner to a textured model", "flytri");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", FLYTRI_VERSION);
+  Invocation invocation;
+  add_simulate_command(app, invocation);
+  add_calibrate_command(app, invocation);
+  add_reconstruct_command(app, invocation);
+  add_evaluate_command(app, invocation);
+  add_study_command(app, invocation);
+  add_demo_command(app, invocation);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kUsage;
+  }
+  return run(invocation.job);
+}
+
+}  // namespace
+}  // namespace flytri::cli
+
+int main(int argc, char** argv) {
+  try {
+    return flytri::cli::parse_and_run(argc, argv);
+  } catch (const std::exception& error) {
+    // Not to be expected: memory exhausted, or a defect of the program.
+    fmt::print(stderr, "flytri: internal error: {}\n", error.what());
+    return flytri::cli::kFailed;
+  }
+}

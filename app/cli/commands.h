@@ -1,0 +1,15 @@
+/// @file  All subcommands, one function and one file each.
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace flytri::cli {
+
+void add_simulate_command(CLI::App& app, Invocation& invocation);
+void add_calibrate_command(CLI::App& app, Invocation& invocation);
+void add_reconstruct_command(CLI::App& app, Invocation& invocation);
+void add_evaluate_command(CLI::App& app, Invocation& invocation);
+void add_study_command(CLI::App& app, Invocation& invocation);
+void add_demo_command(CLI::App& app, Invocation& invocation);
+
+}  // namespace flytri::cli
