@@ -1,0 +1,70 @@
+#include "tests/support/sample_meshes.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace flytri {
+namespace {
+
+// Sums the triangles' area vectors at their corners.
+void set_normals(TriangleMesh& mesh) {
+  for (SurfacePoint& vertex : mesh.vertices) vertex.normal.setZero();
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3f a = mesh.vertices[t[0]].position_mm;
+    const Vec3f area =
+        (mesh.vertices[t[1]].position_mm - a).cross(mesh.vertices[t[2]].position_mm - a);
+    for (const std::uint32_t corner : t) mesh.vertices[corner].normal += area;
+  }
+  for (SurfacePoint& vertex : mesh.vertices) vertex.normal.normalize();
+}
+
+// Two triangles for each cell of a grid with `columns` vertices a row.
+void connect_grid(TriangleMesh& mesh, std::uint32_t rows, std::uint32_t columns) {
+  for (std::uint32_t j = 0; j + 1 < rows; ++j)
+    for (std::uint32_t i = 0; i + 1 < columns; ++i) {
+      const std::uint32_t corner = j * columns + i;
+      mesh.triangles.push_back({corner, corner + columns, corner + 1});
+      mesh.triangles.push_back({corner + 1, corner + columns, corner + columns + 1});
+    }
+}
+
+}  // namespace
+
+TriangleMesh height_field(const HeightFieldSize& size,
+                          const std::function<double(double, double)>& depth) {
+  const auto count =
+      static_cast<std::uint32_t>(std::lround(2.0 * size.half_width_mm / size.step_mm)) + 1;
+  TriangleMesh mesh;
+  for (std::uint32_t j = 0; j < count; ++j)
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double x = -size.half_width_mm + i * size.step_mm;
+      const double y = -size.half_width_mm + j * size.step_mm;
+      SurfacePoint vertex;
+      vertex.position_mm = Vec3(x, y, depth(x, y)).cast<float>();
+      mesh.vertices.push_back(vertex);
+    }
+  connect_grid(mesh, count, count);
+  set_normals(mesh);
+  return mesh;
+}
+
+TriangleMesh sphere(const Vec3& center_mm, double radius_mm, int rings) {
+  const auto rows = static_cast<std::uint32_t>(rings) + 1;
+  const std::uint32_t columns = 2 * static_cast<std::uint32_t>(rings) + 1;
+  TriangleMesh mesh;
+  for (std::uint32_t j = 0; j < rows; ++j)
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      const double polar = std::numbers::pi * j / rings;
+      const double around = std::numbers::pi * i / rings;
+      const Vec3 normal(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
+                        std::cos(polar));
+      SurfacePoint vertex;
+      vertex.position_mm = (center_mm + radius_mm * normal).cast<float>();
+      vertex.normal = normal.cast<float>();
+      mesh.vertices.push_back(vertex);
+    }
+  connect_grid(mesh, rows, columns);
+  return mesh;
+}
+
+}  // namespace flytri
