@@ -1,0 +1,49 @@
+/// @file  A binary tree of bounding boxes over the knots of a curve, run by run.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/spline.h"
+
+namespace flytri {
+
+/// Axis-parallel box.
+struct Box {
+  Vec3f low = Vec3f::Constant(1e30F);
+  Vec3f high = Vec3f::Constant(-1e30F);
+
+  void add(const Vec3f& p) { low = low.cwiseMin(p), high = high.cwiseMax(p); }
+  void add(const Box& other) { low = low.cwiseMin(other.low), high = high.cwiseMax(other.high); }
+  [[nodiscard]] float largest_side() const { return (high - low).maxCoeff(); }
+  /// Squared distance between the nearest points of two boxes, 0 if they meet.
+  [[nodiscard]] float squared_distance(const Box& other) const {
+    const Vec3f gap = (low - other.high).cwiseMax(other.low - high).cwiseMax(0.0F);
+    return gap.squaredNorm();
+  }
+};
+
+/// Node 0 is the whole curve. A node covers the knots [begin, end); a leaf has at most kLeafKnots.
+/// Children stand next to each other, behind their parent.
+class BoxTree {
+ public:
+  static constexpr std::uint32_t kLeafKnots = 6;
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0, end = 0;
+    std::uint32_t child = 0;  ///< index of the first child, 0 in a leaf
+  };
+
+  BoxTree() = default;
+  explicit BoxTree(const CubicCurve& curve);
+
+  [[nodiscard]] const Node& node(std::uint32_t i) const { return nodes_[i]; }
+  [[nodiscard]] const Box& box() const { return nodes_.front().box; }
+  /// Recomputes the boxes after the curve was transformed.
+  void refit(const CubicCurve& curve);
+
+ private:
+  std::vector<Node> nodes_;
+};
+
+}  // namespace flytri

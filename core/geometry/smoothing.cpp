@@ -1,0 +1,176 @@
+#include "core/geometry/smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace flytri {
+namespace {
+
+/// Below this a Gaussian touches no neighbor.
+constexpr double kNoSmoothing = 0.4;
+/// Windows end here; the weight is 1 % there.
+constexpr double kWindowSigmas = 3.0;
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Gaussian weights by distance in sigmas, from a table: exp() would dominate the smoothing.
+class GaussianTable {
+ public:
+  GaussianTable() {
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      const double x = static_cast<double>(i) / kPerSigma;
+      weights_[i] = std::exp(-0.5 * x * x);
+    }
+  }
+  /// @param x  distance in sigmas, 0..kWindowSigmas.
+  [[nodiscard]] double operator()(double x) const {
+    const double place = x * kPerSigma;
+    const auto i = std::min(static_cast<std::size_t>(place), weights_.size() - 2);
+    return weights_[i] + (place - static_cast<double>(i)) * (weights_[i + 1] - weights_[i]);
+  }
+
+ private:
+  static constexpr double kPerSigma = 32.0;
+  std::array<double, 3 * 32 + 2> weights_{};
+};
+
+/// Weighted moments of the points around one place: sums of w t^i, and of w t^i p.
+struct Moments {
+  double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0;
+  Vec3 p0 = Vec3::Zero(), p1 = Vec3::Zero(), p2 = Vec3::Zero();
+  double low_t = 0, high_t = 0;  ///< reach of the window to both sides, in sigmas
+};
+
+Moments gather(std::span<const ProfilePoint> points, std::size_t center, double sigma_px) {
+  static const GaussianTable gaussian;
+  const double along = points[center].along_px;
+  Moments m;
+  const auto add = [&](std::size_t i) {
+    const double t = (points[i].along_px - along) / sigma_px;
+    if (std::abs(t) > kWindowSigmas) return false;
+    const double w = gaussian(std::abs(t));
+    const Vec3 p = points[i].position_mm - points[center].position_mm;
+    m.s0 += w, m.s1 += w * t, m.s2 += w * t * t, m.s3 += w * t * t * t, m.s4 += w * t * t * t * t;
+    m.p0 += w * p, m.p1 += w * t * p, m.p2 += w * t * t * p;
+    m.low_t = std::min(m.low_t, t), m.high_t = std::max(m.high_t, t);
+    return true;
+  };
+  for (std::size_t i = center; i-- > 0 && add(i);) {
+  }
+  for (std::size_t i = center; i < points.size() && add(i); ++i) {
+  }
+  return m;
+}
+
+/// Value at t = 0, relative to the center point, with the share of the noise that it keeps.
+struct Value {
+  Vec3 offset_mm;
+  double noise_gain;
+};
+
+/// Local line: exact for straight profiles also at one-sided windows.
+Value linear_value(const Moments& m) {
+  const double det = m.s0 * m.s2 - m.s1 * m.s1;
+  if (det <= 1e-9 * m.s0 * m.s0) return {Vec3::Zero(), 1.0};
+  return {(m.s2 * m.p0 - m.s1 * m.p1) / det, m.s2 / det};
+}
+
+/// Local parabola for windows that reach to both sides.
+Value quadratic_value(const Moments& m) {
+  Eigen::Matrix3d S;
+  S << m.s0, m.s1, m.s2, m.s1, m.s2, m.s3, m.s2, m.s3, m.s4;
+  const double det = S.determinant();
+  if (det <= 1e-9 * m.s0 * m.s0 * m.s0) return linear_value(m);
+  const Vec3 row =
+      Vec3(m.s2 * m.s4 - m.s3 * m.s3, m.s2 * m.s3 - m.s1 * m.s4, m.s1 * m.s3 - m.s2 * m.s2) / det;
+  return {row[0] * m.p0 + row[1] * m.p1 + row[2] * m.p2, row[0]};
+}
+
+/// Slope by t of the local line.
+Vec3 linear_slope(const Moments& m) {
+  return (m.s0 * m.p1 - m.s1 * m.p0) / std::max(m.s0 * m.s2 - m.s1 * m.s1, 1e-12);
+}
+
+/// Pixels along the line from one point to the next.
+double spacing_px(std::span<const ProfilePoint> points) {
+  const double span_px = points.back().along_px - points.front().along_px;
+  return span_px / static_cast<double>(points.size() - 1);
+}
+
+SmoothedPoint smooth_point(std::span<const ProfilePoint> points, std::size_t i, double sigma_px) {
+  SmoothedPoint result;
+  result.along_px = points[i].along_px;
+  result.position_mm = points[i].position_mm;
+  double gain = 1.0;
+  if (sigma_px >= kNoSmoothing * spacing_px(points)) {
+    const Moments m = gather(points, i, sigma_px);
+    const bool inside = std::min(-m.low_t, m.high_t) > 0.5 * kWindowSigmas;
+    const Value value = inside ? quadratic_value(m) : linear_value(m);
+    result.position_mm += value.offset_mm;
+    // The value's weights are w (c0 + c1 t + c2 t²); for Gaussian weights the sum of their squares
+    // is close to 1/sqrt(2) of the weight that they give to the center.
+    gain = std::sqrt(std::min(1.0, value.noise_gain * std::numbers::sqrt2 / 2.0));
+  }
+  result.deviation_mm = gain * points[i].deviation_mm.cast<double>();
+  const double wide_px = std::max(2.0 * sigma_px, spacing_px(points));
+  result.direction = linear_slope(gather(points, i, wide_px)).normalized();
+  return result;
+}
+
+}  // namespace
+
+Result<void> SmoothingOptions::validate() const {
+  if (!(max_direction_noise_rad > 0.0 && max_direction_noise_rad <= 1.0)) {
+    return fail(ErrorCode::kBadOption, "max_direction_noise_rad is {}, must be in (0, 1]",
+                max_direction_noise_rad);
+  }
+  if (!(max_sigma_samples >= 0.5 && max_sigma_samples <= 100.0)) {
+    return fail(ErrorCode::kBadOption, "max_sigma_samples is {}, must be in [0.5, 100]",
+                max_sigma_samples);
+  }
+  return {};
+}
+
+double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOptions& options) {
+  if (points.size() < 4) return 0.0;
+  std::vector<double> stated, bends, steps;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec3& p = points[i].position_mm;
+    stated.push_back(points[i].deviation_mm.norm());
+    steps.push_back((points[i + 1].position_mm - p).norm());
+    bends.push_back((points[i + 1].position_mm + points[i - 1].position_mm - 2.0 * p).norm());
+  }
+  // White noise of 1 gives second differences of sqrt(6); 0.6745 turns a median into a deviation.
+  const double shown_mm = median(bends) / (0.6745 * std::sqrt(6.0));
+  // Noise that is correlated between neighbors shows less than it is, but hardly a quarter.
+  const double noise_mm = std::clamp(median(stated), shown_mm, 4.0 * shown_mm);
+  const double ratio = noise_mm / std::max(median(steps), 1e-9);
+  // Slope of a Gaussian-weighted line fit over sigma samples: variance = ratio² / (4 sqrt(pi)
+  // sigma³).
+  const double slope = options.max_direction_noise_rad;
+  const double sigma =
+      std::cbrt(ratio * ratio / (4.0 * std::sqrt(std::numbers::pi) * slope * slope));
+  return std::min(sigma, options.max_sigma_samples);
+}
+
+std::vector<SmoothedPoint> smooth_profile(std::span<const ProfilePoint> points,
+                                          double sigma_samples) {
+  const double sigma_px = sigma_samples * spacing_px(points);
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::round(sigma_samples)));
+  std::vector<SmoothedPoint> result;
+  result.reserve(points.size() / stride + 2);
+  const std::size_t last = points.size() - 1;
+  for (std::size_t i = 0; i < last; i += stride) {
+    result.push_back(smooth_point(points, i, sigma_px));
+  }
+  result.push_back(smooth_point(points, last, sigma_px));
+  return result;
+}
+
+}  // namespace flytri

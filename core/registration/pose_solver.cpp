@@ -1,0 +1,142 @@
+#include "core/registration/pose_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flytri {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Matrix63 = Eigen::Matrix<double, 6, 3>;
+
+/// Uncertainty of a profile's direction, see SmoothingOptions::max_direction_noise_rad: the
+/// directions come from twice that window.
+constexpr double kNormalNoise_rad = 0.03;
+/// Residuals of this many robust sigmas weigh a quarter.
+constexpr double kRobustWidth = 3.0;
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Robust size of the residuals in units of their expected uncertainty, at least 1.
+double noise_scale(std::span<const Crossing> crossings) {
+  std::vector<double> ratios;
+  ratios.reserve(crossings.size());
+  for (const Crossing& c : crossings) ratios.push_back(std::abs(c.distance_mm) / c.sigma_mm);
+  return std::max(1.0, median_of(std::move(ratios)) / 0.6745);
+}
+
+/// How the point p of the source moves with the unknowns.
+Matrix63 motion_jacobian(const Vec3& p_mm, const StepFrame& frame) {
+  const Vec3 arm = (p_mm - frame.center_mm) / frame.radius_mm;
+  Matrix63 J;
+  J.topRows<3>() << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
+  J.bottomRows<3>().setIdentity();
+  return J;
+}
+
+double robust_weight(const Crossing& c, double scale) {
+  const double u = c.distance_mm / (kRobustWidth * scale * c.sigma_mm);
+  return 1.0 / ((1.0 + u * u) * (1.0 + u * u));
+}
+
+/// Normal equations of all crossings, in units of the noise.
+struct Equations {
+  Matrix6 H = Matrix6::Zero();
+  Matrix6 pretended = Matrix6::Zero();  ///< part of H that noise of the normals brings in
+  Twist g = Twist::Zero();
+
+  void add(const Crossing& c, double weight, const StepFrame& frame, ResidualKind kind) {
+    const Matrix63 A = motion_jacobian(c.q_mm, frame);
+    if (kind == ResidualKind::kPointToPoint) {
+      H.noalias() += weight * A * A.transpose();
+      g.noalias() += weight * A * (c.p_mm - c.q_mm);
+      return;
+    }
+    const Twist J = A * c.normal;
+    H.noalias() += weight * J * J.transpose();
+    g += weight * c.distance_mm * J;
+    pretended.noalias() +=
+        weight * kNormalNoise_rad * kNormalNoise_rad * (A * A.transpose() - J * J.transpose());
+  }
+};
+
+double base_weight(const Crossing& c, CrossingWeight kind, double mean_variation_mm) {
+  const double by_noise = 1.0 / (c.sigma_mm * c.sigma_mm);
+  if (kind == CrossingWeight::kUncertainty) return by_noise;
+  return by_noise * c.depth_variation_mm / mean_variation_mm;
+}
+
+void describe_fit(std::span<const Crossing> crossings, PoseStep& step) {
+  double squares = 0.0;
+  std::size_t inliers = 0;
+  for (const Crossing& c : crossings) {
+    if (std::abs(c.distance_mm) > 3.0 * step.noise_scale * c.sigma_mm) continue;
+    squares += c.distance_mm * c.distance_mm;
+    ++inliers;
+  }
+  step.inlier_share = static_cast<double>(inliers) / static_cast<double>(crossings.size());
+  step.rms_mm = std::sqrt(squares / std::max<double>(1.0, static_cast<double>(inliers)));
+}
+
+Twist prior_information(const PosePrior& prior, const StepFrame& frame) {
+  Twist information;
+  information.head<3>().setConstant(1.0 / std::pow(prior.rotation_rad * frame.radius_mm, 2));
+  information.tail<3>().setConstant(1.0 / std::pow(prior.translation_mm, 2));
+  return information;
+}
+
+}  // namespace
+
+PoseStep solve_step(std::span<const Crossing> crossings, const StepFrame& frame,
+                    const Twist& moved_mm, const StepOptions& options) {
+  PoseStep step;
+  if (crossings.empty()) return step;
+  step.noise_scale = noise_scale(crossings);
+  describe_fit(crossings, step);
+
+  double mean_variation = 1e-12;
+  for (const Crossing& c : crossings) {
+    mean_variation += c.depth_variation_mm / static_cast<double>(crossings.size());
+  }
+  Equations equations;
+  for (const Crossing& c : crossings) {
+    const double weight = base_weight(c, options.weight, mean_variation) *
+                          robust_weight(c, step.noise_scale) /
+                          (step.noise_scale * step.noise_scale);
+    equations.add(c, weight, frame, options.residual);
+  }
+
+  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(equations.H);
+  Matrix6 P = prior_information(options.prior, frame).asDiagonal();
+  for (int i = 0; i < 6; ++i) {
+    const Twist v = eigen.eigenvectors().col(i);
+    const double pretended = v.dot(equations.pretended * v);
+    const double known = eigen.eigenvalues()[i] - pretended;
+    step.sigma_mm[i] = known > 0.0 ? 1.0 / std::sqrt(known) : 1e30;
+    if (known < 2.0 * pretended) P += 10.0 * eigen.eigenvalues()[i] * v * v.transpose();
+  }
+  step.motion_mm = -(equations.H + P).ldlt().solve(equations.g + P * moved_mm);
+  return step;
+}
+
+Isometry motion_of(const Twist& motion_mm, const StepFrame& frame) {
+  Twist twist = motion_mm;
+  twist.head<3>() /= frame.radius_mm;
+  const Isometry about_center = exp_twist(twist);
+  return Eigen::Translation3d(frame.center_mm) * about_center *
+         Eigen::Translation3d(-frame.center_mm);
+}
+
+Twist unknowns_of(const Isometry& T_moved, const StepFrame& frame) {
+  const Isometry about_center =
+      Eigen::Translation3d(-frame.center_mm) * T_moved * Eigen::Translation3d(frame.center_mm);
+  Twist twist = log_twist(about_center);
+  twist.head<3>() *= frame.radius_mm;
+  return twist;
+}
+
+}  // namespace flytri

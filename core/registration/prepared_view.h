@@ -1,0 +1,44 @@
+/// @file  A view made ready for registration once: smoothed, splined, and boxed for fast searches.
+#pragma once
+
+#include <vector>
+
+#include "core/base/index.h"
+#include "core/geometry/box_tree.h"
+#include "core/geometry/smoothing.h"
+#include "core/geometry/spline.h"
+#include "core/geometry/view.h"
+
+namespace flytri {
+
+/// A shorter profile has no direction of its own above the noise.
+inline constexpr std::size_t kMinProfilePoints = 6;
+
+/// One smoothed line profile. Vectors are parallel to the knots of the curve.
+struct PreparedProfile {
+  CubicCurve curve;
+  BoxTree tree;                      ///< over the knots
+  std::vector<Vec3f> directions;     ///< o: unit tangents, smoother than the curve's own
+  std::vector<Vec3f> deviations_mm;  ///< noise that is left after smoothing, as in ProfilePoint
+  ProfileIndex profile;              ///< in the view it was prepared from
+  double depth_variation_mm = 0;     ///< standard deviation of z in the sensor frame
+};
+
+/// Profiles in the frame they were prepared in (the sensor's), or moved to since.
+struct PreparedView {
+  Pattern pattern = Pattern::kVertical;
+  std::vector<PreparedProfile> profiles;
+  Vec3 center_mm = Vec3::Zero();        ///< mean of all knots
+  double radius_mm = 0.0;               ///< RMS distance of the knots from it
+  Vec3 line_direction = Vec3::UnitX();  ///< along which the profiles run on average, unit
+  double noise_mm = 0.0;                ///< median size of the deviations that are left
+
+  [[nodiscard]] std::size_t knot_count() const;
+  /// The same view seen from frame a.
+  [[nodiscard]] PreparedView moved(const Isometry& T_a_b) const;
+};
+
+/// Smooths every profile that has at least kMinProfilePoints points; shorter ones are left out.
+[[nodiscard]] PreparedView prepare_view(const View& view, const SmoothingOptions& options = {});
+
+}  // namespace flytri
