@@ -1,0 +1,231 @@
+#include "core/calibrating/number_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace flytri {
+namespace {
+
+/// A line must show in this share of the image to be taken for one: dirt gives shorter pieces.
+constexpr double kMinShare = 0.1;
+/// Pieces of one line lie on one curve; the next line is a whole spacing away.
+constexpr double kSameLine = 0.3;  // of the spacing between lines
+
+/// All pieces of one line on one plane, and where it crosses the middle of the image.
+struct Strand {
+  double middle_px = 0.0;
+  LineTrace samples;
+};
+
+/// Where the straight line through the samples crosses row `along`.
+double crossing(const LineTrace& samples, double along) {
+  double n = 0, sum_t = 0, sum_x = 0, sum_tt = 0, sum_tx = 0;
+  for (const LineSample& sample : samples) {
+    const double t = sample.along_px - along;
+    n += 1;
+    sum_t += t;
+    sum_x += sample.across_px;
+    sum_tt += t * t;
+    sum_tx += t * sample.across_px;
+  }
+  return (sum_tt * sum_x - sum_t * sum_tx) / (n * sum_tt - sum_t * sum_t);
+}
+
+double median_gap(const std::vector<Strand>& strands) {
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < strands.size(); ++i) {
+    gaps.push_back(strands[i].middle_px - strands[i - 1].middle_px);
+  }
+  if (gaps.empty()) return 0.0;
+  std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2),
+                   gaps.end());
+  return gaps[gaps.size() / 2];
+}
+
+/// The lines of one plane by rising position; pieces of a line are joined.
+std::vector<Strand> strands_of(const std::vector<LineTrace>& traces, int along_count) {
+  std::vector<Strand> pieces, whole;
+  for (const LineTrace& trace : traces) {
+    if (static_cast<double>(trace.size()) < kMinShare * along_count) continue;
+    pieces.push_back({crossing(trace, 0.5 * along_count), trace});
+    if (static_cast<double>(trace.size()) > 0.5 * along_count) whole.push_back(pieces.back());
+  }
+  const auto by_position = [](const Strand& a, const Strand& b) {
+    return a.middle_px < b.middle_px;
+  };
+  std::stable_sort(pieces.begin(), pieces.end(), by_position);
+  std::stable_sort(whole.begin(), whole.end(), by_position);
+  const double joinable_px = kSameLine * median_gap(whole);
+
+  std::vector<Strand> strands;
+  for (Strand& piece : pieces) {
+    if (!strands.empty() && piece.middle_px - strands.back().middle_px < joinable_px) {
+      LineTrace& samples = strands.back().samples;
+      samples.insert(samples.end(), piece.samples.begin(), piece.samples.end());
+    } else {
+      strands.push_back(std::move(piece));
+    }
+  }
+  for (Strand& strand : strands) {
+    std::stable_sort(
+        strand.samples.begin(), strand.samples.end(),
+        [](const LineSample& a, const LineSample& b) { return a.along_px < b.along_px; });
+  }
+  return strands;
+}
+
+/// Carries line numbers from plane to plane in one direction.
+class Tracker {
+ public:
+  explicit Tracker(const std::vector<Strand>& start, double z_mm) : last_z_mm_(z_mm) {
+    for (const Strand& strand : start) state_.push_back({strand.middle_px, 0.0});
+    spacing_px_ = median_gap(start);
+  }
+
+  /// The number of each strand of the next plane; nothing for one that fits no line.
+  std::vector<std::optional<std::size_t>> follow(const std::vector<Strand>& strands, double z_mm) {
+    const double step_mm = z_mm - last_z_mm_;
+    const double common = common_rate();
+    std::vector<std::optional<std::size_t>> numbers(strands.size());
+    for (std::size_t n = 0; n < state_.size(); ++n) {
+      const double expected = state_[n].middle_px + common * step_mm;
+      const auto nearest = nearest_strand(strands, expected);
+      if (!nearest || numbers[*nearest]) continue;
+      if (std::abs(strands[*nearest].middle_px - expected) > 0.5 * spacing_px_) continue;
+      numbers[*nearest] = n;
+    }
+    move(strands, numbers, step_mm, common);
+    last_z_mm_ = z_mm;
+    return numbers;
+  }
+
+ private:
+  struct State {
+    double middle_px;
+    double rate_px_per_mm;
+  };
+
+  [[nodiscard]] double common_rate() const {
+    std::vector<double> rates;
+    for (const State& state : state_) rates.push_back(state.rate_px_per_mm);
+    std::sort(rates.begin(), rates.end());
+    return rates[rates.size() / 2];
+  }
+
+  static std::optional<std::size_t> nearest_strand(const std::vector<Strand>& strands,
+                                                   double expected) {
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < strands.size(); ++i) {
+      if (!nearest || std::abs(strands[i].middle_px - expected) <
+                          std::abs(strands[*nearest].middle_px - expected)) {
+        nearest = i;
+      }
+    }
+    return nearest;
+  }
+
+  /// Lines that were not seen move as the others do.
+  void move(const std::vector<Strand>& strands,
+            const std::vector<std::optional<std::size_t>>& numbers, double step_mm, double common) {
+    std::vector<bool> seen(state_.size(), false);
+    for (std::size_t i = 0; i < strands.size(); ++i) {
+      if (!numbers[i]) continue;
+      State& state = state_[*numbers[i]];
+      state.rate_px_per_mm = (strands[i].middle_px - state.middle_px) / step_mm;
+      state.middle_px = strands[i].middle_px;
+      seen[*numbers[i]] = true;
+    }
+    for (std::size_t n = 0; n < state_.size(); ++n) {
+      if (!seen[n]) state_[n].middle_px += common * step_mm;
+    }
+  }
+
+  std::vector<State> state_;
+  double last_z_mm_;
+  double spacing_px_ = 0.0;
+};
+
+const std::string& name_of(const CalibrationPlane& plane, Pattern pattern) {
+  return pattern == Pattern::kVertical ? plane.vertical_name : plane.horizontal_name;
+}
+
+Result<std::vector<std::vector<Strand>>> strands_of_all(const CalibrationSet& set, Pattern pattern,
+                                                        const LocalizeOptions& options,
+                                                        const Workers& workers) {
+  std::vector<Result<std::vector<LineTrace>>> traces(set.planes.size());
+  const auto image_of = [pattern](const CalibrationPlane& plane) -> const cv::Mat& {
+    return pattern == Pattern::kVertical ? plane.vertical : plane.horizontal;
+  };
+  workers.for_each(set.planes.size(), [&](std::size_t i) {
+    traces[i] = localize_lines(image_of(set.planes[i]), pattern, options);
+  });
+  std::vector<std::vector<Strand>> strands;
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const CalibrationPlane& plane = set.planes[i];
+    if (!traces[i]) {
+      return fail(traces[i].error().code, "{}: {}", name_of(plane, pattern),
+                  traces[i].error().message);
+    }
+    const cv::Mat& image = image_of(plane);
+    strands.push_back(
+        strands_of(*traces[i], pattern == Pattern::kVertical ? image.rows : image.cols));
+    if (strands.back().empty()) {
+      return fail(ErrorCode::kInsufficient,
+                  "{}: no {} lines found; is the image blank, or of the other pattern?",
+                  name_of(plane, pattern), to_string(pattern));
+    }
+  }
+  return strands;
+}
+
+std::size_t plane_nearest_zero(const CalibrationSet& set) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < set.planes.size(); ++i) {
+    if (std::abs(set.planes[i].z_mm) < std::abs(set.planes[nearest].z_mm)) nearest = i;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Result<NumberedLines> number_lines(const CalibrationSet& set, Pattern pattern,
+                                   const LocalizeOptions& options, const Workers& workers) {
+  auto strands = strands_of_all(set, pattern, options, workers);
+  if (!strands) return tl::unexpected(strands.error());
+  const auto expected =
+      static_cast<std::size_t>(set.line_counts[static_cast<std::size_t>(pattern)]);
+  const std::size_t start = plane_nearest_zero(set);
+  const std::vector<Strand>& first = (*strands)[start];
+  if (first.size() != expected) {
+    return fail(
+        ErrorCode::kInconsistent,
+        "{}: {} {} lines found where the set promises {}; all lines must be in the image of "
+        "the plane nearest z = 0",
+        name_of(set.planes[start], pattern), first.size(), to_string(pattern), expected);
+  }
+
+  std::vector<std::map<std::size_t, LineTrace>> by_plane(expected);
+  for (std::size_t n = 0; n < expected; ++n) by_plane[n][start] = first[n].samples;
+  for (const int direction : {1, -1}) {
+    Tracker tracker(first, set.planes[start].z_mm);
+    for (auto i = static_cast<std::ptrdiff_t>(start) + direction;
+         i >= 0 && i < static_cast<std::ptrdiff_t>(set.planes.size()); i += direction) {
+      const auto plane = static_cast<std::size_t>(i);
+      const auto numbers = tracker.follow((*strands)[plane], set.planes[plane].z_mm);
+      for (std::size_t s = 0; s < numbers.size(); ++s) {
+        if (numbers[s]) by_plane[*numbers[s]][plane] = (*strands)[plane][s].samples;
+      }
+    }
+  }
+
+  NumberedLines lines(expected);
+  for (std::size_t n = 0; n < expected; ++n) {
+    for (auto& [plane, samples] : by_plane[n]) {
+      lines[n].push_back({set.planes[plane].z_mm, std::move(samples)});
+    }
+  }
+  return lines;
+}
+
+}  // namespace flytri

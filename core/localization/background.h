@@ -1,0 +1,42 @@
+/// @file  The light that is not a line: local background and its noise, tile by tile.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace flytri {
+
+/// Background of an image, piecewise over tiles of kTileSize x kTileSize pixels.
+///
+/// A tile spans more than a line spacing, so most of its pixels are unlit, and their median is the
+/// background: it follows ambient light and needs no black level.
+class Background {
+ public:
+  static constexpr int kTileSize = 64;
+
+  /// @param rows  CV_32FC1.
+  explicit Background(const cv::Mat& rows);
+
+  [[nodiscard]] int tiles_across() const { return tiles_across_; }
+  /// Median gray value of the tile that covers the pixel.
+  [[nodiscard]] float level(int row, int column) const { return tile(row, column).level; }
+  /// Standard deviation of the unlit pixels of that tile, at least that of rounding.
+  [[nodiscard]] float noise(int row, int column) const { return tile(row, column).noise; }
+  /// Step between neighboring gray values.
+  [[nodiscard]] float quantum() const { return quantum_; }
+
+ private:
+  struct Tile {
+    float level = 0;
+    float noise = 0;
+  };
+  [[nodiscard]] const Tile& tile(int row, int column) const {
+    return tiles_[static_cast<std::size_t>((row / kTileSize) * tiles_across_ + column / kTileSize)];
+  }
+
+  int tiles_across_;
+  float quantum_;
+  std::vector<Tile> tiles_;
+};
+
+}  // namespace flytri

@@ -1,0 +1,17 @@
+/// @file  Links the peaks of neighboring rows to traces along the lines.
+#pragma once
+
+#include <vector>
+
+#include "core/localization/line_trace.h"
+
+namespace flytri {
+
+/// Joins each peak to the trace whose continuation it is nearest to; both must be each other's
+/// nearest. A trace may miss a row and go on.
+/// @param peaks  by row, then by rising column, see find_peaks.
+/// @param max_slope  steepest line that is followed, pixels across per pixel along.
+[[nodiscard]] std::vector<LineTrace> link_traces(const std::vector<std::vector<LineSample>>& peaks,
+                                                 double max_slope, int min_length);
+
+}  // namespace flytri

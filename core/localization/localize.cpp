@@ -1,0 +1,55 @@
+#include "core/localization/localize.h"
+
+#include "core/localization/background.h"
+#include "core/localization/find_peaks.h"
+#include "core/localization/link_traces.h"
+
+namespace flytri {
+namespace {
+
+/// The image as floats, turned so that lines cross its rows.
+cv::Mat rows_across_lines(const cv::Mat& image, Pattern pattern) {
+  cv::Mat turned = image;
+  if (pattern == Pattern::kHorizontal) cv::transpose(image, turned);
+  cv::Mat rows;
+  turned.convertTo(rows, CV_32F);
+  return rows;
+}
+
+}  // namespace
+
+Result<void> LocalizeOptions::validate() const {
+  if (!(detection_sigma_px >= 0.5 && detection_sigma_px <= 3.0)) {
+    return fail(ErrorCode::kBadOption, "detection_sigma_px is {}, must be 0.5..3",
+                detection_sigma_px);
+  }
+  if (!(detection_threshold >= 3.0 && detection_threshold <= 20.0)) {
+    return fail(ErrorCode::kBadOption, "detection_threshold is {}, must be 3..20",
+                detection_threshold);
+  }
+  if (!(max_slope >= 1.0 && max_slope <= 10.0)) {
+    return fail(ErrorCode::kBadOption, "max_slope is {}, must be 1..10", max_slope);
+  }
+  if (min_trace_length < 3) {
+    return fail(ErrorCode::kBadOption, "min_trace_length is {}, must be >= 3", min_trace_length);
+  }
+  return {};
+}
+
+Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern pattern,
+                                              const LocalizeOptions& options) {
+  if (const auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_16UC1)) {
+    return fail(ErrorCode::kBadFormat, "a measurement image must be 8- or 16-bit gray");
+  }
+  const cv::Mat rows = rows_across_lines(image, pattern);
+  const Background background(rows);
+  PeakOptions peak_options;
+  peak_options.smoothing_sigma_px = options.detection_sigma_px;
+  peak_options.threshold = options.detection_threshold;
+  peak_options.full_scale = image.depth() == CV_8U ? 255.0F : 65535.0F;
+  return link_traces(find_peaks(rows, background, peak_options), options.max_slope,
+                     options.min_trace_length);
+}
+
+}  // namespace flytri

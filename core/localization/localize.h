@@ -1,0 +1,37 @@
+/// @file  From a measurement image to sub-pixel line samples, linked along the lines.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/imaging/pattern.h"
+#include "core/localization/line_trace.h"
+
+namespace flytri {
+
+/// How lines are found. Lengths are in pixels because the sampling theorem speaks of pixels.
+struct LocalizeOptions {
+  /// 0.5..3. Gaussian that finds peaks: narrower than any line, wide enough to calm pixel noise.
+  double detection_sigma_px = 1.0;
+  /// 3..20. A peak must stand this many standard deviations of the smoothed background noise above
+  /// the local background: at 5 about one noise peak in 10^6 pixels is mistaken for a line.
+  double detection_threshold = 5.0;
+  /// 1..10. Slope of a line that is still followed, pixels across per pixel along.
+  double max_slope = 2.0;
+  /// >= 3. Shorter traces are not lines but noise.
+  int min_trace_length = 8;
+
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// Finds all lines of one pattern.
+/// @param image  CV_8UC1 or CV_16UC1, linear in light, any black level.
+/// @return traces by rising first row and then rising position across.
+/// @source  Arold et al., "Line Localization": Gaussian smoothing and three-point Gaussian
+///          interpolation; here the smoothing takes the line's own width.
+/// @errors  kBadOption for options out of range, kBadFormat for another type of image.
+[[nodiscard]] Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern pattern,
+                                                            const LocalizeOptions& options);
+
+}  // namespace flytri
