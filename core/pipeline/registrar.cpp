@@ -1,0 +1,292 @@
+#include "core/pipeline/registrar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace flytri {
+namespace {
+
+RejectReason reason_of(AlignOutcome outcome) {
+  switch (outcome) {
+    case AlignOutcome::kAligned:
+      return RejectReason::kNone;
+    case AlignOutcome::kTooFewCrossings:
+      return RejectReason::kTooFewCrossings;
+    case AlignOutcome::kUndetermined:
+      return RejectReason::kUndetermined;
+    case AlignOutcome::kPoorFit:
+      return RejectReason::kPoorFit;
+    case AlignOutcome::kNotConverged:
+      return RejectReason::kNotConverged;
+  }
+  return RejectReason::kPoorFit;
+}
+
+Result<void> check_range(int value, int low, int high, std::string_view name) {
+  if (value >= low && value <= high) return {};
+  return fail(ErrorCode::kBadOption, "{} is {}, must be in [{}, {}]", name, value, low, high);
+}
+
+}  // namespace
+
+std::string_view to_string(ViewFate fate) {
+  switch (fate) {
+    case ViewFate::kRegistered:
+      return "registered";
+    case ViewFate::kInterpolated:
+      return "interpolated";
+    case ViewFate::kRejected:
+      return "rejected";
+  }
+  return "unknown";
+}
+
+std::string_view to_string(RejectReason reason) {
+  switch (reason) {
+    case RejectReason::kNone:
+      return "none";
+    case RejectReason::kTooFewPoints:
+      return "too few points";
+    case RejectReason::kTooFewCrossings:
+      return "too few crossings with other views";
+    case RejectReason::kUndetermined:
+      return "surface does not determine the pose";
+    case RejectReason::kPoorFit:
+      return "does not fit the other views";
+    case RejectReason::kNotConverged:
+      return "registration did not converge";
+    case RejectReason::kNotConnected:
+      return "not connected to the rest of the scan";
+  }
+  return "unknown";
+}
+
+Result<void> RegistrarOptions::validate() const {
+  if (auto ok = track.validate(); !ok) return ok;
+  if (auto ok = check_range(patience_views, 1, 1000, "patience_views"); !ok) return ok;
+  if (auto ok = check_range(proposal_pairs, 1, 1000, "proposal_pairs"); !ok) return ok;
+  if (auto ok = check_range(starts_per_view, 1, 1000, "starts_per_view"); !ok) return ok;
+  if (auto ok = check_range(register_every, 1, 1000, "register_every"); !ok) return ok;
+  if (!(max_gap_s > 0.0)) {
+    return fail(ErrorCode::kBadOption, "max_gap_s is {}, must be above 0", max_gap_s);
+  }
+  return {};
+}
+
+Result<Registrar> Registrar::create(const RegistrarOptions& options) {
+  if (auto ok = options.validate(); !ok) return tl::unexpected(ok.error());
+  return Registrar(options);
+}
+
+RegisteredView Registrar::add(std::shared_ptr<const View> view) {
+  Added added{view, RejectReason::kNone, false};
+  const auto number = static_cast<int>(added_.size());
+  if (view->point_count() < static_cast<std::size_t>(options_.track.min_points)) {
+    added.reason = RejectReason::kTooFewPoints;
+  } else if (number % options_.register_every != 0 && lost_views_ == 0) {
+    added.skipped = true;
+  } else {
+    added.reason = register_view({view, prepare_view(*view, options_.track.smoothing)});
+  }
+  added_.push_back(added);
+  RegisteredView result{view, ViewFate::kRejected, added.reason, Isometry::Identity()};
+  if (added.skipped) {
+    result.fate = ViewFate::kInterpolated;
+    if (!pieces_.empty()) result.T_world_sensor = trajectory().predict(view->time_s).T_world_sensor;
+  } else if (added.reason == RejectReason::kNone) {
+    result.fate = ViewFate::kRegistered;
+    result.T_world_sensor = pieces_[scan_]->views().back().aligned.T_world_sensor;
+  }
+  return result;
+}
+
+void Registrar::start_piece(IncomingView incoming) {
+  if (radius_mm_ == 0.0) radius_mm_ = incoming.prepared.radius_mm;
+  side_ = pieces_.size();
+  pieces_.push_back(std::make_unique<TrackedScan>(options_.track, radius_mm_));
+  pieces_.back()->add(std::move(incoming), Isometry::Identity());
+}
+
+RejectReason Registrar::register_view(IncomingView incoming) {
+  if (incoming.prepared.profiles.empty()) return RejectReason::kTooFewPoints;
+  if (pieces_.empty()) {
+    start_piece(std::move(incoming));
+    return RejectReason::kNone;
+  }
+  TrackedScan& scan = *pieces_[scan_];
+  const Alignment tracked = scan.track(incoming);
+  if (!tracked.aligned()) {
+    ++lost_views_;
+    return track_lost(std::move(incoming), reason_of(tracked.outcome));
+  }
+  lost_views_ = 0;
+  side_ = scan_;
+  claim_.reset();
+  scan.add(std::move(incoming), tracked.T_target_source);
+  if (options_.track.check_path) scan.check_path();
+  return RejectReason::kNone;
+}
+
+RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason) {
+  bool tracked = false;
+  if (side_ != scan_) {
+    const Alignment alignment = pieces_[side_]->track(incoming);
+    tracked = alignment.aligned();
+    if (tracked) pieces_[side_]->add(incoming, alignment.T_target_source);
+  }
+  if (!tracked) start_piece(std::move(incoming));
+  if (try_to_join(side_, pieces_[side_]->size() - 1, false)) return RejectReason::kNone;
+  // A piece that outgrows the scan is the scan; what was, may join it.
+  if (pieces_[side_]->size() > pieces_[scan_]->size()) {
+    std::swap(scan_, side_);
+    side_ = scan_;
+    lost_views_ = 0;
+    claim_.reset();
+    return RejectReason::kNone;
+  }
+  return reason;
+}
+
+bool Registrar::convincing(const Alignment& alignment) const {
+  return alignment.aligned() && alignment.crossings >= 4 * options_.track.align.min_crossings &&
+         alignment.inlier_share >= 0.75 && alignment.covered_share >= 0.7;
+}
+
+std::vector<Isometry> Registrar::start_poses(bool all) const {
+  const TrackedScan& scan = *pieces_[scan_];
+  std::vector<Isometry> starts = {scan.views().back().aligned.T_world_sensor};
+  if (const auto best = proposal()) starts.push_back(best->second.T_world_sensor);
+  // Poses along the path, a third of a radius apart.
+  std::vector<Isometry> path;
+  for (const TrackedView& view : scan.views()) {
+    const Isometry& T = view.aligned.T_world_sensor;
+    const bool near = std::any_of(path.begin(), path.end(), [&](const Isometry& T_world_known) {
+      return pose_distance_mm(T_world_known, T, radius_mm_) < 0.3 * radius_mm_;
+    });
+    if (!near) path.push_back(T);
+  }
+  const auto count = static_cast<std::size_t>(options_.starts_per_view);
+  const std::size_t first = static_cast<std::size_t>(lost_views_) * count;
+  for (std::size_t i = 0; i < (all ? path.size() : std::min(count, path.size())); ++i) {
+    starts.push_back(path[(first + i) % path.size()]);
+  }
+  return starts;
+}
+
+bool Registrar::confirms_claim(const Alignment& alignment) const {
+  return convincing(alignment) && alignment.moved_mm < 0.1 * radius_mm_;
+}
+
+bool Registrar::try_to_join(std::size_t piece, std::size_t i, bool all_starts) {
+  const TrackedScan& scan = *pieces_[scan_];
+  const IncomingView incoming = pieces_[piece]->incoming(i);
+  const Isometry T_piece_sensor = pieces_[piece]->views()[i].aligned.T_world_sensor;
+  if (claim_ && claim_->piece == piece) {
+    const Alignment second = scan.locate(incoming, claim_->T_scan_piece * T_piece_sensor);
+    if (confirms_claim(second)) {
+      join(piece, second.T_target_source * T_piece_sensor.inverse());
+      return true;
+    }
+  }
+  claim_.reset();
+  Alignment best;
+  for (const Isometry& T_scan_start : start_poses(all_starts)) {
+    const Alignment found = scan.locate(incoming, T_scan_start);
+    if (convincing(found) && found.crossings > best.crossings) best = found;
+  }
+  if (best.aligned()) claim_ = {piece, best.T_target_source * T_piece_sensor.inverse()};
+  return false;
+}
+
+void Registrar::join(std::size_t piece, const Isometry& T_scan_piece) {
+  TrackedScan& scan = *pieces_[scan_];
+  for (std::size_t i = 0; i < pieces_[piece]->size(); ++i) {
+    scan.add(pieces_[piece]->incoming(i),
+             T_scan_piece * pieces_[piece]->views()[i].aligned.T_world_sensor);
+  }
+  // Emptied pieces stay as placeholders: the numbers of the others do not change.
+  pieces_[piece] = std::make_unique<TrackedScan>(options_.track, radius_mm_);
+  lost_views_ = 0;
+  side_ = scan_;
+  claim_.reset();
+}
+
+std::optional<ReentryProposal> Registrar::proposal() const {
+  if (pieces_.empty() || pieces_[scan_]->size() < 2) return std::nullopt;
+  const std::vector<TrackedView>& views = pieces_[scan_]->views();
+  const auto pairs = std::min(views.size() - 1, static_cast<std::size_t>(options_.proposal_pairs));
+  ReentryProposal best;
+  for (std::size_t i = views.size() - 1; i >= views.size() - pairs; --i) {
+    const AlignedView& first = views[i - 1].aligned;
+    const AlignedView& second = views[i].aligned;
+    const std::size_t points = first.view->point_count() + second.view->point_count();
+    if (points > best.point_count) best = {first, second, points};
+  }
+  return best;
+}
+
+std::vector<AlignedView> Registrar::aligned_views() const {
+  std::vector<AlignedView> result;
+  if (pieces_.empty()) return result;
+  for (const TrackedView& view : pieces_[scan_]->views()) result.push_back(view.aligned);
+  std::sort(result.begin(), result.end(), [](const AlignedView& a, const AlignedView& b) {
+    return a.view->time_s < b.view->time_s;
+  });
+  return result;
+}
+
+void Registrar::retry_pieces() {
+  for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+    if (piece == scan_) continue;
+    claim_.reset();
+    for (std::size_t i = 0; i < pieces_[piece]->size(); ++i) {
+      if (try_to_join(piece, i, true)) break;
+    }
+  }
+}
+
+void Registrar::retry_rejected() {
+  TrackedScan& scan = *pieces_[scan_];
+  for (Added& added : added_) {
+    if (added.reason == RejectReason::kNone || added.reason == RejectReason::kTooFewPoints)
+      continue;
+    if (scan.registered_pose(added.view->time_s)) continue;
+    const auto T_world_start = trajectory().interpolate(added.view->time_s, options_.max_gap_s);
+    if (!T_world_start) continue;
+    IncomingView incoming{added.view, prepare_view(*added.view, options_.track.smoothing)};
+    const Alignment found = scan.locate(incoming, *T_world_start);
+    if (!convincing(found) || found.moved_mm > 0.3 * radius_mm_) continue;
+    scan.add(std::move(incoming), found.T_target_source);
+  }
+}
+
+RegisteredView Registrar::settle(const Added& added) const {
+  RegisteredView result{added.view, ViewFate::kRejected, added.reason, Isometry::Identity()};
+  if (added.reason == RejectReason::kTooFewPoints || pieces_.empty()) return result;
+  const double time_s = added.view->time_s;
+  if (const auto T_world_sensor = pieces_[scan_]->registered_pose(time_s)) {
+    return {added.view, ViewFate::kRegistered, RejectReason::kNone, *T_world_sensor};
+  }
+  if (added.skipped) {
+    if (const auto T_world_sensor = trajectory().interpolate(time_s, options_.max_gap_s)) {
+      return {added.view, ViewFate::kInterpolated, RejectReason::kNone, *T_world_sensor};
+    }
+  }
+  if (result.reason == RejectReason::kNone) result.reason = RejectReason::kNotConnected;
+  return result;
+}
+
+std::vector<RegisteredView> Registrar::finish() {
+  if (!pieces_.empty()) {
+    retry_pieces();
+    retry_rejected();
+    const Isometry T_world_scan = aligned_views().front().T_world_sensor.inverse();
+    pieces_[scan_]->change_frame(T_world_scan);
+  }
+  std::vector<RegisteredView> result;
+  for (const Added& added : added_) result.push_back(settle(added));
+  return result;
+}
+
+}  // namespace flytri

@@ -1,0 +1,129 @@
+/// @file  Keeps the poses of a scan: takes views one by one, says what became of each, and finds
+/// back after the object was lost.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/pipeline/tracked_scan.h"
+
+namespace flytri {
+
+/// What became of a view.
+enum class ViewFate {
+  kRegistered,    ///< aligned to others by its own profiles
+  kInterpolated,  ///< skipped by option; its pose lies on the path between its neighbors
+  kRejected       ///< without a pose
+};
+
+/// Why a view has no pose.
+enum class RejectReason {
+  kNone,
+  kTooFewPoints,     ///< nothing, or nearly nothing, of the object was in the volume
+  kTooFewCrossings,  ///< no overlap with earlier views
+  kUndetermined,     ///< the surface does not fix the pose
+  kPoorFit,  ///< its profiles contradict the model: motion blur, wrong pattern, other object
+  kNotConverged,
+  kNotConnected  ///< it fits other views, but these never met the rest of the scan
+};
+
+[[nodiscard]] std::string_view to_string(ViewFate fate);
+[[nodiscard]] std::string_view to_string(RejectReason reason);
+
+/// A view and its fate. The pose is valid unless rejected.
+struct RegisteredView {
+  std::shared_ptr<const View> view;
+  ViewFate fate = ViewFate::kRejected;
+  RejectReason reason = RejectReason::kNone;
+  Isometry T_world_sensor = Isometry::Identity();
+};
+
+/// Where a lost scan is best taken up again: two successive views with many profiles and points.
+/// @source  Arold et al., "Preview and Continuation Mode".
+struct ReentryProposal {
+  AlignedView first, second;
+  std::size_t point_count = 0;  ///< the rating: sum over both
+};
+
+struct RegistrarOptions {
+  TrackOptions track;
+  /// Default 20, range [1, 1000]. k of the paper: views tried against the last good one before the
+  /// scan counts as interrupted.
+  int patience_views = 20;
+  /// Default 30, range [1, 1000]. l of the paper: latest pairs of which the best is proposed.
+  int proposal_pairs = 30;
+  /// Default 6, range [1, 1000]. Start poses tried for each view while lost: bounds its time.
+  int starts_per_view = 6;
+  /// Default 1, >= 1. Only every n-th view is registered, the others are interpolated.
+  int register_every = 1;
+  /// Default 0.5, > 0. Longest gap in time over which poses are interpolated, s.
+  double max_gap_s = 0.5;
+
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// While lost, views go on registering among themselves as a piece with a frame of its own; the
+/// piece joins the scan when two of its views agree on where. So nothing seen meanwhile is lost,
+/// and a scan whose first views are useless goes on from its first good one.
+class Registrar {
+ public:
+  /// @errors  kBadOption.
+  [[nodiscard]] static Result<Registrar> create(const RegistrarOptions& options = {});
+
+  /// Takes the next view; times must rise. The fate is the present one: pieces that join later
+  /// and skipped views are settled by finish().
+  RegisteredView add(std::shared_ptr<const View> view);
+
+  /// True after more than `patience_views` failures in a row: continuation mode.
+  [[nodiscard]] bool interrupted() const { return lost_views_ > options_.patience_views; }
+  /// The best of the latest pairs. None before two views are registered.
+  [[nodiscard]] std::optional<ReentryProposal> proposal() const;
+
+  /// Views registered so far in the world frame of the largest piece.
+  [[nodiscard]] std::vector<AlignedView> aligned_views() const;
+  /// Path of the sensor through the largest piece.
+  [[nodiscard]] const Trajectory& trajectory() const { return pieces_[scan_]->trajectory(); }
+
+  /// After the scan: tries pieces and rejected views once more against the whole model, then
+  /// settles every fate, in the order of add().
+  [[nodiscard]] std::vector<RegisteredView> finish();
+
+ private:
+  explicit Registrar(const RegistrarOptions& options) : options_(options) {}
+
+  struct Added {
+    std::shared_ptr<const View> view;
+    RejectReason reason = RejectReason::kNone;
+    bool skipped = false;
+  };
+  /// A pose that one view of a piece suggests for the piece.
+  struct Claim {
+    std::size_t piece = 0;
+    Isometry T_scan_piece = Isometry::Identity();
+  };
+
+  RejectReason register_view(IncomingView incoming);
+  RejectReason track_lost(IncomingView incoming, RejectReason reason);
+  bool try_to_join(std::size_t piece, std::size_t i, bool all_starts);
+  [[nodiscard]] bool confirms_claim(const Alignment& alignment) const;
+  void join(std::size_t piece, const Isometry& T_scan_piece);
+  void start_piece(IncomingView incoming);
+  [[nodiscard]] std::vector<Isometry> start_poses(bool all) const;
+  [[nodiscard]] bool convincing(const Alignment& alignment) const;
+  void retry_pieces();
+  void retry_rejected();
+  [[nodiscard]] RegisteredView settle(const Added& added) const;
+
+  RegistrarOptions options_;
+  std::vector<Added> added_;
+  std::vector<std::unique_ptr<TrackedScan>> pieces_;
+  std::size_t scan_ = 0;  ///< the piece that is the scan
+  std::size_t side_ = 0;  ///< the piece that lost views go to; scan_ if there is none
+  int lost_views_ = 0;
+  double radius_mm_ = 0.0;
+  std::optional<Claim> claim_;
+};
+
+}  // namespace flytri

@@ -1,0 +1,191 @@
+#include "core/pipeline/tracked_scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flytri {
+namespace {
+
+/// Window of the path check: a hand's motion over it is smooth.
+constexpr double kPathWindow_s = 0.4;
+constexpr std::size_t kMinPathPoses = 8;
+
+ViewExtent extent_of(const PreparedView& placed, const Isometry& T_world_sensor) {
+  return {placed.center_mm, placed.line_direction, T_world_sensor.linear().col(2),
+          placed.radius_mm};
+}
+
+/// The `count` overlaps with the highest keys u^(1/worth): a random choice by worth that spreads
+/// over the whole scan.
+/// @source  Efraimidis and Spirakis, "Weighted random sampling with a reservoir", 2006.
+std::vector<std::size_t> draw_by_worth(const std::vector<Overlap>& overlaps, std::size_t count,
+                                       std::uint64_t seed) {
+  std::vector<std::pair<double, std::size_t>> keys;
+  for (const Overlap& overlap : overlaps) {
+    Random random(seed, overlap.view);
+    keys.emplace_back(std::log(1.0 - random.uniform()) / overlap.worth, overlap.view);
+  }
+  count = std::min(count, keys.size());
+  std::partial_sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(count), keys.end(),
+                    std::greater<>());
+  std::vector<std::size_t> views;
+  for (std::size_t i = 0; i < count; ++i) views.push_back(keys[i].second);
+  std::sort(views.begin(), views.end());
+  return views;
+}
+
+}  // namespace
+
+Result<void> TrackOptions::validate() const {
+  if (auto ok = align.validate(); !ok) return ok;
+  if (auto ok = smoothing.validate(); !ok) return ok;
+  if (single_views < 1 || metaview_views < 1 || min_points < 6) {
+    return fail(ErrorCode::kBadOption,
+                "single_views is {}, metaview_views {}, min_points {}: must be at least 1, 1, 6",
+                single_views, metaview_views, min_points);
+  }
+  if (!(max_surprise_share > 0.0 && max_surprise_share <= 5.0)) {
+    return fail(ErrorCode::kBadOption, "max_surprise_share is {}, must be in (0, 5]",
+                max_surprise_share);
+  }
+  return {};
+}
+
+TrackedScan::TrackedScan(const TrackOptions& options, double radius_mm)
+    : options_(options),
+      radius_mm_(std::max(radius_mm, 1e-6)),
+      grid_(radius_mm_),
+      trajectory_(radius_mm_) {}
+
+IncomingView TrackedScan::incoming(std::size_t i) const {
+  const AlignedView& aligned = views_[i].aligned;
+  return {aligned.view, views_[i].placed.moved(aligned.T_world_sensor.inverse())};
+}
+
+void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor) {
+  TrackedView view{{std::move(incoming.view), T_world_sensor},
+                   incoming.prepared.moved(T_world_sensor)};
+  grid_.add(extent_of(view.placed, T_world_sensor));
+  trajectory_.set(view.aligned.view->time_s, T_world_sensor);
+  views_.push_back(std::move(view));
+}
+
+std::optional<Isometry> TrackedScan::registered_pose(double time_s) const {
+  const std::vector<TimedPose> found = trajectory_.between(time_s, time_s);
+  return found.empty() ? std::nullopt : std::optional(found.front().T_world_sensor);
+}
+
+void TrackedScan::change_frame(const Isometry& T_new_world) {
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    move(i, T_new_world * views_[i].aligned.T_world_sensor);
+  }
+}
+
+void TrackedScan::move(std::size_t i, const Isometry& T_world_sensor) {
+  TrackedView& view = views_[i];
+  view.placed = view.placed.moved(T_world_sensor * view.aligned.T_world_sensor.inverse());
+  view.aligned.T_world_sensor = T_world_sensor;
+  grid_.move(i, extent_of(view.placed, T_world_sensor));
+  trajectory_.set(view.aligned.view->time_s, T_world_sensor);
+}
+
+std::vector<const PreparedView*> TrackedScan::latest_views() const {
+  std::vector<const PreparedView*> result;
+  const auto count = std::min(views_.size(), static_cast<std::size_t>(options_.single_views));
+  for (std::size_t i = views_.size() - count; i < views_.size(); ++i) {
+    result.push_back(&views_[i].placed);
+  }
+  return result;
+}
+
+std::vector<const PreparedView*> TrackedScan::metaview(const IncomingView& incoming,
+                                                       const Isometry& T_world_sensor,
+                                                       std::size_t skip_view) const {
+  ViewExtent around = extent_of(incoming.prepared, T_world_sensor);
+  around.center_mm = T_world_sensor * around.center_mm;
+  around.line_direction = T_world_sensor.linear() * around.line_direction;
+  std::vector<Overlap> overlaps = grid_.overlapping(around);
+  std::erase_if(overlaps, [&](const Overlap& overlap) { return overlap.view == skip_view; });
+  const std::uint64_t seed = options_.align.seed + views_.size();
+  std::vector<const PreparedView*> result;
+  for (const std::size_t i :
+       draw_by_worth(overlaps, static_cast<std::size_t>(options_.metaview_views), seed)) {
+    result.push_back(&views_[i].placed);
+  }
+  return result;
+}
+
+Alignment TrackedScan::align(const IncomingView& incoming,
+                             const std::vector<const PreparedView*>& metaview,
+                             const Isometry& T_world_guess, const AlignOptions& options) const {
+  // The options were validated when the scan began.
+  return align_to_metaview(incoming.prepared, metaview, T_world_guess, options)
+      .value_or(Alignment{});
+}
+
+Alignment TrackedScan::track(const IncomingView& incoming) const {
+  const PosePrediction prediction = trajectory_.predict(incoming.view->time_s);
+  AlignOptions single = options_.align;
+  single.prior = prediction.prior;
+  single.fine_pairs = single.coarse_pairs;
+  Alignment first = align(incoming, latest_views(), prediction.T_world_sensor, single);
+
+  AlignOptions multi = options_.align;
+  multi.prior = prediction.prior;
+  const Isometry T_world_guess =
+      first.aligned() ? first.T_target_source : prediction.T_world_sensor;
+  if (first.aligned()) multi.start_distance_share *= 0.5;
+  Alignment second =
+      align(incoming, metaview(incoming, T_world_guess, kSkipNone), T_world_guess, multi);
+  const Alignment& better = second.aligned() || !first.aligned() ? second : first;
+  Alignment result = better;
+  result.moved_mm = pose_distance_mm(prediction.T_world_sensor, result.T_target_source, radius_mm_);
+  const double allowed_mm =
+      options_.max_surprise_share * radius_mm_ + 3.0 * prediction.prior.translation_mm;
+  if (result.aligned() && result.moved_mm > allowed_mm) result.outcome = AlignOutcome::kPoorFit;
+  return result;
+}
+
+Alignment TrackedScan::locate(const IncomingView& incoming, const Isometry& T_world_start) const {
+  AlignOptions wide = options_.align;
+  wide.start_distance_share = std::min(2.0, 2.0 * wide.start_distance_share);
+  const Alignment coarse =
+      align(incoming, metaview(incoming, T_world_start, kSkipNone), T_world_start, wide);
+  if (!coarse.aligned()) return coarse;
+  Alignment fine = align(incoming, metaview(incoming, coarse.T_target_source, kSkipNone),
+                         coarse.T_target_source, options_.align);
+  fine.moved_mm = pose_distance_mm(T_world_start, fine.T_target_source, radius_mm_);
+  return fine;
+}
+
+void TrackedScan::check_path() {
+  if (views_.empty()) return;
+  const double now_s = trajectory_.last_time_s();
+  const std::vector<TimedPose> window = trajectory_.between(now_s - kPathWindow_s, now_s);
+  if (window.size() < kMinPathPoses) return;
+  OutlierOptions ransac;
+  ransac.arm_mm = radius_mm_;
+  ransac.min_deviation_mm = 0.05 * radius_mm_;
+  ransac.seed = options_.align.seed;
+  const PathOutliers found = find_outliers(window, ransac);
+  for (const std::size_t outlier : found.outliers) {
+    const double time_s = window[outlier].time_s;
+    const auto view = std::find_if(views_.rbegin(), views_.rend(), [&](const TrackedView& v) {
+      return v.aligned.view->time_s == time_s;
+    });
+    if (view == views_.rend()) continue;
+    reregister(static_cast<std::size_t>(views_.rend() - view) - 1, found.curve.at(time_s));
+  }
+}
+
+void TrackedScan::reregister(std::size_t i, const Isometry& T_world_curve) {
+  const IncomingView again = incoming(i);
+  const Alignment anew =
+      align(again, metaview(again, T_world_curve, i), T_world_curve, options_.align);
+  const Isometry& T_world_sensor = views_[i].aligned.T_world_sensor;
+  const double before_mm = pose_distance_mm(T_world_curve, T_world_sensor, radius_mm_);
+  const double after_mm = pose_distance_mm(T_world_curve, anew.T_target_source, radius_mm_);
+  if (anew.aligned() && after_mm < before_mm) move(i, anew.T_target_source);
+}
+
+}  // namespace flytri

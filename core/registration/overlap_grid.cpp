@@ -1,0 +1,60 @@
+#include "core/registration/overlap_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flytri {
+namespace {
+
+/// Surfaces seen from directions farther apart than this cosine have little in common.
+constexpr double kMinSightCosine = 0.2;
+
+double worth(const ViewExtent& a, const ViewExtent& b) {
+  if (a.sight.dot(b.sight) < kMinSightCosine) return 0.0;
+  const double reach_mm = 1.2 * (a.radius_mm + b.radius_mm);
+  const double shared = std::max(0.0, 1.0 - (a.center_mm - b.center_mm).norm() / reach_mm);
+  const double cosine = a.line_direction.dot(b.line_direction);
+  return shared * std::max(0.0, 1.0 - cosine * cosine);
+}
+
+}  // namespace
+
+OverlapGrid::Cell OverlapGrid::cell_of(const Vec3& p_mm) const {
+  const Eigen::Array3i cell = (p_mm / cell_mm_).array().floor().cast<int>();
+  return {cell[0], cell[1], cell[2]};
+}
+
+void OverlapGrid::add(const ViewExtent& extent) {
+  cells_[cell_of(extent.center_mm)].push_back(extents_.size());
+  extents_.push_back(extent);
+}
+
+void OverlapGrid::move(std::size_t view, const ViewExtent& extent) {
+  std::erase(cells_[cell_of(extents_[view].center_mm)], view);
+  cells_[cell_of(extent.center_mm)].push_back(view);
+  extents_[view] = extent;
+}
+
+std::vector<Overlap> OverlapGrid::overlapping(const ViewExtent& around) const {
+  const Vec3 reach = Vec3::Constant(2.4 * around.radius_mm);
+  const Cell low = cell_of(around.center_mm - reach);
+  const Cell high = cell_of(around.center_mm + reach);
+  std::vector<Overlap> result;
+  for (int x = low[0]; x <= high[0]; ++x) {
+    for (int y = low[1]; y <= high[1]; ++y) {
+      // The cells of a column stand next to each other in the map.
+      const auto end = cells_.upper_bound({x, y, high[2]});
+      for (auto cell = cells_.lower_bound({x, y, low[2]}); cell != end; ++cell) {
+        for (const std::size_t view : cell->second) {
+          const double value = worth(around, extents_[view]);
+          if (value > 0.0) result.push_back({view, value});
+        }
+      }
+    }
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Overlap& a, const Overlap& b) { return a.view < b.view; });
+  return result;
+}
+
+}  // namespace flytri

@@ -1,0 +1,53 @@
+/// @file  Finds the registered views that overlap a place: a fixed grid of their centers.
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "core/geometry/rigid.h"
+
+namespace flytri {
+
+/// What the grid keeps of a view, in the world frame (paper: position and basic orientation).
+struct ViewExtent {
+  Vec3 center_mm = Vec3::Zero();        ///< of mass
+  Vec3 line_direction = Vec3::UnitX();  ///< along its profiles, unit
+  Vec3 sight = Vec3::UnitZ();           ///< z axis of the sensor: looks onto the surface
+  double radius_mm = 0.0;               ///< RMS distance of its points from the center
+};
+
+/// A view that is likely to overlap.
+struct Overlap {
+  std::size_t view = 0;  ///< as added, from 0
+  /// 0..1: overlap of the extents times the squared sine between the profiles' directions, which is
+  /// what crossings tell.
+  double worth = 0.0;
+};
+
+/// @source  Arold et al., "Multi-View Registration".
+class OverlapGrid {
+ public:
+  /// @param cell_mm  > 0, side of the cubic cells: about the radius of a view.
+  explicit OverlapGrid(double cell_mm) : cell_mm_(cell_mm) {}
+
+  void add(const ViewExtent& extent);
+  /// After a view was registered anew.
+  void move(std::size_t view, const ViewExtent& extent);
+  [[nodiscard]] std::size_t size() const { return extents_.size(); }
+  [[nodiscard]] const ViewExtent& extent(std::size_t view) const { return extents_[view]; }
+
+  /// All views whose extent meets `around` and that see the surface from the same side, by rising
+  /// number.
+  [[nodiscard]] std::vector<Overlap> overlapping(const ViewExtent& around) const;
+
+ private:
+  using Cell = std::array<int, 3>;
+  [[nodiscard]] Cell cell_of(const Vec3& p_mm) const;
+
+  double cell_mm_;
+  std::vector<ViewExtent> extents_;
+  std::map<Cell, std::vector<std::size_t>> cells_;
+};
+
+}  // namespace flytri

@@ -1,0 +1,118 @@
+#include "core/trajectory/trajectory.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace flytri {
+namespace {
+
+/// An extrapolation: a polynomial of `degree` through the last `window` poses.
+struct Extrapolation {
+  std::size_t window;
+  int degree;
+};
+constexpr std::array kExtrapolations = {Extrapolation{1, 0}, Extrapolation{2, 1},
+                                        Extrapolation{4, 1}, Extrapolation{6, 1},
+                                        Extrapolation{6, 2}};
+/// Poses whose prediction is looked back on.
+constexpr std::size_t kRehearsals = 8;
+
+Isometry extrapolate(std::span<const TimedPose> poses, const Extrapolation& by, double time_s) {
+  const std::size_t count = std::min(by.window, poses.size());
+  return PathFit(poses.last(count), by.degree).at(time_s);
+}
+
+/// RMS error with which an extrapolation would have foretold the last poses.
+double rehearse(std::span<const TimedPose> poses, const Extrapolation& by, double arm_mm) {
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = poses.size(); i-- > 1 && count < kRehearsals; ++count) {
+    const Isometry T_world_foretold = extrapolate(poses.first(i), by, poses[i].time_s);
+    squares += std::pow(pose_distance_mm(T_world_foretold, poses[i].T_world_sensor, arm_mm), 2);
+  }
+  return std::sqrt(squares / std::max<double>(1.0, static_cast<double>(count)));
+}
+
+/// Median time from pose to pose.
+double usual_step(std::span<const TimedPose> poses) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    steps.push_back(poses[i].time_s - poses[i - 1].time_s);
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+PosePrior prior_of(double sigma_mm, double arm_mm) {
+  // Half of the squared distance is rotation, half translation; each has three directions.
+  return {sigma_mm / arm_mm / std::sqrt(6.0), sigma_mm / std::sqrt(6.0)};
+}
+
+}  // namespace
+
+std::vector<TimedPose> Trajectory::before(double time_s, std::size_t count) const {
+  std::vector<TimedPose> result;
+  for (auto it = poses_.upper_bound(time_s); it != poses_.begin() && result.size() < count;) {
+    --it;
+    result.push_back({it->first, it->second});
+  }
+  std::reverse(result.begin(), result.end());
+  return result;
+}
+
+std::vector<TimedPose> Trajectory::between(double from_s, double to_s) const {
+  std::vector<TimedPose> result;
+  for (auto it = poses_.lower_bound(from_s); it != poses_.end() && it->first <= to_s; ++it) {
+    result.push_back({it->first, it->second});
+  }
+  return result;
+}
+
+std::optional<Isometry> Trajectory::interpolate(double time_s, double max_gap_s) const {
+  const auto after = poses_.lower_bound(time_s);
+  if (after == poses_.end()) return std::nullopt;
+  if (after->first == time_s) return after->second;
+  if (after == poses_.begin()) return std::nullopt;
+  const auto prior = std::prev(after);
+  if (after->first - prior->first > max_gap_s) return std::nullopt;
+  // Neighbors beyond a gap would bend the curve more than they inform it.
+  std::vector<TimedPose> neighbors = {{prior->first, prior->second}, {after->first, after->second}};
+  if (prior != poses_.begin()) {
+    const auto first = std::prev(prior);
+    if (prior->first - first->first <= max_gap_s) {
+      neighbors.insert(neighbors.begin(), {first->first, first->second});
+    }
+  }
+  const auto last = std::next(after);
+  if (last != poses_.end() && last->first - after->first <= max_gap_s) {
+    neighbors.push_back({last->first, last->second});
+  }
+  return PathFit(neighbors, 3).at(time_s);
+}
+
+PosePrediction Trajectory::predict(double time_s) const {
+  assert(!poses_.empty());
+  // Uncertainty while nothing is known of the hand, and the least that is ever claimed.
+  const double unknown_mm = 0.15 * arm_mm_;
+  const double least_mm = 0.02 * arm_mm_;
+  const std::vector<TimedPose> poses = before(time_s, kRehearsals + 6);
+  if (poses.size() < 4) return {poses.back().T_world_sensor, prior_of(unknown_mm, arm_mm_)};
+  const Extrapolation* best = nullptr;
+  double best_mm = 1e300;
+  for (const Extrapolation& candidate : kExtrapolations) {
+    const double error_mm = rehearse(poses, candidate, arm_mm_);
+    if (error_mm >= best_mm) continue;
+    best_mm = error_mm;
+    best = &candidate;
+  }
+  // Over a gap a straight line soon leads astray: later the hand is where it was, or anywhere.
+  const double steps = (time_s - poses.back().time_s) / usual_step(poses);
+  const Extrapolation by = steps < 3.5 ? *best : kExtrapolations[0];
+  const double sigma_mm = std::max(least_mm, 2.0 * best_mm) * std::max(1.0, steps);
+  return {extrapolate(poses, by, time_s), prior_of(std::min(sigma_mm, 4 * unknown_mm), arm_mm_)};
+}
+
+}  // namespace flytri

@@ -1,0 +1,50 @@
+/// @file  The sensor's path through a scan: where it was, is, and will be next.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "core/registration/pose_solver.h"
+#include "core/trajectory/path_fit.h"
+
+namespace flytri {
+
+/// A pose to start from, and how far it may be off.
+struct PosePrediction {
+  Isometry T_world_sensor = Isometry::Identity();
+  PosePrior prior;
+};
+
+/// Poses by time. Everything goes by time: dropped frames leave gaps, not steps.
+class Trajectory {
+ public:
+  /// @param arm_mm  > 0, radius of what the sensor sees: weighs rotation against translation.
+  explicit Trajectory(double arm_mm) : arm_mm_(arm_mm) {}
+
+  /// Adds a pose or replaces that of the same time.
+  void set(double time_s, const Isometry& T_world_sensor) { poses_[time_s] = T_world_sensor; }
+  void erase(double time_s) { poses_.erase(time_s); }
+  [[nodiscard]] bool empty() const { return poses_.empty(); }
+  [[nodiscard]] std::size_t size() const { return poses_.size(); }
+  [[nodiscard]] double last_time_s() const { return poses_.rbegin()->first; }
+
+  /// Up to `count` poses with times up to and including time_s, by rising time.
+  [[nodiscard]] std::vector<TimedPose> before(double time_s, std::size_t count) const;
+  /// All poses with times in [from_s, to_s].
+  [[nodiscard]] std::vector<TimedPose> between(double from_s, double to_s) const;
+
+  /// Pose between known ones: a cubic in time through the four nearest, exact for motions that are
+  /// one. None before the first and after the last pose, and in gaps longer than max_gap_s.
+  [[nodiscard]] std::optional<Isometry> interpolate(double time_s, double max_gap_s) const;
+
+  /// Pose after the last known one. Of several extrapolations (rest, straight lines, a parabola)
+  /// the one that would have foretold the latest poses best is taken, and its errors there are the
+  /// stated uncertainty. The trajectory must not be empty.
+  [[nodiscard]] PosePrediction predict(double time_s) const;
+
+ private:
+  double arm_mm_;
+  std::map<double, Isometry> poses_;
+};
+
+}  // namespace flytri
