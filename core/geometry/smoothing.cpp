@@ -138,18 +138,22 @@ Result<void> SmoothingOptions::validate() const {
 }
 
 double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOptions& options) {
-  if (points.size() < 4) return 0.0;
+  // Second differences over three samples: speckle is correlated between neighbors, and would hide
+  // in closer ones.
+  constexpr std::size_t kLag = 3;
+  if (points.size() < 2 * kLag + 2) return 0.0;
   std::vector<double> stated, bends, steps;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+  for (std::size_t i = kLag; i + kLag < points.size(); ++i) {
     const Vec3& p = points[i].position_mm;
+    const Vec3& before = points[i - kLag].position_mm;
+    const Vec3& after = points[i + kLag].position_mm;
     stated.push_back(points[i].deviation_mm.norm());
-    steps.push_back((points[i + 1].position_mm - p).norm());
-    bends.push_back((points[i + 1].position_mm + points[i - 1].position_mm - 2.0 * p).norm());
+    steps.push_back((after - before).norm() / (2.0 * kLag));
+    bends.push_back((after + before - 2.0 * p).norm());
   }
   // White noise of 1 gives second differences of sqrt(6); 0.6745 turns a median into a deviation.
   const double shown_mm = median(bends) / (0.6745 * std::sqrt(6.0));
-  // Noise that is correlated between neighbors shows less than it is, but hardly a quarter.
-  const double noise_mm = std::clamp(median(stated), shown_mm, 4.0 * shown_mm);
+  const double noise_mm = std::clamp(median(stated), shown_mm, 2.0 * shown_mm);
   const double ratio = noise_mm / std::max(median(steps), 1e-9);
   // Slope of a Gaussian-weighted line fit over sigma samples: variance = ratio² / (4 sqrt(pi)
   // sigma³).

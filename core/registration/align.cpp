@@ -6,6 +6,11 @@
 namespace flytri {
 namespace {
 
+/// Steps below this share of their standard uncertainty end a stage.
+constexpr double kInsignificant = 0.1;
+/// So do steps below this share of the radius: the resolution of single precision.
+constexpr double kResolution = 1e-6;
+
 /// A stage of the iteration: from where the crossings were searched to where it came to rest.
 class Stage {
  public:
@@ -42,7 +47,8 @@ class Stage {
       T_moved = motion_of(step_.motion_mm, frame) * T_moved;
       shrink_threshold();
       ++result.iterations;
-      converged_ = step_.motion_mm.norm() < resolution_mm();
+      converged_ = step_.significance < kInsignificant ||
+                   step_.motion_mm.norm() < kResolution * source_.radius_mm;
       if (converged_) break;
     }
     result.T_target_source = T_moved * result.T_target_source;
@@ -68,11 +74,6 @@ class Stage {
     sigma_mm *= step_.noise_scale / static_cast<double>(crossings_.size());
     limits_.max_distance_mm = std::clamp(
         6.0 * sigma_mm, options_.final_distance_share * source_.radius_mm, limits_.max_distance_mm);
-  }
-
-  /// Steps below a fiftieth of the noise, or of the resolution of single precision, end a stage.
-  [[nodiscard]] double resolution_mm() const {
-    return std::max(0.02 * source_.noise_mm, 1e-6 * source_.radius_mm);
   }
 
   [[nodiscard]] double covered_share() const {

@@ -119,7 +119,9 @@ PoseStep solve_step(std::span<const Crossing> crossings, const StepFrame& frame,
     step.sigma_mm[i] = known > 0.0 ? 1.0 / std::sqrt(known) : 1e30;
     if (known < 2.0 * pretended) P += 10.0 * eigen.eigenvalues()[i] * v * v.transpose();
   }
-  step.motion_mm = -(equations.H + P).ldlt().solve(equations.g + P * moved_mm);
+  const Matrix6 total = equations.H + P;
+  step.motion_mm = -total.ldlt().solve(equations.g + P * moved_mm);
+  step.significance = std::sqrt(step.motion_mm.dot(total * step.motion_mm));
   return step;
 }
 

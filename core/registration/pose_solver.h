@@ -38,6 +38,7 @@ struct StepFrame {
 struct PoseStep {
   Twist motion_mm = Twist::Zero();
   Twist sigma_mm = Twist::Constant(1e30);  ///< along the eigenvectors, from the crossings alone
+  double significance = 1e30;              ///< size of the motion in standard uncertainties
   double noise_scale = 1.0;   ///< residuals in units of their expected uncertainty, robust
   double inlier_share = 0.0;  ///< crossings that lie within 3 of these
   double rms_mm = 0.0;        ///< of the inliers' distances
