@@ -81,10 +81,12 @@ Result<Registrar> Registrar::create(const RegistrarOptions& options) {
 
 RegisteredView Registrar::add(std::shared_ptr<const View> view) {
   Added added{view, RejectReason::kNone, false};
-  const auto number = static_cast<int>(added_.size());
+  // Counted by pattern: the views that are left still alternate.
+  int& number = pattern_counts_[static_cast<std::size_t>(view->pattern)];
+  const bool due = number++ % options_.register_every == 0;
   if (view->point_count() < static_cast<std::size_t>(options_.track.min_points)) {
     added.reason = RejectReason::kTooFewPoints;
-  } else if (number % options_.register_every != 0 && lost_views_ == 0) {
+  } else if (!due && lost_views_ == 0) {
     added.skipped = true;
   } else {
     added.reason = register_view({view, prepare_view(*view, options_.track.smoothing)});
@@ -115,7 +117,9 @@ RejectReason Registrar::register_view(IncomingView incoming) {
     return RejectReason::kNone;
   }
   TrackedScan& scan = *pieces_[scan_];
-  const Alignment tracked = scan.track(incoming);
+  // After a longer loss a single view is no proof of where the sensor is.
+  const bool continues = scan.continues(incoming.view->time_s);
+  const Alignment tracked = continues ? scan.track(incoming) : Alignment{};
   if (!tracked.aligned()) {
     ++lost_views_;
     return track_lost(std::move(incoming), reason_of(tracked.outcome));
@@ -123,7 +127,7 @@ RejectReason Registrar::register_view(IncomingView incoming) {
   lost_views_ = 0;
   side_ = scan_;
   claim_.reset();
-  scan.add(std::move(incoming), tracked.T_target_source);
+  scan.add(std::move(incoming), tracked);
   if (options_.track.check_path) scan.check_path();
   return RejectReason::kNone;
 }
@@ -133,7 +137,7 @@ RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason) {
   if (side_ != scan_) {
     const Alignment alignment = pieces_[side_]->track(incoming);
     tracked = alignment.aligned();
-    if (tracked) pieces_[side_]->add(incoming, alignment.T_target_source);
+    if (tracked) pieces_[side_]->add(incoming, alignment);
   }
   if (!tracked) start_piece(std::move(incoming));
   if (try_to_join(side_, pieces_[side_]->size() - 1, false)) return RejectReason::kNone;
@@ -150,7 +154,8 @@ RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason) {
 
 bool Registrar::convincing(const Alignment& alignment) const {
   return alignment.aligned() && alignment.crossings >= 4 * options_.track.align.min_crossings &&
-         alignment.inlier_share >= 0.75 && alignment.covered_share >= 0.7;
+         alignment.inlier_share >= 0.75 && alignment.covered_share >= 0.7 &&
+         alignment.rms_mm <= pieces_[scan_]->usual_rms_mm();
 }
 
 std::vector<Isometry> Registrar::start_poses(bool all) const {

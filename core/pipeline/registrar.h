@@ -2,6 +2,7 @@
 /// back after the object was lost.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -56,7 +57,8 @@ struct RegistrarOptions {
   int proposal_pairs = 30;
   /// Default 6, range [1, 1000]. Start poses tried for each view while lost: bounds its time.
   int starts_per_view = 6;
-  /// Default 1, >= 1. Only every n-th view is registered, the others are interpolated.
+  /// Default 1, >= 1. Only every n-th view of each pattern is registered, the others are
+  /// interpolated.
   int register_every = 1;
   /// Default 0.5, > 0. Longest gap in time over which poses are interpolated, s.
   double max_gap_s = 0.5;
@@ -122,6 +124,7 @@ class Registrar {
   std::size_t scan_ = 0;  ///< the piece that is the scan
   std::size_t side_ = 0;  ///< the piece that lost views go to; scan_ if there is none
   int lost_views_ = 0;
+  std::array<int, 2> pattern_counts_{};  ///< views added so far, by Pattern
   double radius_mm_ = 0.0;
   std::optional<Claim> claim_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flytri {
 namespace {
@@ -9,6 +10,14 @@ namespace {
 /// Window of the path check: a hand's motion over it is smooth.
 constexpr double kPathWindow_s = 0.4;
 constexpr std::size_t kMinPathPoses = 8;
+/// Aligned views from which is learnt how well views fit.
+constexpr std::size_t kExperience = 8;
+/// Spread of the fits of good views about their median, and what is always allowed: on ideal data
+/// the median is next to nothing.
+constexpr double kUsualSpread = 2.0;
+constexpr double kLeastRmsShare = 0.001;
+/// Steps of time after which a hand may be anywhere.
+constexpr double kPredictableSteps = 5.5;
 
 ViewExtent extent_of(const PreparedView& placed, const Isometry& T_world_sensor) {
   return {placed.center_mm, placed.line_direction, T_world_sensor.linear().col(2),
@@ -68,6 +77,29 @@ void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor) {
   grid_.add(extent_of(view.placed, T_world_sensor));
   trajectory_.set(view.aligned.view->time_s, T_world_sensor);
   views_.push_back(std::move(view));
+}
+
+void TrackedScan::add(IncomingView incoming, const Alignment& alignment) {
+  add(std::move(incoming), alignment.T_target_source);
+  rms_mm_.push_back(alignment.rms_mm);
+}
+
+double TrackedScan::usual_rms_mm() const {
+  if (rms_mm_.size() < kExperience) return std::numeric_limits<double>::infinity();
+  const std::size_t count = std::min(rms_mm_.size(), 4 * kExperience);
+  std::vector<double> latest(rms_mm_.end() - static_cast<std::ptrdiff_t>(count), rms_mm_.end());
+  std::nth_element(latest.begin(), latest.begin() + static_cast<std::ptrdiff_t>(count / 2),
+                   latest.end());
+  return kUsualSpread * latest[count / 2] + kLeastRmsShare * radius_mm_;
+}
+
+bool TrackedScan::continues(double time_s) const {
+  const std::vector<TimedPose> latest = trajectory_.before(time_s, 12);
+  if (latest.empty()) return false;
+  if (latest.size() < 3) return true;
+  const double mean_step_s =
+      (latest.back().time_s - latest.front().time_s) / static_cast<double>(latest.size() - 1);
+  return time_s - latest.back().time_s < kPredictableSteps * mean_step_s;
 }
 
 std::optional<Isometry> TrackedScan::registered_pose(double time_s) const {
@@ -134,7 +166,11 @@ Alignment TrackedScan::track(const IncomingView& incoming) const {
   multi.prior = prediction.prior;
   const Isometry T_world_guess =
       first.aligned() ? first.T_target_source : prediction.T_world_sensor;
-  if (first.aligned()) multi.start_distance_share *= 0.5;
+  if (first.aligned()) {
+    multi.start_distance_share =
+        std::max(multi.final_distance_share, 0.5 * multi.start_distance_share);
+    multi.coarse_pairs = 0;
+  }
   Alignment second =
       align(incoming, metaview(incoming, T_world_guess, kSkipNone), T_world_guess, multi);
   const Alignment& better = second.aligned() || !first.aligned() ? second : first;
@@ -142,7 +178,9 @@ Alignment TrackedScan::track(const IncomingView& incoming) const {
   result.moved_mm = pose_distance_mm(prediction.T_world_sensor, result.T_target_source, radius_mm_);
   const double allowed_mm =
       options_.max_surprise_share * radius_mm_ + 3.0 * prediction.prior.translation_mm;
-  if (result.aligned() && result.moved_mm > allowed_mm) result.outcome = AlignOutcome::kPoorFit;
+  if (result.aligned() && (result.moved_mm > allowed_mm || result.rms_mm > 1.5 * usual_rms_mm())) {
+    result.outcome = AlignOutcome::kPoorFit;
+  }
   return result;
 }
 

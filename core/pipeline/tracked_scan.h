@@ -18,9 +18,9 @@ struct TrackOptions {
   SmoothingOptions smoothing;
   /// Default 6, >= 1. Latest views that the single registration uses.
   int single_views = 6;
-  /// Default 40, >= 1. Overlapping earlier views that make up the metaview, drawn by worth: it
+  /// Default 25, >= 1. Overlapping earlier views that make up the metaview, drawn by worth: it
   /// bounds the time of a view however long the scan is.
-  int metaview_views = 40;
+  int metaview_views = 25;
   /// Default 100, >= 6. Points that a view must have: fewer carry no pose.
   int min_points = 100;
   /// Default 0.5, range (0, 5]. Farther from its prediction than this share of the radius a view is
@@ -62,6 +62,13 @@ class TrackedScan {
 
   /// Keeps the view at this pose.
   void add(IncomingView incoming, const Isometry& T_world_sensor);
+  /// Keeps the view where it was aligned, and learns from it how well views fit here.
+  void add(IncomingView incoming, const Alignment& alignment);
+  /// Largest RMS distance of crossings that is usual in this scan: at a wrong place views fit
+  /// several times worse. Infinite before there is experience.
+  [[nodiscard]] double usual_rms_mm() const;
+  /// True if the view comes so soon after the last that its pose can be predicted.
+  [[nodiscard]] bool continues(double time_s) const;
   /// Gives a kept view another pose.
   void move(std::size_t i, const Isometry& T_world_sensor);
 
@@ -93,6 +100,7 @@ class TrackedScan {
   std::vector<TrackedView> views_;
   OverlapGrid grid_;
   Trajectory trajectory_;
+  std::vector<double> rms_mm_;  ///< of the views that were aligned, as they came
 };
 
 /// No view is left out of a metaview.

@@ -146,8 +146,10 @@ Result<void> AlignOptions::validate() const {
       !ok) {
     return ok;
   }
-  if (auto ok = check(coarse_pairs >= 20 && fine_pairs >= coarse_pairs,
-                      "coarse_pairs must be at least 20, fine_pairs not below it");
+  if (auto ok = check((coarse_pairs == 0 || coarse_pairs >= 20) && fine_pairs >= 20 &&
+                          fine_pairs >= coarse_pairs,
+                      "coarse_pairs must be 0 or at least 20, fine_pairs at least 20 and not below "
+                      "coarse_pairs");
       !ok) {
     return ok;
   }
@@ -175,9 +177,9 @@ Result<Alignment> align_to_metaview(const PreparedView& source, Metaview metavie
   if (source.profiles.empty()) return result;
   Random random(options.seed);
   Stage stage(source, metaview, options, T_world_source_guess);
-  if (stage.run(static_cast<std::size_t>(options.coarse_pairs), random, result)) {
-    stage.run(static_cast<std::size_t>(options.fine_pairs), random, result);
-  }
+  const bool started = options.coarse_pairs == 0 ||
+                       stage.run(static_cast<std::size_t>(options.coarse_pairs), random, result);
+  if (started) stage.run(static_cast<std::size_t>(options.fine_pairs), random, result);
   stage.describe(result);
   return result;
 }

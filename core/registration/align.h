@@ -27,10 +27,11 @@ struct AlignOptions {
   double start_distance_share = 0.2;
   /// Default 0.02, range (0, start_distance_share]. d_max does not shrink below this.
   double final_distance_share = 0.02;
-  /// Default 250, >= 20. Random subset of profile pairs that the first, coarse stage uses.
+  /// Default 250, >= 20, or 0. Random subset of profile pairs that the first, coarse stage uses; 0
+  /// leaves it out, for a guess that is itself an alignment.
   int coarse_pairs = 250;
-  /// Default 1500, >= coarse_pairs. Random subset of the last stage.
-  int fine_pairs = 1500;
+  /// Default 1000, >= 20, >= coarse_pairs. Random subset of the last stage.
+  int fine_pairs = 1000;
   /// Default 12, >= 2. Iterations of each stage.
   int max_iterations = 12;
   /// Default 12, >= 6. Fewer crossings: kTooFewCrossings.
