@@ -1,22 +1,13 @@
-/// @file  Peaks of every image row: where lines cross it, to a fraction of a pixel.
+/// @file  Peaks of every image row: where lines cross it.
 #pragma once
 
 #include <opencv2/core.hpp>
 #include <vector>
 
 #include "core/localization/background.h"
+#include "core/localization/line_trace.h"
 
 namespace flytri {
-
-/// A peak of a smoothed row, by three-point Gaussian interpolation.
-struct Peak {
-  int row = 0;
-  float center_px = 0;
-  float sigma_px = 0;   ///< standard deviation of the Gaussian, free of the smoothing
-  float amplitude = 0;  ///< above the local background, free of the smoothing
-  float room_px = 0;    ///< half the distance to the nearest other peak of the row
-  bool saturated = false;
-};
 
 /// What counts as a peak.
 struct PeakOptions {
@@ -25,12 +16,10 @@ struct PeakOptions {
   float full_scale = 255.0F;  ///< gray value at which the camera clips
 };
 
-/// The peaks of each row by rising column. Two maxima with hardly a valley between them are one
-/// peak split by speckle: the higher one stands for both.
+/// The peaks of each row by rising column.
 /// @param rows  CV_32FC1; lines cross the rows.
-/// @source  Arold et al., "Line Localization".
-[[nodiscard]] std::vector<std::vector<Peak>> find_peaks(const cv::Mat& rows,
-                                                        const Background& background,
-                                                        const PeakOptions& options);
+[[nodiscard]] std::vector<std::vector<LineSample>> find_peaks(const cv::Mat& rows,
+                                                              const Background& background,
+                                                              const PeakOptions& options);
 
 }  // namespace flytri

@@ -1,0 +1,151 @@
+#include "core/interchange/png.h"
+
+#include <zlib.h>
+
+#include <cstdint>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/interchange/file_bytes.h"
+
+namespace flytri {
+namespace {
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+/// Length, type and checksum of a chunk.
+constexpr std::size_t kChunkFrame = 12;
+/// Deflate cannot shrink data further than this, so a small file with a huge size is a lie.
+constexpr std::uint64_t kMaxDeflateRatio = 1032;
+constexpr int kGrey = 0, kRgb = 2;  // color types of the PNG header
+
+struct Header {
+  std::uint32_t width = 0, height = 0;
+  int bit_depth = 0, color_type = 0;
+
+  [[nodiscard]] std::optional<int> matrix_type() const {
+    if (color_type == kGrey && bit_depth == 8) return CV_8UC1;
+    if (color_type == kGrey && bit_depth == 16) return CV_16UC1;
+    if (color_type == kRgb && bit_depth == 8) return CV_8UC3;
+    return std::nullopt;
+  }
+};
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+/// Walks all chunks up to IEND and verifies their checksums.
+Result<void> check_chunks(std::string_view bytes, const std::string& name) {
+  std::size_t at = kSignature.size();
+  while (at + kChunkFrame <= bytes.size()) {
+    const std::size_t length = big_endian(bytes, at);
+    if (length > bytes.size() - at - kChunkFrame) break;
+    const std::string_view body = bytes.substr(at + 4, length + 4);
+    const auto checksum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
+    if (checksum != big_endian(bytes, at + 8 + length)) {
+      return fail(ErrorCode::kBadFormat,
+                  "{}: damaged PNG: wrong checksum at byte {}; copy it again", name, at);
+    }
+    if (body.starts_with("IEND")) return {};
+    at += length + kChunkFrame;
+  }
+  return fail(ErrorCode::kBadFormat,
+              "{}: truncated PNG: ends at byte {} of an image; copy it again", name, bytes.size());
+}
+
+Result<Header> parse_header(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t kHeaderEnd = 33;  // signature, then one chunk of 13 bytes
+  if (!bytes.starts_with(kSignature)) {
+    return fail(ErrorCode::kBadFormat, "{}: not a PNG image", name);
+  }
+  if (Result<void> whole = check_chunks(bytes, name); !whole) return tl::unexpected(whole.error());
+  if (bytes.size() < kHeaderEnd || bytes.substr(12, 4) != "IHDR" || big_endian(bytes, 8) != 13) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: does not begin with its header", name);
+  }
+  return Header{big_endian(bytes, 16), big_endian(bytes, 20), bytes[24], bytes[25]};
+}
+
+Result<void> check_header(const Header& header, std::size_t byte_count, const std::string& name) {
+  const std::optional<int> type = header.matrix_type();
+  if (!type) {
+    return fail(ErrorCode::kBadFormat,
+                "{}: a PNG of color type {} with {} bits; expected 8- or 16-bit grey or 8-bit RGB "
+                "without transparency",
+                name, header.color_type, header.bit_depth);
+  }
+  constexpr std::uint32_t kMaxSide = 1U << 16U;
+  const std::uint64_t pixel_bytes =
+      std::uint64_t{header.width} * header.height * CV_ELEM_SIZE(*type);
+  if (header.width == 0 || header.height == 0 || header.width > kMaxSide ||
+      header.height > kMaxSide || pixel_bytes > kMaxDeflateRatio * byte_count) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: a size of {} x {} pixels in {} bytes",
+                name, header.width, header.height, byte_count);
+  }
+  return {};
+}
+
+void swap_red_and_blue(cv::Mat& image) {
+  image.forEach<cv::Vec3b>([](cv::Vec3b& pixel, const int*) { std::swap(pixel[0], pixel[2]); });
+}
+
+}  // namespace
+
+Result<cv::Mat> decode_png(std::string_view bytes, const std::string& name) {
+  const Result<Header> header = parse_header(bytes, name);
+  if (!header) return tl::unexpected(header.error());
+  if (Result<void> fine = check_header(*header, bytes.size(), name); !fine) {
+    return tl::unexpected(fine.error());
+  }
+  cv::Mat image;
+  try {
+    const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
+    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  if (image.empty()) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: its pixels cannot be unpacked", name);
+  }
+  if (image.type() != *header->matrix_type()) {
+    return fail(ErrorCode::kBadFormat, "{}: a PNG with transparency; save it without", name);
+  }
+  if (image.channels() == 3) swap_red_and_blue(image);
+  return image;
+}
+
+Result<cv::Mat> read_png(const std::filesystem::path& path) {
+  return read_file(path).and_then(
+      [&](const std::string& bytes) { return decode_png(bytes, path.string()); });
+}
+
+Result<std::string> encode_png(const cv::Mat& image) {
+  const int type = image.type();
+  if (image.empty() || (type != CV_8UC1 && type != CV_16UC1 && type != CV_8UC3)) {
+    return fail(ErrorCode::kBadOption,
+                "an image to be saved as PNG must have pixels, 8- or 16-bit grey or 8-bit RGB");
+  }
+  cv::Mat stored = image;
+  if (image.channels() == 3) {
+    stored = image.clone();
+    swap_red_and_blue(stored);
+  }
+  try {
+    std::vector<std::uint8_t> buffer;
+    if (cv::imencode(".png", stored, buffer)) return std::string(buffer.begin(), buffer.end());
+  } catch (const cv::Exception&) {
+    // Falls through: the same failure as a false return.
+  }
+  return fail(ErrorCode::kBadOption, "an image of {} x {} pixels cannot be saved as PNG",
+              image.cols, image.rows);
+}
+
+Result<void> write_png(const std::filesystem::path& path, const cv::Mat& image) {
+  return encode_png(image).and_then(
+      [&](const std::string& bytes) { return write_file(path, bytes); });
+}
+
+}  // namespace flytri

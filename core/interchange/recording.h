@@ -1,0 +1,70 @@
+/// @file  Recordings on disk: a folder's list of frames, and each frame when it is wanted.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/imaging/frame.h"
+
+namespace flytri {
+
+/// One line of recording.json.
+struct RecordedFrame {
+  std::string file;     ///< relative to the folder
+  double time_s = 0.0;  ///< middle of the exposure
+  FrameKind kind = FrameKind::kUnknown;
+};
+
+/// A recording's list of frames; no image is loaded.
+struct Recording {
+  std::filesystem::path folder;
+  std::optional<std::filesystem::path>
+      calibration;                    ///< path of the file, if the recording names one
+  std::vector<RecordedFrame> frames;  ///< at least one, by rising time
+};
+
+/// Parses the text of recording.json, see docs/formats.md.
+/// @param name  of the file, for messages
+/// @errors  kBadFormat (the key and what was expected), kInsufficient (no frames).
+[[nodiscard]] Result<Recording> parse_recording(std::string_view text, const std::string& name);
+
+/// @param folder  the one that holds recording.json
+/// @errors  As read_file and parse_recording.
+[[nodiscard]] Result<Recording> open_recording(const std::filesystem::path& folder);
+
+/// Loads one frame. A file that is missing or damaged costs that frame alone: go on with the next.
+/// @errors  As read_png; kBadFormat: color where grey is expected or the reverse.
+[[nodiscard]] Result<Frame> load_frame(const Recording& recording, FrameIndex index);
+
+/// Writes a recording frame by frame. The folder becomes a recording at close(), which writes
+/// recording.json with the frames that are complete: when stopped early, close what there is.
+/// Destroyed without close(), it leaves images, but nothing that would be taken for a recording.
+class RecordingWriter {
+ public:
+  /// Creates the folder; a recording that lies there already is given up, its images overwritten.
+  /// @param calibration  what recording.json is to name: relative to the folder; empty: nothing
+  /// @errors  As create_folder.
+  [[nodiscard]] static Result<RecordingWriter> create(const std::filesystem::path& folder,
+                                                      std::string calibration = {});
+  /// Saves a frame under the next number; `frame.index` plays no part.
+  /// @errors  kBadOption (image type does not fit the kind, time not rising), as write_png.
+  [[nodiscard]] Result<void> append(const Frame& frame);
+  /// @errors  As write_file; kInsufficient: no frame was appended.
+  [[nodiscard]] Result<void> close();
+
+  /// The frames that are complete, as they will be listed.
+  [[nodiscard]] const std::vector<RecordedFrame>& frames() const { return frames_; }
+
+ private:
+  RecordingWriter(std::filesystem::path folder, std::string calibration);
+
+  std::filesystem::path folder_;
+  std::string calibration_;
+  std::vector<RecordedFrame> frames_;
+};
+
+}  // namespace flytri

@@ -1,0 +1,70 @@
+#include "core/interchange/truth.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/interchange/file_bytes.h"
+#include "core/interchange/json_place.h"
+
+namespace flytri {
+namespace {
+
+constexpr std::string_view kFormat = "flytri.truth";
+constexpr int kVersion = 1;
+
+Isometry read_pose(const JsonPlace& place) {
+  const JsonPlace rotation = place.at("q_wxyz");
+  const std::vector<double> q = rotation.numbers(4);
+  const std::vector<double> t = place.at("t_mm").numbers(3);
+  const Eigen::Quaterniond q_model_sensor(q[0], q[1], q[2], q[3]);
+  // Printed with few digits a quaternion is a little off; farther off, it is something else.
+  constexpr double kTolerance = 1e-3;
+  if (std::abs(q_model_sensor.norm() - 1.0) > kTolerance) {
+    rotation.reject("a unit quaternion");
+    return Isometry::Identity();
+  }
+  return make_isometry(q_model_sensor, Vec3(t[0], t[1], t[2]));
+}
+
+}  // namespace
+
+Result<Truth> parse_truth(std::string_view text, const std::string& name) {
+  const Result<JsonPlace> json = JsonPlace::parse(text, name);
+  if (!json) return tl::unexpected(json.error());
+  json->expect_format(kFormat, kVersion);
+  Truth truth;
+  truth.mesh = json->at("mesh").text();
+  for (const JsonPlace& place : json->at("poses").elements()) {
+    truth.poses.push_back({FrameIndex(place.at("frame").whole_number()), place.at("file").text(),
+                           place.at("time_s").number(), read_pose(place)});
+  }
+  if (Result<void> outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
+  return truth;
+}
+
+Result<Truth> read_truth(const std::filesystem::path& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return tl::unexpected(text.error());
+  Result<Truth> truth = parse_truth(*text, path.string());
+  if (truth) truth->mesh = path.parent_path() / truth->mesh;
+  return truth;
+}
+
+Result<void> write_truth(const std::filesystem::path& path, const Truth& truth) {
+  nlohmann::ordered_json json = {{"format", kFormat},
+                                 {"version", kVersion},
+                                 {"mesh", truth.mesh.generic_string()},
+                                 {"poses", nlohmann::ordered_json::array()}};
+  for (const TruthPose& pose : truth.poses) {
+    const Eigen::Quaterniond q(pose.T_model_sensor.linear());
+    const Vec3 t = pose.T_model_sensor.translation();
+    json["poses"].push_back({{"frame", pose.frame.value},
+                             {"file", pose.file},
+                             {"time_s", pose.time_s},
+                             {"q_wxyz", {q.w(), q.x(), q.y(), q.z()}},
+                             {"t_mm", {t.x(), t.y(), t.z()}}});
+  }
+  return write_file(path, json.dump(1) + "\n");
+}
+
+}  // namespace flytri
