@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace flytri {
 namespace {
@@ -21,6 +20,30 @@ RejectReason reason_of(AlignOutcome outcome) {
       return RejectReason::kNotConverged;
   }
   return RejectReason::kPoorFit;
+}
+
+/// Poses that a hand may take up a scan from: those of the path, a third of a radius apart, then
+/// each of them shifted along the surface and turned about the line of sight.
+std::vector<Isometry> poses_around_path(const std::vector<TrackedView>& views, double radius_mm) {
+  std::vector<Isometry> path;
+  for (const TrackedView& view : views) {
+    const Isometry& T = view.aligned.T_world_sensor;
+    const bool near = std::any_of(path.begin(), path.end(), [&](const Isometry& T_world_known) {
+      return pose_distance_mm(T_world_known, T, radius_mm) < 0.35 * radius_mm;
+    });
+    if (!near) path.push_back(T);
+  }
+  std::vector<Isometry> poses = path;
+  for (const double turn_rad : {0.0, 0.35, -0.35}) {
+    for (const Vec2& shift : {Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
+      if (turn_rad == 0.0 && shift.isZero()) continue;
+      Twist off = Twist::Zero();
+      off[2] = turn_rad;
+      off.segment<2>(3) = 0.4 * radius_mm * shift;
+      for (const Isometry& T_world_sensor : path) poses.push_back(T_world_sensor * exp_twist(off));
+    }
+  }
+  return poses;
 }
 
 Result<void> check_range(int value, int low, int high, std::string_view name) {
@@ -160,22 +183,14 @@ bool Registrar::convincing(const Alignment& alignment) const {
 
 std::vector<Isometry> Registrar::start_poses(bool all) const {
   const TrackedScan& scan = *pieces_[scan_];
+  const std::vector<Isometry> around = poses_around_path(scan.views(), radius_mm_);
   std::vector<Isometry> starts = {scan.views().back().aligned.T_world_sensor};
   if (const auto best = proposal()) starts.push_back(best->second.T_world_sensor);
-  // Poses along the path, a third of a radius apart.
-  std::vector<Isometry> path;
-  for (const TrackedView& view : scan.views()) {
-    const Isometry& T = view.aligned.T_world_sensor;
-    const bool near = std::any_of(path.begin(), path.end(), [&](const Isometry& T_world_known) {
-      return pose_distance_mm(T_world_known, T, radius_mm_) < 0.3 * radius_mm_;
-    });
-    if (!near) path.push_back(T);
-  }
-  const auto count = static_cast<std::size_t>(options_.starts_per_view);
-  const std::size_t first = static_cast<std::size_t>(lost_views_) * count;
-  for (std::size_t i = 0; i < (all ? path.size() : std::min(count, path.size())); ++i) {
-    starts.push_back(path[(first + i) % path.size()]);
-  }
+  // Live, every view goes on where the last one ended.
+  const auto few = static_cast<std::size_t>(options_.starts_per_view);
+  const std::size_t first = all ? 0 : static_cast<std::size_t>(lost_views_) * few;
+  const std::size_t count = all ? around.size() : std::min(few, around.size());
+  for (std::size_t i = 0; i < count; ++i) starts.push_back(around[(first + i) % around.size()]);
   return starts;
 }
 
@@ -195,12 +210,12 @@ bool Registrar::try_to_join(std::size_t piece, std::size_t i, bool all_starts) {
     }
   }
   claim_.reset();
-  Alignment best;
   for (const Isometry& T_scan_start : start_poses(all_starts)) {
     const Alignment found = scan.locate(incoming, T_scan_start);
-    if (convincing(found) && found.crossings > best.crossings) best = found;
+    if (!convincing(found)) continue;
+    claim_ = {piece, found.T_target_source * T_piece_sensor.inverse()};
+    break;
   }
-  if (best.aligned()) claim_ = {piece, best.T_target_source * T_piece_sensor.inverse()};
   return false;
 }
 
@@ -242,11 +257,15 @@ std::vector<AlignedView> Registrar::aligned_views() const {
 }
 
 void Registrar::retry_pieces() {
+  // A few views spread over a piece stand for it: each asks all starts, its neighbor confirms.
+  constexpr std::size_t kAttempts = 4;
   for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
-    if (piece == scan_) continue;
     claim_.reset();
-    for (std::size_t i = 0; i < pieces_[piece]->size(); ++i) {
+    const std::size_t count = piece == scan_ ? 0 : pieces_[piece]->size();
+    for (std::size_t attempt = 0; count >= 2 && attempt < kAttempts; ++attempt) {
+      const std::size_t i = attempt * (count - 2) / (kAttempts - 1);
       if (try_to_join(piece, i, true)) break;
+      if (claim_ && try_to_join(piece, i + 1, false)) break;
     }
   }
 }
@@ -278,7 +297,12 @@ RegisteredView Registrar::settle(const Added& added) const {
       return {added.view, ViewFate::kInterpolated, RejectReason::kNone, *T_world_sensor};
     }
   }
-  if (result.reason == RejectReason::kNone) result.reason = RejectReason::kNotConnected;
+  const bool elsewhere = std::any_of(pieces_.begin(), pieces_.end(), [&](const auto& piece) {
+    return piece->size() >= 2 && piece->registered_pose(time_s).has_value();
+  });
+  if (elsewhere || result.reason == RejectReason::kNone) {
+    result.reason = RejectReason::kNotConnected;
+  }
   return result;
 }
 

@@ -10,6 +10,8 @@ namespace {
 /// Below this share of a view's median noise no point is trusted: a deviation that lies along the
 /// surface does not make the point exact.
 constexpr double kNoiseFloor = 0.3;
+/// Ideal data is exact to about this share of a view's radius: the splines between its points.
+constexpr double kSplineError = 1e-4;
 
 Vec3 at_nearest_knot(const std::vector<Vec3f>& values, double x) {
   const auto i = static_cast<std::size_t>(x + 0.5);
@@ -40,7 +42,8 @@ double distance_sigma(const Sides& sides, const CurvePair& at, const Vec3& norma
                       const Isometry& T_moved) {
   const Vec3 first = T_moved.linear() * at_nearest_knot(sides.first.deviations_mm, at.x);
   const Vec3 second = at_nearest_knot(sides.second.deviations_mm, at.y);
-  const double floor = kNoiseFloor * (sides.source.noise_mm + sides.target.noise_mm);
+  const double floor = kNoiseFloor * (sides.source.noise_mm + sides.target.noise_mm) +
+                       kSplineError * sides.source.radius_mm;
   return std::hypot(first.dot(normal), second.dot(normal), floor);
 }
 

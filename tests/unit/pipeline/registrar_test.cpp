@@ -82,5 +82,96 @@ TEST(Registrar, FindsBackAfterALoss) {
   EXPECT_LT(errors.worst_mm, 0.1);
 }
 
+TEST(Registrar, SameBitsFromRunToRun) {
+  const auto run = [] {
+    Registrar registrar = Registrar::create().value();
+    for (int frame = 0; frame < 30; ++frame) {
+      registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+    }
+    return registrar.finish();
+  };
+  const auto first = run(), second = run();
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_TRUE(first[i].T_world_sensor.matrix() == second[i].T_world_sensor.matrix());
+  }
+}
+
+TEST(Registrar, NeverEntersAtAPlaceItHasNotSeen) {
+  const testing::HeightField elsewhere = [](double x, double y) {
+    return testing::cusped_height(y + 41.0, 23.0 - x);
+  };
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 40; ++frame) {
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+  }
+  Random random(5);
+  for (int frame = 60; frame < 72; ++frame) {
+    const Pattern pattern = frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal;
+    auto view = std::make_shared<View>(
+        testing::measure_scene(elsewhere, {}, pattern, hand_pose(frame / 30.0), random));
+    view->time_s = frame / 30.0;
+    registrar.add(view);
+  }
+  const std::vector<RegisteredView> views = registrar.finish();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(views[i].fate, i < 40 ? ViewFate::kRegistered : ViewFate::kRejected) << i;
+    EXPECT_EQ(views[i].reason == RejectReason::kNone, i < 40) << i;
+  }
+}
+
+TEST(Registrar, StartsAtTheFirstUsableView) {
+  Registrar registrar = Registrar::create().value();
+  SceneSensor blind;
+  blind.volume_mm.z() = 0.01;
+  for (int frame = 0; frame < 25; ++frame) {
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), frame < 5 ? blind : SceneSensor{}));
+  }
+  const std::vector<RegisteredView> views = registrar.finish();
+  EXPECT_EQ(views[4].reason, RejectReason::kTooFewPoints);
+  ASSERT_EQ(views[5].fate, ViewFate::kRegistered);
+  EXPECT_TRUE(views[5].T_world_sensor.isApprox(Isometry::Identity(), 1e-12));
+  EXPECT_EQ(errors_of(views, hand_pose).registered, 20);
+}
+
+TEST(Registrar, ProposesTheRichestPairOnceInterrupted) {
+  RegistrarOptions options;
+  options.patience_views = 3;
+  Registrar registrar = Registrar::create(options).value();
+  for (int frame = 0; frame < 12; ++frame) {
+    SceneSensor sensor;
+    if (frame == 6 || frame == 7) sensor.points_per_line = 600;
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), sensor));
+  }
+  EXPECT_FALSE(registrar.interrupted());
+  const testing::HeightField plane = [](double, double) { return 0.0; };
+  Random random(5);
+  for (int frame = 12; frame < 18; ++frame) {
+    auto view = std::make_shared<View>(testing::measure_scene(
+        plane, {}, frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal,
+        hand_pose(frame / 30.0), random));
+    view->time_s = frame / 30.0;
+    registrar.add(view);
+  }
+  EXPECT_TRUE(registrar.interrupted());
+  const auto proposal = registrar.proposal();
+  ASSERT_TRUE(proposal);
+  EXPECT_EQ(proposal->first.view->frame, FrameIndex(6));
+  EXPECT_EQ(proposal->second.view->frame, FrameIndex(7));
+}
+
+TEST(Registrar, SkippedViewsAreInterpolated) {
+  RegistrarOptions options;
+  options.register_every = 2;
+  Registrar registrar = Registrar::create(options).value();
+  for (int frame = 0; frame < 61; ++frame) {
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+  }
+  int interpolated = 0;
+  for (const RegisteredView& view : registrar.finish()) {
+    if (view.fate == ViewFate::kInterpolated) ++interpolated;
+  }
+  EXPECT_GE(interpolated, 28);
+}
+
 }  // namespace
 }  // namespace flytri
