@@ -43,17 +43,15 @@ double TrivariateCubic::operator()(const Vec3& x) const {
 
 Vec3 TrivariateCubic::gradient(const Vec3& x) const {
   const auto p = powers_of((x - center).cwiseQuotient(half_range));
+  auto d = p;  // d[axis][e]: derivative of p[axis][e]
+  for (int axis = 0; axis < 3; ++axis) d[axis] = {0.0, 1.0, 2.0 * p[axis][1], 3.0 * p[axis][2]};
   Vec3 gradient = Vec3::Zero();
   for (int term = 0; term < kTerms; ++term) {
     const auto& e = kExponents[term];
-    for (int axis = 0; axis < 3; ++axis) {
-      if (e[axis] == 0) continue;
-      double factor = coefficients[term] * e[axis] * p[axis][e[axis] - 1];
-      for (int k = 0; k < 3; ++k) {
-        if (k != axis) factor *= p[k][e[k]];
-      }
-      gradient[axis] += factor;
-    }
+    const double c = coefficients[term];
+    gradient[0] += c * d[0][e[0]] * p[1][e[1]] * p[2][e[2]];
+    gradient[1] += c * p[0][e[0]] * d[1][e[1]] * p[2][e[2]];
+    gradient[2] += c * p[0][e[0]] * p[1][e[1]] * d[2][e[2]];
   }
   return gradient.cwiseQuotient(half_range);
 }

@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <span>
-
-#include "core/localization/fit_peak.h"
 
 namespace flytri {
 namespace {
@@ -13,7 +13,22 @@ namespace {
 using RowArray = Eigen::ArrayXf;
 
 constexpr int kBlock = 32;  // columns that are skipped at once where nothing is bright
-constexpr float kFwhmOfSigma = 2.3548F;
+/// Two equal Gaussians one FWHM apart have a valley of 0.97, 1.2 FWHM apart one of 0.74.
+constexpr float kSplitValley = 0.75F;
+constexpr float kMinVariance = 0.05F;  // px^2; narrower is a hot pixel, not an imaged line
+
+/// One side of a sampled Gaussian of unit sum: weights at 0, 1, 2, ... px.
+std::vector<float> half_kernel(float sigma) {
+  const int radius = static_cast<int>(std::ceil(3.0F * sigma));
+  std::vector<float> half;
+  float sum = 0;
+  for (int k = 0; k <= radius; ++k) {
+    half.push_back(std::exp(-0.5F * static_cast<float>(k * k) / (sigma * sigma)));
+    sum += k == 0 ? half.back() : 2.0F * half.back();
+  }
+  for (float& weight : half) weight /= sum;
+  return half;
+}
 
 /// Smooths one row. The ends, where the kernel does not fit, stay zero.
 void smooth_row(std::span<const float> row, std::span<const float> half, RowArray& smooth) {
@@ -35,62 +50,99 @@ void smooth_row(std::span<const float> row, std::span<const float> half, RowArra
 class RowScanner {
  public:
   RowScanner(const Background& background, const PeakOptions& options)
-      : background_(background), options_(options) {
-    half_ = kernels_.half(static_cast<float>(options.smoothing_sigma_px));
+      : background_(background),
+        options_(options),
+        half_(half_kernel(static_cast<float>(options.smoothing_sigma_px))) {
     float energy = -half_[0] * half_[0];
     for (const float weight : half_) energy += 2.0F * weight * weight;
-    noise_gain_ = std::sqrt(energy);
+    threshold_ = static_cast<float>(options.threshold) * std::sqrt(energy);
   }
 
-  std::vector<LineSample> scan(const cv::Mat& rows, int r) {
+  std::vector<Peak> scan(const cv::Mat& rows, int r) {
     const std::span<const float> row(rows.ptr<float>(r), static_cast<std::size_t>(rows.cols));
     smooth_row(row, half_, smooth_);
-    std::vector<LineSample> peaks;
+    peaks_.clear();
+    columns_.clear();
     for (int begin = 0; begin < rows.cols; begin += kBlock) {
-      const float threshold = background_.level(r, begin) + static_cast<float>(options_.threshold) *
-                                                                noise_gain_ *
-                                                                background_.noise(r, begin);
+      const float level = background_.level(r, begin);
+      const float least = level + threshold_ * background_.noise(r, begin);
       const int end = std::min(begin + kBlock, rows.cols);
-      if (smooth_.segment(begin, end - begin).maxCoeff() <= threshold) continue;
+      if (smooth_.segment(begin, end - begin).maxCoeff() <= least) continue;
       for (int c = std::max(begin, 1); c < std::min(end, rows.cols - 1); ++c) {
-        if (smooth_[c] > threshold && smooth_[c] >= smooth_[c - 1] && smooth_[c] > smooth_[c + 1]) {
-          add_peak(row, r, c, peaks);
+        if (smooth_[c] > least && smooth_[c] >= smooth_[c - 1] && smooth_[c] > smooth_[c + 1]) {
+          add_peak(row, r, c, level);
         }
       }
     }
-    return peaks;
+    measure_room();
+    return peaks_;
   }
 
  private:
-  void add_peak(std::span<const float> row, int r, int c, std::vector<LineSample>& peaks) const {
-    const auto fit = fit_peak(row, c, background_.level(r, c), kernels_,
-                              static_cast<float>(options_.smoothing_sigma_px));
-    if (!fit) return;
-    LineSample sample;
-    sample.along_px = r;
-    sample.across_px = fit->center_px;
-    sample.width_px = kFwhmOfSigma * fit->sigma_px;
-    sample.amplitude = fit->amplitude;
-    sample.saturated = row[static_cast<std::size_t>(c)] >= options_.full_scale;
-    sample.sigma_px = background_.noise(r, c) / fit->amplitude * std::sqrt(fit->sigma_px);
-    if (!peaks.empty() && sample.across_px - peaks.back().across_px < 1.0F) return;
-    peaks.push_back(sample);
+  /// Position, width and height of the Gaussian through three neighboring smoothed values.
+  [[nodiscard]] std::optional<Peak> interpolate(int column, float level) const {
+    const float left = smooth_[column - 1] - level;
+    const float middle = smooth_[column] - level;
+    const float right = smooth_[column + 1] - level;
+    if (!(left > 0 && right > 0)) return std::nullopt;
+    const float a = std::log(left), b = std::log(middle), c = std::log(right);
+    const float curvature = 2.0F * b - a - c;
+    const auto smoothing = static_cast<float>(options_.smoothing_sigma_px);
+    const float variance = 1.0F / curvature - smoothing * smoothing;
+    if (!(curvature > 0 && variance > kMinVariance)) return std::nullopt;
+    Peak peak;
+    const float offset = 0.5F * (c - a) / curvature;
+    peak.center_px = static_cast<float>(column) + offset;
+    peak.sigma_px = std::sqrt(variance);
+    peak.amplitude = middle * std::exp(0.5F * offset * offset * curvature) /
+                     (std::sqrt(curvature) * peak.sigma_px);
+    return peak;
+  }
+
+  void add_peak(std::span<const float> row, int r, int column, float level) {
+    auto peak = interpolate(column, level);
+    if (!peak) return;
+    peak->row = r;
+    peak->saturated = row[static_cast<std::size_t>(column)] >= options_.full_scale;
+    if (!peaks_.empty() && is_split(columns_.back(), column, level)) {
+      if (smooth_[column] <= smooth_[columns_.back()]) return;
+      peaks_.pop_back();
+      columns_.pop_back();
+    }
+    peaks_.push_back(*peak);
+    columns_.push_back(column);
+  }
+
+  /// True if there is hardly a valley between two maxima.
+  [[nodiscard]] bool is_split(int left, int right, float level) const {
+    const float valley = smooth_.segment(left, right - left).minCoeff() - level;
+    return valley > kSplitValley * (std::min(smooth_[left], smooth_[right]) - level);
+  }
+
+  void measure_room() {
+    for (Peak& peak : peaks_) peak.room_px = std::numeric_limits<float>::max();
+    for (std::size_t i = 1; i < peaks_.size(); ++i) {
+      const float half = 0.5F * (peaks_[i].center_px - peaks_[i - 1].center_px);
+      peaks_[i - 1].room_px = std::min(peaks_[i - 1].room_px, half);
+      peaks_[i].room_px = half;
+    }
   }
 
   const Background& background_;
   const PeakOptions& options_;
-  GaussianKernels kernels_;
-  std::span<const float> half_;
-  float noise_gain_ = 1.0F;
+  std::vector<float> half_;
+  float threshold_ = 0;  // in standard deviations of a single pixel
   RowArray smooth_;
+  std::vector<Peak> peaks_;
+  std::vector<int> columns_;
 };
 
 }  // namespace
 
-std::vector<std::vector<LineSample>> find_peaks(const cv::Mat& rows, const Background& background,
-                                                const PeakOptions& options) {
+std::vector<std::vector<Peak>> find_peaks(const cv::Mat& rows, const Background& background,
+                                          const PeakOptions& options) {
   RowScanner scanner(background, options);
-  std::vector<std::vector<LineSample>> peaks;
+  std::vector<std::vector<Peak>> peaks;
   peaks.reserve(static_cast<std::size_t>(rows.rows));
   for (int r = 0; r < rows.rows; ++r) peaks.push_back(scanner.scan(rows, r));
   return peaks;

@@ -1,13 +1,22 @@
-/// @file  Peaks of every image row: where lines cross it.
+/// @file  Peaks of every image row: where lines cross it, to a fraction of a pixel.
 #pragma once
 
 #include <opencv2/core.hpp>
 #include <vector>
 
 #include "core/localization/background.h"
-#include "core/localization/line_trace.h"
 
 namespace flytri {
+
+/// A peak of a smoothed row, by three-point Gaussian interpolation.
+struct Peak {
+  int row = 0;
+  float center_px = 0;
+  float sigma_px = 0;   ///< standard deviation of the Gaussian, free of the smoothing
+  float amplitude = 0;  ///< above the local background, free of the smoothing
+  float room_px = 0;    ///< half the distance to the nearest other peak of the row
+  bool saturated = false;
+};
 
 /// What counts as a peak.
 struct PeakOptions {
@@ -16,10 +25,12 @@ struct PeakOptions {
   float full_scale = 255.0F;  ///< gray value at which the camera clips
 };
 
-/// The peaks of each row by rising column.
+/// The peaks of each row by rising column. Two maxima with hardly a valley between them are one
+/// peak split by speckle: the higher one stands for both.
 /// @param rows  CV_32FC1; lines cross the rows.
-[[nodiscard]] std::vector<std::vector<LineSample>> find_peaks(const cv::Mat& rows,
-                                                              const Background& background,
-                                                              const PeakOptions& options);
+/// @source  Arold et al., "Line Localization".
+[[nodiscard]] std::vector<std::vector<Peak>> find_peaks(const cv::Mat& rows,
+                                                        const Background& background,
+                                                        const PeakOptions& options);
 
 }  // namespace flytri

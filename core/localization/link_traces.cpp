@@ -11,19 +11,18 @@ constexpr int kSlopeReach = 6;  // samples that tell the slope of a trace
 constexpr float kSlack = 1.5F;  // px, localization noise of the dimmest lines and curvature
 
 /// Where the trace is expected in `row`.
-float predict(const LineTrace& trace, int row) {
-  const LineSample& last = trace.back();
-  const LineSample& earlier =
-      trace[trace.size() - std::min<std::size_t>(trace.size(), kSlopeReach)];
-  const int span = last.along_px - earlier.along_px;
+float predict(const PeakTrace& trace, int row) {
+  const Peak& last = trace.back();
+  const Peak& earlier = trace[trace.size() - std::min<std::size_t>(trace.size(), kSlopeReach)];
+  const int span = last.row - earlier.row;
   const float slope =
-      span > 0 ? (last.across_px - earlier.across_px) / static_cast<float>(span) : 0;
-  return last.across_px + slope * static_cast<float>(row - last.along_px);
+      span > 0 ? (last.center_px - earlier.center_px) / static_cast<float>(span) : 0;
+  return last.center_px + slope * static_cast<float>(row - last.row);
 }
 
 /// How far from its prediction a peak may lie: a new trace does not know its slope yet.
-float tolerance(const LineTrace& trace, int row, float max_slope) {
-  const auto gap = static_cast<float>(row - trace.back().along_px);
+float tolerance(const PeakTrace& trace, int row, float max_slope) {
+  const auto gap = static_cast<float>(row - trace.back().row);
   const bool knows_slope = trace.size() >= kSlopeReach;
   return kSlack + (knows_slope ? 0.25F : 1.0F) * max_slope * gap;
 }
@@ -32,7 +31,7 @@ class Linker {
  public:
   Linker(float max_slope, int min_length) : max_slope_(max_slope), min_length_(min_length) {}
 
-  void add_row(int row, const std::vector<LineSample>& peaks) {
+  void add_row(int row, const std::vector<Peak>& peaks) {
     retire(row);
     const auto owner = match(row, peaks);
     for (std::size_t p = 0; p < peaks.size(); ++p) {
@@ -44,18 +43,18 @@ class Linker {
     }
   }
 
-  std::vector<LineTrace> finish(int rows) {
+  std::vector<PeakTrace> finish(int rows) {
     retire(rows + kMaxGap + 1);
-    std::stable_sort(done_.begin(), done_.end(), [](const LineTrace& a, const LineTrace& b) {
-      if (a.front().along_px != b.front().along_px) return a.front().along_px < b.front().along_px;
-      return a.front().across_px < b.front().across_px;
+    std::stable_sort(done_.begin(), done_.end(), [](const PeakTrace& a, const PeakTrace& b) {
+      if (a.front().row != b.front().row) return a.front().row < b.front().row;
+      return a.front().center_px < b.front().center_px;
     });
     return std::move(done_);
   }
 
  private:
   /// The open trace that each peak continues, or -1.
-  [[nodiscard]] std::vector<int> match(int row, const std::vector<LineSample>& peaks) const {
+  [[nodiscard]] std::vector<int> match(int row, const std::vector<Peak>& peaks) const {
     std::vector<int> owner(peaks.size(), -1);
     std::vector<float> owner_distance(peaks.size(), 0);
     for (std::size_t t = 0; t < open_.size(); ++t) {
@@ -63,7 +62,7 @@ class Linker {
       const int nearest = nearest_peak(peaks, expected);
       if (nearest < 0) continue;
       const auto p = static_cast<std::size_t>(nearest);
-      const float distance = std::abs(peaks[p].across_px - expected);
+      const float distance = std::abs(peaks[p].center_px - expected);
       if (distance > tolerance(open_[t], row, max_slope_)) continue;
       if (owner[p] < 0 || distance < owner_distance[p]) {
         owner[p] = static_cast<int>(t);
@@ -73,15 +72,15 @@ class Linker {
     return owner;
   }
 
-  static int nearest_peak(const std::vector<LineSample>& peaks, float expected) {
-    const auto after = std::lower_bound(
-        peaks.begin(), peaks.end(), expected,
-        [](const LineSample& peak, float across) { return peak.across_px < across; });
+  static int nearest_peak(const std::vector<Peak>& peaks, float expected) {
+    const auto after =
+        std::lower_bound(peaks.begin(), peaks.end(), expected,
+                         [](const Peak& peak, float across) { return peak.center_px < across; });
     int nearest = -1;
     float best = 0;
     for (auto it = after == peaks.begin() ? after : after - 1; it != peaks.end() && it <= after;
          ++it) {
-      const float distance = std::abs(it->across_px - expected);
+      const float distance = std::abs(it->center_px - expected);
       if (nearest < 0 || distance < best) {
         nearest = static_cast<int>(it - peaks.begin());
         best = distance;
@@ -92,9 +91,9 @@ class Linker {
 
   /// Closes the traces that missed too many rows.
   void retire(int row) {
-    std::vector<LineTrace> kept;
-    for (LineTrace& trace : open_) {
-      if (row - trace.back().along_px <= kMaxGap + 1) {
+    std::vector<PeakTrace> kept;
+    for (PeakTrace& trace : open_) {
+      if (row - trace.back().row <= kMaxGap + 1) {
         kept.push_back(std::move(trace));
       } else if (static_cast<int>(trace.size()) >= min_length_) {
         done_.push_back(std::move(trace));
@@ -105,13 +104,13 @@ class Linker {
 
   float max_slope_;
   int min_length_;
-  std::vector<LineTrace> open_, done_;
+  std::vector<PeakTrace> open_, done_;
 };
 
 }  // namespace
 
-std::vector<LineTrace> link_traces(const std::vector<std::vector<LineSample>>& peaks,
-                                   double max_slope, int min_length) {
+std::vector<PeakTrace> link_traces(const std::vector<std::vector<Peak>>& peaks, double max_slope,
+                                   int min_length) {
   Linker linker(static_cast<float>(max_slope), min_length);
   for (std::size_t row = 0; row < peaks.size(); ++row) {
     linker.add_row(static_cast<int>(row), peaks[row]);

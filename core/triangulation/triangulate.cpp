@@ -5,26 +5,48 @@
 namespace flytri {
 namespace {
 
-/// d(position) / d(across): Z is a function of across alone, X and Y of u, v and z.
-Vec3 derivative(const Calibration& calibration, Pattern pattern, const LineRow& row,
-                const LineSample& sample, double z_mm) {
-  const double slope = row.depth_mm.derivative(sample.across_px);
-  const Pixel at = to_pixel(pattern, {double(sample.along_px), sample.across_px});
-  const Vec3 uvz(at.u_px, at.v_px, z_mm);
-  const int axis = pattern == Pattern::kVertical ? 0 : 1;
-  const Vec3 dx = calibration.x_mm.gradient(uvz), dy = calibration.y_mm.gradient(uvz);
-  return {dx[axis] + dx[2] * slope, dy[axis] + dy[2] * slope, slope};
-}
+/// The profile points of one trace.
+class PointMaker {
+ public:
+  PointMaker(const Calibration& calibration, Pattern pattern, LineIndex line)
+      : calibration_(calibration), pattern_(pattern), line_(line) {}
 
-ProfilePoint make_point(const Calibration& calibration, Pattern pattern, LineIndex line,
-                        const LineSample& sample) {
-  const LineRow& row =
-      calibration.of(pattern).lines[line.at()][static_cast<std::size_t>(sample.along_px)];
-  const Vec3 position =
-      calibration.locate(pattern, line, {double(sample.along_px), sample.across_px});
-  const Vec3 per_px = derivative(calibration, pattern, row, sample, position.z());
-  return {position, (sample.sigma_px * per_px).cast<float>(), static_cast<float>(sample.along_px)};
-}
+  ProfilePoint make(const LineSample& sample) {
+    const LinePixel pixel{double(sample.along_px), sample.across_px};
+    const LineRow& row =
+        calibration_.of(pattern_).lines[line_.at()][static_cast<std::size_t>(sample.along_px)];
+    const Vec3 position = calibration_.locate(pattern_, line_, pixel);
+    if (sample.along_px >= next_lateral_px_) {
+      const Pixel at = to_pixel(pattern_, pixel);
+      update_lateral({at.u_px, at.v_px, position.z()});
+      next_lateral_px_ = sample.along_px + kLateralStep;
+    }
+    // Z is a function of across alone, X and Y of u, v and z.
+    const double slope = row.depth_mm.derivative(sample.across_px);
+    const Vec3 per_px(by_across_.x() + by_depth_.x() * slope,
+                      by_across_.y() + by_depth_.y() * slope, slope);
+    return {position, (sample.sigma_px * per_px).cast<float>(),
+            static_cast<float>(sample.along_px)};
+  }
+
+ private:
+  /// Rows between two evaluations of the lateral derivatives: they change by a thousandth.
+  static constexpr int kLateralStep = 16;
+
+  void update_lateral(const Vec3& uvz) {
+    const int across = pattern_ == Pattern::kVertical ? 0 : 1;
+    const Vec3 dx = calibration_.x_mm.gradient(uvz), dy = calibration_.y_mm.gradient(uvz);
+    by_across_ = {dx[across], dy[across]};
+    by_depth_ = {dx[2], dy[2]};
+  }
+
+  const Calibration& calibration_;
+  Pattern pattern_;
+  LineIndex line_;
+  int next_lateral_px_ = 0;
+  Vec2 by_across_ = Vec2::Zero();  ///< d(x, y) / d(across)
+  Vec2 by_depth_ = Vec2::Zero();   ///< d(x, y) / d(z)
+};
 
 bool connected(const LineSample& a, const LineSample& b, const TriangulateOptions& options) {
   const int rows = b.along_px - a.along_px;
@@ -64,9 +86,10 @@ Triangulation triangulate(const IndexedLines& lines, const Calibration& calibrat
       }
       profile.points.clear();
     };
+    PointMaker maker(calibration, pattern, trace.line);
     for (std::size_t i = 0; i < trace.samples.size(); ++i) {
       if (i > 0 && !connected(trace.samples[i - 1], trace.samples[i], options)) close();
-      profile.points.push_back(make_point(calibration, pattern, trace.line, trace.samples[i]));
+      profile.points.push_back(maker.make(trace.samples[i]));
     }
     close();
   }
