@@ -10,8 +10,8 @@ namespace {
 
 /// Below this a Gaussian touches no neighbor.
 constexpr double kNoSmoothing = 0.4;
-/// Windows end here; the weight is 1 % there.
-constexpr double kWindowSigmas = 3.0;
+/// Windows end here; the weight is 4 % there.
+constexpr double kWindowSigmas = 2.5;
 
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -47,7 +47,9 @@ struct Moments {
   double low_t = 0, high_t = 0;  ///< reach of the window to both sides, in sigmas
 };
 
-Moments gather(std::span<const ProfilePoint> points, std::size_t center, double sigma_px) {
+/// @param stride  takes every stride-th point, from the center outwards.
+Moments gather(std::span<const ProfilePoint> points, std::size_t center, double sigma_px,
+               std::size_t stride = 1) {
   static const GaussianTable gaussian;
   const double along = points[center].along_px;
   Moments m;
@@ -61,9 +63,9 @@ Moments gather(std::span<const ProfilePoint> points, std::size_t center, double 
     m.low_t = std::min(m.low_t, t), m.high_t = std::max(m.high_t, t);
     return true;
   };
-  for (std::size_t i = center; i-- > 0 && add(i);) {
+  for (std::size_t i = center; i >= stride && add(i - stride); i -= stride) {
   }
-  for (std::size_t i = center; i < points.size() && add(i); ++i) {
+  for (std::size_t i = center; i < points.size() && add(i); i += stride) {
   }
   return m;
 }
@@ -119,7 +121,9 @@ SmoothedPoint smooth_point(std::span<const ProfilePoint> points, std::size_t i, 
   }
   result.deviation_mm = gain * points[i].deviation_mm.cast<double>();
   const double wide_px = std::max(2.0 * sigma_px, spacing_px(points));
-  result.direction = linear_slope(gather(points, i, wide_px)).normalized();
+  // Wide windows overlap more than they inform: a few points a sigma say the same.
+  const auto stride = static_cast<std::size_t>(std::max(1.0, wide_px / spacing_px(points) / 4.0));
+  result.direction = linear_slope(gather(points, i, wide_px, stride)).normalized();
   return result;
 }
 

@@ -6,6 +6,9 @@
 namespace flytri {
 namespace {
 
+/// Views in a row that may fail before other places are searched: motion blur lasts that long.
+constexpr int kPassedOver = 2;
+
 RejectReason reason_of(AlignOutcome outcome) {
   switch (outcome) {
     case AlignOutcome::kAligned:
@@ -46,6 +49,11 @@ std::vector<Isometry> poses_around_path(const std::vector<TrackedView>& views, d
   return poses;
 }
 
+/// True for reasons that no later view can cure.
+bool is_final(RejectReason reason) {
+  return reason == RejectReason::kTooFewPoints || reason == RejectReason::kTimeNotRising;
+}
+
 Result<void> check_range(int value, int low, int high, std::string_view name) {
   if (value >= low && value <= high) return {};
   return fail(ErrorCode::kBadOption, "{} is {}, must be in [{}, {}]", name, value, low, high);
@@ -79,6 +87,8 @@ std::string_view to_string(RejectReason reason) {
       return "does not fit the other views";
     case RejectReason::kNotConverged:
       return "registration did not converge";
+    case RejectReason::kTimeNotRising:
+      return "time does not come after that of the view before";
     case RejectReason::kNotConnected:
       return "not connected to the rest of the scan";
   }
@@ -107,13 +117,16 @@ RegisteredView Registrar::add(std::shared_ptr<const View> view) {
   // Counted by pattern: the views that are left still alternate.
   int& number = pattern_counts_[static_cast<std::size_t>(view->pattern)];
   const bool due = number++ % options_.register_every == 0;
-  if (view->point_count() < static_cast<std::size_t>(options_.track.min_points)) {
+  if (!(view->time_s > last_time_s_)) {
+    added.reason = RejectReason::kTimeNotRising;
+  } else if (view->point_count() < static_cast<std::size_t>(options_.track.min_points)) {
     added.reason = RejectReason::kTooFewPoints;
   } else if (!due && lost_views_ == 0) {
     added.skipped = true;
   } else {
     added.reason = register_view({view, prepare_view(*view, options_.track.smoothing)});
   }
+  if (added.reason != RejectReason::kTimeNotRising) last_time_s_ = view->time_s;
   added_.push_back(added);
   RegisteredView result{view, ViewFate::kRejected, added.reason, Isometry::Identity()};
   if (added.skipped) {
@@ -145,7 +158,9 @@ RejectReason Registrar::register_view(IncomingView incoming) {
   const Alignment tracked = continues ? scan.track(incoming) : Alignment{};
   if (!tracked.aligned()) {
     ++lost_views_;
-    return track_lost(std::move(incoming), reason_of(tracked.outcome));
+    // A single bad view is passed over; the search for another place starts when more are lost.
+    const bool search = !continues || lost_views_ > kPassedOver;
+    return track_lost(std::move(incoming), reason_of(tracked.outcome), search);
   }
   lost_views_ = 0;
   side_ = scan_;
@@ -155,7 +170,7 @@ RejectReason Registrar::register_view(IncomingView incoming) {
   return RejectReason::kNone;
 }
 
-RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason) {
+RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason, bool search) {
   bool tracked = false;
   if (side_ != scan_) {
     const Alignment alignment = pieces_[side_]->track(incoming);
@@ -163,7 +178,7 @@ RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason) {
     if (tracked) pieces_[side_]->add(incoming, alignment);
   }
   if (!tracked) start_piece(std::move(incoming));
-  if (try_to_join(side_, pieces_[side_]->size() - 1, false)) return RejectReason::kNone;
+  if (search && try_to_join(side_, pieces_[side_]->size() - 1, false)) return RejectReason::kNone;
   // A piece that outgrows the scan is the scan; what was, may join it.
   if (pieces_[side_]->size() > pieces_[scan_]->size()) {
     std::swap(scan_, side_);
@@ -287,7 +302,7 @@ void Registrar::retry_rejected() {
 
 RegisteredView Registrar::settle(const Added& added) const {
   RegisteredView result{added.view, ViewFate::kRejected, added.reason, Isometry::Identity()};
-  if (added.reason == RejectReason::kTooFewPoints || pieces_.empty()) return result;
+  if (is_final(added.reason) || pieces_.empty()) return result;
   const double time_s = added.view->time_s;
   if (const auto T_world_sensor = pieces_[scan_]->registered_pose(time_s)) {
     return {added.view, ViewFate::kRegistered, RejectReason::kNone, *T_world_sensor};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -27,7 +28,8 @@ enum class RejectReason {
   kUndetermined,     ///< the surface does not fix the pose
   kPoorFit,  ///< its profiles contradict the model: motion blur, wrong pattern, other object
   kNotConverged,
-  kNotConnected  ///< it fits other views, but these never met the rest of the scan
+  kTimeNotRising,  ///< its time does not come after that of the view before
+  kNotConnected    ///< it fits other views, but these never met the rest of the scan
 };
 
 [[nodiscard]] std::string_view to_string(ViewFate fate);
@@ -74,7 +76,7 @@ class Registrar {
   /// @errors  kBadOption.
   [[nodiscard]] static Result<Registrar> create(const RegistrarOptions& options = {});
 
-  /// Takes the next view; times must rise. The fate is the present one: pieces that join later
+  /// Takes the next view. The fate is the present one: pieces that join later
   /// and skipped views are settled by finish().
   RegisteredView add(std::shared_ptr<const View> view);
 
@@ -107,7 +109,7 @@ class Registrar {
   };
 
   RejectReason register_view(IncomingView incoming);
-  RejectReason track_lost(IncomingView incoming, RejectReason reason);
+  RejectReason track_lost(IncomingView incoming, RejectReason reason, bool search);
   bool try_to_join(std::size_t piece, std::size_t i, bool all_starts);
   [[nodiscard]] bool confirms_claim(const Alignment& alignment) const;
   void join(std::size_t piece, const Isometry& T_scan_piece);
@@ -124,6 +126,7 @@ class Registrar {
   std::size_t scan_ = 0;  ///< the piece that is the scan
   std::size_t side_ = 0;  ///< the piece that lost views go to; scan_ if there is none
   int lost_views_ = 0;
+  double last_time_s_ = -std::numeric_limits<double>::infinity();
   std::array<int, 2> pattern_counts_{};  ///< views added so far, by Pattern
   double radius_mm_ = 0.0;
   std::optional<Claim> claim_;

@@ -38,9 +38,10 @@ struct AlignOptions {
   int min_crossings = 12;
   /// Default 0.6, range [0, 1]. Share of crossings that must agree within three robust sigmas.
   double min_inlier_share = 0.6;
-  /// Default 0.01, range (0, 1). RMS distance of the agreeing crossings, at most: a multiple of any
-  /// sensor's noise (0.15 % of the depth of its volume), a fraction of any wrong fit.
-  double max_rms_share = 0.01;
+  /// Default 0.006, range (0, 1]. RMS distance of the agreeing crossings, at most: a multiple of
+  /// any sensor's noise after smoothing (0.1 % of the depth of its volume), a fraction of most
+  /// wrong fits.
+  double max_rms_share = 0.006;
   /// Default 0.015, range (0, 1). Standard uncertainty of the worst direction, at most.
   double max_uncertainty_share = 0.015;
   /// Default 0.35. See CrossingLimits::min_crossing_sine.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/support/wavy_scene.h"
 
@@ -171,6 +172,20 @@ TEST(Registrar, SkippedViewsAreInterpolated) {
     if (view.fate == ViewFate::kInterpolated) ++interpolated;
   }
   EXPECT_GE(interpolated, 28);
+}
+
+TEST(Registrar, ViewsWhoseTimeDoesNotRiseAreRejectedAlone) {
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 12; ++frame) {
+    auto view = std::make_shared<View>(*scene_view(frame, hand_pose(frame / 30.0), {}));
+    if (frame == 7) view->time_s = 6 / 30.0;
+    if (frame == 9) view->time_s = std::numeric_limits<double>::quiet_NaN();
+    registrar.add(view);
+  }
+  const std::vector<RegisteredView> views = registrar.finish();
+  EXPECT_EQ(views[7].reason, RejectReason::kTimeNotRising);
+  EXPECT_EQ(views[9].reason, RejectReason::kTimeNotRising);
+  EXPECT_EQ(errors_of(views, hand_pose).registered, 10);
 }
 
 }  // namespace
