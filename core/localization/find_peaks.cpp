@@ -13,9 +13,11 @@ namespace {
 using RowArray = Eigen::ArrayXf;
 
 constexpr int kBlock = 32;  // columns that are skipped at once where nothing is bright
-/// Two equal Gaussians one FWHM apart have a valley of 0.97, 1.2 FWHM apart one of 0.74.
-constexpr float kSplitValley = 0.75F;
-constexpr float kMinVariance = 0.05F;  // px^2; narrower is a hot pixel, not an imaged line
+/// Flanks are taken, and two maxima are two lines, where the light falls to this share of the top.
+/// Two equal Gaussians 1.2 widths apart have a valley of 0.74.
+constexpr float kFlankLevel = 0.7F;
+constexpr float kFlankDistance = 1.6892F;  // between the flanks of a Gaussian, in sigmas
+constexpr float kMinVariance = 0.05F;      // px^2; narrower is a hot pixel, not an imaged line
 
 /// One side of a sampled Gaussian of unit sum: weights at 0, 1, 2, ... px.
 std::vector<float> half_kernel(float sigma) {
@@ -79,44 +81,61 @@ class RowScanner {
   }
 
  private:
-  /// Position, width and height of the Gaussian through three neighboring smoothed values.
-  [[nodiscard]] std::optional<Peak> interpolate(int column, float level) const {
-    const float left = smooth_[column - 1] - level;
-    const float middle = smooth_[column] - level;
-    const float right = smooth_[column + 1] - level;
-    if (!(left > 0 && right > 0)) return std::nullopt;
-    const float a = std::log(left), b = std::log(middle), c = std::log(right);
-    const float curvature = 2.0F * b - a - c;
-    const auto smoothing = static_cast<float>(options_.smoothing_sigma_px);
-    const float variance = 1.0F / curvature - smoothing * smoothing;
-    if (!(curvature > 0 && variance > kMinVariance)) return std::nullopt;
-    Peak peak;
-    const float offset = 0.5F * (c - a) / curvature;
-    peak.center_px = static_cast<float>(column) + offset;
-    peak.sigma_px = std::sqrt(variance);
-    peak.amplitude = middle * std::exp(0.5F * offset * offset * curvature) /
-                     (std::sqrt(curvature) * peak.sigma_px);
-    return peak;
-  }
-
   void add_peak(std::span<const float> row, int r, int column, float level) {
-    auto peak = interpolate(column, level);
-    if (!peak) return;
-    peak->row = r;
-    peak->saturated = row[static_cast<std::size_t>(column)] >= options_.full_scale;
     if (!peaks_.empty() && is_split(columns_.back(), column, level)) {
       if (smooth_[column] <= smooth_[columns_.back()]) return;
       peaks_.pop_back();
       columns_.pop_back();
     }
+    const auto peak = measure(column, level);
+    if (!peak) return;
     peaks_.push_back(*peak);
+    peaks_.back().row = r;
+    peaks_.back().saturated = row[static_cast<std::size_t>(column)] >= options_.full_scale;
     columns_.push_back(column);
   }
 
   /// True if there is hardly a valley between two maxima.
   [[nodiscard]] bool is_split(int left, int right, float level) const {
     const float valley = smooth_.segment(left, right - left).minCoeff() - level;
-    return valley > kSplitValley * (std::min(smooth_[left], smooth_[right]) - level);
+    return valley > kFlankLevel * (std::min(smooth_[left], smooth_[right]) - level);
+  }
+
+  /// Position and width from the flanks.
+  [[nodiscard]] std::optional<Peak> measure(int column, float level) const {
+    const float top = smooth_[column] - level;
+    const float flank = level + kFlankLevel * top;
+    const auto left = crossing(column, -1, flank), right = crossing(column, 1, flank);
+    if (!left || !right) return std::nullopt;
+    const float total = (*right - *left) / kFlankDistance;
+    const auto smoothing = static_cast<float>(options_.smoothing_sigma_px);
+    const float variance = total * total - smoothing * smoothing;
+    if (!(variance > kMinVariance)) return std::nullopt;
+    Peak peak;
+    peak.center_px = 0.5F * (*left + *right);
+    peak.three_point_px = static_cast<float>(column) + three_point_offset(column, level);
+    peak.sigma_px = std::sqrt(variance);
+    peak.amplitude = top * total / peak.sigma_px;
+    return peak;
+  }
+
+  /// Where the smoothed row falls below `flank`, from `column` in the direction of `step`.
+  [[nodiscard]] std::optional<float> crossing(int column, int step, float flank) const {
+    const int size = static_cast<int>(smooth_.size());
+    int c = column + step;
+    while (c >= 0 && c < size && smooth_[c] > flank) c += step;
+    if (c < 0 || c >= size) return std::nullopt;
+    const float share = (smooth_[c - step] - flank) / (smooth_[c - step] - smooth_[c]);
+    return static_cast<float>(c - step) + share * static_cast<float>(step);
+  }
+
+  /// Center of the Gaussian through three neighboring values, relative to the middle one.
+  [[nodiscard]] float three_point_offset(int column, float level) const {
+    const float left = smooth_[column - 1] - level, right = smooth_[column + 1] - level;
+    if (!(left > 0 && right > 0)) return 0.0F;
+    const float a = std::log(left), b = std::log(smooth_[column] - level), c = std::log(right);
+    const float curvature = 2.0F * b - a - c;
+    return curvature > 0 ? 0.5F * (c - a) / curvature : 0.0F;
   }
 
   void measure_room() {

@@ -8,13 +8,14 @@
 
 namespace flytri {
 
-/// A peak of a smoothed row, by three-point Gaussian interpolation.
+/// A peak of a smoothed row.
 struct Peak {
   int row = 0;
-  float center_px = 0;
-  float sigma_px = 0;   ///< standard deviation of the Gaussian, free of the smoothing
-  float amplitude = 0;  ///< above the local background, free of the smoothing
-  float room_px = 0;    ///< half the distance to the nearest other peak of the row
+  float center_px = 0;       ///< middle between the two flanks: calm even where the top is speckled
+  float three_point_px = 0;  ///< by three-point Gaussian interpolation of the top
+  float sigma_px = 0;        ///< of a Gaussian with these flanks, free of the smoothing
+  float amplitude = 0;       ///< above the local background, free of the smoothing
+  float room_px = 0;         ///< half the distance to the nearest other peak of the row
   bool saturated = false;
 };
 
@@ -26,7 +27,7 @@ struct PeakOptions {
 };
 
 /// The peaks of each row by rising column. Two maxima with hardly a valley between them are one
-/// peak split by speckle: the higher one stands for both.
+/// peak split by speckle.
 /// @param rows  CV_32FC1; lines cross the rows.
 /// @source  Arold et al., "Line Localization".
 [[nodiscard]] std::vector<std::vector<Peak>> find_peaks(const cv::Mat& rows,

@@ -8,7 +8,8 @@ namespace {
 
 constexpr int kMaxGap = 2;      // rows that a trace may miss: dust on the target, a dim speckle
 constexpr int kSlopeReach = 6;  // samples that tell the slope of a trace
-constexpr float kSlack = 1.5F;  // px, localization noise of the dimmest lines and curvature
+constexpr float kSlack = 1.0F;  // px, localization noise of the dimmest lines and curvature
+constexpr float kWidthSlack = 0.5F;  // of the line's sigma: speckle moves the top of a wide line
 
 /// Where the trace is expected in `row`.
 float predict(const PeakTrace& trace, int row) {
@@ -24,7 +25,8 @@ float predict(const PeakTrace& trace, int row) {
 float tolerance(const PeakTrace& trace, int row, float max_slope) {
   const auto gap = static_cast<float>(row - trace.back().row);
   const bool knows_slope = trace.size() >= kSlopeReach;
-  return kSlack + (knows_slope ? 0.25F : 1.0F) * max_slope * gap;
+  return kSlack + kWidthSlack * trace.back().sigma_px +
+         (knows_slope ? 0.25F : 1.0F) * max_slope * gap;
 }
 
 class Linker {

@@ -3,7 +3,6 @@
 #include "core/localization/background.h"
 #include "core/localization/find_peaks.h"
 #include "core/localization/link_traces.h"
-#include "core/localization/refine_traces.h"
 
 namespace flytri {
 namespace {
@@ -48,7 +47,8 @@ Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern patt
   peak_options.full_scale = image.depth() == CV_8U ? 255.0F : 65535.0F;
   const auto peaks = find_peaks(rows, background, peak_options);
   const auto traces = link_traces(peaks, options.max_slope, options.trim.min_length);
-  const auto samples = refine_traces(rows, background, traces, peak_options.full_scale);
+  const auto samples =
+      refine_traces(rows, background, traces, {options.estimator, peak_options.full_scale});
   return trim_traces(samples, rows.rows, options.trim);
 }
 

@@ -12,116 +12,168 @@ namespace flytri {
 namespace {
 
 constexpr float kFwhmOfSigma = 2.3548F;
-/// A fit looks this many sigmas to each side; its weights have tapered to a quarter at 2.5.
-constexpr float kReachSigmas = 3.6F;
+/// A fit looks this many sigmas to each side; its weights have tapered to a quarter at 0.7 of it.
+constexpr float kReachSigmas = 4.0F;
 /// With less room than this before the next line, too little of the flanks is left.
 constexpr float kMinReachSigmas = 1.5F;
 /// Before the image's noise is known: the paper's sensors are limited by speckle of this order.
 constexpr float kFirstContrast = 0.1F;
-constexpr float kUnknownSigma = 2.0F;  // of a trace whose first fits all fail
-constexpr std::size_t kWidthStep = 2;  // every second width is fitted
-constexpr int kWidthBlock = 4;         // fitted widths between two knots of the smoothed width
+constexpr std::size_t kShapeStep = 2;   // the shape is fitted to every second peak
+constexpr std::size_t kShapeBlock = 4;  // fitted shapes between two knots of the smoothed shape
+
+/// What changes slowly along a line: its width and the background under it.
+struct LineShape {
+  float sigma_px = 0;
+  FlankLevel background;
+};
+
+/// A fit and the background that it stands on.
+struct ShapeFit {
+  LineFit line;
+  FlankLevel background;
+};
 
 /// Fits along one trace; where it was not possible there is none.
-using TraceFits = std::vector<std::optional<LineFit>>;
+using TraceFits = std::vector<std::optional<ShapeFit>>;
+
+float median_of(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Medians of the shape over overlapping blocks of fits, as knots kShapeBlock fits apart.
+std::vector<LineShape> shape_knots(const TraceFits& fits) {
+  std::vector<LineShape> knots;
+  std::vector<float> sigma, level, slope;
+  for (std::size_t at = 0; at < fits.size() + 2 * kShapeBlock; at += kShapeBlock) {
+    sigma.clear(), level.clear(), slope.clear();
+    const std::size_t first = at < kShapeBlock ? 0 : at - kShapeBlock;
+    for (std::size_t i = first; i < std::min(at + kShapeBlock + 1, fits.size()); ++i) {
+      if (!fits[i]) continue;
+      sigma.push_back(fits[i]->line.sigma_px);
+      level.push_back(fits[i]->background.level);
+      slope.push_back(fits[i]->background.slope);
+    }
+    if (!sigma.empty()) {
+      knots.push_back({median_of(sigma), {median_of(level), median_of(slope)}});
+    } else {
+      knots.push_back(knots.empty() ? LineShape{} : knots.back());
+    }
+  }
+  return knots;
+}
+
+/// The shape at a peak, between two knots.
+LineShape shape_at(const std::vector<LineShape>& knots, std::size_t peak) {
+  constexpr std::size_t kSpan = kShapeBlock * kShapeStep;
+  const LineShape &a = knots[peak / kSpan], &b = knots[peak / kSpan + 1];
+  const float share = static_cast<float>(peak % kSpan) / kSpan;
+  const auto mix = [share](float left, float right) { return left + share * (right - left); };
+  return {
+      mix(a.sigma_px, b.sigma_px),
+      {mix(a.background.level, b.background.level), mix(a.background.slope, b.background.slope)}};
+}
 
 class Refiner {
  public:
-  Refiner(const cv::Mat& rows, const Background& background, float full_scale)
-      : rows_(rows), background_(background), full_scale_(full_scale) {}
+  Refiner(const cv::Mat& rows, const Background& background, const RefineOptions& options)
+      : rows_(rows), background_(background), options_(options) {}
 
-  /// Fits of position, height and width for every kWidthStep-th peak.
-  [[nodiscard]] TraceFits fit_widths(const PeakTrace& trace) const {
+  /// Fits of position, height and width to every kShapeStep-th peak.
+  [[nodiscard]] TraceFits fit_shapes(const PeakTrace& trace) const {
     NoiseModel noise;
     noise.speckle_contrast = kFirstContrast;
     TraceFits fits;
-    for (std::size_t i = 0; i < trace.size(); i += kWidthStep) {
+    for (std::size_t i = 0; i < trace.size(); i += kShapeStep) {
       const Peak& peak = trace[i];
+      const LineFit start{peak.center_px, peak.sigma_px, peak.amplitude, 0.0F};
+      const auto flank = flank_level(row_of(peak), start);
       noise.read_variance = std::pow(background_.noise(peak.row, int(peak.center_px)), 2.0F);
-      fits.push_back(
-          fit(peak, {peak.center_px, peak.sigma_px, peak.amplitude, 0.0F}, noise, true, 2));
+      // The flanks of a clipped line start farther from the truth.
+      const int iterations = peak.saturated ? 6 : 2;
+      std::optional<LineFit> line;
+      if (flank) line = fit(peak, start, *flank, noise, {true, iterations});
+      fits.push_back(line ? std::optional(ShapeFit{*line, *flank}) : std::nullopt);
     }
     return fits;
   }
 
-  /// The final fit, with the width of the trace.
+  /// The final fit, with the shape of the trace.
   [[nodiscard]] LineTrace fit_positions(const PeakTrace& trace, const TraceFits& fits,
                                         const NoiseModel& noise) const {
     LineTrace samples;
-    const std::vector<float> widths = smooth_widths(fits, trace.size());
+    const std::vector<LineShape> knots = shape_knots(fits);
     for (std::size_t i = 0; i < trace.size(); ++i) {
       const Peak& peak = trace[i];
-      const LineFit start{peak.center_px, widths[i], peak.amplitude, 0.0F};
-      const auto line = fit(trace[i], start, noise, false, 2);
+      const LineShape shape = shape_at(knots, i);
+      if (!(shape.sigma_px > 0)) continue;
+      const LineFit start{peak.center_px, shape.sigma_px, peak.amplitude, 0.0F};
+      const auto line = fit(peak, start, shape.background, noise, {false, peak.saturated ? 6 : 2});
       if (!line) continue;
-      samples.push_back({trace[i].row, line->center_px, kFwhmOfSigma * line->sigma_px,
-                         line->amplitude, std::sqrt(line->center_variance), trace[i].saturated});
+      const bool three_point = options_.estimator == LineEstimator::kThreePoint;
+      samples.push_back({peak.row, three_point ? peak.three_point_px : line->center_px,
+                         kFwhmOfSigma * line->sigma_px, line->amplitude,
+                         std::sqrt(line->center_variance), peak.saturated});
     }
     return samples;
   }
 
  private:
-  [[nodiscard]] std::optional<LineFit> fit(const Peak& peak, const LineFit& start,
-                                           const NoiseModel& noise, bool fit_width,
-                                           int iterations) const {
-    const std::span<const float> row(rows_.ptr<float>(peak.row),
-                                     static_cast<std::size_t>(rows_.cols));
-    const auto flank = flank_level(row, start);
-    const float reach = std::min(kReachSigmas * start.sigma_px, peak.room_px);
-    if (!flank || reach < kMinReachSigmas * start.sigma_px) return std::nullopt;
-    return fit_line({row, *flank, reach, full_scale_}, noise, start, fit_width, iterations);
+  struct Effort {
+    bool fit_width;
+    int iterations;
+  };
+
+  [[nodiscard]] std::span<const float> row_of(const Peak& peak) const {
+    return {rows_.ptr<float>(peak.row), static_cast<std::size_t>(rows_.cols)};
   }
 
-  /// Medians of overlapping blocks, joined by straight lines.
-  static std::vector<float> smooth_widths(const TraceFits& fits, std::size_t peak_count) {
-    const int count = static_cast<int>(fits.size());
-    std::vector<float> knots;
-    std::vector<float> block;
-    for (int at = 0; at < count + 2 * kWidthBlock; at += kWidthBlock) {
-      block.clear();
-      for (int i = std::max(at - kWidthBlock, 0); i < std::min(at + kWidthBlock + 1, count); ++i) {
-        if (fits[std::size_t(i)]) block.push_back(fits[std::size_t(i)]->sigma_px);
-      }
-      const auto middle = block.begin() + static_cast<std::ptrdiff_t>(block.size() / 2);
-      std::nth_element(block.begin(), middle, block.end());
-      knots.push_back(block.empty() ? (knots.empty() ? kUnknownSigma : knots.back()) : *middle);
-    }
-    std::vector<float> widths;
-    constexpr std::size_t kSpan = kWidthBlock * kWidthStep;
-    for (std::size_t i = 0; i < peak_count; ++i) {
-      const float share = static_cast<float>(i % kSpan) / kSpan;
-      widths.push_back((1.0F - share) * knots[i / kSpan] + share * knots[i / kSpan + 1]);
-    }
-    return widths;
+  [[nodiscard]] std::optional<LineFit> fit(const Peak& peak, const LineFit& start,
+                                           const FlankLevel& flank, const NoiseModel& noise,
+                                           const Effort& effort) const {
+    const float reach = std::min(kReachSigmas * start.sigma_px, peak.room_px);
+    if (reach < kMinReachSigmas * start.sigma_px) return std::nullopt;
+    const LineWindow window{row_of(peak), flank, reach, options_.full_scale};
+    return fit_line(window, noise, start, effort.fit_width, effort.iterations);
   }
 
   const cv::Mat& rows_;
   const Background& background_;
-  float full_scale_;
+  const RefineOptions& options_;
 };
+
+/// The noise model of the image, from some of the fits.
+NoiseModel noise_of(const cv::Mat& rows, const Background& background,
+                    const std::vector<PeakTrace>& traces, const std::vector<TraceFits>& fits,
+                    float full_scale) {
+  constexpr std::size_t kNoiseStep = 4;  // every fourth fit tells the noise well enough
+  std::vector<LineFit> some;
+  std::vector<int> some_rows;
+  std::size_t counter = 0;
+  for (std::size_t t = 0; t < traces.size(); ++t) {
+    for (std::size_t i = 0; i < fits[t].size(); ++i) {
+      if (!fits[t][i] || counter++ % kNoiseStep != 0) continue;
+      some.push_back(fits[t][i]->line);
+      some_rows.push_back(traces[t][i * kShapeStep].row);
+    }
+  }
+  return estimate_noise(rows, background, some, some_rows, full_scale);
+}
 
 }  // namespace
 
 std::vector<LineTrace> refine_traces(const cv::Mat& rows, const Background& background,
-                                     const std::vector<PeakTrace>& traces, float full_scale) {
-  constexpr std::size_t kNoiseStep = 4;  // every fourth fit tells the noise well enough
-  const Refiner refiner(rows, background, full_scale);
+                                     const std::vector<PeakTrace>& traces,
+                                     const RefineOptions& options) {
+  const Refiner refiner(rows, background, options);
   std::vector<TraceFits> fits;
-  std::vector<LineFit> some;
-  std::vector<int> some_rows;
-  std::size_t counter = 0;
-  for (const PeakTrace& trace : traces) {
-    fits.push_back(refiner.fit_widths(trace));
-    for (std::size_t i = 0; i < fits.back().size(); ++i) {
-      if (!fits.back()[i] || counter++ % kNoiseStep != 0) continue;
-      some.push_back(*fits.back()[i]);
-      some_rows.push_back(trace[i * kWidthStep].row);
-    }
-  }
-  const NoiseModel noise = estimate_noise(rows, background, some, some_rows, full_scale);
+  for (const PeakTrace& trace : traces) fits.push_back(refiner.fit_shapes(trace));
+  const NoiseModel noise = noise_of(rows, background, traces, fits, options.full_scale);
   std::vector<LineTrace> samples;
   for (std::size_t t = 0; t < traces.size(); ++t) {
-    samples.push_back(refiner.fit_positions(traces[t], fits[t], noise));
+    LineTrace trace = refiner.fit_positions(traces[t], fits[t], noise);
+    if (!trace.empty()) samples.push_back(std::move(trace));
   }
   const float ratio = scatter_ratio(samples);
   for (LineTrace& trace : samples) {

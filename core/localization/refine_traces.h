@@ -11,16 +11,27 @@
 
 namespace flytri {
 
+/// How the position across the line is told.
+enum class LineEstimator {
+  kWeightedFit,  ///< a Gaussian fitted to all pixels of the line, weighted with their noise
+  kThreePoint,   ///< three-point Gaussian interpolation of the smoothed row, as the paper has it
+};
+
+struct RefineOptions {
+  LineEstimator estimator = LineEstimator::kWeightedFit;
+  float full_scale = 255.0F;  ///< gray value at which the camera clips
+};
+
 /// Fits every peak with the noise model of the image and the line's own width.
 ///
-/// The width is fitted in each row and then smoothed along the trace: optics change it slowly, and
-/// a row alone tells it badly. The uncertainty is that of the noise model, scaled by the scatter
-/// that the traces show: speckle that neighboring pixels share is not in the model.
+/// Width and background are measured in single rows and then smoothed along the trace: they change
+/// slowly, and a row alone tells them badly. The uncertainty is that of the noise model, scaled by
+/// the scatter that the traces show: speckle that neighboring pixels share is not in the model.
 /// @param rows  CV_32FC1; lines cross the rows.
-/// @return as many traces as given, some of them with fewer samples.
+/// @return the traces in the order given, without samples that could not be fitted.
 [[nodiscard]] std::vector<LineTrace> refine_traces(const cv::Mat& rows,
                                                    const Background& background,
                                                    const std::vector<PeakTrace>& traces,
-                                                   float full_scale);
+                                                   const RefineOptions& options);
 
 }  // namespace flytri
