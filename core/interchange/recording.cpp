@@ -77,7 +77,6 @@ Result<Recording> open_recording(const std::filesystem::path& folder) {
   Result<Recording> recording = parse_recording(*text, path.string());
   if (!recording) return recording;
   recording->folder = folder;
-  if (recording->calibration) recording->calibration = folder / *recording->calibration;
   return recording;
 }
 

@@ -31,7 +31,7 @@ TEST(Recording, WhatIsWrittenIsRead) {
   write_three_frames(folder / "scan");
   const Result<Recording> recording = open_recording(folder / "scan");
   ASSERT_TRUE(recording) << recording.error().message;
-  EXPECT_EQ(recording->calibration, folder / "scan" / "calibration.json");
+  EXPECT_EQ(recording->calibration, std::filesystem::path("calibration.json"));
   ASSERT_EQ(recording->frames.size(), 3U);
   EXPECT_EQ(recording->frames[1].time_s, 1.0 / 30.0);
   const Result<Frame> frame = load_frame(*recording, FrameIndex(1));

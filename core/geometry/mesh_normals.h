@@ -1,0 +1,12 @@
+/// @file  Vertex normals of a mesh that comes without.
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+
+namespace flytri {
+
+/// Sets every vertex normal to the mean of its triangles' normals, weighted by their areas.
+/// A vertex of no triangle, or of degenerate ones alone, gets +z.
+void compute_vertex_normals(TriangleMesh& mesh);
+
+}  // namespace flytri
