@@ -1,0 +1,243 @@
+#include "core/normals/normals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "core/geometry/point_spacing.h"
+
+namespace flytri {
+namespace {
+
+constexpr double kTangentSpacings = 4.0;
+constexpr double kCellSpacings = 10.0;
+/// The Gaussian is cut where it has fallen to 1 %.
+constexpr double kGaussianReach = 3.0;
+
+/// Both patterns must take part: the rarer has at least this many points by the other's.
+constexpr double kMinPatternShare = 0.05;
+
+using CellKey = std::array<std::int32_t, 3>;
+
+/// o of every point of a view, sensor frame, unit; by profile, by point.
+using ViewTangents = std::vector<std::vector<Vec3>>;
+
+/// o: derivative of the profile after smoothing with a Gaussian of `sigma` points.
+std::vector<Vec3> tangents_of(const Profile& profile, double sigma_points) {
+  const auto count = static_cast<std::ptrdiff_t>(profile.points.size());
+  const auto reach = std::max<std::ptrdiff_t>(1, std::lround(kGaussianReach * sigma_points));
+  std::vector<Vec3> tangents(profile.points.size());
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    // The slope of a weighted straight line, which at the ends leans to the side that is there.
+    double sum_w = 0.0, sum_k = 0.0, sum_kk = 0.0;
+    Vec3 sum_p = Vec3::Zero(), sum_kp = Vec3::Zero();
+    for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - reach);
+         j <= std::min(count - 1, i + reach); ++j) {
+      const auto k = static_cast<double>(j - i);
+      const double w = std::exp(-0.5 * k * k / (sigma_points * sigma_points));
+      const Vec3& p = profile.points[static_cast<std::size_t>(j)].position_mm;
+      sum_w += w;
+      sum_k += w * k;
+      sum_kk += w * k * k;
+      sum_p += w * p;
+      sum_kp += w * k * p;
+    }
+    tangents[static_cast<std::size_t>(i)] = (sum_kp - sum_k / sum_w * sum_p).normalized();
+  }
+  return tangents;
+}
+
+ViewTangents tangents_of(const View& view, double sigma_mm) {
+  ViewTangents tangents;
+  for (const Profile& profile : view.profiles) {
+    const Vec3 span = profile.points.back().position_mm - profile.points.front().position_mm;
+    const double spacing_mm = span.norm() / static_cast<double>(profile.points.size() - 1);
+    tangents.push_back(tangents_of(profile, std::max(1.0, sigma_mm / std::max(spacing_mm, 1e-9))));
+  }
+  return tangents;
+}
+
+/// What the profiles in one cell say together: sum of o o^T and of the directions to the sensors.
+struct TangentCell {
+  CellKey key{};
+  Eigen::Matrix3d oo = Eigen::Matrix3d::Zero();
+  Vec3 towards_sensor = Vec3::Zero();
+  std::array<double, 2> weight{};  ///< points by pattern
+  Vec3 normal = Vec3::Zero();      ///< zero: no crossing here
+};
+
+CellKey key_of(const Vec3& p, double cell_mm) {
+  return {static_cast<std::int32_t>(std::floor(p.x() / cell_mm)),
+          static_cast<std::int32_t>(std::floor(p.y() / cell_mm)),
+          static_cast<std::int32_t>(std::floor(p.z() / cell_mm))};
+}
+
+const TangentCell* find_cell(std::span<const TangentCell> cells, const CellKey& key) {
+  const auto it = std::lower_bound(
+      cells.begin(), cells.end(), key,
+      [](const TangentCell& cell, const CellKey& wanted) { return cell.key < wanted; });
+  return it != cells.end() && it->key == key ? &*it : nullptr;
+}
+
+/// Sums of each view's own points, then of all views: in order, so the bits do not depend on
+/// threads.
+std::vector<TangentCell> gather_cells(std::span<const AlignedView> views,
+                                      std::span<const ViewTangents> tangents, double cell_mm,
+                                      const Workers& workers) {
+  std::vector<std::vector<TangentCell>> of_views(views.size());
+  const auto merge = [](std::vector<TangentCell>& cells) {
+    std::stable_sort(cells.begin(), cells.end(),
+                     [](const auto& a, const auto& b) { return a.key < b.key; });
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      if (cells[i].key != cells[last].key) {
+        cells[++last] = cells[i];
+      } else {
+        cells[last].oo += cells[i].oo;
+        cells[last].towards_sensor += cells[i].towards_sensor;
+        for (const int p : {0, 1}) cells[last].weight[p] += cells[i].weight[p];
+      }
+    }
+    if (!cells.empty()) cells.resize(last + 1);
+  };
+  workers.for_each(views.size(), [&](std::size_t v) {
+    const Isometry& T_world_sensor = views[v].T_world_sensor;
+    const View& view = *views[v].view;
+    for (std::size_t k = 0; k < view.profiles.size(); ++k) {
+      for (std::size_t i = 0; i < view.profiles[k].points.size(); ++i) {
+        TangentCell cell;
+        cell.key = key_of(T_world_sensor * view.profiles[k].points[i].position_mm, cell_mm);
+        const Vec3 o = T_world_sensor.linear() * tangents[v][k][i];
+        cell.oo = o * o.transpose();
+        cell.towards_sensor = -T_world_sensor.linear().col(2);
+        cell.weight[static_cast<std::size_t>(view.pattern)] = 1.0;
+        of_views[v].push_back(cell);
+      }
+    }
+    merge(of_views[v]);
+  });
+  std::vector<TangentCell> all;
+  for (auto& cells : of_views) all.insert(all.end(), cells.begin(), cells.end());
+  merge(all);
+  return all;
+}
+
+/// Sum over the cell and its neighbors with binomial weights, so that normals change smoothly.
+TangentCell blend(std::span<const TangentCell> cells, const CellKey& key) {
+  TangentCell sum;
+  sum.key = key;
+  for (int i = -1; i <= 1; ++i) {
+    for (int j = -1; j <= 1; ++j) {
+      for (int k = -1; k <= 1; ++k) {
+        const TangentCell* cell = find_cell(cells, {key[0] + i, key[1] + j, key[2] + k});
+        if (cell == nullptr) continue;
+        const double weight = std::pow(0.5, std::abs(i) + std::abs(j) + std::abs(k));
+        sum.oo += weight * cell->oo;
+        sum.towards_sensor += weight * cell->towards_sensor;
+        for (const int p : {0, 1}) sum.weight[p] += weight * cell->weight[p];
+      }
+    }
+  }
+  return sum;
+}
+
+/// The direction least along all o, or zero where they are nearly parallel.
+Vec3 common_normal(const TangentCell& cell, double min_crossing_sine) {
+  // The o of one bent profile spread too, but in its own sheet: that is no crossing.
+  const auto [few, many] = std::minmax(cell.weight[0], cell.weight[1]);
+  if (few < kMinPatternShare * many) return Vec3::Zero();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(cell.oo);
+  const Vec3 eigenvalues = solver.eigenvalues();
+  // For two equal sets of directions at angle t the middle eigenvalue is 1 - cos t of their sum.
+  const double min_share = 0.5 * (1.0 - std::sqrt(1.0 - min_crossing_sine * min_crossing_sine));
+  if (eigenvalues[1] < min_share * eigenvalues.sum()) return Vec3::Zero();
+  const Vec3 normal = solver.eigenvectors().col(0);
+  return normal.dot(cell.towards_sensor) < 0.0 ? Vec3(-normal) : normal;
+}
+
+/// The cell's normal made perpendicular to the point's own o; zero if that leaves little.
+Vec3 normal_at(const Vec3& cell_normal, const Vec3& o) {
+  const Vec3 normal = cell_normal - cell_normal.dot(o) * o;
+  const double length = normal.norm();
+  return length > 0.5 ? Vec3(normal / length) : Vec3(Vec3::Zero());
+}
+
+ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
+                       std::span<const TangentCell> cells, double cell_mm) {
+  ViewNormals normals(aligned.view->profiles.size());
+  const Isometry& T_world_sensor = aligned.T_world_sensor;
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    const auto& points = aligned.view->profiles[k].points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const CellKey key = key_of(T_world_sensor * points[i].position_mm, cell_mm);
+      const TangentCell* cell = find_cell(cells, key);
+      const Vec3 o = T_world_sensor.linear() * tangents[k][i];
+      normals[k].push_back(normal_at(cell->normal, o).cast<float>());
+    }
+  }
+  return normals;
+}
+
+}  // namespace
+
+Result<void> NormalOptions::validate() const {
+  const auto bad = [](std::string_view name, std::string_view range) {
+    return fail(ErrorCode::kBadOption, "NormalOptions::{} must be {}", name, range);
+  };
+  if (!(tangent_sigma_mm >= 0.0)) return bad("tangent_sigma_mm", ">= 0");
+  if (!(cell_mm >= 0.0)) return bad("cell_mm", ">= 0");
+  if (!(min_crossing_sine > 0.0 && min_crossing_sine < 1.0)) {
+    return bad("min_crossing_sine", "in (0, 1)");
+  }
+  return {};
+}
+
+Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> views,
+                                                  const NormalOptions& options,
+                                                  const Workers& workers) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  std::vector<ViewNormals> normals(views.size());
+  const double spacing_mm = median_point_spacing_mm(views);
+  if (spacing_mm <= 0.0) return normals;
+  const double sigma_mm =
+      options.tangent_sigma_mm > 0.0 ? options.tangent_sigma_mm : kTangentSpacings * spacing_mm;
+  const double cell_mm = options.cell_mm > 0.0 ? options.cell_mm : kCellSpacings * spacing_mm;
+  std::vector<ViewTangents> tangents(views.size());
+  workers.for_each(views.size(),
+                   [&](std::size_t v) { tangents[v] = tangents_of(*views[v].view, sigma_mm); });
+  std::vector<TangentCell> cells = gather_cells(views, tangents, cell_mm, workers);
+  std::vector<Vec3> cell_normals(cells.size());
+  workers.for_each(
+      cells.size(),
+      [&](std::size_t c) {
+        cell_normals[c] = common_normal(blend(cells, cells[c].key), options.min_crossing_sine);
+      },
+      256);
+  for (std::size_t c = 0; c < cells.size(); ++c) cells[c].normal = cell_normals[c];
+  workers.for_each(views.size(), [&](std::size_t v) {
+    normals[v] = normals_of(views[v], tangents[v], cells, cell_mm);
+  });
+  return normals;
+}
+
+std::vector<SurfaceSample> surface_samples(std::span<const AlignedView> views,
+                                           std::span<const ViewNormals> normals) {
+  std::vector<SurfaceSample> samples;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const Isometry& T_world_sensor = views[v].T_world_sensor;
+    for (std::size_t k = 0; k < views[v].view->profiles.size(); ++k) {
+      const auto& points = views[v].view->profiles[k].points;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if (normals[v][k][i].isZero()) continue;
+        samples.push_back({(T_world_sensor * points[i].position_mm).cast<float>(), normals[v][k][i],
+                           T_world_sensor.linear().cast<float>() * points[i].deviation_mm,
+                           ViewIndex(v)});
+      }
+    }
+  }
+  return samples;
+}
+
+}  // namespace flytri

@@ -1,0 +1,170 @@
+#include "core/refinement/reduced_system.h"
+
+#include <algorithm>
+
+namespace flytri {
+namespace {
+
+/// Stretches of views at the second level: enough to follow a bent path, few enough to be solved
+/// at once.
+constexpr std::size_t kMaxGroups = 60;
+constexpr int kMaxIterations = 400;
+/// Of the residual's norm: far below what one step of the outer iteration changes.
+constexpr double kTolerance = 1e-5;
+/// Share of a view's own information that holds a direction the others leave free.
+constexpr double kDamping = 1e-7;
+
+Eigen::Matrix3d cross_matrix(const Vec3& v) {
+  Eigen::Matrix3d m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+}  // namespace
+
+ReducedSystem::ReducedSystem(std::vector<Vec3> centers_mm)
+    : centers_mm_(std::move(centers_mm)),
+      information_(centers_mm_.size(), Matrix6::Zero()),
+      gradient_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(centers_mm_.size()))),
+      blocks_of_view_(centers_mm_.size()) {
+  group_size_ = std::max<std::size_t>(1, (centers_mm_.size() + kMaxGroups - 1) / kMaxGroups);
+  group_count_ = (centers_mm_.size() + group_size_ - 1) / group_size_;
+}
+
+void ReducedSystem::add_cell(const std::vector<CellViewBlock>& blocks) {
+  for (const CellViewBlock& block : blocks) {
+    blocks_of_view_[block.view].push_back(static_cast<std::uint32_t>(blocks_.size()));
+    cell_of_block_.push_back(static_cast<std::uint32_t>(cell_starts_.size() - 1));
+    blocks_.push_back(block);
+  }
+  cell_starts_.push_back(blocks_.size());
+}
+
+void ReducedSystem::add_view(std::size_t view, const Matrix6& information, const Twist& gradient) {
+  information_[view] += information;
+  gradient_.segment<6>(6 * static_cast<Eigen::Index>(view)) += gradient;
+}
+
+void ReducedSystem::finish(const Workers& workers) {
+  finish_views(workers);
+  finish_groups();
+}
+
+void ReducedSystem::finish_views(const Workers& workers) {
+  view_inverse_.resize(centers_mm_.size());
+  workers.for_each(centers_mm_.size(), [&](std::size_t v) {
+    Matrix6& D = information_[v];
+    D.diagonal() += kDamping * D.diagonal();
+    // A view that no cell knows stays where it is.
+    if (D.trace() <= 0.0) D = Matrix6::Identity();
+    Matrix6 own = D;
+    for (const std::uint32_t b : blocks_of_view_[v]) {
+      own.noalias() -= blocks_[b].coupling * blocks_[b].coupling.transpose();
+    }
+    own.diagonal() += kDamping * D.diagonal();
+    view_inverse_[v] = own.ldlt().solve(Matrix6::Identity());
+  });
+}
+
+Matrix6 ReducedSystem::lift(std::size_t view) const {
+  // A group's twist turns about the first view's center; this view's about its own.
+  Matrix6 P = Matrix6::Identity();
+  P.block<3, 3>(3, 0) = -cross_matrix(centers_mm_[view] - centers_mm_.front());
+  return P;
+}
+
+void ReducedSystem::finish_groups() {
+  const auto size = 6 * static_cast<Eigen::Index>(group_count_);
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t v = 0; v < centers_mm_.size(); ++v) {
+    const auto at = 6 * static_cast<Eigen::Index>(group_of(v));
+    const Matrix6 P = lift(v);
+    H.block<6, 6>(at, at) += P.transpose() * information_[v] * P;
+  }
+  std::vector<std::pair<Eigen::Index, Matrix6>> lifted;
+  for (std::size_t cell = 0; cell + 1 < cell_starts_.size(); ++cell) {
+    lifted.clear();
+    for (std::size_t b = cell_starts_[cell]; b < cell_starts_[cell + 1]; ++b) {
+      const auto at = 6 * static_cast<Eigen::Index>(group_of(blocks_[b].view));
+      const Matrix6 M = lift(blocks_[b].view).transpose() * blocks_[b].coupling;
+      if (lifted.empty() || lifted.back().first != at) lifted.emplace_back(at, Matrix6::Zero());
+      lifted.back().second += M;
+    }
+    for (const auto& [i, M_i] : lifted) {
+      for (const auto& [j, M_j] : lifted) {
+        H.block<6, 6>(i, j).noalias() -= M_i * M_j.transpose();
+      }
+    }
+  }
+  // The whole scan may move freely; a whisper of damping makes the matrix regular.
+  H.diagonal() *= 1.0 + 1e-9;
+  group_solver_.compute(H);
+}
+
+Eigen::VectorXd ReducedSystem::apply(const Eigen::VectorXd& x, const Workers& workers) const {
+  const std::size_t cell_count = cell_starts_.size() - 1;
+  std::vector<Twist> cell_sums(cell_count);
+  constexpr std::size_t kGrain = 64;
+  workers.for_each(
+      cell_count,
+      [&](std::size_t cell) {
+        Twist sum = Twist::Zero();
+        for (std::size_t b = cell_starts_[cell]; b < cell_starts_[cell + 1]; ++b) {
+          const auto at = 6 * static_cast<Eigen::Index>(blocks_[b].view);
+          sum.noalias() += blocks_[b].coupling.transpose() * x.segment<6>(at);
+        }
+        cell_sums[cell] = sum;
+      },
+      kGrain);
+  Eigen::VectorXd y(x.size());
+  workers.for_each(centers_mm_.size(), [&](std::size_t v) {
+    const auto at = 6 * static_cast<Eigen::Index>(v);
+    Twist sum = information_[v] * x.segment<6>(at);
+    for (const std::uint32_t b : blocks_of_view_[v]) {
+      sum.noalias() -= blocks_[b].coupling * cell_sums[cell_of_block_[b]];
+    }
+    y.segment<6>(at) = sum;
+  });
+  return y;
+}
+
+Eigen::VectorXd ReducedSystem::precondition(const Eigen::VectorXd& r) const {
+  Eigen::VectorXd coarse = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(group_count_));
+  for (std::size_t v = 0; v < centers_mm_.size(); ++v) {
+    coarse.segment<6>(6 * static_cast<Eigen::Index>(group_of(v))) +=
+        lift(v).transpose() * r.segment<6>(6 * static_cast<Eigen::Index>(v));
+  }
+  coarse = group_solver_.solve(coarse).eval();
+  Eigen::VectorXd z(r.size());
+  for (std::size_t v = 0; v < centers_mm_.size(); ++v) {
+    const auto at = 6 * static_cast<Eigen::Index>(v);
+    z.segment<6>(at) = view_inverse_[v] * r.segment<6>(at) +
+                       lift(v) * coarse.segment<6>(6 * static_cast<Eigen::Index>(group_of(v)));
+  }
+  return z;
+}
+
+Eigen::VectorXd ReducedSystem::solve(const Workers& workers) const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(gradient_.size());
+  Eigen::VectorXd r = -gradient_;
+  const double target = kTolerance * r.norm();
+  Eigen::VectorXd z = precondition(r);
+  Eigen::VectorXd p = z;
+  double rz = r.dot(z);
+  for (int iteration = 0; iteration < kMaxIterations && r.norm() > target; ++iteration) {
+    const Eigen::VectorXd Hp = apply(p, workers);
+    const double curvature = p.dot(Hp);
+    // Rounding can turn the free motions of the whole scan slightly negative: nothing is left then.
+    if (curvature <= 0.0) break;
+    const double alpha = rz / curvature;
+    x += alpha * p;
+    r -= alpha * Hp;
+    z = precondition(r);
+    const double rz_next = r.dot(z);
+    p = z + (rz_next / rz) * p;
+    rz = rz_next;
+  }
+  return x;
+}
+
+}  // namespace flytri

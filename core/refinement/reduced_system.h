@@ -1,0 +1,68 @@
+/// @file  The normal equations of all poses after the surfaces are eliminated, and their solution.
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/workers.h"
+#include "core/geometry/rigid.h"
+
+namespace flytri {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// What one cell says about one of its views. With J the Jacobian of a residual by the view's
+/// twist, A that by the surface's six parameters, W the weights and L L^T = A^T W A:
+struct CellViewBlock {
+  std::uint32_t view = 0;
+  Matrix6 coupling;  ///< M = J^T W A L^-T, so the cell takes M M^T from the views' information
+};
+
+/// H x = -g with H = D - sum over cells of M M^T, never formed: it is full where many views
+/// overlap, but applying it takes only the blocks.
+class ReducedSystem {
+ public:
+  /// @param centers_mm  center of each view's points, world frame: its twist turns about it
+  explicit ReducedSystem(std::vector<Vec3> centers_mm);
+
+  /// Adds a cell; `blocks` by rising view.
+  void add_cell(const std::vector<CellViewBlock>& blocks);
+  /// Adds to a view's own information J^T W J and to its gradient.
+  void add_view(std::size_t view, const Matrix6& information, const Twist& gradient);
+  /// To be called once everything is added.
+  void finish(const Workers& workers);
+
+  /// g, six entries a view.
+  [[nodiscard]] const Eigen::VectorXd& gradient() const { return gradient_; }
+
+  /// H x, x and the result with six entries a view.
+  [[nodiscard]] Eigen::VectorXd apply(const Eigen::VectorXd& x, const Workers& workers) const;
+
+  /// Solves for the twists by conjugate gradients. Preconditioned at two levels: each view by
+  /// itself, and stretches of consecutive views as rigid pieces, which takes the long waves of a
+  /// drift that the first level leaves.
+  /// @source  two-level additive Schwarz; Saad, "Iterative Methods for Sparse Linear Systems".
+  [[nodiscard]] Eigen::VectorXd solve(const Workers& workers) const;
+
+ private:
+  [[nodiscard]] std::size_t group_of(std::size_t view) const { return view / group_size_; }
+  [[nodiscard]] Matrix6 lift(std::size_t view) const;
+  [[nodiscard]] Eigen::VectorXd precondition(const Eigen::VectorXd& r) const;
+  void finish_views(const Workers& workers);
+  void finish_groups();
+
+  std::vector<Vec3> centers_mm_;
+  std::vector<Matrix6> information_;  ///< D, by view
+  Eigen::VectorXd gradient_;
+  std::vector<CellViewBlock> blocks_;           ///< cell after cell
+  std::vector<std::size_t> cell_starts_ = {0};  ///< in blocks_
+  std::vector<std::vector<std::uint32_t>> blocks_of_view_;
+  std::vector<std::uint32_t> cell_of_block_;
+  std::vector<Matrix6> view_inverse_;
+  std::size_t group_size_ = 1;
+  std::size_t group_count_ = 1;
+  Eigen::LDLT<Eigen::MatrixXd> group_solver_;
+};
+
+}  // namespace flytri

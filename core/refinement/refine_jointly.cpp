@@ -1,0 +1,339 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/point_spacing.h"
+#include "core/refinement/reduced_system.h"
+#include "core/refinement/refine.h"
+#include "core/refinement/surface_cells.h"
+
+namespace flytri {
+namespace {
+
+/// Default edge of a cell in spacings of neighboring points.
+constexpr double kCellSpacings = 16.0;
+/// Stretch of a profile that becomes one datum, as a share of a cell's edge.
+constexpr double kDatumShare = 0.2;
+constexpr double kSigmaPerMad = 1.4826;
+/// A step must not raise the robust spread by more than this.
+constexpr double kMaxWorsening = 1.02;
+/// Less of the data in cells with a surface: the cells are enlarged, this much and this often.
+constexpr double kMinValidShare = 0.5;
+constexpr double kEnlargement = 1.5;
+constexpr int kMaxEnlargements = 3;
+
+/// Everything one step works on.
+struct Step {
+  double cell_mm = 0.0;
+  std::vector<SurfaceCell> cells;
+  std::vector<std::vector<SurfaceResidual>> residuals;  ///< by cell, parallel to its data
+  double spread = 1.0;           ///< robust standard deviation of the normalized residuals
+  double robust_sigma_mm = 0.0;  ///< of the residuals themselves
+};
+
+double median_abs(std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void measure_spread(Step& step) {
+  std::vector<double> normalized;
+  std::vector<double> plain;
+  for (const auto& cell : step.residuals) {
+    for (const SurfaceResidual& r : cell) {
+      if (!r.usable) continue;
+      normalized.push_back(std::abs(r.residual_mm) / r.sigma_mm);
+      plain.push_back(std::abs(r.residual_mm));
+    }
+  }
+  step.spread = std::max(kSigmaPerMad * median_abs(normalized), 1e-12);
+  step.robust_sigma_mm = kSigmaPerMad * median_abs(plain);
+}
+
+Step fit_surfaces(std::span<const Datum> data, std::span<const Isometry> poses, double cell_mm,
+                  const Workers& workers) {
+  Step step{cell_mm, divide_space(data, poses, cell_mm), {}, 1.0, 0.0};
+  step.residuals.resize(step.cells.size());
+  workers.for_each(step.cells.size(), [&](std::size_t c) {
+    SurfaceCell& cell = step.cells[c];
+    fit_surface(cell, data, poses, cell_mm);
+    if (!cell.valid) return;
+    for (const std::uint32_t i : cell.data) {
+      step.residuals[c].push_back(residual_of(cell, data[i], poses[data[i].view.at()], cell_mm));
+    }
+  });
+  measure_spread(step);
+  return step;
+}
+
+/// Share of the data that lies in cells with a surface.
+double valid_share(const Step& step) {
+  std::size_t valid = 0;
+  std::size_t all = 0;
+  for (const SurfaceCell& cell : step.cells) {
+    all += cell.data.size();
+    if (cell.valid) valid += cell.data.size();
+  }
+  return all == 0 ? 0.0 : static_cast<double>(valid) / static_cast<double>(all);
+}
+
+/// How residuals are weighed.
+struct WeightRule {
+  double spread = 1.0;  ///< of the normalized residuals: they are larger than the noise while the
+                        ///< poses are wrong
+  double tukey_sigmas = 4.0;
+};
+
+/// Sums of one cell, view by view.
+struct CellSums {
+  struct ViewSums {
+    std::uint32_t view = 0;
+    Matrix6 JJ = Matrix6::Zero();
+    Matrix6 JA = Matrix6::Zero();
+    Twist Jr = Twist::Zero();
+  };
+  std::vector<ViewSums> views;
+  Matrix6 AA = Matrix6::Zero();
+  Quadric Ar = Quadric::Zero();
+};
+
+CellSums sum_cell(const SurfaceCell& cell, std::span<const SurfaceResidual> residuals,
+                  std::span<const Datum> data, std::span<const Vec3> centers_mm,
+                  const WeightRule& rule) {
+  CellSums sums;
+  for (std::size_t k = 0; k < residuals.size(); ++k) {
+    const SurfaceResidual& r = residuals[k];
+    if (!r.usable) continue;
+    const auto view = static_cast<std::uint32_t>(data[cell.data[k]].view.value);
+    const double sigma_mm = rule.spread * r.sigma_mm;
+    const double weight =
+        tukey_weight(r.residual_mm / sigma_mm, rule.tukey_sigmas) / (sigma_mm * sigma_mm);
+    if (weight == 0.0) continue;
+    // Data come view after view.
+    if (sums.views.empty() || sums.views.back().view != view) sums.views.push_back({view});
+    auto& of_view = sums.views.back();
+    Twist J;
+    J << (r.foot_mm - centers_mm[view]).cross(r.gradient), r.gradient;
+    of_view.JJ.noalias() += weight * J * J.transpose();
+    of_view.JA.noalias() += weight * J * r.terms.transpose();
+    of_view.Jr += weight * r.residual_mm * J;
+    sums.AA.noalias() += weight * r.terms * r.terms.transpose();
+    sums.Ar += weight * r.residual_mm * r.terms;
+  }
+  return sums;
+}
+
+/// Eliminates the cell's surface and adds what is left to the system.
+void add_cell(const CellSums& sums, ReducedSystem& system) {
+  if (sums.views.size() < 2) return;
+  const Eigen::LLT<Matrix6> cholesky(sums.AA);
+  // Too little is left of the cell to determine its surface: it says nothing about the views.
+  if (cholesky.info() != Eigen::Success || cholesky.rcond() < 1e-9) return;
+  const Quadric LAr = cholesky.matrixL().solve(sums.Ar);
+  std::vector<CellViewBlock> blocks;
+  for (const auto& of_view : sums.views) {
+    CellViewBlock block;
+    block.view = of_view.view;
+    block.coupling = cholesky.matrixL().solve(of_view.JA.transpose()).transpose();
+    system.add_view(of_view.view, of_view.JJ, of_view.Jr - block.coupling * LAr);
+    blocks.push_back(block);
+  }
+  system.add_cell(blocks);
+}
+
+/// Joint optimization of one scan.
+class JointRefiner {
+ public:
+  JointRefiner(std::vector<AlignedView>& views, const JointRefineOptions& options,
+               const Workers& workers, const Progress& progress)
+      : views_(views), options_(options), workers_(workers), progress_(progress) {
+    for (const AlignedView& view : views) poses_.push_back(view.T_world_sensor);
+    cell_mm_ =
+        options.cell_mm > 0.0 ? options.cell_mm : kCellSpacings * median_point_spacing_mm(views);
+    if (cell_mm_ > 0.0) data_ = gather_data(views, kDatumShare * cell_mm_);
+    arm_mm_ = mean_radius_mm();
+  }
+
+  Result<Refinement> run();
+
+ private:
+  [[nodiscard]] std::vector<Vec3> view_centers() const;
+  [[nodiscard]] double mean_radius_mm() const;
+  [[nodiscard]] Step fit_surfaces_over_drift() const;
+  /// Moves all poses by one Gauss-Newton step.
+  void move(const Step& step);
+  void rate_views(const Step& step);
+  void fix_world();
+
+  std::vector<AlignedView>& views_;
+  const JointRefineOptions& options_;
+  const Workers& workers_;
+  const Progress& progress_;
+  std::vector<Isometry> poses_;
+  std::vector<Datum> data_;
+  double cell_mm_ = 0.0;
+  double arm_mm_ = 1.0;  ///< a rotation moves the points of a view by about this lever
+  Refinement result_;
+};
+
+/// Where poses are far off, the data of a small cell are no surface; a larger one still sees it.
+Step JointRefiner::fit_surfaces_over_drift() const {
+  double cell_mm = cell_mm_;
+  Step step = fit_surfaces(data_, poses_, cell_mm, workers_);
+  for (int i = 0; i < kMaxEnlargements && valid_share(step) < kMinValidShare; ++i) {
+    cell_mm *= kEnlargement;
+    step = fit_surfaces(data_, poses_, cell_mm, workers_);
+  }
+  return step;
+}
+
+std::vector<Vec3> JointRefiner::view_centers() const {
+  std::vector<Vec3> centers(poses_.size(), Vec3::Zero());
+  std::vector<double> counts(poses_.size(), 0.0);
+  for (const Datum& datum : data_) {
+    centers[datum.view.at()] += datum.position_mm;
+    counts[datum.view.at()] += 1.0;
+  }
+  for (std::size_t v = 0; v < centers.size(); ++v) {
+    centers[v] = poses_[v] * Vec3(centers[v] / std::max(counts[v], 1.0));
+  }
+  return centers;
+}
+
+double JointRefiner::mean_radius_mm() const {
+  if (data_.empty()) return 1.0;
+  double sum = 0.0;
+  for (const Datum& datum : data_) sum += datum.position_mm.norm();
+  return sum / static_cast<double>(data_.size());
+}
+
+void JointRefiner::move(const Step& step) {
+  const std::vector<Vec3> centers = view_centers();
+  std::vector<CellSums> sums(step.cells.size());
+  const WeightRule rule{step.spread, options_.tukey_sigmas};
+  workers_.for_each(step.cells.size(), [&](std::size_t c) {
+    sums[c] = sum_cell(step.cells[c], step.residuals[c], data_, centers, rule);
+  });
+  ReducedSystem system(centers);
+  const double step_mm = options_.step_share * cell_mm_;
+  Twist prior;
+  prior << Vec3::Constant(1.0 / (step_mm / arm_mm_)), Vec3::Constant(1.0 / step_mm);
+  for (std::size_t v = 0; v < poses_.size(); ++v) {
+    system.add_view(v, prior.cwiseAbs2().asDiagonal(), Twist::Zero());
+  }
+  for (const CellSums& cell : sums) add_cell(cell, system);
+  system.finish(workers_);
+  const Eigen::VectorXd x = system.solve(workers_);
+  for (std::size_t v = 0; v < poses_.size(); ++v) {
+    const Twist twist = x.segment<6>(6 * static_cast<Eigen::Index>(v));
+    const Eigen::Translation3d to_center(-centers[v]);
+    poses_[v] = to_center.inverse() * exp_twist(twist) * to_center * poses_[v];
+  }
+}
+
+void JointRefiner::rate_views(const Step& step) {
+  result_.views.assign(poses_.size(), {});
+  std::vector<std::size_t> inliers(poses_.size(), 0);
+  const double limit = options_.tukey_sigmas * step.spread;
+  for (std::size_t c = 0; c < step.cells.size(); ++c) {
+    for (std::size_t k = 0; k < step.residuals[c].size(); ++k) {
+      const SurfaceResidual& r = step.residuals[c][k];
+      if (!r.usable) continue;
+      const std::size_t v = data_[step.cells[c].data[k]].view.at();
+      ++result_.views[v].count;
+      if (std::abs(r.residual_mm) >= limit * r.sigma_mm) continue;
+      ++inliers[v];
+      result_.views[v].rms_mm += r.residual_mm * r.residual_mm;
+    }
+  }
+  for (std::size_t v = 0; v < poses_.size(); ++v) {
+    ViewResidual& view = result_.views[v];
+    if (view.count == 0) continue;
+    view.inlier_share = static_cast<double>(inliers[v]) / static_cast<double>(view.count);
+    view.rms_mm = std::sqrt(view.rms_mm / std::max<double>(1.0, static_cast<double>(inliers[v])));
+  }
+}
+
+void JointRefiner::fix_world() {
+  const Isometry T_old_new = views_.front().T_world_sensor * poses_.front().inverse();
+  for (std::size_t v = 0; v < poses_.size(); ++v) {
+    // Normalized again, so that many products leave no shear.
+    const Isometry T = T_old_new * poses_[v];
+    views_[v].T_world_sensor = make_isometry(Eigen::Quaterniond(T.linear()), T.translation());
+  }
+  views_.front().T_world_sensor = T_old_new * poses_.front();
+}
+
+Result<Refinement> JointRefiner::run() {
+  result_.views.assign(poses_.size(), {});
+  if (data_.empty()) return result_;
+  const auto step_count = static_cast<std::size_t>(options_.max_steps);
+  progress_.begin_stage("Optimizing together", step_count);
+  std::vector<Isometry> best = poses_;
+  double former_sigma_mm = 0.0;
+  double cell_mm = 0.0;
+  for (std::size_t i = 0; i <= step_count; ++i) {
+    if (progress_.cancelled()) return fail(ErrorCode::kCancelled, "stopped while optimizing");
+    const Step step = fit_surfaces_over_drift();
+    const bool comparable = step.cell_mm == cell_mm;
+    if (comparable && step.robust_sigma_mm > kMaxWorsening * former_sigma_mm) {
+      poses_ = best;
+      break;
+    }
+    cell_mm = step.cell_mm;
+    best = poses_;
+    result_.robust_sigma_mm.push_back(step.robust_sigma_mm);
+    rate_views(step);
+    const double change_mm = std::abs(step.robust_sigma_mm - former_sigma_mm);
+    const bool converged =
+        comparable && change_mm < options_.convergence_share * step.robust_sigma_mm;
+    former_sigma_mm = step.robust_sigma_mm;
+    result_.outcome = converged ? RefineOutcome::kConverged : RefineOutcome::kStepLimit;
+    if (converged || i == step_count) break;
+    move(step);
+    result_.steps = static_cast<int>(i) + 1;
+    progress_.advance();
+  }
+  fix_world();
+  return result_;
+}
+
+}  // namespace
+
+Result<void> JointRefineOptions::validate() const {
+  const auto bad = [](std::string_view name, std::string_view range) {
+    return fail(ErrorCode::kBadOption, "JointRefineOptions::{} must be {}", name, range);
+  };
+  if (!(cell_mm >= 0.0)) return bad("cell_mm", ">= 0");
+  if (!(step_share > 0.0)) return bad("step_share", "> 0");
+  if (max_steps < 1) return bad("max_steps", ">= 1");
+  if (!(convergence_share > 0.0)) return bad("convergence_share", "> 0");
+  if (!(tukey_sigmas > 0.0)) return bad("tukey_sigmas", "> 0");
+  if (!(min_inlier_share > 0.0 && min_inlier_share <= 1.0)) {
+    return bad("min_inlier_share", "in (0, 1]");
+  }
+  return {};
+}
+
+std::string_view to_string(RefineOutcome outcome) {
+  switch (outcome) {
+    case RefineOutcome::kConverged:
+      return "converged";
+    case RefineOutcome::kStepLimit:
+      return "step limit reached";
+    case RefineOutcome::kNoOverlap:
+      return "no overlap";
+  }
+  return "";
+}
+
+Result<Refinement> refine_jointly(std::vector<AlignedView>& views,
+                                  const JointRefineOptions& options, const Workers& workers,
+                                  const Progress& progress) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (views.empty()) return fail(ErrorCode::kInsufficient, "no view to optimize");
+  return JointRefiner(views, options, workers, progress).run();
+}
+
+}  // namespace flytri

@@ -1,0 +1,215 @@
+#include "core/refinement/surface_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace flytri {
+namespace {
+
+/// Fewer data than this do not overdetermine a quadric.
+constexpr std::size_t kMinData = 12;
+/// A surface's data are flat: their thickness is at most this share of their width.
+constexpr double kMaxThicknessShare = 0.3;
+/// The measurement ray must meet the surface at a sine above this.
+constexpr double kMinRaySine = 0.2;
+/// Reciprocal condition below which the lines in a cell do not determine all six terms.
+constexpr double kMinCondition = 1e-4;
+constexpr int kFitIterations = 4;
+constexpr double kFitTukeySigmas = 4.0;
+/// Standard deviation of a normal distribution by its median absolute deviation.
+constexpr double kSigmaPerMad = 1.4826;
+
+Quadric terms_at(double a, double b) {
+  Quadric terms;
+  terms << 1.0, a, b, a * a, a * b, b * b;
+  return terms;
+}
+
+/// A datum in the frame of its cell.
+struct LocalDatum {
+  double a, b;  ///< in units of the cell
+  double h_mm;
+  double sigma_mm;
+};
+
+using CellKey = std::array<std::int32_t, 3>;
+
+CellKey key_of(const Vec3& p_world, double cell_mm) {
+  const Vec3 scaled = p_world / cell_mm;
+  return {static_cast<std::int32_t>(std::floor(scaled.x())),
+          static_cast<std::int32_t>(std::floor(scaled.y())),
+          static_cast<std::int32_t>(std::floor(scaled.z()))};
+}
+
+bool seen_by_two_views(const SurfaceCell& cell, std::span<const Datum> data) {
+  // Data are stored view after view, so first and last differ if any do.
+  return data[cell.data.front()].view != data[cell.data.back()].view;
+}
+
+/// Principal axes of the data: the cell's frame. False if they do not lie on one surface.
+bool orient(SurfaceCell& cell, std::span<const Vec3> points, const Vec3& ray) {
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& p : points) mean += p;
+  mean /= static_cast<double>(points.size());
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Vec3& p : points) scatter += (p - mean) * (p - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+  const Vec3 eigenvalues = solver.eigenvalues().cwiseMax(0.0);
+  const double limit = kMaxThicknessShare * kMaxThicknessShare;
+  if (eigenvalues[0] > limit * eigenvalues[1] || eigenvalues[1] <= 0.0) return false;
+  Vec3 h = solver.eigenvectors().col(0);
+  if (h.dot(ray) > 0.0) h = -h;
+  const Vec3 a = solver.eigenvectors().col(2);
+  cell.origin_mm = mean;
+  cell.R_world_cell << a, h.cross(a), h;
+  return true;
+}
+
+double robust_sigma(std::vector<double> normalized) {
+  const auto middle = normalized.begin() + static_cast<std::ptrdiff_t>(normalized.size() / 2);
+  for (double& value : normalized) value = std::abs(value);
+  std::nth_element(normalized.begin(), middle, normalized.end());
+  return kSigmaPerMad * *middle;
+}
+
+/// Iteratively reweighted least squares. False if the data do not determine the surface.
+bool fit_quadric(SurfaceCell& cell, std::span<const LocalDatum> local) {
+  std::vector<double> weights(local.size(), 1.0);
+  std::vector<double> normalized(local.size());
+  for (int iteration = 0; iteration < kFitIterations; ++iteration) {
+    Eigen::Matrix<double, 6, 6> N = Eigen::Matrix<double, 6, 6>::Zero();
+    Quadric right = Quadric::Zero();
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      const Quadric terms = terms_at(local[i].a, local[i].b);
+      const double weight = weights[i] / (local[i].sigma_mm * local[i].sigma_mm);
+      N += weight * terms * terms.transpose();
+      right += weight * local[i].h_mm * terms;
+    }
+    const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> solver(N);
+    const auto pivots = solver.vectorD();
+    if (pivots.minCoeff() <= kMinCondition * pivots.maxCoeff()) return false;
+    cell.surface = solver.solve(right);
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      const double height = cell.surface.dot(terms_at(local[i].a, local[i].b));
+      normalized[i] = (local[i].h_mm - height) / local[i].sigma_mm;
+    }
+    const double limit = kFitTukeySigmas * std::max(robust_sigma(normalized), 1e-9);
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      weights[i] = tukey_weight(normalized[i], limit);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+double tukey_weight(double normalized_residual, double limit) {
+  const double share = normalized_residual / limit;
+  if (std::abs(share) >= 1.0) return 0.0;
+  const double rest = 1.0 - share * share;
+  return rest * rest;
+}
+
+std::vector<Datum> gather_data(std::span<const AlignedView> views, double length_mm) {
+  std::vector<Datum> data;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    for (const Profile& profile : views[v].view->profiles) {
+      const auto& points = profile.points;
+      for (std::size_t begin = 0; begin < points.size();) {
+        Datum datum{Vec3::Zero(), Vec3::Zero(), ViewIndex(v)};
+        std::size_t end = begin;
+        while (end < points.size() &&
+               (points[end].position_mm - points[begin].position_mm).norm() <= length_mm) {
+          datum.position_mm += points[end].position_mm;
+          datum.deviation_mm += points[end].deviation_mm.cast<double>();
+          ++end;
+        }
+        const double count = static_cast<double>(end - begin);
+        datum.position_mm /= count;
+        // The mean of n points is sqrt(n) times more certain than each of them.
+        datum.deviation_mm /= count * std::sqrt(count);
+        data.push_back(datum);
+        begin = end;
+      }
+    }
+  }
+  return data;
+}
+
+std::vector<SurfaceCell> divide_space(std::span<const Datum> data,
+                                      std::span<const Isometry> T_world_sensor, double cell_mm) {
+  std::vector<std::pair<CellKey, std::uint32_t>> keys(data.size());
+  for (std::uint32_t i = 0; i < data.size(); ++i) {
+    keys[i] = {key_of(T_world_sensor[data[i].view.at()] * data[i].position_mm, cell_mm), i};
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<SurfaceCell> cells;
+  for (std::size_t begin = 0; begin < keys.size();) {
+    std::size_t end = begin;
+    SurfaceCell cell;
+    while (end < keys.size() && keys[end].first == keys[begin].first) {
+      cell.data.push_back(keys[end++].second);
+    }
+    if (cell.data.size() >= kMinData && seen_by_two_views(cell, data)) {
+      cells.push_back(std::move(cell));
+    }
+    begin = end;
+  }
+  return cells;
+}
+
+void fit_surface(SurfaceCell& cell, std::span<const Datum> data,
+                 std::span<const Isometry> T_world_sensor, double cell_mm) {
+  cell.valid = false;
+  std::vector<Vec3> points;
+  std::vector<Vec3> rays;
+  Vec3 ray = Vec3::Zero();
+  for (const std::uint32_t i : cell.data) {
+    const Isometry& T = T_world_sensor[data[i].view.at()];
+    points.push_back(T * data[i].position_mm);
+    rays.push_back(T.linear() * data[i].deviation_mm);
+    ray += T.linear().col(2);
+  }
+  if (!orient(cell, points, ray)) return;
+  std::vector<LocalDatum> local;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 p = cell.R_world_cell.transpose() * (points[i] - cell.origin_mm);
+    const double sigma_mm = std::abs(rays[i].dot(cell.R_world_cell.col(2)));
+    if (sigma_mm < kMinRaySine * rays[i].norm()) continue;
+    local.push_back({p.x() / cell_mm, p.y() / cell_mm, p.z(), sigma_mm});
+  }
+  if (local.size() < kMinData) return;
+  cell.valid = fit_quadric(cell, local);
+}
+
+SurfaceResidual residual_of(const SurfaceCell& cell, const Datum& datum,
+                            const Isometry& T_world_sensor, double cell_mm) {
+  const Vec3 ray = cell.R_world_cell.transpose() * (T_world_sensor.linear() * datum.deviation_mm);
+  const Vec3 p =
+      cell.R_world_cell.transpose() * (T_world_sensor * datum.position_mm - cell.origin_mm);
+  const Quadric& s = cell.surface;
+  Vec3 foot = p;
+  Vec3 gradient = Vec3::UnitZ();
+  SurfaceResidual result;
+  // Two steps along the ray: the surface is nearly flat within a few standard deviations.
+  for (int step = 0; step < 2; ++step) {
+    const double a = foot.x() / cell_mm;
+    const double b = foot.y() / cell_mm;
+    gradient = Vec3(-(s[1] + 2 * s[3] * a + s[4] * b) / cell_mm,
+                    -(s[2] + s[4] * a + 2 * s[5] * b) / cell_mm, 1.0);
+    const double along = gradient.dot(ray);
+    if (std::abs(along) < kMinRaySine * ray.norm() * gradient.norm()) return result;
+    foot -= (foot.z() - s.dot(terms_at(a, b))) / along * ray;
+  }
+  result.terms = terms_at(foot.x() / cell_mm, foot.y() / cell_mm);
+  result.residual_mm = gradient.dot(p - foot);
+  result.sigma_mm = std::abs(gradient.dot(ray));
+  result.gradient = cell.R_world_cell * gradient;
+  result.foot_mm = cell.R_world_cell * foot + cell.origin_mm;
+  result.usable = true;
+  return result;
+}
+
+}  // namespace flytri

@@ -1,0 +1,139 @@
+#include "core/refinement/refine.h"
+
+#include <gtest/gtest.h>
+
+#include "core/refinement/reduced_system.h"
+#include "tests/support/scan_scene.h"
+
+namespace flytri {
+namespace {
+
+using testing::displacement_rms_mm;
+using testing::scan_cusps;
+using testing::SceneSensor;
+using testing::with_drift;
+
+constexpr int kViews = 40;
+
+Refinement refine(std::vector<AlignedView>& views, int threads = 2) {
+  auto result = refine_jointly(views, {}, Workers(threads), {});
+  EXPECT_TRUE(result.has_value());
+  return *result;
+}
+
+TEST(RefineJointly, PullsADriftOf300MicronsDownToTheNoiseLimit) {
+  const auto truth = scan_cusps(kViews, SceneSensor{}, 1).views;
+  auto views = with_drift(truth, 0.3, 2);
+  const double before_mm = displacement_rms_mm(views, truth);
+  ASSERT_GT(before_mm, 0.08);
+  refine(views);
+  // 40 views of 4,500 points with 30 um each; in the gauge of the first view, whose own pose error
+  // (about 6 um at its rim) counts.
+  EXPECT_LT(displacement_rms_mm(views, truth), 0.015);
+}
+
+TEST(RefineJointly, IdealDataStartedAtTheTruthStaysThere) {
+  SceneSensor sensor;
+  sensor.noise_mm = 1e-6;
+  const auto truth = scan_cusps(kViews, sensor, 3).views;
+  auto views = truth;
+  refine(views);
+  // What a quadric misses of the cusps within a cell of half a millimeter.
+  EXPECT_LT(displacement_rms_mm(views, truth), 0.003);
+}
+
+TEST(RefineJointly, NoiseDoesNotPullItAwayFromTheTruth) {
+  const auto truth = scan_cusps(kViews, SceneSensor{}, 4).views;
+  auto once = truth;
+  refine(once);
+  auto twice = once;
+  refine(twice);
+  EXPECT_LT(displacement_rms_mm(once, truth), 0.015);
+  // A biased estimator would go on wandering; this one trembles as data change cells.
+  EXPECT_LT(displacement_rms_mm(twice, once), 0.008);
+}
+
+TEST(RefineJointly, KeepsTheFirstViewWhereItIs) {
+  const auto truth = scan_cusps(10, SceneSensor{}, 5).views;
+  auto views = with_drift(truth, 0.1, 6);
+  refine(views);
+  EXPECT_TRUE(views[0].T_world_sensor.isApprox(truth[0].T_world_sensor, 1e-12));
+}
+
+TEST(RefineJointly, OneThreadAndManyGiveTheSameBits) {
+  const auto truth = scan_cusps(12, SceneSensor{}, 7).views;
+  auto one = with_drift(truth, 0.1, 8);
+  auto many = one;
+  refine(one, 1);
+  refine(many, 4);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].T_world_sensor.matrix(), many[i].T_world_sensor.matrix());
+  }
+}
+
+TEST(RefineJointly, NamesAViewThatContradictsTheOthers) {
+  const auto truth = scan_cusps(kViews, SceneSensor{}, 9).views;
+  auto views = truth;
+  // A view of another place, taken for one of this.
+  View foreign = *views[20].view;
+  for (Profile& profile : foreign.profiles) {
+    for (ProfilePoint& point : profile.points) point.position_mm.z() *= -1.0;
+  }
+  views[20].view = std::make_shared<View>(foreign);
+  const JointRefineOptions options;
+  const Refinement result = refine(views);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(result.contradicts(i, options), i == 20) << "view " << i;
+  }
+}
+
+TEST(RefineJointly, RefusesOptionsOutOfRange) {
+  auto views = scan_cusps(2, SceneSensor{}, 10).views;
+  JointRefineOptions options;
+  options.max_steps = 0;
+  const auto result = refine_jointly(views, options, Workers(1), {});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kBadOption);
+  EXPECT_NE(result.error().message.find("max_steps"), std::string::npos);
+}
+
+/// A system of random cells and views whose cells satisfy M M^T <= D, as eliminated surfaces do.
+ReducedSystem random_system(int view_count, Random& random) {
+  std::vector<Vec3> centers;
+  for (int v = 0; v < view_count; ++v) centers.emplace_back(v, random.normal(), random.normal());
+  ReducedSystem system(centers);
+  const auto random_matrix = [&] {
+    Matrix6 m;
+    for (int i = 0; i < 36; ++i) m(i) = random.normal();
+    return m;
+  };
+  for (int v = 0; v + 2 < view_count; ++v) {
+    std::vector<CellViewBlock> blocks;
+    for (int k = 0; k < 3; ++k) {
+      blocks.push_back({static_cast<std::uint32_t>(v + k), 0.3 * random_matrix()});
+      const Matrix6 root = random_matrix();
+      system.add_view(v + k,
+                      3.0 * blocks.back().coupling * blocks.back().coupling.transpose() +
+                          root * root.transpose(),
+                      Twist::Constant(random.normal()));
+    }
+    system.add_cell(blocks);
+  }
+  return system;
+}
+
+TEST(ReducedSystem, SolutionSatisfiesTheNormalEquations) {
+  Random random(11);
+  constexpr int kCount = 150;
+  const Workers workers(2);
+  ReducedSystem system = random_system(kCount, random);
+  system.finish(workers);
+  const Eigen::VectorXd x = system.solve(workers);
+  // -g comes back from H x; the tolerance is that of the conjugate gradients.
+  Eigen::VectorXd y = system.apply(x, workers);
+  EXPECT_GT(x.norm(), 0.0);
+  EXPECT_LT((system.gradient() + y).norm(), 1e-4 * system.gradient().norm());
+}
+
+}  // namespace
+}  // namespace flytri
