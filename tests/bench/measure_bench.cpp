@@ -1,0 +1,97 @@
+/// @file  From image to view at 1024x768, one core: each stage, both patterns.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "core/pipeline/measure_view.h"
+#include "tests/support/line_image.h"
+
+namespace flytri {
+namespace {
+
+using testing::draw;
+using testing::LineImage;
+using testing::TrueLine;
+
+/// Ten (vertical) or seven (horizontal) wavy, speckled lines, as the intra-oral sensor sees a jaw.
+cv::Mat frame_image(Pattern pattern) {
+  const bool vertical = pattern == Pattern::kVertical;
+  LineImage image;
+  image.along_count = vertical ? 768 : 1024;
+  image.across_count = vertical ? 1024 : 768;
+  image.speckle_contrast = 0.07;
+  std::vector<TrueLine> lines;
+  const int count = vertical ? 10 : 7;
+  for (int n = 0; n < count; ++n) {
+    const double middle = 60.0 + (image.across_count - 120.0) * n / (count - 1.0);
+    lines.push_back({[middle](double r) { return middle + 15.0 * std::sin(0.01 * r + middle); },
+                     1.8, [](double) { return 110.0; }});
+  }
+  return draw(image, lines, pattern);
+}
+
+void localize(benchmark::State& state, LineEstimator estimator) {
+  const auto pattern = static_cast<Pattern>(state.range(0));
+  const cv::Mat image = frame_image(pattern);
+  LocalizeOptions options;
+  options.estimator = estimator;
+  std::size_t samples = 0;
+  for (auto _ : state) {
+    const auto traces = localize_lines(image, pattern, options);
+    samples = 0;
+    for (const LineTrace& trace : *traces) samples += trace.size();
+  }
+  state.counters["samples"] = static_cast<double>(samples);
+}
+BENCHMARK_CAPTURE(localize, weighted_fit, LineEstimator::kWeightedFit)
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(localize, three_point, LineEstimator::kThreePoint)
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+
+/// A calibration whose areas hold the lines of frame_image; its numbers do not matter for speed.
+Calibration frame_calibration() {
+  Calibration calibration;
+  calibration.volume.size_mm = {20, 15, 15};
+  calibration.measurement_size = {1024, 768};
+  for (TrivariateCubic* cubic : {&calibration.x_mm, &calibration.y_mm}) {
+    cubic->half_range = {512, 384, 8};
+    for (int i = 0; i < 20; ++i) cubic->coefficients[static_cast<std::size_t>(i)] = 1.0 / (1 + i);
+  }
+  for (const Pattern pattern : kPatterns) {
+    const bool vertical = pattern == Pattern::kVertical;
+    const int count = vertical ? 10 : 7, across = vertical ? 1024 : 768;
+    auto& lines = calibration.of(pattern);
+    lines.lines.assign(static_cast<std::size_t>(count),
+                       std::vector<LineRow>(vertical ? 768U : 1024U));
+    lines.sheet_normals.assign(static_cast<std::size_t>(count), Vec3::UnitX());
+    for (int n = 0; n < count; ++n) {
+      const double middle = 60.0 + (across - 120.0) * n / (count - 1.0);
+      const LineRow row{{middle, 40.0, {0, 7, 0.1, 0.01}},
+                        {middle, 40.0, {4.2, 0, 0}},
+                        middle - 40.0,
+                        middle + 40.0};
+      std::fill(lines.lines[static_cast<std::size_t>(n)].begin(),
+                lines.lines[static_cast<std::size_t>(n)].end(), row);
+    }
+  }
+  return calibration;
+}
+
+void measure(benchmark::State& state) {
+  const auto pattern = static_cast<Pattern>(state.range(0));
+  const Frame frame{FrameIndex(0),
+                    pattern == Pattern::kVertical ? FrameKind::kVertical : FrameKind::kHorizontal,
+                    0.0, frame_image(pattern)};
+  const Calibration calibration = frame_calibration();
+  int points = 0;
+  for (auto _ : state) points = measure_view(frame, calibration, {})->counts.points;
+  state.counters["points"] = points;
+}
+BENCHMARK(measure)->Name("measure_view")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace flytri
