@@ -1,0 +1,13 @@
+/// @file  Any bytes as calibration.json: refused or read, never worse.
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/calibration/calibration_json.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  (void)flytri::parse_calibration(bytes, "fuzz");
+  return 0;
+}

@@ -1,0 +1,12 @@
+/// @file  Any bytes as a PLY file: refused or read, never worse.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "core/interchange/ply.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  (void)flytri::parse_ply(bytes, "fuzz");
+  return 0;
+}

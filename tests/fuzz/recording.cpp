@@ -1,0 +1,12 @@
+/// @file  Any bytes as recording.json: refused or read, never worse.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "core/interchange/recording.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  (void)flytri::parse_recording(bytes, "fuzz");
+  return 0;
+}
