@@ -1,0 +1,36 @@
+/// @file  Fourteen teeth on their arch: who stands where.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "assets/sample_jaw/arch.h"
+#include "assets/sample_jaw/tooth.h"
+
+namespace flytri::sample_jaw {
+
+enum class JawKind { kUpper, kLower };
+
+/// A tooth in its place. Jaw frame, mm: x to the patient's left or right, y to the front, z towards
+/// the opposing teeth.
+struct PlacedTooth {
+  Tooth tooth;
+  Vec3 origin_mm;               ///< middle of the neck, jaw frame
+  Eigen::Matrix3d R_tooth_jaw;  ///< rows: mesial, outwards, up; mirrored on one side
+  double along_mm = 0.0;        ///< of the arch
+
+  [[nodiscard]] Vec3 to_tooth(const Vec3& p_jaw) const { return R_tooth_jaw * (p_jaw - origin_mm); }
+  [[nodiscard]] double operator()(const Vec3& p_jaw) const { return tooth(to_tooth(p_jaw)); }
+};
+
+/// The teeth from one end of the arch to the other.
+struct Dentition {
+  JawKind kind = JawKind::kUpper;
+  Arch arch;
+  std::vector<PlacedTooth> teeth;
+  std::uint64_t seed = 1;
+};
+
+[[nodiscard]] Dentition make_dentition(JawKind kind, std::uint64_t seed);
+
+}  // namespace flytri::sample_jaw

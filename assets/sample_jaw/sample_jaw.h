@@ -1,0 +1,28 @@
+/// @file  Makes a jaw to scan where no file is at hand: gum and fourteen different teeth, colored.
+#pragma once
+
+#include <cstdint>
+
+#include "assets/sample_jaw/dentition.h"
+#include "core/base/result.h"
+#include "core/base/workers.h"
+#include "core/geometry/triangle_mesh.h"
+
+namespace flytri::sample_jaw {
+
+struct SampleJawOptions {
+  JawKind kind = JawKind::kUpper;
+  double tooth_cell_mm = 0.15;  ///< 0.05..2, length of the triangles on the teeth
+  double gum_cell_mm = 0.3;     ///< 0.05..2, of those on the gum, which is smoother
+  std::uint64_t seed = 1;       ///< each number is another patient
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// About 75 x 60 x 25 mm; x to the side, y to the front, z towards the opposing teeth. Triangles
+/// face outwards; vertices have normals and colors. Some vertices lie where tooth and gum meet and
+/// are hidden by the other. The same bits for any number of threads.
+/// @errors  kBadOption.
+[[nodiscard]] Result<TriangleMesh> make_sample_jaw(const SampleJawOptions& options,
+                                                   const Workers& workers);
+
+}  // namespace flytri::sample_jaw

@@ -1,0 +1,133 @@
+#include "assets/sample_jaw/surface_nets.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace flytri::sample_jaw {
+namespace {
+
+using Cell = Eigen::Vector3i;
+
+// Cells of a block: a block far from the surface is skipped as a whole.
+constexpr int kBlock = 8;
+// A shape may grow faster than distance where it is squeezed.
+constexpr double kMaxGrowth = 1.4;
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+class Net {
+ public:
+  Net(const ImplicitShape& shape, const NetBox& box) : shape_(shape), box_(box) {
+    corners_ = ((box.high_mm - box.low_mm) / box.cell_mm).array().ceil().cast<int>() + 1;
+    const std::size_t count = static_cast<std::size_t>(corners_.x()) * corners_.y() * corners_.z();
+    values_.assign(count, std::numeric_limits<float>::quiet_NaN());
+    vertices_.assign(count, kNone);
+  }
+
+  TriangleMesh mesh() {
+    for_each_step(kBlock, [&](const Cell& block) { sample_block(block); });
+    for_each_step(1, [&](const Cell& cell) { add_vertex(cell); });
+    for_each_step(1, [&](const Cell& cell) {
+      for (int axis = 0; axis < 3; ++axis) add_quad(cell, axis);
+    });
+    set_normals();
+    return std::move(mesh_);
+  }
+
+ private:
+  template <typename Body>
+  void for_each_step(int step, const Body& body) const {
+    for (int z = 0; z < corners_.z(); z += step)
+      for (int y = 0; y < corners_.y(); y += step)
+        for (int x = 0; x < corners_.x(); x += step) body(Cell(x, y, z));
+  }
+
+  std::size_t at(const Cell& c) const {
+    return (static_cast<std::size_t>(c.z()) * corners_.y() + c.y()) * corners_.x() + c.x();
+  }
+  bool inside(const Cell& c) const { return (c.array() < corners_.array()).all(); }
+  Vec3 place(const Cell& c) const { return box_.low_mm + box_.cell_mm * c.cast<double>(); }
+
+  void sample_block(const Cell& block) {
+    const double reach_mm = 0.5 * std::sqrt(3.0) * (kBlock + 1) * box_.cell_mm;
+    const Vec3 middle = place(block) + Vec3::Constant(0.5 * kBlock * box_.cell_mm);
+    if (std::abs(shape_(middle)) > kMaxGrowth * reach_mm) return;
+    const Cell end = (block.array() + kBlock + 1).min(corners_.array());
+    for (int z = block.z(); z < end.z(); ++z)
+      for (int y = block.y(); y < end.y(); ++y)
+        for (int x = block.x(); x < end.x(); ++x) {
+          float& value = values_[at({x, y, z})];
+          if (std::isnan(value)) value = static_cast<float>(shape_(place({x, y, z})));
+        }
+  }
+
+  void add_vertex(const Cell& cell) {
+    if (!inside(cell + Cell::Ones())) return;
+    Vec3 sum = Vec3::Zero();
+    int crossings = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int side = 0; side < 4; ++side) {
+        Cell a = cell;
+        a[(axis + 1) % 3] += side & 1;
+        a[(axis + 2) % 3] += side >> 1;
+        const Cell b = a + Cell::Unit(axis);
+        const float value_a = values_[at(a)];
+        const float value_b = values_[at(b)];
+        if (std::isnan(value_a) || std::isnan(value_b)) return;
+        if ((value_a < 0.0F) == (value_b < 0.0F)) continue;
+        sum += place(a) + box_.cell_mm * value_a / (value_a - value_b) * Vec3::Unit(axis);
+        ++crossings;
+      }
+    if (crossings == 0) return;
+    vertices_[at(cell)] = static_cast<std::uint32_t>(mesh_.vertices.size());
+    SurfacePoint vertex;
+    const Vec3 position_mm = sum / crossings;
+    vertex.position_mm = position_mm.cast<float>();
+    vertex.normal.setZero();
+    mesh_.vertices.push_back(vertex);
+  }
+
+  // The four cells around one edge that the surface crosses.
+  void add_quad(const Cell& a, int axis) {
+    const Cell b = a + Cell::Unit(axis);
+    const Cell left = Cell::Unit((axis + 1) % 3);
+    const Cell down = Cell::Unit((axis + 2) % 3);
+    if (!inside(b) || ((a - left - down).array() < 0).any()) return;
+    const float value_a = values_[at(a)];
+    const float value_b = values_[at(b)];
+    if (std::isnan(value_a) || std::isnan(value_b) || (value_a < 0.0F) == (value_b < 0.0F)) return;
+    std::array<std::uint32_t, 4> corner = {vertices_[at(a)], vertices_[at(a - left)],
+                                           vertices_[at(a - left - down)], vertices_[at(a - down)]};
+    for (const std::uint32_t index : corner)
+      if (index == kNone) return;
+    if (value_a > 0.0F) std::swap(corner[1], corner[3]);
+    mesh_.triangles.push_back({corner[0], corner[1], corner[2]});
+    mesh_.triangles.push_back({corner[0], corner[2], corner[3]});
+  }
+
+  void set_normals() {
+    for (const Triangle& t : mesh_.triangles) {
+      const Vec3f a = mesh_.vertices[t[0]].position_mm;
+      const Vec3f area =
+          (mesh_.vertices[t[1]].position_mm - a).cross(mesh_.vertices[t[2]].position_mm - a);
+      for (const std::uint32_t corner : t) mesh_.vertices[corner].normal += area;
+    }
+    for (SurfacePoint& vertex : mesh_.vertices) vertex.normal.normalize();
+  }
+
+  const ImplicitShape& shape_;
+  const NetBox& box_;
+  Cell corners_;
+  std::vector<float> values_;
+  std::vector<std::uint32_t> vertices_;
+  TriangleMesh mesh_;
+};
+
+}  // namespace
+
+TriangleMesh surface_nets(const ImplicitShape& shape, const NetBox& box) {
+  return Net(shape, box).mesh();
+}
+
+}  // namespace flytri::sample_jaw

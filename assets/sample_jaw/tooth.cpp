@@ -1,0 +1,144 @@
+#include "assets/sample_jaw/tooth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assets/sample_jaw/smooth.h"
+
+namespace flytri::sample_jaw {
+namespace {
+
+// Inclination of the chewing surface's ridges: about 32 degrees.
+constexpr double kRidgeSlope = 0.62;
+// Fissures are rounded this much: an explorer's tip just fits.
+constexpr double kFissureRadius_mm = 0.25;
+
+// Runs through three values at -0.5, `middle` and 1 of the crown's height, flat at the middle one.
+double swell(double t, double neck, double middle, double top) {
+  if (t < middle) {
+    const double s = (middle - t) / middle;
+    return 1.0 - (1.0 - neck) * std::min(s * s, 1.8 * s);
+  }
+  const double s = (t - middle) / (1.0 - middle);
+  return 1.0 - (1.0 - top) * s * s;
+}
+
+// Height of a ridge from a to b seen from p: falls with the distance from the ridge.
+double ridge_height(const Vec2& p, const Vec3& a, const Vec3& b) {
+  const Vec2 along = (b - a).head<2>();
+  const double t = std::clamp((p - a.head<2>()).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  const double distance = (p - a.head<2>() - t * along).norm();
+  const double rounded = std::sqrt(distance * distance + 0.09) - 0.3;
+  return a.z() + t * (b.z() - a.z()) - kRidgeSlope * rounded;
+}
+
+}  // namespace
+
+Tooth::Tooth(ToothForm form, std::uint64_t seed) : form_(std::move(form)), seed_(seed) {}
+
+double Tooth::operator()(const Vec3& p) const {
+  const double top = form_.rim.empty() ? edge_height(p.x()) : chewing_height(p.head<2>());
+  const double rounding_mm = form_.rim.empty() ? 0.7 : 1.1;
+  const double waves_mm = 0.03 * value_noise(1.1 * p, seed_);
+  // The top's slope makes its value grow faster than distance.
+  return smooth_max(wall(p), 0.85 * (p.z() - top), rounding_mm) + waves_mm;
+}
+
+double Tooth::wall(const Vec3& p) const {
+  return form_.rim.empty() ? front_wall(p) : molar_wall(p);
+}
+
+double Tooth::molar_wall(const Vec3& p) const {
+  const double t = std::clamp(p.z() / form_.height_mm, -0.7, 1.0);
+  const double half_width = 0.5 * form_.width_mm * swell(t, 0.80, 0.62, 0.90);
+  const double side = p.y() >= 0.0 ? swell(t, 0.90, 0.28, 0.80) : swell(t, 0.88, 0.42, 0.80);
+  const double half_depth = 0.5 * form_.depth_mm * side;
+  const double exponent = 2.7;
+  const double x = std::abs(p.x()) / half_width;
+  const double y = std::abs(p.y()) / half_depth;
+  const double radius = std::pow(std::pow(x, exponent) + std::pow(y, exponent), 1.0 / exponent);
+  // A shallow groove runs down both faces between the cusps of a molar.
+  const bool molar = form_.width_mm > 9.0;
+  const double groove =
+      molar ? 0.35 * bump(p.x() + 0.3, 0.9) * smooth_step(0.25, 0.9, t) * smooth_step(0.3, 0.9, y)
+            : 0.0;
+  return (radius - 1.0) * std::min(half_width, half_depth) + groove;
+}
+
+double Tooth::front_wall(const Vec3& p) const {
+  const double t = std::clamp(p.z() / form_.height_mm, -0.7, 1.1);
+  const double half_width = 0.5 * form_.width_mm * swell(t, 0.80, 0.80, 0.97);
+  const double half_depth = 0.5 * form_.depth_mm;
+  const double x = p.x() / half_width;
+  // The outer face: convex both ways, fullest near the neck.
+  const double outer =
+      half_depth * (0.92 - 0.50 * std::max(t - 0.15, 0.0) - 0.12 * std::max(-t, 0.0)) -
+      0.15 * half_depth * x * x;
+  // The inner face: a bulge above the neck, then hollow between two marginal ridges.
+  const double taper = smooth_step(0.02, 0.85, t);
+  const double hollow = 0.45 * bump(x, 0.55) * bump(t - 0.58, 0.26);
+  const double inner = -half_depth * (0.95 - 1.08 * taper) + hollow + 0.12 * half_depth * x * x -
+                       0.35 * bump(x, 0.6) * bump(t - 0.22, 0.14);
+  const double thickness = smooth_max(0.93 * (p.y() - outer), 0.9 * (inner - p.y()), 0.5);
+  // The rounding takes a little off the sides where they meet the faces: given back here.
+  return smooth_max(thickness, std::abs(p.x()) - half_width - 0.12, 1.1);
+}
+
+double Tooth::chewing_height(const Vec2& p) const {
+  const Vec2 half(0.5 * form_.width_mm, 0.5 * form_.depth_mm);
+  const auto lifted = [&](const RimPoint& point) {
+    return Vec3(point.place.x() * half.x(), point.place.y() * half.y(),
+                form_.height_mm - point.drop_mm);
+  };
+  double height = -1e3;
+  for (std::size_t i = 0; i < form_.rim.size(); ++i) {
+    const RimPoint& point = form_.rim[i];
+    const Vec3 a = lifted(point);
+    const Vec3 b = lifted(form_.rim[(i + 1) % form_.rim.size()]);
+    height = smooth_max(height, ridge_height(p, a, b), kFissureRadius_mm);
+    if (!point.cusp) continue;
+    // The triangular ridge of the cusp, down towards the central groove.
+    Vec3 inner = a;
+    inner.head<2>() *= 0.22;
+    inner.z() -= 0.42 * (a - inner).head<2>().norm();
+    height = smooth_max(height, ridge_height(p, a, inner), kFissureRadius_mm);
+  }
+  return height;
+}
+
+double Tooth::edge_height(double x) const {
+  const double half_width = 0.5 * form_.width_mm;
+  const double s = x / half_width;
+  const double lobes = 0.06 * std::cos(3.0 * std::numbers::pi * s);
+  // The outer corner of an edge is the rounder one.
+  const double corner = s < 0.0 ? 0.6 : 0.3;
+  return form_.height_mm - form_.point_mm * std::abs(s) - corner * s * s * s * s + lobes;
+}
+
+Vec3 Tooth::color(const Vec3& p) const {
+  const Vec3 enamel(233, 222, 198);
+  const Vec3 neck(207, 178, 128);
+  const Vec3 edge(214, 214, 208);
+  const Vec3 fissure(150, 112, 74);
+  const double t = p.z() / form_.height_mm;
+  Vec3 color = enamel + (neck - enamel) * (1.0 - smooth_step(0.0, 0.45, t));
+  if (form_.rim.empty()) color += (edge - color) * 0.7 * smooth_step(0.8, 1.0, t);
+  if (!form_.rim.empty()) {
+    // Fissures are where the surface lies below its own surroundings.
+    const Vec2 q = p.head<2>();
+    const double reach_mm = 0.45;
+    double around = 0.0;
+    for (int i = 0; i < 8; ++i) {
+      const double angle = 0.25 * std::numbers::pi * i;
+      around += chewing_height(q + reach_mm * Vec2(std::cos(angle), std::sin(angle))) / 8.0;
+    }
+    const double depth_mm = around - chewing_height(q);
+    const double on_top = smooth_step(-1.2, -0.3, p.z() - chewing_height(q));
+    color += (fissure - color) * 0.9 * on_top * smooth_step(0.03, 0.16, depth_mm);
+  }
+  const double tone =
+      1.0 + 0.025 * value_noise(0.8 * p, seed_ + 1) + 0.02 * value_noise(2.5 * p, seed_ + 2);
+  return color * tone;
+}
+
+}  // namespace flytri::sample_jaw

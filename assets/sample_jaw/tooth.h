@@ -1,0 +1,61 @@
+/// @file  The shape and color of one tooth in its own frame.
+///
+/// Tooth frame, mm: x towards the middle of the arch (mesial), y outwards (buccal), z towards the
+/// opposing teeth (occlusal); origin in the middle of the neck. It is mirrored on the jaw's left.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/geometry/rigid.h"
+
+namespace flytri::sample_jaw {
+
+/// A point of the rim that runs around a chewing surface, by half widths; heights in mm below the
+/// crown's own height.
+struct RimPoint {
+  Vec2 place;
+  double drop_mm = 0.0;
+  bool cusp = false;  ///< a cusp sends a ridge towards the middle
+};
+
+/// What dentists measure of a crown.
+struct ToothForm {
+  std::string name;
+  double width_mm = 0.0;      ///< mesial to distal, at the contact points
+  double depth_mm = 0.0;      ///< outer to inner face
+  double height_mm = 0.0;     ///< neck to highest cusp
+  double tilt_rad = 0.0;      ///< the crown leans outwards
+  std::vector<RimPoint> rim;  ///< around the chewing surface; empty for front teeth
+  double point_mm = 0.0;      ///< front teeth: how far the middle of the edge stands out
+};
+
+/// One tooth as an implicit shape.
+class Tooth {
+ public:
+  /// @param seed  of the small irregularities that make it an individual
+  Tooth(ToothForm form, std::uint64_t seed);
+
+  [[nodiscard]] const ToothForm& form() const { return form_; }
+  /// Negative inside, mm. Goes on as a root below the neck.
+  [[nodiscard]] double operator()(const Vec3& p) const;
+  /// The neck and root without the crown's top, for the gum to lie around.
+  [[nodiscard]] double wall(const Vec3& p) const;
+  /// sRGB, 0..255.
+  [[nodiscard]] Vec3 color(const Vec3& p) const;
+
+ private:
+  double molar_wall(const Vec3& p) const;
+  double front_wall(const Vec3& p) const;
+  double chewing_height(const Vec2& p) const;
+  double edge_height(double x) const;
+
+  ToothForm form_;
+  std::uint64_t seed_;
+};
+
+/// The seven teeth of one side from the middle outwards.
+[[nodiscard]] std::vector<ToothForm> upper_teeth();
+[[nodiscard]] std::vector<ToothForm> lower_teeth();
+
+}  // namespace flytri::sample_jaw
