@@ -1,172 +1,215 @@
-#include <tiny_gltf.h>
-
 #include <cstring>
-#include <limits>
 #include <optional>
 
+#include "core/interchange/byte_stream.h"
 #include "core/interchange/glb.h"
 #include "core/interchange/glb_color.h"
+#include "core/interchange/json_place.h"
 #include "core/interchange/png.h"
+
+// Not read by tinygltf, which trusts the offsets that a file names and so reads beyond its end.
 
 namespace flytri {
 namespace {
 
-/// Keeps an embedded image as it is; the project's own decoder follows later.
-bool keep_image(tinygltf::Image* image, int, std::string*, std::string*, int, int,
-                const unsigned char* bytes, int size, void*) {
-  image->image.assign(bytes, bytes + size);
-  return true;
+constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2;                   // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;  // "JSON", "BIN"
+constexpr int kFloat = 5126, kUnsignedInt = 5125, kUnsignedShort = 5123;     // of an accessor
+
+/// Takes a chunk of the given type off the front; nothing if the bytes do not hold it.
+std::optional<std::string_view> take_chunk(ByteReader& in, std::uint32_t type) {
+  const auto size = in.number<std::uint32_t>();
+  const auto found = in.number<std::uint32_t>();
+  if (!size || found != type || *size > in.rest().size()) return std::nullopt;
+  const std::string_view chunk = in.rest().substr(0, *size);
+  in = ByteReader(in.rest().substr(*size));
+  return chunk;
 }
 
-/// A .glb has all it needs inside: no name in it may open another file.
-tinygltf::FsCallbacks no_files() {
-  tinygltf::FsCallbacks callbacks{};
-  callbacks.FileExists = [](const std::string&, void*) { return false; };
-  callbacks.ExpandFilePath = [](const std::string&, void*) { return std::string(); };
-  callbacks.ReadWholeFile = [](std::vector<unsigned char>*, std::string*, const std::string&,
-                               void*) { return false; };
-  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
-                                void*) { return false; };
-  return callbacks;
+struct Chunks {
+  std::string_view json, binary;
+};
+
+std::optional<Chunks> split(std::string_view bytes) {
+  ByteReader in(bytes);
+  if (in.number<std::uint32_t>() != kMagic || in.number<std::uint32_t>() != kVersion ||
+      in.number<std::uint32_t>() != bytes.size()) {
+    return std::nullopt;
+  }
+  const auto json = take_chunk(in, kJsonChunk);
+  const auto binary = json ? take_chunk(in, kBinaryChunk) : std::nullopt;
+  if (!binary) return std::nullopt;
+  return Chunks{*json, *binary};
 }
 
-std::optional<tinygltf::Model> load(std::string_view bytes) {
-  if (bytes.size() > std::numeric_limits<std::uint32_t>::max()) return std::nullopt;
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(keep_image, nullptr);
-  loader.SetFsCallbacks(no_files());
-  tinygltf::Model gltf;
-  std::string error, warning;
-  try {
-    if (!loader.LoadBinaryFromMemory(&gltf, &error, &warning,
-                                     reinterpret_cast<const unsigned char*>(bytes.data()),
-                                     static_cast<unsigned int>(bytes.size()))) {
-      return std::nullopt;
+/// The lists of a document and the bytes they point into. What does not fit is noted in the JSON.
+class Document {
+ public:
+  Document(JsonPlace root, std::string_view binary)
+      : root_(std::move(root)),
+        views_(root_.at("bufferViews").elements()),
+        accessors_(root_.at("accessors").elements()),
+        binary_(binary) {}
+
+  [[nodiscard]] const JsonPlace& root() const { return root_; }
+
+  /// The bytes of the buffer view that a place names.
+  [[nodiscard]] std::string_view view(const JsonPlace& index) const {
+    const auto at = static_cast<std::size_t>(index.whole_number());
+    if (at >= views_.size()) {
+      index.reject("the number of a buffer view");
+      return {};
     }
-  } catch (const std::exception&) {
-    return std::nullopt;
+    const std::size_t offset = count_of(views_[at], "byteOffset");
+    const auto size = static_cast<std::size_t>(views_[at].at("byteLength").whole_number());
+    if (offset > binary_.size() || size > binary_.size() - offset) {
+      views_[at].reject("a part of the buffer");
+      return {};
+    }
+    return binary_.substr(offset, size);
   }
-  return gltf;
-}
 
-template <typename T>
-const T* element(const std::vector<T>& list, int index) {
-  return index >= 0 && static_cast<std::size_t>(index) < list.size() ? &list[index] : nullptr;
-}
-
-/// Copies the numbers of an accessor out; nothing if it is not of that form or leaves its buffer.
-template <typename T>
-std::optional<std::vector<T>> numbers(const tinygltf::Model& gltf, int index, int component,
-                                      int type) {
-  const tinygltf::Accessor* accessor = element(gltf.accessors, index);
-  if (accessor == nullptr || accessor->componentType != component || accessor->type != type ||
-      accessor->sparse.isSparse) {
-    return std::nullopt;
+  /// The numbers of the accessor that a place names, which must have this form and lie closely.
+  template <typename T>
+  [[nodiscard]] std::vector<T> numbers(const JsonPlace& index, int component, std::string_view type,
+                                       std::size_t width) const {
+    const auto at = static_cast<std::size_t>(index.whole_number());
+    if (at >= accessors_.size()) {
+      index.reject("the number of an accessor");
+      return {};
+    }
+    const JsonPlace& accessor = accessors_[at];
+    if (accessor.at("componentType").whole_number() != component ||
+        accessor.at("type").text() != type) {
+      accessor.reject(fmt::format("{} of component type {}", type, component));
+      return {};
+    }
+    const std::string_view bytes = view(accessor.at("bufferView"));
+    const std::size_t offset = count_of(accessor, "byteOffset");
+    const auto count = static_cast<std::size_t>(accessor.at("count").whole_number());
+    if (offset > bytes.size() || count > (bytes.size() - offset) / (width * sizeof(T))) {
+      accessor.reject("a part of its buffer view");
+      return {};
+    }
+    std::vector<T> values(count * width);
+    if (count > 0) std::memcpy(values.data(), bytes.data() + offset, values.size() * sizeof(T));
+    return values;
   }
-  const tinygltf::BufferView* view = element(gltf.bufferViews, accessor->bufferView);
-  const tinygltf::Buffer* buffer = view ? element(gltf.buffers, view->buffer) : nullptr;
-  const auto width = static_cast<std::size_t>(tinygltf::GetNumComponentsInType(type));
-  const std::size_t item = width * sizeof(T);
-  if (buffer == nullptr || (view->byteStride != 0 && view->byteStride != item) ||
-      view->byteOffset > buffer->data.size() ||
-      view->byteLength > buffer->data.size() - view->byteOffset ||
-      accessor->byteOffset > view->byteLength ||
-      accessor->count > (view->byteLength - accessor->byteOffset) / item) {
-    return std::nullopt;
+
+ private:
+  static std::size_t count_of(const JsonPlace& place, std::string_view key) {
+    return place.has(key) ? static_cast<std::size_t>(place.at(key).whole_number()) : 0;
   }
-  std::vector<T> values(accessor->count * width);
-  if (!values.empty()) {
-    std::memcpy(values.data(), buffer->data.data() + view->byteOffset + accessor->byteOffset,
-                accessor->count * item);
+
+  JsonPlace root_;
+  std::vector<JsonPlace> views_, accessors_;
+  std::string_view binary_;
+};
+
+void expect_our_root(const JsonPlace& nodes) {
+  const std::vector<JsonPlace> list = nodes.elements();
+  if (list.size() != 1 || list[0].at("scale").numbers(3) != std::vector{0.001, 0.001, 0.001} ||
+      list[0].at("rotation").numbers(4) != std::vector{1.0, 0.0, 0.0, 0.0}) {
+    nodes.reject("the one node that this program writes; convert other models to .ply");
   }
-  return values;
 }
 
-int attribute(const tinygltf::Primitive& primitive, const char* name) {
-  const auto found = primitive.attributes.find(name);
-  return found == primitive.attributes.end() ? -1 : found->second;
-}
-
-bool is_our_root(const tinygltf::Node& node) {
-  return node.scale == std::vector<double>{0.001, 0.001, 0.001} &&
-         node.rotation == std::vector<double>{1.0, 0.0, 0.0, 0.0} && node.translation.empty() &&
-         node.matrix.empty();
-}
-
-const tinygltf::Primitive* our_primitive(const tinygltf::Model& gltf) {
-  const tinygltf::Node* node = element(gltf.nodes, 0);
-  const tinygltf::Mesh* mesh =
-      node && is_our_root(*node) ? element(gltf.meshes, node->mesh) : nullptr;
-  return mesh ? element(mesh->primitives, 0) : nullptr;
-}
-
-bool read_vertices(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
+void read_vertices(const Document& document, const JsonPlace& attributes,
                    std::vector<SurfacePoint>& vertices) {
-  constexpr int kFloat = TINYGLTF_COMPONENT_TYPE_FLOAT;
-  const auto positions =
-      numbers<float>(gltf, attribute(primitive, "POSITION"), kFloat, TINYGLTF_TYPE_VEC3);
-  const auto normals =
-      numbers<float>(gltf, attribute(primitive, "NORMAL"), kFloat, TINYGLTF_TYPE_VEC3);
-  if (!positions || !normals || positions->size() != normals->size()) return false;
-  vertices.resize(positions->size() / 3);
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    vertices[i].position_mm = Eigen::Map<const Vec3f>(&(*positions)[3 * i]);
-    vertices[i].normal = Eigen::Map<const Vec3f>(&(*normals)[3 * i]);
-    if (!vertices[i].position_mm.allFinite() || !vertices[i].normal.allFinite()) return false;
+  const auto positions = document.numbers<float>(attributes.at("POSITION"), kFloat, "VEC3", 3);
+  const auto normals = document.numbers<float>(attributes.at("NORMAL"), kFloat, "VEC3", 3);
+  if (positions.size() != normals.size()) {
+    attributes.at("NORMAL").reject("as many normals as positions");
+    return;
   }
-  return true;
-}
-
-bool read_colors(const tinygltf::Model& gltf, int accessor, std::vector<SurfacePoint>& vertices) {
-  if (accessor < 0) return true;
-  const auto light = numbers<std::uint16_t>(gltf, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                                            TINYGLTF_TYPE_VEC4);
-  if (!light || light->size() != 4 * vertices.size()) return false;
+  vertices.resize(positions.size() / 3);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) vertices[i].color[c] = to_srgb((*light)[4 * i + c]);
-  }
-  return true;
-}
-
-bool read_uv(const tinygltf::Model& gltf, int accessor, TexturedMesh& model) {
-  if (accessor < 0) return true;
-  const auto uv = numbers<float>(gltf, accessor, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2);
-  if (!uv || uv->size() != 2 * model.mesh.vertices.size()) return false;
-  for (std::size_t i = 0; i < uv->size(); i += 2) model.uv.emplace_back((*uv)[i], (*uv)[i + 1]);
-  return true;
-}
-
-bool read_triangles(const tinygltf::Model& gltf, int accessor, TriangleMesh& mesh) {
-  const auto indices = numbers<std::uint32_t>(gltf, accessor, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                                              TINYGLTF_TYPE_SCALAR);
-  if (!indices || indices->size() % 3 != 0) return false;
-  for (std::size_t i = 0; i < indices->size(); i += 3) {
-    mesh.triangles.push_back({(*indices)[i], (*indices)[i + 1], (*indices)[i + 2]});
-    for (const std::uint32_t vertex : mesh.triangles.back()) {
-      if (vertex >= mesh.vertices.size()) return false;
+    vertices[i].position_mm = Eigen::Map<const Vec3f>(&positions[3 * i]);
+    vertices[i].normal = Eigen::Map<const Vec3f>(&normals[3 * i]);
+    if (!vertices[i].position_mm.allFinite() || !vertices[i].normal.allFinite()) {
+      attributes.reject("finite positions and normals");
     }
   }
-  return true;
+}
+
+void read_colors(const Document& document, const JsonPlace& attributes,
+                 std::vector<SurfacePoint>& vertices) {
+  if (!attributes.has("COLOR_0")) return;
+  const JsonPlace place = attributes.at("COLOR_0");
+  const auto light = document.numbers<std::uint16_t>(place, kUnsignedShort, "VEC4", 4);
+  if (light.size() != 4 * vertices.size()) {
+    place.reject("as many colors as positions");
+    return;
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) vertices[i].color[c] = to_srgb(light[4 * i + c]);
+  }
+}
+
+void read_uv(const Document& document, const JsonPlace& attributes, TexturedMesh& model) {
+  if (!attributes.has("TEXCOORD_0")) return;
+  const JsonPlace place = attributes.at("TEXCOORD_0");
+  const auto uv = document.numbers<float>(place, kFloat, "VEC2", 2);
+  if (uv.size() != 2 * model.mesh.vertices.size()) {
+    place.reject("as many texture coordinates as positions");
+    return;
+  }
+  for (std::size_t i = 0; i < uv.size(); i += 2) model.uv.emplace_back(uv[i], uv[i + 1]);
+}
+
+void read_triangles(const Document& document, const JsonPlace& place, TriangleMesh& mesh) {
+  const auto indices = document.numbers<std::uint32_t>(place, kUnsignedInt, "SCALAR", 1);
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    mesh.triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+    for (const std::uint32_t vertex : mesh.triangles.back()) {
+      if (vertex >= mesh.vertices.size()) place.reject("indices of vertices");
+    }
+  }
+}
+
+/// Everything but the atlas.
+TexturedMesh read_geometry(const Document& document) {
+  TexturedMesh model;
+  expect_our_root(document.root().at("nodes"));
+  const std::vector<JsonPlace> meshes = document.root().at("meshes").elements();
+  if (meshes.size() != 1) {
+    document.root().at("meshes").reject("one mesh");
+    return model;
+  }
+  const std::vector<JsonPlace> primitives = meshes[0].at("primitives").elements();
+  if (primitives.size() != 1) {
+    meshes[0].reject("one primitive");
+    return model;
+  }
+  const JsonPlace attributes = primitives[0].at("attributes");
+  read_vertices(document, attributes, model.mesh.vertices);
+  read_colors(document, attributes, model.mesh.vertices);
+  read_uv(document, attributes, model);
+  read_triangles(document, primitives[0].at("indices"), model.mesh);
+  return model;
 }
 
 }  // namespace
 
 Result<TexturedMesh> parse_glb(std::string_view bytes, const std::string& name) {
-  const std::optional<tinygltf::Model> gltf = load(bytes);
-  if (!gltf) return fail(ErrorCode::kBadFormat, "{}: not a binary glTF file, or truncated", name);
-  const tinygltf::Primitive* primitive = our_primitive(*gltf);
-  TexturedMesh model;
-  if (primitive == nullptr || !read_vertices(*gltf, *primitive, model.mesh.vertices) ||
-      !read_colors(*gltf, attribute(*primitive, "COLOR_0"), model.mesh.vertices) ||
-      !read_uv(*gltf, attribute(*primitive, "TEXCOORD_0"), model) ||
-      !read_triangles(*gltf, primitive->indices, model.mesh)) {
-    return fail(ErrorCode::kBadFormat,
-                "{}: damaged, or not built as this program builds .glb; convert it to .ply", name);
+  const std::optional<Chunks> chunks = split(bytes);
+  if (!chunks) {
+    return fail(ErrorCode::kBadFormat, "{}: not a binary glTF 2.0 file, or truncated", name);
   }
-  if (gltf->images.empty()) return model;
-  const std::vector<unsigned char>& png = gltf->images.front().image;
-  Result<cv::Mat> atlas =
-      decode_png({reinterpret_cast<const char*>(png.data()), png.size()}, name + " (atlas)");
+  Result<JsonPlace> json = JsonPlace::parse(chunks->json, name);
+  if (!json) return tl::unexpected(json.error());
+  const Document document(*std::move(json), chunks->binary);
+  TexturedMesh model = read_geometry(document);
+  std::string_view png;
+  if (document.root().has("images")) {
+    const std::vector<JsonPlace> images = document.root().at("images").elements();
+    if (!images.empty()) png = document.view(images[0].at("bufferView"));
+  }
+  if (Result<void> outcome = document.root().outcome(); !outcome) {
+    return tl::unexpected(outcome.error());
+  }
+  if (png.empty()) return model;
+  Result<cv::Mat> atlas = decode_png(png, name + " (atlas)");
   if (!atlas) return tl::unexpected(atlas.error());
   model.atlas = *std::move(atlas);
   return model;

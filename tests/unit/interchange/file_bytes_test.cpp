@@ -2,12 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <iterator>
 
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri {
@@ -19,23 +18,6 @@ std::size_t entries_in(const std::filesystem::path& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder),
                                                 std::filesystem::directory_iterator()));
 }
-
-/// Lowers this process's largest file size: what a full disk is to write().
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    ::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &former_);
-    const rlimit limit = {bytes, former_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-  ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &former_); }
-
- private:
-  rlimit former_{};
-};
 
 TEST(AtomicFile, ReplacesAtOnceOrNotAtAll) {
   const TemporaryFolder folder;
@@ -58,7 +40,7 @@ TEST(AtomicFile, FullDiskKeepsTheOldFile) {
   ASSERT_TRUE(write_file(folder / "a.bin", "old"));
   Result<void> written;
   {
-    const FileSizeLimit limit(1000);
+    const FullDisk disk(1000);
     written = write_file(folder / "a.bin", std::string(5000, 'x'));
   }
   ASSERT_FALSE(written);

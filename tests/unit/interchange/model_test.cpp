@@ -3,13 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <cmath>
 
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/glb.h"
 #include "core/interchange/obj.h"
 #include "core/interchange/stl.h"
 #include "tests/support/colored_sphere.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri {
@@ -139,6 +140,19 @@ TEST(Model, DamagedModelsAreNotWritten) {
   model.uv.pop_back();
   EXPECT_EQ(code_of(model), ErrorCode::kInconsistent);
   EXPECT_FALSE(std::filesystem::exists(folder / "a.glb"));
+}
+
+TEST(Model, FullDiskLeavesNothingHalfWritten) {
+  const TemporaryFolder folder;
+  const TexturedMesh model = textured_sphere();
+  for (const char* name : {"a.glb", "a.ply", "a.stl", "a.obj"}) {
+    const FullDisk disk(3000);
+    const Result<void> written = write_model(folder / name, model);
+    ASSERT_FALSE(written) << name;
+    EXPECT_EQ(written.error().code, ErrorCode::kWriteFailed);
+    EXPECT_THAT(written.error().message, HasSubstr(name));
+    EXPECT_FALSE(std::filesystem::exists(folder / name));
+  }
 }
 
 TEST(Model, TruncatedFilesAreRefused) {
