@@ -70,8 +70,9 @@ class RowScanner {
       const float least = level + threshold_ * background_.noise(r, begin);
       const int end = std::min(begin + kBlock, rows.cols);
       if (smooth_.segment(begin, end - begin).maxCoeff() <= least) continue;
+      const float* smooth = smooth_.data();
       for (int c = std::max(begin, 1); c < std::min(end, rows.cols - 1); ++c) {
-        if (smooth_[c] > least && smooth_[c] >= smooth_[c - 1] && smooth_[c] > smooth_[c + 1]) {
+        if (smooth[c] > least && smooth[c] >= smooth[c - 1] && smooth[c] > smooth[c + 1]) {
           add_peak(row, r, c, level);
         }
       }

@@ -12,11 +12,25 @@ namespace {
 constexpr int kLanes = 8;
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
-/// Normal equations of one Gauss-Newton step for height, center and width.
+/// Normal equations of one Gauss-Newton step for height (a), center (c) and width (w): sums of
+/// weighted products of the derivatives, and of these with the residual (r).
 struct Normal {
-  Eigen::Matrix3f H = Eigen::Matrix3f::Zero();
-  Eigen::Vector3f g = Eigen::Vector3f::Zero();
+  float aa = 0, ac = 0, cc = 0, ar = 0, cr = 0;
+  float aw = 0, cw = 0, ww = 0, wr = 0;  ///< zero where the width is not fitted
 };
+
+/// One step, and the variance of the center.
+struct Step {
+  float height = 0, center = 0, width = 0;
+  float center_variance = 0;
+};
+
+/// 0, 1, 2, ...
+Lanes lane_numbers() {
+  Lanes numbers;
+  numbers << 0, 1, 2, 3, 4, 5, 6, 7;
+  return numbers;
+}
 
 /// First pixel and number of pixels, a multiple of the lanes, that hold the window.
 struct PixelRange {
@@ -35,6 +49,7 @@ std::optional<PixelRange> pixels_of(const LineWindow& window, float center) {
 }
 
 /// Sums over the window. Pixels beyond its reach have no weight.
+template <bool kFitWidth>
 std::optional<Normal> accumulate(const LineWindow& window, const NoiseModel& noise,
                                  const LineFit& fit) {
   const auto range = pixels_of(window, fit.center_px);
@@ -42,10 +57,10 @@ std::optional<Normal> accumulate(const LineWindow& window, const NoiseModel& noi
   const float inverse_sigma = 1.0F / fit.sigma_px;
   const float sigma_over_reach = fit.sigma_px / window.reach_px;
   const float speckle = noise.speckle_contrast * noise.speckle_contrast;
-  std::array<Lanes, 9> sums;
-  for (Lanes& sum : sums) sum.setZero();
-  Lanes pixel =
-      Lanes::LinSpaced(0.0F, kLanes - 1.0F) + (static_cast<float>(range->first) - fit.center_px);
+  const Lanes zero = Lanes::Zero();
+  Lanes aa = zero, ac = zero, cc = zero, ar = zero, cr = zero;
+  Lanes aw = zero, cw = zero, ww = zero, wr = zero;
+  Lanes pixel = lane_numbers() + (static_cast<float>(range->first) - fit.center_px);
   for (int i = 0; i < range->count; i += kLanes, pixel += static_cast<float>(kLanes)) {
     const Lanes value = Eigen::Map<const Lanes>(window.row.data() + range->first + i);
     const Lanes t = pixel * inverse_sigma;
@@ -55,28 +70,43 @@ std::optional<Normal> accumulate(const LineWindow& window, const NoiseModel& noi
         value - window.background.level - window.background.slope * pixel - signal;
     const Lanes taper = (1.0F - (t * sigma_over_reach).square()).max(0.0F);
     const Lanes variance = noise.read_variance + (noise.shot_gain + speckle * signal) * signal;
-    const Lanes weight =
-        (value < window.full_scale).select(taper.square() / variance, Lanes::Zero());
+    const Lanes weight = (value < window.full_scale).select(taper.square() / variance, zero);
     const Lanes by_center = signal * t * inverse_sigma;
-    const Lanes by_width = by_center * t;
-    const Lanes weighted_shape = weight * shape, weighted_center = weight * by_center,
-                weighted_width = weight * by_width;
-    sums[0] += weighted_shape * shape;
-    sums[1] += weighted_shape * by_center;
-    sums[2] += weighted_shape * by_width;
-    sums[3] += weighted_center * by_center;
-    sums[4] += weighted_center * by_width;
-    sums[5] += weighted_width * by_width;
-    sums[6] += weighted_shape * residual;
-    sums[7] += weighted_center * residual;
-    sums[8] += weighted_width * residual;
+    const Lanes weighted_shape = weight * shape, weighted_center = weight * by_center;
+    aa += weighted_shape * shape;
+    ac += weighted_shape * by_center;
+    cc += weighted_center * by_center;
+    ar += weighted_shape * residual;
+    cr += weighted_center * residual;
+    if constexpr (kFitWidth) {
+      const Lanes by_width = by_center * t, weighted_width = weight * by_width;
+      aw += weighted_width * shape;
+      cw += weighted_width * by_center;
+      ww += weighted_width * by_width;
+      wr += weighted_width * residual;
+    }
   }
-  std::array<float, 9> s{};
-  for (std::size_t k = 0; k < s.size(); ++k) s[k] = sums[k].sum();
-  Normal normal;
-  normal.H << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
-  normal.g << s[6], s[7], s[8];
-  return normal;
+  return Normal{aa.sum(), ac.sum(), cc.sum(), ar.sum(), cr.sum(),
+                aw.sum(), cw.sum(), ww.sum(), wr.sum()};
+}
+
+/// Share of the product of the diagonal below which the pixels do not determine the parameters.
+constexpr float kSingular = 1e-4F;
+
+std::optional<Step> solve_fixed_width(const Normal& n) {
+  const float determinant = n.aa * n.cc - n.ac * n.ac;
+  if (!(determinant > kSingular * n.aa * n.cc)) return std::nullopt;
+  return Step{(n.cc * n.ar - n.ac * n.cr) / determinant, (n.aa * n.cr - n.ac * n.ar) / determinant,
+              0.0F, n.aa / determinant};
+}
+
+std::optional<Step> solve_with_width(const Normal& n) {
+  Eigen::Matrix3f H;
+  H << n.aa, n.ac, n.aw, n.ac, n.cc, n.cw, n.aw, n.cw, n.ww;
+  if (!(H.determinant() > kSingular * n.aa * n.cc * n.ww)) return std::nullopt;
+  const Eigen::Matrix3f covariance = H.inverse();
+  const Eigen::Vector3f step = covariance * Eigen::Vector3f(n.ar, n.cr, n.wr);
+  return Step{step[0], step[1], step[2], covariance(1, 1)};
 }
 
 }  // namespace
@@ -85,26 +115,20 @@ std::optional<LineFit> fit_line(const LineWindow& window, const NoiseModel& nois
                                 const LineFit& start, bool fit_width, int iterations) {
   LineFit fit = start;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    auto normal = accumulate(window, noise, fit);
+    const auto normal =
+        fit_width ? accumulate<true>(window, noise, fit) : accumulate<false>(window, noise, fit);
     if (!normal) return std::nullopt;
-    if (!fit_width) {
-      normal->H.row(2) << 0, 0, 1;
-      normal->H.col(2) << 0, 0, 1;
-      normal->g[2] = 0;
-    }
-    const float scale = normal->H(0, 0) * normal->H(1, 1) * normal->H(2, 2);
-    if (!(normal->H.determinant() > 1e-4F * scale)) return std::nullopt;
-    const Eigen::Matrix3f covariance = normal->H.inverse();
-    const Eigen::Vector3f step = covariance * normal->g;
+    const auto step = fit_width ? solve_with_width(*normal) : solve_fixed_width(*normal);
     // A step beyond the line's own size comes from something that is not this line.
-    if (!(std::abs(step[1]) < fit.sigma_px) || !(std::abs(step[2]) < 0.5F * fit.sigma_px) ||
-        !(std::abs(step[0]) < 2.0F * fit.amplitude)) {
+    if (!step || !(std::abs(step->center) < fit.sigma_px) ||
+        !(std::abs(step->width) < 0.5F * fit.sigma_px) ||
+        !(std::abs(step->height) < 2.0F * fit.amplitude)) {
       return std::nullopt;
     }
-    fit.amplitude = std::max(fit.amplitude + step[0], 0.2F * fit.amplitude);
-    fit.center_px += step[1];
-    fit.sigma_px += step[2];
-    fit.center_variance = covariance(1, 1);
+    fit.amplitude = std::max(fit.amplitude + step->height, 0.2F * fit.amplitude);
+    fit.center_px += step->center;
+    fit.sigma_px += step->width;
+    fit.center_variance = step->center_variance;
   }
   return fit;
 }

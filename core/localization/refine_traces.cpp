@@ -108,8 +108,13 @@ class Refiner {
       const Peak& peak = trace[i];
       const LineShape shape = shape_at(knots, i);
       if (!(shape.sigma_px > 0)) continue;
-      const LineFit start{peak.center_px, shape.sigma_px, peak.amplitude, 0.0F};
-      const auto line = fit(peak, start, shape.background, noise, {false, peak.saturated ? 6 : 2});
+      // Every second peak has a fit already, which is nearer to the truth than the peak itself.
+      const bool fitted = i % kShapeStep == 0 && fits[i / kShapeStep];
+      const LineFit near =
+          fitted ? fits[i / kShapeStep]->line : LineFit{peak.center_px, 0.0F, peak.amplitude, 0.0F};
+      const LineFit start{near.center_px, shape.sigma_px, near.amplitude, 0.0F};
+      const int iterations = peak.saturated ? 6 : fitted ? 1 : 2;
+      const auto line = fit(peak, start, shape.background, noise, {false, iterations});
       if (!line) continue;
       const bool three_point = options_.estimator == LineEstimator::kThreePoint;
       samples.push_back({peak.row, three_point ? peak.three_point_px : line->center_px,
