@@ -64,7 +64,7 @@ class RowScanner {
     const std::span<const float> row(rows.ptr<float>(r), static_cast<std::size_t>(rows.cols));
     smooth_row(row, half_, smooth_);
     peaks_.clear();
-    columns_.clear();
+    found_.clear();
     for (int begin = 0; begin < rows.cols; begin += kBlock) {
       const float level = background_.level(r, begin);
       const float least = level + threshold_ * background_.noise(r, begin);
@@ -83,40 +83,54 @@ class RowScanner {
 
  private:
   void add_peak(std::span<const float> row, int r, int column, float level) {
-    if (!peaks_.empty() && is_split(columns_.back(), column, level)) {
-      if (smooth_[column] <= smooth_[columns_.back()]) return;
+    const auto flanks = find_flanks(column, level);
+    if (!flanks) return;
+    if (!found_.empty() && is_split(found_.back(), *flanks)) {
+      if (smooth_[column] <= smooth_[found_.back().column]) return;
       peaks_.pop_back();
-      columns_.pop_back();
+      found_.pop_back();
     }
-    const auto peak = measure(column, level);
+    auto peak = measure(*flanks, level);
     if (!peak) return;
+    peak->row = r;
+    peak->saturated = row[static_cast<std::size_t>(column)] >= options_.full_scale;
     peaks_.push_back(*peak);
-    peaks_.back().row = r;
-    peaks_.back().saturated = row[static_cast<std::size_t>(column)] >= options_.full_scale;
-    columns_.push_back(column);
+    found_.push_back(*flanks);
   }
 
-  /// True if there is hardly a valley between two maxima.
-  [[nodiscard]] bool is_split(int left, int right, float level) const {
-    const float valley = smooth_.segment(left, right - left).minCoeff() - level;
-    return valley > kFlankLevel * (std::min(smooth_[left], smooth_[right]) - level);
+  /// A maximum and where its light has fallen to the flank level on both sides.
+  struct Flanks {
+    int column = 0;
+    float left = 0, right = 0;
+  };
+
+  [[nodiscard]] std::optional<Flanks> find_flanks(int column, float level) const {
+    const float flank = level + kFlankLevel * (smooth_[column] - level);
+    const auto left = crossing(column, -1, flank), right = crossing(column, 1, flank);
+    if (!left || !right) return std::nullopt;
+    return Flanks{column, *left, *right};
+  }
+
+  /// True if there is hardly a valley between two maxima: the lower one's flank is beyond the
+  /// other.
+  [[nodiscard]] bool is_split(const Flanks& left, const Flanks& right) const {
+    return smooth_[left.column] < smooth_[right.column]
+               ? left.right > static_cast<float>(right.column)
+               : right.left < static_cast<float>(left.column);
   }
 
   /// Position and width from the flanks.
-  [[nodiscard]] std::optional<Peak> measure(int column, float level) const {
-    const float top = smooth_[column] - level;
-    const float flank = level + kFlankLevel * top;
-    const auto left = crossing(column, -1, flank), right = crossing(column, 1, flank);
-    if (!left || !right) return std::nullopt;
-    const float total = (*right - *left) / kFlankDistance;
+  [[nodiscard]] std::optional<Peak> measure(const Flanks& flanks, float level) const {
+    const float total = (flanks.right - flanks.left) / kFlankDistance;
     const auto smoothing = static_cast<float>(options_.smoothing_sigma_px);
     const float variance = total * total - smoothing * smoothing;
     if (!(variance > kMinVariance)) return std::nullopt;
     Peak peak;
-    peak.center_px = 0.5F * (*left + *right);
-    peak.three_point_px = static_cast<float>(column) + three_point_offset(column, level);
+    peak.center_px = 0.5F * (flanks.left + flanks.right);
+    peak.three_point_px =
+        static_cast<float>(flanks.column) + three_point_offset(flanks.column, level);
     peak.sigma_px = std::sqrt(variance);
-    peak.amplitude = top * total / peak.sigma_px;
+    peak.amplitude = (smooth_[flanks.column] - level) * total / peak.sigma_px;
     return peak;
   }
 
@@ -154,7 +168,7 @@ class RowScanner {
   float threshold_ = 0;  // in standard deviations of a single pixel
   RowArray smooth_;
   std::vector<Peak> peaks_;
-  std::vector<int> columns_;
+  std::vector<Flanks> found_;  // parallel to peaks_
 };
 
 }  // namespace
