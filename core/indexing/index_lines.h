@@ -12,9 +12,10 @@ namespace flytri {
 struct IndexOptions {
   /// 0..0.3. Share of a unique area that each side is grown by, but never into a neighbor's.
   double area_margin = 0.02;
-  /// > 1. The median normalized width of a segment must lie between 1 / this and this. At the far
-  /// side of a sensor that focuses in front, a wrong label is off by a factor of 1.5 and more.
-  double max_width_ratio = 1.35;
+  /// > 1. The median normalized width of a segment must lie between 1 / this and this. A surface
+  /// tilted by 65 degrees widens a line this much at a triangulation angle of 7 degrees; a line
+  /// from before or behind the volume is off by a factor of 1.3 to 2.
+  double max_width_ratio = 1.28;
   /// >= 2. Segments with fewer samples have no reliable width.
   int min_segment_length = 6;
 

@@ -2,6 +2,7 @@
 /// polynomial.
 #pragma once
 
+#include <cmath>
 #include <opencv2/core.hpp>
 
 #include "core/calibrating/calibration_set.h"
@@ -21,6 +22,7 @@ struct AnalyticSensor {
   double distortion = -0.15;     ///< of the squared tangent of the view angle
   double projector_mm = 8.0;     ///< beside the camera
   double line_spacing_mm = 2.9;  ///< at z = 0
+  double focus_mm = -6.0;        ///< in front of the volume: lines get wider all through it
   double read_noise = 0.5;
 
   /// Where the camera sees a point of the sensor frame.
@@ -32,7 +34,9 @@ struct AnalyticSensor {
   /// Where line n crosses the row or column `along_px` while the surface is at z_mm.
   [[nodiscard]] double across_px(Pattern pattern, int n, double along_px, double z_mm) const;
   /// Standard deviation of the imaged line.
-  [[nodiscard]] double line_sigma_px(double z_mm) const { return 1.7 + 0.05 * z_mm; }
+  [[nodiscard]] double line_sigma_px(double z_mm) const {
+    return std::hypot(1.2, 0.18 * (z_mm - focus_mm));
+  }
 };
 
 /// The plane z = z_mm under one line pattern.
