@@ -1,7 +1,6 @@
 /// @file  Which line is which on the white planes of a calibration set.
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "core/base/workers.h"
