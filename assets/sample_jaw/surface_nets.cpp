@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/geometry/mesh_normals.h"
+
 namespace flytri::sample_jaw {
 namespace {
 
@@ -31,7 +33,7 @@ class Net {
     for_each_step(1, [&](const Cell& cell) {
       for (int axis = 0; axis < 3; ++axis) add_quad(cell, axis);
     });
-    set_normals();
+    compute_vertex_normals(mesh_);
     return std::move(mesh_);
   }
 
@@ -84,7 +86,6 @@ class Net {
     SurfacePoint vertex;
     const Vec3 position_mm = sum / crossings;
     vertex.position_mm = position_mm.cast<float>();
-    vertex.normal.setZero();
     mesh_.vertices.push_back(vertex);
   }
 
@@ -104,16 +105,6 @@ class Net {
     if (value_a > 0.0F) std::swap(corner[1], corner[3]);
     mesh_.triangles.push_back({corner[0], corner[1], corner[2]});
     mesh_.triangles.push_back({corner[0], corner[2], corner[3]});
-  }
-
-  void set_normals() {
-    for (const Triangle& t : mesh_.triangles) {
-      const Vec3f a = mesh_.vertices[t[0]].position_mm;
-      const Vec3f area =
-          (mesh_.vertices[t[1]].position_mm - a).cross(mesh_.vertices[t[2]].position_mm - a);
-      for (const std::uint32_t corner : t) mesh_.vertices[corner].normal += area;
-    }
-    for (SurfacePoint& vertex : mesh_.vertices) vertex.normal.normalize();
   }
 
   const ImplicitShape& shape_;

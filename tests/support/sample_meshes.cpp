@@ -3,20 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/mesh_normals.h"
+
 namespace flytri {
 namespace {
-
-// Sums the triangles' area vectors at their corners.
-void set_normals(TriangleMesh& mesh) {
-  for (SurfacePoint& vertex : mesh.vertices) vertex.normal.setZero();
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3f a = mesh.vertices[t[0]].position_mm;
-    const Vec3f area =
-        (mesh.vertices[t[1]].position_mm - a).cross(mesh.vertices[t[2]].position_mm - a);
-    for (const std::uint32_t corner : t) mesh.vertices[corner].normal += area;
-  }
-  for (SurfacePoint& vertex : mesh.vertices) vertex.normal.normalize();
-}
 
 // Two triangles for each cell of a grid with `columns` vertices a row.
 void connect_grid(TriangleMesh& mesh, std::uint32_t rows, std::uint32_t columns) {
@@ -44,7 +34,7 @@ TriangleMesh height_field(const HeightFieldSize& size,
       mesh.vertices.push_back(vertex);
     }
   connect_grid(mesh, count, count);
-  set_normals(mesh);
+  compute_vertex_normals(mesh);
   return mesh;
 }
 

@@ -1,0 +1,123 @@
+#include "core/evaluation/surface_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/mesh_distance.h"
+
+namespace flytri {
+namespace {
+
+// A task of the parallel loops; a query takes about a microsecond.
+constexpr std::size_t kGrain = 1024;
+
+// Each vertex as a triangle without extent, so that one search serves surfaces and points.
+TriangleMesh vertices_alone(const TriangleMesh& mesh) {
+  TriangleMesh points;
+  points.vertices = mesh.vertices;
+  for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) points.triangles.push_back({i, i, i});
+  return points;
+}
+
+std::vector<std::uint32_t> selected_indices(const TriangleMesh& truth,
+                                            const std::vector<bool>& selected) {
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t i = 0; i < truth.vertices.size(); ++i)
+    if (selected.empty() || selected[i]) indices.push_back(i);
+  return indices;
+}
+
+double share_within(const MeshDistance& target, const TriangleMesh& truth,
+                    const std::vector<std::uint32_t>& indices, double within_mm,
+                    const Workers& workers) {
+  if (indices.empty()) return 0.0;
+  std::vector<char> found(indices.size(), 0);
+  workers.for_each(
+      indices.size(),
+      [&](std::size_t i) {
+        const Vec3f& p = truth.vertices[indices[i]].position_mm;
+        found[i] = std::isfinite(target.closest(p, within_mm).distance_mm) ? 1 : 0;
+      },
+      kGrain);
+  return static_cast<double>(std::count(found.begin(), found.end(), 1)) /
+         static_cast<double>(indices.size());
+}
+
+// Value below which a share of the sorted ones lies, linear between neighbors.
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto i = static_cast<std::size_t>(place);
+  if (i + 1 >= sorted.size()) return sorted.back();
+  return sorted[i] + (place - static_cast<double>(i)) * (sorted[i + 1] - sorted[i]);
+}
+
+}  // namespace
+
+DistanceStatistics distance_statistics(std::vector<double> distances_mm) {
+  DistanceStatistics statistics;
+  if (distances_mm.empty()) return statistics;
+  std::sort(distances_mm.begin(), distances_mm.end());
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (const double distance : distances_mm) {
+    sum += distance;
+    sum_of_squares += distance * distance;
+  }
+  const auto count = static_cast<double>(distances_mm.size());
+  statistics.count = static_cast<std::int64_t>(distances_mm.size());
+  statistics.rms_mm = std::sqrt(sum_of_squares / count);
+  statistics.mean_mm = sum / count;
+  statistics.median_mm = quantile(distances_mm, 0.5);
+  statistics.percentile_95_mm = quantile(distances_mm, 0.95);
+  statistics.max_mm = distances_mm.back();
+  return statistics;
+}
+
+Result<void> SurfaceErrorOptions::validate() const {
+  if (!(complete_within_mm > 0.0))
+    return fail(ErrorCode::kBadOption, "complete_within_mm must be above 0, not {}",
+                complete_within_mm);
+  return {};
+}
+
+Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMesh& truth,
+                                   const std::vector<bool>& selected,
+                                   const SurfaceErrorOptions& options, const Workers& workers) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (result.vertices.empty() || truth.triangles.empty())
+    return fail(ErrorCode::kInsufficient, "the {} has no surface to compare",
+                result.vertices.empty() ? "result" : "true mesh");
+  if (!selected.empty() && selected.size() != truth.vertices.size())
+    return fail(ErrorCode::kInconsistent, "{} selected flags do not fit {} true vertices",
+                selected.size(), truth.vertices.size());
+  const MeshDistance to_truth(truth);
+  std::vector<double> distances_mm(result.vertices.size());
+  workers.for_each(
+      distances_mm.size(),
+      [&](std::size_t i) {
+        distances_mm[i] = to_truth.closest(result.vertices[i].position_mm).distance_mm;
+      },
+      kGrain);
+  SurfaceError error;
+  error.distance = distance_statistics(std::move(distances_mm));
+
+  const std::vector<std::uint32_t> indices = selected_indices(truth, selected);
+  const double within_mm = options.complete_within_mm;
+  error.completeness.selected = static_cast<std::int64_t>(indices.size());
+  error.completeness.near_surface =
+      share_within(MeshDistance(result), truth, indices, within_mm, workers);
+  error.completeness.near_vertex =
+      share_within(MeshDistance(vertices_alone(result)), truth, indices, within_mm, workers);
+  return error;
+}
+
+TriangleMesh transformed(const TriangleMesh& mesh, const Isometry& T_to_from) {
+  TriangleMesh moved = mesh;
+  for (SurfacePoint& vertex : moved.vertices) {
+    vertex.position_mm = (T_to_from * vertex.position_mm.cast<double>()).cast<float>();
+    vertex.normal = (T_to_from.linear() * vertex.normal.cast<double>()).cast<float>();
+  }
+  return moved;
+}
+
+}  // namespace flytri

@@ -1,0 +1,57 @@
+/// @file  How far a result lies from the true surface, and how much of that surface it has.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/workers.h"
+#include "core/geometry/triangle_mesh.h"
+
+namespace flytri {
+
+/// Statistics of unsigned distances, mm. All 0 when nothing was counted.
+struct DistanceStatistics {
+  std::int64_t count = 0;
+  double rms_mm = 0.0;
+  double mean_mm = 0.0;
+  double median_mm = 0.0;
+  double percentile_95_mm = 0.0;
+  double max_mm = 0.0;
+};
+
+/// Of distances that are all finite.
+[[nodiscard]] DistanceStatistics distance_statistics(std::vector<double> distances_mm);
+
+/// Share of the true surface that a result has, by two rulers.
+struct Completeness {
+  std::int64_t selected = 0;  ///< true vertices that were asked for
+  double near_surface = 0.0;  ///< share with the result's surface within the distance, 0..1
+  double near_vertex = 0.0;   ///< share with one of the result's vertices within it, 0..1
+};
+
+struct SurfaceErrorOptions {
+  double complete_within_mm = 0.1;  ///< > 0. Half the spacing that a dental model is printed with.
+  [[nodiscard]] Result<void> validate() const;
+};
+
+struct SurfaceError {
+  DistanceStatistics distance;  ///< every vertex of the result to the true surface
+  Completeness completeness;
+};
+
+/// Compares two meshes that lie in the same frame.
+/// @param result    its vertices are judged, one by one, outliers included
+/// @param selected  parallel to truth.vertices: which of them could be measured; empty: all
+/// @errors  kBadOption; kInsufficient: one of the meshes is empty; kInconsistent: length of
+///          `selected`.
+[[nodiscard]] Result<SurfaceError> surface_error(const TriangleMesh& result,
+                                                 const TriangleMesh& truth,
+                                                 const std::vector<bool>& selected,
+                                                 const SurfaceErrorOptions& options,
+                                                 const Workers& workers);
+
+/// The mesh moved rigidly: positions and normals.
+[[nodiscard]] TriangleMesh transformed(const TriangleMesh& mesh, const Isometry& T_to_from);
+
+}  // namespace flytri
