@@ -1,0 +1,154 @@
+#include "core/geometry/point_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace flytri {
+namespace {
+
+constexpr std::uint32_t kNoRow = std::numeric_limits<std::uint32_t>::max();
+
+std::uint64_t row_key(std::int32_t iy, std::int32_t iz) {
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(iy)) << 32) |
+         static_cast<std::uint32_t>(iz);
+}
+
+std::size_t scramble(std::uint64_t key) {
+  key *= 0x9e3779b97f4a7c15ULL;
+  return static_cast<std::size_t>(key ^ (key >> 29));
+}
+
+float square(float x) { return x * x; }
+
+/// Distance from `x` to the interval of cell `i`.
+float gap_to_cell(float x, std::int32_t i, float cell) {
+  const float low = static_cast<float>(i) * cell;
+  return std::max({low - x, x - (low + cell), 0.0F});
+}
+
+bool is_nearer(const Neighbor& a, const Neighbor& b) {
+  return a.distance2_mm2 != b.distance2_mm2 ? a.distance2_mm2 < b.distance2_mm2 : a.index < b.index;
+}
+
+}  // namespace
+
+PointGrid::PointGrid(std::span<const Vec3f> points_mm, float cell_mm)
+    : inverse_cell_(1.0F / cell_mm), cell_mm_(cell_mm) {
+  assert(cell_mm > 0.0F);
+  struct Keyed {
+    std::uint64_t key;
+    float x;
+    std::uint32_t index;
+  };
+  std::vector<Keyed> order(points_mm.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Vec3f& p = points_mm[i];
+    order[i] = {row_key(cell_of(p.y()), cell_of(p.z())), p.x(), static_cast<std::uint32_t>(i)};
+  }
+  std::sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b) {
+    if (a.key != b.key) return a.key < b.key;
+    return a.x != b.x ? a.x < b.x : a.index < b.index;
+  });
+  std::vector<std::uint64_t> entry_keys(order.size());
+  points_.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    entry_keys[i] = order[i].key;
+    points_[i] = {points_mm[order[i].index], order[i].index};
+  }
+  build_rows(entry_keys);
+}
+
+std::int32_t PointGrid::cell_of(float coordinate_mm) const {
+  return static_cast<std::int32_t>(std::floor(coordinate_mm * inverse_cell_));
+}
+
+void PointGrid::build_rows(const std::vector<std::uint64_t>& entry_keys) {
+  for (std::size_t i = 0; i < entry_keys.size(); ++i) {
+    const auto at = static_cast<std::uint32_t>(i);
+    if (i == 0 || entry_keys[i] != entry_keys[i - 1]) rows_.push_back({entry_keys[i], at, at});
+    rows_.back().end = at + 1;
+  }
+  slots_.assign(std::bit_ceil(2 * rows_.size() + 1), kNoRow);
+  for (std::size_t r = 0; r < rows_.size(); ++r) {
+    std::size_t slot = scramble(rows_[r].key) & (slots_.size() - 1);
+    while (slots_[slot] != kNoRow) slot = (slot + 1) & (slots_.size() - 1);
+    slots_[slot] = static_cast<std::uint32_t>(r);
+  }
+}
+
+const PointGrid::Row* PointGrid::find_row(std::uint64_t key) const {
+  std::size_t slot = scramble(key) & (slots_.size() - 1);
+  for (; slots_[slot] != kNoRow; slot = (slot + 1) & (slots_.size() - 1)) {
+    if (rows_[slots_[slot]].key == key) return &rows_[slots_[slot]];
+  }
+  return nullptr;
+}
+
+template <typename Visit>
+void PointGrid::visit_within(const Vec3f& center_mm, float radius_mm, const Visit& visit) const {
+  float limit2 = square(radius_mm);
+  const std::int32_t z_end = cell_of(center_mm.z() + radius_mm);
+  const std::int32_t y_end = cell_of(center_mm.y() + radius_mm);
+  for (std::int32_t iz = cell_of(center_mm.z() - radius_mm); iz <= z_end; ++iz) {
+    const float gap_z2 = square(gap_to_cell(center_mm.z(), iz, cell_mm_));
+    for (std::int32_t iy = cell_of(center_mm.y() - radius_mm); iy <= y_end; ++iy) {
+      const float gap2 = gap_z2 + square(gap_to_cell(center_mm.y(), iy, cell_mm_));
+      // The cell's bounds are rounded: a little slack keeps points that lie on them.
+      if (gap2 > limit2 * 1.0001F) continue;
+      const Row* row = find_row(row_key(iy, iz));
+      if (row == nullptr) continue;
+      const auto end = points_.begin() + row->end;
+      auto entry = std::lower_bound(points_.begin() + row->begin, end, center_mm.x() - radius_mm,
+                                    [](const Entry& e, float x) { return e.position_mm.x() < x; });
+      for (; entry != end && entry->position_mm.x() <= center_mm.x() + radius_mm; ++entry) {
+        const float distance2 = (entry->position_mm - center_mm).squaredNorm();
+        if (distance2 <= limit2) limit2 = visit(*entry, distance2);
+      }
+    }
+  }
+}
+
+void PointGrid::within(const Vec3f& center_mm, float radius_mm,
+                       std::vector<Neighbor>& found) const {
+  found.clear();
+  const float radius2 = square(radius_mm);
+  visit_within(center_mm, radius_mm, [&](const Entry& entry, float distance2) {
+    found.push_back({entry.index, distance2});
+    return radius2;
+  });
+}
+
+std::optional<Neighbor> PointGrid::nearest(const Vec3f& center_mm, float max_distance_mm) const {
+  std::optional<Neighbor> best;
+  // Small balls first: most searches end in the first one.
+  for (float radius = std::min(cell_mm_, max_distance_mm); !best; radius *= 2.0F) {
+    radius = std::min(radius, max_distance_mm);
+    visit_within(center_mm, radius, [&](const Entry& entry, float distance2) {
+      const Neighbor candidate{entry.index, distance2};
+      if (!best || is_nearer(candidate, *best)) best = candidate;
+      return best->distance2_mm2;
+    });
+    if (radius >= max_distance_mm) break;
+  }
+  return best;
+}
+
+void PointGrid::nearest(const Vec3f& center_mm, std::size_t count, float max_distance_mm,
+                        std::vector<Neighbor>& found) const {
+  found.clear();
+  for (float radius = std::min(cell_mm_, max_distance_mm);; radius *= 2.0F) {
+    radius = std::min(radius, max_distance_mm);
+    within(center_mm, radius, found);
+    if (found.size() >= count || radius >= max_distance_mm) break;
+  }
+  const std::size_t kept = std::min(count, found.size());
+  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end(),
+                    is_nearer);
+  found.resize(kept);
+}
+
+}  // namespace flytri

@@ -1,0 +1,33 @@
+/// @file  From points to triangles: a mesh of the measured surface that leaves unmeasured places
+/// open.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/workers.h"
+#include "core/geometry/point_cloud.h"
+#include "core/meshing/surface_mesh.h"
+
+namespace flytri {
+
+struct MeshOptions {
+  /// >= 0. Spacing of the mesh's vertices. 0: 1.5 times the spacing of the points.
+  double spacing_mm = 0.0;
+  /// > 0. Standard deviation of the Gaussian that weighs the points around a place, in spacings of
+  /// the mesh. Smaller keeps noise, larger rounds edges.
+  double smoothing_spacings = 0.75;
+  /// >= 0. Gaps up to this width, in spacings of the mesh, are closed: they are between lines, not
+  /// unmeasured.
+  double close_gap_spacings = 5.0;
+  /// >= 0. Connected pieces with less area, in squared spacings of the mesh, are dropped.
+  double min_island_spacings2 = 100.0;
+
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// Makes a mesh that is manifold and counter-clockwise from outside, with vertices on the surface
+/// that the points sample. Vertices carry normal, color and sigma of the points around them.
+/// @errors  kBadOption; kInsufficient: fewer points than a patch of surface needs.
+[[nodiscard]] Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& options,
+                                               const Workers& workers);
+
+}  // namespace flytri

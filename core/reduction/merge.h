@@ -1,0 +1,25 @@
+/// @file  Averages the samples of one cell to one point with its uncertainty.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/geometry/point_cloud.h"
+
+namespace flytri {
+
+/// Variance of the mean of `count` consecutive samples of a line, as a share of one sample's: 1 for
+/// noise that is the same along the line, 1 / count for white noise. The noise of samples k apart
+/// is taken to correlate as exp(-(k / noise_length_samples)^2).
+[[nodiscard]] double mean_variance_share(std::size_t count, double noise_length_samples);
+
+/// Merges samples of one surface, grouped by view: the noise of a view's samples is correlated,
+/// that of different views is not. The uncertainty grows where the views disagree more than their
+/// noise explains (Birge ratio).
+/// @param members  indices into samples, at least one; those of a view in any order
+[[nodiscard]] SurfacePoint merge_samples(std::span<const SurfaceSample> samples,
+                                         std::span<const std::uint32_t> members,
+                                         double noise_length_samples);
+
+}  // namespace flytri

@@ -1,0 +1,62 @@
+/// @file  Thins the measured points: many noisy samples go in, few averaged points come out.
+///
+/// @source  Arold et al., "Data Reduction" (cells elongated along the normal) and "Physical
+///          Optimization" (what lateral detail the lines resolve, hence the cell's width).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/workers.h"
+#include "core/geometry/point_cloud.h"
+
+namespace flytri {
+
+struct ReduceOptions {
+  /// >= 0. Width of a cell across the normal. 0: three times the spacing of samples along a line,
+  /// half the width of a projected line (4 to 9 camera pixels), so that two grooves at the
+  /// resolution limit, two line widths apart, stay two.
+  double cell_mm = 0.0;
+  /// > 0. Half length of a cell along the normal, in cell widths. Long enough for the thickness
+  /// that noise and registration give the surface.
+  double half_length_cells = 3.0;
+  /// 0..90 degrees as rad, > 0. Samples whose normals differ by more are of different surfaces.
+  double max_normal_angle_rad = 1.05;
+  /// > 0. Samples farther than this many standard uncertainties from what the other views agree on
+  /// are outliers.
+  double outlier_sigmas = 3.5;
+  /// >= 1. Samples that must support each other, itself included, where a single view saw the
+  /// surface. Fewer are dropped: ghosts and specks.
+  int min_support = 5;
+  /// > 0. Samples over which the noise along a line is alike (speckle is, over 1.5 px); such
+  /// samples do not average out.
+  double noise_length_samples = 1.5;
+
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// What became of the samples.
+struct ReductionCounts {
+  std::size_t sample_count = 0;
+  std::size_t outlier_count = 0;   ///< dropped: other views disagree
+  std::size_t isolated_count = 0;  ///< dropped: nothing near supports them
+};
+
+/// The thinned surface.
+struct Reduction {
+  PointCloud points;  ///< in spatial order, the same for any order of the samples
+  double cell_mm = 0.0;
+  ReductionCounts counts;
+};
+
+/// Merges the samples cell by cell. Position and normal are averages weighted by uncertainty; the
+/// point's sigma_mm is the standard uncertainty of that average along the normal, from the samples'
+/// own and from how far the views disagree. Samples that are not finite or
+/// have no unit normal are dropped as isolated.
+/// @errors  kBadOption.
+[[nodiscard]] Result<Reduction> reduce(std::span<const SurfaceSample> samples,
+                                       const ReduceOptions& options, const Workers& workers);
+
+}  // namespace flytri

@@ -1,0 +1,22 @@
+/// @file  Brings samples into one spatial order, whatever order they came in, and measures their
+/// spacing.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/geometry/point_cloud.h"
+
+namespace flytri {
+
+/// The usable samples (finite, with a unit normal) along a space-filling curve, so that neighbors
+/// in the list are near in space and any order of the input gives the same list.
+/// @param cell_mm  > 0: resolution of the curve
+[[nodiscard]] std::vector<SurfaceSample> spatially_ordered(std::span<const SurfaceSample> samples,
+                                                           double cell_mm);
+
+/// Median distance of a sample to the nearest one of its own view, measured across the direction of
+/// the noise: the footprint of a camera pixel on the object. 0 if no view has two samples.
+[[nodiscard]] double sample_spacing_mm(std::span<const SurfaceSample> samples);
+
+}  // namespace flytri

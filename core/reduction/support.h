@@ -1,0 +1,37 @@
+/// @file  Tells samples that lie on the surface from outliers: other views must agree with them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/workers.h"
+#include "core/geometry/point_cloud.h"
+#include "core/reduction/cells.h"
+
+namespace flytri {
+
+enum class Support : std::uint8_t {
+  kSupported,
+  kOutvoted,  ///< several other views saw the surface here, and not where this sample lies
+  kIsolated,  ///< too few samples lie near to make a surface
+};
+
+struct SupportRule {
+  float outlier_sigmas = 3.5F;  ///< two samples agree if nearer along the normal than this
+  int min_support = 5;          ///< samples, itself included, that must agree
+};
+
+/// Standard uncertainty of a sample across a surface of the given normal, in mm.
+///
+/// A sample moves along its deviation, so the part of it along the normal counts. A tenth of the
+/// rest is added: at grazing incidence the normal itself is not known better.
+[[nodiscard]] float sigma_across_mm(const SurfaceSample& sample, const Vec3f& normal);
+
+/// Lets the views vote on every sample. Views count, not samples: the samples of one line err
+/// together.
+[[nodiscard]] std::vector<Support> find_support(std::span<const SurfaceSample> samples,
+                                                const Cells& cells, const CellShape& shape,
+                                                const SupportRule& rule, const Workers& workers);
+
+}  // namespace flytri
