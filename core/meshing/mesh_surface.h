@@ -10,22 +10,29 @@
 namespace flytri {
 
 struct MeshOptions {
-  /// >= 0. Spacing of the mesh's vertices. 0: 1.5 times the spacing of the points.
+  /// >= 0. Spacing of the mesh's vertices, mm. 0: 1.2 times the spacing of the points.
   double spacing_mm = 0.0;
   /// > 0. Standard deviation of the Gaussian that weighs the points around a place, in spacings of
   /// the mesh. Smaller keeps noise, larger rounds edges.
   double smoothing_spacings = 0.75;
-  /// >= 0. Gaps up to this width, in spacings of the mesh, are closed: they are between lines, not
-  /// unmeasured.
-  double close_gap_spacings = 5.0;
+  /// > 0. Radius, in spacings of the mesh, within which points must surround a place for it to be
+  /// measured. Gaps up to nearly twice as wide lie between lines and are closed; wider ones stay
+  /// open.
+  double support_spacings = 2.5;
   /// >= 0. Connected pieces with less area, in squared spacings of the mesh, are dropped.
-  double min_island_spacings2 = 100.0;
+  double min_island_spacings2 = 150.0;
 
   [[nodiscard]] Result<void> validate() const;
 };
 
 /// Makes a mesh that is manifold and counter-clockwise from outside, with vertices on the surface
 /// that the points sample. Vertices carry normal, color and sigma of the points around them.
+///
+/// The surface is the zero of a weighted mean of the points' tangent planes, extracted by surface
+/// nets on a sparse grid; vertices that the points do not surround are left out, so nothing is
+/// bridged.
+/// @source  implicit surface: Kolluri, "Provably good moving least squares", SODA 2005; surface
+///          nets: Gibson, MICCAI 1998. Why these: docs/adr/0003-meshing.md.
 /// @errors  kBadOption; kInsufficient: fewer points than a patch of surface needs.
 [[nodiscard]] Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& options,
                                                const Workers& workers);

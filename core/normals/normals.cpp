@@ -19,6 +19,10 @@ constexpr double kGaussianReach = 3.0;
 /// Both patterns must take part: the rarer has at least this many points by the other's.
 constexpr double kMinPatternShare = 0.05;
 
+/// How far normals are carried into places that one pattern alone has reached, in cells.
+constexpr int kExtensionRings = 3;
+constexpr std::size_t kCellGrain = 256;
+
 using CellKey = std::array<std::int32_t, 3>;
 
 /// o of every point of a view, sensor frame, unit; by profile, by point.
@@ -124,22 +128,28 @@ std::vector<TangentCell> gather_cells(std::span<const AlignedView> views,
   return all;
 }
 
-/// Sum over the cell and its neighbors with binomial weights, so that normals change smoothly.
-TangentCell blend(std::span<const TangentCell> cells, const CellKey& key) {
-  TangentCell sum;
-  sum.key = key;
+/// Calls visit(cell, binomial weight) for a cell and its neighbors.
+template <typename Visit>
+void for_neighbors(std::span<const TangentCell> cells, const CellKey& key, const Visit& visit) {
   for (int i = -1; i <= 1; ++i) {
     for (int j = -1; j <= 1; ++j) {
       for (int k = -1; k <= 1; ++k) {
         const TangentCell* cell = find_cell(cells, {key[0] + i, key[1] + j, key[2] + k});
-        if (cell == nullptr) continue;
-        const double weight = std::pow(0.5, std::abs(i) + std::abs(j) + std::abs(k));
-        sum.oo += weight * cell->oo;
-        sum.towards_sensor += weight * cell->towards_sensor;
-        for (const int p : {0, 1}) sum.weight[p] += weight * cell->weight[p];
+        if (cell != nullptr) visit(*cell, std::pow(0.5, std::abs(i) + std::abs(j) + std::abs(k)));
       }
     }
   }
+}
+
+/// Sum over the cell and its neighbors, so that normals change smoothly.
+TangentCell blend(std::span<const TangentCell> cells, const CellKey& key) {
+  TangentCell sum;
+  sum.key = key;
+  for_neighbors(cells, key, [&](const TangentCell& cell, double weight) {
+    sum.oo += weight * cell.oo;
+    sum.towards_sensor += weight * cell.towards_sensor;
+    for (const int p : {0, 1}) sum.weight[p] += weight * cell.weight[p];
+  });
   return sum;
 }
 
@@ -157,11 +167,36 @@ Vec3 common_normal(const TangentCell& cell, double min_crossing_sine) {
   return normal.dot(cell.towards_sensor) < 0.0 ? Vec3(-normal) : normal;
 }
 
-/// The cell's normal made perpendicular to the point's own o; zero if that leaves little.
-Vec3 normal_at(const Vec3& cell_normal, const Vec3& o) {
-  const Vec3 normal = cell_normal - cell_normal.dot(o) * o;
+/// Carries normals into cells without a crossing from those beside them, ring by ring.
+void extend_normals(std::vector<TangentCell>& cells, const Workers& workers) {
+  for (int ring = 0; ring < kExtensionRings; ++ring) {
+    std::vector<Vec3> extended(cells.size(), Vec3::Zero());
+    workers.for_each(
+        cells.size(),
+        [&](std::size_t c) {
+          if (!cells[c].normal.isZero()) return;
+          for_neighbors(cells, cells[c].key, [&](const TangentCell& neighbor, double weight) {
+            extended[c] += weight * neighbor.normal;
+          });
+        },
+        kCellGrain);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (!extended[c].isZero()) cells[c].normal = extended[c].normalized();
+    }
+  }
+}
+
+/// `n` made perpendicular to the point's own o; zero if that leaves little.
+Vec3 perpendicular(const Vec3& n, const Vec3& o) {
+  const Vec3 normal = n - n.dot(o) * o;
   const double length = normal.norm();
   return length > 0.5 ? Vec3(normal / length) : Vec3(Vec3::Zero());
+}
+
+/// n_in: within the light sheet, towards the sensor. All that one profile alone can say.
+Vec3 in_plane_normal(const Vec3& sheet_normal, const Vec3& o, const Vec3& towards_sensor) {
+  const Vec3 n_in = o.cross(sheet_normal).normalized();
+  return n_in.dot(towards_sensor) < 0.0 ? Vec3(-n_in) : n_in;
 }
 
 ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
@@ -174,7 +209,12 @@ ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
       const CellKey key = key_of(T_world_sensor * points[i].position_mm, cell_mm);
       const TangentCell* cell = find_cell(cells, key);
       const Vec3 o = T_world_sensor.linear() * tangents[k][i];
-      normals[k].push_back(normal_at(cell->normal, o).cast<float>());
+      Vec3 normal = perpendicular(cell->normal, o);
+      if (normal.isZero()) {
+        const Vec3 s = T_world_sensor.linear() * aligned.view->profiles[k].sheet_normal;
+        normal = in_plane_normal(s, o, -T_world_sensor.linear().col(2));
+      }
+      normals[k].push_back(normal.cast<float>());
     }
   }
   return normals;
@@ -214,8 +254,9 @@ Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> v
       [&](std::size_t c) {
         cell_normals[c] = common_normal(blend(cells, cells[c].key), options.min_crossing_sine);
       },
-      256);
+      kCellGrain);
   for (std::size_t c = 0; c < cells.size(); ++c) cells[c].normal = cell_normals[c];
+  extend_normals(cells, workers);
   workers.for_each(views.size(), [&](std::size_t v) {
     normals[v] = normals_of(views[v], tangents[v], cells, cell_mm);
   });

@@ -24,8 +24,7 @@ struct NormalOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Normals of one view: by profile, by point, world frame, unit, towards the sensor. Zero where no
-/// profile crosses.
+/// Normals of one view: by profile, by point, world frame, unit, towards the sensor.
 using ViewNormals = std::vector<std::vector<Vec3f>>;
 
 /// Normals of all views.
@@ -33,14 +32,16 @@ using ViewNormals = std::vector<std::vector<Vec3f>>;
 /// In the paper two crossing profiles give n = o^k x o^l, and o is interpolated between crossings
 /// along the profile. In a finished scan every place is crossed by many profiles: there n is the
 /// direction that is least along all their o, which for two is the cross product. The normal of a
-/// point is then made perpendicular to the o of its own profile, which is known best.
+/// point is then made perpendicular to the o of its own profile, which is known best. Where no
+/// profile crosses, the normal is carried over from the nearest crossings; far from any it is n_in,
+/// which is all that one profile can say.
 /// @source  Arold et al., "Calculation of Normals", eq. (full_normal).
 /// @errors  kBadOption.
 [[nodiscard]] Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> views,
                                                                 const NormalOptions& options,
                                                                 const Workers& workers);
 
-/// All points that have a normal, in the world frame, view after view.
+/// All points with their normals, in the world frame, view after view.
 /// @param normals  of the same views
 [[nodiscard]] std::vector<SurfaceSample> surface_samples(std::span<const AlignedView> views,
                                                          std::span<const ViewNormals> normals);

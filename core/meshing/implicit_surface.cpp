@@ -1,0 +1,83 @@
+#include "core/meshing/implicit_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flytri {
+namespace {
+
+constexpr std::size_t kMinNeighbors = 3;
+/// At the straight border of an evenly sampled surface the centroid of a half disk is 0.42 of its
+/// radius away: a little farther is outside.
+constexpr float kMaxCentroidShare = 0.45F;
+
+std::vector<Vec3f> positions_of(const PointCloud& points) {
+  std::vector<Vec3f> positions;
+  positions.reserve(points.size());
+  for (const SurfacePoint& point : points) positions.push_back(point.position_mm);
+  return positions;
+}
+
+}  // namespace
+
+ImplicitSurface::ImplicitSurface(const PointCloud& points, float sigma_mm, float reach_mm)
+    : points_(points),
+      sigma_mm_(sigma_mm),
+      reach_mm_(reach_mm),
+      grid_(positions_of(points), reach_mm) {}
+
+std::optional<SurfaceEstimate> ImplicitSurface::at(const Vec3f& place_mm) const {
+  thread_local std::vector<Neighbor> found;
+  grid_.within(place_mm, reach_mm_, found);
+  if (found.size() < kMinNeighbors) return std::nullopt;
+  const auto nearest =
+      std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.distance2_mm2, a.index) < std::pair(b.distance2_mm2, b.index);
+      });
+  const Vec3f& facing = points_[nearest->index].normal;
+  SurfaceEstimate sum;
+  sum.mean.position_mm = sum.mean.normal = Vec3f::Zero();
+  Vec3f color = Vec3f::Zero();
+  float sum_w = 0.0F;
+  for (const Neighbor& neighbor : found) {
+    const SurfacePoint& point = points_[neighbor.index];
+    // The other side of a thin wall is another surface.
+    if (point.normal.dot(facing) <= 0.0F) continue;
+    // Relative to the nearest, so that far places do not underflow.
+    const float w = std::exp(-0.5F * (neighbor.distance2_mm2 - nearest->distance2_mm2) /
+                             (sigma_mm_ * sigma_mm_));
+    sum_w += w;
+    sum.distance_mm += w * point.normal.dot(place_mm - point.position_mm);
+    sum.mean.position_mm += w * point.position_mm;
+    sum.mean.normal += w * point.normal;
+    sum.mean.sigma_mm += w * point.sigma_mm;
+    for (int c = 0; c < 3; ++c) color[c] += w * static_cast<float>(point.color[c]);
+  }
+  sum.distance_mm /= sum_w;
+  sum.mean.position_mm /= sum_w;
+  sum.mean.normal.normalize();
+  sum.mean.sigma_mm /= sum_w;
+  for (int c = 0; c < 3; ++c) {
+    sum.mean.color[c] = static_cast<std::uint8_t>(std::lround(color[c] / sum_w));
+  }
+  return sum;
+}
+
+bool ImplicitSurface::surrounded(const Vec3f& place_mm, const Vec3f& normal) const {
+  thread_local std::vector<Neighbor> found;
+  grid_.within(place_mm, reach_mm_, found);
+  Vec3f centroid = Vec3f::Zero();
+  float count = 0.0F;
+  for (const Neighbor& neighbor : found) {
+    if (points_[neighbor.index].normal.dot(normal) <= 0.0F) continue;
+    centroid += points_[neighbor.index].position_mm - place_mm;
+    count += 1.0F;
+  }
+  if (count < static_cast<float>(kMinNeighbors)) return false;
+  centroid /= count;
+  // A ridge or groove pulls the centroid along the normal; that is no border.
+  centroid -= centroid.dot(normal) * normal;
+  return centroid.norm() <= kMaxCentroidShare * reach_mm_;
+}
+
+}  // namespace flytri

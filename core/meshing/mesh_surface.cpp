@@ -1,0 +1,79 @@
+#include "core/meshing/mesh_surface.h"
+
+#include <algorithm>
+
+#include "core/geometry/point_grid.h"
+#include "core/meshing/implicit_surface.h"
+#include "core/meshing/mesh_topology.h"
+#include "core/meshing/surface_nets.h"
+
+namespace flytri {
+namespace {
+
+constexpr double kSpacingOfPoints = 1.2;
+constexpr std::size_t kMinPoints = 10;
+/// Points whose distance to the next is looked up for the typical spacing.
+constexpr std::size_t kSpacingSamples = 2000;
+
+/// Median distance of a point to its nearest neighbor.
+double point_spacing_mm(const PointCloud& points) {
+  std::vector<Vec3f> positions;
+  Vec3f low = points.front().position_mm;
+  Vec3f high = low;
+  for (const SurfacePoint& point : points) {
+    positions.push_back(point.position_mm);
+    low = low.cwiseMin(point.position_mm);
+    high = high.cwiseMax(point.position_mm);
+  }
+  const float extent_mm = std::max((high - low).norm(), 1e-6F);
+  // As if the points filled a square of that diagonal: the right order for the grid's cells.
+  const PointGrid grid(positions, extent_mm / std::sqrt(static_cast<float>(points.size())));
+  std::vector<float> distances2;
+  std::vector<Neighbor> found;
+  const std::size_t step = std::max<std::size_t>(1, points.size() / kSpacingSamples);
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    grid.nearest(positions[i], 2, extent_mm, found);
+    if (found.size() == 2) distances2.push_back(found[1].distance2_mm2);
+  }
+  if (distances2.empty()) return 0.0;
+  const auto middle = distances2.begin() + static_cast<std::ptrdiff_t>(distances2.size() / 2);
+  std::nth_element(distances2.begin(), middle, distances2.end());
+  return std::sqrt(*middle);
+}
+
+}  // namespace
+
+Result<void> MeshOptions::validate() const {
+  const auto bad = [](std::string_view name, std::string_view range) {
+    return fail(ErrorCode::kBadOption, "MeshOptions::{} must be {}", name, range);
+  };
+  if (!(spacing_mm >= 0.0)) return bad("spacing_mm", ">= 0");
+  if (!(smoothing_spacings > 0.0)) return bad("smoothing_spacings", "> 0");
+  if (!(support_spacings > 0.0)) return bad("support_spacings", "> 0");
+  if (!(min_island_spacings2 >= 0.0)) return bad("min_island_spacings2", ">= 0");
+  return {};
+}
+
+Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& options,
+                                 const Workers& workers) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  const auto too_few = [&] {
+    return fail(ErrorCode::kInsufficient,
+                "{} points are too few for a surface; scan more of the object", points.size());
+  };
+  if (points.size() < kMinPoints) return too_few();
+  const double spacing_mm =
+      options.spacing_mm > 0.0 ? options.spacing_mm : kSpacingOfPoints * point_spacing_mm(points);
+  if (!(spacing_mm > 0.0)) return too_few();
+  const ImplicitSurface surface(points, static_cast<float>(options.smoothing_spacings * spacing_mm),
+                                static_cast<float>(options.support_spacings * spacing_mm));
+  SurfaceMesh result;
+  result.mesh = extract_surface(surface, points, static_cast<float>(spacing_mm), workers);
+  repair_manifold(result.mesh);
+  drop_islands(result.mesh, options.min_island_spacings2 * spacing_mm * spacing_mm);
+  if (result.mesh.triangles.empty()) return too_few();
+  result.boundaries = find_boundaries(result.mesh);
+  return result;
+}
+
+}  // namespace flytri

@@ -1,0 +1,244 @@
+#include "core/meshing/mesh_topology.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace flytri {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffU;
+
+/// A directed edge of a triangle, sorted by its undirected one.
+struct HalfEdge {
+  std::uint32_t low, high;  ///< vertices, low < high
+  std::uint32_t triangle;
+  bool rising;  ///< runs from low to high
+  friend bool operator<(const HalfEdge& a, const HalfEdge& b) {
+    return std::tuple(a.low, a.high, a.triangle) < std::tuple(b.low, b.high, b.triangle);
+  }
+  [[nodiscard]] bool same_edge(const HalfEdge& other) const {
+    return low == other.low && high == other.high;
+  }
+};
+
+std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = mesh.triangles[t][k];
+      const std::uint32_t b = mesh.triangles[t][(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), t, a < b});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+void keep_triangles(TriangleMesh& mesh, const std::vector<char>& keep) {
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (keep[t] != 0) mesh.triangles[next++] = mesh.triangles[t];
+  }
+  mesh.triangles.resize(next);
+}
+
+Vec3 area_vector_mm2(const TriangleMesh& mesh, const Triangle& t) {
+  const Vec3 a = mesh.vertices[t[0]].position_mm.cast<double>();
+  const Vec3 b = mesh.vertices[t[1]].position_mm.cast<double>();
+  const Vec3 c = mesh.vertices[t[2]].position_mm.cast<double>();
+  return 0.5 * (b - a).cross(c - a);
+}
+
+void drop_degenerate(TriangleMesh& mesh) {
+  std::vector<char> keep(mesh.triangles.size(), 1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (area_vector_mm2(mesh, mesh.triangles[t]).norm() <= 0.0) keep[t] = 0;
+  }
+  keep_triangles(mesh, keep);
+}
+
+void drop_crowded_edges(TriangleMesh& mesh) {
+  const std::vector<HalfEdge> edges = half_edges_of(mesh);
+  std::vector<char> keep(mesh.triangles.size(), 1);
+  for (std::size_t begin = 0; begin < edges.size();) {
+    std::size_t end = begin + 1;
+    while (end < edges.size() && edges[end].same_edge(edges[begin])) ++end;
+    const bool same_sense = end - begin == 2 && edges[begin].rising == edges[begin + 1].rising;
+    if (end - begin > 2 || same_sense) {
+      for (std::size_t i = begin; i < end; ++i) keep[edges[i].triangle] = 0;
+    }
+    begin = end;
+  }
+  keep_triangles(mesh, keep);
+}
+
+/// Joins sets and finds their representatives, always the smallest member.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+int corner_of(const Triangle& triangle, std::uint32_t vertex) {
+  return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
+}
+
+/// Corners (3 t + k) that share an edge at a vertex belong to one fan; each fan gets a vertex.
+void split_fans(TriangleMesh& mesh) {
+  DisjointSets fans(3 * mesh.triangles.size());
+  const std::vector<HalfEdge> edges = half_edges_of(mesh);
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    if (!edges[i].same_edge(edges[i + 1])) continue;
+    for (const std::uint32_t v : {edges[i].low, edges[i].high}) {
+      const std::uint32_t s = edges[i].triangle;
+      const std::uint32_t t = edges[i + 1].triangle;
+      fans.join(3 * s + corner_of(mesh.triangles[s], v), 3 * t + corner_of(mesh.triangles[t], v));
+    }
+  }
+  std::vector<std::uint32_t> first_fan(mesh.vertices.size(), kNone);
+  std::map<std::uint32_t, std::uint32_t> vertex_of_fan;
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    std::uint32_t& v = mesh.triangles[corner / 3][corner % 3];
+    const std::uint32_t fan = fans.find(corner);
+    if (first_fan[v] == kNone) first_fan[v] = fan;
+    if (first_fan[v] == fan) continue;
+    const auto [it, is_new] =
+        vertex_of_fan.try_emplace(fan, static_cast<std::uint32_t>(mesh.vertices.size()));
+    if (is_new) {
+      mesh.vertices.push_back(SurfacePoint(mesh.vertices[v]));
+      first_fan.push_back(fan);
+    }
+    v = it->second;
+  }
+}
+
+/// Representative of the connected piece of every vertex.
+DisjointSets pieces_of(const TriangleMesh& mesh) {
+  DisjointSets pieces(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles) {
+    pieces.join(t[0], t[1]);
+    pieces.join(t[1], t[2]);
+  }
+  return pieces;
+}
+
+void drop_unused_vertices(TriangleMesh& mesh) {
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), kNone);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) new_index[v] = 0;
+  }
+  std::uint32_t next = 0;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (new_index[v] == kNone) continue;
+    mesh.vertices[next] = mesh.vertices[v];
+    new_index[v] = next++;
+  }
+  mesh.vertices.resize(next);
+  for (Triangle& t : mesh.triangles) {
+    for (std::uint32_t& v : t) v = new_index[v];
+  }
+}
+
+void measure_loop(const TriangleMesh& mesh, BoundaryLoop& loop) {
+  Vec3 center = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();
+  const auto position = [&](std::size_t i) {
+    return Vec3(mesh.vertices[loop.vertices[i % loop.vertices.size()]].position_mm.cast<double>());
+  };
+  for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+    const double length = (position(i + 1) - position(i)).norm();
+    loop.perimeter_mm += length;
+    center += 0.5 * length * (position(i) + position(i + 1));
+    normal += mesh.vertices[loop.vertices[i]].normal.cast<double>();
+  }
+  if (loop.perimeter_mm > 0.0) center /= loop.perimeter_mm;
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+    area += 0.5 * (position(i) - center).cross(position(i + 1) - center);
+  }
+  normal.normalize();
+  loop.area_mm2 = std::abs(area.dot(normal));
+  loop.center_mm = center.cast<float>();
+  loop.normal = normal.cast<float>();
+}
+
+/// By vertex: where the boundary goes on, or kNone. At a manifold vertex it is one place.
+std::vector<std::uint32_t> boundary_successors(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> next(mesh.vertices.size(), kNone);
+  const std::vector<HalfEdge> edges = half_edges_of(mesh);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i + 1 < edges.size() && edges[i].same_edge(edges[i + 1])) {
+      ++i;
+      continue;
+    }
+    const auto [from, to] = edges[i].rising ? std::pair(edges[i].low, edges[i].high)
+                                            : std::pair(edges[i].high, edges[i].low);
+    next[from] = to;
+  }
+  return next;
+}
+
+}  // namespace
+
+void repair_manifold(TriangleMesh& mesh) {
+  drop_degenerate(mesh);
+  drop_crowded_edges(mesh);
+  split_fans(mesh);
+}
+
+void drop_islands(TriangleMesh& mesh, double min_area_mm2) {
+  DisjointSets pieces = pieces_of(mesh);
+  std::vector<double> area(mesh.vertices.size(), 0.0);
+  for (const Triangle& t : mesh.triangles)
+    area[pieces.find(t[0])] += area_vector_mm2(mesh, t).norm();
+  std::vector<char> keep(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    keep[t] = area[pieces.find(mesh.triangles[t][0])] >= min_area_mm2 ? 1 : 0;
+  }
+  keep_triangles(mesh, keep);
+  drop_unused_vertices(mesh);
+}
+
+std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> next = boundary_successors(mesh);
+  std::vector<BoundaryLoop> loops;
+  for (std::uint32_t start = 0; start < next.size(); ++start) {
+    if (next[start] == kNone) continue;
+    BoundaryLoop loop;
+    for (std::uint32_t v = start; next[v] != kNone;) {
+      loop.vertices.push_back(v);
+      v = std::exchange(next[v], kNone);
+    }
+    measure_loop(mesh, loop);
+    loops.push_back(std::move(loop));
+  }
+  std::stable_sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
+    return a.perimeter_mm > b.perimeter_mm;
+  });
+  DisjointSets pieces = pieces_of(mesh);
+  std::vector<char> has_border(mesh.vertices.size(), 0);
+  for (BoundaryLoop& loop : loops) {
+    char& seen = has_border[pieces.find(loop.vertices.front())];
+    loop.is_outer = seen == 0;
+    seen = 1;
+  }
+  return loops;
+}
+
+}  // namespace flytri

@@ -1,0 +1,19 @@
+/// @file  From an implicit surface to triangles: surface nets on a sparse grid.
+#pragma once
+
+#include "core/base/workers.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/meshing/implicit_surface.h"
+
+namespace flytri {
+
+/// One vertex in every grid cell that the surface crosses and the points surround, moved onto the
+/// surface; one quadrilateral, as two triangles, across every crossed grid edge whose four cells
+/// have one. Where a cell holds two sheets the result may touch itself; see repair_manifold.
+/// @param points      the surface's own
+/// @param spacing_mm  > 0, edge of a grid cell
+/// @source  Gibson, "Constrained elastic surface nets", MICCAI 1998.
+[[nodiscard]] TriangleMesh extract_surface(const ImplicitSurface& surface, const PointCloud& points,
+                                           float spacing_mm, const Workers& workers);
+
+}  // namespace flytri
