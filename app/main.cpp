@@ -28,6 +28,8 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", FLYTRI_VERSION);
   Invocation invocation;
+  add_calibrate_command(app, invocation);
+  add_reconstruct_command(app, invocation);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,139 @@
+#include "app/cli/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/interchange/file_bytes.h"
+
+namespace flytri::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t count_fate(const Reconstruction& reconstruction, FrameFate fate) {
+  return static_cast<std::size_t>(
+      std::count_if(reconstruction.frames.begin(), reconstruction.frames.end(),
+                    [&](const FrameReport& frame) { return frame.fate == fate; }));
+}
+
+std::map<std::string, int> rejection_counts(const Reconstruction& reconstruction) {
+  std::map<std::string, int> counts;
+  for (const FrameReport& frame : reconstruction.frames) {
+    if (frame.fate == FrameFate::kRejected) ++counts[frame.reason];
+  }
+  return counts;
+}
+
+Json pose_json(const Isometry& T_world_sensor) {
+  const Eigen::Quaterniond q(T_world_sensor.linear());
+  const Vec3 t = T_world_sensor.translation();
+  return {{"q_wxyz", {q.w(), q.x(), q.y(), q.z()}}, {"t_mm", {t.x(), t.y(), t.z()}}};
+}
+
+Json frame_json(const FrameReport& frame) {
+  Json json = {
+      {"frame", frame.frame.value}, {"fate", to_string(frame.fate)}, {"points", frame.point_count}};
+  if (frame.fate == FrameFate::kRejected) json["reason"] = frame.reason;
+  if (frame.T_world_sensor) json.update(pose_json(*frame.T_world_sensor));
+  return json;
+}
+
+Json stage_json(const StageTime& stage) {
+  const double rate =
+      stage.seconds > 0 ? static_cast<double>(stage.item_count) / stage.seconds : 0.0;
+  return {{"name", stage.name},
+          {"seconds", stage.seconds},
+          {"items", stage.item_count},
+          {"item", stage.item_name},
+          {"items_per_s", rate}};
+}
+
+Json hole_json(const BoundaryLoop& loop) {
+  return {{"perimeter_mm", loop.perimeter_mm},
+          {"area_mm2", loop.area_mm2},
+          {"center_mm", {loop.center_mm.x(), loop.center_mm.y(), loop.center_mm.z()}},
+          {"normal", {loop.normal.x(), loop.normal.y(), loop.normal.z()}},
+          {"is_outer_border", loop.is_outer}};
+}
+
+Json to_json(const Reconstruction& reconstruction) {
+  Json json = {{"format", "flytri.report"}, {"version", 1}};
+  json["counts"] = {{"frames", reconstruction.frames.size()},
+                    {"registered", count_fate(reconstruction, FrameFate::kRegistered)},
+                    {"interpolated", count_fate(reconstruction, FrameFate::kInterpolated)},
+                    {"textured", count_fate(reconstruction, FrameFate::kTextured)},
+                    {"rejected", rejection_counts(reconstruction)},
+                    {"points", reconstruction.points.size()},
+                    {"vertices", reconstruction.surface.mesh.vertices.size()},
+                    {"triangles", reconstruction.surface.mesh.triangles.size()}};
+  for (const StageTime& stage : reconstruction.stages) json["stages"].push_back(stage_json(stage));
+  json["frames"] = Json::array();
+  for (const FrameReport& frame : reconstruction.frames)
+    json["frames"].push_back(frame_json(frame));
+  json["boundaries"] = Json::array();
+  for (const BoundaryLoop& loop : reconstruction.surface.boundaries) {
+    json["boundaries"].push_back(hole_json(loop));
+  }
+  return json;
+}
+
+std::size_t hole_count(const SurfaceMesh& surface) {
+  return static_cast<std::size_t>(
+      std::count_if(surface.boundaries.begin(), surface.boundaries.end(),
+                    [](const BoundaryLoop& loop) { return !loop.is_outer; }));
+}
+
+}  // namespace
+
+void print_summary(const Reconstruction& reconstruction) {
+  fmt::print("{} frames: {} registered, {} interpolated, {} for texture\n",
+             reconstruction.frames.size(), count_fate(reconstruction, FrameFate::kRegistered),
+             count_fate(reconstruction, FrameFate::kInterpolated),
+             count_fate(reconstruction, FrameFate::kTextured));
+  for (const auto& [reason, count] : rejection_counts(reconstruction)) {
+    fmt::print("  {} rejected: {}\n", count, reason);
+  }
+  fmt::print("{} points, {} triangles, {} holes\n", reconstruction.points.size(),
+             reconstruction.surface.mesh.triangles.size(), hole_count(reconstruction.surface));
+  for (const StageTime& stage : reconstruction.stages) {
+    fmt::print("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,
+               stage.item_name);
+  }
+}
+
+Result<void> write_report(const std::filesystem::path& path, const Reconstruction& reconstruction) {
+  return write_file(path, to_json(reconstruction).dump(1) + "\n");
+}
+
+Result<std::vector<ReportedPose>> read_report_poses(const std::filesystem::path& path) {
+  const auto text = read_file(path);
+  if (!text) return tl::unexpected(text.error());
+  const Json json = Json::parse(*text, nullptr, false);
+  const auto damaged = [&](std::string_view what) {
+    return fail(ErrorCode::kBadFormat, "{}: {}; make it anew with flytri reconstruct --report",
+                path.string(), what);
+  };
+  if (json.is_discarded() || json.value("format", "") != "flytri.report") {
+    return damaged("is no report of flytri");
+  }
+  std::vector<ReportedPose> poses;
+  try {
+    for (const Json& frame : json.at("frames")) {
+      if (!frame.contains("q_wxyz")) continue;
+      const auto q = frame.at("q_wxyz").get<std::array<double, 4>>();
+      const auto t = frame.at("t_mm").get<std::array<double, 3>>();
+      poses.push_back(
+          {FrameIndex(frame.at("frame").get<int>()),
+           make_isometry(Eigen::Quaterniond(q[0], q[1], q[2], q[3]), Vec3(t[0], t[1], t[2]))});
+    }
+  } catch (const Json::exception& error) {
+    return damaged(error.what());
+  }
+  return poses;
+}
+
+}  // namespace flytri::cli

@@ -1,0 +1,235 @@
+#include "core/pipeline/reconstruct.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flytri {
+namespace {
+
+tl::unexpected<Error> stopped() {
+  return fail(ErrorCode::kCancelled, "stopped; nothing was written");
+}
+
+/// One run: holds what the stages hand to each other.
+class Run {
+ public:
+  Run(const Recording& recording, const Calibration& calibration, const ReconstructOptions& options,
+      const Workers& workers, const Progress& progress)
+      : recording_(recording),
+        calibration_(calibration),
+        options_(options),
+        workers_(workers),
+        progress_(progress),
+        clock_(options.now_s) {}
+
+  Result<Reconstruction> reconstruct();
+
+ private:
+  Result<void> measure_frames();
+  Result<void> measure_frame(std::size_t i);
+  Result<void> register_views();
+  Result<void> refine_views();
+  Result<void> make_points();
+  Result<void> make_surface();
+  void reject(FrameIndex frame, std::string reason);
+  void place_texture_frames();
+  void report_poses();
+
+  const Recording& recording_;
+  const Calibration& calibration_;
+  const ReconstructOptions& options_;
+  const Workers& workers_;
+  const Progress& progress_;
+  StageClock clock_;
+  std::vector<std::shared_ptr<const View>> views_;  ///< by frame; null: not measured
+  std::vector<AlignedView> aligned_;                ///< what was registered, by time
+  Reconstruction result_;
+};
+
+void Run::reject(FrameIndex frame, std::string reason) {
+  FrameReport& report = result_.frames[frame.at()];
+  report.fate = FrameFate::kRejected;
+  report.reason = std::move(reason);
+  report.T_world_sensor.reset();
+}
+
+/// Measures frame i, or says in its report why not. A frame of the wrong size is an error: the
+/// calibration is that of another sensor.
+Result<void> Run::measure_frame(std::size_t i) {
+  const FrameIndex index(i);
+  if (recording_.frames[i].kind == FrameKind::kTexture) return {};
+  const Result<Frame> frame = load_frame(recording_, index);
+  if (!frame) {
+    reject(index, frame.error().message);
+    return {};
+  }
+  Result<MeasuredView> measured = measure_view(*frame, calibration_, options_.measure);
+  if (!measured && measured.error().code == ErrorCode::kInconsistent) {
+    const auto path = recording_.folder / recording_.frames[i].file;
+    return fail(ErrorCode::kInconsistent, "{}: {}", path.string(), measured.error().message);
+  }
+  if (!measured) {
+    reject(index, measured.error().message);
+  } else if (measured->outcome != MeasureOutcome::kMeasured) {
+    reject(index, std::string(to_string(measured->outcome)));
+  } else {
+    measured->view.frame = index;
+    measured->view.time_s = recording_.frames[i].time_s;
+    result_.frames[i].point_count = measured->view.point_count();
+    views_[i] = std::make_shared<const View>(std::move(measured->view));
+  }
+  return {};
+}
+
+Result<void> Run::measure_frames() {
+  const std::size_t count = recording_.frames.size();
+  result_.frames.resize(count);
+  views_.resize(count);
+  progress_.begin_stage("Measuring lines", count);
+  std::vector<Result<void>> outcomes(count);
+  for (std::size_t i = 0; i < count; ++i) result_.frames[i].frame = FrameIndex(i);
+  workers_.for_each(count, [&](std::size_t i) {
+    if (!progress_.cancelled()) outcomes[i] = measure_frame(i);
+    progress_.advance();
+  });
+  for (const Result<void>& outcome : outcomes) {
+    if (!outcome) return outcome;
+  }
+  clock_.end_stage("image to view", count, "frames");
+  return {};
+}
+
+Result<void> Run::register_views() {
+  Result<Registrar> registrar = Registrar::create(options_.registration);
+  if (!registrar) return tl::unexpected(registrar.error());
+  progress_.begin_stage("Registering views", views_.size());
+  std::size_t view_count = 0;
+  for (const auto& view : views_) {
+    if (progress_.cancelled()) return stopped();
+    progress_.advance();
+    if (view == nullptr) continue;
+    registrar->add(view);
+    ++view_count;
+  }
+  for (const RegisteredView& registered : registrar->finish()) {
+    const FrameIndex frame = registered.view->frame;
+    if (registered.fate == ViewFate::kRejected) {
+      reject(frame, std::string(to_string(registered.reason)));
+      continue;
+    }
+    result_.frames[frame.at()].fate = registered.fate == ViewFate::kRegistered
+                                          ? FrameFate::kRegistered
+                                          : FrameFate::kInterpolated;
+    aligned_.push_back({registered.view, registered.T_world_sensor});
+  }
+  clock_.end_stage("registration", view_count, "views");
+  if (aligned_.size() >= 2) return {};
+  return fail(ErrorCode::kInsufficient,
+              "{}: of {} frames {} show lines inside the measurement volume, and no two of them "
+              "could be registered; both patterns must light the same surface in turn",
+              recording_.folder.string(), recording_.frames.size(), view_count);
+}
+
+Result<void> Run::refine_views() {
+  const Result<Refinement> refined =
+      refine_jointly(aligned_, options_.refinement, workers_, progress_);
+  if (!refined) return tl::unexpected(refined.error());
+  std::vector<AlignedView> kept;
+  for (std::size_t i = 0; i < aligned_.size(); ++i) {
+    if (refined->contradicts(i, options_.refinement)) {
+      reject(aligned_[i].view->frame, "contradicts the other views");
+    } else {
+      kept.push_back(aligned_[i]);
+    }
+  }
+  clock_.end_stage("joint refinement", aligned_.size(), "views");
+  aligned_ = std::move(kept);
+  return {};
+}
+
+void Run::place_texture_frames() {
+  Trajectory trajectory(0.5 * calibration_.volume.size_mm.norm());
+  for (const AlignedView& view : aligned_) {
+    trajectory.set(view.view->time_s, view.T_world_sensor);
+  }
+  for (std::size_t i = 0; i < recording_.frames.size(); ++i) {
+    if (recording_.frames[i].kind != FrameKind::kTexture) continue;
+    FrameReport& report = result_.frames[i];
+    report.T_world_sensor =
+        trajectory.interpolate(recording_.frames[i].time_s, options_.registration.max_gap_s);
+    if (report.T_world_sensor) {
+      report.fate = FrameFate::kTextured;
+    } else {
+      reject(FrameIndex(i), "no registered view before and after it");
+    }
+  }
+}
+
+void Run::report_poses() {
+  for (const AlignedView& view : aligned_) {
+    result_.frames[view.view->frame.at()].T_world_sensor = view.T_world_sensor;
+  }
+}
+
+Result<void> Run::make_points() {
+  progress_.begin_stage("Thinning points", 2);
+  const auto normals = crossing_normals(aligned_, options_.normals, workers_);
+  if (!normals) return tl::unexpected(normals.error());
+  const std::vector<SurfaceSample> samples = surface_samples(aligned_, *normals);
+  clock_.end_stage("normals", samples.size(), "points");
+  progress_.advance();
+  if (progress_.cancelled()) return stopped();
+  Result<Reduction> reduction = flytri::reduce(samples, options_.reduction, workers_);
+  if (!reduction) return tl::unexpected(reduction.error());
+  result_.points = std::move(reduction->points);
+  clock_.end_stage("reduction", samples.size(), "points");
+  return {};
+}
+
+Result<void> Run::make_surface() {
+  if (progress_.cancelled()) return stopped();
+  progress_.begin_stage("Meshing", 1);
+  Result<SurfaceMesh> surface = mesh_surface(result_.points, options_.meshing, workers_);
+  if (!surface) return tl::unexpected(surface.error());
+  result_.surface = std::move(*surface);
+  clock_.end_stage("meshing", result_.points.size(), "points");
+  result_.model.mesh = result_.surface.mesh;
+  return {};
+}
+
+Result<Reconstruction> Run::reconstruct() {
+  if (auto done = measure_frames(); !done) return tl::unexpected(done.error());
+  if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  if (auto done = refine_views(); !done) return tl::unexpected(done.error());
+  report_poses();
+  place_texture_frames();
+  if (auto done = make_points(); !done) return tl::unexpected(done.error());
+  if (auto done = make_surface(); !done) return tl::unexpected(done.error());
+  if (progress_.cancelled()) return stopped();
+  result_.stages = clock_.stages();
+  return std::move(result_);
+}
+
+}  // namespace
+
+std::string_view to_string(FrameFate fate) {
+  switch (fate) {
+    case FrameFate::kRegistered:
+      return "registered";
+    case FrameFate::kInterpolated:
+      return "interpolated";
+    case FrameFate::kTextured:
+      return "textured";
+    case FrameFate::kRejected:
+      return "rejected";
+  }
+  return "";
+}
+
+Result<Reconstruction> reconstruct(const Recording& recording, const Calibration& calibration,
+                                   const ReconstructOptions& options, const Workers& workers,
+                                   const Progress& progress) {
+  return Run(recording, calibration, options, workers, progress).reconstruct();
+}
+
+}  // namespace flytri

@@ -1,0 +1,74 @@
+/// @file  A whole recording to a textured model, offline: every stage, one after the other.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/workers.h"
+#include "core/calibration/calibration.h"
+#include "core/geometry/point_cloud.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/interchange/recording.h"
+#include "core/meshing/mesh_surface.h"
+#include "core/normals/normals.h"
+#include "core/pipeline/measure_view.h"
+#include "core/pipeline/registrar.h"
+#include "core/pipeline/stage_clock.h"
+#include "core/reduction/reduce.h"
+#include "core/refinement/refine.h"
+
+namespace flytri {
+
+/// The options of every stage. Each stage documents and checks its own.
+struct ReconstructOptions {
+  MeasureOptions measure;
+  RegistrarOptions registration;
+  JointRefineOptions refinement;
+  NormalOptions normals;
+  ReduceOptions reduction;
+  MeshOptions meshing;
+  /// Monotonic seconds, for the stage times; empty: they are not taken.
+  std::function<double()> now_s;
+};
+
+/// What became of a frame.
+enum class FrameFate {
+  kRegistered,    ///< measured, and aligned by its own profiles
+  kInterpolated,  ///< measured, its pose lies on the path between its neighbors
+  kTextured,      ///< a texture frame whose pose was found
+  kRejected       ///< not used; the reason says why
+};
+[[nodiscard]] std::string_view to_string(FrameFate fate);
+
+/// One frame's story. Every frame of the recording has one.
+struct FrameReport {
+  FrameIndex frame;
+  FrameFate fate = FrameFate::kRejected;
+  std::string reason;                      ///< of a rejection, in the user's words
+  std::optional<Isometry> T_world_sensor;  ///< of all but rejected frames
+  std::size_t point_count = 0;             ///< of measurement frames
+};
+
+/// A finished scan. World is the sensor frame of the first registered view.
+struct Reconstruction {
+  std::vector<FrameReport> frames;  ///< in the order of the recording
+  PointCloud points;                ///< thinned, colored where a texture frame saw them
+  SurfaceMesh surface;              ///< with its coverage holes
+  TexturedMesh model;               ///< the same triangles with their atlas
+  std::vector<StageTime> stages;
+};
+
+/// Reconstructs a recording.
+/// @source  Arold et al., all of it; the joint optimization and the mesh are this project's.
+/// @errors  kBadOption; kInconsistent if the recording's images do not suit the calibration;
+///          kInsufficient if nothing could be registered; kCancelled. A damaged frame is no error:
+///          it is rejected with the reason.
+[[nodiscard]] Result<Reconstruction> reconstruct(const Recording& recording,
+                                                 const Calibration& calibration,
+                                                 const ReconstructOptions& options,
+                                                 const Workers& workers, const Progress& progress);
+
+}  // namespace flytri
