@@ -1,7 +1,6 @@
 /// @file  flytri reconstruct: a recording to models.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -26,11 +25,6 @@ struct ReconstructArguments {
   fs::path points;
   int thread_count = 0;
 };
-
-double steady_seconds() {
-  using namespace std::chrono;
-  return duration<double>(steady_clock::now().time_since_epoch()).count();
-}
 
 /// --calibration, or what the recording names.
 Result<fs::path> calibration_path(const ReconstructArguments& arguments,

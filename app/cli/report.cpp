@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -88,6 +89,11 @@ std::size_t hole_count(const SurfaceMesh& surface) {
 }
 
 }  // namespace
+
+double steady_seconds() {
+  using namespace std::chrono;
+  return duration<double>(steady_clock::now().time_since_epoch()).count();
+}
 
 void print_summary(const Reconstruction& reconstruction) {
   fmt::print("{} frames: {} registered, {} interpolated, {} for texture\n",

@@ -8,6 +8,9 @@
 
 namespace flytri::cli {
 
+/// Monotonic seconds, for ReconstructOptions::now_s.
+[[nodiscard]] double steady_seconds();
+
 /// Prints counts of frames, points, triangles and holes, and the time of each stage.
 void print_summary(const Reconstruction& reconstruction);
 

@@ -13,30 +13,33 @@ tl::unexpected<Error> stopped() {
 /// One run: holds what the stages hand to each other.
 class Run {
  public:
-  Run(const Recording& recording, const Calibration& calibration, const ReconstructOptions& options,
-      const Workers& workers, const Progress& progress)
-      : recording_(recording),
-        calibration_(calibration),
+  /// @param source  what is reconstructed, for messages
+  Run(std::string source, const ReconstructOptions& options, const Workers& workers,
+      const Progress& progress)
+      : source_(std::move(source)),
         options_(options),
         workers_(workers),
         progress_(progress),
         clock_(options.now_s) {}
 
-  Result<Reconstruction> reconstruct();
+  Result<Reconstruction> from_recording(const Recording& recording, const Calibration& calibration);
+  Result<Reconstruction> from_views(std::vector<std::shared_ptr<const View>> views);
 
  private:
-  Result<void> measure_frames();
-  Result<void> measure_frame(std::size_t i);
+  Result<void> measure_frames(const Recording& recording, const Calibration& calibration);
+  Result<void> measure_frame(const Recording& recording, const Calibration& calibration,
+                             std::size_t i);
+  void accept_frames(std::size_t count);
+  Result<void> align();
   Result<void> register_views();
   Result<void> refine_views();
   Result<void> make_points();
   Result<void> make_surface();
   void reject(FrameIndex frame, std::string reason);
-  void place_texture_frames();
-  void report_poses();
+  void place_texture_frames(const Recording& recording, const Calibration& calibration);
+  Result<Reconstruction> finish();
 
-  const Recording& recording_;
-  const Calibration& calibration_;
+  std::string source_;
   const ReconstructOptions& options_;
   const Workers& workers_;
   const Progress& progress_;
@@ -55,17 +58,18 @@ void Run::reject(FrameIndex frame, std::string reason) {
 
 /// Measures frame i, or says in its report why not. A frame of the wrong size is an error: the
 /// calibration is that of another sensor.
-Result<void> Run::measure_frame(std::size_t i) {
+Result<void> Run::measure_frame(const Recording& recording, const Calibration& calibration,
+                                std::size_t i) {
   const FrameIndex index(i);
-  if (recording_.frames[i].kind == FrameKind::kTexture) return {};
-  const Result<Frame> frame = load_frame(recording_, index);
+  if (recording.frames[i].kind == FrameKind::kTexture) return {};
+  const Result<Frame> frame = load_frame(recording, index);
   if (!frame) {
     reject(index, frame.error().message);
     return {};
   }
-  Result<MeasuredView> measured = measure_view(*frame, calibration_, options_.measure);
+  Result<MeasuredView> measured = measure_view(*frame, calibration, options_.measure);
   if (!measured && measured.error().code == ErrorCode::kInconsistent) {
-    const auto path = recording_.folder / recording_.frames[i].file;
+    const auto path = recording.folder / recording.frames[i].file;
     return fail(ErrorCode::kInconsistent, "{}: {}", path.string(), measured.error().message);
   }
   if (!measured) {
@@ -74,22 +78,26 @@ Result<void> Run::measure_frame(std::size_t i) {
     reject(index, std::string(to_string(measured->outcome)));
   } else {
     measured->view.frame = index;
-    measured->view.time_s = recording_.frames[i].time_s;
+    measured->view.time_s = recording.frames[i].time_s;
     result_.frames[i].point_count = measured->view.point_count();
     views_[i] = std::make_shared<const View>(std::move(measured->view));
   }
   return {};
 }
 
-Result<void> Run::measure_frames() {
-  const std::size_t count = recording_.frames.size();
+void Run::accept_frames(std::size_t count) {
   result_.frames.resize(count);
   views_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) result_.frames[i].frame = FrameIndex(i);
+}
+
+Result<void> Run::measure_frames(const Recording& recording, const Calibration& calibration) {
+  const std::size_t count = recording.frames.size();
+  accept_frames(count);
   progress_.begin_stage("Measuring lines", count);
   std::vector<Result<void>> outcomes(count);
-  for (std::size_t i = 0; i < count; ++i) result_.frames[i].frame = FrameIndex(i);
   workers_.for_each(count, [&](std::size_t i) {
-    if (!progress_.cancelled()) outcomes[i] = measure_frame(i);
+    if (!progress_.cancelled()) outcomes[i] = measure_frame(recording, calibration, i);
     progress_.advance();
   });
   for (const Result<void>& outcome : outcomes) {
@@ -127,7 +135,7 @@ Result<void> Run::register_views() {
   return fail(ErrorCode::kInsufficient,
               "{}: of {} frames {} show lines inside the measurement volume, and no two of them "
               "could be registered; both patterns must light the same surface in turn",
-              recording_.folder.string(), recording_.frames.size(), view_count);
+              source_, result_.frames.size(), view_count);
 }
 
 Result<void> Run::refine_views() {
@@ -147,27 +155,21 @@ Result<void> Run::refine_views() {
   return {};
 }
 
-void Run::place_texture_frames() {
-  Trajectory trajectory(0.5 * calibration_.volume.size_mm.norm());
+void Run::place_texture_frames(const Recording& recording, const Calibration& calibration) {
+  Trajectory trajectory(0.5 * calibration.volume.size_mm.norm());
   for (const AlignedView& view : aligned_) {
     trajectory.set(view.view->time_s, view.T_world_sensor);
   }
-  for (std::size_t i = 0; i < recording_.frames.size(); ++i) {
-    if (recording_.frames[i].kind != FrameKind::kTexture) continue;
+  for (std::size_t i = 0; i < recording.frames.size(); ++i) {
+    if (recording.frames[i].kind != FrameKind::kTexture) continue;
     FrameReport& report = result_.frames[i];
     report.T_world_sensor =
-        trajectory.interpolate(recording_.frames[i].time_s, options_.registration.max_gap_s);
+        trajectory.interpolate(recording.frames[i].time_s, options_.registration.max_gap_s);
     if (report.T_world_sensor) {
       report.fate = FrameFate::kTextured;
     } else {
       reject(FrameIndex(i), "no registered view before and after it");
     }
-  }
-}
-
-void Run::report_poses() {
-  for (const AlignedView& view : aligned_) {
-    result_.frames[view.view->frame.at()].T_world_sensor = view.T_world_sensor;
   }
 }
 
@@ -197,17 +199,44 @@ Result<void> Run::make_surface() {
   return {};
 }
 
-Result<Reconstruction> Run::reconstruct() {
-  if (auto done = measure_frames(); !done) return tl::unexpected(done.error());
-  if (auto done = register_views(); !done) return tl::unexpected(done.error());
-  if (auto done = refine_views(); !done) return tl::unexpected(done.error());
-  report_poses();
-  place_texture_frames();
-  if (auto done = make_points(); !done) return tl::unexpected(done.error());
-  if (auto done = make_surface(); !done) return tl::unexpected(done.error());
+/// Registration and joint refinement.
+Result<void> Run::align() {
+  if (auto done = register_views(); !done) return done;
+  if (auto done = refine_views(); !done) return done;
+  for (const AlignedView& view : aligned_) {
+    result_.frames[view.view->frame.at()].T_world_sensor = view.T_world_sensor;
+  }
+  return {};
+}
+
+Result<Reconstruction> Run::finish() {
   if (progress_.cancelled()) return stopped();
   result_.stages = clock_.stages();
   return std::move(result_);
+}
+
+Result<Reconstruction> Run::from_recording(const Recording& recording,
+                                           const Calibration& calibration) {
+  if (auto done = measure_frames(recording, calibration); !done) {
+    return tl::unexpected(done.error());
+  }
+  if (auto done = align(); !done) return tl::unexpected(done.error());
+  place_texture_frames(recording, calibration);
+  if (auto done = make_points(); !done) return tl::unexpected(done.error());
+  if (auto done = make_surface(); !done) return tl::unexpected(done.error());
+  return finish();
+}
+
+Result<Reconstruction> Run::from_views(std::vector<std::shared_ptr<const View>> views) {
+  accept_frames(views.size());
+  views_ = std::move(views);
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    result_.frames[i].point_count = views_[i]->point_count();
+  }
+  if (auto done = align(); !done) return tl::unexpected(done.error());
+  if (auto done = make_points(); !done) return tl::unexpected(done.error());
+  if (auto done = make_surface(); !done) return tl::unexpected(done.error());
+  return finish();
 }
 
 }  // namespace
@@ -229,7 +258,14 @@ std::string_view to_string(FrameFate fate) {
 Result<Reconstruction> reconstruct(const Recording& recording, const Calibration& calibration,
                                    const ReconstructOptions& options, const Workers& workers,
                                    const Progress& progress) {
-  return Run(recording, calibration, options, workers, progress).reconstruct();
+  return Run(recording.folder.string(), options, workers, progress)
+      .from_recording(recording, calibration);
+}
+
+Result<Reconstruction> reconstruct_views(std::vector<std::shared_ptr<const View>> views,
+                                         const ReconstructOptions& options, const Workers& workers,
+                                         const Progress& progress) {
+  return Run("the views", options, workers, progress).from_views(std::move(views));
 }
 
 }  // namespace flytri

@@ -71,4 +71,11 @@ struct Reconstruction {
                                                  const ReconstructOptions& options,
                                                  const Workers& workers, const Progress& progress);
 
+/// The same from views that are measured already, such as simulated ones: no texture.
+/// @param views  by rising time; views[i]->frame is FrameIndex(i)
+/// @errors  kBadOption, kInsufficient, kCancelled.
+[[nodiscard]] Result<Reconstruction> reconstruct_views(
+    std::vector<std::shared_ptr<const View>> views, const ReconstructOptions& options,
+    const Workers& workers, const Progress& progress);
+
 }  // namespace flytri

@@ -185,7 +185,7 @@ std::vector<double> running_mean(const std::vector<double>& values, int reach) {
 
 // Moves each pose along its view so that the surface lies in the middle of the volume.
 Result<void> follow_surface(const RayScene& scene, const SensorModel& sensor,
-                            std::vector<TimedPose>& poses) {
+                            std::vector<PathPose>& poses) {
   const double reach_mm = 0.9 * sensor.camera.center().norm();
   std::vector<double> depths(poses.size(), 0.0);
   bool found = false;
@@ -204,10 +204,10 @@ Result<void> follow_surface(const RayScene& scene, const SensorModel& sensor,
 }
 
 void add_tremor(const PathOptions& options, double scale, Random& random,
-                std::vector<TimedPose>& poses) {
+                std::vector<PathPose>& poses) {
   std::vector<Wander> wanders;
   for (int i = 0; i < 6; ++i) wanders.emplace_back(random);
-  for (TimedPose& pose : poses) {
+  for (PathPose& pose : poses) {
     Twist twist;
     for (int i = 0; i < 6; ++i)
       twist[i] = wanders[i](pose.time_s) * (i < 3 ? options.tremor_rad : scale * options.tremor_mm);
@@ -216,13 +216,13 @@ void add_tremor(const PathOptions& options, double scale, Random& random,
 }
 
 template <typename Aims>
-std::vector<TimedPose> aimed_poses(const Aims& aims, const PathOptions& options, Random& random) {
+std::vector<PathPose> aimed_poses(const Aims& aims, const PathOptions& options, Random& random) {
   const std::array<double, 3> phases = {random.uniform(0.0, 2.0 * kPi),
                                         random.uniform(0.0, 2.0 * kPi),
                                         random.uniform(0.0, 2.0 * kPi)};
   const int count = static_cast<int>(std::ceil(options.duration_s * kKeyRate_hz)) + 1;
   const double end = uneven_progress(1.0, options.speed_variation, phases);
-  std::vector<TimedPose> poses;
+  std::vector<PathPose> poses;
   for (int i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / (count - 1);
     const double progress = uneven_progress(share, options.speed_variation, phases) / end;
@@ -261,7 +261,7 @@ Result<SensorPath> plan_path(const RayScene& scene, const SensorModel& sensor,
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   const JawAxes axes = axes_of(options);
   Random random(options.seed);
-  std::vector<TimedPose> poses;
+  std::vector<PathPose> poses;
   if (options.kind == PathKind::kOrbit) {
     poses = aimed_poses(OrbitAims(scene, axes), options, random);
   } else {

@@ -7,7 +7,7 @@
 
 namespace flytri {
 
-Result<SensorPath> SensorPath::from_poses(std::vector<TimedPose> poses) {
+Result<SensorPath> SensorPath::from_poses(std::vector<PathPose> poses) {
   if (poses.empty()) return fail(ErrorCode::kBadOption, "a path needs at least one pose");
   for (std::size_t i = 1; i < poses.size(); ++i)
     if (!(poses[i].time_s > poses[i - 1].time_s))
@@ -19,11 +19,11 @@ Result<SensorPath> SensorPath::from_poses(std::vector<TimedPose> poses) {
 Isometry SensorPath::T_model_sensor(double time_s) const {
   const auto later =
       std::lower_bound(poses_.begin(), poses_.end(), time_s,
-                       [](const TimedPose& pose, double time) { return pose.time_s < time; });
+                       [](const PathPose& pose, double time) { return pose.time_s < time; });
   if (later == poses_.begin()) return poses_.front().T_model_sensor;
   if (later == poses_.end()) return poses_.back().T_model_sensor;
-  const TimedPose& a = *(later - 1);
-  const TimedPose& b = *later;
+  const PathPose& a = *(later - 1);
+  const PathPose& b = *later;
   const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
   return interpolate(a.T_model_sensor, b.T_model_sensor, share);
 }
@@ -33,7 +33,7 @@ Result<SensorPath> read_path(const std::filesystem::path& truth_file) {
   if (!truth) return tl::unexpected(truth.error());
   if (truth->poses.empty())
     return fail(ErrorCode::kInsufficient, "{}: lists no pose", truth_file.string());
-  std::vector<TimedPose> poses;
+  std::vector<PathPose> poses;
   for (const TruthPose& pose : truth->poses) poses.push_back({pose.time_s, pose.T_model_sensor});
   auto path = SensorPath::from_poses(std::move(poses));
   if (!path)

@@ -13,7 +13,7 @@
 namespace flytri {
 
 /// Where the sensor is at one moment.
-struct TimedPose {
+struct PathPose {
   double time_s = 0.0;
   Isometry T_model_sensor = Isometry::Identity();
 };
@@ -23,7 +23,7 @@ class SensorPath {
  public:
   /// @param poses  at least one, times rising
   /// @errors  kBadOption.
-  [[nodiscard]] static Result<SensorPath> from_poses(std::vector<TimedPose> poses);
+  [[nodiscard]] static Result<SensorPath> from_poses(std::vector<PathPose> poses);
 
   /// Between the given poses; before the first and after the last the sensor rests.
   [[nodiscard]] Isometry T_model_sensor(double time_s) const;
@@ -31,8 +31,8 @@ class SensorPath {
   [[nodiscard]] double end_s() const { return poses_.back().time_s; }
 
  private:
-  explicit SensorPath(std::vector<TimedPose> poses) : poses_(std::move(poses)) {}
-  std::vector<TimedPose> poses_;
+  explicit SensorPath(std::vector<PathPose> poses) : poses_(std::move(poses)) {}
+  std::vector<PathPose> poses_;
 };
 
 /// kQuadrant: half of a dental arch, straight from above, then tilted outwards and inwards.

@@ -1,0 +1,37 @@
+/// @file  A scan by the virtual sensor, view by view: what the demo and the studies begin with.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/workers.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/geometry/view.h"
+#include "hw/simulated/sensor_path.h"
+#include "hw/simulated/view_simulator.h"
+
+namespace flytri::cli {
+
+struct SimulatedScanOptions {
+  int view_count = 300;  ///< >= 2
+  PathOptions path;      ///< its duration is set by view_count at the sensor's frame rate
+  ViewNoise noise;
+};
+
+/// Views with noise, the same points without, and where the sensor truly was.
+struct SimulatedScan {
+  std::vector<std::shared_ptr<const View>> views;
+  std::vector<std::shared_ptr<const View>> ideal_views;
+  std::vector<Isometry> T_model_sensor;
+};
+
+/// Scans a mesh, patterns in turn.
+/// @errors  as ViewSimulator::create and plan_path; kCancelled.
+[[nodiscard]] Result<SimulatedScan> simulate_scan(const TriangleMesh& mesh,
+                                                  const SensorModel& sensor,
+                                                  const SimulatedScanOptions& options,
+                                                  const Workers& workers, const Progress& progress);
+
+}  // namespace flytri::cli
