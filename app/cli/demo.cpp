@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct DemoArguments {
   fs::path folder = "out";
-  int view_count = 400;
+  int view_count = 600;
   int thread_count = 0;
 };
 
@@ -38,7 +38,6 @@ Result<void> write_results(const fs::path& folder, const Reconstruction& reconst
   // The world is the first view's sensor frame: the sensor looks along +z, y runs down.
   options.from_direction = Vec3(0.0, 0.5, -1.0);
   options.up = -Vec3::UnitY();
-  options.zoom = 1.15;
   const Result<cv::Mat> picture = draw_picture(reconstruction.model, options, workers);
   if (!picture) return tl::unexpected(picture.error());
   const fs::path file = folder / "jaw.png";

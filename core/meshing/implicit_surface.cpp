@@ -11,6 +11,9 @@ constexpr std::size_t kMinNeighbors = 3;
 /// radius away: a little farther is outside.
 constexpr float kMaxCentroidShare = 0.45F;
 
+/// Squared width by squared length of the points around a place; a full disk has 1.
+constexpr float kMinWidthShare = 0.03F;
+
 std::vector<Vec3f> positions_of(const PointCloud& points) {
   std::vector<Vec3f> positions;
   positions.reserve(points.size());
@@ -67,17 +70,23 @@ bool ImplicitSurface::surrounded(const Vec3f& place_mm, const Vec3f& normal) con
   thread_local std::vector<Neighbor> found;
   grid_.within(place_mm, reach_mm_, found);
   Vec3f centroid = Vec3f::Zero();
+  Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
   float count = 0.0F;
   for (const Neighbor& neighbor : found) {
     if (points_[neighbor.index].normal.dot(normal) <= 0.0F) continue;
-    centroid += points_[neighbor.index].position_mm - place_mm;
+    const Vec3f offset = points_[neighbor.index].position_mm - place_mm;
+    centroid += offset;
+    spread += offset * offset.transpose();
     count += 1.0F;
   }
   if (count < static_cast<float>(kMinNeighbors)) return false;
   centroid /= count;
   // A ridge or groove pulls the centroid along the normal; that is no border.
   centroid -= centroid.dot(normal) * normal;
-  return centroid.norm() <= kMaxCentroidShare * reach_mm_;
+  if (centroid.norm() > kMaxCentroidShare * reach_mm_) return false;
+  // A single line of points has no width: it is no surface.
+  const Vec3f widths = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(spread).eigenvalues();
+  return widths[1] >= kMinWidthShare * widths[2];
 }
 
 }  // namespace flytri

@@ -1,6 +1,7 @@
 #include "core/pipeline/reconstruct.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace flytri {
@@ -37,6 +38,7 @@ class Run {
   Result<void> make_surface();
   void reject(FrameIndex frame, std::string reason);
   void place_texture_frames(const Recording& recording, const Calibration& calibration);
+  Result<void> apply_texture(const Recording& recording, const Calibration& calibration);
   Result<Reconstruction> finish();
 
   std::string source_;
@@ -199,6 +201,32 @@ Result<void> Run::make_surface() {
   return {};
 }
 
+/// Colors points and mesh from the texture frames that have a pose.
+Result<void> Run::apply_texture(const Recording& recording, const Calibration& calibration) {
+  std::vector<TextureFrame> frames;
+  for (const FrameReport& report : result_.frames) {
+    if (report.fate != FrameFate::kTextured) continue;
+    const Result<Frame> frame = load_frame(recording, report.frame);
+    if (!frame) {
+      reject(report.frame, frame.error().message);
+    } else {
+      frames.push_back({frame->image, *report.T_world_sensor});
+    }
+  }
+  progress_.begin_stage("Texturing", 2);
+  const std::array<std::span<SurfacePoint>, 2> surfaces = {result_.points,
+                                                           result_.surface.mesh.vertices};
+  for (const std::span<SurfacePoint> points : surfaces) {
+    if (progress_.cancelled()) return stopped();
+    const auto counts = color_points(points, frames, calibration, options_.texture, workers_);
+    if (!counts) return tl::unexpected(counts.error());
+    progress_.advance();
+  }
+  result_.model.mesh = result_.surface.mesh;
+  clock_.end_stage("texture", frames.size(), "frames");
+  return {};
+}
+
 /// Registration and joint refinement.
 Result<void> Run::align() {
   if (auto done = register_views(); !done) return done;
@@ -224,6 +252,9 @@ Result<Reconstruction> Run::from_recording(const Recording& recording,
   place_texture_frames(recording, calibration);
   if (auto done = make_points(); !done) return tl::unexpected(done.error());
   if (auto done = make_surface(); !done) return tl::unexpected(done.error());
+  if (auto done = apply_texture(recording, calibration); !done) {
+    return tl::unexpected(done.error());
+  }
   return finish();
 }
 

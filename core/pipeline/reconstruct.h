@@ -19,6 +19,7 @@
 #include "core/pipeline/stage_clock.h"
 #include "core/reduction/reduce.h"
 #include "core/refinement/refine.h"
+#include "core/texture/color_points.h"
 
 namespace flytri {
 
@@ -30,6 +31,7 @@ struct ReconstructOptions {
   NormalOptions normals;
   ReduceOptions reduction;
   MeshOptions meshing;
+  TextureOptions texture;
   /// Monotonic seconds, for the stage times; empty: they are not taken.
   std::function<double()> now_s;
 };
@@ -57,7 +59,7 @@ struct Reconstruction {
   std::vector<FrameReport> frames;  ///< in the order of the recording
   PointCloud points;                ///< thinned, colored where a texture frame saw them
   SurfaceMesh surface;              ///< with its coverage holes
-  TexturedMesh model;               ///< the same triangles with their atlas
+  TexturedMesh model;               ///< what is exported: the same triangles
   std::vector<StageTime> stages;
 };
 
