@@ -43,6 +43,15 @@ bool CameraModel::sees(const Pixel& pixel) const {
          pixel.v_px < size.height_px - 0.5;
 }
 
+std::vector<Vec3> CameraModel::pixel_directions() const {
+  std::vector<Vec3> directions;
+  directions.reserve(static_cast<std::size_t>(size.width_px) * size.height_px);
+  for (int v = 0; v < size.height_px; ++v)
+    for (int u = 0; u < size.width_px; ++u)
+      directions.push_back(direction({static_cast<double>(u), static_cast<double>(v)}));
+  return directions;
+}
+
 Vec3 ProjectorModel::direction(double across, double along) const {
   return T_sensor_projector.linear() * distortion.distort({across, along}).homogeneous();
 }

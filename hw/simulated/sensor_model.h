@@ -53,6 +53,8 @@ struct CameraModel {
   /// The pupil in the sensor frame, mm.
   [[nodiscard]] Vec3 center() const { return T_sensor_camera.translation(); }
   [[nodiscard]] bool sees(const Pixel& pixel) const;
+  /// `direction` of every pixel's center, row by row.
+  [[nodiscard]] std::vector<Vec3> pixel_directions() const;
 };
 
 /// A projector of parallel lines. Its own frame: origin in the pupil, z along the optical axis,
@@ -85,7 +87,7 @@ struct ChipModel {
   double black_level = 0.02;       ///< 0..0.5, of full scale
   double speckle_contrast = 0.07;  ///< 0..1, standard deviation of the light by its mean
   double speckle_size_px = 1.5;    ///< > 0, correlation length of the speckle
-  double line_level = 0.5;         ///< > 0, of full scale: a white surface under a line, mid-volume
+  double line_level = 0.6;         ///< > 0, of full scale: a white surface under a line, mid-volume
   double ambient_level = 0.02;     ///< >= 0, of full scale: the same surface under room light
 };
 

@@ -1,0 +1,181 @@
+#include "hw/simulated/image_simulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/interchange/glb_color.h"
+#include "hw/simulated/chip.h"
+#include "hw/simulated/lens_blur.h"
+#include "hw/simulated/line_light.h"
+
+namespace flytri {
+namespace {
+
+// Moments of an exposure whose mean is taken.
+constexpr int kMotionSteps = 5;
+// Room light varies slowly over an image: traced once in a block of this many pixels a side.
+constexpr int kAmbientBlock_px = 8;
+// Depths beyond the volume that are still seen, by the volume's depth.
+constexpr double kDepthMargin = 1.5;
+
+LensBlur make_blur(const CameraModel& camera, const MeasurementVolume& volume) {
+  const double middle_mm = camera.center().norm();
+  const double margin_mm = (0.5 + kDepthMargin) * volume.size_mm.z();
+  return {camera, std::max(middle_mm - margin_mm, 0.3 * middle_mm), middle_mm + margin_mm};
+}
+
+// Linear share of white, by channel.
+std::vector<cv::Vec3f> linear_colors(const TriangleMesh& mesh) {
+  std::vector<cv::Vec3f> colors;
+  for (const SurfacePoint& vertex : mesh.vertices) {
+    cv::Vec3f color;
+    for (int channel = 0; channel < 3; ++channel)
+      color[channel] = static_cast<float>(to_linear(vertex.color[channel])) / 65535.0F;
+    colors.push_back(color);
+  }
+  return colors;
+}
+
+}  // namespace
+
+struct ImageSimulator::Parts {
+  Parts(const TriangleMesh& mesh, const SensorModel& sensor_model,
+        const ImageOptions& image_options)
+      : sensor(sensor_model),
+        options(image_options),
+        scene(mesh),
+        colors(linear_colors(mesh)),
+        directions(sensor.camera.pixel_directions()),
+        texture_directions(sensor.texture_camera.pixel_directions()),
+        blur(make_blur(sensor.camera, sensor.volume)),
+        texture_blur(make_blur(sensor.texture_camera, sensor.volume)),
+        lines{LineLight(sensor, Pattern::kVertical), LineLight(sensor, Pattern::kHorizontal)},
+        chip(sensor.chip) {
+    for (const cv::Vec3f& color : colors) albedo.push_back((color[0] + color[1] + color[2]) / 3.0F);
+  }
+
+  cv::Mat ambient_light(const Isometry& T_model_sensor) const;
+  cv::Vec3f flash_light(const Isometry& T_model_sensor, const RayHit& hit) const;
+  cv::Mat flash_image(const Isometry& T_model_sensor) const;
+
+  SensorModel sensor;
+  ImageOptions options;
+  RayScene scene;
+  std::vector<cv::Vec3f> colors;                     // by vertex
+  std::vector<float> albedo;                         // by vertex, for the grey camera
+  std::vector<Vec3> directions, texture_directions;  // by pixel
+  LensBlur blur, texture_blur;
+  std::array<LineLight, 2> lines;  // by Pattern
+  Chip chip;
+};
+
+// Room light comes from everywhere above the surface, most of it from behind the sensor.
+cv::Mat ImageSimulator::Parts::ambient_light(const Isometry& T_model_sensor) const {
+  const ImageSize size = sensor.camera.size;
+  const int columns = (size.width_px + kAmbientBlock_px - 1) / kAmbientBlock_px;
+  const int rows = (size.height_px + kAmbientBlock_px - 1) / kAmbientBlock_px;
+  std::vector<Ray> rays;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const int u = std::min(i * kAmbientBlock_px + kAmbientBlock_px / 2, size.width_px - 1);
+      const int v = std::min(j * kAmbientBlock_px + kAmbientBlock_px / 2, size.height_px - 1);
+      const std::size_t pixel = static_cast<std::size_t>(v) * size.width_px + u;
+      rays.push_back(
+          {T_model_sensor * sensor.camera.center(), T_model_sensor.linear() * directions[pixel]});
+    }
+  std::vector<std::optional<RayHit>> hits(rays.size());
+  scene.first_hits(rays, hits);
+  cv::Mat coarse = cv::Mat::zeros(rows, columns, CV_32FC1);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!hits[i]) continue;
+    const Triangle& corners = scene.mesh().triangles[hits[i]->triangle];
+    double share = 0.0;
+    for (int k = 0; k < 3; ++k) share += hits[i]->weights[k] * albedo[corners[k]];
+    const double facing = std::abs(hits[i]->normal.dot(rays[i].direction));
+    coarse.at<float>(static_cast<int>(i)) =
+        static_cast<float>(sensor.chip.ambient_level * share * (0.5 + 0.5 * facing));
+  }
+  cv::Mat light;
+  cv::resize(coarse, light, {size.width_px, size.height_px}, 0.0, 0.0, cv::INTER_LINEAR);
+  return light;
+}
+
+// The flash sits around the texture camera's pupil: it casts no shadow that the camera could see.
+cv::Vec3f ImageSimulator::Parts::flash_light(const Isometry& T_model_sensor,
+                                             const RayHit& hit) const {
+  constexpr double kWhiteLevel = 0.8;  // a white surface in the middle of the volume
+  const Vec3 lamp = T_model_sensor * sensor.texture_camera.center();
+  const Vec3 to_lamp = lamp - hit.point_mm;
+  const double cosine = std::abs(smooth_normal_at(scene.mesh(), hit).dot(to_lamp)) / to_lamp.norm();
+  const double falloff = sensor.texture_camera.center().squaredNorm() / to_lamp.squaredNorm();
+  const Triangle& corners = scene.mesh().triangles[hit.triangle];
+  cv::Vec3f color(0.0F, 0.0F, 0.0F);
+  for (int k = 0; k < 3; ++k) color += static_cast<float>(hit.weights[k]) * colors[corners[k]];
+  return color * static_cast<float>(kWhiteLevel * cosine * falloff);
+}
+
+cv::Mat ImageSimulator::Parts::flash_image(const Isometry& T_model_sensor) const {
+  const ImageSize size = sensor.texture_camera.size;
+  cv::Mat light(size.height_px, size.width_px, CV_32FC3, cv::Scalar::all(0.0));
+  std::vector<Ray> rays(size.width_px);
+  std::vector<std::optional<RayHit>> hits(size.width_px);
+  const Vec3 origin = T_model_sensor * sensor.texture_camera.center();
+  for (int v = 0; v < size.height_px; ++v) {
+    const Vec3* row = &texture_directions[static_cast<std::size_t>(v) * size.width_px];
+    for (int u = 0; u < size.width_px; ++u) rays[u] = {origin, T_model_sensor.linear() * row[u]};
+    scene.first_hits(rays, hits);
+    for (int u = 0; u < size.width_px; ++u)
+      if (hits[u]) light.at<cv::Vec3f>(v, u) = flash_light(T_model_sensor, *hits[u]);
+  }
+  // Its small aperture leaves the blur of the volume's middle nearly everywhere.
+  cv::filter2D(light, light, -1, texture_blur.kernel(sensor.texture_camera.center().norm()));
+  return light;
+}
+
+Result<void> ImageOptions::validate() const {
+  if (bits != 8 && bits != 16)
+    return fail(ErrorCode::kBadOption, "bits must be 8 or 16, not {}", bits);
+  if (exposures < 1 || exposures > 1000)
+    return fail(ErrorCode::kBadOption, "exposures must be in 1..1000, not {}", exposures);
+  return {};
+}
+
+Result<ImageSimulator> ImageSimulator::create(const TriangleMesh& mesh, const SensorModel& sensor,
+                                              const ImageOptions& options) {
+  if (auto valid = sensor.validate(); !valid) return tl::unexpected(valid.error());
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (mesh.triangles.empty())
+    return fail(ErrorCode::kInsufficient, "the mesh to be scanned has no triangles");
+  return ImageSimulator(std::make_shared<const Parts>(mesh, sensor, options));
+}
+
+cv::Mat ImageSimulator::measurement_image(Pattern pattern, const SensorPath& path, double time_s,
+                                          std::uint64_t stream) const {
+  const Isometry T_model_middle = path.T_model_sensor(time_s);
+  std::vector<Isometry> T_then_middle;
+  for (int i = 0; i < kMotionSteps; ++i) {
+    const double moment = (i + 0.5) / kMotionSteps - 0.5;
+    const double offset_s = parts_->options.motion ? moment * parts_->sensor.exposure_s : 0.0;
+    T_then_middle.push_back(path.T_model_sensor(time_s + offset_s).inverse() * T_model_middle);
+  }
+  const LineLight& lines = parts_->lines[static_cast<std::size_t>(pattern)];
+  const Chip::Light light{lines.image({parts_->scene, parts_->albedo, parts_->directions,
+                                       parts_->blur, T_model_middle, T_then_middle}),
+                          parts_->ambient_light(T_model_middle)};
+  const ImageOptions& options = parts_->options;
+  return parts_->chip.read_out(
+      light, {options.bits, options.exposures, options.noise, options.seed, stream});
+}
+
+cv::Mat ImageSimulator::texture_image(const Isometry& T_model_sensor, std::uint64_t stream) const {
+  const ImageOptions& options = parts_->options;
+  return parts_->chip.read_out_color(parts_->flash_image(T_model_sensor),
+                                     {8, 1, options.noise, options.seed, stream});
+}
+
+const SensorModel& ImageSimulator::sensor() const { return parts_->sensor; }
+const RayScene& ImageSimulator::scene() const { return parts_->scene; }
+
+}  // namespace flytri

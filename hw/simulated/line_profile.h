@@ -1,0 +1,32 @@
+/// @file  The brightness across a projected line, in focus and out of it.
+#pragma once
+
+#include <vector>
+
+#include "hw/simulated/sensor_model.h"
+
+namespace flytri {
+
+/// Light of a slit of unit brightness behind a thin lens: the slit's box, spread by the disk of
+/// defocus and by diffraction. All lengths are tangents on the slide. Immutable.
+class LineProfile {
+ public:
+  /// @param max_blur  largest disk radius that will be asked for
+  LineProfile(const ProjectorModel& projector, double max_blur);
+
+  /// Brightness at `offset` from the line's middle under a disk of radius `blur`. Its integral over
+  /// the offset is the slit's width, whatever the blur.
+  [[nodiscard]] double operator()(double offset, double blur) const;
+  /// Beyond this offset there is no light.
+  [[nodiscard]] double reach(double blur) const { return half_width_ + blur + kSigmas * sigma_; }
+
+ private:
+  static constexpr double kSigmas = 4.0;
+  double compute(double offset, double blur) const;
+
+  double half_width_, sigma_;
+  double blur_step_, offset_step_;
+  std::vector<float> table_;  // [blur][offset]
+};
+
+}  // namespace flytri
