@@ -9,6 +9,10 @@
 namespace flytri {
 
 struct JsonPlace::Document {
+  explicit Document(std::string file_name) : name(std::move(file_name)) {}
+  Document(const Document&) = delete;  // places point into it
+  Document& operator=(const Document&) = delete;
+
   std::string name;
   nlohmann::json root;
   std::optional<Error> error;
@@ -39,8 +43,7 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
 }  // namespace
 
 Result<JsonPlace> JsonPlace::parse(std::string_view text, const std::string& name) {
-  auto document = std::make_shared<Document>();
-  document->name = name;
+  auto document = std::make_shared<Document>(name);
   try {
     document->root = nlohmann::json::parse(text.begin(), text.end(), too_deep);
   } catch (const nlohmann::json::parse_error& error) {

@@ -98,10 +98,18 @@ bool has_property(const PlyElement& element, std::string_view name) {
   return false;
 }
 
-bool skip_list(NumberSource& source, const PlyProperty& property) {
+/// The length of a list; nothing if it cannot be one.
+std::optional<std::uint32_t> next_count(NumberSource& source, const PlyProperty& property) {
   const std::optional<double> count = source.next(property.count_type);
-  if (!count || !(*count >= 0.0)) return false;
-  for (double i = 0; i < *count; ++i) {
+  constexpr double kLargest = std::numeric_limits<std::uint32_t>::max();
+  if (!count || !(*count >= 0.0 && *count <= kLargest)) return std::nullopt;
+  return static_cast<std::uint32_t>(*count);
+}
+
+bool skip_list(NumberSource& source, const PlyProperty& property) {
+  const std::optional<std::uint32_t> count = next_count(source, property);
+  if (!count) return false;
+  for (std::uint32_t i = 0; i < *count; ++i) {
     if (!source.next(property.type)) return false;
   }
   return true;
@@ -125,16 +133,16 @@ bool read_vertices(NumberSource& source, const PlyElement& element, PlyMesh& out
 
 /// A polygon's corners as a fan of triangles around the first.
 bool read_polygon(NumberSource& source, const PlyProperty& property, std::vector<Triangle>& out) {
-  const std::optional<double> count = source.next(property.count_type);
-  if (!count || !(*count >= 0.0)) return false;
+  const std::optional<std::uint32_t> count = next_count(source, property);
+  if (!count) return false;
   std::array<std::uint32_t, 2> fan{};  // first corner, latest corner
-  for (double i = 0; i < *count; ++i) {
+  for (std::uint32_t i = 0; i < *count; ++i) {
     const std::optional<double> value = source.next(property.type);
     constexpr double kLargest = std::numeric_limits<std::uint32_t>::max();
     if (!value || !(*value >= 0.0 && *value <= kLargest)) return false;
     const auto corner = static_cast<std::uint32_t>(*value);
-    if (i == 0.0) fan[0] = corner;
-    if (i >= 2.0) out.push_back({fan[0], fan[1], corner});
+    if (i == 0) fan[0] = corner;
+    if (i >= 2) out.push_back({fan[0], fan[1], corner});
     fan[1] = corner;
   }
   return true;
