@@ -106,9 +106,9 @@ SensorModel intraoral_sensor() {
                                     .distance_mm = 80.0,
                                     .focal_px = 3600.0,
                                     .focus_mm = 70.0,
-                                    .camera_aperture_mm = 0.24,
-                                    .projector_aperture_mm = 0.36,
-                                    .line_width_mm = 0.065,
+                                    .camera_aperture_mm = 0.38,
+                                    .projector_aperture_mm = 0.58,
+                                    .line_width_mm = 0.085,
                                     .line_counts = {10, 7},
                                     .texture_focal_px = 4100.0});
   sensor.dots = {.pitch_mm = 1.0, .diameter_mm = 0.5, .marker_diameter_mm = 0.8};
@@ -121,9 +121,9 @@ SensorModel face_sensor() {
                                     .distance_mm = 600.0,
                                     .focal_px = 2720.0,
                                     .focus_mm = 535.0,
-                                    .camera_aperture_mm = 1.6,
-                                    .projector_aperture_mm = 2.2,
-                                    .line_width_mm = 0.7,
+                                    .camera_aperture_mm = 2.0,
+                                    .projector_aperture_mm = 3.2,
+                                    .line_width_mm = 0.85,
                                     .line_counts = {12, 9},
                                     .texture_focal_px = 3100.0});
   sensor.dots = {.pitch_mm = 10.0, .diameter_mm = 5.0, .marker_diameter_mm = 8.0};

@@ -1,0 +1,64 @@
+#include <benchmark/benchmark.h>
+
+#include "assets/sample_jaw/sample_jaw.h"
+#include "core/geometry/mesh_distance.h"
+#include "hw/simulated/image_simulator.h"
+#include "hw/simulated/view_simulator.h"
+
+namespace flytri {
+namespace {
+
+const TriangleMesh& jaw() {
+  static const TriangleMesh mesh = sample_jaw::make_sample_jaw({}, Workers()).value();
+  return mesh;
+}
+
+void make_jaw(benchmark::State& state) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(sample_jaw::make_sample_jaw({}, Workers(1)).value());
+}
+BENCHMARK(make_jaw)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+void trace_view(benchmark::State& state) {
+  const auto simulator = ViewSimulator::create(jaw(), intraoral_sensor()).value();
+  const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), {}).value();
+  int i = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        simulator.trace(kPatterns[i % 2], path.T_model_sensor(0.5 * (i % 60))).point_count()),
+        ++i;
+}
+BENCHMARK(trace_view)->Unit(benchmark::kMillisecond);
+
+void measurement_image(benchmark::State& state) {
+  const auto simulator = ImageSimulator::create(jaw(), intraoral_sensor()).value();
+  const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), {}).value();
+  int i = 0;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        simulator.measurement_image(kPatterns[i % 2], path, 0.5 * (i % 60), i)),
+        ++i;
+}
+BENCHMARK(measurement_image)->Unit(benchmark::kMillisecond);
+
+void texture_image(benchmark::State& state) {
+  const auto simulator = ImageSimulator::create(jaw(), intraoral_sensor()).value();
+  const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), {}).value();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(simulator.texture_image(path.T_model_sensor(5.0), 0));
+}
+BENCHMARK(texture_image)->Unit(benchmark::kMillisecond);
+
+void closest_on_jaw(benchmark::State& state) {
+  const MeshDistance distance(jaw());
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const Vec3f query =
+        jaw().vertices[i++ % jaw().vertices.size()].position_mm + Vec3f(0.01F, 0.02F, 0.03F);
+    benchmark::DoNotOptimize(distance.closest(query));
+  }
+}
+BENCHMARK(closest_on_jaw);
+
+}  // namespace
+}  // namespace flytri

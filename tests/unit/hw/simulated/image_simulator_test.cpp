@@ -1,0 +1,248 @@
+#include "hw/simulated/image_simulator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/workers.h"
+#include "hw/simulated/chip.h"
+#include "hw/simulated/lens_blur.h"
+#include "hw/simulated/line_profile.h"
+#include "hw/simulated/view_simulator.h"
+#include "tests/support/sample_meshes.h"
+
+namespace flytri {
+namespace {
+
+TriangleMesh white(TriangleMesh mesh) {
+  for (SurfacePoint& vertex : mesh.vertices) vertex.color = {255, 255, 255};
+  return mesh;
+}
+
+TriangleMesh gentle_waves() {
+  return white(height_field({.half_width_mm = 14.0, .step_mm = 0.1}, [](double x, double y) {
+    return 2.0 * std::sin(0.25 * x) * std::cos(0.3 * y);
+  }));
+}
+
+SensorPath resting_at(const Isometry& T_model_sensor) {
+  return SensorPath::from_poses({{0.0, T_model_sensor}}).value();
+}
+
+ImageSimulator noise_free(const TriangleMesh& mesh, const SensorModel& sensor) {
+  return ImageSimulator::create(mesh, sensor, {.bits = 16, .noise = false}).value();
+}
+
+// Centroid of the light around `across_px` in a row (column) above the background, and its width.
+struct Section {
+  double center_px = 0.0;
+  double sigma_px = 0.0;
+};
+Section section(const cv::Mat& image, Pattern pattern, int along, double across_px, int reach) {
+  const auto value = [&](int across) {
+    return pattern == Pattern::kVertical ? image.at<std::uint16_t>(along, across)
+                                         : image.at<std::uint16_t>(across, along);
+  };
+  const int middle = static_cast<int>(std::lround(across_px));
+  const double floor = std::min(value(middle - reach), value(middle + reach));
+  double sum = 0.0, first = 0.0, second = 0.0;
+  for (int i = middle - reach; i <= middle + reach; ++i) {
+    const double light = value(i) - floor;
+    sum += light;
+    first += light * i;
+    second += light * i * i;
+  }
+  const double center = first / sum;
+  return {center, std::sqrt(std::max(second / sum - center * center, 0.0))};
+}
+
+TEST(ImageSimulator, LinesLieWhereTheViewHasThem) {
+  const SensorModel sensor = intraoral_sensor();
+  const auto views = ViewSimulator::create(gentle_waves(), sensor).value();
+  const ImageSimulator images = noise_free(gentle_waves(), sensor);
+  const SensorPath path = resting_at(Isometry::Identity());
+  for (const Pattern pattern : kPatterns) {
+    const cv::Mat image = images.measurement_image(pattern, path, 0.0, 0);
+    int count = 0;
+    double squares = 0.0;
+    for (const Profile& profile : views.trace(pattern, Isometry::Identity()).profiles)
+      for (std::size_t i = 20; i + 20 < profile.points.size(); i += 10) {
+        const auto pixel = sensor.camera.project(profile.points[i].position_mm).value();
+        const LinePixel seen = to_line_pixel(pattern, pixel);
+        const int limit = pattern == Pattern::kVertical ? image.cols : image.rows;
+        if (seen.across_px < 20.0 || seen.across_px > limit - 20.0) continue;
+        const double center = section(image, pattern, static_cast<int>(profile.points[i].along_px),
+                                      seen.across_px, 14)
+                                  .center_px;
+        // Defocus that changes across a line on a slope shifts its centroid by some hundredths.
+        EXPECT_NEAR(center, seen.across_px, 0.1);
+        squares += (center - seen.across_px) * (center - seen.across_px);
+        ++count;
+      }
+    ASSERT_GT(count, 200);
+    EXPECT_LT(std::sqrt(squares / count), 0.05) << to_string(pattern);
+  }
+}
+
+TEST(ImageSimulator, LinesWidenAwayFromTheFocusAsInThePaper) {
+  const SensorModel sensor = intraoral_sensor();
+  const TriangleMesh plane = white(
+      height_field({.half_width_mm = 40.0, .step_mm = 80.0}, [](double, double) { return 0.0; }));
+  const ImageSimulator images = noise_free(plane, sensor);
+  const auto views = ViewSimulator::create(plane, sensor).value();
+  // Paper, "Physical Optimization": 4 to 9 pixels; full width at half maximum of a Gaussian.
+  const auto width_px = [&](double z_mm) {
+    Isometry T_model_sensor = Isometry::Identity();
+    T_model_sensor.translation().z() = -z_mm;
+    const cv::Mat image =
+        images.measurement_image(Pattern::kVertical, resting_at(T_model_sensor), 0.0, 0);
+    const View view = views.trace(Pattern::kVertical, T_model_sensor);
+    const ProfilePoint& point = view.profiles[5].points[view.profiles[5].points.size() / 2];
+    const Pixel pixel = sensor.camera.project(point.position_mm).value();
+    return 2.355 *
+           section(image, Pattern::kVertical, static_cast<int>(point.along_px), pixel.u_px, 18)
+               .sigma_px;
+  };
+  const double near_px = width_px(-7.4);
+  const double far_px = width_px(7.4);
+  EXPECT_GT(near_px, 3.0);
+  EXPECT_LT(near_px, 5.0);
+  EXPECT_GT(far_px, 7.0);
+  EXPECT_LT(far_px, 10.0);
+}
+
+TEST(ImageSimulator, ShadowsAreDark) {
+  // A wall at x = 0, 5 mm high, between a line's foot and the projector on the right.
+  const TriangleMesh mesh =
+      white(height_field({.half_width_mm = 14.0, .step_mm = 0.05},
+                         [](double x, double) { return x > 0.0 && x < 1.5 ? -3.0 : 3.0; }));
+  const SensorModel sensor = intraoral_sensor();
+  const cv::Mat image =
+      noise_free(mesh, sensor)
+          .measurement_image(Pattern::kVertical, resting_at(Isometry::Identity()), 0.0, 0);
+  const auto views = ViewSimulator::create(mesh, sensor).value();
+  // Where the camera sees the floor that the wall hides from the projector: nothing but room light.
+  const double floor_level = sensor.chip.black_level + sensor.chip.ambient_level;
+  const Pixel hidden = sensor.camera.project({-0.35, 0.0, 3.0}).value();
+  const auto value =
+      image.at<std::uint16_t>(static_cast<int>(hidden.v_px), static_cast<int>(hidden.u_px));
+  EXPECT_LT(value / 65535.0, 1.2 * floor_level);
+}
+
+TEST(ImageSimulator, MotionSmearsLinesOnASlope) {
+  const TriangleMesh slope = white(height_field({.half_width_mm = 30.0, .step_mm = 60.0},
+                                                [](double x, double) { return 0.3 * x; }));
+  SensorModel sensor = intraoral_sensor();
+  sensor.exposure_s = 0.02;
+  Isometry T_before = Isometry::Identity();
+  Isometry T_after = Isometry::Identity();
+  // 100 mm/s towards the surface: 2 mm in the exposure.
+  T_before.translation().z() = -1.0;
+  T_after.translation().z() = 1.0;
+  const auto path = SensorPath::from_poses({{-0.01, T_before}, {0.01, T_after}}).value();
+  const auto still =
+      ImageSimulator::create(slope, sensor, {.bits = 16, .noise = false, .motion = false});
+  const auto moving = ImageSimulator::create(slope, sensor, {.bits = 16, .noise = false});
+  const View view =
+      ViewSimulator::create(slope, sensor)->trace(Pattern::kVertical, Isometry::Identity());
+  const ProfilePoint& point = view.profiles[5].points[300];
+  const Pixel pixel = sensor.camera.project(point.position_mm).value();
+  const auto measure = [&](const ImageSimulator& simulator) {
+    const cv::Mat image = simulator.measurement_image(Pattern::kVertical, path, 0.0, 0);
+    return section(image, Pattern::kVertical, static_cast<int>(point.along_px), pixel.u_px, 20);
+  };
+  EXPECT_NEAR(measure(*moving).center_px, measure(*still).center_px, 0.15);
+  // 2 mm of depth at about 5.8 px/mm, uniformly: 11.6 px / sqrt(12) = 3.3 px, added in squares.
+  const double added_px =
+      std::sqrt(std::pow(measure(*moving).sigma_px, 2) - std::pow(measure(*still).sigma_px, 2));
+  EXPECT_NEAR(added_px, 3.3, 0.5);
+}
+
+TEST(ImageSimulator, ManyThreadsGiveTheBitsOfOneAndStreamsDiffer) {
+  const auto simulator = ImageSimulator::create(gentle_waves(), intraoral_sensor()).value();
+  const SensorPath path = resting_at(Isometry::Identity());
+  std::vector<cv::Mat> images(3);
+  Workers(2).for_each(3, [&](std::size_t i) {
+    images[i] = simulator.measurement_image(Pattern::kHorizontal, path, 0.0, i == 2 ? 8 : 7);
+  });
+  const auto same = [](const cv::Mat& a, const cv::Mat& b) {
+    return std::equal(a.data, a.data + a.total(), b.data);
+  };
+  EXPECT_TRUE(same(images[0], images[1]));
+  EXPECT_FALSE(same(images[0], images[2]));
+}
+
+TEST(ImageSimulator, TextureShowsTheColors) {
+  TriangleMesh red = gentle_waves();
+  for (SurfacePoint& vertex : red.vertices) vertex.color = {220, 40, 40};
+  const auto simulator = ImageSimulator::create(red, intraoral_sensor()).value();
+  const cv::Mat image = simulator.texture_image(Isometry::Identity(), 0);
+  ASSERT_EQ(image.type(), CV_8UC3);
+  const auto middle = image.at<cv::Vec3b>(image.rows / 2, image.cols / 2);
+  EXPECT_GT(middle[0], 150);
+  EXPECT_LT(middle[1], 80);
+}
+
+TEST(ImageSimulator, NamesTheBadOption) {
+  const auto simulator = ImageSimulator::create(gentle_waves(), intraoral_sensor(), {.bits = 12});
+  ASSERT_FALSE(simulator);
+  EXPECT_NE(simulator.error().message.find("bits"), std::string::npos);
+}
+
+TEST(LineProfile, KeepsItsLightWhateverTheBlur) {
+  const ProjectorModel projector = intraoral_sensor().projector(Pattern::kVertical);
+  const double half = projector.half_width_across;
+  const LineProfile profile(projector, 4.0 * half);
+  for (const double blur : {0.0, 0.7 * half, 3.0 * half}) {
+    double sum = 0.0;
+    const double step = 0.01 * half;
+    for (double x = -10.0 * half; x < 10.0 * half; x += step) sum += profile(x, blur) * step;
+    EXPECT_NEAR(sum, 2.0 * half, 0.02 * half);
+  }
+}
+
+TEST(LensBlur, KernelsSumToOneAndWidenWithDefocus) {
+  const CameraModel camera = intraoral_sensor().camera;
+  const LensBlur blur(camera, 65.0, 100.0);
+  const auto spread = [&](double distance_mm) {
+    const cv::Mat& kernel = blur.kernel(distance_mm);
+    double second = 0.0;
+    for (int v = 0; v < kernel.rows; ++v)
+      for (int u = 0; u < kernel.cols; ++u)
+        second += kernel.at<float>(v, u) * std::pow(u - kernel.cols / 2, 2);
+    return second;
+  };
+  EXPECT_NEAR(cv::sum(blur.kernel(90.0))[0], 1.0, 1e-5);
+  // In focus: diffraction and the pixel's own area, 1/12.
+  EXPECT_NEAR(spread(camera.lens.focus_mm), std::pow(camera.diffraction_sigma_px, 2) + 1.0 / 12.0,
+              0.03);
+  // A disk adds a quarter of its squared radius.
+  const double radius = camera.lens.blur_radius_mm(90.0) / 90.0 * camera.focal_px;
+  EXPECT_NEAR(spread(90.0) - spread(camera.lens.focus_mm), 0.25 * radius * radius,
+              0.08 * radius * radius);
+}
+
+TEST(Chip, NoiseHasShotReadAndSpeckleParts) {
+  ChipModel model;
+  model.speckle_contrast = 0.1;
+  const Chip chip(model);
+  const auto variance_at = [&](float line, float ambient) {
+    const cv::Size size(512, 512);
+    const cv::Mat image = chip.read_out(
+        {cv::Mat(size, CV_32FC1, cv::Scalar(line)), cv::Mat(size, CV_32FC1, cv::Scalar(ambient))},
+        {.bits = 16, .seed = 3, .stream = 5});
+    cv::Scalar mean, deviation;
+    cv::meanStdDev(image, mean, deviation);
+    EXPECT_NEAR(mean[0] / 65535.0, line + ambient + model.black_level, 0.002);
+    return std::pow(deviation[0] / 65535.0, 2);
+  };
+  const double read = std::pow(model.read_noise_e / model.full_well_e, 2);
+  // 262,144 pixels: variances to about 1 %; speckle is correlated, so allow 5 %.
+  EXPECT_NEAR(variance_at(0.0F, 0.4F), 0.4 / model.full_well_e + read, 0.03 * 0.4 / 9000.0);
+  EXPECT_NEAR(variance_at(0.4F, 0.0F), 0.4 / model.full_well_e + read + 0.04 * 0.04,
+              0.05 * 0.04 * 0.04);
+}
+
+}  // namespace
+}  // namespace flytri
