@@ -29,8 +29,11 @@ class Net {
 
   TriangleMesh mesh() {
     for_each_step(kBlock, [&](const Cell& block) { sample_block(block); });
-    for_each_step(1, [&](const Cell& cell) { add_vertex(cell); });
     for_each_step(1, [&](const Cell& cell) {
+      if (!std::isnan(values_[at(cell)])) add_vertex(cell);
+    });
+    for_each_step(1, [&](const Cell& cell) {
+      if (std::isnan(values_[at(cell)])) return;
       for (int axis = 0; axis < 3; ++axis) add_quad(cell, axis);
     });
     compute_vertex_normals(mesh_);

@@ -104,9 +104,9 @@ std::vector<int> LineLight::pixels_near_lines(const Exposure& exposure) const {
       near.at<std::uint8_t>(static_cast<int>(std::lround(pixel->v_px)),
                             static_cast<int>(std::lround(pixel->u_px))) = 1;
   }
-  // The edges' rays are within a line's half width of each other; motion widens the strip a little.
+  // The rays are half the strip apart; between them, and a little outside for motion, is added.
   const int half =
-      static_cast<int>(std::ceil(reach_mm_ / camera.center().norm() * camera.focal_px)) + 2;
+      static_cast<int>(std::ceil(0.5 * reach_mm_ / camera.center().norm() * camera.focal_px)) + 3;
   cv::dilate(near, near, cv::Mat::ones(2 * half + 1, 2 * half + 1, CV_8UC1));
   std::vector<int> pixels;
   for (int i = 0; i < near.rows * near.cols; ++i)

@@ -19,9 +19,14 @@ Vec2 LensDistortion::distort(const Vec2& ideal) const {
 
 Vec2 LensDistortion::undistort(const Vec2& distorted) const {
   // The distortion is mild, so each step gains about two digits.
-  constexpr int kSteps = 8;
+  constexpr int kMaxSteps = 8;
+  constexpr double kExactEnough = 1e-13;
   Vec2 ideal = distorted;
-  for (int step = 0; step < kSteps; ++step) ideal += distorted - distort(ideal);
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Vec2 correction = distorted - distort(ideal);
+    ideal += correction;
+    if (correction.cwiseAbs().maxCoeff() < kExactEnough) break;
+  }
   return ideal;
 }
 
