@@ -43,6 +43,12 @@ double share_within(const MeshDistance& target, const TriangleMesh& truth,
          static_cast<double>(indices.size());
 }
 
+double share_above(const std::vector<double>& values, double threshold) {
+  const auto above = std::count_if(values.begin(), values.end(),
+                                   [threshold](double value) { return value > threshold; });
+  return static_cast<double>(above) / static_cast<double>(values.size());
+}
+
 // Value below which a share of the sorted ones lies, linear between neighbors.
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
@@ -77,6 +83,8 @@ Result<void> SurfaceErrorOptions::validate() const {
   if (!(complete_within_mm > 0.0))
     return fail(ErrorCode::kBadOption, "complete_within_mm must be above 0, not {}",
                 complete_within_mm);
+  if (!(far_above_mm > 0.0))
+    return fail(ErrorCode::kBadOption, "far_above_mm must be above 0, not {}", far_above_mm);
   return {};
 }
 
@@ -99,6 +107,7 @@ Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMes
       },
       kGrain);
   SurfaceError error;
+  error.far_share = share_above(distances_mm, options.far_above_mm);
   error.distance = distance_statistics(std::move(distances_mm));
 
   const std::vector<std::uint32_t> indices = selected_indices(truth, selected);

@@ -32,11 +32,14 @@ struct Completeness {
 
 struct SurfaceErrorOptions {
   double complete_within_mm = 0.1;  ///< > 0. Half the spacing that a dental model is printed with.
+  double far_above_mm = 0.1;  ///< > 0. Beyond it a vertex is no longer part of the surface for a
+                              ///< dental model.
   [[nodiscard]] Result<void> validate() const;
 };
 
 struct SurfaceError {
   DistanceStatistics distance;  ///< every vertex of the result to the true surface
+  double far_share = 0.0;       ///< share of those above far_above_mm, 0..1
   Completeness completeness;
 };
 

@@ -82,6 +82,15 @@ TEST(SurfaceError, AnOffsetIsFoundAsItIs) {
   EXPECT_EQ(error.completeness.near_surface, 1.0);
 }
 
+TEST(SurfaceError, FarVerticesAreCounted) {
+  TriangleMesh result = plane();
+  for (std::size_t i = 0; i < result.vertices.size(); i += 2)
+    result.vertices[i].position_mm.z() = 0.2F;
+  const auto count = static_cast<double>(result.vertices.size());
+  const SurfaceError error = surface_error(result, plane(), {}, {}, Workers(1)).value();
+  EXPECT_DOUBLE_EQ(error.far_share, std::ceil(count / 2.0) / count);
+}
+
 TEST(SurfaceError, CompletenessKnowsTheSurfaceBetweenVertices) {
   // Two large triangles have four vertices: the surface is whole, its vertices are few.
   const TriangleMesh coarse =
