@@ -1,0 +1,303 @@
+/// @file  flytri evaluate: a result against the truth beside a simulated recording.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/cli/commands.h"
+#include "app/cli/report.h"
+#include "core/evaluation/best_fit.h"
+#include "core/evaluation/pose_displacement.h"
+#include "core/evaluation/surface_error.h"
+#include "core/interchange/calibration_file.h"
+#include "core/interchange/file_bytes.h"
+#include "core/interchange/model.h"
+#include "core/interchange/ply.h"
+#include "core/interchange/recording.h"
+#include "core/interchange/truth.h"
+
+namespace flytri::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr double kMicronsOfMm = 1e3;
+constexpr double kPercent = 1e2;
+
+struct EvaluateArguments {
+  fs::path result;
+  fs::path recording;
+  fs::path report;
+  fs::path calibration;
+  fs::path output;
+  SurfaceErrorOptions surface;
+  int thread_count = 0;
+
+  [[nodiscard]] fs::path truth_file() const { return recording / "truth.json"; }
+};
+
+/// The true surface, and which of its vertices the sensor could have measured.
+struct TrueSurface {
+  TriangleMesh mesh;
+  std::vector<bool> selected;  ///< empty: all
+};
+
+/// What the result is compared with.
+struct Reference {
+  TrueSurface surface;
+  Isometry T_model_world = Isometry::Identity();  ///< by the first registered view
+  std::vector<PosePair> poses;                    ///< empty without a report
+  std::optional<Vec3> volume_mm;                  ///< empty: no calibration is known
+};
+
+struct Evaluation {
+  SurfaceError as_it_stands;
+  SurfaceError fitted;
+  BestFitOutcome outcome = BestFitOutcome::kStillMoving;
+  std::size_t pose_count = 0;
+  std::optional<PoseDisplacement> poses;
+};
+
+Result<TrueSurface> read_true_surface(const fs::path& path) {
+  auto ply = read_ply(path);
+  if (!ply) return tl::unexpected(ply.error());
+  TrueSurface surface;
+  if (const auto lit = ply->extra.find("lit"); lit != ply->extra.end()) {
+    for (const double value : lit->second) surface.selected.push_back(value > 0.0);
+  }
+  surface.mesh = std::move(ply->mesh);
+  return surface;
+}
+
+Result<Isometry> true_pose(const EvaluateArguments& arguments, const Truth& truth,
+                           FrameIndex frame) {
+  const auto found = std::find_if(truth.poses.begin(), truth.poses.end(),
+                                  [&](const TruthPose& pose) { return pose.frame == frame; });
+  if (found != truth.poses.end()) return found->T_model_sensor;
+  return fail(ErrorCode::kInconsistent,
+              "{}: poses: none of frame {}; evaluate against the recording that the result was "
+              "made of",
+              arguments.truth_file().string(), frame.value);
+}
+
+/// Without a report the first measurement frame is taken for the first registered one.
+Result<FrameIndex> first_measurement_frame(const Recording& recording) {
+  const auto found =
+      std::find_if(recording.frames.begin(), recording.frames.end(),
+                   [](const RecordedFrame& frame) { return frame.kind != FrameKind::kTexture; });
+  if (found != recording.frames.end()) {
+    return FrameIndex(static_cast<int>(found - recording.frames.begin()));
+  }
+  return fail(ErrorCode::kInsufficient, "{}: frames: none of them shows lines",
+              (recording.folder / "recording.json").string());
+}
+
+Result<std::vector<PosePair>> read_poses(const EvaluateArguments& arguments, const Truth& truth) {
+  const auto reported = read_report_poses(arguments.report);
+  if (!reported) return tl::unexpected(reported.error());
+  if (reported->empty()) {
+    return fail(ErrorCode::kInsufficient, "{}: frames: none of them has a pose",
+                arguments.report.string());
+  }
+  std::vector<PosePair> pairs;
+  for (const ReportedPose& pose : *reported) {
+    const auto T_model_sensor = true_pose(arguments, truth, pose.frame);
+    if (!T_model_sensor) return tl::unexpected(T_model_sensor.error());
+    pairs.push_back({pose.T_world_sensor, *T_model_sensor});
+  }
+  return pairs;
+}
+
+/// Of the calibration that is given or that the recording names.
+Result<std::optional<Vec3>> read_volume_mm(const EvaluateArguments& arguments,
+                                           const Recording& recording) {
+  const fs::path path =
+      arguments.calibration.empty() ? recording.calibration.value_or("") : arguments.calibration;
+  if (path.empty()) return std::nullopt;
+  const auto calibration = read_calibration(path);
+  if (!calibration) return tl::unexpected(calibration.error());
+  return calibration->volume.size_mm;
+}
+
+/// Fills what poses tell: the gauge, and with a report the pairs of poses.
+Result<void> read_gauge(const EvaluateArguments& arguments, const Truth& truth,
+                        Reference& reference) {
+  const auto recording = open_recording(arguments.recording);
+  if (!recording) return tl::unexpected(recording.error());
+  if (arguments.report.empty()) {
+    const auto first = first_measurement_frame(*recording);
+    if (!first) return tl::unexpected(first.error());
+    const auto T_model_sensor = true_pose(arguments, truth, *first);
+    if (!T_model_sensor) return tl::unexpected(T_model_sensor.error());
+    reference.T_model_world = *T_model_sensor;
+    return {};
+  }
+  auto poses = read_poses(arguments, truth);
+  if (!poses) return tl::unexpected(poses.error());
+  const PosePair& first = poses->front();
+  reference.T_model_world = first.T_model_sensor * first.T_world_sensor.inverse();
+  reference.poses = std::move(*poses);
+  const auto volume_mm = read_volume_mm(arguments, *recording);
+  if (!volume_mm) return tl::unexpected(volume_mm.error());
+  reference.volume_mm = *volume_mm;
+  return {};
+}
+
+Result<Reference> read_reference(const EvaluateArguments& arguments) {
+  const auto truth = read_truth(arguments.truth_file());
+  if (!truth) return tl::unexpected(truth.error());
+  Reference reference;
+  if (auto read = read_gauge(arguments, *truth, reference); !read) {
+    return tl::unexpected(read.error());
+  }
+  auto surface = read_true_surface(truth->mesh);
+  if (!surface) return tl::unexpected(surface.error());
+  reference.surface = std::move(*surface);
+  return reference;
+}
+
+Result<Evaluation> evaluate(const TriangleMesh& result, const Reference& reference,
+                            const EvaluateArguments& arguments, const Progress& progress) {
+  const Workers workers(arguments.thread_count);
+  const TrueSurface& truth = reference.surface;
+  const auto error_of = [&](const TriangleMesh& mesh) {
+    return surface_error(mesh, truth.mesh, truth.selected, arguments.surface, workers);
+  };
+  progress.begin_stage("Comparing", 3);
+  const TriangleMesh placed = transformed(result, reference.T_model_world);
+  const auto as_it_stands = error_of(placed);
+  if (!as_it_stands) return tl::unexpected(as_it_stands.error());
+  progress.advance();
+  const auto fit = best_fit(placed, truth.mesh, {}, workers);
+  if (!fit) return tl::unexpected(fit.error());
+  progress.advance();
+  const auto fitted = error_of(transformed(placed, fit->T_truth_result));
+  if (!fitted) return tl::unexpected(fitted.error());
+  progress.advance();
+  Evaluation evaluation{*as_it_stands, *fitted, fit->outcome, reference.poses.size(), std::nullopt};
+  if (reference.poses.empty() || !reference.volume_mm) return evaluation;
+  const auto poses = pose_displacement(reference.poses, volume_corners(*reference.volume_mm));
+  if (!poses) return tl::unexpected(poses.error());
+  evaluation.poses = *poses;
+  return evaluation;
+}
+
+void print_row(std::string_view gauge, const SurfaceError& error) {
+  const DistanceStatistics& d = error.distance;
+  fmt::print("{:<14}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.0f}{:>9.3f}{:>10.2f}{:>10.2f}\n", gauge,
+             kMicronsOfMm * d.rms_mm, kMicronsOfMm * d.mean_mm, kMicronsOfMm * d.median_mm,
+             kMicronsOfMm * d.percentile_95_mm, kMicronsOfMm * d.max_mm, kPercent * error.far_share,
+             kPercent * error.completeness.near_surface, kPercent * error.completeness.near_vertex);
+}
+
+void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arguments) {
+  fmt::print("{} vertices against the true surface; {} true vertices asked for\n\n",
+             evaluation.as_it_stands.distance.count, evaluation.as_it_stands.completeness.selected);
+  fmt::print("{:<14}{:^45}{:>9}  {}\n", "", "distance, um",
+             fmt::format(">{:g} mm", arguments.surface.far_above_mm),
+             fmt::format("complete to {:g} mm", arguments.surface.complete_within_mm));
+  fmt::print("{:<14}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}\n", "gauge", "RMS", "mean", "median",
+             "95 %", "max", "%", "surf. %", "vert. %");
+  print_row("as it stands", evaluation.as_it_stands);
+  print_row("best fit", evaluation.fitted);
+  if (evaluation.outcome == BestFitOutcome::kStillMoving) {
+    fmt::print("The best fit was still moving when it was stopped.\n");
+  }
+  if (evaluation.pose_count == 0) return;
+  if (!evaluation.poses) {
+    fmt::print("\nPose errors need the measurement volume: give --calibration FILE.\n");
+    return;
+  }
+  fmt::print(
+      "\n{} poses, RMS at the corners of the measurement volume: {:.1f} um by the first "
+      "view, {:.1f} um at best fit\n",
+      evaluation.pose_count, kMicronsOfMm * evaluation.poses->first_view_mm,
+      kMicronsOfMm * evaluation.poses->best_fit_mm);
+}
+
+Json surface_json(const SurfaceError& error) {
+  const DistanceStatistics& d = error.distance;
+  return {{"rms_mm", d.rms_mm},
+          {"mean_mm", d.mean_mm},
+          {"median_mm", d.median_mm},
+          {"percentile_95_mm", d.percentile_95_mm},
+          {"max_mm", d.max_mm},
+          {"far_share", error.far_share},
+          {"complete_surface_share", error.completeness.near_surface},
+          {"complete_vertex_share", error.completeness.near_vertex}};
+}
+
+Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
+  Json json = {{"format", "flytri.evaluation"},
+               {"version", 1},
+               {"vertices", evaluation.as_it_stands.distance.count},
+               {"true_vertices", evaluation.as_it_stands.completeness.selected},
+               {"far_above_mm", arguments.surface.far_above_mm},
+               {"complete_within_mm", arguments.surface.complete_within_mm},
+               {"as_it_stands", surface_json(evaluation.as_it_stands)},
+               {"best_fit", surface_json(evaluation.fitted)}};
+  json["best_fit"]["converged"] = evaluation.outcome == BestFitOutcome::kConverged;
+  if (evaluation.poses) {
+    json["poses"] = {{"count", evaluation.pose_count},
+                     {"first_view_rms_mm", evaluation.poses->first_view_mm},
+                     {"best_fit_rms_mm", evaluation.poses->best_fit_mm}};
+  }
+  return json;
+}
+
+Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
+  const auto model = read_model(arguments.result);
+  if (!model) return tl::unexpected(model.error());
+  const auto reference = read_reference(arguments);
+  if (!reference) return tl::unexpected(reference.error());
+  const auto evaluation = evaluate(model->mesh, *reference, arguments, progress);
+  if (!evaluation) return tl::unexpected(evaluation.error());
+  print_evaluation(*evaluation, arguments);
+  if (arguments.output.empty()) return {};
+  auto written = write_file(arguments.output, to_json(*evaluation, arguments).dump(1) + "\n");
+  if (written) fmt::print("wrote {}\n", arguments.output.string());
+  return written;
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<EvaluateArguments>();
+  CLI::App* command =
+      app.add_subcommand("evaluate", "Compare a model with the truth of a simulated recording");
+  command->add_option("RESULT", arguments->result, "Model: .glb, .ply, .stl or .obj")->required();
+  command
+      ->add_option("--recording", arguments->recording,
+                   "Folder of the recording, with truth.json beside recording.json")
+      ->required();
+  command->add_option("--report", arguments->report,
+                      "report.json of the reconstruction: tells the first registered view, and "
+                      "adds the errors of the poses");
+  command->add_option("--calibration", arguments->calibration,
+                      "Calibration whose measurement volume the errors of the poses are for; "
+                      "overrides the one that the recording names");
+  command->add_option("-o,--output", arguments->output, "Also write the figures, as .json");
+  command
+      ->add_option("--complete-within", arguments->surface.complete_within_mm,
+                   "Distance in mm up to which the true surface counts as found")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--far-above", arguments->surface.far_above_mm,
+                   "Distance in mm above which a vertex counts as far off")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_threads_option(*command, arguments->thread_count);
+  command->footer(
+      "Example: flytri evaluate upper.glb --recording scans/upper --report report.json -o "
+      "evaluation.json");
+  command->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
+  });
+}
+
+}  // namespace flytri::cli
