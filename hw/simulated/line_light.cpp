@@ -14,8 +14,14 @@ constexpr int kPenumbra_px = 6;
 constexpr int kPupilPoints = 7;
 // Rays along a line are this many pixels apart.
 constexpr double kGuideStep_px = 2.0;
+// Guiding rays besides a line's middle, by the reach of its light, and how far around each ray
+// pixels are traced: the three strips overlap.
+constexpr double kSide = 0.6;
+constexpr double kStripShare = 0.5;
 // Surfaces this steep send hardly any light.
 constexpr double kMinCosine = 0.02;
+// A line moves at most about this much during an exposure.
+constexpr double kMotion_px = 8.0;
 
 double largest_blur(const ProjectorModel& projector, const SensorModel& sensor) {
   const double middle = projector.center().norm();
@@ -88,7 +94,7 @@ std::vector<int> LineLight::pixels_near_lines(const Exposure& exposure) const {
   std::vector<Ray> rays;
   const Vec3 origin = exposure.T_model_sensor * projector_.center();
   for (const double line : projector_.line_across)
-    for (const double side : {-1.0, 0.0, 1.0})
+    for (const double side : {-kSide, 0.0, kSide})
       for (int i = 0; i < count; ++i) {
         const double along = projector_.half_length_along * (2.0 * i / (count - 1) - 1.0);
         rays.push_back({origin, exposure.T_model_sensor.linear() *
@@ -97,21 +103,28 @@ std::vector<int> LineLight::pixels_near_lines(const Exposure& exposure) const {
   std::vector<std::optional<RayHit>> hits(rays.size());
   exposure.scene.first_hits(rays, hits);
   const Isometry T_sensor_model = exposure.T_model_sensor.inverse();
-  for (const auto& hit : hits) {
-    if (!hit) continue;
-    const auto pixel = camera.project(T_sensor_model * hit->point_mm);
-    if (pixel && camera.sees(*pixel))
-      near.at<std::uint8_t>(static_cast<int>(std::lround(pixel->v_px)),
-                            static_cast<int>(std::lround(pixel->u_px))) = 1;
-  }
-  // The rays are half the strip apart; between them, and a little outside for motion, is added.
-  const int half =
-      static_cast<int>(std::ceil(0.5 * reach_mm_ / camera.center().norm() * camera.focal_px)) + 3;
-  cv::dilate(near, near, cv::Mat::ones(2 * half + 1, 2 * half + 1, CV_8UC1));
+  for (const auto& hit : hits)
+    if (hit) mark_around(T_sensor_model * hit->point_mm, near);
   std::vector<int> pixels;
   for (int i = 0; i < near.rows * near.cols; ++i)
     if (near.data[i] != 0) pixels.push_back(i);
   return pixels;
+}
+
+// Marks the pixels across the line at a lit point: as far as its light reaches at that depth.
+void LineLight::mark_around(const Vec3& p_sensor, cv::Mat& near) const {
+  const auto pixel = sensor_.camera.project(p_sensor);
+  if (!pixel || !sensor_.camera.sees(*pixel)) return;
+  const double distance_mm = (p_sensor - projector_.center()).norm();
+  const double reach = profile_.reach(projector_.lens.blur_radius_mm(distance_mm) / distance_mm);
+  const int across = static_cast<int>(std::ceil(kStripShare * reach * sensor_.camera.focal_px)) + 2;
+  const int along = static_cast<int>(kGuideStep_px);
+  const bool vertical = projector_.pattern == Pattern::kVertical;
+  const cv::Size half = vertical ? cv::Size(across, along) : cv::Size(along, across);
+  const cv::Rect strip(static_cast<int>(std::lround(pixel->u_px)) - half.width,
+                       static_cast<int>(std::lround(pixel->v_px)) - half.height, 2 * half.width + 1,
+                       2 * half.height + 1);
+  near(strip & cv::Rect(0, 0, near.cols, near.rows)).setTo(1);
 }
 
 std::vector<LineLight::Spot> LineLight::trace_spots(const Exposure& exposure,
@@ -135,26 +148,31 @@ std::vector<LineLight::Spot> LineLight::trace_spots(const Exposure& exposure,
 }
 
 void LineLight::light_spot(const Exposure& exposure, const RayHit& hit, Spot& spot) const {
-  const Isometry T_sensor_model = exposure.T_model_sensor.inverse();
+  const Eigen::Matrix3d R_sensor_model = exposure.T_model_sensor.linear().transpose();
   const Vec3 view = exposure.directions[spot.pixel];
-  spot.position_mm = T_sensor_model * hit.point_mm;
-  spot.normal = T_sensor_model.linear() * hit.normal;
+  spot.position_mm = R_sensor_model * (hit.point_mm - exposure.T_model_sensor.translation());
+  spot.normal = R_sensor_model * hit.normal;
   const double facing = -spot.normal.dot(view);
+  const auto place = projector_.slide_place(spot.position_mm);
+  if (facing < kMinCosine || !place || std::abs(place->y()) > projector_.half_length_along) return;
+  const Vec3 p_projector =
+      projector_.T_sensor_projector.linear().transpose() * (spot.position_mm - projector_.center());
+  spot.projector_mm = p_projector.z();
+  spot.across = nearest_line(place->x());
+  const double blur = projector_.lens.blur_radius_mm(spot.projector_mm) / spot.projector_mm;
+  if (std::abs(spot.across) > profile_.reach(blur) + kMotion_px / sensor_.camera.focal_px) return;
   const Vec3 to_light = projector_.center() - spot.position_mm;
   const double light_mm = to_light.norm();
   const double cosine = spot.normal.dot(to_light) / light_mm;
-  const auto place = projector_.slide_place(spot.position_mm);
-  if (facing < kMinCosine || cosine < kMinCosine || !place) return;
-  if (std::abs(place->y()) > projector_.half_length_along) return;
+  if (cosine < kMinCosine) return;
 
   spot.distance_mm = (spot.position_mm - sensor_.camera.center()).norm();
-  spot.projector_mm = (projector_.T_sensor_projector.linear().transpose() * -to_light).z();
-  spot.across = nearest_line(place->x());
-  // Over the exposure the pixel's ray meets the surface's tangent plane at other places.
-  const double step_mm = 0.01 * spot.distance_mm;
-  const auto beyond = projector_.slide_place(spot.position_mm + step_mm * view);
-  const double slope = beyond ? (beyond->x() - place->x()) / step_mm : 0.0;
-  const double blur = projector_.lens.blur_radius_mm(spot.projector_mm) / spot.projector_mm;
+  // Over the exposure the pixel's ray meets the surface's tangent plane at other places: how far
+  // the slide's place moves for each mm along the ray.
+  const Vec3 view_projector = projector_.T_sensor_projector.linear().transpose() * view;
+  const double slope =
+      (view_projector.x() - p_projector.x() / p_projector.z() * view_projector.z()) /
+      p_projector.z();
   double slide_light = 0.0;
   for (const Isometry& T_then_middle : exposure.T_then_middle) {
     const Vec3 moved = T_then_middle * spot.position_mm;

@@ -33,6 +33,7 @@ class LineLight {
  private:
   struct Spot;
   std::vector<int> pixels_near_lines(const Exposure& exposure) const;
+  void mark_around(const Vec3& p_sensor, cv::Mat& near) const;
   std::vector<Spot> trace_spots(const Exposure& exposure, const std::vector<int>& pixels) const;
   void light_spot(const Exposure& exposure, const RayHit& hit, Spot& spot) const;
   void cast_shadows(const Exposure& exposure, std::vector<Spot>& spots) const;

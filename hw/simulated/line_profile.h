@@ -21,7 +21,7 @@ class LineProfile {
   [[nodiscard]] double reach(double blur) const { return half_width_ + blur + kSigmas * sigma_; }
 
  private:
-  static constexpr double kSigmas = 4.0;
+  static constexpr double kSigmas = 3.0;
   double compute(double offset, double blur) const;
 
   double half_width_, sigma_;
