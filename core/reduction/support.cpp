@@ -12,6 +12,10 @@ namespace {
 /// view that passed here, but no farther than a plane is a fair picture of the surface.
 constexpr float kReachCells = 2.0F;
 
+/// With more witnesses than this, only every second, third, ... view is heard: the verdict is as
+/// sure, and the time grows with the samples, not with their square.
+constexpr std::size_t kMaxWitnesses = 256;
+
 /// What is known about the surface around one sample.
 struct Votes {
   int agreeing_views = 0;    ///< other views with a sample near and at the same height
@@ -48,11 +52,27 @@ class Jury {
     std::sort(witnesses_.begin(), witnesses_.end(), [&](std::uint32_t a, std::uint32_t b) {
       return samples_[a].view != samples_[b].view ? samples_[a].view < samples_[b].view : a < b;
     });
+    excuse_surplus_views();
+    normal_ = mean_normal(center);
+  }
+
+  /// Keeps the witnesses of evenly chosen views if there are too many.
+  void excuse_surplus_views() {
+    const std::size_t step = witnesses_.size() / kMaxWitnesses + 1;
+    if (step == 1) return;
+    std::size_t kept = 0;
+    std::size_t view_rank = 0;
+    ViewIndex view = samples_[witnesses_.front()].view;
+    for (const std::uint32_t w : witnesses_) {
+      if (samples_[w].view != view) ++view_rank;
+      view = samples_[w].view;
+      if (view_rank % step == 0) witnesses_[kept++] = w;
+    }
+    witnesses_.resize(kept);
   }
 
   [[nodiscard]] Votes vote(const SurfaceSample& sample) const {
-    const Vec3f normal = mean_normal(sample);
-    const float variance = square(sigma_across_mm(sample, normal));
+    const float variance = square(sigma_across_mm(sample, normal_));
     Votes votes;
     for (std::size_t w = 0; w < witnesses_.size();) {
       const ViewIndex view = samples_[witnesses_[w]].view;
@@ -60,10 +80,10 @@ class Jury {
       int agreeing = 0;
       for (; w < witnesses_.size() && samples_[witnesses_[w]].view == view; ++w) {
         const SurfaceSample& witness = samples_[witnesses_[w]];
-        if (!is_beside(sample, witness, normal)) continue;
-        const float height = normal.dot(witness.position_mm - sample.position_mm);
+        if (!is_beside(sample, witness)) continue;
+        const float height = normal_.dot(witness.position_mm - sample.position_mm);
         const float limit2 =
-            square(rule_.outlier_sigmas) * (variance + square(sigma_across_mm(witness, normal)));
+            square(rule_.outlier_sigmas) * (variance + square(sigma_across_mm(witness, normal_)));
         ++near;
         if (height * height <= limit2) ++agreeing;
       }
@@ -93,11 +113,10 @@ class Jury {
   }
 
   /// True if the witness tells something about the height of the surface at the sample.
-  [[nodiscard]] bool is_beside(const SurfaceSample& sample, const SurfaceSample& witness,
-                               const Vec3f& normal) const {
-    if (witness.normal.dot(normal) < shape_.min_normal_cos) return false;
+  [[nodiscard]] bool is_beside(const SurfaceSample& sample, const SurfaceSample& witness) const {
+    if (witness.normal.dot(normal_) < shape_.min_normal_cos) return false;
     const Vec3f d = witness.position_mm - sample.position_mm;
-    const float along = d.dot(normal);
+    const float along = d.dot(normal_);
     return std::abs(along) <= 2.0F * shape_.half_length_mm &&
            d.squaredNorm() - along * along <= square(kReachCells * shape_.width_mm);
   }
@@ -110,7 +129,8 @@ class Jury {
   CellShape shape_;
   SupportRule rule_;
   std::vector<Neighbor> near_cells_;
-  std::vector<std::uint32_t> witnesses_;
+  std::vector<std::uint32_t> witnesses_;  ///< samples around the cell, by view
+  Vec3f normal_ = Vec3f::UnitZ();         ///< of the surface in the cell
 };
 
 }  // namespace
