@@ -30,6 +30,8 @@ int parse_and_run(int argc, char** argv) {
   Invocation invocation;
   add_calibrate_command(app, invocation);
   add_reconstruct_command(app, invocation);
+  add_evaluate_command(app, invocation);
+  add_study_command(app, invocation);
   add_demo_command(app, invocation);
   try {
     app.parse(argc, argv);
