@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 
@@ -32,7 +33,7 @@ double now_s() {
 }
 
 std::string to_minutes(double seconds) {
-  const int whole = static_cast<int>(seconds + 0.5);
+  const int whole = static_cast<int>(std::lround(seconds));
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
