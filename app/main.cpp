@@ -28,6 +28,7 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", FLYTRI_VERSION);
   Invocation invocation;
+  add_simulate_command(app, invocation);
   add_calibrate_command(app, invocation);
   add_reconstruct_command(app, invocation);
   add_evaluate_command(app, invocation);

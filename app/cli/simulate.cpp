@@ -1,0 +1,127 @@
+/// @file  flytri simulate: recordings and calibration sets of the virtual sensor.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "assets/sample_jaw/sample_jaw.h"
+#include "core/interchange/ply.h"
+#include "hw/simulated/simulate_calibration_set.h"
+#include "hw/simulated/simulate_recording.h"
+
+namespace flytri::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SimulateArguments {
+  fs::path output;
+  fs::path mesh;
+  std::string sensor = "intraoral";
+  std::string path = "quadrant";
+  double duration_s = 7.0;
+  double dropped_share = 0.0;
+  bool unknown_patterns = false;
+  std::uint64_t seed = 1;
+  int thread_count = 0;
+};
+
+SensorModel sensor_of(const SimulateArguments& arguments) {
+  return arguments.sensor == "face" ? face_sensor() : intraoral_sensor();
+}
+
+Result<TriangleMesh> load_mesh(const fs::path& file, const Workers& workers) {
+  if (file.empty()) return sample_jaw::make_sample_jaw({}, workers);
+  auto read = read_ply(file);
+  if (!read) return tl::unexpected(read.error());
+  return std::move(read->mesh);
+}
+
+Result<void> run_recording(const SimulateArguments& arguments, const Progress& progress) {
+  const Workers workers(arguments.thread_count);
+  const auto mesh = load_mesh(arguments.mesh, workers);
+  if (!mesh) return tl::unexpected(mesh.error());
+  RecordingOptions options;
+  options.sensor = sensor_of(arguments);
+  options.path.duration_s = arguments.duration_s;
+  options.path.seed = arguments.seed;
+  options.faults.dropped_share = arguments.dropped_share;
+  options.faults.unknown_patterns = arguments.unknown_patterns;
+  if (arguments.path == "quadrant") {
+    options.path.kind = PathKind::kQuadrant;
+  } else if (arguments.path == "arch") {
+    options.path.kind = PathKind::kArch;
+  } else if (arguments.path == "orbit") {
+    options.path.kind = PathKind::kOrbit;
+  } else {
+    options.path_file = arguments.path;
+  }
+  const auto counts = simulate_recording(*mesh, options, arguments.output, workers, progress);
+  if (!counts) return tl::unexpected(counts.error());
+  fmt::print("wrote {}: {} measurement frames, {} texture frames, {} dropped\n",
+             arguments.output.string(), counts->measurement, counts->texture, counts->dropped);
+  return {};
+}
+
+Result<void> run_calibration_set(const SimulateArguments& arguments, const Progress& progress) {
+  CalibrationSetOptions options;
+  options.sensor = sensor_of(arguments);
+  options.seed = arguments.seed;
+  auto written = simulate_calibration_set(options, arguments.output,
+                                          Workers(arguments.thread_count), progress);
+  if (written) fmt::print("wrote {}\n", arguments.output.string());
+  return written;
+}
+
+void add_common_options(CLI::App& command, SimulateArguments& arguments) {
+  command.add_option("-o,--output", arguments.output, "Folder to write")->required();
+  command.add_option("--sensor", arguments.sensor, "Which sensor of the paper")
+      ->check(CLI::IsMember({"intraoral", "face"}))
+      ->capture_default_str();
+  command.add_option("--seed", arguments.seed, "Each number is another hand and other noise")
+      ->capture_default_str();
+  add_threads_option(command, arguments.thread_count);
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* simulate = app.add_subcommand("simulate", "Let the virtual sensor take images");
+  simulate->require_subcommand(1);
+
+  CLI::App* recording = simulate->add_subcommand("recording", "A scan, with its truth");
+  add_common_options(*recording, *arguments);
+  recording->add_option("--mesh", arguments->mesh,
+                        "What to scan, .ply in mm; default: a sample jaw");
+  recording
+      ->add_option("--path", arguments->path,
+                   "quadrant, arch, orbit, or a truth.json whose poses are followed")
+      ->capture_default_str();
+  recording->add_option("--duration", arguments->duration_s, "Length of the scan, s")
+      ->check(CLI::Range(0.2, 600.0))
+      ->capture_default_str();
+  recording->add_option("--drop", arguments->dropped_share, "Share of frames that never arrive")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  recording->add_flag("--unknown", arguments->unknown_patterns,
+                      "Leave out which pattern lit a frame");
+  recording->footer("Example: flytri simulate recording -o out/scan --path quadrant --duration 7");
+  recording->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress& progress) {
+      return run_recording(*arguments, progress);
+    };
+  });
+
+  CLI::App* set = simulate->add_subcommand("calibration-set", "Target images for flytri calibrate");
+  add_common_options(*set, *arguments);
+  set->footer("Example: flytri simulate calibration-set -o out/set");
+  set->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress& progress) {
+      return run_calibration_set(*arguments, progress);
+    };
+  });
+}
+
+}  // namespace flytri::cli
