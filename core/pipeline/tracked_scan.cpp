@@ -218,12 +218,24 @@ void TrackedScan::check_path() {
 
 void TrackedScan::reregister(std::size_t i, const Isometry& T_world_curve) {
   const IncomingView again = incoming(i);
-  const Alignment anew =
-      align(again, metaview(again, T_world_curve, i), T_world_curve, options_.align);
   const Isometry& T_world_sensor = views_[i].aligned.T_world_sensor;
+  const auto fit_from = [&](const Isometry& T_world_start, const AlignOptions& options) {
+    return align(again, metaview(again, T_world_start, i), T_world_start, options);
+  };
+  const auto fits = [&](const Alignment& alignment) {
+    return alignment.aligned() && alignment.rms_mm <= usual_rms_mm();
+  };
+  // A hand may turn sharply: a view that fits where it stands is no outlier, however the path
+  // bends, and a fit nearer to the curve may be there by chance.
+  AlignOptions at_rest = options_.align;
+  at_rest.start_distance_share = 0.5 * at_rest.start_distance_share;
+  at_rest.coarse_pairs = 0;
+  if (fits(fit_from(T_world_sensor, at_rest))) return;
+  const Alignment anew = fit_from(T_world_curve, options_.align);
+  if (!fits(anew)) return;
   const double before_mm = pose_distance_mm(T_world_curve, T_world_sensor, radius_mm_);
   const double after_mm = pose_distance_mm(T_world_curve, anew.T_target_source, radius_mm_);
-  if (anew.aligned() && after_mm < before_mm) move(i, anew.T_target_source);
+  if (after_mm < before_mm) move(i, anew.T_target_source);
 }
 
 }  // namespace flytri
