@@ -23,36 +23,39 @@ class Stage {
       step_options_.prior.rotation_rad = options.start_distance_share;
     }
     if (options.prior.translation_mm <= 0.0) step_options_.prior.translation_mm = start_mm;
-    limits_ = {start_mm, options.min_crossing_sine};
+    search_limits_ = {start_mm, options.min_crossing_sine};
+    limits_ = search_limits_;
   }
 
   /// Searches crossings of `count` random pairs at the present pose, then iterates.
   /// @returns false if there are too few crossings.
   bool run(std::size_t count, Random& random, Alignment& result) {
-    const PreparedView placed = source_.moved(result.T_target_source);
-    std::vector<ProfilePair> pairs = candidate_pairs(placed, metaview_, limits_.max_distance_mm);
+    placed_ = source_.moved(result.T_target_source);
+    std::vector<ProfilePair> pairs =
+        candidate_pairs(placed_, metaview_, search_limits_.max_distance_mm);
     shuffle_front(pairs, count, random);
     pairs.resize(std::min(count, pairs.size()));
-    crossings_ = find_crossings(placed, metaview_, pairs, limits_);
-    const StepFrame frame{placed.center_mm, placed.radius_mm};
+    found_ = find_crossings(placed_, metaview_, pairs, search_limits_);
+    crossings_ = near_ones(found_);
+    const StepFrame frame{placed_.center_mm, placed_.radius_mm};
     const Isometry T_searched_guess = T_world_guess_ * result.T_target_source.inverse();
-    Isometry T_moved = Isometry::Identity();
+    T_moved_ = Isometry::Identity();
     for (int i = 0; i < options_.max_iterations; ++i) {
       if (i > 0) {
-        crossings_ = follow_crossings(placed, metaview_, T_moved, crossings_, limits_);
+        crossings_ = follow_crossings(placed_, metaview_, T_moved_, crossings_, limits_);
       }
-      if (crossings_.size() < static_cast<std::size_t>(options_.min_crossings)) break;
+      if (!enough_crossings()) break;
       step_ = solve_step(crossings_, frame,
-                         unknowns_of(T_moved * T_searched_guess.inverse(), frame), step_options_);
-      T_moved = motion_of(step_.motion_mm, frame) * T_moved;
+                         unknowns_of(T_moved_ * T_searched_guess.inverse(), frame), step_options_);
+      T_moved_ = motion_of(step_.motion_mm, frame) * T_moved_;
       shrink_threshold();
       ++result.iterations;
       converged_ = step_.significance < kInsignificant ||
                    step_.motion_mm.norm() < kResolution * source_.radius_mm;
       if (converged_) break;
     }
-    result.T_target_source = T_moved * result.T_target_source;
-    return crossings_.size() >= static_cast<std::size_t>(options_.min_crossings);
+    result.T_target_source = T_moved_ * result.T_target_source;
+    return enough_crossings();
   }
 
   void describe(Alignment& result) const {
@@ -61,12 +64,26 @@ class Stage {
     result.rms_mm = step_.rms_mm;
     result.uncertainty_mm = step_.sigma_mm.maxCoeff();
     result.covered_share = covered_share();
+    // What the iteration dropped on its way speaks against the pose as much as the rest for it.
+    result.agreement = judge(follow_crossings(placed_, metaview_, T_moved_, found_, search_limits_),
+                             result.T_target_source, source_.radius_mm, options_.agreement);
     const StepFrame frame{T_world_guess_ * source_.center_mm, source_.radius_mm};
     result.moved_mm = unknowns_of(result.T_target_source * T_world_guess_.inverse(), frame).norm();
     result.outcome = outcome(result);
   }
 
  private:
+  [[nodiscard]] bool enough_crossings() const {
+    return crossings_.size() >= static_cast<std::size_t>(options_.min_crossings);
+  }
+
+  [[nodiscard]] std::vector<Crossing> near_ones(std::vector<Crossing> crossings) const {
+    std::erase_if(crossings, [&](const Crossing& c) {
+      return (c.p_mm - c.q_mm).norm() > limits_.max_distance_mm;
+    });
+    return crossings;
+  }
+
   /// Dynamic threshold of the paper: six robust sigmas of the present residuals.
   void shrink_threshold() {
     double sigma_mm = 0.0;
@@ -91,10 +108,7 @@ class Stage {
 
   [[nodiscard]] AlignOutcome outcome(const Alignment& result) const {
     if (result.crossings < options_.min_crossings) return AlignOutcome::kTooFewCrossings;
-    if (result.inlier_share < options_.min_inlier_share ||
-        result.rms_mm > options_.max_rms_share * source_.radius_mm) {
-      return AlignOutcome::kPoorFit;
-    }
+    if (result.agreement.evidence < options_.min_evidence) return AlignOutcome::kPoorFit;
     if (result.uncertainty_mm > options_.max_uncertainty_share * source_.radius_mm) {
       return AlignOutcome::kUndetermined;
     }
@@ -106,8 +120,12 @@ class Stage {
   const AlignOptions& options_;
   Isometry T_world_guess_;
   StepOptions step_options_;
-  CrossingLimits limits_;
-  std::vector<Crossing> crossings_;
+  CrossingLimits search_limits_;             ///< d_max of the first iteration
+  CrossingLimits limits_;                    ///< d_max at present
+  PreparedView placed_;                      ///< the source where crossings were searched
+  std::vector<Crossing> found_;              ///< by that search
+  std::vector<Crossing> crossings_;          ///< of these, what lies within the limits since
+  Isometry T_moved_ = Isometry::Identity();  ///< since the search
   PoseStep step_;
   bool converged_ = false;
 };
@@ -158,14 +176,14 @@ Result<void> AlignOptions::validate() const {
       !ok) {
     return ok;
   }
-  if (auto ok = check(min_inlier_share >= 0.0 && min_inlier_share <= 1.0,
-                      "min_inlier_share must be in [0, 1]");
+  if (auto ok = agreement.validate(); !ok) return ok;
+  if (auto ok =
+          check(min_evidence >= 0.0 && min_evidence <= 1000.0, "min_evidence must be in [0, 1000]");
       !ok) {
     return ok;
   }
-  return check(share(max_rms_share, 1.0) && share(max_uncertainty_share, 1.0) &&
-                   share(min_crossing_sine, 1.0),
-               "max_rms_share, max_uncertainty_share and min_crossing_sine must be in (0, 1]");
+  return check(share(max_uncertainty_share, 1.0) && share(min_crossing_sine, 1.0),
+               "max_uncertainty_share and min_crossing_sine must be in (0, 1]");
 }
 
 Result<Alignment> align_to_metaview(const PreparedView& source, Metaview metaview,

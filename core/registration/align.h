@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/registration/agreement.h"
 #include "core/registration/pose_solver.h"
 
 namespace flytri {
@@ -36,12 +37,10 @@ struct AlignOptions {
   int max_iterations = 12;
   /// Default 12, >= 6. Fewer crossings: kTooFewCrossings.
   int min_crossings = 12;
-  /// Default 0.6, range [0, 1]. Share of crossings that must agree within three robust sigmas.
-  double min_inlier_share = 0.6;
-  /// Default 0.006, range (0, 1]. RMS distance of the agreeing crossings, at most: a multiple of
-  /// any sensor's noise after smoothing (0.1 % of the depth of its volume), a fraction of most
-  /// wrong fits.
-  double max_rms_share = 0.006;
+  /// Default 7, range [0, 1000]. Evidence that the pose must have, see judge(): at least e^7 = 1000
+  /// to 1 for it.
+  double min_evidence = 7.0;
+  AgreementOptions agreement;
   /// Default 0.015, range (0, 1). Standard uncertainty of the worst direction, at most.
   double max_uncertainty_share = 0.015;
   /// Default 0.35. See CrossingLimits::min_crossing_sine.
@@ -65,6 +64,7 @@ struct Alignment {
   double inlier_share = 0.0;  ///< of these, within three robust sigmas
   double rms_mm = 0.0;        ///< of the inliers
   double uncertainty_mm = 0;  ///< standard, of the worst of the six directions
+  Agreement agreement;        ///< at the final pose
   double moved_mm = 0.0;      ///< RMS displacement of the source's points from the guess
   double covered_share = 0;   ///< of the source's profiles, by length, that have inlying crossings
 

@@ -1,0 +1,47 @@
+#include "core/registration/agreement.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace flytri {
+namespace {
+
+constexpr double kAgreesIfRight = 0.95;
+constexpr double kAgreesIfWrong = 0.5;
+constexpr int kPlacesOfTheFit = 6;
+
+}  // namespace
+
+Result<void> AgreementOptions::validate() const {
+  if (!(max_sigmas >= 2.0 && max_sigmas <= 20.0)) {
+    return fail(ErrorCode::kBadOption, "max_sigmas is {}, must be in [2, 20]", max_sigmas);
+  }
+  if (!(place_share > 0.0 && place_share <= 1.0)) {
+    return fail(ErrorCode::kBadOption, "place_share is {}, must be in (0, 1]", place_share);
+  }
+  return {};
+}
+
+Agreement judge(std::span<const Crossing> crossings, const Isometry& T_world_source,
+                double radius_mm, const AgreementOptions& options) {
+  const Isometry T_source_world = T_world_source.inverse();
+  const double side_mm = options.place_share * radius_mm;
+  std::map<std::array<int, 2>, int> balance;  // agreeing less disagreeing crossings
+  for (const Crossing& c : crossings) {
+    const Vec3 p_source = T_source_world * c.p_mm;
+    const Eigen::Array2i place = (p_source.head<2>() / side_mm).array().floor().cast<int>();
+    const bool agrees = std::abs(c.distance_mm) <= options.max_sigmas * c.sigma_mm;
+    balance[{place.x(), place.y()}] += agrees ? 1 : -1;
+  }
+  Agreement result;
+  result.places = static_cast<int>(balance.size());
+  for (const auto& [place, votes] : balance) result.agreeing += votes > 0 ? 1 : 0;
+  const int proofs = std::max(0, result.agreeing - kPlacesOfTheFit);
+  const int contradictions = result.places - result.agreeing;
+  result.evidence = proofs * std::log(kAgreesIfRight / kAgreesIfWrong) +
+                    contradictions * std::log((1.0 - kAgreesIfRight) / (1.0 - kAgreesIfWrong));
+  return result;
+}
+
+}  // namespace flytri
