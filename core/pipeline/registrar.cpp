@@ -25,16 +25,48 @@ RejectReason reason_of(AlignOutcome outcome) {
   return RejectReason::kPoorFit;
 }
 
-/// Poses that a hand may take up a scan from: those of the path, a third of a radius apart, then
-/// each of them shifted along the surface and turned about the line of sight.
+/// Distance of starts from which the registration finds a pose between them, as a share of the
+/// radius: from half of their diagonal it succeeds nine times in ten.
+constexpr double kStartSpacingShare = 0.22;
+
+/// About pose_distance_mm, without the angle itself: thousands are compared.
+double chord_mm(const Isometry& T_a_b, const Isometry& T_a_c, double arm_mm) {
+  const double turned = 0.5 * (T_a_b.linear() - T_a_c.linear()).squaredNorm();
+  return std::sqrt((T_a_b.translation() - T_a_c.translation()).squaredNorm() +
+                   arm_mm * arm_mm * turned);
+}
+
+void append_unless_near(const Isometry& T, double distance_mm, double arm_mm,
+                        std::vector<Isometry>& poses) {
+  const bool near = std::any_of(poses.begin(), poses.end(), [&](const Isometry& T_known) {
+    return chord_mm(T_known, T, arm_mm) < distance_mm;
+  });
+  if (!near) poses.push_back(T);
+}
+
+/// A pose and its neighbors along the surface, from near to far: two steps to each side.
+std::vector<Isometry> poses_around(const Isometry& T_world_sensor, double radius_mm) {
+  std::vector<Eigen::Array2i> steps;
+  for (int i = -2; i <= 2; ++i) {
+    for (int j = -2; j <= 2; ++j) steps.emplace_back(i, j);
+  }
+  std::stable_sort(steps.begin(), steps.end(), [](const auto& a, const auto& b) {
+    return a.matrix().squaredNorm() < b.matrix().squaredNorm();
+  });
+  std::vector<Isometry> poses;
+  for (const Eigen::Array2i& step : steps) {
+    const Eigen::Vector2d shift_mm = kStartSpacingShare * radius_mm * step.cast<double>().matrix();
+    poses.push_back(T_world_sensor * Eigen::Translation3d(shift_mm.x(), shift_mm.y(), 0.0));
+  }
+  return poses;
+}
+
+/// Poses that a hand may take up a scan from: those of the path, then each of them shifted along
+/// the surface and turned about the line of sight.
 std::vector<Isometry> poses_around_path(const std::vector<TrackedView>& views, double radius_mm) {
   std::vector<Isometry> path;
   for (const TrackedView& view : views) {
-    const Isometry& T = view.aligned.T_world_sensor;
-    const bool near = std::any_of(path.begin(), path.end(), [&](const Isometry& T_world_known) {
-      return pose_distance_mm(T_world_known, T, radius_mm) < 0.35 * radius_mm;
-    });
-    if (!near) path.push_back(T);
+    append_unless_near(view.aligned.T_world_sensor, 0.35 * radius_mm, radius_mm, path);
   }
   std::vector<Isometry> poses = path;
   for (const double turn_rad : {0.0, 0.35, -0.35}) {
@@ -100,6 +132,11 @@ Result<void> RegistrarOptions::validate() const {
   if (auto ok = check_range(patience_views, 1, 1000, "patience_views"); !ok) return ok;
   if (auto ok = check_range(proposal_pairs, 1, 1000, "proposal_pairs"); !ok) return ok;
   if (auto ok = check_range(starts_per_view, 1, 1000, "starts_per_view"); !ok) return ok;
+  if (auto ok = check_range(retry_starts, 1, 100000, "retry_starts"); !ok) return ok;
+  if (!(min_entry_evidence >= 0.0 && min_entry_evidence <= 1000.0)) {
+    return fail(ErrorCode::kBadOption, "min_entry_evidence is {}, must be in [0, 1000]",
+                min_entry_evidence);
+  }
   if (auto ok = check_range(register_every, 1, 1000, "register_every"); !ok) return ok;
   if (!(max_gap_s > 0.0)) {
     return fail(ErrorCode::kBadOption, "max_gap_s is {}, must be above 0", max_gap_s);
@@ -191,21 +228,34 @@ RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason, b
 }
 
 bool Registrar::convincing(const Alignment& alignment) const {
-  return alignment.aligned() && alignment.crossings >= 4 * options_.track.align.min_crossings &&
-         alignment.inlier_share >= 0.75 && alignment.covered_share >= 0.7 &&
+  return alignment.aligned() && alignment.agreement.evidence >= options_.min_entry_evidence &&
          alignment.rms_mm <= pieces_[scan_]->usual_rms_mm();
 }
 
 std::vector<Isometry> Registrar::start_poses(bool all) const {
   const TrackedScan& scan = *pieces_[scan_];
-  const std::vector<Isometry> around = poses_around_path(scan.views(), radius_mm_);
-  std::vector<Isometry> starts = {scan.views().back().aligned.T_world_sensor};
-  if (const auto best = proposal()) starts.push_back(best->second.T_world_sensor);
-  // Live, every view goes on where the last one ended.
+  // Where the scan ended, and where the operator was asked to take it up again.
+  std::vector<Isometry> anchors = {scan.views().back().aligned.T_world_sensor};
+  if (const auto best = proposal()) {
+    append_unless_near(best->second.T_world_sensor, kStartSpacingShare * radius_mm_, radius_mm_,
+                       anchors);
+  }
+  std::vector<Isometry> around;
+  for (const Isometry& T_world_anchor : anchors) {
+    const std::vector<Isometry> poses = poses_around(T_world_anchor, radius_mm_);
+    around.insert(around.end(), poses.begin(), poses.end());
+  }
+  const std::vector<Isometry> path = poses_around_path(scan.views(), radius_mm_);
+  around.insert(around.end(), path.begin(), path.end());
+  if (all) {
+    around.resize(std::min(around.size(), static_cast<std::size_t>(options_.retry_starts)));
+    return around;
+  }
+  // Live, every view tries a few and goes on where the last one ended.
   const auto few = static_cast<std::size_t>(options_.starts_per_view);
-  const std::size_t first = all ? 0 : static_cast<std::size_t>(lost_views_) * few;
-  const std::size_t count = all ? around.size() : std::min(few, around.size());
-  for (std::size_t i = 0; i < count; ++i) starts.push_back(around[(first + i) % around.size()]);
+  const std::size_t first = static_cast<std::size_t>(lost_views_) * few;
+  std::vector<Isometry> starts;
+  for (std::size_t i = 0; i < few; ++i) starts.push_back(around[(first + i) % around.size()]);
   return starts;
 }
 

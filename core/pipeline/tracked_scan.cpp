@@ -48,6 +48,9 @@ std::vector<std::size_t> draw_by_worth(const std::vector<Overlap>& overlaps, std
 Result<void> TrackOptions::validate() const {
   if (auto ok = align.validate(); !ok) return ok;
   if (auto ok = smoothing.validate(); !ok) return ok;
+  if (locate_pairs < 20) {
+    return fail(ErrorCode::kBadOption, "locate_pairs is {}, must be at least 20", locate_pairs);
+  }
   if (single_views < 1 || metaview_views < 1 || min_points < 6) {
     return fail(ErrorCode::kBadOption,
                 "single_views is {}, metaview_views {}, min_points {}: must be at least 1, 1, 6",
@@ -186,7 +189,8 @@ Alignment TrackedScan::track(const IncomingView& incoming) const {
 
 Alignment TrackedScan::locate(const IncomingView& incoming, const Isometry& T_world_start) const {
   AlignOptions wide = options_.align;
-  wide.start_distance_share = std::min(2.0, 2.0 * wide.start_distance_share);
+  wide.coarse_pairs = options_.locate_pairs;
+  wide.fine_pairs = std::max(wide.fine_pairs, wide.coarse_pairs);
   const Alignment coarse =
       align(incoming, metaview(incoming, T_world_start, kSkipNone), T_world_start, wide);
   if (!coarse.aligned()) return coarse;

@@ -21,6 +21,9 @@ struct TrackOptions {
   /// Default 25, >= 1. Overlapping earlier views that make up the metaview, drawn by worth: it
   /// bounds the time of a view however long the scan is.
   int metaview_views = 25;
+  /// Default 600, >= 20. AlignOptions::coarse_pairs where the start is a guess: there most pairs do
+  /// not cross, and those that do have to lead the way.
+  int locate_pairs = 600;
   /// Default 100, >= 6. Points that a view must have: fewer carry no pose.
   int min_points = 100;
   /// Default 0.5, range (0, 5]. Farther from its prediction than this share of the radius a view is
@@ -75,8 +78,8 @@ class TrackedScan {
   /// Pose of the next view in time: predicted, registered to the latest views, then to the
   /// metaview.
   [[nodiscard]] Alignment track(const IncomingView& incoming) const;
-  /// Pose near a start, by the overlapping views alone. Wide: the start may be off by a fifth of
-  /// the radius.
+  /// Pose near a start, by the overlapping views alone: the start may be off by a sixth of the
+  /// radius.
   [[nodiscard]] Alignment locate(const IncomingView& incoming, const Isometry& T_world_start) const;
   /// Checks the latest stretch of the path: outliers are put back onto the curve and registered
   /// again from there. They keep their pose if that finds nothing better.

@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include "assets/sample_jaw/sample_jaw.h"
+#include "tests/support/stress_scan.h"
+
+namespace flytri {
+namespace {
+
+using testing::judge_scan;
+using testing::StressCase;
+using testing::StressVerdict;
+
+/// Scans of the sample jaw. A wrong pose in a clinical scan is the worst fault: whatever the hand
+/// does, there is none; and the milder the fault, the more views must be kept.
+class RegistrationStress : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    sample_jaw::SampleJawOptions coarse;
+    coarse.tooth_cell_mm = 0.3;
+    coarse.gum_cell_mm = 0.6;
+    const TriangleMesh jaw = sample_jaw::make_sample_jaw(coarse, Workers(2)).value();
+    simulator_ =
+        std::make_unique<ViewSimulator>(ViewSimulator::create(jaw, intraoral_sensor()).value());
+  }
+  static void TearDownTestSuite() { simulator_.reset(); }
+
+  static StressVerdict run(const StressCase& by) {
+    const testing::StressScan scan = take_stress_scan(*simulator_, by);
+    Registrar registrar = Registrar::create().value();
+    for (const auto& view : scan.views) registrar.add(view);
+    return judge_scan(registrar.finish(), scan);
+  }
+
+  static std::unique_ptr<ViewSimulator> simulator_;
+};
+
+std::unique_ptr<ViewSimulator> RegistrationStress::simulator_;
+
+/// 120 frames in a mood that a test then changes.
+StressCase usual() {
+  StressCase by;
+  by.frame_count = 120;
+  return by;
+}
+
+TEST_F(RegistrationStress, NormalSpeedKeepsEveryView) {
+  for (const double speed : {0.25, 1.0, 2.0}) {
+    StressCase by = usual();
+    by.speed = speed;
+    by.noise.correlation_samples = 1.5;
+    const StressVerdict verdict = run(by);
+    EXPECT_EQ(verdict.right, 120) << speed;
+    EXPECT_EQ(verdict.wrong, 0) << speed;
+  }
+}
+
+TEST_F(RegistrationStress, TooFastIsRejectedNotGuessed) {
+  // 7 mm from view to view: neighbors share a third of their lines.
+  StressCase by = usual();
+  by.speed = 7.0;
+  EXPECT_EQ(run(by).wrong, 0);
+}
+
+TEST_F(RegistrationStress, NoiseFromATenthToTwiceThePapers) {
+  for (const double sigma_mm : {0.003, 0.06}) {
+    StressCase by = usual();
+    by.noise.sigma_mm = sigma_mm;
+    by.noise.correlation_samples = 1.5;
+    const StressVerdict verdict = run(by);
+    EXPECT_EQ(verdict.right, 120) << sigma_mm;
+    EXPECT_EQ(verdict.wrong, 0) << sigma_mm;
+  }
+}
+
+TEST_F(RegistrationStress, WrongLabelsDoNotMoveViews) {
+  StressCase by = usual();
+  by.outlier_share = 0.05;
+  const StressVerdict verdict = run(by);
+  EXPECT_GE(verdict.right, 114);
+  EXPECT_EQ(verdict.wrong, 0);
+}
+
+TEST_F(RegistrationStress, LostFramesAndPatternsArePassedOver) {
+  StressCase by = usual();
+  by.missing_share = 0.2;
+  by.one_pattern = {50, 60};
+  const StressVerdict verdict = run(by);
+  EXPECT_EQ(verdict.rejected, 0);
+  EXPECT_EQ(verdict.wrong, 0);
+}
+
+TEST_F(RegistrationStress, AShakingHandIsFollowed) {
+  StressCase by = usual();
+  by.path.tremor_mm = 0.6;
+  by.path.tremor_rad = 0.05;
+  const StressVerdict verdict = run(by);
+  EXPECT_GE(verdict.right, 114);
+  EXPECT_EQ(verdict.wrong, 0);
+}
+
+TEST_F(RegistrationStress, ReentersFiveMillimetersOffAndTurned) {
+  StressCase by = usual();
+  by.away = {60, 80};
+  by.jump_frame = 80;
+  by.jump_by = -25;
+  by.jump_off << 0.06, -0.06, 0.15, 3.0, -3.0, 1.0;
+  const StressVerdict verdict = run(by);
+  // 20 frames see nothing; the hand rests long enough for all others.
+  EXPECT_EQ(verdict.right, 100);
+  EXPECT_EQ(verdict.rejected, 20);
+  EXPECT_EQ(verdict.wrong, 0);
+}
+
+TEST_F(RegistrationStress, AJumpToUnseenSurfaceIsNotJoined) {
+  StressCase by = usual();
+  by.jump_frame = 60;
+  by.jump_by = 150;
+  const StressVerdict verdict = run(by);
+  EXPECT_EQ(verdict.right, 60);
+  EXPECT_EQ(verdict.wrong, 0);
+}
+
+TEST_F(RegistrationStress, EverythingAtOnce) {
+  StressCase by = usual();
+  by.speed = 2.5;
+  by.path.tremor_mm = 0.5;
+  by.path.tremor_rad = 0.04;
+  by.noise.sigma_mm = 0.05;
+  by.noise.correlation_samples = 1.5;
+  by.outlier_share = 0.1;
+  by.missing_share = 0.1;
+  by.away = {60, 75};
+  by.jump_frame = 75;
+  by.jump_by = -25;
+  EXPECT_EQ(run(by).wrong, 0);
+}
+
+}  // namespace
+}  // namespace flytri
