@@ -232,16 +232,24 @@ bool Registrar::convincing(const Alignment& alignment) const {
          alignment.rms_mm <= pieces_[scan_]->usual_rms_mm();
 }
 
-std::vector<Isometry> Registrar::start_poses(bool all) const {
-  const TrackedScan& scan = *pieces_[scan_];
-  // Where the scan ended, and where the operator was asked to take it up again.
-  std::vector<Isometry> anchors = {scan.views().back().aligned.T_world_sensor};
-  if (const auto best = proposal()) {
-    append_unless_near(best->second.T_world_sensor, kStartSpacingShare * radius_mm_, radius_mm_,
-                       anchors);
+std::vector<Isometry> Registrar::anchors(double time_s) const {
+  // Where the scan ended, or would be if the hand went on; where it was taken up again; and where
+  // the operator was asked to enter.
+  std::vector<Isometry> candidates = trajectory().guesses(time_s);
+  const std::vector<TimedPose> later = trajectory().between(time_s, time_s + options_.max_gap_s);
+  if (!later.empty()) candidates.push_back(later.front().T_world_sensor);
+  if (const auto best = proposal()) candidates.push_back(best->second.T_world_sensor);
+  std::vector<Isometry> result;
+  for (const Isometry& T_world_sensor : candidates) {
+    append_unless_near(T_world_sensor, kStartSpacingShare * radius_mm_, radius_mm_, result);
   }
+  return result;
+}
+
+std::vector<Isometry> Registrar::start_poses(double time_s, bool all) const {
+  const TrackedScan& scan = *pieces_[scan_];
   std::vector<Isometry> around;
-  for (const Isometry& T_world_anchor : anchors) {
+  for (const Isometry& T_world_anchor : anchors(time_s)) {
     const std::vector<Isometry> poses = poses_around(T_world_anchor, radius_mm_);
     around.insert(around.end(), poses.begin(), poses.end());
   }
@@ -275,7 +283,7 @@ bool Registrar::try_to_join(std::size_t piece, std::size_t i, bool all_starts) {
     }
   }
   claim_.reset();
-  for (const Isometry& T_scan_start : start_poses(all_starts)) {
+  for (const Isometry& T_scan_start : start_poses(incoming.view->time_s, all_starts)) {
     const Alignment found = scan.locate(incoming, T_scan_start);
     if (!convincing(found)) continue;
     claim_ = {piece, found.T_target_source * T_piece_sensor.inverse()};

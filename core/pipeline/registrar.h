@@ -119,7 +119,8 @@ class Registrar {
   [[nodiscard]] bool confirms_claim(const Alignment& alignment) const;
   void join(std::size_t piece, const Isometry& T_scan_piece);
   void start_piece(IncomingView incoming);
-  [[nodiscard]] std::vector<Isometry> start_poses(bool all) const;
+  [[nodiscard]] std::vector<Isometry> anchors(double time_s) const;
+  [[nodiscard]] std::vector<Isometry> start_poses(double time_s, bool all) const;
   [[nodiscard]] bool convincing(const Alignment& alignment) const;
   void retry_pieces();
   void retry_rejected();

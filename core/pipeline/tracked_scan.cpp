@@ -16,6 +16,8 @@ constexpr std::size_t kExperience = 8;
 /// the median is next to nothing.
 constexpr double kUsualSpread = 2.0;
 constexpr double kLeastRmsShare = 0.001;
+/// Guesses of the next pose are different from this distance on: nearer ones lead to the same fit.
+constexpr double kOtherGuessShare = 0.05;
 /// Steps of time after which a hand may be anywhere.
 constexpr double kPredictableSteps = 5.5;
 
@@ -160,6 +162,24 @@ Alignment TrackedScan::align(const IncomingView& incoming,
 
 Alignment TrackedScan::track(const IncomingView& incoming) const {
   const PosePrediction prediction = trajectory_.predict(incoming.view->time_s);
+  Alignment result = track_from(incoming, prediction);
+  // The hand did something else than it usually does.
+  std::vector<Isometry> tried = {prediction.T_world_sensor};
+  for (const Isometry& T_world_guess : trajectory_.guesses(incoming.view->time_s)) {
+    if (result.aligned()) break;
+    const bool known = std::any_of(tried.begin(), tried.end(), [&](const Isometry& T) {
+      return pose_distance_mm(T, T_world_guess, radius_mm_) < kOtherGuessShare * radius_mm_;
+    });
+    if (known) continue;
+    tried.push_back(T_world_guess);
+    const Alignment other = track_from(incoming, {T_world_guess, prediction.prior});
+    if (other.aligned()) result = other;
+  }
+  return result;
+}
+
+Alignment TrackedScan::track_from(const IncomingView& incoming,
+                                  const PosePrediction& prediction) const {
   AlignOptions single = options_.align;
   single.prior = prediction.prior;
   single.fine_pairs = single.coarse_pairs;

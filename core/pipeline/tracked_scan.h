@@ -76,7 +76,7 @@ class TrackedScan {
   void move(std::size_t i, const Isometry& T_world_sensor);
 
   /// Pose of the next view in time: predicted, registered to the latest views, then to the
-  /// metaview.
+  /// metaview; if that fails, from the other guesses of the trajectory.
   [[nodiscard]] Alignment track(const IncomingView& incoming) const;
   /// Pose near a start, by the overlapping views alone: the start may be off by a sixth of the
   /// radius.
@@ -91,6 +91,9 @@ class TrackedScan {
                                                           std::size_t skip_view) const;
 
  private:
+  /// One try of track().
+  [[nodiscard]] Alignment track_from(const IncomingView& incoming,
+                                     const PosePrediction& prediction) const;
   /// Aligns view i again from a place on the path; keeps it where it is unless that is nearer.
   void reregister(std::size_t i, const Isometry& T_world_curve);
   [[nodiscard]] std::vector<const PreparedView*> latest_views() const;

@@ -115,4 +115,13 @@ PosePrediction Trajectory::predict(double time_s) const {
   return {extrapolate(poses, by, time_s), prior_of(std::min(sigma_mm, 4 * unknown_mm), arm_mm_)};
 }
 
+std::vector<Isometry> Trajectory::guesses(double time_s) const {
+  const std::vector<TimedPose> poses = before(time_s, kExtrapolations.back().window);
+  std::vector<Isometry> result;
+  for (const Extrapolation& by : kExtrapolations) {
+    if (by.window <= poses.size()) result.push_back(extrapolate(poses, by, time_s));
+  }
+  return result;
+}
+
 }  // namespace flytri

@@ -41,6 +41,9 @@ class Trajectory {
   /// the one that would have foretold the latest poses best is taken, and its errors there are the
   /// stated uncertainty. The trajectory must not be empty.
   [[nodiscard]] PosePrediction predict(double time_s) const;
+  /// Where else the sensor may be by then: at rest since the last pose before time_s, or going on
+  /// as it went over the last two, four, or six poses. None if there is no pose before.
+  [[nodiscard]] std::vector<Isometry> guesses(double time_s) const;
 
  private:
   double arm_mm_;
