@@ -23,7 +23,8 @@ class Stage {
       step_options_.prior.rotation_rad = options.start_distance_share;
     }
     if (options.prior.translation_mm <= 0.0) step_options_.prior.translation_mm = start_mm;
-    search_limits_ = {start_mm, options.min_crossing_sine};
+    search_limits_.max_distance_mm = start_mm;
+    search_limits_.min_crossing_sine = options.min_crossing_sine;
     limits_ = search_limits_;
   }
 
@@ -31,8 +32,7 @@ class Stage {
   /// @returns false if there are too few crossings.
   bool run(std::size_t count, Random& random, Alignment& result) {
     placed_ = source_.moved(result.T_target_source);
-    std::vector<ProfilePair> pairs =
-        candidate_pairs(placed_, metaview_, search_limits_.max_distance_mm);
+    std::vector<ProfilePair> pairs = candidate_pairs(placed_, metaview_, search_limits_);
     shuffle_front(pairs, count, random);
     pairs.resize(std::min(count, pairs.size()));
     found_ = find_crossings(placed_, metaview_, pairs, search_limits_);

@@ -38,10 +38,15 @@ struct Sides {
         second(target.profiles[pair.l]) {}
 };
 
-double distance_sigma(const Sides& sides, const CurvePair& at, const Vec3& normal,
-                      const Isometry& T_moved) {
+/// Along the normal; none where either ray grazes the surface.
+std::optional<double> distance_sigma(const Sides& sides, const CurvePair& at, const Vec3& normal,
+                                     const Isometry& T_moved, double min_ray_sine) {
   const Vec3 first = T_moved.linear() * at_nearest_knot(sides.first.deviations_mm, at.x);
   const Vec3 second = at_nearest_knot(sides.second.deviations_mm, at.y);
+  const auto grazes = [&](const Vec3& deviation) {
+    return std::abs(deviation.dot(normal)) < min_ray_sine * deviation.norm();
+  };
+  if (grazes(first) || grazes(second)) return std::nullopt;
   const double floor = kNoiseFloor * (sides.source.noise_mm + sides.target.noise_mm) +
                        kSplineError * sides.source.radius_mm;
   return std::hypot(first.dot(normal), second.dot(normal), floor);
@@ -69,7 +74,9 @@ std::optional<Crossing> measure(const Sides& sides, const ProfilePair& pair,
   crossing.q_mm = at.q.position_mm;
   crossing.normal = normal / sine;
   crossing.distance_mm = crossing.normal.dot(gap);
-  crossing.sigma_mm = distance_sigma(sides, at, crossing.normal, T_moved);
+  const auto sigma_mm = distance_sigma(sides, at, crossing.normal, T_moved, limits.min_ray_sine);
+  if (!sigma_mm) return std::nullopt;
+  crossing.sigma_mm = *sigma_mm;
   crossing.depth_variation_mm = sides.first.depth_variation_mm + sides.second.depth_variation_mm;
   return crossing;
 }
@@ -77,15 +84,19 @@ std::optional<Crossing> measure(const Sides& sides, const ProfilePair& pair,
 }  // namespace
 
 std::vector<ProfilePair> candidate_pairs(const PreparedView& source, Metaview metaview,
-                                         double max_distance_mm) {
-  const auto limit = static_cast<float>(max_distance_mm * max_distance_mm);
+                                         const CrossingLimits& limits) {
+  const auto distance = static_cast<float>(limits.max_distance_mm * limits.max_distance_mm);
+  const double max_cosine = std::sqrt(1.0 - limits.min_sheet_sine * limits.min_sheet_sine);
   std::vector<ProfilePair> pairs;
   for (std::uint32_t k = 0; k < source.profiles.size(); ++k) {
     const Box& box = source.profiles[k].tree.box();
+    const Vec3& sheet = source.profiles[k].sheet_normal;
     for (std::uint32_t view = 0; view < metaview.size(); ++view) {
       const std::vector<PreparedProfile>& profiles = metaview[view]->profiles;
       for (std::uint32_t l = 0; l < profiles.size(); ++l) {
-        if (box.squared_distance(profiles[l].tree.box()) <= limit) pairs.push_back({k, view, l});
+        if (box.squared_distance(profiles[l].tree.box()) > distance) continue;
+        if (std::abs(sheet.dot(profiles[l].sheet_normal)) > max_cosine) continue;
+        pairs.push_back({k, view, l});
       }
     }
   }

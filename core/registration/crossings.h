@@ -38,11 +38,19 @@ struct CrossingLimits {
   /// Default 0.35, range (0, 1). Sine of the angle between the profiles: nearly parallel ones give
   /// no normal, and their closest points wander.
   double min_crossing_sine = 0.35;
+  /// Default 0.35, range (0, 1). Sine of the angle between the light sheets. In one sheet any two
+  /// curves meet somewhere: their meeting says nothing of the surface, and draws every view onto an
+  /// earlier one whose lines ran the same way.
+  double min_sheet_sine = 0.35;
+  /// Default 0.15, range [0, 1). Sine of the angle between a measurement ray and the surface: a
+  /// surface seen more edge-on would not have been measured.
+  double min_ray_sine = 0.15;
 };
 
-/// All pairs whose boxes come within max_distance_mm of each other, by (k, view, l).
+/// All pairs that may cross within the limits by their boxes and light sheets, by (k, view, l).
 [[nodiscard]] std::vector<ProfilePair> candidate_pairs(const PreparedView& source,
-                                                       Metaview metaview, double max_distance_mm);
+                                                       Metaview metaview,
+                                                       const CrossingLimits& limits);
 
 /// Puts a random choice of `count` pairs at the front, the rest behind.
 void shuffle_front(std::vector<ProfilePair>& pairs, std::size_t count, Random& random);

@@ -30,6 +30,7 @@ PreparedProfile prepare_profile(const Profile& profile, const SmoothingOptions& 
   }
   prepared.curve = CubicCurve(parameters, positions);
   prepared.tree = BoxTree(prepared.curve);
+  prepared.sheet_normal = profile.sheet_normal;
   prepared.depth_variation_mm = depth_variation(profile);
   return prepared;
 }
@@ -80,6 +81,7 @@ PreparedView PreparedView::moved(const Isometry& T_a_b) const {
     for (Vec3f& direction : profile.directions) direction = R_a_b * direction;
     for (Vec3f& deviation : profile.deviations_mm) deviation = R_a_b * deviation;
     profile.tree.refit(profile.curve);
+    profile.sheet_normal = T_a_b.linear() * profile.sheet_normal;
   }
   result.center_mm = T_a_b * center_mm;
   result.line_direction = T_a_b.linear() * line_direction;

@@ -17,11 +17,12 @@ inline constexpr std::size_t kMinProfilePoints = 6;
 /// One smoothed line profile. Vectors are parallel to the knots of the curve.
 struct PreparedProfile {
   CubicCurve curve;
-  BoxTree tree;                      ///< over the knots
-  std::vector<Vec3f> directions;     ///< o: unit tangents, smoother than the curve's own
-  std::vector<Vec3f> deviations_mm;  ///< noise that is left after smoothing, as in ProfilePoint
-  ProfileIndex profile;              ///< in the view it was prepared from
-  double depth_variation_mm = 0;     ///< standard deviation of z in the sensor frame
+  BoxTree tree;                       ///< over the knots
+  std::vector<Vec3f> directions;      ///< o: unit tangents, smoother than the curve's own
+  std::vector<Vec3f> deviations_mm;   ///< noise that is left after smoothing, as in ProfilePoint
+  Vec3 sheet_normal = Vec3::UnitX();  ///< s: unit normal of the light sheet
+  ProfileIndex profile;               ///< in the view it was prepared from
+  double depth_variation_mm = 0;      ///< standard deviation of z in the sensor frame
 };
 
 /// Profiles in the frame they were prepared in (the sensor's), or moved to since.

@@ -15,7 +15,10 @@ struct Extrapolation {
 };
 constexpr std::array kExtrapolations = {Extrapolation{1, 0}, Extrapolation{2, 1},
                                         Extrapolation{4, 1}, Extrapolation{6, 1},
-                                        Extrapolation{6, 2}};
+                                        Extrapolation{6, 2}, Extrapolation{12, 1}};
+constexpr std::size_t kLongestWindow = 12;
+/// Longer gaps, in steps, are not bridged: the hand is where it was, or anywhere.
+constexpr double kLongestGap = 30.0;
 /// Poses whose prediction is looked back on.
 constexpr std::size_t kRehearsals = 8;
 
@@ -24,12 +27,13 @@ Isometry extrapolate(std::span<const TimedPose> poses, const Extrapolation& by, 
   return PathFit(poses.last(count), by.degree).at(time_s);
 }
 
-/// RMS error with which an extrapolation would have foretold the last poses.
-double rehearse(std::span<const TimedPose> poses, const Extrapolation& by, double arm_mm) {
+/// RMS error with which an extrapolation would have foretold the last poses, `gap` steps ahead.
+double rehearse(std::span<const TimedPose> poses, const Extrapolation& by, std::size_t gap,
+                double arm_mm) {
   double squares = 0.0;
   std::size_t count = 0;
-  for (std::size_t i = poses.size(); i-- > 1 && count < kRehearsals; ++count) {
-    const Isometry T_world_foretold = extrapolate(poses.first(i), by, poses[i].time_s);
+  for (std::size_t i = poses.size(); i-- > gap && count < kRehearsals; ++count) {
+    const Isometry T_world_foretold = extrapolate(poses.first(i - gap + 1), by, poses[i].time_s);
     squares += std::pow(pose_distance_mm(T_world_foretold, poses[i].T_world_sensor, arm_mm), 2);
   }
   return std::sqrt(squares / std::max<double>(1.0, static_cast<double>(count)));
@@ -60,6 +64,14 @@ std::vector<TimedPose> Trajectory::before(double time_s, std::size_t count) cons
     result.push_back({it->first, it->second});
   }
   std::reverse(result.begin(), result.end());
+  return result;
+}
+
+std::vector<TimedPose> Trajectory::after(double time_s, std::size_t count) const {
+  std::vector<TimedPose> result;
+  for (auto it = poses_.upper_bound(time_s); it != poses_.end() && result.size() < count; ++it) {
+    result.push_back({it->first, it->second});
+  }
   return result;
 }
 
@@ -98,21 +110,26 @@ PosePrediction Trajectory::predict(double time_s) const {
   // Uncertainty while nothing is known of the hand, and the least that is ever claimed.
   const double unknown_mm = 0.15 * arm_mm_;
   const double least_mm = 0.02 * arm_mm_;
-  const std::vector<TimedPose> poses = before(time_s, kRehearsals + 6);
-  if (poses.size() < 4) return {poses.back().T_world_sensor, prior_of(unknown_mm, arm_mm_)};
+  const std::vector<TimedPose> poses =
+      before(time_s, kRehearsals + kLongestWindow + static_cast<std::size_t>(kLongestGap));
+  const PosePrediction rest = {poses.back().T_world_sensor, prior_of(unknown_mm, arm_mm_)};
+  if (poses.size() < 4) return rest;
+  const double steps = std::max(1.0, (time_s - poses.back().time_s) / usual_step(poses));
+  const auto gap = static_cast<std::size_t>(std::min(steps, kLongestGap) + 0.5);
+  // The longer the gap, the more must be known of the hand to look across it.
+  if (steps > kLongestGap || poses.size() < gap + 3) {
+    return {rest.T_world_sensor, prior_of(4 * unknown_mm, arm_mm_)};
+  }
   const Extrapolation* best = nullptr;
   double best_mm = 1e300;
   for (const Extrapolation& candidate : kExtrapolations) {
-    const double error_mm = rehearse(poses, candidate, arm_mm_);
+    const double error_mm = rehearse(poses, candidate, gap, arm_mm_);
     if (error_mm >= best_mm) continue;
     best_mm = error_mm;
     best = &candidate;
   }
-  // Over a gap a straight line soon leads astray: later the hand is where it was, or anywhere.
-  const double steps = (time_s - poses.back().time_s) / usual_step(poses);
-  const Extrapolation by = steps < 3.5 ? *best : kExtrapolations[0];
-  const double sigma_mm = std::max(least_mm, 2.0 * best_mm) * std::max(1.0, steps);
-  return {extrapolate(poses, by, time_s), prior_of(std::min(sigma_mm, 4 * unknown_mm), arm_mm_)};
+  const double sigma_mm = std::max(least_mm * steps, 2.0 * best_mm);
+  return {extrapolate(poses, *best, time_s), prior_of(std::min(sigma_mm, 4 * unknown_mm), arm_mm_)};
 }
 
 std::vector<Isometry> Trajectory::guesses(double time_s) const {

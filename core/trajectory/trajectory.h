@@ -30,6 +30,8 @@ class Trajectory {
 
   /// Up to `count` poses with times up to and including time_s, by rising time.
   [[nodiscard]] std::vector<TimedPose> before(double time_s, std::size_t count) const;
+  /// Up to `count` poses with times after time_s, by rising time.
+  [[nodiscard]] std::vector<TimedPose> after(double time_s, std::size_t count) const;
   /// All poses with times in [from_s, to_s].
   [[nodiscard]] std::vector<TimedPose> between(double from_s, double to_s) const;
 
@@ -38,8 +40,8 @@ class Trajectory {
   [[nodiscard]] std::optional<Isometry> interpolate(double time_s, double max_gap_s) const;
 
   /// Pose after the last known one. Of several extrapolations (rest, straight lines, a parabola)
-  /// the one that would have foretold the latest poses best is taken, and its errors there are the
-  /// stated uncertainty. The trajectory must not be empty.
+  /// the one that would have foretold the latest poses best, as far ahead, is taken, and its errors
+  /// there are the stated uncertainty. The trajectory must not be empty.
   [[nodiscard]] PosePrediction predict(double time_s) const;
   /// Where else the sensor may be by then: at rest since the last pose before time_s, or going on
   /// as it went over the last two, four, or six poses. None if there is no pose before.

@@ -160,6 +160,33 @@ TEST(Registrar, ProposesTheRichestPairOnceInterrupted) {
   EXPECT_EQ(proposal->second.view->frame, FrameIndex(7));
 }
 
+TEST(Registrar, ViewsOfAFastHandAreRightOrRejected) {
+  // Each view overlaps the one before by half: little evidence, and lines that run alike invite
+  // a view to stay where the former one was.
+  for (const double haste : {4.0, 8.0, 16.0}) {
+    const auto path = [&](double t) { return hand_pose(haste * t); };
+    Registrar registrar = Registrar::create().value();
+    for (int frame = 0; frame < 60; ++frame) {
+      registrar.add(scene_view(frame, path(frame / 30.0), {}));
+    }
+    // Well below the relief and the spacing of the lines, the size of wrong places.
+    EXPECT_LT(errors_of(registrar.finish(), path).worst_mm, 0.3) << haste;
+  }
+}
+
+TEST(Registrar, GoesOnAfterAHandWasInterrupted) {
+  Registrar registrar = Registrar::create().value();
+  int seen = 0;
+  for (int frame = 0; frame < 130; ++frame) {
+    if (frame >= 60 && frame < 72) continue;
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+    ++seen;
+  }
+  const Errors errors = errors_of(registrar.finish(), hand_pose);
+  EXPECT_EQ(errors.registered, seen);
+  EXPECT_LT(errors.worst_mm, 0.1);
+}
+
 TEST(Registrar, SkippedViewsAreInterpolated) {
   RegistrarOptions options;
   options.register_every = 2;

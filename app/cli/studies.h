@@ -1,0 +1,11 @@
+/// @file  The studies, one function and one file each: what the figures in docs/ come from.
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace flytri::cli {
+
+void add_table2_study(CLI::App& study, Invocation& invocation);
+void add_tracking_study(CLI::App& study, Invocation& invocation);
+
+}  // namespace flytri::cli
