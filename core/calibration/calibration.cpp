@@ -31,14 +31,15 @@ std::array<std::array<double, 4>, 3> powers_of(const Vec3& t) {
 const std::array<std::array<int, 3>, TrivariateCubic::kTerms> TrivariateCubic::kExponents =
     make_exponents();
 
-double TrivariateCubic::operator()(const Vec3& x) const {
-  const auto p = powers_of((x - center).cwiseQuotient(half_range));
-  double value = 0.0;
-  for (int term = 0; term < kTerms; ++term) {
-    const auto& e = kExponents[term];
-    value += coefficients[term] * p[0][e[0]] * p[1][e[1]] * p[2][e[2]];
-  }
-  return value;
+double TrivariateCubic::operator()(const Vec3& p) const {
+  const Vec3 t = (p - center).cwiseQuotient(half_range);
+  const double x = t[0], y = t[1], z = t[2];
+  const auto& c = coefficients;  // in the order of kExponents, nested to save products
+  const double by_x = c[1] + x * (c[4] + x * c[10] + y * c[11] + z * c[12]) +
+                      y * (c[5] + y * c[13] + z * c[14]) + z * (c[6] + z * c[15]);
+  const double by_y = c[2] + y * (c[7] + y * c[16] + z * c[17]) + z * (c[8] + z * c[18]);
+  const double by_z = c[3] + z * (c[9] + z * c[19]);
+  return c[0] + x * by_x + y * by_y + z * by_z;
 }
 
 Vec3 TrivariateCubic::gradient(const Vec3& x) const {

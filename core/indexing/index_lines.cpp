@@ -39,13 +39,22 @@ double median_width_ratio(const PatternCalibration& pattern, const IndexedTrace&
   return *middle;
 }
 
+/// True if the sample lies in the line's own area: then it lies in no other's.
+bool is_in_area(const PatternCalibration& pattern, LineIndex line, const LineSample& sample) {
+  const LineRow& row = pattern.lines[line.at()][static_cast<std::size_t>(sample.along_px)];
+  return row.valid() && sample.across_px >= row.area_min_px && sample.across_px <= row.area_max_px;
+}
+
 /// Maximal runs of samples of one trace with one index; the counts take those without.
 std::vector<IndexedTrace> cut(const LineTrace& trace, const PatternCalibration& pattern,
                               double margin, IndexCounts& counts) {
   std::vector<IndexedTrace> segments;
   std::optional<LineIndex> current;
   for (const LineSample& sample : trace) {
-    const auto line = line_at(pattern, sample, margin);
+    // The neighbor's line is tried first: the others lie far away in memory.
+    const auto line = current && is_in_area(pattern, *current, sample)
+                          ? current
+                          : line_at(pattern, sample, margin);
     if (!line) {
       ++counts.outside_areas;
     } else if (line == current) {

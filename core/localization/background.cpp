@@ -1,72 +1,122 @@
 #include "core/localization/background.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 
 namespace flytri {
 namespace {
 
-constexpr int kRowStep = 8;  // every eighth row and
-constexpr int kColumnStep =
-    2;  // every second column: 256 pixels a tile tell the median to 0.1 sigma
+constexpr int kRowStep = 8;     // every eighth row and
+constexpr int kColumnStep = 2;  // every second column: 256 pixels tell the median to 0.1 sigma
+constexpr std::size_t kSampleCount = std::size_t{Background::kTileSize / kRowStep} *
+                                     std::size_t{Background::kTileSize / kColumnStep};
 constexpr float kRoundingNoise = 0.2887F;  // 1 / sqrt(12) of a gray step
 
-std::vector<float> sample(const cv::Mat& rows, const cv::Rect& area) {
-  std::vector<float> values;
-  values.reserve(Background::kTileSize * Background::kTileSize / (kRowStep * kColumnStep));
-  for (int r = area.y; r < area.y + area.height; r += kRowStep) {
-    const float* row = rows.ptr<float>(r);
-    for (int c = area.x; c < area.x + area.width; c += kColumnStep) values.push_back(row[c]);
-  }
-  return values;
-}
+using Gray = std::uint16_t;
 
-/// Splits the values at their median; the darker half comes first.
-float split_at_median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// Some pixels of a tile.
+class TileSample {
+ public:
+  TileSample(const cv::Mat& image, const cv::Rect& area) {
+    image.depth() == CV_8U ? take<std::uint8_t>(image, area) : take<std::uint16_t>(image, area);
+  }
+  [[nodiscard]] std::span<const Gray> values() const { return {values_.data(), count_}; }
+
+ private:
+  template <typename PixelT>
+  void take(const cv::Mat& image, const cv::Rect& area) {
+    for (int r = area.y; r < area.y + area.height; r += kRowStep) {
+      const auto* row = image.ptr<PixelT>(r);
+      for (int c = area.x; c < area.x + area.width; c += kColumnStep) values_[count_++] = row[c];
+    }
+  }
+  std::array<Gray, kSampleCount> values_;
+  std::size_t count_ = 0;
+};
+
+/// How often each of 256 numbers occurs.
+class Histogram {
+ public:
+  void add(unsigned number) { ++counts_[number]; }
+  /// The number that the value of this rank has; the rank becomes that among its equals.
+  [[nodiscard]] unsigned take_rank(std::size_t& rank) const {
+    unsigned number = 0;
+    while (rank >= counts_[number]) rank -= counts_[number++];
+    return number;
+  }
+
+ private:
+  std::array<std::uint16_t, 256> counts_{};
+};
+
+/// The middle value, the upper one of two. Counting its high and then its low byte needs no
+/// comparisons, whose outcome no processor can foresee.
+Gray median_of(std::span<const Gray> values) {
+  std::size_t rank = values.size() / 2;
+  Histogram high_bytes;
+  for (const Gray value : values) high_bytes.add(value >> 8U);
+  const unsigned high = high_bytes.take_rank(rank);
+  Histogram low_bytes;
+  for (const Gray value : values) {
+    if (value >> 8U == high) low_bytes.add(value & 0xFFU);
+  }
+  return static_cast<Gray>((high << 8U) + low_bytes.take_rank(rank));
 }
 
 /// Deviation of the darker half from the median: lines only brighten.
-float deviation(std::span<const float> darker, float median) {
-  double sum = 0.0;
-  for (const float value : darker) sum += (value - median) * (value - median);
-  return static_cast<float>(std::sqrt(sum / static_cast<double>(darker.size())));
+float dark_deviation(std::span<const Gray> values, Gray median) {
+  std::uint64_t sum = 0;
+  for (const Gray value : values) {
+    const std::uint64_t below = value < median ? median - value : 0;
+    sum += below * below;
+  }
+  return static_cast<float>(std::sqrt(double(sum) / double(values.size() / 2 + 1)));
 }
 
-/// Smallest difference between two gray values; nothing differs in a blank image.
-float smallest_step(std::vector<float> values) {
-  std::sort(values.begin(), values.end());
-  float best = std::numeric_limits<float>::max();
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const float step = values[i] - values[i - 1];
-    if (step > 0) best = std::min(best, step);
+/// Which gray values occur.
+class GraySet {
+ public:
+  void add(Gray value) { words_[value / 64U] |= std::uint64_t{1} << (value % 64U); }
+  /// Smallest difference between two of them; nothing differs in a blank image.
+  [[nodiscard]] float smallest_step() const {
+    auto best = std::numeric_limits<float>::max();
+    auto last = -std::numeric_limits<float>::max();
+    for (std::size_t w = 0; w < words_.size(); ++w) {
+      for (std::uint64_t rest = words_[w]; rest != 0; rest &= rest - 1) {
+        const auto value =
+            static_cast<float>(64 * w + static_cast<std::size_t>(std::countr_zero(rest)));
+        best = std::min(best, value - last);
+        last = value;
+      }
+    }
+    return best;
   }
-  return best;
-}
+
+ private:
+  std::array<std::uint64_t, 1024> words_{};
+};
 
 }  // namespace
 
-Background::Background(const cv::Mat& rows)
-    : tiles_across_((rows.cols + kTileSize - 1) / kTileSize) {
-  constexpr std::size_t kSampleStep = 4;  // every fourth value tells the gray step
-  const cv::Rect whole(0, 0, rows.cols, rows.rows);
-  std::vector<float> some;
-  for (int r = 0; r < rows.rows; r += kTileSize) {
-    for (int c = 0; c < rows.cols; c += kTileSize) {
-      auto values = sample(rows, cv::Rect(c, r, kTileSize, kTileSize) & whole);
-      const float median = split_at_median(values);
-      const std::size_t half = values.size() / 2 + 1;
-      tiles_.push_back({median, deviation(std::span(values).first(half), median)});
-      // From both halves: in a quiet image all unlit pixels may be alike.
-      for (std::size_t i = 0; i < values.size(); i += kSampleStep) some.push_back(values[i]);
+Background::Background(const cv::Mat& image)
+    : tiles_across_((image.cols + kTileSize - 1) / kTileSize) {
+  const cv::Rect whole(0, 0, image.cols, image.rows);
+  GraySet grays;
+  for (int r = 0; r < image.rows; r += kTileSize) {
+    for (int c = 0; c < image.cols; c += kTileSize) {
+      const TileSample sample(image, cv::Rect(c, r, kTileSize, kTileSize) & whole);
+      const Gray median = median_of(sample.values());
+      tiles_.push_back({float(median), dark_deviation(sample.values(), median)});
+      for (const Gray value : sample.values()) grays.add(value);
     }
   }
-  quantum_ = smallest_step(std::move(some));
-  for (Tile& tile : tiles_) tile.noise = std::hypot(tile.noise, kRoundingNoise * quantum_);
+  const float rounding = kRoundingNoise * grays.smallest_step();
+  for (Tile& tile : tiles_) tile.noise = std::hypot(tile.noise, rounding);
 }
 
 }  // namespace flytri

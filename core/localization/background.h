@@ -14,16 +14,14 @@ class Background {
  public:
   static constexpr int kTileSize = 64;
 
-  /// @param rows  CV_32FC1.
-  explicit Background(const cv::Mat& rows);
+  /// @param image  CV_8UC1 or CV_16UC1.
+  explicit Background(const cv::Mat& image);
 
   [[nodiscard]] int tiles_across() const { return tiles_across_; }
   /// Median gray value of the tile that covers the pixel.
   [[nodiscard]] float level(int row, int column) const { return tile(row, column).level; }
   /// Standard deviation of the unlit pixels of that tile, at least that of rounding.
   [[nodiscard]] float noise(int row, int column) const { return tile(row, column).noise; }
-  /// Step between neighboring gray values.
-  [[nodiscard]] float quantum() const { return quantum_; }
 
  private:
   struct Tile {
@@ -35,7 +33,6 @@ class Background {
   }
 
   int tiles_across_;
-  float quantum_;
   std::vector<Tile> tiles_;
 };
 

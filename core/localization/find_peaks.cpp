@@ -10,9 +10,9 @@
 namespace flytri {
 namespace {
 
-using RowArray = Eigen::ArrayXf;
-
-constexpr int kBlock = 32;  // columns that are skipped at once where nothing is bright
+/// Pixels that are computed side by side, and that are skipped together where nothing is bright.
+constexpr int kLanes = 16;
+using Lanes = Eigen::Array<float, kLanes, 1>;
 /// Flanks are taken, and two maxima are two lines, where the light falls to this share of the top.
 /// Two equal Gaussians 1.2 widths apart have a valley of 0.74.
 constexpr float kFlankLevel = 0.7F;
@@ -32,61 +32,77 @@ std::vector<float> half_kernel(float sigma) {
   return half;
 }
 
-/// Smooths one row. The ends, where the kernel does not fit, stay zero.
-void smooth_row(std::span<const float> row, std::span<const float> half, RowArray& smooth) {
-  const auto radius = static_cast<Eigen::Index>(half.size()) - 1;
-  const auto columns = static_cast<Eigen::Index>(row.size());
-  const Eigen::Map<const RowArray> values(row.data(), columns);
-  smooth.setZero(columns);
-  const Eigen::Index inner = columns - 2 * radius;
-  if (inner <= 0) return;
-  auto out = smooth.segment(radius, inner);
-  out = half[0] * values.segment(radius, inner);
-  for (Eigen::Index k = 1; k <= radius; ++k) {
-    out += half[static_cast<std::size_t>(k)] *
-           (values.segment(radius - k, inner) + values.segment(radius + k, inner));
+/// Smooths one row. The ends, where the kernel does not fit, stay as they are.
+void smooth_row(std::span<const float> row, std::span<const float> half, std::span<float> smooth) {
+  const std::size_t radius = half.size() - 1;
+  if (row.size() < 2 * radius + kLanes) return;
+  const std::size_t last = row.size() - radius - kLanes;
+  for (std::size_t c = radius; c < last + kLanes; c += kLanes) {
+    const float* center = row.data() + std::min(c, last);
+    Lanes sum = half[0] * Eigen::Map<const Lanes>(center);
+    for (std::size_t k = 1; k <= radius; ++k) {
+      sum += half[k] * (Eigen::Map<const Lanes>(center - k) + Eigen::Map<const Lanes>(center + k));
+    }
+    Eigen::Map<Lanes>(smooth.data() + std::min(c, last)) = sum;
   }
 }
 
 /// Finds peaks row by row with buffers that are kept.
 class RowScanner {
  public:
-  RowScanner(const Background& background, const PeakOptions& options)
+  RowScanner(const Background& background, const PeakOptions& options, int columns)
       : background_(background),
         options_(options),
-        half_(half_kernel(static_cast<float>(options.smoothing_sigma_px))) {
+        half_(half_kernel(static_cast<float>(options.smoothing_sigma_px))),
+        columns_(columns),
+        smooth_(static_cast<std::size_t>((columns + kLanes - 1) / kLanes * kLanes), 0.0F) {
     float energy = -half_[0] * half_[0];
     for (const float weight : half_) energy += 2.0F * weight * weight;
     threshold_ = static_cast<float>(options.threshold) * std::sqrt(energy);
   }
 
-  std::vector<Peak> scan(const cv::Mat& rows, int r) {
+  /// The peaks of a row, valid until the next call.
+  std::span<const Peak> scan(const cv::Mat& rows, int r) {
     const std::span<const float> row(rows.ptr<float>(r), static_cast<std::size_t>(rows.cols));
     smooth_row(row, half_, smooth_);
     peaks_.clear();
     found_.clear();
-    for (int begin = 0; begin < rows.cols; begin += kBlock) {
-      const float level = background_.level(r, begin);
-      const float least = level + threshold_ * background_.noise(r, begin);
-      const int end = std::min(begin + kBlock, rows.cols);
-      if (smooth_.segment(begin, end - begin).maxCoeff() <= least) continue;
-      const float* smooth = smooth_.data();
-      for (int c = std::max(begin, 1); c < std::min(end, rows.cols - 1); ++c) {
-        if (smooth[c] > least && smooth[c] >= smooth[c - 1] && smooth[c] > smooth[c + 1]) {
-          add_peak(row, r, c, level);
-        }
-      }
-    }
+    find_maxima(r);
+    for (const Maximum& maximum : maxima_) add_peak(row, r, maximum.column, maximum.level);
     measure_room();
     return peaks_;
   }
 
  private:
+  /// Where the smoothed row is brighter than its neighbors and than noise.
+  struct Maximum {
+    int column = 0;
+    float level = 0;  ///< of the background there
+  };
+
+  void find_maxima(int r) {
+    maxima_.clear();
+    const float* smooth = smooth_.data();
+    for (int begin = 0; begin < columns_; begin += kLanes) {
+      const float level = background_.level(r, begin);
+      const float least = level + threshold_ * background_.noise(r, begin);
+      // The buffer holds whole blocks; what is beyond the row stays dark.
+      const Eigen::Map<const Lanes> block(smooth + begin);
+      if (!((block - least).max(0.0F).sum() > 0)) continue;
+      const int end = std::min(begin + kLanes, columns_ - 1);
+      for (int c = std::max(begin, 1); c < end; ++c) {
+        if (smooth[c] > least && smooth[c] >= smooth[c - 1] && smooth[c] > smooth[c + 1]) {
+          maxima_.push_back({c, level});
+        }
+      }
+    }
+  }
+
   void add_peak(std::span<const float> row, int r, int column, float level) {
     const auto flanks = find_flanks(column, level);
     if (!flanks) return;
     if (!found_.empty() && is_split(found_.back(), *flanks)) {
-      if (smooth_[column] <= smooth_[found_.back().column]) return;
+      if (smooth(column) <= smooth(found_.back().column)) return;
       peaks_.pop_back();
       found_.pop_back();
     }
@@ -98,6 +114,8 @@ class RowScanner {
     found_.push_back(*flanks);
   }
 
+  [[nodiscard]] float smooth(int column) const { return smooth_[static_cast<std::size_t>(column)]; }
+
   /// A maximum and where its light has fallen to the flank level on both sides.
   struct Flanks {
     int column = 0;
@@ -105,7 +123,7 @@ class RowScanner {
   };
 
   [[nodiscard]] std::optional<Flanks> find_flanks(int column, float level) const {
-    const float flank = level + kFlankLevel * (smooth_[column] - level);
+    const float flank = level + kFlankLevel * (smooth(column) - level);
     const auto left = crossing(column, -1, flank), right = crossing(column, 1, flank);
     if (!left || !right) return std::nullopt;
     return Flanks{column, *left, *right};
@@ -114,7 +132,7 @@ class RowScanner {
   /// True if there is hardly a valley between two maxima: the lower one's flank is beyond the
   /// other.
   [[nodiscard]] bool is_split(const Flanks& left, const Flanks& right) const {
-    return smooth_[left.column] < smooth_[right.column]
+    return smooth(left.column) < smooth(right.column)
                ? left.right > static_cast<float>(right.column)
                : right.left < static_cast<float>(left.column);
   }
@@ -127,28 +145,29 @@ class RowScanner {
     if (!(variance > kMinVariance)) return std::nullopt;
     Peak peak;
     peak.center_px = 0.5F * (flanks.left + flanks.right);
-    peak.three_point_px =
-        static_cast<float>(flanks.column) + three_point_offset(flanks.column, level);
+    if (options_.three_point) {
+      peak.three_point_px =
+          static_cast<float>(flanks.column) + three_point_offset(flanks.column, level);
+    }
     peak.sigma_px = std::sqrt(variance);
-    peak.amplitude = (smooth_[flanks.column] - level) * total / peak.sigma_px;
+    peak.amplitude = (smooth(flanks.column) - level) * total / peak.sigma_px;
     return peak;
   }
 
   /// Where the smoothed row falls below `flank`, from `column` in the direction of `step`.
   [[nodiscard]] std::optional<float> crossing(int column, int step, float flank) const {
-    const int size = static_cast<int>(smooth_.size());
     int c = column + step;
-    while (c >= 0 && c < size && smooth_[c] > flank) c += step;
-    if (c < 0 || c >= size) return std::nullopt;
-    const float share = (smooth_[c - step] - flank) / (smooth_[c - step] - smooth_[c]);
+    while (c >= 0 && c < columns_ && smooth(c) > flank) c += step;
+    if (c < 0 || c >= columns_) return std::nullopt;
+    const float share = (smooth(c - step) - flank) / (smooth(c - step) - smooth(c));
     return static_cast<float>(c - step) + share * static_cast<float>(step);
   }
 
   /// Center of the Gaussian through three neighboring values, relative to the middle one.
   [[nodiscard]] float three_point_offset(int column, float level) const {
-    const float left = smooth_[column - 1] - level, right = smooth_[column + 1] - level;
+    const float left = smooth(column - 1) - level, right = smooth(column + 1) - level;
     if (!(left > 0 && right > 0)) return 0.0F;
-    const float a = std::log(left), b = std::log(smooth_[column] - level), c = std::log(right);
+    const float a = std::log(left), b = std::log(smooth(column) - level), c = std::log(right);
     const float curvature = 2.0F * b - a - c;
     return curvature > 0 ? 0.5F * (c - a) / curvature : 0.0F;
   }
@@ -166,19 +185,19 @@ class RowScanner {
   const PeakOptions& options_;
   std::vector<float> half_;
   float threshold_ = 0;  // in standard deviations of a single pixel
-  RowArray smooth_;
+  int columns_;
+  std::vector<float> smooth_;  // the smoothed row, filled up with zeros to whole blocks
+  std::vector<Maximum> maxima_;
   std::vector<Peak> peaks_;
   std::vector<Flanks> found_;  // parallel to peaks_
 };
 
 }  // namespace
 
-std::vector<std::vector<Peak>> find_peaks(const cv::Mat& rows, const Background& background,
-                                          const PeakOptions& options) {
-  RowScanner scanner(background, options);
-  std::vector<std::vector<Peak>> peaks;
-  peaks.reserve(static_cast<std::size_t>(rows.rows));
-  for (int r = 0; r < rows.rows; ++r) peaks.push_back(scanner.scan(rows, r));
+PeakRows find_peaks(const cv::Mat& rows, const Background& background, const PeakOptions& options) {
+  RowScanner scanner(background, options, rows.cols);
+  PeakRows peaks;
+  for (int r = 0; r < rows.rows; ++r) peaks.add_row(scanner.scan(rows, r));
   return peaks;
 }
 

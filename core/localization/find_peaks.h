@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <span>
 #include <vector>
 
 #include "core/localization/background.h"
@@ -19,19 +20,37 @@ struct Peak {
   bool saturated = false;
 };
 
+/// The peaks of an image by row, and by rising column in each row.
+class PeakRows {
+ public:
+  [[nodiscard]] int row_count() const { return static_cast<int>(first_.size()) - 1; }
+  [[nodiscard]] std::span<const Peak> row(int r) const {
+    const auto i = static_cast<std::size_t>(r);
+    return std::span(peaks_).subspan(first_[i], first_[i + 1] - first_[i]);
+  }
+  void add_row(std::span<const Peak> peaks) {
+    peaks_.insert(peaks_.end(), peaks.begin(), peaks.end());
+    first_.push_back(peaks_.size());
+  }
+
+ private:
+  std::vector<Peak> peaks_;
+  std::vector<std::size_t> first_ = {0};  ///< of each row, then the end
+};
+
 /// What counts as a peak.
 struct PeakOptions {
   double smoothing_sigma_px = 1.0;
   double threshold = 5.0;     ///< in standard deviations of the smoothed background noise
   float full_scale = 255.0F;  ///< gray value at which the camera clips
+  bool three_point = false;   ///< whether Peak::three_point_px is told
 };
 
-/// The peaks of each row by rising column. Two maxima with hardly a valley between them are one
-/// peak split by speckle.
+/// Finds the peaks of each row. Two maxima with hardly a valley between them are one peak split by
+/// speckle.
 /// @param rows  CV_32FC1; lines cross the rows.
 /// @source  Arold et al., "Line Localization".
-[[nodiscard]] std::vector<std::vector<Peak>> find_peaks(const cv::Mat& rows,
-                                                        const Background& background,
-                                                        const PeakOptions& options);
+[[nodiscard]] PeakRows find_peaks(const cv::Mat& rows, const Background& background,
+                                  const PeakOptions& options);
 
 }  // namespace flytri

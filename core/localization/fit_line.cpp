@@ -12,17 +12,18 @@ namespace {
 constexpr int kLanes = 8;
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
-/// Normal equations of one Gauss-Newton step for height (a), center (c) and width (w): sums of
-/// weighted products of the derivatives, and of these with the residual (r).
-struct Normal {
-  float aa = 0, ac = 0, cc = 0, ar = 0, cr = 0;
-  float aw = 0, cw = 0, ww = 0, wr = 0;  ///< zero where the width is not fitted
+/// Weighted moments of the pixels, with g the shape of the line, t the distance from its center in
+/// sigmas, y the light above the background and w the weight: sums of w g² t^k and of w y g t^k.
+struct Moments {
+  std::array<float, 5> shape{};  ///< k = 3, 4 stay zero where the width is not fitted
+  std::array<float, 3> light{};  ///< k = 2 likewise
 };
 
-/// One step, and the variance of the center.
-struct Step {
-  float height = 0, center = 0, width = 0;
-  float center_variance = 0;
+/// What the moments say of the line: y = height · (g + shift · g t + widening · g t²) to first
+/// order, shift and widening in sigmas.
+struct Solution {
+  float height = 0, shift = 0, widening = 0;
+  float shift_variance = 0;
 };
 
 /// 0, 1, 2, ...
@@ -50,85 +51,91 @@ std::optional<PixelRange> pixels_of(const LineWindow& window, float center) {
 
 /// Sums over the window. Pixels beyond its reach have no weight.
 template <bool kFitWidth>
-std::optional<Normal> accumulate(const LineWindow& window, const NoiseModel& noise,
-                                 const LineFit& fit) {
+std::optional<Moments> accumulate(const LineWindow& window, const NoiseModel& noise,
+                                  const LineFit& fit) {
   const auto range = pixels_of(window, fit.center_px);
   if (!range) return std::nullopt;
   const float inverse_sigma = 1.0F / fit.sigma_px;
   const float sigma_over_reach = fit.sigma_px / window.reach_px;
   const float speckle = noise.speckle_contrast * noise.speckle_contrast;
   const Lanes zero = Lanes::Zero();
-  Lanes aa = zero, ac = zero, cc = zero, ar = zero, cr = zero;
-  Lanes aw = zero, cw = zero, ww = zero, wr = zero;
+  Lanes s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, y0 = zero, y1 = zero, y2 = zero;
   Lanes pixel = lane_numbers() + (static_cast<float>(range->first) - fit.center_px);
   for (int i = 0; i < range->count; i += kLanes, pixel += static_cast<float>(kLanes)) {
     const Lanes value = Eigen::Map<const Lanes>(window.row.data() + range->first + i);
     const Lanes t = pixel * inverse_sigma;
     const Lanes shape = (-0.5F * t.square()).exp();
     const Lanes signal = fit.amplitude * shape;
-    const Lanes residual =
-        value - window.background.level - window.background.slope * pixel - signal;
     const Lanes taper = (1.0F - (t * sigma_over_reach).square()).max(0.0F);
     const Lanes variance = noise.read_variance + (noise.shot_gain + speckle * signal) * signal;
     const Lanes weight = (value < window.full_scale).select(taper.square() / variance, zero);
-    const Lanes by_center = signal * t * inverse_sigma;
-    const Lanes weighted_shape = weight * shape, weighted_center = weight * by_center;
-    aa += weighted_shape * shape;
-    ac += weighted_shape * by_center;
-    cc += weighted_center * by_center;
-    ar += weighted_shape * residual;
-    cr += weighted_center * residual;
+    const Lanes light = value - window.background.level - window.background.slope * pixel;
+    const Lanes weighted = weight * shape;
+    const Lanes w0 = weighted * shape, w1 = w0 * t, w2 = w1 * t;
+    const Lanes l0 = weighted * light, l1 = l0 * t;
+    s0 += w0, s1 += w1, s2 += w2;
+    y0 += l0, y1 += l1;
     if constexpr (kFitWidth) {
-      const Lanes by_width = by_center * t, weighted_width = weight * by_width;
-      aw += weighted_width * shape;
-      cw += weighted_width * by_center;
-      ww += weighted_width * by_width;
-      wr += weighted_width * residual;
+      const Lanes w3 = w2 * t;
+      s3 += w3, s4 += w3 * t;
+      y2 += l1 * t;
     }
   }
-  return Normal{aa.sum(), ac.sum(), cc.sum(), ar.sum(), cr.sum(),
-                aw.sum(), cw.sum(), ww.sum(), wr.sum()};
+  return Moments{{s0.sum(), s1.sum(), s2.sum(), s3.sum(), s4.sum()},
+                 {y0.sum(), y1.sum(), y2.sum()}};
 }
 
 /// Share of the product of the diagonal below which the pixels do not determine the parameters.
 constexpr float kSingular = 1e-4F;
 
-std::optional<Step> solve_fixed_width(const Normal& n) {
-  const float determinant = n.aa * n.cc - n.ac * n.ac;
-  if (!(determinant > kSingular * n.aa * n.cc)) return std::nullopt;
-  return Step{(n.cc * n.ar - n.ac * n.cr) / determinant, (n.aa * n.cr - n.ac * n.ar) / determinant,
-              0.0F, n.aa / determinant};
+std::optional<Solution> solve_fixed_width(const Moments& m) {
+  const auto& s = m.shape;
+  const float determinant = s[0] * s[2] - s[1] * s[1];
+  if (!(determinant > kSingular * s[0] * s[2])) return std::nullopt;
+  const float height = (s[2] * m.light[0] - s[1] * m.light[1]) / determinant;
+  const float shift = (s[0] * m.light[1] - s[1] * m.light[0]) / (determinant * height);
+  return Solution{height, shift, 0.0F, s[0] / (determinant * height * height)};
 }
 
-std::optional<Step> solve_with_width(const Normal& n) {
+std::optional<Solution> solve_with_width(const Moments& m) {
+  const auto& s = m.shape;
   Eigen::Matrix3f H;
-  H << n.aa, n.ac, n.aw, n.ac, n.cc, n.cw, n.aw, n.cw, n.ww;
-  if (!(H.determinant() > kSingular * n.aa * n.cc * n.ww)) return std::nullopt;
+  H << s[0], s[1], s[2], s[1], s[2], s[3], s[2], s[3], s[4];
+  if (!(H.determinant() > kSingular * s[0] * s[2] * s[4])) return std::nullopt;
   const Eigen::Matrix3f covariance = H.inverse();
-  const Eigen::Vector3f step = covariance * Eigen::Vector3f(n.ar, n.cr, n.wr);
-  return Step{step[0], step[1], step[2], covariance(1, 1)};
+  const Eigen::Vector3f x = covariance * Eigen::Vector3f(m.light[0], m.light[1], m.light[2]);
+  return Solution{x[0], x[1] / x[0], x[2] / x[0], covariance(1, 1) / (x[0] * x[0])};
+}
+
+/// A step beyond the line's own size comes from something that is not this line.
+bool is_of_this_line(const Solution& solution, const LineFit& fit) {
+  return std::abs(solution.shift) < 1.0F && std::abs(solution.widening) < 0.5F &&
+         solution.height > 0.2F * fit.amplitude && solution.height < 3.0F * fit.amplitude;
+}
+
+/// What is left after a step is of third order: a thousandth of a sigma after such small ones.
+bool is_settled(const Solution& solution, const LineFit& before) {
+  return std::abs(solution.shift) < 0.15F && std::abs(solution.widening) < 0.1F &&
+         std::abs(solution.height - before.amplitude) < 0.3F * before.amplitude;
 }
 
 }  // namespace
 
 std::optional<LineFit> fit_line(const LineWindow& window, const NoiseModel& noise,
-                                const LineFit& start, bool fit_width, int iterations) {
+                                const LineFit& start, bool fit_width, int max_steps) {
   LineFit fit = start;
-  for (int iteration = 0; iteration < iterations; ++iteration) {
-    const auto normal =
+  for (int step = 0; step < max_steps; ++step) {
+    const auto moments =
         fit_width ? accumulate<true>(window, noise, fit) : accumulate<false>(window, noise, fit);
-    if (!normal) return std::nullopt;
-    const auto step = fit_width ? solve_with_width(*normal) : solve_fixed_width(*normal);
-    // A step beyond the line's own size comes from something that is not this line.
-    if (!step || !(std::abs(step->center) < fit.sigma_px) ||
-        !(std::abs(step->width) < 0.5F * fit.sigma_px) ||
-        !(std::abs(step->height) < 2.0F * fit.amplitude)) {
-      return std::nullopt;
-    }
-    fit.amplitude = std::max(fit.amplitude + step->height, 0.2F * fit.amplitude);
-    fit.center_px += step->center;
-    fit.sigma_px += step->width;
-    fit.center_variance = step->center_variance;
+    if (!moments) return std::nullopt;
+    const auto solution = fit_width ? solve_with_width(*moments) : solve_fixed_width(*moments);
+    if (!solution || !is_of_this_line(*solution, fit)) return std::nullopt;
+    const bool settled = is_settled(*solution, fit);
+    fit.center_variance = solution->shift_variance * fit.sigma_px * fit.sigma_px;
+    fit.amplitude = solution->height;
+    fit.center_px += solution->shift * fit.sigma_px;
+    fit.sigma_px += solution->widening * fit.sigma_px;
+    if (settled) break;
   }
   return fit;
 }

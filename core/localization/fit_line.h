@@ -30,8 +30,9 @@ struct LineWindow {
   float full_scale = 255.0F;  ///< pixels at or above it are clipped: they are left out too
 };
 
-/// Improves `start` by `iterations` Gauss-Newton steps. Each pixel weighs the inverse of its
-/// variance and, toward the ends of the window, ever less, so that no pixel enters with a jump.
+/// Improves `start` by at most `max_steps` Gauss-Newton steps, fewer where they are small. Each
+/// pixel weighs the inverse of its variance and, toward the ends of the window, ever less, so that
+/// no pixel enters with a jump.
 ///
 /// Under speckle the flanks, where light changes fastest for its amount, tell the position best;
 /// the three points at the top tell little.
@@ -40,7 +41,7 @@ struct LineWindow {
 /// @param fit_width  false keeps the width.
 /// @return nothing if the window leaves the row or the pixels do not determine the line.
 [[nodiscard]] std::optional<LineFit> fit_line(const LineWindow& window, const NoiseModel& noise,
-                                              const LineFit& start, bool fit_width, int iterations);
+                                              const LineFit& start, bool fit_width, int max_steps);
 
 /// The background beside the line, from a few pixels beyond each flank. Sides that differ by more
 /// than a tenth of the line's height hold another line or an edge: then the darker side counts.

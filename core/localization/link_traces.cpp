@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace flytri {
 namespace {
@@ -33,12 +34,12 @@ class Linker {
  public:
   Linker(float max_slope, int min_length) : max_slope_(max_slope), min_length_(min_length) {}
 
-  void add_row(int row, const std::vector<Peak>& peaks) {
+  void add_row(int row, std::span<const Peak> peaks) {
     retire(row);
-    const auto owner = match(row, peaks);
+    match(row, peaks);
     for (std::size_t p = 0; p < peaks.size(); ++p) {
-      if (owner[p] >= 0) {
-        open_[static_cast<std::size_t>(owner[p])].push_back(peaks[p]);
+      if (owners_[p].trace >= 0) {
+        open_[static_cast<std::size_t>(owners_[p].trace)].push_back(peaks[p]);
       } else {
         open_.push_back({peaks[p]});
       }
@@ -55,10 +56,15 @@ class Linker {
   }
 
  private:
-  /// The open trace that each peak continues, or -1.
-  [[nodiscard]] std::vector<int> match(int row, const std::vector<Peak>& peaks) const {
-    std::vector<int> owner(peaks.size(), -1);
-    std::vector<float> owner_distance(peaks.size(), 0);
+  /// The open trace that a peak continues, or -1, and how far from its prediction.
+  struct Owner {
+    int trace = -1;
+    float distance_px = 0;
+  };
+
+  /// Finds the owner of each peak.
+  void match(int row, std::span<const Peak> peaks) {
+    owners_.assign(peaks.size(), {});
     for (std::size_t t = 0; t < open_.size(); ++t) {
       const float expected = predict(open_[t], row);
       const int nearest = nearest_peak(peaks, expected);
@@ -66,15 +72,13 @@ class Linker {
       const auto p = static_cast<std::size_t>(nearest);
       const float distance = std::abs(peaks[p].center_px - expected);
       if (distance > tolerance(open_[t], row, max_slope_)) continue;
-      if (owner[p] < 0 || distance < owner_distance[p]) {
-        owner[p] = static_cast<int>(t);
-        owner_distance[p] = distance;
+      if (owners_[p].trace < 0 || distance < owners_[p].distance_px) {
+        owners_[p] = {static_cast<int>(t), distance};
       }
     }
-    return owner;
   }
 
-  static int nearest_peak(const std::vector<Peak>& peaks, float expected) {
+  static int nearest_peak(std::span<const Peak> peaks, float expected) {
     const auto after =
         std::lower_bound(peaks.begin(), peaks.end(), expected,
                          [](const Peak& peak, float across) { return peak.center_px < across; });
@@ -93,31 +97,30 @@ class Linker {
 
   /// Closes the traces that missed too many rows.
   void retire(int row) {
-    std::vector<PeakTrace> kept;
-    for (PeakTrace& trace : open_) {
-      if (row - trace.back().row <= kMaxGap + 1) {
-        kept.push_back(std::move(trace));
-      } else if (static_cast<int>(trace.size()) >= min_length_) {
-        done_.push_back(std::move(trace));
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < open_.size(); ++t) {
+      if (row - open_[t].back().row <= kMaxGap + 1) {
+        if (kept != t) open_[kept] = std::move(open_[t]);
+        ++kept;
+      } else if (static_cast<int>(open_[t].size()) >= min_length_) {
+        done_.push_back(std::move(open_[t]));
       }
     }
-    open_ = std::move(kept);
+    open_.resize(kept);
   }
 
   float max_slope_;
   int min_length_;
   std::vector<PeakTrace> open_, done_;
+  std::vector<Owner> owners_;  // of the row's peaks
 };
 
 }  // namespace
 
-std::vector<PeakTrace> link_traces(const std::vector<std::vector<Peak>>& peaks, double max_slope,
-                                   int min_length) {
+std::vector<PeakTrace> link_traces(const PeakRows& peaks, double max_slope, int min_length) {
   Linker linker(static_cast<float>(max_slope), min_length);
-  for (std::size_t row = 0; row < peaks.size(); ++row) {
-    linker.add_row(static_cast<int>(row), peaks[row]);
-  }
-  return linker.finish(static_cast<int>(peaks.size()));
+  for (int row = 0; row < peaks.row_count(); ++row) linker.add_row(row, peaks.row(row));
+  return linker.finish(peaks.row_count());
 }
 
 }  // namespace flytri

@@ -12,9 +12,8 @@ using PeakTrace = std::vector<Peak>;
 
 /// Joins each peak to the trace whose continuation it is nearest to; both must be each other's
 /// nearest. A trace may miss a row and go on.
-/// @param peaks  by row, then by rising column, see find_peaks.
 /// @param max_slope  steepest line that is followed, pixels across per pixel along.
-[[nodiscard]] std::vector<PeakTrace> link_traces(const std::vector<std::vector<Peak>>& peaks,
-                                                 double max_slope, int min_length);
+[[nodiscard]] std::vector<PeakTrace> link_traces(const PeakRows& peaks, double max_slope,
+                                                 int min_length);
 
 }  // namespace flytri

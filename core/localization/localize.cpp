@@ -7,12 +7,11 @@
 namespace flytri {
 namespace {
 
-/// The image as floats, turned so that lines cross its rows.
+/// The image turned so that lines cross its rows.
 cv::Mat rows_across_lines(const cv::Mat& image, Pattern pattern) {
-  cv::Mat turned = image;
-  if (pattern == Pattern::kHorizontal) cv::transpose(image, turned);
+  if (pattern == Pattern::kVertical) return image;
   cv::Mat rows;
-  turned.convertTo(rows, CV_32F);
+  cv::transpose(image, rows);
   return rows;
 }
 
@@ -39,13 +38,16 @@ Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern patt
   if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_16UC1)) {
     return fail(ErrorCode::kBadFormat, "a measurement image must be 8- or 16-bit gray");
   }
-  const cv::Mat rows = rows_across_lines(image, pattern);
-  const Background background(rows);
+  const cv::Mat grays = rows_across_lines(image, pattern);
+  const Background background(grays);
+  cv::Mat rows;
+  grays.convertTo(rows, CV_32F);
   PeakOptions peak_options;
   peak_options.smoothing_sigma_px = options.detection_sigma_px;
   peak_options.threshold = options.detection_threshold;
   peak_options.full_scale = image.depth() == CV_8U ? 255.0F : 65535.0F;
-  const auto peaks = find_peaks(rows, background, peak_options);
+  peak_options.three_point = options.estimator == LineEstimator::kThreePoint;
+  const PeakRows peaks = find_peaks(rows, background, peak_options);
   const auto traces = link_traces(peaks, options.max_slope, options.trim.min_length);
   const auto samples =
       refine_traces(rows, background, traces, {options.estimator, peak_options.full_scale});

@@ -18,8 +18,8 @@ constexpr float kReachSigmas = 4.0F;
 constexpr float kMinReachSigmas = 1.5F;
 /// Before the image's noise is known: the paper's sensors are limited by speckle of this order.
 constexpr float kFirstContrast = 0.1F;
-constexpr std::size_t kShapeStep = 2;   // the shape is fitted to every second peak
-constexpr std::size_t kShapeBlock = 4;  // fitted shapes between two knots of the smoothed shape
+constexpr std::size_t kShapeStep = 4;   // the shape is fitted to every fourth peak
+constexpr std::size_t kShapeBlock = 2;  // fitted shapes between two knots of the smoothed shape
 
 /// What changes slowly along a line: its width and the background under it.
 struct LineShape {
@@ -90,10 +90,8 @@ class Refiner {
       const LineFit start{peak.center_px, peak.sigma_px, peak.amplitude, 0.0F};
       const auto flank = flank_level(row_of(peak), start);
       noise.read_variance = std::pow(background_.noise(peak.row, int(peak.center_px)), 2.0F);
-      // The flanks of a clipped line start farther from the truth.
-      const int iterations = peak.saturated ? 6 : 2;
       std::optional<LineFit> line;
-      if (flank) line = fit(peak, start, *flank, noise, {true, iterations});
+      if (flank) line = fit(peak, start, *flank, noise, true);
       fits.push_back(line ? std::optional(ShapeFit{*line, *flank}) : std::nullopt);
     }
     return fits;
@@ -108,13 +106,12 @@ class Refiner {
       const Peak& peak = trace[i];
       const LineShape shape = shape_at(knots, i);
       if (!(shape.sigma_px > 0)) continue;
-      // Every second peak has a fit already, which is nearer to the truth than the peak itself.
+      // Every fourth peak has a fit already, which is nearer to the truth than the peak itself.
       const bool fitted = i % kShapeStep == 0 && fits[i / kShapeStep];
       const LineFit near =
           fitted ? fits[i / kShapeStep]->line : LineFit{peak.center_px, 0.0F, peak.amplitude, 0.0F};
       const LineFit start{near.center_px, shape.sigma_px, near.amplitude, 0.0F};
-      const int iterations = peak.saturated ? 6 : fitted ? 1 : 2;
-      const auto line = fit(peak, start, shape.background, noise, {false, iterations});
+      const auto line = fit(peak, start, shape.background, noise, false);
       if (!line) continue;
       const bool three_point = options_.estimator == LineEstimator::kThreePoint;
       samples.push_back({peak.row, three_point ? peak.three_point_px : line->center_px,
@@ -125,22 +122,19 @@ class Refiner {
   }
 
  private:
-  struct Effort {
-    bool fit_width;
-    int iterations;
-  };
-
   [[nodiscard]] std::span<const float> row_of(const Peak& peak) const {
     return {rows_.ptr<float>(peak.row), static_cast<std::size_t>(rows_.cols)};
   }
 
   [[nodiscard]] std::optional<LineFit> fit(const Peak& peak, const LineFit& start,
                                            const FlankLevel& flank, const NoiseModel& noise,
-                                           const Effort& effort) const {
+                                           bool fit_width) const {
     const float reach = std::min(kReachSigmas * start.sigma_px, peak.room_px);
     if (reach < kMinReachSigmas * start.sigma_px) return std::nullopt;
     const LineWindow window{row_of(peak), flank, reach, options_.full_scale};
-    return fit_line(window, noise, start, effort.fit_width, effort.iterations);
+    // The flanks of a clipped line start far from the truth.
+    const int max_steps = peak.saturated ? 6 : 2;
+    return fit_line(window, noise, start, fit_width, max_steps);
   }
 
   const cv::Mat& rows_;
@@ -152,7 +146,7 @@ class Refiner {
 NoiseModel noise_of(const cv::Mat& rows, const Background& background,
                     const std::vector<PeakTrace>& traces, const std::vector<TraceFits>& fits,
                     float full_scale) {
-  constexpr std::size_t kNoiseStep = 4;  // every fourth fit tells the noise well enough
+  constexpr std::size_t kNoiseStep = 2;  // every second fit tells the noise well enough
   std::vector<LineFit> some;
   std::vector<int> some_rows;
   std::size_t counter = 0;
