@@ -31,7 +31,7 @@ Result<void> write_results(const fs::path& folder, const Reconstruction& reconst
   if (auto made = create_folder(folder); !made) return made;
   for (const char* ending : {".glb", ".ply", ".stl", ".obj"}) {
     const fs::path file = folder / (std::string("jaw") + ending);
-    if (auto written = write_model(file, reconstruction.model); !written) return written;
+    if (auto written = write_result(file, reconstruction); !written) return written;
     fmt::print("wrote {}\n", file.string());
   }
   PictureOptions options;

@@ -10,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/report.h"
 #include "core/evaluation/best_fit.h"
+#include "core/evaluation/color_error.h"
 #include "core/evaluation/pose_displacement.h"
 #include "core/evaluation/surface_error.h"
 #include "core/interchange/calibration_file.h"
@@ -26,6 +27,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double kMicronsOfMm = 1e3;
+/// Vertices this near to a true one have its color: less than a painted spot.
+constexpr double kColorWithinMm = 0.3;
 constexpr double kPercent = 1e2;
 
 struct EvaluateArguments {
@@ -58,6 +61,7 @@ struct Evaluation {
   SurfaceError as_it_stands;
   SurfaceError fitted;
   BestFitOutcome outcome = BestFitOutcome::kStillMoving;
+  ColorError colors;
   std::size_t pose_count = 0;
   std::optional<PoseDisplacement> poses;
 };
@@ -160,7 +164,7 @@ Result<Reference> read_reference(const EvaluateArguments& arguments) {
   return reference;
 }
 
-Result<Evaluation> evaluate(const TriangleMesh& result, const Reference& reference,
+Result<Evaluation> evaluate(const TexturedMesh& result, const Reference& reference,
                             const EvaluateArguments& arguments, const Progress& progress) {
   const Workers workers(arguments.thread_count);
   const TrueSurface& truth = reference.surface;
@@ -168,7 +172,7 @@ Result<Evaluation> evaluate(const TriangleMesh& result, const Reference& referen
     return surface_error(mesh, truth.mesh, truth.selected, arguments.surface, workers);
   };
   progress.begin_stage("Comparing", 3);
-  const TriangleMesh placed = transformed(result, reference.T_model_world);
+  const TriangleMesh placed = transformed(result.mesh, reference.T_model_world);
   const auto as_it_stands = error_of(placed);
   if (!as_it_stands) return tl::unexpected(as_it_stands.error());
   progress.advance();
@@ -178,7 +182,10 @@ Result<Evaluation> evaluate(const TriangleMesh& result, const Reference& referen
   const auto fitted = error_of(transformed(placed, fit->T_truth_result));
   if (!fitted) return tl::unexpected(fitted.error());
   progress.advance();
-  Evaluation evaluation{*as_it_stands, *fitted, fit->outcome, reference.poses.size(), std::nullopt};
+  const ColorError colors =
+      color_error({placed, result.uv, result.atlas}, truth.mesh, kColorWithinMm, workers);
+  Evaluation evaluation{*as_it_stands,          *fitted,     fit->outcome, colors,
+                        reference.poses.size(), std::nullopt};
   if (reference.poses.empty() || !reference.volume_mm) return evaluation;
   const auto poses = pose_displacement(reference.poses, volume_corners(*reference.volume_mm));
   if (!poses) return tl::unexpected(poses.error());
@@ -207,6 +214,11 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
   if (evaluation.outcome == BestFitOutcome::kStillMoving) {
     fmt::print("The best fit was still moving when it was stopped.\n");
   }
+  fmt::print(
+      "\ncolor, chromaticity by the nearest of the true vertices: median {:.3f}, 95 % {:.3f}; "
+      "colors of other places would give {:.3f}\n",
+      evaluation.colors.median, evaluation.colors.percentile_95,
+      evaluation.colors.median_by_chance);
   if (evaluation.pose_count == 0) return;
   if (!evaluation.poses) {
     fmt::print("\nPose errors need the measurement volume: give --calibration FILE.\n");
@@ -241,6 +253,10 @@ Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
                {"as_it_stands", surface_json(evaluation.as_it_stands)},
                {"best_fit", surface_json(evaluation.fitted)}};
   json["best_fit"]["converged"] = evaluation.outcome == BestFitOutcome::kConverged;
+  json["color"] = {{"vertices", evaluation.colors.count},
+                   {"median", evaluation.colors.median},
+                   {"percentile_95", evaluation.colors.percentile_95},
+                   {"median_by_chance", evaluation.colors.median_by_chance}};
   if (evaluation.poses) {
     json["poses"] = {{"count", evaluation.pose_count},
                      {"first_view_rms_mm", evaluation.poses->first_view_mm},
@@ -254,7 +270,7 @@ Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
   if (!model) return tl::unexpected(model.error());
   const auto reference = read_reference(arguments);
   if (!reference) return tl::unexpected(reference.error());
-  const auto evaluation = evaluate(model->mesh, *reference, arguments, progress);
+  const auto evaluation = evaluate(*model, *reference, arguments, progress);
   if (!evaluation) return tl::unexpected(evaluation.error());
   print_evaluation(*evaluation, arguments);
   if (arguments.output.empty()) return {};

@@ -48,7 +48,7 @@ Result<void> check_outputs(const ReconstructArguments& arguments) {
 Result<void> write_outputs(const ReconstructArguments& arguments,
                            const Reconstruction& reconstruction) {
   for (const fs::path& output : arguments.outputs) {
-    if (auto written = write_model(output, reconstruction.model); !written) return written;
+    if (auto written = write_result(output, reconstruction); !written) return written;
     fmt::print("wrote {}\n", output.string());
   }
   if (!arguments.points.empty()) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/interchange/file_bytes.h"
+#include "core/interchange/model.h"
 
 namespace flytri::cli {
 namespace {
@@ -109,6 +110,11 @@ void print_summary(const Reconstruction& reconstruction) {
     fmt::print("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,
                stage.item_name);
   }
+}
+
+Result<void> write_result(const std::filesystem::path& path, const Reconstruction& reconstruction) {
+  if (carries_atlas(path)) return write_model(path, reconstruction.model);
+  return write_model(path, TexturedMesh{reconstruction.surface.mesh, {}, {}});
 }
 
 Result<void> write_report(const std::filesystem::path& path, const Reconstruction& reconstruction) {

@@ -14,6 +14,11 @@ namespace flytri::cli {
 /// Prints counts of frames, points, triangles and holes, and the time of each stage.
 void print_summary(const Reconstruction& reconstruction);
 
+/// Writes the model in the form that suits the ending: cut into charts with an atlas, or whole.
+/// @errors  as write_model.
+[[nodiscard]] Result<void> write_result(const std::filesystem::path& path,
+                                        const Reconstruction& reconstruction);
+
 /// Writes report.json; its keys are documented in docs/formats.md.
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> write_report(const std::filesystem::path& path,

@@ -74,6 +74,11 @@ Result<TexturedMesh> parse(Format format, const std::string& bytes, const std::s
 
 }  // namespace
 
+bool carries_atlas(const std::filesystem::path& path) {
+  const Result<Format> format = format_of(path);
+  return format && (*format == Format::kGlb || *format == Format::kObj);
+}
+
 Result<void> check_model_path(const std::filesystem::path& path) {
   return format_of(path).map([](Format) {});
 }

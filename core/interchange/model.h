@@ -12,6 +12,10 @@ namespace flytri {
 /// @errors  kBadOption: lists the endings.
 [[nodiscard]] Result<void> check_model_path(const std::filesystem::path& path);
 
+/// Whether the format of this ending carries a texture atlas. In the others the vertices of an
+/// uncut mesh, with a color each, serve better.
+[[nodiscard]] bool carries_atlas(const std::filesystem::path& path);
+
 /// Writes .glb, .ply, .stl or .obj (with .mtl and .png), at once or not at all.
 /// @errors  kBadOption (ending), kInsufficient (no triangles), kInconsistent (an index or a number
 ///          that cannot be), as write_file.

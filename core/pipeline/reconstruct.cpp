@@ -213,16 +213,24 @@ Result<void> Run::apply_texture(const Recording& recording, const Calibration& c
       frames.push_back({frame->image, *report.T_world_sensor});
     }
   }
-  progress_.begin_stage("Texturing", 2);
+  progress_.begin_stage("Texturing", 3);
   const std::array<std::span<SurfacePoint>, 2> surfaces = {result_.points,
                                                            result_.surface.mesh.vertices};
   for (const std::span<SurfacePoint> points : surfaces) {
     if (progress_.cancelled()) return stopped();
-    const auto counts = color_points(points, frames, calibration, options_.texture, workers_);
+    const auto counts =
+        color_points(points, frames, calibration, options_.atlas.coloring, workers_);
     if (!counts) return tl::unexpected(counts.error());
     progress_.advance();
   }
-  result_.model.mesh = result_.surface.mesh;
+  if (frames.empty()) {
+    result_.model.mesh = result_.surface.mesh;
+  } else {
+    Result<BakedAtlas> baked =
+        bake_atlas(result_.surface.mesh, frames, calibration, options_.atlas, workers_);
+    if (!baked) return tl::unexpected(baked.error());
+    result_.model = std::move(baked->model);
+  }
   clock_.end_stage("texture", frames.size(), "frames");
   return {};
 }

@@ -19,7 +19,7 @@
 #include "core/pipeline/stage_clock.h"
 #include "core/reduction/reduce.h"
 #include "core/refinement/refine.h"
-#include "core/texture/color_points.h"
+#include "core/texture/bake_atlas.h"
 
 namespace flytri {
 
@@ -31,7 +31,7 @@ struct ReconstructOptions {
   NormalOptions normals;
   ReduceOptions reduction;
   MeshOptions meshing;
-  TextureOptions texture;
+  AtlasOptions atlas;
   /// Monotonic seconds, for the stage times; empty: they are not taken.
   std::function<double()> now_s;
 };
@@ -59,7 +59,7 @@ struct Reconstruction {
   std::vector<FrameReport> frames;  ///< in the order of the recording
   PointCloud points;                ///< thinned, colored where a texture frame saw them
   SurfaceMesh surface;              ///< with its coverage holes
-  TexturedMesh model;               ///< what is exported: the same triangles
+  TexturedMesh model;               ///< the same triangles, cut into charts if there is texture
   std::vector<StageTime> stages;
 };
 

@@ -1,0 +1,72 @@
+#include "core/evaluation/color_error.h"
+
+#include <algorithm>
+
+#include "core/geometry/point_grid.h"
+#include "core/texture/srgb.h"
+
+namespace flytri {
+namespace {
+
+Rgb color_of(const TexturedMesh& model, std::size_t vertex) {
+  if (model.atlas.empty()) return model.mesh.vertices[vertex].color;
+  const Eigen::Vector2f& uv = model.uv[vertex];
+  const auto pixel = [](float share, int size) {
+    return std::clamp(static_cast<int>(share * static_cast<float>(size)), 0, size - 1);
+  };
+  const auto& texel =
+      model.atlas.at<cv::Vec3b>(pixel(uv.y(), model.atlas.rows), pixel(uv.x(), model.atlas.cols));
+  return {texel[0], texel[1], texel[2]};
+}
+
+Vec3f chromaticity(const Rgb& color) {
+  const Vec3f light(linear_from_srgb(color[0]), linear_from_srgb(color[1]),
+                    linear_from_srgb(color[2]));
+  return light / std::max(light.sum(), 1e-6F);
+}
+
+double percentile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0.0;
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+}  // namespace
+
+ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth, double within_mm,
+                       const Workers& workers) {
+  std::vector<Vec3f> places;
+  for (const SurfacePoint& vertex : truth.vertices) places.push_back(vertex.position_mm);
+  if (places.empty()) return {};
+  const auto reach_mm = static_cast<float>(within_mm);
+  const PointGrid grid(places, reach_mm);
+  // Far apart in the list of vertices is far apart on the surface.
+  const std::size_t elsewhere = truth.vertices.size() / 2;
+  std::vector<double> here(result.mesh.vertices.size(), -1.0);
+  std::vector<double> there(here);
+  workers.for_each(
+      here.size(),
+      [&](std::size_t i) {
+        const auto nearest = grid.nearest(result.mesh.vertices[i].position_mm, reach_mm);
+        if (!nearest) return;
+        const Vec3f found = chromaticity(color_of(result, i));
+        const auto difference = [&](std::size_t j) {
+          return static_cast<double>(
+              (found - chromaticity(truth.vertices[j].color)).cwiseAbs().maxCoeff());
+        };
+        here[i] = difference(nearest->index);
+        there[i] = difference((i * 7919 + elsewhere) % truth.vertices.size());
+      },
+      256);
+  std::erase_if(here, [](double value) { return value < 0.0; });
+  std::erase_if(there, [](double value) { return value < 0.0; });
+  ColorError error;
+  error.count = static_cast<std::int64_t>(here.size());
+  error.median = percentile(here, 0.5);
+  error.percentile_95 = percentile(here, 0.95);
+  error.median_by_chance = percentile(there, 0.5);
+  return error;
+}
+
+}  // namespace flytri

@@ -1,0 +1,159 @@
+#include "core/texture/bake_atlas.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "core/evaluation/color_error.h"
+#include "core/geometry/mesh_normals.h"
+#include "core/texture/atlas_charts.h"
+#include "core/texture/texel_raster.h"
+#include "tests/support/colored_sphere.h"
+
+namespace flytri {
+namespace {
+
+/// A texture camera that looks along z: U = 320 + 20 x, V = 240 + 20 y.
+Calibration orthographic() {
+  Calibration calibration;
+  calibration.volume.size_mm = Vec3(20, 20, 20);
+  calibration.texture_size = {640, 480};
+  calibration.texture_u_px.coefficients[0] = 320;
+  calibration.texture_u_px.coefficients[1] = 20;
+  calibration.texture_v_px.coefficients[0] = 240;
+  calibration.texture_v_px.coefficients[2] = 20;
+  return calibration;
+}
+
+/// A wave over the xy plane that faces the camera, 10 mm wide; higher waves have steeper flanks.
+TriangleMesh wave(float height_mm) {
+  constexpr std::uint32_t kCount = 60;
+  TriangleMesh mesh;
+  for (std::uint32_t j = 0; j < kCount; ++j) {
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+      const float x = 10.0F * static_cast<float>(i) / kCount - 5.0F;
+      const float y = 10.0F * static_cast<float>(j) / kCount - 5.0F;
+      mesh.vertices.push_back({Vec3f(x, y, height_mm * std::sin(1.5F * x)), -Vec3f::UnitZ()});
+      if (i == 0 || j == 0) continue;
+      const std::uint32_t v = j * kCount + i;
+      mesh.triangles.push_back({v, v - kCount, v - 1});
+      mesh.triangles.push_back({v - 1, v - kCount, v - kCount - 1});
+    }
+  }
+  compute_vertex_normals(mesh);
+  return mesh;
+}
+
+/// Left half red, right half blue.
+TextureFrame two_colors() {
+  cv::Mat image(480, 640, CV_8UC3, cv::Scalar(200, 40, 40));
+  image.colRange(320, 640) = cv::Scalar(40, 40, 200);
+  return {image, Isometry::Identity()};
+}
+
+TEST(AtlasCharts, EveryTriangleIsInOneChartAndNoTexelInTwoTriangles) {
+  for (const TriangleMesh& mesh : {wave(0.5F), wave(4.0F), colored_sphere().mesh}) {
+    ChartOptions options;
+    options.texel_mm = 0.06;
+    options.max_chart_px = 64;
+    std::vector<Chart> charts = cut_charts(mesh, options);
+    ASSERT_TRUE(pack_charts(charts, 1024));
+    std::vector<int> charts_of(mesh.triangles.size(), 0);
+    std::set<std::pair<int, int>> taken;
+    std::size_t texels = 0;
+    for (const Chart& chart : charts) {
+      EXPECT_LE(chart.size_px.maxCoeff(), options.max_chart_px);
+      for (const std::uint32_t t : chart.triangles) {
+        ++charts_of[t];
+        std::array<Eigen::Array2f, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+          corners[i] = to_atlas(
+              chart, project_to_chart(chart, mesh.vertices[mesh.triangles[t][i]].position_mm,
+                                      options.texel_mm));
+        }
+        for_each_texel(corners, [&](int x, int y, const Vec3f&) {
+          ++texels;
+          taken.emplace(x, y);
+        });
+      }
+    }
+    EXPECT_EQ(std::count(charts_of.begin(), charts_of.end(), 1),
+              static_cast<std::ptrdiff_t>(charts_of.size()));
+    // A center on an edge may fall to either side when the corner of the chart is added.
+    EXPECT_LE(texels - taken.size(), texels / 1000);
+  }
+}
+
+TEST(AtlasCharts, PackedChartsDoNotOverlap) {
+  std::vector<Chart> charts = cut_charts(wave(4.0F), {});
+  ASSERT_GT(charts.size(), 2U);
+  ASSERT_TRUE(pack_charts(charts, 1024));
+  for (std::size_t a = 0; a < charts.size(); ++a) {
+    EXPECT_TRUE((charts[a].corner_px >= 0).all());
+    EXPECT_TRUE((charts[a].corner_px + charts[a].size_px <= 1024).all());
+    for (std::size_t b = 0; b < a; ++b) {
+      const bool apart = (charts[a].corner_px >= charts[b].corner_px + charts[b].size_px).any() ||
+                         (charts[b].corner_px >= charts[a].corner_px + charts[a].size_px).any();
+      EXPECT_TRUE(apart) << a << " and " << b;
+    }
+  }
+  EXPECT_FALSE(pack_charts(charts, 16));
+}
+
+TEST(BakeAtlas, ColorsAreWhereTheCameraSawThem) {
+  TriangleMesh mesh = wave(0.5F);
+  const std::vector<TextureFrame> frames = {two_colors()};
+  const auto baked = bake_atlas(mesh, frames, orthographic(), {}, Workers(2));
+  ASSERT_TRUE(baked.has_value());
+  for (SurfacePoint& vertex : mesh.vertices) {
+    vertex.color = vertex.position_mm.x() < 0.0F ? Rgb{200, 40, 40} : Rgb{40, 40, 200};
+  }
+  const ColorError error = color_error(baked->model, mesh, 0.01, Workers(2));
+  EXPECT_EQ(error.count, static_cast<std::int64_t>(baked->model.mesh.vertices.size()));
+  EXPECT_LT(error.percentile_95, 0.01);
+  EXPECT_GT(error.median_by_chance, 0.1);
+}
+
+TEST(BakeAtlas, WhatNoFrameSawKeepsTheColorOfItsVertices) {
+  TriangleMesh mesh = wave(0.5F);
+  for (SurfacePoint& vertex : mesh.vertices) vertex.color = {10, 200, 30};
+  const auto baked = bake_atlas(mesh, {}, orthographic(), {}, Workers(2));
+  ASSERT_TRUE(baked.has_value());
+  EXPECT_EQ(baked->texels.observed, 0U);
+  EXPECT_LT(color_error(baked->model, mesh, 0.01, Workers(1)).percentile_95, 1e-6);
+}
+
+TEST(BakeAtlas, AnAtlasWithTooLittleRoomHasCoarserTexels) {
+  const TriangleMesh mesh = wave(0.5F);
+  AtlasOptions small;
+  small.max_side_px = 64;
+  const auto coarse = bake_atlas(mesh, {}, orthographic(), small, Workers(1));
+  const auto fine = bake_atlas(mesh, {}, orthographic(), {}, Workers(1));
+  ASSERT_TRUE(coarse && fine);
+  EXPECT_LE(coarse->model.atlas.cols, 64);
+  EXPECT_NEAR(fine->texel_mm, 1.0 / 20.0, 1e-9);
+  EXPECT_GT(coarse->texel_mm, 2.0 * fine->texel_mm);
+}
+
+TEST(BakeAtlas, SameBitsForAnyNumberOfThreads) {
+  const TriangleMesh mesh = wave(2.0F);
+  const std::vector<TextureFrame> frames = {two_colors()};
+  const auto one = bake_atlas(mesh, frames, orthographic(), {}, Workers(1));
+  const auto four = bake_atlas(mesh, frames, orthographic(), {}, Workers(4));
+  ASSERT_TRUE(one && four);
+  EXPECT_EQ(cv::norm(one->model.atlas, four->model.atlas, cv::NORM_INF), 0.0);
+  EXPECT_EQ(one->model.uv, four->model.uv);
+}
+
+TEST(BakeAtlas, BadInputIsRefused) {
+  AtlasOptions options;
+  options.max_side_px = 1000;
+  EXPECT_EQ(bake_atlas(wave(1.0F), {}, orthographic(), options, Workers(1)).error().code,
+            ErrorCode::kBadOption);
+  EXPECT_EQ(bake_atlas({}, {}, orthographic(), {}, Workers(1)).error().code,
+            ErrorCode::kInsufficient);
+}
+
+}  // namespace
+}  // namespace flytri
