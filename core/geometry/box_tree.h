@@ -8,18 +8,23 @@
 
 namespace flytri {
 
-/// Axis-parallel box.
+/// Axis-parallel box. The fourth coordinate stays 0: four fill a register.
 struct Box {
-  Vec3f low = Vec3f::Constant(1e30F);
-  Vec3f high = Vec3f::Constant(-1e30F);
+  Eigen::Vector4f low = Eigen::Vector4f(1e30F, 1e30F, 1e30F, 0.0F);
+  Eigen::Vector4f high = Eigen::Vector4f(-1e30F, -1e30F, -1e30F, 0.0F);
 
-  void add(const Vec3f& p) { low = low.cwiseMin(p), high = high.cwiseMax(p); }
+  void add(const Vec3f& p) {
+    const Eigen::Vector4f q(p.x(), p.y(), p.z(), 0.0F);
+    low = low.cwiseMin(q), high = high.cwiseMax(q);
+  }
   void add(const Box& other) { low = low.cwiseMin(other.low), high = high.cwiseMax(other.high); }
   [[nodiscard]] float largest_side() const { return (high - low).maxCoeff(); }
-  /// Squared distance between the nearest points of two boxes, 0 if they meet.
+  /// Squared distance between the nearest points of two boxes, 0 if they meet. Summed in the order
+  /// in which points' distances are: it never exceeds the rounded distance of two points inside.
   [[nodiscard]] float squared_distance(const Box& other) const {
-    const Vec3f gap = (low - other.high).cwiseMax(other.low - high).cwiseMax(0.0F);
-    return gap.squaredNorm();
+    const Eigen::Vector4f gap =
+        (low - other.high).cwiseMax(other.low - high).cwiseMax(Eigen::Vector4f::Zero());
+    return gap.head<3>().squaredNorm();
   }
 };
 

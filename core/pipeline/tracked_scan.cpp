@@ -77,8 +77,8 @@ IncomingView TrackedScan::incoming(std::size_t i) const {
 }
 
 void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor) {
-  TrackedView view{{std::move(incoming.view), T_world_sensor},
-                   incoming.prepared.moved(T_world_sensor)};
+  TrackedView view{
+      {std::move(incoming.view), T_world_sensor}, incoming.prepared.moved(T_world_sensor), false};
   grid_.add(extent_of(view.placed, T_world_sensor));
   trajectory_.set(view.aligned.view->time_s, T_world_sensor);
   views_.push_back(std::move(view));
@@ -235,7 +235,7 @@ void TrackedScan::check_path() {
     const auto view = std::find_if(views_.rbegin(), views_.rend(), [&](const TrackedView& v) {
       return v.aligned.view->time_s == time_s;
     });
-    if (view == views_.rend()) continue;
+    if (view == views_.rend() || view->confirmed) continue;
     reregister(static_cast<std::size_t>(views_.rend() - view) - 1, found.curve.at(time_s));
   }
 }
@@ -254,7 +254,8 @@ void TrackedScan::reregister(std::size_t i, const Isometry& T_world_curve) {
   AlignOptions at_rest = options_.align;
   at_rest.start_distance_share = 0.5 * at_rest.start_distance_share;
   at_rest.coarse_pairs = 0;
-  if (fits(fit_from(T_world_sensor, at_rest))) return;
+  views_[i].confirmed = fits(fit_from(T_world_sensor, at_rest));
+  if (views_[i].confirmed) return;
   const Alignment anew = fit_from(T_world_curve, options_.align);
   if (!fits(anew)) return;
   const double before_mm = pose_distance_mm(T_world_curve, T_world_sensor, radius_mm_);

@@ -45,6 +45,7 @@ struct IncomingView {
 struct TrackedView {
   AlignedView aligned;
   PreparedView placed;
+  bool confirmed = false;  ///< found off the path, and yet it fits where it is: not asked again
 };
 
 /// Registered views that share a world frame, that of their first view.
