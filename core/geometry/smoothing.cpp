@@ -47,19 +47,35 @@ struct Moments {
   double low_t = 0, high_t = 0;  ///< reach of the window to both sides, in sigmas
 };
 
+/// Moments while they are summed: (p, 1) fills a register of four, so that sums of w t^i come
+/// along.
+struct MomentSums {
+  Eigen::Vector4d by_t0 = Eigen::Vector4d::Zero();
+  Eigen::Vector4d by_t1 = Eigen::Vector4d::Zero();
+  Eigen::Vector4d by_t2 = Eigen::Vector4d::Zero();
+  double s3 = 0, s4 = 0;
+
+  void add(double w, double t, const Vec3& p) {
+    const Eigen::Vector4d q(p.x(), p.y(), p.z(), 1.0);
+    const double wt = w * t, wtt = wt * t;
+    by_t0 += w * q, by_t1 += wt * q, by_t2 += wtt * q;
+    s3 += wtt * t, s4 += wtt * t * t;
+  }
+};
+
 /// @param stride  takes every stride-th point, from the center outwards.
 Moments gather(std::span<const ProfilePoint> points, std::size_t center, double sigma_px,
                std::size_t stride = 1) {
   static const GaussianTable gaussian;
   const double along = points[center].along_px;
+  const double per_px = 1.0 / sigma_px;
+  MomentSums sums;
   Moments m;
   const auto add = [&](std::size_t i) {
-    const double t = (points[i].along_px - along) / sigma_px;
+    const double t = (points[i].along_px - along) * per_px;
     if (std::abs(t) > kWindowSigmas) return false;
     const double w = gaussian(std::abs(t));
-    const Vec3 p = points[i].position_mm - points[center].position_mm;
-    m.s0 += w, m.s1 += w * t, m.s2 += w * t * t, m.s3 += w * t * t * t, m.s4 += w * t * t * t * t;
-    m.p0 += w * p, m.p1 += w * t * p, m.p2 += w * t * t * p;
+    sums.add(w, t, points[i].position_mm - points[center].position_mm);
     m.low_t = std::min(m.low_t, t), m.high_t = std::max(m.high_t, t);
     return true;
   };
@@ -67,6 +83,8 @@ Moments gather(std::span<const ProfilePoint> points, std::size_t center, double 
   }
   for (std::size_t i = center; i < points.size() && add(i); i += stride) {
   }
+  m.s0 = sums.by_t0[3], m.s1 = sums.by_t1[3], m.s2 = sums.by_t2[3], m.s3 = sums.s3, m.s4 = sums.s4;
+  m.p0 = sums.by_t0.head<3>(), m.p1 = sums.by_t1.head<3>(), m.p2 = sums.by_t2.head<3>();
   return m;
 }
 

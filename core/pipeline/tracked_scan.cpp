@@ -183,6 +183,7 @@ Alignment TrackedScan::track_from(const IncomingView& incoming,
   AlignOptions single = options_.align;
   single.prior = prediction.prior;
   single.fine_pairs = single.coarse_pairs;
+  single.coarse_pairs = 0;  // one stage: this is but the start of the next
   Alignment first = align(incoming, latest_views(), prediction.T_world_sensor, single);
 
   AlignOptions multi = options_.align;

@@ -93,8 +93,8 @@ std::optional<KnotPair> closest_knots(const PreparedProfile& first, const Prepar
 
 CurvePair refine_on_curves(const CubicCurve& first, const CubicCurve& second,
                            const Isometry& T_second_first, double x, double y) {
-  constexpr double kMaxStep = 2.0;  // knots: the curves are straight only locally
-  constexpr double kConverged = 1e-3;
+  constexpr double kMaxStep = 2.0;     // knots: the curves are straight only locally
+  constexpr double kConverged = 1e-2;  // knots: along the curve, where the distance does not change
   constexpr int kMaxSteps = 8;
   for (int i = 0;; ++i) {
     const CurvePoint p = first.at(x);
