@@ -68,7 +68,9 @@ std::optional<Moments> accumulate(const LineWindow& window, const NoiseModel& no
     const Lanes signal = fit.amplitude * shape;
     const Lanes taper = (1.0F - (t * sigma_over_reach).square()).max(0.0F);
     const Lanes variance = noise.read_variance + (noise.shot_gain + speckle * signal) * signal;
-    const Lanes weight = (value < window.full_scale).select(taper.square() / variance, zero);
+    // 1 below full scale, 0 at it: gray values are whole numbers.
+    const Lanes unclipped = (window.full_scale - value).min(1.0F).max(0.0F);
+    const Lanes weight = unclipped * taper.square() / variance;
     const Lanes light = value - window.background.level - window.background.slope * pixel;
     const Lanes weighted = weight * shape;
     const Lanes w0 = weighted * shape, w1 = w0 * t, w2 = w1 * t;

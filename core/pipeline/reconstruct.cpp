@@ -183,7 +183,7 @@ Result<void> Run::make_points() {
   clock_.end_stage("normals", samples.size(), "points");
   progress_.advance();
   if (progress_.cancelled()) return stopped();
-  Result<Reduction> reduction = flytri::reduce(samples, options_.reduction, workers_);
+  Result<Reduction> reduction = reduce_samples(samples, options_.reduction, workers_);
   if (!reduction) return tl::unexpected(reduction.error());
   result_.points = std::move(reduction->points);
   clock_.end_stage("reduction", samples.size(), "points");

@@ -89,8 +89,8 @@ Result<void> ReduceOptions::validate() const {
   return {};
 }
 
-Result<Reduction> reduce(std::span<const SurfaceSample> samples, const ReduceOptions& options,
-                         const Workers& workers) {
+Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
+                                 const ReduceOptions& options, const Workers& workers) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   Reduction reduction;
   reduction.counts.sample_count = samples.size();

@@ -56,7 +56,8 @@ struct Reduction {
 /// own and from how far the views disagree. Samples that are not finite or
 /// have no unit normal are dropped as isolated.
 /// @errors  kBadOption.
-[[nodiscard]] Result<Reduction> reduce(std::span<const SurfaceSample> samples,
-                                       const ReduceOptions& options, const Workers& workers);
+[[nodiscard]] Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
+                                               const ReduceOptions& options,
+                                               const Workers& workers);
 
 }  // namespace flytri

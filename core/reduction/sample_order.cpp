@@ -49,6 +49,30 @@ float distance2_across_noise(const SurfaceSample& a, const SurfaceSample& b) {
   return d.squaredNorm() - along * along / noise2;
 }
 
+/// The usable samples of some evenly chosen views, by view: a median needs no more.
+std::vector<SurfaceSample> probe_views(std::span<const SurfaceSample> samples) {
+  constexpr std::size_t kProbeViews = 16;
+  std::vector<ViewIndex> views;
+  for (const SurfaceSample& s : samples) {
+    if ((views.empty() || s.view != views.back()) && is_usable(s)) views.push_back(s.view);
+  }
+  std::sort(views.begin(), views.end());
+  views.erase(std::unique(views.begin(), views.end()), views.end());
+  const std::size_t step = std::max<std::size_t>(1, views.size() / kProbeViews);
+  std::vector<ViewIndex> probed;
+  for (std::size_t v = 0; v < views.size(); v += step) probed.push_back(views[v]);
+  std::vector<SurfaceSample> chosen;
+  for (const SurfaceSample& s : samples) {
+    if (is_usable(s) && std::binary_search(probed.begin(), probed.end(), s.view)) {
+      chosen.push_back(s);
+    }
+  }
+  std::sort(chosen.begin(), chosen.end(), [](const SurfaceSample& a, const SurfaceSample& b) {
+    return std::tuple(a.view.value, all_fields(a)) < std::tuple(b.view.value, all_fields(b));
+  });
+  return chosen;
+}
+
 }  // namespace
 
 std::vector<SurfaceSample> spatially_ordered(std::span<const SurfaceSample> samples,
@@ -74,21 +98,15 @@ std::vector<SurfaceSample> spatially_ordered(std::span<const SurfaceSample> samp
 }
 
 double sample_spacing_mm(std::span<const SurfaceSample> samples) {
-  constexpr std::size_t kProbeViews = 16;  // evenly chosen: a median needs no more
   constexpr std::size_t kProbesPerView = 64;
-  std::vector<SurfaceSample> by_view(samples.begin(), samples.end());
-  std::erase_if(by_view, [](const SurfaceSample& s) { return !is_usable(s); });
-  std::sort(by_view.begin(), by_view.end(), [](const SurfaceSample& a, const SurfaceSample& b) {
-    return std::tuple(a.view.value, all_fields(a)) < std::tuple(b.view.value, all_fields(b));
-  });
+  const std::vector<SurfaceSample> by_view = probe_views(samples);
   std::vector<std::size_t> starts;
   for (std::size_t i = 0; i < by_view.size(); ++i) {
     if (i == 0 || by_view[i].view != by_view[i - 1].view) starts.push_back(i);
   }
   starts.push_back(by_view.size());
   std::vector<float> spacings;
-  const std::size_t view_step = std::max<std::size_t>(1, (starts.size() - 1) / kProbeViews);
-  for (std::size_t v = 0; v + 1 < starts.size(); v += view_step) {
+  for (std::size_t v = 0; v + 1 < starts.size(); ++v) {
     const std::span view(by_view.data() + starts[v], starts[v + 1] - starts[v]);
     const std::size_t step = std::max<std::size_t>(1, view.size() / kProbesPerView);
     for (std::size_t i = 0; i < view.size(); i += step) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 #include "core/geometry/point_grid.h"
 
@@ -23,6 +24,26 @@ struct Votes {
   int agreeing_samples = 0;  ///< of any view, itself included
 };
 
+/// The witnesses of a cell, field by field, so that many are compared side by side. Positions are
+/// relative to the cell's center, heights are along its normal.
+struct WitnessTable {
+  std::vector<float> x_mm, y_mm, z_mm, height_mm, variance_mm2;
+  std::vector<ViewIndex> views;
+
+  void clear() {
+    for (auto* field : {&x_mm, &y_mm, &z_mm, &height_mm, &variance_mm2}) field->clear();
+    views.clear();
+  }
+  void add(const Vec3f& p, float height, float variance, ViewIndex view) {
+    x_mm.push_back(p.x()), y_mm.push_back(p.y()), z_mm.push_back(p.z());
+    height_mm.push_back(height), variance_mm2.push_back(variance);
+    views.push_back(view);
+  }
+};
+
+/// How a witness stands to a sample: the bits of what it says.
+enum Statement : std::uint8_t { kFar = 0, kNear = 1, kAgrees = 2 };
+
 /// Votes on the samples of one cell after another, with memory kept between them.
 class Jury {
  public:
@@ -32,10 +53,18 @@ class Jury {
 
   void judge(std::size_t cell, std::vector<Support>& support) {
     gather(cell);
+    tabulate(samples_[cells_.centers[cell]].position_mm);
     for (const std::uint32_t i : cells_.of(cell)) support[i] = verdict(vote(samples_[i]));
   }
 
  private:
+  /// A sample by its view; the view beside it makes sorting cheap.
+  struct Witness {
+    std::uint32_t view;
+    std::uint32_t sample;
+    auto operator<=>(const Witness&) const = default;
+  };
+
   /// Collects the samples around a cell's axis, those of a view together.
   void gather(std::size_t cell) {
     const SurfaceSample& center = samples_[cells_.centers[cell]];
@@ -47,11 +76,11 @@ class Jury {
       const Vec3f d = samples_[cells_.centers[n.index]].position_mm - center.position_mm;
       const float along = d.dot(center.normal);
       if (d.squaredNorm() - along * along > across_mm * across_mm) continue;
-      for (const std::uint32_t j : cells_.of(n.index)) witnesses_.push_back(j);
+      for (const std::uint32_t j : cells_.of(n.index)) {
+        witnesses_.push_back({static_cast<std::uint32_t>(samples_[j].view.value), j});
+      }
     }
-    std::sort(witnesses_.begin(), witnesses_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return samples_[a].view != samples_[b].view ? samples_[a].view < samples_[b].view : a < b;
-    });
+    std::sort(witnesses_.begin(), witnesses_.end());
     excuse_surplus_views();
     normal_ = mean_normal(center);
   }
@@ -62,34 +91,58 @@ class Jury {
     if (step == 1) return;
     std::size_t kept = 0;
     std::size_t view_rank = 0;
-    ViewIndex view = samples_[witnesses_.front()].view;
-    for (const std::uint32_t w : witnesses_) {
-      if (samples_[w].view != view) ++view_rank;
-      view = samples_[w].view;
+    std::uint32_t view = witnesses_.front().view;
+    for (const Witness& w : witnesses_) {
+      if (w.view != view) ++view_rank;
+      view = w.view;
       if (view_rank % step == 0) witnesses_[kept++] = w;
     }
     witnesses_.resize(kept);
   }
 
-  [[nodiscard]] Votes vote(const SurfaceSample& sample) const {
-    const float variance = square(sigma_across_mm(sample, normal_));
+  /// Fills the table with the witnesses that lie on the cell's surface.
+  void tabulate(const Vec3f& center_mm) {
+    center_mm_ = center_mm;
+    table_.clear();
+    for (const Witness& w : witnesses_) {
+      const SurfaceSample& witness = samples_[w.sample];
+      if (witness.normal.dot(normal_) < shape_.min_normal_cos) continue;
+      const Vec3f p = witness.position_mm - center_mm;
+      table_.add(p, normal_.dot(p), square(sigma_across_mm(witness, normal_)), witness.view);
+    }
+    statements_.resize(table_.views.size());
+  }
+
+  /// What each witness of the table says about the height of the surface at the sample.
+  void question(const SurfaceSample& sample) {
+    const Vec3f p = sample.position_mm - center_mm_;
+    const float height = normal_.dot(p), variance = square(sigma_across_mm(sample, normal_));
+    const float sigmas2 = square(rule_.outlier_sigmas);
+    const float across2 = square(kReachCells * shape_.width_mm);
+    const float along2 = square(2.0F * shape_.half_length_mm);
+    const auto &x = table_.x_mm, &y = table_.y_mm, &z = table_.z_mm, &h = table_.height_mm,
+               &v = table_.variance_mm2;
+    for (std::size_t w = 0; w < statements_.size(); ++w) {
+      const float rise2 = square(h[w] - height);
+      const float distance2 = square(x[w] - p.x()) + square(y[w] - p.y()) + square(z[w] - p.z());
+      const int near = int(rise2 <= along2) & int(distance2 - rise2 <= across2);
+      const int agrees = near & int(rise2 <= sigmas2 * (variance + v[w]));
+      statements_[w] = static_cast<std::uint8_t>(near * kNear + agrees * kAgrees);
+    }
+  }
+
+  [[nodiscard]] Votes vote(const SurfaceSample& sample) {
+    question(sample);
     Votes votes;
-    for (std::size_t w = 0; w < witnesses_.size();) {
-      const ViewIndex view = samples_[witnesses_[w]].view;
-      int near = 0;
-      int agreeing = 0;
-      for (; w < witnesses_.size() && samples_[witnesses_[w]].view == view; ++w) {
-        const SurfaceSample& witness = samples_[witnesses_[w]];
-        if (!is_beside(sample, witness)) continue;
-        const float height = normal_.dot(witness.position_mm - sample.position_mm);
-        const float limit2 =
-            square(rule_.outlier_sigmas) * (variance + square(sigma_across_mm(witness, normal_)));
-        ++near;
-        if (height * height <= limit2) ++agreeing;
+    for (std::size_t w = 0; w < statements_.size();) {
+      const ViewIndex view = table_.views[w];
+      unsigned heard = kFar;
+      for (; w < statements_.size() && table_.views[w] == view; ++w) {
+        heard |= statements_[w];
+        votes.agreeing_samples += statements_[w] / kAgrees;
       }
-      votes.agreeing_samples += agreeing;
-      if (view == sample.view || near == 0) continue;
-      ++(agreeing > 0 ? votes.agreeing_views : votes.opposing_views);
+      if (view == sample.view || heard == kFar) continue;
+      ++((heard & kAgrees) != 0 ? votes.agreeing_views : votes.opposing_views);
     }
     return votes;
   }
@@ -104,21 +157,11 @@ class Jury {
 
   [[nodiscard]] Vec3f mean_normal(const SurfaceSample& sample) const {
     Vec3f sum = sample.normal;
-    for (const std::uint32_t w : witnesses_) {
-      if (samples_[w].normal.dot(sample.normal) >= shape_.min_normal_cos) {
-        sum += samples_[w].normal;
-      }
+    for (const Witness& w : witnesses_) {
+      const Vec3f& normal = samples_[w.sample].normal;
+      if (normal.dot(sample.normal) >= shape_.min_normal_cos) sum += normal;
     }
     return sum.normalized();
-  }
-
-  /// True if the witness tells something about the height of the surface at the sample.
-  [[nodiscard]] bool is_beside(const SurfaceSample& sample, const SurfaceSample& witness) const {
-    if (witness.normal.dot(normal_) < shape_.min_normal_cos) return false;
-    const Vec3f d = witness.position_mm - sample.position_mm;
-    const float along = d.dot(normal_);
-    return std::abs(along) <= 2.0F * shape_.half_length_mm &&
-           d.squaredNorm() - along * along <= square(kReachCells * shape_.width_mm);
   }
 
   static float square(float x) { return x * x; }
@@ -129,8 +172,11 @@ class Jury {
   CellShape shape_;
   SupportRule rule_;
   std::vector<Neighbor> near_cells_;
-  std::vector<std::uint32_t> witnesses_;  ///< samples around the cell, by view
-  Vec3f normal_ = Vec3f::UnitZ();         ///< of the surface in the cell
+  std::vector<Witness> witnesses_;  ///< samples around the cell, by view
+  Vec3f normal_ = Vec3f::UnitZ();   ///< of the surface in the cell
+  Vec3f center_mm_ = Vec3f::Zero();
+  WitnessTable table_;                    ///< witnesses on the surface of the cell
+  std::vector<std::uint8_t> statements_;  ///< of the table's witnesses, on one sample
 };
 
 }  // namespace

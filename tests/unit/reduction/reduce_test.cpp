@@ -45,9 +45,9 @@ bool same_bits(const PointCloud& a, const PointCloud& b) {
 
 TEST(Reduce, AnyOrderOfSamplesAndAnyThreadsGiveTheSameBits) {
   std::vector<SurfaceSample> samples = scan(flat, 40, kSigma);
-  const auto first = reduce(samples, {}, Workers(1));
+  const auto first = reduce_samples(samples, {}, Workers(1));
   std::reverse(samples.begin(), samples.end());
-  const auto second = reduce(samples, {}, Workers(4));
+  const auto second = reduce_samples(samples, {}, Workers(4));
   ASSERT_TRUE(first && second);
   EXPECT_GT(first->points.size(), 100U);
   EXPECT_LT(first->points.size(), samples.size() / 2);
@@ -55,7 +55,8 @@ TEST(Reduce, AnyOrderOfSamplesAndAnyThreadsGiveTheSameBits) {
 }
 
 TEST(Reduce, TheStatedUncertaintyIsTheOneObserved) {
-  const auto reduced = reduce(scan(flat, 80, kSigma), {.noise_length_samples = 0.01}, Workers());
+  const auto reduced =
+      reduce_samples(scan(flat, 80, kSigma), {.noise_length_samples = 0.01}, Workers());
   ASSERT_TRUE(reduced);
   double chi2 = 0.0;
   for (const SurfacePoint& p : reduced->points) {
@@ -75,7 +76,7 @@ TEST(Reduce, OutliersThatOtherViewsContradictVanish) {
     samples.push_back({p.cast<float>(), -Vec3f::UnitZ(), Vec3f(0, 0, static_cast<float>(kSigma)),
                        ViewIndex(100 + i)});
   }
-  const auto reduced = reduce(samples, {}, Workers());
+  const auto reduced = reduce_samples(samples, {}, Workers());
   ASSERT_TRUE(reduced);
   EXPECT_GE(reduced->counts.outlier_count + reduced->counts.isolated_count, 50U);
   for (const SurfacePoint& p : reduced->points) {
@@ -93,7 +94,7 @@ TEST(Reduce, TheTwoSidesOfAThinPlateStayApart) {
     back.view = ViewIndex(back.view.value + 1000);  // a view sees one side
     samples.push_back(back);
   }
-  const auto reduced = reduce(samples, {}, Workers());
+  const auto reduced = reduce_samples(samples, {}, Workers());
   ASSERT_TRUE(reduced);
   for (const SurfacePoint& p : reduced->points) {
     EXPECT_NEAR(p.position_mm.z(), p.normal.z() > 0 ? 0.05 : 0.0, 0.02);
@@ -107,7 +108,7 @@ TEST(Reduce, TwoGroovesAtTheResolutionLimitAreStillTwo) {
     if (std::abs(x - 0.5) > kPitch) return 0.0;
     return 0.025 * (1.0 - std::cos(2 * std::numbers::pi * (x - 0.5) / kPitch));
   };
-  const auto reduced = reduce(scan(grooves, 200, 0.01), {}, Workers());
+  const auto reduced = reduce_samples(scan(grooves, 200, 0.01), {}, Workers());
   ASSERT_TRUE(reduced);
   const auto mean_height = [&](double x) {
     double sum = 0.0;
@@ -126,7 +127,7 @@ TEST(Reduce, TwoGroovesAtTheResolutionLimitAreStillTwo) {
 }
 
 TEST(Reduce, BadOptionsAreNamed) {
-  const auto reduced = reduce({}, {.outlier_sigmas = -1.0}, Workers(1));
+  const auto reduced = reduce_samples({}, {.outlier_sigmas = -1.0}, Workers(1));
   ASSERT_FALSE(reduced);
   EXPECT_NE(reduced.error().message.find("outlier_sigmas"), std::string::npos);
 }
