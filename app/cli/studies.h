@@ -7,5 +7,6 @@ namespace flytri::cli {
 
 void add_table2_study(CLI::App& study, Invocation& invocation);
 void add_tracking_study(CLI::App& study, Invocation& invocation);
+void add_growth_study(CLI::App& study, Invocation& invocation);
 
 }  // namespace flytri::cli

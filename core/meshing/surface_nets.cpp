@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace flytri {
@@ -36,6 +37,22 @@ Place place_of(Key key) {
 void sort_unique(std::vector<Key>& keys) {
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+}
+
+/// The places `low` to `high` steps along an axis from those given; sorted, as those given are.
+/// Shifting keeps the order, so merging takes the place of sorting all of them again.
+std::vector<Key> dilated(const std::vector<Key>& keys, int axis, int low, int high) {
+  const Key step = Key{1} << (axis * kBits);
+  std::vector<Key> result, shifted(keys.size()), merged;
+  for (int offset = low; offset <= high; ++offset) {
+    const Key shift = static_cast<Key>(offset) * step;  // wraps around where it is negative
+    std::transform(keys.begin(), keys.end(), shifted.begin(), [&](Key key) { return key + shift; });
+    merged.clear();
+    std::set_union(result.begin(), result.end(), shifted.begin(), shifted.end(),
+                   std::back_inserter(merged));
+    result.swap(merged);
+  }
+  return result;
 }
 
 /// Position of a key in a sorted list, or kNoVertex.
@@ -95,27 +112,13 @@ void Extraction::find_cells(const PointCloud& points) {
                                static_cast<std::int32_t>(p.z())}));
   }
   sort_unique(occupied);
-  for (const Key key : occupied) {
-    const Place cell = place_of(key);
-    for (int dz = -kMargin; dz <= kMargin; ++dz) {
-      for (int dy = -kMargin; dy <= kMargin; ++dy) {
-        for (int dx = -kMargin; dx <= kMargin; ++dx) {
-          cells_.push_back(key_of({cell.x + dx, cell.y + dy, cell.z + dz}));
-        }
-      }
-    }
-    // Duplicates are many; dropping them now and then bounds the memory.
-    if (cells_.size() > (std::size_t{1} << 24)) sort_unique(cells_);
-  }
-  sort_unique(cells_);
+  cells_ = std::move(occupied);
+  for (int axis = 0; axis < 3; ++axis) cells_ = dilated(cells_, axis, -kMargin, kMargin);
 }
 
 void Extraction::evaluate_corners() {
-  corners_.reserve(8 * cells_.size());
-  for (const Key key : cells_) {
-    for (int k = 0; k < 8; ++k) corners_.push_back(key_of(corner_of(place_of(key), k)));
-  }
-  sort_unique(corners_);
+  corners_ = cells_;
+  for (int axis = 0; axis < 3; ++axis) corners_ = dilated(corners_, axis, 0, 1);
   values_.resize(corners_.size());
   workers_.for_each(
       corners_.size(),

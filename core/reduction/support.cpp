@@ -15,7 +15,7 @@ constexpr float kReachCells = 2.0F;
 
 /// With more witnesses than this, only every second, third, ... view is heard: the verdict is as
 /// sure, and the time grows with the samples, not with their square.
-constexpr std::size_t kMaxWitnesses = 256;
+constexpr std::size_t kMaxWitnesses = 128;
 
 /// What is known about the surface around one sample.
 struct Votes {

@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "core/pipeline/measure_view.h"
 #include "tests/support/line_image.h"
@@ -80,6 +81,36 @@ Calibration frame_calibration() {
   }
   return calibration;
 }
+
+void index(benchmark::State& state) {
+  const auto pattern = static_cast<Pattern>(state.range(0));
+  const auto traces = localize_lines(frame_image(pattern), pattern, {});
+  const Calibration calibration = frame_calibration();
+  for (auto _ : state) benchmark::DoNotOptimize(index_lines(*traces, calibration, pattern, {}));
+}
+BENCHMARK(index)->Name("index_lines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+void triangulate_lines(benchmark::State& state) {
+  const auto pattern = static_cast<Pattern>(state.range(0));
+  const auto traces = localize_lines(frame_image(pattern), pattern, {});
+  const Calibration calibration = frame_calibration();
+  const IndexedLines lines = index_lines(*traces, calibration, pattern, {});
+  for (auto _ : state) benchmark::DoNotOptimize(triangulate(lines, calibration, pattern, {}));
+}
+BENCHMARK(triangulate_lines)->Name("triangulate")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// The peer: what OpenCV takes for the smoothing alone, without peaks, fits and links.
+void smooth_by_opencv(benchmark::State& state) {
+  const cv::Mat image = frame_image(Pattern::kVertical);
+  cv::setNumThreads(1);
+  cv::Mat rows, smooth;
+  for (auto _ : state) {
+    image.convertTo(rows, CV_32F);
+    cv::GaussianBlur(rows, smooth, {7, 1}, 1.0);
+    benchmark::DoNotOptimize(smooth.data);
+  }
+}
+BENCHMARK(smooth_by_opencv)->Unit(benchmark::kMillisecond);
 
 void measure(benchmark::State& state) {
   const auto pattern = static_cast<Pattern>(state.range(0));

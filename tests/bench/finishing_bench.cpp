@@ -1,0 +1,70 @@
+/// @file  What follows the scan: refinement and normals of 60 views, colors of a point cloud.
+#include <benchmark/benchmark.h>
+
+#include "core/normals/normals.h"
+#include "core/refinement/refine.h"
+#include "core/texture/color_points.h"
+#include "tests/support/scan_scene.h"
+
+namespace flytri {
+namespace {
+
+constexpr int kViewCount = 60;
+
+std::int64_t point_count(const std::vector<AlignedView>& views) {
+  std::size_t count = 0;
+  for (const AlignedView& aligned : views) count += aligned.view->point_count();
+  return static_cast<std::int64_t>(count);
+}
+
+void refine(benchmark::State& state) {
+  const auto scan = testing::scan_cusps(kViewCount, {}, 3);
+  const auto drifted = testing::with_drift(scan.views, 0.1, 4);
+  for (auto _ : state) {
+    auto views = drifted;
+    benchmark::DoNotOptimize(refine_jointly(views, {}, Workers(1), {}));
+  }
+  state.SetItemsProcessed(state.iterations() * kViewCount);
+}
+BENCHMARK(refine)->Name("refine_jointly")->Unit(benchmark::kMillisecond);
+
+void normals(benchmark::State& state) {
+  const auto scan = testing::scan_cusps(kViewCount, {}, 3);
+  for (auto _ : state) benchmark::DoNotOptimize(crossing_normals(scan.views, {}, Workers(1)));
+  state.SetItemsProcessed(state.iterations() * point_count(scan.views));
+}
+BENCHMARK(normals)->Name("crossing_normals")->Unit(benchmark::kMillisecond);
+
+/// A texture camera of 1024 x 768 that looks along z at 50 px a millimeter.
+Calibration texture_calibration() {
+  Calibration calibration;
+  calibration.volume.size_mm = Vec3(20, 15, 15);
+  calibration.texture_size = {1024, 768};
+  // Terms in the order of kExponents: 1, a, b, c, ...
+  calibration.texture_u_px.coefficients[0] = 512;
+  calibration.texture_u_px.coefficients[1] = 50;
+  calibration.texture_v_px.coefficients[0] = 384;
+  calibration.texture_v_px.coefficients[2] = 50;
+  return calibration;
+}
+
+void color(benchmark::State& state) {
+  PointCloud points;
+  for (int i = 0; i < 100'000; ++i) {
+    SurfacePoint point;
+    point.position_mm = Vec3f(-9.0F + 0.06F * float(i % 300), -7.0F + 0.04F * float(i / 300), 0.0F);
+    point.normal = -Vec3f::UnitZ();
+    points.push_back(point);
+  }
+  const std::vector<TextureFrame> frames(
+      6, {cv::Mat(768, 1024, CV_8UC3, cv::Scalar(200, 150, 100)), Isometry::Identity()});
+  const Calibration calibration = texture_calibration();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(color_points(points, frames, calibration, {}, Workers(1)));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+}
+BENCHMARK(color)->Name("color_points")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace flytri
