@@ -27,8 +27,8 @@ std::vector<Vec2> sample_half(double half_width_mm, double depth_mm) {
     if (walked_mm >= kStep_mm * static_cast<double>(samples.size() + 1)) samples.push_back(next);
   }
   const Vec2 end = samples.back();
-  for (double walked = kStep_mm; walked < kEnd_mm; walked += kStep_mm)
-    samples.emplace_back(end.x(), end.y() - walked);
+  for (int step = 1; step * kStep_mm < kEnd_mm; ++step)
+    samples.emplace_back(end.x(), end.y() - step * kStep_mm);
   return samples;
 }
 

@@ -17,6 +17,7 @@ Vec2 position(const Dot& dot) { return {dot.center.u_px, dot.center.v_px}; }
 
 double median_area(const std::vector<Dot>& dots) {
   std::vector<double> areas;
+  areas.reserve(dots.size());
   for (const Dot& dot : dots) areas.push_back(dot.area_px);
   std::nth_element(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2),
                    areas.end());

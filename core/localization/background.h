@@ -29,7 +29,9 @@ class Background {
     float noise = 0;
   };
   [[nodiscard]] const Tile& tile(int row, int column) const {
-    return tiles_[static_cast<std::size_t>((row / kTileSize) * tiles_across_ + column / kTileSize)];
+    return tiles_[static_cast<std::size_t>(row / kTileSize) *
+                      static_cast<std::size_t>(tiles_across_) +
+                  static_cast<std::size_t>(column / kTileSize)];
   }
 
   int tiles_across_;

@@ -167,6 +167,7 @@ std::vector<LineTrace> refine_traces(const cv::Mat& rows, const Background& back
                                      const RefineOptions& options) {
   const Refiner refiner(rows, background, options);
   std::vector<TraceFits> fits;
+  fits.reserve(traces.size());
   for (const PeakTrace& trace : traces) fits.push_back(refiner.fit_shapes(trace));
   const NoiseModel noise = noise_of(rows, background, traces, fits, options.full_scale);
   std::vector<LineTrace> samples;
