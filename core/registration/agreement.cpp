@@ -1,5 +1,6 @@
 #include "core/registration/agreement.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -17,6 +18,10 @@ Result<void> AgreementOptions::validate() const {
   if (!(max_sigmas >= 2.0 && max_sigmas <= 20.0)) {
     return fail(ErrorCode::kBadOption, "max_sigmas is {}, must be in [2, 20]", max_sigmas);
   }
+  if (!(min_distance_share >= 0.0 && min_distance_share <= 0.1)) {
+    return fail(ErrorCode::kBadOption, "min_distance_share is {}, must be in [0, 0.1]",
+                min_distance_share);
+  }
   if (!(place_share > 0.0 && place_share <= 1.0)) {
     return fail(ErrorCode::kBadOption, "place_share is {}, must be in (0, 1]", place_share);
   }
@@ -27,11 +32,13 @@ Agreement judge(std::span<const Crossing> crossings, const Isometry& T_world_sou
                 double radius_mm, const AgreementOptions& options) {
   const Isometry T_source_world = T_world_source.inverse();
   const double side_mm = options.place_share * radius_mm;
+  const double least_mm = options.min_distance_share * radius_mm;
   std::map<std::array<int, 2>, int> balance;  // agreeing less disagreeing crossings
   for (const Crossing& c : crossings) {
     const Vec3 p_source = T_source_world * c.p_mm;
     const Eigen::Array2i place = (p_source.head<2>() / side_mm).array().floor().cast<int>();
-    const bool agrees = std::abs(c.distance_mm) <= options.max_sigmas * c.sigma_mm;
+    const bool agrees =
+        std::abs(c.distance_mm) <= std::max(options.max_sigmas * c.sigma_mm, least_mm);
     balance[{place.x(), place.y()}] += agrees ? 1 : -1;
   }
   Agreement result;

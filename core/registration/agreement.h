@@ -19,6 +19,9 @@ struct AgreementOptions {
   /// Default 5, range [2, 20]. Standard uncertainties within which a crossing agrees: three for
   /// noise that is correlated along the lines, which the stated uncertainty takes for white.
   double max_sigmas = 5.0;
+  /// Default 0.001, range [0, 0.1], as a share of the source's radius. So near, crossings agree
+  /// however certain they are: what calibration and splines leave is not in their uncertainty.
+  double min_distance_share = 0.001;
   /// Default 0.16, range (0, 1]. Side of a place, as a share of the source's radius: half of the
   /// distance of neighboring lines.
   double place_share = 0.16;

@@ -49,6 +49,16 @@ TEST(Agreement, PlacesStandStillInTheSource) {
   EXPECT_EQ(judge(crossings, T_world_source, kRadiusMm).places, 20);
 }
 
+TEST(Agreement, NearCrossingsAgreeHoweverCertain) {
+  std::vector<Crossing> crossings;
+  for (int i = 0; i < 20; ++i) {
+    crossings.push_back(crossing_at(i, 0, 1.0));
+    crossings.back().sigma_mm = 1e-5;
+    crossings.back().distance_mm = i < 10 ? 0.0009 * kRadiusMm : 0.0011 * kRadiusMm;
+  }
+  EXPECT_EQ(judge(crossings, Isometry::Identity(), kRadiusMm).agreeing, 10);
+}
+
 TEST(Agreement, OptionsOutOfRangeAreNamed) {
   AgreementOptions options;
   options.max_sigmas = 1.0;

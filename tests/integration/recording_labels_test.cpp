@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/calibrating/calibrate.h"
+#include "core/geometry/mesh_distance.h"
+#include "core/interchange/calibration_set_file.h"
+#include "core/interchange/model.h"
+#include "core/interchange/recording.h"
+#include "core/interchange/truth.h"
+#include "core/pipeline/measure_view.h"
+
+namespace flytri {
+namespace {
+
+const std::filesystem::path kData = FLYTRI_SHARED_DIR "/data";
+
+/// A wrong label is off by millimeters, noise by hundredths.
+constexpr double kWrong_mm = 0.5;
+
+TEST(RecordingLabels, HardlyAPointOfARealScanIsFarFromTheSurface) {
+  const std::filesystem::path folder = kData / "recording-quadrant";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "needs " << folder;
+  const auto set = read_calibration_set(kData / "calibration-intraoral").value();
+  const Calibration calibration = calibrate(set, {}, Workers(2), {}).value();
+  const Recording recording = open_recording(folder).value();
+  const Truth truth = read_truth(folder / "truth.json").value();
+  const MeshDistance surface(read_model(truth.mesh).value().mesh);
+  int localized = 0, points = 0, wrong = 0;
+  for (std::size_t i = 0; i < recording.frames.size(); i += 9) {
+    const Frame frame = load_frame(recording, FrameIndex(i)).value();
+    if (frame.kind == FrameKind::kTexture) continue;
+    const MeasuredView measured = measure_view(frame, calibration, {}).value();
+    localized += measured.counts.localized;
+    points += measured.counts.points;
+    for (const Profile& profile : measured.view.profiles) {
+      for (const ProfilePoint& point : profile.points) {
+        const Vec3 p_model = truth.poses[i].T_model_sensor * point.position_mm;
+        wrong += surface.closest(p_model.cast<float>(), kWrong_mm).distance_mm > kWrong_mm ? 1 : 0;
+      }
+    }
+  }
+  RecordProperty("localized", localized);
+  RecordProperty("points", points);
+  RecordProperty("wrong", wrong);
+  EXPECT_GT(points, 0.9 * localized);
+  EXPECT_LT(wrong, 1e-3 * points);
+}
+
+}  // namespace
+}  // namespace flytri
