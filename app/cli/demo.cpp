@@ -1,5 +1,5 @@
-/// @file  flytri demo: scans the sample jaw with the virtual sensor and leaves models and a
-/// picture.
+/// @file  flytri demo: calibrates the virtual sensor, scans the sample jaw with it, and leaves
+/// models and a picture.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -7,13 +7,17 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/report.h"
-#include "app/cli/simulated_scan.h"
 #include "assets/sample_jaw/sample_jaw.h"
+#include "core/calibrating/calibrate.h"
+#include "core/interchange/calibration_file.h"
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/model.h"
 #include "core/interchange/png.h"
+#include "core/interchange/recording.h"
 #include "core/pipeline/reconstruct.h"
 #include "hw/simulated/picture.h"
+#include "hw/simulated/simulate_calibration_set.h"
+#include "hw/simulated/simulate_recording.h"
 
 namespace flytri::cli {
 namespace {
@@ -22,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct DemoArguments {
   fs::path folder = "out";
-  int view_count = 600;
+  double duration_s = 20.0;
   int thread_count = 0;
 };
 
@@ -46,17 +50,44 @@ Result<void> write_results(const fs::path& folder, const Reconstruction& reconst
   return write_report(folder / "report.json", reconstruction);
 }
 
-Result<void> run(const DemoArguments& arguments, const Progress& progress) {
-  const Workers workers(arguments.thread_count);
+/// Calibrates the sensor as its user would: from images of the target.
+Result<Calibration> calibrate_sensor(const SensorModel& sensor, const Workers& workers,
+                                     const Progress& progress) {
+  CalibrationSetOptions options;
+  options.sensor = sensor;
+  const auto set = take_calibration_set(options, workers, progress);
+  if (!set) return tl::unexpected(set.error());
+  return calibrate(*set, {}, workers, progress);
+}
+
+/// The folder of an earlier demo's frames is taken for the new ones.
+Result<Recording> scan_jaw(const fs::path& folder, const SensorModel& sensor, double duration_s,
+                           const Workers& workers, const Progress& progress) {
   const auto jaw = sample_jaw::make_sample_jaw({}, workers);
   if (!jaw) return tl::unexpected(jaw.error());
-  SimulatedScanOptions scan_options;
-  scan_options.view_count = arguments.view_count;
-  const auto scan = simulate_scan(*jaw, intraoral_sensor(), scan_options, workers, progress);
-  if (!scan) return tl::unexpected(scan.error());
+  RecordingOptions options;
+  options.sensor = sensor;
+  options.path.duration_s = duration_s;
+  options.calibration = "../calibration.json";
+  const auto counts = simulate_recording(*jaw, options, folder, workers, progress);
+  if (!counts) return tl::unexpected(counts.error());
+  return open_recording(folder);
+}
+
+Result<void> run(const DemoArguments& arguments, const Progress& progress) {
+  const Workers workers(arguments.thread_count);
+  const SensorModel sensor = intraoral_sensor();
+  if (auto made = create_folder(arguments.folder); !made) return made;
+  const auto calibration = calibrate_sensor(sensor, workers, progress);
+  if (!calibration) return tl::unexpected(calibration.error());
+  const fs::path calibration_file = arguments.folder / "calibration.json";
+  if (auto written = write_calibration(calibration_file, *calibration); !written) return written;
+  const auto recording =
+      scan_jaw(arguments.folder / "scan", sensor, arguments.duration_s, workers, progress);
+  if (!recording) return tl::unexpected(recording.error());
   ReconstructOptions options;
   options.now_s = steady_seconds;
-  const auto reconstruction = reconstruct_views(scan->views, options, workers, progress);
+  const auto reconstruction = reconstruct(*recording, *calibration, options, workers, progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
   return write_results(arguments.folder, *reconstruction, workers);
@@ -68,10 +99,10 @@ void add_demo_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<DemoArguments>();
   CLI::App* command =
       app.add_subcommand("demo", "Scan the sample jaw with the virtual sensor, without any input");
-  command->add_option("-o,--output", arguments->folder, "Folder for models and picture")
+  command->add_option("-o,--output", arguments->folder, "Folder for models, picture, and the scan")
       ->capture_default_str();
-  command->add_option("--views", arguments->view_count, "Views to take")
-      ->check(CLI::Range(20, 5000))
+  command->add_option("--duration", arguments->duration_s, "Length of the scan, s")
+      ->check(CLI::Range(2.0, 600.0))
       ->capture_default_str();
   add_threads_option(*command, arguments->thread_count);
   command->footer("Example: flytri demo -o out");
