@@ -1,5 +1,7 @@
 #include "app/cli/simulated_scan.h"
 
+#include "core/pipeline/registrar.h"
+
 namespace flytri::cli {
 
 Result<SimulatedScan> simulate_scan(const TriangleMesh& mesh, const SensorModel& sensor,
@@ -31,6 +33,28 @@ Result<SimulatedScan> simulate_scan(const TriangleMesh& mesh, const SensorModel&
   });
   if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped while scanning");
   return scan;
+}
+
+Result<RegisteredTruth> register_scan(const SimulatedScan& scan, const Progress& progress) {
+  auto registrar = Registrar::create();
+  if (!registrar) return tl::unexpected(registrar.error());
+  progress.begin_stage("Registering views", scan.views.size());
+  for (const auto& view : scan.views) {
+    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped while registering");
+    registrar->add(view);
+    progress.advance();
+  }
+  RegisteredTruth truth;
+  for (const RegisteredView& registered : registrar->finish()) {
+    if (registered.fate == ViewFate::kRejected) continue;
+    const std::size_t i = registered.view->frame.at();
+    truth.aligned.push_back({registered.view, registered.T_world_sensor});
+    truth.ideal.push_back(scan.ideal_views[i]);
+    truth.T_model_sensor.push_back(scan.T_model_sensor[i]);
+  }
+  if (truth.aligned.size() >= 2) return truth;
+  return fail(ErrorCode::kInsufficient, "no two of {} views could be registered",
+              scan.views.size());
 }
 
 }  // namespace flytri::cli

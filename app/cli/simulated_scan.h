@@ -34,4 +34,16 @@ struct SimulatedScan {
                                                   const SimulatedScanOptions& options,
                                                   const Workers& workers, const Progress& progress);
 
+/// The truth of those views that were registered.
+struct RegisteredTruth {
+  std::vector<AlignedView> aligned;
+  std::vector<std::shared_ptr<const View>> ideal;
+  std::vector<Isometry> T_model_sensor;
+};
+
+/// Registers the views of a scan, without the joint refinement.
+/// @errors  kInsufficient: no two views could be registered; kCancelled.
+[[nodiscard]] Result<RegisteredTruth> register_scan(const SimulatedScan& scan,
+                                                    const Progress& progress);
+
 }  // namespace flytri::cli

@@ -6,6 +6,7 @@
 namespace flytri::cli {
 
 void add_table2_study(CLI::App& study, Invocation& invocation);
+void add_refinement_study(CLI::App& study, Invocation& invocation);
 void add_tracking_study(CLI::App& study, Invocation& invocation);
 void add_growth_study(CLI::App& study, Invocation& invocation);
 

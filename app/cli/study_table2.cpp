@@ -47,35 +47,6 @@ struct ScanResult {
   double refinement_s = 0.0;
 };
 
-/// The truth of those views that were registered.
-struct RegisteredTruth {
-  std::vector<AlignedView> aligned;
-  std::vector<std::shared_ptr<const View>> ideal;
-  std::vector<Isometry> T_model_sensor;
-};
-
-Result<RegisteredTruth> register_scan(const SimulatedScan& scan, const Progress& progress) {
-  auto registrar = Registrar::create();
-  if (!registrar) return tl::unexpected(registrar.error());
-  progress.begin_stage("Registering views", scan.views.size());
-  for (const auto& view : scan.views) {
-    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped while registering");
-    registrar->add(view);
-    progress.advance();
-  }
-  RegisteredTruth truth;
-  for (const RegisteredView& registered : registrar->finish()) {
-    if (registered.fate == ViewFate::kRejected) continue;
-    const std::size_t i = registered.view->frame.at();
-    truth.aligned.push_back({registered.view, registered.T_world_sensor});
-    truth.ideal.push_back(scan.ideal_views[i]);
-    truth.T_model_sensor.push_back(scan.T_model_sensor[i]);
-  }
-  if (truth.aligned.size() >= 2) return truth;
-  return fail(ErrorCode::kInsufficient, "no two of {} views could be registered",
-              scan.views.size());
-}
-
 Result<ScanResult> run_scan(const TriangleMesh& jaw, const SimulatedScanOptions& options,
                             const Workers& workers, const Progress& progress) {
   const auto scan = simulate_scan(jaw, intraoral_sensor(), options, workers, progress);

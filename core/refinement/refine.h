@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/view.h"
+#include "core/registration/align.h"
 
 namespace flytri {
 
@@ -72,5 +73,33 @@ struct Refinement {
 [[nodiscard]] Result<Refinement> refine_jointly(std::vector<AlignedView>& views,
                                                 const JointRefineOptions& options,
                                                 const Workers& workers, const Progress& progress);
+
+struct MetaviewRefineOptions {
+  /// Of one view to its metaview. Guesses are near: the search begins narrow.
+  AlignOptions align;
+  /// >= 1. Most rounds in which every view is registered once.
+  int max_rounds = 20;
+  /// > 0. Ends when a round moves the views by less than this share of a view's radius, RMS.
+  double convergence_share = 2e-5;
+  /// Seed of the order of the views.
+  std::uint64_t seed = 1;
+
+  [[nodiscard]] Result<void> validate() const;
+};
+
+struct MetaviewRefinement {
+  RefineOutcome outcome = RefineOutcome::kNoOverlap;
+  std::vector<double> moved_mm;  ///< by each round, RMS over the views
+};
+
+/// The paper's method, kept as the reference that refine_jointly is measured against: one view
+/// after the other, in random order, is registered to all that overlap with it, which act as one
+/// rigid metaview; again and again, until nothing moves.
+/// @param views  at least one; changed are only the poses. The first view keeps its pose.
+/// @source  Arold et al., "Global Optimization".
+/// @errors  kBadOption, kInsufficient, kCancelled (poses as they were).
+[[nodiscard]] Result<MetaviewRefinement> refine_by_metaviews(std::vector<AlignedView>& views,
+                                                             const MetaviewRefineOptions& options,
+                                                             const Progress& progress);
 
 }  // namespace flytri
