@@ -11,9 +11,8 @@
 #include "app/cli/report.h"
 #include "core/evaluation/best_fit.h"
 #include "core/evaluation/color_error.h"
-#include "core/evaluation/pose_displacement.h"
+#include "core/evaluation/pose_error.h"
 #include "core/evaluation/surface_error.h"
-#include "core/interchange/calibration_file.h"
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/model.h"
 #include "core/interchange/ply.h"
@@ -35,7 +34,6 @@ struct EvaluateArguments {
   fs::path result;
   fs::path recording;
   fs::path report;
-  fs::path calibration;
   fs::path output;
   SurfaceErrorOptions surface;
   int thread_count = 0;
@@ -54,7 +52,7 @@ struct Reference {
   TrueSurface surface;
   Isometry T_model_world = Isometry::Identity();  ///< by the first registered view
   std::vector<PosePair> poses;                    ///< empty without a report
-  std::optional<Vec3> volume_mm;                  ///< empty: no calibration is known
+  std::optional<Vec3> volume_mm;                  ///< of the sensor, if the report tells
 };
 
 struct Evaluation {
@@ -63,7 +61,7 @@ struct Evaluation {
   BestFitOutcome outcome = BestFitOutcome::kStillMoving;
   ColorError colors;
   std::size_t pose_count = 0;
-  std::optional<PoseDisplacement> poses;
+  std::optional<PoseError> poses;
 };
 
 Result<TrueSurface> read_true_surface(const fs::path& path) {
@@ -88,7 +86,6 @@ Result<Isometry> true_pose(const EvaluateArguments& arguments, const Truth& trut
               arguments.truth_file().string(), frame.value);
 }
 
-/// Without a report the first measurement frame is taken for the first registered one.
 Result<FrameIndex> first_measurement_frame(const Recording& recording) {
   const auto found =
       std::find_if(recording.frames.begin(), recording.frames.end(),
@@ -100,15 +97,10 @@ Result<FrameIndex> first_measurement_frame(const Recording& recording) {
               (recording.folder / "recording.json").string());
 }
 
-Result<std::vector<PosePair>> read_poses(const EvaluateArguments& arguments, const Truth& truth) {
-  const auto reported = read_report_poses(arguments.report);
-  if (!reported) return tl::unexpected(reported.error());
-  if (reported->empty()) {
-    return fail(ErrorCode::kInsufficient, "{}: frames: none of them has a pose",
-                arguments.report.string());
-  }
+Result<std::vector<PosePair>> pair_poses(const EvaluateArguments& arguments, const Truth& truth,
+                                         const std::vector<ReportedPose>& reported) {
   std::vector<PosePair> pairs;
-  for (const ReportedPose& pose : *reported) {
+  for (const ReportedPose& pose : reported) {
     const auto T_model_sensor = true_pose(arguments, truth, pose.frame);
     if (!T_model_sensor) return tl::unexpected(T_model_sensor.error());
     pairs.push_back({pose.T_world_sensor, *T_model_sensor});
@@ -116,43 +108,46 @@ Result<std::vector<PosePair>> read_poses(const EvaluateArguments& arguments, con
   return pairs;
 }
 
-/// Of the calibration that is given or that the recording names.
-Result<std::optional<Vec3>> read_volume_mm(const EvaluateArguments& arguments,
-                                           const Recording& recording) {
-  const fs::path path =
-      arguments.calibration.empty() ? recording.calibration.value_or("") : arguments.calibration;
-  if (path.empty()) return std::nullopt;
-  const auto calibration = read_calibration(path);
-  if (!calibration) return tl::unexpected(calibration.error());
-  return calibration->volume.size_mm;
+/// Without a report the first measurement frame is taken for the first registered one.
+Result<void> guess_gauge(const EvaluateArguments& arguments, const Truth& truth,
+                         Reference& reference) {
+  const auto recording = open_recording(arguments.recording);
+  if (!recording) return tl::unexpected(recording.error());
+  const auto first = first_measurement_frame(*recording);
+  if (!first) return tl::unexpected(first.error());
+  const auto T_model_sensor = true_pose(arguments, truth, *first);
+  if (!T_model_sensor) return tl::unexpected(T_model_sensor.error());
+  reference.T_model_world = *T_model_sensor;
+  return {};
 }
 
 /// Fills what poses tell: the gauge, and with a report the pairs of poses.
 Result<void> read_gauge(const EvaluateArguments& arguments, const Truth& truth,
                         Reference& reference) {
-  const auto recording = open_recording(arguments.recording);
-  if (!recording) return tl::unexpected(recording.error());
-  if (arguments.report.empty()) {
-    const auto first = first_measurement_frame(*recording);
-    if (!first) return tl::unexpected(first.error());
-    const auto T_model_sensor = true_pose(arguments, truth, *first);
-    if (!T_model_sensor) return tl::unexpected(T_model_sensor.error());
-    reference.T_model_world = *T_model_sensor;
-    return {};
-  }
-  auto poses = read_poses(arguments, truth);
+  if (arguments.report.empty()) return guess_gauge(arguments, truth, reference);
+  const auto report = read_report(arguments.report);
+  if (!report) return tl::unexpected(report.error());
+  auto poses = pair_poses(arguments, truth, report->poses);
   if (!poses) return tl::unexpected(poses.error());
   const PosePair& first = poses->front();
   reference.T_model_world = first.T_model_sensor * first.T_world_sensor.inverse();
   reference.poses = std::move(*poses);
-  const auto volume_mm = read_volume_mm(arguments, *recording);
-  if (!volume_mm) return tl::unexpected(volume_mm.error());
-  reference.volume_mm = *volume_mm;
+  reference.volume_mm = report->volume_mm;
   return {};
 }
 
+/// The truth is simulated; a recording of a real scanner has none.
+Result<Truth> read_truth_of(const EvaluateArguments& arguments) {
+  auto truth = read_truth(arguments.truth_file());
+  if (truth || truth.error().code != ErrorCode::kNotFound) return truth;
+  return fail(ErrorCode::kNotFound,
+              "{}: not found; only simulated recordings have a truth to compare with: name the "
+              "folder of one with --recording, or make one with flytri simulate recording",
+              arguments.truth_file().string());
+}
+
 Result<Reference> read_reference(const EvaluateArguments& arguments) {
-  const auto truth = read_truth(arguments.truth_file());
+  const auto truth = read_truth_of(arguments);
   if (!truth) return tl::unexpected(truth.error());
   Reference reference;
   if (auto read = read_gauge(arguments, *truth, reference); !read) {
@@ -187,9 +182,7 @@ Result<Evaluation> evaluate(const TexturedMesh& result, const Reference& referen
   Evaluation evaluation{*as_it_stands,          *fitted,     fit->outcome, colors,
                         reference.poses.size(), std::nullopt};
   if (reference.poses.empty() || !reference.volume_mm) return evaluation;
-  const auto poses = pose_displacement(reference.poses, volume_corners(*reference.volume_mm));
-  if (!poses) return tl::unexpected(poses.error());
-  evaluation.poses = *poses;
+  evaluation.poses = pose_error(reference.poses, volume_corners(*reference.volume_mm));
   return evaluation;
 }
 
@@ -221,7 +214,9 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
       evaluation.colors.median_by_chance);
   if (evaluation.pose_count == 0) return;
   if (!evaluation.poses) {
-    fmt::print("\nPose errors need the measurement volume: give --calibration FILE.\n");
+    fmt::print(
+        "\nno pose errors: the report names no measurement volume; make it anew with flytri "
+        "reconstruct --report\n");
     return;
   }
   fmt::print(
@@ -293,9 +288,6 @@ void add_evaluate_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--report", arguments->report,
                       "report.json of the reconstruction: tells the first registered view, and "
                       "adds the errors of the poses");
-  command->add_option("--calibration", arguments->calibration,
-                      "Calibration whose measurement volume the errors of the poses are for; "
-                      "overrides the one that the recording names");
   command->add_option("-o,--output", arguments->output, "Also write the figures, as .json");
   command
       ->add_option("--complete-within", arguments->surface.complete_within_mm,

@@ -30,7 +30,7 @@ struct ReconstructArguments {
 Result<fs::path> calibration_path(const ReconstructArguments& arguments,
                                   const Recording& recording) {
   if (!arguments.calibration.empty()) return arguments.calibration;
-  if (recording.calibration) return *recording.calibration;
+  if (recording.calibration) return recording.folder / *recording.calibration;
   return fail(ErrorCode::kBadOption,
               "{}: names no calibration; give one with --calibration FILE (made by flytri "
               "calibrate)",
@@ -46,7 +46,7 @@ Result<void> check_outputs(const ReconstructArguments& arguments) {
 }
 
 Result<void> write_outputs(const ReconstructArguments& arguments,
-                           const Reconstruction& reconstruction) {
+                           const Reconstruction& reconstruction, const MeasurementVolume& volume) {
   for (const fs::path& output : arguments.outputs) {
     if (auto written = write_result(output, reconstruction); !written) return written;
     fmt::print("wrote {}\n", output.string());
@@ -57,7 +57,7 @@ Result<void> write_outputs(const ReconstructArguments& arguments,
     fmt::print("wrote {}\n", arguments.points.string());
   }
   if (arguments.report.empty()) return {};
-  auto written = write_report(arguments.report, reconstruction);
+  auto written = write_report(arguments.report, reconstruction, volume.size_mm);
   if (written) fmt::print("wrote {}\n", arguments.report.string());
   return written;
 }
@@ -76,7 +76,7 @@ Result<void> run(const ReconstructArguments& arguments, const Progress& progress
       reconstruct(*recording, *calibration, options, Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
-  return write_outputs(arguments, *reconstruction);
+  return write_outputs(arguments, *reconstruction, calibration->volume);
 }
 
 }  // namespace

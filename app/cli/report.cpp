@@ -9,12 +9,17 @@
 #include <nlohmann/json.hpp>
 
 #include "core/interchange/file_bytes.h"
+#include "core/interchange/json_place.h"
 #include "core/interchange/model.h"
 
 namespace flytri::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kFormat = "flytri.report";
+constexpr int kVersion = 1;
+constexpr const char* kVolumeKey = "measurement_volume_mm";
 
 std::size_t count_fate(const Reconstruction& reconstruction, FrameFate fate) {
   return static_cast<std::size_t>(
@@ -62,8 +67,9 @@ Json hole_json(const BoundaryLoop& loop) {
           {"is_outer_border", loop.is_outer}};
 }
 
-Json to_json(const Reconstruction& reconstruction) {
-  Json json = {{"format", "flytri.report"}, {"version", 1}};
+Json to_json(const Reconstruction& reconstruction, const std::optional<Vec3>& volume_mm) {
+  Json json = {{"format", kFormat}, {"version", kVersion}};
+  if (volume_mm) json[kVolumeKey] = {volume_mm->x(), volume_mm->y(), volume_mm->z()};
   json["counts"] = {{"frames", reconstruction.frames.size()},
                     {"registered", count_fate(reconstruction, FrameFate::kRegistered)},
                     {"interpolated", count_fate(reconstruction, FrameFate::kInterpolated)},
@@ -117,35 +123,38 @@ Result<void> write_result(const std::filesystem::path& path, const Reconstructio
   return write_model(path, TexturedMesh{reconstruction.surface.mesh, {}, {}});
 }
 
-Result<void> write_report(const std::filesystem::path& path, const Reconstruction& reconstruction) {
-  return write_file(path, to_json(reconstruction).dump(1) + "\n");
+Result<void> write_report(const std::filesystem::path& path, const Reconstruction& reconstruction,
+                          const std::optional<Vec3>& volume_mm) {
+  return write_file(path, to_json(reconstruction, volume_mm).dump(1) + "\n");
 }
 
-Result<std::vector<ReportedPose>> read_report_poses(const std::filesystem::path& path) {
+Result<Report> read_report(const std::filesystem::path& path) {
   const auto text = read_file(path);
   if (!text) return tl::unexpected(text.error());
-  const Json json = Json::parse(*text, nullptr, false);
-  const auto damaged = [&](std::string_view what) {
-    return fail(ErrorCode::kBadFormat, "{}: {}; make it anew with flytri reconstruct --report",
-                path.string(), what);
-  };
-  if (json.is_discarded() || json.value("format", "") != "flytri.report") {
-    return damaged("is no report of flytri");
+  const Result<JsonPlace> json = JsonPlace::parse(*text, path.string());
+  if (!json) return tl::unexpected(json.error());
+  json->expect_format(kFormat, kVersion);
+  Report report;
+  if (json->has(kVolumeKey)) {
+    const std::vector<double> size = json->at(kVolumeKey).numbers(3);
+    report.volume_mm = Vec3(size[0], size[1], size[2]);
   }
-  std::vector<ReportedPose> poses;
-  try {
-    for (const Json& frame : json.at("frames")) {
-      if (!frame.contains("q_wxyz")) continue;
-      const auto q = frame.at("q_wxyz").get<std::array<double, 4>>();
-      const auto t = frame.at("t_mm").get<std::array<double, 3>>();
-      poses.push_back(
-          {FrameIndex(frame.at("frame").get<int>()),
-           make_isometry(Eigen::Quaterniond(q[0], q[1], q[2], q[3]), Vec3(t[0], t[1], t[2]))});
-    }
-  } catch (const Json::exception& error) {
-    return damaged(error.what());
+  for (const JsonPlace& frame : json->at("frames").elements()) {
+    if (!frame.has("q_wxyz")) continue;
+    const std::vector<double> q = frame.at("q_wxyz").numbers(4);
+    const std::vector<double> t = frame.at("t_mm").numbers(3);
+    report.poses.push_back(
+        {FrameIndex(frame.at("frame").whole_number()),
+         make_isometry(Eigen::Quaterniond(q[0], q[1], q[2], q[3]), Vec3(t[0], t[1], t[2]))});
   }
-  return poses;
+  if (auto outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
+  if (report.poses.empty()) {
+    return fail(ErrorCode::kInsufficient,
+                "{}: \"frames\": none of them has a pose; "
+                "give the report of a scan that was registered",
+                path.string());
+  }
+  return report;
 }
 
 }  // namespace flytri::cli

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/pipeline/reconstruct.h"
@@ -20,19 +22,26 @@ void print_summary(const Reconstruction& reconstruction);
                                         const Reconstruction& reconstruction);
 
 /// Writes report.json; its keys are documented in docs/formats.md.
+/// @param volume_mm  edge lengths of the sensor's measurement volume, if they are known
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> write_report(const std::filesystem::path& path,
-                                        const Reconstruction& reconstruction);
+                                        const Reconstruction& reconstruction,
+                                        const std::optional<Vec3>& volume_mm = std::nullopt);
 
-/// The poses of a report: frame index and T_world_sensor of each frame that has one.
+/// A frame's pose in a report.
 struct ReportedPose {
   FrameIndex frame;
   Isometry T_world_sensor = Isometry::Identity();
 };
 
-/// Reads the poses back.
-/// @errors  kNotFound, kNotPermitted, kBadFormat naming file and key.
-[[nodiscard]] Result<std::vector<ReportedPose>> read_report_poses(
-    const std::filesystem::path& path);
+/// What of a report is read again.
+struct Report {
+  std::optional<Vec3> volume_mm;    ///< edge lengths of the measurement volume
+  std::vector<ReportedPose> poses;  ///< of the frames that have one, at least one
+};
+
+/// Reads a report.
+/// @errors  kNotFound, kNotPermitted, kBadFormat naming file and key, kInsufficient without poses.
+[[nodiscard]] Result<Report> read_report(const std::filesystem::path& path);
 
 }  // namespace flytri::cli

@@ -10,60 +10,86 @@ constexpr std::size_t kStride = 5;
 
 /// Points as they were placed and as they should be.
 struct PointPairs {
-  Eigen::Matrix3Xd placed, truth;
+  std::vector<Vec3> placed, truth;
 };
 
 PointPairs gather(std::span<const AlignedView> estimated,
                   std::span<const std::shared_ptr<const View>> ideal,
                   std::span<const Isometry> T_model_sensor) {
-  std::vector<Vec3> placed;
-  std::vector<Vec3> truth;
+  PointPairs pairs;
   for (std::size_t v = 0; v < estimated.size(); ++v) {
     const auto& profiles = estimated[v].view->profiles;
     for (std::size_t k = 0; k < profiles.size(); ++k) {
       for (std::size_t i = 0; i < profiles[k].points.size(); i += kStride) {
-        placed.push_back(estimated[v].T_world_sensor * profiles[k].points[i].position_mm);
-        truth.push_back(T_model_sensor[v] * ideal[v]->profiles[k].points[i].position_mm);
+        pairs.placed.push_back(estimated[v].T_world_sensor * profiles[k].points[i].position_mm);
+        pairs.truth.push_back(T_model_sensor[v] * ideal[v]->profiles[k].points[i].position_mm);
       }
     }
   }
-  const auto to_matrix = [](const std::vector<Vec3>& points) {
-    return Eigen::Matrix3Xd(Eigen::Map<const Eigen::Matrix3Xd>(
-        points.front().data(), 3, static_cast<Eigen::Index>(points.size())));
-  };
-  if (placed.empty()) return {};
-  return {to_matrix(placed), to_matrix(truth)};
+  return pairs;
+}
+
+// A fixed count of rows would make GCC 12 warn of umeyama's inside.
+Eigen::Map<const Eigen::MatrixXd> columns(const std::vector<Vec3>& points) {
+  return {points.front().data(), 3, static_cast<Eigen::Index>(points.size())};
 }
 
 double rms_after(const Isometry& T_model_world, const PointPairs& pairs) {
-  Eigen::Matrix3Xd moved = T_model_world.linear() * pairs.placed;
-  const Vec3 t_mm = T_model_world.translation();
-  moved.colwise() += t_mm;
-  return std::sqrt((moved - pairs.truth).colwise().squaredNorm().mean());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pairs.placed.size(); ++i) {
+    sum += (T_model_world * pairs.placed[i] - pairs.truth[i]).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(pairs.placed.size()));
 }
 
-Isometry best_fit(const PointPairs& pairs) {
-  return Isometry(Eigen::umeyama(pairs.placed, pairs.truth, false));
+double rms_at_best_fit(const PointPairs& pairs) {
+  Isometry T_model_world = Isometry::Identity();
+  T_model_world.matrix() = Eigen::umeyama(columns(pairs.placed), columns(pairs.truth), false);
+  return rms_after(T_model_world, pairs);
+}
+
+PoseError in_both_gauges(const PointPairs& pairs, const PosePair& first) {
+  return {rms_after(first.T_model_sensor * first.T_world_sensor.inverse(), pairs),
+          rms_at_best_fit(pairs)};
 }
 
 }  // namespace
+
+PoseError pose_error(std::span<const PosePair> views, std::span<const Vec3> points_mm) {
+  PointPairs pairs;
+  for (const PosePair& view : views) {
+    for (const Vec3& point_mm : points_mm) {
+      pairs.placed.push_back(view.T_world_sensor * point_mm);
+      pairs.truth.push_back(view.T_model_sensor * point_mm);
+    }
+  }
+  return pairs.placed.empty() ? PoseError{} : in_both_gauges(pairs, views.front());
+}
+
+std::vector<Vec3> volume_corners(const Vec3& size_mm) {
+  std::vector<Vec3> corners;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      for (const double z : {-0.5, 0.5}) corners.push_back(size_mm.cwiseProduct(Vec3(x, y, z)));
+    }
+  }
+  return corners;
+}
 
 PoseError pose_error(std::span<const AlignedView> estimated,
                      std::span<const Isometry> T_model_sensor) {
   std::vector<std::shared_ptr<const View>> views;
   for (const AlignedView& view : estimated) views.push_back(view.view);
   const PointPairs pairs = gather(estimated, views, T_model_sensor);
-  if (pairs.placed.cols() == 0) return {};
-  const Isometry T_model_world =
-      T_model_sensor.front() * estimated.front().T_world_sensor.inverse();
-  return {rms_after(T_model_world, pairs), rms_after(best_fit(pairs), pairs)};
+  if (pairs.placed.empty()) return {};
+  return in_both_gauges(pairs, {estimated.front().T_world_sensor, T_model_sensor.front()});
 }
 
 double point_error_mm(std::span<const AlignedView> estimated,
                       std::span<const std::shared_ptr<const View>> ideal,
                       std::span<const Isometry> T_model_sensor) {
   const PointPairs pairs = gather(estimated, ideal, T_model_sensor);
-  return pairs.placed.cols() == 0 ? 0.0 : rms_after(best_fit(pairs), pairs);
+  return pairs.placed.empty() ? 0.0 : rms_at_best_fit(pairs);
 }
 
 }  // namespace flytri

@@ -4,18 +4,35 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/rigid.h"
 #include "core/geometry/view.h"
 
 namespace flytri {
 
-/// RMS displacement of points in two gauges, mm.
-struct PoseError {
-  double first_view_mm = 0.0;  ///< as it stands: the worlds agree in the first view
-  double best_fit_mm = 0.0;    ///< after one rigid alignment of all points
+/// One view's pose as it was found, and as it was.
+struct PosePair {
+  Isometry T_world_sensor = Isometry::Identity();  ///< found; world is any frame
+  Isometry T_model_sensor = Isometry::Identity();  ///< true
 };
 
-/// Compares poses point by point.
-/// @param estimated       aligned views; world is any frame
+/// RMS displacement of points that are fixed in their sensor, in two gauges, mm.
+struct PoseError {
+  double first_view_mm = 0.0;  ///< as it stands: the worlds agree in the first view
+  double best_fit_mm = 0.0;    ///< after the rigid motion of all points that makes it least
+};
+
+/// Displacement of the same points in every view; 0 where there are none.
+/// @param views      by rising time
+/// @param points_mm  sensor frame; e.g. the corners of the measurement volume
+[[nodiscard]] PoseError pose_error(std::span<const PosePair> views,
+                                   std::span<const Vec3> points_mm);
+
+/// The eight corners of a box around the origin of the sensor frame.
+/// @param size_mm  edge lengths along x, y, z
+[[nodiscard]] std::vector<Vec3> volume_corners(const Vec3& size_mm);
+
+/// Displacement of the points that each view measured; 0 where there are none.
+/// @param estimated       aligned views by rising time; world is any frame
 /// @param T_model_sensor  the true pose of each
 [[nodiscard]] PoseError pose_error(std::span<const AlignedView> estimated,
                                    std::span<const Isometry> T_model_sensor);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/sample_meshes.h"
 #include "tests/support/scan_scene.h"
 
@@ -15,6 +17,65 @@ std::vector<Isometry> poses_of(const std::vector<AlignedView>& views) {
   std::vector<Isometry> poses;
   for (const AlignedView& view : views) poses.push_back(view.T_world_sensor);
   return poses;
+}
+
+Isometry moved(double angle_rad, const Vec3& t_mm) {
+  Twist twist;
+  twist << angle_rad * Vec3(0.3, -0.5, 0.8).normalized(), t_mm;
+  return exp_twist(twist);
+}
+
+// True poses along a path; the found ones lie in a world of their own.
+std::vector<PosePair> path(const Isometry& T_world_model) {
+  std::vector<PosePair> views;
+  for (int i = 0; i < 20; ++i) {
+    const Isometry T_model_sensor = moved(0.05 * i, Vec3(1.5 * i, 0.2 * i, 0.0));
+    views.push_back({T_world_model * T_model_sensor, T_model_sensor});
+  }
+  return views;
+}
+
+const std::vector<Vec3> kCorners = volume_corners(Vec3(20.0, 15.0, 15.0));
+
+TEST(PoseErrorAtPoints, AnotherWorldFrameIsNoError) {
+  const PoseError error = pose_error(path(moved(1.0, Vec3(5, -40, 9))), kCorners);
+  EXPECT_NEAR(error.first_view_mm, 0.0, 1e-10);
+  EXPECT_NEAR(error.best_fit_mm, 0.0, 1e-10);
+}
+
+TEST(PoseErrorAtPoints, AShiftOfHalfTheViewsIsFoundAsItIs) {
+  std::vector<PosePair> views = path(Isometry::Identity());
+  const Vec3 shift_mm(0.0, 0.0, 0.1);
+  // First and second in turn, so that no rotation can take up the shift to first order.
+  for (std::size_t i = 1; i < views.size(); i += 2)
+    views[i].T_world_sensor = Eigen::Translation3d(shift_mm) * views[i].T_world_sensor;
+  const PoseError error = pose_error(views, kCorners);
+  EXPECT_NEAR(error.first_view_mm, 0.1 / std::sqrt(2.0), 1e-10);
+  // A common shift by half leaves 0.05 mm everywhere; a rotation takes up a few per cent of it.
+  EXPECT_LE(error.best_fit_mm, 0.05);
+  EXPECT_GT(error.best_fit_mm, 0.045);
+}
+
+TEST(PoseErrorAtPoints, AWrongFirstViewCostsTheFirstGaugeAlone) {
+  std::vector<PosePair> views = path(Isometry::Identity());
+  views[0].T_world_sensor = views[0].T_world_sensor * moved(0.01, Vec3::Zero());
+  const PoseError error = pose_error(views, kCorners);
+  EXPECT_GT(error.first_view_mm, 5.0 * error.best_fit_mm);
+}
+
+TEST(PoseErrorAtPoints, IsNothingWithoutViews) {
+  EXPECT_EQ(pose_error({}, kCorners).first_view_mm, 0.0);
+  EXPECT_EQ(pose_error({}, kCorners).best_fit_mm, 0.0);
+}
+
+TEST(VolumeCorners, SpanTheBoxAroundTheOrigin) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& corner : kCorners) {
+    EXPECT_EQ(corner.cwiseAbs(), Vec3(10.0, 7.5, 7.5));
+    sum += corner;
+  }
+  EXPECT_EQ(kCorners.size(), 8U);
+  EXPECT_EQ(sum, Vec3(0.0, 0.0, 0.0));
 }
 
 TEST(PoseError, AMotionOfTheWholeWorldIsNoError) {
