@@ -209,9 +209,9 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
   }
   fmt::print(
       "\ncolor, chromaticity by the nearest of the true vertices: median {:.3f}, 95 % {:.3f}; "
-      "colors of other places would give {:.3f}\n",
-      evaluation.colors.median, evaluation.colors.percentile_95,
-      evaluation.colors.median_by_chance);
+      "colors of other places would give {:.3f}; sRGB 0..255, brightness included: mean {:.1f}\n",
+      evaluation.colors.median, evaluation.colors.percentile_95, evaluation.colors.median_by_chance,
+      evaluation.colors.mean_srgb);
   if (evaluation.pose_count == 0) return;
   if (!evaluation.poses) {
     fmt::print(
@@ -251,7 +251,8 @@ Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
   json["color"] = {{"vertices", evaluation.colors.count},
                    {"median", evaluation.colors.median},
                    {"percentile_95", evaluation.colors.percentile_95},
-                   {"median_by_chance", evaluation.colors.median_by_chance}};
+                   {"median_by_chance", evaluation.colors.median_by_chance},
+                   {"mean_srgb", evaluation.colors.mean_srgb}};
   if (evaluation.poses) {
     json["poses"] = {{"count", evaluation.pose_count},
                      {"first_view_rms_mm", evaluation.poses->first_view_mm},

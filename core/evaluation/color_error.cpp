@@ -1,6 +1,8 @@
 #include "core/evaluation/color_error.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 
 #include "core/geometry/point_grid.h"
 #include "core/texture/srgb.h"
@@ -17,6 +19,13 @@ Rgb color_of(const TexturedMesh& model, std::size_t vertex) {
   const auto& texel =
       model.atlas.at<cv::Vec3b>(pixel(uv.y(), model.atlas.rows), pixel(uv.x(), model.atlas.cols));
   return {texel[0], texel[1], texel[2]};
+}
+
+/// Mean over the channels.
+double srgb_difference(const Rgb& a, const Rgb& b) {
+  int sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) sum += std::abs(int{a[c]} - int{b[c]});
+  return sum / 3.0;
 }
 
 Vec3f chromaticity(const Rgb& color) {
@@ -45,17 +54,20 @@ ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth, do
   const std::size_t elsewhere = truth.vertices.size() / 2;
   std::vector<double> here(result.mesh.vertices.size(), -1.0);
   std::vector<double> there(here);
+  std::vector<double> srgb(here.size(), 0.0);
   workers.for_each(
       here.size(),
       [&](std::size_t i) {
         const auto nearest = grid.nearest(result.mesh.vertices[i].position_mm, reach_mm);
         if (!nearest) return;
-        const Vec3f found = chromaticity(color_of(result, i));
+        const Rgb color = color_of(result, i);
+        const Vec3f found = chromaticity(color);
         const auto difference = [&](std::size_t j) {
           return static_cast<double>(
               (found - chromaticity(truth.vertices[j].color)).cwiseAbs().maxCoeff());
         };
         here[i] = difference(nearest->index);
+        srgb[i] = srgb_difference(color, truth.vertices[nearest->index].color);
         there[i] = difference((i * 7919 + elsewhere) % truth.vertices.size());
       },
       256);
@@ -63,6 +75,11 @@ ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth, do
   std::erase_if(there, [](double value) { return value < 0.0; });
   ColorError error;
   error.count = static_cast<std::int64_t>(here.size());
+  if (!here.empty()) {
+    // Vertices that were left out add nothing to the sum.
+    error.mean_srgb =
+        std::accumulate(srgb.begin(), srgb.end(), 0.0) / static_cast<double>(here.size());
+  }
   error.median = percentile(here, 0.5);
   error.percentile_95 = percentile(here, 0.95);
   error.median_by_chance = percentile(there, 0.5);

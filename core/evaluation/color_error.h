@@ -13,6 +13,8 @@ struct ColorError {
   std::int64_t count = 0;  ///< vertices that lie near a true one
   double median = 0.0;
   double percentile_95 = 0.0;
+  /// Mean over vertices and channels of the difference of sRGB values, 0..255, brightness included.
+  double mean_srgb = 0.0;
   /// The median between each vertex and a true one anywhere: what misplaced colors would give.
   double median_by_chance = 0.0;
 };

@@ -1,6 +1,6 @@
 #include "core/interchange/calibration_file.h"
 
-#include "core/calibration/calibration_json.h"
+#include "core/interchange/calibration_json.h"
 #include "core/interchange/file_bytes.h"
 
 namespace flytri {

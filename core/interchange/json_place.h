@@ -27,6 +27,7 @@ class JsonPlace {
   [[nodiscard]] bool has(std::string_view key) const;
   /// The elements of an array.
   [[nodiscard]] std::vector<JsonPlace> elements() const;
+  [[nodiscard]] bool is_empty_array() const;
 
   [[nodiscard]] double number() const;           ///< finite
   [[nodiscard]] double positive_number() const;  ///< finite, > 0

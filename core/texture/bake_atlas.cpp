@@ -123,6 +123,15 @@ Texels find_texels(const TexturedMesh& model, int side_px) {
       texels.points.push_back(between(model, t, weights));
     });
   }
+  // Slivers may cover no center at all: the texel around a corner then stands for the corner.
+  for (std::size_t i = 0; i < model.uv.size(); ++i) {
+    const Eigen::Array2i texel =
+        (model.uv[i].array() * static_cast<float>(side_px)).floor().cast<int>();
+    const int place = texel.y() * side_px + texel.x();
+    if (std::exchange(taken[static_cast<std::size_t>(place)], 1) != 0) continue;
+    texels.places.push_back(place);
+    texels.points.push_back(model.mesh.vertices[i]);
+  }
   return texels;
 }
 

@@ -115,6 +115,86 @@ TEST(BakeAtlas, ColorsAreWhereTheCameraSawThem) {
   EXPECT_GT(error.median_by_chance, 0.1);
 }
 
+/// A camera before each of the six sides of a sphere about the origin; its image at U, V shows the
+/// color of direction.
+template <typename ColorOf>
+std::vector<TextureFrame> six_sides(float radius_mm, const ColorOf& color_of) {
+  std::vector<TextureFrame> frames;
+  for (const Vec3& gaze : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
+                           Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+    Isometry T_world_sensor = Isometry::Identity();
+    T_world_sensor.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), gaze).matrix();
+    cv::Mat image(480, 640, CV_8UC3, cv::Scalar(1, 1, 1));
+    for (int v = 0; v < image.rows; ++v) {
+      for (int u = 0; u < image.cols; ++u) {
+        const double x = (u - 320) / 20.0, y = (v - 240) / 20.0;
+        const double z2 = radius_mm * radius_mm - x * x - y * y;
+        if (z2 < 0.0) continue;
+        const Vec3 place = T_world_sensor * Vec3(x, y, -std::sqrt(z2));
+        const Rgb color = color_of(place.cast<float>().normalized());
+        image.at<cv::Vec3b>(v, u) = {color[0], color[1], color[2]};
+      }
+    }
+    frames.push_back({image, T_world_sensor});
+  }
+  return frames;
+}
+
+TEST(BakeAtlas, PatternOfASphereIsRecovered) {
+  TriangleMesh sphere = colored_sphere().mesh;
+  const float radius_mm = sphere.vertices.front().position_mm.norm();
+  const auto color_of = [](const Vec3f& direction) {
+    const Vec3f light = (Vec3f::Constant(120.0F) + 80.0F * direction).array().round();
+    return Rgb{static_cast<std::uint8_t>(light.x()), static_cast<std::uint8_t>(light.y()),
+               static_cast<std::uint8_t>(light.z())};
+  };
+  const auto baked =
+      bake_atlas(sphere, six_sides(radius_mm, color_of), orthographic(), {}, Workers(2));
+  ASSERT_TRUE(baked.has_value());
+  // Every direction is within 55 degrees of one camera's, far from grazing.
+  EXPECT_EQ(baked->texels.untextured, 0U);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < baked->model.uv.size(); ++i) {
+    const Eigen::Vector2f px = baked->model.uv[i] * static_cast<float>(baked->model.atlas.cols);
+    const auto& found =
+        baked->model.atlas.at<cv::Vec3b>(static_cast<int>(px.y()), static_cast<int>(px.x()));
+    const Rgb truth = color_of(baked->model.mesh.vertices[i].position_mm.normalized());
+    for (int c = 0; c < 3; ++c) {
+      const double difference = std::abs(found[c] - truth[static_cast<std::size_t>(c)]);
+      // The highest intensity is taken from pixels up to the facets' sag and a texel away.
+      EXPECT_LT(difference, 16.0) << "vertex " << i;
+      sum += difference;
+    }
+  }
+  EXPECT_LT(sum / static_cast<double>(3 * baked->model.uv.size()), 3.0);
+}
+
+TEST(BakeAtlas, WhatLiesBehindAnotherFaceIsNotPainted) {
+  TriangleMesh mesh = wave(0.5F);
+  const TriangleMesh front = mesh;
+  const auto count = static_cast<std::uint32_t>(front.vertices.size());
+  for (SurfacePoint& vertex : mesh.vertices) {
+    vertex.position_mm.z() += 5.0F;
+    vertex.color = {10, 200, 30};
+  }
+  mesh.vertices.insert(mesh.vertices.end(), front.vertices.begin(), front.vertices.end());
+  for (const Triangle& t : front.triangles) {
+    mesh.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+  }
+  const auto baked = bake_atlas(mesh, std::vector{two_colors()}, orthographic(), {}, Workers(2));
+  ASSERT_TRUE(baked.has_value());
+  std::size_t green = 0;
+  for (std::size_t i = 0; i < baked->model.uv.size(); ++i) {
+    const Eigen::Vector2f px = baked->model.uv[i] * static_cast<float>(baked->model.atlas.cols);
+    const auto& found =
+        baked->model.atlas.at<cv::Vec3b>(static_cast<int>(px.y()), static_cast<int>(px.x()));
+    const bool behind = baked->model.mesh.vertices[i].position_mm.z() > 2.0F;
+    EXPECT_EQ(found == cv::Vec3b(10, 200, 30), behind) << "vertex " << i;
+    green += behind ? 1U : 0U;
+  }
+  EXPECT_GE(green, static_cast<std::size_t>(count));
+}
+
 TEST(BakeAtlas, WhatNoFrameSawKeepsTheColorOfItsVertices) {
   TriangleMesh mesh = wave(0.5F);
   for (SurfacePoint& vertex : mesh.vertices) vertex.color = {10, 200, 30};

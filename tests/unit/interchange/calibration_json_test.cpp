@@ -1,4 +1,4 @@
-#include "core/calibration/calibration_json.h"
+#include "core/interchange/calibration_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,146 @@
+#!/usr/bin/env bash
+# The program as a user meets it: exit codes, messages for bad input, nothing half-written, and the
+# same bytes for any number of threads.
+# Usage: command_line_test.sh FLYTRI SHORT_PATH.json
+set -u
+flytri=$1
+short_path=$2
+work=$(mktemp -d) || exit 1
+trap 'umount "$work/disk" 2> /dev/null; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failed=0
+
+fail() {
+  echo "FAILED: $name: $1"
+  sed 's/^/    /' log
+  failed=$((failed + 1))
+}
+
+# expect NAME CODE PATTERN COMMAND...: runs it; it must end with CODE and print lines that match
+# the extended regular expression.
+expect() {
+  name=$1
+  local code=$2 pattern=$3
+  shift 3
+  "$@" > log 2>&1
+  local status=$?
+  [ "$status" = "$code" ] || fail "exit code $status, not $code"
+  grep -Eq -- "$pattern" log || fail "no message like: $pattern"
+  printf '%-34s %s\n' "$name" "$(grep -m 1 '^flytri: ' log)"
+}
+
+# absent NAME FILE...: none of them may have been left behind, nor a temporary one.
+absent() {
+  name=$1
+  shift
+  for file in "$@" .flytri-*; do [ ! -e "$file" ] || fail "$file was left behind"; done
+}
+
+reconstruct() { "$flytri" reconstruct "$1" --calibration calibration.json -o out.ply "${@:2}"; }
+
+# bad_copy NAME: a copy of the recording to be spoiled.
+bad_copy() { rm -rf "$1" && cp -r scan "$1"; }
+
+# What the rest needs.
+expect 'simulate recording' 0 '^wrote scan' \
+  "$flytri" simulate recording -o scan --path "$short_path" --duration 0.4
+expect 'simulate calibration set' 0 '^wrote set' "$flytri" simulate calibration-set -o set
+expect 'calibrate' 0 '^wrote calibration.json' "$flytri" calibrate set -o calibration.json
+[ "$failed" = 0 ] || exit 1
+
+# The same bytes for any number of threads, and from run to run.
+for run in '1 1' '2 4' '3 4'; do
+  read -r i threads <<< "$run"
+  expect "reconstruct, $threads threads" 0 '^wrote' "$flytri" reconstruct scan \
+    --calibration calibration.json -o "$i.ply" -o "$i.glb" --report "$i.json" --threads "$threads"
+done
+for i in 2 3; do
+  for ending in ply glb; do
+    name="same bytes, .$ending"
+    cmp "1.$ending" "$i.$ending" > log 2>&1 || fail "run $i differs"
+  done
+done
+expect 'evaluate' 0 'RMS at the corners of the measurement volume' \
+  "$flytri" evaluate 1.ply --recording scan --report 1.json
+
+# Exit codes of usage.
+for command in '' simulate 'simulate recording' 'simulate calibration-set' calibrate reconstruct \
+  evaluate study demo; do
+  # shellcheck disable=SC2086  # the words of a command
+  expect "help: $command" 0 'Usage' "$flytri" $command --help
+done
+expect 'unknown option' 2 '--nonsense' "$flytri" reconstruct scan -o out.ply --nonsense
+expect 'unknown command' 2 . "$flytri" nonsense
+expect 'no command' 2 . "$flytri"
+expect 'missing argument' 2 'RECORDING' "$flytri" reconstruct -o out.ply
+expect 'unknown ending' 1 'out\.xyz.*\.glb, \.ply' "$flytri" reconstruct scan -o out.xyz
+
+# Recordings.
+bad_copy bad && truncate -s 1000 bad/frames/000003.png
+expect 'truncated PNG' 0 'rejected: .*000003\.png.*truncated' reconstruct bad
+rm -f out.ply
+cp bad/frames/000003.png set/frames.png
+bad_copy bad && cp set/frames.png bad/frames/000003.png && sed -i 's/"version": 1/"version": 99/' bad/recording.json
+expect 'unknown version' 1 'bad/recording\.json: .*version.*1' reconstruct bad
+bad_copy bad && sed -i '0,/"time_s"/s//"tme_s"/' bad/recording.json
+expect 'missing key' 1 'bad/recording\.json: .*frames\[0\]\.time_s' reconstruct bad
+bad_copy bad && printf '{"format": "flytri.recording", "version": 1, "frames": []}' > bad/recording.json
+expect 'empty recording' 1 'bad/recording\.json: .*empty; record again' reconstruct bad
+bad_copy bad && sed -i 's/"horizontal"/"vertical"/' bad/recording.json
+expect 'one pattern only' 1 'bad: .*both patterns' reconstruct bad
+expect 'no recording' 1 'nowhere/recording\.json: .*[Nn]o such' reconstruct nowhere
+expect 'no calibration named' 1 'scan/recording\.json: .*--calibration' "$flytri" reconstruct scan -o out.ply
+absent 'bad recordings' out.ply
+
+# Calibrations.
+sed '0,/"rms": *[0-9.e-]*/s//"rms": NaN/' calibration.json > nan.json
+expect 'NaN in calibration' 1 'nan\.json: .*flytri calibrate' \
+  "$flytri" reconstruct scan --calibration nan.json -o out.ply
+bad_copy bad
+small=$(find "$(dirname "$short_path")" -name 'small.png')
+cp "$small" bad/frames/000003.png
+expect 'wrong image size' 1 'bad/frames/000003\.png: .* pixels.*calibration' reconstruct bad
+expect 'not a calibration' 1 'scan/recording\.json: .*flytri calibrate' \
+  "$flytri" reconstruct scan --calibration scan/recording.json -o out.ply
+absent 'bad calibrations' out.ply
+
+# Truth.
+bad_copy bad && rm bad/truth.json
+expect 'no truth' 1 'bad/truth\.json: .*simulate' "$flytri" evaluate 1.ply --recording bad
+
+# Writing.
+expect 'below a file' 1 '1\.ply/out\.ply: .*folder' "$flytri" reconstruct scan \
+  --calibration calibration.json -o 1.ply/out.ply
+expect 'no such folder' 1 'nowhere/out\.ply: .*folder' "$flytri" reconstruct scan \
+  --calibration calibration.json -o nowhere/out.ply
+if [ "$(id -u)" = 0 ] && setpriv --reuid=65534 --clear-groups true 2> /dev/null; then
+  chmod 755 "$work" && mkdir -m 755 locked
+  expect 'no permission' 1 'locked/out\.ply: .*[Pp]ermission' \
+    setpriv --reuid=65534 --clear-groups "$flytri" reconstruct scan --calibration calibration.json -o locked/out.ply
+  absent 'no permission' locked/out.ply locked/.flytri-*
+else
+  echo 'skipped: no permission: needs root and setpriv'
+fi
+mkdir disk
+if mount -t tmpfs -o size=64k none disk 2> /dev/null; then
+  expect 'disk full' 1 'disk/out\.ply: .*space' "$flytri" reconstruct scan \
+    --calibration calibration.json -o disk/out.ply
+  absent 'disk full' disk/out.ply disk/.flytri-*
+else
+  echo 'skipped: disk full: needs the right to mount a tmpfs'
+fi
+
+# Ctrl-C. In the background a shell has programs ignore SIGINT; env gives it back.
+env --default-signal=INT "$flytri" reconstruct scan --calibration calibration.json -o out.ply > log 2>&1 &
+running=$!
+until grep -q 'Registering\|Meshing\|Measuring' log || ! kill -0 $running 2> /dev/null; do sleep 0.02; done
+kill -INT $running
+wait $running
+status=$?
+name='Ctrl-C'
+[ "$status" = 1 ] || fail "exit code $status, not 1"
+grep -q 'stopped; nothing was written' log || fail 'does not say that it stopped'
+absent 'Ctrl-C' out.ply
+
+echo "$failed failed"
+[ "$failed" = 0 ]
