@@ -2,6 +2,7 @@
 /// the same registered views.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 #include "app/cli/report.h"
@@ -17,32 +18,72 @@ namespace {
 constexpr double kMicrons = 1e3;
 
 struct RefinementArguments {
-  int view_count = 1000;
+  int view_count = 300;
+  int seed_count = 5;
   int thread_count = 0;
 };
 
-std::string row(std::string_view name, const RegisteredTruth& truth, double time_s) {
-  const PoseError error = pose_error(truth.aligned, truth.T_model_sensor);
-  return fmt::format("{:<34} {:>9.1f} {:>11.1f} {:>8.1f}", name, kMicrons * error.best_fit_mm,
-                     kMicrons * error.first_view_mm, time_s);
+/// Sums over the scans.
+struct Sum {
+  double best_fit_squares = 0.0, first_view_squares = 0.0;  // mm^2
+  double time_s = 0.0;
+
+  void add(const RegisteredTruth& truth, double start_s) {
+    time_s += steady_seconds() - start_s;
+    const PoseError error = pose_error(truth.aligned, truth.T_model_sensor);
+    best_fit_squares += error.best_fit_mm * error.best_fit_mm;
+    first_view_squares += error.first_view_mm * error.first_view_mm;
+  }
+};
+
+/// All scans with one kind of noise.
+struct Sums {
+  Sum registered, by_metaviews, jointly;
+  std::size_t view_count = 0;
+};
+
+std::string row(std::string_view name, const Sum& sum, int scans) {
+  return fmt::format("  {:<32} {:>9.1f} {:>11.1f} {:>12.2f}", name,
+                     kMicrons * std::sqrt(sum.best_fit_squares / scans),
+                     kMicrons * std::sqrt(sum.first_view_squares / scans), sum.time_s / scans);
 }
 
 Result<void> compare(const RegisteredTruth& registered, const Workers& workers,
-                     const Progress& progress, std::vector<std::string>& rows) {
-  rows.push_back(row("as registered", registered, 0.0));
+                     const Progress& progress, Sums& sums) {
+  sums.view_count += registered.aligned.size();
+  sums.registered.add(registered, steady_seconds());
   RegisteredTruth by_metaviews = registered;
   double start_s = steady_seconds();
   const auto reference = refine_by_metaviews(by_metaviews.aligned, {}, progress);
   if (!reference) return tl::unexpected(reference.error());
-  rows.push_back(row(fmt::format("random metaviews, {} rounds", reference->moved_mm.size()),
-                     by_metaviews, steady_seconds() - start_s));
+  sums.by_metaviews.add(by_metaviews, start_s);
   RegisteredTruth jointly = registered;
   start_s = steady_seconds();
   const auto joint = refine_jointly(jointly.aligned, {}, workers, progress);
   if (!joint) return tl::unexpected(joint.error());
-  rows.push_back(
-      row(fmt::format("jointly, {} steps", joint->steps), jointly, steady_seconds() - start_s));
+  sums.jointly.add(jointly, start_s);
   return {};
+}
+
+Result<Sums> compare_scans(const TriangleMesh& jaw, double correlation_samples,
+                           const RefinementArguments& arguments, const Workers& workers,
+                           const Progress& progress) {
+  Sums sums;
+  for (int seed = 1; seed <= arguments.seed_count; ++seed) {
+    SimulatedScanOptions options;
+    options.view_count = arguments.view_count;
+    options.noise.correlation_samples = correlation_samples;
+    options.noise.seed = static_cast<std::uint64_t>(seed);
+    options.path.seed = static_cast<std::uint64_t>(seed);
+    const auto scan = simulate_scan(jaw, intraoral_sensor(), options, workers, progress);
+    if (!scan) return tl::unexpected(scan.error());
+    const auto registered = register_scan(*scan, progress);
+    if (!registered) return tl::unexpected(registered.error());
+    if (auto done = compare(*registered, workers, progress, sums); !done) {
+      return tl::unexpected(done.error());
+    }
+  }
+  return sums;
 }
 
 Result<void> run(const RefinementArguments& arguments, const Progress& progress) {
@@ -51,19 +92,18 @@ Result<void> run(const RefinementArguments& arguments, const Progress& progress)
   if (!jaw) return tl::unexpected(jaw.error());
   std::vector<std::string> rows;
   for (const double correlation_samples : {0.0, 1.5}) {
-    SimulatedScanOptions options;
-    options.view_count = arguments.view_count;
-    options.noise.correlation_samples = correlation_samples;
-    const auto scan = simulate_scan(*jaw, intraoral_sensor(), options, workers, progress);
-    if (!scan) return tl::unexpected(scan.error());
-    const auto registered = register_scan(*scan, progress);
-    if (!registered) return tl::unexpected(registered.error());
-    rows.push_back(fmt::format("30 um, correlated over {} samples: {} views", correlation_samples,
-                               registered->aligned.size()));
-    if (auto done = compare(*registered, workers, progress, rows); !done) return done;
+    const auto sums = compare_scans(*jaw, correlation_samples, arguments, workers, progress);
+    if (!sums) return tl::unexpected(sums.error());
+    const int scans = arguments.seed_count;
+    rows.push_back(fmt::format("noise of 30 um, correlated over {} samples; {} of {} views",
+                               correlation_samples, sums->view_count,
+                               scans * arguments.view_count));
+    rows.push_back(row("as registered", sums->registered, scans));
+    rows.push_back(row("random metaviews", sums->by_metaviews, scans));
+    rows.push_back(row("jointly", sums->jointly, scans));
   }
-  fmt::print("\n{:<34} {:>9} {:>11} {:>8}\n", "errors of the poses, um", "best fit", "first view",
-             "time, s");
+  fmt::print("\n{:<34} {:>9} {:>11} {:>12}\n", "errors of the poses, um, RMS", "best fit",
+             "first view", "a scan, s");
   for (const std::string& line : rows) fmt::print("{}\n", line);
   return {};
 }
@@ -74,11 +114,14 @@ void add_refinement_study(CLI::App& study, Invocation& invocation) {
   const auto arguments = std::make_shared<RefinementArguments>();
   CLI::App* command = study.add_subcommand(
       "refinement", "The joint optimization beside the paper's, in error and time");
-  command->add_option("--views", arguments->view_count, "Views to simulate")
+  command->add_option("--views", arguments->view_count, "Views of each scan")
       ->check(CLI::Range(20, 5000))
       ->capture_default_str();
+  command->add_option("--seeds", arguments->seed_count, "Scans of each kind, each by another hand")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
   add_threads_option(*command, arguments->thread_count);
-  command->footer("Example: flytri study refinement --views 500");
+  command->footer("Example: flytri study refinement --views 1000 --seeds 1");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
   });

@@ -135,5 +135,30 @@ TEST(ReducedSystem, SolutionSatisfiesTheNormalEquations) {
   EXPECT_LT((system.gradient() + y).norm(), 1e-4 * system.gradient().norm());
 }
 
+TEST(RefineByMetaviews, PullsADriftDown) {
+  const auto truth = scan_cusps(kViews, SceneSensor{}, 1).views;
+  auto views = with_drift(truth, 0.3, 2);
+  const double before_mm = displacement_rms_mm(views, truth);
+  const auto refined = refine_by_metaviews(views, {}, {});
+  ASSERT_TRUE(refined.has_value());
+  EXPECT_LT(displacement_rms_mm(views, truth), 0.25 * before_mm);
+  EXPECT_TRUE(views[0].T_world_sensor.isApprox(truth[0].T_world_sensor, 1e-9));
+  // Rounds move ever less.
+  EXPECT_LT(refined->moved_mm.back(), 0.1 * refined->moved_mm.front());
+}
+
+TEST(RefineByMetaviews, CanBeStoppedAndThenChangesNothing) {
+  const auto truth = scan_cusps(5, SceneSensor{}, 1).views;
+  auto views = truth;
+  const Progress progress;
+  progress.cancel();
+  const auto refined = refine_by_metaviews(views, {}, progress);
+  ASSERT_FALSE(refined.has_value());
+  EXPECT_EQ(refined.error().code, ErrorCode::kCancelled);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(views[i].T_world_sensor.matrix(), truth[i].T_world_sensor.matrix());
+  }
+}
+
 }  // namespace
 }  // namespace flytri
