@@ -32,6 +32,8 @@ class MetaviewRefiner {
 
   [[nodiscard]] const Isometry& pose(std::size_t v) const { return poses_[v]; }
   [[nodiscard]] double radius_mm() const { return radius_mm_; }
+  /// False: no view has found enough of another one.
+  [[nodiscard]] bool moved_any() const { return moved_any_; }
 
  private:
   /// Fills poses_ and placed_. @returns the side of the grid's cells.
@@ -60,7 +62,9 @@ class MetaviewRefiner {
     options_.align.seed = ++seed_;
     const auto found =
         align_to_metaview(placed_[v], metaview, Isometry::Identity(), options_.align);
-    if (!found || !found->aligned()) return 0.0;
+    // A metaview that is blurred by drift agrees poorly with any pose; the fit leads on all the same.
+    if (!found || (!found->aligned() && found->outcome != AlignOutcome::kPoorFit)) return 0.0;
+    moved_any_ = true;
     const Isometry& T_world_was = found->T_target_source;
     poses_[v] = T_world_was * poses_[v];
     placed_[v] = placed_[v].moved(T_world_was);
@@ -72,6 +76,7 @@ class MetaviewRefiner {
   std::vector<Isometry> poses_;
   std::vector<PreparedView> placed_;
   double radius_mm_ = 1.0;
+  bool moved_any_ = false;
   std::uint64_t seed_ = 0;
   OverlapGrid grid_;
 };
@@ -102,6 +107,7 @@ Result<MetaviewRefinement> refine_by_metaviews(std::vector<AlignedView>& views,
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped while optimizing");
     result.moved_mm.push_back(refiner.round(random));
     progress.advance();
+    if (!refiner.moved_any()) return result;
     result.outcome = RefineOutcome::kStepLimit;
     if (result.moved_mm.back() < options.convergence_share * refiner.radius_mm()) {
       result.outcome = RefineOutcome::kConverged;

@@ -147,6 +147,14 @@ TEST(RefineByMetaviews, PullsADriftDown) {
   EXPECT_LT(refined->moved_mm.back(), 0.1 * refined->moved_mm.front());
 }
 
+TEST(RefineByMetaviews, SaysWhenNothingOverlaps) {
+  auto views = scan_cusps(2, SceneSensor{}, 1).views;
+  views[1].T_world_sensor.translation().x() += 500.0;
+  const auto refined = refine_by_metaviews(views, {}, {});
+  ASSERT_TRUE(refined.has_value());
+  EXPECT_EQ(refined->outcome, RefineOutcome::kNoOverlap);
+}
+
 TEST(RefineByMetaviews, CanBeStoppedAndThenChangesNothing) {
   const auto truth = scan_cusps(5, SceneSensor{}, 1).views;
   auto views = truth;
