@@ -12,11 +12,13 @@
 
 namespace flytri {
 
+/// Vertex properties that a SurfacePoint has no place for, by name, parallel to the vertices.
+using VertexProperties = std::map<std::string, std::vector<double>>;
+
 /// What a PLY file holds. Without normals in the file they are computed from the triangles.
 struct PlyMesh {
   TriangleMesh mesh;  ///< without triangles: a point cloud
-  /// Every vertex property that a SurfacePoint has no place for, by name, parallel to the vertices.
-  std::map<std::string, std::vector<double>> extra;
+  VertexProperties extra;
 };
 
 /// Reads ASCII or binary little-endian, scalar types of any kind and order; polygons become fans of
@@ -28,10 +30,11 @@ struct PlyMesh {
 /// @errors  As read_file and parse_ply.
 [[nodiscard]] Result<PlyMesh> read_ply(const std::filesystem::path& path);
 
-/// Binary little-endian: float x, y, z, nx, ny, nz, uchar red, green, blue, float sigma; then
-/// faces.
-/// @errors  As write_file.
-[[nodiscard]] Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& mesh);
+/// Binary little-endian: float x, y, z, nx, ny, nz, uchar red, green, blue, float sigma,
+/// then the extra ones as float; then faces.
+/// @errors  As write_file; kInconsistent: an extra property of another length.
+[[nodiscard]] Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
+                                     const VertexProperties& extra = {});
 
 /// The same without faces.
 /// @errors  As write_file.

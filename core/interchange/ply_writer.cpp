@@ -15,12 +15,21 @@ std::string header_of(std::size_t vertex_count) {
       vertex_count);
 }
 
-void put_points(ByteWriter& out, const std::vector<SurfacePoint>& points) {
-  for (const SurfacePoint& point : points) {
+std::string header_of(const VertexProperties& extra) {
+  std::string text;
+  for (const auto& [name, values] : extra) text += fmt::format("property float {}\n", name);
+  return text;
+}
+
+void put_points(ByteWriter& out, const std::vector<SurfacePoint>& points,
+                const VertexProperties& extra = {}) {
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const SurfacePoint& point = points[v];
     for (int i = 0; i < 3; ++i) out.number(point.position_mm[i]);
     for (int i = 0; i < 3; ++i) out.number(point.normal[i]);
     for (const std::uint8_t channel : point.color) out.number(channel);
     out.number(point.sigma_mm);
+    for (const auto& [name, values] : extra) out.number(static_cast<float>(values[v]));
   }
 }
 
@@ -33,13 +42,19 @@ void put_triangles(ByteWriter& out, const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& mesh) {
+Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
+                       const VertexProperties& extra) {
+  for (const auto& [name, values] : extra) {
+    if (values.size() == mesh.vertices.size()) continue;
+    return fail(ErrorCode::kInconsistent, "{}: property {} has {} values for {} vertices",
+                path.string(), name, values.size(), mesh.vertices.size());
+  }
   Result<ByteWriter> out = ByteWriter::create(path);
   if (!out) return tl::unexpected(out.error());
-  out->text(header_of(mesh.vertices.size()));
+  out->text(header_of(mesh.vertices.size()) + header_of(extra));
   out->text(fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                         mesh.triangles.size()));
-  put_points(*out, mesh.vertices);
+  put_points(*out, mesh.vertices, extra);
   put_triangles(*out, mesh.triangles);
   return out->commit();
 }

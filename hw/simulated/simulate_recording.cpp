@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/interchange/model.h"
+#include "core/interchange/ply.h"
 #include "core/interchange/recording.h"
 #include "core/interchange/truth.h"
+#include "hw/simulated/lit_surface.h"
 
 namespace flytri {
 namespace {
@@ -116,15 +117,29 @@ Result<void> write_frames(const ImageSimulator& simulator, const SensorPath& pat
   return {};
 }
 
-Result<void> write_scene(const std::filesystem::path& folder, const SensorPath& path,
-                         const std::vector<RecordedFrame>& frames, const TriangleMesh& mesh) {
+// The mesh, with what of it could be measured.
+Result<void> write_mesh(const std::filesystem::path& folder, const SensorPath& path,
+                        const std::vector<PlannedFrame>& frames, const ImageSimulator& simulator,
+                        const Workers& workers) {
+  std::vector<Exposure> exposures;
+  for (const PlannedFrame& frame : frames) {
+    if (const auto pattern = pattern_of(frame.kind)) {
+      exposures.push_back({*pattern, path.T_model_sensor(frame.time_s)});
+    }
+  }
+  const RayScene& scene = simulator.scene();
+  return write_ply(folder / kMeshName, scene.mesh(),
+                   {{"lit", count_lit(scene, simulator.sensor(), exposures, workers)}});
+}
+
+Result<void> write_poses(const std::filesystem::path& folder, const SensorPath& path,
+                         const std::vector<RecordedFrame>& frames) {
   Truth truth;
   truth.mesh = kMeshName;
   for (std::size_t i = 0; i < frames.size(); ++i)
     truth.poses.push_back(
         {FrameIndex(i), frames[i].file, frames[i].time_s, path.T_model_sensor(frames[i].time_s)});
-  if (auto written = write_truth(folder / "truth.json", truth); !written) return written;
-  return write_model(folder / kMeshName, {mesh, {}, {}});
+  return write_truth(folder / "truth.json", truth);
 }
 
 }  // namespace
@@ -165,9 +180,13 @@ Result<RecordingCounts> simulate_recording(const TriangleMesh& mesh,
   const auto written = write_frames(*simulator, *path, planned, workers, progress,
                                     options.faults.unknown_patterns, *writer);
   if (!written) return tl::unexpected(written.error());
-  if (!writer->frames().empty())
-    if (auto scene = write_scene(folder, *path, writer->frames(), mesh); !scene)
-      return tl::unexpected(scene.error());
+  if (const std::size_t count = writer->frames().size(); count > 0) {
+    const std::vector<PlannedFrame> taken(planned.begin(),
+                                          planned.begin() + static_cast<std::ptrdiff_t>(count));
+    auto scene = write_poses(folder, *path, writer->frames());
+    if (scene) scene = write_mesh(folder, *path, taken, *simulator, workers);
+    if (!scene) return tl::unexpected(scene.error());
+  }
   if (auto closed = writer->close(); !closed) return tl::unexpected(closed.error());
   if (progress.cancelled())
     return fail(ErrorCode::kCancelled, "stopped after {} of {} frames; {} holds them",

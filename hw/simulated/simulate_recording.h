@@ -42,7 +42,8 @@ struct RecordingCounts {
   int dropped = 0;      ///< frames that a fault took
 };
 
-/// Writes recording.json, frames/, truth.json and the mesh as model.ply to `folder`. The same
+/// Writes recording.json, frames/, truth.json and the mesh as model.ply, with count_lit as the
+/// vertex property "lit", to `folder`. The same
 /// bits for any number of threads. When cancelled, what is there is a recording, only shorter.
 /// @param mesh  model frame, mm; counter-clockwise from outside
 /// @errors  kBadOption, kInsufficient, kCancelled; as read_path, RecordingWriter, write_truth,

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "core/interchange/model.h"
+#include "core/interchange/ply.h"
 #include "core/interchange/recording.h"
 #include "core/interchange/truth.h"
 #include "hw/simulated/simulate_calibration_set.h"
@@ -56,7 +57,13 @@ TEST(SimulateRecording, WritesWhatItSawAndWhereItWas) {
   ASSERT_TRUE(truth) << truth.error().message;
   ASSERT_EQ(truth->poses.size(), 31U);
   EXPECT_EQ(truth->poses[4].file, recording->frames[4].file);
-  EXPECT_TRUE(read_model(truth->mesh));
+  const auto mesh = read_ply(truth->mesh);
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  const auto lit = mesh->extra.find("lit");
+  ASSERT_NE(lit, mesh->extra.end());
+  const auto dark = std::count(lit->second.begin(), lit->second.end(), 0.0);
+  EXPECT_GT(dark, 0);
+  EXPECT_LT(static_cast<std::size_t>(dark), lit->second.size());
 }
 
 TEST(SimulateRecording, OneThreadAndManyGiveTheSameBits) {
