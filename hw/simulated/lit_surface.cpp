@@ -61,10 +61,9 @@ std::vector<double> count_lit(const RayScene& scene, const SensorModel& sensor,
   workers.for_each(
       vertices.size(),
       [&](std::size_t i) {
-        counts[i] = static_cast<double>(
-            std::count_if(exposures.begin(), exposures.end(), [&](const Exposure& exposure) {
-              return illumination.lit(vertices[i], exposure);
-            }));
+        counts[i] = static_cast<double>(std::count_if(
+            exposures.begin(), exposures.end(),
+            [&](const Exposure& exposure) { return illumination.lit(vertices[i], exposure); }));
       },
       256);
   return counts;
