@@ -79,10 +79,12 @@ void print_table(const std::vector<GrowthStep>& steps) {
   fmt::print(" {:>8}\n", "power");
   for (std::size_t stage = 0; stage < steps.front().stages.size(); ++stage) {
     std::vector<double> seconds;
+    seconds.reserve(steps.size());
     for (const GrowthStep& step : steps) seconds.push_back(step.stages[stage].seconds);
     print_row(steps.front().stages[stage].name + ", s", seconds, steps);
   }
   std::vector<double> memory;
+  memory.reserve(steps.size());
   for (const GrowthStep& step : steps) memory.push_back(step.peak_mib);
   print_row("peak memory, MiB", memory, steps);
   fmt::print("A figure grows with this power of the number of views; 1 is linear.\n");

@@ -61,6 +61,7 @@ Foot find_foot(const MeshDistance& to_truth, const TriangleMesh& truth, const Ve
 
 double tukey_cutoff_mm(const std::vector<Foot>& feet, double outlier_sigmas) {
   std::vector<double> distances_mm;
+  distances_mm.reserve(feet.size());
   for (const Foot& foot : feet) distances_mm.push_back(foot.distance_mm);
   const auto middle = distances_mm.begin() + static_cast<std::ptrdiff_t>(feet.size() / 2);
   std::nth_element(distances_mm.begin(), middle, distances_mm.end());

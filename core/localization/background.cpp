@@ -75,7 +75,8 @@ float dark_deviation(std::span<const Gray> values, Gray median) {
     const std::uint64_t below = value < median ? median - value : 0;
     sum += below * below;
   }
-  return static_cast<float>(std::sqrt(double(sum) / double(values.size() / 2 + 1)));
+  const std::size_t half = values.size() / 2 + 1;
+  return static_cast<float>(std::sqrt(double(sum) / double(half)));
 }
 
 /// Which gray values occur.

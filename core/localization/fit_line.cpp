@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace flytri {
 namespace {
@@ -121,6 +122,10 @@ bool is_settled(const Solution& solution, const LineFit& before) {
          std::abs(solution.height - before.amplitude) < 0.3F * before.amplitude;
 }
 
+float mean(std::span<const float> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0F) / static_cast<float>(values.size());
+}
+
 }  // namespace
 
 std::optional<LineFit> fit_line(const LineWindow& window, const NoiseModel& noise,
@@ -148,12 +153,8 @@ std::optional<FlankLevel> flank_level(std::span<const float> row, const LineFit&
   const int left = static_cast<int>(std::floor(line.center_px - distance)) - kCount + 1;
   const int right = static_cast<int>(std::ceil(line.center_px + distance));
   if (left < 0 || right + kCount > static_cast<int>(row.size())) return std::nullopt;
-  float left_sum = 0, right_sum = 0;
-  for (int k = 0; k < kCount; ++k) {
-    left_sum += row[static_cast<std::size_t>(left + k)];
-    right_sum += row[static_cast<std::size_t>(right + k)];
-  }
-  const float left_mean = left_sum / kCount, right_mean = right_sum / kCount;
+  const float left_mean = mean(row.subspan(static_cast<std::size_t>(left), kCount));
+  const float right_mean = mean(row.subspan(static_cast<std::size_t>(right), kCount));
   if (std::abs(left_mean - right_mean) > 0.1F * line.amplitude) {
     return FlankLevel{std::min(left_mean, right_mean), 0.0F};
   }

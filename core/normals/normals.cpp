@@ -159,7 +159,7 @@ Vec3 common_normal(const TangentCell& cell, double min_crossing_sine) {
   const auto [few, many] = std::minmax(cell.weight[0], cell.weight[1]);
   if (few < kMinPatternShare * many) return Vec3::Zero();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(cell.oo);
-  const Vec3 eigenvalues = solver.eigenvalues();
+  const Vec3& eigenvalues = solver.eigenvalues();
   // For two equal sets of directions at angle t the middle eigenvalue is 1 - cos t of their sum.
   const double min_share = 0.5 * (1.0 - std::sqrt(1.0 - min_crossing_sine * min_crossing_sine));
   if (eigenvalues[1] < min_share * eigenvalues.sum()) return Vec3::Zero();

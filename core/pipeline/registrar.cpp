@@ -149,7 +149,7 @@ Result<Registrar> Registrar::create(const RegistrarOptions& options) {
   return Registrar(options);
 }
 
-RegisteredView Registrar::add(std::shared_ptr<const View> view) {
+RegisteredView Registrar::add(const std::shared_ptr<const View>& view) {
   Added added{view, RejectReason::kNone, false};
   // Counted by pattern: the views that are left still alternate.
   int& number = pattern_counts_[static_cast<std::size_t>(view->pattern)];

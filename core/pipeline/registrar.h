@@ -83,7 +83,7 @@ class Registrar {
 
   /// Takes the next view. The fate is the present one: pieces that join later
   /// and skipped views are settled by finish().
-  RegisteredView add(std::shared_ptr<const View> view);
+  RegisteredView add(const std::shared_ptr<const View>& view);
 
   /// True after more than `patience_views` failures in a row: continuation mode.
   [[nodiscard]] bool interrupted() const { return lost_views_ > options_.patience_views; }

@@ -212,7 +212,7 @@ Alignment TrackedScan::locate(const IncomingView& incoming, const Isometry& T_wo
   AlignOptions wide = options_.align;
   wide.coarse_pairs = options_.locate_pairs;
   wide.fine_pairs = std::max(wide.fine_pairs, wide.coarse_pairs);
-  const Alignment coarse =
+  Alignment coarse =
       align(incoming, metaview(incoming, T_world_start, kSkipNone), T_world_start, wide);
   if (!coarse.aligned()) return coarse;
   Alignment fine = align(incoming, metaview(incoming, coarse.T_target_source, kSkipNone),

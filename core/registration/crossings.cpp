@@ -14,7 +14,7 @@ constexpr double kNoiseFloor = 0.3;
 constexpr double kSplineError = 1e-4;
 
 Vec3 at_nearest_knot(const std::vector<Vec3f>& values, double x) {
-  const auto i = static_cast<std::size_t>(x + 0.5);
+  const auto i = static_cast<std::size_t>(std::floor(x + 0.5));
   return values[std::min(i, values.size() - 1)].cast<double>();
 }
 

@@ -73,7 +73,7 @@ std::vector<TimedPose> draw(std::span<const TimedPose> poses, std::size_t count,
 }  // namespace
 
 PathOutliers find_outliers(std::span<const TimedPose> poses, const OutlierOptions& options) {
-  const auto minimal = static_cast<std::size_t>(options.degree + 1);
+  const auto minimal = static_cast<std::size_t>(options.degree) + 1;
   assert(poses.size() > minimal);
   Random random(options.seed);
   double best_median = 1e300;

@@ -112,10 +112,10 @@ PosePrediction Trajectory::predict(double time_s) const {
   const double least_mm = 0.02 * arm_mm_;
   const std::vector<TimedPose> poses =
       before(time_s, kRehearsals + kLongestWindow + static_cast<std::size_t>(kLongestGap));
-  const PosePrediction rest = {poses.back().T_world_sensor, prior_of(unknown_mm, arm_mm_)};
+  PosePrediction rest = {poses.back().T_world_sensor, prior_of(unknown_mm, arm_mm_)};
   if (poses.size() < 4) return rest;
   const double steps = std::max(1.0, (time_s - poses.back().time_s) / usual_step(poses));
-  const auto gap = static_cast<std::size_t>(std::min(steps, kLongestGap) + 0.5);
+  const auto gap = static_cast<std::size_t>(std::lround(std::min(steps, kLongestGap)));
   // The longer the gap, the more must be known of the hand to look across it.
   if (steps > kLongestGap || poses.size() < gap + 3) {
     return {rest.T_world_sensor, prior_of(4 * unknown_mm, arm_mm_)};

@@ -123,7 +123,7 @@ cv::Mat Chip::read_out_color(const cv::Mat& light, const ReadOut& how) const {
                       : 0.0F;
         const float noisy = std::clamp(value[channel] + noise_e / well, 0.0F, 1.0F);
         image.at<cv::Vec3b>(v, u)[channel] =
-            codes[static_cast<std::size_t>(noisy * (kCodes - 1) + 0.5F)];
+            codes[static_cast<std::size_t>(std::floor(noisy * (kCodes - 1) + 0.5F))];
       }
     }
   return image;

@@ -46,8 +46,9 @@ cv::Mat dot_light(const CameraModel& camera, const DotTarget& target, double z_m
           v + 1 < height ? place(u, v + 1) - place(u, v) : place(u, v) - place(u, v - 1);
       int bright = 0;
       for (int s = 0; s < kSubpixels * kSubpixels; ++s) {
+        const int row = s / kSubpixels;
         const double x = (s % kSubpixels + 0.5) / kSubpixels - 0.5;
-        const double y = (s / kSubpixels + 0.5) / kSubpixels - 0.5;
+        const double y = (row + 0.5) / kSubpixels - 0.5;
         bright += on_dot(target, place(u, v) + x * right + y * down) ? 1 : 0;
       }
       const double share = static_cast<double>(bright) / (kSubpixels * kSubpixels);

@@ -42,8 +42,8 @@ class Painter {
     const int n = options_.samples_per_axis;
     for (int u = 0; u < options_.size.width_px; ++u) {
       Vec3 sum = Vec3::Zero();
-      for (int sample = 0; sample < n * n; ++sample)
-        sum += color_seen_at(u + (sample % n + 0.5) / n, v + (sample / n + 0.5) / n);
+      for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) sum += color_seen_at(u + (x + 0.5) / n, v + (y + 0.5) / n);
       auto& pixel = image.at<cv::Vec3b>(v, u);
       for (int channel = 0; channel < 3; ++channel)
         pixel[channel] =

@@ -206,6 +206,7 @@ Result<void> follow_surface(const RayScene& scene, const SensorModel& sensor,
 void add_tremor(const PathOptions& options, double scale, Random& random,
                 std::vector<PathPose>& poses) {
   std::vector<Wander> wanders;
+  wanders.reserve(6);
   for (int i = 0; i < 6; ++i) wanders.emplace_back(random);
   for (PathPose& pose : poses) {
     Twist twist;

@@ -75,9 +75,8 @@ Result<SensorPath> with_absence(const SensorPath& path, const RecordingOptions& 
 }
 
 Result<SensorPath> choose_path(const RecordingOptions& options, const RayScene& scene) {
-  const Result<SensorPath> path = options.path_file
-                                      ? read_path(*options.path_file)
-                                      : plan_path(scene, options.sensor, options.path);
+  Result<SensorPath> path = options.path_file ? read_path(*options.path_file)
+                                              : plan_path(scene, options.sensor, options.path);
   if (!path) return path;
   return with_absence(*path, options);
 }
