@@ -5,6 +5,8 @@
 
 namespace flytri::cli {
 
+inline constexpr double kMicrons = 1e3;  ///< of a millimeter
+
 void add_table2_study(CLI::App& study, Invocation& invocation);
 void add_refinement_study(CLI::App& study, Invocation& invocation);
 void add_tracking_study(CLI::App& study, Invocation& invocation);

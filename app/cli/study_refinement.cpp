@@ -15,8 +15,6 @@
 namespace flytri::cli {
 namespace {
 
-constexpr double kMicrons = 1e3;
-
 struct RefinementArguments {
   int view_count = 300;
   int seed_count = 5;

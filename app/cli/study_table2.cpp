@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kMicrons = 1e3;
 /// As good as none, and yet a weight can be formed of it.
 constexpr double kIdealSigmaMm = 1e-6;
 /// Localization noise of neighboring rows is alike over this many samples where the smoothing of

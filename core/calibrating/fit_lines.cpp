@@ -12,7 +12,7 @@ namespace {
 constexpr int kDepthTerms = 4;
 constexpr int kWidthTerms = 3;
 /// A row is calibrated if the line was seen near it on this many planes: as many as Z has terms.
-constexpr int kMinPlanes = kDepthTerms;
+constexpr int kMinPlanesOfRow = kDepthTerms;
 /// Rows beside a row that count as near: ends of traces are trimmed by about a line width.
 constexpr int kNearRows = 24;
 
@@ -106,7 +106,7 @@ Result<std::vector<LineRow>> fit_line(const std::vector<LineOnPlane>& line,
   std::vector<LineRow> rows(static_cast<std::size_t>(along_count));
   for (int along = 0; along < along_count; ++along) {
     LineRow& row = rows[static_cast<std::size_t>(along)];
-    if (seen[static_cast<std::size_t>(along)] < kMinPlanes) continue;
+    if (seen[static_cast<std::size_t>(along)] < kMinPlanesOfRow) continue;
     row.depth_mm = row_polynomial<kDepthTerms>(*depth, along);
     row.width_px = row_polynomial<kWidthTerms>(*width, along);
     if (!monotonic(row.depth_mm, low, high)) {

@@ -4,18 +4,13 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
 /// Gaussian data lose one value in 600,000; a mislabeled dot or a speck on the plane is far beyond.
 constexpr double kOutlierSigmas = 5.0;
-constexpr double kSigmaOfMedian = 1.4826;  // median absolute deviation of a Gaussian to its sigma
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<Eigen::Index> inliers(const Eigen::VectorXd& residuals) {
   std::vector<double> sizes(static_cast<std::size_t>(residuals.size()));

@@ -1,10 +1,10 @@
 #include "core/calibrating/number_dots.h"
 
-#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <optional>
 
+#include "core/base/median.h"
 #include "core/geometry/rigid.h"
 
 namespace flytri {
@@ -19,9 +19,7 @@ double median_area(const std::vector<Dot>& dots) {
   std::vector<double> areas;
   areas.reserve(dots.size());
   for (const Dot& dot : dots) areas.push_back(dot.area_px);
-  std::nth_element(areas.begin(), areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2),
-                   areas.end());
-  return areas[areas.size() / 2];
+  return median_of(areas);
 }
 
 /// The dots (0, 0), (1, 0), (0, 2), as indices.

@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -38,10 +40,7 @@ double median_gap(const std::vector<Strand>& strands) {
   for (std::size_t i = 1; i < strands.size(); ++i) {
     gaps.push_back(strands[i].middle_px - strands[i - 1].middle_px);
   }
-  if (gaps.empty()) return 0.0;
-  std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2),
-                   gaps.end());
-  return gaps[gaps.size() / 2];
+  return gaps.empty() ? 0.0 : median_of(gaps);
 }
 
 /// The lines of one plane by rising position; pieces of a line are joined.

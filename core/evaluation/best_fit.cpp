@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
-constexpr std::size_t kGrain = 512;
-// The median of |x| times this is the standard deviation of a normal distribution.
-constexpr double kSigmaOfMedian = 1.4826;
+constexpr std::size_t kFootGrain = 512;
 // Converged when no point moves by more than this share of the result's radius: 10 nm of 10 mm.
 // Much below it, the rounding of float positions keeps the motion alive.
 constexpr double kSmallMotion = 1e-6;
@@ -63,9 +63,7 @@ double tukey_cutoff_mm(const std::vector<Foot>& feet, double outlier_sigmas) {
   std::vector<double> distances_mm;
   distances_mm.reserve(feet.size());
   for (const Foot& foot : feet) distances_mm.push_back(foot.distance_mm);
-  const auto middle = distances_mm.begin() + static_cast<std::ptrdiff_t>(feet.size() / 2);
-  std::nth_element(distances_mm.begin(), middle, distances_mm.end());
-  return outlier_sigmas * kSigmaOfMedian * *middle;
+  return outlier_sigmas * kSigmaOfMedian * median_of(distances_mm);
 }
 
 // Rotation about `center` and translation, the latter in units of the radius.
@@ -126,7 +124,7 @@ Result<BestFit> best_fit(const TriangleMesh& result, const TriangleMesh& truth,
     const auto find = [&](std::size_t i) {
       feet[i] = find_foot(to_truth, truth, fit.T_truth_result * samples.points_mm[i]);
     };
-    workers.for_each(feet.size(), find, kGrain);
+    workers.for_each(feet.size(), find, kFootGrain);
     const Vec3 center_mm = fit.T_truth_result * samples.center_mm;
     const double cutoff_mm = tukey_cutoff_mm(feet, options.outlier_sigmas);
     const Twist step = solve_step(feet, center_mm, samples.radius_mm, cutoff_mm);

@@ -9,7 +9,7 @@ namespace flytri {
 namespace {
 
 // A task of the parallel loops; a query takes about a microsecond.
-constexpr std::size_t kGrain = 1024;
+constexpr std::size_t kQueryGrain = 1024;
 
 // Each vertex as a triangle without extent, so that one search serves surfaces and points.
 TriangleMesh vertices_alone(const TriangleMesh& mesh) {
@@ -38,7 +38,7 @@ double share_within(const MeshDistance& target, const TriangleMesh& truth,
         const Vec3f& p = truth.vertices[indices[i]].position_mm;
         found[i] = std::isfinite(target.closest(p, within_mm).distance_mm) ? 1 : 0;
       },
-      kGrain);
+      kQueryGrain);
   return static_cast<double>(std::count(found.begin(), found.end(), 1)) /
          static_cast<double>(indices.size());
 }
@@ -105,7 +105,7 @@ Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMes
       [&](std::size_t i) {
         distances_mm[i] = to_truth.closest(result.vertices[i].position_mm).distance_mm;
       },
-      kGrain);
+      kQueryGrain);
   SurfaceError error;
   error.far_share = share_above(distances_mm, options.far_above_mm);
   error.distance = distance_statistics(std::move(distances_mm));

@@ -1,6 +1,6 @@
 #include "core/geometry/point_spacing.h"
 
-#include <algorithm>
+#include "core/base/median.h"
 
 namespace flytri {
 
@@ -13,9 +13,7 @@ double median_point_spacing_mm(std::span<const AlignedView> views) {
     }
   }
   if (spacings.empty()) return 0.0;
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  return median_of(spacings);
 }
 
 }  // namespace flytri

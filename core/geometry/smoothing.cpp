@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -12,12 +14,6 @@ namespace {
 constexpr double kNoSmoothing = 0.4;
 /// Windows end here; the weight is 4 % there.
 constexpr double kWindowSigmas = 2.5;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Gaussian weights by distance in sigmas, from a table: exp() would dominate the smoothing.
 class GaussianTable {
@@ -174,9 +170,9 @@ double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOpti
     bends.push_back((after + before - 2.0 * p).norm());
   }
   // White noise of 1 gives second differences of sqrt(6); 0.6745 turns a median into a deviation.
-  const double shown_mm = median(bends) / (0.6745 * std::sqrt(6.0));
-  const double noise_mm = std::clamp(median(stated), shown_mm, 2.0 * shown_mm);
-  const double ratio = noise_mm / std::max(median(steps), 1e-9);
+  const double shown_mm = median_of(bends) / (0.6745 * std::sqrt(6.0));
+  const double noise_mm = std::clamp(median_of(stated), shown_mm, 2.0 * shown_mm);
+  const double ratio = noise_mm / std::max(median_of(steps), 1e-9);
   // Slope of a Gaussian-weighted line fit over sigma samples: variance = ratio² / (4 sqrt(pi)
   // sigma³).
   const double slope = options.max_direction_noise_rad;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -34,9 +36,7 @@ double median_width_ratio(const PatternCalibration& pattern, const IndexedTrace&
         pattern.lines[segment.line.at()][static_cast<std::size_t>(sample.along_px)];
     ratios.push_back(sample.width_px / row.width_px(sample.across_px));
   }
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return median_of(ratios);
 }
 
 /// True if the sample lies in the line's own area: then it lies in no other's.

@@ -10,8 +10,8 @@
 namespace flytri {
 namespace {
 
-constexpr const char* kFormat = "flytri.calibration";
-constexpr int kVersion = 1;
+constexpr const char* kCalibrationFormat = "flytri.calibration";
+constexpr int kCalibrationVersion = 1;
 constexpr std::size_t kRowNumbers = 9;  // area_min, area_max, Z0..Z3, W0..W2
 constexpr int kMaxImageSide = 32768;
 constexpr std::size_t kMaxLines = 1000;
@@ -161,7 +161,8 @@ ImageSize read_size(const JsonPlace& place) {
 }  // namespace
 
 std::string to_json(const Calibration& calibration) {
-  std::string text = fmt::format("{{\"format\":\"{}\",\"version\":{},\n", kFormat, kVersion) +
+  std::string text = fmt::format("{{\"format\":\"{}\",\"version\":{},\n", kCalibrationFormat,
+                                 kCalibrationVersion) +
                      fmt::format(
                          "\"measurement_volume_mm\":{},\n\"measurement_size_px\":{},\n"
                          "\"texture_size_px\":{},\n",
@@ -182,7 +183,7 @@ Result<Calibration> parse_calibration(std::string_view text, const std::string& 
   constexpr const char* kRemedy = "; make it again with flytri calibrate";
   return JsonPlace::parse(text, name)
       .and_then([](const JsonPlace& json) -> Result<Calibration> {
-        json.expect_format(kFormat, kVersion);
+        json.expect_format(kCalibrationFormat, kCalibrationVersion);
         Calibration calibration;
         read_numbers(json.at("measurement_volume_mm"), calibration.volume.size_mm);
         if (!(calibration.volume.size_mm.minCoeff() > 0)) {

@@ -11,9 +11,9 @@
 namespace flytri {
 namespace {
 
-constexpr const char* kListName = "calibration-set.json";
-constexpr std::string_view kFormat = "flytri.calibration-set";
-constexpr int kVersion = 1;
+constexpr const char* kSetFile = "calibration-set.json";
+constexpr std::string_view kSetFormat = "flytri.calibration-set";
+constexpr int kSetVersion = 1;
 
 /// One of the four images of a plane: its key in the file and its members in the struct.
 struct Slot {
@@ -88,8 +88,8 @@ std::string name_in(const CalibrationPlane& plane, const Slot& slot, std::size_t
 nlohmann::ordered_json describe(const CalibrationSet& set) {
   const Vec3& size = set.volume.size_mm;
   nlohmann::ordered_json json = {
-      {"format", kFormat},
-      {"version", kVersion},
+      {"format", kSetFormat},
+      {"version", kSetVersion},
       {"measurement_volume_mm", {size.x(), size.y(), size.z()}},
       {"lines", {{"vertical", set.line_counts[0]}, {"horizontal", set.line_counts[1]}}},
       {"dots",
@@ -109,7 +109,7 @@ nlohmann::ordered_json describe(const CalibrationSet& set) {
 Result<CalibrationSet> parse_calibration_set(std::string_view text, const std::string& name) {
   const Result<JsonPlace> json = JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
-  json->expect_format(kFormat, kVersion);
+  json->expect_format(kSetFormat, kSetVersion);
   CalibrationSet set;
   const JsonPlace volume = json->at("measurement_volume_mm");
   const std::vector<double> size = volume.numbers(3);
@@ -124,7 +124,7 @@ Result<CalibrationSet> parse_calibration_set(std::string_view text, const std::s
 }
 
 Result<CalibrationSet> read_calibration_set(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / kListName;
+  const std::filesystem::path path = folder / kSetFile;
   const Result<std::string> text = read_file(path);
   if (!text) return tl::unexpected(text.error());
   Result<CalibrationSet> set = parse_calibration_set(*text, path.string());
@@ -150,7 +150,7 @@ Result<void> write_calibration_set(const std::filesystem::path& folder, const Ca
         return written;
     }
   }
-  return write_file(folder / kListName, describe(set).dump(1) + "\n");
+  return write_file(folder / kSetFile, describe(set).dump(1) + "\n");
 }
 
 }  // namespace flytri

@@ -12,7 +12,7 @@
 namespace flytri {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546C67, kVersion = 2;                   // "glTF"
+constexpr std::uint32_t kGlbMagic = 0x46546C67, kGlbVersion = 2;             // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;  // "JSON", "BIN"
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kUnsignedShort = 5123;     // of an accessor
 
@@ -32,7 +32,7 @@ struct Chunks {
 
 std::optional<Chunks> split(std::string_view bytes) {
   ByteReader in(bytes);
-  if (in.number<std::uint32_t>() != kMagic || in.number<std::uint32_t>() != kVersion ||
+  if (in.number<std::uint32_t>() != kGlbMagic || in.number<std::uint32_t>() != kGlbVersion ||
       in.number<std::uint32_t>() != bytes.size()) {
     return std::nullopt;
   }

@@ -35,7 +35,7 @@ std::optional<PlyScalar> scalar_named(std::string_view name) {
   return std::nullopt;
 }
 
-Words split(std::string_view line) {
+Words words_of(std::string_view line) {
   Words words;
   while (true) {
     const std::size_t start = line.find_first_not_of(" \t\r");
@@ -130,7 +130,7 @@ Result<PlyHeader> parse_ply_header(std::string_view bytes, const std::string& na
   while (header.size < bytes.size()) {
     const std::size_t end = bytes.find('\n', header.size);
     if (end == std::string_view::npos) break;
-    const Words words = split(bytes.substr(header.size, end - header.size));
+    const Words words = words_of(bytes.substr(header.size, end - header.size));
     header.size = end + 1;
     ++line_number;
     if (line_number == 1) {

@@ -12,9 +12,9 @@
 namespace flytri {
 namespace {
 
-constexpr const char* kListName = "recording.json";
-constexpr std::string_view kFormat = "flytri.recording";
-constexpr int kVersion = 1;
+constexpr const char* kRecordingFile = "recording.json";
+constexpr std::string_view kRecordingFormat = "flytri.recording";
+constexpr int kRecordingVersion = 1;
 constexpr std::array<std::pair<std::string_view, FrameKind>, 4> kKinds = {
     {{"vertical", FrameKind::kVertical},
      {"horizontal", FrameKind::kHorizontal},
@@ -51,7 +51,7 @@ std::string_view expected_type(FrameKind kind) {
 Result<Recording> parse_recording(std::string_view text, const std::string& name) {
   const Result<JsonPlace> json = JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
-  json->expect_format(kFormat, kVersion);
+  json->expect_format(kRecordingFormat, kRecordingVersion);
   Recording recording;
   if (json->has("calibration")) recording.calibration = json->at("calibration").text();
   for (const JsonPlace& place : json->at("frames").elements()) {
@@ -71,7 +71,7 @@ Result<Recording> parse_recording(std::string_view text, const std::string& name
 }
 
 Result<Recording> open_recording(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / kListName;
+  const std::filesystem::path path = folder / kRecordingFile;
   Result<std::string> text = read_file(path);
   if (!text) return tl::unexpected(text.error());
   Result<Recording> recording = parse_recording(*text, path.string());
@@ -102,10 +102,10 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& fol
   }
   // From the first overwritten image on, the old list would be a lie.
   std::error_code error;
-  std::filesystem::remove(folder / kListName, error);
+  std::filesystem::remove(folder / kRecordingFile, error);
   if (error) {
     return fail(ErrorCode::kNotPermitted, "{}: cannot be replaced: {}",
-                (folder / kListName).string(), error.message());
+                (folder / kRecordingFile).string(), error.message());
   }
   return RecordingWriter(folder, std::move(calibration));
 }
@@ -129,13 +129,13 @@ Result<void> RecordingWriter::close() {
   if (frames_.empty()) {
     return fail(ErrorCode::kInsufficient, "{}: no frame was recorded", folder_.string());
   }
-  nlohmann::ordered_json json = {{"format", kFormat}, {"version", kVersion}};
+  nlohmann::ordered_json json = {{"format", kRecordingFormat}, {"version", kRecordingVersion}};
   if (!calibration_.empty()) json["calibration"] = calibration_;
   for (const RecordedFrame& frame : frames_) {
     json["frames"].push_back(
         {{"file", frame.file}, {"time_s", frame.time_s}, {"kind", name_of(frame.kind)}});
   }
-  return write_file(folder_ / kListName, json.dump(1) + "\n");
+  return write_file(folder_ / kRecordingFile, json.dump(1) + "\n");
 }
 
 }  // namespace flytri

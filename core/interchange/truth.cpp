@@ -9,8 +9,8 @@
 namespace flytri {
 namespace {
 
-constexpr std::string_view kFormat = "flytri.truth";
-constexpr int kVersion = 1;
+constexpr std::string_view kTruthFormat = "flytri.truth";
+constexpr int kTruthVersion = 1;
 
 Isometry read_pose(const JsonPlace& place) {
   const JsonPlace rotation = place.at("q_wxyz");
@@ -31,7 +31,7 @@ Isometry read_pose(const JsonPlace& place) {
 Result<Truth> parse_truth(std::string_view text, const std::string& name) {
   const Result<JsonPlace> json = JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
-  json->expect_format(kFormat, kVersion);
+  json->expect_format(kTruthFormat, kTruthVersion);
   Truth truth;
   truth.mesh = json->at("mesh").text();
   for (const JsonPlace& place : json->at("poses").elements()) {
@@ -51,8 +51,8 @@ Result<Truth> read_truth(const std::filesystem::path& path) {
 }
 
 Result<void> write_truth(const std::filesystem::path& path, const Truth& truth) {
-  nlohmann::ordered_json json = {{"format", kFormat},
-                                 {"version", kVersion},
+  nlohmann::ordered_json json = {{"format", kTruthFormat},
+                                 {"version", kTruthVersion},
                                  {"mesh", truth.mesh.generic_string()},
                                  {"poses", nlohmann::ordered_json::array()}};
   for (const TruthPose& pose : truth.poses) {

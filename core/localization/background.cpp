@@ -56,7 +56,7 @@ class Histogram {
 
 /// The middle value, the upper one of two. Counting its high and then its low byte needs no
 /// comparisons, whose outcome no processor can foresee.
-Gray median_of(std::span<const Gray> values) {
+Gray middle_of(std::span<const Gray> values) {
   std::size_t rank = values.size() / 2;
   Histogram high_bytes;
   for (const Gray value : values) high_bytes.add(value >> 8U);
@@ -111,7 +111,7 @@ Background::Background(const cv::Mat& image)
   for (int r = 0; r < image.rows; r += kTileSize) {
     for (int c = 0; c < image.cols; c += kTileSize) {
       const TileSample sample(image, cv::Rect(c, r, kTileSize, kTileSize) & whole);
-      const Gray median = median_of(sample.values());
+      const Gray median = middle_of(sample.values());
       tiles_.push_back({float(median), dark_deviation(sample.values(), median)});
       for (const Gray value : sample.values()) grays.add(value);
     }

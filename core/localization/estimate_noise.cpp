@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -16,9 +18,8 @@ float read_variance(const Background& background, const std::vector<LineFit>& fi
   for (std::size_t i = 0; i < fits.size(); ++i) {
     noise.push_back(background.noise(fit_rows[i], static_cast<int>(fits[i].center_px)));
   }
-  const auto middle = noise.begin() + static_cast<std::ptrdiff_t>(noise.size() / 2);
-  std::nth_element(noise.begin(), middle, noise.end());
-  return *middle * *middle;
+  const float median = median_of(noise);
+  return median * median;
 }
 
 }  // namespace
@@ -86,9 +87,7 @@ float scatter_ratio(const std::vector<LineTrace>& traces) {
     }
   }
   if (ratios.size() < kMinCount) return 1.0F;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle / kMedianOfSigma;
+  return median_of(ratios) / kMedianOfSigma;
 }
 
 }  // namespace flytri

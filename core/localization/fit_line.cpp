@@ -10,8 +10,8 @@ namespace flytri {
 namespace {
 
 /// Pixels that are computed side by side.
-constexpr int kLanes = 8;
-using Lanes = Eigen::Array<float, kLanes, 1>;
+constexpr int kFitLanes = 8;
+using FitLanes = Eigen::Array<float, kFitLanes, 1>;
 
 /// Weighted moments of the pixels, with g the shape of the line, t the distance from its center in
 /// sigmas, y the light above the background and w the weight: sums of w g² t^k and of w y g t^k.
@@ -28,8 +28,8 @@ struct Solution {
 };
 
 /// 0, 1, 2, ...
-Lanes lane_numbers() {
-  Lanes numbers;
+FitLanes lane_numbers() {
+  FitLanes numbers;
   numbers << 0, 1, 2, 3, 4, 5, 6, 7;
   return numbers;
 }
@@ -45,7 +45,7 @@ std::optional<PixelRange> pixels_of(const LineWindow& window, float center) {
   const int first = static_cast<int>(std::ceil(center - window.reach_px));
   const int last = static_cast<int>(std::floor(center + window.reach_px));
   if (first < 0 || last >= size) return std::nullopt;
-  const int count = (last - first) / kLanes * kLanes + kLanes;
+  const int count = (last - first) / kFitLanes * kFitLanes + kFitLanes;
   if (count > size) return std::nullopt;
   return PixelRange{std::min(first, size - count), count};
 }
@@ -59,27 +59,27 @@ std::optional<Moments> accumulate(const LineWindow& window, const NoiseModel& no
   const float inverse_sigma = 1.0F / fit.sigma_px;
   const float sigma_over_reach = fit.sigma_px / window.reach_px;
   const float speckle = noise.speckle_contrast * noise.speckle_contrast;
-  const Lanes zero = Lanes::Zero();
-  Lanes s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, y0 = zero, y1 = zero, y2 = zero;
-  Lanes pixel = lane_numbers() + (static_cast<float>(range->first) - fit.center_px);
-  for (int i = 0; i < range->count; i += kLanes, pixel += static_cast<float>(kLanes)) {
-    const Lanes value = Eigen::Map<const Lanes>(window.row.data() + range->first + i);
-    const Lanes t = pixel * inverse_sigma;
-    const Lanes shape = (-0.5F * t.square()).exp();
-    const Lanes signal = fit.amplitude * shape;
-    const Lanes taper = (1.0F - (t * sigma_over_reach).square()).max(0.0F);
-    const Lanes variance = noise.read_variance + (noise.shot_gain + speckle * signal) * signal;
+  const FitLanes zero = FitLanes::Zero();
+  FitLanes s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, y0 = zero, y1 = zero, y2 = zero;
+  FitLanes pixel = lane_numbers() + (static_cast<float>(range->first) - fit.center_px);
+  for (int i = 0; i < range->count; i += kFitLanes, pixel += static_cast<float>(kFitLanes)) {
+    const FitLanes value = Eigen::Map<const FitLanes>(window.row.data() + range->first + i);
+    const FitLanes t = pixel * inverse_sigma;
+    const FitLanes shape = (-0.5F * t.square()).exp();
+    const FitLanes signal = fit.amplitude * shape;
+    const FitLanes taper = (1.0F - (t * sigma_over_reach).square()).max(0.0F);
+    const FitLanes variance = noise.read_variance + (noise.shot_gain + speckle * signal) * signal;
     // 1 below full scale, 0 at it: gray values are whole numbers.
-    const Lanes unclipped = (window.full_scale - value).min(1.0F).max(0.0F);
-    const Lanes weight = unclipped * taper.square() / variance;
-    const Lanes light = value - window.background.level - window.background.slope * pixel;
-    const Lanes weighted = weight * shape;
-    const Lanes w0 = weighted * shape, w1 = w0 * t, w2 = w1 * t;
-    const Lanes l0 = weighted * light, l1 = l0 * t;
+    const FitLanes unclipped = (window.full_scale - value).min(1.0F).max(0.0F);
+    const FitLanes weight = unclipped * taper.square() / variance;
+    const FitLanes light = value - window.background.level - window.background.slope * pixel;
+    const FitLanes weighted = weight * shape;
+    const FitLanes w0 = weighted * shape, w1 = w0 * t, w2 = w1 * t;
+    const FitLanes l0 = weighted * light, l1 = l0 * t;
     s0 += w0, s1 += w1, s2 += w2;
     y0 += l0, y1 += l1;
     if constexpr (kFitWidth) {
-      const Lanes w3 = w2 * t;
+      const FitLanes w3 = w2 * t;
       s3 += w3, s4 += w3 * t;
       y2 += l1 * t;
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "core/base/median.h"
 #include "core/localization/estimate_noise.h"
 #include "core/localization/fit_line.h"
 
@@ -35,12 +36,6 @@ struct ShapeFit {
 
 /// Fits along one trace; where it was not possible there is none.
 using TraceFits = std::vector<std::optional<ShapeFit>>;
-
-float median_of(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Medians of the shape over overlapping blocks of fits, as knots kShapeBlock fits apart.
 std::vector<LineShape> shape_knots(const TraceFits& fits) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/median.h"
 #include "core/geometry/point_grid.h"
 #include "core/meshing/implicit_surface.h"
 #include "core/meshing/mesh_topology.h"
@@ -36,9 +37,7 @@ double point_spacing_mm(const PointCloud& points) {
     if (found.size() == 2) distances2.push_back(found[1].distance2_mm2);
   }
   if (distances2.empty()) return 0.0;
-  const auto middle = distances2.begin() + static_cast<std::ptrdiff_t>(distances2.size() / 2);
-  std::nth_element(distances2.begin(), middle, distances2.end());
-  return std::sqrt(*middle);
+  return std::sqrt(median_of(distances2));
 }
 
 }  // namespace

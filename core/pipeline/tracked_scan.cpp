@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -93,9 +95,7 @@ double TrackedScan::usual_rms_mm() const {
   if (rms_mm_.size() < kExperience) return std::numeric_limits<double>::infinity();
   const std::size_t count = std::min(rms_mm_.size(), 4 * kExperience);
   std::vector<double> latest(rms_mm_.end() - static_cast<std::ptrdiff_t>(count), rms_mm_.end());
-  std::nth_element(latest.begin(), latest.begin() + static_cast<std::ptrdiff_t>(count / 2),
-                   latest.end());
-  return kUsualSpread * latest[count / 2] + kLeastRmsShare * radius_mm_;
+  return kUsualSpread * median_of(latest) + kLeastRmsShare * radius_mm_;
 }
 
 bool TrackedScan::continues(double time_s) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/reduction/cells.h"
 #include "core/reduction/merge.h"
 #include "core/reduction/sample_order.h"
@@ -22,9 +23,7 @@ double median_sigma_mm(std::span<const SurfaceSample> samples) {
   std::vector<float> sigmas;
   sigmas.reserve(samples.size());
   for (const SurfaceSample& s : samples) sigmas.push_back(s.deviation_mm.norm());
-  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
-  std::nth_element(sigmas.begin(), middle, sigmas.end());
-  return *middle;
+  return median_of(sigmas);
 }
 
 CellShape shape_of_cells(std::span<const SurfaceSample> samples, double cell_mm,

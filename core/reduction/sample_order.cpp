@@ -6,6 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -118,9 +120,7 @@ double sample_spacing_mm(std::span<const SurfaceSample> samples) {
     }
   }
   if (spacings.empty()) return 0.0;
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
+  return median_of(spacings);
 }
 
 }  // namespace flytri

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/geometry/point_spacing.h"
 #include "core/refinement/reduced_system.h"
 #include "core/refinement/refine.h"
@@ -13,7 +14,6 @@ namespace {
 constexpr double kCellSpacings = 16.0;
 /// Stretch of a profile that becomes one datum, as a share of a cell's edge.
 constexpr double kDatumShare = 0.2;
-constexpr double kSigmaPerMad = 1.4826;
 /// A step must not raise the robust spread by more than this.
 constexpr double kMaxWorsening = 1.02;
 /// Less of the data in cells with a surface: the cells are enlarged, this much and this often.
@@ -30,12 +30,7 @@ struct Step {
   double robust_sigma_mm = 0.0;  ///< of the residuals themselves
 };
 
-double median_abs(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+double median_abs(std::vector<double>& values) { return values.empty() ? 0.0 : median_of(values); }
 
 void measure_spread(Step& step) {
   std::vector<double> normalized;
@@ -47,8 +42,8 @@ void measure_spread(Step& step) {
       plain.push_back(std::abs(r.residual_mm));
     }
   }
-  step.spread = std::max(kSigmaPerMad * median_abs(normalized), 1e-12);
-  step.robust_sigma_mm = kSigmaPerMad * median_abs(plain);
+  step.spread = std::max(kSigmaOfMedian * median_abs(normalized), 1e-12);
+  step.robust_sigma_mm = kSigmaOfMedian * median_abs(plain);
 }
 
 Step fit_surfaces(std::span<const Datum> data, std::span<const Isometry> poses, double cell_mm,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -18,8 +20,6 @@ constexpr double kMinRaySine = 0.2;
 constexpr double kMinCondition = 1e-4;
 constexpr int kFitIterations = 4;
 constexpr double kFitTukeySigmas = 4.0;
-/// Standard deviation of a normal distribution by its median absolute deviation.
-constexpr double kSigmaPerMad = 1.4826;
 
 Quadric terms_at(double a, double b) {
   Quadric terms;
@@ -68,10 +68,8 @@ bool orient(SurfaceCell& cell, std::span<const Vec3> points, const Vec3& ray) {
 }
 
 double robust_sigma(std::vector<double> normalized) {
-  const auto middle = normalized.begin() + static_cast<std::ptrdiff_t>(normalized.size() / 2);
   for (double& value : normalized) value = std::abs(value);
-  std::nth_element(normalized.begin(), middle, normalized.end());
-  return kSigmaPerMad * *middle;
+  return kSigmaOfMedian * median_of(normalized);
 }
 
 /// Iteratively reweighted least squares. False if the data do not determine the surface.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -15,18 +17,12 @@ constexpr double kNormalNoise_rad = 0.03;
 /// Residuals of this many robust sigmas weigh a quarter.
 constexpr double kRobustWidth = 3.0;
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Robust size of the residuals in units of their expected uncertainty, at least 1.
 double noise_scale(std::span<const Crossing> crossings) {
   std::vector<double> ratios;
   ratios.reserve(crossings.size());
   for (const Crossing& c : crossings) ratios.push_back(std::abs(c.distance_mm) / c.sigma_mm);
-  return std::max(1.0, median_of(std::move(ratios)) / 0.6745);
+  return std::max(1.0, median_of(ratios) / 0.6745);
 }
 
 /// How the point p of the source moves with the unknowns.

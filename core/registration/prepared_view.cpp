@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -60,9 +62,7 @@ void describe_lines(PreparedView& view) {
   }
   if (sum.norm() > 0.0) view.line_direction = sum.normalized();
   if (deviations.empty()) return;
-  const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-  std::nth_element(deviations.begin(), middle, deviations.end());
-  view.noise_mm = *middle;
+  view.noise_mm = median_of(deviations);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/base/random.h"
 
 namespace flytri {
@@ -54,12 +55,6 @@ std::vector<double> deviations(std::span<const TimedPose> poses, const PathFit& 
   return result;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// A random subset of `count` poses in order of time.
 std::vector<TimedPose> draw(std::span<const TimedPose> poses, std::size_t count, Random& random) {
   std::vector<TimedPose> subset;
@@ -81,7 +76,8 @@ PathOutliers find_outliers(std::span<const TimedPose> poses, const OutlierOption
   for (int trial = 0; trial < options.trials; ++trial) {
     const PathFit curve(draw(poses, minimal, random), options.degree);
     std::vector<double> all = deviations(poses, curve, options.arm_mm);
-    const double median = median_of(all);
+    std::vector<double> ranked = all;
+    const double median = median_of(ranked);
     if (median >= best_median) continue;
     best_median = median;
     best = std::move(all);

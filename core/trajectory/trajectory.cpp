@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/median.h"
+
 namespace flytri {
 namespace {
 
@@ -45,9 +47,7 @@ double usual_step(std::span<const TimedPose> poses) {
   for (std::size_t i = 1; i < poses.size(); ++i) {
     steps.push_back(poses[i].time_s - poses[i - 1].time_s);
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median_of(steps);
 }
 
 PosePrior prior_of(double sigma_mm, double arm_mm) {

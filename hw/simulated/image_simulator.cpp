@@ -18,11 +18,11 @@ constexpr int kMotionSteps = 5;
 // Room light varies slowly over an image: traced once in a block of this many pixels a side.
 constexpr int kAmbientBlock_px = 8;
 // Depths beyond the volume that are still seen, by the volume's depth.
-constexpr double kDepthMargin = 1.5;
+constexpr double kSeenMargin = 1.5;
 
 LensBlur make_blur(const CameraModel& camera, const MeasurementVolume& volume) {
   const double middle_mm = camera.center().norm();
-  const double margin_mm = (0.5 + kDepthMargin) * volume.size_mm.z();
+  const double margin_mm = (0.5 + kSeenMargin) * volume.size_mm.z();
   return {camera, std::max(middle_mm - margin_mm, 0.3 * middle_mm), middle_mm + margin_mm};
 }
 

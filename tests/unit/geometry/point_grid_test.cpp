@@ -68,7 +68,9 @@ TEST_P(PointGridRadius, FindsWhatBruteForceFinds) {
 
     const auto nearest = grid.nearest(center, radius);
     ASSERT_EQ(nearest.has_value(), !expected.empty());
-    if (nearest) EXPECT_EQ(nearest->index, expected.front().index);
+    if (nearest) {
+      EXPECT_EQ(nearest->index, expected.front().index);
+    }
   }
 }
 

@@ -123,7 +123,8 @@ std::vector<TextureFrame> six_sides(float radius_mm, const ColorOf& color_of) {
   for (const Vec3& gaze : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
                            Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
     Isometry T_world_sensor = Isometry::Identity();
-    T_world_sensor.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), gaze).matrix();
+    const Vec3 right = gaze.unitOrthogonal();
+    T_world_sensor.linear() << right, gaze.cross(right), gaze;
     cv::Mat image(480, 640, CV_8UC3, cv::Scalar(1, 1, 1));
     for (int v = 0; v < image.rows; ++v) {
       for (int u = 0; u < image.cols; ++u) {
