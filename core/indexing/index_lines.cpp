@@ -29,14 +29,50 @@ std::optional<LineIndex> line_at(const PatternCalibration& pattern, const LineSa
   return best;
 }
 
-double median_width_ratio(const PatternCalibration& pattern, const IndexedTrace& segment) {
+/// Width of every sample by the width that its line has there.
+std::vector<double> width_ratios(const PatternCalibration& pattern, const IndexedTrace& segment) {
   std::vector<double> ratios;
+  ratios.reserve(segment.samples.size());
   for (const LineSample& sample : segment.samples) {
     const LineRow& row =
         pattern.lines[segment.line.at()][static_cast<std::size_t>(sample.along_px)];
     ratios.push_back(sample.width_px / row.width_px(sample.across_px));
   }
-  return median_of(ratios);
+  return ratios;
+}
+
+bool is_within(double ratio, double limit) { return ratio < limit && ratio > 1.0 / limit; }
+
+/// Samples around which, as far as the line is wide, most widths are off; and as far beyond, where
+/// the blur mixes both lines.
+std::vector<bool> find_foreign(const LineTrace& samples, const std::vector<double>& ratios,
+                               double limit) {
+  const std::size_t size = samples.size();
+  std::vector<bool> foreign(size, false);
+  std::vector<std::size_t> off_before(size + 1, 0);  // samples that are off, before each
+  for (std::size_t i = 0; i < size; ++i) {
+    off_before[i + 1] = off_before[i] + (is_within(ratios[i], limit) ? 0U : 1U);
+  }
+  if (off_before.back() == 0) return foreign;
+  std::size_t done = 0;  // all before are marked
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto reach = static_cast<std::size_t>(std::ceil(samples[i].width_px / ratios[i]));
+    const std::size_t begin = i > reach ? i - reach : 0, end = std::min(i + reach + 1, size);
+    if (2 * (off_before[end] - off_before[begin]) <= end - begin) continue;
+    for (done = std::max(done, begin); done < end; ++done) foreign[done] = true;
+  }
+  return foreign;
+}
+
+/// What is left of a segment without the samples marked, in connected pieces.
+std::vector<IndexedTrace> without(const IndexedTrace& segment, const std::vector<bool>& marked) {
+  std::vector<IndexedTrace> pieces;
+  for (std::size_t i = 0; i < segment.samples.size(); ++i) {
+    if (marked[i]) continue;
+    if (i == 0 || marked[i - 1]) pieces.push_back({segment.line, {}});
+    pieces.back().samples.push_back(segment.samples[i]);
+  }
+  return pieces;
 }
 
 /// True if the sample lies in the line's own area: then it lies in no other's.
@@ -76,6 +112,10 @@ Result<void> IndexOptions::validate() const {
   if (!(max_width_ratio > 1.0)) {
     return fail(ErrorCode::kBadOption, "max_width_ratio is {}, must be > 1", max_width_ratio);
   }
+  if (!(max_local_width_ratio >= max_width_ratio)) {
+    return fail(ErrorCode::kBadOption, "max_local_width_ratio is {}, must be >= max_width_ratio",
+                max_local_width_ratio);
+  }
   if (min_segment_length < 2) {
     return fail(ErrorCode::kBadOption, "min_segment_length is {}, must be >= 2",
                 min_segment_length);
@@ -87,20 +127,31 @@ IndexedLines index_lines(const std::vector<LineTrace>& traces, const Calibration
                          Pattern pattern, const IndexOptions& options) {
   const PatternCalibration& lines = calibration.of(pattern);
   IndexedLines result;
+  const auto judge = [&](const IndexedTrace& segment) {
+    const int count = static_cast<int>(segment.samples.size());
+    if (count < options.min_segment_length) {
+      result.counts.short_segments += count;
+      return;
+    }
+    const std::vector<double> ratios = width_ratios(lines, segment);
+    result.counts.wrong_width += count;
+    std::vector<double> reordered = ratios;
+    if (!is_within(median_of(reordered), options.max_width_ratio)) return;
+    const auto foreign = find_foreign(segment.samples, ratios, options.max_local_width_ratio);
+    for (IndexedTrace& piece : without(segment, foreign)) {
+      const int kept = static_cast<int>(piece.samples.size());
+      result.counts.wrong_width -= kept;
+      if (kept < options.min_segment_length) {
+        result.counts.short_segments += kept;
+        continue;
+      }
+      result.counts.indexed += kept;
+      result.traces.push_back(std::move(piece));
+    }
+  };
   for (const LineTrace& trace : traces) {
-    for (IndexedTrace& segment : cut(trace, lines, options.area_margin, result.counts)) {
-      const int count = static_cast<int>(segment.samples.size());
-      if (count < options.min_segment_length) {
-        result.counts.short_segments += count;
-        continue;
-      }
-      const double ratio = median_width_ratio(lines, segment);
-      if (!(ratio < options.max_width_ratio && ratio > 1.0 / options.max_width_ratio)) {
-        result.counts.wrong_width += count;
-        continue;
-      }
-      result.counts.indexed += count;
-      result.traces.push_back(std::move(segment));
+    for (const IndexedTrace& segment : cut(trace, lines, options.area_margin, result.counts)) {
+      judge(segment);
     }
   }
   return result;

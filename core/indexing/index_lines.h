@@ -16,6 +16,10 @@ struct IndexOptions {
   /// tilted by 65 degrees widens a line this much at a triangulation angle of 7 degrees; a line
   /// from before or behind the volume is off by a factor of 1.3 to 2.
   double max_width_ratio = 1.28;
+  /// >= max_width_ratio. The same within a segment, for stretches as long as the line is wide: at a
+  /// depth step a line may go on as another one, far away and blurred. Beyond what a single steep
+  /// flank does, which is no reason to lose it.
+  double max_local_width_ratio = 1.6;
   /// >= 2. Segments with fewer samples have no reliable width.
   int min_segment_length = 6;
 
@@ -26,7 +30,7 @@ struct IndexOptions {
 struct IndexCounts {
   int indexed = 0;
   int outside_areas = 0;   ///< in no unique area: surely outside the volume
-  int wrong_width = 0;     ///< normalized width of their segment is off: outside the volume
+  int wrong_width = 0;     ///< normalized width of segment or stretch is off: outside the volume
   int short_segments = 0;  ///< too few connected samples with one index
 
   [[nodiscard]] int total() const { return indexed + outside_areas + wrong_width + short_segments; }

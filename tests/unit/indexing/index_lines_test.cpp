@@ -71,6 +71,30 @@ TEST(IndexLines, WidthGivesAwayALineFromBehindTheVolume) {
   EXPECT_EQ(indexed.counts.indexed, 0);
 }
 
+TEST(IndexLines, ALineThatGoesOnAsAFarOneIsCutAtTheStep) {
+  // Behind the depth step another line, far away, comes out where this one ended.
+  LineTrace trace = trace_of(Pattern::kVertical, 2, [](int) { return 1.0; });
+  constexpr int kStep_px = 190;
+  for (LineSample& sample : trace) {
+    if (sample.along_px >= kStep_px) sample.width_px *= 2.2F;
+  }
+  const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
+  ASSERT_EQ(indexed.traces.size(), 1U);
+  const LineTrace& kept = indexed.traces[0].samples;
+  const float width_px = kept.front().width_px;
+  EXPECT_LT(kept.back().along_px, kStep_px);
+  EXPECT_GT(kept.back().along_px, kStep_px - 3.0F * width_px);
+  EXPECT_EQ(indexed.counts.total(), static_cast<int>(trace.size()));
+  EXPECT_EQ(indexed.counts.indexed, static_cast<int>(kept.size()));
+}
+
+TEST(IndexLines, SingleWidthsThatAreOffCostNothing) {
+  LineTrace trace = trace_of(Pattern::kVertical, 2, [](int) { return 1.0; });
+  for (std::size_t i = 0; i < trace.size(); i += 7) trace[i].width_px *= 2.0F;
+  const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
+  EXPECT_EQ(indexed.counts.indexed, static_cast<int>(trace.size()));
+}
+
 TEST(IndexLines, FewSamplesAreCountedAsShort) {
   LineTrace trace = trace_of(Pattern::kVertical, 1, [](int) { return 0.0; });
   trace.resize(3);
@@ -82,6 +106,7 @@ TEST(IndexLines, OptionsAreChecked) {
   EXPECT_TRUE(IndexOptions{}.validate().has_value());
   EXPECT_FALSE((IndexOptions{.area_margin = 0.5}.validate().has_value()));
   EXPECT_FALSE((IndexOptions{.max_width_ratio = 0.9}.validate().has_value()));
+  EXPECT_FALSE((IndexOptions{.max_local_width_ratio = 1.1}.validate().has_value()));
   EXPECT_FALSE((IndexOptions{.min_segment_length = 1}.validate().has_value()));
 }
 
