@@ -14,7 +14,7 @@ struct TrimOptions {
   /// 0..5. Samples taken from each end of a segment, in widths (FWHM) of the line: the image is as
   /// blurred along the line as across it, and within a blur of the end the light comes from one
   /// side only.
-  double end_widths = 2.0;
+  double end_widths = 1.0;
   /// 0..1. After that the end goes on as long as its amplitude is below this share of the amplitude
   /// one width farther inside: a surface that turns away, or light that fades.
   double min_end_amplitude = 0.7;
