@@ -14,6 +14,17 @@ constexpr float kMaxCentroidShare = 0.45F;
 /// Squared width by squared length of the points around a place; a full disk has 1.
 constexpr float kMinWidthShare = 0.03F;
 
+/// Far from points the Gaussian is as wide as this share of the distance to the nearest.
+constexpr float kSigmaOfDistance = 0.5F;
+
+/// Of a gap that is closed: the widest angle without points, seen from within; and for this share
+/// of the points around it the largest angle between normals, as a cosine, and the farthest from
+/// the tangent plane, by the gap's reach. Two teeth that nearly touch are neither.
+constexpr float kMaxEmptyAngle = 2.1F;
+constexpr float kSmoothShare = 0.9F;
+constexpr float kMinSmoothCosine = 0.8F;
+constexpr float kMaxSmoothOffset = 0.2F;
+
 std::vector<Vec3f> positions_of(const PointCloud& points) {
   std::vector<Vec3f> positions;
   positions.reserve(points.size());
@@ -23,21 +34,26 @@ std::vector<Vec3f> positions_of(const PointCloud& points) {
 
 }  // namespace
 
-ImplicitSurface::ImplicitSurface(const PointCloud& points, float sigma_mm, float reach_mm)
+ImplicitSurface::ImplicitSurface(const PointCloud& points, float sigma_mm, float reach_mm,
+                                 float gap_mm)
     : points_(points),
       sigma_mm_(sigma_mm),
       reach_mm_(reach_mm),
+      gap_mm_(gap_mm),
       grid_(positions_of(points), reach_mm) {}
 
 std::optional<SurfaceEstimate> ImplicitSurface::at(const Vec3f& place_mm) const {
   thread_local std::vector<Neighbor> found;
   grid_.within(place_mm, reach_mm_, found);
+  if (found.size() < kMinNeighbors) grid_.within(place_mm, gap_mm_, found);
   if (found.size() < kMinNeighbors) return std::nullopt;
   const auto nearest =
       std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
         return std::pair(a.distance2_mm2, a.index) < std::pair(b.distance2_mm2, b.index);
       });
   const Vec3f& facing = points_[nearest->index].normal;
+  const float sigma2_mm2 =
+      std::max(sigma_mm_ * sigma_mm_, kSigmaOfDistance * kSigmaOfDistance * nearest->distance2_mm2);
   SurfaceEstimate sum;
   sum.mean.position_mm = sum.mean.normal = Vec3f::Zero();
   Vec3f color = Vec3f::Zero();
@@ -47,8 +63,8 @@ std::optional<SurfaceEstimate> ImplicitSurface::at(const Vec3f& place_mm) const 
     // The other side of a thin wall is another surface.
     if (point.normal.dot(facing) <= 0.0F) continue;
     // Relative to the nearest, so that far places do not underflow.
-    const float w = std::exp(-0.5F * (neighbor.distance2_mm2 - nearest->distance2_mm2) /
-                             (sigma_mm_ * sigma_mm_));
+    const float w =
+        std::exp(-0.5F * (neighbor.distance2_mm2 - nearest->distance2_mm2) / sigma2_mm2);
     sum_w += w;
     sum.distance_mm += w * point.normal.dot(place_mm - point.position_mm);
     sum.mean.position_mm += w * point.position_mm;
@@ -67,6 +83,10 @@ std::optional<SurfaceEstimate> ImplicitSurface::at(const Vec3f& place_mm) const 
 }
 
 bool ImplicitSurface::surrounded(const Vec3f& place_mm, const Vec3f& normal) const {
+  return surrounded_closely(place_mm, normal) || in_smooth_gap(place_mm, normal);
+}
+
+bool ImplicitSurface::surrounded_closely(const Vec3f& place_mm, const Vec3f& normal) const {
   thread_local std::vector<Neighbor> found;
   grid_.within(place_mm, reach_mm_, found);
   Vec3f centroid = Vec3f::Zero();
@@ -87,6 +107,32 @@ bool ImplicitSurface::surrounded(const Vec3f& place_mm, const Vec3f& normal) con
   // A single line of points has no width: it is no surface.
   const Vec3f widths = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(spread).eigenvalues();
   return widths[1] >= kMinWidthShare * widths[2];
+}
+
+bool ImplicitSurface::in_smooth_gap(const Vec3f& place_mm, const Vec3f& normal) const {
+  thread_local std::vector<Neighbor> found;
+  thread_local std::vector<float> angles;
+  grid_.within(place_mm, gap_mm_, found);
+  const Vec3f across = normal.unitOrthogonal();
+  const Vec3f along = normal.cross(across);
+  angles.clear();
+  for (const Neighbor& neighbor : found) {
+    const SurfacePoint& point = points_[neighbor.index];
+    const Vec3f offset = point.position_mm - place_mm;
+    if (point.normal.dot(normal) < kMinSmoothCosine) continue;
+    if (std::abs(offset.dot(normal)) > kMaxSmoothOffset * gap_mm_) continue;
+    angles.push_back(std::atan2(offset.dot(along), offset.dot(across)));
+  }
+  if (angles.size() < kMinNeighbors ||
+      static_cast<float>(angles.size()) < kSmoothShare * static_cast<float>(found.size())) {
+    return false;
+  }
+  std::sort(angles.begin(), angles.end());
+  float widest = angles.front() + 2.0F * static_cast<float>(M_PI) - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    widest = std::max(widest, angles[i] - angles[i - 1]);
+  }
+  return widest < kMaxEmptyAngle;
 }
 
 }  // namespace flytri

@@ -22,18 +22,26 @@ class ImplicitSurface {
   /// @param points    kept by reference
   /// @param sigma_mm  > 0, standard deviation of the Gaussian weight
   /// @param reach_mm  > 0, points farther away count for nothing
-  ImplicitSurface(const PointCloud& points, float sigma_mm, float reach_mm);
+  /// @param gap_mm    >= reach_mm, the same for places between lines, where fewer than three points
+  ///                  are within reach
+  ImplicitSurface(const PointCloud& points, float sigma_mm, float reach_mm, float gap_mm);
 
-  /// The estimate at a place, or none where fewer than three points are within reach.
+  /// The estimate at a place, or none where fewer than three points are near. Far from points the
+  /// Gaussian widens, so that what lies on both sides of a gap is blended across it.
   [[nodiscard]] std::optional<SurfaceEstimate> at(const Vec3f& place_mm) const;
 
-  /// True if points lie all around a place on the surface: their centroid is near it.
+  /// True if points lie all around a place on the surface: their centroid is near it, or, across a
+  /// wider gap, no direction is empty and the surface is smooth.
   [[nodiscard]] bool surrounded(const Vec3f& place_mm, const Vec3f& normal) const;
 
  private:
+  [[nodiscard]] bool surrounded_closely(const Vec3f& place_mm, const Vec3f& normal) const;
+  [[nodiscard]] bool in_smooth_gap(const Vec3f& place_mm, const Vec3f& normal) const;
+
   const PointCloud& points_;
   float sigma_mm_;
   float reach_mm_;
+  float gap_mm_;
   PointGrid grid_;
 };
 

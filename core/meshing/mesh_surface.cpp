@@ -49,6 +49,7 @@ Result<void> MeshOptions::validate() const {
   if (!(spacing_mm >= 0.0)) return bad("spacing_mm", ">= 0");
   if (!(smoothing_spacings > 0.0)) return bad("smoothing_spacings", "> 0");
   if (!(support_spacings > 0.0)) return bad("support_spacings", "> 0");
+  if (!(gap_spacings >= support_spacings)) return bad("gap_spacings", ">= support_spacings");
   if (!(min_island_spacings2 >= 0.0)) return bad("min_island_spacings2", ">= 0");
   return {};
 }
@@ -65,7 +66,8 @@ Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& op
       options.spacing_mm > 0.0 ? options.spacing_mm : kSpacingOfPoints * point_spacing_mm(points);
   if (!(spacing_mm > 0.0)) return too_few();
   const ImplicitSurface surface(points, static_cast<float>(options.smoothing_spacings * spacing_mm),
-                                static_cast<float>(options.support_spacings * spacing_mm));
+                                static_cast<float>(options.support_spacings * spacing_mm),
+                                static_cast<float>(options.gap_spacings * spacing_mm));
   SurfaceMesh result;
   result.mesh = extract_surface(surface, points, static_cast<float>(spacing_mm), workers);
   repair_manifold(result.mesh);

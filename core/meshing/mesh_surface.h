@@ -16,9 +16,11 @@ struct MeshOptions {
   /// the mesh. Smaller keeps noise, larger rounds edges.
   double smoothing_spacings = 0.75;
   /// > 0. Radius, in spacings of the mesh, within which points must surround a place for it to be
-  /// measured. Gaps up to nearly twice as wide lie between lines and are closed; wider ones stay
-  /// open.
+  /// measured. Gaps up to nearly twice as wide lie between lines and are closed.
   double support_spacings = 2.5;
+  /// >= support_spacings. The same where the surface is smooth and faces one way: there lines may
+  /// lie farther apart. Wider gaps stay open.
+  double gap_spacings = 5.0;
   /// >= 0. Connected pieces with less area, in squared spacings of the mesh, are dropped.
   double min_island_spacings2 = 150.0;
 

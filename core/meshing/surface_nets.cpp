@@ -11,8 +11,8 @@ namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-/// Cells around those with points: as far as the surface is carried over a gap.
-constexpr int kMargin = 2;
+/// Cells below the lowest point: farther than the surface goes beyond the points.
+constexpr int kMargin = 64;
 /// Steps that move a vertex onto the surface; the second is already far below the noise.
 constexpr int kProjections = 3;
 constexpr std::size_t kGrain = 256;
@@ -23,7 +23,7 @@ constexpr int kBits = 21;
 constexpr Key kMask = (Key{1} << kBits) - 1;
 
 struct Place {
-  std::int32_t x, y, z;  ///< from kMargin + 1 upwards
+  std::int32_t x, y, z;  ///< > 0
 };
 Key key_of(const Place& p) {
   return (static_cast<Key>(p.z) << (2 * kBits)) | (static_cast<Key>(p.y) << kBits) |
@@ -61,28 +61,51 @@ std::uint32_t find(const std::vector<Key>& keys, Key key) {
   return it != keys.end() && *it == key ? static_cast<std::uint32_t>(it - keys.begin()) : kNoVertex;
 }
 
+/// Puts new keys with their values among those that are there; both are sorted, none is in both.
+template <typename Value>
+void merge(const std::vector<Key>& new_keys, std::vector<Value> new_values, std::vector<Key>& keys,
+           std::vector<Value>& values) {
+  std::vector<Key> all_keys(keys.size() + new_keys.size());
+  std::vector<Value> all_values(all_keys.size());
+  std::size_t a = 0, b = 0;
+  for (std::size_t i = 0; i < all_keys.size(); ++i) {
+    const bool take_new = a == keys.size() || (b < new_keys.size() && new_keys[b] < keys[a]);
+    all_keys[i] = take_new ? new_keys[b] : keys[a];
+    all_values[i] = std::move(take_new ? new_values[b] : values[a]);
+    ++(take_new ? b : a);
+  }
+  keys.swap(all_keys);
+  values.swap(all_values);
+}
+
 /// Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2).
 Place corner_of(const Place& cell, int k) {
   return {cell.x + (k & 1), cell.y + (k >> 1 & 1), cell.z + (k >> 2)};
 }
 
-/// One run: the grid, its values, its vertices.
+/// One run: the grid, its values, its vertices. The grid begins around the points and grows along
+/// the surface as long as points surround it.
 class Extraction {
  public:
   Extraction(const ImplicitSurface& surface, const PointCloud& points, float spacing_mm,
              const Workers& workers)
       : surface_(surface), spacing_mm_(spacing_mm), workers_(workers) {
-    find_cells(points);
-    evaluate_corners();
-    place_vertices();
+    std::vector<Key> wave = cells_around(points);
+    while (!wave.empty()) {
+      evaluate_corners(wave);
+      wave = place_vertices(wave);
+    }
+    number_vertices();
     connect();
   }
   TriangleMesh mesh;
 
  private:
-  void find_cells(const PointCloud& points);
-  void evaluate_corners();
-  void place_vertices();
+  [[nodiscard]] std::vector<Key> cells_around(const PointCloud& points);
+  void evaluate_corners(const std::vector<Key>& new_cells);
+  [[nodiscard]] std::vector<Key> place_vertices(const std::vector<Key>& new_cells);
+  void add_crossed_neighbors(Key cell, std::vector<Key>& neighbors) const;
+  void number_vertices();
   void connect();
   void connect_edge(const Place& corner, int axis);
   [[nodiscard]] Vec3f position_of(const Place& corner) const {
@@ -90,43 +113,83 @@ class Extraction {
                                             static_cast<float>(corner.y),
                                             static_cast<float>(corner.z));
   }
+  [[nodiscard]] float value_at(const Place& corner) const {
+    return values_[find(corners_, key_of(corner))];
+  }
   [[nodiscard]] std::optional<SurfacePoint> vertex_in(const Place& cell) const;
 
   const ImplicitSurface& surface_;
   float spacing_mm_;
   const Workers& workers_;
   Vec3f origin_mm_ = Vec3f::Zero();
-  std::vector<Key> cells_, corners_;
-  std::vector<float> values_;                  ///< by corner; NaN: no estimate
-  std::vector<std::uint32_t> vertex_of_cell_;  ///< by cell
+  std::vector<Key> cells_, corners_;                   ///< sorted
+  std::vector<std::optional<SurfacePoint>> vertices_;  ///< by cell
+  std::vector<float> values_;                          ///< by corner; NaN: no estimate
+  std::vector<std::uint32_t> vertex_of_cell_;          ///< by cell
 };
 
-void Extraction::find_cells(const PointCloud& points) {
+std::vector<Key> Extraction::cells_around(const PointCloud& points) {
   Vec3f low = points.front().position_mm;
   for (const SurfacePoint& point : points) low = low.cwiseMin(point.position_mm);
-  origin_mm_ = low - Vec3f::Constant(spacing_mm_ * static_cast<float>(kMargin + 1));
-  std::vector<Key> occupied;
+  origin_mm_ = low - Vec3f::Constant(spacing_mm_ * static_cast<float>(kMargin));
+  std::vector<Key> cells;
   for (const SurfacePoint& point : points) {
     const Vec3f p = (point.position_mm - origin_mm_) / spacing_mm_;
-    occupied.push_back(key_of({static_cast<std::int32_t>(p.x()), static_cast<std::int32_t>(p.y()),
-                               static_cast<std::int32_t>(p.z())}));
+    cells.push_back(key_of({static_cast<std::int32_t>(p.x()), static_cast<std::int32_t>(p.y()),
+                            static_cast<std::int32_t>(p.z())}));
   }
-  sort_unique(occupied);
-  cells_ = std::move(occupied);
-  for (int axis = 0; axis < 3; ++axis) cells_ = dilated(cells_, axis, -kMargin, kMargin);
+  sort_unique(cells);
+  for (int axis = 0; axis < 3; ++axis) cells = dilated(cells, axis, -1, 1);
+  return cells;
 }
 
-void Extraction::evaluate_corners() {
-  corners_ = cells_;
-  for (int axis = 0; axis < 3; ++axis) corners_ = dilated(corners_, axis, 0, 1);
-  values_.resize(corners_.size());
+void Extraction::evaluate_corners(const std::vector<Key>& new_cells) {
+  std::vector<Key> around = new_cells;
+  for (int axis = 0; axis < 3; ++axis) around = dilated(around, axis, 0, 1);
+  std::vector<Key> corners;
+  std::set_difference(around.begin(), around.end(), corners_.begin(), corners_.end(),
+                      std::back_inserter(corners));
+  std::vector<float> values(corners.size());
   workers_.for_each(
-      corners_.size(),
+      corners.size(),
       [&](std::size_t i) {
-        const auto estimate = surface_.at(position_of(place_of(corners_[i])));
-        values_[i] = estimate ? estimate->distance_mm : kNoValue;
+        const auto estimate = surface_.at(position_of(place_of(corners[i])));
+        values[i] = estimate ? estimate->distance_mm : kNoValue;
       },
       kGrain);
+  merge(corners, std::move(values), corners_, values_);
+}
+
+/// The neighbors of a cell across those faces that the surface crosses.
+void Extraction::add_crossed_neighbors(Key cell, std::vector<Key>& neighbors) const {
+  const Place place = place_of(cell);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Key step = Key{1} << (axis * kBits);
+    for (const int side : {0, 1}) {
+      int outside = 0;
+      for (int k = 0; k < 8; ++k) {
+        if ((k >> axis & 1) == side && value_at(corner_of(place, k)) >= 0.0F) ++outside;
+      }
+      if (outside != 0 && outside != 4) neighbors.push_back(side == 1 ? cell + step : cell - step);
+    }
+  }
+}
+
+/// @returns the cells into which the surface goes on, that are not there yet.
+std::vector<Key> Extraction::place_vertices(const std::vector<Key>& new_cells) {
+  std::vector<std::optional<SurfacePoint>> vertices(new_cells.size());
+  workers_.for_each(
+      new_cells.size(), [&](std::size_t i) { vertices[i] = vertex_in(place_of(new_cells[i])); },
+      kGrain);
+  std::vector<Key> neighbors, next;
+  for (std::size_t i = 0; i < new_cells.size(); ++i) {
+    if (vertices[i]) add_crossed_neighbors(new_cells[i], neighbors);
+  }
+  merge(new_cells, std::move(vertices), cells_, vertices_);
+  sort_unique(neighbors);
+  std::set_difference(neighbors.begin(), neighbors.end(), cells_.begin(), cells_.end(),
+                      std::back_inserter(next));
+  return next;
 }
 
 std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell) const {
@@ -134,7 +197,7 @@ std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell) const {
   bool any_outside = false;
   bool any_inside = false;
   for (int k = 0; k < 8; ++k) {
-    value[k] = values_[find(corners_, key_of(corner_of(cell, k)))];
+    value[k] = value_at(corner_of(cell, k));
     if (std::isnan(value[k])) return std::nullopt;
     (value[k] >= 0.0F ? any_outside : any_inside) = true;
   }
@@ -166,15 +229,12 @@ std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell) const {
   return vertex;
 }
 
-void Extraction::place_vertices() {
-  std::vector<std::optional<SurfacePoint>> vertices(cells_.size());
-  workers_.for_each(
-      cells_.size(), [&](std::size_t i) { vertices[i] = vertex_in(place_of(cells_[i])); }, kGrain);
+void Extraction::number_vertices() {
   vertex_of_cell_.assign(cells_.size(), kNoVertex);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (!vertices[i]) continue;
+    if (!vertices_[i]) continue;
     vertex_of_cell_[i] = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.push_back(*vertices[i]);
+    mesh.vertices.push_back(*vertices_[i]);
   }
 }
 
