@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct DemoArguments {
   fs::path folder = "out";
-  double duration_s = 20.0;
+  double duration_s = 24.0;
   int thread_count = 0;
 };
 
@@ -40,7 +40,7 @@ Result<void> write_results(const fs::path& folder, const Reconstruction& reconst
   }
   PictureOptions options;
   // The world is the first view's sensor frame: the sensor looks along +z, y runs down.
-  options.from_direction = Vec3(0.0, 0.5, -1.0);
+  options.from_direction = Vec3(0.0, 0.3, -1.0);
   options.up = -Vec3::UnitY();
   const Result<cv::Mat> picture = draw_picture(reconstruction.model, options, workers);
   if (!picture) return tl::unexpected(picture.error());

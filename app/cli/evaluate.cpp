@@ -51,7 +51,8 @@ struct TrueSurface {
 struct Reference {
   TrueSurface surface;
   Isometry T_model_world = Isometry::Identity();  ///< by the first registered view
-  std::vector<PosePair> poses;                    ///< empty without a report
+  std::vector<PosePair> registered;               ///< poses; empty without a report
+  std::vector<PosePair> interpolated;             ///< those of texture frames among them
   std::optional<Vec3> volume_mm;                  ///< of the sensor, if the report tells
 };
 
@@ -60,8 +61,9 @@ struct Evaluation {
   SurfaceError fitted;
   BestFitOutcome outcome = BestFitOutcome::kStillMoving;
   ColorError colors;
-  std::size_t pose_count = 0;
-  std::optional<PoseError> poses;
+  std::size_t registered_count = 0, interpolated_count = 0;  ///< poses
+  std::optional<PoseError> registered = std::nullopt;
+  double interpolated_mm = 0.0;  ///< in the gauge of the first view
 };
 
 Result<TrueSurface> read_true_surface(const fs::path& path) {
@@ -97,15 +99,15 @@ Result<FrameIndex> first_measurement_frame(const Recording& recording) {
               (recording.folder / "recording.json").string());
 }
 
-Result<std::vector<PosePair>> pair_poses(const EvaluateArguments& arguments, const Truth& truth,
-                                         const std::vector<ReportedPose>& reported) {
-  std::vector<PosePair> pairs;
+Result<void> pair_poses(const EvaluateArguments& arguments, const Truth& truth,
+                        const std::vector<ReportedPose>& reported, Reference& reference) {
   for (const ReportedPose& pose : reported) {
     const auto T_model_sensor = true_pose(arguments, truth, pose.frame);
     if (!T_model_sensor) return tl::unexpected(T_model_sensor.error());
-    pairs.push_back({pose.T_world_sensor, *T_model_sensor});
+    (pose.registered ? reference.registered : reference.interpolated)
+        .push_back({pose.T_world_sensor, *T_model_sensor});
   }
-  return pairs;
+  return {};
 }
 
 /// Without a report the first measurement frame is taken for the first registered one.
@@ -127,11 +129,9 @@ Result<void> read_gauge(const EvaluateArguments& arguments, const Truth& truth,
   if (arguments.report.empty()) return guess_gauge(arguments, truth, reference);
   const auto report = read_report(arguments.report);
   if (!report) return tl::unexpected(report.error());
-  auto poses = pair_poses(arguments, truth, report->poses);
-  if (!poses) return tl::unexpected(poses.error());
-  const PosePair& first = poses->front();
+  if (auto paired = pair_poses(arguments, truth, report->poses, reference); !paired) return paired;
+  const PosePair& first = reference.registered.front();
   reference.T_model_world = first.T_model_sensor * first.T_world_sensor.inverse();
-  reference.poses = std::move(*poses);
   reference.volume_mm = report->volume_mm;
   return {};
 }
@@ -179,10 +179,14 @@ Result<Evaluation> evaluate(const TexturedMesh& result, const Reference& referen
   progress.advance();
   const ColorError colors =
       color_error({placed, result.uv, result.atlas}, truth.mesh, kColorWithinMm, workers);
-  Evaluation evaluation{*as_it_stands,          *fitted,     fit->outcome, colors,
-                        reference.poses.size(), std::nullopt};
-  if (reference.poses.empty() || !reference.volume_mm) return evaluation;
-  evaluation.poses = pose_error(reference.poses, volume_corners(*reference.volume_mm));
+  Evaluation evaluation{*as_it_stands, *fitted, fit->outcome, colors};
+  evaluation.registered_count = reference.registered.size();
+  evaluation.interpolated_count = reference.interpolated.size();
+  if (reference.registered.empty() || !reference.volume_mm) return evaluation;
+  const std::vector<Vec3> corners = volume_corners(*reference.volume_mm);
+  evaluation.registered = pose_error(reference.registered, corners);
+  evaluation.interpolated_mm =
+      pose_error_mm(reference.interpolated, reference.T_model_world, corners);
   return evaluation;
 }
 
@@ -192,6 +196,25 @@ void print_row(std::string_view gauge, const SurfaceError& error) {
              kMicronsOfMm * d.rms_mm, kMicronsOfMm * d.mean_mm, kMicronsOfMm * d.median_mm,
              kMicronsOfMm * d.percentile_95_mm, kMicronsOfMm * d.max_mm, kPercent * error.far_share,
              kPercent * error.completeness.near_surface, kPercent * error.completeness.near_vertex);
+}
+
+void print_poses(const Evaluation& evaluation) {
+  if (!evaluation.registered) {
+    fmt::print(
+        "\nno pose errors: the report names no measurement volume; make it anew with flytri "
+        "reconstruct --report\n");
+    return;
+  }
+  fmt::print(
+      "\nposes, RMS at the corners of the measurement volume: {} registered {:.1f} um by the first "
+      "view, {:.1f} um at best fit",
+      evaluation.registered_count, kMicronsOfMm * evaluation.registered->first_view_mm,
+      kMicronsOfMm * evaluation.registered->best_fit_mm);
+  if (evaluation.interpolated_count > 0) {
+    fmt::print("; {} interpolated {:.1f} um by the first view", evaluation.interpolated_count,
+               kMicronsOfMm * evaluation.interpolated_mm);
+  }
+  fmt::print("\n");
 }
 
 void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arguments) {
@@ -212,18 +235,7 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
       "colors of other places would give {:.3f}; sRGB 0..255, brightness included: mean {:.1f}\n",
       evaluation.colors.median, evaluation.colors.percentile_95, evaluation.colors.median_by_chance,
       evaluation.colors.mean_srgb);
-  if (evaluation.pose_count == 0) return;
-  if (!evaluation.poses) {
-    fmt::print(
-        "\nno pose errors: the report names no measurement volume; make it anew with flytri "
-        "reconstruct --report\n");
-    return;
-  }
-  fmt::print(
-      "\n{} poses, RMS at the corners of the measurement volume: {:.1f} um by the first "
-      "view, {:.1f} um at best fit\n",
-      evaluation.pose_count, kMicronsOfMm * evaluation.poses->first_view_mm,
-      kMicronsOfMm * evaluation.poses->best_fit_mm);
+  if (evaluation.registered_count > 0) print_poses(evaluation);
 }
 
 Json surface_json(const SurfaceError& error) {
@@ -253,10 +265,12 @@ Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
                    {"percentile_95", evaluation.colors.percentile_95},
                    {"median_by_chance", evaluation.colors.median_by_chance},
                    {"mean_srgb", evaluation.colors.mean_srgb}};
-  if (evaluation.poses) {
-    json["poses"] = {{"count", evaluation.pose_count},
-                     {"first_view_rms_mm", evaluation.poses->first_view_mm},
-                     {"best_fit_rms_mm", evaluation.poses->best_fit_mm}};
+  if (evaluation.registered) {
+    json["poses"] = {{"registered", evaluation.registered_count},
+                     {"first_view_rms_mm", evaluation.registered->first_view_mm},
+                     {"best_fit_rms_mm", evaluation.registered->best_fit_mm},
+                     {"interpolated", evaluation.interpolated_count},
+                     {"interpolated_first_view_rms_mm", evaluation.interpolated_mm}};
   }
   return json;
 }

@@ -145,12 +145,14 @@ Result<Report> read_report(const std::filesystem::path& path) {
     const std::vector<double> t = frame.at("t_mm").numbers(3);
     report.poses.push_back(
         {FrameIndex(frame.at("frame").whole_number()),
+         frame.at("fate").text() == to_string(FrameFate::kRegistered),
          make_isometry(Eigen::Quaterniond(q[0], q[1], q[2], q[3]), Vec3(t[0], t[1], t[2]))});
   }
   if (auto outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
-  if (report.poses.empty()) {
+  const auto registered = [](const ReportedPose& pose) { return pose.registered; };
+  if (std::none_of(report.poses.begin(), report.poses.end(), registered)) {
     return fail(ErrorCode::kInsufficient,
-                "{}: \"frames\": none of them has a pose; "
+                "{}: \"frames\": none of them is registered; "
                 "give the report of a scan that was registered",
                 path.string());
   }

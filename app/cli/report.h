@@ -31,13 +31,14 @@ void print_summary(const Reconstruction& reconstruction);
 /// A frame's pose in a report.
 struct ReportedPose {
   FrameIndex frame;
+  bool registered = false;  ///< by its own lines; false: interpolated, as texture frames are
   Isometry T_world_sensor = Isometry::Identity();
 };
 
 /// What of a report is read again.
 struct Report {
   std::optional<Vec3> volume_mm;    ///< edge lengths of the measurement volume
-  std::vector<ReportedPose> poses;  ///< of the frames that have one, at least one
+  std::vector<ReportedPose> poses;  ///< of the frames that have one, at least one registered
 };
 
 /// Reads a report.

@@ -29,6 +29,17 @@ PointPairs gather(std::span<const AlignedView> estimated,
   return pairs;
 }
 
+PointPairs gather(std::span<const PosePair> views, std::span<const Vec3> points_mm) {
+  PointPairs pairs;
+  for (const PosePair& view : views) {
+    for (const Vec3& point_mm : points_mm) {
+      pairs.placed.push_back(view.T_world_sensor * point_mm);
+      pairs.truth.push_back(view.T_model_sensor * point_mm);
+    }
+  }
+  return pairs;
+}
+
 // A fixed count of rows would make GCC 12 warn of umeyama's inside.
 Eigen::Map<const Eigen::MatrixXd> columns(const std::vector<Vec3>& points) {
   return {points.front().data(), 3, static_cast<Eigen::Index>(points.size())};
@@ -56,14 +67,14 @@ PoseError in_both_gauges(const PointPairs& pairs, const PosePair& first) {
 }  // namespace
 
 PoseError pose_error(std::span<const PosePair> views, std::span<const Vec3> points_mm) {
-  PointPairs pairs;
-  for (const PosePair& view : views) {
-    for (const Vec3& point_mm : points_mm) {
-      pairs.placed.push_back(view.T_world_sensor * point_mm);
-      pairs.truth.push_back(view.T_model_sensor * point_mm);
-    }
-  }
+  const PointPairs pairs = gather(views, points_mm);
   return pairs.placed.empty() ? PoseError{} : in_both_gauges(pairs, views.front());
+}
+
+double pose_error_mm(std::span<const PosePair> views, const Isometry& T_model_world,
+                     std::span<const Vec3> points_mm) {
+  const PointPairs pairs = gather(views, points_mm);
+  return pairs.placed.empty() ? 0.0 : rms_after(T_model_world, pairs);
 }
 
 std::vector<Vec3> volume_corners(const Vec3& size_mm) {

@@ -27,6 +27,11 @@ struct PoseError {
 [[nodiscard]] PoseError pose_error(std::span<const PosePair> views,
                                    std::span<const Vec3> points_mm);
 
+/// The same in a gauge that is given.
+/// @returns RMS displacement, mm; 0 where there are no views.
+[[nodiscard]] double pose_error_mm(std::span<const PosePair> views, const Isometry& T_model_world,
+                                   std::span<const Vec3> points_mm);
+
 /// The eight corners of a box around the origin of the sensor frame.
 /// @param size_mm  edge lengths along x, y, z
 [[nodiscard]] std::vector<Vec3> volume_corners(const Vec3& size_mm);

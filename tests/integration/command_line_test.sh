@@ -60,7 +60,7 @@ for i in 2 3; do
     cmp "1.$ending" "$i.$ending" > log 2>&1 || fail "run $i differs"
   done
 done
-expect 'evaluate' 0 'RMS at the corners of the measurement volume' \
+expect 'evaluate' 0 'poses, RMS at the corners .* registered' \
   "$flytri" evaluate 1.ply --recording scan --report 1.json
 
 # Exit codes of usage.
