@@ -131,9 +131,10 @@ else
 fi
 
 # Ctrl-C. In the background a shell has programs ignore SIGINT; env gives it back.
+rm log
 env --default-signal=INT "$flytri" reconstruct scan --calibration calibration.json -o out.ply > log 2>&1 &
 running=$!
-until grep -q 'Registering\|Meshing\|Measuring' log || ! kill -0 $running 2> /dev/null; do sleep 0.02; done
+until grep -qs 'Registering\|Meshing\|Measuring' log || ! kill -0 $running 2> /dev/null; do sleep 0.02; done
 kill -INT $running
 wait $running
 status=$?
