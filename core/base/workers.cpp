@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#ifdef __SANITIZE_THREAD__
+#ifdef FLYTRI_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
 
@@ -14,8 +14,8 @@ namespace flytri {
 namespace {
 
 /// What a loop needs is written before it begins, and what it writes is read after it ended. The
-/// thread sanitizer has to be told, as it sees nothing of how TBB, built without it, hands work
-/// over. Tasks are not ordered among each other: a race between two of them is found.
+/// thread sanitizer has to be told, as TBB and this file are built without it. Tasks are not
+/// ordered among each other: a race between two of them is found.
 class Handover {
  public:
   Handover() { release(before_); }
@@ -24,7 +24,7 @@ class Handover {
   void end_loop() { acquire(after_); }
 
  private:
-#ifdef __SANITIZE_THREAD__
+#ifdef FLYTRI_THREAD_SANITIZER
   static void acquire(char& place) { __tsan_acquire(&place); }
   static void release(char& place) { __tsan_release(&place); }
 #else

@@ -89,7 +89,7 @@ Result<void> check_header(const Header& header, std::size_t byte_count, const st
 }
 
 void swap_red_and_blue(cv::Mat& image) {
-  image.forEach<cv::Vec3b>([](cv::Vec3b& pixel, const int*) { std::swap(pixel[0], pixel[2]); });
+  for (cv::Vec3b& pixel : cv::Mat_<cv::Vec3b>(image)) std::swap(pixel[0], pixel[2]);
 }
 
 }  // namespace
