@@ -62,7 +62,8 @@ class MetaviewRefiner {
     options_.align.seed = ++seed_;
     const auto found =
         align_to_metaview(placed_[v], metaview, Isometry::Identity(), options_.align);
-    // A metaview that is blurred by drift agrees poorly with any pose; the fit leads on all the same.
+    // A metaview that is blurred by drift agrees poorly with any pose; the fit leads on all the
+    // same.
     if (!found || (!found->aligned() && found->outcome != AlignOutcome::kPoorFit)) return 0.0;
     moved_any_ = true;
     const Isometry& T_world_was = found->T_target_source;
