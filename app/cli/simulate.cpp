@@ -1,6 +1,7 @@
 /// @file  flytri simulate: recordings and calibration sets of the virtual sensor.
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 
@@ -21,8 +22,11 @@ struct SimulateArguments {
   std::string sensor = "intraoral";
   std::string path = "quadrant";
   double duration_s = 7.0;
+  std::array<double, 3> up = {0.0, 0.0, 1.0};
+  std::array<double, 3> front = {0.0, 1.0, 0.0};
   double dropped_share = 0.0;
   bool unknown_patterns = false;
+  std::array<double, 2> away_s = {0.0, 0.0};
   std::uint64_t seed = 1;
   int thread_count = 0;
 };
@@ -46,8 +50,12 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   options.sensor = sensor_of(arguments);
   options.path.duration_s = arguments.duration_s;
   options.path.seed = arguments.seed;
+  options.path.up = Vec3(arguments.up.data());
+  options.path.front = Vec3(arguments.front.data());
   options.faults.dropped_share = arguments.dropped_share;
   options.faults.unknown_patterns = arguments.unknown_patterns;
+  options.faults.away_start_s = arguments.away_s[0];
+  options.faults.away_duration_s = arguments.away_s[1];
   if (arguments.path == "quadrant") {
     options.path.kind = PathKind::kQuadrant;
   } else if (arguments.path == "arch") {
@@ -102,6 +110,16 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
   recording->add_option("--duration", arguments->duration_s, "Length of the scan, s")
       ->check(CLI::Range(0.2, 600.0))
       ->capture_default_str();
+  recording
+      ->add_option(
+          "--up", arguments->up,
+          "Direction in the mesh's frame, from the teeth towards the opposing ones, or the "
+          "axis of an orbit; of an upper jaw often 0 0 -1")
+      ->capture_default_str();
+  recording->add_option("--front", arguments->front, "Direction from the throat to the incisors")
+      ->capture_default_str();
+  recording->add_option("--away", arguments->away_s,
+                        "When the sensor is taken away, and for how long, s");
   recording->add_option("--drop", arguments->dropped_share, "Share of frames that never arrive")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
