@@ -42,10 +42,26 @@ int parse_and_run(int argc, char** argv) {
   return run(invocation.job);
 }
 
+/// False on a processor older than the instruction set that the program was built for.
+bool processor_is_new_enough() {
+#ifdef __AVX2__
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+#else
+  return true;
+#endif
+}
+
 }  // namespace
 }  // namespace flytri::cli
 
 int main(int argc, char** argv) {
+  if (!flytri::cli::processor_is_new_enough()) {
+    std::fputs(
+        "flytri: this processor lacks AVX2; build for it with cmake --preset release "
+        "-DFLYTRI_MARCH=x86-64\n",
+        stderr);
+    return flytri::cli::kFailed;
+  }
   try {
     return flytri::cli::parse_and_run(argc, argv);
   } catch (const std::exception& error) {
