@@ -61,22 +61,37 @@ std::vector<Isometry> poses_around(const Isometry& T_world_sensor, double radius
   return poses;
 }
 
-/// Poses that a hand may take up a scan from: those of the path, then each of them shifted along
-/// the surface and turned about the line of sight.
+/// How a hand that comes back may hold the sensor, as twists off a pose it had: as it was; tilted
+/// about either axis, to look at a flank; turned about the line of sight; shifted along the
+/// surface.
+std::vector<Twist> holds(double radius_mm) {
+  constexpr double kTilt_rad = 0.4, kTurn_rad = 0.35, kShiftShare = 0.4;
+  std::vector<Twist> offs = {Twist::Zero()};
+  const auto add = [&](int axis, double amount) {
+    for (const double sense : {1.0, -1.0}) offs.push_back(sense * amount * Twist::Unit(axis));
+  };
+  for (const double tilt_rad : {kTilt_rad, 2.0 * kTilt_rad}) {
+    for (const int axis : {0, 1}) add(axis, tilt_rad);
+  }
+  add(2, kTurn_rad);
+  const std::size_t turned = offs.size();
+  for (const int axis : {3, 4}) add(axis, kShiftShare * radius_mm);
+  for (std::size_t shift = turned; shift < turned + 4; ++shift) {
+    for (std::size_t turn = 1; turn < turned; ++turn) offs.push_back(offs[shift] + offs[turn]);
+  }
+  return offs;
+}
+
+/// Poses that a hand may take up a scan from: those of the path, held in each way, the likelier
+/// ways first.
 std::vector<Isometry> poses_around_path(const std::vector<TrackedView>& views, double radius_mm) {
   std::vector<Isometry> path;
   for (const TrackedView& view : views) {
     append_unless_near(view.aligned.T_world_sensor, 0.35 * radius_mm, radius_mm, path);
   }
-  std::vector<Isometry> poses = path;
-  for (const double turn_rad : {0.0, 0.35, -0.35}) {
-    for (const Vec2& shift : {Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
-      if (turn_rad == 0.0 && shift.isZero()) continue;
-      Twist off = Twist::Zero();
-      off[2] = turn_rad;
-      off.segment<2>(3) = 0.4 * radius_mm * shift;
-      for (const Isometry& T_world_sensor : path) poses.push_back(T_world_sensor * exp_twist(off));
-    }
+  std::vector<Isometry> poses;
+  for (const Twist& off : holds(radius_mm)) {
+    for (const Isometry& T_world_sensor : path) poses.push_back(T_world_sensor * exp_twist(off));
   }
   return poses;
 }

@@ -59,8 +59,8 @@ struct RegistrarOptions {
   int proposal_pairs = 30;
   /// Default 6, range [1, 1000]. Start poses tried for each view while lost: bounds its time.
   int starts_per_view = 6;
-  /// Default 600, range [1, 100000]. Start poses tried at most for a view after the scan.
-  int retry_starts = 600;
+  /// Default 1500, range [1, 100000]. Start poses tried at most for a view after the scan.
+  int retry_starts = 1500;
   /// Default 14, range [0, 1000]. Evidence, see judge(), that a lost view needs to enter: a million
   /// to one, because so many places are tried.
   double min_entry_evidence = 14.0;
