@@ -45,7 +45,6 @@ struct Counts {
 struct Placed {
   std::vector<Vec3> points_mm;  ///< world frame
   Isometry T_model_world;
-  int frame = 0;
 };
 
 /// RMS distance of the view's points from where another view's gauge puts them.
@@ -69,6 +68,30 @@ int count_right(const std::vector<Placed>& placed) {
   return most;
 }
 
+bool sees_nothing(const Scenario& scenario, std::size_t i) {
+  if (scenario.gap_every == 0) return false;
+  return static_cast<int>(i) % scenario.gap_every >= scenario.gap_every - scenario.gap_views;
+}
+
+double mean_pace_mm_s(const SimulatedScan& scan) {
+  double length_mm = 0.0;
+  for (std::size_t i = 1; i < scan.T_model_sensor.size(); ++i) {
+    length_mm +=
+        (scan.T_model_sensor[i].translation() - scan.T_model_sensor[i - 1].translation()).norm();
+  }
+  return length_mm / (scan.views.back()->time_s - scan.views.front()->time_s);
+}
+
+Placed placed_at(const RegisteredView& view, const Isometry& T_model_sensor) {
+  Placed placed{{}, T_model_sensor * view.T_world_sensor.inverse()};
+  for (const Profile& profile : view.view->profiles) {
+    for (std::size_t k = 0; k < profile.points.size(); k += kStride) {
+      placed.points_mm.push_back(view.T_world_sensor * profile.points[k].position_mm);
+    }
+  }
+  return placed;
+}
+
 Result<Counts> track(const TriangleMesh& jaw, const Scenario& scenario, int seed,
                      const Workers& workers, const Progress& progress) {
   SimulatedScanOptions options;
@@ -81,69 +104,24 @@ Result<Counts> track(const TriangleMesh& jaw, const Scenario& scenario, int seed
   auto registrar = Registrar::create();
   if (!registrar) return tl::unexpected(registrar.error());
   Counts counts;
+  counts.pace_mm_s = mean_pace_mm_s(*scan);
   progress.begin_stage("Registering views", scan->views.size());
-  double length_mm = 0.0;
   for (std::size_t i = 0; i < scan->views.size(); ++i) {
     if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped while registering");
     progress.advance();
-    if (i > 0) {
-      length_mm +=
-          (scan->T_model_sensor[i].translation() - scan->T_model_sensor[i - 1].translation())
-              .norm();
-    }
-    const int phase = scenario.gap_every > 0 ? static_cast<int>(i) % scenario.gap_every : 0;
-    if (scenario.gap_every > 0 && phase >= scenario.gap_every - scenario.gap_views) continue;
+    if (sees_nothing(scenario, i)) continue;
     registrar->add(scan->views[i]);
     ++counts.views;
   }
-  counts.pace_mm_s = length_mm / (scan->views.back()->time_s - scan->views.front()->time_s);
   std::vector<Placed> placed;
   for (const RegisteredView& view : registrar->finish()) {
     if (view.fate == ViewFate::kRejected) {
       ++counts.rejected;
-      continue;
+    } else {
+      placed.push_back(placed_at(view, scan->T_model_sensor[view.view->frame.at()]));
     }
-    Placed at{{},
-              scan->T_model_sensor[view.view->frame.at()] * view.T_world_sensor.inverse(),
-              (int)view.view->frame.value};
-    for (const Profile& profile : view.view->profiles) {
-      for (std::size_t k = 0; k < profile.points.size(); k += kStride) {
-        at.points_mm.push_back(view.T_world_sensor * profile.points[k].position_mm);
-      }
-    }
-    placed.push_back(std::move(at));
   }
   counts.right = count_right(placed);
-  if (std::getenv("DBG")) {
-    const Placed* g = nullptr;
-    int most = -1;
-    for (const Placed& gauge : placed) {
-      int a = 0;
-      for (const Placed& v : placed) a += distance_mm(v, gauge) < kWrongMm;
-      if (a > most) {
-        most = a;
-        g = &gauge;
-      }
-    }
-    for (const Placed& v : placed)
-      if (distance_mm(v, *g) >= kWrongMm) fmt::print("W{}:{:.2f} ", v.frame, distance_mm(v, *g));
-    fmt::print("\n");
-  }
-  if (std::getenv("DBG")) {
-    const Placed* g = nullptr;
-    int most = -1;
-    for (const Placed& gauge : placed) {
-      int a = 0;
-      for (const Placed& v : placed) a += distance_mm(v, gauge) < kWrongMm;
-      if (a > most) {
-        most = a;
-        g = &gauge;
-      }
-    }
-    for (const Placed& v : placed)
-      if (distance_mm(v, *g) >= kWrongMm)
-        fmt::print("W {} {:.2f} mm\n", v.frame, distance_mm(v, *g));
-  }
   counts.wrong = static_cast<int>(placed.size()) - counts.right;
   return counts;
 }
@@ -170,8 +148,6 @@ Result<void> run(const TrackingArguments& arguments, const Progress& progress) {
   if (!jaw) return tl::unexpected(jaw.error());
   std::vector<std::string> rows;
   for (const Scenario& scenario : scenarios()) {
-    if (std::getenv("DBG") && scenario.name != std::getenv("DBG")) continue;
-    if (std::getenv("DBG") && scenario.name != std::getenv("DBG")) continue;
     Counts sum;
     for (int seed = 1; seed <= arguments.seed_count; ++seed) {
       const auto counts = track(*jaw, scenario, seed, workers, progress);
