@@ -31,8 +31,7 @@ struct DemoArguments {
 };
 
 Result<void> write_results(const fs::path& folder, const Reconstruction& reconstruction,
-                           const Workers& workers) {
-  if (auto made = create_folder(folder); !made) return made;
+                           const MeasurementVolume& volume, const Workers& workers) {
   for (const char* ending : {".glb", ".ply", ".stl", ".obj"}) {
     const fs::path file = folder / (std::string("jaw") + ending);
     if (auto written = write_result(file, reconstruction); !written) return written;
@@ -47,7 +46,7 @@ Result<void> write_results(const fs::path& folder, const Reconstruction& reconst
   const fs::path file = folder / "jaw.png";
   if (auto written = write_png(file, *picture); !written) return written;
   fmt::print("wrote {}\n", file.string());
-  return write_report(folder / "report.json", reconstruction);
+  return write_report(folder / "report.json", reconstruction, volume.size_mm);
 }
 
 /// Calibrates the sensor as its user would: from images of the target.
@@ -90,7 +89,7 @@ Result<void> run(const DemoArguments& arguments, const Progress& progress) {
   const auto reconstruction = reconstruct(*recording, *calibration, options, workers, progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
-  return write_results(arguments.folder, *reconstruction, workers);
+  return write_results(arguments.folder, *reconstruction, calibration->volume, workers);
 }
 
 }  // namespace

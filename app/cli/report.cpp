@@ -67,9 +67,9 @@ Json hole_json(const BoundaryLoop& loop) {
           {"is_outer_border", loop.is_outer}};
 }
 
-Json to_json(const Reconstruction& reconstruction, const std::optional<Vec3>& volume_mm) {
+Json to_json(const Reconstruction& reconstruction, const Vec3& volume_mm) {
   Json json = {{"format", kFormat}, {"version", kVersion}};
-  if (volume_mm) json[kVolumeKey] = {volume_mm->x(), volume_mm->y(), volume_mm->z()};
+  json[kVolumeKey] = {volume_mm.x(), volume_mm.y(), volume_mm.z()};
   json["counts"] = {{"frames", reconstruction.frames.size()},
                     {"registered", count_fate(reconstruction, FrameFate::kRegistered)},
                     {"interpolated", count_fate(reconstruction, FrameFate::kInterpolated)},
@@ -124,7 +124,7 @@ Result<void> write_result(const std::filesystem::path& path, const Reconstructio
 }
 
 Result<void> write_report(const std::filesystem::path& path, const Reconstruction& reconstruction,
-                          const std::optional<Vec3>& volume_mm) {
+                          const Vec3& volume_mm) {
   return write_file(path, to_json(reconstruction, volume_mm).dump(1) + "\n");
 }
 
@@ -141,12 +141,9 @@ Result<Report> read_report(const std::filesystem::path& path) {
   }
   for (const JsonPlace& frame : json->at("frames").elements()) {
     if (!frame.has("q_wxyz")) continue;
-    const std::vector<double> q = frame.at("q_wxyz").numbers(4);
-    const std::vector<double> t = frame.at("t_mm").numbers(3);
-    report.poses.push_back(
-        {FrameIndex(frame.at("frame").whole_number()),
-         frame.at("fate").text() == to_string(FrameFate::kRegistered),
-         make_isometry(Eigen::Quaterniond(q[0], q[1], q[2], q[3]), Vec3(t[0], t[1], t[2]))});
+    report.poses.push_back({FrameIndex(frame.at("frame").whole_number()),
+                            frame.at("fate").text() == to_string(FrameFate::kRegistered),
+                            frame.pose()});
   }
   if (auto outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
   const auto registered = [](const ReportedPose& pose) { return pose.registered; };

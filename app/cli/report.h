@@ -22,11 +22,11 @@ void print_summary(const Reconstruction& reconstruction);
                                         const Reconstruction& reconstruction);
 
 /// Writes report.json; its keys are documented in docs/formats.md.
-/// @param volume_mm  edge lengths of the sensor's measurement volume, if they are known
+/// @param volume_mm  edge lengths of the sensor's measurement volume
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> write_report(const std::filesystem::path& path,
                                         const Reconstruction& reconstruction,
-                                        const std::optional<Vec3>& volume_mm = std::nullopt);
+                                        const Vec3& volume_mm);
 
 /// A frame's pose in a report.
 struct ReportedPose {

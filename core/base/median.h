@@ -1,4 +1,4 @@
-/// @file  The median of values and what it says of their spread.
+/// @file  The median and other quantiles of values, and what they say of their spread.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,15 @@ T median_of(std::vector<T>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// The value below which a share of the sorted ones lies, linear between neighbors; at least one.
+inline double quantile_of(const std::vector<double>& sorted, double share) {
+  assert(!sorted.empty());
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto i = static_cast<std::size_t>(place);
+  if (i + 1 >= sorted.size()) return sorted.back();
+  return sorted[i] + (place - static_cast<double>(i)) * (sorted[i + 1] - sorted[i]);
 }
 
 }  // namespace flytri

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/median.h"
+#include "core/geometry/mesh_normals.h"
 
 namespace flytri {
 namespace {
@@ -47,13 +48,9 @@ struct Foot {
 
 Foot find_foot(const MeshDistance& to_truth, const TriangleMesh& truth, const Vec3& point_mm) {
   const MeshDistance::Closest closest = to_truth.closest(point_mm.cast<float>());
-  const Triangle& t = truth.triangles[closest.triangle];
-  const auto corner = [&](std::size_t k) {
-    return truth.vertices[t[k]].position_mm.cast<double>().eval();
-  };
   Foot foot;
   foot.point_mm = point_mm;
-  foot.normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).stableNormalized();
+  foot.normal = area_vector_mm2(truth, truth.triangles[closest.triangle]).stableNormalized();
   foot.offset_mm = foot.normal.dot(point_mm - closest.point_mm.cast<double>());
   foot.distance_mm = closest.distance_mm;
   return foot;

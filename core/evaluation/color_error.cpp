@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "core/base/median.h"
 #include "core/geometry/point_grid.h"
 #include "core/texture/srgb.h"
 
@@ -32,13 +33,6 @@ Vec3f chromaticity(const Rgb& color) {
   const Vec3f light(linear_from_srgb(color[0]), linear_from_srgb(color[1]),
                     linear_from_srgb(color[2]));
   return light / std::max(light.sum(), 1e-6F);
-}
-
-double percentile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0.0;
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
 }
 
 }  // namespace
@@ -75,14 +69,15 @@ ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth, do
   std::erase_if(there, [](double value) { return value < 0.0; });
   ColorError error;
   error.count = static_cast<std::int64_t>(here.size());
-  if (!here.empty()) {
-    // Vertices that were left out add nothing to the sum.
-    error.mean_srgb =
-        std::accumulate(srgb.begin(), srgb.end(), 0.0) / static_cast<double>(here.size());
-  }
-  error.median = percentile(here, 0.5);
-  error.percentile_95 = percentile(here, 0.95);
-  error.median_by_chance = percentile(there, 0.5);
+  if (here.empty()) return error;
+  // Vertices that were left out add nothing to the sum.
+  error.mean_srgb =
+      std::accumulate(srgb.begin(), srgb.end(), 0.0) / static_cast<double>(here.size());
+  std::sort(here.begin(), here.end());
+  std::sort(there.begin(), there.end());
+  error.median = quantile_of(here, 0.5);
+  error.percentile_95 = quantile_of(here, 0.95);
+  error.median_by_chance = quantile_of(there, 0.5);
   return error;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "core/geometry/mesh_distance.h"
 
 namespace flytri {
@@ -49,14 +50,6 @@ double share_above(const std::vector<double>& values, double threshold) {
   return static_cast<double>(above) / static_cast<double>(values.size());
 }
 
-// Value below which a share of the sorted ones lies, linear between neighbors.
-double quantile(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto i = static_cast<std::size_t>(place);
-  if (i + 1 >= sorted.size()) return sorted.back();
-  return sorted[i] + (place - static_cast<double>(i)) * (sorted[i + 1] - sorted[i]);
-}
-
 }  // namespace
 
 DistanceStatistics distance_statistics(std::vector<double> distances_mm) {
@@ -73,8 +66,8 @@ DistanceStatistics distance_statistics(std::vector<double> distances_mm) {
   statistics.count = static_cast<std::int64_t>(distances_mm.size());
   statistics.rms_mm = std::sqrt(sum_of_squares / count);
   statistics.mean_mm = sum / count;
-  statistics.median_mm = quantile(distances_mm, 0.5);
-  statistics.percentile_95_mm = quantile(distances_mm, 0.95);
+  statistics.median_mm = quantile_of(distances_mm, 0.5);
+  statistics.percentile_95_mm = quantile_of(distances_mm, 0.95);
   statistics.max_mm = distances_mm.back();
   return statistics;
 }

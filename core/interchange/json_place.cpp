@@ -157,4 +157,18 @@ std::vector<double> JsonPlace::numbers(std::size_t count) const {
   return values;
 }
 
+Isometry JsonPlace::pose() const {
+  const JsonPlace rotation = at("q_wxyz");
+  const std::vector<double> q = rotation.numbers(4);
+  const std::vector<double> t = at("t_mm").numbers(3);
+  const Eigen::Quaterniond q_a_b(q[0], q[1], q[2], q[3]);
+  // Printed with few digits a quaternion is a little off; farther off, it is something else.
+  constexpr double kTolerance = 1e-3;
+  if (std::abs(q_a_b.norm() - 1.0) > kTolerance) {
+    rotation.reject("a unit quaternion");
+    return Isometry::Identity();
+  }
+  return make_isometry(q_a_b, Vec3(t[0], t[1], t[2]));
+}
+
 }  // namespace flytri

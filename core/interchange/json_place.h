@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/geometry/rigid.h"
 
 namespace flytri {
 
@@ -35,6 +36,9 @@ class JsonPlace {
   [[nodiscard]] std::string text() const;        ///< not empty
   /// An array of exactly `count` finite numbers.
   [[nodiscard]] std::vector<double> numbers(std::size_t count) const;
+
+  /// The keys "q_wxyz", a unit quaternion, and "t_mm" of this place.
+  [[nodiscard]] Isometry pose() const;
 
   /// Notes a failure at this place.
   void reject(std::string_view expected) const;

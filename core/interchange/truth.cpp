@@ -12,20 +12,6 @@ namespace {
 constexpr std::string_view kTruthFormat = "flytri.truth";
 constexpr int kTruthVersion = 1;
 
-Isometry read_pose(const JsonPlace& place) {
-  const JsonPlace rotation = place.at("q_wxyz");
-  const std::vector<double> q = rotation.numbers(4);
-  const std::vector<double> t = place.at("t_mm").numbers(3);
-  const Eigen::Quaterniond q_model_sensor(q[0], q[1], q[2], q[3]);
-  // Printed with few digits a quaternion is a little off; farther off, it is something else.
-  constexpr double kTolerance = 1e-3;
-  if (std::abs(q_model_sensor.norm() - 1.0) > kTolerance) {
-    rotation.reject("a unit quaternion");
-    return Isometry::Identity();
-  }
-  return make_isometry(q_model_sensor, Vec3(t[0], t[1], t[2]));
-}
-
 }  // namespace
 
 Result<Truth> parse_truth(std::string_view text, const std::string& name) {
@@ -36,7 +22,7 @@ Result<Truth> parse_truth(std::string_view text, const std::string& name) {
   truth.mesh = json->at("mesh").text();
   for (const JsonPlace& place : json->at("poses").elements()) {
     truth.poses.push_back({FrameIndex(place.at("frame").whole_number()), place.at("file").text(),
-                           place.at("time_s").number(), read_pose(place)});
+                           place.at("time_s").number(), place.pose()});
   }
   if (Result<void> outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
   return truth;

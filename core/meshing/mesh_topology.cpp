@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/geometry/mesh_normals.h"
+
 namespace flytri {
 namespace {
 
@@ -43,13 +45,6 @@ void keep_triangles(TriangleMesh& mesh, const std::vector<char>& keep) {
     if (keep[t] != 0) mesh.triangles[next++] = mesh.triangles[t];
   }
   mesh.triangles.resize(next);
-}
-
-Vec3 area_vector_mm2(const TriangleMesh& mesh, const Triangle& t) {
-  const Vec3 a = mesh.vertices[t[0]].position_mm.cast<double>();
-  const Vec3 b = mesh.vertices[t[1]].position_mm.cast<double>();
-  const Vec3 c = mesh.vertices[t[2]].position_mm.cast<double>();
-  return 0.5 * (b - a).cross(c - a);
 }
 
 void drop_degenerate(TriangleMesh& mesh) {

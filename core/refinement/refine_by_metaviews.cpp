@@ -38,13 +38,11 @@ class MetaviewRefiner {
  private:
   /// Fills poses_ and placed_. @returns the side of the grid's cells.
   double prepare(const std::vector<AlignedView>& views) {
-    double radius_mm = 0.0;
     for (const AlignedView& view : views) {
       poses_.push_back(view.T_world_sensor);
       placed_.push_back(prepare_view(*view.view).moved(view.T_world_sensor));
-      radius_mm = std::max(radius_mm, placed_.back().radius_mm);
+      radius_mm_ = std::max(radius_mm_, placed_.back().radius_mm);
     }
-    radius_mm_ = std::max(radius_mm, 1e-6);
     return radius_mm_;
   }
 
@@ -76,7 +74,7 @@ class MetaviewRefiner {
   MetaviewRefineOptions options_;
   std::vector<Isometry> poses_;
   std::vector<PreparedView> placed_;
-  double radius_mm_ = 1.0;
+  double radius_mm_ = 1e-6;  ///< the largest of a view
   bool moved_any_ = false;
   std::uint64_t seed_ = 0;
   OverlapGrid grid_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/geometry/mesh_normals.h"
 #include "core/texture/atlas_charts.h"
 #include "core/texture/texel_raster.h"
 
@@ -26,12 +27,7 @@ double pixel_mm(const Calibration& calibration) {
 
 double area_mm2(const TriangleMesh& mesh) {
   double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3f& a = mesh.vertices[t[0]].position_mm;
-    const Vec3f cross =
-        (mesh.vertices[t[1]].position_mm - a).cross(mesh.vertices[t[2]].position_mm - a);
-    sum += 0.5 * static_cast<double>(cross.norm());
-  }
+  for (const Triangle& t : mesh.triangles) sum += area_vector_mm2(mesh, t).norm();
   return sum;
 }
 

@@ -8,12 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.h"
+
 namespace flytri {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = FLYTRI_SOURCE_DIR;
+const fs::path kRoot = testing::source_folder();
 
 /// The folders of core from the table after the marker, bottom first.
 std::vector<std::string> core_order() {

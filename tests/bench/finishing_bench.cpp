@@ -4,6 +4,7 @@
 #include "core/normals/normals.h"
 #include "core/refinement/refine.h"
 #include "core/texture/color_points.h"
+#include "tests/support/orthographic_calibration.h"
 #include "tests/support/scan_scene.h"
 
 namespace flytri {
@@ -35,19 +36,6 @@ void normals(benchmark::State& state) {
 }
 BENCHMARK(normals)->Name("crossing_normals")->Unit(benchmark::kMillisecond);
 
-/// A texture camera of 1024 x 768 that looks along z at 50 px a millimeter.
-Calibration texture_calibration() {
-  Calibration calibration;
-  calibration.volume.size_mm = Vec3(20, 15, 15);
-  calibration.texture_size = {1024, 768};
-  // Terms in the order of kExponents: 1, a, b, c, ...
-  calibration.texture_u_px.coefficients[0] = 512;
-  calibration.texture_u_px.coefficients[1] = 50;
-  calibration.texture_v_px.coefficients[0] = 384;
-  calibration.texture_v_px.coefficients[2] = 50;
-  return calibration;
-}
-
 void color(benchmark::State& state) {
   PointCloud points;
   for (int i = 0; i < 100'000; ++i) {
@@ -58,7 +46,8 @@ void color(benchmark::State& state) {
   }
   const std::vector<TextureFrame> frames(
       6, {cv::Mat(768, 1024, CV_8UC3, cv::Scalar(200, 150, 100)), Isometry::Identity()});
-  const Calibration calibration = texture_calibration();
+  const Calibration calibration =
+      testing::orthographic_calibration({20, 15, 15}, {1024, 768}, 50.0);
   for (auto _ : state) {
     benchmark::DoNotOptimize(color_points(points, frames, calibration, {}, Workers(1)));
   }

@@ -9,11 +9,12 @@
 #include "core/interchange/recording.h"
 #include "core/interchange/truth.h"
 #include "core/pipeline/measure_view.h"
+#include "tests/support/places.h"
 
 namespace flytri {
 namespace {
 
-const std::filesystem::path kData = FLYTRI_SHARED_DIR "/data";
+const std::filesystem::path kData = testing::shared_data();
 
 /// A wrong label is off by millimeters, noise by hundredths.
 constexpr double kWrong_mm = 0.5;

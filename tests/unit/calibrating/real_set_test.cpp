@@ -6,11 +6,12 @@
 #include "core/interchange/calibration_set_file.h"
 #include "core/interchange/recording.h"
 #include "core/pipeline/measure_view.h"
+#include "tests/support/places.h"
 
 namespace flytri {
 namespace {
 
-const std::filesystem::path kSet = FLYTRI_SHARED_DIR "/data/calibration-intraoral";
+const std::filesystem::path kSet = testing::shared_data() / "calibration-intraoral";
 
 TEST(RealCalibrationSet, IsFittedToTheLimitOfItsPolynomials) {
   if (!std::filesystem::exists(kSet)) GTEST_SKIP() << "needs " << kSet;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri {
@@ -74,8 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
 #undef PLY_XYZ
 
 TEST(Ply, ReadsTheTruthOfTheRealRecording) {
-  const std::filesystem::path path =
-      std::filesystem::path(FLYTRI_SHARED_DIR) / "data/recording-quadrant/jaw.ply";
+  const std::filesystem::path path = testing::shared_data() / "recording-quadrant/jaw.ply";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no recordings beside the checkout";
   const Result<PlyMesh> jaw = read_ply(path);
   ASSERT_TRUE(jaw) << jaw.error().message;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/interchange/file_bytes.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri {
@@ -123,8 +124,7 @@ TEST(Recording, UnknownKeysAreIgnored) {
 }
 
 TEST(Recording, RealRecordingOpens) {
-  const std::filesystem::path folder =
-      std::filesystem::path(FLYTRI_SHARED_DIR) / "data/recording-quadrant";
+  const std::filesystem::path folder = testing::shared_data() / "recording-quadrant";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no recordings beside the checkout";
   const Result<Recording> recording = open_recording(folder);
   ASSERT_TRUE(recording) << recording.error().message;

@@ -10,20 +10,14 @@
 #include "core/texture/atlas_charts.h"
 #include "core/texture/texel_raster.h"
 #include "tests/support/colored_sphere.h"
+#include "tests/support/orthographic_calibration.h"
 
 namespace flytri {
 namespace {
 
 /// A texture camera that looks along z: U = 320 + 20 x, V = 240 + 20 y.
 Calibration orthographic() {
-  Calibration calibration;
-  calibration.volume.size_mm = Vec3(20, 20, 20);
-  calibration.texture_size = {640, 480};
-  calibration.texture_u_px.coefficients[0] = 320;
-  calibration.texture_u_px.coefficients[1] = 20;
-  calibration.texture_v_px.coefficients[0] = 240;
-  calibration.texture_v_px.coefficients[2] = 20;
-  return calibration;
+  return testing::orthographic_calibration({20, 20, 20}, {640, 480}, 20.0);
 }
 
 /// A wave over the xy plane that faces the camera, 10 mm wide; higher waves have steeper flanks.

@@ -2,20 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/orthographic_calibration.h"
+
 namespace flytri {
 namespace {
 
 /// A texture camera that looks along z: U = 320 + 20 x, V = 240 + 20 y.
 Calibration orthographic() {
-  Calibration calibration;
-  calibration.volume.size_mm = Vec3(20, 15, 15);
-  calibration.texture_size = {640, 480};
-  // Terms in the order of kExponents: 1, a, b, c, ...
-  calibration.texture_u_px.coefficients[0] = 320;
-  calibration.texture_u_px.coefficients[1] = 20;
-  calibration.texture_v_px.coefficients[0] = 240;
-  calibration.texture_v_px.coefficients[2] = 20;
-  return calibration;
+  return testing::orthographic_calibration({20, 15, 15}, {640, 480}, 20.0);
 }
 
 SurfacePoint point_at(float x, float y, float z) {
