@@ -1,0 +1,71 @@
+#include "core/editing/edits.h"
+
+#include <algorithm>
+
+namespace flytri {
+namespace {
+
+bool reaches(const BrushDab& dab, const Vec3f& position_mm, const Vec3f& normal) {
+  return (position_mm - dab.center_mm).squaredNorm() <= dab.radius_mm * dab.radius_mm &&
+         normal.dot(dab.normal) > 0.0F;
+}
+
+bool reaches(const Edit& edit, const Vec3f& position_mm, const Vec3f& normal) {
+  return std::any_of(edit.dabs.begin(), edit.dabs.end(),
+                     [&](const BrushDab& dab) { return reaches(dab, position_mm, normal); });
+}
+
+}  // namespace
+
+EditStack::EditStack() : states_{std::make_shared<const EditSequence>()} {}
+
+void EditStack::push(Edit edit) {
+  states_.resize(at_ + 1);
+  auto next = std::make_shared<EditSequence>(*state());
+  next->push_back(std::make_shared<const Edit>(std::move(edit)));
+  states_.push_back(std::move(next));
+  ++at_;
+}
+
+void EditStack::undo() {
+  if (can_undo()) --at_;
+}
+
+void EditStack::redo() {
+  if (can_redo()) ++at_;
+}
+
+EditFilter::EditFilter(const EditList& edits) : edits_(edits) {
+  for (const auto& edit : *edits) {
+    Stroke stroke{edit, {}};
+    for (const BrushDab& dab : edit->dabs) {
+      stroke.box.extend((dab.center_mm.array() - dab.radius_mm).matrix());
+      stroke.box.extend((dab.center_mm.array() + dab.radius_mm).matrix());
+    }
+    strokes_.push_back(std::move(stroke));
+  }
+}
+
+bool EditFilter::keeps(const Vec3f& position_mm, const Vec3f& normal, double seen_at_s) const {
+  bool kept_by_lock = false, kept_out_by_lock = false;
+  for (const Stroke& stroke : strokes_) {
+    if (!stroke.box.contains(position_mm) || !reaches(*stroke.edit, position_mm, normal)) continue;
+    const bool seen_before = seen_at_s <= stroke.edit->made_at_s;
+    switch (stroke.edit->kind) {
+      case EditKind::kTrim:
+        if (seen_before && !kept_by_lock) return false;
+        break;
+      case EditKind::kLock:
+        (seen_before ? kept_by_lock : kept_out_by_lock) = true;
+        break;
+      case EditKind::kUnlock:
+        // What came while the lock held was refused, and stays so.
+        if (kept_out_by_lock && seen_before) return false;
+        kept_by_lock = kept_out_by_lock = false;
+        break;
+    }
+  }
+  return !kept_out_by_lock;
+}
+
+}  // namespace flytri
