@@ -1,0 +1,22 @@
+/// @file  The few colors that carry meaning, told apart by people with any color vision.
+#pragma once
+
+#include <array>
+
+#include "core/pipeline/scan_snapshot.h"
+
+namespace flytri::ui {
+
+/// sRGB with opacity, each 0..1.
+using Color = std::array<float, 4>;
+
+/// @source  Okabe and Ito, "Color Universal Design", 2008.
+inline constexpr Color kGood = {0.00F, 0.62F, 0.45F, 1.0F};     ///< bluish green
+inline constexpr Color kCaution = {0.90F, 0.62F, 0.00F, 1.0F};  ///< orange
+inline constexpr Color kBad = {0.84F, 0.37F, 0.00F, 1.0F};      ///< vermilion
+inline constexpr Color kNeutral = {0.34F, 0.71F, 0.91F, 1.0F};  ///< sky blue
+
+/// What surrounds the view: readable from two meters.
+[[nodiscard]] Color status_color(ScanPhase phase);
+
+}  // namespace flytri::ui
