@@ -1,7 +1,6 @@
 #include "core/pipeline/reconstruct.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace flytri {
@@ -31,15 +30,10 @@ class Run {
   Result<void> measure_frame(const Recording& recording, const Calibration& calibration,
                              std::size_t i);
   void accept_frames(std::size_t count);
-  Result<void> align();
   Result<void> register_views();
-  Result<void> refine_views();
-  Result<void> make_points();
-  Result<void> make_surface();
   void reject(FrameIndex frame, std::string reason);
-  void place_texture_frames(const Recording& recording, const Calibration& calibration);
-  Result<void> apply_texture(const Recording& recording, const Calibration& calibration);
-  Result<Reconstruction> finish();
+  std::vector<Frame> load_texture_frames(const Recording& recording);
+  Result<Reconstruction> finish(ScannedViews scanned);
 
   std::string source_;
   const ReconstructOptions& options_;
@@ -140,113 +134,44 @@ Result<void> Run::register_views() {
               source_, result_.frames.size(), view_count);
 }
 
-Result<void> Run::refine_views() {
-  const Result<Refinement> refined =
-      refine_jointly(aligned_, options_.refinement, workers_, progress_);
-  if (!refined) return tl::unexpected(refined.error());
-  std::vector<AlignedView> kept;
-  for (std::size_t i = 0; i < aligned_.size(); ++i) {
-    if (refined->contradicts(i, options_.refinement)) {
-      reject(aligned_[i].view->frame, "contradicts the other views");
-    } else {
-      kept.push_back(aligned_[i]);
-    }
-  }
-  clock_.end_stage("joint refinement", aligned_.size(), "views");
-  aligned_ = std::move(kept);
-  return {};
-}
-
-void Run::place_texture_frames(const Recording& recording, const Calibration& calibration) {
-  Trajectory trajectory(0.5 * calibration.volume.size_mm.norm());
-  for (const AlignedView& view : aligned_) {
-    trajectory.set(view.view->time_s, view.T_world_sensor);
-  }
+/// The texture frames that can be read; the others are rejected.
+std::vector<Frame> Run::load_texture_frames(const Recording& recording) {
+  std::vector<Frame> frames;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
     if (recording.frames[i].kind != FrameKind::kTexture) continue;
-    FrameReport& report = result_.frames[i];
-    report.T_world_sensor =
-        trajectory.interpolate(recording.frames[i].time_s, options_.registration.max_gap_s);
-    if (report.T_world_sensor) {
-      report.fate = FrameFate::kTextured;
-    } else {
-      reject(FrameIndex(i), "no registered view before and after it");
-    }
-  }
-}
-
-Result<void> Run::make_points() {
-  progress_.begin_stage("Thinning points", 2);
-  const auto normals = crossing_normals(aligned_, options_.normals, workers_);
-  if (!normals) return tl::unexpected(normals.error());
-  const std::vector<SurfaceSample> samples = surface_samples(aligned_, *normals);
-  clock_.end_stage("normals", samples.size(), "points");
-  progress_.advance();
-  if (progress_.cancelled()) return stopped();
-  Result<Reduction> reduction = reduce_samples(samples, options_.reduction, workers_);
-  if (!reduction) return tl::unexpected(reduction.error());
-  result_.points = std::move(reduction->points);
-  clock_.end_stage("reduction", samples.size(), "points");
-  return {};
-}
-
-Result<void> Run::make_surface() {
-  if (progress_.cancelled()) return stopped();
-  progress_.begin_stage("Meshing", 1);
-  Result<SurfaceMesh> surface = mesh_surface(result_.points, options_.meshing, workers_);
-  if (!surface) return tl::unexpected(surface.error());
-  result_.surface = std::move(*surface);
-  clock_.end_stage("meshing", result_.points.size(), "points");
-  result_.model.mesh = result_.surface.mesh;
-  return {};
-}
-
-/// Colors points and mesh from the texture frames that have a pose.
-Result<void> Run::apply_texture(const Recording& recording, const Calibration& calibration) {
-  std::vector<TextureFrame> frames;
-  for (const FrameReport& report : result_.frames) {
-    if (report.fate != FrameFate::kTextured) continue;
-    const Result<Frame> frame = load_frame(recording, report.frame);
+    Result<Frame> frame = load_frame(recording, FrameIndex(i));
     if (!frame) {
-      reject(report.frame, frame.error().message);
+      reject(FrameIndex(i), frame.error().message);
     } else {
-      frames.push_back({frame->image, *report.T_world_sensor});
+      frames.push_back(std::move(*frame));
     }
   }
-  progress_.begin_stage("Texturing", 3);
-  const std::array<std::span<SurfacePoint>, 2> surfaces = {result_.points,
-                                                           result_.surface.mesh.vertices};
-  for (const std::span<SurfacePoint> points : surfaces) {
-    if (progress_.cancelled()) return stopped();
-    const auto counts =
-        color_points(points, frames, calibration, options_.atlas.coloring, workers_);
-    if (!counts) return tl::unexpected(counts.error());
-    progress_.advance();
-  }
-  if (frames.empty()) {
-    result_.model.mesh = result_.surface.mesh;
-  } else {
-    Result<BakedAtlas> baked =
-        bake_atlas(result_.surface.mesh, frames, calibration, options_.atlas, workers_);
-    if (!baked) return tl::unexpected(baked.error());
-    result_.model = std::move(baked->model);
-  }
-  clock_.end_stage("texture", frames.size(), "frames");
-  return {};
+  return frames;
 }
 
-/// Registration and joint refinement.
-Result<void> Run::align() {
-  if (auto done = register_views(); !done) return done;
-  if (auto done = refine_views(); !done) return done;
-  for (const AlignedView& view : aligned_) {
+/// Finishes the scan and settles the fates that this decides.
+Result<Reconstruction> Run::finish(ScannedViews scanned) {
+  const std::vector<Frame> texture_frames = scanned.texture_frames;  // images are shared
+  Result<FinishedScan> finished =
+      finish_scan(std::move(scanned), options_.finish, workers_, progress_, clock_);
+  if (!finished) return tl::unexpected(finished.error());
+  for (const AlignedView& view : finished->views) {
     result_.frames[view.view->frame.at()].T_world_sensor = view.T_world_sensor;
   }
-  return {};
-}
-
-Result<Reconstruction> Run::finish() {
-  if (progress_.cancelled()) return stopped();
+  for (const FrameIndex frame : finished->contradicting)
+    reject(frame, "contradicts the other views");
+  for (std::size_t i = 0; i < texture_frames.size(); ++i) {
+    const FrameIndex frame = texture_frames[i].index;
+    if (!finished->T_world_texture[i]) {
+      reject(frame, "no registered view before and after it");
+    } else {
+      result_.frames[frame.at()].fate = FrameFate::kTextured;
+      result_.frames[frame.at()].T_world_sensor = finished->T_world_texture[i];
+    }
+  }
+  result_.points = std::move(finished->points);
+  result_.surface = std::move(finished->surface);
+  result_.model = std::move(finished->model);
   result_.stages = clock_.stages();
   return std::move(result_);
 }
@@ -256,14 +181,8 @@ Result<Reconstruction> Run::from_recording(const Recording& recording,
   if (auto done = measure_frames(recording, calibration); !done) {
     return tl::unexpected(done.error());
   }
-  if (auto done = align(); !done) return tl::unexpected(done.error());
-  place_texture_frames(recording, calibration);
-  if (auto done = make_points(); !done) return tl::unexpected(done.error());
-  if (auto done = make_surface(); !done) return tl::unexpected(done.error());
-  if (auto done = apply_texture(recording, calibration); !done) {
-    return tl::unexpected(done.error());
-  }
-  return finish();
+  if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  return finish({aligned_, load_texture_frames(recording), EditStack().state(), &calibration});
 }
 
 Result<Reconstruction> Run::from_views(std::vector<std::shared_ptr<const View>> views) {
@@ -272,10 +191,10 @@ Result<Reconstruction> Run::from_views(std::vector<std::shared_ptr<const View>> 
   for (std::size_t i = 0; i < views_.size(); ++i) {
     result_.frames[i].point_count = views_[i]->point_count();
   }
-  if (auto done = align(); !done) return tl::unexpected(done.error());
-  if (auto done = make_points(); !done) return tl::unexpected(done.error());
-  if (auto done = make_surface(); !done) return tl::unexpected(done.error());
-  return finish();
+  if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  ScannedViews scanned;
+  scanned.views = aligned_;
+  return finish(std::move(scanned));
 }
 
 }  // namespace

@@ -9,17 +9,10 @@
 #include "core/base/progress.h"
 #include "core/base/workers.h"
 #include "core/calibration/calibration.h"
-#include "core/geometry/point_cloud.h"
-#include "core/geometry/triangle_mesh.h"
 #include "core/interchange/recording.h"
-#include "core/meshing/mesh_surface.h"
-#include "core/normals/normals.h"
+#include "core/pipeline/finish_scan.h"
 #include "core/pipeline/measure_view.h"
 #include "core/pipeline/registrar.h"
-#include "core/pipeline/stage_clock.h"
-#include "core/reduction/reduce.h"
-#include "core/refinement/refine.h"
-#include "core/texture/bake_atlas.h"
 
 namespace flytri {
 
@@ -27,11 +20,7 @@ namespace flytri {
 struct ReconstructOptions {
   MeasureOptions measure;
   RegistrarOptions registration;
-  JointRefineOptions refinement;
-  NormalOptions normals;
-  ReduceOptions reduction;
-  MeshOptions meshing;
-  AtlasOptions atlas;
+  FinishOptions finish;
   /// Monotonic seconds, for the stage times; empty: they are not taken.
   std::function<double()> now_s;
 };

@@ -1,0 +1,148 @@
+#include "core/pipeline/finish_scan.h"
+
+#include <array>
+#include <span>
+#include <utility>
+
+#include "core/trajectory/trajectory.h"
+
+namespace flytri {
+namespace {
+
+/// One run: holds what the stages hand to each other.
+class Finisher {
+ public:
+  Finisher(ScannedViews scanned, const FinishOptions& options, const Workers& workers,
+           const Progress& progress, StageClock& clock)
+      : scanned_(std::move(scanned)),
+        options_(options),
+        workers_(workers),
+        progress_(progress),
+        clock_(clock) {}
+
+  Result<FinishedScan> run();
+
+ private:
+  [[nodiscard]] Result<void> go_on() const {
+    if (!progress_.cancelled()) return {};
+    return fail(ErrorCode::kCancelled, "stopped; nothing was written");
+  }
+  Result<void> refine_views();
+  void place_texture_frames();
+  Result<void> make_points();
+  Result<void> make_surface();
+  Result<void> apply_texture();
+
+  ScannedViews scanned_;
+  const FinishOptions& options_;
+  const Workers& workers_;
+  const Progress& progress_;
+  StageClock& clock_;
+  FinishedScan result_;
+};
+
+Result<void> Finisher::refine_views() {
+  std::vector<AlignedView>& views = scanned_.views;
+  const Result<Refinement> refined =
+      refine_jointly(views, options_.refinement, workers_, progress_);
+  if (!refined) return tl::unexpected(refined.error());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (refined->contradicts(i, options_.refinement)) {
+      result_.contradicting.push_back(views[i].view->frame);
+    } else {
+      result_.views.push_back(views[i]);
+    }
+  }
+  clock_.end_stage("joint refinement", views.size(), "views");
+  return {};
+}
+
+void Finisher::place_texture_frames() {
+  if (scanned_.texture_frames.empty()) return;
+  Trajectory trajectory(0.5 * scanned_.calibration->volume.size_mm.norm());
+  for (const AlignedView& view : result_.views) {
+    trajectory.set(view.view->time_s, view.T_world_sensor);
+  }
+  for (const Frame& frame : scanned_.texture_frames) {
+    result_.T_world_texture.push_back(trajectory.interpolate(frame.time_s, options_.max_gap_s));
+  }
+}
+
+Result<void> Finisher::make_points() {
+  progress_.begin_stage("Thinning points", 2);
+  const auto normals = crossing_normals(result_.views, options_.normals, workers_);
+  if (!normals) return tl::unexpected(normals.error());
+  std::vector<SurfaceSample> samples = surface_samples(result_.views, *normals);
+  clock_.end_stage("normals", samples.size(), "points");
+  progress_.advance();
+  if (auto ok = go_on(); !ok) return ok;
+  if (const EditFilter filter(scanned_.edits); !filter.empty()) {
+    std::erase_if(samples, [&](const SurfaceSample& sample) {
+      const double seen_at_s = result_.views[sample.view.at()].view->time_s;
+      return !filter.keeps(sample.position_mm, sample.normal, seen_at_s);
+    });
+  }
+  Result<Reduction> reduction = reduce_samples(samples, options_.reduction, workers_);
+  if (!reduction) return tl::unexpected(reduction.error());
+  result_.points = std::move(reduction->points);
+  clock_.end_stage("reduction", samples.size(), "points");
+  return {};
+}
+
+Result<void> Finisher::make_surface() {
+  progress_.begin_stage("Meshing", 1);
+  Result<SurfaceMesh> surface = mesh_surface(result_.points, options_.meshing, workers_);
+  if (!surface) return tl::unexpected(surface.error());
+  result_.surface = std::move(*surface);
+  clock_.end_stage("meshing", result_.points.size(), "points");
+  result_.model.mesh = result_.surface.mesh;
+  return {};
+}
+
+/// Colors points and mesh from the texture frames that have a pose.
+Result<void> Finisher::apply_texture() {
+  std::vector<TextureFrame> frames;
+  for (std::size_t i = 0; i < scanned_.texture_frames.size(); ++i) {
+    if (!result_.T_world_texture[i]) continue;
+    frames.push_back({scanned_.texture_frames[i].image, *result_.T_world_texture[i]});
+  }
+  if (frames.empty()) return {};
+  const Calibration& calibration = *scanned_.calibration;
+  progress_.begin_stage("Texturing", 3);
+  const std::array<std::span<SurfacePoint>, 2> surfaces = {result_.points,
+                                                           result_.surface.mesh.vertices};
+  for (const std::span<SurfacePoint> points : surfaces) {
+    if (auto ok = go_on(); !ok) return ok;
+    const auto counts =
+        color_points(points, frames, calibration, options_.atlas.coloring, workers_);
+    if (!counts) return tl::unexpected(counts.error());
+    progress_.advance();
+  }
+  Result<BakedAtlas> baked =
+      bake_atlas(result_.surface.mesh, frames, calibration, options_.atlas, workers_);
+  if (!baked) return tl::unexpected(baked.error());
+  result_.model = std::move(baked->model);
+  clock_.end_stage("texture", frames.size(), "frames");
+  return {};
+}
+
+Result<FinishedScan> Finisher::run() {
+  if (auto ok = refine_views(); !ok) return tl::unexpected(ok.error());
+  place_texture_frames();
+  if (auto ok = make_points(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = go_on(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = make_surface(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = apply_texture(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = go_on(); !ok) return tl::unexpected(ok.error());
+  return std::move(result_);
+}
+
+}  // namespace
+
+Result<FinishedScan> finish_scan(ScannedViews scanned, const FinishOptions& options,
+                                 const Workers& workers, const Progress& progress,
+                                 StageClock& clock) {
+  return Finisher(std::move(scanned), options, workers, progress, clock).run();
+}
+
+}  // namespace flytri
