@@ -1,0 +1,51 @@
+/// @file  The window of the program: an AppView in, one drawn frame and the user's commands out.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "ui/app_view.h"
+#include "ui/command.h"
+
+namespace flytri::ui {
+
+struct AppWindowOptions {
+  std::string title = "flytri";
+  int width_px = 1280;  ///< >= 640, before scaling
+  int height_px = 800;  ///< >= 400, before scaling
+  bool shows_case_dialog = false;
+  /// Waits for the screen's refresh after each frame; benchmarks do not.
+  bool waits_for_screen = true;
+  /// Instead of the screen's own scale, 0.5..4; pictures and tests fix it.
+  std::optional<double> content_scale;
+  /// Unix socket on which tests and picture makers steer the window, see ui/control/; empty: none.
+  std::string control_socket;
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// One for a process, used by one thread: that of main. Never calls devices, never blocks but for
+/// the screen.
+class AppWindow {
+ public:
+  /// @errors  kBadOption; kNotFound where there is no display, no OpenGL 3.3, or a font or shader
+  ///          is missing.
+  [[nodiscard]] static Result<std::unique_ptr<AppWindow>> create(const AppWindowOptions& options);
+  ~AppWindow();
+  AppWindow(const AppWindow&) = delete;
+  AppWindow& operator=(const AppWindow&) = delete;
+
+  /// Handles what the user did since the last frame and draws one.
+  /// @param commands  are appended in the order they were given
+  /// @return  false once the window was closed; `Quit` was among the commands then
+  bool frame(const AppView& view, std::vector<Command>& commands);
+
+ private:
+  struct Impl;
+  explicit AppWindow(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace flytri::ui

@@ -1,0 +1,85 @@
+/// @file  What the user wants done: the window returns commands, the program carries them out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/editing/edits.h"
+#include "ui/app_view.h"
+
+namespace flytri::ui {
+
+/// Starts scanning, or goes on after a pause or after finishing.
+struct StartScan {};
+struct PauseScan {};
+struct Undo {};
+struct Redo {};
+/// One stroke of the brush. The program sets the time it is made at.
+struct EditSurface {
+  EditKind kind = EditKind::kTrim;
+  std::vector<BrushDab> dabs;  ///< at least 1, world frame
+};
+struct AddMeasurement {
+  Measurement measurement;
+};
+struct RemoveMeasurement {
+  std::size_t index = 0;  ///< in AppView::measurements
+};
+struct Finish {};
+struct CancelFinish {};
+/// Takes the result away and goes on scanning.
+struct ResumeScan {};
+struct ChooseReentry {
+  std::size_t index = 0;  ///< in ScanSnapshot::reentry
+};
+struct SelectStage {
+  JawStage stage = JawStage::kUpper;
+};
+/// Writes what is shown.
+struct Export {
+  std::string folder;
+  std::string name;                   ///< without ending
+  std::vector<ExportFormat> formats;  ///< at least 1
+};
+struct NewCase {
+  std::string path;
+  std::string passphrase;  ///< empty: not encrypted
+  CaseFields fields;
+};
+struct OpenCase {
+  std::string path;
+  std::string passphrase;
+};
+struct SetCaseFields {
+  CaseFields fields;
+};
+/// Moves the simulated hand, in the sensor frame: as the live image shows it, x right, y down,
+/// z away from the hand.
+struct SteerHand {
+  Vec3 move_mm = Vec3::Zero();
+  Vec3 turn_rad = Vec3::Zero();  ///< rotation vector
+};
+/// The simulated hand follows its path, or else the pointer.
+struct FollowPath {
+  bool follows = true;
+};
+/// The simulated sensor looks elsewhere, as if it had been taken out of the mouth, or comes back.
+struct TakeSensorAway {
+  bool is_away = true;
+};
+struct ChangeSettings {
+  Settings settings;
+};
+struct Quit {};
+
+using Command = std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement,
+                             RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
+                             SelectStage, Export, NewCase, OpenCase, SetCaseFields, SteerHand,
+                             FollowPath, TakeSensorAway, ChangeSettings, Quit>;
+
+/// The name of a command for logs and tests: "StartScan".
+[[nodiscard]] std::string_view name_of(const Command& command);
+
+}  // namespace flytri::ui
