@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
@@ -44,6 +45,8 @@ struct MeasuredView {
   MeasureOutcome outcome = MeasureOutcome::kMeasured;
   View view;
   MeasureCounts counts;
+  /// Where lines were localized, one list a trace, whether or not points came of them.
+  std::vector<std::vector<Pixel>> lines;
 };
 
 /// Measures one frame; of an unknown frame the pattern is told from the image: lines of the other

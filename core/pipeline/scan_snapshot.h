@@ -9,25 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/editing/edits.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
 #include "core/meshing/surface_mesh.h"
-#include "core/pipeline/reconstruct.h"
+#include "core/pipeline/finish_scan.h"
+#include "core/pipeline/scan_state.h"
 
 namespace flytri {
-
-/// The state machine of a scan; docs/architecture.md draws it.
-/// @source  Arold et al., "Preview and Continuation Mode".
-enum class ScanPhase {
-  kPreview,       ///< frames are measured and shown, not registered
-  kMeasurement,   ///< the surface grows
-  kContinuation,  ///< the scan was lost: the model waits, a place to re-enter is proposed
-  kFinishing,     ///< everything is optimized together, meshed and textured
-  kFinished       ///< the result is there; scanning may go on
-};
-[[nodiscard]] std::string_view to_string(ScanPhase phase);
 
 /// Every frame that was offered is counted here exactly once.
 struct FrameCounts {
@@ -86,6 +77,8 @@ struct ScanSnapshot {
   double scanned_s = 0.0;  ///< time spent in measurement and continuation
   FrameCounts counts;
   LatencyStatistics latency;
+  /// When the newest frame that the model shows was offered, in the clock of the scan.
+  double model_offered_at_s = 0.0;
 
   std::array<std::shared_ptr<const LiveFrame>, 2> latest;  ///< measurement frames, by Pattern
   std::shared_ptr<const LiveFrame> latest_texture;
@@ -106,9 +99,9 @@ struct ScanSnapshot {
   EditList edits;
   bool can_undo = false, can_redo = false;
 
-  FinishingState finishing;                      ///< in kFinishing
-  std::shared_ptr<const Reconstruction> result;  ///< in kFinished
-  std::string failure;                           ///< why the finishing ended without a result
+  FinishingState finishing;                    ///< in kFinishing
+  std::shared_ptr<const FinishedScan> result;  ///< in kFinished
+  std::string failure;                         ///< why the finishing ended without a result
 };
 
 }  // namespace flytri

@@ -2,43 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <opencv2/core.hpp>
 #include <span>
-#include <vector>
 
-#include "core/base/result.h"
-#include "core/base/workers.h"
-#include "core/calibration/calibration.h"
-#include "core/geometry/point_cloud.h"
+#include "core/texture/observe.h"
 
 namespace flytri {
-
-/// A texture image and where the sensor was when it was taken.
-struct TextureFrame {
-  cv::Mat image;  ///< CV_8UC3, R, G, B order, sRGB, of the calibration's texture size
-  Isometry T_world_sensor = Isometry::Identity();
-};
-
-struct TextureOptions {
-  /// 0..1. A point whose surface turns away from the texture camera, with a smaller cosine to its
-  /// ray of sight, is not observed: its pixel mixes with what lies beside it.
-  double min_facing_cosine = 0.25;
-  /// >= 1. Edge of a cell of the z-buffer, px: points that project into one cell lie on one ray of
-  /// sight. A few times the distance of neighboring points in the image.
-  int depth_cell_px = 6;
-  /// > 0. Points farther than this behind the closest of their cell are in its shadow, as a share
-  /// of the volume's depth.
-  double depth_tolerance_share = 0.04;
-  /// >= 0. The calibration holds this far outside the measurement volume, as a share of its size.
-  double volume_margin_share = 0.1;
-  /// 1..255. A pixel with a brighter channel is saturated and tells no color.
-  int max_channel = 250;
-  /// >= 0. Points that no frame observed take the color of the nearest observed one within this
-  /// share of the volume's width; others stay untextured.
-  double extend_share = 0.1;
-
-  [[nodiscard]] Result<void> validate() const;
-};
 
 /// Where the colors came from.
 struct ColorCounts {
@@ -47,12 +15,10 @@ struct ColorCounts {
   std::size_t untextured = 0;  ///< kUntexturedColor
 };
 
-/// Colors each point with the average chromaticity and the highest intensity of its observing
-/// pixels, in linear light. A pixel observes the points closest to it on its ray of sight.
+/// Colors each point with what the frames observed there, see observe_points; the others from
+/// their neighbors.
 /// @param points  world frame; only their colors change
-/// @source  Arold et al., "Texture Acquisition and Mapping": observing pixels, observed points,
-///          z-buffer, average color and highest intensity.
-/// @errors  kBadOption; kInconsistent: an image has not the calibration's texture size.
+/// @errors  kBadOption; as observe_points.
 [[nodiscard]] Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                                                std::span<const TextureFrame> frames,
                                                const Calibration& calibration,

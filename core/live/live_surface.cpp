@@ -1,0 +1,303 @@
+#include "core/live/live_surface.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/point_spacing.h"
+
+namespace flytri {
+namespace {
+
+/// Cells as wide as the finished scan is reduced to.
+constexpr double kCellSpacings = 3.0;
+/// Radius of a surfel in cells: neighbors overlap wherever in their cells their centers lie.
+constexpr float kRadiusCells = 0.85F;
+/// Below this share of the largest, the second eigenvalue says that all profiles run one way.
+constexpr float kCrossingShare = 0.05F;
+
+/// Direction of a profile at point i, from points to both sides; zero where they coincide.
+Vec3f tangent(const Profile& profile, std::size_t i, std::size_t reach) {
+  const std::size_t from = i > reach ? i - reach : 0;
+  const std::size_t to = std::min(i + reach, profile.points.size() - 1);
+  const Vec3 step = profile.points[to].position_mm - profile.points[from].position_mm;
+  return step.normalized().cast<float>();
+}
+
+/// The direction least along all profiles, on the side of the sensor. Where they all run one way:
+/// the direction across them that faces the sensor most.
+Vec3f normal_of(const Eigen::Matrix3f& tangents, const Vec3f& towards) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(tangents);
+  Vec3f normal = solver.eigenvectors().col(0);
+  if (solver.eigenvalues()[1] < kCrossingShare * solver.eigenvalues()[2]) {
+    const Vec3f along = solver.eigenvectors().col(2);
+    normal = (towards - towards.dot(along) * along).normalized();
+  }
+  return normal.dot(towards) < 0.0F ? Vec3f(-normal) : normal;
+}
+
+/// Area of a plane in one cell, if it lies in as many cells as it crosses.
+double area_per_cell_mm2(const Vec3f& normal, double cell_mm) {
+  return cell_mm * cell_mm / static_cast<double>(normal.lpNorm<1>());
+}
+
+}  // namespace
+
+Result<void> LiveSurfaceOptions::validate() const {
+  const auto bad = [](std::string_view name, std::string_view range) {
+    return fail(ErrorCode::kBadOption, "LiveSurfaceOptions::{} must be {}", name, range);
+  };
+  if (!(cell_mm >= 0.0 && std::isfinite(cell_mm))) return bad("cell_mm", ">= 0");
+  if (normal_cells < 1 || normal_cells > 16) return bad("normal_cells", "in [1, 16]");
+  if (block_cells < 4 || block_cells > 256) return bad("block_cells", "in [4, 256]");
+  if (min_points < 1) return bad("min_points", ">= 1");
+  if (good_views < 1) return bad("good_views", ">= 1");
+  return texture.validate();
+}
+
+Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  return LiveSurface(options);
+}
+
+LiveSurface::Key LiveSurface::key(const Vec3f& p_mm, int cells) const {
+  constexpr int kBits = 21;
+  constexpr double kMiddle = 1 << (kBits - 1);
+  constexpr Key kMask = (Key{1} << kBits) - 1;
+  Key key = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double place = std::floor(static_cast<double>(p_mm[axis]) / (cell_mm_ * cells));
+    const double bounded = std::clamp(place + kMiddle, 0.0, 2.0 * kMiddle - 1.0);
+    key = (key << kBits) | (static_cast<Key>(bounded) & kMask);
+  }
+  return key;
+}
+
+void LiveSurface::add(const AlignedView& view, const EditFilter& filter) {
+  if (cell_mm_ == 0.0) {
+    cell_mm_ = options_.cell_mm > 0.0 ? options_.cell_mm
+                                      : kCellSpacings * median_point_spacing_mm({&view, 1});
+    if (!(cell_mm_ > 0.0)) {
+      cell_mm_ = 0.0;
+      return;
+    }
+  }
+  for (const Profile& profile : view.view->profiles) add_profile(profile, view, filter);
+  refresh_normals();
+  for (const std::uint32_t cell : touched_cells_) refresh_cell(cell);
+  touched_cells_.clear();
+}
+
+void LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
+                              const EditFilter& filter) {
+  const Eigen::Matrix3f R = view.T_world_sensor.linear().cast<float>();
+  const Vec3f towards = -R.col(2);
+  const Vec3 span_mm = profile.points.back().position_mm - profile.points.front().position_mm;
+  const double spacing_mm = span_mm.norm() / static_cast<double>(profile.points.size() - 1);
+  const double reach = 0.5 * options_.normal_cells * cell_mm_ / std::max(spacing_mm, 1e-9);
+  const auto pattern = static_cast<std::size_t>(view.view->pattern);
+  for (std::size_t i = 0; i < profile.points.size(); ++i) {
+    const ProfilePoint& point = profile.points[i];
+    const Vec3f p_mm = (view.T_world_sensor * point.position_mm).cast<float>();
+    if (!filter.empty() && !filter.keeps(p_mm, towards, view.view->time_s)) continue;
+    const std::uint32_t index = cell_at(p_mm);
+    Cell& cell = cells_[index];
+    if (cell.point_count == 0.0F) cell.first_mm = p_mm;
+    cell.sum += p_mm - cell.first_mm;
+    cell.point_count += 1.0F;
+    cell.information += 1.0F / std::max(point.deviation_mm.squaredNorm(), 1e-12F);
+    touch(index);
+    NormalCell& around = normal_cells_[cell.normal_cell];
+    const Vec3f o = R * tangent(profile, i, static_cast<std::size_t>(std::clamp(reach, 1.0, 64.0)));
+    around.tangents += o * o.transpose();
+    around.towards += towards;
+    if (around.latest_s[pattern] != view.view->time_s) {
+      around.latest_s[pattern] = view.view->time_s;
+      ++around.views[pattern];
+    }
+    if (!around.touched) touched_normals_.push_back(cell.normal_cell);
+    around.touched = true;
+  }
+}
+
+void LiveSurface::touch(std::uint32_t cell) {
+  if (cells_[cell].touched) return;
+  cells_[cell].touched = true;
+  touched_cells_.push_back(cell);
+}
+
+std::uint32_t LiveSurface::cell_at(const Vec3f& p_mm) {
+  const auto [entry, is_new] =
+      cell_index_.try_emplace(key(p_mm, 1), static_cast<std::uint32_t>(cells_.size()));
+  if (is_new) {
+    cells_.emplace_back();
+    surfels_.emplace_back();
+    attach_to_normal_cell(entry->second, p_mm);
+    attach_to_block(entry->second, p_mm);
+  }
+  return entry->second;
+}
+
+void LiveSurface::attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm) {
+  const auto [entry, is_new] = normal_index_.try_emplace(
+      key(p_mm, options_.normal_cells), static_cast<std::uint32_t>(normal_cells_.size()));
+  if (is_new) normal_cells_.emplace_back();
+  cells_[cell].normal_cell = entry->second;
+  normal_cells_[entry->second].cells.push_back(cell);
+}
+
+void LiveSurface::attach_to_block(std::uint32_t cell, const Vec3f& p_mm) {
+  const Key place = key(p_mm, options_.block_cells);
+  const auto [entry, is_new] =
+      block_index_.try_emplace(place, static_cast<std::uint32_t>(blocks_.size()));
+  if (is_new) {
+    blocks_.emplace_back();
+    blocks_.back().place = place;
+  }
+  cells_[cell].block = entry->second;
+  // Inserted at a random place, so that the order stays random.
+  std::vector<std::uint32_t>& cells = blocks_[entry->second].cells;
+  cells.push_back(cell);
+  std::swap(cells.back(), cells[random_.below(cells.size())]);
+}
+
+void LiveSurface::refresh_normals() {
+  for (const std::uint32_t index : touched_normals_) {
+    NormalCell& around = normal_cells_[index];
+    around.touched = false;
+    around.normal = normal_of(around.tangents, around.towards);
+    // What the neighbors show follows too, each time as much is known again.
+    const int views = around.views[0] + around.views[1];
+    if (views < 2 * around.refreshed_at) continue;
+    around.refreshed_at = views;
+    for (const std::uint32_t cell : around.cells) touch(cell);
+  }
+  touched_normals_.clear();
+}
+
+Vec3f LiveSurface::position_mm(const Cell& cell) const {
+  return cell.first_mm + cell.sum / std::max(cell.point_count, 1.0F);
+}
+
+/// The normals of the cubes around a point, weighted by how near their centers are.
+Vec3f LiveSurface::normal_at(const Vec3f& p_mm, const NormalCell& own) const {
+  const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
+  const Vec3f place = p_mm / edge_mm - Vec3f::Constant(0.5F);
+  const Vec3f low = place.array().floor();
+  const Vec3f share = place - low;
+  Vec3f sum = Vec3f::Zero();
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3f center = low + Vec3f::Constant(0.5F);
+    float weight = 1.0F;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool high = ((corner >> axis) & 1) != 0;
+      if (high) center[axis] += 1.0F;
+      weight *= high ? share[axis] : 1.0F - share[axis];
+    }
+    const auto found = normal_index_.find(key(center * edge_mm, options_.normal_cells));
+    if (found == normal_index_.end()) continue;
+    const Vec3f& normal = normal_cells_[found->second].normal;
+    // The far side of a thin edge has no say.
+    if (normal.dot(own.normal) > 0.0F) sum += weight * normal;
+  }
+  return sum.squaredNorm() > 0.0F ? Vec3f(sum.normalized()) : own.normal;
+}
+
+void LiveSurface::refresh_cell(std::uint32_t index) {
+  Cell& cell = cells_[index];
+  cell.touched = false;
+  const NormalCell& around = normal_cells_[cell.normal_cell];
+  Surfel& surfel = surfels_[index];
+  surfel.position_mm = position_mm(cell);
+  surfel.normal = normal_at(surfel.position_mm, around);
+  surfel.radius_mm = kRadiusCells * static_cast<float>(cell_mm_);
+  surfel.sigma_mm = cell.information > 0.0F ? 1.0F / std::sqrt(cell.information) : 0.0F;
+  const bool good =
+      around.views[0] >= options_.good_views && around.views[1] >= options_.good_views;
+  surfel.coverage = good ? Coverage::kGood : Coverage::kThin;
+  surfel.textured = cell.color.observed();
+  surfel.color = surfel.textured ? cell.color.color() : kUntexturedColor;
+  blocks_[cell.block].changed = true;
+}
+
+void LiveSurface::cut(const EditFilter& filter, double now_s) {
+  if (filter.empty()) return;
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+    Cell& cell = cells_[i];
+    if (cell.point_count == 0.0F) continue;
+    if (filter.keeps(surfels_[i].position_mm, surfels_[i].normal, now_s)) continue;
+    cell.sum = Vec3f::Zero();
+    cell.point_count = cell.information = 0.0F;
+    cell.color = {};
+    blocks_[cell.block].changed = true;
+  }
+}
+
+Result<void> LiveSurface::add_color(const TextureFrame& frame, const Calibration& calibration) {
+  // No point of the measurement volume lies farther from its middle.
+  const double reach_mm =
+      (0.5 + options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
+  const Vec3f middle_mm = frame.T_world_sensor.translation().cast<float>();
+  std::vector<std::uint32_t> near;
+  std::vector<SurfacePoint> points;
+  std::vector<ObservedColor> colors;
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+    const Surfel& surfel = surfels_[i];
+    if (!shown(cells_[i]) || (surfel.position_mm - middle_mm).norm() > reach_mm) continue;
+    near.push_back(i);
+    points.push_back({surfel.position_mm, surfel.normal, {}, 0.0F});
+    colors.push_back(cells_[i].color);
+  }
+  if (auto seen = observe_points(points, colors, frame, calibration, options_.texture, Workers(1));
+      !seen) {
+    return seen;
+  }
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    cells_[near[k]].color = colors[k];
+    refresh_cell(near[k]);
+  }
+  return {};
+}
+
+void LiveSurface::publish_block(Block& block) const {
+  auto published = std::make_shared<SurfelBlock>();
+  published->place = block.place;
+  block.area_mm2 = block.good_mm2 = 0.0;
+  for (const std::uint32_t cell : block.cells) {
+    if (!shown(cells_[cell])) continue;
+    const Surfel& surfel = surfels_[cell];
+    published->surfels.push_back(surfel);
+    const double area_mm2 = area_per_cell_mm2(surfel.normal, cell_mm_);
+    block.area_mm2 += area_mm2;
+    if (surfel.coverage == Coverage::kGood) block.good_mm2 += area_mm2;
+  }
+  block.published = published->surfels.empty() ? nullptr : std::move(published);
+  block.changed = false;
+}
+
+SurfelModel LiveSurface::publish() {
+  SurfelModel model;
+  area_mm2_ = good_mm2_ = 0.0;
+  for (Block& block : blocks_) {
+    if (block.changed) publish_block(block);
+    area_mm2_ += block.area_mm2;
+    good_mm2_ += block.good_mm2;
+    if (block.published) model.push_back(block.published);
+  }
+  std::sort(model.begin(), model.end(),
+            [](const auto& a, const auto& b) { return a->place < b->place; });
+  return model;
+}
+
+PointCloud LiveSurface::points() const {
+  PointCloud points;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (!shown(cells_[i])) continue;
+    const Surfel& surfel = surfels_[i];
+    points.push_back({surfel.position_mm, surfel.normal, surfel.color, surfel.sigma_mm});
+  }
+  return points;
+}
+
+}  // namespace flytri

@@ -1,0 +1,129 @@
+/// @file  The surface while it grows: aligned views go in, surfels to be drawn come out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/editing/edits.h"
+#include "core/geometry/surfel.h"
+#include "core/geometry/view.h"
+#include "core/texture/observe.h"
+
+namespace flytri {
+
+/// How the growing surface is kept. Lengths are in cells, and a cell follows from the spacing of
+/// the points, so that the same values serve every sensor.
+struct LiveSurfaceOptions {
+  /// >= 0. Edge of the cubic cells in which points are merged, mm. 0: three times the spacing of
+  /// the points of the first view, the width that the finished scan is reduced to.
+  double cell_mm = 0.0;
+  /// 1..16. Edge of the cubes in which the surface has one normal: a few lines of either pattern
+  /// cross each.
+  int normal_cells = 4;
+  /// 4..256. Edge of a block of surfels, the unit that is replaced when it changes.
+  int block_cells = 16;
+  /// >= 1. Points that a cell needs to be shown: fewer may be a speck.
+  int min_points = 2;
+  /// >= 1. Views of each pattern that a normal's cube needs to be covered well.
+  int good_views = 2;
+  TextureOptions texture;
+
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// Merges points cell by cell as they come: position and uncertainty are averages, the normal is
+/// the direction least along all profiles nearby, as in crossing_normals.
+/// @source  Arold et al., "Data Reduction" and "Calculation of Normals", which leave doing so
+/// during
+///          the scan open.
+class LiveSurface {
+ public:
+  /// @errors  kBadOption.
+  [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {});
+
+  /// Adds the points of a view that the edits keep.
+  void add(const AlignedView& view, const EditFilter& filter);
+  /// Takes away what the edits do not keep, as seen at any time up to now.
+  void cut(const EditFilter& filter, double now_s);
+  /// Colors what the frame observes.
+  /// @errors  as observe_points.
+  [[nodiscard]] Result<void> add_color(const TextureFrame& frame, const Calibration& calibration);
+
+  /// The surface as it is now. Blocks that did not change are those of the last call.
+  [[nodiscard]] SurfelModel publish();
+
+  /// What is shown, as points.
+  [[nodiscard]] PointCloud points() const;
+  [[nodiscard]] double area_mm2() const { return area_mm2_; }
+  /// Share of the area that is covered well.
+  [[nodiscard]] double good_share() const { return area_mm2_ > 0.0 ? good_mm2_ / area_mm2_ : 0.0; }
+  /// Edge of a cell; 0 before the first point.
+  [[nodiscard]] double cell_mm() const { return cell_mm_; }
+
+ private:
+  using Key = std::uint64_t;
+
+  /// Where points are merged.
+  struct Cell {
+    Vec3f sum = Vec3f::Zero();  ///< of positions, relative to the first point
+    Vec3f first_mm = Vec3f::Zero();
+    float point_count = 0.0F;
+    float information = 0.0F;  ///< sum of 1 / sigma^2 of the points, 1/mm^2
+    std::uint32_t normal_cell = 0;
+    std::uint32_t block = 0;
+    bool touched = false;
+    ObservedColor color;
+  };
+  /// Where profiles make a normal.
+  struct NormalCell {
+    Eigen::Matrix3f tangents = Eigen::Matrix3f::Zero();  ///< sum of o o^T
+    Vec3f towards = Vec3f::Zero();                       ///< sum of directions to the sensor
+    Vec3f normal = Vec3f::UnitZ();
+    std::array<int, 2> views{};                     ///< that saw it, by Pattern
+    std::array<double, 2> latest_s = {-1.0, -1.0};  ///< the latest of them
+    int refreshed_at = 0;                           ///< views when its cells were last refreshed
+    std::vector<std::uint32_t> cells;
+    bool touched = false;
+  };
+  struct Block {
+    Key place = 0;
+    std::vector<std::uint32_t> cells;  ///< in random order
+    bool changed = false;
+    double area_mm2 = 0.0, good_mm2 = 0.0;  ///< of what is published
+    std::shared_ptr<const SurfelBlock> published;
+  };
+
+  explicit LiveSurface(const LiveSurfaceOptions& options) : options_(options) {}
+
+  void add_profile(const Profile& profile, const AlignedView& view, const EditFilter& filter);
+  std::uint32_t cell_at(const Vec3f& p_mm);
+  void attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm);
+  void attach_to_block(std::uint32_t cell, const Vec3f& p_mm);
+  void refresh_normals();
+  void refresh_cell(std::uint32_t cell);
+  [[nodiscard]] Vec3f position_mm(const Cell& cell) const;
+  [[nodiscard]] Vec3f normal_at(const Vec3f& p_mm, const NormalCell& own) const;
+  [[nodiscard]] Key key(const Vec3f& p_mm, int cells) const;
+  [[nodiscard]] bool shown(const Cell& cell) const {
+    return cell.point_count >= static_cast<float>(options_.min_points);
+  }
+  void publish_block(Block& block) const;
+  void touch(std::uint32_t cell);
+
+  LiveSurfaceOptions options_;
+  double cell_mm_ = 0.0;
+  Random random_{1};
+  std::unordered_map<Key, std::uint32_t> cell_index_, normal_index_, block_index_;
+  std::vector<Cell> cells_;
+  std::vector<Surfel> surfels_;  ///< parallel to cells_
+  std::vector<NormalCell> normal_cells_;
+  std::vector<Block> blocks_;
+  std::vector<std::uint32_t> touched_normals_, touched_cells_;  ///< by the view being added
+  double area_mm2_ = 0.0, good_mm2_ = 0.0;
+};
+
+}  // namespace flytri

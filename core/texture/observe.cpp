@@ -1,0 +1,162 @@
+#include "core/texture/observe.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/texture/srgb.h"
+
+namespace flytri {
+namespace {
+
+constexpr std::size_t kGrain = 1024;
+
+/// A point as one texture frame may see it.
+struct Projection {
+  float u_px = 0.0F, v_px = 0.0F;
+  float depth_mm = std::numeric_limits<float>::infinity();  ///< infinite: outside of the image
+  bool facing = false;
+};
+
+/// Unit ray of sight of the texture camera: along it neither U nor V changes.
+Vec3 ray_of_sight(const Calibration& calibration, const Vec3& p_sensor) {
+  const Vec3 ray = calibration.texture_u_px.gradient(p_sensor)
+                       .cross(calibration.texture_v_px.gradient(p_sensor))
+                       .normalized();
+  return ray.z() < 0.0 ? Vec3(-ray) : ray;
+}
+
+/// The z-buffer of one frame: depth of the closest point in each cell.
+class DepthBuffer {
+ public:
+  DepthBuffer(ImageSize size, int cell_px)
+      : cell_px_(static_cast<float>(cell_px)),
+        width_(size.width_px / cell_px + 1),
+        depths_mm_(static_cast<std::size_t>(width_ * (size.height_px / cell_px + 1)),
+                   std::numeric_limits<float>::infinity()) {}
+
+  void add(const Projection& p) {
+    float& depth_mm = depths_mm_[cell_of(p)];
+    depth_mm = std::min(depth_mm, p.depth_mm);
+  }
+  [[nodiscard]] float closest_mm(const Projection& p) const { return depths_mm_[cell_of(p)]; }
+
+ private:
+  [[nodiscard]] std::size_t cell_of(const Projection& p) const {
+    return static_cast<std::size_t>(p.v_px / cell_px_) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(p.u_px / cell_px_);
+  }
+  float cell_px_;
+  int width_;
+  std::vector<float> depths_mm_;
+};
+
+/// sRGB values around a place, bilinear. The place is inside the image.
+Vec3f sample(const cv::Mat& image, float u_px, float v_px) {
+  const int u = std::min(static_cast<int>(u_px), image.cols - 2);
+  const int v = std::min(static_cast<int>(v_px), image.rows - 2);
+  const float a = u_px - static_cast<float>(u);
+  const float b = v_px - static_cast<float>(v);
+  Vec3f sum = Vec3f::Zero();
+  for (const int dv : {0, 1}) {
+    for (const int du : {0, 1}) {
+      const auto& pixel = image.at<cv::Vec3b>(v + dv, u + du);
+      const float weight = (du == 1 ? a : 1.0F - a) * (dv == 1 ? b : 1.0F - b);
+      sum += weight * Vec3f(pixel[0], pixel[1], pixel[2]);
+    }
+  }
+  return sum;
+}
+
+Projection project(const SurfacePoint& point, const Isometry& T_sensor_world,
+                   const Calibration& calibration, const TextureOptions& options) {
+  const Vec3 p_sensor = T_sensor_world * point.position_mm.cast<double>();
+  const double margin_mm = options.volume_margin_share * calibration.volume.size_mm.maxCoeff();
+  Projection projection;
+  if (!calibration.volume.contains(p_sensor, margin_mm)) return projection;
+  const Pixel pixel = calibration.project_to_texture(p_sensor);
+  const ImageSize size = calibration.texture_size;
+  if (!(pixel.u_px >= 0.0 && pixel.v_px >= 0.0 && pixel.u_px <= size.width_px - 1 &&
+        pixel.v_px <= size.height_px - 1)) {
+    return projection;
+  }
+  const Vec3 ray = ray_of_sight(calibration, p_sensor);
+  const Vec3 normal = T_sensor_world.linear() * point.normal.cast<double>();
+  projection.u_px = static_cast<float>(pixel.u_px);
+  projection.v_px = static_cast<float>(pixel.v_px);
+  projection.depth_mm = static_cast<float>(ray.dot(p_sensor));
+  projection.facing = -normal.dot(ray) >= options.min_facing_cosine;
+  return projection;
+}
+
+}  // namespace
+
+void ObservedColor::add(const Vec3f& light) {
+  const float intensity = light.mean();
+  if (intensity <= 0.0F) return;
+  chromaticity_ += light / intensity;
+  highest_intensity_ = std::max(highest_intensity_, intensity);
+  ++count_;
+}
+
+Rgb ObservedColor::color() const {
+  const Vec3f light = highest_intensity_ / static_cast<float>(count_) * chromaticity_;
+  Rgb color;
+  for (int c = 0; c < 3; ++c) color[c] = srgb_from_linear(light[c]);
+  return color;
+}
+
+Result<void> observe_points(std::span<const SurfacePoint> points, std::span<ObservedColor> colors,
+                            const TextureFrame& frame, const Calibration& calibration,
+                            const TextureOptions& options, const Workers& workers) {
+  const ImageSize size{frame.image.cols, frame.image.rows};
+  if (!(size == calibration.texture_size) || frame.image.type() != CV_8UC3) {
+    return fail(ErrorCode::kInconsistent,
+                "a texture frame of {} x {} px does not suit a calibration for {} x {} px",
+                size.width_px, size.height_px, calibration.texture_size.width_px,
+                calibration.texture_size.height_px);
+  }
+  const Isometry T_sensor_world = frame.T_world_sensor.inverse();
+  std::vector<Projection> projections(points.size());
+  workers.for_each(
+      points.size(),
+      [&](std::size_t i) {
+        projections[i] = project(points[i], T_sensor_world, calibration, options);
+      },
+      kGrain);
+  DepthBuffer buffer(calibration.texture_size, options.depth_cell_px);
+  for (const Projection& projection : projections) {
+    if (std::isfinite(projection.depth_mm)) buffer.add(projection);
+  }
+  const auto tolerance_mm =
+      static_cast<float>(options.depth_tolerance_share * calibration.volume.size_mm.z());
+  workers.for_each(
+      points.size(),
+      [&](std::size_t i) {
+        const Projection& p = projections[i];
+        if (!p.facing || !std::isfinite(p.depth_mm)) return;
+        if (p.depth_mm > buffer.closest_mm(p) + tolerance_mm) return;
+        const Vec3f srgb = sample(frame.image, p.u_px, p.v_px);
+        if (srgb.maxCoeff() > static_cast<float>(options.max_channel)) return;
+        colors[i].add(
+            {linear_from_srgb(srgb.x()), linear_from_srgb(srgb.y()), linear_from_srgb(srgb.z())});
+      },
+      kGrain);
+  return {};
+}
+
+Result<void> TextureOptions::validate() const {
+  const auto bad = [](std::string_view name, std::string_view range) {
+    return fail(ErrorCode::kBadOption, "TextureOptions::{} must be {}", name, range);
+  };
+  if (!(min_facing_cosine >= 0.0 && min_facing_cosine <= 1.0)) {
+    return bad("min_facing_cosine", "in [0, 1]");
+  }
+  if (depth_cell_px < 1) return bad("depth_cell_px", ">= 1");
+  if (!(depth_tolerance_share > 0.0)) return bad("depth_tolerance_share", "> 0");
+  if (!(volume_margin_share >= 0.0)) return bad("volume_margin_share", ">= 0");
+  if (max_channel < 1 || max_channel > 255) return bad("max_channel", "in [1, 255]");
+  if (!(extend_share >= 0.0)) return bad("extend_share", ">= 0");
+  return {};
+}
+
+}  // namespace flytri
