@@ -8,7 +8,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/report.h"
 #include "assets/sample_jaw/sample_jaw.h"
-#include "core/calibrating/calibrate.h"
 #include "core/interchange/calibration_file.h"
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/model.h"
@@ -16,7 +15,7 @@
 #include "core/interchange/recording.h"
 #include "core/pipeline/reconstruct.h"
 #include "hw/simulated/picture.h"
-#include "hw/simulated/simulate_calibration_set.h"
+#include "hw/simulated/sensor_calibration.h"
 #include "hw/simulated/simulate_recording.h"
 
 namespace flytri::cli {
@@ -49,16 +48,6 @@ Result<void> write_results(const fs::path& folder, const Reconstruction& reconst
   return write_report(folder / "report.json", reconstruction, volume.size_mm);
 }
 
-/// Calibrates the sensor as its user would: from images of the target.
-Result<Calibration> calibrate_sensor(const SensorModel& sensor, const Workers& workers,
-                                     const Progress& progress) {
-  CalibrationSetOptions options;
-  options.sensor = sensor;
-  const auto set = take_calibration_set(options, workers, progress);
-  if (!set) return tl::unexpected(set.error());
-  return calibrate(*set, {}, workers, progress);
-}
-
 /// The folder of an earlier demo's frames is taken for the new ones.
 Result<Recording> scan_jaw(const fs::path& folder, const SensorModel& sensor, double duration_s,
                            const Workers& workers, const Progress& progress) {
@@ -77,7 +66,7 @@ Result<void> run(const DemoArguments& arguments, const Progress& progress) {
   const Workers workers(arguments.thread_count);
   const SensorModel sensor = intraoral_sensor();
   if (auto made = create_folder(arguments.folder); !made) return made;
-  const auto calibration = calibrate_sensor(sensor, workers, progress);
+  const auto calibration = calibrate_virtual_sensor(sensor, workers, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   const fs::path calibration_file = arguments.folder / "calibration.json";
   if (auto written = write_calibration(calibration_file, *calibration); !written) return written;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "hw/simulated/aimed_pose.h"
 #include "hw/simulated/arch_line.h"
 #include "hw/simulated/sensor_path.h"
 
@@ -13,17 +14,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kKeyRate_hz = 60.0;
-// Rays across the volume's face that look for the surface.
-constexpr int kDepthRays = 7;
 // The distance to the surface follows within this time, as a hand's does.
 constexpr double kDepthSmoothing_s = 0.5;
-
-// What the hand aims at.
-struct Aim {
-  Vec3 target;          // near the surface
-  Vec3 towards_sensor;  // unit
-  Vec3 along;           // where the sensor's x is to point, not along towards_sensor
-};
 
 // Smooth random movement: a sum of swings between 0.3 and 9 Hz, the fast ones small.
 class Wander {
@@ -75,7 +67,7 @@ class ArchAims {
   ArchAims(std::vector<Vec3> line, const JawAxes& axes, double tilt_rad)
       : line_(std::move(line)), axes_(axes), tilt_rad_(tilt_rad) {}
 
-  Aim operator()(double progress) const {
+  HandAim operator()(double progress) const {
     // Three passes of 0.28 each; the hand tilts the sensor in 0.06 and in 0.10 between them.
     constexpr double kPass = 0.28;
     constexpr double kFirstTurn = 0.06;
@@ -99,7 +91,7 @@ class ArchAims {
     return (1.0 - t) * line_[i] + t * line_[i + 1];
   }
 
-  Aim aim_at(double share, double tilt_rad) const {
+  HandAim aim_at(double share, double tilt_rad) const {
     // A hand does not follow each bend of the arch: the direction is that of a longer chord.
     constexpr double kChord = 0.08;
     Vec3 along = point(share + kChord) - point(share - kChord);
@@ -123,7 +115,7 @@ class OrbitAims {
     center_ = box.center().cast<double>();
     half_height_ = 0.5 * std::abs(box.sizes().cast<double>().dot(axes.up.cwiseAbs()));
   }
-  Aim operator()(double progress) const {
+  HandAim operator()(double progress) const {
     const double around = 2.0 * kPi * progress;
     const double rise = std::sin(3.0 * around);
     const Vec3 level = std::cos(around) * axes_.front + std::sin(around) * axes_.right;
@@ -136,39 +128,6 @@ class OrbitAims {
   Vec3 center_;
   double half_height_ = 0.0;
 };
-
-Isometry aimed_pose(const Aim& aim) {
-  Isometry T_model_sensor = Isometry::Identity();
-  const Vec3 z = -aim.towards_sensor;
-  const Vec3 y = z.cross(aim.along).normalized();
-  T_model_sensor.linear().col(0) = y.cross(z);
-  T_model_sensor.linear().col(1) = y;
-  T_model_sensor.linear().col(2) = z;
-  T_model_sensor.translation() = aim.target;
-  return T_model_sensor;
-}
-
-// Where along the sensor's z the surface lies, if any: middle between near and far hits.
-std::optional<double> surface_depth(const RayScene& scene, const SensorModel& sensor,
-                                    const Isometry& T_model_sensor, double reach_mm) {
-  std::vector<double> depths;
-  const Vec3 down = T_model_sensor.linear().col(2);
-  for (int j = 0; j < kDepthRays; ++j)
-    for (int i = 0; i < kDepthRays; ++i) {
-      const Vec2 share(i / (kDepthRays - 1.0) - 0.5, j / (kDepthRays - 1.0) - 0.5);
-      const Vec2 place = 0.8 * sensor.volume.size_mm.head<2>().cwiseProduct(share);
-      const Ray ray{T_model_sensor * Vec3(place.x(), place.y(), -reach_mm), down};
-      if (const auto hit = scene.first_hit(ray))
-        depths.push_back((hit->point_mm - ray.origin_mm).dot(down) - reach_mm);
-    }
-  if (depths.empty()) return std::nullopt;
-  std::sort(depths.begin(), depths.end());
-  // What lies behind the volume cannot be measured along with the near surface: it is not aimed at.
-  const double nearest = depths[depths.size() / 10];
-  const auto too_far =
-      std::upper_bound(depths.begin(), depths.end(), nearest + 0.9 * sensor.volume.size_mm.z());
-  return 0.5 * (nearest + *(too_far - 1));
-}
 
 std::vector<double> running_mean(const std::vector<double>& values, int reach) {
   std::vector<double> mean(values.size());
@@ -186,11 +145,10 @@ std::vector<double> running_mean(const std::vector<double>& values, int reach) {
 // Moves each pose along its view so that the surface lies in the middle of the volume.
 Result<void> follow_surface(const RayScene& scene, const SensorModel& sensor,
                             std::vector<PathPose>& poses) {
-  const double reach_mm = 0.9 * sensor.camera.center().norm();
   std::vector<double> depths(poses.size(), 0.0);
   bool found = false;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const auto depth = surface_depth(scene, sensor, poses[i].T_model_sensor, reach_mm);
+    const auto depth = surface_depth(scene, sensor, poses[i].T_model_sensor);
     depths[i] = depth.value_or(i > 0 ? depths[i - 1] : 0.0);
     found = found || depth.has_value();
   }

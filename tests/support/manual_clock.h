@@ -1,0 +1,34 @@
+/// @file  A clock that stands still until somebody turns it or sleeps on it: tests wait for
+/// nothing.
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "hw/device/clock.h"
+
+namespace flytri::testing {
+
+/// Copies turn the same hands.
+class ManualClock {
+ public:
+  void turn(double duration_s) const {
+    double now_s = now_s_->load();
+    while (!now_s_->compare_exchange_weak(now_s, now_s + duration_s)) {
+    }
+  }
+  [[nodiscard]] double now_s() const { return now_s_->load(); }
+
+  /// Whoever sleeps on it turns it.
+  [[nodiscard]] Clock clock() const {
+    return {[self = *this] { return self.now_s(); },
+            [self = *this](double duration_s) {
+              if (duration_s > 0.0) self.turn(duration_s);
+            }};
+  }
+
+ private:
+  std::shared_ptr<std::atomic<double>> now_s_ = std::make_shared<std::atomic<double>>(100.0);
+};
+
+}  // namespace flytri::testing
