@@ -1,0 +1,21 @@
+// Which color a place of the surface has before it is lit.
+
+uniform int color_mode;       // 0 shading, 1 texture, 2 coverage, 3 uncertainty
+uniform float texture_blend;  // 0 plaster .. 1 texture
+uniform vec3 good_color;
+uniform vec3 thin_color;
+uniform float max_sigma_mm;
+uniform vec3 sigma_ramp[5];  // at 0, 1/4, .. 1 of max_sigma_mm
+
+const vec3 kPlaster = vec3(0.886, 0.871, 0.831);
+const vec3 kLockTint = vec3(0.36, 0.47, 0.80);
+
+vec3 sigma_color(float sigma_mm) {
+  float at = clamp(sigma_mm / max_sigma_mm, 0.0, 1.0) * 4.0;
+  int below = min(int(at), 3);
+  return mix(sigma_ramp[below], sigma_ramp[below + 1], at - float(below));
+}
+
+vec3 tinted(vec3 color, bool is_locked) {
+  return is_locked ? mix(color, kLockTint, 0.5) : color;
+}

@@ -1,0 +1,18 @@
+// How a surface is lit: the light is fixed to the eye, so that a turn of the model shows its shape.
+// Colors go in and out as sRGB, taken for gamma 2.
+
+// n, towards_eye: unit, eye frame. albedo: sRGB 0..1.
+vec3 lit(vec3 albedo, vec3 n, vec3 towards_eye) {
+  const vec3 kKey = normalize(vec3(-0.45, 0.65, 0.75));
+  const vec3 kSky = vec3(0.34, 0.35, 0.37);
+  const vec3 kGround = vec3(0.13, 0.12, 0.11);
+  float facing = max(dot(n, towards_eye), 0.0);
+  float key = max(dot(n, kKey), 0.0);
+  vec3 light = mix(kGround, kSky, 0.5 + 0.5 * n.y) + vec3(0.42) * facing + vec3(0.36) * key;
+  // Flanks that turn away get darker: edges and grooves stand out.
+  float away = 1.0 - facing;
+  light *= 1.0 - 0.45 * away * away * away;
+  float shine = max(dot(n, normalize(kKey + towards_eye)), 0.0);
+  shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+  return sqrt(albedo * albedo * light + vec3(0.05) * shine);
+}

@@ -1,0 +1,24 @@
+#version 330 core
+// The finished mesh, lit at each pixel.
+
+in vec3 p_eye;
+in vec3 n_eye;
+in vec2 atlas_uv;
+in vec3 base_color;
+in float lock;
+out vec4 pixel;
+
+uniform sampler2D atlas;
+uniform int has_atlas;
+
+#include "lighting.glsl"
+#include "coloring.glsl"
+
+void main() {
+  vec3 color = base_color;
+  if (color_mode == 1 && has_atlas != 0) {
+    color = mix(kPlaster, texture(atlas, atlas_uv).rgb, texture_blend);
+  }
+  vec3 n = normalize(n_eye);
+  pixel = vec4(lit(tinted(color, lock > 0.5), n, normalize(-p_eye)), 1.0);
+}

@@ -1,0 +1,21 @@
+/// @file  Where shaders, fonts and other assets lie at run time.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace flytri::ui {
+
+/// The file of an asset such as "shaders/splat.vert". Looked for in $FLYTRI_ASSETS, if that is set
+/// nowhere else; then in ../share/flytri beside the program; then in the source tree that it was
+/// built from.
+/// @errors  kNotFound, with the places that were tried.
+[[nodiscard]] Result<std::filesystem::path> asset_path(std::string_view name);
+
+/// The content of an asset.
+/// @errors  kNotFound, kNotPermitted.
+[[nodiscard]] Result<std::string> read_asset(std::string_view name);
+
+}  // namespace flytri::ui

@@ -1,0 +1,53 @@
+/// @file  Images in graphics memory, and pictures drawn into them.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+
+#include "ui/gpu/gl_object.h"
+
+namespace flytri::ui {
+
+void delete_texture(GLuint name);
+void delete_framebuffer(GLuint name);
+
+/// A two-dimensional image. Its name serves ImGui as ImTextureID.
+class Texture {
+ public:
+  Texture() = default;
+  /// An empty one to draw into, such as GL_RGBA8 or GL_DEPTH_COMPONENT24.
+  static Texture make(int width_px, int height_px, GLenum internal_format);
+
+  /// Replaces the image; creates or resizes as needed. The first row is at v = 0.
+  /// @param image  CV_8UC1 (shown grey), CV_16UC1 (likewise), or CV_8UC3 in R, G, B order
+  void assign(const cv::Mat& image);
+  void bind(int unit) const;
+
+  [[nodiscard]] int width_px() const { return width_px_; }
+  [[nodiscard]] int height_px() const { return height_px_; }
+  [[nodiscard]] GLuint name() const { return object_.name(); }
+
+ private:
+  GlObject<delete_texture> object_;
+  int width_px_ = 0;
+  int height_px_ = 0;
+  GLenum internal_format_ = GL_RGBA8;
+};
+
+/// Where pictures are drawn. The textures must outlive it.
+class Framebuffer {
+ public:
+  Framebuffer() = default;
+  static Framebuffer make(const Texture& color, const Texture& depth);
+  /// Draws go there from now on, to its whole area.
+  void bind() const;
+  /// Back to the window's own.
+  static void bind_window();
+
+ private:
+  GlObject<delete_framebuffer> object_;
+  int width_px_ = 0;
+  int height_px_ = 0;
+};
+
+}  // namespace flytri::ui

@@ -1,0 +1,90 @@
+/// @file  The eye that looks at the scene: orbits, pans and zooms by pixels, and flies to a pose.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "core/base/result.h"
+#include "core/geometry/rigid.h"
+
+namespace flytri::ui {
+
+/// Where the eye stands. The eye frame is OpenGL's: x right, y up, looking along -z.
+struct CameraPose {
+  Vec3 target_mm = Vec3::Zero();  ///< world: what the middle of the picture shows
+  Eigen::Quaterniond q_world_eye = Eigen::Quaterniond::Identity();
+  double height_mm = 100.0;  ///< > 0, of the world in the picture at the target's depth
+};
+
+struct CameraOptions {
+  /// 0.01..2, angle between the upper and lower border. Narrow is near to orthographic: distances
+  /// on the surface can be compared by eye.
+  double field_of_view_rad = 0.35;
+  double orbit_rad_per_height = 3.14;  ///< > 0, turn for a drag over the picture's height
+  double min_height_mm = 1.0;          ///< > 0, the nearest that zoom goes
+  double max_height_mm = 2000.0;       ///< > min_height_mm: the face sensor sees 200 mm
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// The size of the picture in framebuffer pixels.
+struct PictureSize {
+  int width_px = 1;
+  int height_px = 1;
+  bool operator==(const PictureSize&) const = default;
+  [[nodiscard]] double aspect() const { return static_cast<double>(width_px) / height_px; }
+};
+
+class OrbitCamera {
+ public:
+  explicit OrbitCamera(const CameraOptions& options = {});
+
+  [[nodiscard]] const CameraPose& pose() const { return pose_; }
+  /// Goes there at once; a flight ends.
+  void set_pose(const CameraPose& pose);
+
+  /// Turns about the target as if the hand dragged the model; a flight ends.
+  void orbit(double dx_px, double dy_px, const PictureSize& size);
+  /// Turns about the line of sight, counter-clockwise in the picture.
+  void roll(double angle_rad);
+  /// Moves the target in the plane of the picture: what is under the pointer stays there.
+  void pan(double dx_px, double dy_px, const PictureSize& size);
+  /// `factor` > 1 shows less of the world, larger.
+  void zoom(double factor);
+  /// Zooms so that what is under a pixel stays there (pixels from the upper left).
+  void zoom_at(double factor, double x_px, double y_px, const PictureSize& size);
+
+  /// Starts a flight that ends exactly at `pose` after `duration_s`; 0 goes there at once.
+  void fly_to(const CameraPose& pose, double duration_s);
+  /// Goes on with the flight. @return true while the camera moves.
+  bool advance(double dt_s);
+  [[nodiscard]] bool is_flying() const { return remaining_s_ > 0.0; }
+
+  /// The pose that shows the whole box, seen as `q_world_eye` says.
+  [[nodiscard]] CameraPose fitting(const Eigen::AlignedBox3d& box_mm,
+                                   const Eigen::Quaterniond& q_world_eye,
+                                   const PictureSize& size) const;
+
+  [[nodiscard]] const CameraOptions& options() const { return options_; }
+  [[nodiscard]] double distance_mm() const;  ///< from the eye to the target
+  [[nodiscard]] Isometry T_world_eye() const;
+  /// World to clip coordinates. @param near_mm, far_mm  distances from the eye, 0 < near < far
+  [[nodiscard]] Eigen::Matrix4d projection(double aspect, double near_mm, double far_mm) const;
+  /// The ray through a pixel's middle: origin at the eye, unit direction, world frame.
+  [[nodiscard]] Eigen::ParametrizedLine<double, 3> ray(double x_px, double y_px,
+                                                       const PictureSize& size) const;
+
+ private:
+  CameraOptions options_;
+  CameraPose pose_;
+  CameraPose from_, to_;  ///< of the flight
+  double duration_s_ = 0.0;
+  double remaining_s_ = 0.0;
+};
+
+/// Looking through the sensor: the measurement volume fills the picture.
+[[nodiscard]] CameraPose pose_through_sensor(const Isometry& T_world_sensor, const Vec3& volume_mm);
+
+/// From the middle of a surface along its normal, `up` as near to upright as can be.
+[[nodiscard]] CameraPose pose_facing(const Vec3& point_mm, const Vec3& normal, const Vec3& up,
+                                     double height_mm);
+
+}  // namespace flytri::ui

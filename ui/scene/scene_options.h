@@ -1,0 +1,33 @@
+/// @file  How the scene is colored and how long a frame may take.
+#pragma once
+
+#include "core/base/result.h"
+#include "ui/theme/status_colors.h"
+
+namespace flytri::ui {
+
+enum class ColorMode {
+  kShading,     ///< plaster: the shape alone
+  kTexture,     ///< what the texture camera saw, laid over the plaster
+  kCoverage,    ///< thin or good
+  kUncertainty  ///< standard uncertainty along the normal, from dark blue (0) to yellow
+};
+
+struct SceneOptions {
+  ColorMode color_mode = ColorMode::kShading;
+  double texture_blend = 1.0;  ///< 0..1, of kTexture: 0 is plaster, 1 the texture
+  Color good_color = kNeutral;
+  Color thin_color = kCaution;
+  double max_sigma_mm = 0.03;  ///< > 0, end of the color scale: about the noise of a single point
+  Color background_top = {0.16F, 0.18F, 0.21F, 1.0F};
+  Color background_bottom = {0.06F, 0.07F, 0.08F, 1.0F};
+  double scale = 1.0;             ///< 0.5..4, of the widths of overlays: content scale x user scale
+  double moving_frame_ms = 33.0;  ///< 5..1000, aim while the camera moves: 30 pictures a second
+  bool level_of_detail = true;    ///< false: every picture whole, however long it takes
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// The color scale of kUncertainty at `share` 0..1 of max_sigma_mm, for a legend.
+[[nodiscard]] Color sigma_color(double share);
+
+}  // namespace flytri::ui

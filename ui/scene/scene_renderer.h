@@ -1,0 +1,64 @@
+/// @file  Scene, options and camera in; a picture as a texture out.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/base/result.h"
+#include "ui/scene/orbit_camera.h"
+#include "ui/scene/scene_content.h"
+#include "ui/scene/scene_options.h"
+
+namespace flytri::ui {
+
+/// How the last picture came about.
+struct SceneStatistics {
+  std::size_t surfels_total = 0;
+  std::size_t surfels_drawn = 0;   ///< in the last draw()
+  double detail_share = 1.0;       ///< of the surfels that the picture shows: 1 is full detail
+  double frame_ms = 0.0;           ///< of the latest picture whose time is known
+  bool was_full = false;           ///< the model was drawn from scratch
+  std::size_t uploaded_bytes = 0;  ///< in the last draw()
+};
+
+/// A place of the surface.
+struct Pick {
+  Vec3 p_world_mm = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();  ///< unit, outwards; of the surface within a few pixels
+};
+
+/// Draws into a texture of its own. Needs a current OpenGL 3.3 core context wherever it is called,
+/// and leaves the window's framebuffer bound.
+class SceneRenderer {
+ public:
+  /// @errors  kNotFound and kNotPermitted for a shader that cannot be read; kBadFormat for one that
+  ///          does not compile.
+  [[nodiscard]] static Result<SceneRenderer> create();
+  SceneRenderer(SceneRenderer&&) noexcept;
+  SceneRenderer& operator=(SceneRenderer&&) noexcept;
+  ~SceneRenderer();
+
+  /// Brings the picture up to date. Cheap where nothing has changed.
+  /// @param now_s  rising; drives what pulses
+  void draw(const SceneContent& content, const SceneOptions& options, const OrbitCamera& camera,
+            const PictureSize& size, double now_s);
+
+  /// OpenGL's name of the picture: RGBA, opaque, the first row at the bottom, so ImGui::Image takes
+  /// uv (0, 1) to (1, 0). Changes with each draw().
+  [[nodiscard]] std::uint32_t texture_id() const;
+  /// The picture is coarser than it will be, or something pulses: draw again soon.
+  [[nodiscard]] bool wants_redraw() const;
+  /// The surface under a pixel of the last picture (from its upper left); none beside the model.
+  [[nodiscard]] std::optional<Pick> pick(double x_px, double y_px);
+  [[nodiscard]] const SceneStatistics& statistics() const;
+  /// The box around all that the model or the mesh holds; empty where there is nothing.
+  [[nodiscard]] const Eigen::AlignedBox3d& model_box_mm() const;
+
+ private:
+  struct State;
+  explicit SceneRenderer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace flytri::ui

@@ -1,0 +1,152 @@
+#include "ui/scene/splat_store.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "ui/scene/vertex_format.h"
+
+namespace flytri::ui {
+namespace {
+
+/// A surfel in graphics memory: 24 bytes.
+struct SplatVertex {
+  Vec3f position_mm;
+  std::uint32_t normal;
+  Eigen::half radius_mm, sigma_mm;
+  std::uint32_t color_flags;
+};
+
+/// Blocks begin small and grow a little with each replacement.
+constexpr std::size_t kSmallestRange = 64;
+constexpr std::size_t kFirstCapacity = 1U << 16U;
+
+std::array<Attribute, 4> attributes() {
+  return {{{0, 3, GL_FLOAT, false, offsetof(SplatVertex, position_mm)},
+           {1, 4, GL_INT_2_10_10_10_REV, true, offsetof(SplatVertex, normal)},
+           {2, 2, GL_HALF_FLOAT, false, offsetof(SplatVertex, radius_mm)},
+           {3, 4, GL_UNSIGNED_BYTE, true, offsetof(SplatVertex, color_flags)}}};
+}
+
+SplatVertex vertex_of(const Surfel& surfel, bool is_locked) {
+  unsigned flags = 0;
+  if (surfel.textured) flags |= kTexturedFlag;
+  if (surfel.coverage == Coverage::kGood) flags |= kGoodFlag;
+  if (is_locked) flags |= kLockedFlag;
+  return {surfel.position_mm, packed_normal(surfel.normal), Eigen::half(surfel.radius_mm),
+          Eigen::half(surfel.sigma_mm),
+          packed_color(surfel.color, static_cast<std::uint8_t>(flags))};
+}
+
+Eigen::AlignedBox3f box_of(const SurfelBlock& block) {
+  Eigen::AlignedBox3f box;
+  for (const Surfel& s : block.surfels) {
+    box.extend((s.position_mm.array() - s.radius_mm).matrix());
+    box.extend((s.position_mm.array() + s.radius_mm).matrix());
+  }
+  return box;
+}
+
+/// The strokes that reach into a box.
+std::vector<BrushDab> within(const std::vector<BrushDab>& dabs, const Eigen::AlignedBox3f& box) {
+  std::vector<BrushDab> near;
+  std::copy_if(dabs.begin(), dabs.end(), std::back_inserter(near), [&](const BrushDab& dab) {
+    return box.squaredExteriorDistance(dab.center_mm) <= dab.radius_mm * dab.radius_mm;
+  });
+  return near;
+}
+
+bool is_same(const BrushDab& a, const BrushDab& b) {
+  return a.center_mm == b.center_mm && a.normal == b.normal && a.radius_mm == b.radius_mm;
+}
+
+bool are_same(const std::vector<BrushDab>& a, const std::vector<BrushDab>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
+}
+
+}  // namespace
+
+SplatStore::SplatStore()
+    : buffer_(Buffer::make(GL_ARRAY_BUFFER, kFirstCapacity * sizeof(SplatVertex))),
+      vertices_(VertexArray::make()) {
+  allocator_.grow_to(kFirstCapacity);
+  vertices_.attach(buffer_, sizeof(SplatVertex), attributes());
+}
+
+StoreChanges SplatStore::update(const SurfelModel& model, const std::vector<BrushDab>& locked) {
+  StoreChanges changes;
+  drop_missing(model, changes);
+  if (!are_same(locked, locked_)) retint(locked, changes);
+  for (const auto& block : model) {
+    const auto known = blocks_.find(block->place);
+    if (known == blocks_.end() || known->second.block != block) store(block, changes);
+  }
+  if (changes.fresh.empty() && !changes.has_lost) return changes;
+  surfel_count_ = 0;
+  box_mm_.setEmpty();
+  for (const auto& [place, stored] : blocks_) {
+    surfel_count_ += stored.block->surfels.size();
+    if (!stored.box_mm.isEmpty()) box_mm_.extend(stored.box_mm.cast<double>());
+  }
+  return changes;
+}
+
+void SplatStore::drop_missing(const SurfelModel& model, StoreChanges& changes) {
+  auto kept = model.begin();
+  for (auto known = blocks_.begin(); known != blocks_.end();) {
+    while (kept != model.end() && (*kept)->place < known->first) ++kept;
+    if (kept != model.end() && (*kept)->place == known->first) {
+      ++known;
+      continue;
+    }
+    changes.has_lost |= !known->second.block->surfels.empty();
+    allocator_.give_back(known->second.range);
+    known = blocks_.erase(known);
+  }
+}
+
+void SplatStore::retint(const std::vector<BrushDab>& locked, StoreChanges& changes) {
+  const std::vector<BrushDab> before = std::exchange(locked_, locked);
+  for (const auto& [place, stored] : blocks_) {
+    if (are_same(within(before, stored.box_mm), within(locked_, stored.box_mm))) continue;
+    upload(stored, changes);
+    changes.has_lost = true;
+  }
+}
+
+void SplatStore::store(const std::shared_ptr<const SurfelBlock>& block, StoreChanges& changes) {
+  StoredBlock& stored = blocks_[block->place];
+  const std::size_t before = stored.block ? stored.block->surfels.size() : 0;
+  changes.has_lost |= block->surfels.size() < before;
+  stored.block = block;
+  stored.box_mm = box_of(*block);
+  if (block->surfels.size() > stored.range.count) {
+    allocator_.give_back(stored.range);
+    stored.range = {};
+    stored.range = place_for(std::max(kSmallestRange, block->surfels.size() * 5 / 4));
+  }
+  upload(stored, changes);
+  changes.fresh.push_back(block->place);
+}
+
+PlaceRange SplatStore::place_for(std::size_t count) {
+  if (const auto range = allocator_.take(count)) return *range;
+  const std::size_t capacity = std::max(allocator_.capacity() * 2, allocator_.capacity() + count);
+  buffer_ = buffer_.resized(capacity * sizeof(SplatVertex));
+  vertices_.attach(buffer_, sizeof(SplatVertex), attributes());
+  allocator_.grow_to(capacity);
+  return allocator_.take(count).value_or(PlaceRange{});
+}
+
+void SplatStore::upload(const StoredBlock& stored, StoreChanges& changes) {
+  const std::vector<BrushDab> dabs = within(locked_, stored.box_mm);
+  std::vector<SplatVertex> vertices;
+  vertices.reserve(stored.block->surfels.size());
+  for (const Surfel& s : stored.block->surfels) {
+    vertices.push_back(vertex_of(s, reaches(dabs, s.position_mm, s.normal)));
+  }
+  buffer_.write(stored.range.first * sizeof(SplatVertex), std::as_bytes(std::span(vertices)));
+  changes.uploaded_bytes += vertices.size() * sizeof(SplatVertex);
+}
+
+}  // namespace flytri::ui

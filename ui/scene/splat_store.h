@@ -1,0 +1,59 @@
+/// @file  The surfels of a model in graphics memory: only blocks that are new are sent there.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/editing/edits.h"
+#include "core/geometry/surfel.h"
+#include "ui/gpu/buffer.h"
+#include "ui/scene/range_allocator.h"
+
+namespace flytri::ui {
+
+/// Where the surfels of a block lie in the buffer, and where in the world.
+struct StoredBlock {
+  std::shared_ptr<const SurfelBlock> block;
+  PlaceRange range;  ///< may be longer than the block: room to grow
+  Eigen::AlignedBox3f box_mm;
+};
+
+/// What update() found to be different.
+struct StoreChanges {
+  std::vector<std::uint64_t> fresh;  ///< places whose surfels are new
+  bool has_lost = false;  ///< some surfels are gone, or look different: the old picture is wrong
+  std::size_t uploaded_bytes = 0;
+};
+
+class SplatStore {
+ public:
+  SplatStore();
+  /// Takes over a model.
+  /// @param locked  strokes whose surfels are tinted
+  [[nodiscard]] StoreChanges update(const SurfelModel& model, const std::vector<BrushDab>& locked);
+
+  /// By place.
+  [[nodiscard]] const std::map<std::uint64_t, StoredBlock>& blocks() const { return blocks_; }
+  [[nodiscard]] std::size_t surfel_count() const { return surfel_count_; }
+  [[nodiscard]] const Eigen::AlignedBox3d& box_mm() const { return box_mm_; }
+  /// Ready to be drawn as points, the surfels of a block from its range's first on.
+  void bind() const { vertices_.bind(); }
+
+ private:
+  void store(const std::shared_ptr<const SurfelBlock>& block, StoreChanges& changes);
+  void drop_missing(const SurfelModel& model, StoreChanges& changes);
+  void retint(const std::vector<BrushDab>& locked, StoreChanges& changes);
+  [[nodiscard]] PlaceRange place_for(std::size_t count);
+  void upload(const StoredBlock& stored, StoreChanges& changes);
+
+  Buffer buffer_;
+  VertexArray vertices_;
+  RangeAllocator allocator_;
+  std::map<std::uint64_t, StoredBlock> blocks_;
+  std::vector<BrushDab> locked_;
+  std::size_t surfel_count_ = 0;
+  Eigen::AlignedBox3d box_mm_;
+};
+
+}  // namespace flytri::ui
