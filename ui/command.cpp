@@ -26,7 +26,9 @@ std::string_view name_of(const Command& command) {
       "SteerHand",
       "FollowPath",
       "TakeSensorAway",
+      "PointHand",
       "ChangeSettings",
+      "Tell",
       "Quit"};
   return kNames[command.index()];
 }

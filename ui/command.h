@@ -61,6 +61,12 @@ struct SteerHand {
   Vec3 move_mm = Vec3::Zero();
   Vec3 turn_rad = Vec3::Zero();  ///< rotation vector
 };
+/// Moves the simulated hand to where a ray meets the object, world frame. Where the ray meets
+/// nothing, nothing happens.
+struct PointHand {
+  Vec3 origin_mm = Vec3::Zero();
+  Vec3 direction = Vec3::UnitZ();  ///< unit
+};
 /// The simulated hand follows its path, or else the pointer.
 struct FollowPath {
   bool follows = true;
@@ -72,12 +78,16 @@ struct TakeSensorAway {
 struct ChangeSettings {
   Settings settings;
 };
+/// Words that came over the control channel for the program itself, such as a test's "lose source".
+struct Tell {
+  std::string words;
+};
 struct Quit {};
 
 using Command = std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement,
                              RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
                              SelectStage, Export, NewCase, OpenCase, SetCaseFields, SteerHand,
-                             FollowPath, TakeSensorAway, ChangeSettings, Quit>;
+                             FollowPath, TakeSensorAway, PointHand, ChangeSettings, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

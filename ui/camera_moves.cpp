@@ -1,0 +1,107 @@
+#include "ui/camera_moves.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace flytri::ui {
+namespace {
+
+constexpr double kFlight_s = 0.7;
+/// The followed box is larger than the model by this share, so that the camera rests for a while.
+constexpr double kRoomToGrow = 0.35;
+/// A hole fills this part of the picture's height.
+constexpr double kHoleShare = 0.35;
+
+/// As the first view saw the surface: along z of the world, with y down.
+Eigen::Quaterniond first_sight() {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX()));
+}
+
+Eigen::AlignedBox3d volume_box(const Vec3& volume_mm) {
+  return Eigen::AlignedBox3d(Vec3(-volume_mm / 2.0), Vec3(volume_mm / 2.0));
+}
+
+Eigen::AlignedBox3d grown(const Eigen::AlignedBox3d& box, const Vec3& volume_mm) {
+  const Vec3 margin = kRoomToGrow * box.sizes().cwiseMax(volume_mm);
+  return Eigen::AlignedBox3d(Vec3(box.min() - margin / 2.0), Vec3(box.max() + margin / 2.0));
+}
+
+void fly_to_box(const Eigen::AlignedBox3d& box, const Eigen::Quaterniond& q_world_eye,
+                CameraState& state) {
+  state.camera.fly_to(state.camera.fitting(box, q_world_eye, state.picture), kFlight_s);
+}
+
+void follow(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state) {
+  if (!state.follows_scan || model_box_mm.isEmpty()) return;
+  if (!state.followed_box_mm.isEmpty() && state.followed_box_mm.contains(model_box_mm)) return;
+  show_all(view, model_box_mm, state);
+}
+
+void visit_reentry(const AppView& view, CameraState& state) {
+  const ScanSnapshot& scan = *view.scan;
+  if (scan.reentry.empty() || state.seen_reentry == scan.chosen_reentry) return;
+  state.seen_reentry = scan.chosen_reentry;
+  const std::size_t index = std::min(scan.chosen_reentry, scan.reentry.size() - 1);
+  CameraPose pose = pose_through_sensor(scan.reentry[index].first.T_world_sensor, view.volume_mm);
+  pose.height_mm *= 2.0;  // With what lies around, to find the place by eye.
+  state.camera.fly_to(pose, kFlight_s);
+}
+
+}  // namespace
+
+void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state) {
+  const bool is_first = state.followed_box_mm.isEmpty();
+  state.follows_scan = true;
+  state.followed_box_mm =
+      model_box_mm.isEmpty() ? volume_box(view.volume_mm) : grown(model_box_mm, view.volume_mm);
+  fly_to_box(state.followed_box_mm, is_first ? first_sight() : state.camera.pose().q_world_eye,
+             state);
+}
+
+void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state) {
+  const JawAxes axes =
+      scan.result != nullptr ? jaw_axes(scan.result->surface.mesh) : jaw_axes(scan.model);
+  if (axes.box_mm.isEmpty()) return;
+  state.follows_scan = false;
+  fly_to_box(axes.box_mm, orientation(axes, side), state);
+}
+
+void show_hole(const AppView& view, std::size_t index, WindowState& state) {
+  const BoundaryLoop& hole = view.scan->holes[index];
+  state.selected_hole = index;
+  state.view.follows_scan = false;
+  const Vec3 up = state.view.camera.pose().q_world_eye * Vec3::UnitY();
+  const double height_mm =
+      std::max(hole.perimeter_mm / std::numbers::pi / kHoleShare, view.volume_mm.y());
+  state.view.camera.fly_to(
+      pose_facing(hole.center_mm.cast<double>(), hole.normal.cast<double>(), up, height_mm),
+      kFlight_s);
+}
+
+void show_next_hole(const AppView& view, WindowState& state) {
+  const std::vector<BoundaryLoop>& holes = view.scan->holes;
+  const std::size_t start = state.selected_hole ? *state.selected_hole + 1 : 0;
+  state.selected_hole.reset();
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    const std::size_t index = (start + i) % holes.size();
+    if (!holes[index].is_outer) return show_hole(view, index, state);
+  }
+}
+
+void move_by_itself(const AppView& view, const Eigen::AlignedBox3d& model_box_mm,
+                    CameraState& state) {
+  if (view.scan == nullptr) return;
+  const ScanPhase phase = view.scan->phase;
+  const bool was_lost = state.seen_phase == ScanPhase::kContinuation;
+  if (phase == ScanPhase::kContinuation) {
+    if (!was_lost) state.seen_reentry.reset();
+    visit_reentry(view, state);
+  } else if (was_lost) {
+    show_all(view, model_box_mm, state);
+  } else {
+    follow(view, model_box_mm, state);
+  }
+  state.seen_phase = phase;
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,43 @@
+/// @file  Lines over a Unix socket: how tests and picture makers wait on frames, ask and steer.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace flytri::ui {
+
+/// Each line of the client is a request, each is answered by one line, in order: "ok", "ok ANSWER"
+/// or "error REASON". The requests:
+///
+///     wait N        answered after N more frames were drawn with no input waiting
+///     state         the window's state as JSON; commands given since the last time it was asked
+///     where ID      "x y width height" in pixels of a button or panel of the latest frame
+///     do ID         carries an action of the key map out
+///     shot PATH     writes the next frame as PNG
+///     tell WORDS    hands words on to the program, as the command Tell
+///     quit          closes the window
+///
+/// One client at a time; the next may come after it has gone. Only the same user may connect.
+class ControlChannel {
+ public:
+  /// @errors  kWriteFailed where the socket cannot be made; one left by a former run is replaced.
+  [[nodiscard]] static Result<ControlChannel> listen(const std::string& path);
+  ControlChannel(ControlChannel&&) noexcept;
+  ControlChannel& operator=(ControlChannel&&) noexcept;
+  ~ControlChannel();
+
+  /// The next request, if one is there; the former must have been answered. Never waits.
+  [[nodiscard]] std::optional<std::string> next_request();
+  /// One line back; where the client has gone, nothing happens.
+  void answer(const std::string& line);
+
+ private:
+  struct Sockets;
+  explicit ControlChannel(std::unique_ptr<Sockets> sockets);
+  std::unique_ptr<Sockets> sockets_;
+};
+
+}  // namespace flytri::ui

@@ -1,0 +1,38 @@
+/// @file  A short text on a colored plate, and the legend of colors.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ui/widgets/draw.h"
+
+namespace flytri::ui {
+
+/// Where a badge begins.
+struct BadgeLook {
+  const char* icon = nullptr;
+  std::string text;
+  Color color = kNeutral;
+};
+
+/// Filled with its color, as high as `box`, as wide as its text. @return  its width
+float badge(const Theme& theme, const Rect& box, const BadgeLook& look, ImFont* font);
+
+/// One color and what it means.
+struct LegendRow {
+  Color color;
+  std::string text;
+  bool is_hollow = false;  ///< an outline: where nothing is
+};
+/// A row each; returns the height.
+float legend(const Theme& theme, const Rect& box, std::span<const LegendRow> rows);
+
+/// A scale of colors with a text at either end.
+struct ScaleLook {
+  std::span<const Color> colors;
+  std::string low, high;
+};
+float color_scale(const Theme& theme, const Rect& box, const ScaleLook& look);
+
+}  // namespace flytri::ui

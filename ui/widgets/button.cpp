@@ -1,0 +1,99 @@
+#include "ui/widgets/button.h"
+
+namespace flytri::ui {
+namespace {
+
+/// How the pointer stands to a button.
+struct Touch {
+  bool is_clicked = false, is_hovered = false, is_held = false;
+};
+
+Touch touch(const Rect& box, const ButtonLook& look) {
+  ImGui::SetCursorScreenPos(box.min());
+  const bool is_clicked = ImGui::InvisibleButton(look.id, box.size()) && look.is_enabled;
+  const bool is_hovered = ImGui::IsItemHovered();
+  if (is_hovered && look.hint != nullptr && look.hint[0] != '\0') {
+    ImGui::SetTooltip("%s", look.hint);
+  }
+  return {is_clicked, is_hovered && look.is_enabled, ImGui::IsItemActive() && look.is_enabled};
+}
+
+Color face_color(const ButtonLook& look, const Touch& touched) {
+  if (!look.is_enabled) return with_opacity(kRaised, 0.45F);
+  const Color base =
+      look.is_main ? look.color : (look.is_on ? mix(kRaised, look.color, 0.28F) : kRaised);
+  if (touched.is_held) return mix(base, kText, 0.22F);
+  if (touched.is_hovered) return mix(base, kText, 0.10F);
+  return base;
+}
+
+Color ink_color(const ButtonLook& look) {
+  if (!look.is_enabled) return with_opacity(kTextQuiet, 0.5F);
+  return look.is_main ? kTextOnColor : kText;
+}
+
+/// Face, and an outline where it is on: not by color alone.
+Touch draw_face(const Theme& theme, const Rect& box, const ButtonLook& look) {
+  const Touch touched = touch(box, look);
+  const float rounding = theme.px(kRounding);
+  draw_box(box, face_color(look, touched), rounding);
+  if (look.is_on && !look.is_main) draw_outline(box, look.color, theme.px(2.0F), rounding);
+  return touched;
+}
+
+void draw_key(const Theme& theme, const Rect& box, const ButtonLook& look) {
+  if (look.key.empty()) return;
+  const Color ink = look.is_main && look.is_enabled
+                        ? with_opacity(kTextOnColor, 0.75F)
+                        : with_opacity(kTextQuiet, look.is_enabled ? 1.0F : 0.5F);
+  Rect corner = box.inset(theme.px(kGapS), theme.px(6.0F));
+  corner = corner.take_top(theme.fonts.small->FontSize);
+  draw_text(corner, {theme.fonts.small, ink, Align::kRight}, look.key);
+}
+
+}  // namespace
+
+bool large_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
+  const Touch touched = draw_face(theme, box, look);
+  const Color ink = ink_color(look);
+  const float icon_height = theme.fonts.icon->FontSize;
+  const float label_height = theme.fonts.strong->FontSize;
+  const float gap = theme.px(6.0F);
+  Rect middle = box.centered(box.width - theme.px(kGapS), icon_height + gap + label_height);
+  draw_text(middle.take_top(icon_height, gap), {theme.fonts.icon, ink, Align::kCenter}, look.icon);
+  draw_text(middle, {theme.fonts.strong, ink, Align::kCenter}, look.label);
+  draw_key(theme, box, look);
+  return touched.is_clicked;
+}
+
+float small_button_width(const Theme& theme, const ButtonLook& look) {
+  float width = 2.0F * theme.px(12.0F);
+  if (look.icon != nullptr) width += text_width(theme.fonts.strong, look.icon);
+  if (look.icon != nullptr && !look.label.empty()) width += theme.px(kGapS);
+  width += text_width(theme.fonts.strong, look.label);
+  if (!look.key.empty()) width += theme.px(kGapS) + text_width(theme.fonts.small, look.key);
+  return width;
+}
+
+bool small_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
+  const Touch touched = draw_face(theme, box, look);
+  const Color ink = ink_color(look);
+  const float content =
+      std::min(small_button_width(theme, look), box.width) - 2.0F * theme.px(12.0F);
+  Rect row = box.centered(content, box.height);
+  if (look.icon != nullptr) {
+    const float width = text_width(theme.fonts.strong, look.icon);
+    draw_text(row.take_left(width, theme.px(kGapS)), {theme.fonts.strong, ink, Align::kLeft},
+              look.icon);
+  }
+  if (!look.key.empty()) {
+    const Color quiet = look.is_main ? with_opacity(kTextOnColor, 0.75F) : kTextQuiet;
+    const float width = text_width(theme.fonts.small, look.key);
+    draw_text(row.take_right(width, theme.px(kGapS)), {theme.fonts.small, quiet, Align::kRight},
+              look.key);
+  }
+  draw_text(row, {theme.fonts.strong, ink, Align::kLeft}, look.label);
+  return touched.is_clicked;
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,30 @@
+/// @file  Buttons for gloved fingers: large, with icon, label and key.
+#pragma once
+
+#include <string>
+
+#include "ui/widgets/draw.h"
+
+namespace flytri::ui {
+
+/// What a button says and how it stands.
+struct ButtonLook {
+  const char* id = "";  ///< unique in its panel
+  const char* icon = nullptr;
+  std::string label;
+  std::string key;  ///< its key, small in the corner; empty: not shown
+  bool is_enabled = true;
+  bool is_on = false;          ///< in hand or chosen
+  bool is_main = false;        ///< filled with `color`: the one thing to do next
+  Color color = kNeutral;      ///< of what is on or main
+  const char* hint = nullptr;  ///< shown when the pointer rests on it
+};
+
+/// Icon above the label, the key in the upper right corner. @return  true when clicked
+bool large_button(const Theme& theme, const Rect& box, const ButtonLook& look);
+/// Icon, if there is one, and label in a row. @return  true when clicked
+bool small_button(const Theme& theme, const Rect& box, const ButtonLook& look);
+/// Width that a small button needs for its text.
+[[nodiscard]] float small_button_width(const Theme& theme, const ButtonLook& look);
+
+}  // namespace flytri::ui

@@ -1,0 +1,53 @@
+#include "ui/widgets/camera_image.h"
+
+namespace flytri::ui {
+namespace {
+
+/// Localized lines are nearly straight: every so many points of one suffice at this size.
+constexpr std::size_t kStride = 6;
+
+/// Where a pixel's middle lies on the screen.
+struct PixelPlace {
+  Rect image;
+  cv::Size size;
+  ImVec2 operator()(const Pixel& p) const {
+    return {image.x + image.width * static_cast<float>((p.u_px + 0.5) / size.width),
+            image.y + image.height * static_cast<float>((p.v_px + 0.5) / size.height)};
+  }
+};
+
+void draw_line(const std::vector<Pixel>& line, const PixelPlace& place, ImU32 color,
+               float thickness) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i < line.size(); i += kStride) list.PathLineTo(place(line[i]));
+  if (!line.empty()) list.PathLineTo(place(line.back()));
+  list.PathStroke(color, 0, thickness);
+}
+
+}  // namespace
+
+void CameraPicture::show(const std::shared_ptr<const LiveFrame>& latest) {
+  if (latest == frame) return;
+  frame = latest;
+  if (frame != nullptr && !frame->frame.image.empty()) texture.assign(frame->frame.image);
+}
+
+Rect camera_image(const Theme& theme, const Rect& box, const CameraPicture& picture,
+                  const char* missing_text) {
+  draw_box(box, kBackground, theme.px(kGapXs));
+  if (picture.frame == nullptr || picture.frame->frame.image.empty()) {
+    draw_text(box, {theme.fonts.body, kTextQuiet, Align::kCenter}, missing_text);
+    return box;
+  }
+  const cv::Size size = picture.frame->frame.image.size();
+  const Rect image = fitted(box, static_cast<float>(size.width), static_cast<float>(size.height));
+  ImGui::GetWindowDrawList()->AddImageRounded(
+      reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture.name())),
+      image.min(), image.max(), {0, 0}, {1, 1}, IM_COL32_WHITE, theme.px(kGapXs));
+  for (const std::vector<Pixel>& line : picture.frame->lines) {
+    draw_line(line, {image, size}, to_u32(kCaution), theme.px(2.0F));
+  }
+  return image;
+}
+
+}  // namespace flytri::ui

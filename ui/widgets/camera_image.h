@@ -1,0 +1,25 @@
+/// @file  A camera image with the lines that were found in it.
+#pragma once
+
+#include <memory>
+
+#include "core/pipeline/scan_snapshot.h"
+#include "ui/gpu/texture.h"
+#include "ui/widgets/draw.h"
+
+namespace flytri::ui {
+
+/// The image of the latest frame in graphics memory; loaded anew only when the frame is another.
+struct CameraPicture {
+  Texture texture;
+  std::shared_ptr<const LiveFrame> frame;
+
+  void show(const std::shared_ptr<const LiveFrame>& latest);
+};
+
+/// The image fitted into the box; a plain box with `missing_text` where there is none.
+/// @return  where the image lies
+Rect camera_image(const Theme& theme, const Rect& box, const CameraPicture& picture,
+                  const char* missing_text);
+
+}  // namespace flytri::ui

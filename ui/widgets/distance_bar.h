@@ -1,0 +1,24 @@
+/// @file  A bar that says whether the sensor is too near, right, or too far.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/pipeline/scan_snapshot.h"
+#include "ui/widgets/draw.h"
+
+namespace flytri::ui {
+
+enum class DistanceVerdict { kTooNear, kFine, kTooFar };
+
+/// Beyond this share of half the volume's depth much of the surface is about to leave it.
+inline constexpr double kGoodDepthShare = 0.5;
+
+[[nodiscard]] DistanceVerdict judge_distance(double depth_share);
+[[nodiscard]] std::string_view to_string(DistanceVerdict verdict);
+
+/// Three zones with a marker, the verdict in words above. No distance: an empty bar.
+void distance_bar(const Theme& theme, const Rect& box,
+                  const std::optional<SensorDistance>& distance);
+
+}  // namespace flytri::ui

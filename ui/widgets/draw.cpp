@@ -1,0 +1,76 @@
+#include "ui/widgets/draw.h"
+
+#include <cfloat>
+#include <cmath>
+
+namespace flytri::ui {
+namespace {
+
+constexpr std::string_view kDots = "\xe2\x80\xa6";
+
+const char* end_of(std::string_view text) { return text.data() + text.size(); }
+
+ImVec2 size_of(ImFont* font, std::string_view text, float wrap_width = 0.0F) {
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap_width, text.data(), end_of(text));
+}
+
+/// Bytes that follow the first of a UTF-8 character.
+bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+float left_of(const Rect& box, Align align, float width) {
+  switch (align) {
+    case Align::kCenter:
+      return std::round(box.x + (box.width - width) / 2.0F);
+    case Align::kRight:
+      return std::round(box.right() - width);
+    case Align::kLeft:
+      break;
+  }
+  return box.x;
+}
+
+}  // namespace
+
+float text_width(ImFont* font, std::string_view text) { return size_of(font, text).x; }
+
+float wrapped_height(ImFont* font, float width, std::string_view text) {
+  return size_of(font, text, width).y;
+}
+
+std::string elided(ImFont* font, float width, std::string_view text) {
+  if (text_width(font, text) <= width) return std::string(text);
+  std::string shorter(text);
+  while (!shorter.empty() && text_width(font, shorter + std::string(kDots)) > width) {
+    while (shorter.size() > 1 && goes_on(shorter.back())) shorter.pop_back();
+    shorter.pop_back();
+  }
+  return shorter + std::string(kDots);
+}
+
+void draw_text(const Rect& box, const TextStyle& style, std::string_view text) {
+  const std::string shown = elided(style.font, box.width, text);
+  const float width = text_width(style.font, shown);
+  const ImVec2 at = {left_of(box, style.align, width),
+                     std::round(box.y + (box.height - style.font->FontSize) / 2.0F)};
+  ImGui::GetWindowDrawList()->AddText(style.font, style.font->FontSize, at, to_u32(style.color),
+                                      shown.data(), end_of(shown));
+}
+
+float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view text) {
+  ImGui::GetWindowDrawList()->AddText(style.font, style.font->FontSize, box.min(),
+                                      to_u32(style.color), text.data(), end_of(text), box.width);
+  return wrapped_height(style.font, box.width, text);
+}
+
+void draw_box(const Rect& box, const Color& color, float rounding) {
+  ImGui::GetWindowDrawList()->AddRectFilled(box.min(), box.max(), to_u32(color), rounding);
+}
+
+void draw_outline(const Rect& box, const Color& color, float thickness, float rounding) {
+  // Lines of ImGui lie on the middle of pixels: half of the thickness goes inside.
+  const Rect middle = box.inset(thickness / 2.0F);
+  ImGui::GetWindowDrawList()->AddRect(middle.min(), middle.max(), to_u32(color), rounding, 0,
+                                      thickness);
+}
+
+}  // namespace flytri::ui

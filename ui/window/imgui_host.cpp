@@ -1,0 +1,114 @@
+#include "ui/window/imgui_host.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include <algorithm>
+
+namespace flytri::ui {
+namespace {
+
+/// The keys that Dear ImGui's text fields ask for by name.
+void name_keys(ImGuiIO& io) {
+  io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
+  io.KeyMap[ImGuiKey_LeftArrow] = GLFW_KEY_LEFT;
+  io.KeyMap[ImGuiKey_RightArrow] = GLFW_KEY_RIGHT;
+  io.KeyMap[ImGuiKey_UpArrow] = GLFW_KEY_UP;
+  io.KeyMap[ImGuiKey_DownArrow] = GLFW_KEY_DOWN;
+  io.KeyMap[ImGuiKey_Home] = GLFW_KEY_HOME;
+  io.KeyMap[ImGuiKey_End] = GLFW_KEY_END;
+  io.KeyMap[ImGuiKey_Delete] = GLFW_KEY_DELETE;
+  io.KeyMap[ImGuiKey_Backspace] = GLFW_KEY_BACKSPACE;
+  io.KeyMap[ImGuiKey_Enter] = GLFW_KEY_ENTER;
+  io.KeyMap[ImGuiKey_Escape] = GLFW_KEY_ESCAPE;
+  io.KeyMap[ImGuiKey_A] = GLFW_KEY_A;
+  io.KeyMap[ImGuiKey_C] = GLFW_KEY_C;
+  io.KeyMap[ImGuiKey_V] = GLFW_KEY_V;
+  io.KeyMap[ImGuiKey_X] = GLFW_KEY_X;
+  io.KeyMap[ImGuiKey_Y] = GLFW_KEY_Y;
+  io.KeyMap[ImGuiKey_Z] = GLFW_KEY_Z;
+}
+
+/// Hands one event to Dear ImGui.
+struct Feed {
+  ImGuiIO& io;
+
+  void operator()(const KeyEvent& event) const {
+    if (event.key < 0 || event.key >= IM_ARRAYSIZE(io.KeysDown)) return;
+    io.KeysDown[event.key] = event.is_down;
+    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
+    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
+    io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
+  }
+  void operator()(const CharacterEvent& event) const { io.AddInputCharacter(event.code); }
+  void operator()(const PointerEvent& event) const { io.MousePos = {event.x_px, event.y_px}; }
+  void operator()(const ButtonEvent& event) const {
+    if (event.button < 0 || event.button >= IM_ARRAYSIZE(io.MouseDown)) return;
+    io.MouseDown[event.button] = event.is_down;
+  }
+  void operator()(const WheelEvent& event) const {
+    io.MouseWheelH += event.x;
+    io.MouseWheel += event.y;
+  }
+};
+
+const char* read_clipboard(void* window) {
+  return glfwGetClipboardString(static_cast<GLFWwindow*>(window));
+}
+void write_clipboard(void* window, const char* text) {
+  glfwSetClipboardString(static_cast<GLFWwindow*>(window), text);
+}
+
+}  // namespace
+
+ImGuiHost::ImGuiHost(Window& window) : window_(window), context_(ImGui::CreateContext()) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.BackendPlatformName = "flytri";
+  io.GetClipboardTextFn = read_clipboard;
+  io.SetClipboardTextFn = write_clipboard;
+  io.ClipboardUserData = window.handle();
+  name_keys(io);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+ImGuiHost::~ImGuiHost() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+Result<void> ImGuiHost::set_scale(float scale) {
+  if (theme_.fonts.body != nullptr && theme_.scale == scale) return {};
+  auto theme = make_theme(scale);
+  if (!theme) return tl::unexpected(theme.error());
+  theme_ = *theme;
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+  return {};
+}
+
+std::vector<KeyEvent> ImGuiHost::begin_frame(double now_s) {
+  ImGuiIO& io = ImGui::GetIO();
+  const ImageSize size = window_.framebuffer_size();
+  io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
+  io.DeltaTime =
+      last_now_s_ < 0.0 ? 1.0F / 60.0F : std::max(static_cast<float>(now_s - last_now_s_), 1e-4F);
+  last_now_s_ = now_s;
+  std::vector<KeyEvent> presses;
+  for (const InputEvent& event : window_.input().take_frame()) {
+    const auto* key = std::get_if<KeyEvent>(&event);
+    if (key != nullptr && key->is_down && !io.WantTextInput) presses.push_back(*key);
+    std::visit(Feed{io}, event);
+  }
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  return presses;
+}
+
+void ImGuiHost::end_frame() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,42 @@
+/// @file  Dear ImGui's context: fed from the window's event queue, drawn with OpenGL.
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "ui/theme/theme.h"
+#include "ui/window/window.h"
+
+struct ImGuiContext;
+
+namespace flytri::ui {
+
+/// Owns the context, which Dear ImGui keeps as the one current context of the process. Nothing is
+/// written to disk.
+class ImGuiHost {
+ public:
+  explicit ImGuiHost(Window& window);
+  ~ImGuiHost();
+  ImGuiHost(const ImGuiHost&) = delete;
+  ImGuiHost& operator=(const ImGuiHost&) = delete;
+
+  /// Fonts and sizes for a scale; nothing happens where it is the one already set.
+  /// @errors  those of make_theme.
+  [[nodiscard]] Result<void> set_scale(float scale);
+  [[nodiscard]] const Theme& theme() const { return theme_; }
+
+  /// Opens a frame of Dear ImGui with the next events of the window.
+  /// @param now_s  monotonic
+  /// @return  keys pressed and repeated in this frame while no text field wanted them, in order
+  [[nodiscard]] std::vector<KeyEvent> begin_frame(double now_s);
+  /// Draws the frame over what the framebuffer holds.
+  void end_frame();
+
+ private:
+  Window& window_;
+  ImGuiContext* context_;
+  Theme theme_;
+  double last_now_s_ = -1.0;
+};
+
+}  // namespace flytri::ui

@@ -1,0 +1,39 @@
+#include "ui/window/input.h"
+
+#include <algorithm>
+#include <set>
+
+namespace flytri::ui {
+namespace {
+
+/// What a frame has taken so far.
+struct Taken {
+  bool has_button = false;
+  std::set<int> keys;
+
+  [[nodiscard]] bool would_hide(const InputEvent& event) const {
+    if (const auto* key = std::get_if<KeyEvent>(&event)) return keys.contains(key->key);
+    // After a click neither the pointer may leave its place nor another click come.
+    return has_button && (std::holds_alternative<ButtonEvent>(event) ||
+                          std::holds_alternative<PointerEvent>(event));
+  }
+  void add(const InputEvent& event) {
+    if (const auto* key = std::get_if<KeyEvent>(&event)) keys.insert(key->key);
+    if (std::holds_alternative<ButtonEvent>(event)) has_button = true;
+  }
+};
+
+}  // namespace
+
+std::vector<InputEvent> InputQueue::take_frame() {
+  std::vector<InputEvent> frame;
+  Taken taken;
+  while (!events_.empty() && !taken.would_hide(events_.front())) {
+    taken.add(events_.front());
+    frame.push_back(events_.front());
+    events_.pop_front();
+  }
+  return frame;
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,77 @@
+/// @file  What the window alone knows: camera, colors, tool, open dialog, half-typed text.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/app_view.h"
+#include "ui/scene/orbit_camera.h"
+#include "ui/scene/scene_options.h"
+
+namespace flytri::ui {
+
+/// What the pointer does on the surface.
+enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure };
+
+enum class Dialog { kNone, kHelp, kExport, kCase, kSettings };
+
+/// The camera's own business.
+struct CameraState {
+  OrbitCamera camera;
+  PictureSize picture;       ///< of the latest frame
+  bool follows_scan = true;  ///< shows all of the model as it grows, until the user takes over
+  Eigen::AlignedBox3d followed_box_mm;  ///< what the camera was last sent to show
+  ScanPhase seen_phase = ScanPhase::kPreview;
+  std::optional<std::size_t> seen_reentry;  ///< the place that the camera was last sent to
+};
+
+/// The brush and the stroke that is being drawn.
+struct BrushState {
+  double radius_share = 0.1;  ///< of the volume's width, 0.01..0.5
+  std::vector<BrushDab> stroke;
+  std::optional<BrushDab> under_pointer;
+};
+
+struct ExportForm {
+  std::string folder;
+  std::string name;
+  std::array<bool, kExportFormats.size()> is_chosen = {true, false, false, false};
+  bool is_edited = false;  ///< else folder and name are those proposed
+};
+
+enum class CaseTab { kFields, kNew, kOpen };
+
+struct CaseForm {
+  CaseTab tab = CaseTab::kNew;  ///< kFields only while a case is open
+  CaseFields fields;
+  std::string path;
+  std::string passphrase;
+  std::size_t chosen = 0;  ///< in CaseState::known
+};
+
+/// A notice while it shows.
+struct ShownNotice {
+  Notice notice;
+  double since_s = 0.0;
+};
+
+struct WindowState {
+  CameraState view;
+  ColorMode color_mode = ColorMode::kShading;
+  double texture_blend = 1.0;  ///< 0..1
+  Tool tool = Tool::kNone;
+  BrushState brush;
+  std::optional<Vec3f> measured_from_mm;  ///< first of the two points
+  std::optional<std::size_t> selected_hole;
+  Dialog dialog = Dialog::kNone;
+  ExportForm export_form;
+  CaseForm case_form;
+  std::vector<ShownNotice> toasts;
+  std::uint64_t latest_notice = 0;
+  bool is_closing = false;
+};
+
+}  // namespace flytri::ui
