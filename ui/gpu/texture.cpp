@@ -91,7 +91,7 @@ void Texture::bind(int unit) const {
   glBindTexture(GL_TEXTURE_2D, name());
 }
 
-Framebuffer Framebuffer::make(const Texture& color, const Texture& depth) {
+Framebuffer Framebuffer::make(const Texture& color) {
   GLuint name = 0;
   glGenFramebuffers(1, &name);
   Framebuffer framebuffer;
@@ -100,6 +100,13 @@ Framebuffer Framebuffer::make(const Texture& color, const Texture& depth) {
   framebuffer.height_px_ = color.height_px();
   glBindFramebuffer(GL_FRAMEBUFFER, name);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color.name(), 0);
+  bind_window();
+  return framebuffer;
+}
+
+Framebuffer Framebuffer::make(const Texture& color, const Texture& depth) {
+  Framebuffer framebuffer = make(color);
+  framebuffer.bind();
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth.name(), 0);
   assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
   bind_window();

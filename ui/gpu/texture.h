@@ -39,6 +39,7 @@ class Framebuffer {
  public:
   Framebuffer() = default;
   static Framebuffer make(const Texture& color, const Texture& depth);
+  static Framebuffer make(const Texture& color);
   /// Draws go there from now on, to its whole area.
   void bind() const;
   /// Back to the window's own.

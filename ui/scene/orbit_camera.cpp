@@ -140,7 +140,7 @@ Eigen::Matrix4d OrbitCamera::projection(double aspect, double near_mm, double fa
   P_clip_eye(2, 2) = -(far_mm + near_mm) / (far_mm - near_mm);
   P_clip_eye(2, 3) = -2.0 * far_mm * near_mm / (far_mm - near_mm);
   P_clip_eye(3, 2) = -1.0;
-  return P_clip_eye * T_world_eye().inverse().matrix();
+  return P_clip_eye;
 }
 
 Eigen::ParametrizedLine<double, 3> OrbitCamera::ray(double x_px, double y_px,

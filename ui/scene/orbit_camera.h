@@ -66,7 +66,7 @@ class OrbitCamera {
   [[nodiscard]] const CameraOptions& options() const { return options_; }
   [[nodiscard]] double distance_mm() const;  ///< from the eye to the target
   [[nodiscard]] Isometry T_world_eye() const;
-  /// World to clip coordinates. @param near_mm, far_mm  distances from the eye, 0 < near < far
+  /// Eye to clip coordinates. @param near_mm, far_mm  distances from the eye, 0 < near < far
   [[nodiscard]] Eigen::Matrix4d projection(double aspect, double near_mm, double far_mm) const;
   /// The ray through a pixel's middle: origin at the eye, unit direction, world frame.
   [[nodiscard]] Eigen::ParametrizedLine<double, 3> ray(double x_px, double y_px,

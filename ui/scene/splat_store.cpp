@@ -56,14 +56,6 @@ std::vector<BrushDab> within(const std::vector<BrushDab>& dabs, const Eigen::Ali
   return near;
 }
 
-bool is_same(const BrushDab& a, const BrushDab& b) {
-  return a.center_mm == b.center_mm && a.normal == b.normal && a.radius_mm == b.radius_mm;
-}
-
-bool are_same(const std::vector<BrushDab>& a, const std::vector<BrushDab>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same);
-}
-
 }  // namespace
 
 SplatStore::SplatStore()

@@ -25,4 +25,11 @@ bool reaches(const std::vector<BrushDab>& dabs, const Vec3f& position_mm, const 
   });
 }
 
+bool are_same(const std::vector<BrushDab>& a, const std::vector<BrushDab>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const BrushDab& p, const BrushDab& q) {
+        return p.center_mm == q.center_mm && p.normal == q.normal && p.radius_mm == q.radius_mm;
+      });
+}
+
 }  // namespace flytri::ui

@@ -25,4 +25,6 @@ inline constexpr std::uint8_t kLockedFlag = 4;
 [[nodiscard]] bool reaches(const std::vector<BrushDab>& dabs, const Vec3f& position_mm,
                            const Vec3f& normal);
 
+[[nodiscard]] bool are_same(const std::vector<BrushDab>& a, const std::vector<BrushDab>& b);
+
 }  // namespace flytri::ui

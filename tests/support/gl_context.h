@@ -1,0 +1,31 @@
+/// @file  A hidden window for tests that draw.
+#pragma once
+
+#include <memory>
+#include <opencv2/core.hpp>
+
+struct GLFWwindow;
+
+namespace flytri::testing {
+
+/// An OpenGL 3.3 core context, current in this thread while it lives.
+class GlContext {
+ public:
+  /// Null where no display can be had; a test that needs one skips with kNoDisplay.
+  [[nodiscard]] static std::unique_ptr<GlContext> create();
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+  ~GlContext();
+
+ private:
+  explicit GlContext(GLFWwindow* window) : window_(window) {}
+  GLFWwindow* window_;
+};
+
+inline constexpr const char* kNoDisplay =
+    "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
+
+/// The pixels of a texture, CV_8UC3 in R, G, B order, the upper row first.
+[[nodiscard]] cv::Mat read_texture(unsigned texture, int width_px, int height_px);
+
+}  // namespace flytri::testing

@@ -1,0 +1,28 @@
+#include "ui/scene/coloring.h"
+
+#include <array>
+
+namespace flytri::ui {
+
+void set_coloring(const ShaderProgram& program, const SceneOptions& options) {
+  program.set("color_mode", static_cast<int>(options.color_mode));
+  program.set("texture_blend", static_cast<float>(options.texture_blend));
+  program.set("good_color", rgb_of(options.good_color));
+  program.set("thin_color", rgb_of(options.thin_color));
+  program.set("max_sigma_mm", static_cast<float>(options.max_sigma_mm));
+  constexpr std::array<const char*, 5> kRamp = {"sigma_ramp[0]", "sigma_ramp[1]", "sigma_ramp[2]",
+                                                "sigma_ramp[3]", "sigma_ramp[4]"};
+  for (std::size_t i = 0; i < kRamp.size(); ++i) {
+    program.set(kRamp[i], rgb_of(sigma_color(static_cast<double>(i) / (kRamp.size() - 1))));
+  }
+}
+
+bool look_same(const SceneOptions& a, const SceneOptions& b) {
+  return a.color_mode == b.color_mode && a.texture_blend == b.texture_blend &&
+         a.good_color == b.good_color && a.thin_color == b.thin_color &&
+         a.max_sigma_mm == b.max_sigma_mm;
+}
+
+Eigen::Vector3f rgb_of(const Color& color) { return {color[0], color[1], color[2]}; }
+
+}  // namespace flytri::ui

@@ -1,0 +1,40 @@
+/// @file  The model's picture, the background and the lines over it become the scene's picture.
+#pragma once
+
+#include <vector>
+
+#include "ui/gpu/buffer.h"
+#include "ui/scene/line_painter.h"
+#include "ui/scene/model_picture.h"
+
+namespace flytri::ui {
+
+/// What the model stands before.
+struct Backdrop {
+  bool is_dimmed = false;  ///< the model stands back
+  Color top;
+  Color bottom;
+  bool operator==(const Backdrop&) const = default;
+};
+
+class Composer {
+ public:
+  /// @errors  those of ShaderProgram::load.
+  [[nodiscard]] static Result<Composer> create();
+
+  /// @param has_changed  the model's picture is another one than before
+  void compose(const PictureTarget& model, bool has_changed, const std::vector<OverlayLine>& lines,
+               const Eye& eye, const Backdrop& backdrop);
+  [[nodiscard]] std::uint32_t texture_id() const { return picture_.name(); }
+
+ private:
+  Composer(ShaderProgram program, LinePainter lines);
+  ShaderProgram program_;
+  LinePainter lines_;
+  VertexArray no_vertices_;
+  Texture picture_;
+  Backdrop backdrop_;
+  bool had_lines_ = false;
+};
+
+}  // namespace flytri::ui

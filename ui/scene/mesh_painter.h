@@ -1,0 +1,41 @@
+/// @file  Draws the finished mesh with its texture atlas.
+#pragma once
+
+#include <vector>
+
+#include "core/editing/edits.h"
+#include "core/geometry/triangle_mesh.h"
+#include "ui/gpu/buffer.h"
+#include "ui/gpu/shader_program.h"
+#include "ui/gpu/texture.h"
+#include "ui/scene/eye.h"
+#include "ui/scene/scene_options.h"
+
+namespace flytri::ui {
+
+class MeshPainter {
+ public:
+  /// @errors  those of ShaderProgram::load.
+  [[nodiscard]] static Result<MeshPainter> create();
+
+  /// Sends a mesh to graphics memory.
+  /// @param locked  strokes whose vertices are tinted
+  void take(const TexturedMesh& mesh, const std::vector<BrushDab>& locked);
+  /// Into the bound framebuffer. Triangles seen from behind are left out.
+  void paint(const Eye& eye, const SceneOptions& options) const;
+
+  [[nodiscard]] const Eigen::AlignedBox3d& box_mm() const { return box_mm_; }
+
+ private:
+  explicit MeshPainter(ShaderProgram program);
+  ShaderProgram program_;
+  Buffer buffer_;
+  Buffer indices_;
+  VertexArray vertices_;
+  Texture atlas_;
+  bool has_atlas_ = false;
+  GLsizei index_count_ = 0;
+  Eigen::AlignedBox3d box_mm_;
+};
+
+}  // namespace flytri::ui

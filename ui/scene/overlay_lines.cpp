@@ -1,0 +1,176 @@
+#include "ui/scene/overlay_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace flytri::ui {
+namespace {
+
+constexpr Color kVerticalProfile = {1.00F, 0.84F, 0.20F, 1.0F};    ///< amber
+constexpr Color kHorizontalProfile = {0.35F, 0.88F, 1.00F, 1.0F};  ///< cyan
+constexpr Color kMeasurement = {1.0F, 1.0F, 1.0F, 1.0F};
+constexpr Color kLock = {0.36F, 0.47F, 0.80F, 1.0F};
+
+Color faded(Color color, double opacity) {
+  color[3] *= static_cast<float>(opacity);
+  return color;
+}
+
+/// 0..1 and back in about a second: calm, and seen from the corner of the eye.
+double pulse(double now_s) { return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * now_s / 1.1); }
+
+/// Collects lines of one width scale.
+class Pen {
+ public:
+  explicit Pen(double scale) : scale_(static_cast<float>(scale)) {}
+
+  void line(const Vec3& from_mm, const Vec3& to_mm, double width_px, const Color& color) {
+    lines_.push_back(
+        {from_mm.cast<float>(), to_mm.cast<float>(), scale_ * static_cast<float>(width_px), color});
+  }
+  void ring(const Vec3& center_mm, const Vec3& normal, double radius_mm, double width_px,
+            const Color& color) {
+    constexpr int kCorners = 48;
+    const Vec3 x = radius_mm * normal.unitOrthogonal(), y = normal.cross(x);
+    const auto corner = [&](int i) -> Vec3 {
+      const double angle_rad = 2.0 * std::numbers::pi * i / kCorners;
+      return center_mm + std::cos(angle_rad) * x + std::sin(angle_rad) * y;
+    };
+    for (int i = 0; i < kCorners; ++i) line(corner(i), corner(i + 1), width_px, color);
+  }
+  std::vector<OverlayLine> lines() && { return std::move(lines_); }
+
+ private:
+  float scale_;
+  std::vector<OverlayLine> lines_;
+};
+
+void add_view(Pen& pen, const View& view, const Isometry& T_world_sensor, double width_px) {
+  const Color& color = view.pattern == Pattern::kVertical ? kVerticalProfile : kHorizontalProfile;
+  for (const Profile& profile : view.profiles) {
+    for (std::size_t i = 0; i + 1 < profile.points.size(); ++i) {
+      pen.line(T_world_sensor * profile.points[i].position_mm,
+               T_world_sensor * profile.points[i + 1].position_mm, width_px, color);
+    }
+  }
+}
+
+/// The eight corners of a measurement volume; bit 0 of the number is x, 1 is y, 2 is z.
+Vec3 corner(const Isometry& T_world_sensor, const Vec3& volume_mm, int number) {
+  const Vec3 sign((number & 1) != 0 ? 0.5 : -0.5, (number & 2) != 0 ? 0.5 : -0.5,
+                  (number & 4) != 0 ? 0.5 : -0.5);
+  return T_world_sensor * volume_mm.cwiseProduct(sign);
+}
+
+/// Where the light comes from, drawn as the tip of the sensor: a volume's depth before it.
+Vec3 tip(const Isometry& T_world_sensor, const Vec3& volume_mm) {
+  return T_world_sensor * Vec3(0.0, 0.0, -1.7 * volume_mm.z());
+}
+
+void add_volume(Pen& pen, const Isometry& T_world_sensor, const Vec3& volume_mm, double width_px,
+                const Color& color) {
+  for (int number = 0; number < 8; ++number) {
+    for (const int axis : {1, 2, 4}) {
+      if ((number & axis) != 0) continue;
+      pen.line(corner(T_world_sensor, volume_mm, number),
+               corner(T_world_sensor, volume_mm, number | axis), width_px, color);
+    }
+  }
+}
+
+void add_sensor(Pen& pen, const SensorGhost& sensor, double now_s) {
+  const double strength = sensor.pulses ? pulse(now_s) : 0.4;
+  const Color color = faded(sensor.pulses ? kCaution : kNeutral, 0.35 + 0.65 * strength);
+  const double width_px = sensor.pulses ? 2.0 + 2.0 * strength : 1.5;
+  add_volume(pen, sensor.T_world_sensor, sensor.volume_mm, width_px, color);
+  for (int number = 0; number < 4; ++number) {
+    pen.line(tip(sensor.T_world_sensor, sensor.volume_mm),
+             corner(sensor.T_world_sensor, sensor.volume_mm, number), width_px, faded(color, 0.6));
+  }
+}
+
+void add_preview(Pen& pen, const PreviewContent& preview) {
+  add_volume(pen, Isometry::Identity(), preview.volume_mm, 1.5, faded(kNeutral, 0.55));
+  for (const auto& view : preview.views) {
+    if (view) add_view(pen, *view, Isometry::Identity(), 2.5);
+  }
+}
+
+void add_hole(Pen& pen, const BoundaryLoop& hole, const TriangleMesh* mesh, bool is_selected) {
+  const double width_px = is_selected ? 4.0 : 2.5;
+  const Color color = is_selected ? kCaution : faded(kBad, 0.9);
+  if (mesh == nullptr || hole.vertices.empty()) {
+    pen.ring(hole.center_mm.cast<double>(), hole.normal.cast<double>(),
+             hole.perimeter_mm / (2.0 * std::numbers::pi), width_px, color);
+    return;
+  }
+  for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
+    const std::uint32_t next = hole.vertices[(i + 1) % hole.vertices.size()];
+    pen.line(mesh->vertices[hole.vertices[i]].position_mm.cast<double>(),
+             mesh->vertices[next].position_mm.cast<double>(), width_px, color);
+  }
+}
+
+void add_holes(Pen& pen, const SceneContent& content) {
+  if (content.holes == nullptr) return;
+  for (std::size_t i = 0; i < content.holes->size(); ++i) {
+    const BoundaryLoop& hole = (*content.holes)[i];
+    if (!hole.is_outer) add_hole(pen, hole, content.rim_mesh, content.selected_hole == i);
+  }
+}
+
+/// A line with a small cross at both ends.
+void add_measurement(Pen& pen, const MeasuredSegment& segment, const Eye& eye) {
+  const double width_px = segment.is_selected ? 3.5 : 2.5;
+  const Color color = segment.is_selected ? kCaution : kMeasurement;
+  const double arm_mm = 0.008 * eye.height_mm;
+  const Eigen::Matrix3d R_world_eye =
+      eye.T_eye_world.topLeftCorner<3, 3>().transpose().cast<double>();
+  pen.line(segment.from_mm, segment.to_mm, width_px, color);
+  for (const Vec3& end : {segment.from_mm, segment.to_mm}) {
+    const Vec3 x = arm_mm * R_world_eye.col(0), y = arm_mm * R_world_eye.col(1);
+    pen.line(end - x, end + x, width_px, color);
+    pen.line(end - y, end + y, width_px, color);
+  }
+}
+
+void add_brush(Pen& pen, const BrushCursor& brush) {
+  const Color color = brush.kind == EditKind::kTrim   ? kBad
+                      : brush.kind == EditKind::kLock ? kLock
+                                                      : kNeutral;
+  const Vec3 center = brush.dab.center_mm.cast<double>(), normal = brush.dab.normal.cast<double>();
+  pen.ring(center, normal, brush.dab.radius_mm, 5.0, {0.0F, 0.0F, 0.0F, 0.45F});
+  pen.ring(center, normal, brush.dab.radius_mm, 3.0, color);
+}
+
+}  // namespace
+
+std::vector<OverlayLine> overlay_lines(const SceneContent& content, const SceneOptions& options,
+                                       const Eye& eye, double now_s) {
+  Pen pen(options.scale);
+  for (const AlignedView& view : content.highlighted) {
+    if (view.view) add_view(pen, *view.view, view.T_world_sensor, 3.0);
+  }
+  for (const SensorGhost& sensor : content.sensors) add_sensor(pen, sensor, now_s);
+  if (content.preview) add_preview(pen, *content.preview);
+  add_holes(pen, content);
+  for (const MeasuredSegment& segment : content.measurements) add_measurement(pen, segment, eye);
+  if (content.brush) add_brush(pen, *content.brush);
+  return std::move(pen).lines();
+}
+
+Eigen::AlignedBox3d overlay_box_mm(const SceneContent& content) {
+  Eigen::AlignedBox3d box;
+  const auto extend = [&](const Isometry& T_world_sensor, const Vec3& volume_mm) {
+    for (int number = 0; number < 8; ++number) {
+      box.extend(corner(T_world_sensor, volume_mm, number));
+    }
+    box.extend(tip(T_world_sensor, volume_mm));
+  };
+  for (const SensorGhost& sensor : content.sensors) extend(sensor.T_world_sensor, sensor.volume_mm);
+  if (content.preview) extend(Isometry::Identity(), content.preview->volume_mm);
+  return box;
+}
+
+}  // namespace flytri::ui

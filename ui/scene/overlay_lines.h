@@ -1,0 +1,30 @@
+/// @file  Everything laid over the model, as thick lines.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ui/scene/eye.h"
+#include "ui/scene/scene_content.h"
+#include "ui/scene/scene_options.h"
+
+namespace flytri::ui {
+
+struct OverlayLine {
+  Vec3f from_mm;
+  Vec3f to_mm;
+  float width_px = 2.0F;
+  Color color;
+};
+
+/// Profiles, sensors, rims of holes, measured segments and the brush. Where the model hides them
+/// they shine through faintly.
+/// @param now_s  drives what pulses
+[[nodiscard]] std::vector<OverlayLine> overlay_lines(const SceneContent& content,
+                                                     const SceneOptions& options, const Eye& eye,
+                                                     double now_s);
+
+/// Around all of them that stands apart from the model.
+[[nodiscard]] Eigen::AlignedBox3d overlay_box_mm(const SceneContent& content);
+
+}  // namespace flytri::ui

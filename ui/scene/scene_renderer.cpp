@@ -1,0 +1,117 @@
+#include "ui/scene/scene_renderer.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ui/scene/coloring.h"
+#include "ui/scene/composer.h"
+#include "ui/scene/depth_pick.h"
+#include "ui/scene/line_painter.h"
+#include "ui/scene/mesh_picture.h"
+#include "ui/scene/model_picture.h"
+
+namespace flytri::ui {
+
+struct SceneRenderer::State {
+  ModelPicture model;
+  MeshPicture mesh;
+  Composer composer;
+  SplatStore store;
+  Eye eye;
+  Eigen::AlignedBox3d model_box_mm;
+  const PictureTarget* shown = nullptr;  ///< of the model or the mesh
+  bool pulses = false;
+  SceneStatistics statistics;
+
+  void update_model(const SceneContent& content, const SceneOptions& options,
+                    const OrbitCamera& camera, const PictureSize& size, double now_s);
+  void update_mesh(const SceneContent& content, const SceneOptions& options,
+                   const OrbitCamera& camera, const PictureSize& size);
+  bool picture_has_changed = false;
+};
+
+namespace {
+
+Eigen::AlignedBox3d merged(Eigen::AlignedBox3d a, const Eigen::AlignedBox3d& b) {
+  return a.extend(b);
+}
+
+}  // namespace
+
+Result<SceneRenderer> SceneRenderer::create() {
+  Result<SplatPainter> splats = SplatPainter::create();
+  if (!splats) return tl::unexpected(splats.error());
+  Result<MeshPainter> mesh = MeshPainter::create();
+  if (!mesh) return tl::unexpected(mesh.error());
+  Result<Composer> composer = Composer::create();
+  if (!composer) return tl::unexpected(composer.error());
+  return SceneRenderer(std::unique_ptr<State>(new State{
+      ModelPicture(std::move(*splats)), MeshPicture(std::move(*mesh)), std::move(*composer)}));
+}
+
+SceneRenderer::SceneRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+SceneRenderer::~SceneRenderer() = default;
+
+void SceneRenderer::State::update_model(const SceneContent& content, const SceneOptions& options,
+                                        const OrbitCamera& camera, const PictureSize& size,
+                                        double now_s) {
+  static const SurfelModel kNothing;
+  const StoreChanges changes =
+      store.update(content.model != nullptr ? *content.model : kNothing, content.locked);
+  model_box_mm = store.box_mm();
+  eye = make_eye(camera, size, merged(overlay_box_mm(content), model_box_mm));
+  const ModelPicture::Done done = model.update(store, changes, eye, options, now_s);
+  shown = &model.shown();
+  picture_has_changed = done.has_changed;
+  statistics = {store.surfel_count(), done.drawn,    model.detail_share(),
+                model.latest_ms(),    done.was_full, changes.uploaded_bytes};
+}
+
+void SceneRenderer::State::update_mesh(const SceneContent& content, const SceneOptions& options,
+                                       const OrbitCamera& camera, const PictureSize& size) {
+  mesh.take(*content.mesh, content.mesh_number, content.locked);
+  model_box_mm = mesh.box_mm();
+  eye = make_eye(camera, size, merged(overlay_box_mm(content), model_box_mm));
+  picture_has_changed = mesh.update(eye, options);
+  shown = &mesh.shown();
+  statistics = {};
+  statistics.was_full = picture_has_changed;
+  statistics.frame_ms = mesh.latest_ms();
+}
+
+void SceneRenderer::draw(const SceneContent& content, const SceneOptions& options,
+                         const OrbitCamera& camera, const PictureSize& size, double now_s) {
+  State& state = *state_;
+  const PictureTarget* before = state.shown;
+  if (content.mesh != nullptr) {
+    state.update_mesh(content, options, camera, size);
+  } else {
+    state.update_model(content, options, camera, size, now_s);
+  }
+  state.pulses = std::any_of(content.sensors.begin(), content.sensors.end(),
+                             [](const SensorGhost& sensor) { return sensor.pulses; });
+  const bool has_changed = state.picture_has_changed || before != state.shown;
+  state.composer.compose(*state.shown, has_changed,
+                         overlay_lines(content, options, state.eye, now_s), state.eye,
+                         {content.is_dimmed, options.background_top, options.background_bottom});
+  Framebuffer::bind_window();
+}
+
+std::uint32_t SceneRenderer::texture_id() const { return state_->composer.texture_id(); }
+
+bool SceneRenderer::wants_redraw() const {
+  return state_->pulses || (state_->shown == &state_->model.shown() && state_->model.is_coarse());
+}
+
+std::optional<Pick> SceneRenderer::pick(double x_px, double y_px) {
+  if (state_->shown == nullptr) return std::nullopt;
+  return pick_from_depth(*state_->shown, state_->eye, x_px, y_px);
+}
+
+const SceneStatistics& SceneRenderer::statistics() const { return state_->statistics; }
+
+const Eigen::AlignedBox3d& SceneRenderer::model_box_mm() const { return state_->model_box_mm; }
+
+}  // namespace flytri::ui

@@ -1,0 +1,49 @@
+#include "ui/scene/splat_painter.h"
+
+#include <cmath>
+
+#include "ui/scene/coloring.h"
+
+namespace flytri::ui {
+
+std::size_t prefix_length(std::size_t count, double detail_share) {
+  return static_cast<std::size_t>(std::ceil(static_cast<double>(count) * detail_share));
+}
+
+Result<SplatPainter> SplatPainter::create() {
+  Result<ShaderProgram> program = ShaderProgram::load("splat.vert", "splat.frag");
+  if (!program) return tl::unexpected(program.error());
+  return SplatPainter(std::move(*program));
+}
+
+std::size_t SplatPainter::paint(const SplatStore& store,
+                                const std::vector<const StoredBlock*>& blocks, const Eye& eye,
+                                const SceneOptions& options, double detail_share) {
+  firsts_.clear();
+  counts_.clear();
+  std::size_t drawn = 0;
+  for (const StoredBlock* stored : blocks) {
+    if (!eye.may_see(stored->box_mm)) continue;
+    const std::size_t count = prefix_length(stored->block->surfels.size(), detail_share);
+    firsts_.push_back(static_cast<GLint>(stored->range.first));
+    counts_.push_back(static_cast<GLsizei>(count));
+    drawn += count;
+  }
+  if (drawn == 0) return 0;
+  program_.use();
+  eye.set_uniforms(program_);
+  set_coloring(program_, options);
+  program_.set("focal_px", eye.focal_px());
+  // K of N disks cover the same area where each is sqrt(N / K) as wide.
+  program_.set("radius_scale", static_cast<float>(1.0 / std::sqrt(detail_share)));
+  store.bind();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glMultiDrawArrays(GL_POINTS, firsts_.data(), counts_.data(),
+                    static_cast<GLsizei>(firsts_.size()));
+  glDisable(GL_PROGRAM_POINT_SIZE);
+  return drawn;
+}
+
+}  // namespace flytri::ui
