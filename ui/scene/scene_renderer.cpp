@@ -13,6 +13,11 @@
 namespace flytri::ui {
 
 struct SceneRenderer::State {
+  State(SplatPainter splats, MeshPainter mesh_painter, Composer scene_composer)
+      : model(std::move(splats)),
+        mesh(std::move(mesh_painter)),
+        composer(std::move(scene_composer)) {}
+
   ModelPicture model;
   MeshPicture mesh;
   Composer composer;
@@ -21,13 +26,13 @@ struct SceneRenderer::State {
   Eigen::AlignedBox3d model_box_mm;
   const PictureTarget* shown = nullptr;  ///< of the model or the mesh
   bool pulses = false;
+  bool picture_has_changed = false;
   SceneStatistics statistics;
 
   void update_model(const SceneContent& content, const SceneOptions& options,
                     const OrbitCamera& camera, const PictureSize& size, double now_s);
   void update_mesh(const SceneContent& content, const SceneOptions& options,
                    const OrbitCamera& camera, const PictureSize& size);
-  bool picture_has_changed = false;
 };
 
 namespace {
@@ -45,8 +50,8 @@ Result<SceneRenderer> SceneRenderer::create() {
   if (!mesh) return tl::unexpected(mesh.error());
   Result<Composer> composer = Composer::create();
   if (!composer) return tl::unexpected(composer.error());
-  return SceneRenderer(std::unique_ptr<State>(new State{
-      ModelPicture(std::move(*splats)), MeshPicture(std::move(*mesh)), std::move(*composer)}));
+  return SceneRenderer(
+      std::make_unique<State>(std::move(*splats), std::move(*mesh), std::move(*composer)));
 }
 
 SceneRenderer::SceneRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -32,4 +32,7 @@ class SplatPainter {
 /// How many surfels of a block stand for it: at least one.
 [[nodiscard]] std::size_t prefix_length(std::size_t count, double detail_share);
 
+/// How much wider the disks of a prefix are: K of N cover the same area at sqrt(N / K).
+[[nodiscard]] double radius_scale(double detail_share);
+
 }  // namespace flytri::ui
