@@ -88,10 +88,6 @@ ActionState tool_state(const Facts& facts, Tool tool) {
   return chosen(facts.state.tool == tool, "in hand");
 }
 
-bool holds_brush(Tool tool) {
-  return tool == Tool::kTrim || tool == Tool::kLock || tool == Tool::kUnlock;
-}
-
 ActionState editing_state(Action action, const Facts& facts) {
   const bool can_step = facts.can_edit();
   switch (action) {
@@ -110,7 +106,7 @@ ActionState editing_state(Action action, const Facts& facts) {
     case Action::kRemoveMeasurement:
       return only_if(!facts.view.measurements.empty(), "nothing measured");
     default:
-      return only_if(holds_brush(facts.state.tool), "no brush in hand");
+      return only_if(has_brush(facts.state.tool), "no brush in hand");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/app_view.h"
@@ -16,7 +17,19 @@ namespace flytri::ui {
 /// What the pointer does on the surface.
 enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure };
 
+[[nodiscard]] std::string_view to_string(Tool tool);
+[[nodiscard]] constexpr bool has_brush(Tool tool) {
+  return tool == Tool::kTrim || tool == Tool::kLock || tool == Tool::kUnlock;
+}
+/// What a tool with a brush does to the surface.
+[[nodiscard]] constexpr EditKind kind_of(Tool tool) {
+  if (tool == Tool::kLock) return EditKind::kLock;
+  return tool == Tool::kUnlock ? EditKind::kUnlock : EditKind::kTrim;
+}
+
 enum class Dialog { kNone, kHelp, kExport, kCase, kSettings };
+[[nodiscard]] std::string_view to_string(Dialog dialog);
+[[nodiscard]] std::string_view to_string(ColorMode mode);
 
 /// The camera's own business.
 struct CameraState {
@@ -49,7 +62,7 @@ struct CaseForm {
   CaseFields fields;
   std::string path;
   std::string passphrase;
-  std::size_t chosen = 0;  ///< in CaseState::known
+  bool is_path_edited = false;  ///< else the path of a new case is proposed from its fields
 };
 
 /// A notice while it shows.
@@ -71,7 +84,7 @@ struct WindowState {
   CaseForm case_form;
   std::vector<ShownNotice> toasts;
   std::uint64_t latest_notice = 0;
-  bool is_closing = false;
+  double frame_s = 0.0;  ///< between the latest two frames
 };
 
 }  // namespace flytri::ui

@@ -12,8 +12,8 @@ Touch touch(const Rect& box, const ButtonLook& look) {
   ImGui::SetCursorScreenPos(box.min());
   const bool is_clicked = ImGui::InvisibleButton(look.id, box.size()) && look.is_enabled;
   const bool is_hovered = ImGui::IsItemHovered();
-  if (is_hovered && look.hint != nullptr && look.hint[0] != '\0') {
-    ImGui::SetTooltip("%s", look.hint);
+  if (is_hovered && !look.hint.empty()) {
+    ImGui::SetTooltip("%s", look.hint.c_str());
   }
   return {is_clicked, is_hovered && look.is_enabled, ImGui::IsItemActive() && look.is_enabled};
 }

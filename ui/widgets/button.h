@@ -14,10 +14,10 @@ struct ButtonLook {
   std::string label;
   std::string key;  ///< its key, small in the corner; empty: not shown
   bool is_enabled = true;
-  bool is_on = false;          ///< in hand or chosen
-  bool is_main = false;        ///< filled with `color`: the one thing to do next
-  Color color = kNeutral;      ///< of what is on or main
-  const char* hint = nullptr;  ///< shown when the pointer rests on it
+  bool is_on = false;      ///< in hand or chosen
+  bool is_main = false;    ///< filled with `color`: the one thing to do next
+  Color color = kNeutral;  ///< of what is on or main
+  std::string hint;        ///< shown when the pointer rests on it
 };
 
 /// Icon above the label, the key in the upper right corner. @return  true when clicked

@@ -1,0 +1,180 @@
+#include "ui/app_window.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "ui/control/control_answers.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/toasts.h"
+#include "ui/window/imgui_host.h"
+
+namespace flytri::ui {
+
+Result<void> AppWindowOptions::validate() const {
+  if (width_px < 640 || height_px < 400) {
+    return fail(ErrorCode::kBadOption, "the window must be at least 640 x 400, not {} x {}",
+                width_px, height_px);
+  }
+  if (content_scale && !(*content_scale >= 0.5 && *content_scale <= 4.0)) {
+    return fail(ErrorCode::kBadOption, "content_scale must be in 0.5..4, not {}", *content_scale);
+  }
+  return {};
+}
+
+struct AppWindow::Impl {
+  AppWindowOptions options;
+  // In this order: what comes later lives in the context of what comes before.
+  std::unique_ptr<Window> window;
+  std::unique_ptr<ImGuiHost> host;
+  std::optional<SceneRenderer> scene;
+  Pictures pictures;
+  WindowState state;
+  ItemPlaces places;
+  std::optional<ControlAnswers> control;
+  double last_now_s = -1.0;
+
+  Result<void> open();
+  Result<Theme> theme_for(const AppView& view);
+  void draw(const AppView& view, const Theme& theme, std::vector<Command>& commands);
+};
+
+namespace {
+
+constexpr double kLongestStep_s = 0.1;
+
+void draw_overlays(const PanelContext& context) {
+  draw_status_banner(context);
+  draw_look_panel(context);
+  draw_findings_panel(context);
+  draw_tool_strip(context);
+  draw_finishing_card(context);
+  draw_toasts(context);
+}
+
+void draw_dialog(const PanelContext& context) {
+  switch (context.state.dialog) {
+    case Dialog::kHelp:
+      return draw_help_dialog(context);
+    case Dialog::kExport:
+      return draw_export_dialog(context);
+    case Dialog::kCase:
+      return draw_case_dialog(context);
+    case Dialog::kSettings:
+      return draw_settings_dialog(context);
+    case Dialog::kNone:
+      break;
+  }
+}
+
+void draw_panels(const PanelContext& context) {
+  draw_scene_panel(context);
+  draw_top_bar(context);
+  draw_bottom_bar(context);
+  draw_side_panel(context);
+  draw_overlays(context);
+  draw_dialog(context);
+}
+
+/// A tool that the moment does not allow is put down.
+void drop_tool(const AppView& view, WindowState& state) {
+  constexpr std::array kTools = {
+      std::pair{Tool::kTrim, Action::kTrim}, std::pair{Tool::kLock, Action::kLock},
+      std::pair{Tool::kUnlock, Action::kUnlock}, std::pair{Tool::kMeasure, Action::kMeasure}};
+  if (state.dialog != Dialog::kNone) return;
+  for (const auto& [tool, action] : kTools) {
+    if (state.tool != tool || action_state(action, view, state).is_enabled) continue;
+    state.tool = Tool::kNone;
+    state.brush.stroke.clear();
+    state.measured_from_mm.reset();
+  }
+}
+
+}  // namespace
+
+AppWindow::AppWindow(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+AppWindow::~AppWindow() = default;
+
+Result<std::unique_ptr<AppWindow>> AppWindow::create(const AppWindowOptions& options) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  auto impl = std::make_unique<Impl>();
+  impl->options = options;
+  if (auto opened = impl->open(); !opened) return tl::unexpected(opened.error());
+  return std::unique_ptr<AppWindow>(new AppWindow(std::move(impl)));
+}
+
+Result<void> AppWindow::Impl::open() {
+  auto opened = Window::open(
+      {options.title, {options.width_px, options.height_px}, options.waits_for_screen});
+  if (!opened) return tl::unexpected(opened.error());
+  window = std::move(*opened);
+  host = std::make_unique<ImGuiHost>(*window);
+  if (auto set = host->set_scale(1.0F); !set) return set;
+  auto renderer = SceneRenderer::create();
+  if (!renderer) return tl::unexpected(renderer.error());
+  scene = std::move(*renderer);
+  if (options.shows_case_dialog) state.dialog = Dialog::kCase;
+  if (options.control_socket.empty()) return {};
+  auto channel = ControlChannel::listen(options.control_socket);
+  if (!channel) return tl::unexpected(channel.error());
+  control.emplace(std::move(*channel));
+  return {};
+}
+
+Result<Theme> AppWindow::Impl::theme_for(const AppView& view) {
+  const ImageSize size = window->framebuffer_size();
+  const double content = options.content_scale.value_or(window->content_scale());
+  const float scale =
+      window_scale(content, view.settings.user_scale, size.width_px, size.height_px);
+  if (auto set = host->set_scale(scale); !set) return tl::unexpected(set.error());
+  return host->theme();
+}
+
+void AppWindow::Impl::draw(const AppView& view, const Theme& theme,
+                           std::vector<Command>& commands) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const Layout layout = make_layout(size.x, size.y, theme);
+  state.view.picture = {std::max(static_cast<int>(layout.picture.width), 1),
+                        std::max(static_cast<int>(layout.picture.height), 1)};
+  state.frame_s = last_now_s < 0.0 ? 0.0 : std::clamp(view.now_s - last_now_s, 0.0, kLongestStep_s);
+  last_now_s = view.now_s;
+  places.clear();
+  draw_panels({view, state, commands, theme, layout, *scene, pictures, places});
+}
+
+bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
+  Impl& impl = *impl_;
+  const std::size_t first = commands.size();
+  impl.window->poll();
+  const ImageSize size = impl.window->framebuffer_size();
+  if (size.width_px == 0 || size.height_px == 0) return !impl.window->should_close();
+  // The fonts were there at the start: a scale that cannot be set leaves the former one.
+  const Theme theme = impl.theme_for(view).value_or(impl.host->theme());
+  update_toasts(view, impl.state);
+  const std::vector<KeyEvent> presses = impl.host->begin_frame(view.now_s);
+  for (const KeyEvent& press : presses) {
+    if (const auto action = action_of(press)) perform(*action, view, impl.state, commands);
+  }
+  if (impl.control) impl.control->ask(view, impl.state, commands);
+  drop_tool(view, impl.state);
+  impl.draw(view, theme, commands);
+  glViewport(0, 0, size.width_px, size.height_px);
+  glClearColor(kBackground[0], kBackground[1], kBackground[2], 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  impl.host->end_frame();
+  if (impl.window->should_close()) commands.emplace_back(Quit{});
+  if (impl.control) {
+    const bool is_idle = impl.window->input().empty() && presses.empty();
+    impl.control->answer({view,
+                          impl.state,
+                          impl.places,
+                          {commands.begin() + static_cast<std::ptrdiff_t>(first), commands.end()},
+                          size,
+                          theme.scale,
+                          is_idle});
+  }
+  impl.window->swap();
+  return !impl.window->should_close();
+}
+
+}  // namespace flytri::ui

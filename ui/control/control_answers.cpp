@@ -1,0 +1,132 @@
+#include "ui/control/control_answers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "ui/perform.h"
+#include "ui/window/screenshot.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr std::size_t kMostCommands = 1000;
+
+std::optional<Action> action_named(const std::string& id) {
+  const auto all = key_map();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const KeyBinding& row) { return id == row.id; });
+  if (found == all.end()) return std::nullopt;
+  return found->action;
+}
+
+std::string answer_where(const ItemPlaces& places, const std::string& id) {
+  const auto place = places.find(id);
+  if (!place) return fmt::format("error nothing is called {}", id);
+  return fmt::format("ok {:.0f} {:.0f} {:.0f} {:.0f}", place->x, place->y, place->width,
+                     place->height);
+}
+
+std::string answer_shot(const ImageSize& size, const std::string& path) {
+  const auto saved = save_screenshot(size, path);
+  return saved ? "ok" : "error " + saved.error().message;
+}
+
+nlohmann::json camera_as_json(const CameraState& view) {
+  const CameraPose& pose = view.camera.pose();
+  return {
+      {"target_mm", {pose.target_mm.x(), pose.target_mm.y(), pose.target_mm.z()}},
+      {"q_wxyz",
+       {pose.q_world_eye.w(), pose.q_world_eye.x(), pose.q_world_eye.y(), pose.q_world_eye.z()}},
+      {"height_mm", pose.height_mm},
+      {"flies", view.camera.is_flying()},
+      {"follows", view.follows_scan}};
+}
+
+/// Where actions stand, but for those that are enabled and off: that is the ordinary case.
+nlohmann::json actions_as_json(const AppView& view, const WindowState& state) {
+  nlohmann::json actions = nlohmann::json::object();
+  for (const KeyBinding& row : key_map()) {
+    const ActionState standing = action_state(row.action, view, state);
+    actions[row.id] = {
+        {"enabled", standing.is_enabled}, {"on", standing.is_on}, {"text", standing.text}};
+  }
+  return actions;
+}
+
+}  // namespace
+
+void ControlAnswers::ask(const AppView& view, WindowState& state, std::vector<Command>& commands) {
+  if (verb_) return;
+  if (const auto request = channel_.next_request()) begin(*request, view, state, commands);
+}
+
+void ControlAnswers::begin(const std::string& request, const AppView& view, WindowState& state,
+                           std::vector<Command>& commands) {
+  const std::size_t space = std::min(request.find(' '), request.size());
+  verb_ = request.substr(0, space);
+  rest_ = request.substr(std::min(space + 1, request.size()));
+  if (*verb_ == "wait") {
+    frames_left_ = 1;
+    std::from_chars(rest_.data(), rest_.data() + rest_.size(), frames_left_);
+  } else if (*verb_ == "do") {
+    if (const auto action = action_named(rest_)) perform(*action, view, state, commands);
+  } else if (*verb_ == "tell") {
+    commands.emplace_back(Tell{rest_});
+  } else if (*verb_ == "quit") {
+    commands.emplace_back(Quit{});
+  }
+}
+
+void ControlAnswers::answer(const DrawnFrame& frame) {
+  ++frame_number_;
+  for (const Command& command : frame.commands) {
+    if (commands_.size() < kMostCommands) commands_.emplace_back(name_of(command));
+  }
+  if (!verb_) return;
+  if (const auto line = answer_to(frame)) {
+    channel_.answer(*line);
+    verb_.reset();
+  }
+}
+
+std::optional<std::string> ControlAnswers::answer_to(const DrawnFrame& frame) {
+  if (*verb_ == "wait") {
+    if (frame.input_is_empty && --frames_left_ <= 0) return "ok";
+    return std::nullopt;
+  }
+  if (*verb_ == "state") return "ok " + state_as_json(frame);
+  if (*verb_ == "where") return answer_where(frame.places, rest_);
+  if (*verb_ == "shot") return answer_shot(frame.size, rest_);
+  if (*verb_ == "do") return action_named(rest_) ? "ok" : "error no action is called " + rest_;
+  if (*verb_ == "tell" || *verb_ == "quit") return "ok";
+  return "error unknown request: " + *verb_;
+}
+
+std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
+  const WindowState& state = frame.state;
+  nlohmann::json json = {
+      {"frame", frame_number_},
+      {"width_px", frame.size.width_px},
+      {"height_px", frame.size.height_px},
+      {"scale", frame.scale},
+      {"phase", frame.view.scan == nullptr ? "none" : to_string(frame.view.scan->phase)},
+      {"snapshot", frame.view.scan == nullptr ? 0 : frame.view.scan->number},
+      {"scanning", frame.view.is_scanning},
+      {"dialog", to_string(state.dialog)},
+      {"tool", to_string(state.tool)},
+      {"color_mode", to_string(state.color_mode)},
+      {"texture_blend", state.texture_blend},
+      {"brush_share", state.brush.radius_share},
+      {"camera", camera_as_json(state.view)},
+      {"actions", actions_as_json(frame.view, state)},
+      {"commands", commands_}};
+  if (state.selected_hole) json["selected_hole"] = *state.selected_hole;
+  commands_.clear();
+  // Text that is not UTF-8 must not end the program.
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace flytri::ui

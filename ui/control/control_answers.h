@@ -1,0 +1,52 @@
+/// @file  Answers the requests of the control channel, frame by frame.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/imaging/frame.h"
+#include "ui/app_view.h"
+#include "ui/command.h"
+#include "ui/control/control_channel.h"
+#include "ui/widgets/item_places.h"
+#include "ui/window_state.h"
+
+namespace flytri::ui {
+
+/// What a frame was, once it is drawn and before it is shown.
+struct DrawnFrame {
+  const AppView& view;
+  const WindowState& state;
+  const ItemPlaces& places;
+  std::vector<Command> commands;  ///< given in this frame
+  ImageSize size;
+  float scale = 1.0F;
+  bool input_is_empty = true;  ///< nothing that the user did waits for later frames
+};
+
+class ControlAnswers {
+ public:
+  explicit ControlAnswers(ControlChannel channel) : channel_(std::move(channel)) {}
+
+  /// Before a frame is drawn: takes the next request, if the last one is answered, and carries out
+  /// what it asks to be done.
+  void ask(const AppView& view, WindowState& state, std::vector<Command>& commands);
+  /// After it is drawn: answers what can be answered now.
+  void answer(const DrawnFrame& frame);
+
+ private:
+  void begin(const std::string& request, const AppView& view, WindowState& state,
+             std::vector<Command>& commands);
+  [[nodiscard]] std::optional<std::string> answer_to(const DrawnFrame& frame);
+  [[nodiscard]] std::string state_as_json(const DrawnFrame& frame);
+
+  ControlChannel channel_;
+  std::optional<std::string> verb_;  ///< of the request that is not answered yet
+  std::string rest_;                 ///< its words after the verb
+  int frames_left_ = 0;
+  std::uint64_t frame_number_ = 0;
+  std::vector<std::string> commands_;  ///< given since the state was last asked for
+};
+
+}  // namespace flytri::ui

@@ -1,0 +1,60 @@
+/// @file  The large buttons: one for scanning, then those for editing, finishing and export.
+#include <array>
+
+#include "ui/panels/panels.h"
+#include "ui/theme/icons.h"
+
+namespace flytri::ui {
+namespace {
+
+struct Entry {
+  Action action;
+  ActionLook look;
+};
+
+/// What the main button does now.
+ActionLook scan_look(const PanelContext& context) {
+  if (context.phase() == ScanPhase::kFinished) {
+    return {icon::kResume, "Scan on", false, kGood};
+  }
+  if (context.view.is_scanning) return {icon::kPause, "Pause", true, kNeutral};
+  return {icon::kScan, "Scan", true, kGood};
+}
+
+ActionLook finish_look(const PanelContext& context) {
+  const bool is_next = !context.view.is_scanning && context.phase() != ScanPhase::kFinished &&
+                       action_state(Action::kFinish, context.view, context.state).is_enabled;
+  return {icon::kFinish, "Finish", is_next, kNeutral};
+}
+
+std::array<Entry, 9> entries(const PanelContext& context) {
+  const bool exports_next = context.phase() == ScanPhase::kFinished;
+  return {{{Action::kUndo, {icon::kUndo, "Undo"}},
+           {Action::kRedo, {icon::kRedo, "Redo"}},
+           {Action::kTrim, {icon::kTrim, "Trim", false, kCaution}},
+           {Action::kLock, {icon::kLock, "Lock"}},
+           {Action::kUnlock, {icon::kUnlock, "Unlock"}},
+           {Action::kMeasure, {icon::kMeasure, "Measure"}},
+           {Action::kFinish, finish_look(context)},
+           {Action::kExport, {icon::kExport, "Export", exports_next, kNeutral}},
+           {Action::kHelp, {icon::kHelp, "Keys"}}}};
+}
+
+}  // namespace
+
+void draw_bottom_bar(const PanelContext& context) {
+  const Plate plate("bottom", context.layout.bottom);
+  const float gap = context.px(kGapS);
+  Rect row = context.layout.bottom.inset(context.px(kGapM));
+  const auto rest = entries(context);
+  const float scan_width = context.px(176.0F);
+  const float share =
+      (row.width - scan_width - context.px(kGapM)) / static_cast<float>(rest.size());
+  large_action(context, row.take_left(scan_width, context.px(kGapM)), Action::kScan,
+               scan_look(context));
+  for (const Entry& entry : rest) {
+    large_action(context, row.take_left(share - gap, gap), entry.action, entry.look);
+  }
+}
+
+}  // namespace flytri::ui

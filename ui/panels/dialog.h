@@ -1,0 +1,46 @@
+/// @file  The plate of a dialog, and the rows of its forms.
+#pragma once
+
+#include <string>
+
+#include "ui/panels/panel.h"
+
+namespace flytri::ui {
+
+/// Shades the window and opens a plate in its middle; a click beside it closes the dialog.
+class DialogPlate {
+ public:
+  /// @param size  in units; cut to the window
+  DialogPlate(const PanelContext& context, const char* title, const ImVec2& size);
+
+  /// What is left below the title, within the margins; dialogs cut it up.
+  Rect rest;
+
+ private:
+  Plate plate_;
+};
+
+struct TextFieldLook {
+  const char* id = "";
+  const char* label = "";
+  bool is_secret = false;
+};
+inline constexpr float kFieldRow = 68.0F;  ///< height with the label, in units
+
+/// @return  true when the text was changed
+bool text_field(const PanelContext& context, Rect row, const TextFieldLook& look,
+                std::string& text);
+
+struct TickLook {
+  const char* id = "";
+  std::string label;
+  bool is_enabled = true;
+};
+/// Wide enough for a gloved finger. @return  true when it was changed
+bool tick_box(const PanelContext& context, const Rect& row, const TickLook& look, bool& is_ticked);
+
+/// The button that confirms, at the lower right.
+void confirm_row(const PanelContext& context, DialogPlate& dialog, const char* icon,
+                 const char* label);
+
+}  // namespace flytri::ui

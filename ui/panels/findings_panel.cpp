@@ -1,0 +1,122 @@
+/// @file  What was found on the surface: its holes and the measured distances.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "ui/camera_moves.h"
+#include "ui/panels/panels.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/meter.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr float kWidth = 232.0F;
+constexpr float kRow = 40.0F;
+constexpr float kHeading = 24.0F;
+constexpr std::size_t kMostRows = 4;
+
+/// Indices of the holes proper, the largest first; the border of the scan is none.
+std::vector<std::size_t> inner_holes(const AppView& view) {
+  std::vector<std::size_t> indices;
+  if (view.scan == nullptr) return indices;
+  for (std::size_t i = 0; i < view.scan->holes.size(); ++i) {
+    if (!view.scan->holes[i].is_outer) indices.push_back(i);
+  }
+  return indices;
+}
+
+/// A plate at the lower left, grown upwards by its rows.
+Rect plate_box(const PanelContext& context, std::size_t rows, std::size_t headings) {
+  const float height =
+      context.px(2.0F * kGapS + kRow * static_cast<float>(rows) +
+                 kHeading * static_cast<float>(headings) + kGapXs * static_cast<float>(rows));
+  const Rect& picture = context.layout.picture;
+  const float margin = context.px(kGapM);
+  return {picture.x + margin, picture.bottom() - margin - height, context.px(kWidth), height};
+}
+
+void draw_heading(const PanelContext& context, Rect& rest, const std::string& text) {
+  draw_text(rest.take_top(context.px(kHeading)), {context.theme.fonts.strong, kText, Align::kLeft},
+            text);
+}
+
+std::string hole_text(const BoundaryLoop& hole) {
+  return fmt::format("{:.1f} mm wide", std::sqrt(std::max(hole.area_mm2, 0.0)));
+}
+
+void draw_holes(const PanelContext& context, Rect& rest, const std::vector<std::size_t>& holes) {
+  const ScanSnapshot& scan = *context.view.scan;
+  draw_heading(context, rest,
+               fmt::format("{} {}{}", holes.size(), holes.size() == 1 ? "hole" : "holes",
+                           scan.holes_are_current ? "" : ", a moment ago"));
+  const std::size_t count = std::min(holes.size(), kMostRows);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string id = fmt::format("hole_{}", i + 1);
+    ButtonLook look;
+    look.id = id.c_str();
+    look.label = hole_text(scan.holes[holes[i]]);
+    look.is_on = context.state.selected_hole == holes[i];
+    look.color = kCaution;
+    const Rect box = rest.take_top(context.px(kRow), context.px(kGapXs));
+    context.places.set(id, box);
+    if (small_button(context.theme, box, look)) show_hole(context.view, holes[i], context.state);
+  }
+  small_action(context, rest.take_top(context.px(kRow), context.px(kGapXs)), Action::kNextHole,
+               {icon::kNext, "Next hole"});
+}
+
+void draw_measurements(const PanelContext& context, Rect& rest) {
+  const auto& all = context.view.measurements;
+  draw_heading(context, rest, "Distances");
+  const std::size_t first = all.size() > kMostRows ? all.size() - kMostRows : 0;
+  for (std::size_t i = first; i < all.size(); ++i) {
+    Rect row = rest.take_top(context.px(kRow), context.px(kGapXs));
+    const std::string id = fmt::format("remove_distance_{}", i + 1);
+    ButtonLook look;
+    look.id = id.c_str();
+    look.icon = icon::kTrash;
+    look.hint = "Remove this distance";
+    const Rect box = row.take_right(row.height, context.px(kGapS));
+    context.places.set(id, box);
+    if (small_button(context.theme, box, look)) {
+      context.commands.emplace_back(RemoveMeasurement{i});
+    }
+    labeled_value(context.theme, row, fmt::format("Distance {}", i + 1),
+                  fmt::format("{:.2f} mm", all[i].distance_mm()));
+  }
+}
+
+void draw_hole_plate(const PanelContext& context, const std::vector<std::size_t>& holes) {
+  const std::size_t rows = std::min(holes.size(), kMostRows) + 1;
+  const Rect box = plate_box(context, rows, 1);
+  const Plate plate("holes", box, overlay(context.theme));
+  Rect rest = box.inset(context.px(kGapS));
+  draw_holes(context, rest, holes);
+}
+
+void draw_measurement_plate(const PanelContext& context) {
+  const Rect box = plate_box(context, std::min(context.view.measurements.size(), kMostRows), 1);
+  const Plate plate("distances", box, overlay(context.theme));
+  Rect rest = box.inset(context.px(kGapS));
+  draw_measurements(context, rest);
+}
+
+}  // namespace
+
+void draw_findings_panel(const PanelContext& context) {
+  const ScanPhase phase = context.phase();
+  if (phase == ScanPhase::kContinuation || phase == ScanPhase::kFinishing) return;
+  const bool measures = context.state.tool == Tool::kMeasure;
+  const auto holes = inner_holes(context.view);
+  // One at a time: distances while they are measured, or where there are no holes to close.
+  if (!context.view.measurements.empty() && (measures || holes.empty())) {
+    draw_measurement_plate(context);
+  } else if (!holes.empty()) {
+    draw_hole_plate(context, holes);
+  }
+}
+
+}  // namespace flytri::ui

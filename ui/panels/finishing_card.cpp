@@ -1,0 +1,56 @@
+/// @file  How far the finishing is, how long it takes, and the way out; why it failed.
+#include <fmt/format.h>
+
+#include "ui/panels/panels.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/meter.h"
+
+namespace flytri::ui {
+namespace {
+
+void draw_progress(const PanelContext& context) {
+  const FinishingState& finishing = context.view.scan->finishing;
+  const Rect box = context.layout.picture.centered(context.px(440.0F), context.px(196.0F));
+  const Plate plate("finishing", box, overlay(context.theme));
+  const Theme& theme = context.theme;
+  Rect rest = box.inset(context.px(kGapL));
+  const std::string step = finishing.step.stage.empty() ? "Starting" : finishing.step.stage;
+  Rect head = rest.take_top(context.px(28.0F), context.px(kGapM));
+  const std::string share = fmt::format("{:.0f} %", 100.0 * finishing.step.fraction);
+  draw_text(head.take_right(context.px(72.0F)), {theme.fonts.title, kText, Align::kRight}, share);
+  draw_text(head, {theme.fonts.title, kText, Align::kLeft}, step);
+  meter(theme, rest.take_top(context.px(16.0F), context.px(kGapM)), finishing.step.fraction,
+        kCaution);
+  Rect row = rest.take_bottom(context.px(48.0F));
+  small_action(context, row.take_right(context.px(144.0F), context.px(kGapM)), Action::kCancel,
+               {icon::kCancel, "Cancel"});
+  draw_text(row, {theme.fonts.body, kTextQuiet, Align::kLeft},
+            time_left_text(finishing.remaining_s));
+}
+
+void draw_failure(const PanelContext& context) {
+  const Theme& theme = context.theme;
+  const float width = context.px(440.0F), padding = context.px(kGapL);
+  const std::string& text = context.view.scan->failure;
+  const float text_height = wrapped_height(theme.fonts.body, width - 2.0F * padding, text);
+  const float height = text_height + context.px(28.0F + kGapM) + 2.0F * padding;
+  const Rect box = context.layout.picture.centered(width, height);
+  const Plate plate("failure", box, overlay(context.theme));
+  Rect rest = box.inset(padding);
+  draw_text(rest.take_top(context.px(28.0F), context.px(kGapM)),
+            {theme.fonts.title, kText, Align::kLeft}, "The scan could not be finished");
+  draw_wrapped(rest, {theme.fonts.body, kTextQuiet}, text);
+}
+
+}  // namespace
+
+void draw_finishing_card(const PanelContext& context) {
+  if (context.view.scan == nullptr) return;
+  if (context.phase() == ScanPhase::kFinishing) {
+    draw_progress(context);
+  } else if (!context.view.scan->failure.empty() && !context.view.is_scanning) {
+    draw_failure(context);
+  }
+}
+
+}  // namespace flytri::ui

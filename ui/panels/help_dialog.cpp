@@ -1,0 +1,66 @@
+/// @file  All keys, what they do, and how each stands now.
+#include <array>
+
+#include "ui/panels/dialog.h"
+#include "ui/panels/panels.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr float kRow = 23.0F;
+constexpr float kHeading = 30.0F;
+
+void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
+  const Theme& theme = context.theme;
+  const ActionState standing = action_state(entry.action, context.view, context.state);
+  const Color ink = standing.is_enabled ? kText : with_opacity(kTextQuiet, 0.75F);
+  draw_text(row.take_left(context.px(84.0F), context.px(kGapS)), {theme.fonts.strong, ink},
+            entry.key_text);
+  draw_text(row.take_left(row.width * 0.58F, context.px(kGapS)), {theme.fonts.body, ink},
+            entry.name);
+  const Color mark = standing.is_on ? kNeutral : kTextQuiet;
+  draw_text(row, {theme.fonts.small, mark, Align::kLeft}, standing.text);
+}
+
+void draw_group(const PanelContext& context, Rect& column, ActionGroup group) {
+  draw_text(column.take_top(context.px(kHeading)),
+            {context.theme.fonts.strong, kNeutral, Align::kLeft}, to_string(group));
+  for (const KeyBinding& entry : key_map()) {
+    if (entry.group == group) draw_row(context, column.take_top(context.px(kRow)), entry);
+  }
+  column.take_top(context.px(kGapS));
+}
+
+void draw_pointer(const PanelContext& context, Rect& column) {
+  constexpr std::array<std::array<const char*, 2>, 3> kRows = {
+      {{"Drag", "turns the view, or uses the tool"},
+       {"Right drag", "turns; with Shift or the wheel pressed, moves"},
+       {"Wheel", "nearer and farther; with a brush, its size"}}};
+  draw_text(column.take_top(context.px(kHeading)),
+            {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Pointer");
+  for (const auto& [what, does] : kRows) {
+    Rect row = column.take_top(context.px(kRow));
+    draw_text(row.take_left(context.px(84.0F), context.px(kGapS)),
+              {context.theme.fonts.strong, kText}, what);
+    draw_text(row, {context.theme.fonts.body, kText}, does);
+  }
+}
+
+}  // namespace
+
+void draw_help_dialog(const PanelContext& context) {
+  DialogPlate dialog(context, "Keys", {1180.0F, 740.0F});
+  const float gap = context.px(kGapL);
+  const float width = (dialog.rest.width - 2.0F * gap) / 3.0F;
+  Rect first = dialog.rest.take_left(width, gap);
+  Rect second = dialog.rest.take_left(width, gap);
+  Rect third = dialog.rest;
+  draw_group(context, first, ActionGroup::kScanning);
+  draw_group(context, first, ActionGroup::kEditing);
+  draw_pointer(context, first);
+  draw_group(context, second, ActionGroup::kLooking);
+  draw_group(context, second, ActionGroup::kProgram);
+  draw_group(context, third, ActionGroup::kHand);
+}
+
+}  // namespace flytri::ui

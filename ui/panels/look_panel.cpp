@@ -1,0 +1,114 @@
+/// @file  How the scene is colored, what the colors mean, and from where it is seen.
+#include <array>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets/badge.h"
+#include "ui/widgets/meter.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr float kWidth = 168.0F;
+constexpr float kButton = 44.0F;
+
+void draw_modes(const PanelContext& context, Rect& rest) {
+  for (const Action action :
+       {Action::kShading, Action::kTexture, Action::kCoverage, Action::kUncertainty}) {
+    small_action(context, rest.take_top(context.px(kButton), context.px(kGapXs)), action, {});
+  }
+}
+
+void draw_blend(const PanelContext& context, Rect& rest) {
+  Rect box = rest.take_top(context.px(64.0F));
+  draw_text(box.take_top(context.px(20.0F), context.px(kGapXs)),
+            {context.theme.fonts.small, kText, Align::kLeft}, "Texture over shape (, .)");
+  ImGui::SetCursorScreenPos(box.min());
+  ImGui::SetNextItemWidth(box.width);
+  context.places.set("blend", {box.x, box.y, box.width, context.px(36.0F)});
+  auto blend = static_cast<float>(100.0 * context.state.texture_blend);
+  if (ImGui::SliderFloat("##blend", &blend, 0.0F, 100.0F, "%.0f %%")) {
+    context.state.texture_blend = static_cast<double>(blend) / 100.0;
+  }
+}
+
+void draw_coverage_legend(const PanelContext& context, Rect& rest) {
+  const SceneOptions colors;
+  const std::array<LegendRow, 3> rows = {{{colors.good_color, "good"},
+                                          {colors.thin_color, "thin: once more"},
+                                          {kTextQuiet, "none: a gap", true}}};
+  legend(context.theme, rest.take_top(context.px(70.0F)), rows);
+}
+
+void draw_sigma_legend(const PanelContext& context, Rect& rest) {
+  constexpr std::size_t kSteps = 12;
+  std::array<Color, kSteps> colors;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    colors[i] = sigma_color(static_cast<double>(i) / (kSteps - 1));
+  }
+  const SceneOptions defaults;
+  color_scale(context.theme, rest.take_top(context.px(34.0F)),
+              {colors, "exact", length_text(defaults.max_sigma_mm)});
+}
+
+/// Height of what stands under the buttons, in units.
+float extra_height(ColorMode mode) {
+  switch (mode) {
+    case ColorMode::kTexture:
+      return 64.0F + kGapS;
+    case ColorMode::kCoverage:
+      return 70.0F + kGapS;
+    case ColorMode::kUncertainty:
+      return 34.0F + kGapS;
+    case ColorMode::kShading:
+      break;
+  }
+  return 0.0F;
+}
+
+/// Below the banner, however wide that is.
+float top_of(const PanelContext& context) {
+  return context.layout.frame.y + context.px(kBannerHeight) + context.px(kGapM);
+}
+
+void draw_colors(const PanelContext& context) {
+  const float height =
+      4.0F * kButton + 3.0F * kGapXs + 2.0F * kGapS + extra_height(context.state.color_mode);
+  const Rect& picture = context.layout.picture;
+  const float margin = context.px(kGapM);
+  const Rect box = {picture.x + margin, top_of(context), context.px(kWidth), context.px(height)};
+  const Plate plate("colors", box, overlay(context.theme));
+  Rect rest = box.inset(context.px(kGapS));
+  draw_modes(context, rest);
+  rest.take_top(context.px(kGapXs));
+  if (context.state.color_mode == ColorMode::kTexture) draw_blend(context, rest);
+  if (context.state.color_mode == ColorMode::kCoverage) draw_coverage_legend(context, rest);
+  if (context.state.color_mode == ColorMode::kUncertainty) draw_sigma_legend(context, rest);
+}
+
+void draw_sides(const PanelContext& context) {
+  const float width = context.px(132.0F);
+  const float height = context.px(4.0F * kButton + 3.0F * kGapXs + 2.0F * kGapS);
+  const Rect& picture = context.layout.picture;
+  const float margin = context.px(kGapM);
+  const Rect box = {picture.right() - margin - width, top_of(context), width, height};
+  const Plate plate("sides", box, overlay(context.theme));
+  Rect rest = box.inset(context.px(kGapS));
+  const std::array<std::pair<Action, const char*>, 4> sides = {{{Action::kOcclusal, "Occlusal"},
+                                                                {Action::kBuccal, "Buccal"},
+                                                                {Action::kLingual, "Lingual"},
+                                                                {Action::kShowAll, "All"}}};
+  for (const auto& [action, label] : sides) {
+    small_action(context, rest.take_top(context.px(kButton), context.px(kGapXs)), action,
+                 {nullptr, label});
+  }
+}
+
+}  // namespace
+
+void draw_look_panel(const PanelContext& context) {
+  if (context.phase() == ScanPhase::kContinuation) return;
+  draw_colors(context);
+  draw_sides(context);
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,86 @@
+#include "ui/panels/panel.h"
+
+namespace flytri::ui {
+namespace {
+
+/// Why it is disabled, or what it is: where the pointer rests.
+std::string hint_of(const KeyBinding& row, const ActionState& standing) {
+  std::string hint = std::string(row.name) + " (" + row.key_text + ")";
+  if (!standing.text.empty()) hint += ": " + standing.text;
+  return hint;
+}
+
+ButtonLook look_of(const PanelContext& context, Action action, const ActionLook& look) {
+  const KeyBinding& row = binding(action);
+  const ActionState standing = action_state(action, context.view, context.state);
+  ButtonLook button;
+  button.id = row.id;
+  button.icon = look.icon;
+  button.label = look.label == nullptr ? row.name : look.label;
+  if (look.shows_key) button.key = row.key_text;
+  button.is_enabled = standing.is_enabled;
+  button.is_on = standing.is_on;
+  button.is_main = look.is_main;
+  button.color = look.color;
+  button.hint = hint_of(row, standing);
+  return button;
+}
+
+constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+
+ImGuiWindowFlags flags_of(Layer layer) {
+  switch (layer) {
+    case Layer::kFixed:
+      return ImGuiWindowFlags_NoBringToFrontOnFocus;
+    case Layer::kOver:
+      return ImGuiWindowFlags_NoFocusOnAppearing;
+    case Layer::kDialog:
+      break;
+  }
+  return ImGuiWindowFlags_None;
+}
+
+}  // namespace
+
+PlateLook overlay(const Theme& theme) {
+  return {Layer::kOver, with_opacity(kPanel, 0.92F), theme.px(kRounding)};
+}
+
+Plate::Plate(const char* id, const Rect& box, const PlateLook& look) {
+  ImGui::SetNextWindowPos(box.min());
+  ImGui::SetNextWindowSize(box.size());
+  // Focus brings a window to the front, whatever was clicked before.
+  if (look.layer == Layer::kDialog) ImGui::SetNextWindowFocus();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0F, 1.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.rounding_px);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec4(look.color));
+  ImGui::Begin(id, nullptr, kPlain | flags_of(look.layer));
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+Plate::~Plate() { ImGui::End(); }
+
+void large_action(const PanelContext& context, const Rect& box, Action action,
+                  const ActionLook& look) {
+  context.places.set(binding(action).id, box);
+  if (large_button(context.theme, box, look_of(context, action, look))) {
+    perform(action, context.view, context.state, context.commands);
+  }
+}
+
+void small_action(const PanelContext& context, const Rect& box, Action action,
+                  const ActionLook& look) {
+  context.places.set(binding(action).id, box);
+  if (small_button(context.theme, box, look_of(context, action, look))) {
+    perform(action, context.view, context.state, context.commands);
+  }
+}
+
+float small_action_width(const PanelContext& context, Action action, const ActionLook& look) {
+  return small_button_width(context.theme, look_of(context, action, look));
+}
+
+}  // namespace flytri::ui

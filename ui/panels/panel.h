@@ -1,0 +1,77 @@
+/// @file  What every panel is given, and the plate that it draws on.
+#pragma once
+
+#include <vector>
+
+#include "ui/key_map.h"
+#include "ui/panels/layout.h"
+#include "ui/perform.h"
+#include "ui/scene/scene_renderer.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/camera_image.h"
+#include "ui/widgets/item_places.h"
+
+namespace flytri::ui {
+
+/// Images of the window in graphics memory.
+struct Pictures {
+  CameraPicture live, stored;
+};
+
+/// One frame's business. Panels read the view and the state, change the state, add commands.
+struct PanelContext {
+  const AppView& view;
+  WindowState& state;
+  std::vector<Command>& commands;
+  const Theme& theme;
+  const Layout& layout;
+  SceneRenderer& scene;
+  Pictures& pictures;
+  ItemPlaces& places;
+
+  [[nodiscard]] float px(float units) const { return theme.px(units); }
+  [[nodiscard]] ScanPhase phase() const {
+    return view.scan == nullptr ? ScanPhase::kPreview : view.scan->phase;
+  }
+};
+
+/// Which plates lie over which: fixed parts below, what lies over the scene above, a dialog on top.
+enum class Layer { kFixed, kOver, kDialog };
+
+/// How a plate looks. A transparent one shows nothing, but the pointer stops there.
+struct PlateLook {
+  Layer layer = Layer::kFixed;
+  Color color = kPanel;
+  float rounding_px = 0.0F;
+};
+
+/// A window of Dear ImGui without decoration while it lives: a plate at a fixed place.
+class Plate {
+ public:
+  Plate(const char* id, const Rect& box, const PlateLook& look = {});
+  ~Plate();
+  Plate(const Plate&) = delete;
+  Plate& operator=(const Plate&) = delete;
+};
+
+/// The plates over the scene: a little of it shines through.
+[[nodiscard]] PlateLook overlay(const Theme& theme);
+
+/// How a button of an action is to look; the rest is taken from the key map and from how it stands.
+struct ActionLook {
+  const char* icon = nullptr;
+  const char* label = nullptr;  ///< null: the name in the key map
+  bool is_main = false;
+  Color color = kNeutral;
+  bool shows_key = true;
+};
+
+/// Buttons that do what the key of the action does.
+void large_action(const PanelContext& context, const Rect& box, Action action,
+                  const ActionLook& look);
+void small_action(const PanelContext& context, const Rect& box, Action action,
+                  const ActionLook& look);
+[[nodiscard]] float small_action_width(const PanelContext& context, Action action,
+                                       const ActionLook& look);
+
+}  // namespace flytri::ui

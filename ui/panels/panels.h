@@ -1,0 +1,31 @@
+/// @file  The parts of the window, each drawn by a file of its own name.
+#pragma once
+
+#include "ui/panels/panel.h"
+
+namespace flytri::ui {
+
+// The fixed parts.
+void draw_top_bar(const PanelContext& context);
+void draw_bottom_bar(const PanelContext& context);
+void draw_side_panel(const PanelContext& context);
+void draw_scene_panel(const PanelContext& context);
+
+// What lies over the scene, each where it has something to say.
+void draw_status_banner(const PanelContext& context);
+void draw_look_panel(const PanelContext& context);
+void draw_findings_panel(const PanelContext& context);
+void draw_tool_strip(const PanelContext& context);
+void draw_finishing_card(const PanelContext& context);
+void draw_toasts(const PanelContext& context);
+
+/// In continuation the side panel shows where to go instead.
+void draw_continuation(const PanelContext& context, const Rect& box);
+
+// Dialogs, while they are open.
+void draw_help_dialog(const PanelContext& context);
+void draw_export_dialog(const PanelContext& context);
+void draw_case_dialog(const PanelContext& context);
+void draw_settings_dialog(const PanelContext& context);
+
+}  // namespace flytri::ui

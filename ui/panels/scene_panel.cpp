@@ -1,0 +1,25 @@
+/// @file  The middle of the window: the scene in its frame, and what the pointer does there.
+#include "ui/panels/panels.h"
+#include "ui/panels/scene_input.h"
+#include "ui/panels/scene_view.h"
+#include "ui/panels/status.h"
+
+namespace flytri::ui {
+
+void draw_scene_panel(const PanelContext& context) {
+  const Rect& picture = context.layout.picture;
+  const Plate plate("scene", context.layout.frame,
+                    {Layer::kFixed, status_of(context.view).color, 0.0F});
+  context.places.set("scene", picture);
+  ImGui::SetCursorScreenPos(picture.min());
+  ImGui::InvisibleButton("picture", picture.size(),
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  handle_scene_input(context);
+  draw_scene(context);
+  ImGui::GetWindowDrawList()->AddImage(
+      reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.scene.texture_id())),
+      picture.min(), picture.max(), {0, 1}, {1, 0});
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,135 @@
+#include "ui/panels/scene_view.h"
+
+#include <algorithm>
+
+#include "ui/camera_moves.h"
+
+namespace flytri::ui {
+namespace {
+
+void add_reentry(const PanelContext& context, SceneContent& content) {
+  const ScanSnapshot& scan = *context.view.scan;
+  content.is_dimmed = true;
+  if (scan.chosen_reentry >= scan.reentry.size()) return;
+  const ReentryPlace& place = scan.reentry[scan.chosen_reentry];
+  content.highlighted = {place.first, place.second};
+  content.sensors.push_back({place.first.T_world_sensor, context.view.volume_mm, true});
+}
+
+void add_preview(const PanelContext& context, SceneContent& content) {
+  PreviewContent preview;
+  preview.volume_mm = context.view.volume_mm;
+  for (std::size_t i = 0; i < preview.views.size(); ++i) {
+    const auto& frame = context.view.scan->latest[i];
+    if (frame != nullptr) preview.views[i] = frame->view;
+  }
+  content.preview = preview;
+}
+
+void add_phase(const PanelContext& context, SceneContent& content) {
+  const ScanSnapshot& scan = *context.view.scan;
+  const bool is_empty = surfel_count(scan.model) == 0;
+  switch (scan.phase) {
+    case ScanPhase::kPreview:
+      if (is_empty) add_preview(context, content);
+      break;
+    case ScanPhase::kMeasurement:
+      if (scan.T_world_sensor && context.view.is_scanning) {
+        content.sensors.push_back({*scan.T_world_sensor, context.view.volume_mm, false});
+      }
+      break;
+    case ScanPhase::kContinuation:
+      add_reentry(context, content);
+      break;
+    case ScanPhase::kFinishing:
+      content.is_dimmed = true;
+      break;
+    case ScanPhase::kFinished:
+      break;
+  }
+}
+
+void add_surface(const ScanSnapshot& scan, SceneContent& content) {
+  content.model = &scan.model;
+  if (scan.phase == ScanPhase::kFinished && scan.result != nullptr) {
+    content.mesh = &scan.result->model;
+    // Results are immutable: another one is another object, alive as long as it shows.
+    content.mesh_number =
+        static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(scan.result.get()));
+    content.rim_mesh = &scan.result->surface.mesh;
+  }
+}
+
+/// Holes show where they are looked for: in the colors of coverage, or when one is selected.
+void add_holes(const PanelContext& context, SceneContent& content) {
+  const std::vector<BoundaryLoop>& holes = context.view.scan->holes;
+  auto& selected = context.state.selected_hole;
+  if (selected && *selected >= holes.size()) selected.reset();
+  content.selected_hole = selected;
+  if (selected || context.state.color_mode == ColorMode::kCoverage) content.holes = &holes;
+}
+
+/// An unlocking stroke frees what it reaches.
+void free_locked(const Edit& unlocking, std::vector<BrushDab>& locked) {
+  std::erase_if(locked, [&](const BrushDab& dab) {
+    return std::any_of(unlocking.dabs.begin(), unlocking.dabs.end(), [&](const BrushDab& by) {
+      return (dab.center_mm - by.center_mm).norm() < by.radius_mm;
+    });
+  });
+}
+
+void add_locked(const ScanSnapshot& scan, SceneContent& content) {
+  if (scan.edits == nullptr) return;
+  for (const auto& edit : *scan.edits) {
+    if (edit->kind == EditKind::kUnlock) free_locked(*edit, content.locked);
+    if (edit->kind != EditKind::kLock) continue;
+    content.locked.insert(content.locked.end(), edit->dabs.begin(), edit->dabs.end());
+  }
+}
+
+void add_tools(const PanelContext& context, SceneContent& content) {
+  for (const Measurement& measured : context.view.measurements) {
+    content.measurements.push_back(
+        {measured.from_mm.cast<double>(), measured.to_mm.cast<double>(), false});
+  }
+  const WindowState& state = context.state;
+  if (state.measured_from_mm && state.brush.under_pointer) {
+    content.measurements.push_back({state.measured_from_mm->cast<double>(),
+                                    state.brush.under_pointer->center_mm.cast<double>(), true});
+  }
+  if (has_brush(state.tool) && state.brush.under_pointer) {
+    content.brush = BrushCursor{*state.brush.under_pointer, kind_of(state.tool)};
+  }
+}
+
+SceneContent content_of(const PanelContext& context) {
+  SceneContent content;
+  if (context.view.scan != nullptr) {
+    add_surface(*context.view.scan, content);
+    add_phase(context, content);
+    add_holes(context, content);
+    add_locked(*context.view.scan, content);
+  }
+  add_tools(context, content);
+  return content;
+}
+
+SceneOptions options_of(const PanelContext& context) {
+  SceneOptions options;
+  options.color_mode = context.state.color_mode;
+  options.texture_blend = context.state.texture_blend;
+  options.scale = static_cast<double>(context.theme.scale);
+  return options;
+}
+
+}  // namespace
+
+void draw_scene(const PanelContext& context) {
+  CameraState& camera = context.state.view;
+  move_by_itself(context.view, context.scene.model_box_mm(), camera);
+  camera.camera.advance(context.state.frame_s);
+  context.scene.draw(content_of(context), options_of(context), camera.camera, camera.picture,
+                     context.view.now_s);
+}
+
+}  // namespace flytri::ui

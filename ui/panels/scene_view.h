@@ -1,0 +1,11 @@
+/// @file  What of the view and the window's state the scene shows, and how.
+#pragma once
+
+#include "ui/panels/panel.h"
+
+namespace flytri::ui {
+
+/// Moves the camera by what happens in the scan, then brings the renderer's picture up to date.
+void draw_scene(const PanelContext& context);
+
+}  // namespace flytri::ui

@@ -1,0 +1,55 @@
+/// @file  Size of everything, sound, and what is known of the devices.
+#include <fmt/format.h>
+
+#include "ui/panels/dialog.h"
+#include "ui/panels/panels.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/meter.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr float kRow = 48.0F;
+
+void draw_size(const PanelContext& context, Rect row) {
+  const float side = context.px(64.0F);
+  small_action(context, row.take_right(side, context.px(kGapXs)), Action::kLarger,
+               {nullptr, "+", false, kNeutral, false});
+  draw_text(row.take_right(context.px(80.0F), context.px(kGapXs)),
+            {context.theme.fonts.strong, kText, Align::kCenter},
+            fmt::format("{:.0f} %", 100.0 * context.view.settings.user_scale));
+  small_action(context, row.take_right(side, context.px(kGapM)), Action::kSmaller,
+               {nullptr, "\u2212", false, kNeutral, false});
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Size of everything");
+}
+
+void draw_sound(const PanelContext& context, Rect row) {
+  const bool is_muted = context.view.settings.is_muted;
+  small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
+               Action::kMute, {is_muted ? icon::kMuted : icon::kSound, is_muted ? "Muted" : "On"});
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Sound of loss and return");
+}
+
+void draw_devices(const PanelContext& context, Rect rest) {
+  draw_text(rest.take_top(context.px(28.0F), context.px(kGapXs)),
+            {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Devices");
+  if (context.view.device_text.empty()) {
+    draw_text(rest.take_top(context.px(22.0F)), {context.theme.fonts.body, kTextQuiet},
+              "Nothing is known of devices");
+  }
+  for (const std::string& line : context.view.device_text) {
+    if (rest.height < context.px(22.0F)) return;
+    draw_text(rest.take_top(context.px(22.0F)), {context.theme.fonts.body, kTextQuiet}, line);
+  }
+}
+
+}  // namespace
+
+void draw_settings_dialog(const PanelContext& context) {
+  DialogPlate dialog(context, "Settings and devices", {560.0F, 480.0F});
+  draw_size(context, dialog.rest.take_top(context.px(kRow), context.px(kGapS)));
+  draw_sound(context, dialog.rest.take_top(context.px(kRow), context.px(kGapM)));
+  draw_devices(context, dialog.rest);
+}
+
+}  // namespace flytri::ui

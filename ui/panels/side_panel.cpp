@@ -1,0 +1,122 @@
+/// @file  The panel at the right: what the camera sees, how far the sensor is, how well views fit.
+#include <fmt/format.h>
+
+#include "ui/panels/panels.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/distance_bar.h"
+#include "ui/widgets/meter.h"
+#include "ui/widgets/volume_preview.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr float kCaption = 18.0F;
+constexpr float kPictureRatio = 0.75F;
+
+/// The later of the two measurement frames.
+std::shared_ptr<const LiveFrame> latest_frame(const AppView& view) {
+  if (view.scan == nullptr) return nullptr;
+  const auto& [vertical, horizontal] = view.scan->latest;
+  if (vertical == nullptr) return horizontal;
+  if (horizontal == nullptr) return vertical;
+  return vertical->frame.time_s > horizontal->frame.time_s ? vertical : horizontal;
+}
+
+const char* missing_text(const AppView& view) {
+  return view.source.is_lost ? "no sensor" : "no image yet";
+}
+
+/// Dragging in the live image moves the simulated sensor with it; the wheel, nearer and farther.
+void steer(const PanelContext& context, const Rect& image) {
+  const auto& hand = context.view.source.hand;
+  if (!hand || hand->follows_path) return;
+  ImGui::SetCursorScreenPos(image.min());
+  ImGui::InvisibleButton("live_image", image.size());
+  const ImGuiIO& io = ImGui::GetIO();
+  const double mm_per_px = context.view.volume_mm.x() / static_cast<double>(image.width);
+  Vec3 move_mm = Vec3::Zero();
+  if (ImGui::IsItemActive()) move_mm = Vec3(-io.MouseDelta.x, -io.MouseDelta.y, 0.0) * mm_per_px;
+  if (ImGui::IsItemHovered()) {
+    move_mm.z() = static_cast<double>(io.MouseWheel) * context.view.volume_mm.z() / 20.0;
+  }
+  if (!move_mm.isZero()) context.commands.emplace_back(SteerHand{move_mm, Vec3::Zero()});
+}
+
+void draw_live_image(const PanelContext& context, const Rect& box) {
+  CameraPicture& picture = context.pictures.live;
+  picture.show(latest_frame(context.view));
+  const Rect image = camera_image(context.theme, box, picture, missing_text(context.view));
+  context.places.set("live_image", image);
+  steer(context, image);
+}
+
+void draw_source(const PanelContext& context, const Rect& row) {
+  const SourceState& source = context.view.source;
+  const Theme& theme = context.theme;
+  Rect rest = row;
+  const std::string played =
+      source.played_share ? fmt::format("{:.0f} %", 100.0 * *source.played_share) : "";
+  draw_text(rest.take_right(text_width(theme.fonts.small, played), context.px(kGapS)),
+            {theme.fonts.small, kTextQuiet, Align::kRight}, played);
+  draw_text(rest, {theme.fonts.small, kTextQuiet, Align::kLeft}, source.name);
+}
+
+/// The simulated sensor can be taken in one's own hand, and away.
+void draw_hand(const PanelContext& context, Rect row) {
+  const float width = (row.width - context.px(kGapS)) / 2.0F;
+  const bool is_away = context.view.source.hand->is_taken_away;
+  small_action(context, row.take_left(width, context.px(kGapS)), Action::kHandMode,
+               {icon::kHand, "By hand"});
+  small_action(context, row, Action::kTakeAway,
+               {nullptr, is_away ? "Put back" : "Take away", false, kCaution});
+}
+
+void draw_figures(const PanelContext& context, Rect rest) {
+  const auto& scan = context.view.scan;
+  const float row = context.px(24.0F);
+  const bool has_residual = scan != nullptr && scan->residual_mm.has_value();
+  labeled_value(context.theme, rest.take_top(row), "Views fit within",
+                has_residual ? length_text(*scan->residual_mm) : "\u2013");
+  const bool is_known = scan != nullptr && scan->latency.count > 0;
+  labeled_value(context.theme, rest.take_top(row), "Delay",
+                is_known ? fmt::format("{:.0f} ms", 1e3 * scan->latency.median_s) : "\u2013");
+}
+
+void draw_preview(const PanelContext& context, Rect rest) {
+  if (rest.height < context.px(96.0F)) return;
+  const Theme& theme = context.theme;
+  draw_text(rest.take_top(context.px(kCaption), context.px(kGapXs)),
+            {theme.fonts.small, kTextQuiet, Align::kLeft}, "Last two views in the sensor's volume");
+  std::array<std::shared_ptr<const View>, 2> views;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto& frame = context.view.scan == nullptr ? nullptr : context.view.scan->latest[i];
+    if (frame != nullptr) views[i] = frame->view;
+  }
+  volume_preview(theme, rest, context.view.volume_mm, views);
+}
+
+void draw_ordinary(const PanelContext& context, Rect rest) {
+  const float gap = context.px(kGapM);
+  draw_source(context, rest.take_top(context.px(kCaption), context.px(kGapXs)));
+  draw_live_image(context, rest.take_top(rest.width * kPictureRatio, gap));
+  if (context.view.source.hand) draw_hand(context, rest.take_top(context.px(44.0F), gap));
+  const auto distance = context.view.scan == nullptr ? std::nullopt : context.view.scan->distance;
+  distance_bar(context.theme, rest.take_top(context.px(70.0F), gap), distance);
+  draw_figures(context, rest.take_top(context.px(48.0F), gap));
+  draw_preview(context, rest);
+}
+
+}  // namespace
+
+void draw_side_panel(const PanelContext& context) {
+  const Plate plate("side", context.layout.side);
+  const Rect inner = context.layout.side.inset(context.px(kGapM));
+  if (context.phase() == ScanPhase::kContinuation) {
+    context.pictures.live.show(latest_frame(context.view));
+    draw_continuation(context, inner);
+  } else {
+    draw_ordinary(context, inner);
+  }
+}
+
+}  // namespace flytri::ui

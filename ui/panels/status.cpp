@@ -1,0 +1,39 @@
+#include "ui/panels/status.h"
+
+#include "ui/theme/icons.h"
+
+namespace flytri::ui {
+namespace {
+
+Status waiting_status(const AppView& view) {
+  const bool is_new = view.scan == nullptr || surfel_count(view.scan->model) == 0;
+  if (is_new) return {kNeutral, icon::kInformation, "Ready", "Press Scan to start"};
+  return {kNeutral, icon::kPause, "Paused", "Scan goes on, Finish makes the model"};
+}
+
+Status scanning_status(const AppView& view) {
+  switch (view.scan->phase) {
+    case ScanPhase::kMeasurement:
+      return {kGood, icon::kScan, "Scanning", ""};
+    case ScanPhase::kContinuation:
+      return {kBad, icon::kWarning, "Lost", "Go back to the marked place"};
+    default:
+      return {kNeutral, icon::kDevice, "Preview", "Hold the sensor over the teeth"};
+  }
+}
+
+}  // namespace
+
+Status status_of(const AppView& view) {
+  if (view.scan != nullptr && view.scan->phase == ScanPhase::kFinishing) {
+    return {kCaution, icon::kResume, "Finishing", "The sensor can be put away"};
+  }
+  if (view.source.is_lost) return {kBad, icon::kWarning, "No sensor", view.source.message};
+  if (view.scan != nullptr && view.scan->phase == ScanPhase::kFinished) {
+    return {kGood, icon::kSaved, "Finished", "Export it, or go on scanning"};
+  }
+  if (view.scan == nullptr || !view.is_scanning) return waiting_status(view);
+  return scanning_status(view);
+}
+
+}  // namespace flytri::ui

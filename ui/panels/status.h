@@ -1,0 +1,20 @@
+/// @file  What is the matter, in one color, a few words and what to do: readable from two meters.
+#pragma once
+
+#include <string>
+
+#include "ui/app_view.h"
+#include "ui/theme/status_colors.h"
+
+namespace flytri::ui {
+
+struct Status {
+  Color color = kNeutral;
+  const char* icon = nullptr;
+  std::string text;  ///< two or three words
+  std::string hint;  ///< what to do next; may be empty
+};
+
+[[nodiscard]] Status status_of(const AppView& view);
+
+}  // namespace flytri::ui

@@ -1,0 +1,70 @@
+/// @file  What the tool in hand does, and the size of its brush.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/panels/panels.h"
+#include "ui/theme/icons.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr float kHeight = 60.0F;
+constexpr float kButton = 44.0F;
+
+const char* instruction(const WindowState& state) {
+  switch (state.tool) {
+    case Tool::kTrim:
+      return "Paint over what is to go";
+    case Tool::kLock:
+      return "Paint over what is to stay as it is";
+    case Tool::kUnlock:
+      return "Paint over what may change again";
+    case Tool::kMeasure:
+      return state.measured_from_mm ? "Click the second point" : "Click the first point";
+    case Tool::kNone:
+      break;
+  }
+  return "";
+}
+
+void draw_brush_size(const PanelContext& context, Rect& row) {
+  const float side = context.px(kButton);
+  small_action(context, row.take_right(side, context.px(kGapXs)), Action::kBrushLarger,
+               {nullptr, "+", false, kNeutral, false});
+  const double diameter_mm = 2.0 * context.state.brush.radius_share * context.view.volume_mm.x();
+  draw_text(row.take_right(context.px(76.0F), context.px(kGapXs)),
+            {context.theme.fonts.strong, kText, Align::kCenter},
+            fmt::format("{:.1f} mm", diameter_mm));
+  small_action(context, row.take_right(side, context.px(kGapM)), Action::kBrushSmaller,
+               {nullptr, "\u2212", false, kNeutral, false});
+}
+
+float strip_width(const PanelContext& context, const char* text) {
+  const float brush = has_brush(context.state.tool)
+                          ? context.px(2.0F * kButton + 76.0F + 2.0F * kGapXs + kGapM)
+                          : 0.0F;
+  return text_width(context.theme.fonts.body, text) + brush + context.px(96.0F) +
+         3.0F * context.px(kGapM);
+}
+
+}  // namespace
+
+void draw_tool_strip(const PanelContext& context) {
+  if (context.state.tool == Tool::kNone) return;
+  const char* text = instruction(context.state);
+  const Rect& picture = context.layout.picture;
+  const float width = std::min(strip_width(context, text), picture.width);
+  const float height = context.px(kHeight);
+  const Rect box = {std::round(picture.center().x - width / 2.0F),
+                    picture.bottom() - context.px(kGapM) - height, std::round(width), height};
+  const Plate plate("tool", box, overlay(context.theme));
+  Rect row = box.inset(context.px(kGapM), context.px(kGapS));
+  small_action(context, row.take_right(context.px(96.0F), context.px(kGapM)), Action::kCancel,
+               {nullptr, "Done"});
+  if (has_brush(context.state.tool)) draw_brush_size(context, row);
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, text);
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,107 @@
+/// @file  The bar at the top: case, stage, time, views kept and lost, coverage, source.
+#include <fmt/format.h>
+
+#include "ui/panels/panels.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/badge.h"
+#include "ui/widgets/meter.h"
+
+namespace flytri::ui {
+namespace {
+
+std::string case_title(const CaseState& file) {
+  if (file.path.empty()) return "No case";
+  return file.fields.patient.empty() ? "Unnamed case" : file.fields.patient;
+}
+
+std::string case_subtitle(const CaseState& file) {
+  if (file.path.empty()) return "Nothing is kept";
+  if (file.is_read_only) return "Read-only";
+  const char* saved = file.is_saved ? "Saved" : "Saving\u2026";
+  if (file.fields.case_number.empty()) return saved;
+  return file.fields.case_number + " \u00b7 " + saved;
+}
+
+/// Opens the cases; says whose case this is and whether it is kept.
+void draw_case(const PanelContext& context, const Rect& box) {
+  ButtonLook look;
+  look.id = "case";
+  look.is_enabled = action_state(Action::kCase, context.view, context.state).is_enabled;
+  look.hint = "Cases (D)";
+  context.places.set(look.id, box);
+  if (small_button(context.theme, box, look)) {
+    perform(Action::kCase, context.view, context.state, context.commands);
+  }
+  const Theme& theme = context.theme;
+  Rect inner = box.inset(context.px(12.0F), context.px(4.0F));
+  const Rect icon_box = inner.take_left(context.px(20.0F), context.px(10.0F));
+  draw_text(icon_box, {theme.fonts.strong, kTextQuiet, Align::kCenter}, icon::kCase);
+  const float half = inner.height / 2.0F;
+  draw_text(inner.take_top(half), {theme.fonts.strong, kText, Align::kLeft},
+            case_title(context.view.file));
+  draw_text(inner, {theme.fonts.small, kTextQuiet, Align::kLeft}, case_subtitle(context.view.file));
+}
+
+void draw_stages(const PanelContext& context, Rect row) {
+  const float width = (row.width - 2.0F * context.px(kGapXs)) / 3.0F;
+  const std::array actions = {Action::kStageUpper, Action::kStageLower, Action::kStageBite};
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const char* mark = context.view.stage_has_data[i] ? icon::kSaved : nullptr;
+    small_action(context, row.take_left(width, context.px(kGapXs)), actions[i],
+                 {mark, to_string(kJawStages[i]).data(), false, kNeutral, false});
+  }
+}
+
+struct Figure {
+  const char* label;
+  std::string value;
+};
+
+std::array<Figure, 4> figures(const AppView& view) {
+  if (view.scan == nullptr) {
+    return {{{"Time", "0:00"}, {"Views", "0"}, {"Lost", "0"}, {"Covered well", "\u2013"}}};
+  }
+  const ScanSnapshot& scan = *view.scan;
+  const auto lost = scan.counts.rejected_count() + scan.counts.skipped;
+  const bool has_surface = surfel_count(scan.model) > 0;
+  return {{{"Time", clock_text(scan.scanned_s)},
+           {"Views", fmt::format("{}", scan.counts.registered + scan.counts.interpolated)},
+           {"Lost", fmt::format("{}", lost)},
+           {"Covered well",
+            has_surface ? fmt::format("{:.0f} %", 100.0 * scan.good_share) : "\u2013"}}};
+}
+
+void draw_figures(const PanelContext& context, Rect row) {
+  const auto all = figures(context.view);
+  const float width = row.width / static_cast<float>(all.size());
+  for (const Figure& figure : all) {
+    Rect cell = row.take_left(width).inset(context.px(kGapXs), context.px(4.0F));
+    const Rect value = cell.take_top(cell.height * 0.56F);
+    draw_text(value, {context.theme.fonts.title, kText, Align::kCenter}, figure.value);
+    draw_text(cell, {context.theme.fonts.small, kTextQuiet, Align::kCenter}, figure.label);
+  }
+}
+
+void draw_program_buttons(const PanelContext& context, Rect row) {
+  const bool is_muted = context.view.settings.is_muted;
+  const float side = row.height;
+  small_action(context, row.take_right(side, context.px(kGapS)), Action::kSettings,
+               {icon::kSettings, "", false, kNeutral, false});
+  small_action(context, row.take_right(side, context.px(kGapS)), Action::kMute,
+               {is_muted ? icon::kMuted : icon::kSound, "", false, kNeutral, false});
+}
+
+}  // namespace
+
+void draw_top_bar(const PanelContext& context) {
+  const Plate plate("top", context.layout.top);
+  Rect row = context.layout.top.inset(context.px(kGapM), context.px(kGapS));
+  const float gap = context.px(kGapM);
+  draw_case(context, row.take_left(context.px(232.0F), gap));
+  draw_stages(context, row.take_left(context.px(264.0F), gap).inset(0.0F, context.px(2.0F)));
+  draw_program_buttons(context, row.take_right(context.px(104.0F), gap));
+  const float width = std::min(row.width, context.px(440.0F));
+  draw_figures(context, row.centered(width, row.height));
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,51 @@
+#include "ui/window_state.h"
+
+namespace flytri::ui {
+
+std::string_view to_string(Tool tool) {
+  switch (tool) {
+    case Tool::kTrim:
+      return "trim";
+    case Tool::kLock:
+      return "lock";
+    case Tool::kUnlock:
+      return "unlock";
+    case Tool::kMeasure:
+      return "measure";
+    case Tool::kNone:
+      break;
+  }
+  return "none";
+}
+
+std::string_view to_string(Dialog dialog) {
+  switch (dialog) {
+    case Dialog::kHelp:
+      return "help";
+    case Dialog::kExport:
+      return "export";
+    case Dialog::kCase:
+      return "case";
+    case Dialog::kSettings:
+      return "settings";
+    case Dialog::kNone:
+      break;
+  }
+  return "none";
+}
+
+std::string_view to_string(ColorMode mode) {
+  switch (mode) {
+    case ColorMode::kTexture:
+      return "texture";
+    case ColorMode::kCoverage:
+      return "coverage";
+    case ColorMode::kUncertainty:
+      return "uncertainty";
+    case ColorMode::kShading:
+      break;
+  }
+  return "shading";
+}
+
+}  // namespace flytri::ui
