@@ -19,6 +19,14 @@ bool reaches(const Edit& edit, const Vec3f& position_mm, const Vec3f& normal) {
 
 EditStack::EditStack() : states_{std::make_shared<const EditSequence>()} {}
 
+EditStack::EditStack(EditSequence all, std::size_t held) : EditStack() {
+  for (std::size_t i = 1; i <= all.size(); ++i) {
+    states_.push_back(std::make_shared<const EditSequence>(
+        all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i)));
+  }
+  at_ = std::min(held, all.size());
+}
+
 void EditStack::push(Edit edit) {
   states_.resize(at_ + 1);
   auto next = std::make_shared<EditSequence>(*state());

@@ -38,6 +38,8 @@ using EditList = std::shared_ptr<const EditSequence>;
 class EditStack {
  public:
   EditStack();
+  /// The stack as it was: all edits that were not forgotten, of which the first `held` hold.
+  EditStack(EditSequence all, std::size_t held);
 
   /// The new state; what was undone is forgotten.
   void push(Edit edit);
@@ -47,6 +49,8 @@ class EditStack {
   [[nodiscard]] bool can_undo() const { return at_ > 0; }
   [[nodiscard]] bool can_redo() const { return at_ + 1 < states_.size(); }
   [[nodiscard]] const EditList& state() const { return states_[at_]; }
+  /// What holds, and behind it what can be redone.
+  [[nodiscard]] const EditList& all() const { return states_.back(); }
 
  private:
   std::vector<EditList> states_;

@@ -1,4 +1,4 @@
-/// @file  Little-endian numbers into a file and out of memory.
+/// @file  Little-endian numbers into files and memory, and out of memory.
 #pragma once
 
 #include <bit>
@@ -14,6 +14,12 @@
 namespace flytri {
 
 static_assert(std::endian::native == std::endian::little, "the formats here are little-endian");
+
+/// Puts a number behind some bytes.
+template <typename T>
+void append_number(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
 
 /// Collects small pieces for an AtomicFile. The first failure is kept and told by commit().
 class ByteWriter {

@@ -43,6 +43,10 @@ class AtomicFile {
 /// @errors  kNotFound, kNotPermitted, kBadFormat (a folder, or a device that fails while reading).
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path);
 
+/// Makes an empty file that nobody but its owner may read or write.
+/// @errors  kBadOption: there is one of that name; as AtomicFile::create.
+[[nodiscard]] Result<void> create_private_file(const std::filesystem::path& path);
+
 /// Creates a folder with its parents; one that exists already is fine.
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> create_folder(const std::filesystem::path& folder);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/interchange/file_bytes.h"
+#include "core/interchange/frame_kind.h"
 #include "core/interchange/json_place.h"
 #include "core/interchange/png.h"
 
@@ -15,27 +16,6 @@ namespace {
 constexpr const char* kRecordingFile = "recording.json";
 constexpr std::string_view kRecordingFormat = "flytri.recording";
 constexpr int kRecordingVersion = 1;
-constexpr std::array<std::pair<std::string_view, FrameKind>, 4> kKinds = {
-    {{"vertical", FrameKind::kVertical},
-     {"horizontal", FrameKind::kHorizontal},
-     {"texture", FrameKind::kTexture},
-     {"unknown", FrameKind::kUnknown}}};
-
-std::string_view name_of(FrameKind kind) {
-  for (const auto& [name, named] : kKinds) {
-    if (named == kind) return name;
-  }
-  return "unknown";
-}
-
-FrameKind read_kind(const JsonPlace& place) {
-  const std::string text = place.text();
-  for (const auto& [name, kind] : kKinds) {
-    if (name == text) return kind;
-  }
-  place.reject("\"vertical\", \"horizontal\", \"texture\" or \"unknown\"");
-  return FrameKind::kUnknown;
-}
 
 bool type_fits(FrameKind kind, int type) {
   if (kind == FrameKind::kTexture) return type == CV_8UC3;
@@ -56,7 +36,7 @@ Result<Recording> parse_recording(std::string_view text, const std::string& name
   if (json->has("calibration")) recording.calibration = json->at("calibration").text();
   for (const JsonPlace& place : json->at("frames").elements()) {
     RecordedFrame frame{place.at("file").text(), place.at("time_s").number(),
-                        read_kind(place.at("kind"))};
+                        read_frame_kind(place.at("kind"))};
     if (!recording.frames.empty() && frame.time_s <= recording.frames.back().time_s) {
       place.at("time_s").reject("a time after that of the frame before");
     }
@@ -87,7 +67,7 @@ Result<Frame> load_frame(const Recording& recording, FrameIndex index) {
   if (!image) return tl::unexpected(image.error());
   if (!type_fits(recorded.kind, image->type())) {
     return fail(ErrorCode::kBadFormat, "{}: a frame of kind \"{}\" must be {}", path.string(),
-                name_of(recorded.kind), expected_type(recorded.kind));
+                to_string(recorded.kind), expected_type(recorded.kind));
   }
   return Frame{index, recorded.kind, recorded.time_s, *std::move(image)};
 }
@@ -113,7 +93,7 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& fol
 Result<void> RecordingWriter::append(const Frame& frame) {
   if (!type_fits(frame.kind, frame.image.type())) {
     return fail(ErrorCode::kBadOption, "{}: a frame of kind \"{}\" must be {}", folder_.string(),
-                name_of(frame.kind), expected_type(frame.kind));
+                to_string(frame.kind), expected_type(frame.kind));
   }
   if (!std::isfinite(frame.time_s) || (!frames_.empty() && frame.time_s <= frames_.back().time_s)) {
     return fail(ErrorCode::kBadOption, "{}: frame {} is not later than the one before",
@@ -133,7 +113,7 @@ Result<void> RecordingWriter::close() {
   if (!calibration_.empty()) json["calibration"] = calibration_;
   for (const RecordedFrame& frame : frames_) {
     json["frames"].push_back(
-        {{"file", frame.file}, {"time_s", frame.time_s}, {"kind", name_of(frame.kind)}});
+        {{"file", frame.file}, {"time_s", frame.time_s}, {"kind", to_string(frame.kind)}});
   }
   return write_file(folder_ / kRecordingFile, json.dump(1) + "\n");
 }

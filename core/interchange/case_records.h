@@ -1,0 +1,83 @@
+/// @file  The records in a case's tables: numbered, with checksums, read even where the file is
+/// damaged.
+///
+/// For the sources of core/interchange only.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/interchange/case_file.h"
+#include "core/interchange/case_schema.h"
+
+namespace flytri {
+
+/// The numbers of records, both ends included.
+struct RecordRange {
+  std::int64_t first = 0, last = 0;
+};
+/// The record of a stage and a number >= 0. Number 0 stands for tables with one record a stage.
+[[nodiscard]] std::int64_t record_id(ScanStage stage, int number = 0);
+/// All records of a stage.
+[[nodiscard]] RecordRange records_of(ScanStage stage);
+/// The number within the stage.
+[[nodiscard]] int number_of(std::int64_t id);
+
+/// The only record of the tables that have one.
+inline constexpr std::int64_t kOnlyRecord = 1;
+
+/// An open database of these tables. Writing opens a transaction if there is none.
+class CaseRecords {
+ public:
+  /// Makes the tables in an empty file.
+  [[nodiscard]] static Result<CaseRecords> create(const std::filesystem::path& path,
+                                                  const std::string& passphrase);
+  /// @errors  As CaseFile::open.
+  [[nodiscard]] static Result<CaseRecords> open(const std::filesystem::path& path,
+                                                const CaseOptions& options);
+
+  [[nodiscard]] bool is_read_only() const { return is_read_only_; }
+  [[nodiscard]] const std::vector<std::string>& damage() const { return damage_; }
+  /// Damage was found by somebody who read: nothing is written any more.
+  void give_up_writing() { is_read_only_ = true; }
+
+  /// @errors  Also kInconsistent: there is a record of that number.
+  [[nodiscard]] Result<void> add(CaseTable table, std::int64_t id, std::string_view data);
+  [[nodiscard]] Result<void> replace(CaseTable table, std::int64_t id, std::string_view data);
+  [[nodiscard]] Result<void> erase(CaseTable table, const RecordRange& range);
+  [[nodiscard]] Result<void> commit();
+
+  /// None: there is no such record.
+  /// @errors  Also kBadFormat: it is there, but damaged.
+  [[nodiscard]] Result<std::optional<std::string>> find(CaseTable table, std::int64_t id);
+  /// Takes a record's data; an error tells what is wrong with it.
+  using Visit = std::function<Result<void>(std::int64_t id, std::string_view data)>;
+  /// Visits all that can be read, by rising number. What cannot, or was refused by the visitor, is
+  /// told by the list that is returned.
+  [[nodiscard]] Result<std::vector<std::string>> walk(CaseTable table, const RecordRange& range,
+                                                      const Visit& visit);
+  /// @errors  kBadFormat where even counting fails.
+  [[nodiscard]] Result<std::int64_t> count(CaseTable table, const RecordRange& range);
+  /// Largest number in the range; none: it is empty.
+  [[nodiscard]] Result<std::optional<std::int64_t>> last(CaseTable table, const RecordRange& range);
+
+ private:
+  explicit CaseRecords(CaseDatabase opened);
+  [[nodiscard]] Result<void> begin();
+  [[nodiscard]] Result<void> put(std::string_view verb, CaseTable table, std::int64_t id,
+                                 std::string_view data);
+  /// Passes a failure on, after everything since the last commit was dropped.
+  [[nodiscard]] tl::unexpected<Error> dropped(const Error& error);
+
+  SqliteDatabase database_;
+  bool is_read_only_ = false;
+  bool is_writing_ = false;  ///< a transaction is open
+  std::vector<std::string> damage_;
+};
+
+}  // namespace flytri
