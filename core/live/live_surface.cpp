@@ -9,8 +9,8 @@
 namespace flytri {
 namespace {
 
-/// Cells as wide as the finished scan is reduced to.
-constexpr double kCellSpacings = 3.0;
+/// Wider than those of the finished scan: a screen shows no more, and it is drawn sooner.
+constexpr double kCellSpacings = 4.5;
 /// Radius of a surfel in cells: neighbors overlap wherever in their cells their centers lie.
 constexpr float kRadiusCells = 0.85F;
 /// Below this share of the largest, the second eigenvalue says that all profiles run one way.

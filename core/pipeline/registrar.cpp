@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 namespace flytri {
 namespace {
@@ -164,16 +166,23 @@ Result<Registrar> Registrar::create(const RegistrarOptions& options) {
   return Registrar(options);
 }
 
-RegisteredView Registrar::add(const std::shared_ptr<const View>& view) {
+RegisteredView Registrar::add(const std::shared_ptr<const View>& view) { return take(view, true); }
+
+RegisteredView Registrar::skip(const std::shared_ptr<const View>& view) {
+  return take(view, false);
+}
+
+RegisteredView Registrar::take(const std::shared_ptr<const View>& view, bool may_register) {
   Added added{view, RejectReason::kNone, false};
   // Counted by pattern: the views that are left still alternate.
   int& number = pattern_counts_[static_cast<std::size_t>(view->pattern)];
   const bool due = number++ % options_.register_every == 0;
+  latest_rms_mm_ = 0.0;
   if (!(view->time_s > last_time_s_)) {
     added.reason = RejectReason::kTimeNotRising;
   } else if (view->point_count() < static_cast<std::size_t>(options_.track.min_points)) {
     added.reason = RejectReason::kTooFewPoints;
-  } else if (!due && lost_views_ == 0) {
+  } else if (!may_register || (!due && lost_views_ == 0)) {
     added.skipped = true;
   } else {
     added.reason = register_view({view, prepare_view(*view, options_.track.smoothing)});
@@ -187,8 +196,23 @@ RegisteredView Registrar::add(const std::shared_ptr<const View>& view) {
   } else if (added.reason == RejectReason::kNone) {
     result.fate = ViewFate::kRegistered;
     result.T_world_sensor = pieces_[scan_]->views().back().aligned.T_world_sensor;
+    result.rms_mm = latest_rms_mm_;
   }
   return result;
+}
+
+void Registrar::restore(std::span<const AlignedView> views) {
+  for (const AlignedView& aligned : views) {
+    IncomingView incoming{aligned.view, prepare_view(*aligned.view, options_.track.smoothing)};
+    if (incoming.prepared.profiles.empty()) continue;
+    if (pieces_.empty()) {
+      radius_mm_ = incoming.prepared.radius_mm;
+      pieces_.push_back(std::make_unique<TrackedScan>(options_.track, radius_mm_));
+    }
+    pieces_[scan_]->add(std::move(incoming), aligned.T_world_sensor);
+    added_.push_back({aligned.view, RejectReason::kNone, false});
+    last_time_s_ = aligned.view->time_s;
+  }
 }
 
 void Registrar::start_piece(IncomingView incoming) {
@@ -217,6 +241,7 @@ RejectReason Registrar::register_view(IncomingView incoming) {
   lost_views_ = 0;
   side_ = scan_;
   claim_.reset();
+  latest_rms_mm_ = tracked.rms_mm;
   scan.add(std::move(incoming), tracked);
   if (options_.track.check_path) scan.check_path();
   return RejectReason::kNone;
@@ -247,12 +272,18 @@ bool Registrar::convincing(const Alignment& alignment) const {
          alignment.rms_mm <= pieces_[scan_]->usual_rms_mm();
 }
 
+double Registrar::share_of_entry(const Alignment& alignment) const {
+  const double enough = std::max(options_.min_entry_evidence, 1e-9);
+  return std::clamp(alignment.agreement.evidence / enough, 0.0, 1.0);
+}
+
 std::vector<Isometry> Registrar::anchors(double time_s) const {
   // Where the scan ended, or would be if the hand went on; where it was taken up again; and where
   // the operator was asked to enter.
   std::vector<Isometry> candidates = trajectory().guesses(time_s);
   const std::vector<TimedPose> later = trajectory().between(time_s, time_s + options_.max_gap_s);
   if (!later.empty()) candidates.push_back(later.front().T_world_sensor);
+  if (asked_entry_) candidates.insert(candidates.begin(), *asked_entry_);
   if (const auto best = proposal()) candidates.push_back(best->second.T_world_sensor);
   std::vector<Isometry> result;
   for (const Isometry& T_world_sensor : candidates) {
@@ -298,8 +329,10 @@ bool Registrar::try_to_join(std::size_t piece, std::size_t i, bool all_starts) {
     }
   }
   claim_.reset();
+  entry_share_ = 0.0;
   for (const Isometry& T_scan_start : start_poses(incoming.view->time_s, all_starts)) {
     const Alignment found = scan.locate(incoming, T_scan_start);
+    entry_share_ = std::max(entry_share_, share_of_entry(found));
     if (!convincing(found)) continue;
     claim_ = {piece, found.T_target_source * T_piece_sensor.inverse()};
     break;
@@ -332,6 +365,63 @@ std::optional<ReentryProposal> Registrar::proposal() const {
     if (points > best.point_count) best = {first, second, points};
   }
   return best;
+}
+
+std::vector<ReentryProposal> Registrar::proposals(std::size_t count) const {
+  std::vector<ReentryProposal> ranked;
+  if (const auto best = proposal()) ranked.push_back(*best);
+  if (ranked.empty()) return ranked;
+  const std::vector<TrackedView>& views = pieces_[scan_]->views();
+  std::vector<std::size_t> order(views.size() - 1);
+  std::iota(order.begin(), order.end(), std::size_t{1});
+  const auto points = [&](std::size_t i) {
+    return views[i - 1].aligned.view->point_count() + views[i].aligned.view->point_count();
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return points(a) > points(b); });
+  for (const std::size_t i : order) {
+    if (ranked.size() >= count) break;
+    const AlignedView& second = views[i].aligned;
+    const bool near = std::any_of(ranked.begin(), ranked.end(), [&](const ReentryProposal& known) {
+      return chord_mm(known.second.T_world_sensor, second.T_world_sensor, radius_mm_) < radius_mm_;
+    });
+    if (!near) ranked.push_back({views[i - 1].aligned, second, points(i)});
+  }
+  return ranked;
+}
+
+ScanGrowth Registrar::take_growth() {
+  ScanGrowth growth;
+  if (pieces_.empty()) return growth;
+  const std::vector<TrackedView>& views = pieces_[scan_]->views();
+  growth.is_all = told_piece_ != scan_ || told_views_ > views.size();
+  for (std::size_t i = growth.is_all ? 0 : told_views_; i < views.size(); ++i) {
+    growth.added.push_back(views[i].aligned);
+  }
+  told_piece_ = scan_;
+  told_views_ = views.size();
+  return growth;
+}
+
+void Registrar::apply(std::span<const AlignedView> refined) {
+  if (pieces_.empty()) return;
+  TrackedScan& scan = *pieces_[scan_];
+  std::map<double, const AlignedView*> by_time;
+  for (const AlignedView& view : refined) by_time[view.view->time_s] = &view;
+  // Below this nothing that registers to a view could tell.
+  const double negligible_mm = 1e-4 * radius_mm_;
+  Isometry T_new_world = Isometry::Identity();  // of the last view that is known
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const AlignedView& view = scan.views()[i].aligned;
+    const auto found = by_time.find(view.view->time_s);
+    if (found != by_time.end()) {
+      T_new_world = found->second->T_world_sensor * view.T_world_sensor.inverse();
+    }
+    const Isometry T_new_sensor = T_new_world * view.T_world_sensor;
+    if (pose_distance_mm(view.T_world_sensor, T_new_sensor, radius_mm_) > negligible_mm) {
+      scan.move(i, T_new_sensor);
+    }
+  }
 }
 
 std::vector<AlignedView> Registrar::aligned_views() const {
@@ -394,10 +484,12 @@ RegisteredView Registrar::settle(const Added& added) const {
   return result;
 }
 
-std::vector<RegisteredView> Registrar::finish() {
+std::vector<RegisteredView> Registrar::finish(World world) {
   if (!pieces_.empty()) {
     retry_pieces();
     retry_rejected();
+  }
+  if (!pieces_.empty() && world == World::kFirstView) {
     const Isometry T_world_scan = aligned_views().front().T_world_sensor.inverse();
     pieces_[scan_]->change_frame(T_world_scan);
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,14 @@ struct RegisteredView {
   ViewFate fate = ViewFate::kRejected;
   RejectReason reason = RejectReason::kNone;
   Isometry T_world_sensor = Isometry::Identity();
+  double rms_mm = 0.0;  ///< of the crossings, where add() registered it to others; else 0
+};
+
+/// How the scan grew since it was last asked.
+struct ScanGrowth {
+  /// The scan is another piece now, or all poses have changed: `added` is all of it.
+  bool is_all = false;
+  std::vector<AlignedView> added;
 };
 
 /// Where a lost scan is best taken up again: two successive views with many profiles and points.
@@ -84,20 +93,41 @@ class Registrar {
   /// Takes the next view. The fate is the present one: pieces that join later
   /// and skipped views are settled by finish().
   RegisteredView add(const std::shared_ptr<const View>& view);
+  /// Takes the next view where there is no time to register it: its pose is interpolated.
+  RegisteredView skip(const std::shared_ptr<const View>& view);
+
+  /// Takes views at known poses, before any other: a scan that goes on.
+  /// @param views  by rising time, in one world frame
+  void restore(std::span<const AlignedView> views);
 
   /// True after more than `patience_views` failures in a row: continuation mode.
   [[nodiscard]] bool interrupted() const { return lost_views_ > options_.patience_views; }
   /// The best of the latest pairs. None before two views are registered.
   [[nodiscard]] std::optional<ReentryProposal> proposal() const;
+  /// That one, then others all over the scan, apart from each other, by falling rating.
+  [[nodiscard]] std::vector<ReentryProposal> proposals(std::size_t count) const;
+  /// Where the operator was asked to enter, if it is not the first proposal: searched first.
+  void expect_entry_at(const std::optional<Isometry>& T_world_sensor) {
+    asked_entry_ = T_world_sensor;
+  }
+  /// 0..1: how near the latest view that was lost came to entering the scan; 1 if it is not lost.
+  [[nodiscard]] double entry_share() const { return lost_views_ == 0 ? 1.0 : entry_share_; }
 
   /// Views registered so far in the world frame of the largest piece.
   [[nodiscard]] std::vector<AlignedView> aligned_views() const;
+  /// What came to the scan since the last call, pieces that joined included.
+  [[nodiscard]] ScanGrowth take_growth();
+  /// Gives views the poses that an optimization of the whole scan has found. Views that came after
+  /// it began are carried along with the last that it knew.
+  void apply(std::span<const AlignedView> refined);
   /// Path of the sensor through the largest piece.
   [[nodiscard]] const Trajectory& trajectory() const { return pieces_[scan_]->trajectory(); }
 
   /// After the scan: tries pieces and rejected views once more against the whole model, then
-  /// settles every fate, in the order of add().
-  [[nodiscard]] std::vector<RegisteredView> finish();
+  /// settles every fate, in the order of add(). The world becomes the sensor frame of the first
+  /// view, unless it is to stay: edits and measurements refer to it.
+  enum class World { kFirstView, kUnchanged };
+  [[nodiscard]] std::vector<RegisteredView> finish(World world = World::kFirstView);
 
  private:
   explicit Registrar(const RegistrarOptions& options) : options_(options) {}
@@ -113,6 +143,7 @@ class Registrar {
     Isometry T_scan_piece = Isometry::Identity();
   };
 
+  RegisteredView take(const std::shared_ptr<const View>& view, bool may_register);
   RejectReason register_view(IncomingView incoming);
   RejectReason track_lost(IncomingView incoming, RejectReason reason, bool search);
   bool try_to_join(std::size_t piece, std::size_t i, bool all_starts);
@@ -122,6 +153,7 @@ class Registrar {
   [[nodiscard]] std::vector<Isometry> anchors(double time_s) const;
   [[nodiscard]] std::vector<Isometry> start_poses(double time_s, bool all) const;
   [[nodiscard]] bool convincing(const Alignment& alignment) const;
+  [[nodiscard]] double share_of_entry(const Alignment& alignment) const;
   void retry_pieces();
   void retry_rejected();
   [[nodiscard]] RegisteredView settle(const Added& added) const;
@@ -136,6 +168,10 @@ class Registrar {
   std::array<int, 2> pattern_counts_{};  ///< views added so far, by Pattern
   double radius_mm_ = 0.0;
   std::optional<Claim> claim_;
+  std::optional<Isometry> asked_entry_;
+  double entry_share_ = 0.0;
+  double latest_rms_mm_ = 0.0;                   ///< of the view that was registered last
+  std::size_t told_piece_ = 0, told_views_ = 0;  ///< what take_growth() has told
 };
 
 }  // namespace flytri

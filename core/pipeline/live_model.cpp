@@ -1,0 +1,106 @@
+#include "core/pipeline/live_model.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flytri {
+namespace {
+
+/// Views of a rebuild that are added in one go: a few milliseconds, so that new views do not wait.
+constexpr std::size_t kViewsAtOnce = 4;
+/// Closer to a kept one than this share of the volume, a texture frame shows nothing new.
+constexpr double kSamePlaceShare = 0.05;
+
+}  // namespace
+
+LiveModel::LiveModel(LiveSurface surface, const LiveSurfaceOptions& options,
+                     const Calibration& calibration, double max_gap_s)
+    : options_(options),
+      calibration_(&calibration),
+      max_gap_s_(max_gap_s),
+      surface_(std::move(surface)),
+      filter_(EditStack().state()),
+      trajectory_(0.5 * calibration.volume.size_mm.norm()) {}
+
+Result<LiveModel> LiveModel::create(const LiveSurfaceOptions& options,
+                                    const Calibration& calibration, double max_gap_s) {
+  Result<LiveSurface> surface = LiveSurface::create(options);
+  if (!surface) return tl::unexpected(surface.error());
+  return LiveModel(std::move(*surface), options, calibration, max_gap_s);
+}
+
+void LiveModel::add(std::span<const AlignedView> views) {
+  for (const AlignedView& view : views) {
+    surface_.add(view, filter_);
+    trajectory_.set(view.view->time_s, view.T_world_sensor);
+    if (rebuild_) rebuild_->views.push_back(view);
+  }
+  place_waiting_textures();
+}
+
+void LiveModel::add_texture(const Frame& frame) {
+  waiting_.push_back(frame);
+  place_waiting_textures();
+}
+
+void LiveModel::place_waiting_textures() {
+  if (trajectory_.empty()) return;
+  std::erase_if(waiting_, [&](const Frame& frame) {
+    if (const auto T = trajectory_.interpolate(frame.time_s, max_gap_s_)) {
+      keep_texture(frame, *T);
+      return true;
+    }
+    return trajectory_.last_time_s() > frame.time_s + max_gap_s_;
+  });
+}
+
+void LiveModel::keep_texture(const Frame& frame, const Isometry& T_world_sensor) {
+  const double arm_mm = 0.5 * calibration_->volume.size_mm.norm();
+  const bool same_place =
+      std::any_of(textures_.begin(), textures_.end(), [&](const PlacedTexture& kept) {
+        return pose_distance_mm(kept.T_world_sensor, T_world_sensor, arm_mm) <
+               kSamePlaceShare * arm_mm;
+      });
+  if (same_place) return;
+  // A frame that does not suit the calibration was refused before it came here.
+  if (surface_.add_color({frame.image, T_world_sensor}, *calibration_)) {
+    textures_.push_back({frame, T_world_sensor});
+  }
+}
+
+void LiveModel::apply_edits(const EditList& edits, double now_s) {
+  filter_ = EditFilter(edits);
+  surface_.cut(filter_, now_s);
+  if (rebuild_) rebuild_->surface.cut(filter_, now_s);
+}
+
+void LiveModel::begin_rebuild(std::vector<AlignedView> views) {
+  trajectory_ = Trajectory(0.5 * calibration_->volume.size_mm.norm());
+  for (const AlignedView& view : views) trajectory_.set(view.view->time_s, view.T_world_sensor);
+  for (PlacedTexture& texture : textures_) {
+    const auto T = trajectory_.interpolate(texture.frame.time_s, max_gap_s_);
+    if (T) texture.T_world_sensor = *T;
+  }
+  // The options were validated when the model was made.
+  rebuild_.emplace(Rebuild{*LiveSurface::create(options_), std::move(views)});
+}
+
+bool LiveModel::continue_rebuild() {
+  if (!rebuild_) return false;
+  Rebuild& work = *rebuild_;
+  for (std::size_t k = 0; k < kViewsAtOnce && work.views_done < work.views.size(); ++k) {
+    work.surface.add(work.views[work.views_done++], filter_);
+  }
+  if (work.views_done < work.views.size()) return true;
+  if (work.textures_done < textures_.size()) {
+    const PlacedTexture& texture = textures_[work.textures_done++];
+    [[maybe_unused]] const auto colored =
+        work.surface.add_color({texture.frame.image, texture.T_world_sensor}, *calibration_);
+    return true;
+  }
+  surface_ = std::move(work.surface);
+  rebuild_.reset();
+  return false;
+}
+
+}  // namespace flytri

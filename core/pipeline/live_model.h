@@ -1,0 +1,68 @@
+/// @file  What the live scan shows of its surface: kept up with views, texture frames, edits and
+/// better poses. Belongs to one thread.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/calibration/calibration.h"
+#include "core/imaging/frame.h"
+#include "core/live/live_surface.h"
+#include "core/trajectory/trajectory.h"
+
+namespace flytri {
+
+/// A texture frame and where the sensor was.
+struct PlacedTexture {
+  Frame frame;
+  Isometry T_world_sensor = Isometry::Identity();
+};
+
+class LiveModel {
+ public:
+  /// @param calibration  must outlive the model
+  /// @param max_gap_s  longest gap over which the pose of a texture frame is interpolated
+  /// @errors  as LiveSurface.
+  [[nodiscard]] static Result<LiveModel> create(const LiveSurfaceOptions& options,
+                                                const Calibration& calibration, double max_gap_s);
+
+  void add(std::span<const AlignedView> views);
+  /// Colors the surface as soon as views before and after the frame are known.
+  void add_texture(const Frame& frame);
+  /// Takes away what new edits trim. What undone edits took comes back by rebuilding.
+  void apply_edits(const EditList& edits, double now_s);
+
+  /// Begins anew with all views and their present poses, beside what is shown meanwhile.
+  void begin_rebuild(std::vector<AlignedView> views);
+  /// Does a piece of that; false when there is nothing left to do.
+  bool continue_rebuild();
+
+  [[nodiscard]] LiveSurface& surface() { return surface_; }
+  /// Those that color the surface: of frames from nearly the same place the first is kept.
+  [[nodiscard]] const std::vector<PlacedTexture>& textures() const { return textures_; }
+
+ private:
+  struct Rebuild {
+    LiveSurface surface;
+    std::vector<AlignedView> views;
+    std::size_t views_done = 0, textures_done = 0;
+  };
+
+  LiveModel(LiveSurface surface, const LiveSurfaceOptions& options, const Calibration& calibration,
+            double max_gap_s);
+  void place_waiting_textures();
+  void keep_texture(const Frame& frame, const Isometry& T_world_sensor);
+
+  LiveSurfaceOptions options_;
+  const Calibration* calibration_;
+  double max_gap_s_;
+  LiveSurface surface_;
+  EditFilter filter_;
+  Trajectory trajectory_;
+  std::vector<Frame> waiting_;  ///< texture frames whose pose is not known yet
+  std::vector<PlacedTexture> textures_;
+  std::optional<Rebuild> rebuild_;
+};
+
+}  // namespace flytri

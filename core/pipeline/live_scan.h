@@ -1,0 +1,109 @@
+/// @file  A scan while it happens: frames and the user's wishes go in, immutable snapshots come
+/// out.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "core/base/result.h"
+#include "core/calibration/calibration.h"
+#include "core/editing/edits.h"
+#include "core/live/live_surface.h"
+#include "core/pipeline/finish_scan.h"
+#include "core/pipeline/measure_view.h"
+#include "core/pipeline/registrar.h"
+#include "core/pipeline/scan_snapshot.h"
+
+namespace flytri {
+
+/// Keeps what a scan measures, as it comes. All calls come from one thread, which may take its
+/// time: the scan does not wait for it.
+class ScanJournal {
+ public:
+  virtual ~ScanJournal() = default;
+  virtual void keep_view(const View& view) = 0;
+  virtual void keep_texture(const Frame& frame) = 0;
+  /// The present poses of all registered views.
+  virtual void keep_poses(std::span<const AlignedView> views) = 0;
+  virtual void keep_edits(const EditStack& edits) = 0;
+  virtual void keep_result(const FinishedScan& result) = 0;
+  /// Called after each batch, at least once a second: what came before it should survive a crash.
+  virtual void commit() = 0;
+};
+
+struct LiveScanOptions {
+  MeasureOptions measure;
+  RegistrarOptions registration;
+  LiveSurfaceOptions surface;
+  FinishOptions finish;
+  /// >= 1. Threads that measure frames.
+  int measure_threads = 1;
+  /// >= 2. Frames that may be on their way before the oldest is given up: at 30 Hz a third of a
+  /// second.
+  int max_frames_underway = 10;
+  /// >= 1. Measured views that may wait for registration before some are interpolated instead.
+  int max_views_waiting = 4;
+  /// > 1. All poses are optimized together each time the scan has grown by this factor.
+  double refine_growth = 1.3;
+  /// >= 2. Fewer views are not worth it.
+  int min_refine_views = 60;
+  /// > 0. Holes are looked for at most this often, s.
+  double holes_period_s = 4.0;
+  /// Monotonic seconds. Must be set.
+  std::function<double()> now_s;
+  /// May be null: then nothing is kept.
+  std::shared_ptr<ScanJournal> journal;
+
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// What an interrupted program had kept of a scan.
+struct KeptScan {
+  std::vector<AlignedView> views;     ///< by rising time, registered
+  std::vector<Frame> texture_frames;  ///< by rising time
+  EditStack edits;
+};
+
+/// Owns its threads: some measure, one registers, one keeps the model, one optimizes beside them
+/// and looks for holes, one finishes, one keeps the journal. All members are thread-safe and none
+/// blocks.
+class LiveScan {
+ public:
+  /// @errors  kBadOption.
+  [[nodiscard]] static Result<std::unique_ptr<LiveScan>> create(
+      std::shared_ptr<const Calibration> calibration, const LiveScanOptions& options,
+      const KeptScan& kept = {});
+  /// Stops all threads; what the journal was given, it is given a last commit for.
+  ~LiveScan();
+  LiveScan(const LiveScan&) = delete;
+  LiveScan& operator=(const LiveScan&) = delete;
+
+  /// The next frame of the sensor; times must rise.
+  void offer(Frame frame);
+
+  void start();
+  void pause();
+  /// The edit gets the time of the latest frame.
+  void edit(EditKind kind, std::vector<BrushDab> dabs);
+  void undo();
+  void redo();
+  /// Picks one of ScanSnapshot::reentry.
+  void choose_reentry(std::size_t index);
+  void finish();
+  void cancel_finish();
+
+  /// The state now. The same object as before where nothing has changed.
+  [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot() const;
+  /// Waits until all that was offered and asked is done; for tests and for programs without a
+  /// window.
+  void wait_until_idle() const;
+
+ private:
+  class Impl;
+  explicit LiveScan(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace flytri
