@@ -18,8 +18,8 @@ namespace flytri {
 /// How the growing surface is kept. Lengths are in cells, and a cell follows from the spacing of
 /// the points, so that the same values serve every sensor.
 struct LiveSurfaceOptions {
-  /// >= 0. Edge of the cubic cells in which points are merged, mm. 0: three times the spacing of
-  /// the points of the first view, the width that the finished scan is reduced to.
+  /// >= 0. Edge of the cubic cells in which points are merged, mm. 0: 4.5 times the spacing of
+  /// the points of the first view, about the width of a projected line.
   double cell_mm = 0.0;
   /// 1..16. Edge of the cubes in which the surface has one normal: a few lines of either pattern
   /// cross each.

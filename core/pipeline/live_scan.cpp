@@ -14,7 +14,7 @@
 #include "core/pipeline/live_model.h"
 #include "core/pipeline/reentry_images.h"
 #include "core/pipeline/snapshot_board.h"
-#include "core/pipeline/task_thread.h"
+#include "core/base/task_thread.h"
 
 namespace flytri {
 namespace {

@@ -9,7 +9,7 @@
 
 namespace flytri {
 
-/// Used by the live scan alone, which sees to it that no more is posted than gets done.
+/// Unbounded: whoever posts sees to it that no more is posted than gets done.
 class TaskThread {
  public:
   enum class Priority {

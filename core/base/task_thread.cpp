@@ -1,4 +1,4 @@
-#include "core/pipeline/task_thread.h"
+#include "core/base/task_thread.h"
 
 #include <sys/resource.h>
 
