@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "core/base/median.h"
+#include "core/base/task_thread.h"
 #include "core/pipeline/frame_intake.h"
 #include "core/pipeline/frame_ledger.h"
 #include "core/pipeline/live_model.h"
 #include "core/pipeline/reentry_images.h"
 #include "core/pipeline/snapshot_board.h"
-#include "core/base/task_thread.h"
 
 namespace flytri {
 namespace {
@@ -60,6 +60,7 @@ class LiveScan::Impl {
  private:
   // Measuring threads.
   void measure_frames();
+  [[nodiscard]] Result<MeasuredView> measure(const Frame& frame) const;
 
   // Registering thread.
   void track_frames();
@@ -197,11 +198,15 @@ void LiveScan::Impl::ask(std::function<void()> wish) {
   intake_.wake();
 }
 
+Result<MeasuredView> LiveScan::Impl::measure(const Frame& frame) const {
+  if (frame.kind == FrameKind::kTexture) return MeasuredView{};
+  if (options_.measure_frame) return options_.measure_frame(frame);
+  return measure_view(frame, *calibration_, options_.measure);
+}
+
 void LiveScan::Impl::measure_frames() {
   while (std::optional<FrameIntake::Task> task = intake_.take()) {
-    intake_.deliver(task->number, task->frame.kind == FrameKind::kTexture
-                                      ? MeasuredView{}
-                                      : measure_view(task->frame, *calibration_, options_.measure));
+    intake_.deliver(task->number, measure(task->frame));
   }
 }
 

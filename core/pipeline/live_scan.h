@@ -38,6 +38,8 @@ struct LiveScanOptions {
   RegistrarOptions registration;
   LiveSurfaceOptions surface;
   FinishOptions finish;
+  /// How a frame becomes a view; empty: measure_view. Studies and tests hand in simulated views.
+  std::function<Result<MeasuredView>(const Frame&)> measure_frame;
   /// >= 1. Threads that measure frames.
   int measure_threads = 1;
   /// >= 2. Frames that may be on their way before the oldest is given up: at 30 Hz a third of a

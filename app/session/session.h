@@ -1,0 +1,102 @@
+/// @file  Owns sensor, scans and case: carries out what the window asks for, and says what to show.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/session/frame_router.h"
+#include "app/session/source.h"
+#include "core/base/task_thread.h"
+#include "core/pipeline/live_scan.h"
+#include "hw/device/capture_loop.h"
+#include "ui/app_view.h"
+#include "ui/command.h"
+
+namespace flytri {
+
+struct SessionOptions {
+  SourceChoice source;
+  LiveScanOptions scan;  ///< now_s and journal are the session's own
+};
+
+/// Used by the window's thread alone; what takes time is done beside it.
+class Session {
+ public:
+  explicit Session(SessionOptions options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void carry_out(const ui::Command& command);
+  /// What is to be shown now; settles what was done beside since the last call.
+  [[nodiscard]] ui::AppView view();
+  [[nodiscard]] bool is_closing() const { return is_closing_; }
+  /// The clock of the session and of its scans, monotonic.
+  [[nodiscard]] double now_s() const;
+  /// Of the current stage; null until the source is open.
+  [[nodiscard]] std::shared_ptr<LiveScan> scan() const;
+  [[nodiscard]] const Source& source() const { return source_; }
+
+ private:
+  // One function a command.
+  void carry_out_(const ui::StartScan&);
+  void carry_out_(const ui::PauseScan&);
+  void carry_out_(const ui::Undo&);
+  void carry_out_(const ui::Redo&);
+  void carry_out_(const ui::EditSurface& command);
+  void carry_out_(const ui::AddMeasurement& command);
+  void carry_out_(const ui::RemoveMeasurement& command);
+  void carry_out_(const ui::Finish&);
+  void carry_out_(const ui::CancelFinish&);
+  void carry_out_(const ui::ResumeScan&);
+  void carry_out_(const ui::ChooseReentry& command);
+  void carry_out_(const ui::SelectStage& command);
+  void carry_out_(const ui::Export& command);
+  void carry_out_(const ui::NewCase& command);
+  void carry_out_(const ui::OpenCase& command);
+  void carry_out_(const ui::SetCaseFields& command);
+  void carry_out_(const ui::SteerHand& command);
+  void carry_out_(const ui::FollowPath& command);
+  void carry_out_(const ui::TakeSensorAway& command);
+  void carry_out_(const ui::PointHand& command);
+  void carry_out_(const ui::ChangeSettings& command);
+  void carry_out_(const ui::Tell& command);
+  void carry_out_(const ui::Quit&) { is_closing_ = true; }
+
+  /// Work that takes time; what it returns is called by view().
+  void do_beside(std::function<std::function<void()>()> work);
+  void open_chosen_source();
+  void use_source(Source source);
+  [[nodiscard]] Result<std::shared_ptr<LiveScan>> make_scan() const;
+  void show_stage();
+  void notice(ui::Severity severity, std::string text);
+  [[nodiscard]] ui::SourceState source_state() const;
+  [[nodiscard]] ui::ExportState export_state(const ScanSnapshot* shown) const;
+
+  SessionOptions options_;
+  bool is_closing_ = false;
+  bool is_started_ = false;  ///< the user wants to scan
+  Source source_;
+  std::string source_failure_;
+  std::shared_ptr<FrameRouter> router_ = std::make_shared<FrameRouter>();
+  std::size_t stage_ = 0;
+  std::array<std::shared_ptr<LiveScan>, ui::kJawStages.size()> scans_;
+  std::array<std::vector<ui::Measurement>, ui::kJawStages.size()> measurements_;
+  ui::Settings settings_;
+  ui::ExportState exports_;
+  std::vector<ui::Notice> notices_;
+  std::uint64_t notice_number_ = 0;
+  std::string noticed_failure_;
+
+  std::mutex done_mutex_;
+  std::vector<std::function<void()>> done_;  ///< by view()
+  Progress beside_;                          ///< cancelled when the session ends
+  TaskThread beside_thread_;
+  std::unique_ptr<CaptureLoop> capture_;  ///< ends first: it uses the router
+};
+
+}  // namespace flytri

@@ -1,0 +1,32 @@
+#include "app/session/settings_file.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/interchange/file_bytes.h"
+
+namespace flytri {
+
+ui::Settings read_settings(const std::filesystem::path& file) {
+  ui::Settings settings;
+  const Result<std::string> text = read_file(file);
+  if (!text) return settings;
+  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  if (!json.is_object()) return settings;
+  if (const auto scale = json.find("user_scale"); scale != json.end() && scale->is_number()) {
+    settings.user_scale = std::clamp(scale->get<double>(), 0.75, 2.0);
+  }
+  if (const auto muted = json.find("is_muted"); muted != json.end() && muted->is_boolean()) {
+    settings.is_muted = muted->get<bool>();
+  }
+  return settings;
+}
+
+Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
+  if (auto made = create_folder(file.parent_path()); !made) return made;
+  const nlohmann::json json = {{"user_scale", settings.user_scale},
+                               {"is_muted", settings.is_muted}};
+  return write_file(file, json.dump(2) + "\n");
+}
+
+}  // namespace flytri

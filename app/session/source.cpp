@@ -1,0 +1,60 @@
+#include "app/session/source.h"
+
+#include "app/session/user_folders.h"
+#include "assets/sample_jaw/sample_jaw.h"
+#include "core/base/workers.h"
+#include "core/interchange/calibration_file.h"
+#include "core/interchange/file_bytes.h"
+#include "core/interchange/model.h"
+#include "hw/simulated/live_sensor.h"
+#include "hw/simulated/sensor_calibration.h"
+
+namespace flytri {
+namespace {
+
+/// Seconds that the simulated hand takes for its path over the jaw: a calm hand's pace.
+constexpr double kPathDuration_s = 60.0;
+
+Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& workers) {
+  if (!choice.mesh) return sample_jaw::make_sample_jaw({}, workers);
+  Result<TexturedMesh> model = read_model(*choice.mesh);
+  if (!model) return tl::unexpected(model.error());
+  return std::move(model->mesh);
+}
+
+/// The virtual sensor's calibration, kept from the last time this version of the program made it.
+Result<Calibration> virtual_calibration(const SensorModel& sensor, const Workers& workers,
+                                        const Progress& progress) {
+  const std::filesystem::path file = cache_folder() / "virtual-sensor-" FLYTRI_VERSION ".json";
+  if (auto kept = read_calibration(file)) return kept;
+  auto calibration = calibrate_virtual_sensor(sensor, workers, progress);
+  if (!calibration) return calibration;
+  // A cache that cannot be written costs but the time the next time.
+  if (create_folder(cache_folder())) {
+    [[maybe_unused]] const auto written = write_calibration(file, *calibration);
+  }
+  return calibration;
+}
+
+Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
+  const Workers workers;
+  const Result<TriangleMesh> mesh = object_to_scan(choice, workers);
+  if (!mesh) return tl::unexpected(mesh.error());
+  LiveSensorOptions options;
+  options.path.duration_s = kPathDuration_s;
+  const Result<Calibration> calibration = virtual_calibration(options.sensor, workers, progress);
+  if (!calibration) return tl::unexpected(calibration.error());
+  const auto shared = std::make_shared<const Calibration>(*calibration);
+  Result<std::shared_ptr<LiveSensor>> sensor =
+      LiveSensor::create(*mesh, options, shared, machine_clock());
+  if (!sensor) return tl::unexpected(sensor.error());
+  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared};
+}
+
+}  // namespace
+
+Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
+  return open_virtual_sensor(choice, progress);
+}
+
+}  // namespace flytri
