@@ -3,12 +3,12 @@
 
 // n, towards_eye: unit, eye frame. albedo: sRGB 0..1.
 vec3 lit(vec3 albedo, vec3 n, vec3 towards_eye) {
-  const vec3 kKey = normalize(vec3(-0.45, 0.65, 0.75));
-  const vec3 kSky = vec3(0.34, 0.35, 0.37);
-  const vec3 kGround = vec3(0.13, 0.12, 0.11);
+  const vec3 kKey = normalize(vec3(-0.40, 0.50, 0.80));
+  const vec3 kSky = vec3(0.27, 0.28, 0.30);
+  const vec3 kGround = vec3(0.17, 0.16, 0.15);
   float facing = max(dot(n, towards_eye), 0.0);
   float key = max(dot(n, kKey), 0.0);
-  vec3 light = mix(kGround, kSky, 0.5 + 0.5 * n.y) + vec3(0.42) * facing + vec3(0.36) * key;
+  vec3 light = mix(kGround, kSky, 0.5 + 0.5 * n.y) + vec3(0.40) * facing + vec3(0.42) * key;
   // Flanks that turn away get darker: edges and grooves stand out.
   float away = 1.0 - facing;
   light *= 1.0 - 0.45 * away * away * away;

@@ -20,5 +20,6 @@ void main() {
     color = mix(kPlaster, texture(atlas, atlas_uv).rgb, texture_blend);
   }
   vec3 n = normalize(n_eye);
-  pixel = vec4(lit(tinted(color, lock > 0.5), n, normalize(-p_eye)), 1.0);
+  vec3 towards_eye = normalize(-p_eye);
+  pixel = vec4(lit(tinted(color, lock > 0.5), n, towards_eye), dot(n, towards_eye));
 }

@@ -12,7 +12,7 @@ uniform vec2 focal_px;       // from slope to pixels, x and y
 uniform float radius_scale;  // > 1 where only a prefix of the disks is drawn
 
 flat out vec3 conic;  // xx, xy, yy of the ellipse, in the sprite's -1..1
-flat out vec3 color;
+flat out vec4 color;  // lit; alpha: cosine between normal and line of sight
 
 #include "lighting.glsl"
 #include "coloring.glsl"
@@ -48,5 +48,7 @@ void main() {
   conic = vec3(yy, -2.0 * xy, xx) * (half_square / (xx * yy - xy * xy));
   gl_PointSize = 2.0 * sqrt(half_square);
   int flags = int(color_flags.a * 255.0 + 0.5);
-  color = lit(tinted(surface_color(flags), (flags & 4) != 0), n, normalize(-p));
+  vec3 towards_eye = normalize(-p);
+  color = vec4(lit(tinted(surface_color(flags), (flags & 4) != 0), n, towards_eye),
+               dot(n, towards_eye));
 }

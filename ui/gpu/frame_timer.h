@@ -1,44 +1,25 @@
-/// @file  How long the graphics take, without waiting for them.
+/// @file  How long a piece of drawing takes.
 #pragma once
 
-#include <array>
-#include <chrono>
-#include <cstddef>
-#include <optional>
+#include <epoxy/gl.h>
 
-#include "ui/gpu/gl_object.h"
+#include <chrono>
 
 namespace flytri::ui {
 
-void delete_query(GLuint name);
-
-/// A measured piece of drawing.
-struct TimedWork {
-  std::size_t amount = 0;  ///< as the caller said at end()
-  double ms = 0.0;
-};
-
-/// Adds what the processor spends on handing over to what the graphics spend on drawing: a software
-/// renderer does the one in the calling thread and the other in its own.
+/// From its making to stop(), which waits until all is drawn. A software renderer draws while it
+/// is waited for, and says of its timer queries less than half of that; a graphics card is done
+/// with one scene long before the next picture is due.
 class FrameTimer {
  public:
-  FrameTimer();
-  void begin();
-  void end(std::size_t amount);
-  /// The next finished piece, oldest first; empty where the graphics are still at it.
-  [[nodiscard]] std::optional<TimedWork> take();
+  [[nodiscard]] double stop_ms() const {
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began_)
+        .count();
+  }
 
  private:
-  struct Piece {
-    GlObject<delete_query> query;
-    std::size_t amount = 0;
-    double handed_over_ms = 0.0;
-  };
-  std::array<Piece, 4> pieces_;  ///< a ring
-  std::size_t next_ = 0;         ///< to begin
-  std::size_t waiting_ = 0;      ///< ended, not taken
-  bool is_open_ = false;
-  std::chrono::steady_clock::time_point began_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace flytri::ui

@@ -19,6 +19,8 @@ void Composer::compose(const PictureTarget& model, bool has_changed,
                        const std::vector<OverlayLine>& lines, const Eye& eye,
                        const Backdrop& backdrop) {
   constexpr float kDimming = 0.62F;
+  /// Grooves that are deepened: as shares of the picture's height.
+  constexpr double kGroove = 0.006, kReach = 0.009;
   const bool fits =
       picture_.width_px() == eye.size.width_px && picture_.height_px() == eye.size.height_px;
   if (fits && !has_changed && lines.empty() && !had_lines_ && backdrop == backdrop_) return;
@@ -37,6 +39,11 @@ void Composer::compose(const PictureTarget& model, bool has_changed,
   program_.set("background_top", rgb_of(backdrop.top));
   program_.set("background_bottom", rgb_of(backdrop.bottom));
   program_.set("dimming", backdrop.is_dimmed ? kDimming : 0.0F);
+  // Normalized depth is -P22 + P23 / distance, see OrbitCamera::projection.
+  program_.set("depth_to_mm", Eigen::Vector2f(eye.P_clip_eye(2, 2), eye.P_clip_eye(2, 3)));
+  program_.set("groove_mm", static_cast<float>(kGroove * eye.height_mm));
+  program_.set("splat_radius_mm", backdrop.splat_radius_mm);
+  program_.set("reach_px", static_cast<float>(kReach * eye.size.height_px));
   no_vertices_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   if (lines.empty()) return;

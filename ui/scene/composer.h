@@ -9,9 +9,10 @@
 
 namespace flytri::ui {
 
-/// What the model stands before.
+/// How the model is laid over the background.
 struct Backdrop {
-  bool is_dimmed = false;  ///< the model stands back
+  bool is_dimmed = false;        ///< the model stands back
+  float splat_radius_mm = 0.0F;  ///< a splat has one depth all over; 0 for a mesh
   Color top;
   Color bottom;
   bool operator==(const Backdrop&) const = default;

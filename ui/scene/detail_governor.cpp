@@ -6,9 +6,11 @@
 namespace flytri::ui {
 namespace {
 
-/// Fewer than these tell more about the fixed cost of a picture than about surfels, and fewer are
-/// never drawn: the shape would be lost.
-constexpr std::size_t kFewest = 20'000;
+/// Never fewer: the shape would be lost. And little time would be won: what is left is the cost of
+/// filling the picture, which fewer, larger disks do not lower.
+constexpr std::size_t kFewest = 50'000;
+/// Pieces smaller than these tell about the fixed cost of a piece, not about surfels.
+constexpr std::size_t kTelling = 5'000;
 /// Before the first measurement: what two cores without a graphics card reach.
 constexpr double kFirstMsPerSurfel = 4e-4;
 
@@ -16,7 +18,7 @@ constexpr double kFirstMsPerSurfel = 4e-4;
 
 void DetailGovernor::learn(std::size_t surfels, double ms) {
   constexpr double kNewest = 0.4;
-  if (surfels < kFewest) return;
+  if (surfels < kTelling) return;
   const double latest = ms / static_cast<double>(surfels);
   ms_per_surfel_ =
       ms_per_surfel_ == 0.0 ? latest : ms_per_surfel_ + kNewest * (latest - ms_per_surfel_);
@@ -24,13 +26,13 @@ void DetailGovernor::learn(std::size_t surfels, double ms) {
 
 std::size_t DetailGovernor::affordable(double aim_ms) const {
   const double per_surfel = ms_per_surfel_ == 0.0 ? kFirstMsPerSurfel : ms_per_surfel_;
-  return std::max(kFewest, static_cast<std::size_t>(aim_ms / per_surfel));
+  return static_cast<std::size_t>(aim_ms / per_surfel);
 }
 
 double DetailGovernor::share_for(std::size_t visible, double aim_ms) {
   if (visible == 0) return share_ = 1.0;
-  const double wanted =
-      std::min(1.0, static_cast<double>(affordable(aim_ms)) / static_cast<double>(visible));
+  const std::size_t afforded = std::max(kFewest, affordable(aim_ms));
+  const double wanted = std::min(1.0, static_cast<double>(afforded) / static_cast<double>(visible));
   // A third less or a tenth more time than aimed at is let pass.
   if (share_ > 1.1 * wanted || share_ < 0.67 * wanted) share_ = wanted;
   return share_;

@@ -1,5 +1,6 @@
 #include "ui/scene/mesh_picture.h"
 
+#include "ui/gpu/frame_timer.h"
 #include "ui/scene/coloring.h"
 #include "ui/scene/vertex_format.h"
 
@@ -16,16 +17,16 @@ void MeshPicture::take(const TexturedMesh& mesh, std::uint64_t number,
 }
 
 bool MeshPicture::update(const Eye& eye, const SceneOptions& options) {
-  while (const auto work = timer_.take()) latest_ms_ = work->ms;
+  latest_ms_ = 0.0;
   if (!is_new_ && eye == eye_ && look_same(options, options_)) return false;
   if (eye.size != eye_.size) shown_ = PictureTarget::make(eye.size);
   is_new_ = false;
   eye_ = eye;
   options_ = options;
-  timer_.begin();
+  const FrameTimer timer;
   shown_.clear();
   painter_.paint(eye, options);
-  timer_.end(1);
+  latest_ms_ = timer.stop_ms();
   return true;
 }
 

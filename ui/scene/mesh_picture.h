@@ -1,7 +1,6 @@
 /// @file  The finished mesh's picture, kept until mesh, eye or colors change.
 #pragma once
 
-#include "ui/gpu/frame_timer.h"
 #include "ui/scene/mesh_painter.h"
 #include "ui/scene/model_picture.h"
 
@@ -30,7 +29,6 @@ class MeshPicture {
   Eye eye_;
   SceneOptions options_;
   PictureTarget shown_;
-  FrameTimer timer_;
   double latest_ms_ = 0.0;
 };
 

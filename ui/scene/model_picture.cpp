@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "ui/gpu/frame_timer.h"
 #include "ui/scene/coloring.h"
 
 namespace flytri::ui {
@@ -46,52 +47,39 @@ void PictureTarget::clear() const {
 
 ModelPicture::Done ModelPicture::update(const SplatStore& store, const StoreChanges& changes,
                                         const Eye& eye, const SceneOptions& options, double now_s) {
-  learn();
-  std::size_t fresh_surfels = 0;
-  for (const std::uint64_t place : changes.fresh) {
-    fresh_surfels += store.blocks().at(place).block->surfels.size();
-  }
-  const bool must_restart = eye != eye_ || !look_same(options, options_) || changes.has_lost ||
-                            2 * fresh_surfels > store.surfel_count();
+  latest_ms_ = 0.0;
+  const bool looks_different = eye != eye_ || !look_same(options, options_);
   if (eye.size != eye_.size) {
-    shown_ = PictureTarget::make(eye.size);
-    behind_ = PictureTarget::make(eye.size);
+    shown_.target = PictureTarget::make(eye.size);
+    behind_.target = PictureTarget::make(eye.size);
   }
   eye_ = eye;
   options_ = options;
-  if (must_restart) {
-    clean_since_s_ = now_s;
-    return draw_whole(store);
-  }
+  if (looks_different || changes.is_another_model) return draw_whole(store, now_s);
+  shown_.has_lost |= changes.has_lost;
+  behind_.has_lost |= changes.has_lost;
   Done done = draw_fresh(store, changes);
   const Done behind = draw_behind(store, done.drawn, now_s);
   done.drawn += behind.drawn;
+  done.was_full = behind.was_full;
   done.has_changed |= behind.has_changed;
   return done;
 }
 
-void ModelPicture::learn() {
-  while (const auto work = moving_timer_.take()) {
-    moving_.learn(work->amount, work->ms);
-    latest_ms_ = work->ms;
-  }
-  while (const auto work = still_timer_.take()) {
-    still_.learn(work->amount, work->ms);
-    latest_ms_ = work->ms;
-  }
-}
-
-ModelPicture::Done ModelPicture::draw_whole(const SplatStore& store) {
+ModelPicture::Done ModelPicture::draw_whole(const SplatStore& store, double now_s) {
   const Blocks blocks = all_blocks(store);
   const std::size_t visible = visible_surfels(blocks, eye_);
-  detail_share_ =
-      options_.level_of_detail ? moving_.share_for(visible, options_.moving_frame_ms) : 1.0;
   next_.reset();
-  replaced_ = 0;
-  moving_timer_.begin();
-  shown_.clear();
-  const std::size_t drawn = paint(shown_, store, blocks, detail_share_);
-  moving_timer_.end(drawn);
+  shown_.detail_share =
+      options_.level_of_detail ? moving_.share_for(visible, options_.moving_frame_ms) : 1.0;
+  shown_.replaced = 0;
+  shown_.has_lost = false;
+  shown_.begun_s = now_s;
+  const FrameTimer timer;
+  shown_.target.clear();
+  const std::size_t drawn = paint(shown_, store, blocks);
+  latest_ms_ = timer.stop_ms();
+  moving_.learn(drawn, latest_ms_);
   return {drawn, true, true};
 }
 
@@ -103,35 +91,27 @@ ModelPicture::Done ModelPicture::draw_fresh(const SplatStore& store, const Store
     fresh.push_back(&stored);
     if (next_ && place < *next_) already_behind.push_back(&stored);
   }
-  still_timer_.begin();
-  std::size_t drawn = paint(shown_, store, fresh, detail_share_);
-  replaced_ += drawn;
-  const std::size_t drawn_behind = paint(behind_, store, already_behind, 1.0);
-  replaced_behind_ += drawn_behind;
-  drawn += drawn_behind;
-  still_timer_.end(drawn);
-  return {drawn, false, true};
+  const FrameTimer timer;
+  const std::size_t drawn = paint(shown_, store, fresh);
+  const std::size_t drawn_behind = paint(behind_, store, already_behind);
+  shown_.replaced += drawn;
+  behind_.replaced += drawn_behind;
+  latest_ms_ += timer.stop_ms();
+  return {drawn + drawn_behind, false, true};
 }
 
-bool ModelPicture::is_behind_due(const SplatStore& store, double now_s) const {
+bool ModelPicture::is_clean_due(const SplatStore& store, double now_s) const {
   /// Traces of replaced surfels stay for at least a second and take a twentieth of the time.
   constexpr double kShortest_s = 1.0;
   constexpr double kLoad = 0.05;
-  if (detail_share_ < 1.0) return true;
-  if (replaced_ == 0) return false;
-  const double whole_ms = 1000.0 * static_cast<double>(store.surfel_count()) /
-                          static_cast<double>(still_.affordable(1000.0));
-  return now_s - clean_since_s_ > std::max(kShortest_s, 1e-3 * whole_ms / kLoad);
+  if (shown_.detail_share < 1.0 || shown_.has_lost) return true;
+  if (shown_.replaced == 0) return false;
+  const double whole_s =
+      static_cast<double>(store.surfel_count()) / static_cast<double>(still_.affordable(1000.0));
+  return now_s - shown_.begun_s > std::max(kShortest_s, whole_s / kLoad);
 }
 
-ModelPicture::Done ModelPicture::draw_behind(const SplatStore& store, std::size_t already_drawn,
-                                             double now_s) {
-  if (!next_) {
-    if (!is_behind_due(store, now_s)) return {};
-    next_ = 0;
-    replaced_behind_ = 0;
-    behind_.clear();
-  }
+ModelPicture::Blocks ModelPicture::next_blocks(const SplatStore& store, std::size_t already_drawn) {
   const std::size_t allowed = options_.level_of_detail
                                   ? still_.affordable(kBehindShare * options_.moving_frame_ms)
                                   : std::numeric_limits<std::size_t>::max();
@@ -142,26 +122,36 @@ ModelPicture::Done ModelPicture::draw_behind(const SplatStore& store, std::size_
     blocks.push_back(&at->second);
     if (eye_.may_see(at->second.box_mm)) planned += at->second.block->surfels.size();
   }
-  still_timer_.begin();
-  const std::size_t drawn = paint(behind_, store, blocks, 1.0);
-  still_timer_.end(drawn);
-  if (at != store.blocks().end()) {
-    next_ = at->first;
-    return {drawn, false, false};
-  }
-  std::swap(shown_, behind_);
   next_.reset();
-  detail_share_ = 1.0;
-  replaced_ = replaced_behind_;
-  clean_since_s_ = now_s;
+  if (at != store.blocks().end()) next_ = at->first;
+  return blocks;
+}
+
+ModelPicture::Done ModelPicture::draw_behind(const SplatStore& store, std::size_t already_drawn,
+                                             double now_s) {
+  if (!next_) {
+    if (!is_clean_due(store, now_s)) return {};
+    next_ = 0;
+    behind_.detail_share = 1.0;
+    behind_.replaced = 0;
+    behind_.has_lost = false;
+    behind_.begun_s = now_s;
+    behind_.target.clear();
+  }
+  const FrameTimer timer;
+  const std::size_t drawn = paint(behind_, store, next_blocks(store, already_drawn));
+  const double slice_ms = timer.stop_ms();
+  still_.learn(drawn, slice_ms);
+  latest_ms_ += slice_ms;
+  if (next_) return {drawn, false, false};
+  std::swap(shown_, behind_);
   return {drawn, true, true};
 }
 
-std::size_t ModelPicture::paint(const PictureTarget& target, const SplatStore& store,
-                                const Blocks& blocks, double detail_share) {
+std::size_t ModelPicture::paint(Kept& kept, const SplatStore& store, const Blocks& blocks) {
   if (blocks.empty()) return 0;
-  target.framebuffer.bind();
-  return painter_.paint(store, blocks, eye_, options_, detail_share);
+  kept.target.framebuffer.bind();
+  return painter_.paint(store, blocks, eye_, options_, kept.detail_share);
 }
 
 }  // namespace flytri::ui

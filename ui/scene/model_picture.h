@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "ui/gpu/frame_timer.h"
 #include "ui/gpu/texture.h"
 #include "ui/scene/detail_governor.h"
 #include "ui/scene/splat_painter.h"
@@ -21,9 +20,9 @@ struct PictureTarget {
 };
 
 /// Two targets: `shown` is what the user sees. While eye and colors stay, new blocks are drawn into
-/// it and nothing else. Where it is coarse, as the camera moved, or holds traces of blocks that
-/// were replaced, a clean one with all surfels is drawn behind it, some blocks a frame, and takes
-/// its place when it is whole.
+/// it and nothing else. Where it is coarse, as the camera moved, or no longer right, as blocks were
+/// replaced, a clean one with all surfels is drawn behind it, some blocks a frame, and takes its
+/// place when it is whole.
 class ModelPicture {
  public:
   /// What one update did.
@@ -36,39 +35,46 @@ class ModelPicture {
   explicit ModelPicture(SplatPainter painter) : painter_(std::move(painter)) {}
 
   /// @param changes  of the store since the last update
+  /// @param now_s    rising
   Done update(const SplatStore& store, const StoreChanges& changes, const Eye& eye,
               const SceneOptions& options, double now_s);
 
-  [[nodiscard]] const PictureTarget& shown() const { return shown_; }
+  [[nodiscard]] const PictureTarget& shown() const { return shown_.target; }
   /// The picture is not yet what it will be.
-  [[nodiscard]] bool is_coarse() const { return detail_share_ < 1.0 || replaced_ > 0; }
+  [[nodiscard]] bool is_coarse() const {
+    return shown_.detail_share < 1.0 || shown_.replaced > 0 || shown_.has_lost;
+  }
   /// Of the surfels in the picture: 1 is full detail.
-  [[nodiscard]] double detail_share() const { return detail_share_; }
+  [[nodiscard]] double detail_share() const { return shown_.detail_share; }
+  /// What the last update took.
   [[nodiscard]] double latest_ms() const { return latest_ms_; }
 
  private:
   using Blocks = std::vector<const StoredBlock*>;
-  void learn();
-  Done draw_whole(const SplatStore& store);
+  /// A target and how far it is from what it should show.
+  struct Kept {
+    PictureTarget target;
+    double detail_share = 1.0;
+    std::size_t replaced = 0;  ///< surfels drawn over older ones of the same block
+    bool has_lost = false;     ///< shows surfels that are gone
+    double begun_s = 0.0;      ///< when it was drawn from scratch
+  };
+
+  Done draw_whole(const SplatStore& store, double now_s);
   Done draw_fresh(const SplatStore& store, const StoreChanges& changes);
-  /// Goes on with the clean picture behind; starts one where it is due.
   Done draw_behind(const SplatStore& store, std::size_t already_drawn, double now_s);
-  [[nodiscard]] bool is_behind_due(const SplatStore& store, double now_s) const;
-  std::size_t paint(const PictureTarget& target, const SplatStore& store, const Blocks& blocks,
-                    double detail_share);
+  [[nodiscard]] bool is_clean_due(const SplatStore& store, double now_s) const;
+  /// The blocks that are next to be drawn behind, as many as a frame affords; moves next_ on.
+  Blocks next_blocks(const SplatStore& store, std::size_t already_drawn);
+  std::size_t paint(Kept& kept, const SplatStore& store, const Blocks& blocks);
 
   SplatPainter painter_;
   Eye eye_;
   SceneOptions options_;
-  PictureTarget shown_, behind_;
-  double detail_share_ = 1.0;
-  std::size_t replaced_ = 0;           ///< surfels in `shown` that lie over older ones
+  Kept shown_, behind_;
   std::optional<std::uint64_t> next_;  ///< place from which `behind` is still to be drawn
-  std::size_t replaced_behind_ = 0;    ///< as replaced_, of `behind`
-  double clean_since_s_ = 0.0;         ///< when `shown` was last drawn from scratch
   DetailGovernor moving_, still_;      ///< pictures with large splats and with full detail
-  FrameTimer moving_timer_, still_timer_;
-  double latest_ms_ = 0.0;
+  double latest_ms_ = 0.0;             ///< of the last update
 };
 
 }  // namespace flytri::ui

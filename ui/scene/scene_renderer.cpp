@@ -29,6 +29,12 @@ struct SceneRenderer::State {
   bool picture_has_changed = false;
   SceneStatistics statistics;
 
+  [[nodiscard]] Backdrop backdrop(const SceneContent& content, const SceneOptions& options) const {
+    const double radius_mm =
+        content.mesh != nullptr ? 0.0 : store.radius_mm() * radius_scale(model.detail_share());
+    return {content.is_dimmed, static_cast<float>(radius_mm), options.background_top,
+            options.background_bottom};
+  }
   void update_model(const SceneContent& content, const SceneOptions& options,
                     const OrbitCamera& camera, const PictureSize& size, double now_s);
   void update_mesh(const SceneContent& content, const SceneOptions& options,
@@ -100,7 +106,7 @@ void SceneRenderer::draw(const SceneContent& content, const SceneOptions& option
   const bool has_changed = state.picture_has_changed || before != state.shown;
   state.composer.compose(*state.shown, has_changed,
                          overlay_lines(content, options, state.eye, now_s), state.eye,
-                         {content.is_dimmed, options.background_top, options.background_bottom});
+                         state.backdrop(content, options));
   Framebuffer::bind_window();
 }
 

@@ -17,7 +17,7 @@ struct SceneStatistics {
   std::size_t surfels_total = 0;
   std::size_t surfels_drawn = 0;   ///< in the last draw()
   double detail_share = 1.0;       ///< of the surfels that the picture shows: 1 is full detail
-  double frame_ms = 0.0;           ///< of the latest picture whose time is known
+  double frame_ms = 0.0;           ///< of drawing the model in the last draw(); 0: nothing to do
   bool was_full = false;           ///< the model was drawn from scratch
   std::size_t uploaded_bytes = 0;  ///< in the last draw()
 };

@@ -44,7 +44,8 @@ std::size_t SplatPainter::paint(const SplatStore& store,
   program_.set("radius_scale", static_cast<float>(radius_scale(detail_share)));
   store.bind();
   glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
+  // A block that is drawn again at the same places shows its new colors.
+  glDepthFunc(GL_LEQUAL);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glMultiDrawArrays(GL_POINTS, firsts_.data(), counts_.data(),
                     static_cast<GLsizei>(firsts_.size()));

@@ -73,14 +73,23 @@ StoreChanges SplatStore::update(const SurfelModel& model, const std::vector<Brus
     const auto known = blocks_.find(block->place);
     if (known == blocks_.end() || known->second.block != block) store(block, changes);
   }
-  if (changes.fresh.empty() && !changes.has_lost) return changes;
+  const std::size_t before = surfel_count_;
+  if (!changes.fresh.empty() || changes.has_lost) sum_up();
+  changes.is_another_model = surfel_count_ > 2 * before || (surfel_count_ == 0 && before > 0);
+  return changes;
+}
+
+void SplatStore::sum_up() {
   surfel_count_ = 0;
   box_mm_.setEmpty();
+  radius_mm_ = 0.0F;
   for (const auto& [place, stored] : blocks_) {
+    if (stored.block->surfels.empty()) continue;
     surfel_count_ += stored.block->surfels.size();
-    if (!stored.box_mm.isEmpty()) box_mm_.extend(stored.box_mm.cast<double>());
+    box_mm_.extend(stored.box_mm.cast<double>());
+    // All surfels of a block are about as large as its first.
+    radius_mm_ += stored.block->surfels.front().radius_mm / static_cast<float>(blocks_.size());
   }
-  return changes;
 }
 
 void SplatStore::drop_missing(const SurfelModel& model, StoreChanges& changes) {
@@ -102,7 +111,7 @@ void SplatStore::retint(const std::vector<BrushDab>& locked, StoreChanges& chang
   for (const auto& [place, stored] : blocks_) {
     if (are_same(within(before, stored.box_mm), within(locked_, stored.box_mm))) continue;
     upload(stored, changes);
-    changes.has_lost = true;
+    changes.fresh.push_back(place);
   }
 }
 

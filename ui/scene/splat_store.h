@@ -22,7 +22,8 @@ struct StoredBlock {
 /// What update() found to be different.
 struct StoreChanges {
   std::vector<std::uint64_t> fresh;  ///< places whose surfels are new
-  bool has_lost = false;  ///< some surfels are gone, or look different: the old picture is wrong
+  bool has_lost = false;             ///< some surfels are gone: the old picture still shows them
+  bool is_another_model = false;     ///< most of the surfels were not there before
   std::size_t uploaded_bytes = 0;
 };
 
@@ -37,6 +38,8 @@ class SplatStore {
   [[nodiscard]] const std::map<std::uint64_t, StoredBlock>& blocks() const { return blocks_; }
   [[nodiscard]] std::size_t surfel_count() const { return surfel_count_; }
   [[nodiscard]] const Eigen::AlignedBox3d& box_mm() const { return box_mm_; }
+  /// Mean over the blocks; 0 where there are none.
+  [[nodiscard]] float radius_mm() const { return radius_mm_; }
   /// Ready to be drawn as points, the surfels of a block from its range's first on.
   void bind() const { vertices_.bind(); }
 
@@ -45,6 +48,7 @@ class SplatStore {
   void drop_missing(const SurfelModel& model, StoreChanges& changes);
   void retint(const std::vector<BrushDab>& locked, StoreChanges& changes);
   [[nodiscard]] PlaceRange place_for(std::size_t count);
+  void sum_up();
   void upload(const StoredBlock& stored, StoreChanges& changes);
 
   Buffer buffer_;
@@ -53,6 +57,7 @@ class SplatStore {
   std::map<std::uint64_t, StoredBlock> blocks_;
   std::vector<BrushDab> locked_;
   std::size_t surfel_count_ = 0;
+  float radius_mm_ = 0.0F;
   Eigen::AlignedBox3d box_mm_;
 };
 
