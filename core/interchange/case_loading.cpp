@@ -114,7 +114,6 @@ Result<StoredStage> CaseFile::load_stage(ScanStage stage) {
   read_edits(reader);
   read_measurements(reader);
   if (!reader.outcome()) return tl::unexpected(reader.outcome().error());
-  if (!reader.loaded.damage.empty()) records_->give_up_writing();
   return std::move(reader.loaded);
 }
 

@@ -145,6 +145,7 @@ int number_of(std::int64_t id) {
 CaseRecords::CaseRecords(CaseDatabase opened)
     : database_(std::move(opened.sqlite)),
       is_read_only_(opened.is_read_only),
+      is_damaged_(!opened.damage.empty()),
       damage_(std::move(opened.damage)) {}
 
 Result<CaseRecords> CaseRecords::create(const std::filesystem::path& path,
@@ -162,9 +163,9 @@ Result<CaseRecords> CaseRecords::open(const std::filesystem::path& path,
 }
 
 Result<void> CaseRecords::begin() {
-  if (is_read_only_) {
+  if (is_read_only()) {
     return fail(ErrorCode::kNotPermitted, "{}: is open for reading only{}", database_.name(),
-                damage_.empty() ? "" : ", as it is damaged; start a new case");
+                !is_damaged_ ? "" : ", as it is damaged; start a new case");
   }
   if (is_writing_) return {};
   Result<void> begun = database_.run("BEGIN IMMEDIATE");
@@ -236,7 +237,9 @@ Result<std::optional<std::string>> CaseRecords::find(CaseTable table, std::int64
 
 Result<std::vector<std::string>> CaseRecords::walk(CaseTable table, const RecordRange& range,
                                                    const Visit& visit) {
-  return RecordWalk(database_, table, range, visit).run();
+  auto damage = RecordWalk(database_, table, range, visit).run();
+  if (damage && !damage->empty()) is_damaged_ = true;
+  return damage;
 }
 
 Result<std::int64_t> CaseRecords::count(CaseTable table, const RecordRange& range) {

@@ -41,10 +41,8 @@ class CaseRecords {
   [[nodiscard]] static Result<CaseRecords> open(const std::filesystem::path& path,
                                                 const CaseOptions& options);
 
-  [[nodiscard]] bool is_read_only() const { return is_read_only_; }
+  [[nodiscard]] bool is_read_only() const { return is_read_only_ || is_damaged_; }
   [[nodiscard]] const std::vector<std::string>& damage() const { return damage_; }
-  /// Damage was found by somebody who read: nothing is written any more.
-  void give_up_writing() { is_read_only_ = true; }
 
   /// @errors  Also kInconsistent: there is a record of that number.
   [[nodiscard]] Result<void> add(CaseTable table, std::int64_t id, std::string_view data);
@@ -58,7 +56,7 @@ class CaseRecords {
   /// Takes a record's data; an error tells what is wrong with it.
   using Visit = std::function<Result<void>(std::int64_t id, std::string_view data)>;
   /// Visits all that can be read, by rising number. What cannot, or was refused by the visitor, is
-  /// told by the list that is returned.
+  /// told by the list that is returned, and ends all writing.
   [[nodiscard]] Result<std::vector<std::string>> walk(CaseTable table, const RecordRange& range,
                                                       const Visit& visit);
   /// @errors  kBadFormat where even counting fails.
@@ -76,6 +74,7 @@ class CaseRecords {
 
   SqliteDatabase database_;
   bool is_read_only_ = false;
+  bool is_damaged_ = false;  ///< found so: nothing is written any more
   bool is_writing_ = false;  ///< a transaction is open
   std::vector<std::string> damage_;
 };
