@@ -34,8 +34,10 @@ int parse_and_run(int argc, char** argv) {
   add_evaluate_command(app, invocation);
   add_study_command(app, invocation);
   add_demo_command(app, invocation);
+  add_app_command(app, invocation);
   try {
-    app.parse(argc, argv);
+    // Who starts the program without a word wants to scan.
+    argc > 1 ? app.parse(argc, argv) : app.parse("app");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }
