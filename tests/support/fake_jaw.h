@@ -1,0 +1,45 @@
+/// @file  The sample jaw as a scan would have it: surfels, holes, images, a finished model.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/pipeline/scan_snapshot.h"
+#include "hw/simulated/image_simulator.h"
+#include "hw/simulated/view_simulator.h"
+#include "ui/app_view.h"
+
+namespace flytri::testing {
+
+/// World: z into the teeth, y to the throat, as the first view of a scan has it.
+class FakeJaw {
+ public:
+  FakeJaw();
+
+  /// What was seen when a share of the arch was scanned, from one end to the other; 0: nothing.
+  [[nodiscard]] SurfelModel surfels(double share) const;
+  /// Places left out of the surfels.
+  [[nodiscard]] std::vector<BoundaryLoop> holes() const;
+  [[nodiscard]] std::shared_ptr<const LiveFrame> live_frame(Pattern pattern) const;
+  /// From another place, as after a loss.
+  [[nodiscard]] std::shared_ptr<const LiveFrame> other_frame() const { return other_; }
+  [[nodiscard]] Isometry T_world_sensor() const;
+  [[nodiscard]] std::vector<ReentryPlace> reentry_places() const;
+  [[nodiscard]] std::shared_ptr<const FinishedScan> result() const;
+  [[nodiscard]] ui::Measurement measurement() const;
+
+ private:
+  /// By the share of the path: 0..1.
+  [[nodiscard]] Isometry sensor_at(double share) const;
+  [[nodiscard]] std::shared_ptr<const LiveFrame> frame_at(Pattern pattern, double share) const;
+
+  TriangleMesh mesh_;  ///< world frame
+  std::unique_ptr<ImageSimulator> images_;
+  std::unique_ptr<ViewSimulator> views_;
+  SensorPath path_;  ///< over the arch, three times
+  std::array<std::shared_ptr<const LiveFrame>, 2> frames_;
+  std::shared_ptr<const LiveFrame> other_;
+};
+
+}  // namespace flytri::testing

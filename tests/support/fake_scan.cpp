@@ -1,0 +1,212 @@
+#include "tests/support/fake_scan.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "tests/support/fake_jaw.h"
+
+namespace flytri::testing {
+namespace {
+
+using ui::AppView;
+
+constexpr std::array<std::string_view, 11> kStates = {
+    "ready",     "preview",  "scanning", "near",      "paused",    "lost",
+    "finishing", "finished", "failed",   "no_sensor", "empty_case"};
+
+/// What all states have in common: a case, a simulated sensor, two older cases.
+AppView ordinary_view() {
+  AppView view;
+  view.file.path = "/home/clinic/cases/Rivera-2031.flytri";
+  view.file.fields = {"Ana Rivera", "1984-03-12", "2031", "Dr. Lindqvist", "Crown 26"};
+  view.file.folder = "/home/clinic/cases";
+  view.file.known = {
+      {"/home/clinic/cases/Rivera-2031.flytri", "Ana Rivera", "Today 10:42", false},
+      {"/home/clinic/cases/Okafor-2030.flytri", "Chidi Okafor", "Today 09:15", false},
+      {"/home/clinic/cases/case-17.flytri", "", "Yesterday 16:30", true}};
+  view.stage_has_data = {true, false, false};
+  view.source.name = "Simulated sensor, 20 x 15 x 15 mm";
+  view.source.is_running = true;
+  view.source.hand = ui::SimulatedHand{};
+  view.exports.folder = "/home/clinic/exports";
+  view.exports.name = "Rivera-2031-upper";
+  view.device_text = {"Simulated sensor: 1024 x 768 at 30 Hz", "10 vertical, 7 horizontal lines",
+                      "Sound: PulseAudio"};
+  return view;
+}
+
+ScanSnapshot ordinary_scan(const FakeJaw& jaw, double share) {
+  ScanSnapshot scan;
+  scan.number = 1;
+  scan.phase = ScanPhase::kMeasurement;
+  scan.time_s = 84.0;
+  scan.scanned_s = 84.0;
+  scan.counts = {.offered = 2520,
+                 .previewed = 40,
+                 .registered = 2301,
+                 .interpolated = 96,
+                 .textured = 72,
+                 .skipped = 0,
+                 .pending = 1,
+                 .rejected = {{"too few points", 8}, {"no overlap", 2}}};
+  scan.latency = {0.046, 0.081, 300};
+  scan.latest = {jaw.live_frame(Pattern::kVertical), jaw.live_frame(Pattern::kHorizontal)};
+  scan.distance = SensorDistance{0.12, 0.9};
+  scan.residual_mm = 0.021;
+  scan.T_world_sensor = jaw.T_world_sensor();
+  scan.model = jaw.surfels(share);
+  scan.good_share = 0.87;
+  scan.area_mm2 = 2600.0;
+  scan.holes = jaw.holes();
+  scan.holes_are_current = true;
+  scan.can_undo = true;
+  return scan;
+}
+
+/// The sizes of what is exported, as rough as the program's own guess.
+void add_sizes(AppView& view, bool is_finished) {
+  view.exports.estimated_bytes[1] = 12'400'000;
+  if (is_finished) view.exports.estimated_bytes = {9'800'000, 12'400'000, 21'300'000, 27'900'000};
+}
+
+void set_scan(AppView& view, ScanSnapshot scan) {
+  view.scan = std::make_shared<const ScanSnapshot>(std::move(scan));
+}
+
+}  // namespace
+
+struct FakeScan::Parts {
+  FakeJaw jaw;
+
+  [[nodiscard]] AppView preview() const {
+    AppView view = ordinary_view();
+    ScanSnapshot scan = ordinary_scan(jaw, 0.0);
+    scan.phase = ScanPhase::kPreview;
+    scan.scanned_s = 0.0;
+    scan.counts = {};
+    scan.counts.offered = scan.counts.previewed = 40;
+    scan.holes.clear();
+    scan.residual_mm.reset();
+    scan.T_world_sensor.reset();
+    scan.can_undo = false;
+    set_scan(view, std::move(scan));
+    view.is_scanning = true;
+    view.stage_has_data = {};
+    return view;
+  }
+
+  [[nodiscard]] AppView scanning() const {
+    AppView view = ordinary_view();
+    set_scan(view, ordinary_scan(jaw, 0.7));
+    view.is_scanning = true;
+    view.file.is_saved = false;
+    add_sizes(view, false);
+    return view;
+  }
+
+  [[nodiscard]] AppView too_near() const {
+    AppView view = scanning();
+    ScanSnapshot scan = *view.scan;
+    scan.distance = SensorDistance{-0.8, 0.5};
+    set_scan(view, std::move(scan));
+    return view;
+  }
+
+  [[nodiscard]] AppView paused() const {
+    AppView view = scanning();
+    view.is_scanning = false;
+    view.file.is_saved = true;
+    view.measurements = {jaw.measurement()};
+    return view;
+  }
+
+  [[nodiscard]] AppView lost() const {
+    AppView view = scanning();
+    ScanSnapshot scan = *view.scan;
+    scan.phase = ScanPhase::kContinuation;
+    scan.distance.reset();
+    scan.latest = {jaw.other_frame(), nullptr};
+    scan.reentry = jaw.reentry_places();
+    scan.match_share = 0.42;
+    set_scan(view, std::move(scan));
+    view.source.hand->follows_path = false;
+    return view;
+  }
+
+  [[nodiscard]] AppView finishing() const {
+    AppView view = paused();
+    ScanSnapshot scan = *view.scan;
+    scan.phase = ScanPhase::kFinishing;
+    scan.finishing = {{"Refining all views together", 0.37}, 48.0};
+    set_scan(view, std::move(scan));
+    return view;
+  }
+
+  [[nodiscard]] AppView finished() const {
+    AppView view = paused();
+    ScanSnapshot scan = *view.scan;
+    scan.phase = ScanPhase::kFinished;
+    scan.result = jaw.result();
+    set_scan(view, std::move(scan));
+    add_sizes(view, true);
+    view.notices = {{1, ui::Severity::kInformation, "The model is finished: 96,412 triangles"}};
+    return view;
+  }
+
+  [[nodiscard]] AppView failed() const {
+    AppView view = paused();
+    ScanSnapshot scan = *view.scan;
+    scan.failure = "The disk is full. Make room on it, then press Finish again; the scan is kept.";
+    set_scan(view, std::move(scan));
+    view.notices = {{1, ui::Severity::kWarning, "The case could not be saved for 3 s: disk full"},
+                    {2, ui::Severity::kError, "Finishing failed"}};
+    return view;
+  }
+
+  [[nodiscard]] AppView no_sensor() const {
+    AppView view = paused();
+    view.source.hand.reset();
+    view.source.kind = ui::SourceKind::kDevices;
+    view.source.name = "Intra-oral rig 04";
+    view.source.is_running = false;
+    view.source.is_lost = true;
+    view.source.message = "Plug the camera in again";
+    return view;
+  }
+
+  [[nodiscard]] static AppView ready() {
+    AppView view = ordinary_view();
+    view.stage_has_data = {};
+    view.source.is_running = false;
+    return view;
+  }
+
+  [[nodiscard]] static AppView without_case() {
+    AppView view = ready();
+    view.file = {};
+    view.file.folder = "/home/clinic/cases";
+    return view;
+  }
+};
+
+FakeScan::FakeScan() : parts_(std::make_unique<Parts>()) {}
+FakeScan::~FakeScan() = default;
+
+std::span<const std::string_view> fake_states() { return kStates; }
+
+std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
+  const Parts& parts = *parts_;
+  const std::array<std::function<AppView()>, kStates.size()> makers = {
+      [] { return Parts::ready(); },       [&] { return parts.preview(); },
+      [&] { return parts.scanning(); },    [&] { return parts.too_near(); },
+      [&] { return parts.paused(); },      [&] { return parts.lost(); },
+      [&] { return parts.finishing(); },   [&] { return parts.finished(); },
+      [&] { return parts.failed(); },      [&] { return parts.no_sensor(); },
+      [] { return Parts::without_case(); }};
+  const auto found = std::find(kStates.begin(), kStates.end(), state);
+  if (found == kStates.end()) return std::nullopt;
+  return makers[static_cast<std::size_t>(found - kStates.begin())]();
+}
+
+}  // namespace flytri::testing

@@ -1,0 +1,86 @@
+/// @file  The window of the program on fake states, for tests and pictures: no pipeline, no device.
+///
+///     fake_window [--control SOCKET] [--state NAME] [--size WxH] [--scale S]
+///
+/// Over the control channel, `tell NAME` shows another state. Time goes on by a sixtieth of a
+/// second a frame, so that what moves is the same on every run.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "tests/support/fake_scan.h"
+#include "ui/app_window.h"
+
+namespace {
+
+using flytri::ui::AppView;
+using flytri::ui::Command;
+
+struct Arguments {
+  flytri::ui::AppWindowOptions window;
+  std::string state = "ready";
+};
+
+/// Does what a program would do with the few commands that change what is shown.
+struct FakeProgram {
+  const flytri::testing::FakeScan& scans;
+  AppView view;
+  bool is_running = true;
+
+  void show(const std::string& state) {
+    const auto next = scans.view(state);
+    if (!next) return;
+    const double now_s = view.now_s;
+    const flytri::ui::Settings settings = view.settings;
+    view = *next;
+    view.now_s = now_s;
+    view.settings = settings;
+  }
+  void obey(const Command& command) {
+    if (const auto* told = std::get_if<flytri::ui::Tell>(&command)) show(told->words);
+    if (const auto* change = std::get_if<flytri::ui::ChangeSettings>(&command)) {
+      view.settings = change->settings;
+    }
+    if (const auto* follow = std::get_if<flytri::ui::FollowPath>(&command)) {
+      if (view.source.hand) view.source.hand->follows_path = follow->follows;
+    }
+    if (std::holds_alternative<flytri::ui::Quit>(command)) is_running = false;
+  }
+};
+
+int run(const Arguments& arguments) {
+  auto window = flytri::ui::AppWindow::create(arguments.window);
+  if (!window) {
+    fmt::print(stderr, "fake_window: {}\n", window.error().message);
+    return 77;
+  }
+  const flytri::testing::FakeScan scans;
+  FakeProgram program{scans, {}};
+  program.show(arguments.state);
+  std::vector<Command> commands;
+  while (program.is_running) {
+    commands.clear();
+    (*window)->frame(program.view, commands);
+    for (const Command& command : commands) program.obey(command);
+    program.view.now_s += 1.0 / 60.0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("The window on fake states");
+  Arguments arguments;
+  double scale = 1.0;
+  app.add_option("--control", arguments.window.control_socket, "Socket to steer it by");
+  app.add_option("--state", arguments.state, "State that is shown first");
+  app.add_option("--width", arguments.window.width_px, "Width, px");
+  app.add_option("--height", arguments.window.height_px, "Height, px");
+  app.add_option("--scale", scale, "Content scale");
+  CLI11_PARSE(app, argc, argv);
+  arguments.window.content_scale = scale;
+  arguments.window.waits_for_screen = false;
+  return run(arguments);
+}
