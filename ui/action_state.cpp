@@ -48,7 +48,7 @@ ActionState scan_state(const Facts& facts) {
   return enabled("paused");
 }
 
-ActionState stage_state(const Facts& facts, JawStage stage) {
+ActionState stage_state(const Facts& facts, ScanStage stage) {
   if (facts.is(ScanPhase::kFinishing)) return disabled("finishing");
   const bool has_data = facts.view.stage_has_data[static_cast<std::size_t>(stage)];
   return {true, facts.view.stage == stage, has_data ? "scanned" : "empty"};
@@ -74,11 +74,11 @@ ActionState scanning_state(Action action, const Facts& facts) {
       return only_if(facts.view.scan != nullptr && !facts.view.scan->holes.empty(),
                      "no holes found");
     case Action::kStageUpper:
-      return stage_state(facts, JawStage::kUpper);
+      return stage_state(facts, ScanStage::kUpper);
     case Action::kStageLower:
-      return stage_state(facts, JawStage::kLower);
+      return stage_state(facts, ScanStage::kLower);
     default:
-      return stage_state(facts, JawStage::kBite);
+      return stage_state(facts, ScanStage::kBite);
   }
 }
 
@@ -159,6 +159,7 @@ ActionState cancel_state(const Facts& facts) {
   if (facts.state.dialog != Dialog::kNone) return enabled("closes the dialog");
   if (facts.state.tool != Tool::kNone) return enabled("puts the tool down");
   if (facts.is(ScanPhase::kFinishing)) return enabled("cancels finishing");
+  if (facts.state.selected_hole) return enabled("leaves the hole");
   return disabled("nothing to cancel");
 }
 
@@ -197,6 +198,7 @@ ActionState program_state(Action action, const Facts& facts) {
 
 /// Behind an open dialog only what concerns it, and the program as a whole, goes on.
 bool works_behind(Dialog dialog, Action action) {
+  if (dialog == Dialog::kNone) return true;
   switch (action) {
     case Action::kCancel:
     case Action::kConfirm:
@@ -215,7 +217,7 @@ bool works_behind(Dialog dialog, Action action) {
       return dialog == Dialog::kSettings;
     default:
       // The list of keys shows how all of them stand.
-      return dialog == Dialog::kNone || dialog == Dialog::kHelp;
+      return dialog == Dialog::kHelp;
   }
 }
 

@@ -2,18 +2,6 @@
 
 namespace flytri::ui {
 
-std::string_view to_string(JawStage stage) {
-  switch (stage) {
-    case JawStage::kUpper:
-      return "Upper";
-    case JawStage::kLower:
-      return "Lower";
-    case JawStage::kBite:
-      break;
-  }
-  return "Bite";
-}
-
 std::string_view to_string(ExportFormat format) {
   switch (format) {
     case ExportFormat::kGlb:

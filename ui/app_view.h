@@ -9,24 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/interchange/case_file.h"
 #include "core/pipeline/scan_snapshot.h"
 
 namespace flytri::ui {
-
-/// What of a case is scanned.
-enum class JawStage { kUpper, kLower, kBite };
-inline constexpr std::array kJawStages = {JawStage::kUpper, JawStage::kLower, JawStage::kBite};
-[[nodiscard]] std::string_view to_string(JawStage stage);
-
-/// What the user writes about a case. All may be empty.
-struct CaseFields {
-  std::string patient;
-  std::string birth_date;
-  std::string case_number;
-  std::string dentist;
-  std::string note;
-  bool operator==(const CaseFields&) const = default;
-};
 
 /// A case that can be opened, as the list at the start shows it.
 struct KnownCase {
@@ -91,13 +77,6 @@ struct ExportState {
   std::string failure;                ///< of the latest export
 };
 
-/// A distance between two points of the surface, world frame.
-struct Measurement {
-  Vec3f from_mm = Vec3f::Zero();
-  Vec3f to_mm = Vec3f::Zero();
-  [[nodiscard]] double distance_mm() const { return static_cast<double>((to_mm - from_mm).norm()); }
-};
-
 /// What the user likes, kept from run to run.
 struct Settings {
   double user_scale = 1.0;  ///< 0.75..2; of all sizes, on top of the screen's own
@@ -122,8 +101,8 @@ struct AppView {
   Vec3 volume_mm = {20.0, 15.0, 15.0};       ///< the sensor's measurement volume
 
   CaseState file;
-  JawStage stage = JawStage::kUpper;
-  std::array<bool, kJawStages.size()> stage_has_data = {};
+  ScanStage stage = ScanStage::kUpper;
+  std::array<bool, kScanStages.size()> stage_has_data = {};
   SourceState source;
   ExportState exports;
   std::vector<Measurement> measurements;  ///< of the current stage

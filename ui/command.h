@@ -35,7 +35,7 @@ struct ChooseReentry {
   std::size_t index = 0;  ///< in ScanSnapshot::reentry
 };
 struct SelectStage {
-  JawStage stage = JawStage::kUpper;
+  ScanStage stage = ScanStage::kUpper;
 };
 /// Writes what is shown.
 struct Export {

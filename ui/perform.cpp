@@ -85,8 +85,10 @@ struct Performance {
       state.dialog = Dialog::kNone;
     } else if (state.tool != Tool::kNone) {
       toggle_tool(state.tool);
-    } else {
+    } else if (view.scan != nullptr && view.scan->phase == ScanPhase::kFinishing) {
       commands.emplace_back(CancelFinish{});
+    } else {
+      state.selected_hole.reset();
     }
   }
 
@@ -120,13 +122,13 @@ struct Performance {
       case Action::kNextHole:
         return show_next_hole(view, state);
       case Action::kStageUpper:
-        commands.emplace_back(SelectStage{JawStage::kUpper});
+        commands.emplace_back(SelectStage{ScanStage::kUpper});
         return;
       case Action::kStageLower:
-        commands.emplace_back(SelectStage{JawStage::kLower});
+        commands.emplace_back(SelectStage{ScanStage::kLower});
         return;
       default:
-        commands.emplace_back(SelectStage{JawStage::kBite});
+        commands.emplace_back(SelectStage{ScanStage::kBite});
     }
   }
 

@@ -77,7 +77,7 @@ struct WindowState {
   double texture_blend = 1.0;  ///< 0..1
   Tool tool = Tool::kNone;
   BrushState brush;
-  std::optional<Vec3f> measured_from_mm;  ///< first of the two points
+  std::optional<Vec3> measured_from_mm;  ///< first of the two points
   std::optional<std::size_t> selected_hole;
   Dialog dialog = Dialog::kNone;
   ExportForm export_form;

@@ -259,7 +259,7 @@ ui::AppView Session::view() {
   if (scan()) view.scan = scan()->snapshot();
   view.is_scanning = is_started_;
   if (source_.calibration) view.volume_mm = source_.calibration->volume.size_mm;
-  view.stage = static_cast<ui::JawStage>(stage_);
+  view.stage = static_cast<ScanStage>(stage_);
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     view.stage_has_data[i] = scans_[i] != nullptr && !scans_[i]->snapshot()->model.empty();
   }

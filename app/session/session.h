@@ -84,8 +84,8 @@ class Session {
   std::string source_failure_;
   std::shared_ptr<FrameRouter> router_ = std::make_shared<FrameRouter>();
   std::size_t stage_ = 0;
-  std::array<std::shared_ptr<LiveScan>, ui::kJawStages.size()> scans_;
-  std::array<std::vector<ui::Measurement>, ui::kJawStages.size()> measurements_;
+  std::array<std::shared_ptr<LiveScan>, kScanStages.size()> scans_;
+  std::array<std::vector<Measurement>, kScanStages.size()> measurements_;
   ui::Settings settings_;
   ui::ExportState exports_;
   std::vector<ui::Notice> notices_;

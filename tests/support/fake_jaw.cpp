@@ -153,9 +153,9 @@ std::shared_ptr<const FinishedScan> FakeJaw::result() const {
   return result;
 }
 
-ui::Measurement FakeJaw::measurement() const {
+Measurement FakeJaw::measurement() const {
   const std::vector<BoundaryLoop> at = holes();
-  return {at.front().center_mm, at.back().center_mm};
+  return {0, at.front().center_mm.cast<double>(), at.back().center_mm.cast<double>(), {}};
 }
 
 }  // namespace flytri::testing

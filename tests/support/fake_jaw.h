@@ -27,7 +27,7 @@ class FakeJaw {
   [[nodiscard]] Isometry T_world_sensor() const;
   [[nodiscard]] std::vector<ReentryPlace> reentry_places() const;
   [[nodiscard]] std::shared_ptr<const FinishedScan> result() const;
-  [[nodiscard]] ui::Measurement measurement() const;
+  [[nodiscard]] Measurement measurement() const;
 
  private:
   /// By the share of the path: 0..1.

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 11> kStates = {
 AppView ordinary_view() {
   AppView view;
   view.file.path = "/home/clinic/cases/Rivera-2031.flytri";
-  view.file.fields = {"Ana Rivera", "1984-03-12", "2031", "Dr. Lindqvist", "Crown 26"};
+  view.file.fields = {"Ana Rivera", "2031", "1984-03-12", "Dr. Lindqvist", "Crown 26", ""};
   view.file.folder = "/home/clinic/cases";
   view.file.known = {
       {"/home/clinic/cases/Rivera-2031.flytri", "Ana Rivera", "Today 10:42", false},

@@ -48,12 +48,12 @@ void draw_bottom_bar(const PanelContext& context) {
   Rect row = context.layout.bottom.inset(context.px(kGapM));
   const auto rest = entries(context);
   const float scan_width = context.px(176.0F);
-  const float share =
-      (row.width - scan_width - context.px(kGapM)) / static_cast<float>(rest.size());
+  const auto count = static_cast<float>(rest.size());
+  const float width = (row.width - scan_width - context.px(kGapM) - (count - 1.0F) * gap) / count;
   large_action(context, row.take_left(scan_width, context.px(kGapM)), Action::kScan,
                scan_look(context));
   for (const Entry& entry : rest) {
-    large_action(context, row.take_left(share - gap, gap), entry.action, entry.look);
+    large_action(context, row.take_left(width, gap), entry.action, entry.look);
   }
 }
 

@@ -47,19 +47,19 @@ void draw_tabs(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
 
 void draw_fields(const PanelContext& context, DialogPlate& dialog, CaseFields& fields) {
   const float height = context.px(kFieldRow), gap = context.px(kGapM);
-  text_field(context, dialog.rest.take_top(height), {"patient", "Patient"}, fields.patient);
+  text_field(context, dialog.rest.take_top(height), {"patient", "Patient"}, fields.patient_name);
   Rect row = dialog.rest.take_top(height);
   const float half = (row.width - gap) / 2.0F;
   text_field(context, row.take_left(half, gap), {"birth_date", "Born"}, fields.birth_date);
-  text_field(context, row, {"case_number", "Case number"}, fields.case_number);
-  text_field(context, dialog.rest.take_top(height), {"dentist", "Dentist"}, fields.dentist);
-  text_field(context, dialog.rest.take_top(height), {"note", "Note"}, fields.note);
+  text_field(context, row, {"patient_id", "Patient or case number"}, fields.patient_id);
+  text_field(context, dialog.rest.take_top(height), {"clinician", "Dentist"}, fields.clinician);
+  text_field(context, dialog.rest.take_top(height), {"notes", "Notes"}, fields.notes);
 }
 
 /// A file name of the patient's name: what file systems may not like becomes a dash.
 std::string proposed_path(const AppView& view, const CaseFields& fields) {
-  std::string name = fields.patient.empty() ? "case" : fields.patient;
-  if (!fields.case_number.empty()) name += "-" + fields.case_number;
+  std::string name = fields.patient_name.empty() ? "case" : fields.patient_name;
+  if (!fields.patient_id.empty()) name += "-" + fields.patient_id;
   std::replace_if(
       name.begin(), name.end(),
       [](char c) {

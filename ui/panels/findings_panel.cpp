@@ -85,7 +85,7 @@ void draw_measurements(const PanelContext& context, Rect& rest) {
       context.commands.emplace_back(RemoveMeasurement{i});
     }
     labeled_value(context.theme, row, fmt::format("Distance {}", i + 1),
-                  fmt::format("{:.2f} mm", all[i].distance_mm()));
+                  fmt::format("{:.2f} mm", (all[i].to_mm - all[i].from_mm).norm()));
   }
 }
 

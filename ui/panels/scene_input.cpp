@@ -61,10 +61,10 @@ void measure(const PanelContext& context) {
   if (!dab) return;
   auto& from = context.state.measured_from_mm;
   if (!from) {
-    from = dab->center_mm;
+    from = dab->center_mm.cast<double>();
     return;
   }
-  context.commands.emplace_back(AddMeasurement{{*from, dab->center_mm}});
+  context.commands.emplace_back(AddMeasurement{{0, *from, dab->center_mm.cast<double>(), {}}});
   from.reset();
 }
 

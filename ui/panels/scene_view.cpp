@@ -66,6 +66,8 @@ void add_holes(const PanelContext& context, SceneContent& content) {
   auto& selected = context.state.selected_hole;
   if (selected && *selected >= holes.size()) selected.reset();
   content.selected_hole = selected;
+  const bool is_lost = context.phase() == ScanPhase::kContinuation;
+  if (is_lost) return;
   if (selected || context.state.color_mode == ColorMode::kCoverage) content.holes = &holes;
 }
 
@@ -89,13 +91,12 @@ void add_locked(const ScanSnapshot& scan, SceneContent& content) {
 
 void add_tools(const PanelContext& context, SceneContent& content) {
   for (const Measurement& measured : context.view.measurements) {
-    content.measurements.push_back(
-        {measured.from_mm.cast<double>(), measured.to_mm.cast<double>(), false});
+    content.measurements.push_back({measured.from_mm, measured.to_mm, false});
   }
   const WindowState& state = context.state;
   if (state.measured_from_mm && state.brush.under_pointer) {
-    content.measurements.push_back({state.measured_from_mm->cast<double>(),
-                                    state.brush.under_pointer->center_mm.cast<double>(), true});
+    content.measurements.push_back(
+        {*state.measured_from_mm, state.brush.under_pointer->center_mm.cast<double>(), true});
   }
   if (has_brush(state.tool) && state.brush.under_pointer) {
     content.brush = BrushCursor{*state.brush.under_pointer, kind_of(state.tool)};

@@ -11,15 +11,15 @@ namespace {
 
 std::string case_title(const CaseState& file) {
   if (file.path.empty()) return "No case";
-  return file.fields.patient.empty() ? "Unnamed case" : file.fields.patient;
+  return file.fields.patient_name.empty() ? "Unnamed case" : file.fields.patient_name;
 }
 
 std::string case_subtitle(const CaseState& file) {
   if (file.path.empty()) return "Nothing is kept";
   if (file.is_read_only) return "Read-only";
   const char* saved = file.is_saved ? "Saved" : "Saving\u2026";
-  if (file.fields.case_number.empty()) return saved;
-  return file.fields.case_number + " \u00b7 " + saved;
+  if (file.fields.patient_id.empty()) return saved;
+  return file.fields.patient_id + " \u00b7 " + saved;
 }
 
 /// Opens the cases; says whose case this is and whether it is kept.
@@ -44,11 +44,15 @@ void draw_case(const PanelContext& context, const Rect& box) {
 
 void draw_stages(const PanelContext& context, Rect row) {
   const float width = (row.width - 2.0F * context.px(kGapXs)) / 3.0F;
-  const std::array actions = {Action::kStageUpper, Action::kStageLower, Action::kStageBite};
-  for (std::size_t i = 0; i < actions.size(); ++i) {
+  constexpr std::array<std::pair<Action, const char*>, 3> kStages = {
+      {{Action::kStageUpper, "Upper"},
+       {Action::kStageLower, "Lower"},
+       {Action::kStageBite, "Bite"}}};
+  for (std::size_t i = 0; i < kStages.size(); ++i) {
+    const auto& [action, label] = kStages[i];
     const char* mark = context.view.stage_has_data[i] ? icon::kSaved : nullptr;
-    small_action(context, row.take_left(width, context.px(kGapXs)), actions[i],
-                 {mark, to_string(kJawStages[i]).data(), false, kNeutral, false});
+    small_action(context, row.take_left(width, context.px(kGapXs)), action,
+                 {mark, label, false, kNeutral, false});
   }
 }
 
@@ -98,9 +102,9 @@ void draw_top_bar(const PanelContext& context) {
   Rect row = context.layout.top.inset(context.px(kGapM), context.px(kGapS));
   const float gap = context.px(kGapM);
   draw_case(context, row.take_left(context.px(232.0F), gap));
-  draw_stages(context, row.take_left(context.px(264.0F), gap).inset(0.0F, context.px(2.0F)));
+  draw_stages(context, row.take_left(context.px(312.0F), gap).inset(0.0F, context.px(2.0F)));
   draw_program_buttons(context, row.take_right(context.px(104.0F), gap));
-  const float width = std::min(row.width, context.px(440.0F));
+  const float width = std::min(row.width, context.px(400.0F));
   draw_figures(context, row.centered(width, row.height));
 }
 
