@@ -45,8 +45,17 @@ cv::Mat smooth_rows(const cv::Mat& image, const std::vector<double>& kernel) {
   return result;
 }
 
+cv::Mat make_white() {
+  Random random(0x5eec1eULL);
+  cv::Mat white(kSpeckleSize, kSpeckleSize, CV_32FC1);
+  for (int v = 0; v < kSpeckleSize; ++v)
+    for (int u = 0; u < kSpeckleSize; ++u)
+      white.at<float>(v, u) = static_cast<float>(random.normal());
+  return white;
+}
+
 // Correlation exp(-distance^2 / size^2), variance 1.
-cv::Mat make_speckle(double size_px) {
+cv::Mat make_speckle(const cv::Mat& white, double size_px) {
   const double sigma_px = 0.5 * size_px;
   const int half = static_cast<int>(std::ceil(4.0 * sigma_px));
   std::vector<double> kernel;
@@ -56,22 +65,57 @@ cv::Mat make_speckle(double size_px) {
     energy += kernel.back() * kernel.back();
   }
   for (double& weight : kernel) weight /= std::sqrt(energy);
-  Random random(0x5eec1eULL);
-  cv::Mat white(kSpeckleSize, kSpeckleSize, CV_32FC1);
-  for (int v = 0; v < kSpeckleSize; ++v)
-    for (int u = 0; u < kSpeckleSize; ++u)
-      white.at<float>(v, u) = static_cast<float>(random.normal());
   return smooth_rows(smooth_rows(white, kernel), kernel);
 }
 
 }  // namespace
 
 Chip::Chip(const ChipModel& model)
-    : model_(model), normals_(normal_quantiles()), speckle_(make_speckle(model.speckle_size_px)) {}
+    : model_(model),
+      normals_(normal_quantiles()),
+      white_(make_white()),
+      speckle_(make_speckle(white_, model.speckle_size_px)) {}
+
+// One exposure, share of full scale. The stores of speckle and noise are shifted apart.
+cv::Mat Chip::expose_by_store(const Light& light, const ReadOut& how) const {
+  using Row = Eigen::Map<const Eigen::ArrayXf>;
+  Random random(how.seed, how.stream);
+  const auto draw = [&] { return static_cast<int>(random.below(kSpeckleSize)); };
+  const cv::Point speckle_at(draw(), draw());
+  const cv::Point white_at(draw(), draw());
+  const auto well = static_cast<float>(model_.full_well_e);
+  const auto read_e2 = static_cast<float>(model_.read_noise_e * model_.read_noise_e);
+  const auto contrast = static_cast<float>(model_.speckle_contrast);
+  cv::Mat exposed(light.line.size(), CV_32FC1);
+  for (int v = 0; v < exposed.rows; ++v) {
+    const float* speckle = speckle_.ptr<float>((v + speckle_at.y) % kSpeckleSize);
+    const float* white = white_.ptr<float>((v + white_at.y) % kSpeckleSize);
+    // As far as neither store comes round.
+    for (int u = 0, count = 0; u < exposed.cols; u += count) {
+      const int from_speckle = (u + speckle_at.x) % kSpeckleSize;
+      const int from_white = (u + white_at.x) % kSpeckleSize;
+      count = std::min(exposed.cols - u, kSpeckleSize - std::max(from_speckle, from_white));
+      const Eigen::ArrayXf value =
+          Row(light.line.ptr<float>(v) + u, count) *
+              (1.0F + contrast * Row(speckle + from_speckle, count)).max(0.0F) +
+          Row(light.ambient.ptr<float>(v) + u, count);
+      Eigen::Map<Eigen::ArrayXf>(exposed.ptr<float>(v) + u, count) =
+          value + Row(white + from_white, count) * (value * well + read_e2).sqrt() / well;
+    }
+  }
+  return exposed;
+}
 
 cv::Mat Chip::read_out(const Light& light, const ReadOut& how) const {
   const int rows = light.line.rows;
   const int columns = light.line.cols;
+  const double full = how.bits == 16 ? 65535.0 : 255.0;
+  const int type = how.bits == 16 ? CV_16UC1 : CV_8UC1;
+  cv::Mat image;
+  if (how.noise && how.stored_noise) {
+    expose_by_store(light, how).convertTo(image, type, full, full * model_.black_level);
+    return image;
+  }
   cv::Mat mean = cv::Mat::zeros(rows, columns, CV_32FC1);
   const auto well = static_cast<float>(model_.full_well_e);
   const auto read_e2 = static_cast<float>(model_.read_noise_e * model_.read_noise_e);
@@ -97,10 +141,7 @@ cv::Mat Chip::read_out(const Light& light, const ReadOut& how) const {
       }
     }
   }
-  const double full = how.bits == 16 ? 65535.0 : 255.0;
-  cv::Mat image;
-  mean.convertTo(image, how.bits == 16 ? CV_16UC1 : CV_8UC1, full / how.exposures,
-                 full * model_.black_level);
+  mean.convertTo(image, type, full / how.exposures, full * model_.black_level);
   return image;
 }
 

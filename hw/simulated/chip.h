@@ -25,6 +25,9 @@ class Chip {
     bool noise = true;  ///< off: neither speckle nor any other noise
     std::uint64_t seed = 1;
     std::uint64_t stream = 0;  ///< number of the frame
+    /// Shot and read noise are taken from a store that is shifted from frame to frame: as white
+    /// within an image, three times as fast, but the store comes round. Not for averages.
+    bool stored_noise = false;
   };
   /// @return CV_8UC1 or CV_16UC1
   [[nodiscard]] cv::Mat read_out(const Light& light, const ReadOut& how) const;
@@ -34,8 +37,11 @@ class Chip {
   [[nodiscard]] cv::Mat read_out_color(const cv::Mat& light, const ReadOut& how) const;
 
  private:
+  [[nodiscard]] cv::Mat expose_by_store(const Light& light, const ReadOut& how) const;
+
   ChipModel model_;
   std::vector<float> normals_;  // quantiles of the normal distribution
+  cv::Mat white_;               // CV_32FC1, independent normals, wraps around
   cv::Mat speckle_;             // CV_32FC1, mean 0, standard deviation 1, wraps around
 };
 

@@ -7,8 +7,10 @@
 
 #include "core/interchange/glb_color.h"
 #include "hw/simulated/chip.h"
+#include "hw/simulated/grid_light.h"
 #include "hw/simulated/lens_blur.h"
 #include "hw/simulated/line_light.h"
+#include "hw/simulated/room_light.h"
 
 namespace flytri {
 namespace {
@@ -52,6 +54,7 @@ struct ImageSimulator::Parts {
         blur(make_blur(sensor.camera, sensor.volume)),
         texture_blur(make_blur(sensor.texture_camera, sensor.volume)),
         lines{LineLight(sensor, Pattern::kVertical), LineLight(sensor, Pattern::kHorizontal)},
+        grids{GridLight(sensor, Pattern::kVertical), GridLight(sensor, Pattern::kHorizontal)},
         chip(sensor.chip) {
     for (const cv::Vec3f& color : colors) albedo.push_back((color[0] + color[1] + color[2]) / 3.0F);
   }
@@ -68,10 +71,10 @@ struct ImageSimulator::Parts {
   std::vector<Vec3> directions, texture_directions;  // by pixel
   LensBlur blur, texture_blur;
   std::array<LineLight, 2> lines;  // by Pattern
+  std::array<GridLight, 2> grids;  // by Pattern
   Chip chip;
 };
 
-// Room light comes from everywhere above the surface, most of it from behind the sensor.
 cv::Mat ImageSimulator::Parts::ambient_light(const Isometry& T_model_sensor) const {
   const ImageSize size = sensor.camera.size;
   const int columns = (size.width_px + kAmbientBlock_px - 1) / kAmbientBlock_px;
@@ -90,12 +93,9 @@ cv::Mat ImageSimulator::Parts::ambient_light(const Isometry& T_model_sensor) con
   cv::Mat coarse = cv::Mat::zeros(rows, columns, CV_32FC1);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (!hits[i]) continue;
-    const Triangle& corners = scene.mesh().triangles[hits[i]->triangle];
-    double share = 0.0;
-    for (int k = 0; k < 3; ++k) share += hits[i]->weights[k] * albedo[corners[k]];
     const double facing = std::abs(hits[i]->normal.dot(rays[i].direction));
-    coarse.at<float>(static_cast<int>(i)) =
-        static_cast<float>(sensor.chip.ambient_level * share * (0.5 + 0.5 * facing));
+    coarse.at<float>(static_cast<int>(i)) = static_cast<float>(
+        room_light(sensor.chip.ambient_level, albedo_at(scene.mesh(), albedo, *hits[i]), facing));
   }
   cv::Mat light;
   cv::resize(coarse, light, {size.width_px, size.height_px}, 0.0, 0.0, cv::INTER_LINEAR);
@@ -160,19 +160,27 @@ cv::Mat ImageSimulator::measurement_image(Pattern pattern, const SensorPath& pat
     const double offset_s = parts_->options.motion ? moment * parts_->sensor.exposure_s : 0.0;
     T_then_middle.push_back(path.T_model_sensor(time_s + offset_s).inverse() * T_model_middle);
   }
-  const LineLight& lines = parts_->lines[static_cast<std::size_t>(pattern)];
-  const Chip::Light light{lines.image({parts_->scene, parts_->albedo, parts_->directions,
-                                       parts_->blur, T_model_middle, T_then_middle}),
-                          parts_->ambient_light(T_model_middle)};
+  const LineExposure exposure{parts_->scene, parts_->albedo, parts_->directions,
+                              parts_->blur,  T_model_middle, T_then_middle};
+  const auto index = static_cast<std::size_t>(pattern);
   const ImageOptions& options = parts_->options;
-  return parts_->chip.read_out(
-      light, {options.bits, options.exposures, options.noise, options.seed, stream});
+  const bool grid = options.tracing == Tracing::kGrid;
+  const Chip::Light light = grid ? parts_->grids[index].light(exposure)
+                                 : Chip::Light{parts_->lines[index].image(exposure),
+                                               parts_->ambient_light(T_model_middle)};
+  return parts_->chip.read_out(light, {.bits = options.bits,
+                                       .exposures = options.exposures,
+                                       .noise = options.noise,
+                                       .seed = options.seed,
+                                       .stream = stream,
+                                       .stored_noise = grid && options.exposures == 1});
 }
 
 cv::Mat ImageSimulator::texture_image(const Isometry& T_model_sensor, std::uint64_t stream) const {
   const ImageOptions& options = parts_->options;
-  return parts_->chip.read_out_color(parts_->flash_image(T_model_sensor),
-                                     {8, 1, options.noise, options.seed, stream});
+  return parts_->chip.read_out_color(
+      parts_->flash_image(T_model_sensor),
+      {.noise = options.noise, .seed = options.seed, .stream = stream});
 }
 
 const SensorModel& ImageSimulator::sensor() const { return parts_->sensor; }

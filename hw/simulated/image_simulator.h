@@ -18,11 +18,16 @@
 
 namespace flytri {
 
+/// kEveryPixel: each pixel near a line is traced. kGrid: every fourth, the rest interpolated where
+/// the surface allows, and noise from a store: for images in real time, see grid_light.h.
+enum class Tracing { kEveryPixel, kGrid };
+
 struct ImageOptions {
   int bits = 8;        ///< 8 or 16, of measurement frames
   bool noise = true;   ///< off: what an endless exposure would show
   bool motion = true;  ///< off: the sensor rests during each exposure
   int exposures = 1;   ///< 1..1000, averaged into one image
+  Tracing tracing = Tracing::kEveryPixel;
   std::uint64_t seed = 1;
   [[nodiscard]] Result<void> validate() const;
 };

@@ -8,6 +8,12 @@ namespace flytri {
 namespace {
 
 constexpr double kRadiusStep_px = 0.05;
+// Numbers that the processor handles at once.
+constexpr int kVector = 8;
+using Vector = Eigen::Array<float, kVector, 1>;
+// A block of pixels reads each kernel row from up to this many places before its start.
+constexpr int kBlock = 4;
+constexpr int kPad = kBlock - 1;
 
 // The disk cut into points, as offsets in px.
 std::vector<Vec2> disk_points(double radius_px) {
@@ -28,6 +34,11 @@ std::vector<double> pixel_shares(double center_px, double sigma_px, int half) {
     shares.push_back(
         0.5 * (std::erf((i + 0.5 - center_px) * scale) - std::erf((i - 0.5 - center_px) * scale)));
   return shares;
+}
+
+// Pixels that the light of a row of a block spreads over, in whole vectors.
+int block_width(int kernel_width) {
+  return (kernel_width + kBlock - 1 + kVector - 1) / kVector * kVector;
 }
 
 cv::Mat make_kernel(double radius_px, double sigma_px) {
@@ -59,15 +70,24 @@ LensBlur::LensBlur(const CameraModel& camera, double nearest_mm, double farthest
   const double sigma_px = std::max(camera.diffraction_sigma_px, 0.2);
   for (double radius = 0.0; radius <= largest + kRadiusStep_px; radius += kRadiusStep_px)
     kernels_.push_back(make_kernel(radius, sigma_px));
+  for (const cv::Mat& kernel : kernels_) {
+    cv::Mat padded = cv::Mat::zeros(kernel.rows, kPad + block_width(kernel.cols), CV_32FC1);
+    kernel.copyTo(padded.colRange(kPad, kPad + kernel.cols));
+    padded_.push_back(padded);
+  }
 }
 
 double LensBlur::radius_px(double distance_mm) const {
   return camera_.lens.blur_radius_mm(distance_mm) / distance_mm * camera_.focal_px;
 }
 
-const cv::Mat& LensBlur::kernel(double distance_mm) const {
+std::size_t LensBlur::index_of(double distance_mm) const {
   const auto index = static_cast<std::size_t>(std::lround(radius_px(distance_mm) / kRadiusStep_px));
-  return kernels_[std::min(index, kernels_.size() - 1)];
+  return std::min(index, kernels_.size() - 1);
+}
+
+const cv::Mat& LensBlur::kernel(double distance_mm) const {
+  return kernels_[index_of(distance_mm)];
 }
 
 void LensBlur::spread(float light, int u, int v, double distance_mm, cv::Mat& image) const {
@@ -79,6 +99,38 @@ void LensBlur::spread(float light, int u, int v, double distance_mm, cv::Mat& im
     float* target = image.ptr<float>(row);
     const float* weights = k.ptr<float>(row - v + half) + half - u;
     for (int column = begin; column < end; ++column) target[column] += light * weights[column];
+  }
+}
+
+void LensBlur::spread(const cv::Matx44f& light, int u, int v, double distance_mm,
+                      cv::Mat& image) const {
+  const std::size_t index = index_of(distance_mm);
+  const cv::Mat& k = padded_[index];
+  const int half = k.rows / 2;
+  const int left = u - half;
+  const int width = block_width(kernels_[index].cols);
+  if (left < 0 || left + width > image.cols || v + kBlock > image.rows) {
+    for (int j = 0; j < std::min(kBlock, image.rows - v); ++j)
+      for (int i = 0; i < std::min(kBlock, image.cols - u); ++i)
+        spread(light(j, i), u + i, v + j, distance_mm, image);
+    return;
+  }
+  for (int j = 0; j < kBlock; ++j) {
+    const float* row_light = light.val + kBlock * j;
+    if (row_light[0] + row_light[1] + row_light[2] + row_light[3] <= 0.0F) continue;
+    const int first = std::max(v + j - half, 0);
+    const int last = std::min(v + j + half, image.rows - 1);
+    for (int row = first; row <= last; ++row) {
+      float* target = image.ptr<float>(row) + left;
+      const float* weights = k.ptr<float>(row - v - j + half) + kPad;
+      for (int i = 0; i < width; i += kVector) {
+        Eigen::Map<Vector> sum(target + i);
+        const auto shifted = [&](int pixel) {
+          return row_light[pixel] * Eigen::Map<const Vector>(weights + i - pixel);
+        };
+        sum += (shifted(0) + shifted(1)) + (shifted(2) + shifted(3));
+      }
+    }
   }
 }
 

@@ -18,12 +18,18 @@ class LensBlur {
   [[nodiscard]] const cv::Mat& kernel(double distance_mm) const;
   /// Adds `light` at a pixel, spread by the kernel. `image` is CV_32FC1.
   void spread(float light, int u, int v, double distance_mm, cv::Mat& image) const;
+  /// The same for a block of pixels at one distance, of which (u, v) is the left upper; those
+  /// outside the image are left out.
+  void spread(const cv::Matx44f& light, int u, int v, double distance_mm, cv::Mat& image) const;
 
  private:
   double radius_px(double distance_mm) const;
+  std::size_t index_of(double distance_mm) const;
 
   CameraModel camera_;
   std::vector<cv::Mat> kernels_;  // by radius
+  // The same, with kPad zeros before each row and zeros after it, to be read in whole vectors.
+  std::vector<cv::Mat> padded_;
 };
 
 }  // namespace flytri

@@ -53,4 +53,16 @@ double LineProfile::operator()(double offset, double blur) const {
          ty * ((1.0 - tx) * row[kOffsets] + tx * row[kOffsets + 1]);
 }
 
+LineProfile::Section LineProfile::section(double blur) const {
+  const double y = std::min(blur / blur_step_, kBlurs - 1.001);
+  const int i = static_cast<int>(y);
+  Section section;
+  section.near_ = &table_[static_cast<std::size_t>(i) * kOffsets];
+  section.far_ = section.near_ + kOffsets;
+  section.ty_ = y - i;
+  section.steps_ = 1.0 / offset_step_;
+  section.last_ = kOffsets - 1;
+  return section;
+}
+
 }  // namespace flytri

@@ -1,6 +1,7 @@
 /// @file  The brightness across a projected line, in focus and out of it.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "hw/simulated/sensor_model.h"
@@ -17,6 +18,27 @@ class LineProfile {
   /// Brightness at `offset` from the line's middle under a disk of radius `blur`. Its integral over
   /// the offset is the slit's width, whatever the blur.
   [[nodiscard]] double operator()(double offset, double blur) const;
+  /// The profile under one disk, for many offsets.
+  class Section {
+   public:
+    [[nodiscard]] double operator()(double offset) const {
+      const double x = std::abs(offset) * steps_;
+      if (x >= last_) return 0.0;
+      const int j = static_cast<int>(x);
+      const double tx = x - j;
+      return (1.0 - ty_) * ((1.0 - tx) * near_[j] + tx * near_[j + 1]) +
+             ty_ * ((1.0 - tx) * far_[j] + tx * far_[j + 1]);
+    }
+
+   private:
+    friend class LineProfile;
+    const float* near_;  // table at the next smaller blur
+    const float* far_;   // and at the next larger
+    double ty_, steps_, last_;
+  };
+  /// Valid as long as the profile.
+  [[nodiscard]] Section section(double blur) const;
+
   /// Beyond this offset there is no light.
   [[nodiscard]] double reach(double blur) const { return half_width_ + blur + kSigmas * sigma_; }
 

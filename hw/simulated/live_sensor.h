@@ -21,7 +21,7 @@ struct LiveSensorOptions {
   SensorModel sensor = intraoral_sensor();
   PathOptions path;  ///< where the hand goes by itself; turns around at the ends
   HandOptions hand;
-  ImageOptions image;
+  ImageOptions image = {.tracing = Tracing::kGrid};
   double texture_period_s = 1.0;  ///< >= 0; 0: no texture frames
   [[nodiscard]] Result<void> validate() const;
 };

@@ -150,6 +150,32 @@ bool RayScene::blocked(const Vec3& point_mm, const Vec3& normal, const Vec3& to_
   return query.tfar < 0.0F;
 }
 
+void RayScene::cast_shadows(std::span<Shadow> shadows, const Vec3& to_mm) const {
+  RTCIntersectContext context = coherent_context();
+  for (std::size_t begin = 0; begin < shadows.size(); begin += kPacket) {
+    const std::size_t count = std::min(kPacket, shadows.size() - begin);
+    alignas(32) std::array<int, kPacket> valid{};
+    RTCRay8 query{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Shadow& shadow = shadows[begin + i];
+      const double side = shadow.normal.dot(to_mm - shadow.point_mm) >= 0.0 ? 1.0 : -1.0;
+      const Vec3 start = shadow.point_mm + side * embree_->lift_mm * shadow.normal;
+      const Vec3f direction = (to_mm - start).cast<float>();
+      valid[i] = -1;
+      query.org_x[i] = static_cast<float>(start.x());
+      query.org_y[i] = static_cast<float>(start.y());
+      query.org_z[i] = static_cast<float>(start.z());
+      query.dir_x[i] = direction.x();
+      query.dir_y[i] = direction.y();
+      query.dir_z[i] = direction.z();
+      query.tfar[i] = 1.0F;
+      query.mask[i] = ~0U;
+    }
+    rtcOccluded8(valid.data(), embree_->scene.get(), &context, &query);
+    for (std::size_t i = 0; i < count; ++i) shadows[begin + i].blocked = query.tfar[i] < 0.0F;
+  }
+}
+
 Vec3 color_at(const TriangleMesh& mesh, const RayHit& hit) {
   Vec3 color = Vec3::Zero();
   for (int corner = 0; corner < 3; ++corner) {

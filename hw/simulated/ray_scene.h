@@ -43,6 +43,13 @@ class RayScene {
   /// is the surface's at `point_mm`; it keeps the surface from blocking itself.
   [[nodiscard]] bool blocked(const Vec3& point_mm, const Vec3& normal, const Vec3& to_mm) const;
 
+  /// The same for many surface points that lie close to each other and look at one place.
+  struct Shadow {
+    Vec3 point_mm, normal;
+    bool blocked = false;  ///< the answer
+  };
+  void cast_shadows(std::span<Shadow> shadows, const Vec3& to_mm) const;
+
   /// The mesh that was given.
   [[nodiscard]] const TriangleMesh& mesh() const;
 

@@ -30,8 +30,9 @@ void trace_view(benchmark::State& state) {
 }
 BENCHMARK(trace_view)->Unit(benchmark::kMillisecond);
 
-void measurement_image(benchmark::State& state) {
-  const auto simulator = ImageSimulator::create(jaw(), intraoral_sensor()).value();
+void measurement_image(benchmark::State& state, Tracing tracing) {
+  const auto simulator =
+      ImageSimulator::create(jaw(), intraoral_sensor(), {.tracing = tracing}).value();
   const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), {}).value();
   int i = 0;
   for (auto _ : state)
@@ -39,7 +40,9 @@ void measurement_image(benchmark::State& state) {
         simulator.measurement_image(kPatterns[i % 2], path, 0.5 * (i % 60), i)),
         ++i;
 }
-BENCHMARK(measurement_image)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(measurement_image, every_pixel, Tracing::kEveryPixel)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(measurement_image, grid, Tracing::kGrid)->Unit(benchmark::kMillisecond);
 
 void texture_image(benchmark::State& state) {
   const auto simulator = ImageSimulator::create(jaw(), intraoral_sensor()).value();

@@ -244,5 +244,64 @@ TEST(Chip, NoiseHasShotReadAndSpeckleParts) {
               0.05 * 0.04 * 0.04);
 }
 
+// A step in front of waves: silhouettes and shadows beside smooth surfaces.
+TriangleMesh stepped_waves() {
+  return white(height_field({.half_width_mm = 14.0, .step_mm = 0.1}, [](double x, double y) {
+    return 1.5 * std::sin(0.5 * x) * std::cos(0.6 * y) - (std::abs(x - 2.0) < 2.5 ? 2.0 : 0.0);
+  }));
+}
+
+TEST(ImageSimulator, TheGridShowsWhatEveryPixelShows) {
+  const SensorModel sensor = intraoral_sensor();
+  Isometry T_later = Isometry::Identity();
+  T_later.translation() = Vec3(0.4, 0.2, 0.1);
+  const SensorPath moving =
+      SensorPath::from_poses({{0.0, Isometry::Identity()}, {0.02, T_later}}).value();
+  for (const Pattern pattern : kPatterns) {
+    const auto image = [&](Tracing tracing) {
+      return ImageSimulator::create(stepped_waves(), sensor,
+                                    {.bits = 16, .noise = false, .tracing = tracing})
+          .value()
+          .measurement_image(pattern, moving, 0.01, 1);
+    };
+    const cv::Mat exact = image(Tracing::kEveryPixel);
+    cv::Mat difference;
+    cv::absdiff(exact, image(Tracing::kGrid), difference);
+    const cv::Mat lit = exact > 0.1 * 65535;
+    ASSERT_GT(cv::countNonZero(lit), 50000);
+    // One percent of full scale is the noise of an exposure.
+    EXPECT_LT(cv::mean(difference, lit)[0], 0.005 * 65535);
+    const cv::Mat off = (difference > 0.05 * 65535) & lit;
+    EXPECT_LT(cv::countNonZero(off), 0.005 * cv::countNonZero(lit)) << to_string(pattern);
+  }
+}
+
+TEST(ImageSimulator, StoredNoiseIsAsStrongAndWhiteAsDrawnNoise) {
+  const ChipModel model;
+  const Chip chip(model);
+  const Chip::Light light{cv::Mat::zeros(400, 600, CV_32FC1),
+                          cv::Mat(400, 600, CV_32FC1, cv::Scalar(0.3))};
+  const double sigma =
+      std::sqrt(0.3 * model.full_well_e + model.read_noise_e * model.read_noise_e) /
+      model.full_well_e * 65535.0;
+  cv::Mat before;
+  for (const std::uint64_t stream : {1, 2}) {
+    cv::Mat image;
+    chip.read_out(light, {.bits = 16, .stream = stream, .stored_noise = true})
+        .convertTo(image, CV_64FC1);
+    cv::Scalar mean, spread;
+    cv::meanStdDev(image, mean, spread);
+    EXPECT_NEAR(mean[0], (0.3 + model.black_level) * 65535.0, 0.02 * sigma);
+    EXPECT_NEAR(spread[0], sigma, 0.01 * sigma);
+    image = (image - mean[0]) / sigma;
+    // Of 240,000 independent products the mean is 0.002.
+    EXPECT_LT(std::abs(cv::mean(image.colRange(1, 600).mul(image.colRange(0, 599)))[0]), 0.01);
+    if (!before.empty()) {
+      EXPECT_LT(std::abs(cv::mean(image.mul(before))[0]), 0.01);
+    }
+    before = image;
+  }
+}
+
 }  // namespace
 }  // namespace flytri
