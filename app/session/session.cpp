@@ -1,10 +1,14 @@
 #include "app/session/session.h"
 
+#include <fmt/chrono.h>
+
+#include <ctime>
 #include <utility>
 
 #include "app/session/export_files.h"
 #include "app/session/settings_file.h"
 #include "app/session/user_folders.h"
+#include "core/interchange/file_bytes.h"
 #include "hw/device/clock.h"
 
 namespace flytri {
@@ -14,6 +18,7 @@ namespace {
 constexpr std::size_t kNotices = 20;
 
 std::filesystem::path settings_path() { return config_folder() / "settings.json"; }
+std::filesystem::path cases_folder() { return data_folder() / "cases"; }
 
 }  // namespace
 
@@ -23,6 +28,7 @@ Session::Session(SessionOptions options)
   exports_.folder = documents_folder().string();
   exports_.name = "jaw";
   open_chosen_source();
+  list_cases();
 }
 
 Session::~Session() {
@@ -67,22 +73,40 @@ void Session::use_source(Source source) {
       source_.sensor, [router = router_](Frame frame) { router->offer(std::move(frame)); });
 }
 
-Result<std::shared_ptr<LiveScan>> Session::make_scan() const {
-  Result<std::unique_ptr<LiveScan>> scan = LiveScan::create(source_.calibration, options_.scan);
-  if (!scan) return tl::unexpected(scan.error());
-  return std::shared_ptr<LiveScan>(std::move(*scan));
+/// Makes the stage's scan, if it has none yet, and sends the frames there. What a case holds of it
+/// is read beside.
+void Session::show_stage() {
+  if (source_.sensor == nullptr || is_loading_[stage_]) return;
+  if (scans_[stage_] != nullptr) {
+    if (is_started_) scans_[stage_]->start();
+    return router_->set_scan(scans_[stage_]);
+  }
+  router_->set_scan(nullptr);
+  if (case_ == nullptr) return use_stage(stage_, {});
+  is_loading_[stage_] = true;
+  do_beside([this, stage = stage_, store = case_] {
+    auto opened = std::make_shared<Result<OpenedStage>>(store->load(kScanStages[stage]));
+    return [this, stage, store, opened] {
+      is_loading_[stage] = false;
+      if (store != case_) return;
+      if (!*opened) return notice(ui::Severity::kError, opened->error().message);
+      use_stage(stage, **opened);
+    };
+  });
 }
 
-/// Makes the stage's scan, if it has none yet, and sends the frames there.
-void Session::show_stage() {
-  if (source_.sensor == nullptr) return;
-  if (scans_[stage_] == nullptr) {
-    Result<std::shared_ptr<LiveScan>> scan = make_scan();
-    if (!scan) return notice(ui::Severity::kError, scan.error().message);
-    scans_[stage_] = std::move(*scan);
+void Session::use_stage(std::size_t stage, const OpenedStage& opened) {
+  LiveScanOptions options = options_.scan;
+  if (case_ != nullptr && !case_->is_read_only()) {
+    options.journal = case_->journal(kScanStages[stage]);
   }
-  if (is_started_) scans_[stage_]->start();
-  router_->set_scan(scans_[stage_]);
+  Result<std::unique_ptr<LiveScan>> scan =
+      LiveScan::create(source_.calibration, options, opened.scan);
+  if (!scan) return notice(ui::Severity::kError, scan.error().message);
+  router_->go_on_after(opened.last_frame, opened.last_time_s);
+  scans_[stage] = std::move(*scan);
+  measurements_[stage] = opened.measurements;
+  if (stage == stage_) show_stage();
 }
 
 void Session::notice(ui::Severity severity, std::string text) {
@@ -113,13 +137,24 @@ void Session::carry_out_(const ui::EditSurface& command) {
 }
 
 void Session::carry_out_(const ui::AddMeasurement& command) {
-  measurements_[stage_].push_back(command.measurement);
+  Measurement added = command.measurement;
+  if (case_ != nullptr) {
+    const auto id = case_->add_measurement(kScanStages[stage_], added);
+    if (!id) return notice(ui::Severity::kError, id.error().message);
+    added.id = *id;
+  }
+  measurements_[stage_].push_back(added);
 }
 
 void Session::carry_out_(const ui::RemoveMeasurement& command) {
   auto& measurements = measurements_[stage_];
   if (command.index >= measurements.size()) return;
-  measurements.erase(measurements.begin() + static_cast<std::ptrdiff_t>(command.index));
+  const auto removed = measurements.begin() + static_cast<std::ptrdiff_t>(command.index);
+  if (case_ != nullptr) {
+    const auto done = case_->remove_measurement(removed->id);
+    if (!done) return notice(ui::Severity::kError, done.error().message);
+  }
+  measurements.erase(removed);
 }
 
 void Session::carry_out_(const ui::Finish&) {
@@ -164,9 +199,101 @@ void Session::carry_out_(const ui::Export& command) {
   });
 }
 
-void Session::carry_out_(const ui::NewCase&) {}
-void Session::carry_out_(const ui::OpenCase&) {}
-void Session::carry_out_(const ui::SetCaseFields&) {}
+void Session::forget_scans() {
+  router_->set_scan(nullptr);
+  scans_ = {};
+  measurements_ = {};
+  is_loading_ = {};
+}
+
+/// What was scanned without a case goes into a new one; what belongs to another case stays there.
+void Session::carry_out_(const ui::NewCase& command) {
+  if (source_.calibration == nullptr) return;
+  CaseFields fields = command.fields;
+  fields.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  const std::filesystem::path path = command.path;
+  if (auto made = create_folder(path.parent_path()); !made) {
+    case_state_.message = made.error().message;
+    return;
+  }
+  auto file = CaseFile::create(path, {command.passphrase, false}, fields);
+  if (!file) {
+    case_state_.message = file.error().message;
+    return;
+  }
+  if (case_ != nullptr) forget_scans();
+  auto store = std::make_shared<CaseStore>(std::move(*file));
+  if (auto kept = store->write_calibration(*source_.calibration); !kept) {
+    return notice(ui::Severity::kError, kept.error().message);
+  }
+  for (std::size_t stage = 0; stage < scans_.size(); ++stage) {
+    if (scans_[stage] != nullptr) scans_[stage]->keep_in(store->journal(kScanStages[stage]));
+    for (Measurement& measurement : measurements_[stage]) {
+      measurement.id = store->add_measurement(kScanStages[stage], measurement).value_or(0);
+    }
+  }
+  case_state_.is_encrypted = !command.passphrase.empty();
+  use_case(std::move(store));
+}
+
+void Session::carry_out_(const ui::OpenCase& command) {
+  do_beside([this, command] {
+    auto file = std::make_shared<Result<CaseFile>>(
+        CaseFile::open(command.path, {command.passphrase, false}));
+    return [this, command, file] {
+      if (!*file) {
+        case_state_.message = file->error().message;
+        case_state_.passphrase_is_asked = file->error().code == ErrorCode::kNotPermitted;
+        case_state_.path_asked = command.path;
+        return;
+      }
+      forget_scans();
+      case_state_.is_encrypted = !command.passphrase.empty();
+      use_case(std::make_shared<CaseStore>(std::move(**file)));
+    };
+  });
+}
+
+void Session::use_case(std::shared_ptr<CaseStore> store) {
+  case_ = std::move(store);
+  case_state_.message.clear();
+  case_state_.passphrase_is_asked = false;
+  case_state_.fields = case_->fields().value_or(CaseFields{});
+  for (const std::string& line : case_->damage()) notice(ui::Severity::kWarning, line);
+  if (case_->is_read_only()) case_state_.message = "opened read-only: nothing more is kept in it";
+  if (scans_[stage_] == nullptr) {
+    is_started_ = false;
+    show_stage();
+  }
+  list_cases();
+}
+
+void Session::carry_out_(const ui::SetCaseFields& command) {
+  if (case_ == nullptr) return;
+  CaseFields fields = command.fields;
+  fields.created = case_->fields().value_or(CaseFields{}).created;
+  if (auto written = case_->write_fields(fields); !written) {
+    return notice(ui::Severity::kError, written.error().message);
+  }
+  case_state_.fields = command.fields;
+}
+
+void Session::list_cases() {
+  do_beside([this] {
+    auto known = std::make_shared<std::vector<ui::KnownCase>>(known_cases(cases_folder()));
+    return [this, known] { case_state_.known = std::move(*known); };
+  });
+}
+
+ui::CaseState Session::case_state() const {
+  ui::CaseState state = case_state_;
+  state.folder = cases_folder().string();
+  if (case_ == nullptr) return state;
+  state.path = case_->path();
+  state.is_read_only = case_->is_read_only();
+  state.is_saved = case_->failure().empty();
+  return state;
+}
 
 /// The window's movement is in the sensor's frame, the hand's aim in the model's.
 void Session::carry_out_(const ui::SteerHand& command) {
@@ -265,11 +392,16 @@ ui::AppView Session::view() {
   }
   view.source = source_state();
   view.exports = export_state(view.scan.get());
+  view.file = case_state();
   view.measurements = measurements_[stage_];
   view.settings = settings_;
   if (view.scan && view.scan->failure != noticed_failure_) {
     noticed_failure_ = view.scan->failure;
     if (!noticed_failure_.empty()) notice(ui::Severity::kError, noticed_failure_);
+  }
+  if (case_ != nullptr && case_->failure() != noticed_case_failure_) {
+    noticed_case_failure_ = case_->failure();
+    notice(ui::Severity::kError, "Not kept: " + noticed_case_failure_);
   }
   view.notices = notices_;
   return view;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/case_store.h"
 #include "app/session/frame_router.h"
 #include "app/session/source.h"
 #include "core/base/task_thread.h"
@@ -71,11 +72,15 @@ class Session {
   void do_beside(std::function<std::function<void()>()> work);
   void open_chosen_source();
   void use_source(Source source);
-  [[nodiscard]] Result<std::shared_ptr<LiveScan>> make_scan() const;
   void show_stage();
+  void use_stage(std::size_t stage, const OpenedStage& opened);
+  void use_case(std::shared_ptr<CaseStore> store);
+  void forget_scans();
+  void list_cases();
   void notice(ui::Severity severity, std::string text);
   [[nodiscard]] ui::SourceState source_state() const;
   [[nodiscard]] ui::ExportState export_state(const ScanSnapshot* shown) const;
+  [[nodiscard]] ui::CaseState case_state() const;
 
   SessionOptions options_;
   bool is_closing_ = false;
@@ -86,6 +91,10 @@ class Session {
   std::size_t stage_ = 0;
   std::array<std::shared_ptr<LiveScan>, kScanStages.size()> scans_;
   std::array<std::vector<Measurement>, kScanStages.size()> measurements_;
+  std::array<bool, kScanStages.size()> is_loading_ = {};
+  std::shared_ptr<CaseStore> case_;  ///< null: nothing is kept
+  ui::CaseState case_state_;         ///< all but what case_ itself says
+  std::string noticed_case_failure_;
   ui::Settings settings_;
   ui::ExportState exports_;
   std::vector<ui::Notice> notices_;

@@ -52,6 +52,7 @@ class LiveScan::Impl {
   void edit(EditKind kind, std::vector<BrushDab> dabs);
   void change_edits(void (EditStack::*change)());
   void choose_reentry(std::size_t index);
+  void keep_in(std::shared_ptr<ScanJournal> journal);
   void finish();
   void cancel_finish() const { finishing().cancel(); }
   std::shared_ptr<const ScanSnapshot> snapshot();
@@ -94,9 +95,9 @@ class LiveScan::Impl {
   void look_for_holes();
   void run_finishing(std::vector<Frame> textures);
 
-  // Journal thread.
+  // Any thread, and the journal's.
   void journal(std::function<void(ScanJournal&)> entry);
-  void commit_if_due();
+  void commit_if_due(ScanJournal& to);
 
   const std::shared_ptr<const Calibration> calibration_;
   const LiveScanOptions options_;
@@ -111,6 +112,9 @@ class LiveScan::Impl {
 
   mutable std::mutex finishing_mutex_;
   Progress finishing_;  ///< of the latest finishing
+
+  std::mutex journal_mutex_;
+  std::shared_ptr<ScanJournal> journal_;
 
   mutable std::mutex wishes_mutex_;
   std::vector<std::function<void()>> wishes_;  ///< for the registering thread
@@ -160,6 +164,7 @@ LiveScan::Impl::Impl(std::shared_ptr<const Calibration> calibration, const LiveS
     : calibration_(std::move(calibration)),
       options_(options),
       intake_(static_cast<std::size_t>(options.max_frames_underway)),
+      journal_(options.journal),
       registrar_(std::move(registrar)),
       pictures_(kPictureShare * half_diagonal_mm(*calibration_), half_diagonal_mm(*calibration_)),
       model_(std::move(model)) {
@@ -605,19 +610,42 @@ void LiveScan::Impl::look_for_holes() {
 }
 
 void LiveScan::Impl::journal(std::function<void(ScanJournal&)> entry) {
-  if (options_.journal == nullptr) return;
-  journal_thread_.post([this, entry = std::move(entry)] {
-    entry(*options_.journal);
-    commit_if_due();
+  std::shared_ptr<ScanJournal> to;
+  {
+    const std::lock_guard lock(journal_mutex_);
+    to = journal_;
+  }
+  if (to == nullptr) return;
+  journal_thread_.post([this, to, entry = std::move(entry)] {
+    entry(*to);
+    commit_if_due(*to);
   });
 }
 
-void LiveScan::Impl::commit_if_due() {
+void LiveScan::Impl::commit_if_due(ScanJournal& to) {
   constexpr double kCommitPeriod_s = 0.5;
   const bool last = journal_thread_.pending() <= 1;
   if (!last && options_.now_s() - committed_at_s_ < kCommitPeriod_s) return;
-  options_.journal->commit();
+  to.commit();
   committed_at_s_ = options_.now_s();
+}
+
+void LiveScan::Impl::keep_in(std::shared_ptr<ScanJournal> to) {
+  {
+    const std::lock_guard lock(journal_mutex_);
+    journal_ = std::move(to);
+  }
+  const std::vector<AlignedView> views = registrar_.aligned_views();
+  for (const AlignedView& view : views) {
+    journal([view](ScanJournal& journal) { journal.keep_view(*view.view); });
+  }
+  journal([views](ScanJournal& journal) { journal.keep_poses(views); });
+  journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
+  model_thread_.post([this] {
+    for (const PlacedTexture& placed : model_.textures()) {
+      journal([frame = placed.frame](ScanJournal& journal) { journal.keep_texture(frame); });
+    }
+  });
 }
 
 std::shared_ptr<const ScanSnapshot> LiveScan::Impl::snapshot() {
@@ -707,6 +735,9 @@ void LiveScan::choose_reentry(std::size_t index) {
 }
 void LiveScan::finish() {
   impl_->ask([this] { impl_->finish(); });
+}
+void LiveScan::keep_in(std::shared_ptr<ScanJournal> journal) {
+  impl_->ask([this, journal = std::move(journal)] { impl_->keep_in(journal); });
 }
 void LiveScan::cancel_finish() { impl_->cancel_finish(); }
 std::shared_ptr<const ScanSnapshot> LiveScan::snapshot() const { return impl_->snapshot(); }

@@ -95,6 +95,8 @@ class LiveScan {
   void choose_reentry(std::size_t index);
   void finish();
   void cancel_finish();
+  /// From now on this journal keeps the scan; what was scanned before is handed to it first.
+  void keep_in(std::shared_ptr<ScanJournal> journal);
 
   /// The state now. The same object as before where nothing has changed.
   [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot() const;

@@ -1,0 +1,179 @@
+#include "app/session/case_store.h"
+
+#include <fmt/chrono.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/interchange/calibration_json.h"
+#include "core/interchange/glb.h"
+
+namespace flytri {
+
+/// A stage's part of the store.
+class CaseStore::Journal final : public ScanJournal {
+ public:
+  Journal(std::shared_ptr<CaseStore> store, ScanStage stage)
+      : store_(std::move(store)), stage_(stage) {}
+
+  void keep_view(const View& view) override {
+    store_->write([&](CaseFile& file) { return file.append_view(stage_, view); });
+  }
+  void keep_texture(const Frame& frame) override {
+    store_->write([&](CaseFile& file) { return file.append_texture(stage_, frame); });
+  }
+  void keep_poses(std::span<const AlignedView> views) override {
+    store_->write([&](CaseFile& file) { return file.write_poses(stage_, views); });
+  }
+  void keep_edits(const EditStack& edits) override {
+    store_->write([&](CaseFile& file) { return file.write_edits(stage_, edits); });
+  }
+  void keep_result(const FinishedScan& result) override {
+    store_->write([&](CaseFile& file) -> Result<void> {
+      auto glb = encode_glb(result.model, "jaw");
+      if (!glb) return tl::unexpected(glb.error());
+      const nlohmann::json summary = {{"views", result.views.size()},
+                                      {"points", result.points.size()},
+                                      {"triangles", result.model.mesh.triangles.size()}};
+      return file.write_result(stage_, {std::move(*glb), summary.dump()});
+    });
+  }
+  void commit() override {
+    store_->write([](CaseFile& file) { return file.commit(); });
+  }
+
+ private:
+  std::shared_ptr<CaseStore> store_;
+  ScanStage stage_;
+};
+
+void CaseStore::write(const std::function<Result<void>(CaseFile&)>& writing) {
+  const std::lock_guard lock(mutex_);
+  if (auto written = writing(file_); !written) failure_ = written.error().message;
+}
+
+std::shared_ptr<ScanJournal> CaseStore::journal(ScanStage stage) {
+  return std::make_shared<Journal>(shared_from_this(), stage);
+}
+
+Result<OpenedStage> CaseStore::load(ScanStage stage) {
+  const std::lock_guard lock(mutex_);
+  Result<StoredStage> stored = file_.load_stage(stage);
+  if (!stored) return tl::unexpected(stored.error());
+  OpenedStage opened;
+  for (StoredView& view : stored->views) {
+    opened.last_frame = std::max(opened.last_frame, view.view->frame);
+    opened.last_time_s = std::max(opened.last_time_s, view.view->time_s);
+    if (view.T_world_sensor) opened.scan.views.push_back({view.view, *view.T_world_sensor});
+  }
+  for (const Frame& frame : stored->texture_frames) {
+    opened.last_frame = std::max(opened.last_frame, frame.index);
+    opened.last_time_s = std::max(opened.last_time_s, frame.time_s);
+  }
+  opened.scan.texture_frames = std::move(stored->texture_frames);
+  opened.scan.edits = std::move(stored->edits);
+  opened.measurements = std::move(stored->measurements);
+  return opened;
+}
+
+Result<CaseFields> CaseStore::fields() {
+  const std::lock_guard lock(mutex_);
+  return file_.fields();
+}
+
+Result<void> CaseStore::write_fields(const CaseFields& fields) {
+  const std::lock_guard lock(mutex_);
+  if (auto written = file_.write_fields(fields); !written) return written;
+  return file_.commit();
+}
+
+Result<void> CaseStore::write_calibration(const Calibration& calibration) {
+  const std::lock_guard lock(mutex_);
+  if (auto written = file_.write_calibration(to_json(calibration)); !written) return written;
+  return file_.commit();
+}
+
+Result<std::optional<Calibration>> CaseStore::calibration() {
+  const std::lock_guard lock(mutex_);
+  const Result<std::string> text = file_.calibration();
+  if (!text && text.error().code == ErrorCode::kInsufficient) return std::nullopt;
+  if (!text) return tl::unexpected(text.error());
+  Result<Calibration> calibration = parse_calibration(*text, file_.path().string());
+  if (!calibration) return tl::unexpected(calibration.error());
+  return std::move(*calibration);
+}
+
+Result<std::int64_t> CaseStore::add_measurement(ScanStage stage, const Measurement& added) {
+  const std::lock_guard lock(mutex_);
+  auto id = file_.add_measurement(stage, added);
+  if (!id) return id;
+  if (auto kept = file_.commit(); !kept) return tl::unexpected(kept.error());
+  return id;
+}
+
+Result<void> CaseStore::remove_measurement(std::int64_t id) {
+  const std::lock_guard lock(mutex_);
+  if (auto removed = file_.remove_measurement(id); !removed) return removed;
+  return file_.commit();
+}
+
+Result<bool> CaseStore::has_views(ScanStage stage) {
+  const std::lock_guard lock(mutex_);
+  const auto counts = file_.counts(stage);
+  if (!counts) return tl::unexpected(counts.error());
+  return counts->views > 0;
+}
+
+std::string CaseStore::path() const {
+  const std::lock_guard lock(mutex_);
+  return file_.path().string();
+}
+
+bool CaseStore::is_read_only() const {
+  const std::lock_guard lock(mutex_);
+  return file_.is_read_only();
+}
+
+std::vector<std::string> CaseStore::damage() const {
+  const std::lock_guard lock(mutex_);
+  return file_.damage();
+}
+
+std::string CaseStore::failure() const {
+  const std::lock_guard lock(mutex_);
+  return failure_;
+}
+
+std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {
+  struct Found {
+    std::filesystem::path path;
+    std::time_t modified = 0;
+  };
+  std::vector<Found> found;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    struct stat about = {};
+    if (entry.path().extension() != ".flytri") continue;
+    if (stat(entry.path().c_str(), &about) != 0) continue;
+    found.push_back({entry.path(), about.st_mtime});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Found& a, const Found& b) { return a.modified > b.modified; });
+  std::vector<ui::KnownCase> known;
+  for (const Found& item : found) {
+    ui::KnownCase entry;
+    entry.path = item.path.string();
+    entry.modified = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(item.modified));
+    auto file = CaseFile::open(item.path, {.passphrase = {}, .read_only = true});
+    if (file) {
+      if (const auto fields = file->fields()) entry.patient = fields->patient_name;
+    } else {
+      entry.is_encrypted = file.error().code == ErrorCode::kNotPermitted;
+    }
+    known.push_back(std::move(entry));
+  }
+  return known;
+}
+
+}  // namespace flytri
