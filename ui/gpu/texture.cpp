@@ -118,6 +118,13 @@ void Framebuffer::bind() const {
   glViewport(0, 0, width_px_, height_px_);
 }
 
+void Framebuffer::copy_color(const Framebuffer& from) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.object_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, object_.name());
+  glBlitFramebuffer(0, 0, width_px_, height_px_, 0, 0, width_px_, height_px_, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+}
+
 void Framebuffer::bind_window() { glBindFramebuffer(GL_FRAMEBUFFER, 0); }
 
 }  // namespace flytri::ui

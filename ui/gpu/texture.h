@@ -42,6 +42,8 @@ class Framebuffer {
   static Framebuffer make(const Texture& color);
   /// Draws go there from now on, to its whole area.
   void bind() const;
+  /// Takes over the color of another one of the same size.
+  void copy_color(const Framebuffer& from) const;
   /// Back to the window's own.
   static void bind_window();
 

@@ -1,8 +1,17 @@
 #include "ui/scene/composer.h"
 
+#include <cmath>
+
 #include "ui/scene/coloring.h"
 
 namespace flytri::ui {
+
+namespace {
+
+/// How far around a pixel grooves are looked for.
+float groove_reach_px(const Eye& eye) { return 0.009F * static_cast<float>(eye.size.height_px); }
+
+}  // namespace
 
 Result<Composer> Composer::create() {
   Result<ShaderProgram> program = ShaderProgram::load("compose.vert", "compose.frag");
@@ -15,27 +24,43 @@ Result<Composer> Composer::create() {
 Composer::Composer(ShaderProgram program, LinePainter lines)
     : program_(std::move(program)), lines_(std::move(lines)), no_vertices_(VertexArray::make()) {}
 
-void Composer::compose(const PictureTarget& model, bool has_changed,
+void Composer::compose(const PictureTarget& model, const PixelBox& changed_px,
                        const std::vector<OverlayLine>& lines, const Eye& eye,
                        const Backdrop& backdrop) {
-  constexpr float kDimming = 0.62F;
-  /// Grooves that are deepened: as shares of the picture's height.
-  constexpr double kGroove = 0.006, kReach = 0.009;
-  const bool fits =
-      picture_.width_px() == eye.size.width_px && picture_.height_px() == eye.size.height_px;
-  if (fits && !has_changed && lines.empty() && !had_lines_ && backdrop == backdrop_) return;
-  if (!fits) picture_ = Texture::make(eye.size.width_px, eye.size.height_px, GL_RGBA8);
+  const PictureSize& size = eye.size;
+  PixelBox to_compose = changed_px;
+  if (surface_.width_px() != size.width_px || surface_.height_px() != size.height_px) {
+    surface_ = Texture::make(size.width_px, size.height_px, GL_RGBA8);
+    picture_ = Texture::make(size.width_px, size.height_px, GL_RGBA8);
+    to_compose = whole_picture(size);
+  }
+  if (!(backdrop == backdrop_)) to_compose = whole_picture(size);
   backdrop_ = backdrop;
-  had_lines_ = !lines.empty();
-  // The lines are tested against the model's own depth; it is not written here.
-  const Framebuffer with_background = Framebuffer::make(picture_);
-  with_background.bind();
+  if (!to_compose.isEmpty()) compose_surface(model, to_compose, eye, backdrop);
+  has_lines_ = !lines.empty();
+  if (has_lines_) add_lines(model, lines, eye);
+}
+
+void Composer::compose_surface(const PictureTarget& model, const PixelBox& changed_px,
+                               const Eye& eye, const Backdrop& backdrop) {
+  constexpr float kDimming = 0.62F;
+  /// Grooves that are deepened, as a share of the picture's height.
+  constexpr double kGroove = 0.006;
+  const Framebuffer target = Framebuffer::make(surface_);
+  target.bind();
   glDisable(GL_DEPTH_TEST);
+  glEnable(GL_SCISSOR_TEST);
+  // What changed shows in the grooves around it as well.
+  const int margin_px = static_cast<int>(std::ceil(groove_reach_px(eye))) + 1;
+  const Eigen::Vector2i corner = changed_px.min().array() - margin_px;
+  const Eigen::Vector2i size_px = changed_px.sizes().array() + 2 * margin_px + 1;
+  glScissor(corner.x(), corner.y(), size_px.x(), size_px.y());
   program_.use();
   model.color.bind(0);
   model.depth.bind(1);
   program_.set("model_color", 0);
   program_.set("model_depth", 1);
+  program_.set("size_px", eye.size_px());
   program_.set("background_top", rgb_of(backdrop.top));
   program_.set("background_bottom", rgb_of(backdrop.bottom));
   program_.set("dimming", backdrop.is_dimmed ? kDimming : 0.0F);
@@ -43,12 +68,19 @@ void Composer::compose(const PictureTarget& model, bool has_changed,
   program_.set("depth_to_mm", Eigen::Vector2f(eye.P_clip_eye(2, 2), eye.P_clip_eye(2, 3)));
   program_.set("groove_mm", static_cast<float>(kGroove * eye.height_mm));
   program_.set("splat_radius_mm", backdrop.splat_radius_mm);
-  program_.set("reach_px", static_cast<float>(kReach * eye.size.height_px));
+  program_.set("reach_px", groove_reach_px(eye));
   no_vertices_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  if (lines.empty()) return;
-  const Framebuffer with_depth = Framebuffer::make(picture_, model.depth);
-  with_depth.bind();
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Composer::add_lines(const PictureTarget& model, const std::vector<OverlayLine>& lines,
+                         const Eye& eye) {
+  const Framebuffer from = Framebuffer::make(surface_);
+  // The lines are tested against the model's own depth.
+  const Framebuffer onto = Framebuffer::make(picture_, model.depth);
+  onto.copy_color(from);
+  onto.bind();
   lines_.paint(lines, eye);
 }
 

@@ -23,19 +23,26 @@ class Composer {
   /// @errors  those of ShaderProgram::load.
   [[nodiscard]] static Result<Composer> create();
 
-  /// @param has_changed  the model's picture is another one than before
-  void compose(const PictureTarget& model, bool has_changed, const std::vector<OverlayLine>& lines,
-               const Eye& eye, const Backdrop& backdrop);
-  [[nodiscard]] std::uint32_t texture_id() const { return picture_.name(); }
+  /// @param changed_px  where the model's picture is another one than before
+  void compose(const PictureTarget& model, const PixelBox& changed_px,
+               const std::vector<OverlayLine>& lines, const Eye& eye, const Backdrop& backdrop);
+  [[nodiscard]] std::uint32_t texture_id() const {
+    return (has_lines_ ? picture_ : surface_).name();
+  }
 
  private:
   Composer(ShaderProgram program, LinePainter lines);
+  void compose_surface(const PictureTarget& model, const PixelBox& changed_px, const Eye& eye,
+                       const Backdrop& backdrop);
+  void add_lines(const PictureTarget& model, const std::vector<OverlayLine>& lines, const Eye& eye);
+
   ShaderProgram program_;
   LinePainter lines_;
   VertexArray no_vertices_;
-  Texture picture_;
+  Texture surface_;  ///< without the lines: kept, as they often change and it does not
+  Texture picture_;  ///< with them
   Backdrop backdrop_;
-  bool had_lines_ = false;
+  bool has_lines_ = false;
 };
 
 }  // namespace flytri::ui

@@ -52,6 +52,26 @@ bool Eye::may_see(const Eigen::AlignedBox3f& box_mm) const {
   return true;
 }
 
+PixelBox whole_picture(const PictureSize& size) {
+  return {Eigen::Vector2i(0, 0), Eigen::Vector2i(size.width_px - 1, size.height_px - 1)};
+}
+
+PixelBox Eye::pixels_of(const Eigen::AlignedBox3f& box_mm) const {
+  if (!may_see(box_mm)) return {};
+  const Eigen::Matrix4f P = P_clip_world();
+  PixelBox pixels;
+  for (int number = 0; number < 8; ++number) {
+    const Vec3f corner = box_mm.corner(static_cast<Eigen::AlignedBox3f::CornerType>(number));
+    const Eigen::Vector4f clip = P * corner.homogeneous();
+    if (clip.w() <= 0.0F) return whole_picture(size);  // reaches behind the eye
+    const Eigen::Array2f share = 0.5F + 0.5F * (clip.head<2>() / clip.w()).array();
+    // Beyond twice the picture it does not matter how far.
+    const Eigen::Array2f px = share.max(-1.0F).min(2.0F) * size_px().array();
+    pixels.extend(px.floor().cast<int>().matrix().eval());
+  }
+  return pixels.intersection(whole_picture(size));
+}
+
 Eye make_eye(const OrbitCamera& camera, const PictureSize& size,
              const Eigen::AlignedBox3d& box_mm) {
   /// The nearest that the near plane comes, as a share of the distance to the target.

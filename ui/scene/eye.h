@@ -8,6 +8,10 @@
 
 namespace flytri::ui {
 
+/// Pixels of a picture, first and last, from its lower left; empty: none.
+using PixelBox = Eigen::AlignedBox2i;
+[[nodiscard]] PixelBox whole_picture(const PictureSize& size);
+
 struct Eye {
   PictureSize size;
   Eigen::Matrix4f T_eye_world = Eigen::Matrix4f::Identity();
@@ -27,6 +31,8 @@ struct Eye {
   void set_uniforms(const ShaderProgram& program) const;
   /// Whether some of a box may be in the picture.
   [[nodiscard]] bool may_see(const Eigen::AlignedBox3f& box_mm) const;
+  /// The pixels in which a box may be seen.
+  [[nodiscard]] PixelBox pixels_of(const Eigen::AlignedBox3f& box_mm) const;
 };
 
 /// The near and far planes hold `box_mm` with room to grow, so that they seldom change.

@@ -16,9 +16,9 @@ void MeshPicture::take(const TexturedMesh& mesh, std::uint64_t number,
   is_new_ = true;
 }
 
-bool MeshPicture::update(const Eye& eye, const SceneOptions& options) {
+PixelBox MeshPicture::update(const Eye& eye, const SceneOptions& options) {
   latest_ms_ = 0.0;
-  if (!is_new_ && eye == eye_ && look_same(options, options_)) return false;
+  if (!is_new_ && eye == eye_ && look_same(options, options_)) return {};
   if (eye.size != eye_.size) shown_ = PictureTarget::make(eye.size);
   is_new_ = false;
   eye_ = eye;
@@ -27,7 +27,7 @@ bool MeshPicture::update(const Eye& eye, const SceneOptions& options) {
   shown_.clear();
   painter_.paint(eye, options);
   latest_ms_ = timer.stop_ms();
-  return true;
+  return whole_picture(eye.size);
 }
 
 }  // namespace flytri::ui

@@ -13,8 +13,8 @@ class MeshPicture {
   /// Shows this mesh from now on. Nothing is sent where it is the one already shown.
   /// @param number  another one for another mesh at the same address
   void take(const TexturedMesh& mesh, std::uint64_t number, const std::vector<BrushDab>& locked);
-  /// @return whether the picture is another one than before
-  bool update(const Eye& eye, const SceneOptions& options);
+  /// @return where the picture is another one than before: all or nothing
+  PixelBox update(const Eye& eye, const SceneOptions& options);
 
   [[nodiscard]] const PictureTarget& shown() const { return shown_; }
   [[nodiscard]] const Eigen::AlignedBox3d& box_mm() const { return painter_.box_mm(); }

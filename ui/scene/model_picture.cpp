@@ -28,6 +28,14 @@ std::size_t visible_surfels(const std::vector<const StoredBlock*>& blocks, const
   return count;
 }
 
+/// Around a block's disks as they are drawn: wider where only a prefix is.
+Eigen::AlignedBox3f drawn_box(const StoredBlock& stored, double detail_share) {
+  if (stored.block->surfels.empty()) return {};
+  const float more_mm = static_cast<float>(radius_scale(detail_share) - 1.0) *
+                        stored.block->surfels.front().radius_mm;
+  return {stored.box_mm.min().array() - more_mm, stored.box_mm.max().array() + more_mm};
+}
+
 }  // namespace
 
 PictureTarget PictureTarget::make(const PictureSize& size) {
@@ -62,7 +70,7 @@ ModelPicture::Done ModelPicture::update(const SplatStore& store, const StoreChan
   const Done behind = draw_behind(store, done.drawn, now_s);
   done.drawn += behind.drawn;
   done.was_full = behind.was_full;
-  done.has_changed |= behind.has_changed;
+  done.changed_px.extend(behind.changed_px);
   return done;
 }
 
@@ -80,15 +88,17 @@ ModelPicture::Done ModelPicture::draw_whole(const SplatStore& store, double now_
   const std::size_t drawn = paint(shown_, store, blocks);
   latest_ms_ = timer.stop_ms();
   moving_.learn(drawn, latest_ms_);
-  return {drawn, true, true};
+  return {drawn, true, whole_picture(eye_.size)};
 }
 
 ModelPicture::Done ModelPicture::draw_fresh(const SplatStore& store, const StoreChanges& changes) {
   if (changes.fresh.empty()) return {};
   Blocks fresh, already_behind;
+  PixelBox changed_px;
   for (const std::uint64_t place : changes.fresh) {
     const StoredBlock& stored = store.blocks().at(place);
     fresh.push_back(&stored);
+    changed_px.extend(eye_.pixels_of(drawn_box(stored, shown_.detail_share)));
     if (next_ && place < *next_) already_behind.push_back(&stored);
   }
   const FrameTimer timer;
@@ -97,7 +107,7 @@ ModelPicture::Done ModelPicture::draw_fresh(const SplatStore& store, const Store
   shown_.replaced += drawn;
   behind_.replaced += drawn_behind;
   latest_ms_ += timer.stop_ms();
-  return {drawn + drawn_behind, false, true};
+  return {drawn + drawn_behind, false, changed_px};
 }
 
 bool ModelPicture::is_clean_due(const SplatStore& store, double now_s) const {
@@ -143,9 +153,9 @@ ModelPicture::Done ModelPicture::draw_behind(const SplatStore& store, std::size_
   const double slice_ms = timer.stop_ms();
   still_.learn(drawn, slice_ms);
   latest_ms_ += slice_ms;
-  if (next_) return {drawn, false, false};
+  if (next_) return {drawn, false, {}};
   std::swap(shown_, behind_);
-  return {drawn, true, true};
+  return {drawn, true, whole_picture(eye_.size)};
 }
 
 std::size_t ModelPicture::paint(Kept& kept, const SplatStore& store, const Blocks& blocks) {

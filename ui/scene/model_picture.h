@@ -27,9 +27,9 @@ class ModelPicture {
  public:
   /// What one update did.
   struct Done {
-    std::size_t drawn = 0;     ///< surfels, in both targets
-    bool was_full = false;     ///< drawn from scratch
-    bool has_changed = false;  ///< the picture is another one than before
+    std::size_t drawn = 0;  ///< surfels, in both targets
+    bool was_full = false;  ///< drawn from scratch
+    PixelBox changed_px;    ///< where the picture is another one than before
   };
 
   explicit ModelPicture(SplatPainter painter) : painter_(std::move(painter)) {}

@@ -22,7 +22,8 @@ struct SceneOptions {
   Color background_top = {0.16F, 0.18F, 0.21F, 1.0F};
   Color background_bottom = {0.06F, 0.07F, 0.08F, 1.0F};
   double scale = 1.0;             ///< 0.5..4, of the widths of overlays: content scale x user scale
-  double moving_frame_ms = 33.0;  ///< 5..1000, aim while the camera moves: 30 pictures a second
+  double moving_frame_ms = 25.0;  ///< 5..1000, aim for the model while the camera moves: with all
+                                  ///< else, 30 pictures a second
   bool level_of_detail = true;    ///< false: every picture whole, however long it takes
   [[nodiscard]] Result<void> validate() const;
 };

@@ -26,7 +26,7 @@ struct SceneRenderer::State {
   Eigen::AlignedBox3d model_box_mm;
   const PictureTarget* shown = nullptr;  ///< of the model or the mesh
   bool pulses = false;
-  bool picture_has_changed = false;
+  PixelBox changed_px;  ///< of the shown model or mesh
   SceneStatistics statistics;
 
   [[nodiscard]] Backdrop backdrop(const SceneContent& content, const SceneOptions& options) const {
@@ -75,7 +75,7 @@ void SceneRenderer::State::update_model(const SceneContent& content, const Scene
   eye = make_eye(camera, size, merged(overlay_box_mm(content), model_box_mm));
   const ModelPicture::Done done = model.update(store, changes, eye, options, now_s);
   shown = &model.shown();
-  picture_has_changed = done.has_changed;
+  changed_px = done.changed_px;
   statistics = {store.surfel_count(), done.drawn,    model.detail_share(),
                 model.latest_ms(),    done.was_full, changes.uploaded_bytes};
 }
@@ -85,10 +85,10 @@ void SceneRenderer::State::update_mesh(const SceneContent& content, const SceneO
   mesh.take(*content.mesh, content.mesh_number, content.locked);
   model_box_mm = mesh.box_mm();
   eye = make_eye(camera, size, merged(overlay_box_mm(content), model_box_mm));
-  picture_has_changed = mesh.update(eye, options);
+  changed_px = mesh.update(eye, options);
   shown = &mesh.shown();
   statistics = {};
-  statistics.was_full = picture_has_changed;
+  statistics.was_full = !changed_px.isEmpty();
   statistics.frame_ms = mesh.latest_ms();
 }
 
@@ -103,8 +103,8 @@ void SceneRenderer::draw(const SceneContent& content, const SceneOptions& option
   }
   state.pulses = std::any_of(content.sensors.begin(), content.sensors.end(),
                              [](const SensorGhost& sensor) { return sensor.pulses; });
-  const bool has_changed = state.picture_has_changed || before != state.shown;
-  state.composer.compose(*state.shown, has_changed,
+  if (before != state.shown) state.changed_px = whole_picture(size);
+  state.composer.compose(*state.shown, state.changed_px,
                          overlay_lines(content, options, state.eye, now_s), state.eye,
                          state.backdrop(content, options));
   Framebuffer::bind_window();

@@ -1,0 +1,85 @@
+#include "ui/scene/frame_times.h"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "ui/gpu/frame_timer.h"
+#include "ui/scene/standard_views.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr int kFrames = 40;
+/// The first pictures of a kind: memory is taken, the governor finds its share.
+constexpr int kWarmUp = 8;
+constexpr double kFrame_s = 1.0 / 30.0;
+
+/// Times of frames that `prepare` gets ready, each in its turn.
+FrameTime time_frames(const std::function<void()>& prepare, const std::function<void()>& draw) {
+  std::vector<double> times_ms;
+  for (int frame = 0; frame < kWarmUp + kFrames; ++frame) {
+    prepare();
+    const FrameTimer timer;
+    draw();
+    const double ms = timer.stop_ms();
+    if (frame >= kWarmUp) times_ms.push_back(ms);
+  }
+  std::sort(times_ms.begin(), times_ms.end());
+  return {times_ms[kFrames / 2], times_ms[kFrames * 95 / 100]};
+}
+
+/// Replaces the blocks of a model by copies, one after the other, as new views do.
+class Replacer {
+ public:
+  explicit Replacer(SurfelModel& model) : model_(model) {}
+  /// At least `count` surfels.
+  void replace(std::size_t count) {
+    std::size_t replaced = 0;
+    for (std::size_t i = 0; i < model_.size() && replaced < count; ++i) {
+      auto& block = model_[next_++ % model_.size()];
+      block = std::make_shared<const SurfelBlock>(*block);
+      replaced += block->surfels.size();
+    }
+    total_ += replaced;
+  }
+  [[nodiscard]] std::size_t total() const { return total_; }
+
+ private:
+  SurfelModel& model_;
+  std::size_t next_ = 0;
+  std::size_t total_ = 0;
+};
+
+}  // namespace
+
+FrameTimes measure_frame_times(SceneRenderer& renderer, const SurfelModel& model,
+                               const PictureSize& size, std::size_t replaced_per_frame) {
+  SurfelModel growing = model;
+  Replacer replacer(growing);
+  SceneContent content;
+  content.model = &growing;
+  SceneOptions options;
+  OrbitCamera camera;
+  const JawAxes axes = jaw_axes(model);
+  camera.set_pose(camera.fitting(axes.box_mm, orientation(axes, StandardView::kOcclusal), size));
+  double now_s = 0.0;
+  const auto draw = [&] { renderer.draw(content, options, camera, size, now_s += kFrame_s); };
+  const auto turn = [&] { camera.orbit(3.0, 0.0, size); };
+
+  FrameTimes times;
+  times.surfels = surfel_count(model);
+  options.level_of_detail = false;
+  times.whole = time_frames(turn, draw);
+  options.level_of_detail = true;
+  times.governed = time_frames(turn, draw);
+  times.detail_share = renderer.statistics().detail_share;
+  while (renderer.wants_redraw()) draw();
+  times.growing = time_frames([&] { replacer.replace(replaced_per_frame); }, draw);
+  times.replaced = replacer.total() / (kWarmUp + kFrames);
+  while (renderer.wants_redraw()) draw();
+  times.idle = time_frames([] {}, draw);
+  return times;
+}
+
+}  // namespace flytri::ui
