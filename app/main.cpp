@@ -31,6 +31,7 @@ int parse_and_run(int argc, char** argv) {
   add_simulate_command(app, invocation);
   add_calibrate_command(app, invocation);
   add_reconstruct_command(app, invocation);
+  add_export_command(app, invocation);
   add_evaluate_command(app, invocation);
   add_study_command(app, invocation);
   add_demo_command(app, invocation);

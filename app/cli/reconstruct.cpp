@@ -1,12 +1,15 @@
-/// @file  flytri reconstruct: a recording to models.
+/// @file  flytri reconstruct: a recording or a case to models.
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
 
+#include "app/cli/case_argument.h"
 #include "app/cli/commands.h"
 #include "app/cli/report.h"
 #include "core/interchange/calibration_file.h"
+#include "core/interchange/calibration_json.h"
+#include "core/interchange/glb.h"
 #include "core/interchange/model.h"
 #include "core/interchange/ply.h"
 #include "core/interchange/recording.h"
@@ -18,7 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReconstructArguments {
-  fs::path recording;
+  fs::path input;  ///< recording or case
+  CaseArguments case_options;
+  bool keep = false;
   std::vector<fs::path> outputs;
   fs::path calibration;
   fs::path report;
@@ -34,7 +39,7 @@ Result<fs::path> calibration_path(const ReconstructArguments& arguments,
   return fail(ErrorCode::kBadOption,
               "{}: names no calibration; give one with --calibration FILE (made by flytri "
               "calibrate)",
-              (arguments.recording / "recording.json").string());
+              (arguments.input / "recording.json").string());
 }
 
 /// What cannot be written is better known before the work than after it.
@@ -62,38 +67,100 @@ Result<void> write_outputs(const ReconstructArguments& arguments,
   return written;
 }
 
-Result<void> run(const ReconstructArguments& arguments, const Progress& progress) {
-  if (auto checked = check_outputs(arguments); !checked) return checked;
-  const Result<Recording> recording = open_recording(arguments.recording);
+ReconstructOptions timed_options() {
+  ReconstructOptions options;
+  options.now_s = steady_seconds;
+  return options;
+}
+
+Result<void> run_on_recording(const ReconstructArguments& arguments, const Progress& progress) {
+  if (arguments.keep) {
+    return fail(ErrorCode::kBadOption, "--keep: {} is a recording, which holds no models",
+                arguments.input.string());
+  }
+  const Result<Recording> recording = open_recording(arguments.input);
   if (!recording) return tl::unexpected(recording.error());
   const Result<fs::path> calibration_file = calibration_path(arguments, *recording);
   if (!calibration_file) return tl::unexpected(calibration_file.error());
   const Result<Calibration> calibration = read_calibration(*calibration_file);
   if (!calibration) return tl::unexpected(calibration.error());
-  ReconstructOptions options;
-  options.now_s = steady_seconds;
-  const Result<Reconstruction> reconstruction =
-      reconstruct(*recording, *calibration, options, Workers(arguments.thread_count), progress);
+  const Result<Reconstruction> reconstruction = reconstruct(
+      *recording, *calibration, timed_options(), Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
   return write_outputs(arguments, *reconstruction, calibration->volume);
+}
+
+/// --calibration, or what the case holds.
+Result<Calibration> case_calibration(const ReconstructArguments& arguments, CaseFile& file) {
+  if (!arguments.calibration.empty()) return read_calibration(arguments.calibration);
+  const Result<std::string> json = file.calibration();
+  if (json) return parse_calibration(*json, arguments.input.string());
+  return fail(json.error().code, "{}; --calibration FILE overrides it", json.error().message);
+}
+
+/// Puts the model into the case, for flytri export.
+Result<void> keep_result(CaseFile& file, ScanStage stage, const Reconstruction& reconstruction,
+                         const MeasurementVolume& volume) {
+  const Result<std::string> glb = encode_glb(reconstruction.model, file.path().string());
+  if (!glb) return tl::unexpected(glb.error());
+  return file.write_result(stage, {*glb, report_text(reconstruction, volume.size_mm)})
+      .and_then([&] { return file.commit(); });
+}
+
+Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& progress) {
+  Result<CaseFile> file = open_case(arguments.input, arguments.case_options, !arguments.keep);
+  if (!file) return tl::unexpected(file.error());
+  const Result<ScanStage> stage =
+      choose_stage(*file, arguments.case_options, "views",
+                   [](const StageCounts& counts) { return counts.views > 0; });
+  if (!stage) return tl::unexpected(stage.error());
+  const Result<Calibration> calibration = case_calibration(arguments, *file);
+  if (!calibration) return tl::unexpected(calibration.error());
+  Result<StoredStage> stored = file->load_stage(*stage);
+  if (!stored) return tl::unexpected(stored.error());
+  print_damage(stored->damage);
+  const NamedStage named{arguments.input.string(), *std::move(stored)};
+  const Result<Reconstruction> reconstruction = reconstruct_stage(
+      named, *calibration, timed_options(), Workers(arguments.thread_count), progress);
+  if (!reconstruction) return tl::unexpected(reconstruction.error());
+  print_summary(*reconstruction);
+  if (arguments.keep) {
+    auto kept = keep_result(*file, *stage, *reconstruction, calibration->volume);
+    if (!kept) return kept;
+  }
+  return write_outputs(arguments, *reconstruction, calibration->volume);
+}
+
+Result<void> run(const ReconstructArguments& arguments, const Progress& progress) {
+  if (auto checked = check_outputs(arguments); !checked) return checked;
+  return names_case(arguments.input) ? run_on_case(arguments, progress)
+                                     : run_on_recording(arguments, progress);
 }
 
 }  // namespace
 
 void add_reconstruct_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ReconstructArguments>();
-  CLI::App* command = app.add_subcommand("reconstruct", "Make a textured model of a recording");
-  command->add_option("RECORDING", arguments->recording, "Folder with recording.json")->required();
+  CLI::App* command =
+      app.add_subcommand("reconstruct", "Make a textured model of a recording or a case");
+  command
+      ->add_option("RECORDING", arguments->input, "Folder with recording.json, or a case (.flytri)")
+      ->required();
   command
       ->add_option("-o,--output", arguments->outputs,
                    "Model to write: .glb, .ply, .stl or .obj; may be given several times")
       ->required();
-  command->add_option("--calibration", arguments->calibration,
-                      "Calibration of the sensor; overrides the one that the recording names");
+  command->add_option(
+      "--calibration", arguments->calibration,
+      "Calibration of the sensor; overrides the one that the recording names or the "
+      "case holds");
   command->add_option("--points", arguments->points, "Also write the thinned points, as .ply");
   command->add_option("--report", arguments->report,
                       "Also write counts, poses, rates and times, as .json");
+  add_case_options(*command, arguments->case_options);
+  command->add_flag("--keep", arguments->keep,
+                    "Also keep the model in the case, for flytri export");
   add_threads_option(*command, arguments->thread_count);
   command->footer(
       "Example: flytri reconstruct scans/upper --calibration calibration.json -o upper.glb "

@@ -123,9 +123,13 @@ Result<void> write_result(const std::filesystem::path& path, const Reconstructio
   return write_model(path, TexturedMesh{reconstruction.surface.mesh, {}, {}});
 }
 
+std::string report_text(const Reconstruction& reconstruction, const Vec3& volume_mm) {
+  return to_json(reconstruction, volume_mm).dump(1) + "\n";
+}
+
 Result<void> write_report(const std::filesystem::path& path, const Reconstruction& reconstruction,
                           const Vec3& volume_mm) {
-  return write_file(path, to_json(reconstruction, volume_mm).dump(1) + "\n");
+  return write_file(path, report_text(reconstruction, volume_mm));
 }
 
 Result<Report> read_report(const std::filesystem::path& path) {

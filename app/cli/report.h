@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -20,6 +21,10 @@ void print_summary(const Reconstruction& reconstruction);
 /// @errors  as write_model.
 [[nodiscard]] Result<void> write_result(const std::filesystem::path& path,
                                         const Reconstruction& reconstruction);
+
+/// The text of report.json.
+/// @param volume_mm  edge lengths of the sensor's measurement volume
+[[nodiscard]] std::string report_text(const Reconstruction& reconstruction, const Vec3& volume_mm);
 
 /// Writes report.json; its keys are documented in docs/formats.md.
 /// @param volume_mm  edge lengths of the sensor's measurement volume

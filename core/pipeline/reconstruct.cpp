@@ -1,6 +1,7 @@
 #include "core/pipeline/reconstruct.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace flytri {
@@ -23,6 +24,7 @@ class Run {
         clock_(options.now_s) {}
 
   Result<Reconstruction> from_recording(const Recording& recording, const Calibration& calibration);
+  Result<Reconstruction> from_stage(const StoredStage& stage, const Calibration& calibration);
   Result<Reconstruction> from_views(std::vector<std::shared_ptr<const View>> views);
 
  private:
@@ -31,6 +33,8 @@ class Run {
                              std::size_t i);
   void accept_frames(std::size_t count);
   Result<void> register_views();
+  void accept_stage(const StoredStage& stage);
+  FrameReport& report_of(FrameIndex frame);
   void reject(FrameIndex frame, std::string reason);
   std::vector<Frame> load_texture_frames(const Recording& recording);
   Result<Reconstruction> finish(ScannedViews scanned);
@@ -45,8 +49,15 @@ class Run {
   Reconstruction result_;
 };
 
+FrameReport& Run::report_of(FrameIndex frame) {
+  std::vector<FrameReport>& frames = result_.frames;
+  return *std::lower_bound(
+      frames.begin(), frames.end(), frame,
+      [](const FrameReport& report, FrameIndex wanted) { return report.frame < wanted; });
+}
+
 void Run::reject(FrameIndex frame, std::string reason) {
-  FrameReport& report = result_.frames[frame.at()];
+  FrameReport& report = report_of(frame);
   report.fate = FrameFate::kRejected;
   report.reason = std::move(reason);
   report.T_world_sensor.reset();
@@ -121,9 +132,8 @@ Result<void> Run::register_views() {
       reject(frame, std::string(to_string(registered.reason)));
       continue;
     }
-    result_.frames[frame.at()].fate = registered.fate == ViewFate::kRegistered
-                                          ? FrameFate::kRegistered
-                                          : FrameFate::kInterpolated;
+    report_of(frame).fate = registered.fate == ViewFate::kRegistered ? FrameFate::kRegistered
+                                                                     : FrameFate::kInterpolated;
     aligned_.push_back({registered.view, registered.T_world_sensor});
   }
   clock_.end_stage("registration", view_count, "views");
@@ -156,7 +166,7 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
       finish_scan(std::move(scanned), options_.finish, workers_, progress_, clock_);
   if (!finished) return tl::unexpected(finished.error());
   for (const AlignedView& view : finished->views) {
-    result_.frames[view.view->frame.at()].T_world_sensor = view.T_world_sensor;
+    report_of(view.view->frame).T_world_sensor = view.T_world_sensor;
   }
   for (const FrameIndex frame : finished->contradicting)
     reject(frame, "contradicts the other views");
@@ -165,8 +175,8 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
     if (!finished->T_world_texture[i]) {
       reject(frame, "no registered view before and after it");
     } else {
-      result_.frames[frame.at()].fate = FrameFate::kTextured;
-      result_.frames[frame.at()].T_world_sensor = finished->T_world_texture[i];
+      report_of(frame).fate = FrameFate::kTextured;
+      report_of(frame).T_world_sensor = finished->T_world_texture[i];
     }
   }
   result_.points = std::move(finished->points);
@@ -183,6 +193,42 @@ Result<Reconstruction> Run::from_recording(const Recording& recording,
   }
   if (auto done = register_views(); !done) return tl::unexpected(done.error());
   return finish({aligned_, load_texture_frames(recording), EditStack().state(), &calibration});
+}
+
+/// A report for each frame that the case knows of.
+void Run::accept_stage(const StoredStage& stage) {
+  std::map<FrameIndex, FrameReport> reports;
+  for (const StoredFrame& frame : stage.frames) {
+    reports[frame.frame].reason = frame.reason.empty() ? "nothing of it is kept" : frame.reason;
+  }
+  for (const StoredView& stored : stage.views) {
+    FrameReport& report = reports[stored.view->frame];
+    report.reason.clear();
+    report.point_count = stored.view->point_count();
+    views_.push_back(stored.view);
+  }
+  for (const Frame& frame : stage.texture_frames) reports[frame.index].reason.clear();
+  for (auto& [frame, report] : reports) {
+    report.frame = frame;
+    result_.frames.push_back(std::move(report));
+  }
+}
+
+Result<Reconstruction> Run::from_stage(const StoredStage& stage, const Calibration& calibration) {
+  accept_stage(stage);
+  for (const StoredView& stored : stage.views) {
+    if (!stored.T_world_sensor) continue;
+    aligned_.push_back({stored.view, *stored.T_world_sensor});
+    report_of(stored.view->frame).fate = FrameFate::kRegistered;
+  }
+  if (aligned_.empty()) {
+    if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  } else {
+    for (const StoredView& stored : stage.views) {
+      if (!stored.T_world_sensor) reject(stored.view->frame, "was not registered");
+    }
+  }
+  return finish({aligned_, stage.texture_frames, stage.edits.state(), &calibration});
 }
 
 Result<Reconstruction> Run::from_views(std::vector<std::shared_ptr<const View>> views) {
@@ -218,6 +264,12 @@ Result<Reconstruction> reconstruct(const Recording& recording, const Calibration
                                    const Progress& progress) {
   return Run(recording.folder.string(), options, workers, progress)
       .from_recording(recording, calibration);
+}
+
+Result<Reconstruction> reconstruct_stage(const NamedStage& stored, const Calibration& calibration,
+                                         const ReconstructOptions& options, const Workers& workers,
+                                         const Progress& progress) {
+  return Run(stored.name, options, workers, progress).from_stage(stored.stage, calibration);
 }
 
 Result<Reconstruction> reconstruct_views(std::vector<std::shared_ptr<const View>> views,

@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/base/workers.h"
 #include "core/calibration/calibration.h"
+#include "core/interchange/case_file.h"
 #include "core/interchange/recording.h"
 #include "core/pipeline/finish_scan.h"
 #include "core/pipeline/measure_view.h"
@@ -45,7 +46,7 @@ struct FrameReport {
 
 /// A finished scan. World is the sensor frame of the first registered view.
 struct Reconstruction {
-  std::vector<FrameReport> frames;  ///< in the order of the recording
+  std::vector<FrameReport> frames;  ///< by rising frame
   PointCloud points;                ///< thinned, colored where a texture frame saw them
   SurfaceMesh surface;              ///< with its coverage holes
   TexturedMesh model;               ///< the same triangles, cut into charts if there is texture
@@ -61,6 +62,21 @@ struct Reconstruction {
                                                  const Calibration& calibration,
                                                  const ReconstructOptions& options,
                                                  const Workers& workers, const Progress& progress);
+
+/// A stage of a case, and where it comes from.
+struct NamedStage {
+  std::string name;  ///< for messages
+  StoredStage stage;
+};
+
+/// The same from a stage of a case, with its edits. Views keep the poses that they were scanned
+/// with, and those without are left out; where none has a pose, all are registered anew.
+/// @errors  As reconstruct.
+[[nodiscard]] Result<Reconstruction> reconstruct_stage(const NamedStage& stored,
+                                                       const Calibration& calibration,
+                                                       const ReconstructOptions& options,
+                                                       const Workers& workers,
+                                                       const Progress& progress);
 
 /// The same from views that are measured already, such as simulated ones: no texture.
 /// @param views  by rising time; views[i]->frame is FrameIndex(i)

@@ -1,0 +1,74 @@
+/// @file  flytri export: the finished model of a case to a file, without computing anything.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "app/cli/case_argument.h"
+#include "app/cli/commands.h"
+#include "core/interchange/file_bytes.h"
+#include "core/interchange/glb.h"
+#include "core/interchange/model.h"
+
+namespace flytri::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportArguments {
+  fs::path case_path;
+  CaseArguments case_options;
+  std::vector<fs::path> outputs;
+};
+
+/// The bytes as they are kept, or the model in another format.
+Result<void> write_kept(const fs::path& output, const std::string& glb, const std::string& name) {
+  if (output.extension() == ".glb") return write_file(output, glb);
+  return parse_glb(glb, name).and_then(
+      [&](const TexturedMesh& model) { return write_model(output, model); });
+}
+
+Result<void> run(const ExportArguments& arguments) {
+  for (const fs::path& output : arguments.outputs) {
+    if (auto checked = check_model_path(output); !checked) return checked;
+  }
+  Result<CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
+  if (!file) return tl::unexpected(file.error());
+  const Result<ScanStage> stage =
+      choose_stage(*file, arguments.case_options, "a finished model",
+                   [](const StageCounts& counts) { return counts.has_result; });
+  if (!stage) {
+    return fail(stage.error().code, "{}; flytri reconstruct computes one", stage.error().message);
+  }
+  const Result<StageResult> result = file->load_result(*stage);
+  if (!result) {
+    return fail(result.error().code, "{}; flytri reconstruct computes it again",
+                result.error().message);
+  }
+  for (const fs::path& output : arguments.outputs) {
+    auto written = write_kept(output, result->glb, arguments.case_path.string());
+    if (!written) return written;
+    fmt::print("wrote {}\n", output.string());
+  }
+  return {};
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* command = app.add_subcommand("export", "Write the finished model of a case");
+  command->add_option("CASE", arguments->case_path, "A case (.flytri)")->required();
+  command
+      ->add_option("-o,--output", arguments->outputs,
+                   "Model to write: .glb, .ply, .stl or .obj; may be given several times")
+      ->required();
+  add_case_options(*command, arguments->case_options);
+  command->footer("Example: flytri export smith.flytri --stage upper -o upper.glb");
+  command->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress&) { return run(*arguments); };
+  });
+}
+
+}  // namespace flytri::cli

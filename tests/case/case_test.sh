@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# Cases on the command line: what is made of them, and what is said where that cannot be.
+# Usage: case_test.sh FLYTRI FLYTRI_MAKE_CASE SHORT_PATH.json
+set -u
+flytri=$1
+make_case=$2
+short_path=$3
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+unset FLYTRI_PASSPHRASE
+failed=0
+
+fail() {
+  echo "FAILED: $name: $1"
+  sed 's/^/    /' log
+  failed=$((failed + 1))
+}
+
+# expect NAME CODE PATTERN COMMAND...: runs it; it must end with CODE and print lines that match
+# the extended regular expression.
+expect() {
+  name=$1
+  local code=$2 pattern=$3
+  shift 3
+  "$@" > log 2>&1
+  local status=$?
+  [ "$status" = "$code" ] || fail "exit code $status, not $code"
+  grep -Eq -- "$pattern" log || fail "no message like: $pattern"
+  printf '%-34s %s\n' "$name" "$(grep -m 1 '^flytri: ' log)"
+}
+
+same() {
+  name="same bytes: $1 $2"
+  cmp "$1" "$2" > log 2>&1 || fail 'they differ'
+}
+
+# What the rest needs: a recording, and cases of it.
+expect 'simulate recording' 0 '^wrote scan' \
+  "$flytri" simulate recording -o scan --path "$short_path" --duration 0.4
+expect 'simulate calibration set' 0 '^wrote set' "$flytri" simulate calibration-set -o set
+expect 'calibrate' 0 '^wrote c.json' "$flytri" calibrate set -o c.json
+# In the precision that the calibration is kept with.
+expect 'reconstruct the recording' 0 '^wrote direct.glb' \
+  "$flytri" reconstruct scan --calibration c.json -o direct.glb -o direct.ply
+expect 'a case' 0 '^made' "$make_case" scan c.json a.flytri upper placed
+expect 'an encrypted case' 0 '^made' env FLYTRI_PASSPHRASE=secret \
+  "$make_case" scan c.json secret.flytri lower unplaced
+[ "$failed" = 0 ] || exit 1
+
+# From the case as from the recording, whether its views were placed or not.
+expect 'no result yet' 1 'a\.flytri: no stage has a finished model; flytri reconstruct' \
+  "$flytri" export a.flytri -o none.glb
+cp a.flytri untouched.flytri
+expect 'reconstruct a case' 0 '^wrote placed\.ply' \
+  "$flytri" reconstruct a.flytri -o placed.glb -o placed.ply
+same direct.glb placed.glb
+same direct.ply placed.ply
+same a.flytri untouched.flytri
+echo secret > passphrase
+expect 'reconstruct an encrypted case' 0 '^wrote unplaced\.glb' \
+  "$flytri" reconstruct secret.flytri -o unplaced.glb --passphrase-file passphrase --keep
+same direct.glb unplaced.glb
+
+# Export of what is kept.
+expect 'export' 0 '^wrote kept\.glb' env FLYTRI_PASSPHRASE=secret \
+  "$flytri" export secret.flytri -o kept.glb -o kept.stl -o kept.obj
+same direct.glb kept.glb
+expect 'evaluate an export' 0 'RMS' "$flytri" evaluate kept.stl --recording scan
+expect 'needs a passphrase' 1 'secret\.flytri: is encrypted.*FLYTRI_PASSPHRASE' \
+  "$flytri" export secret.flytri -o no.glb
+expect 'wrong passphrase' 1 'secret\.flytri: the passphrase is wrong' \
+  env FLYTRI_PASSPHRASE=guess "$flytri" export secret.flytri -o no.glb
+expect 'no passphrase file' 1 'nothing: ' \
+  "$flytri" export secret.flytri -o no.glb --passphrase-file nothing
+
+# Stages.
+expect 'another stage' 0 '^made' "$make_case" scan c.json a.flytri lower unplaced
+expect 'several stages' 1 'several stages have views: upper, lower; .*--stage' \
+  "$flytri" reconstruct a.flytri -o no.glb
+expect 'empty stage' 1 'the stage bite has no views; stages that have: upper, lower' \
+  "$flytri" reconstruct a.flytri -o no.glb --stage bite
+expect 'no such stage' 2 '--stage' "$flytri" reconstruct a.flytri -o no.glb --stage left
+expect 'chosen stage' 0 '^wrote lower\.glb' "$flytri" reconstruct a.flytri -o lower.glb --stage lower
+same direct.glb lower.glb
+
+# Damage and misuse.
+expect 'no such case' 1 'absent\.flytri: there is no such case' \
+  "$flytri" reconstruct absent.flytri -o no.glb
+expect 'no case' 1 'c\.json: .*no case at all' "$flytri" reconstruct c.json -o no.glb
+expect 'keep of a recording' 1 '--keep' "$flytri" reconstruct scan --keep -o no.glb
+head -c $(($(stat -c %s untouched.flytri)  / 2)) untouched.flytri > cut.flytri
+expect 'truncated case' 0 'lost: views: upper' \
+  "$flytri" reconstruct cut.flytri -o cut.ply --calibration c.json
+expect 'keep in a truncated case' 1 'cut\.flytri: .*damaged' \
+  "$flytri" reconstruct cut.flytri -o no.ply --calibration c.json --keep
+for file in no.*; do
+  name="nothing half-written"
+  [ ! -e "$file" ] || fail "$file was left behind"
+done
+
+[ "$failed" = 0 ] && echo 'all as expected'
+exit $((failed > 0))
