@@ -89,7 +89,7 @@ expect 'no such case' 1 'absent\.flytri: there is no such case' \
   "$flytri" reconstruct absent.flytri -o no.glb
 expect 'no case' 1 'c\.json: .*no case at all' "$flytri" reconstruct c.json -o no.glb
 expect 'keep of a recording' 1 '--keep' "$flytri" reconstruct scan --keep -o no.glb
-head -c $(($(stat -c %s untouched.flytri)  / 2)) untouched.flytri > cut.flytri
+head -c $(($(stat -c %s untouched.flytri)  / 4)) untouched.flytri > cut.flytri
 expect 'truncated case' 0 'lost: views: upper' \
   "$flytri" reconstruct cut.flytri -o cut.ply --calibration c.json
 expect 'keep in a truncated case' 1 'cut\.flytri: .*damaged' \
