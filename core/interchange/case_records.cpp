@@ -243,9 +243,16 @@ Result<std::vector<std::string>> CaseRecords::walk(CaseTable table, const Record
 }
 
 Result<std::int64_t> CaseRecords::count(CaseTable table, const RecordRange& range) {
-  return first_integer(database_, table, range, "count(*)").map([](const auto& count) {
-    return count.value_or(0);
+  const auto counted = first_integer(database_, table, range, "count(*)");
+  if (counted) return counted->value_or(0);
+  if (!is_damage(counted.error())) return tl::unexpected(counted.error());
+  std::int64_t readable = 0;
+  const auto damage = walk(table, range, [&](std::int64_t, std::string_view) {
+    ++readable;
+    return Result<void>();
   });
+  if (!damage) return tl::unexpected(damage.error());
+  return readable;
 }
 
 Result<std::optional<std::int64_t>> CaseRecords::last(CaseTable table, const RecordRange& range) {

@@ -59,7 +59,7 @@ class CaseRecords {
   /// told by the list that is returned, and ends all writing.
   [[nodiscard]] Result<std::vector<std::string>> walk(CaseTable table, const RecordRange& range,
                                                       const Visit& visit);
-  /// @errors  kBadFormat where even counting fails.
+  /// Where the table is damaged, of those that can be read.
   [[nodiscard]] Result<std::int64_t> count(CaseTable table, const RecordRange& range);
   /// Largest number in the range; none: it is empty.
   [[nodiscard]] Result<std::optional<std::int64_t>> last(CaseTable table, const RecordRange& range);

@@ -1,47 +1,99 @@
-/// @file  Any bytes as a case: opened with what is left, or refused, never worse.
+/// @file  A case with any of its bytes changed, cut off anywhere: opened with what is left, or
+/// refused, never worse. The input is a list of changes: u32 where, u8 what; the first one cuts.
 #include <stdlib.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
+#include "core/interchange/byte_stream.h"
 #include "core/interchange/case_file.h"
 #include "core/interchange/file_bytes.h"
 
+namespace flytri {
 namespace {
 
-/// A file of this process, gone at its end. In memory where the system has such a folder.
-const std::filesystem::path& scratch_file() {
-  static const struct Scratch {
-    Scratch() {
-      std::string folder =
-          std::filesystem::exists("/dev/shm") ? "/dev/shm/fuzz-XXXXXX" : "/tmp/fuzz-XXXXXX";
-      if (::mkdtemp(folder.data()) == nullptr) std::abort();
-      path = std::filesystem::path(folder) / "case.flytri";
-    }
-    ~Scratch() {
-      std::error_code ignored;
-      std::filesystem::remove_all(path.parent_path(), ignored);
-    }
-    std::filesystem::path path;
-  } kScratch;
-  return kScratch.path;
+namespace fs = std::filesystem;
+constexpr ScanStage kStage = ScanStage::kUpper;
+
+/// A folder of this process, in memory where the system has such, gone at the end.
+class Scratch {
+ public:
+  Scratch() {
+    std::string folder = fs::exists("/dev/shm") ? "/dev/shm/fuzz-XXXXXX" : "/tmp/fuzz-XXXXXX";
+    if (::mkdtemp(folder.data()) == nullptr) std::abort();
+    folder_ = folder;
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  [[nodiscard]] fs::path file() const { return folder_ / "case.flytri"; }
+
+ private:
+  fs::path folder_;
+};
+
+bool fill(CaseFile& file) {
+  EditStack edits;
+  edits.push({EditKind::kTrim, 1.0, {BrushDab{}}});
+  bool done = file.write_edits(kStage, edits) && file.write_calibration("{}") &&
+              file.write_result(kStage, {"glb", "{}"}) && file.add_measurement(kStage, {});
+  for (int i = 0; i < 40; ++i) {
+    // Some fill several pages.
+    const std::size_t point_count = i % 8 == 0 ? 2000 : 2;
+    const Profile profile{LineIndex(0), Vec3::UnitX(), std::vector<ProfilePoint>(point_count)};
+    done = done && file.append_view(kStage, {Pattern::kVertical, FrameIndex(i), 0.0, {profile}});
+  }
+  return done && file.commit();
+}
+
+std::string whole_case(const fs::path& path) {
+  {
+    auto file = CaseFile::create(path, {});
+    if (!file || !fill(*file)) std::abort();
+  }
+  return read_file(path).value();
+}
+
+std::string changed(std::string bytes, std::string_view changes) {
+  ByteReader reader(changes);
+  const auto size = reader.number<std::uint32_t>();
+  if (size && *size != 0) bytes.resize(*size % bytes.size());
+  while (!bytes.empty()) {
+    const auto at = reader.number<std::uint32_t>();
+    const auto value = reader.number<char>();
+    if (!value) break;
+    bytes[*at % bytes.size()] = *value;
+  }
+  return bytes;
+}
+
+void read_all(const fs::path& path) {
+  auto file = CaseFile::open(path);
+  if (!file) return;
+  (void)file->fields();
+  (void)file->calibration();
+  for (const ScanStage stage : kScanStages) {
+    (void)file->counts(stage);
+    (void)file->load_stage(stage);
+    (void)file->load_result(stage);
+  }
 }
 
 }  // namespace
+}  // namespace flytri
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  if (!flytri::write_file(scratch_file(), bytes)) std::abort();
-  auto file = flytri::CaseFile::open(scratch_file());
-  if (!file) return 0;
-  (void)file->fields();
-  (void)file->calibration();
-  for (const flytri::ScanStage stage : flytri::kScanStages) {
-    (void)file->load_stage(stage);
-    (void)file->counts(stage);
-    (void)file->load_result(stage);
-  }
+  static const flytri::Scratch kScratch;
+  static const std::string kWhole = flytri::whole_case(kScratch.file());
+  const std::string_view changes(reinterpret_cast<const char*>(data), size);
+  if (!flytri::write_file(kScratch.file(), flytri::changed(kWhole, changes))) std::abort();
+  flytri::read_all(kScratch.file());
   return 0;
 }
