@@ -13,6 +13,7 @@ uniform float dimming;          // 0 none .. 1 background alone
 uniform vec2 depth_to_mm;       // distance from the eye = y / (normalized depth + x)
 uniform float groove_mm;        // depth difference that counts as a deep groove
 uniform float splat_radius_mm;  // 0 for a mesh
+uniform float gap_px;           // whole
 uniform float reach_px;         // how far around a pixel grooves are looked for
 
 float distance_mm(float depth) { return depth_to_mm.y / (2.0 * depth - 1.0 + depth_to_mm.x); }
@@ -29,11 +30,12 @@ float rise_mm(vec2 at_px, float here_mm) {
 // Source: Luft, Colditz, Deussen, "Image Enhancement by Unsharp Masking the Depth Buffer",
 // SIGGRAPH 2006; here with four taps, each limited, so that a step casts no wide shadow.
 // A splat has one depth all over: on a slope that is wrong by up to its radius times the slope,
-// which is no groove.
+// here counted twice, as the pixel's own depth is; that is no groove.
 float groove_light(vec2 at_px, float facing) {
-  vec2 step_px = reach_px * vec2(0.9, 0.43);
+  // Whole pixels: half ones would be rounded to either side.
+  vec2 step_px = round(reach_px * vec2(0.9, 0.43));
   float slope = sqrt(1.0 - facing * facing) / max(facing, 0.2);
-  float doubt_mm = splat_radius_mm * min(slope, 2.0);
+  float doubt_mm = 2.0 * splat_radius_mm * min(slope, 2.0);
   float limit_mm = groove_mm + doubt_mm;
   float here_mm = distance_mm(depth_at(at_px));
   // Both sides together: a slope alone gives nothing.
@@ -46,20 +48,23 @@ float groove_light(vec2 at_px, float facing) {
 }
 
 // The model's picture at a pixel with soft borders; alpha is how much of the pixel it covers, the
-// cosine between normal and line of sight goes to `facing`. A lone pixel between splats is closed.
+// cosine between normal and line of sight goes to `facing`. Gaps between splats are closed, up to
+// gap_px to each side.
 vec4 surface_at(vec2 at_px, out float facing) {
   const vec2 kNeighbors[4] = vec2[](vec2(1, 0), vec2(-1, 0), vec2(0, 1), vec2(0, -1));
   vec4 here = texture(model_color, at_px / size_px);
+  float reach = here.a > 0.0 ? 1.0 : gap_px;
   vec3 sum = vec3(0.0);
   float covered = 0.0;
   for (int i = 0; i < 4; ++i) {
-    vec4 there = texture(model_color, (at_px + kNeighbors[i]) / size_px);
+    vec4 there = texture(model_color, (at_px + reach * kNeighbors[i]) / size_px);
     covered += there.a > 0.0 ? 1.0 : 0.0;
     sum += there.rgb;  // black beside the model
   }
   facing = here.a;
   if (here.a > 0.0) return vec4(here.rgb, 0.5 + 0.125 * covered);
-  return vec4(sum / max(covered, 1.0), covered >= 3.0 ? 1.0 : 0.125 * covered);
+  float border = gap_px > 1.0 ? 0.0 : 0.125 * covered;
+  return vec4(sum / max(covered, 1.0), covered >= 3.0 ? 1.0 : border);
 }
 
 void main() {

@@ -1,5 +1,6 @@
 #include "ui/scene/composer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/scene/coloring.h"
@@ -10,6 +11,15 @@ namespace {
 
 /// How far around a pixel grooves are looked for.
 float groove_reach_px(const Eye& eye) { return 0.009F * static_cast<float>(eye.size.height_px); }
+
+/// Half the width of gaps between splats that are closed: well below a splat's radius, so that
+/// nothing is closed that a surfel could lie in.
+float gap_px(const Eye& eye, float splat_radius_mm) {
+  constexpr double kOfRadius = 0.4;
+  constexpr double kWidest_px = 6.0;
+  const double radius_px = splat_radius_mm * eye.size.height_px / eye.height_mm;
+  return static_cast<float>(std::clamp(std::round(kOfRadius * radius_px), 1.0, kWidest_px));
+}
 
 }  // namespace
 
@@ -68,6 +78,7 @@ void Composer::compose_surface(const PictureTarget& model, const PixelBox& chang
   program_.set("depth_to_mm", Eigen::Vector2f(eye.P_clip_eye(2, 2), eye.P_clip_eye(2, 3)));
   program_.set("groove_mm", static_cast<float>(kGroove * eye.height_mm));
   program_.set("splat_radius_mm", backdrop.splat_radius_mm);
+  program_.set("gap_px", gap_px(eye, backdrop.splat_radius_mm));
   program_.set("reach_px", groove_reach_px(eye));
   no_vertices_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);

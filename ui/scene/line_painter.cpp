@@ -76,7 +76,7 @@ LinePainter::LinePainter(ShaderProgram program)
 void LinePainter::paint(const std::vector<OverlayLine>& lines, const Eye& eye) {
   /// Lines on the surface come before it by this share of the picture's height.
   constexpr double kLift = 0.004;
-  constexpr float kHiddenOpacity = 0.22F;
+  constexpr float kHiddenOpacity = 0.35F;
   if (lines.empty()) return;
   const std::vector<LineCorner> corners = corners_of(lines);
   corners_.assign(std::as_bytes(std::span(corners)));

@@ -10,6 +10,7 @@ namespace {
 constexpr Color kVerticalProfile = {1.00F, 0.84F, 0.20F, 1.0F};    ///< amber
 constexpr Color kHorizontalProfile = {0.35F, 0.88F, 1.00F, 1.0F};  ///< cyan
 constexpr Color kMeasurement = {1.0F, 1.0F, 1.0F, 1.0F};
+constexpr Color kCasing = {0.0F, 0.0F, 0.0F, 0.5F};  ///< around lines on the bright surface
 constexpr Color kLock = {0.36F, 0.47F, 0.80F, 1.0F};
 
 Color faded(Color color, double opacity) {
@@ -127,12 +128,17 @@ void add_measurement(Pen& pen, const MeasuredSegment& segment, const Eye& eye) {
   const double arm_mm = 0.008 * eye.height_mm;
   const Eigen::Matrix3d R_world_eye =
       eye.T_eye_world.topLeftCorner<3, 3>().transpose().cast<double>();
-  pen.line(segment.from_mm, segment.to_mm, width_px, color);
-  for (const Vec3& end : {segment.from_mm, segment.to_mm}) {
-    const Vec3 x = arm_mm * R_world_eye.col(0), y = arm_mm * R_world_eye.col(1);
-    pen.line(end - x, end + x, width_px, color);
-    pen.line(end - y, end + y, width_px, color);
-  }
+  const auto stroke = [&](double more_px, const Color& ink) {
+    pen.line(segment.from_mm, segment.to_mm, width_px + more_px, ink);
+    for (const Vec3& end : {segment.from_mm, segment.to_mm}) {
+      for (const int axis : {0, 1}) {
+        const Vec3 arm = arm_mm * R_world_eye.col(axis);
+        pen.line(end - arm, end + arm, width_px + more_px, ink);
+      }
+    }
+  };
+  stroke(2.0, kCasing);
+  stroke(0.0, color);
 }
 
 void add_brush(Pen& pen, const BrushCursor& brush) {
@@ -140,7 +146,7 @@ void add_brush(Pen& pen, const BrushCursor& brush) {
                       : brush.kind == EditKind::kLock ? kLock
                                                       : kNeutral;
   const Vec3 center = brush.dab.center_mm.cast<double>(), normal = brush.dab.normal.cast<double>();
-  pen.ring(center, normal, brush.dab.radius_mm, 5.0, {0.0F, 0.0F, 0.0F, 0.45F});
+  pen.ring(center, normal, brush.dab.radius_mm, 5.0, kCasing);
   pen.ring(center, normal, brush.dab.radius_mm, 3.0, color);
 }
 

@@ -12,8 +12,8 @@ std::size_t prefix_length(std::size_t count, double detail_share) {
 
 double radius_scale(double detail_share) {
   /// Surfels lie on a grid, a prefix of them at random: n disks of radius r a unit of area leave
-  /// exp(-pi r^2 n) of it bare, 3 % at the radius that closes a grid, and 0.3 % at 1.3 times that.
-  constexpr double kAtRandom = 1.3;
+  /// exp(-pi r^2 n) of it bare, 3 % at the radius that closes a grid, and 0.15 % at 1.4 times that.
+  constexpr double kAtRandom = 1.4;
   return (detail_share + kAtRandom * (1.0 - detail_share)) / std::sqrt(detail_share);
 }
 

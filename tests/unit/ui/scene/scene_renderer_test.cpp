@@ -297,15 +297,15 @@ TEST_F(SceneRendererTest, LinesAreAsWideAsAskedAndShineThroughFaintly) {
   const cv::Mat hidden_and_free = picture();
   content_.measurements.clear();
   const cv::Mat without = picture();
-  double width_px = 0.0;
+  double width_px = 0.0;  // the casing around it is black
   for (int row = 80; row < 120; ++row) {
     width_px += hidden_and_free.at<cv::Vec3b>(row, 180)[1] / 255.0;
   }
   EXPECT_NEAR(width_px, 2.5, 0.15) << "of a measured segment";
   const int there = hidden_and_free.at<cv::Vec3b>(100, 140)[1],
             before = without.at<cv::Vec3b>(100, 140)[1];
-  EXPECT_GT(there, before);
-  EXPECT_LT(there, 250) << "behind the surface it is faint";
+  EXPECT_GT(std::abs(there - before), 5) << "behind the surface it is seen";
+  EXPECT_LT(std::abs(there - before), 60) << "faintly";
 }
 
 TEST_F(SceneRendererTest, DimmingLetsTheModelStandBack) {
