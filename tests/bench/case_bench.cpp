@@ -1,0 +1,115 @@
+/// @file  A case as a scan writes it: views of 4500 points, a commit each second, bytes on disk,
+/// and reading all of it again.
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "core/interchange/case_file.h"
+#include "core/interchange/view_codec.h"
+#include "tests/support/case_samples.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+using testing::sample_pose;
+using testing::sample_view;
+
+constexpr ScanStage kStage = ScanStage::kUpper;
+constexpr int kViewsPerCommit = 30;
+
+/// Some views, taken in turn under rising numbers.
+class Views {
+ public:
+  Views() {
+    for (int i = 0; i < 20; ++i) views_.push_back(sample_view(i));
+  }
+  [[nodiscard]] const View& next() {
+    View& view = views_[static_cast<std::size_t>(count_) % views_.size()];
+    view.frame = FrameIndex(count_++);
+    return view;
+  }
+
+ private:
+  std::vector<View> views_;
+  int count_ = 0;
+};
+
+CaseOptions options_of(const benchmark::State& state) {
+  return {state.range(0) != 0 ? "passphrase" : "", false};
+}
+
+/// Thirty views and the commit that keeps them.
+bool append_second(CaseFile& file, Views& views) {
+  for (int i = 0; i < kViewsPerCommit; ++i) {
+    if (!file.append_view(kStage, views.next())) return false;
+  }
+  return file.commit().has_value();
+}
+
+void append_views(benchmark::State& state) {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.flytri";
+  Views views;
+  std::int64_t kept = 0;
+  {
+    auto file = CaseFile::create(path, options_of(state));
+    for (auto _ : state) {
+      if (!file || !append_second(*file, views)) state.SkipWithError("cannot be written");
+      kept += kViewsPerCommit;
+    }
+  }
+  state.SetItemsProcessed(kept);
+  state.counters["bytes/view"] =
+      static_cast<double>(std::filesystem::file_size(path)) / static_cast<double>(kept);
+}
+BENCHMARK(append_views)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// The poses of a minute of scanning, as after an optimization of all of them.
+void write_poses(benchmark::State& state) {
+  const TemporaryFolder folder;
+  auto file = CaseFile::create(folder / "a.flytri", options_of(state));
+  std::vector<AlignedView> placed;
+  for (int i = 0; i < 1800; ++i) {
+    View view;
+    view.frame = FrameIndex(i);
+    placed.push_back({std::make_shared<const View>(view), sample_pose(i)});
+  }
+  for (auto _ : state) {
+    if (!file->write_poses(kStage, placed) || !file->commit()) {
+      state.SkipWithError("cannot be written");
+    }
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(placed.size()) * state.iterations());
+}
+BENCHMARK(write_poses)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+void load_stage(benchmark::State& state) {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.flytri";
+  {
+    Views views;
+    auto file = CaseFile::create(path, options_of(state));
+    for (int second = 0; second < 10; ++second) (void)append_second(*file, views);
+  }
+  auto file = CaseFile::open(path, options_of(state));
+  std::int64_t count = 0;
+  for (auto _ : state) count += static_cast<std::int64_t>(file->load_stage(kStage)->views.size());
+  state.SetItemsProcessed(count);
+}
+BENCHMARK(load_stage)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+void code_view(benchmark::State& state) {
+  const View view = sample_view(0);
+  std::string bytes;
+  for (auto _ : state) {
+    bytes = encode_view(view);
+    benchmark::DoNotOptimize(bytes);
+  }
+  state.counters["bytes/view"] = static_cast<double>(bytes.size());
+}
+BENCHMARK(code_view)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace flytri
