@@ -27,5 +27,6 @@ void main() {
   lock = (flags & 4) != 0 ? 1.0 : 0.0;
   base_color = kPlaster;
   if (color_mode == 1) base_color = mix(kPlaster, color_flags.rgb, texture_blend);
+  if (color_mode == 2) base_color = good_color;
   if (color_mode == 3) base_color = sigma_color(sigma_mm);
 }

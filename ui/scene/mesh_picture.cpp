@@ -2,6 +2,7 @@
 
 #include "ui/gpu/frame_timer.h"
 #include "ui/scene/coloring.h"
+#include "ui/scene/mesh_surfels.h"
 #include "ui/scene/vertex_format.h"
 
 namespace flytri::ui {
@@ -10,24 +11,44 @@ void MeshPicture::take(const TexturedMesh& mesh, std::uint64_t number,
                        const std::vector<BrushDab>& locked) {
   if (&mesh == mesh_ && number == number_ && are_same(locked, locked_)) return;
   painter_.take(mesh, locked);
+  surfels_.clear();
   mesh_ = &mesh;
   number_ = number;
   locked_ = locked;
   is_new_ = true;
 }
 
-PixelBox MeshPicture::update(const Eye& eye, const SceneOptions& options) {
+PixelBox MeshPicture::update(const Eye& eye, const SceneOptions& options, double now_s) {
   latest_ms_ = 0.0;
-  if (!is_new_ && eye == eye_ && look_same(options, options_)) return {};
-  if (eye.size != eye_.size) shown_ = PictureTarget::make(eye.size);
-  is_new_ = false;
+  const bool has_moved = eye != eye_;
+  if (eye.size != eye_.size) still_ = PictureTarget::make(eye.size);
+  const bool looks_different = !look_same(options, options_);
   eye_ = eye;
   options_ = options;
+  if (!is_new_ && has_moved && options.level_of_detail && triangles_ms_ > options.moving_frame_ms) {
+    return draw_surfels(options, now_s);
+  }
+  if (is_new_ || has_moved || looks_different || is_coarse_) return draw_triangles(options);
+  return {};
+}
+
+PixelBox MeshPicture::draw_surfels(const SceneOptions& options, double now_s) {
+  if (surfels_.empty()) surfels_ = surfels_of(*mesh_);
+  const StoreChanges changes = store_.update(surfels_, locked_);
+  is_coarse_ = true;
+  (void)moving_.update(store_, changes, eye_, options, now_s);
+  latest_ms_ = moving_.latest_ms();
+  return whole_picture(eye_.size);
+}
+
+PixelBox MeshPicture::draw_triangles(const SceneOptions& options) {
+  is_new_ = false;
+  is_coarse_ = false;
   const FrameTimer timer;
-  shown_.clear();
-  painter_.paint(eye, options);
-  latest_ms_ = timer.stop_ms();
-  return whole_picture(eye.size);
+  still_.clear();
+  painter_.paint(eye_, options);
+  latest_ms_ = triangles_ms_ = timer.stop_ms();
+  return whole_picture(eye_.size);
 }
 
 }  // namespace flytri::ui

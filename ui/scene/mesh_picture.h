@@ -6,30 +6,46 @@
 
 namespace flytri::ui {
 
+/// While the eye moves and the triangles take too long, their vertices are drawn as surfels.
 class MeshPicture {
  public:
-  explicit MeshPicture(MeshPainter painter) : painter_(std::move(painter)) {}
+  MeshPicture(MeshPainter painter, SplatPainter splats)
+      : painter_(std::move(painter)), moving_(std::move(splats)) {}
 
   /// Shows this mesh from now on. Nothing is sent where it is the one already shown.
   /// @param number  another one for another mesh at the same address
   void take(const TexturedMesh& mesh, std::uint64_t number, const std::vector<BrushDab>& locked);
   /// @return where the picture is another one than before: all or nothing
-  PixelBox update(const Eye& eye, const SceneOptions& options);
+  PixelBox update(const Eye& eye, const SceneOptions& options, double now_s);
 
-  [[nodiscard]] const PictureTarget& shown() const { return shown_; }
+  [[nodiscard]] const PictureTarget& shown() const { return is_coarse_ ? moving_.shown() : still_; }
+  /// Surfels are shown: triangles follow when the eye is still.
+  [[nodiscard]] bool is_coarse() const { return is_coarse_; }
+  /// Of the surfels that are shown; 0 for triangles.
+  [[nodiscard]] double splat_radius_mm() const {
+    return is_coarse_ ? store_.radius_mm() * radius_scale(moving_.detail_share()) : 0.0;
+  }
   [[nodiscard]] const Eigen::AlignedBox3d& box_mm() const { return painter_.box_mm(); }
   [[nodiscard]] double latest_ms() const { return latest_ms_; }
 
  private:
+  PixelBox draw_surfels(const SceneOptions& options, double now_s);
+  PixelBox draw_triangles(const SceneOptions& options);
+
   MeshPainter painter_;
+  ModelPicture moving_;
+  SplatStore store_;
+  SurfelModel surfels_;  ///< of the mesh; empty until they are needed
   const TexturedMesh* mesh_ = nullptr;
   std::uint64_t number_ = 0;
   std::vector<BrushDab> locked_;
   bool is_new_ = false;
+  bool is_coarse_ = false;
   Eye eye_;
   SceneOptions options_;
-  PictureTarget shown_;
-  double latest_ms_ = 0.0;
+  PictureTarget still_;
+  double triangles_ms_ = 0.0;  ///< of the last picture of triangles
+  double latest_ms_ = 0.0;     ///< of the last update
 };
 
 }  // namespace flytri::ui

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <unordered_map>
 
 #include "core/base/random.h"
+#include "ui/scene/surfel_grid.h"
 
 namespace flytri::ui {
 namespace {
@@ -50,17 +50,6 @@ Surfel surfel_at(const TriangleMesh& mesh, const Triangle& triangle, Random& ran
   return surfel;
 }
 
-/// The cube of a grid that holds a place.
-std::uint64_t cube_at(const Vec3f& p_mm, float edge_mm) {
-  constexpr std::int64_t kMiddle = 1 << 20;
-  std::uint64_t cube = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto step = static_cast<std::int64_t>(std::floor(p_mm[axis] / edge_mm));
-    cube = (cube << 21U) | static_cast<std::uint64_t>(step + kMiddle);
-  }
-  return cube;
-}
-
 /// The mean of what fell into one cell of the thinning grid.
 struct Mean {
   Surfel first;
@@ -88,8 +77,8 @@ struct Mean {
 SurfelModel sample_surfels(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed) {
   /// Points to a cell: few cells that the surface crosses stay empty.
   constexpr std::size_t kPointsPerSurfel = 6;
-  /// Cells to a block, along each edge, and the radius in cells, as the live surface has them.
-  constexpr float kBlockCells = 16.0F, kRadiusCells = 0.85F;
+  /// As the live surface has it.
+  constexpr float kRadiusCells = 0.85F;
   const std::vector<double> sums = area_sums(mesh);
   if (sums.empty() || count == 0) return {};
   // A surface in any direction crosses 1.5 cells of a cubic grid for each face's area of its own;
@@ -109,17 +98,11 @@ SurfelModel sample_surfels(const TriangleMesh& mesh, std::size_t count, std::uin
     means[cell->second].add(surfel);
   }
   // Points came at random, so cells are in random order as well.
-  std::map<std::uint64_t, std::shared_ptr<SurfelBlock>> blocks;
+  GrowingBlocks blocks;
   for (const Mean& mean : means) {
-    const std::uint64_t place = cube_at(mean.first.position_mm, kBlockCells * cell_mm);
-    std::shared_ptr<SurfelBlock>& block = blocks[place];
-    if (!block) block = std::make_shared<SurfelBlock>();
-    block->place = place;
-    block->surfels.push_back(mean.surfel(kRadiusCells * cell_mm));
+    add_to_block(mean.surfel(kRadiusCells * cell_mm), kBlockCells * cell_mm, blocks);
   }
-  SurfelModel model;
-  for (auto& [place, block] : blocks) model.push_back(std::move(block));
-  return model;
+  return model_of(std::move(blocks));
 }
 
 }  // namespace flytri::ui

@@ -13,9 +13,9 @@
 namespace flytri::ui {
 
 struct SceneRenderer::State {
-  State(SplatPainter splats, MeshPainter mesh_painter, Composer scene_composer)
+  State(SplatPainter splats, MeshPicture mesh_picture, Composer scene_composer)
       : model(std::move(splats)),
-        mesh(std::move(mesh_painter)),
+        mesh(std::move(mesh_picture)),
         composer(std::move(scene_composer)) {}
 
   ModelPicture model;
@@ -30,15 +30,16 @@ struct SceneRenderer::State {
   SceneStatistics statistics;
 
   [[nodiscard]] Backdrop backdrop(const SceneContent& content, const SceneOptions& options) const {
-    const double radius_mm =
-        content.mesh != nullptr ? 0.0 : store.radius_mm() * radius_scale(model.detail_share());
+    const double radius_mm = content.mesh != nullptr
+                                 ? mesh.splat_radius_mm()
+                                 : store.radius_mm() * radius_scale(model.detail_share());
     return {content.is_dimmed, static_cast<float>(radius_mm), options.background_top,
             options.background_bottom};
   }
   void update_model(const SceneContent& content, const SceneOptions& options,
                     const OrbitCamera& camera, const PictureSize& size, double now_s);
   void update_mesh(const SceneContent& content, const SceneOptions& options,
-                   const OrbitCamera& camera, const PictureSize& size);
+                   const OrbitCamera& camera, const PictureSize& size, double now_s);
 };
 
 namespace {
@@ -54,10 +55,14 @@ Result<SceneRenderer> SceneRenderer::create() {
   if (!splats) return tl::unexpected(splats.error());
   Result<MeshPainter> mesh = MeshPainter::create();
   if (!mesh) return tl::unexpected(mesh.error());
+  // One for the model, one for the mesh in motion.
+  Result<SplatPainter> more_splats = SplatPainter::create();
+  if (!more_splats) return tl::unexpected(more_splats.error());
   Result<Composer> composer = Composer::create();
   if (!composer) return tl::unexpected(composer.error());
-  return SceneRenderer(
-      std::make_unique<State>(std::move(*splats), std::move(*mesh), std::move(*composer)));
+  return SceneRenderer(std::make_unique<State>(
+      std::move(*splats), MeshPicture(std::move(*mesh), std::move(*more_splats)),
+      std::move(*composer)));
 }
 
 SceneRenderer::SceneRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -81,11 +86,12 @@ void SceneRenderer::State::update_model(const SceneContent& content, const Scene
 }
 
 void SceneRenderer::State::update_mesh(const SceneContent& content, const SceneOptions& options,
-                                       const OrbitCamera& camera, const PictureSize& size) {
+                                       const OrbitCamera& camera, const PictureSize& size,
+                                       double now_s) {
   mesh.take(*content.mesh, content.mesh_number, content.locked);
   model_box_mm = mesh.box_mm();
   eye = make_eye(camera, size, merged(overlay_box_mm(content), model_box_mm));
-  changed_px = mesh.update(eye, options);
+  changed_px = mesh.update(eye, options, now_s);
   shown = &mesh.shown();
   statistics = {};
   statistics.was_full = !changed_px.isEmpty();
@@ -97,7 +103,7 @@ void SceneRenderer::draw(const SceneContent& content, const SceneOptions& option
   State& state = *state_;
   const PictureTarget* before = state.shown;
   if (content.mesh != nullptr) {
-    state.update_mesh(content, options, camera, size);
+    state.update_mesh(content, options, camera, size, now_s);
   } else {
     state.update_model(content, options, camera, size, now_s);
   }
@@ -113,7 +119,8 @@ void SceneRenderer::draw(const SceneContent& content, const SceneOptions& option
 std::uint32_t SceneRenderer::texture_id() const { return state_->composer.texture_id(); }
 
 bool SceneRenderer::wants_redraw() const {
-  return state_->pulses || (state_->shown == &state_->model.shown() && state_->model.is_coarse());
+  const bool shows_model = state_->shown == &state_->model.shown();
+  return state_->pulses || (shows_model ? state_->model.is_coarse() : state_->mesh.is_coarse());
 }
 
 std::optional<Pick> SceneRenderer::pick(double x_px, double y_px) {

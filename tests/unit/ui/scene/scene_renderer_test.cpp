@@ -288,6 +288,29 @@ TEST_F(SceneRendererTest, AMeshReplacesTheModelAndShowsItsAtlas) {
   EXPECT_EQ(blob_in(picture()).area_px, 0.0) << "seen from behind";
 }
 
+TEST_F(SceneRendererTest, AMeshInMotionMayBeCoarseAndIsWholeWhenItStops) {
+  // A square of 300 x 300 vertices. No machine draws it in the 0 ms that are asked for here.
+  constexpr std::uint32_t kSide = 300;
+  TexturedMesh mesh;
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+    SurfacePoint vertex;
+    vertex.position_mm = 0.04F * Vec3f(static_cast<float>(i % kSide) - 150.0F,
+                                       static_cast<float>(i / kSide) - 150.0F, 0.0F);
+    mesh.mesh.vertices.push_back(vertex);
+    if (i % kSide + 1 == kSide || i / kSide + 1 == kSide) continue;
+    mesh.mesh.triangles.push_back({i, i + 1, i + kSide});
+    mesh.mesh.triangles.push_back({i + 1, i + kSide + 1, i + kSide});
+  }
+  content_.mesh = &mesh;
+  options_.moving_frame_ms = 0.0;
+  const cv::Mat still = picture();
+  camera_.orbit(0.001, 0.0, kSize);
+  const cv::Mat moving = one_picture();
+  EXPECT_TRUE(renderer_->wants_redraw()) << "surfels stand in for the triangles";
+  EXPECT_LT(share_differing(still, moving, 12), 0.03) << "but for the border";
+  EXPECT_EQ(share_differing(still, picture(), 2), 0.0);
+}
+
 TEST_F(SceneRendererTest, LinesAreAsWideAsAskedAndShineThroughFaintly) {
   std::vector<Surfel> surfels = surfel_square(10.0, 0.1);
   std::erase_if(surfels, [](const Surfel& s) { return s.position_mm.x() > 0.0F; });
