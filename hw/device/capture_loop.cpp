@@ -50,7 +50,7 @@ void CaptureLoop::Threads::read_frames() {
 void CaptureLoop::Threads::work_beside() const {
   while (!stopping) {
     // Nothing to do and nothing to wait for, as before the start: the processor is left to others.
-    if (!sensor->work_beside(kTimeout_s)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (!sensor->work_beside(kTimeout_s)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 

@@ -68,6 +68,24 @@ cv::Mat make_speckle(const cv::Mat& white, double size_px) {
   return smooth_rows(smooth_rows(white, kernel), kernel);
 }
 
+// Calls visit(values of the image, values of the store) for runs of a row over which a store that
+// is shifted at random does not come round.
+template <typename Visit>
+void visit_by_store(const cv::Mat& store, Random& random, cv::Mat& image, const Visit& visit) {
+  using Values = Eigen::Map<Eigen::ArrayXf>;
+  using Stored = Eigen::Map<const Eigen::ArrayXf>;
+  const int shift_u = static_cast<int>(random.below(kSpeckleSize));
+  const int shift_v = static_cast<int>(random.below(kSpeckleSize));
+  for (int v = 0; v < image.rows; ++v) {
+    const float* stored = store.ptr<float>((v + shift_v) % kSpeckleSize);
+    for (int u = 0, count = 0; u < image.cols; u += count) {
+      const int from = (u + shift_u) % kSpeckleSize;
+      count = std::min(image.cols - u, kSpeckleSize - from);
+      visit(Values(image.ptr<float>(v) + u, count), Stored(stored + from, count));
+    }
+  }
+}
+
 }  // namespace
 
 Chip::Chip(const ChipModel& model)
@@ -76,34 +94,19 @@ Chip::Chip(const ChipModel& model)
       white_(make_white()),
       speckle_(make_speckle(white_, model.speckle_size_px)) {}
 
-// One exposure, share of full scale. The stores of speckle and noise are shifted apart.
-cv::Mat Chip::expose_by_store(const Light& light, const ReadOut& how) const {
-  using Row = Eigen::Map<const Eigen::ArrayXf>;
-  Random random(how.seed, how.stream);
-  const auto draw = [&] { return static_cast<int>(random.below(kSpeckleSize)); };
-  const cv::Point speckle_at(draw(), draw());
-  const cv::Point white_at(draw(), draw());
+void Chip::add_speckle(Random& random, cv::Mat& line) const {
+  const auto contrast = static_cast<float>(model_.speckle_contrast);
+  visit_by_store(speckle_, random, line, [=](auto values, const auto& stored) {
+    values *= (1.0F + contrast * stored).max(0.0F);
+  });
+}
+
+void Chip::add_stored_noise(Random& random, cv::Mat& value) const {
   const auto well = static_cast<float>(model_.full_well_e);
   const auto read_e2 = static_cast<float>(model_.read_noise_e * model_.read_noise_e);
-  const auto contrast = static_cast<float>(model_.speckle_contrast);
-  cv::Mat exposed(light.line.size(), CV_32FC1);
-  for (int v = 0; v < exposed.rows; ++v) {
-    const float* speckle = speckle_.ptr<float>((v + speckle_at.y) % kSpeckleSize);
-    const float* white = white_.ptr<float>((v + white_at.y) % kSpeckleSize);
-    // As far as neither store comes round.
-    for (int u = 0, count = 0; u < exposed.cols; u += count) {
-      const int from_speckle = (u + speckle_at.x) % kSpeckleSize;
-      const int from_white = (u + white_at.x) % kSpeckleSize;
-      count = std::min(exposed.cols - u, kSpeckleSize - std::max(from_speckle, from_white));
-      const Eigen::ArrayXf value =
-          Row(light.line.ptr<float>(v) + u, count) *
-              (1.0F + contrast * Row(speckle + from_speckle, count)).max(0.0F) +
-          Row(light.ambient.ptr<float>(v) + u, count);
-      Eigen::Map<Eigen::ArrayXf>(exposed.ptr<float>(v) + u, count) =
-          value + Row(white + from_white, count) * (value * well + read_e2).sqrt() / well;
-    }
-  }
-  return exposed;
+  visit_by_store(white_, random, value, [=](auto values, const auto& stored) {
+    values += stored * (values * well + read_e2).sqrt() / well;
+  });
 }
 
 cv::Mat Chip::read_out(const Light& light, const ReadOut& how) const {
@@ -113,7 +116,12 @@ cv::Mat Chip::read_out(const Light& light, const ReadOut& how) const {
   const int type = how.bits == 16 ? CV_16UC1 : CV_8UC1;
   cv::Mat image;
   if (how.noise && how.stored_noise) {
-    expose_by_store(light, how).convertTo(image, type, full, full * model_.black_level);
+    Random random(how.seed, how.stream);
+    cv::Mat exposed = light.line.clone();
+    add_speckle(random, exposed);
+    exposed += light.ambient;
+    add_stored_noise(random, exposed);
+    exposed.convertTo(image, type, full, full * model_.black_level);
     return image;
   }
   cv::Mat mean = cv::Mat::zeros(rows, columns, CV_32FC1);
@@ -145,28 +153,41 @@ cv::Mat Chip::read_out(const Light& light, const ReadOut& how) const {
   return image;
 }
 
+void Chip::add_drawn_noise(Random& random, cv::Mat& light) const {
+  const auto well = static_cast<float>(model_.full_well_e);
+  const auto read_e2 = static_cast<float>(model_.read_noise_e * model_.read_noise_e);
+  for (int v = 0; v < light.rows; ++v)
+    for (int u = 0; u < light.cols; ++u) {
+      auto& value = light.at<cv::Vec3f>(v, u);
+      // Three draws of 16 bits from one number.
+      std::uint64_t store = random.next();
+      for (int channel = 0; channel < 3; ++channel, store >>= 16)
+        value[channel] +=
+            normals_[store & 0xffff] * std::sqrt(value[channel] * well + read_e2) / well;
+    }
+}
+
 cv::Mat Chip::read_out_color(const cv::Mat& light, const ReadOut& how) const {
+  cv::Mat noisy = light.clone();
+  Random random(how.seed, how.stream);
+  if (how.noise && how.stored_noise) {
+    cv::Mat channels = noisy.reshape(1);
+    add_stored_noise(random, channels);
+  } else if (how.noise) {
+    add_drawn_noise(random, noisy);
+  }
   constexpr int kCodes = 4096;
   std::vector<std::uint8_t> codes(kCodes);
   for (int i = 0; i < kCodes; ++i)
     codes[i] = to_srgb(static_cast<std::uint16_t>(std::lround(65535.0 * i / (kCodes - 1.0))));
   cv::Mat image(light.rows, light.cols, CV_8UC3);
-  Random random(how.seed, how.stream);
-  const auto well = static_cast<float>(model_.full_well_e);
-  const auto read_e2 = static_cast<float>(model_.read_noise_e * model_.read_noise_e);
-  for (int v = 0; v < light.rows; ++v)
-    for (int u = 0; u < light.cols; ++u) {
-      const auto& value = light.at<cv::Vec3f>(v, u);
-      std::uint64_t store = random.next();
-      for (int channel = 0; channel < 3; ++channel, store >>= 16) {
-        const float noise_e =
-            how.noise ? normals_[store & 0xffff] * std::sqrt(value[channel] * well + read_e2)
-                      : 0.0F;
-        const float noisy = std::clamp(value[channel] + noise_e / well, 0.0F, 1.0F);
-        image.at<cv::Vec3b>(v, u)[channel] =
-            codes[static_cast<std::size_t>(std::floor(noisy * (kCodes - 1) + 0.5F))];
-      }
-    }
+  for (int v = 0; v < light.rows; ++v) {
+    const float* from = noisy.ptr<float>(v);
+    std::uint8_t* to = image.ptr<std::uint8_t>(v);
+    for (int i = 0; i < 3 * light.cols; ++i)
+      to[i] =
+          codes[static_cast<std::size_t>(std::clamp(from[i], 0.0F, 1.0F) * (kCodes - 1) + 0.5F)];
+  }
   return image;
 }
 

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "core/base/random.h"
 #include "hw/simulated/sensor_model.h"
 
 namespace flytri {
@@ -37,7 +38,9 @@ class Chip {
   [[nodiscard]] cv::Mat read_out_color(const cv::Mat& light, const ReadOut& how) const;
 
  private:
-  [[nodiscard]] cv::Mat expose_by_store(const Light& light, const ReadOut& how) const;
+  void add_speckle(Random& random, cv::Mat& line) const;
+  void add_drawn_noise(Random& random, cv::Mat& light) const;
+  void add_stored_noise(Random& random, cv::Mat& value) const;
 
   ChipModel model_;
   std::vector<float> normals_;  // quantiles of the normal distribution

@@ -19,6 +19,9 @@ namespace {
 constexpr int kMotionSteps = 5;
 // Room light varies slowly over an image: traced once in a block of this many pixels a side.
 constexpr int kAmbientBlock_px = 8;
+// Colors are told apart at about this distance on a finely meshed surface: in real time one ray
+// serves a block of this many pixels a side.
+constexpr int kTextureBlock_px = 5;
 // Depths beyond the volume that are still seen, by the volume's depth.
 constexpr double kSeenMargin = 1.5;
 
@@ -61,7 +64,7 @@ struct ImageSimulator::Parts {
 
   cv::Mat ambient_light(const Isometry& T_model_sensor) const;
   cv::Vec3f flash_light(const Isometry& T_model_sensor, const RayHit& hit) const;
-  cv::Mat flash_image(const Isometry& T_model_sensor) const;
+  cv::Mat flash_image(const Isometry& T_model_sensor, int step_px) const;
 
   SensorModel sensor;
   ImageOptions options;
@@ -116,21 +119,25 @@ cv::Vec3f ImageSimulator::Parts::flash_light(const Isometry& T_model_sensor,
   return color * static_cast<float>(kWhiteLevel * cosine * falloff);
 }
 
-cv::Mat ImageSimulator::Parts::flash_image(const Isometry& T_model_sensor) const {
+// The light at the middle of each block of `step_px` pixels a side.
+cv::Mat ImageSimulator::Parts::flash_image(const Isometry& T_model_sensor, int step_px) const {
   const ImageSize size = sensor.texture_camera.size;
-  cv::Mat light(size.height_px, size.width_px, CV_32FC3, cv::Scalar::all(0.0));
-  std::vector<Ray> rays(size.width_px);
-  std::vector<std::optional<RayHit>> hits(size.width_px);
+  cv::Mat light((size.height_px + step_px - 1) / step_px, (size.width_px + step_px - 1) / step_px,
+                CV_32FC3, cv::Scalar::all(0.0));
+  std::vector<Ray> rays(light.cols);
+  std::vector<std::optional<RayHit>> hits(light.cols);
   const Vec3 origin = T_model_sensor * sensor.texture_camera.center();
-  for (int v = 0; v < size.height_px; ++v) {
+  for (int j = 0; j < light.rows; ++j) {
+    const int v = std::min(j * step_px + step_px / 2, size.height_px - 1);
     const Vec3* row = &texture_directions[static_cast<std::size_t>(v) * size.width_px];
-    for (int u = 0; u < size.width_px; ++u) rays[u] = {origin, T_model_sensor.linear() * row[u]};
+    for (int i = 0; i < light.cols; ++i) {
+      const int u = std::min(i * step_px + step_px / 2, size.width_px - 1);
+      rays[i] = {origin, T_model_sensor.linear() * row[u]};
+    }
     scene.first_hits(rays, hits);
-    for (int u = 0; u < size.width_px; ++u)
-      if (hits[u]) light.at<cv::Vec3f>(v, u) = flash_light(T_model_sensor, *hits[u]);
+    for (int i = 0; i < light.cols; ++i)
+      if (hits[i]) light.at<cv::Vec3f>(j, i) = flash_light(T_model_sensor, *hits[i]);
   }
-  // Its small aperture leaves the blur of the volume's middle nearly everywhere.
-  cv::filter2D(light, light, -1, texture_blur.kernel(sensor.texture_camera.center().norm()));
   return light;
 }
 
@@ -178,9 +185,20 @@ cv::Mat ImageSimulator::measurement_image(Pattern pattern, const SensorPath& pat
 
 cv::Mat ImageSimulator::texture_image(const Isometry& T_model_sensor, std::uint64_t stream) const {
   const ImageOptions& options = parts_->options;
+  const CameraModel& camera = parts_->sensor.texture_camera;
+  const bool grid = options.tracing == Tracing::kGrid;
+  cv::Mat light = parts_->flash_image(T_model_sensor, grid ? kTextureBlock_px : 1);
+  if (grid) {
+    // What is interpolated is as soft as the lens would leave it.
+    cv::resize(light, light, {}, kTextureBlock_px, kTextureBlock_px, cv::INTER_LINEAR);
+    light = light(cv::Rect(0, 0, camera.size.width_px, camera.size.height_px));
+  } else {
+    // Its small aperture leaves the blur of the volume's middle nearly everywhere.
+    cv::filter2D(light, light, -1, parts_->texture_blur.kernel(camera.center().norm()));
+  }
   return parts_->chip.read_out_color(
-      parts_->flash_image(T_model_sensor),
-      {.noise = options.noise, .seed = options.seed, .stream = stream});
+      light,
+      {.noise = options.noise, .seed = options.seed, .stream = stream, .stored_noise = grid});
 }
 
 const SensorModel& ImageSimulator::sensor() const { return parts_->sensor; }

@@ -2,7 +2,6 @@
 
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/geometry/mesh_distance.h"
-#include "hw/simulated/image_simulator.h"
 #include "hw/simulated/view_simulator.h"
 
 namespace flytri {
@@ -29,28 +28,6 @@ void trace_view(benchmark::State& state) {
         ++i;
 }
 BENCHMARK(trace_view)->Unit(benchmark::kMillisecond);
-
-void measurement_image(benchmark::State& state, Tracing tracing) {
-  const auto simulator =
-      ImageSimulator::create(jaw(), intraoral_sensor(), {.tracing = tracing}).value();
-  const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), {}).value();
-  int i = 0;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(
-        simulator.measurement_image(kPatterns[i % 2], path, 0.5 * (i % 60), i)),
-        ++i;
-}
-BENCHMARK_CAPTURE(measurement_image, every_pixel, Tracing::kEveryPixel)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(measurement_image, grid, Tracing::kGrid)->Unit(benchmark::kMillisecond);
-
-void texture_image(benchmark::State& state) {
-  const auto simulator = ImageSimulator::create(jaw(), intraoral_sensor()).value();
-  const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), {}).value();
-  for (auto _ : state)
-    benchmark::DoNotOptimize(simulator.texture_image(path.T_model_sensor(5.0), 0));
-}
-BENCHMARK(texture_image)->Unit(benchmark::kMillisecond);
 
 void closest_on_jaw(benchmark::State& state) {
   const MeshDistance distance(jaw());

@@ -1,0 +1,155 @@
+#include "hw/recording/recorder_sensor.h"
+
+#include <chrono>
+#include <utility>
+
+#include "core/interchange/calibration_file.h"
+
+namespace flytri {
+namespace {
+
+constexpr const char* kCalibrationName = "calibration.json";
+
+}  // namespace
+
+Result<void> RecorderOptions::validate() const {
+  if (queue_frames < 1 || queue_frames > 10000)
+    return fail(ErrorCode::kBadOption, "queue_frames must be in 1..10000, not {}", queue_frames);
+  if (!(list_period_s > 0.0))
+    return fail(ErrorCode::kBadOption, "list_period_s must be above 0, not {}", list_period_s);
+  return {};
+}
+
+Result<std::shared_ptr<RecorderSensor>> RecorderSensor::create(std::shared_ptr<Sensor> sensor,
+                                                               std::filesystem::path folder,
+                                                               const RecorderOptions& options) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  return std::shared_ptr<RecorderSensor>(
+      new RecorderSensor(std::move(sensor), std::move(folder), options));
+}
+
+RecorderSensor::RecorderSensor(std::shared_ptr<Sensor> sensor, std::filesystem::path folder,
+                               const RecorderOptions& options)
+    : sensor_(std::move(sensor)), folder_(std::move(folder)), options_(options) {}
+
+Result<void> RecorderSensor::start() {
+  if (sensor_->status().state == SensorState::kRunning) return {};
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.clear();
+    status_ = {};
+    open_ = true;
+  }
+  writer_.reset();
+  listed_s_ = 0.0;
+  if (auto opened = open(); !opened) give_up(opened.error());
+  return sensor_->start();
+}
+
+Result<void> RecorderSensor::open() {
+  const auto calibration = sensor_->calibration();
+  auto writer = RecordingWriter::create(folder_, calibration ? kCalibrationName : "");
+  if (!writer) return tl::unexpected(writer.error());
+  if (calibration) {
+    auto written = write_calibration(folder_ / kCalibrationName, *calibration);
+    if (!written) return written;
+  }
+  writer_ = *std::move(writer);
+  return {};
+}
+
+// From here on nothing is written; what is waiting is lost.
+void RecorderSensor::give_up(const Error& error) {
+  const std::lock_guard lock(mutex_);
+  open_ = false;
+  status_.lost += static_cast<std::int64_t>(queue_.size());
+  queue_.clear();
+  status_.message = fmt::format(
+      "The recording ended after {} frames: {}. The scan goes on without it; free some space or "
+      "choose another folder, then record again.",
+      status_.written, error.message);
+}
+
+Result<std::optional<Frame>> RecorderSensor::next(double timeout_s) {
+  auto frame = sensor_->next(timeout_s);
+  if (frame && *frame) pass(**frame);
+  return frame;
+}
+
+void RecorderSensor::pass(const Frame& frame) {
+  {
+    const std::lock_guard lock(mutex_);
+    const bool room = queue_.size() < static_cast<std::size_t>(options_.queue_frames);
+    if (!open_ || !room) {
+      ++status_.lost;
+      if (open_)
+        status_.message = fmt::format(
+            "The disk is too slow: {} frames are missing in the recording; choose a faster one.",
+            status_.lost);
+      return;
+    }
+    queue_.push_back(frame);
+  }
+  arrived_.notify_one();
+}
+
+bool RecorderSensor::work_beside(double timeout_s) {
+  // Neither kind of work waits while the other has some to do.
+  const bool more = sensor_->has_work_beside() && sensor_->work_beside(0.0);
+  return write_one(more ? 0.0 : timeout_s) || more;
+}
+
+bool RecorderSensor::write_one(double timeout_s) {
+  std::unique_lock lock(mutex_);
+  if (!arrived_.wait_for(lock, std::chrono::duration<double>(timeout_s),
+                         [this] { return !queue_.empty(); }))
+    return false;
+  const Frame frame = queue_.front();
+  lock.unlock();
+  const Result<void> written = write(frame);
+  if (!written) {
+    give_up(written.error());
+    return true;
+  }
+  lock.lock();
+  queue_.pop_front();
+  ++status_.written;
+  return true;
+}
+
+Result<void> RecorderSensor::write(const Frame& frame) {
+  if (auto appended = writer_->append(frame); !appended) return appended;
+  if (frame.time_s < listed_s_ + options_.list_period_s) return {};
+  listed_s_ = frame.time_s;
+  return writer_->close();
+}
+
+void RecorderSensor::stop() {
+  sensor_->stop();
+  while (write_one(0.0)) {
+  }
+  bool open = false;
+  {
+    const std::lock_guard lock(mutex_);
+    std::swap(open, open_);
+  }
+  if (!open || writer_->frames().empty()) return;
+  if (auto closed = writer_->close(); !closed) give_up(closed.error());
+}
+
+SensorStatus RecorderSensor::status() const {
+  SensorStatus status = sensor_->status();
+  const std::string message = recorder_status().message;
+  if (!status.message.empty() && !message.empty()) status.message += " ";
+  status.message += message;
+  return status;
+}
+
+RecorderStatus RecorderSensor::recorder_status() const {
+  const std::lock_guard lock(mutex_);
+  RecorderStatus status = status_;
+  status.waiting = static_cast<std::int64_t>(queue_.size());
+  return status;
+}
+
+}  // namespace flytri

@@ -1,0 +1,74 @@
+/// @file  What sources of frames cost: images of the virtual sensor, recording and replaying them.
+#include <benchmark/benchmark.h>
+
+#include "assets/sample_jaw/sample_jaw.h"
+#include "core/interchange/png.h"
+#include "hw/simulated/image_simulator.h"
+
+namespace flytri {
+namespace {
+
+/// A sensor over the sample jaw, and a hand that moves it.
+struct LiveScene {
+  ImageSimulator simulator;
+  SensorPath path;
+};
+
+LiveScene make_scene(Tracing tracing) {
+  const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
+  ImageSimulator simulator =
+      ImageSimulator::create(jaw, intraoral_sensor(), {.tracing = tracing}).value();
+  PathOptions options;
+  options.kind = PathKind::kQuadrant;
+  SensorPath path = plan_path(simulator.scene(), simulator.sensor(), options).value();
+  return {std::move(simulator), std::move(path)};
+}
+
+/// Places all over the path, so that easy and hard images are met as in a scan.
+double place_s(int i) { return 0.37 * (i % 90); }
+
+void live_measurement_image(benchmark::State& state, Tracing tracing) {
+  const LiveScene scene = make_scene(tracing);
+  int i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        scene.simulator.measurement_image(kPatterns[i % 2], scene.path, place_s(i), i));
+    ++i;
+  }
+}
+BENCHMARK_CAPTURE(live_measurement_image, every_pixel, Tracing::kEveryPixel)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(live_measurement_image, grid, Tracing::kGrid)->Unit(benchmark::kMillisecond);
+
+void live_texture_image(benchmark::State& state, Tracing tracing) {
+  const LiveScene scene = make_scene(tracing);
+  int i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        scene.simulator.texture_image(scene.path.T_model_sensor(place_s(i)), i));
+    ++i;
+  }
+}
+BENCHMARK_CAPTURE(live_texture_image, every_pixel, Tracing::kEveryPixel)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(live_texture_image, grid, Tracing::kGrid)->Unit(benchmark::kMillisecond);
+
+cv::Mat frame_image() {
+  const LiveScene scene = make_scene(Tracing::kGrid);
+  return scene.simulator.measurement_image(Pattern::kVertical, scene.path, 5.0, 0);
+}
+
+void encode_frame(benchmark::State& state) {
+  const cv::Mat image = frame_image();
+  for (auto _ : state) benchmark::DoNotOptimize(encode_png(image).value());
+}
+BENCHMARK(encode_frame)->Unit(benchmark::kMillisecond);
+
+void decode_frame(benchmark::State& state) {
+  const std::string bytes = encode_png(frame_image()).value();
+  for (auto _ : state) benchmark::DoNotOptimize(decode_png(bytes, "frame").value());
+}
+BENCHMARK(decode_frame)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace flytri

@@ -1,0 +1,153 @@
+#include "hw/recording/recorder_sensor.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <opencv2/core.hpp>
+#include <thread>
+
+#include "hw/device/capture_loop.h"
+#include "hw/recording/replay_sensor.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/scripted_sensor.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ManualClock;
+using testing::ScriptedSensor;
+
+std::deque<ScriptedSensor::Step> frames(int count) {
+  std::deque<ScriptedSensor::Step> script;
+  for (int i = 0; i < count; ++i)
+    script.push_back(ScriptedSensor::frame(i, i / 30.0, static_cast<std::uint8_t>(7 * i)));
+  return script;
+}
+
+// All frames of a sensor, and the work beside it in between.
+std::vector<Frame> run(Sensor& sensor, bool work = true) {
+  EXPECT_TRUE(sensor.start());
+  std::vector<Frame> taken;
+  while (sensor.status().state == SensorState::kRunning) {
+    if (auto frame = sensor.next(1.0).value()) taken.push_back(*std::move(frame));
+    if (work) sensor.work_beside(0.0);
+  }
+  return taken;
+}
+
+void expect_same(const std::vector<Frame>& live, const std::vector<Frame>& again) {
+  ASSERT_EQ(live.size(), again.size());
+  for (std::size_t i = 0; i < live.size(); ++i) {
+    EXPECT_EQ(live[i].index, again[i].index);
+    EXPECT_EQ(live[i].kind, again[i].kind);
+    EXPECT_EQ(live[i].time_s, again[i].time_s);
+    ASSERT_EQ(live[i].image.size(), again[i].image.size());
+    ASSERT_EQ(live[i].image.type(), again[i].image.type());
+    EXPECT_EQ(cv::norm(live[i].image, again[i].image, cv::NORM_INF), 0.0) << "frame " << i;
+  }
+}
+
+std::vector<Frame> replay(const fs::path& folder) {
+  const auto sensor = ReplaySensor::open(folder, {.speed = 0.0}, ManualClock().clock()).value();
+  return run(*sensor);
+}
+
+TEST(RecorderSensor, WhatIsReplayedIsBitForBitWhatWasLive) {
+  const TemporaryFolder folder;
+  // Noise in both depths of grey, and color.
+  std::deque<ScriptedSensor::Step> script;
+  cv::RNG random(1);
+  for (int i = 0; i < 6; ++i) {
+    const bool color = i == 3;
+    cv::Mat image(48, 64, color ? CV_8UC3 : i % 2 == 0 ? CV_8UC1 : CV_16UC1);
+    random.fill(image, cv::RNG::UNIFORM, 0, color || i % 2 == 0 ? 256 : 65536);
+    const FrameKind kind = color ? FrameKind::kTexture
+                                 : std::array{FrameKind::kVertical, FrameKind::kHorizontal,
+                                              FrameKind::kUnknown}[i % 3];
+    // Times that no short decimal number is.
+    script.push_back([=](StatusKeeper&) -> Result<std::optional<Frame>> {
+      return Frame{FrameIndex(i), kind, i / 30.0 + 1.0 / 7.0, image};
+    });
+  }
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(script), folder / "scan").value();
+  const std::vector<Frame> live = run(*recorder);
+  recorder->stop();
+  EXPECT_EQ(recorder->recorder_status().written, 6);
+  EXPECT_EQ(recorder->recorder_status().lost, 0);
+  expect_same(live, replay(folder / "scan"));
+}
+
+TEST(RecorderSensor, WritesBesideTheStreamInTheCaptureLoop) {
+  const TemporaryFolder folder;
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(50)), folder / "scan").value();
+  std::vector<Frame> live;
+  {
+    CaptureLoop loop(recorder, [&](Frame frame) { live.push_back(std::move(frame)); });
+    while (loop.status().state != SensorState::kEnded) std::this_thread::yield();
+  }
+  EXPECT_EQ(live.size(), 50U);
+  EXPECT_EQ(recorder->recorder_status().written, 50);
+  expect_same(live, replay(folder / "scan"));
+}
+
+TEST(RecorderSensor, AQueueThatIsFullCostsTheRecordingNotTheStream) {
+  const TemporaryFolder folder;
+  const auto recorder = RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(10)),
+                                               folder / "scan", {.queue_frames = 4})
+                            .value();
+  EXPECT_EQ(run(*recorder, false).size(), 10U);
+  EXPECT_EQ(recorder->recorder_status().waiting, 4);
+  recorder->stop();
+  EXPECT_EQ(recorder->recorder_status().written, 4);
+  EXPECT_EQ(recorder->recorder_status().lost, 6);
+  EXPECT_NE(recorder->status().message.find("6 frames are missing"), std::string::npos);
+  EXPECT_EQ(replay(folder / "scan").size(), 4U);
+}
+
+TEST(RecorderSensor, AFolderThatCannotBeMadeDoesNotEndTheScan) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(std::ofstream(folder / "file") << "in the way");
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(5)), folder / "file" / "scan")
+          .value();
+  EXPECT_EQ(run(*recorder).size(), 5U);
+  EXPECT_EQ(recorder->recorder_status().lost, 5);
+  EXPECT_NE(recorder->status().message.find("scan goes on"), std::string::npos);
+  recorder->stop();
+}
+
+TEST(RecorderSensor, ADiskThatFailsInTheMiddleEndsTheRecordingAlone) {
+  const TemporaryFolder folder;
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(8)), folder / "scan").value();
+  ASSERT_TRUE(recorder->start());
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_TRUE(recorder->next(1.0).value());
+    if (i == 3) fs::remove_all(folder / "scan" / "frames");
+    recorder->work_beside(0.0);
+  }
+  EXPECT_EQ(recorder->recorder_status().written, 3);
+  EXPECT_EQ(recorder->recorder_status().lost, 5);
+  EXPECT_NE(recorder->status().message.find("ended after 3 frames"), std::string::npos);
+  recorder->stop();
+}
+
+TEST(RecorderSensor, ACrashLeavesARecordingOfAllButTheLastSeconds) {
+  const TemporaryFolder folder;
+  {
+    const auto recorder = RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(100)),
+                                                 folder / "scan", {.list_period_s = 1.0})
+                              .value();
+    run(*recorder);
+    // No stop(): as if the process had ended here.
+  }
+  EXPECT_EQ(replay(folder / "scan").size(), 91U);
+}
+
+}  // namespace
+}  // namespace flytri

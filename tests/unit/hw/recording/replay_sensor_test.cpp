@@ -1,0 +1,99 @@
+#include "hw/recording/replay_sensor.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <thread>
+
+#include "hw/device/capture_loop.h"
+#include "tests/support/manual_clock.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+using testing::ManualClock;
+
+// Ten frames a tenth of a second apart; the first at 3 s, as recordings of others may begin.
+class ReplayTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    RecordingWriter writer = RecordingWriter::create(folder_.path()).value();
+    for (int i = 0; i < 10; ++i) {
+      const cv::Mat image(24, 32, CV_8UC1, cv::Scalar(i));
+      ASSERT_TRUE(writer.append({FrameIndex(i), FrameKind::kVertical, 3.0 + 0.1 * i, image}));
+    }
+    ASSERT_TRUE(writer.close());
+  }
+  std::shared_ptr<ReplaySensor> open(double speed) const {
+    return ReplaySensor::open(folder_.path(), {.speed = speed}, clock_.clock()).value();
+  }
+
+  TemporaryFolder folder_;
+  ManualClock clock_;
+};
+
+TEST_F(ReplayTest, GoesAtItsOwnSpeedTimesAFactor) {
+  const auto sensor = open(2.0);
+  ASSERT_TRUE(sensor->start());
+  const double start_s = clock_.now_s();
+  for (int i = 0; i < 10; ++i) {
+    const auto frame = sensor->next(1.0).value();
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->index.value, i);
+    EXPECT_DOUBLE_EQ(frame->time_s, 3.0 + 0.1 * i);
+    EXPECT_NEAR(clock_.now_s() - start_s, 0.05 * i, 1e-6);
+  }
+  EXPECT_EQ(sensor->status().state, SensorState::kEnded);
+  EXPECT_FALSE(sensor->next(1.0).value());
+}
+
+TEST_F(ReplayTest, WaitsNoLongerThanItMay) {
+  const auto sensor = open(1.0);
+  ASSERT_TRUE(sensor->start());
+  EXPECT_TRUE(sensor->next(0.03).value());
+  EXPECT_FALSE(sensor->next(0.03).value());
+  EXPECT_NEAR(clock_.now_s(), 100.03, 1e-6);
+}
+
+TEST_F(ReplayTest, ADamagedFrameCostsItselfAndIsNamed) {
+  std::ofstream(folder_.path() / "frames/000004.png") << "no image";
+  std::filesystem::remove(folder_.path() / "frames/000007.png");
+  const auto sensor = open(0.0);
+  ASSERT_TRUE(sensor->start());
+  std::vector<int> indices;
+  while (sensor->status().state == SensorState::kRunning)
+    if (const auto frame = sensor->next(1.0).value()) indices.push_back(frame->index.value);
+  EXPECT_EQ(indices, (std::vector{0, 1, 2, 3, 5, 6, 8, 9}));
+  EXPECT_EQ(sensor->status().dropped, 2);
+  EXPECT_NE(sensor->status().message.find("000007.png"), std::string::npos);
+}
+
+TEST_F(ReplayTest, DecodesAheadAndDeliversInOrder) {
+  const auto sensor = open(0.0);
+  std::vector<int> indices;
+  CaptureLoop loop(sensor, [&](const Frame& frame) { indices.push_back(frame.index.value); });
+  while (loop.status().state != SensorState::kEnded) std::this_thread::yield();
+  loop.stop();
+  EXPECT_EQ(indices, (std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST_F(ReplayTest, BeginsAnewAfterItsEnd) {
+  const auto sensor = open(0.0);
+  for (int round = 0; round < 2; ++round) {
+    ASSERT_TRUE(sensor->start());
+    EXPECT_EQ(sensor->next(1.0).value()->index.value, 0);
+    while (sensor->status().state == SensorState::kRunning) (void)sensor->next(1.0);
+    EXPECT_EQ(sensor->status().delivered, 10);
+  }
+}
+
+TEST_F(ReplayTest, NamesWhatIsNotThere) {
+  EXPECT_FALSE(ReplaySensor::open(folder_ / "nowhere", {}, clock_.clock()));
+  const auto bad = ReplaySensor::open(folder_.path(), {.speed = -1.0}, clock_.clock());
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.error().code, ErrorCode::kBadOption);
+}
+
+}  // namespace
+}  // namespace flytri
