@@ -21,7 +21,7 @@ struct ReplayOptions {
   /// which would be missing while frames are waited for.
   int ahead = 8;
   /// Null: the one that the recording names, if it names one.
-  std::shared_ptr<const Calibration> calibration;
+  std::shared_ptr<const Calibration> calibration = nullptr;
   [[nodiscard]] Result<void> validate() const;
 };
 
