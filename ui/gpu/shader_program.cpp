@@ -12,7 +12,7 @@ using Shader = GlObject<delete_shader>;
 
 /// The text of a shader with its includes in place.
 Result<std::string> shader_text(std::string_view name) {
-  const Result<std::string> text = read_asset("shaders/" + std::string(name));
+  Result<std::string> text = read_asset("shaders/" + std::string(name));
   if (!text) return text;
   std::istringstream lines(*text);
   std::string whole;
@@ -23,7 +23,7 @@ Result<std::string> shader_text(std::string_view name) {
       continue;
     }
     const std::size_t end = line.rfind('"');
-    const Result<std::string> part =
+    Result<std::string> part =
         shader_text(std::string_view(line).substr(kInclude.size(), end - kInclude.size()));
     if (!part) return part;
     whole += *part;

@@ -23,7 +23,8 @@ DepthWindow read_window(const PictureTarget& picture, const PictureSize& size, i
   window.y = std::max(0, y_px - kReachPx);
   window.width = std::min(size.width_px, x_px + kReachPx + 1) - window.x;
   window.height = std::min(size.height_px, y_px + kReachPx + 1) - window.y;
-  window.depths.resize(static_cast<std::size_t>(window.width * window.height));
+  window.depths.resize(static_cast<std::size_t>(window.width) *
+                       static_cast<std::size_t>(window.height));
   picture.framebuffer.bind();
   glReadPixels(window.x, window.y, window.width, window.height, GL_DEPTH_COMPONENT, GL_FLOAT,
                window.depths.data());

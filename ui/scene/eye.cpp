@@ -39,7 +39,7 @@ void Eye::set_uniforms(const ShaderProgram& program) const {
 
 bool Eye::may_see(const Eigen::AlignedBox3f& box_mm) const {
   if (box_mm.isEmpty()) return false;
-  const Eigen::Matrix4f P = P_clip_world();
+  const Eigen::Matrix4f& P = P_clip_world;
   for (int axis = 0; axis < 3; ++axis) {
     for (const float side : {-1.0F, 1.0F}) {
       // Inside the plane where row . p >= 0; the box's corner farthest inside decides.
@@ -58,7 +58,7 @@ PixelBox whole_picture(const PictureSize& size) {
 
 PixelBox Eye::pixels_of(const Eigen::AlignedBox3f& box_mm) const {
   if (!may_see(box_mm)) return {};
-  const Eigen::Matrix4f P = P_clip_world();
+  const Eigen::Matrix4f& P = P_clip_world;
   PixelBox pixels;
   for (int number = 0; number < 8; ++number) {
     const Vec3f corner = box_mm.corner(static_cast<Eigen::AlignedBox3f::CornerType>(number));
@@ -84,6 +84,7 @@ Eye make_eye(const OrbitCamera& camera, const PictureSize& size,
   const double near_mm = std::max(eye.distance_mm - reach, kNearest * eye.distance_mm);
   eye.T_eye_world = camera.T_world_eye().inverse().matrix().cast<float>();
   eye.P_clip_eye = camera.projection(size.aspect(), near_mm, eye.distance_mm + reach).cast<float>();
+  eye.P_clip_world = eye.P_clip_eye * eye.T_eye_world;
   return eye;
 }
 

@@ -16,11 +16,11 @@ struct Eye {
   PictureSize size;
   Eigen::Matrix4f T_eye_world = Eigen::Matrix4f::Identity();
   Eigen::Matrix4f P_clip_eye = Eigen::Matrix4f::Identity();
+  Eigen::Matrix4f P_clip_world = Eigen::Matrix4f::Identity();  ///< of the two above
   double distance_mm = 1.0;  ///< from the eye to the camera's target
   double height_mm = 1.0;    ///< of the world in the picture at the target
   bool operator==(const Eye&) const = default;
 
-  [[nodiscard]] Eigen::Matrix4f P_clip_world() const { return P_clip_eye * T_eye_world; }
   [[nodiscard]] Eigen::Vector2f size_px() const {
     return Eigen::Vector2i(size.width_px, size.height_px).cast<float>();
   }

@@ -49,7 +49,7 @@ std::vector<std::uint32_t> indices_of(std::size_t line_count) {
   return indices;
 }
 
-std::array<Attribute, 4> attributes() {
+std::array<Attribute, 4> line_attributes() {
   return {{{0, 4, GL_FLOAT, false, offsetof(LineCorner, from_mm)},
            {1, 3, GL_FLOAT, false, offsetof(LineCorner, to_mm)},
            {2, 4, GL_UNSIGNED_BYTE, true, offsetof(LineCorner, color)},
@@ -69,7 +69,7 @@ LinePainter::LinePainter(ShaderProgram program)
       corners_(Buffer::make(GL_ARRAY_BUFFER, 0, GL_STREAM_DRAW)),
       indices_(Buffer::make(GL_ARRAY_BUFFER, 0, GL_STATIC_DRAW)),
       vertices_(VertexArray::make()) {
-  vertices_.attach(corners_, sizeof(LineCorner), attributes());
+  vertices_.attach(corners_, sizeof(LineCorner), line_attributes());
   vertices_.attach_indices(indices_);
 }
 
@@ -86,7 +86,7 @@ void LinePainter::paint(const std::vector<OverlayLine>& lines, const Eye& eye) {
     indices_.assign(std::as_bytes(std::span(indices)));
   }
   program_.use();
-  program_.set("P_clip_world", eye.P_clip_world());
+  program_.set("P_clip_world", eye.P_clip_world);
   program_.set("size_px", eye.size_px());
   program_.set("towards_eye", static_cast<float>(kLift * eye.height_mm) * eye.depth_per_mm());
   vertices_.bind();

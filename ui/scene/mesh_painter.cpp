@@ -18,7 +18,7 @@ struct MeshVertex {
   float sigma_mm;
 };
 
-std::array<Attribute, 5> attributes() {
+std::array<Attribute, 5> mesh_attributes() {
   return {{{0, 3, GL_FLOAT, false, offsetof(MeshVertex, position_mm)},
            {1, 4, GL_INT_2_10_10_10_REV, true, offsetof(MeshVertex, normal)},
            {2, 2, GL_FLOAT, false, offsetof(MeshVertex, uv)},
@@ -53,7 +53,7 @@ MeshPainter::MeshPainter(ShaderProgram program)
       buffer_(Buffer::make(GL_ARRAY_BUFFER, 0, GL_STATIC_DRAW)),
       indices_(Buffer::make(GL_ARRAY_BUFFER, 0, GL_STATIC_DRAW)),
       vertices_(VertexArray::make()) {
-  vertices_.attach(buffer_, sizeof(MeshVertex), attributes());
+  vertices_.attach(buffer_, sizeof(MeshVertex), mesh_attributes());
   vertices_.attach_indices(indices_);
 }
 

@@ -49,7 +49,7 @@ SurfelModel surfels_of(const TexturedMesh& mesh) {
     surfel.coverage = Coverage::kGood;
     add_to_block(surfel, kBlockCells * spacing_mm, blocks);
   }
-  return model_of(std::move(blocks));
+  return model_of(blocks);
 }
 
 }  // namespace flytri::ui

@@ -102,7 +102,7 @@ SurfelModel sample_surfels(const TriangleMesh& mesh, std::size_t count, std::uin
   for (const Mean& mean : means) {
     add_to_block(mean.surfel(kRadiusCells * cell_mm), kBlockCells * cell_mm, blocks);
   }
-  return model_of(std::move(blocks));
+  return model_of(blocks);
 }
 
 }  // namespace flytri::ui

@@ -21,7 +21,7 @@ struct SplatVertex {
 constexpr std::size_t kSmallestRange = 64;
 constexpr std::size_t kFirstCapacity = 1U << 16U;
 
-std::array<Attribute, 4> attributes() {
+std::array<Attribute, 4> splat_attributes() {
   return {{{0, 3, GL_FLOAT, false, offsetof(SplatVertex, position_mm)},
            {1, 4, GL_INT_2_10_10_10_REV, true, offsetof(SplatVertex, normal)},
            {2, 2, GL_HALF_FLOAT, false, offsetof(SplatVertex, radius_mm)},
@@ -62,7 +62,7 @@ SplatStore::SplatStore()
     : buffer_(Buffer::make(GL_ARRAY_BUFFER, kFirstCapacity * sizeof(SplatVertex))),
       vertices_(VertexArray::make()) {
   allocator_.grow_to(kFirstCapacity);
-  vertices_.attach(buffer_, sizeof(SplatVertex), attributes());
+  vertices_.attach(buffer_, sizeof(SplatVertex), splat_attributes());
 }
 
 StoreChanges SplatStore::update(const SurfelModel& model, const std::vector<BrushDab>& locked) {
@@ -134,7 +134,7 @@ PlaceRange SplatStore::place_for(std::size_t count) {
   if (const auto range = allocator_.take(count)) return *range;
   const std::size_t capacity = std::max(allocator_.capacity() * 2, allocator_.capacity() + count);
   buffer_ = buffer_.resized(capacity * sizeof(SplatVertex));
-  vertices_.attach(buffer_, sizeof(SplatVertex), attributes());
+  vertices_.attach(buffer_, sizeof(SplatVertex), splat_attributes());
   allocator_.grow_to(capacity);
   return allocator_.take(count).value_or(PlaceRange{});
 }

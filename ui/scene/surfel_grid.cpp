@@ -1,7 +1,6 @@
 #include "ui/scene/surfel_grid.h"
 
 #include <cmath>
-#include <utility>
 
 namespace flytri::ui {
 
@@ -23,10 +22,10 @@ void add_to_block(const Surfel& surfel, float edge_mm, GrowingBlocks& blocks) {
   block->surfels.push_back(surfel);
 }
 
-SurfelModel model_of(GrowingBlocks blocks) {
+SurfelModel model_of(const GrowingBlocks& blocks) {
   SurfelModel model;
   model.reserve(blocks.size());
-  for (auto& [place, block] : blocks) model.push_back(std::move(block));
+  for (const auto& [place, block] : blocks) model.push_back(block);
   return model;
 }
 

@@ -20,6 +20,6 @@ using GrowingBlocks = std::map<std::uint64_t, std::shared_ptr<SurfelBlock>>;
 /// Appends to the block of the surfel's cube, which is made where it is not there yet.
 void add_to_block(const Surfel& surfel, float edge_mm, GrowingBlocks& blocks);
 
-[[nodiscard]] SurfelModel model_of(GrowingBlocks blocks);
+[[nodiscard]] SurfelModel model_of(const GrowingBlocks& blocks);
 
 }  // namespace flytri::ui
