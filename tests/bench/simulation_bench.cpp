@@ -2,6 +2,7 @@
 
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/geometry/mesh_distance.h"
+#include "hw/simulated/sensor_path.h"
 #include "hw/simulated/view_simulator.h"
 
 namespace flytri {
