@@ -69,7 +69,7 @@ ActionState scanning_state(Action action, const Facts& facts) {
       return finish_state(facts);
     case Action::kNextPlace:
       return only_if(facts.is(ScanPhase::kContinuation) && facts.view.scan->reentry.size() > 1,
-                     "only while the scan is lost");
+                     "while lost");
     case Action::kNextHole:
       return only_if(facts.view.scan != nullptr && !facts.view.scan->holes.empty(),
                      "no holes found");
@@ -124,7 +124,7 @@ ActionState looking_state(Action action, const Facts& facts) {
       return chosen(state.color_mode == ColorMode::kUncertainty);
     case Action::kBlendLess:
     case Action::kBlendMore:
-      return only_if(state.color_mode == ColorMode::kTexture, "only with texture");
+      return only_if(state.color_mode == ColorMode::kTexture, "with texture");
     case Action::kOcclusal:
     case Action::kBuccal:
     case Action::kLingual:
@@ -145,13 +145,13 @@ ActionState hand_state(Action action, const Facts& facts) {
     case Action::kDown:
       return enabled(facts.steers() ? "moves the sensor" : "turns the view");
     case Action::kHandMode:
-      if (!has_hand) return disabled("only with the simulated sensor");
+      if (!has_hand) return disabled("simulated sensor");
       return chosen(facts.steers(), "yours");
     case Action::kTakeAway:
-      if (!has_hand) return disabled("only with the simulated sensor");
+      if (!has_hand) return disabled("simulated sensor");
       return chosen(facts.view.source.hand->is_taken_away, "away");
     default:
-      return only_if(facts.steers(), "move the sensor yourself first");
+      return only_if(facts.steers(), "only by hand");
   }
 }
 
@@ -198,7 +198,8 @@ ActionState program_state(Action action, const Facts& facts) {
 
 /// Behind an open dialog only what concerns it, and the program as a whole, goes on.
 bool works_behind(Dialog dialog, Action action) {
-  if (dialog == Dialog::kNone) return true;
+  // The list of keys shows how all of them stand; pressing one there leaves it.
+  if (dialog == Dialog::kNone || dialog == Dialog::kHelp) return true;
   switch (action) {
     case Action::kCancel:
     case Action::kConfirm:
@@ -207,8 +208,6 @@ bool works_behind(Dialog dialog, Action action) {
     case Action::kLarger:
     case Action::kSmaller:
       return true;
-    case Action::kHelp:
-      return dialog == Dialog::kHelp;
     case Action::kExport:
       return dialog == Dialog::kExport;
     case Action::kCase:
@@ -216,8 +215,7 @@ bool works_behind(Dialog dialog, Action action) {
     case Action::kSettings:
       return dialog == Dialog::kSettings;
     default:
-      // The list of keys shows how all of them stand.
-      return dialog == Dialog::kHelp;
+      return false;
   }
 }
 

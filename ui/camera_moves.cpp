@@ -8,7 +8,11 @@ namespace {
 
 constexpr double kFlight_s = 0.7;
 /// The followed box is larger than the model by this share, so that the camera rests for a while.
-constexpr double kRoomToGrow = 0.35;
+constexpr double kRoomToGrow = 0.2;
+/// With what lies around it a place of re-entry is found by eye.
+constexpr double kReentryRoom = 1.5;
+/// The parts of the picture's width and height that no plate covers.
+constexpr double kFreeWidth = 0.62, kFreeHeight = 0.88;
 /// A hole fills this part of the picture's height.
 constexpr double kHoleShare = 0.35;
 
@@ -28,12 +32,20 @@ Eigen::AlignedBox3d grown(const Eigen::AlignedBox3d& box, const Vec3& volume_mm)
 
 void fly_to_box(const Eigen::AlignedBox3d& box, const Eigen::Quaterniond& q_world_eye,
                 CameraState& state) {
-  state.camera.fly_to(state.camera.fitting(box, q_world_eye, state.picture), kFlight_s);
+  const PictureSize free = {std::max(static_cast<int>(state.picture.width_px * kFreeWidth), 1),
+                            std::max(static_cast<int>(state.picture.height_px * kFreeHeight), 1)};
+  CameraPose pose = state.camera.fitting(box, q_world_eye, free);
+  pose.height_mm /= kFreeHeight;
+  state.camera.fly_to(pose, kFlight_s);
 }
 
 void follow(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state) {
-  if (!state.follows_scan || model_box_mm.isEmpty()) return;
-  if (!state.followed_box_mm.isEmpty() && state.followed_box_mm.contains(model_box_mm)) return;
+  if (!state.follows_scan) return;
+  // Without a model, the first time: the sensor's volume.
+  if (!state.followed_box_mm.isEmpty() &&
+      (model_box_mm.isEmpty() || state.followed_box_mm.contains(model_box_mm))) {
+    return;
+  }
   show_all(view, model_box_mm, state);
 }
 
@@ -43,7 +55,7 @@ void visit_reentry(const AppView& view, CameraState& state) {
   state.seen_reentry = scan.chosen_reentry;
   const std::size_t index = std::min(scan.chosen_reentry, scan.reentry.size() - 1);
   CameraPose pose = pose_through_sensor(scan.reentry[index].first.T_world_sensor, view.volume_mm);
-  pose.height_mm *= 2.0;  // With what lies around, to find the place by eye.
+  pose.height_mm *= kReentryRoom;
   state.camera.fly_to(pose, kFlight_s);
 }
 

@@ -21,8 +21,8 @@ constexpr std::array kBindings = {
     KeyBinding{Action::kScan, kScanning, "scan", "Scan or pause", GLFW_KEY_SPACE, 0, "Space",
                false},
     KeyBinding{Action::kFinish, kScanning, "finish", "Finish", GLFW_KEY_F, 0, "F", false},
-    KeyBinding{Action::kNextPlace, kScanning, "next_place", "Next place to re-enter", GLFW_KEY_TAB,
-               0, "Tab", false},
+    KeyBinding{Action::kNextPlace, kScanning, "next_place", "Next place to go on", GLFW_KEY_TAB, 0,
+               "Tab", false},
     KeyBinding{Action::kNextHole, kScanning, "next_hole", "Next hole", GLFW_KEY_N, 0, "N", false},
     KeyBinding{Action::kStageUpper, kScanning, "upper", "Upper jaw", GLFW_KEY_F1, 0, "F1", false},
     KeyBinding{Action::kStageLower, kScanning, "lower", "Lower jaw", GLFW_KEY_F2, 0, "F2", false},
@@ -38,8 +38,8 @@ constexpr std::array kBindings = {
     KeyBinding{Action::kBrushLarger, kEditing, "brush_larger", "Larger brush",
                GLFW_KEY_RIGHT_BRACKET, 0, "]", true},
     KeyBinding{Action::kMeasure, kEditing, "measure", "Measure", GLFW_KEY_M, 0, "M", false},
-    KeyBinding{Action::kRemoveMeasurement, kEditing, "remove_measurement",
-               "Remove the last measurement", GLFW_KEY_DELETE, 0, "Delete", false},
+    KeyBinding{Action::kRemoveMeasurement, kEditing, "remove_measurement", "Remove last distance",
+               GLFW_KEY_DELETE, 0, "Delete", false},
 
     KeyBinding{Action::kShading, kLooking, "shading", "Shape", GLFW_KEY_1, 0, "1", false},
     KeyBinding{Action::kTexture, kLooking, "texture", "Texture", GLFW_KEY_2, 0, "2", false},
@@ -53,8 +53,7 @@ constexpr std::array kBindings = {
     KeyBinding{Action::kOcclusal, kLooking, "occlusal", "Occlusal view", GLFW_KEY_O, 0, "O", false},
     KeyBinding{Action::kBuccal, kLooking, "buccal", "Buccal view", GLFW_KEY_B, 0, "B", false},
     KeyBinding{Action::kLingual, kLooking, "lingual", "Lingual view", GLFW_KEY_L, 0, "L", false},
-    KeyBinding{Action::kShowAll, kLooking, "show_all", "Show all, follow the scan", GLFW_KEY_HOME,
-               0, "Home", false},
+    KeyBinding{Action::kShowAll, kLooking, "show_all", "Show all", GLFW_KEY_HOME, 0, "Home", false},
     KeyBinding{Action::kZoomIn, kLooking, "zoom_in", "Nearer", GLFW_KEY_EQUAL, 0, "+", true},
     KeyBinding{Action::kZoomOut, kLooking, "zoom_out", "Farther", GLFW_KEY_MINUS, 0, "-", true},
 
@@ -75,8 +74,7 @@ constexpr std::array kBindings = {
                "Page up", true},
     KeyBinding{Action::kHandFarther, kHand, "hand_farther", "Sensor farther", GLFW_KEY_PAGE_DOWN, 0,
                "Page down", true},
-    KeyBinding{Action::kHandMode, kHand, "hand_mode", "Move the sensor yourself", GLFW_KEY_W, 0,
-               "W", false},
+    KeyBinding{Action::kHandMode, kHand, "hand_mode", "Sensor by hand", GLFW_KEY_W, 0, "W", false},
     KeyBinding{Action::kTakeAway, kHand, "take_away", "Take the sensor away", GLFW_KEY_A, 0, "A",
                false},
 
@@ -91,8 +89,8 @@ constexpr std::array kBindings = {
     KeyBinding{Action::kSmaller, kProgram, "smaller", "Everything smaller", GLFW_KEY_MINUS,
                kControl, "Ctrl -", false},
     KeyBinding{Action::kConfirm, kProgram, "confirm", "Confirm", GLFW_KEY_ENTER, 0, "Enter", false},
-    KeyBinding{Action::kCancel, kProgram, "cancel", "Cancel, close, put down", GLFW_KEY_ESCAPE, 0,
-               "Esc", false},
+    KeyBinding{Action::kCancel, kProgram, "cancel", "Cancel, close", GLFW_KEY_ESCAPE, 0, "Esc",
+               false},
     KeyBinding{Action::kQuit, kProgram, "quit", "Quit", GLFW_KEY_Q, kControl, "Ctrl Q", false}};
 
 }  // namespace

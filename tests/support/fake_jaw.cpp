@@ -55,6 +55,9 @@ FakeJaw::FakeJaw()
     frames_[static_cast<std::size_t>(pattern)] = frame_at(pattern, kLiveShare);
   }
   other_ = frame_at(Pattern::kVertical, kOtherShare);
+  surfels_ = seen_until(kLiveShare);
+  places_ = find_places();
+  result_ = finish();
 }
 
 Isometry FakeJaw::sensor_at(double share) const {
@@ -86,7 +89,7 @@ std::shared_ptr<const LiveFrame> FakeJaw::live_frame(Pattern pattern) const {
   return frames_[static_cast<std::size_t>(pattern)];
 }
 
-SurfelModel FakeJaw::surfels(double share) const {
+SurfelModel FakeJaw::seen_until(double share) const {
   const SurfelModel whole = ui::sample_surfels(mesh_, kSurfels, 1);
   std::vector<Isometry> T_sensor_world;
   for (int i = 0; i < static_cast<int>(share * kPoses); ++i) {
@@ -132,7 +135,7 @@ std::vector<BoundaryLoop> FakeJaw::holes() const {
   return holes;
 }
 
-std::vector<ReentryPlace> FakeJaw::reentry_places() const {
+std::vector<ReentryPlace> FakeJaw::find_places() const {
   std::vector<ReentryPlace> places;
   for (const double share : kReentryShares) {
     ReentryPlace place;
@@ -145,7 +148,7 @@ std::vector<ReentryPlace> FakeJaw::reentry_places() const {
   return places;
 }
 
-std::shared_ptr<const FinishedScan> FakeJaw::result() const {
+std::shared_ptr<const FinishedScan> FakeJaw::finish() const {
   auto result = std::make_shared<FinishedScan>();
   result->surface.mesh = mesh_;
   result->surface.boundaries = holes();

@@ -17,16 +17,16 @@ class FakeJaw {
  public:
   FakeJaw();
 
-  /// What was seen when a share of the arch was scanned, from one end to the other; 0: nothing.
-  [[nodiscard]] SurfelModel surfels(double share) const;
+  /// What was seen of the arch, most of it.
+  [[nodiscard]] const SurfelModel& surfels() const { return surfels_; }
   /// Places left out of the surfels.
   [[nodiscard]] std::vector<BoundaryLoop> holes() const;
   [[nodiscard]] std::shared_ptr<const LiveFrame> live_frame(Pattern pattern) const;
   /// From another place, as after a loss.
   [[nodiscard]] std::shared_ptr<const LiveFrame> other_frame() const { return other_; }
   [[nodiscard]] Isometry T_world_sensor() const;
-  [[nodiscard]] std::vector<ReentryPlace> reentry_places() const;
-  [[nodiscard]] std::shared_ptr<const FinishedScan> result() const;
+  [[nodiscard]] const std::vector<ReentryPlace>& reentry_places() const { return places_; }
+  [[nodiscard]] std::shared_ptr<const FinishedScan> result() const { return result_; }
   [[nodiscard]] Measurement measurement() const;
 
  private:
@@ -34,12 +34,19 @@ class FakeJaw {
   [[nodiscard]] Isometry sensor_at(double share) const;
   [[nodiscard]] std::shared_ptr<const LiveFrame> frame_at(Pattern pattern, double share) const;
 
+  [[nodiscard]] SurfelModel seen_until(double share) const;
+  [[nodiscard]] std::vector<ReentryPlace> find_places() const;
+  [[nodiscard]] std::shared_ptr<const FinishedScan> finish() const;
+
   TriangleMesh mesh_;  ///< world frame
   std::unique_ptr<ImageSimulator> images_;
   std::unique_ptr<ViewSimulator> views_;
   SensorPath path_;  ///< over the arch, three times
   std::array<std::shared_ptr<const LiveFrame>, 2> frames_;
   std::shared_ptr<const LiveFrame> other_;
+  SurfelModel surfels_;
+  std::vector<ReentryPlace> places_;
+  std::shared_ptr<const FinishedScan> result_;
 };
 
 }  // namespace flytri::testing

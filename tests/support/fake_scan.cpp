@@ -36,7 +36,7 @@ AppView ordinary_view() {
   return view;
 }
 
-ScanSnapshot ordinary_scan(const FakeJaw& jaw, double share) {
+ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
   ScanSnapshot scan;
   scan.number = 1;
   scan.phase = ScanPhase::kMeasurement;
@@ -55,7 +55,7 @@ ScanSnapshot ordinary_scan(const FakeJaw& jaw, double share) {
   scan.distance = SensorDistance{0.12, 0.9};
   scan.residual_mm = 0.021;
   scan.T_world_sensor = jaw.T_world_sensor();
-  scan.model = jaw.surfels(share);
+  scan.model = jaw.surfels();
   scan.good_share = 0.87;
   scan.area_mm2 = 2600.0;
   scan.holes = jaw.holes();
@@ -81,7 +81,8 @@ struct FakeScan::Parts {
 
   [[nodiscard]] AppView preview() const {
     AppView view = ordinary_view();
-    ScanSnapshot scan = ordinary_scan(jaw, 0.0);
+    ScanSnapshot scan = ordinary_scan(jaw);
+    scan.model.clear();
     scan.phase = ScanPhase::kPreview;
     scan.scanned_s = 0.0;
     scan.counts = {};
@@ -98,7 +99,7 @@ struct FakeScan::Parts {
 
   [[nodiscard]] AppView scanning() const {
     AppView view = ordinary_view();
-    set_scan(view, ordinary_scan(jaw, 0.7));
+    set_scan(view, ordinary_scan(jaw));
     view.is_scanning = true;
     view.file.is_saved = false;
     add_sizes(view, false);

@@ -83,8 +83,7 @@ Note note_of(const AppView& view) {
   const std::size_t holes = open_holes(view);
   if (holes > 0) {
     return {icon::kWarning, kCaution,
-            fmt::format("{} {} left in the surface; N goes there", holes,
-                        holes == 1 ? "hole is" : "holes are")};
+            fmt::format("{} {} left in the surface", holes, holes == 1 ? "hole is" : "holes are")};
   }
   return {icon::kInformation, kNeutral, "What is shown is what is written"};
 }

@@ -13,10 +13,11 @@
 namespace flytri::ui {
 namespace {
 
-constexpr float kWidth = 232.0F;
+constexpr float kHoleWidth = 168.0F;
+constexpr float kDistanceWidth = 232.0F;
 constexpr float kRow = 40.0F;
 constexpr float kHeading = 24.0F;
-constexpr std::size_t kMostRows = 4;
+constexpr std::size_t kMostRows = 3;
 
 /// Indices of the holes proper, the largest first; the border of the scan is none.
 std::vector<std::size_t> inner_holes(const AppView& view) {
@@ -28,14 +29,13 @@ std::vector<std::size_t> inner_holes(const AppView& view) {
   return indices;
 }
 
-/// A plate at the lower left, grown upwards by its rows.
-Rect plate_box(const PanelContext& context, std::size_t rows, std::size_t headings) {
+/// A plate at the lower left, grown upwards by its rows and a heading.
+Rect plate_box(const PanelContext& context, float width, std::size_t rows) {
   const float height =
-      context.px(2.0F * kGapS + kRow * static_cast<float>(rows) +
-                 kHeading * static_cast<float>(headings) + kGapXs * static_cast<float>(rows));
+      context.px(2.0F * kGapS + kHeading + (kRow + kGapXs) * static_cast<float>(rows));
   const Rect& picture = context.layout.picture;
   const float margin = context.px(kGapM);
-  return {picture.x + margin, picture.bottom() - margin - height, context.px(kWidth), height};
+  return {picture.x + margin, picture.bottom() - margin - height, context.px(width), height};
 }
 
 void draw_heading(const PanelContext& context, Rect& rest, const std::string& text) {
@@ -91,14 +91,15 @@ void draw_measurements(const PanelContext& context, Rect& rest) {
 
 void draw_hole_plate(const PanelContext& context, const std::vector<std::size_t>& holes) {
   const std::size_t rows = std::min(holes.size(), kMostRows) + 1;
-  const Rect box = plate_box(context, rows, 1);
+  const Rect box = plate_box(context, kHoleWidth, rows);
   const Plate plate("holes", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
   draw_holes(context, rest, holes);
 }
 
 void draw_measurement_plate(const PanelContext& context) {
-  const Rect box = plate_box(context, std::min(context.view.measurements.size(), kMostRows), 1);
+  const Rect box =
+      plate_box(context, kDistanceWidth, std::min(context.view.measurements.size(), kMostRows));
   const Plate plate("distances", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
   draw_measurements(context, rest);

@@ -10,7 +10,7 @@ namespace {
 
 void draw_progress(const PanelContext& context) {
   const FinishingState& finishing = context.view.scan->finishing;
-  const Rect box = context.layout.picture.centered(context.px(440.0F), context.px(196.0F));
+  const Rect box = context.layout.picture.centered(context.px(440.0F), context.px(172.0F));
   const Plate plate("finishing", box, overlay(context.theme));
   const Theme& theme = context.theme;
   Rect rest = box.inset(context.px(kGapL));

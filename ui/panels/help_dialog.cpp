@@ -1,5 +1,7 @@
 /// @file  All keys, what they do, and how each stands now.
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
@@ -9,12 +11,20 @@ namespace {
 
 constexpr float kRow = 23.0F;
 constexpr float kHeading = 30.0F;
+constexpr float kKey = 92.0F;
+/// The fullest column, in rows: looking and program, with their headings.
+constexpr float kMostRows = 26.0F;
+
+/// Rows close up where the window is low.
+float row_height(const PanelContext& context, float height) {
+  return std::min(context.px(kRow), std::floor(height / kMostRows));
+}
 
 void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
   const Theme& theme = context.theme;
   const ActionState standing = action_state(entry.action, context.view, context.state);
   const Color ink = standing.is_enabled ? kText : with_opacity(kTextQuiet, 0.75F);
-  draw_text(row.take_left(context.px(84.0F), context.px(kGapS)), {theme.fonts.strong, ink},
+  draw_text(row.take_left(context.px(kKey), context.px(kGapS)), {theme.fonts.strong, ink},
             entry.key_text);
   draw_text(row.take_left(row.width * 0.58F, context.px(kGapS)), {theme.fonts.body, ink},
             entry.name);
@@ -22,25 +32,25 @@ void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
   draw_text(row, {theme.fonts.small, mark, Align::kLeft}, standing.text);
 }
 
-void draw_group(const PanelContext& context, Rect& column, ActionGroup group) {
+void draw_group(const PanelContext& context, Rect& column, float row, ActionGroup group) {
   draw_text(column.take_top(context.px(kHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, to_string(group));
   for (const KeyBinding& entry : key_map()) {
-    if (entry.group == group) draw_row(context, column.take_top(context.px(kRow)), entry);
+    if (entry.group == group) draw_row(context, column.take_top(row), entry);
   }
   column.take_top(context.px(kGapS));
 }
 
-void draw_pointer(const PanelContext& context, Rect& column) {
+void draw_pointer(const PanelContext& context, Rect& column, float row_height_px) {
   constexpr std::array<std::array<const char*, 2>, 3> kRows = {
       {{"Drag", "turns the view, or uses the tool"},
-       {"Right drag", "turns; with Shift or the wheel pressed, moves"},
+       {"Right drag", "turns; with Shift it moves"},
        {"Wheel", "nearer and farther; with a brush, its size"}}};
   draw_text(column.take_top(context.px(kHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Pointer");
   for (const auto& [what, does] : kRows) {
-    Rect row = column.take_top(context.px(kRow));
-    draw_text(row.take_left(context.px(84.0F), context.px(kGapS)),
+    Rect row = column.take_top(row_height_px);
+    draw_text(row.take_left(context.px(kKey), context.px(kGapS)),
               {context.theme.fonts.strong, kText}, what);
     draw_text(row, {context.theme.fonts.body, kText}, does);
   }
@@ -55,12 +65,13 @@ void draw_help_dialog(const PanelContext& context) {
   Rect first = dialog.rest.take_left(width, gap);
   Rect second = dialog.rest.take_left(width, gap);
   Rect third = dialog.rest;
-  draw_group(context, first, ActionGroup::kScanning);
-  draw_group(context, first, ActionGroup::kEditing);
-  draw_pointer(context, first);
-  draw_group(context, second, ActionGroup::kLooking);
-  draw_group(context, second, ActionGroup::kProgram);
-  draw_group(context, third, ActionGroup::kHand);
+  const float row = row_height(context, dialog.rest.height);
+  draw_group(context, first, row, ActionGroup::kScanning);
+  draw_group(context, first, row, ActionGroup::kEditing);
+  draw_pointer(context, first, row);
+  draw_group(context, second, row, ActionGroup::kLooking);
+  draw_group(context, second, row, ActionGroup::kProgram);
+  draw_group(context, third, row, ActionGroup::kHand);
 }
 
 }  // namespace flytri::ui

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kHeight = 60.0F;
 constexpr float kButton = 44.0F;
+constexpr float kFindingsRoom = 232.0F + 2.0F * kGapM;
 
 const char* instruction(const WindowState& state) {
   switch (state.tool) {
@@ -55,10 +56,13 @@ void draw_tool_strip(const PanelContext& context) {
   if (context.state.tool == Tool::kNone) return;
   const char* text = instruction(context.state);
   const Rect& picture = context.layout.picture;
-  const float width = std::min(strip_width(context, text), picture.width);
+  // To the right of what was found, which stands at the left.
+  const float room = picture.width - context.px(kFindingsRoom) - context.px(kGapM);
+  const float width = std::round(std::min(strip_width(context, text), room));
   const float height = context.px(kHeight);
-  const Rect box = {std::round(picture.center().x - width / 2.0F),
-                    picture.bottom() - context.px(kGapM) - height, std::round(width), height};
+  const float middle = std::round(picture.center().x - width / 2.0F);
+  const Rect box = {std::max(middle, picture.x + context.px(kFindingsRoom)),
+                    picture.bottom() - context.px(kGapM) - height, width, height};
   const Plate plate("tool", box, overlay(context.theme));
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
   small_action(context, row.take_right(context.px(96.0F), context.px(kGapM)), Action::kCancel,

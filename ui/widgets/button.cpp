@@ -41,14 +41,16 @@ Touch draw_face(const Theme& theme, const Rect& box, const ButtonLook& look) {
   return touched;
 }
 
+Color key_color(const ButtonLook& look) {
+  if (!look.is_enabled) return with_opacity(kTextQuiet, 0.5F);
+  return look.is_main ? with_opacity(kTextOnColor, 0.75F) : kTextQuiet;
+}
+
 void draw_key(const Theme& theme, const Rect& box, const ButtonLook& look) {
   if (look.key.empty()) return;
-  const Color ink = look.is_main && look.is_enabled
-                        ? with_opacity(kTextOnColor, 0.75F)
-                        : with_opacity(kTextQuiet, look.is_enabled ? 1.0F : 0.5F);
   Rect corner = box.inset(theme.px(kGapS), theme.px(6.0F));
   corner = corner.take_top(theme.fonts.small->FontSize);
-  draw_text(corner, {theme.fonts.small, ink, Align::kRight}, look.key);
+  draw_text(corner, {theme.fonts.small, key_color(look), Align::kRight}, look.key);
 }
 
 }  // namespace
@@ -87,7 +89,7 @@ bool small_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
               look.icon);
   }
   if (!look.key.empty()) {
-    const Color quiet = look.is_main ? with_opacity(kTextOnColor, 0.75F) : kTextQuiet;
+    const Color quiet = key_color(look);
     const float width = text_width(theme.fonts.small, look.key);
     draw_text(row.take_right(width, theme.px(kGapS)), {theme.fonts.small, quiet, Align::kRight},
               look.key);

@@ -1,5 +1,7 @@
 #include "ui/widgets/camera_image.h"
 
+#include <cmath>
+
 namespace flytri::ui {
 namespace {
 
@@ -24,12 +26,28 @@ void draw_line(const std::vector<Pixel>& line, const PixelPlace& place, ImU32 co
   list.PathStroke(color, 0, thickness);
 }
 
+/// Measurement frames are linear in light: encoded as screens expect, the dark surface between the
+/// lines is seen, too.
+cv::Mat for_screen(const Frame& frame) {
+  if (frame.image.channels() != 1) return frame.image;
+  cv::Mat grey;
+  frame.image.convertTo(grey, CV_8U, frame.image.depth() == CV_16U ? 1.0 / 257.0 : 1.0);
+  cv::Mat table(1, 256, CV_8U);
+  for (int i = 0; i < 256; ++i) {
+    table.at<std::uint8_t>(i) =
+        cv::saturate_cast<std::uint8_t>(255.0 * std::pow(i / 255.0, 1.0 / 2.2));
+  }
+  cv::Mat encoded;
+  cv::LUT(grey, table, encoded);
+  return encoded;
+}
+
 }  // namespace
 
 void CameraPicture::show(const std::shared_ptr<const LiveFrame>& latest) {
   if (latest == frame) return;
   frame = latest;
-  if (frame != nullptr && !frame->frame.image.empty()) texture.assign(frame->frame.image);
+  if (frame != nullptr && !frame->frame.image.empty()) texture.assign(for_screen(frame->frame));
 }
 
 Rect camera_image(const Theme& theme, const Rect& box, const CameraPicture& picture,

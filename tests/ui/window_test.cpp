@@ -1,0 +1,227 @@
+/// @file  The real window, driven by real keys and clicks: each does what the key map says.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "tests/ui/window_driver.h"
+
+namespace flytri {
+namespace {
+
+using testing::WindowDriver;
+using Names = std::vector<std::string>;
+
+/// One window for all tests: it takes seconds to come up.
+class RealWindow : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    window_ = WindowDriver::start(FLYTRI_FAKE_WINDOW, {"--width", "1280", "--height", "800"});
+  }
+  static void TearDownTestSuite() { window_.reset(); }
+
+  void SetUp() override {
+    if (window_ == nullptr) GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, see README";
+    for (int i = 0; i < 3; ++i) window().ask("do cancel");
+    window().ask("do shading");
+  }
+
+  static WindowDriver& window() { return *window_; }
+  /// Shows a fake state, and forgets the commands before.
+  static void show(const std::string& state) {
+    window().ask("tell " + state);
+    window().ask("wait 2");
+    (void)window().commands();
+  }
+  static Names after_key(const std::string& key) {
+    window().key(key);
+    return window().commands();
+  }
+  static Names after_click(const std::string& id) {
+    window().click(id);
+    return window().commands();
+  }
+
+ private:
+  static inline std::unique_ptr<WindowDriver> window_;
+};
+
+TEST_F(RealWindow, KeysGiveTheirCommands) {
+  const std::vector<std::array<std::string, 3>> cases = {
+      {"ready", "space", "StartScan"},         {"scanning", "space", "PauseScan"},
+      {"finished", "space", "ResumeScan"},     {"scanning", "z", "Undo"},
+      {"scanning", "ctrl+z", "Undo"},          {"paused", "f", "Finish"},
+      {"finishing", "Escape", "CancelFinish"}, {"lost", "Tab", "ChooseReentry"},
+      {"paused", "F2", "SelectStage"},         {"paused", "Delete", "RemoveMeasurement"},
+      {"scanning", "w", "FollowPath"},         {"scanning", "a", "TakeSensorAway"},
+      {"scanning", "x", "ChangeSettings"},     {"lost", "Left", "SteerHand"},
+      {"lost", "shift+Up", "SteerHand"},       {"lost", "Prior", "SteerHand"}};
+  for (const auto& [state, key, command] : cases) {
+    show(state);
+    EXPECT_EQ(after_key(key), Names{command}) << state << ", " << key;
+  }
+}
+
+TEST_F(RealWindow, ButtonsGiveTheCommandsOfTheirKeys) {
+  const std::vector<std::array<std::string, 3>> cases = {
+      {"ready", "scan", "StartScan"},          {"scanning", "scan", "PauseScan"},
+      {"finished", "scan", "ResumeScan"},      {"scanning", "undo", "Undo"},
+      {"paused", "finish", "Finish"},          {"finishing", "cancel", "CancelFinish"},
+      {"lost", "place_2", "ChooseReentry"},    {"paused", "lower", "SelectStage"},
+      {"scanning", "hand_mode", "FollowPath"}, {"scanning", "take_away", "TakeSensorAway"},
+      {"scanning", "mute", "ChangeSettings"}};
+  for (const auto& [state, id, command] : cases) {
+    show(state);
+    EXPECT_EQ(after_click(id), Names{command}) << state << ", " << id;
+  }
+}
+
+TEST_F(RealWindow, DisabledButtonsAndKeysDoNothing) {
+  show("ready");
+  for (const char* id : {"undo", "trim", "finish", "export"}) {
+    EXPECT_EQ(after_click(id), Names{}) << id;
+  }
+  for (const char* key : {"z", "f", "Tab", "Delete"}) EXPECT_EQ(after_key(key), Names{}) << key;
+  EXPECT_EQ(window().state()["tool"], "none");
+}
+
+TEST_F(RealWindow, ColorModesAndTheBlendFollowTheirKeys) {
+  show("scanning");
+  const std::array<std::array<const char*, 2>, 4> modes = {
+      {{"2", "texture"}, {"3", "coverage"}, {"4", "uncertainty"}, {"1", "shading"}}};
+  for (const auto& [key, mode] : modes) {
+    window().key(key);
+    EXPECT_EQ(window().state()["color_mode"], mode);
+  }
+  window().click("texture");
+  const double before = window().state()["texture_blend"];
+  window().key("comma");
+  EXPECT_LT(window().state()["texture_blend"], before);
+  window().drag("blend", -75.0, 0.0);
+  EXPECT_LT(window().state()["texture_blend"], 0.1);
+}
+
+TEST_F(RealWindow, ABrushStrokeIsOneEdit) {
+  show("paused");
+  window().ask("do occlusal");
+  window().ask("wait 60");
+  window().key("t");
+  EXPECT_EQ(window().state()["tool"], "trim");
+  const double before = window().state()["brush_share"];
+  const auto scene = window().where("scene").value();
+  // The arch of the sample jaw lies there in the occlusal view.
+  window().point(scene.x_px + scene.width_px / 2.0, scene.y_px + 0.25 * scene.height_px);
+  window().wheel(2);
+  EXPECT_GT(window().state()["brush_share"], before);
+  window().key("bracketleft");
+  (void)window().commands();
+  bool has_edited = false;
+  for (double y = 0.1; y < 0.9 && !has_edited; y += 0.05) {
+    window().drag_at(scene.x_px + scene.width_px / 2.0, scene.y_px + y * scene.height_px, 30.0,
+                     0.0);
+    const Names commands = window().commands();
+    ASSERT_LE(commands.size(), 1U);
+    has_edited = commands == Names{"EditSurface"};
+  }
+  EXPECT_TRUE(has_edited);
+  window().key("Escape");
+  EXPECT_EQ(window().state()["tool"], "none");
+}
+
+TEST_F(RealWindow, TwoClicksOnTheSurfaceMeasure) {
+  show("paused");
+  window().ask("do occlusal");
+  window().ask("wait 60");
+  window().key("m");
+  const auto scene = window().where("scene").value();
+  Names commands;
+  for (double y = 0.1; y < 0.9 && commands.empty(); y += 0.04) {
+    window().click_at(scene.x_px + scene.width_px / 2.0, scene.y_px + y * scene.height_px);
+    commands = window().commands();
+  }
+  EXPECT_EQ(commands, Names{"AddMeasurement"});
+}
+
+TEST_F(RealWindow, DraggingTurnsTheViewAndTheWheelZooms) {
+  show("scanning");
+  const auto before = window().state()["camera"];
+  window().drag("scene", 80.0, 20.0);
+  const auto turned = window().state()["camera"];
+  EXPECT_NE(before["q_wxyz"], turned["q_wxyz"]);
+  EXPECT_EQ(turned["follows"], false);
+  window().wheel(3);
+  EXPECT_LT(window().state()["camera"]["height_mm"], turned["height_mm"]);
+  window().key("Home");
+  EXPECT_EQ(window().state()["camera"]["follows"], true);
+}
+
+TEST_F(RealWindow, NextHoleFliesThere) {
+  show("paused");
+  window().ask("wait 60");
+  const auto before = window().state()["camera"];
+  window().key("n");
+  EXPECT_EQ(window().state()["selected_hole"], 0);
+  EXPECT_EQ(window().state()["camera"]["flies"], true);
+  window().ask("wait 60");
+  const auto after = window().state()["camera"];
+  EXPECT_NE(before["target_mm"], after["target_mm"]);
+  EXPECT_LT(after["height_mm"], before["height_mm"]);
+  window().click("hole_2");
+  EXPECT_EQ(window().state()["selected_hole"], 1);
+}
+
+TEST_F(RealWindow, ALossFliesToTheChosenPlaceAndBack) {
+  show("scanning");
+  window().key("Home");
+  window().ask("wait 60");
+  const auto before = window().state()["camera"];
+  show("lost");
+  window().ask("wait 60");
+  const auto there = window().state()["camera"];
+  EXPECT_NE(before["target_mm"], there["target_mm"]);
+  EXPECT_LT(there["height_mm"], before["height_mm"]);
+  show("scanning");
+  window().ask("wait 60");
+  EXPECT_EQ(window().state()["camera"]["target_mm"], before["target_mm"]);
+}
+
+TEST_F(RealWindow, HelpOpensAndKeysWorkThere) {
+  show("scanning");
+  window().key("h");
+  EXPECT_EQ(window().state()["dialog"], "help");
+  EXPECT_EQ(after_key("z"), Names{"Undo"});
+  window().click("close");
+  EXPECT_EQ(window().state()["dialog"], "none");
+}
+
+TEST_F(RealWindow, ExportDialogExportsWhatIsTicked) {
+  show("finished");
+  EXPECT_EQ(after_click("export"), Names{});
+  EXPECT_EQ(window().state()["dialog"], "export");
+  window().click("format_stl");
+  EXPECT_EQ(after_key("Return"), Names{"Export"});
+  window().key("Escape");
+  EXPECT_EQ(window().state()["dialog"], "none");
+}
+
+TEST_F(RealWindow, TypedTextIsNoCommand) {
+  show("empty_case");
+  window().key("d");
+  EXPECT_EQ(window().state()["dialog"], "case");
+  window().click("patient");
+  window().type("Zoe Finch");
+  EXPECT_EQ(window().commands(), Names{});
+  EXPECT_EQ(after_click("confirm"), Names{"NewCase"});
+  EXPECT_EQ(window().state()["dialog"], "none");
+}
+
+TEST_F(RealWindow, AClickBesideADialogClosesIt) {
+  show("scanning");
+  window().key("s");
+  EXPECT_EQ(window().state()["dialog"], "settings");
+  window().click_at(5.0, 5.0);
+  EXPECT_EQ(window().state()["dialog"], "none");
+}
+
+}  // namespace
+}  // namespace flytri
