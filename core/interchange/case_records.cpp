@@ -256,10 +256,10 @@ Result<std::int64_t> CaseRecords::count(CaseTable table, const RecordRange& rang
 }
 
 Result<std::optional<std::int64_t>> CaseRecords::last(CaseTable table, const RecordRange& range) {
-  const auto found = first_integer(database_, table, range, "max(id)");
-  // The largest of nothing is null, which reads as 0; no record has that number.
-  if (!found || found->value_or(0) != 0) return found;
-  return std::optional<std::int64_t>();
+  return first_integer(database_, table, range, "max(id)").map([](const auto& largest) {
+    // That of nothing is null, which reads as 0; no record has that number.
+    return largest == 0 ? std::nullopt : largest;
+  });
 }
 
 }  // namespace flytri

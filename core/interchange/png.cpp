@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/interchange/deflate_limit.h"
 #include "core/interchange/file_bytes.h"
 
 namespace flytri {
@@ -15,8 +16,6 @@ namespace {
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 /// Length, type and checksum of a chunk.
 constexpr std::size_t kChunkFrame = 12;
-/// Deflate cannot shrink data further than this, so a small file with a huge size is a lie.
-constexpr std::uint64_t kMaxDeflateRatio = 1032;
 constexpr int kGrey = 0, kRgb = 2;  // color types of the PNG header
 
 struct Header {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/interchange/byte_stream.h"
+#include "core/interchange/deflate_limit.h"
 
 namespace flytri {
 namespace {
@@ -18,8 +19,6 @@ namespace {
 constexpr std::uint8_t kViewVersion = 1;
 constexpr std::size_t kDoubles = 3, kFloats = 4;
 constexpr std::size_t kPlanes = kDoubles * sizeof(double) + kFloats * sizeof(float);
-/// Deflate cannot shrink data further than this, so fewer bytes with more points are a lie.
-constexpr std::size_t kMaxDeflateRatio = 1032;
 /// A plane above this entropy would hardly shrink, and packing it takes the most time.
 constexpr double kMaxPackedBits = 7.0;
 

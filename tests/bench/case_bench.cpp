@@ -100,6 +100,17 @@ void load_stage(benchmark::State& state) {
 }
 BENCHMARK(load_stage)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
+/// Until it can be read: with a passphrase, the key has to be made.
+void open_case(benchmark::State& state) {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.flytri";
+  (void)CaseFile::create(path, options_of(state));
+  for (auto _ : state) {
+    if (!CaseFile::open(path, options_of(state))) state.SkipWithError("cannot be opened");
+  }
+}
+BENCHMARK(open_case)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
 void code_view(benchmark::State& state) {
   const View view = sample_view(0);
   std::string bytes;
