@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -168,59 +169,77 @@ Result<void> CaseRecords::begin() {
                 !is_damaged_ ? "" : ", as it is damaged; start a new case");
   }
   if (is_writing_) return {};
-  Result<void> begun = database_.run("BEGIN IMMEDIATE");
-  is_writing_ = begun.has_value();
-  return begun;
+  if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) return begun;
+  is_writing_ = true;
+  for (const PendingWrite& pending : pending_) {
+    if (Result<void> done = carry_out(pending); !done) return postponed(done.error());
+  }
+  return {};
 }
 
-tl::unexpected<Error> CaseRecords::dropped(const Error& error) {
+tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
   // Some failures end the transaction by themselves: then this fails, and says nothing new.
   (void)database_.run("ROLLBACK");
   is_writing_ = false;
   return tl::unexpected(error);
 }
 
-Result<void> CaseRecords::put(std::string_view verb, CaseTable table, std::int64_t id,
-                              std::string_view data) {
-  if (Result<void> begun = begin(); !begun) return begun;
-  auto statement =
-      database_.prepare(fmt::format("{} INTO {} VALUES (?, ?, ?)", verb, name_of(table)));
-  if (!statement) return dropped(statement.error());
-  const Result<bool> done =
-      statement->bind(1, id).bind(2, record_checksum(id, data)).bind_blob(3, data).step();
-  if (!done) return dropped(done.error());
+Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
+  auto statement = database_.prepare(
+      fmt::format(fmt::runtime(pending.data ? "INSERT OR REPLACE INTO {} VALUES (?, ?, ?)"
+                                            : "DELETE FROM {} WHERE id BETWEEN ? AND ?"),
+                  name_of(pending.table)));
+  if (!statement) return tl::unexpected(statement.error());
+  statement->bind(1, pending.range.first);
+  if (pending.data) {
+    statement->bind(2, record_checksum(pending.range.first, *pending.data));
+    statement->bind_blob(3, *pending.data);
+  } else {
+    statement->bind(2, pending.range.last);
+  }
+  return statement->step().map([](bool) {});
+}
+
+Result<void> CaseRecords::write(PendingWrite pending) {
+  if (Result<void> begun = begin(); !begun) {
+    // It comes after those that failed before it.
+    if (!is_read_only()) pending_.push_back(std::move(pending));
+    return begun;
+  }
+  pending_.push_back(std::move(pending));
+  if (Result<void> done = carry_out(pending_.back()); !done) return postponed(done.error());
   return {};
 }
 
 Result<void> CaseRecords::add(CaseTable table, std::int64_t id, std::string_view data) {
   const auto there = first_integer(database_, table, {id, id}, "id");
-  if (there && *there) {
+  const bool is_pending =
+      !is_writing_ && std::any_of(pending_.begin(), pending_.end(), [&](const PendingWrite& write) {
+        return write.data && write.table == table && write.range.first == id;
+      });
+  if ((there && *there) || is_pending) {
     return fail(ErrorCode::kInconsistent, "{}: {} is there already", database_.name(),
                 name_of_record(table, id));
   }
-  return put("INSERT", table, id, data);
+  return replace(table, id, data);
 }
 
 Result<void> CaseRecords::replace(CaseTable table, std::int64_t id, std::string_view data) {
-  return put("INSERT OR REPLACE", table, id, data);
+  return write({table, {id, id}, std::string(data)});
 }
 
 Result<void> CaseRecords::erase(CaseTable table, const RecordRange& range) {
-  if (Result<void> begun = begin(); !begun) return begun;
-  auto statement =
-      database_.prepare(fmt::format("DELETE FROM {} WHERE id BETWEEN ? AND ?", name_of(table)));
-  if (!statement) return dropped(statement.error());
-  const Result<bool> done = statement->bind(1, range.first).bind(2, range.last).step();
-  if (!done) return dropped(done.error());
-  return {};
+  return write({table, range, std::nullopt});
 }
 
 Result<void> CaseRecords::commit() {
-  if (!is_writing_) return {};
+  if (!is_writing_ && pending_.empty()) return {};
+  if (Result<void> begun = begin(); !begun) return begun;
   if (Result<void> committed = database_.run("COMMIT"); !committed) {
-    return dropped(committed.error());
+    return postponed(committed.error());
   }
   is_writing_ = false;
+  pending_.clear();
   return {};
 }
 

@@ -31,7 +31,9 @@ struct RecordRange {
 /// The only record of the tables that have one.
 inline constexpr std::int64_t kOnlyRecord = 1;
 
-/// An open database of these tables. Writing opens a transaction if there is none.
+/// An open database of these tables. Writing opens a transaction if there is none. What fails is
+/// kept in memory, and tried again with the next write or commit: a full disk costs nothing once
+/// there is room again.
 class CaseRecords {
  public:
   /// Makes the tables in an empty file.
@@ -66,16 +68,23 @@ class CaseRecords {
 
  private:
   explicit CaseRecords(CaseDatabase opened);
+  /// A write that is not committed yet.
+  struct PendingWrite {
+    CaseTable table;
+    RecordRange range;
+    std::optional<std::string> data;  ///< of the only record of the range; none: it is erased
+  };
   [[nodiscard]] Result<void> begin();
-  [[nodiscard]] Result<void> put(std::string_view verb, CaseTable table, std::int64_t id,
-                                 std::string_view data);
-  /// Passes a failure on, after everything since the last commit was dropped.
-  [[nodiscard]] tl::unexpected<Error> dropped(const Error& error);
+  [[nodiscard]] Result<void> write(PendingWrite pending);
+  [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);
+  /// Takes the transaction back, to be begun anew, and passes the failure on.
+  [[nodiscard]] tl::unexpected<Error> postponed(const Error& error);
 
   SqliteDatabase database_;
   bool is_read_only_ = false;
-  bool is_damaged_ = false;  ///< found so: nothing is written any more
-  bool is_writing_ = false;  ///< a transaction is open
+  bool is_damaged_ = false;            ///< found so: nothing is written any more
+  bool is_writing_ = false;            ///< a transaction is open
+  std::vector<PendingWrite> pending_;  ///< since the last commit
   std::vector<std::string> damage_;
 };
 

@@ -263,7 +263,7 @@ class FileSizeLimit {
   rlimit former_{};
 };
 
-TEST(CaseDamage, AFullDiskCostsWhatWasNotCommitted) {
+TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   CaseFile file = CaseFile::create(path, {}).value();
@@ -279,14 +279,20 @@ TEST(CaseDamage, AFullDiskCostsWhatWasNotCommitted) {
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code, ErrorCode::kWriteFailed);
     EXPECT_THAT(written.error().message, HasSubstr(path.string()));
+    for (int i = 1; i < 4; ++i) {
+      EXPECT_FALSE(
+          file.append_view(kStage, view_of(committed + i)).and_then([&] { return file.commit(); }));
+    }
   }
   EXPECT_GT(committed, 20);
-  // With room again it goes on with the view that was refused.
-  ASSERT_TRUE(file.append_view(kStage, view_of(committed)));
+  // Nothing has to be written twice, and what came meanwhile is kept as well.
+  const Result<void> again = file.append_view(kStage, view_of(committed));
+  EXPECT_EQ(again.error().code, ErrorCode::kInconsistent);
   ASSERT_TRUE(file.commit());
   const StoredStage stage = file.load_stage(kStage).value();
-  EXPECT_EQ(stage.views.size(), static_cast<std::size_t>(committed) + 1);
+  EXPECT_EQ(stage.views.size(), static_cast<std::size_t>(committed) + 4);
   EXPECT_TRUE(stage.damage.empty());
+  EXPECT_TRUE(same_bits(*stage.views.back().view, view_of(committed + 3)));
 }
 
 TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {
