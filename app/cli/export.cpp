@@ -1,6 +1,7 @@
 /// @file  flytri export: the finished model of a case to a file, without computing anything.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <vector>
@@ -22,11 +23,26 @@ struct ExportArguments {
   std::vector<fs::path> outputs;
 };
 
+/// Gives each vertex the color of its place in the atlas.
+void color_vertices(TexturedMesh& model) {
+  const cv::Mat_<cv::Vec3b> atlas = model.atlas;
+  const auto texel = [](float share, int count) {
+    return std::clamp(static_cast<int>(share * static_cast<float>(count)), 0, count - 1);
+  };
+  for (std::size_t i = 0; i < model.uv.size(); ++i) {
+    const cv::Vec3b color =
+        atlas(texel(model.uv[i].y(), atlas.rows), texel(model.uv[i].x(), atlas.cols));
+    model.mesh.vertices[i].color = {color[0], color[1], color[2]};
+  }
+}
+
 /// The bytes as they are kept, or the model in another format.
 Result<void> write_kept(const fs::path& output, const std::string& glb, const std::string& name) {
   if (output.extension() == ".glb") return write_file(output, glb);
-  return parse_glb(glb, name).and_then(
-      [&](const TexturedMesh& model) { return write_model(output, model); });
+  Result<TexturedMesh> model = parse_glb(glb, name);
+  if (!model) return tl::unexpected(model.error());
+  if (!carries_atlas(output) && !model->atlas.empty()) color_vertices(*model);
+  return write_model(output, *model);
 }
 
 Result<void> run(const ExportArguments& arguments) {
