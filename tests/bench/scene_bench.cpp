@@ -12,6 +12,7 @@ namespace {
 void report(benchmark::State& state, const char* name, const ui::FrameTime& time) {
   state.counters[std::string(name) + "_ms"] = time.median_ms;
   state.counters[std::string(name) + "_95_ms"] = time.percentile_95_ms;
+  state.counters[std::string(name) + "_processor_ms"] = time.processor_ms;
 }
 
 /// The sample jaw in state.range(0) surfels.

@@ -6,10 +6,11 @@
 
 namespace flytri::ui {
 
-/// Median and 95th percentile of some frames, ms, from the call of draw() to the drawn picture.
+/// Median and 95th percentile of some frames, from the call of draw() to the drawn picture.
 struct FrameTime {
   double median_ms = 0.0;
   double percentile_95_ms = 0.0;
+  double processor_ms = 0.0;  ///< median over frames; of all threads: what the scan goes without
 };
 
 struct FrameTimes {
