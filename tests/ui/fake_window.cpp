@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <string>
 
 #include "tests/support/fake_scan.h"
@@ -31,7 +32,8 @@ struct FakeProgram {
   void show(const std::string& state) {
     const auto next = scans.view(state);
     if (!next) return;
-    const double now_s = view.now_s;
+    // At whole elevens of seconds, ten pulses of the scene, so that what pulses is in the same phase whenever a state is shown.
+    const double now_s = 11.0 * (std::floor(view.now_s / 11.0) + 1.0);
     const flytri::ui::Settings settings = view.settings;
     view = *next;
     view.now_s = now_s;

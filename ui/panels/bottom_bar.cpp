@@ -21,12 +21,6 @@ ActionLook scan_look(const PanelContext& context) {
   return {icon::kScan, "Scan", true, kGood};
 }
 
-ActionLook finish_look(const PanelContext& context) {
-  const bool is_next = !context.view.is_scanning && context.phase() != ScanPhase::kFinished &&
-                       action_state(Action::kFinish, context.view, context.state).is_enabled;
-  return {icon::kFinish, "Finish", is_next, kNeutral};
-}
-
 std::array<Entry, 9> entries(const PanelContext& context) {
   const bool exports_next = context.phase() == ScanPhase::kFinished;
   return {{{Action::kUndo, {icon::kUndo, "Undo"}},
@@ -35,7 +29,7 @@ std::array<Entry, 9> entries(const PanelContext& context) {
            {Action::kLock, {icon::kLock, "Lock"}},
            {Action::kUnlock, {icon::kUnlock, "Unlock"}},
            {Action::kMeasure, {icon::kMeasure, "Measure"}},
-           {Action::kFinish, finish_look(context)},
+           {Action::kFinish, {icon::kFinish, "Finish"}},
            {Action::kExport, {icon::kExport, "Export", exports_next, kNeutral}},
            {Action::kHelp, {icon::kHelp, "Keys"}}}};
 }

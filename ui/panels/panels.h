@@ -11,6 +11,9 @@ void draw_bottom_bar(const PanelContext& context);
 void draw_side_panel(const PanelContext& context);
 void draw_scene_panel(const PanelContext& context);
 
+/// Lengths beside the measured distances, in the window of the scene.
+void draw_distance_labels(const PanelContext& context);
+
 // What lies over the scene, each where it has something to say.
 void draw_status_banner(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);

@@ -20,6 +20,7 @@ void draw_scene_panel(const PanelContext& context) {
   ImGui::GetWindowDrawList()->AddImage(
       reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.scene.texture_id())),
       picture.min(), picture.max(), {0, 1}, {1, 0});
+  draw_distance_labels(context);
 }
 
 }  // namespace flytri::ui

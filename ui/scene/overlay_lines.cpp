@@ -7,8 +7,6 @@
 namespace flytri::ui {
 namespace {
 
-constexpr Color kVerticalProfile = {1.00F, 0.84F, 0.20F, 1.0F};    ///< amber
-constexpr Color kHorizontalProfile = {0.35F, 0.88F, 1.00F, 1.0F};  ///< cyan
 constexpr Color kMeasurement = {1.0F, 1.0F, 1.0F, 1.0F};
 constexpr Color kCasing = {0.0F, 0.0F, 0.0F, 0.5F};  ///< around lines on the bright surface
 constexpr Color kLock = {0.36F, 0.47F, 0.80F, 1.0F};

@@ -27,7 +27,8 @@ void draw_volume(const Theme& theme, const Rect& box, const Vec3& volume_mm) {
 }
 
 void draw_view(const Theme& theme, const Rect& box, const Vec3& volume_mm, const View& view) {
-  const ImU32 color = to_u32(view.pattern == Pattern::kVertical ? kNeutral : kCaution);
+  const ImU32 color =
+      to_u32(view.pattern == Pattern::kVertical ? kVerticalProfile : kHorizontalProfile);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const Profile& profile : view.profiles) {
     for (std::size_t i = 0; i < profile.points.size(); i += kStride) {

@@ -1,0 +1,49 @@
+/// @file  The length of each measured distance, beside its middle in the scene.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "ui/panels/panels.h"
+
+namespace flytri::ui {
+namespace {
+
+/// Where a place of the world lies in the window; none behind the eye.
+std::optional<ImVec2> place_in_window(const CameraState& view, const Rect& picture,
+                                      const Vec3& p_world_mm) {
+  const Vec3 p_eye = view.camera.T_world_eye().inverse() * p_world_mm;
+  if (p_eye.z() >= 0.0) return std::nullopt;
+  // Depth does not matter here: any planes that it lies between will do.
+  const Eigen::Matrix4d P =
+      view.camera.projection(view.picture.aspect(), -0.5 * p_eye.z(), -2.0 * p_eye.z());
+  const Eigen::Vector4d clip = P * p_eye.homogeneous();
+  const auto x = static_cast<float>(0.5 + 0.5 * clip.x() / clip.w());
+  const auto y = static_cast<float>(0.5 - 0.5 * clip.y() / clip.w());
+  return ImVec2(picture.x + x * picture.width, picture.y + y * picture.height);
+}
+
+void draw_label(const PanelContext& context, const ImVec2& middle, const std::string& text) {
+  const Theme& theme = context.theme;
+  const float height = context.px(28.0F);
+  const float width = std::ceil(text_width(theme.fonts.strong, text)) + 2.0F * context.px(10.0F);
+  const Rect box = {std::round(middle.x - width / 2.0F), std::round(middle.y - height / 2.0F),
+                    width, height};
+  draw_box(box, with_opacity(kBackground, 0.85F), height / 2.0F);
+  draw_text(box, {theme.fonts.strong, kText, Align::kCenter}, text);
+}
+
+}  // namespace
+
+void draw_distance_labels(const PanelContext& context) {
+  const Rect& picture = context.layout.picture;
+  for (const Measurement& measured : context.view.measurements) {
+    const auto middle =
+        place_in_window(context.state.view, picture, 0.5 * (measured.from_mm + measured.to_mm));
+    if (!middle || !picture.contains(*middle)) continue;
+    draw_label(context, *middle,
+               fmt::format("{:.2f} mm", (measured.to_mm - measured.from_mm).norm()));
+  }
+}
+
+}  // namespace flytri::ui
