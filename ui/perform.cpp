@@ -101,6 +101,9 @@ struct Performance {
     if (state.dialog == Dialog::kCase) {
       commands.push_back(case_asked(state.case_form));
       state.case_form.passphrase.clear();
+      state.case_form.is_asked = true;
+      // Stays open until the case is: opening may fail, or ask for a passphrase.
+      if (state.case_form.tab != CaseTab::kFields) return;
     }
     state.dialog = Dialog::kNone;
   }

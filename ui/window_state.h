@@ -62,6 +62,7 @@ struct CaseForm {
   CaseFields fields;
   std::string path;
   std::string passphrase;
+  bool is_asked = false;        ///< the program was asked; the dialog closes when the case is open
   bool is_path_edited = false;  ///< else the path of a new case is proposed from its fields
 };
 

@@ -243,7 +243,7 @@ void Session::carry_out_(const ui::OpenCase& command) {
     return [this, command, file] {
       if (!*file) {
         case_state_.message = file->error().message;
-        case_state_.passphrase_is_asked = file->error().code == ErrorCode::kNotPermitted;
+        case_state_.passphrase_is_asked = file->error().code == ErrorCode::kInconsistent;
         case_state_.path_asked = command.path;
         return;
       }

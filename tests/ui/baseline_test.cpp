@@ -63,7 +63,8 @@ class Baseline : public ::testing::Test {
   }
   static void TearDownTestSuite() { window_.reset(); }
   void SetUp() override {
-    if (window_ == nullptr) GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, see README";
+    if (window_ == nullptr)
+      GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
   }
 
   /// The state as it looks when all that flies has arrived.

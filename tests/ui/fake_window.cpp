@@ -32,7 +32,8 @@ struct FakeProgram {
   void show(const std::string& state) {
     const auto next = scans.view(state);
     if (!next) return;
-    // At whole elevens of seconds, ten pulses of the scene, so that what pulses is in the same phase whenever a state is shown.
+    // At whole elevens of seconds, ten pulses of the scene, so that what pulses is in the same
+    // phase whenever a state is shown.
     const double now_s = 11.0 * (std::floor(view.now_s / 11.0) + 1.0);
     const flytri::ui::Settings settings = view.settings;
     view = *next;
@@ -47,6 +48,7 @@ struct FakeProgram {
     if (const auto* follow = std::get_if<flytri::ui::FollowPath>(&command)) {
       if (view.source.hand) view.source.hand->follows_path = follow->follows;
     }
+    if (const auto* made = std::get_if<flytri::ui::NewCase>(&command)) view.file.path = made->path;
     if (std::holds_alternative<flytri::ui::Quit>(command)) is_running = false;
   }
 };

@@ -21,7 +21,8 @@ class RealWindow : public ::testing::Test {
   static void TearDownTestSuite() { window_.reset(); }
 
   void SetUp() override {
-    if (window_ == nullptr) GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, see README";
+    if (window_ == nullptr)
+      GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
     for (int i = 0; i < 3; ++i) window().ask("do cancel");
     window().ask("do shading");
   }
@@ -212,6 +213,7 @@ TEST_F(RealWindow, TypedTextIsNoCommand) {
   window().type("Zoe Finch");
   EXPECT_EQ(window().commands(), Names{});
   EXPECT_EQ(after_click("confirm"), Names{"NewCase"});
+  window().ask("wait 2");
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 

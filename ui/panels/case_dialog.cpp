@@ -138,8 +138,14 @@ void draw_message(const PanelContext& context, const DialogPlate& dialog) {
 
 void draw_case_dialog(const PanelContext& context) {
   CaseForm& form = context.state.case_form;
+  const CaseState& file = context.view.file;
+  if (form.is_asked && file.message.empty() && file.path == form.path) {
+    form = CaseForm();
+    context.state.dialog = Dialog::kNone;
+    return;
+  }
   DialogPlate dialog(context, "Cases", {640.0F, 640.0F});
-  if (context.view.file.path.empty() && form.tab == CaseTab::kFields) form.tab = CaseTab::kNew;
+  if (file.path.empty() && form.tab == CaseTab::kFields) form.tab = CaseTab::kNew;
   draw_tabs(context, dialog, form);
   switch (form.tab) {
     case CaseTab::kFields:

@@ -133,6 +133,20 @@ TEST(KeyMap, ConfirmExportsWhatIsTicked) {
   EXPECT_FALSE(action_state(Action::kConfirm, view, state).is_enabled);
 }
 
+TEST(KeyMap, CaseDialogStaysUntilTheCaseIsOpen) {
+  const AppView view;
+  WindowState state;
+  state.dialog = Dialog::kCase;
+  state.case_form.path = "/tmp/a.flytri";
+  state.case_form.passphrase = "secret";
+  std::vector<Command> commands;
+  perform(Action::kConfirm, view, state, commands);
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(std::get<NewCase>(commands.front()).passphrase, "secret");
+  EXPECT_EQ(state.dialog, Dialog::kCase);
+  EXPECT_TRUE(state.case_form.passphrase.empty()) << "kept no longer than needed";
+}
+
 TEST(KeyMap, NextPlaceGoesRound) {
   AppView view;
   auto scan = std::make_shared<ScanSnapshot>(*scan_in(ScanPhase::kContinuation));
