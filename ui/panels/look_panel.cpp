@@ -2,6 +2,7 @@
 #include <array>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/scene_view.h"
 #include "ui/widgets/badge.h"
 #include "ui/widgets/meter.h"
 
@@ -45,9 +46,8 @@ void draw_sigma_legend(const PanelContext& context, Rect& rest) {
   for (std::size_t i = 0; i < kSteps; ++i) {
     colors[i] = sigma_color(static_cast<double>(i) / (kSteps - 1));
   }
-  const SceneOptions defaults;
   color_scale(context.theme, rest.take_top(context.px(34.0F)),
-              {colors, "exact", length_text(defaults.max_sigma_mm)});
+              {colors, "exact", length_text(max_sigma_mm(context.view))});
 }
 
 /// Height of what stands under the buttons, in units.

@@ -119,11 +119,18 @@ SceneOptions options_of(const PanelContext& context) {
   SceneOptions options;
   options.color_mode = context.state.color_mode;
   options.texture_blend = context.state.texture_blend;
+  options.max_sigma_mm = max_sigma_mm(context.view);
   options.scale = static_cast<double>(context.theme.scale);
   return options;
 }
 
 }  // namespace
+
+double max_sigma_mm(const AppView& view) {
+  // 30 um of 20 mm, as the intra-oral sensor has it.
+  constexpr double kShareOfWidth = 0.0015;
+  return kShareOfWidth * view.volume_mm.x();
+}
 
 void draw_scene(const PanelContext& context) {
   CameraState& camera = context.state.view;
