@@ -32,6 +32,9 @@ Status status_of(const AppView& view) {
   if (view.scan != nullptr && view.scan->phase == ScanPhase::kFinished) {
     return {kGood, icon::kSaved, "Finished", "Export it, or go on scanning"};
   }
+  if (view.scan == nullptr && view.is_scanning) {
+    return {kNeutral, icon::kInformation, "One moment", "The sensor is getting ready"};
+  }
   if (view.scan == nullptr || !view.is_scanning) return waiting_status(view);
   return scanning_status(view);
 }

@@ -97,5 +97,12 @@ TEST(Status, LossIsTheWarningColorAndSaysWhatToDo) {
   EXPECT_EQ(status_of(view).hint, view.source.message);
 }
 
+TEST(Status, AskedToScanBeforeTheSensorIsThereItSaysToWait) {
+  AppView view;
+  EXPECT_EQ(status_of(view).text, "Ready");
+  view.is_scanning = true;
+  EXPECT_EQ(status_of(view).text, "One moment");
+}
+
 }  // namespace
 }  // namespace flytri::ui
