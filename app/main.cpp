@@ -36,6 +36,7 @@ int parse_and_run(int argc, char** argv) {
   add_study_command(app, invocation);
   add_demo_command(app, invocation);
   add_app_command(app, invocation);
+  add_bench_command(app, invocation);
   try {
     // Who starts the program without a word wants to scan.
     argc > 1 ? app.parse(argc, argv) : app.parse("app");

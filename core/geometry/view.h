@@ -42,6 +42,11 @@ struct View {
   }
 };
 
+/// What is left of a view when its points are let go: when it was taken, and how.
+[[nodiscard]] inline std::shared_ptr<const View> without_points(const View& view) {
+  return std::make_shared<const View>(View{view.pattern, view.frame, view.time_s, {}});
+}
+
 /// A view with its place in the world (paper: S_i). The view itself never changes, its pose does.
 struct AlignedView {
   std::shared_ptr<const View> view;

@@ -53,6 +53,7 @@ Result<void> LiveSurfaceOptions::validate() const {
   if (block_cells < 4 || block_cells > 256) return bad("block_cells", "in [4, 256]");
   if (min_points < 1) return bad("min_points", ">= 1");
   if (good_views < 1) return bad("good_views", ">= 1");
+  if (enough_views < good_views) return bad("enough_views", ">= good_views");
   return texture.validate();
 }
 
@@ -74,29 +75,34 @@ LiveSurface::Key LiveSurface::key(const Vec3f& p_mm, int cells) const {
   return key;
 }
 
-void LiveSurface::add(const AlignedView& view, const EditFilter& filter) {
+double LiveSurface::add(const AlignedView& view, const EditFilter& filter) {
   if (cell_mm_ == 0.0) {
     cell_mm_ = options_.cell_mm > 0.0 ? options_.cell_mm
                                       : kCellSpacings * median_point_spacing_mm({&view, 1});
     if (!(cell_mm_ > 0.0)) {
       cell_mm_ = 0.0;
-      return;
+      return 0.0;
     }
   }
-  for (const Profile& profile : view.view->profiles) add_profile(profile, view, filter);
+  std::size_t enough = 0;
+  for (const Profile& profile : view.view->profiles) enough += add_profile(profile, view, filter);
   refresh_normals();
   for (const std::uint32_t cell : touched_cells_) refresh_cell(cell);
   touched_cells_.clear();
+  const std::size_t count = view.view->point_count();
+  return count > 0 ? static_cast<double>(enough) / static_cast<double>(count) : 0.0;
 }
 
-void LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
-                              const EditFilter& filter) {
+/// @return  points where enough views had been
+std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
+                                     const EditFilter& filter) {
   const Eigen::Matrix3f R = view.T_world_sensor.linear().cast<float>();
   const Vec3f towards = -R.col(2);
   const Vec3 span_mm = profile.points.back().position_mm - profile.points.front().position_mm;
   const double spacing_mm = span_mm.norm() / static_cast<double>(profile.points.size() - 1);
   const double reach = 0.5 * options_.normal_cells * cell_mm_ / std::max(spacing_mm, 1e-9);
   const auto pattern = static_cast<std::size_t>(view.view->pattern);
+  std::size_t enough = 0;
   for (std::size_t i = 0; i < profile.points.size(); ++i) {
     const ProfilePoint& point = profile.points[i];
     const Vec3f p_mm = (view.T_world_sensor * point.position_mm).cast<float>();
@@ -112,6 +118,7 @@ void LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
     const Vec3f o = R * tangent(profile, i, static_cast<std::size_t>(std::clamp(reach, 1.0, 64.0)));
     around.tangents += o * o.transpose();
     around.towards += towards;
+    if (around.views[pattern] > options_.enough_views) ++enough;
     if (around.latest_s[pattern] != view.view->time_s) {
       around.latest_s[pattern] = view.view->time_s;
       ++around.views[pattern];
@@ -119,6 +126,7 @@ void LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
     if (!around.touched) touched_normals_.push_back(cell.normal_cell);
     around.touched = true;
   }
+  return enough;
 }
 
 void LiveSurface::touch(std::uint32_t cell) {

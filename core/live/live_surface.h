@@ -30,6 +30,10 @@ struct LiveSurfaceOptions {
   int min_points = 2;
   /// >= 1. Views of each pattern that a normal's cube needs to be covered well.
   int good_views = 2;
+  /// >= good_views. Views of each pattern after which further ones tell nothing new of a place:
+  /// their noise averages to a sixth of one view's, which is below what the sensor's own errors
+  /// are.
+  int enough_views = 40;
   TextureOptions texture;
 
   [[nodiscard]] Result<void> validate() const;
@@ -46,7 +50,8 @@ class LiveSurface {
   [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {});
 
   /// Adds the points of a view that the edits keep.
-  void add(const AlignedView& view, const EditFilter& filter);
+  /// @return  share of the points that fell where enough views had been before, 0..1
+  double add(const AlignedView& view, const EditFilter& filter);
   /// Takes away what the edits do not keep, as seen at any time up to now.
   void cut(const EditFilter& filter, double now_s);
   /// Colors what the frame observes.
@@ -99,7 +104,8 @@ class LiveSurface {
 
   explicit LiveSurface(const LiveSurfaceOptions& options) : options_(options) {}
 
-  void add_profile(const Profile& profile, const AlignedView& view, const EditFilter& filter);
+  std::size_t add_profile(const Profile& profile, const AlignedView& view,
+                          const EditFilter& filter);
   std::uint32_t cell_at(const Vec3f& p_mm);
   void attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm);
   void attach_to_block(std::uint32_t cell, const Vec3f& p_mm);

@@ -9,7 +9,9 @@ namespace {
 /// Views of a rebuild that are added in one go: a few milliseconds, so that new views do not wait.
 constexpr std::size_t kViewsAtOnce = 4;
 /// Closer to a kept one than this share of the volume, a texture frame shows nothing new.
-constexpr double kSamePlaceShare = 0.05;
+constexpr double kSamePlaceShare = 0.25;
+/// Of a view's points, from which it tells nothing new.
+constexpr double kRedundantShare = 0.95;
 
 }  // namespace
 
@@ -31,7 +33,7 @@ Result<LiveModel> LiveModel::create(const LiveSurfaceOptions& options,
 
 void LiveModel::add(std::span<const AlignedView> views) {
   for (const AlignedView& view : views) {
-    surface_.add(view, filter_);
+    if (surface_.add(view, filter_) > kRedundantShare) redundant_s_.push_back(view.view->time_s);
     trajectory_.set(view.view->time_s, view.T_world_sensor);
     if (rebuild_) rebuild_->views.push_back(view);
   }

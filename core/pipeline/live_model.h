@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/calibration/calibration.h"
@@ -38,6 +39,8 @@ class LiveModel {
   /// Does a piece of that; false when there is nothing left to do.
   bool continue_rebuild();
 
+  /// Times of views added since the last call that told nothing new: they may be let go.
+  [[nodiscard]] std::vector<double> take_redundant() { return std::exchange(redundant_s_, {}); }
   [[nodiscard]] LiveSurface& surface() { return surface_; }
   /// Those that color the surface: of frames from nearly the same place the first is kept.
   [[nodiscard]] const std::vector<PlacedTexture>& textures() const { return textures_; }
@@ -63,6 +66,7 @@ class LiveModel {
   std::vector<Frame> waiting_;  ///< texture frames whose pose is not known yet
   std::vector<PlacedTexture> textures_;
   std::optional<Rebuild> rebuild_;
+  std::vector<double> redundant_s_;
 };
 
 }  // namespace flytri

@@ -79,6 +79,7 @@ class LiveScan::Impl {
   void show_edits();
   void refine_if_grown(double factor);
   void take_refined(const std::vector<AlignedView>& refined);
+  void retire_past();
   void take_result(Result<FinishedScan> finished);
   void rebuild();
   [[nodiscard]] bool has_model() const { return known_views_ > 0; }
@@ -126,8 +127,9 @@ class LiveScan::Impl {
   EditStack edits_;
   ReentryImages pictures_;
   std::vector<AlignedView> unposted_;
-  std::size_t known_views_ = 0;    ///< registered
-  std::size_t refined_views_ = 0;  ///< when the last optimization began
+  std::vector<double> redundant_s_;  ///< times of views that are to be let go
+  std::size_t known_views_ = 0;      ///< registered
+  std::size_t refined_views_ = 0;    ///< when the last optimization began
   bool refining_ = false;
   int missed_in_a_row_ = 0;
   double last_time_s_ = 0.0, phase_since_s_ = 0.0, scanned_s_ = 0.0;
@@ -362,6 +364,16 @@ void LiveScan::Impl::hand_over_growth(std::optional<double> offered_at_s) {
     add_to_model(views, offered_at_s);
   });
   refine_if_grown(options_.refine_growth);
+  retire_past();
+}
+
+/// Lets go of views that told nothing new, some at a time, and not before the hand has left them.
+void LiveScan::Impl::retire_past() {
+  constexpr double kPast_s = 3.0;
+  constexpr std::size_t kAtOnce = 100;
+  if (redundant_s_.size() < kAtOnce || redundant_s_[kAtOnce - 1] > last_time_s_ - kPast_s) return;
+  registrar_.retire(std::span(redundant_s_).first(kAtOnce));
+  redundant_s_.erase(redundant_s_.begin(), redundant_s_.begin() + kAtOnce);
 }
 
 void LiveScan::Impl::restore(const KeptScan& kept) {
@@ -505,7 +517,8 @@ void LiveScan::Impl::run_finishing(std::vector<Frame> textures) {
   const Progress progress = finishing();
   progress.begin_stage("Registering what was lost", 0);
   for (const RegisteredView& view : registrar_.finish(Registrar::World::kUnchanged)) {
-    if (view.fate != ViewFate::kRejected) scanned.views.push_back({view.view, view.T_world_sensor});
+    if (view.fate == ViewFate::kRejected || view.view->profiles.empty()) continue;
+    scanned.views.push_back({view.view, view.T_world_sensor});
   }
   scanned.texture_frames = std::move(textures);
   scanned.edits = edits_.state();
@@ -537,6 +550,11 @@ void LiveScan::Impl::take_result(Result<FinishedScan> finished) {
 void LiveScan::Impl::add_to_model(const std::vector<AlignedView>& views,
                                   std::optional<double> offered_at_s) {
   model_.add(views);
+  if (std::vector<double> redundant_s = model_.take_redundant(); !redundant_s.empty()) {
+    ask([this, redundant_s = std::move(redundant_s)] {
+      redundant_s_.insert(redundant_s_.end(), redundant_s.begin(), redundant_s.end());
+    });
+  }
   if (offered_at_s) unpublished_offers_s_.push_back(*offered_at_s);
   model_changed_ = grown_since_holes_ = true;
   publish_if_due(false);

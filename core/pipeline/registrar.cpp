@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace flytri {
 namespace {
@@ -403,6 +404,19 @@ ScanGrowth Registrar::take_growth() {
   return growth;
 }
 
+void Registrar::retire(std::span<const double> times_s) {
+  if (pieces_.empty()) return;
+  TrackedScan& scan = *pieces_[scan_];
+  const std::set<double> retired(times_s.begin(), times_s.end());
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const View& view = *scan.views()[i].aligned.view;
+    if (!view.profiles.empty() && retired.contains(view.time_s)) scan.retire(i);
+  }
+  for (Added& added : added_) {
+    if (retired.contains(added.view->time_s)) added.view = without_points(*added.view);
+  }
+}
+
 void Registrar::apply(std::span<const AlignedView> refined) {
   if (pieces_.empty()) return;
   TrackedScan& scan = *pieces_[scan_];
@@ -427,7 +441,9 @@ void Registrar::apply(std::span<const AlignedView> refined) {
 std::vector<AlignedView> Registrar::aligned_views() const {
   std::vector<AlignedView> result;
   if (pieces_.empty()) return result;
-  for (const TrackedView& view : pieces_[scan_]->views()) result.push_back(view.aligned);
+  for (const TrackedView& view : pieces_[scan_]->views()) {
+    if (!view.aligned.view->profiles.empty()) result.push_back(view.aligned);
+  }
   std::sort(result.begin(), result.end(), [](const AlignedView& a, const AlignedView& b) {
     return a.view->time_s < b.view->time_s;
   });

@@ -113,10 +113,13 @@ class Registrar {
   /// 0..1: how near the latest view that was lost came to entering the scan; 1 if it is not lost.
   [[nodiscard]] double entry_share() const { return lost_views_ == 0 ? 1.0 : entry_share_; }
 
-  /// Views registered so far in the world frame of the largest piece.
+  /// Views registered so far in the world frame of the largest piece, but for those retired.
   [[nodiscard]] std::vector<AlignedView> aligned_views() const;
   /// What came to the scan since the last call, pieces that joined included.
   [[nodiscard]] ScanGrowth take_growth();
+  /// Lets go of the points of views, told by their times, where so many others have seen the same:
+  /// they stay registered, but are no longer among aligned_views(). For views that are past.
+  void retire(std::span<const double> times_s);
   /// Gives views the poses that an optimization of the whole scan has found. Views that came after
   /// it began are carried along with the last that it knew.
   void apply(std::span<const AlignedView> refined);

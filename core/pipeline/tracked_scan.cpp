@@ -120,10 +120,19 @@ void TrackedScan::change_frame(const Isometry& T_new_world) {
 
 void TrackedScan::move(std::size_t i, const Isometry& T_world_sensor) {
   TrackedView& view = views_[i];
-  view.placed = view.placed.moved(T_world_sensor * view.aligned.T_world_sensor.inverse());
+  if (!view.aligned.view->profiles.empty()) {
+    view.placed = view.placed.moved(T_world_sensor * view.aligned.T_world_sensor.inverse());
+    grid_.move(i, extent_of(view.placed, T_world_sensor));
+  }
   view.aligned.T_world_sensor = T_world_sensor;
-  grid_.move(i, extent_of(view.placed, T_world_sensor));
   trajectory_.set(view.aligned.view->time_s, T_world_sensor);
+}
+
+void TrackedScan::retire(std::size_t i) {
+  TrackedView& view = views_[i];
+  view.aligned.view = without_points(*view.aligned.view);
+  view.placed = PreparedView{};
+  grid_.remove(i);
 }
 
 std::vector<const PreparedView*> TrackedScan::latest_views() const {

@@ -73,6 +73,8 @@ class TrackedScan {
   [[nodiscard]] double usual_rms_mm() const;
   /// True if the view comes so soon after the last that its pose can be predicted.
   [[nodiscard]] bool continues(double time_s) const;
+  /// Lets go of what a view measured: it keeps its pose, and nothing is registered to it any more.
+  void retire(std::size_t i);
   /// Gives a kept view another pose.
   void move(std::size_t i, const Isometry& T_world_sensor);
 

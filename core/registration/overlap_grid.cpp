@@ -35,6 +35,10 @@ void OverlapGrid::move(std::size_t view, const ViewExtent& extent) {
   extents_[view] = extent;
 }
 
+void OverlapGrid::remove(std::size_t view) {
+  std::erase(cells_[cell_of(extents_[view].center_mm)], view);
+}
+
 std::vector<Overlap> OverlapGrid::overlapping(const ViewExtent& around) const {
   const Vec3 reach = Vec3::Constant(2.4 * around.radius_mm);
   const Cell low = cell_of(around.center_mm - reach);

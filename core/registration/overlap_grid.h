@@ -34,6 +34,8 @@ class OverlapGrid {
   void add(const ViewExtent& extent);
   /// After a view was registered anew.
   void move(std::size_t view, const ViewExtent& extent);
+  /// The view overlaps with nothing from now on; the others keep their numbers.
+  void remove(std::size_t view);
   [[nodiscard]] std::size_t size() const { return extents_.size(); }
   [[nodiscard]] const ViewExtent& extent(std::size_t view) const { return extents_[view]; }
 
