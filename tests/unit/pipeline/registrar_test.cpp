@@ -215,5 +215,81 @@ TEST(Registrar, ViewsWhoseTimeDoesNotRiseAreRejectedAlone) {
   EXPECT_EQ(errors_of(views, hand_pose).registered, 10);
 }
 
+TEST(Registrar, ASkippedViewIsInterpolated) {
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 60; ++frame) {
+    const auto view = scene_view(frame, hand_pose(frame / 30.0), SceneSensor());
+    const RegisteredView taken = frame == 40 ? registrar.skip(view) : registrar.add(view);
+    if (frame == 40) EXPECT_EQ(taken.fate, ViewFate::kInterpolated);
+  }
+  const std::vector<RegisteredView> views = registrar.finish();
+  EXPECT_EQ(views[40].fate, ViewFate::kInterpolated);
+  EXPECT_EQ(views[41].fate, ViewFate::kRegistered);
+}
+
+TEST(Registrar, RetiredViewsKeepTheirPlaceAndLetGoOfTheirPoints) {
+  Registrar registrar = Registrar::create().value();
+  const auto add = [&](int begin, int end) {
+    for (int frame = begin; frame < end; ++frame) {
+      (void)registrar.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
+    }
+  };
+  add(0, 90);
+  std::vector<double> times_s;
+  for (int frame = 20; frame < 50; ++frame) times_s.push_back(frame / 30.0);
+  registrar.retire(times_s);
+  EXPECT_EQ(registrar.aligned_views().size(), 60U);
+  add(90, 120);
+  const std::vector<RegisteredView> views = registrar.finish();
+  ASSERT_EQ(views.size(), 120U);
+  for (const RegisteredView& view : views) EXPECT_EQ(view.fate, ViewFate::kRegistered);
+  EXPECT_EQ(views[30].view->point_count(), 0U);
+}
+
+TEST(Registrar, TellsEachViewOfItsGrowthOnce) {
+  Registrar registrar = Registrar::create().value();
+  std::size_t told = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    (void)registrar.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
+    const ScanGrowth growth = registrar.take_growth();
+    EXPECT_FALSE(growth.is_all);
+    told += growth.added.size();
+  }
+  EXPECT_EQ(told, 40U);
+  EXPECT_TRUE(registrar.take_growth().added.empty());
+}
+
+TEST(Registrar, TakesOverBetterPosesAndCarriesLaterViewsAlong) {
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 30; ++frame) {
+    (void)registrar.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
+  }
+  std::vector<AlignedView> better = registrar.aligned_views();
+  const std::vector<AlignedView> before = better;
+  better.resize(20);
+  const Isometry T_new_world(Eigen::Translation3d(0.1, 0.0, 0.0));
+  for (AlignedView& view : better) view.T_world_sensor = T_new_world * view.T_world_sensor;
+  registrar.apply(better);
+  const std::vector<AlignedView> after = registrar.aligned_views();
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_TRUE(after[i].T_world_sensor.isApprox(T_new_world * before[i].T_world_sensor, 1e-9));
+  }
+}
+
+TEST(Registrar, GoesOnFromViewsThatWereKept) {
+  Registrar first = Registrar::create().value();
+  for (int frame = 0; frame < 60; ++frame) {
+    (void)first.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
+  }
+  Registrar second = Registrar::create().value();
+  second.restore(first.aligned_views());
+  int registered = 0;
+  for (int frame = 60; frame < 90; ++frame) {
+    const auto view = scene_view(frame, hand_pose(frame / 30.0), SceneSensor());
+    registered += second.add(view).fate == ViewFate::kRegistered ? 1 : 0;
+  }
+  EXPECT_EQ(registered, 30);
+}
+
 }  // namespace
 }  // namespace flytri

@@ -1,0 +1,189 @@
+#include "core/live/live_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/orthographic_calibration.h"
+
+namespace flytri {
+namespace {
+
+constexpr double kSpacing_mm = 0.05;
+
+/// Lines over the plane z = 0 of 10 x 10 mm, seen by a sensor that looks along -z of the world.
+AlignedView plane_view(Pattern pattern, double time_s, double line_offset_mm = 0.0) {
+  auto view = std::make_shared<View>();
+  view->pattern = pattern;
+  view->time_s = time_s;
+  for (double across = 0.5 + line_offset_mm; across < 10.0; across += 1.0) {
+    Profile profile;
+    for (double along = 0.0; along < 10.0; along += kSpacing_mm) {
+      ProfilePoint point;
+      // The sensor's y and z point against those of the world.
+      point.position_mm =
+          pattern == Pattern::kVertical ? Vec3(across, -along, 0.0) : Vec3(along, -across, 0.0);
+      point.deviation_mm = Vec3f(0, 0, 0.03F);
+      profile.points.push_back(point);
+    }
+    view->profiles.push_back(std::move(profile));
+  }
+  Isometry T_world_sensor = Isometry::Identity();
+  T_world_sensor.linear() = Eigen::AngleAxisd(M_PI, Vec3::UnitX()).toRotationMatrix();
+  return {view, T_world_sensor};
+}
+
+const EditFilter& no_edits() {
+  static const EditFilter filter(EditStack().state());
+  return filter;
+}
+
+/// Both patterns at `rounds` places, until the lines lie as close as the cells.
+LiveSurface scanned_plane(int rounds = 5) {
+  LiveSurface surface = LiveSurface::create().value();
+  double time_s = 0.0;
+  for (int i = 0; i < rounds; ++i) {
+    for (const Pattern pattern : kPatterns) {
+      surface.add(plane_view(pattern, time_s += 0.033, 0.2 * i), no_edits());
+    }
+  }
+  return surface;
+}
+
+std::vector<Surfel> surfels_of(const SurfelModel& model) {
+  std::vector<Surfel> all;
+  for (const auto& block : model)
+    all.insert(all.end(), block->surfels.begin(), block->surfels.end());
+  return all;
+}
+
+TEST(LiveSurface, APlaneBecomesSurfelsThatFaceTheSensor) {
+  LiveSurface surface = scanned_plane();
+  const std::vector<Surfel> surfels = surfels_of(surface.publish());
+  ASSERT_GT(surfels.size(), 500U);
+  for (const Surfel& surfel : surfels) {
+    EXPECT_NEAR(surfel.position_mm.z(), 0.0F, 1e-5F);
+    EXPECT_GT(surfel.normal.z(), 0.999F);
+    EXPECT_GT(surfel.sigma_mm, 0.0F);
+    EXPECT_LT(surfel.sigma_mm, 0.03F);
+  }
+}
+
+TEST(LiveSurface, TheAreaIsThatOfThePlane) {
+  LiveSurface surface = scanned_plane();
+  (void)surface.publish();
+  // Cells of 0.22 mm stick out over the border.
+  EXPECT_NEAR(surface.area_mm2(), 100.0, 8.0);
+  EXPECT_GT(surface.good_share(), 0.9);
+}
+
+TEST(LiveSurface, LinesOfOnePatternAloneCoverThinly) {
+  LiveSurface surface = LiveSurface::create().value();
+  for (int i = 0; i < 10; ++i) {
+    surface.add(plane_view(Pattern::kVertical, 0.1 * i, 0.1 * i), no_edits());
+  }
+  const std::vector<Surfel> surfels = surfels_of(surface.publish());
+  ASSERT_FALSE(surfels.empty());
+  for (const Surfel& surfel : surfels) EXPECT_EQ(surfel.coverage, Coverage::kThin);
+  EXPECT_EQ(surface.good_share(), 0.0);
+}
+
+TEST(LiveSurface, OneViewHasNormalsAcrossItsLines) {
+  LiveSurface surface = LiveSurface::create().value();
+  surface.add(plane_view(Pattern::kVertical, 0.1), no_edits());
+  for (const Surfel& surfel : surfels_of(surface.publish())) {
+    EXPECT_GT(surfel.normal.z(), 0.999F);
+  }
+}
+
+TEST(LiveSurface, BlocksThatDoNotChangeStayTheSameObjects) {
+  LiveSurface surface = scanned_plane();
+  const SurfelModel before = surface.publish();
+  EXPECT_EQ(surface.publish(), before);
+  AlignedView far = plane_view(Pattern::kVertical, 9.0);
+  far.T_world_sensor.translation() += Vec3(100, 0, 0);
+  surface.add(far, no_edits());
+  const SurfelModel after = surface.publish();
+  EXPECT_GT(after.size(), before.size());
+  EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end(),
+                            [](const auto& a, const auto& b) { return a->place < b->place; }));
+  for (const auto& block : before) {
+    EXPECT_NE(std::find(after.begin(), after.end(), block), after.end());
+  }
+}
+
+TEST(LiveSurface, AnyPrefixOfABlockIsSpreadOverIt) {
+  LiveSurface surface = scanned_plane();
+  for (const auto& block : surface.publish()) {
+    if (block->surfels.size() < 100) continue;
+    const auto half = static_cast<std::ptrdiff_t>(block->surfels.size() / 4);
+    const auto mean = [](auto begin, auto end) {
+      Vec3f sum = Vec3f::Zero();
+      for (auto i = begin; i != end; ++i) sum += i->position_mm;
+      return Vec3f(sum / static_cast<float>(end - begin));
+    };
+    const Vec3f all = mean(block->surfels.begin(), block->surfels.end());
+    const Vec3f some = mean(block->surfels.begin(), block->surfels.begin() + half);
+    // A block is 3.6 mm wide: the mean of 25 random places is within 3 x 1 mm / 5 of the middle.
+    EXPECT_LT((all - some).norm(), 0.7F);
+  }
+}
+
+TEST(LiveSurface, WhatTheEditsDoNotKeepIsNeitherAddedNorLeft) {
+  EditStack edits;
+  edits.push({EditKind::kTrim, 100.0, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 2.0F}}});
+  const EditFilter filter(edits.state());
+  const auto in_reach = [](const Surfel& surfel) {
+    return (surfel.position_mm - Vec3f(5, 5, 0)).norm() < 1.7F;
+  };
+  LiveSurface cut = scanned_plane();
+  cut.cut(filter, 50.0);
+  LiveSurface kept_out = LiveSurface::create().value();
+  kept_out.add(plane_view(Pattern::kVertical, 50.0), filter);
+  for (LiveSurface* surface : {&cut, &kept_out}) {
+    const std::vector<Surfel> surfels = surfels_of(surface->publish());
+    EXPECT_FALSE(surfels.empty());
+    EXPECT_TRUE(std::none_of(surfels.begin(), surfels.end(), in_reach));
+  }
+}
+
+TEST(LiveSurface, TakesTheColorThatATextureFrameSees) {
+  LiveSurface surface = scanned_plane();
+  (void)surface.publish();
+  const Calibration calibration = testing::orthographic_calibration({20, 20, 20}, {640, 480}, 20.0);
+  TextureFrame frame{cv::Mat(480, 640, CV_8UC3, cv::Scalar(200, 100, 50)),
+                     plane_view(Pattern::kVertical, 0.0).T_world_sensor};
+  frame.T_world_sensor.translation() = Vec3(5, 5, 0);
+  ASSERT_TRUE(surface.add_color(frame, calibration));
+  const std::vector<Surfel> surfels = surfels_of(surface.publish());
+  for (const Surfel& surfel : surfels) {
+    ASSERT_TRUE(surfel.textured);
+    EXPECT_NEAR(surfel.color[0], 200, 1);
+    EXPECT_NEAR(surfel.color[2], 50, 1);
+  }
+}
+
+TEST(LiveSurface, SaysWhenAViewTellsNothingNew) {
+  LiveSurfaceOptions options;
+  options.enough_views = 5;
+  LiveSurface surface = LiveSurface::create(options).value();
+  double share = 1.0;
+  for (int i = 0; i < 5; ++i) {
+    share = surface.add(plane_view(Pattern::kVertical, 0.1 * i), no_edits());
+    EXPECT_EQ(share, 0.0);
+  }
+  (void)surface.add(plane_view(Pattern::kVertical, 0.9), no_edits());
+  share = surface.add(plane_view(Pattern::kVertical, 1.0), no_edits());
+  EXPECT_EQ(share, 1.0);
+}
+
+TEST(LiveSurface, NamesTheOptionThatIsWrong) {
+  LiveSurfaceOptions options;
+  options.normal_cells = 0;
+  const auto surface = LiveSurface::create(options);
+  ASSERT_FALSE(surface);
+  EXPECT_NE(surface.error().message.find("normal_cells"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace flytri
