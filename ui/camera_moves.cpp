@@ -66,8 +66,9 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
   state.follows_scan = true;
   state.followed_box_mm =
       model_box_mm.isEmpty() ? volume_box(view.volume_mm) : grown(model_box_mm, view.volume_mm);
-  fly_to_box(state.followed_box_mm, is_first ? first_sight() : state.camera.pose().q_world_eye,
-             state);
+  // A flight that is under way keeps the direction that it was to end in.
+  fly_to_box(state.followed_box_mm,
+             is_first ? first_sight() : state.camera.destination().q_world_eye, state);
 }
 
 void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state) {

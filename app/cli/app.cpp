@@ -1,10 +1,13 @@
 /// @file  flytri app: the window.
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/source_options.h"
 #include "app/session/session.h"
 #include "ui/app_window.h"
+#include "ui/sound/sound_player.h"
 
 namespace flytri::cli {
 namespace {
@@ -14,6 +17,18 @@ struct AppArguments {
   ui::AppWindowOptions window;
 };
 
+/// The scan was lost while it grew, or found again.
+void sound(const ui::AppView& view, ScanPhase& heard, ui::SoundPlayer& sounds) {
+  if (view.scan == nullptr) return;
+  sounds.set_muted(view.settings.is_muted);
+  const ScanPhase before = std::exchange(heard, view.scan->phase);
+  if (before == ScanPhase::kMeasurement && heard == ScanPhase::kContinuation) {
+    sounds.play(ui::Sound::kLost);
+  } else if (before == ScanPhase::kContinuation && heard == ScanPhase::kMeasurement) {
+    sounds.play(ui::Sound::kReturn);
+  }
+}
+
 Result<void> run(const AppArguments& arguments) {
   auto window = ui::AppWindow::create(arguments.window);
   if (!window) return tl::unexpected(window.error());
@@ -21,10 +36,14 @@ Result<void> run(const AppArguments& arguments) {
   options.source = arguments.source;
   Session session(options);
   session.carry_out(ui::StartScan{});
+  ui::SoundPlayer sounds;
+  ScanPhase heard = ScanPhase::kPreview;
   std::vector<ui::Command> commands;
   bool is_open = true;
   while (is_open && !session.is_closing()) {
-    is_open = (*window)->frame(session.view(), commands);
+    const ui::AppView view = session.view();
+    is_open = (*window)->frame(view, commands);
+    sound(view, heard, sounds);
     for (const ui::Command& command : commands) session.carry_out(command);
     commands.clear();
   }
@@ -37,8 +56,7 @@ void add_app_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<AppArguments>();
   CLI::App* command = app.add_subcommand(
       "app", "Open the scanning window; without any subcommand this is what flytri does");
-  command->add_option("--mesh", arguments->source.mesh,
-                      "What the virtual sensor scans instead of the sample jaw (.ply, .glb)");
+  add_source_options(*command, arguments->source);
   command->add_option("--control", arguments->window.control_socket,
                       "Unix socket on which tests and pictures steer the window");
   command->footer("Example: flytri app");

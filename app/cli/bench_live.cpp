@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/source_options.h"
 #include "app/session/session.h"
 #include "core/base/median.h"
 #include "core/interchange/file_bytes.h"
@@ -214,8 +215,7 @@ void add_bench_command(CLI::App& app, Invocation& invocation) {
   live->add_option("--duration", arguments->duration_s, "Length of the scan, s")
       ->check(CLI::Range(1.0, 36000.0))
       ->capture_default_str();
-  live->add_option("--mesh", arguments->source.mesh,
-                   "What the virtual sensor scans instead of the sample jaw (.ply, .glb)");
+  add_source_options(*live, arguments->source);
   live->add_option("-o,--output", arguments->output, "JSON file for the figures");
   live->footer("Example: flytri bench live --duration 600 -o live.json");
   live->callback([arguments, &invocation] {

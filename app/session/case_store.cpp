@@ -74,6 +74,7 @@ Result<OpenedStage> CaseStore::load(ScanStage stage) {
   opened.scan.texture_frames = std::move(stored->texture_frames);
   opened.scan.edits = std::move(stored->edits);
   opened.measurements = std::move(stored->measurements);
+  opened.damage = std::move(stored->damage);
   return opened;
 }
 
@@ -169,7 +170,7 @@ std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {
     if (file) {
       if (const auto fields = file->fields()) entry.patient = fields->patient_name;
     } else {
-      entry.is_encrypted = file.error().code == ErrorCode::kNotPermitted;
+      entry.is_encrypted = file.error().code == ErrorCode::kInconsistent;
     }
     known.push_back(std::move(entry));
   }

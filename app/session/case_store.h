@@ -17,6 +17,7 @@ namespace flytri {
 struct OpenedStage {
   KeptScan scan;
   std::vector<Measurement> measurements;
+  std::vector<std::string> damage;  ///< what could not be read, a line each
   FrameIndex last_frame{-1};
   double last_time_s = 0.0;
 };

@@ -43,7 +43,7 @@ double Session::now_s() const { return options_.scan.now_s(); }
 std::shared_ptr<LiveScan> Session::scan() const { return scans_[stage_]; }
 
 void Session::carry_out(const ui::Command& command) {
-  std::visit([this](const auto& given) { carry_out_(given); }, command);
+  std::visit([this](const auto& given) { handle(given); }, command);
 }
 
 void Session::do_beside(std::function<std::function<void()>()> work) {
@@ -104,6 +104,7 @@ void Session::use_stage(std::size_t stage, const OpenedStage& opened) {
       LiveScan::create(source_.calibration, options, opened.scan);
   if (!scan) return notice(ui::Severity::kError, scan.error().message);
   router_->go_on_after(opened.last_frame, opened.last_time_s);
+  for (const std::string& line : opened.damage) notice(ui::Severity::kWarning, line);
   scans_[stage] = std::move(*scan);
   measurements_[stage] = opened.measurements;
   if (stage == stage_) show_stage();
@@ -114,29 +115,29 @@ void Session::notice(ui::Severity severity, std::string text) {
   if (notices_.size() > kNotices) notices_.erase(notices_.begin());
 }
 
-void Session::carry_out_(const ui::StartScan&) {
+void Session::handle(const ui::StartScan&) {
   is_started_ = true;
   if (scan()) scan()->start();
 }
 
-void Session::carry_out_(const ui::PauseScan&) {
+void Session::handle(const ui::PauseScan&) {
   is_started_ = false;
   if (scan()) scan()->pause();
 }
 
-void Session::carry_out_(const ui::Undo&) {
+void Session::handle(const ui::Undo&) {
   if (scan()) scan()->undo();
 }
 
-void Session::carry_out_(const ui::Redo&) {
+void Session::handle(const ui::Redo&) {
   if (scan()) scan()->redo();
 }
 
-void Session::carry_out_(const ui::EditSurface& command) {
+void Session::handle(const ui::EditSurface& command) {
   if (scan()) scan()->edit(command.kind, command.dabs);
 }
 
-void Session::carry_out_(const ui::AddMeasurement& command) {
+void Session::handle(const ui::AddMeasurement& command) {
   Measurement added = command.measurement;
   if (case_ != nullptr) {
     const auto id = case_->add_measurement(kScanStages[stage_], added);
@@ -146,7 +147,7 @@ void Session::carry_out_(const ui::AddMeasurement& command) {
   measurements_[stage_].push_back(added);
 }
 
-void Session::carry_out_(const ui::RemoveMeasurement& command) {
+void Session::handle(const ui::RemoveMeasurement& command) {
   auto& measurements = measurements_[stage_];
   if (command.index >= measurements.size()) return;
   const auto removed = measurements.begin() + static_cast<std::ptrdiff_t>(command.index);
@@ -157,29 +158,29 @@ void Session::carry_out_(const ui::RemoveMeasurement& command) {
   measurements.erase(removed);
 }
 
-void Session::carry_out_(const ui::Finish&) {
+void Session::handle(const ui::Finish&) {
   is_started_ = false;
   if (scan()) scan()->finish();
 }
 
-void Session::carry_out_(const ui::CancelFinish&) {
+void Session::handle(const ui::CancelFinish&) {
   if (scan()) scan()->cancel_finish();
 }
 
-void Session::carry_out_(const ui::ResumeScan&) { carry_out_(ui::StartScan{}); }
+void Session::handle(const ui::ResumeScan&) { handle(ui::StartScan{}); }
 
-void Session::carry_out_(const ui::ChooseReentry& command) {
+void Session::handle(const ui::ChooseReentry& command) {
   if (scan()) scan()->choose_reentry(command.index);
 }
 
-void Session::carry_out_(const ui::SelectStage& command) {
+void Session::handle(const ui::SelectStage& command) {
   if (scan()) scan()->pause();
   is_started_ = false;
   stage_ = static_cast<std::size_t>(command.stage);
   show_stage();
 }
 
-void Session::carry_out_(const ui::Export& command) {
+void Session::handle(const ui::Export& command) {
   if (scan() == nullptr || exports_.is_running) return;
   exports_.is_running = true;
   exports_.failure.clear();
@@ -207,7 +208,7 @@ void Session::forget_scans() {
 }
 
 /// What was scanned without a case goes into a new one; what belongs to another case stays there.
-void Session::carry_out_(const ui::NewCase& command) {
+void Session::handle(const ui::NewCase& command) {
   if (source_.calibration == nullptr) return;
   CaseFields fields = command.fields;
   fields.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -236,7 +237,7 @@ void Session::carry_out_(const ui::NewCase& command) {
   use_case(std::move(store));
 }
 
-void Session::carry_out_(const ui::OpenCase& command) {
+void Session::handle(const ui::OpenCase& command) {
   do_beside([this, command] {
     auto file = std::make_shared<Result<CaseFile>>(
         CaseFile::open(command.path, {command.passphrase, false}));
@@ -268,7 +269,7 @@ void Session::use_case(std::shared_ptr<CaseStore> store) {
   list_cases();
 }
 
-void Session::carry_out_(const ui::SetCaseFields& command) {
+void Session::handle(const ui::SetCaseFields& command) {
   if (case_ == nullptr) return;
   CaseFields fields = command.fields;
   fields.created = case_->fields().value_or(CaseFields{}).created;
@@ -296,7 +297,7 @@ ui::CaseState Session::case_state() const {
 }
 
 /// The window's movement is in the sensor's frame, the hand's aim in the model's.
-void Session::carry_out_(const ui::SteerHand& command) {
+void Session::handle(const ui::SteerHand& command) {
   if (source_.hand == nullptr) return;
   const Isometry T_model_sensor = source_.hand->T_model_sensor();
   HandAim aim = source_.hand->aim();
@@ -312,7 +313,7 @@ void Session::carry_out_(const ui::SteerHand& command) {
 }
 
 /// Where the scan is in the model frame follows from where both say the sensor is now.
-void Session::carry_out_(const ui::PointHand& command) {
+void Session::handle(const ui::PointHand& command) {
   if (source_.hand == nullptr || scan() == nullptr) return;
   const std::optional<Isometry> T_world_sensor = scan()->snapshot()->T_world_sensor;
   if (!T_world_sensor) return;
@@ -322,26 +323,26 @@ void Session::carry_out_(const ui::PointHand& command) {
   if (target_mm) source_.hand->follow_pointer({*target_mm, -direction, Vec3::Zero()});
 }
 
-void Session::carry_out_(const ui::FollowPath& command) {
+void Session::handle(const ui::FollowPath& command) {
   if (source_.hand == nullptr) return;
   if (command.follows) return source_.hand->follow_path();
   source_.hand->follow_pointer(source_.hand->aim());
 }
 
-void Session::carry_out_(const ui::TakeSensorAway& command) {
+void Session::handle(const ui::TakeSensorAway& command) {
   if (source_.hand == nullptr) return;
   if (command.is_away) return source_.hand->take_away();
   source_.hand->follow_path();
 }
 
-void Session::carry_out_(const ui::ChangeSettings& command) {
+void Session::handle(const ui::ChangeSettings& command) {
   settings_ = command.settings;
   if (auto written = write_settings(settings_path(), settings_); !written) {
     notice(ui::Severity::kWarning, written.error().message);
   }
 }
 
-void Session::carry_out_(const ui::Tell& command) {
+void Session::handle(const ui::Tell& command) {
   notice(ui::Severity::kWarning, "unknown words: " + command.words);
 }
 

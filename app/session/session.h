@@ -44,29 +44,29 @@ class Session {
 
  private:
   // One function a command.
-  void carry_out_(const ui::StartScan&);
-  void carry_out_(const ui::PauseScan&);
-  void carry_out_(const ui::Undo&);
-  void carry_out_(const ui::Redo&);
-  void carry_out_(const ui::EditSurface& command);
-  void carry_out_(const ui::AddMeasurement& command);
-  void carry_out_(const ui::RemoveMeasurement& command);
-  void carry_out_(const ui::Finish&);
-  void carry_out_(const ui::CancelFinish&);
-  void carry_out_(const ui::ResumeScan&);
-  void carry_out_(const ui::ChooseReentry& command);
-  void carry_out_(const ui::SelectStage& command);
-  void carry_out_(const ui::Export& command);
-  void carry_out_(const ui::NewCase& command);
-  void carry_out_(const ui::OpenCase& command);
-  void carry_out_(const ui::SetCaseFields& command);
-  void carry_out_(const ui::SteerHand& command);
-  void carry_out_(const ui::FollowPath& command);
-  void carry_out_(const ui::TakeSensorAway& command);
-  void carry_out_(const ui::PointHand& command);
-  void carry_out_(const ui::ChangeSettings& command);
-  void carry_out_(const ui::Tell& command);
-  void carry_out_(const ui::Quit&) { is_closing_ = true; }
+  void handle(const ui::StartScan&);
+  void handle(const ui::PauseScan&);
+  void handle(const ui::Undo&);
+  void handle(const ui::Redo&);
+  void handle(const ui::EditSurface& command);
+  void handle(const ui::AddMeasurement& command);
+  void handle(const ui::RemoveMeasurement& command);
+  void handle(const ui::Finish&);
+  void handle(const ui::CancelFinish&);
+  void handle(const ui::ResumeScan&);
+  void handle(const ui::ChooseReentry& command);
+  void handle(const ui::SelectStage& command);
+  void handle(const ui::Export& command);
+  void handle(const ui::NewCase& command);
+  void handle(const ui::OpenCase& command);
+  void handle(const ui::SetCaseFields& command);
+  void handle(const ui::SteerHand& command);
+  void handle(const ui::FollowPath& command);
+  void handle(const ui::TakeSensorAway& command);
+  void handle(const ui::PointHand& command);
+  void handle(const ui::ChangeSettings& command);
+  void handle(const ui::Tell& command);
+  void handle(const ui::Quit&) { is_closing_ = true; }
 
   /// Work that takes time; what it returns is called by view().
   void do_beside(std::function<std::function<void()>()> work);

@@ -6,6 +6,7 @@
 #include "core/interchange/calibration_file.h"
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/model.h"
+#include "hw/recording/replay_sensor.h"
 #include "hw/simulated/live_sensor.h"
 #include "hw/simulated/sensor_calibration.h"
 
@@ -51,10 +52,29 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared};
 }
 
+Result<Source> open_recording_source(const SourceChoice& choice) {
+  ReplayOptions options;
+  options.speed = choice.replay_speed;
+  if (choice.calibration) {
+    Result<Calibration> calibration = read_calibration(*choice.calibration);
+    if (!calibration) return tl::unexpected(calibration.error());
+    options.calibration = std::make_shared<const Calibration>(std::move(*calibration));
+  }
+  auto sensor = ReplaySensor::open(*choice.recording, options, machine_clock());
+  if (!sensor) return tl::unexpected(sensor.error());
+  if ((*sensor)->calibration() == nullptr) {
+    return fail(ErrorCode::kBadOption,
+                "{}: names no calibration; give one with --calibration FILE (made by flytri "
+                "calibrate)",
+                (*choice.recording / "recording.json").string());
+  }
+  return Source{ui::SourceKind::kRecording, *sensor, nullptr, (*sensor)->calibration()};
+}
+
 }  // namespace
 
 Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
-  return open_virtual_sensor(choice, progress);
+  return choice.recording ? open_recording_source(choice) : open_virtual_sensor(choice, progress);
 }
 
 }  // namespace flytri

@@ -306,12 +306,29 @@ std::vector<Isometry> Registrar::start_poses(double time_s, bool all) const {
     around.resize(std::min(around.size(), static_cast<std::size_t>(options_.retry_starts)));
     return around;
   }
-  // Live, every view tries a few and goes on where the last one ended.
+  // Live, every view tries where the operator was asked to enter and where the scan ended, and
+  // then a few more, going on where the view before stopped.
   const auto few = static_cast<std::size_t>(options_.starts_per_view);
-  const std::size_t first = static_cast<std::size_t>(lost_views_) * few;
-  std::vector<Isometry> starts;
-  for (std::size_t i = 0; i < few; ++i) starts.push_back(around[(first + i) % around.size()]);
+  std::vector<Isometry> starts = likeliest_entries();
+  const std::size_t more = few > starts.size() ? few - starts.size() : 1;
+  const std::size_t first = static_cast<std::size_t>(lost_views_) * more;
+  for (std::size_t i = 0; i < more; ++i) starts.push_back(around[(first + i) % around.size()]);
   return starts;
+}
+
+std::vector<Isometry> Registrar::likeliest_entries() const {
+  std::vector<Isometry> entries;
+  const auto proposed = proposal();
+  if (asked_entry_) {
+    entries.push_back(*asked_entry_);
+  } else if (proposed) {
+    entries.push_back(proposed->second.T_world_sensor);
+  }
+  if (!trajectory().empty()) {
+    const TimedPose last = trajectory().before(trajectory().last_time_s(), 1).front();
+    append_unless_near(last.T_world_sensor, kStartSpacingShare * radius_mm_, radius_mm_, entries);
+  }
+  return entries;
 }
 
 bool Registrar::confirms_claim(const Alignment& alignment) const {

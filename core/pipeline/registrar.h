@@ -155,6 +155,7 @@ class Registrar {
   void start_piece(IncomingView incoming);
   [[nodiscard]] std::vector<Isometry> anchors(double time_s) const;
   [[nodiscard]] std::vector<Isometry> start_poses(double time_s, bool all) const;
+  [[nodiscard]] std::vector<Isometry> likeliest_entries() const;
   [[nodiscard]] bool convincing(const Alignment& alignment) const;
   [[nodiscard]] double share_of_entry(const Alignment& alignment) const;
   void retry_pieces();

@@ -56,6 +56,8 @@ class OrbitCamera {
   void fly_to(const CameraPose& pose, double duration_s);
   /// Goes on with the flight. @return true while the camera moves.
   bool advance(double dt_s);
+  /// Where the flight ends; where the camera is, if it does not fly.
+  [[nodiscard]] const CameraPose& destination() const { return is_flying() ? to_ : pose_; }
   [[nodiscard]] bool is_flying() const { return remaining_s_ > 0.0; }
 
   /// The pose that shows the whole box, seen as `q_world_eye` says.
