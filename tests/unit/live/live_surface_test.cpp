@@ -17,7 +17,7 @@ AlignedView plane_view(Pattern pattern, double time_s, double line_offset_mm = 0
   view->pattern = pattern;
   view->time_s = time_s;
   for (double across = 0.5 + line_offset_mm; across < 10.0; across += 1.0) {
-    Profile profile;
+    Profile profile{LineIndex(0), Vec3::UnitX(), {}};
     for (double along = 0.0; along < 10.0; along += kSpacing_mm) {
       ProfilePoint point;
       // The sensor's y and z point against those of the world.
