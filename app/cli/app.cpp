@@ -57,6 +57,12 @@ void add_app_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
       "app", "Open the scanning window; without any subcommand this is what flytri does");
   add_source_options(*command, arguments->source);
+  command
+      ->add_option("--scale", arguments->window.content_scale,
+                   "Size of everything, instead of what the screen asks for")
+      ->check(CLI::Range(0.5, 4.0));
+  command->add_option("--faults", arguments->source.fault_seed,
+                      "For tests: the source fails now and then, by this seed");
   command->add_option("--control", arguments->window.control_socket,
                       "Unix socket on which tests and pictures steer the window");
   command->footer("Example: flytri app");

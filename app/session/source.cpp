@@ -7,6 +7,7 @@
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/model.h"
 #include "hw/recording/replay_sensor.h"
+#include "hw/simulated/faulty_sensor.h"
 #include "hw/simulated/live_sensor.h"
 #include "hw/simulated/sensor_calibration.h"
 
@@ -74,7 +75,17 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
 }  // namespace
 
 Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
-  return choice.recording ? open_recording_source(choice) : open_virtual_sensor(choice, progress);
+  auto source =
+      choice.recording ? open_recording_source(choice) : open_virtual_sensor(choice, progress);
+  if (!source || !choice.fault_seed) return source;
+  FaultOptions faults;
+  faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;
+  faults.lost_share = 0.01;
+  faults.seed = *choice.fault_seed;
+  auto faulty = FaultySensor::create(source->sensor, faults, machine_clock());
+  if (!faulty) return tl::unexpected(faulty.error());
+  source->sensor = *faulty;
+  return source;
 }
 
 }  // namespace flytri

@@ -1,6 +1,7 @@
 /// @file  Opens what the frames of a session come from.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,6 +20,7 @@ struct SourceChoice {
   std::optional<std::filesystem::path> calibration;  ///< instead of the one the recording names
   double replay_speed = 1.0;                         ///< > 0; 0: as fast as the frames are taken
   std::optional<std::filesystem::path> mesh;         ///< what the virtual sensor scans
+  std::optional<std::uint64_t> fault_seed;           ///< for tests: the source fails now and then
 };
 
 struct Source {

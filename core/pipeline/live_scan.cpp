@@ -667,7 +667,7 @@ void LiveScan::Impl::keep_in(std::shared_ptr<ScanJournal> to) {
 }
 
 std::shared_ptr<const ScanSnapshot> LiveScan::Impl::snapshot() {
-  const auto now = board_.snapshot();
+  auto now = board_.snapshot();
   if (now->phase != ScanPhase::kFinishing) return now;
   const Progress::Snapshot step = finishing().snapshot();
   if (step.stage != finishing_step_) {

@@ -185,8 +185,8 @@ cv::Mat Chip::read_out_color(const cv::Mat& light, const ReadOut& how) const {
     const float* from = noisy.ptr<float>(v);
     std::uint8_t* to = image.ptr<std::uint8_t>(v);
     for (int i = 0; i < 3 * light.cols; ++i)
-      to[i] =
-          codes[static_cast<std::size_t>(std::clamp(from[i], 0.0F, 1.0F) * (kCodes - 1) + 0.5F)];
+      to[i] = codes[static_cast<std::size_t>(
+          std::lround(std::clamp(from[i], 0.0F, 1.0F) * (kCodes - 1)))];
   }
   return image;
 }

@@ -156,7 +156,7 @@ cv::Mat GridLight::ambient_light(const LineExposure& exposure, Nodes& nodes) con
       const Node& node = *nodes.at(2 * column, 2 * row);
       if (!node.hit) continue;
       const Vec3 view = exposure.T_model_sensor.linear() *
-                        directions_[static_cast<std::size_t>(2 * row) * columns_ + 2 * column];
+                        directions_[2 * (static_cast<std::size_t>(row) * columns_ + column)];
       const double albedo = albedo_at(exposure.scene.mesh(), exposure.albedo, *node.hit);
       coarse.at<float>(row, column) = static_cast<float>(
           room_light(ambient_level_, albedo, std::abs(node.hit->normal.dot(view))));
@@ -222,6 +222,7 @@ void GridLight::shine(const LineExposure& exposure, const std::vector<Cell>& cel
       seen.push_back(node);
     }
   std::vector<RayScene::Shadow> shadows;
+  shadows.reserve(seen.size());
   for (const Node* node : seen) shadows.push_back({node->hit->point_mm, node->hit->normal});
   exposure.scene.cast_shadows(shadows, exposure.T_model_sensor * slide_.projector().center());
   // The moments are the middles of equal parts of the exposure: it begins and ends farther out.
@@ -261,7 +262,10 @@ bool GridLight::smooth(const Corners& corners) const {
 }
 
 void GridLight::light_cell(const LineExposure& exposure, const Cell& cell, cv::Mat& light) const {
-  const auto& [a, b, c, d] = cell.corners;
+  const auto* a = cell.corners[0];
+  const auto* b = cell.corners[1];
+  const auto* c = cell.corners[2];
+  const auto* d = cell.corners[3];
   const auto mean = [&](auto value) {
     return 0.25 * (value(*a) + value(*b) + value(*c) + value(*d));
   };

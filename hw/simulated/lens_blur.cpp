@@ -116,7 +116,7 @@ void LensBlur::spread(const cv::Matx44f& light, int u, int v, double distance_mm
     return;
   }
   for (int j = 0; j < kBlock; ++j) {
-    const float* row_light = light.val + kBlock * j;
+    const float* row_light = light.val + static_cast<std::ptrdiff_t>(kBlock) * j;
     if (row_light[0] + row_light[1] + row_light[2] + row_light[3] <= 0.0F) continue;
     const int first = std::max(v + j - half, 0);
     const int last = std::min(v + j + half, image.rows - 1);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kKeyRate_hz = 60.0;
 // The distance to the surface follows within this time, as a hand's does.
-constexpr double kDepthSmoothing_s = 0.5;
+constexpr double kPathSmoothing_s = 0.5;
 
 // Smooth random movement: a sum of swings between 0.3 and 9 Hz, the fast ones small.
 class Wander {
@@ -56,7 +56,7 @@ double uneven_progress(double time, double variation, const std::array<double, 3
   return progress;
 }
 
-double smooth_step(double t) {
+double eased(double t) {
   const double s = std::clamp(t, 0.0, 1.0);
   return s * s * (3.0 - 2.0 * s);
 }
@@ -77,9 +77,8 @@ class ArchAims {
     double share = std::clamp(progress / kPass, 0.0, 1.0);
     if (progress > kSecond) share = 1.0 - std::clamp((progress - kSecond) / kPass, 0.0, 1.0);
     if (progress > kThird) share = std::clamp((progress - kThird) / kPass, 0.0, 1.0);
-    const double tilt_rad =
-        tilt_rad_ * (smooth_step((progress - kPass) / kFirstTurn) -
-                     2.0 * smooth_step((progress - kSecond - kPass) / kSecondTurn));
+    const double tilt_rad = tilt_rad_ * (eased((progress - kPass) / kFirstTurn) -
+                                         2.0 * eased((progress - kSecond - kPass) / kSecondTurn));
     return aim_at(share, tilt_rad);
   }
 
@@ -155,7 +154,7 @@ Result<void> follow_surface(const RayScene& scene, const SensorModel& sensor,
   if (!found)
     return fail(ErrorCode::kInsufficient, "the path meets no surface: check up and front");
   const auto smooth =
-      running_mean(depths, static_cast<int>(std::lround(0.5 * kDepthSmoothing_s * kKeyRate_hz)));
+      running_mean(depths, static_cast<int>(std::lround(0.5 * kPathSmoothing_s * kKeyRate_hz)));
   for (std::size_t i = 0; i < poses.size(); ++i)
     poses[i].T_model_sensor.translate(smooth[i] * Vec3::UnitZ());
   return {};

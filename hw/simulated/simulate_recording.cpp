@@ -17,7 +17,7 @@ constexpr const char* kMeshName = "model.ply";
 // The hand needs this long to take the sensor away, and as long to bring it back.
 constexpr double kAwayRamp_s = 0.4;
 // Away means this far, by the volume's depth: nothing is in the volume then.
-constexpr double kAwayDepths = 3.0;
+constexpr double kLiftDepths = 3.0;
 
 // One frame that is to be taken.
 struct PlannedFrame {
@@ -66,7 +66,7 @@ Result<SensorPath> with_absence(const SensorPath& path, const RecordingOptions& 
     const double share =
         std::clamp(std::min(time_s - begin_s, end_s - time_s) / kAwayRamp_s, 0.0, 1.0);
     const double back_mm =
-        kAwayDepths * options.sensor.volume.size_mm.z() * share * share * (3.0 - 2.0 * share);
+        kLiftDepths * options.sensor.volume.size_mm.z() * share * share * (3.0 - 2.0 * share);
     Isometry T_model_sensor = path.T_model_sensor(time_s);
     T_model_sensor.translate(-back_mm * Vec3::UnitZ());
     poses.push_back({time_s, T_model_sensor});

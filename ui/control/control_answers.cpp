@@ -34,6 +34,14 @@ std::string answer_shot(const ImageSize& size, const std::string& path) {
   return saved ? "ok" : "error " + saved.error().message;
 }
 
+nlohmann::json frames_as_json(const AppView& view) {
+  const FrameCounts counts = view.scan == nullptr ? FrameCounts{} : view.scan->counts;
+  return {{"offered", counts.offered},           {"previewed", counts.previewed},
+          {"registered", counts.registered},     {"interpolated", counts.interpolated},
+          {"textured", counts.textured},         {"skipped", counts.skipped},
+          {"rejected", counts.rejected_count()}, {"pending", counts.pending}};
+}
+
 nlohmann::json camera_as_json(const CameraState& view) {
   const CameraPose& pose = view.camera.pose();
   return {
@@ -115,6 +123,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"phase", frame.view.scan == nullptr ? "none" : to_string(frame.view.scan->phase)},
       {"snapshot", frame.view.scan == nullptr ? 0 : frame.view.scan->number},
       {"scanning", frame.view.is_scanning},
+      {"frames", frames_as_json(frame.view)},
       {"dialog", to_string(state.dialog)},
       {"tool", to_string(state.tool)},
       {"color_mode", to_string(state.color_mode)},

@@ -9,15 +9,15 @@
 namespace flytri::ui {
 namespace {
 
-constexpr float kRow = 23.0F;
-constexpr float kHeading = 30.0F;
+constexpr float kHelpRow = 23.0F;
+constexpr float kHelpHeading = 30.0F;
 constexpr float kKey = 92.0F;
 /// The fullest column, in rows: looking and program, with their headings.
-constexpr float kMostRows = 26.0F;
+constexpr float kMostHelpRows = 26.0F;
 
 /// Rows close up where the window is low.
 float row_height(const PanelContext& context, float height) {
-  return std::min(context.px(kRow), std::floor(height / kMostRows));
+  return std::min(context.px(kHelpRow), std::floor(height / kMostHelpRows));
 }
 
 void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
@@ -33,7 +33,7 @@ void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
 }
 
 void draw_group(const PanelContext& context, Rect& column, float row, ActionGroup group) {
-  draw_text(column.take_top(context.px(kHeading)),
+  draw_text(column.take_top(context.px(kHelpHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, to_string(group));
   for (const KeyBinding& entry : key_map()) {
     if (entry.group == group) draw_row(context, column.take_top(row), entry);
@@ -46,7 +46,7 @@ void draw_pointer(const PanelContext& context, Rect& column, float row_height_px
       {{"Drag", "turns the view, or uses the tool"},
        {"Right drag", "turns; with Shift it moves"},
        {"Wheel", "nearer and farther; with a brush, its size"}}};
-  draw_text(column.take_top(context.px(kHeading)),
+  draw_text(column.take_top(context.px(kHelpHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Pointer");
   for (const auto& [what, does] : kRows) {
     Rect row = column.take_top(row_height_px);

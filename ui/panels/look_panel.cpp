@@ -10,12 +10,12 @@ namespace flytri::ui {
 namespace {
 
 constexpr float kWidth = 168.0F;
-constexpr float kButton = 44.0F;
+constexpr float kLookButton = 44.0F;
 
 void draw_modes(const PanelContext& context, Rect& rest) {
   for (const Action action :
        {Action::kShading, Action::kTexture, Action::kCoverage, Action::kUncertainty}) {
-    small_action(context, rest.take_top(context.px(kButton), context.px(kGapXs)), action, {});
+    small_action(context, rest.take_top(context.px(kLookButton), context.px(kGapXs)), action, {});
   }
 }
 
@@ -72,7 +72,7 @@ float top_of(const PanelContext& context) {
 
 void draw_colors(const PanelContext& context) {
   const float height =
-      4.0F * kButton + 3.0F * kGapXs + 2.0F * kGapS + extra_height(context.state.color_mode);
+      4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS + extra_height(context.state.color_mode);
   const Rect& picture = context.layout.picture;
   const float margin = context.px(kGapM);
   const Rect box = {picture.x + margin, top_of(context), context.px(kWidth), context.px(height)};
@@ -87,7 +87,7 @@ void draw_colors(const PanelContext& context) {
 
 void draw_sides(const PanelContext& context) {
   const float width = context.px(132.0F);
-  const float height = context.px(4.0F * kButton + 3.0F * kGapXs + 2.0F * kGapS);
+  const float height = context.px(4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS);
   const Rect& picture = context.layout.picture;
   const float margin = context.px(kGapM);
   const Rect box = {picture.right() - margin - width, top_of(context), width, height};
@@ -98,7 +98,7 @@ void draw_sides(const PanelContext& context) {
                                                                 {Action::kLingual, "Lingual"},
                                                                 {Action::kShowAll, "All"}}};
   for (const auto& [action, label] : sides) {
-    small_action(context, rest.take_top(context.px(kButton), context.px(kGapXs)), action,
+    small_action(context, rest.take_top(context.px(kLookButton), context.px(kGapXs)), action,
                  {nullptr, label});
   }
 }

@@ -9,7 +9,7 @@
 namespace flytri::ui {
 namespace {
 
-constexpr float kRow = 48.0F;
+constexpr float kSettingsRow = 48.0F;
 
 void draw_size(const PanelContext& context, Rect row) {
   const float side = context.px(64.0F);
@@ -47,8 +47,8 @@ void draw_devices(const PanelContext& context, Rect rest) {
 
 void draw_settings_dialog(const PanelContext& context) {
   DialogPlate dialog(context, "Settings and devices", {560.0F, 480.0F});
-  draw_size(context, dialog.rest.take_top(context.px(kRow), context.px(kGapS)));
-  draw_sound(context, dialog.rest.take_top(context.px(kRow), context.px(kGapM)));
+  draw_size(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
+  draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapM)));
   draw_devices(context, dialog.rest);
 }
 

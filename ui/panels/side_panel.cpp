@@ -10,7 +10,7 @@
 namespace flytri::ui {
 namespace {
 
-constexpr float kCaption = 18.0F;
+constexpr float kSideCaption = 18.0F;
 constexpr float kPictureRatio = 0.75F;
 
 /// The later of the two measurement frames.
@@ -85,7 +85,7 @@ void draw_figures(const PanelContext& context, Rect rest) {
 void draw_preview(const PanelContext& context, Rect rest) {
   if (rest.height < context.px(96.0F)) return;
   const Theme& theme = context.theme;
-  draw_text(rest.take_top(context.px(kCaption), context.px(kGapXs)),
+  draw_text(rest.take_top(context.px(kSideCaption), context.px(kGapXs)),
             {theme.fonts.small, kTextQuiet, Align::kLeft}, "Last two views in the sensor's volume");
   std::array<std::shared_ptr<const View>, 2> views;
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -97,7 +97,7 @@ void draw_preview(const PanelContext& context, Rect rest) {
 
 void draw_ordinary(const PanelContext& context, Rect rest) {
   const float gap = context.px(kGapM);
-  draw_source(context, rest.take_top(context.px(kCaption), context.px(kGapXs)));
+  draw_source(context, rest.take_top(context.px(kSideCaption), context.px(kGapXs)));
   draw_live_image(context, rest.take_top(rest.width * kPictureRatio, gap));
   if (context.view.source.hand) draw_hand(context, rest.take_top(context.px(44.0F), gap));
   const auto distance = context.view.scan == nullptr ? std::nullopt : context.view.scan->distance;

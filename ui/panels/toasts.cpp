@@ -10,7 +10,7 @@ namespace flytri::ui {
 namespace {
 
 constexpr std::size_t kMostToasts = 3;
-constexpr float kWidth = 340.0F;
+constexpr float kToastWidth = 340.0F;
 
 struct ToastLook {
   Color color;
@@ -33,7 +33,7 @@ ToastLook look_of(Severity severity) {
 float draw_toast(const PanelContext& context, const Notice& notice, float bottom, int number) {
   const Theme& theme = context.theme;
   const Rect& picture = context.layout.picture;
-  const float width = context.px(kWidth), padding = context.px(kGapM);
+  const float width = context.px(kToastWidth), padding = context.px(kGapM);
   const float icon_width = context.px(24.0F);
   const float text_width_px = width - 2.0F * padding - icon_width;
   const float text_height = wrapped_height(theme.fonts.body, text_width_px, notice.text);

@@ -11,7 +11,7 @@ namespace flytri::ui {
 namespace {
 
 constexpr float kHeight = 60.0F;
-constexpr float kButton = 44.0F;
+constexpr float kToolButton = 44.0F;
 constexpr float kFindingsRoom = 232.0F + 2.0F * kGapM;
 
 const char* instruction(const WindowState& state) {
@@ -31,7 +31,7 @@ const char* instruction(const WindowState& state) {
 }
 
 void draw_brush_size(const PanelContext& context, Rect& row) {
-  const float side = context.px(kButton);
+  const float side = context.px(kToolButton);
   small_action(context, row.take_right(side, context.px(kGapXs)), Action::kBrushLarger,
                {nullptr, "+", false, kNeutral, false});
   const double diameter_mm = 2.0 * context.state.brush.radius_share * context.view.volume_mm.x();
@@ -44,7 +44,7 @@ void draw_brush_size(const PanelContext& context, Rect& row) {
 
 float strip_width(const PanelContext& context, const char* text) {
   const float brush = has_brush(context.state.tool)
-                          ? context.px(2.0F * kButton + 76.0F + 2.0F * kGapXs + kGapM)
+                          ? context.px(2.0F * kToolButton + 76.0F + 2.0F * kGapXs + kGapM)
                           : 0.0F;
   return text_width(context.theme.fonts.body, text) + brush + context.px(96.0F) +
          3.0F * context.px(kGapM);

@@ -75,7 +75,7 @@ std::array<Figure, 4> figures(const AppView& view) {
             has_surface ? fmt::format("{:.0f} %", 100.0 * scan.good_share) : "\u2013"}}};
 }
 
-void draw_figures(const PanelContext& context, Rect row) {
+void draw_scan_figures(const PanelContext& context, Rect row) {
   const auto all = figures(context.view);
   const float width = row.width / static_cast<float>(all.size());
   for (const Figure& figure : all) {
@@ -105,7 +105,7 @@ void draw_top_bar(const PanelContext& context) {
   draw_stages(context, row.take_left(context.px(312.0F), gap).inset(0.0F, context.px(2.0F)));
   draw_program_buttons(context, row.take_right(context.px(104.0F), gap));
   const float width = std::min(row.width, context.px(400.0F));
-  draw_figures(context, row.centered(width, row.height));
+  draw_scan_figures(context, row.centered(width, row.height));
 }
 
 }  // namespace flytri::ui
