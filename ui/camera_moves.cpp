@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFlight_s = 0.7;
 /// The followed box is larger than the model by this share, so that the camera rests for a while.
-constexpr double kRoomToGrow = 0.2;
+constexpr double kRoomToGrow = 0.5;
 /// With what lies around it a place of re-entry is found by eye.
 constexpr double kReentryRoom = 1.5;
 /// The parts of the picture's width and height that no plate covers.

@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/source_options.h"
+#include "app/session/frame_pacer.h"
 #include "app/session/session.h"
 #include "ui/app_window.h"
 #include "ui/sound/sound_player.h"
@@ -41,11 +42,13 @@ Result<void> run(const AppArguments& arguments) {
   std::vector<ui::Command> commands;
   bool is_open = true;
   while (is_open && !session.is_closing()) {
+    const double began_s = session.now_s();
     const ui::AppView view = session.view();
     is_open = (*window)->frame(view, commands);
     sound(view, heard, sounds);
     for (const ui::Command& command : commands) session.carry_out(command);
     commands.clear();
+    rest_after_frame(session.now_s() - began_s);
   }
   return {};
 }

@@ -12,6 +12,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/source_options.h"
+#include "app/session/frame_pacer.h"
 #include "app/session/session.h"
 #include "core/base/median.h"
 #include "core/interchange/file_bytes.h"
@@ -104,6 +105,7 @@ bool Bench::frame() {
   const bool due =
       samples_.empty() || now_s - started_s_ > samples_.back().time_s + kSamplePeriod_s;
   if (due) take_sample(shown);
+  rest_after_frame(now_s - before_s);
   return is_open;
 }
 

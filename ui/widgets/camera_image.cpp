@@ -60,6 +60,8 @@ Rect camera_image(const Theme& theme, const Rect& box, const CameraPicture& pict
   const cv::Size size = picture.frame->frame.image.size();
   const Rect image = fitted(box, static_cast<float>(size.width), static_cast<float>(size.height));
   ImGui::GetWindowDrawList()->AddImageRounded(
+      // Dear ImGui takes the number of an OpenGL texture as a pointer.
+      // NOLINTNEXTLINE(performance-no-int-to-ptr)
       reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture.name())),
       image.min(), image.max(), {0, 0}, {1, 1}, IM_COL32_WHITE, theme.px(kGapXs));
   for (const std::vector<Pixel>& line : picture.frame->lines) {
