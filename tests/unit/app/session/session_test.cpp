@@ -1,0 +1,104 @@
+#include "app/session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "core/calibrating/calibrate.h"
+#include "core/interchange/calibration_file.h"
+#include "core/interchange/calibration_set_file.h"
+#include "tests/support/places.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Shows what the session says until that holds; false after a minute.
+template <typename Condition>
+bool wait_for(Session& session, const Condition& holds) {
+  for (const double end_s = session.now_s() + 60.0; session.now_s() < end_s;) {
+    if (holds(session.view())) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+std::int64_t registered(const ui::AppView& view) {
+  return view.scan == nullptr ? 0 : view.scan->counts.registered;
+}
+
+class SessionOnARecording : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(testing::shared_data())) {
+      GTEST_SKIP() << "no recording in " << testing::shared_data().string();
+    }
+    setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
+    setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+    const auto set = read_calibration_set(testing::shared_data() / "calibration-intraoral");
+    const auto calibrated = calibrate(*set, {}, Workers(), Progress());
+    ASSERT_TRUE(write_calibration(folder_.path() / "calibration.json", *calibrated));
+    options_.source.recording = testing::shared_data() / "recording-quadrant";
+    options_.source.calibration = folder_.path() / "calibration.json";
+  }
+
+  TemporaryFolder folder_;
+  SessionOptions options_;
+};
+
+TEST_F(SessionOnARecording, WhatIsScannedIntoACaseIsThereWhenItIsOpenedAgain) {
+  const std::string path = (folder_.path() / "cases" / "smith.flytri").string();
+  std::int64_t scanned = 0;
+  {
+    Session session(options_);
+    session.carry_out(ui::StartScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
+    // What was scanned before there was a case goes into it.
+    CaseFields fields;
+    fields.patient_name = "Smith";
+    session.carry_out(ui::NewCase{path, "", fields});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+    session.carry_out(ui::PauseScan{});
+    session.carry_out(ui::AddMeasurement{{0, Vec3(0, 0, 0), Vec3(1, 0, 0), ""}});
+    session.scan()->wait_until_idle();
+    scanned = registered(session.view());
+    EXPECT_TRUE(session.view().file.is_saved);
+  }
+  Session session(options_);
+  session.carry_out(ui::OpenCase{path, ""});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) {
+    return view.file.fields.patient_name == "Smith" && view.scan && !view.scan->model.empty();
+  }));
+  EXPECT_EQ(session.view().measurements.size(), 1U);
+  auto stored = CaseFile::open(path, {.passphrase = {}, .read_only = true});
+  ASSERT_FALSE(stored) << "one program at a time has a case open for writing";
+  EXPECT_GT(scanned, 60);
+}
+
+TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
+  Session session(options_);
+  session.carry_out(ui::StartScan{});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+  session.carry_out(ui::Finish{});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan->result != nullptr; }));
+  session.carry_out(ui::Export{(folder_.path() / "out").string(), "jaw", {ui::ExportFormat::kGlb}});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return !view.exports.written.empty(); }));
+  const ui::ExportedFile written = session.view().exports.written.front();
+  EXPECT_EQ(written.bytes, fs::file_size(folder_.path() / "out" / "jaw.glb"));
+  EXPECT_GT(written.bytes, 100'000U);
+}
+
+TEST_F(SessionOnARecording, ASourceThatCannotBeOpenedIsSaid) {
+  options_.source.recording = folder_.path() / "nothing";
+  Session session(options_);
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.is_lost; }));
+  EXPECT_NE(session.view().source.message.find("nothing"), std::string::npos);
+  EXPECT_FALSE(session.view().notices.empty());
+}
+
+}  // namespace
+}  // namespace flytri
