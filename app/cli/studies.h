@@ -10,6 +10,7 @@ inline constexpr double kMicrons = 1e3;  ///< of a millimeter
 void add_table2_study(CLI::App& study, Invocation& invocation);
 void add_refinement_study(CLI::App& study, Invocation& invocation);
 void add_tracking_study(CLI::App& study, Invocation& invocation);
+void add_continuation_study(CLI::App& study, Invocation& invocation);
 void add_growth_study(CLI::App& study, Invocation& invocation);
 
 }  // namespace flytri::cli

@@ -65,13 +65,13 @@ expect 'evaluate' 0 'poses, RMS at the corners .* registered' \
 
 # Exit codes of usage.
 for command in '' simulate 'simulate recording' 'simulate calibration-set' calibrate reconstruct \
-  evaluate study demo; do
+  evaluate study demo app bench 'bench live' export; do
   # shellcheck disable=SC2086  # the words of a command
   expect "help: $command" 0 'Usage' "$flytri" $command --help
 done
 expect 'unknown option' 2 '--nonsense' "$flytri" reconstruct scan -o out.ply --nonsense
 expect 'unknown command' 2 . "$flytri" nonsense
-expect 'no command' 2 . "$flytri"
+expect 'window without a screen' 1 'no window.*DISPLAY' env -u DISPLAY "$flytri"
 expect 'missing argument' 2 'RECORDING' "$flytri" reconstruct -o out.ply
 expect 'unknown ending' 1 'out\.xyz.*\.glb, \.ply' "$flytri" reconstruct scan -o out.xyz
 
