@@ -7,7 +7,7 @@ namespace {
 
 /// How far depth is drawn to the right and up, of its length.
 constexpr double kObliqueRight = 0.35, kObliqueUp = 0.30;
-constexpr std::size_t kStride = 4;  ///< points of a profile passed over: the picture is small
+constexpr std::size_t kPreviewStride = 4;  ///< points of a profile passed over: the picture is small
 
 void draw_volume(const Theme& theme, const Rect& box, const Vec3& volume_mm) {
   const Vec3 half = volume_mm / 2.0;
@@ -31,7 +31,7 @@ void draw_view(const Theme& theme, const Rect& box, const Vec3& volume_mm, const
       to_u32(view.pattern == Pattern::kVertical ? kVerticalProfile : kHorizontalProfile);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const Profile& profile : view.profiles) {
-    for (std::size_t i = 0; i < profile.points.size(); i += kStride) {
+    for (std::size_t i = 0; i < profile.points.size(); i += kPreviewStride) {
       list.PathLineTo(place_in_preview(box, volume_mm, profile.points[i].position_mm));
     }
     list.PathStroke(color, 0, theme.px(1.5F));
