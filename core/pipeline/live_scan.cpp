@@ -12,6 +12,7 @@
 #include "core/base/task_thread.h"
 #include "core/pipeline/frame_intake.h"
 #include "core/pipeline/frame_ledger.h"
+#include "core/pipeline/journal_thread.h"
 #include "core/pipeline/live_model.h"
 #include "core/pipeline/reentry_images.h"
 #include "core/pipeline/snapshot_board.h"
@@ -96,9 +97,8 @@ class LiveScan::Impl {
   void look_for_holes();
   void run_finishing(std::vector<Frame> textures);
 
-  // Any thread, and the journal's.
-  void journal(std::function<void(ScanJournal&)> entry);
-  void commit_if_due(ScanJournal& to);
+  // Any thread.
+  void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }
 
   const std::shared_ptr<const Calibration> calibration_;
   const LiveScanOptions options_;
@@ -113,9 +113,6 @@ class LiveScan::Impl {
 
   mutable std::mutex finishing_mutex_;
   Progress finishing_;  ///< of the latest finishing
-
-  std::mutex journal_mutex_;
-  std::shared_ptr<ScanJournal> journal_;
 
   mutable std::mutex wishes_mutex_;
   std::vector<std::function<void()>> wishes_;  ///< for the registering thread
@@ -132,7 +129,7 @@ class LiveScan::Impl {
   std::size_t refined_views_ = 0;    ///< when the last optimization began
   bool refining_ = false;
   int missed_in_a_row_ = 0;
-  double last_time_s_ = 0.0, phase_since_s_ = 0.0, scanned_s_ = 0.0;
+  double last_time_s_ = 0.0, scanned_s_ = 0.0;
   std::size_t best_points_ = 0;
 
   // Of the model thread.
@@ -145,15 +142,12 @@ class LiveScan::Impl {
   std::atomic<bool> looking_for_holes_{false};
   bool grown_since_holes_ = false;
 
-  // Of the journal thread.
-  double committed_at_s_ = 0.0;
-
   // Of the user's thread.
   std::string finishing_step_;
   double finishing_step_since_s_ = 0.0;
 
   // Destroyed first: nothing of the above is used by a thread that has ended.
-  TaskThread journal_thread_;
+  JournalThread journal_;
   TaskThread model_thread_;
   TaskThread background_thread_{TaskThread::Priority::kBackground};
   TaskThread finishing_thread_;
@@ -166,10 +160,10 @@ LiveScan::Impl::Impl(std::shared_ptr<const Calibration> calibration, const LiveS
     : calibration_(std::move(calibration)),
       options_(options),
       intake_(static_cast<std::size_t>(options.max_frames_underway)),
-      journal_(options.journal),
       registrar_(std::move(registrar)),
       pictures_(kPictureShare * half_diagonal_mm(*calibration_), half_diagonal_mm(*calibration_)),
-      model_(std::move(model)) {
+      model_(std::move(model)),
+      journal_(options.journal, options.now_s) {
   restore(kept);
   for (int i = 0; i < options_.measure_threads; ++i) {
     measuring_threads_.emplace_back([this] { measure_frames(); });
@@ -184,10 +178,10 @@ LiveScan::Impl::~Impl() {
   intake_.close();
   registering_thread_.join();
   for (std::thread& thread : measuring_threads_) thread.join();
-  journal_thread_.wait_until_idle();
+  journal_.wait_until_idle();
   // Stopped before any is destroyed: they post to each other.
-  for (TaskThread* thread :
-       {&journal_thread_, &model_thread_, &background_thread_, &finishing_thread_}) {
+  journal_.stop();
+  for (TaskThread* thread : {&model_thread_, &background_thread_, &finishing_thread_}) {
     thread->stop();
   }
 }
@@ -627,32 +621,8 @@ void LiveScan::Impl::look_for_holes() {
   });
 }
 
-void LiveScan::Impl::journal(std::function<void(ScanJournal&)> entry) {
-  std::shared_ptr<ScanJournal> to;
-  {
-    const std::lock_guard lock(journal_mutex_);
-    to = journal_;
-  }
-  if (to == nullptr) return;
-  journal_thread_.post([this, to, entry = std::move(entry)] {
-    entry(*to);
-    commit_if_due(*to);
-  });
-}
-
-void LiveScan::Impl::commit_if_due(ScanJournal& to) {
-  constexpr double kCommitPeriod_s = 0.5;
-  const bool last = journal_thread_.pending() <= 1;
-  if (!last && options_.now_s() - committed_at_s_ < kCommitPeriod_s) return;
-  to.commit();
-  committed_at_s_ = options_.now_s();
-}
-
 void LiveScan::Impl::keep_in(std::shared_ptr<ScanJournal> to) {
-  {
-    const std::lock_guard lock(journal_mutex_);
-    journal_ = std::move(to);
-  }
+  journal_.change(std::move(to));
   const std::vector<AlignedView> views = registrar_.aligned_views();
   for (const AlignedView& view : views) {
     journal([view](ScanJournal& journal) { journal.keep_view(*view.view); });
@@ -691,7 +661,7 @@ void LiveScan::Impl::wait_until_idle() const {
     return tracking_ || board_.snapshot()->counts.pending > 0 ||
            board_.snapshot()->counts.offered < offered_ || model_thread_.pending() > 0 ||
            background_thread_.pending() > 0 || finishing_thread_.pending() > 0 ||
-           journal_thread_.pending() > 0;
+           journal_.pending() > 0;
   };
   // Work moves from thread to thread: idle is what stays idle.
   for (int quiet = 0; quiet < 3; quiet = busy() ? 0 : quiet + 1) {

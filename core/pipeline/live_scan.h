@@ -14,24 +14,10 @@
 #include "core/pipeline/finish_scan.h"
 #include "core/pipeline/measure_view.h"
 #include "core/pipeline/registrar.h"
+#include "core/pipeline/scan_journal.h"
 #include "core/pipeline/scan_snapshot.h"
 
 namespace flytri {
-
-/// Keeps what a scan measures, as it comes. All calls come from one thread, which may take its
-/// time: the scan does not wait for it.
-class ScanJournal {
- public:
-  virtual ~ScanJournal() = default;
-  virtual void keep_view(const View& view) = 0;
-  virtual void keep_texture(const Frame& frame) = 0;
-  /// The present poses of all registered views.
-  virtual void keep_poses(std::span<const AlignedView> views) = 0;
-  virtual void keep_edits(const EditStack& edits) = 0;
-  virtual void keep_result(const FinishedScan& result) = 0;
-  /// Called after each batch, at least once a second: what came before it should survive a crash.
-  virtual void commit() = 0;
-};
 
 struct LiveScanOptions {
   MeasureOptions measure;

@@ -2,6 +2,7 @@
 # Cases on the command line: what is made of them, and what is said where that cannot be.
 # Usage: case_test.sh FLYTRI FLYTRI_MAKE_CASE SHORT_PATH.json
 set -u
+. "$(dirname "$0")/../support/expect.sh"
 flytri=$1
 make_case=$2
 short_path=$3
@@ -9,27 +10,6 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 unset FLYTRI_PASSPHRASE
-failed=0
-
-fail() {
-  echo "FAILED: $name: $1"
-  sed 's/^/    /' log
-  failed=$((failed + 1))
-}
-
-# expect NAME CODE PATTERN COMMAND...: runs it; it must end with CODE and print lines that match
-# the extended regular expression.
-expect() {
-  name=$1
-  local code=$2 pattern=$3
-  shift 3
-  "$@" > log 2>&1
-  local status=$?
-  [ "$status" = "$code" ] || fail "exit code $status, not $code"
-  grep -Eq -- "$pattern" log || fail "no message like: $pattern"
-  printf '%-34s %s\n' "$name" "$(grep -m 1 '^flytri: ' log)"
-}
-
 same() {
   name="same bytes: $1 $2"
   cmp "$1" "$2" > log 2>&1 || fail 'they differ'

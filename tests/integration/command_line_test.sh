@@ -3,32 +3,12 @@
 # same bytes for any number of threads.
 # Usage: command_line_test.sh FLYTRI SHORT_PATH.json
 set -u
+. "$(dirname "$0")/../support/expect.sh"
 flytri=$1
 short_path=$2
 work=$(mktemp -d) || exit 1
 trap 'umount "$work/disk" 2> /dev/null; rm -rf "$work"' EXIT
 cd "$work" || exit 1
-failed=0
-
-fail() {
-  echo "FAILED: $name: $1"
-  sed 's/^/    /' log
-  failed=$((failed + 1))
-}
-
-# expect NAME CODE PATTERN COMMAND...: runs it; it must end with CODE and print lines that match
-# the extended regular expression.
-expect() {
-  name=$1
-  local code=$2 pattern=$3
-  shift 3
-  "$@" > log 2>&1
-  local status=$?
-  [ "$status" = "$code" ] || fail "exit code $status, not $code"
-  grep -Eq -- "$pattern" log || fail "no message like: $pattern"
-  printf '%-34s %s\n' "$name" "$(grep -m 1 '^flytri: ' log)"
-}
-
 # absent NAME FILE...: none of them may have been left behind, nor a temporary one.
 absent() {
   name=$1
