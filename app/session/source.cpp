@@ -4,7 +4,6 @@
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/workers.h"
 #include "core/interchange/calibration_file.h"
-#include "core/interchange/file_bytes.h"
 #include "core/interchange/model.h"
 #include "hw/recording/replay_sensor.h"
 #include "hw/simulated/faulty_sensor.h"
@@ -24,27 +23,15 @@ Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& w
   return std::move(model->mesh);
 }
 
-/// The virtual sensor's calibration, kept from the last time this version of the program made it.
-Result<Calibration> virtual_calibration(const SensorModel& sensor, const Workers& workers,
-                                        const Progress& progress) {
-  const std::filesystem::path file = cache_folder() / "virtual-sensor-" FLYTRI_VERSION ".json";
-  if (auto kept = read_calibration(file)) return kept;
-  auto calibration = calibrate_virtual_sensor(sensor, workers, progress);
-  if (!calibration) return calibration;
-  // A cache that cannot be written costs but the time the next time.
-  if (create_folder(cache_folder())) {
-    [[maybe_unused]] const auto written = write_calibration(file, *calibration);
-  }
-  return calibration;
-}
-
 Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
   const Workers workers;
   const Result<TriangleMesh> mesh = object_to_scan(choice, workers);
   if (!mesh) return tl::unexpected(mesh.error());
   LiveSensorOptions options;
   options.path.duration_s = kPathDuration_s;
-  const Result<Calibration> calibration = virtual_calibration(options.sensor, workers, progress);
+  // Each version of the program makes its own.
+  const Result<Calibration> calibration = kept_sensor_calibration(
+      options.sensor, cache_folder() / "calibration-" FLYTRI_VERSION, workers, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   const auto shared = std::make_shared<const Calibration>(*calibration);
   Result<std::shared_ptr<LiveSensor>> sensor =

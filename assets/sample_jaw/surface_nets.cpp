@@ -12,8 +12,10 @@ namespace {
 
 using Cell = Eigen::Vector3i;
 
-// Cells of a block: a block far from the surface is skipped as a whole.
-constexpr int kBlock = 8;
+// Cells of a block: a block far from the surface is skipped as a whole, one that is not is halved
+// down to the finest.
+constexpr int kBlock = 16;
+constexpr int kFinestBlock = 2;
 // A shape may grow faster than distance where it is squeezed.
 constexpr double kMaxGrowth = 1.4;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -28,7 +30,7 @@ class Net {
   }
 
   TriangleMesh mesh() {
-    for_each_step(kBlock, [&](const Cell& block) { sample_block(block); });
+    for_each_step(kBlock, [&](const Cell& block) { sample_block(block, kBlock); });
     for_each_step(1, [&](const Cell& cell) {
       if (!std::isnan(values_[at(cell)])) add_vertex(cell);
     });
@@ -54,21 +56,40 @@ class Net {
   bool inside(const Cell& c) const { return (c.array() < corners_.array()).all(); }
   Vec3 place(const Cell& c) const { return box_.low_mm + box_.cell_mm * c.cast<double>(); }
 
-  void sample_block(const Cell& block) {
-    const double reach_mm = 0.5 * std::sqrt(3.0) * (kBlock + 1) * box_.cell_mm;
-    const Vec3 middle = place(block) + Vec3::Constant(0.5 * kBlock * box_.cell_mm);
+  void sample_block(const Cell& block, int size) {
+    if (!inside(block)) return;
+    const double reach_mm = 0.5 * std::sqrt(3.0) * (size + 1) * box_.cell_mm;
+    const Vec3 middle = place(block) + Vec3::Constant(0.5 * size * box_.cell_mm);
     if (std::abs(shape_(middle)) > kMaxGrowth * reach_mm) return;
-    const Cell end = (block.array() + kBlock + 1).min(corners_.array());
-    for (int z = block.z(); z < end.z(); ++z)
-      for (int y = block.y(); y < end.y(); ++y)
-        for (int x = block.x(); x < end.x(); ++x) {
+    if (size == kFinestBlock) return sample_corners(block, block.array() + size + 1);
+    const int half = size / 2;
+    for (int octant = 0; octant < 8; ++octant)
+      sample_block(block + half * Cell(octant & 1, (octant >> 1) & 1, octant >> 2), half);
+  }
+
+  void sample_corners(const Cell& begin, const Cell& behind) {
+    const Cell end = behind.cwiseMin(corners_);
+    for (int z = begin.z(); z < end.z(); ++z)
+      for (int y = begin.y(); y < end.y(); ++y)
+        for (int x = begin.x(); x < end.x(); ++x) {
           float& value = values_[at({x, y, z})];
           if (std::isnan(value)) value = static_cast<float>(shape_(place({x, y, z})));
         }
   }
 
+  // All corners are known, and on both sides of the surface.
+  bool crossed(const Cell& cell) const {
+    int below = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const float value = values_[at(cell + Cell(corner & 1, (corner >> 1) & 1, corner >> 2))];
+      if (std::isnan(value)) return false;
+      below += value < 0.0F ? 1 : 0;
+    }
+    return below != 0 && below != 8;
+  }
+
   void add_vertex(const Cell& cell) {
-    if (!inside(cell + Cell::Ones())) return;
+    if (!inside(cell + Cell::Ones()) || !crossed(cell)) return;
     Vec3 sum = Vec3::Zero();
     int crossings = 0;
     for (int axis = 0; axis < 3; ++axis)
@@ -79,12 +100,10 @@ class Net {
         const Cell b = a + Cell::Unit(axis);
         const float value_a = values_[at(a)];
         const float value_b = values_[at(b)];
-        if (std::isnan(value_a) || std::isnan(value_b)) return;
         if ((value_a < 0.0F) == (value_b < 0.0F)) continue;
         sum += place(a) + box_.cell_mm * value_a / (value_a - value_b) * Vec3::Unit(axis);
         ++crossings;
       }
-    if (crossings == 0) return;
     vertices_[at(cell)] = static_cast<std::uint32_t>(mesh_.vertices.size());
     SurfacePoint vertex;
     const Vec3 position_mm = sum / crossings;

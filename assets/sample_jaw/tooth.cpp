@@ -23,18 +23,40 @@ double swell(double t, double neck, double middle, double top) {
   return 1.0 - (1.0 - top) * s * s;
 }
 
-// Height of a ridge from a to b seen from p: falls with the distance from the ridge.
-double ridge_height(const Vec2& p, const Vec3& a, const Vec3& b) {
-  const Vec2 along = (b - a).head<2>();
-  const double t = std::clamp((p - a.head<2>()).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  const double distance = (p - a.head<2>() - t * along).norm();
-  const double rounded = std::sqrt(distance * distance + 0.09) - 0.3;
-  return a.z() + t * (b.z() - a.z()) - kRidgeSlope * rounded;
-}
-
 }  // namespace
 
-Tooth::Tooth(ToothForm form, std::uint64_t seed) : form_(std::move(form)), seed_(seed) {}
+Tooth::Ridge::Ridge(const Vec3& from, const Vec3& to)
+    : start(from.head<2>()),
+      along((to - from).head<2>()),
+      squared_length(along.squaredNorm()),
+      height_mm(from.z()),
+      rise_mm(to.z() - from.z()) {}
+
+// Falls with the distance from the ridge.
+double Tooth::Ridge::height(const Vec2& p) const {
+  const double t = std::clamp((p - start).dot(along) / squared_length, 0.0, 1.0);
+  const double distance = (p - start - t * along).norm();
+  const double rounded = std::sqrt(distance * distance + 0.09) - 0.3;
+  return height_mm + t * rise_mm - kRidgeSlope * rounded;
+}
+
+Tooth::Tooth(ToothForm form, std::uint64_t seed) : form_(std::move(form)), seed_(seed) {
+  const Vec2 half(0.5 * form_.width_mm, 0.5 * form_.depth_mm);
+  const auto lifted = [&](const RimPoint& point) {
+    return Vec3(point.place.x() * half.x(), point.place.y() * half.y(),
+                form_.height_mm - point.drop_mm);
+  };
+  for (std::size_t i = 0; i < form_.rim.size(); ++i) {
+    const Vec3 a = lifted(form_.rim[i]);
+    ridges_.emplace_back(a, lifted(form_.rim[(i + 1) % form_.rim.size()]));
+    if (!form_.rim[i].cusp) continue;
+    // The triangular ridge of the cusp, down towards the central groove.
+    Vec3 inner = a;
+    inner.head<2>() *= 0.22;
+    inner.z() -= 0.42 * (a - inner).head<2>().norm();
+    ridges_.emplace_back(a, inner);
+  }
+}
 
 double Tooth::operator()(const Vec3& p) const {
   const double top = form_.rim.empty() ? edge_height(p.x()) : chewing_height(p.head<2>());
@@ -85,24 +107,9 @@ double Tooth::front_wall(const Vec3& p) const {
 }
 
 double Tooth::chewing_height(const Vec2& p) const {
-  const Vec2 half(0.5 * form_.width_mm, 0.5 * form_.depth_mm);
-  const auto lifted = [&](const RimPoint& point) {
-    return Vec3(point.place.x() * half.x(), point.place.y() * half.y(),
-                form_.height_mm - point.drop_mm);
-  };
   double height = -1e3;
-  for (std::size_t i = 0; i < form_.rim.size(); ++i) {
-    const RimPoint& point = form_.rim[i];
-    const Vec3 a = lifted(point);
-    const Vec3 b = lifted(form_.rim[(i + 1) % form_.rim.size()]);
-    height = smooth_max(height, ridge_height(p, a, b), kFissureRadius_mm);
-    if (!point.cusp) continue;
-    // The triangular ridge of the cusp, down towards the central groove.
-    Vec3 inner = a;
-    inner.head<2>() *= 0.22;
-    inner.z() -= 0.42 * (a - inner).head<2>().norm();
-    height = smooth_max(height, ridge_height(p, a, inner), kFissureRadius_mm);
-  }
+  for (const Ridge& ridge : ridges_)
+    height = smooth_max(height, ridge.height(p), kFissureRadius_mm);
   return height;
 }
 
@@ -115,6 +122,17 @@ double Tooth::edge_height(double x) const {
   return form_.height_mm - form_.point_mm * std::abs(s) - corner * s * s * s * s + lobes;
 }
 
+// Fissures are where the surface lies below its own surroundings.
+double Tooth::depth_mm(const Vec2& p, double height_mm) const {
+  constexpr double kReach_mm = 0.45;
+  double around = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.25 * std::numbers::pi * i;
+    around += chewing_height(p + kReach_mm * Vec2(std::cos(angle), std::sin(angle))) / 8.0;
+  }
+  return around - height_mm;
+}
+
 Vec3 Tooth::color(const Vec3& p) const {
   const Vec3 enamel(233, 222, 198);
   const Vec3 neck(207, 178, 128);
@@ -124,17 +142,11 @@ Vec3 Tooth::color(const Vec3& p) const {
   Vec3 color = enamel + (neck - enamel) * (1.0 - smooth_step(0.0, 0.45, t));
   if (form_.rim.empty()) color += (edge - color) * 0.7 * smooth_step(0.8, 1.0, t);
   if (!form_.rim.empty()) {
-    // Fissures are where the surface lies below its own surroundings.
     const Vec2 q = p.head<2>();
-    const double reach_mm = 0.45;
-    double around = 0.0;
-    for (int i = 0; i < 8; ++i) {
-      const double angle = 0.25 * std::numbers::pi * i;
-      around += chewing_height(q + reach_mm * Vec2(std::cos(angle), std::sin(angle))) / 8.0;
-    }
-    const double depth_mm = around - chewing_height(q);
-    const double on_top = smooth_step(-1.2, -0.3, p.z() - chewing_height(q));
-    color += (fissure - color) * 0.9 * on_top * smooth_step(0.03, 0.16, depth_mm);
+    const double height_mm = chewing_height(q);
+    const double on_top = smooth_step(-1.2, -0.3, p.z() - height_mm);
+    if (on_top > 0.0)
+      color += (fissure - color) * 0.9 * on_top * smooth_step(0.03, 0.16, depth_mm(q, height_mm));
   }
   const double tone =
       1.0 + 0.025 * value_noise(0.8 * p, seed_ + 1) + 0.02 * value_noise(2.5 * p, seed_ + 2);

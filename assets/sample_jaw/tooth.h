@@ -49,8 +49,18 @@ class Tooth {
   double front_wall(const Vec3& p) const;
   double chewing_height(const Vec2& p) const;
   double edge_height(double x) const;
+  double depth_mm(const Vec2& p, double height_mm) const;
+
+  // A ridge of the chewing surface between two points.
+  struct Ridge {
+    Ridge(const Vec3& from, const Vec3& to);
+    [[nodiscard]] double height(const Vec2& p) const;
+    Vec2 start, along;
+    double squared_length, height_mm, rise_mm;
+  };
 
   ToothForm form_;
+  std::vector<Ridge> ridges_;
   std::uint64_t seed_;
 };
 

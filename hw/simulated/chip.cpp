@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <span>
 
 #include "core/base/random.h"
 #include "core/interchange/glb_color.h"
@@ -11,46 +15,40 @@ namespace {
 
 constexpr int kSpeckleSize = 1024;
 constexpr int kNormals = 1 << 16;
+constexpr int kCodes = 4096;
 
-// The normal distribution's values at equal steps of probability: by bisection of its integral.
+using Values = Eigen::Map<Eigen::ArrayXf>;
+using Stored = Eigen::Map<const Eigen::ArrayXf>;
+
+// The normal distribution's values at equal steps of probability: each by Newton's method from the
+// one before.
 std::vector<float> normal_quantiles() {
   std::vector<float> values(kNormals);
-  double z = -6.0;
+  double z = -5.0;
   for (int i = 0; i < kNormals / 2; ++i) {
     const double wanted = (i + 0.5) / kNormals;
-    double low = z;
-    double high = 0.0;
-    for (int step = 0; step < 40; ++step) {
-      const double middle = 0.5 * (low + high);
-      (0.5 * std::erfc(-middle / std::sqrt(2.0)) < wanted ? low : high) = middle;
+    // The integral is convex below the mean: from the left its tangents overshoot once, then close
+    // in from the right.
+    for (double step = 1.0; std::abs(step) > 1e-7;) {
+      const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
+      step = (wanted - 0.5 * std::erfc(-z / std::numbers::sqrt2)) / density;
+      z += std::clamp(step, -0.5, 0.5);
     }
-    z = low;
     values[i] = static_cast<float>(z);
     values[kNormals - 1 - i] = static_cast<float>(-z);
   }
   return values;
 }
 
-// One pass of a circular convolution along the rows; the result is transposed.
-cv::Mat smooth_rows(const cv::Mat& image, const std::vector<double>& kernel) {
-  const int half = static_cast<int>(kernel.size() / 2);
-  cv::Mat result(image.cols, image.rows, CV_32FC1);
-  for (int v = 0; v < image.rows; ++v)
-    for (int u = 0; u < image.cols; ++u) {
-      double sum = 0.0;
-      for (int k = -half; k <= half; ++k)
-        sum += kernel[k + half] * image.at<float>(v, (u + k + image.cols) % image.cols);
-      result.at<float>(u, v) = static_cast<float>(sum);
-    }
-  return result;
-}
-
-cv::Mat make_white() {
+// Four draws of 16 bits from one number.
+cv::Mat make_white(const std::vector<float>& normals) {
   Random random(0x5eec1eULL);
   cv::Mat white(kSpeckleSize, kSpeckleSize, CV_32FC1);
-  for (int v = 0; v < kSpeckleSize; ++v)
-    for (int u = 0; u < kSpeckleSize; ++u)
-      white.at<float>(v, u) = static_cast<float>(random.normal());
+  std::uint64_t drawn = 0;
+  for (std::size_t i = 0; i < white.total(); ++i) {
+    drawn = i % 4 == 0 ? random.next() : drawn >> 16;
+    white.ptr<float>()[i] = normals[drawn & 0xffff];
+  }
   return white;
 }
 
@@ -65,128 +63,130 @@ cv::Mat make_speckle(const cv::Mat& white, double size_px) {
     energy += kernel.back() * kernel.back();
   }
   for (double& weight : kernel) weight /= std::sqrt(energy);
-  return smooth_rows(smooth_rows(white, kernel), kernel);
+  // Around its edges it goes on as at the opposite ones.
+  cv::Mat around;
+  cv::copyMakeBorder(white, around, half, half, half, half, cv::BORDER_WRAP);
+  cv::Mat speckle;
+  cv::sepFilter2D(around, speckle, CV_32F, kernel, kernel);
+  return speckle(cv::Rect(half, half, white.cols, white.rows)).clone();
 }
 
-// Calls visit(values of the image, values of the store) for runs of a row over which a store that
-// is shifted at random does not come round.
-template <typename Visit>
-void visit_by_store(const cv::Mat& store, Random& random, cv::Mat& image, const Visit& visit) {
-  using Values = Eigen::Map<Eigen::ArrayXf>;
-  using Stored = Eigen::Map<const Eigen::ArrayXf>;
-  const int shift_u = static_cast<int>(random.below(kSpeckleSize));
-  const int shift_v = static_cast<int>(random.below(kSpeckleSize));
-  for (int v = 0; v < image.rows; ++v) {
-    const float* stored = store.ptr<float>((v + shift_v) % kSpeckleSize);
-    for (int u = 0, count = 0; u < image.cols; u += count) {
-      const int from = (u + shift_u) % kSpeckleSize;
-      count = std::min(image.cols - u, kSpeckleSize - from);
-      visit(Values(image.ptr<float>(v) + u, count), Stored(stored + from, count));
+// A store of random numbers that is read along an image's rows from a random place on; it comes
+// round.
+class ShiftedStore {
+ public:
+  ShiftedStore(const cv::Mat& store, Random& random)
+      : store_(store),
+        shift_u_(static_cast<int>(random.below(kSpeckleSize))),
+        shift_v_(static_cast<int>(random.below(kSpeckleSize))) {}
+
+  // Calls visit(values of row v, values of the store) for runs over which it does not come round.
+  template <typename Visit>
+  void visit(int v, std::span<float> row, const Visit& visit) const {
+    const float* stored = store_.ptr<float>((v + shift_v_) % kSpeckleSize);
+    const auto size = static_cast<int>(row.size());
+    for (int u = 0, count = 0; u < size; u += count) {
+      const int from = (u + shift_u_) % kSpeckleSize;
+      count = std::min(size - u, kSpeckleSize - from);
+      visit(Values(row.data() + u, count), Stored(stored + from, count));
     }
   }
-}
+
+ private:
+  const cv::Mat& store_;
+  int shift_u_, shift_v_;
+};
 
 }  // namespace
+
+// Shot and read noise of one read-out, row by row. Of an average of exposures it is that of their
+// mean: a sum of independent normals is a normal.
+class Chip::Noise {
+ public:
+  Noise(const Chip& chip, const ReadOut& how, Random& random)
+      : normals_(chip.normals_),
+        well_(static_cast<float>(chip.model_.full_well_e)),
+        read_e2_(static_cast<float>(chip.model_.read_noise_e * chip.model_.read_noise_e)),
+        scale_(1.0F / (well_ * std::sqrt(static_cast<float>(how.exposures)))),
+        random_(random) {
+    if (how.stored_noise) stored_.emplace(chip.white_, random);
+  }
+
+  void add(int v, std::span<float> row) {
+    if (!stored_) return draw(row);
+    stored_->visit(v, row, [this](auto values, const auto& stored) {
+      values += scale_ * stored * (values * well_ + read_e2_).sqrt();
+    });
+  }
+
+ private:
+  void draw(std::span<float> row) {
+    std::uint64_t drawn = 0;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      // Four draws of 16 bits from one number.
+      drawn = i % 4 == 0 ? random_.next() : drawn >> 16;
+      row[i] += scale_ * normals_[drawn & 0xffff] * std::sqrt(row[i] * well_ + read_e2_);
+    }
+  }
+
+  const std::vector<float>& normals_;
+  float well_, read_e2_, scale_;
+  Random& random_;
+  std::optional<ShiftedStore> stored_;
+};
 
 Chip::Chip(const ChipModel& model)
     : model_(model),
       normals_(normal_quantiles()),
-      white_(make_white()),
-      speckle_(make_speckle(white_, model.speckle_size_px)) {}
-
-void Chip::add_speckle(Random& random, cv::Mat& line) const {
-  const auto contrast = static_cast<float>(model_.speckle_contrast);
-  visit_by_store(speckle_, random, line, [=](auto values, const auto& stored) {
-    values *= (1.0F + contrast * stored).max(0.0F);
-  });
-}
-
-void Chip::add_stored_noise(Random& random, cv::Mat& value) const {
-  const auto well = static_cast<float>(model_.full_well_e);
-  const auto read_e2 = static_cast<float>(model_.read_noise_e * model_.read_noise_e);
-  visit_by_store(white_, random, value, [=](auto values, const auto& stored) {
-    values += stored * (values * well + read_e2).sqrt() / well;
-  });
+      white_(make_white(normals_)),
+      speckle_(make_speckle(white_, model.speckle_size_px)) {
+  for (int i = 0; i < kCodes; ++i)
+    codes_.push_back(to_srgb(static_cast<std::uint16_t>(std::lround(65535.0 * i / (kCodes - 1)))));
 }
 
 cv::Mat Chip::read_out(const Light& light, const ReadOut& how) const {
-  const int rows = light.line.rows;
   const int columns = light.line.cols;
   const double full = how.bits == 16 ? 65535.0 : 255.0;
-  const int type = how.bits == 16 ? CV_16UC1 : CV_8UC1;
-  cv::Mat image;
-  if (how.noise && how.stored_noise) {
-    Random random(how.seed, how.stream);
-    cv::Mat exposed = light.line.clone();
-    add_speckle(random, exposed);
-    exposed += light.ambient;
-    add_stored_noise(random, exposed);
-    exposed.convertTo(image, type, full, full * model_.black_level);
-    return image;
-  }
-  cv::Mat mean = cv::Mat::zeros(rows, columns, CV_32FC1);
-  const auto well = static_cast<float>(model_.full_well_e);
-  const auto read_e2 = static_cast<float>(model_.read_noise_e * model_.read_noise_e);
-  const auto contrast = static_cast<float>(how.noise ? model_.speckle_contrast : 0.0);
-  for (int exposure = 0; exposure < how.exposures; ++exposure) {
-    Random random(how.seed, how.stream * 1000 + static_cast<std::uint64_t>(exposure));
-    const int shift_u = static_cast<int>(random.below(kSpeckleSize));
-    const int shift_v = static_cast<int>(random.below(kSpeckleSize));
-    for (int v = 0; v < rows; ++v) {
-      const float* line = light.line.ptr<float>(v);
-      const float* ambient = light.ambient.ptr<float>(v);
-      const float* speckle = speckle_.ptr<float>((v + shift_v) % kSpeckleSize);
-      float* sum = mean.ptr<float>(v);
-      std::uint64_t store = 0;
-      for (int u = 0; u < columns; ++u) {
-        const float grain = 1.0F + contrast * speckle[(u + shift_u) % kSpeckleSize];
-        const float value = line[u] * std::max(grain, 0.0F) + ambient[u];
-        // Four draws of 16 bits from one number.
-        store = u % 4 == 0 ? random.next() : store >> 16;
-        const float noise_e =
-            how.noise ? normals_[store & 0xffff] * std::sqrt(value * well + read_e2) : 0.0F;
-        sum[u] += value + noise_e / well;
-      }
+  Random random(how.seed, how.stream);
+  std::vector<ShiftedStore> speckles;
+  for (int i = 0; i < how.exposures; ++i) speckles.emplace_back(speckle_, random);
+  Noise noise(*this, how, random);
+  const auto contrast = static_cast<float>(model_.speckle_contrast);
+  std::vector<float> row(columns);
+  cv::Mat image(light.line.size(), how.bits == 16 ? CV_16UC1 : CV_8UC1);
+  for (int v = 0; v < image.rows; ++v) {
+    const Stored line(light.line.ptr<float>(v), columns);
+    const Stored ambient(light.ambient.ptr<float>(v), columns);
+    Values values(row.data(), columns);
+    if (how.noise) {
+      // The mean grain of the exposures.
+      values.setZero();
+      for (const ShiftedStore& speckle : speckles)
+        speckle.visit(v, row, [contrast](auto grain, const auto& stored) {
+          grain += (1.0F + contrast * stored).max(0.0F);
+        });
+      values = values * line / static_cast<float>(how.exposures) + ambient;
+      noise.add(v, row);
+    } else {
+      values = line + ambient;
     }
+    cv::Mat(1, columns, CV_32FC1, row.data())
+        .convertTo(image.row(v), image.type(), full, full * model_.black_level);
   }
-  mean.convertTo(image, type, full / how.exposures, full * model_.black_level);
   return image;
 }
 
-void Chip::add_drawn_noise(Random& random, cv::Mat& light) const {
-  const auto well = static_cast<float>(model_.full_well_e);
-  const auto read_e2 = static_cast<float>(model_.read_noise_e * model_.read_noise_e);
-  for (int v = 0; v < light.rows; ++v)
-    for (int u = 0; u < light.cols; ++u) {
-      auto& value = light.at<cv::Vec3f>(v, u);
-      // Three draws of 16 bits from one number.
-      std::uint64_t store = random.next();
-      for (int channel = 0; channel < 3; ++channel, store >>= 16)
-        value[channel] +=
-            normals_[store & 0xffff] * std::sqrt(value[channel] * well + read_e2) / well;
-    }
-}
-
 cv::Mat Chip::read_out_color(const cv::Mat& light, const ReadOut& how) const {
-  cv::Mat noisy = light.clone();
   Random random(how.seed, how.stream);
-  if (how.noise && how.stored_noise) {
-    cv::Mat channels = noisy.reshape(1);
-    add_stored_noise(random, channels);
-  } else if (how.noise) {
-    add_drawn_noise(random, noisy);
-  }
-  constexpr int kCodes = 4096;
-  std::vector<std::uint8_t> codes(kCodes);
-  for (int i = 0; i < kCodes; ++i)
-    codes[i] = to_srgb(static_cast<std::uint16_t>(std::lround(65535.0 * i / (kCodes - 1.0))));
-  cv::Mat image(light.rows, light.cols, CV_8UC3);
+  Noise noise(*this, how, random);
+  cv::Mat image(light.size(), CV_8UC3);
+  std::vector<float> row(3 * static_cast<std::size_t>(light.cols));
   for (int v = 0; v < light.rows; ++v) {
-    const float* from = noisy.ptr<float>(v);
-    std::uint8_t* to = image.ptr<std::uint8_t>(v);
-    for (int i = 0; i < 3 * light.cols; ++i)
-      to[i] = codes[static_cast<std::size_t>(
-          std::lround(std::clamp(from[i], 0.0F, 1.0F) * (kCodes - 1)))];
+    std::copy_n(light.ptr<float>(v), row.size(), row.begin());
+    if (how.noise) noise.add(v, row);
+    std::transform(row.begin(), row.end(), image.ptr<std::uint8_t>(v), [&](float value) {
+      return codes_[static_cast<std::size_t>(std::clamp(value, 0.0F, 1.0F) * (kCodes - 1) + 0.5F)];
+    });
   }
   return image;
 }

@@ -27,7 +27,7 @@ class Chip {
     std::uint64_t seed = 1;
     std::uint64_t stream = 0;  ///< number of the frame
     /// Shot and read noise are taken from a store that is shifted from frame to frame: as white
-    /// within an image, three times as fast, but the store comes round. Not for averages.
+    /// within an image, three times as fast, but the store comes round.
     bool stored_noise = false;
   };
   /// @return CV_8UC1 or CV_16UC1
@@ -38,14 +38,13 @@ class Chip {
   [[nodiscard]] cv::Mat read_out_color(const cv::Mat& light, const ReadOut& how) const;
 
  private:
-  void add_speckle(Random& random, cv::Mat& line) const;
-  void add_drawn_noise(Random& random, cv::Mat& light) const;
-  void add_stored_noise(Random& random, cv::Mat& value) const;
+  class Noise;
 
   ChipModel model_;
-  std::vector<float> normals_;  // quantiles of the normal distribution
-  cv::Mat white_;               // CV_32FC1, independent normals, wraps around
-  cv::Mat speckle_;             // CV_32FC1, mean 0, standard deviation 1, wraps around
+  std::vector<float> normals_;       // quantiles of the normal distribution
+  cv::Mat white_;                    // CV_32FC1, independent normals, wraps around
+  cv::Mat speckle_;                  // CV_32FC1, mean 0, standard deviation 1, wraps around
+  std::vector<std::uint8_t> codes_;  // sRGB by the share of full scale
 };
 
 }  // namespace flytri

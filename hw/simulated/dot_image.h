@@ -2,13 +2,28 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "hw/simulated/sensor_model.h"
 
 namespace flytri {
 
-/// The plane z = `z_mm` with bright dots on black under even light.
-/// @return  CV_32FC1, share of full scale, without noise
-[[nodiscard]] cv::Mat dot_light(const CameraModel& camera, const DotTarget& target, double z_mm);
+/// A camera in front of the target: bright dots on black under even light. Immutable.
+class DotImage {
+ public:
+  DotImage(const CameraModel& camera, const DotTarget& target);
+
+  /// The target at z = `z_mm`.
+  /// @return  CV_32FC1, share of full scale, without noise
+  [[nodiscard]] cv::Mat light(double z_mm) const;
+
+ private:
+  [[nodiscard]] std::vector<Vec2> places_on_plane(double z_mm) const;
+  [[nodiscard]] double bright_share(const Vec2& place, const Vec2& right, const Vec2& down) const;
+
+  CameraModel camera_;
+  DotTarget target_;
+  std::vector<Vec3> directions_;  // by pixel
+};
 
 }  // namespace flytri

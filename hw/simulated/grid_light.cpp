@@ -306,18 +306,19 @@ void GridLight::light_pixels(const LineExposure& exposure, const Cell& cell, cv:
       std::all_of(cell.corners.begin(), cell.corners.end(),
                   [](const Node* corner) { return !corner->seen || corner->share >= 1.0; });
   std::vector<int> pixels;
+  std::vector<Vec3> directions;
   std::vector<Ray> rays;
   for (int v = cell.v_px; v < std::min(cell.v_px + kStep_px, light.rows); ++v)
     for (int u = cell.u_px; u < std::min(cell.u_px + kStep_px, light.cols); ++u) {
       pixels.push_back(v * light.cols + u);
-      rays.push_back(
-          {origin, exposure.T_model_sensor.linear() * exposure.directions[pixels.back()]});
+      directions.push_back(camera_.direction({1.0 * u, 1.0 * v}));
+      rays.push_back({origin, exposure.T_model_sensor.linear() * directions.back()});
     }
   std::vector<std::optional<RayHit>> hits(rays.size());
   exposure.scene.first_hits(rays, hits);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     if (!hits[i]) continue;
-    const auto point = slide_.point(exposure, exposure.directions[pixels[i]], *hits[i]);
+    const auto point = slide_.point(exposure, directions[i], *hits[i]);
     if (!point) continue;
     const double value = slide_.light(exposure, *point, *hits[i]);
     if (value <= kFaint || (!all_lit && slide_.shadowed(exposure, *point))) continue;

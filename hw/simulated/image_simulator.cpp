@@ -31,6 +31,24 @@ LensBlur make_blur(const CameraModel& camera, const MeasurementVolume& volume) {
   return {camera, std::max(middle_mm - margin_mm, 0.3 * middle_mm), middle_mm + margin_mm};
 }
 
+// How many blocks of `step_px` pixels a side cover an image.
+cv::Size block_count(ImageSize size, int step_px) {
+  return {(size.width_px + step_px - 1) / step_px, (size.height_px + step_px - 1) / step_px};
+}
+
+// Directions of the middles of blocks, row by row.
+std::vector<Vec3> block_directions(const CameraModel& camera, int step_px) {
+  const cv::Size blocks = block_count(camera.size, step_px);
+  std::vector<Vec3> directions;
+  for (int j = 0; j < blocks.height; ++j)
+    for (int i = 0; i < blocks.width; ++i) {
+      const int u = std::min(i * step_px + step_px / 2, camera.size.width_px - 1);
+      const int v = std::min(j * step_px + step_px / 2, camera.size.height_px - 1);
+      directions.push_back(camera.direction({1.0 * u, 1.0 * v}));
+    }
+  return directions;
+}
+
 // Linear share of white, by channel.
 std::vector<cv::Vec3f> linear_colors(const TriangleMesh& mesh) {
   std::vector<cv::Vec3f> colors;
@@ -52,29 +70,37 @@ struct ImageSimulator::Parts {
         options(image_options),
         scene(mesh),
         colors(linear_colors(mesh)),
-        directions(sensor.camera.pixel_directions()),
-        texture_directions(sensor.texture_camera.pixel_directions()),
         blur(make_blur(sensor.camera, sensor.volume)),
         texture_blur(make_blur(sensor.texture_camera, sensor.volume)),
-        lines{LineLight(sensor, Pattern::kVertical), LineLight(sensor, Pattern::kHorizontal)},
-        grids{GridLight(sensor, Pattern::kVertical), GridLight(sensor, Pattern::kHorizontal)},
+        texture_step_px(options.tracing == Tracing::kGrid ? kTextureBlock_px : 1),
+        texture_directions(block_directions(sensor.texture_camera, texture_step_px)),
         chip(sensor.chip) {
+    if (options.tracing == Tracing::kEveryPixel) directions = sensor.camera.pixel_directions();
+    for (const Pattern pattern : kPatterns) {
+      if (options.tracing == Tracing::kGrid)
+        grids.emplace_back(sensor, pattern);
+      else
+        lines.emplace_back(sensor, pattern);
+    }
     for (const cv::Vec3f& color : colors) albedo.push_back((color[0] + color[1] + color[2]) / 3.0F);
   }
 
   cv::Mat ambient_light(const Isometry& T_model_sensor) const;
   cv::Vec3f flash_light(const Isometry& T_model_sensor, const RayHit& hit) const;
-  cv::Mat flash_image(const Isometry& T_model_sensor, int step_px) const;
+  cv::Mat flash_image(const Isometry& T_model_sensor) const;
 
   SensorModel sensor;
   ImageOptions options;
   RayScene scene;
-  std::vector<cv::Vec3f> colors;                     // by vertex
-  std::vector<float> albedo;                         // by vertex, for the grey camera
-  std::vector<Vec3> directions, texture_directions;  // by pixel
+  std::vector<cv::Vec3f> colors;  // by vertex
+  std::vector<float> albedo;      // by vertex, for the grey camera
   LensBlur blur, texture_blur;
-  std::array<LineLight, 2> lines;  // by Pattern
-  std::array<GridLight, 2> grids;  // by Pattern
+  int texture_step_px;                   // one ray serves a block of this many pixels a side
+  std::vector<Vec3> texture_directions;  // by block
+  // For one way of tracing or the other.
+  std::vector<Vec3> directions;  // by pixel
+  std::vector<LineLight> lines;  // by Pattern
+  std::vector<GridLight> grids;  // by Pattern
   Chip chip;
 };
 
@@ -119,21 +145,16 @@ cv::Vec3f ImageSimulator::Parts::flash_light(const Isometry& T_model_sensor,
   return color * static_cast<float>(kWhiteLevel * cosine * falloff);
 }
 
-// The light at the middle of each block of `step_px` pixels a side.
-cv::Mat ImageSimulator::Parts::flash_image(const Isometry& T_model_sensor, int step_px) const {
-  const ImageSize size = sensor.texture_camera.size;
-  cv::Mat light((size.height_px + step_px - 1) / step_px, (size.width_px + step_px - 1) / step_px,
-                CV_32FC3, cv::Scalar::all(0.0));
+// The light at the middle of each block of pixels.
+cv::Mat ImageSimulator::Parts::flash_image(const Isometry& T_model_sensor) const {
+  const cv::Size blocks = block_count(sensor.texture_camera.size, texture_step_px);
+  cv::Mat light(blocks, CV_32FC3, cv::Scalar::all(0.0));
   std::vector<Ray> rays(light.cols);
   std::vector<std::optional<RayHit>> hits(light.cols);
   const Vec3 origin = T_model_sensor * sensor.texture_camera.center();
   for (int j = 0; j < light.rows; ++j) {
-    const int v = std::min(j * step_px + step_px / 2, size.height_px - 1);
-    const Vec3* row = &texture_directions[static_cast<std::size_t>(v) * size.width_px];
-    for (int i = 0; i < light.cols; ++i) {
-      const int u = std::min(i * step_px + step_px / 2, size.width_px - 1);
-      rays[i] = {origin, T_model_sensor.linear() * row[u]};
-    }
+    const Vec3* row = &texture_directions[static_cast<std::size_t>(j) * light.cols];
+    for (int i = 0; i < light.cols; ++i) rays[i] = {origin, T_model_sensor.linear() * row[i]};
     scene.first_hits(rays, hits);
     for (int i = 0; i < light.cols; ++i)
       if (hits[i]) light.at<cv::Vec3f>(j, i) = flash_light(T_model_sensor, *hits[i]);
@@ -187,7 +208,7 @@ cv::Mat ImageSimulator::texture_image(const Isometry& T_model_sensor, std::uint6
   const ImageOptions& options = parts_->options;
   const CameraModel& camera = parts_->sensor.texture_camera;
   const bool grid = options.tracing == Tracing::kGrid;
-  cv::Mat light = parts_->flash_image(T_model_sensor, grid ? kTextureBlock_px : 1);
+  cv::Mat light = parts_->flash_image(T_model_sensor);
   if (grid) {
     // What is interpolated is as soft as the lens would leave it.
     cv::resize(light, light, {}, kTextureBlock_px, kTextureBlock_px, cv::INTER_LINEAR);

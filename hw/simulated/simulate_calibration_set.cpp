@@ -30,7 +30,11 @@ TriangleMesh white_plane(const SensorModel& sensor) {
 class PlaneCamera {
  public:
   PlaneCamera(const CalibrationSetOptions& options, ImageSimulator simulator)
-      : options_(options), simulator_(std::move(simulator)), chip_(options.sensor.chip) {}
+      : options_(options),
+        simulator_(std::move(simulator)),
+        chip_(options.sensor.chip),
+        dots_(options.sensor.camera, options.sensor.dots),
+        texture_dots_(options.sensor.texture_camera, options.sensor.dots) {}
 
   CalibrationPlane take(std::size_t index, double z_mm) const {
     Isometry T_model_sensor = Isometry::Identity();
@@ -40,13 +44,12 @@ class PlaneCamera {
     plane.z_mm = z_mm;
     plane.vertical = simulator_.measurement_image(Pattern::kVertical, path, 0.0, 4 * index);
     plane.horizontal = simulator_.measurement_image(Pattern::kHorizontal, path, 0.0, 4 * index + 1);
-    const SensorModel& sensor = options_.sensor;
-    const cv::Mat dots = dot_light(sensor.camera, sensor.dots, z_mm);
+    const cv::Mat dots = dots_.light(z_mm);
     plane.dots = chip_.read_out(
         {cv::Mat::zeros(dots.size(), CV_32FC1), dots},
         {options_.bits, options_.exposures, options_.noise, options_.seed, 4 * index + 2});
     cv::Mat color;
-    cv::cvtColor(dot_light(sensor.texture_camera, sensor.dots, z_mm), color, cv::COLOR_GRAY2RGB);
+    cv::cvtColor(texture_dots_.light(z_mm), color, cv::COLOR_GRAY2RGB);
     plane.dots_texture =
         chip_.read_out_color(color, {8, 1, options_.noise, options_.seed, 4 * index + 3});
     return plane;
@@ -56,6 +59,7 @@ class PlaneCamera {
   const CalibrationSetOptions& options_;
   ImageSimulator simulator_;
   Chip chip_;
+  DotImage dots_, texture_dots_;
 };
 
 }  // namespace
@@ -73,11 +77,13 @@ Result<CalibrationSet> take_calibration_set(const CalibrationSetOptions& options
                                             const Workers& workers, const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   const SensorModel& sensor = options.sensor;
+  // A plane has no silhouettes, on which alone the grid differs from tracing every pixel.
   auto simulator = ImageSimulator::create(white_plane(sensor), sensor,
                                           {.bits = options.bits,
                                            .noise = options.noise,
                                            .motion = false,
                                            .exposures = options.exposures,
+                                           .tracing = Tracing::kGrid,
                                            .seed = options.seed});
   if (!simulator) return tl::unexpected(simulator.error());
   const PlaneCamera camera(options, std::move(*simulator));

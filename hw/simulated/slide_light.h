@@ -17,7 +17,8 @@ namespace flytri {
 struct LineExposure {
   const RayScene& scene;
   std::span<const float> albedo;     ///< 0..1, by vertex of the scene's mesh
-  std::span<const Vec3> directions;  ///< of the camera's pixels, row by row, sensor frame
+  std::span<const Vec3> directions;  ///< of the camera's pixels, row by row, sensor frame;
+                                     ///< GridLight needs none
   const LensBlur& camera_blur;
   Isometry T_model_sensor;              ///< at the middle of the exposure
   std::vector<Isometry> T_then_middle;  ///< at equal times: the middle's sensor frame to theirs

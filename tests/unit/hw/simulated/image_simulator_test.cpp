@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/workers.h"
 #include "hw/simulated/chip.h"
+#include "hw/simulated/dot_image.h"
 #include "hw/simulated/lens_blur.h"
 #include "hw/simulated/line_profile.h"
 #include "hw/simulated/view_simulator.h"
@@ -223,25 +225,49 @@ TEST(LensBlur, KernelsSumToOneAndWidenWithDefocus) {
               0.08 * radius * radius);
 }
 
-TEST(Chip, NoiseHasShotReadAndSpeckleParts) {
+TEST(DotImage, IsBrightWhereDotsAre) {
+  const SensorModel sensor = intraoral_sensor();
+  const cv::Mat light = DotImage(sensor.camera, sensor.dots).light(0.0);
+  double dark = 0.0, bright = 0.0;
+  cv::minMaxLoc(light, &dark, &bright);
+  // Six whole pitches each way, away from the markers.
+  const auto pixel = [&](double x, double y) {
+    const Pixel at = sensor.camera.project({x, y, 0.0}).value();
+    return cv::Point(static_cast<int>(std::lround(at.u_px)),
+                     static_cast<int>(std::lround(at.v_px)));
+  };
+  const cv::Rect six(pixel(-8.5, -4.5), pixel(-2.5, 1.5));
+  const double share = (cv::mean(light(six))[0] - dark) / (bright - dark);
+  // Half the pitch wide. Six pitches are 300 px: cut to whole pixels, to about a percent.
+  EXPECT_NEAR(share, 0.25 * 0.25 * std::numbers::pi, 0.003);
+  const auto value = [&](double x, double y) { return light.at<float>(pixel(x, y)); };
+  EXPECT_LT(value(0.0, 2.0 + 0.5), dark + 0.01);
+  // Between a dot's radius and a marker's.
+  EXPECT_GT(value(0.0, 2.0 + 0.32), 0.5 * bright);
+  EXPECT_LT(value(0.0, 3.0 + 0.32), 0.5 * bright);
+}
+
+TEST(Chip, NoiseHasShotReadAndSpecklePartsThatAveragesLower) {
   ChipModel model;
   model.speckle_contrast = 0.1;
   const Chip chip(model);
-  const auto variance_at = [&](float line, float ambient) {
-    const cv::Size size(512, 512);
-    const cv::Mat image = chip.read_out(
-        {cv::Mat(size, CV_32FC1, cv::Scalar(line)), cv::Mat(size, CV_32FC1, cv::Scalar(ambient))},
-        {.bits = 16, .seed = 3, .stream = 5});
-    cv::Scalar mean, deviation;
-    cv::meanStdDev(image, mean, deviation);
-    EXPECT_NEAR(mean[0] / 65535.0, line + ambient + model.black_level, 0.002);
-    return std::pow(deviation[0] / 65535.0, 2);
-  };
-  const double read = std::pow(model.read_noise_e / model.full_well_e, 2);
-  // 262,144 pixels: variances to about 1 %; speckle is correlated, so allow 5 %.
-  EXPECT_NEAR(variance_at(0.0F, 0.4F), 0.4 / model.full_well_e + read, 0.03 * 0.4 / 9000.0);
-  EXPECT_NEAR(variance_at(0.4F, 0.0F), 0.4 / model.full_well_e + read + 0.04 * 0.04,
-              0.05 * 0.04 * 0.04);
+  for (const int exposures : {1, 16}) {
+    const auto variance_at = [&](float line, float ambient) {
+      const cv::Size size(512, 512);
+      const cv::Mat image = chip.read_out(
+          {cv::Mat(size, CV_32FC1, cv::Scalar(line)), cv::Mat(size, CV_32FC1, cv::Scalar(ambient))},
+          {.bits = 16, .exposures = exposures, .seed = 3, .stream = 5});
+      cv::Scalar mean, deviation;
+      cv::meanStdDev(image, mean, deviation);
+      EXPECT_NEAR(mean[0] / 65535.0, line + ambient + model.black_level, 0.002);
+      return exposures * std::pow(deviation[0] / 65535.0, 2);
+    };
+    const double read = std::pow(model.read_noise_e / model.full_well_e, 2);
+    // 262,144 pixels: variances to about 1 %; speckle is correlated, so allow 5 %.
+    EXPECT_NEAR(variance_at(0.0F, 0.4F), 0.4 / model.full_well_e + read, 0.03 * 0.4 / 9000.0);
+    EXPECT_NEAR(variance_at(0.4F, 0.0F), 0.4 / model.full_well_e + read + 0.04 * 0.04,
+                0.05 * 0.04 * 0.04);
+  }
 }
 
 // A step in front of waves: silhouettes and shadows beside smooth surfaces.
