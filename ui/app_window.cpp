@@ -31,6 +31,7 @@ struct AppWindow::Impl {
   Pictures pictures;
   WindowState state;
   ItemPlaces places;
+  std::vector<Rect> repainted;
   std::optional<ControlAnswers> control;
   double last_now_s = -1.0;
 
@@ -139,7 +140,8 @@ void AppWindow::Impl::draw(const AppView& view, const Theme& theme,
   state.frame_s = last_now_s < 0.0 ? 0.0 : std::clamp(view.now_s - last_now_s, 0.0, kLongestStep_s);
   last_now_s = view.now_s;
   places.clear();
-  draw_panels({view, state, commands, theme, layout, *scene, pictures, places});
+  repainted.clear();
+  draw_panels({view, state, commands, theme, layout, *scene, pictures, places, repainted});
 }
 
 bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
@@ -158,10 +160,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   if (impl.control) impl.control->ask(view, impl.state, commands);
   drop_tool(view, impl.state);
   impl.draw(view, theme, commands);
-  glViewport(0, 0, size.width_px, size.height_px);
-  glClearColor(kBackground[0], kBackground[1], kBackground[2], 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
-  impl.host->end_frame();
+  const bool is_different = impl.host->end_frame(impl.repainted);
   if (impl.window->should_close()) commands.emplace_back(Quit{});
   if (impl.control) {
     const bool is_idle = impl.window->input().empty() && presses.empty();
@@ -169,11 +168,15 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
                           impl.state,
                           impl.places,
                           {commands.begin() + static_cast<std::ptrdiff_t>(first), commands.end()},
+                          impl.host->canvas(),
                           size,
                           theme.scale,
                           is_idle});
   }
-  impl.window->swap();
+  if (impl.window->take_refresh() || is_different) {
+    impl.host->canvas().show();
+    impl.window->swap();
+  }
   return !impl.window->should_close();
 }
 

@@ -7,8 +7,9 @@ namespace flytri::ui {
 namespace {
 
 constexpr double kFlight_s = 0.7;
-/// The followed box is larger than the model by this share, so that the camera rests for a while.
-constexpr double kRoomToGrow = 0.5;
+/// The followed box is larger than the model by this part of the sensor's volume, so that the
+/// camera rests for a while.
+constexpr double kRoomToGrow = 0.8;
 /// With what lies around it a place of re-entry is found by eye.
 constexpr double kReentryRoom = 1.5;
 /// The parts of the picture's width and height that no plate covers.
@@ -26,7 +27,7 @@ Eigen::AlignedBox3d volume_box(const Vec3& volume_mm) {
 }
 
 Eigen::AlignedBox3d grown(const Eigen::AlignedBox3d& box, const Vec3& volume_mm) {
-  const Vec3 margin = kRoomToGrow * box.sizes().cwiseMax(volume_mm);
+  const Vec3 margin = kRoomToGrow * volume_mm;
   return Eigen::AlignedBox3d(Vec3(box.min() - margin / 2.0), Vec3(box.max() + margin / 2.0));
 }
 
@@ -66,8 +67,10 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
   state.follows_scan = true;
   state.followed_box_mm =
       model_box_mm.isEmpty() ? volume_box(view.volume_mm) : grown(model_box_mm, view.volume_mm);
+  // Room to grow is of use only where something grows.
+  const bool is_tight = !view.is_scanning && !model_box_mm.isEmpty();
   // A flight that is under way keeps the direction that it was to end in.
-  fly_to_box(state.followed_box_mm,
+  fly_to_box(is_tight ? model_box_mm : state.followed_box_mm,
              is_first ? first_sight() : state.camera.destination().q_world_eye, state);
 }
 

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "core/interchange/png.h"
 #include "ui/perform.h"
-#include "ui/window/screenshot.h"
 
 namespace flytri::ui {
 namespace {
@@ -29,8 +29,8 @@ std::string answer_where(const ItemPlaces& places, const std::string& id) {
                      place->height);
 }
 
-std::string answer_shot(const ImageSize& size, const std::string& path) {
-  const auto saved = save_screenshot(size, path);
+std::string answer_shot(const Canvas& canvas, const std::string& path) {
+  const auto saved = write_png(path, canvas.read());
   return saved ? "ok" : "error " + saved.error().message;
 }
 
@@ -107,7 +107,7 @@ std::optional<std::string> ControlAnswers::answer_to(const DrawnFrame& frame) {
   }
   if (*verb_ == "state") return "ok " + state_as_json(frame);
   if (*verb_ == "where") return answer_where(frame.places, rest_);
-  if (*verb_ == "shot") return answer_shot(frame.size, rest_);
+  if (*verb_ == "shot") return answer_shot(frame.canvas, rest_);
   if (*verb_ == "do") return action_named(rest_) ? "ok" : "error no action is called " + rest_;
   if (*verb_ == "tell" || *verb_ == "quit") return "ok";
   return "error unknown request: " + *verb_;

@@ -10,6 +10,7 @@
 #include "ui/command.h"
 #include "ui/control/control_channel.h"
 #include "ui/widgets/item_places.h"
+#include "ui/window/canvas.h"
 #include "ui/window_state.h"
 
 namespace flytri::ui {
@@ -20,6 +21,7 @@ struct DrawnFrame {
   const WindowState& state;
   const ItemPlaces& places;
   std::vector<Command> commands;  ///< given in this frame
+  const Canvas& canvas;
   ImageSize size;
   float scale = 1.0F;
   bool input_is_empty = true;  ///< nothing that the user did waits for later frames

@@ -35,6 +35,14 @@ void set_filter(GLint filter) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+/// From the framebuffer that is read to the same place of the one that is drawn to.
+void blit(const PixelBox& part) {
+  const int left = part.min().x(), bottom = part.min().y();
+  const int right = part.max().x() + 1, top = part.max().y() + 1;
+  glBlitFramebuffer(left, bottom, right, top, left, bottom, right, top, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+}
+
 GlObject<delete_texture> new_texture() {
   GLuint name = 0;
   glGenTextures(1, &name);
@@ -118,11 +126,17 @@ void Framebuffer::bind() const {
   glViewport(0, 0, width_px_, height_px_);
 }
 
-void Framebuffer::copy_color(const Framebuffer& from) const {
+void Framebuffer::copy_color(const Framebuffer& from, const PixelBox& part) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.object_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, object_.name());
-  glBlitFramebuffer(0, 0, width_px_, height_px_, 0, 0, width_px_, height_px_, GL_COLOR_BUFFER_BIT,
-                    GL_NEAREST);
+  blit(part);
+}
+
+void Framebuffer::copy_to_window() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  blit(PixelBox(Eigen::Vector2i(0, 0), Eigen::Vector2i(width_px_ - 1, height_px_ - 1)));
+  bind_window();
 }
 
 void Framebuffer::bind_window() { glBindFramebuffer(GL_FRAMEBUFFER, 0); }

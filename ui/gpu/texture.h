@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "ui/gpu/gl_object.h"
+#include "ui/gpu/pixel_box.h"
 
 namespace flytri::ui {
 
@@ -42,8 +43,10 @@ class Framebuffer {
   static Framebuffer make(const Texture& color);
   /// Draws go there from now on, to its whole area.
   void bind() const;
-  /// Takes over the color of another one of the same size.
-  void copy_color(const Framebuffer& from) const;
+  /// Takes over a part of the color of another one, px from the lower left.
+  void copy_color(const Framebuffer& from, const PixelBox& part) const;
+  /// Copies its whole color into the window's own framebuffer, which stays bound.
+  void copy_to_window() const;
   /// Back to the window's own.
   static void bind_window();
 

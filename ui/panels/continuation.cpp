@@ -22,7 +22,7 @@ void draw_captioned(const PanelContext& context, Rect box, const CameraPicture& 
   const Theme& theme = context.theme;
   draw_text(box.take_top(context.px(kCaption), context.px(kGapXs)),
             {theme.fonts.strong, color, Align::kLeft}, caption);
-  const Rect image = camera_image(theme, box, picture, "no image");
+  const Rect image = show_camera_image(context, box, picture, "no image");
   draw_outline(image, color, context.px(3.0F), context.px(kGapXs));
 }
 

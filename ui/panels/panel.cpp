@@ -83,4 +83,11 @@ float small_action_width(const PanelContext& context, Action action, const Actio
   return small_button_width(context.theme, look_of(context, action, look));
 }
 
+Rect show_camera_image(const PanelContext& context, const Rect& box, const CameraPicture& picture,
+                       const char* missing_text) {
+  const Rect image = camera_image(context.theme, box, picture, missing_text);
+  if (picture.is_new) context.repainted.push_back(image);
+  return image;
+}
+
 }  // namespace flytri::ui

@@ -28,6 +28,7 @@ struct PanelContext {
   SceneRenderer& scene;
   Pictures& pictures;
   ItemPlaces& places;
+  std::vector<Rect>& repainted;  ///< where textures on the screen hold another picture than before
 
   [[nodiscard]] float px(float units) const { return theme.px(units); }
   [[nodiscard]] ScanPhase phase() const {
@@ -56,6 +57,11 @@ class Plate {
 
 /// The plates over the scene: a little of it shines through.
 [[nodiscard]] PlateLook overlay(const Theme& theme);
+
+/// A camera image in a box, see widgets/camera_image.h.
+/// @return  where the image lies
+Rect show_camera_image(const PanelContext& context, const Rect& box, const CameraPicture& picture,
+                       const char* missing_text);
 
 /// How a button of an action is to look; the rest is taken from the key map and from how it stands.
 struct ActionLook {

@@ -5,6 +5,20 @@
 #include "ui/panels/status.h"
 
 namespace flytri::ui {
+namespace {
+
+/// Where the scene's picture is another one than before, in the window.
+void tell_repainted(const PanelContext& context) {
+  const PixelBox& part = context.scene.repainted_px();
+  if (part.isEmpty()) return;
+  const Rect& picture = context.layout.picture;
+  const Eigen::Array2f corner = part.min().cast<float>(),
+                       size = (part.sizes() + Eigen::Vector2i::Ones()).cast<float>();
+  context.repainted.push_back(
+      {picture.x + corner.x(), picture.bottom() - corner.y() - size.y(), size.x(), size.y()});
+}
+
+}  // namespace
 
 void draw_scene_panel(const PanelContext& context) {
   const Rect& picture = context.layout.picture;
@@ -17,6 +31,7 @@ void draw_scene_panel(const PanelContext& context) {
                              ImGuiButtonFlags_MouseButtonMiddle);
   handle_scene_input(context);
   draw_scene(context);
+  tell_repainted(context);
   ImGui::GetWindowDrawList()->AddImage(
       // Dear ImGui takes the number of an OpenGL texture as a pointer.
       // NOLINTNEXTLINE(performance-no-int-to-ptr)

@@ -45,7 +45,7 @@ void steer(const PanelContext& context, const Rect& image) {
 void draw_live_image(const PanelContext& context, const Rect& box) {
   CameraPicture& picture = context.pictures.live;
   picture.show(latest_frame(context.view));
-  const Rect image = camera_image(context.theme, box, picture, missing_text(context.view));
+  const Rect image = show_camera_image(context, box, picture, missing_text(context.view));
   context.places.set("live_image", image);
   steer(context, image);
 }

@@ -21,6 +21,50 @@ float gap_px(const Eye& eye, float splat_radius_mm) {
   return static_cast<float>(std::clamp(std::round(kOfRadius * radius_px), 1.0, kWidest_px));
 }
 
+/// The mean radius creeps while the model grows: that is no reason to compose all of it anew.
+bool look_same(const Backdrop& a, const Backdrop& b) {
+  constexpr float kCreep = 0.15F;
+  return a.is_dimmed == b.is_dimmed && a.top == b.top && a.bottom == b.bottom &&
+         std::abs(a.splat_radius_mm - b.splat_radius_mm) <= kCreep * b.splat_radius_mm;
+}
+
+/// What changed shows in the grooves around it as well.
+PixelBox with_grooves(const PixelBox& changed_px, const Eye& eye) {
+  if (changed_px.isEmpty()) return changed_px;
+  const Eigen::Vector2i margin_px =
+      Eigen::Vector2i::Constant(static_cast<int>(std::ceil(groove_reach_px(eye))) + 1);
+  return {changed_px.min() - margin_px, changed_px.max() + margin_px};
+}
+
+/// The pixels that lines may touch.
+PixelBox pixels_of(const std::vector<OverlayLine>& lines, const Eye& eye) {
+  PixelBox pixels;
+  for (const OverlayLine& line : lines) {
+    Eigen::AlignedBox3f box_mm(line.from_mm);
+    box_mm.extend(line.to_mm);
+    const PixelBox middle = eye.pixels_of(box_mm);
+    if (middle.isEmpty()) continue;
+    // Half the width and a pixel for its soft border.
+    const Eigen::Vector2i margin_px =
+        Eigen::Vector2i::Constant(static_cast<int>(std::ceil(0.5F * line.width_px)) + 2);
+    pixels.extend(PixelBox(middle.min() - margin_px, middle.max() + margin_px));
+  }
+  return pixels.intersection(whole_picture(eye.size));
+}
+
+/// Nothing is drawn outside of a part of the picture while it lives.
+class ScissorTo {
+ public:
+  explicit ScissorTo(const PixelBox& part) {
+    const Eigen::Vector2i size_px = part.sizes() + Eigen::Vector2i::Ones();
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.min().x(), part.min().y(), size_px.x(), size_px.y());
+  }
+  ~ScissorTo() { glDisable(GL_SCISSOR_TEST); }
+  ScissorTo(const ScissorTo&) = delete;
+  ScissorTo& operator=(const ScissorTo&) = delete;
+};
+
 }  // namespace
 
 Result<Composer> Composer::create() {
@@ -31,68 +75,72 @@ Result<Composer> Composer::create() {
   return Composer(std::move(*program), std::move(*lines));
 }
 
-Composer::Composer(ShaderProgram program, LinePainter lines)
-    : program_(std::move(program)), lines_(std::move(lines)), no_vertices_(VertexArray::make()) {}
+Composer::Composer(ShaderProgram program, LinePainter painter)
+    : program_(std::move(program)),
+      painter_(std::move(painter)),
+      no_vertices_(VertexArray::make()) {}
 
-void Composer::compose(const PictureTarget& model, const PixelBox& changed_px,
-                       const std::vector<OverlayLine>& lines, const Eye& eye,
-                       const Backdrop& backdrop) {
-  const PictureSize& size = eye.size;
-  PixelBox to_compose = changed_px;
-  if (surface_.width_px() != size.width_px || surface_.height_px() != size.height_px) {
-    surface_ = Texture::make(size.width_px, size.height_px, GL_RGBA8);
-    picture_ = Texture::make(size.width_px, size.height_px, GL_RGBA8);
-    to_compose = whole_picture(size);
-  }
-  if (!(backdrop == backdrop_)) to_compose = whole_picture(size);
-  backdrop_ = backdrop;
-  if (!to_compose.isEmpty()) compose_surface(model, to_compose, eye, backdrop);
-  has_lines_ = !lines.empty();
-  if (has_lines_) add_lines(model, lines, eye);
+void Composer::resize(const PictureSize& size) {
+  surface_ = Texture::make(size.width_px, size.height_px, GL_RGBA8);
+  picture_ = Texture::make(size.width_px, size.height_px, GL_RGBA8);
+  onto_surface_ = Framebuffer::make(surface_);
+  onto_picture_ = Framebuffer::make(picture_);
 }
 
-void Composer::compose_surface(const PictureTarget& model, const PixelBox& changed_px,
-                               const Eye& eye, const Backdrop& backdrop) {
+PixelBox Composer::compose(const PictureTarget& model, const PixelBox& changed_px,
+                           const std::vector<OverlayLine>& lines, const Eye& eye,
+                           const Backdrop& backdrop) {
+  const PixelBox whole = whole_picture(eye.size);
+  const bool is_resized =
+      surface_.width_px() != eye.size.width_px || surface_.height_px() != eye.size.height_px;
+  if (is_resized) resize(eye.size);
+  const bool is_all = is_resized || !look_same(backdrop, backdrop_);
+  if (is_all) backdrop_ = backdrop;
+  PixelBox part = is_all ? whole : with_grooves(changed_px, eye).intersection(whole);
+  if (!part.isEmpty()) compose_surface(model, part, eye);
+  const bool are_others = lines != lines_;
+  if (are_others) part.extend(lines_px_);
+  lines_ = lines;
+  lines_px_ = pixels_of(lines_, eye);
+  if (are_others) part.extend(lines_px_);
+  if (!part.isEmpty()) add_lines(model, part, eye);
+  return part;
+}
+
+void Composer::compose_surface(const PictureTarget& model, const PixelBox& part, const Eye& eye) {
   constexpr float kDimming = 0.62F;
   /// Grooves that are deepened, as a share of the picture's height.
   constexpr double kGroove = 0.006;
-  const Framebuffer target = Framebuffer::make(surface_);
-  target.bind();
+  onto_surface_.bind();
   glDisable(GL_DEPTH_TEST);
-  glEnable(GL_SCISSOR_TEST);
-  // What changed shows in the grooves around it as well.
-  const int margin_px = static_cast<int>(std::ceil(groove_reach_px(eye))) + 1;
-  const Eigen::Vector2i corner = changed_px.min().array() - margin_px;
-  const Eigen::Vector2i size_px = changed_px.sizes().array() + 2 * margin_px + 1;
-  glScissor(corner.x(), corner.y(), size_px.x(), size_px.y());
+  const ScissorTo scissor(part);
   program_.use();
   model.color.bind(0);
   model.depth.bind(1);
   program_.set("model_color", 0);
   program_.set("model_depth", 1);
   program_.set("size_px", eye.size_px());
-  program_.set("background_top", rgb_of(backdrop.top));
-  program_.set("background_bottom", rgb_of(backdrop.bottom));
-  program_.set("dimming", backdrop.is_dimmed ? kDimming : 0.0F);
+  program_.set("background_top", rgb_of(backdrop_.top));
+  program_.set("background_bottom", rgb_of(backdrop_.bottom));
+  program_.set("dimming", backdrop_.is_dimmed ? kDimming : 0.0F);
   // Normalized depth is -P22 + P23 / distance, see OrbitCamera::projection.
   program_.set("depth_to_mm", Eigen::Vector2f(eye.P_clip_eye(2, 2), eye.P_clip_eye(2, 3)));
   program_.set("groove_mm", static_cast<float>(kGroove * eye.height_mm));
-  program_.set("splat_radius_mm", backdrop.splat_radius_mm);
-  program_.set("gap_px", gap_px(eye, backdrop.splat_radius_mm));
+  program_.set("splat_radius_mm", backdrop_.splat_radius_mm);
+  program_.set("gap_px", gap_px(eye, backdrop_.splat_radius_mm));
   program_.set("reach_px", groove_reach_px(eye));
   no_vertices_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_SCISSOR_TEST);
 }
 
-void Composer::add_lines(const PictureTarget& model, const std::vector<OverlayLine>& lines,
-                         const Eye& eye) {
-  const Framebuffer from = Framebuffer::make(surface_);
+void Composer::add_lines(const PictureTarget& model, const PixelBox& part, const Eye& eye) {
+  onto_picture_.copy_color(onto_surface_, part);
+  if (lines_.empty()) return;
   // The lines are tested against the model's own depth.
   const Framebuffer onto = Framebuffer::make(picture_, model.depth);
-  onto.copy_color(from);
   onto.bind();
-  lines_.paint(lines, eye);
+  const ScissorTo scissor(part);
+  painter_.paint(lines_, eye);
 }
 
 }  // namespace flytri::ui

@@ -15,7 +15,6 @@ struct Backdrop {
   float splat_radius_mm = 0.0F;  ///< a splat has one depth all over; 0 for a mesh
   Color top;
   Color bottom;
-  bool operator==(const Backdrop&) const = default;
 };
 
 class Composer {
@@ -24,25 +23,26 @@ class Composer {
   [[nodiscard]] static Result<Composer> create();
 
   /// @param changed_px  where the model's picture is another one than before
-  void compose(const PictureTarget& model, const PixelBox& changed_px,
-               const std::vector<OverlayLine>& lines, const Eye& eye, const Backdrop& backdrop);
-  [[nodiscard]] std::uint32_t texture_id() const {
-    return (has_lines_ ? picture_ : surface_).name();
-  }
+  /// @return  where the composed picture is
+  PixelBox compose(const PictureTarget& model, const PixelBox& changed_px,
+                   const std::vector<OverlayLine>& lines, const Eye& eye, const Backdrop& backdrop);
+  [[nodiscard]] std::uint32_t texture_id() const { return picture_.name(); }
 
  private:
-  Composer(ShaderProgram program, LinePainter lines);
-  void compose_surface(const PictureTarget& model, const PixelBox& changed_px, const Eye& eye,
-                       const Backdrop& backdrop);
-  void add_lines(const PictureTarget& model, const std::vector<OverlayLine>& lines, const Eye& eye);
+  Composer(ShaderProgram program, LinePainter painter);
+  void resize(const PictureSize& size);
+  void compose_surface(const PictureTarget& model, const PixelBox& part, const Eye& eye);
+  void add_lines(const PictureTarget& model, const PixelBox& part, const Eye& eye);
 
   ShaderProgram program_;
-  LinePainter lines_;
+  LinePainter painter_;
   VertexArray no_vertices_;
   Texture surface_;  ///< without the lines: kept, as they often change and it does not
   Texture picture_;  ///< with them
-  Backdrop backdrop_;
-  bool has_lines_ = false;
+  Framebuffer onto_surface_, onto_picture_;
+  Backdrop backdrop_;               ///< of the surface
+  std::vector<OverlayLine> lines_;  ///< in the picture
+  PixelBox lines_px_;               ///< where they are
 };
 
 }  // namespace flytri::ui

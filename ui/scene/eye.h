@@ -3,13 +3,12 @@
 
 #include <Eigen/Geometry>
 
+#include "ui/gpu/pixel_box.h"
 #include "ui/gpu/shader_program.h"
 #include "ui/scene/orbit_camera.h"
 
 namespace flytri::ui {
 
-/// Pixels of a picture, first and last, from its lower left; empty: none.
-using PixelBox = Eigen::AlignedBox2i;
 [[nodiscard]] PixelBox whole_picture(const PictureSize& size);
 
 struct Eye {

@@ -15,6 +15,7 @@ struct OverlayLine {
   Vec3f to_mm;
   float width_px = 2.0F;
   Color color;
+  bool operator==(const OverlayLine&) const = default;
 };
 
 /// Profiles, sensors, rims of holes, measured segments and the brush. Where the model hides them

@@ -26,7 +26,8 @@ struct SceneRenderer::State {
   Eigen::AlignedBox3d model_box_mm;
   const PictureTarget* shown = nullptr;  ///< of the model or the mesh
   bool pulses = false;
-  PixelBox changed_px;  ///< of the shown model or mesh
+  PixelBox changed_px;    ///< of the shown model or mesh
+  PixelBox repainted_px;  ///< of the picture with all that lies over it
   SceneStatistics statistics;
 
   [[nodiscard]] Backdrop backdrop(const SceneContent& content, const SceneOptions& options) const {
@@ -110,13 +111,15 @@ void SceneRenderer::draw(const SceneContent& content, const SceneOptions& option
   state.pulses = std::any_of(content.sensors.begin(), content.sensors.end(),
                              [](const SensorGhost& sensor) { return sensor.pulses; });
   if (before != state.shown) state.changed_px = whole_picture(size);
-  state.composer.compose(*state.shown, state.changed_px,
-                         overlay_lines(content, options, state.eye, now_s), state.eye,
-                         state.backdrop(content, options));
+  state.repainted_px = state.composer.compose(*state.shown, state.changed_px,
+                                              overlay_lines(content, options, state.eye, now_s),
+                                              state.eye, state.backdrop(content, options));
   Framebuffer::bind_window();
 }
 
 std::uint32_t SceneRenderer::texture_id() const { return state_->composer.texture_id(); }
+
+const PixelBox& SceneRenderer::repainted_px() const { return state_->repainted_px; }
 
 bool SceneRenderer::wants_redraw() const {
   const bool shows_model = state_->shown == &state_->model.shown();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/result.h"
+#include "ui/gpu/pixel_box.h"
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/scene_content.h"
 #include "ui/scene/scene_options.h"
@@ -45,8 +46,10 @@ class SceneRenderer {
             const PictureSize& size, double now_s);
 
   /// OpenGL's name of the picture: RGBA, opaque, the first row at the bottom, so ImGui::Image takes
-  /// uv (0, 1) to (1, 0). Changes with each draw().
+  /// uv (0, 1) to (1, 0). Changes with the size alone.
   [[nodiscard]] std::uint32_t texture_id() const;
+  /// Where the last draw() made it another picture.
+  [[nodiscard]] const PixelBox& repainted_px() const;
   /// The picture is coarser than it will be, or something pulses: draw again soon.
   [[nodiscard]] bool wants_redraw() const;
   /// The surface under a pixel of the last picture (from its upper left); none beside the model.

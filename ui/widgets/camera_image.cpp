@@ -45,7 +45,8 @@ cv::Mat for_screen(const Frame& frame) {
 }  // namespace
 
 void CameraPicture::show(const std::shared_ptr<const LiveFrame>& latest) {
-  if (latest == frame) return;
+  is_new = latest != frame;
+  if (!is_new) return;
   frame = latest;
   if (frame != nullptr && !frame->frame.image.empty()) texture.assign(for_screen(frame->frame));
 }

@@ -14,6 +14,8 @@ struct CameraPicture {
   Texture texture;
   std::shared_ptr<const LiveFrame> frame;
 
+  bool is_new = false;  ///< another image than at the show() before
+
   void show(const std::shared_ptr<const LiveFrame>& latest);
 };
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "ui/theme/palette.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -85,6 +87,7 @@ Result<void> ImGuiHost::set_scale(float scale) {
   theme_ = *theme;
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
+  damage_.forget();
   return {};
 }
 
@@ -106,9 +109,13 @@ std::vector<KeyEvent> ImGuiHost::begin_frame(double now_s) {
   return presses;
 }
 
-void ImGuiHost::end_frame() {
+bool ImGuiHost::end_frame(const std::vector<Rect>& repainted) {
   ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  ImDrawData& data = *ImGui::GetDrawData();
+  if (canvas_.resize(window_.framebuffer_size())) damage_.forget();
+  const std::vector<Rect> boxes = damage_.update(data, repainted);
+  canvas_.draw(data, boxes, kBackground);
+  return !boxes.empty();
 }
 
 }  // namespace flytri::ui

@@ -5,6 +5,8 @@
 
 #include "core/base/result.h"
 #include "ui/theme/theme.h"
+#include "ui/window/canvas.h"
+#include "ui/window/draw_damage.h"
 #include "ui/window/window.h"
 
 struct ImGuiContext;
@@ -29,13 +31,19 @@ class ImGuiHost {
   /// @param now_s  monotonic
   /// @return  keys pressed and repeated in this frame while no text field wanted them, in order
   [[nodiscard]] std::vector<KeyEvent> begin_frame(double now_s);
-  /// Draws the frame over what the framebuffer holds.
-  void end_frame();
+  /// Draws what is different from the frame before.
+  /// @param repainted  where textures hold another picture than before
+  /// @return  whether anything is
+  bool end_frame(const std::vector<Rect>& repainted);
+  /// The frame as it was drawn.
+  [[nodiscard]] const Canvas& canvas() const { return canvas_; }
 
  private:
   Window& window_;
   ImGuiContext* context_;
   Theme theme_;
+  DrawDamage damage_;
+  Canvas canvas_;
   double last_now_s_ = -1.0;
 };
 

@@ -112,8 +112,13 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
   return std::unique_ptr<Window>(new Window(window));
 }
 
+void Window::on_refresh(GLFWwindow* window) {
+  static_cast<Window*>(glfwGetWindowUserPointer(window))->wants_refresh_ = true;
+}
+
 void Window::listen() {
   glfwSetWindowUserPointer(window_, this);
+  glfwSetWindowRefreshCallback(window_, on_refresh);
   glfwSetKeyCallback(window_, on_key);
   glfwSetCharCallback(window_, on_character);
   glfwSetCursorPosCallback(window_, on_pointer);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "core/base/result.h"
 #include "core/imaging/frame.h"
@@ -32,6 +33,8 @@ class Window {
   void poll();
   /// Shows what was drawn.
   void swap();
+  /// Whether the window system asked for the picture again since the last time.
+  [[nodiscard]] bool take_refresh() { return std::exchange(wants_refresh_, false); }
   [[nodiscard]] bool should_close() const;
   [[nodiscard]] ImageSize framebuffer_size() const;
   /// Pixels by pixels of an ordinary screen.
@@ -42,8 +45,10 @@ class Window {
  private:
   explicit Window(GLFWwindow* window);
   void listen();
+  static void on_refresh(GLFWwindow* window);
   GLFWwindow* window_;
   InputQueue input_;
+  bool wants_refresh_ = true;
 };
 
 }  // namespace flytri::ui

@@ -1,0 +1,78 @@
+#include "ui/window/canvas.h"
+
+#include <backends/imgui_impl_opengl3.h>
+
+namespace flytri::ui {
+namespace {
+
+/// Narrows all clip rectangles of a frame to a box while it lives.
+class Narrowed {
+ public:
+  Narrowed(ImDrawData& data, const Rect& box) : data_(data) {
+    for_each([&](ImVec4& clip) {
+      kept_.push_back(clip);
+      clip = {std::max(clip.x, box.x), std::max(clip.y, box.y), std::min(clip.z, box.right()),
+              std::min(clip.w, box.bottom())};
+    });
+  }
+  ~Narrowed() {
+    auto kept = kept_.begin();
+    for_each([&](ImVec4& clip) { clip = *kept++; });
+  }
+  Narrowed(const Narrowed&) = delete;
+  Narrowed& operator=(const Narrowed&) = delete;
+
+ private:
+  template <typename Do>
+  void for_each(const Do& change) {
+    for (int i = 0; i < data_.CmdListsCount; ++i) {
+      for (ImDrawCmd& command : data_.CmdLists[i]->CmdBuffer) change(command.ClipRect);
+    }
+  }
+
+  ImDrawData& data_;
+  std::vector<ImVec4> kept_;
+};
+
+void clear(const Rect& box, int height_px, const Color& color) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(static_cast<int>(box.x), height_px - static_cast<int>(box.bottom()),
+            static_cast<int>(box.width), static_cast<int>(box.height));
+  glClearColor(color[0], color[1], color[2], 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+}  // namespace
+
+bool Canvas::resize(const ImageSize& size) {
+  if (picture_.width_px() == size.width_px && picture_.height_px() == size.height_px) return false;
+  picture_ = Texture::make(size.width_px, size.height_px, GL_RGBA8);
+  framebuffer_ = Framebuffer::make(picture_);
+  return true;
+}
+
+void Canvas::draw(ImDrawData& data, const std::vector<Rect>& boxes, const Color& background) {
+  framebuffer_.bind();
+  for (const Rect& box : boxes) {
+    clear(box, picture_.height_px(), background);
+    const Narrowed narrowed(data, box);
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
+  }
+  Framebuffer::bind_window();
+}
+
+void Canvas::show() const { framebuffer_.copy_to_window(); }
+
+cv::Mat Canvas::read() const {
+  framebuffer_.bind();
+  cv::Mat pixels(picture_.height_px(), picture_.width_px(), CV_8UC3);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, pixels.cols, pixels.rows, GL_RGB, GL_UNSIGNED_BYTE, pixels.data);
+  Framebuffer::bind_window();
+  cv::Mat upright;
+  cv::flip(pixels, upright, 0);  // OpenGL's first row is at the bottom.
+  return upright;
+}
+
+}  // namespace flytri::ui
