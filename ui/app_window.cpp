@@ -174,7 +174,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
                           is_idle});
   }
   if (impl.window->take_refresh() || is_different) {
-    impl.host->canvas().show();
+    impl.host->canvas().picture().copy_to_window();
     impl.window->swap();
   }
   return !impl.window->should_close();

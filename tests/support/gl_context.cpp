@@ -25,14 +25,4 @@ GlContext::~GlContext() {
   glfwDestroyWindow(window_);
 }
 
-cv::Mat read_texture(unsigned texture, int width_px, int height_px) {
-  cv::Mat upside_down(height_px, width_px, CV_8UC3);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_BYTE, upside_down.data);
-  cv::Mat upright;
-  cv::flip(upside_down, upright, 0);
-  return upright;
-}
-
 }  // namespace flytri::testing

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <opencv2/core.hpp>
 
 struct GLFWwindow;
 
@@ -24,8 +23,5 @@ class GlContext {
 
 inline constexpr const char* kNoDisplay =
     "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
-
-/// The pixels of a texture, CV_8UC3 in R, G, B order, the upper row first.
-[[nodiscard]] cv::Mat read_texture(unsigned texture, int width_px, int height_px);
 
 }  // namespace flytri::testing

@@ -20,7 +20,7 @@ void SceneFixture::SetUp() {
 
 cv::Mat SceneFixture::one_picture() {
   renderer_->draw(content_, options_, camera_, kSize, now_s_);
-  return read_texture(renderer_->texture_id(), kSize.width_px, kSize.height_px);
+  return renderer_->picture().read();
 }
 
 cv::Mat SceneFixture::picture() {

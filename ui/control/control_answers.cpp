@@ -30,7 +30,7 @@ std::string answer_where(const ItemPlaces& places, const std::string& id) {
 }
 
 std::string answer_shot(const Canvas& canvas, const std::string& path) {
-  const auto saved = write_png(path, canvas.read());
+  const auto saved = write_png(path, canvas.picture().read());
   return saved ? "ok" : "error " + saved.error().message;
 }
 

@@ -1,6 +1,7 @@
 #include "ui/gpu/texture.h"
 
 #include <cassert>
+#include <opencv2/core.hpp>
 
 namespace flytri::ui {
 namespace {
@@ -35,12 +36,12 @@ void set_filter(GLint filter) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-/// From the framebuffer that is read to the same place of the one that is drawn to.
-void blit(const PixelBox& part) {
-  const int left = part.min().x(), bottom = part.min().y();
-  const int right = part.max().x() + 1, top = part.max().y() + 1;
-  glBlitFramebuffer(left, bottom, right, top, left, bottom, right, top, GL_COLOR_BUFFER_BIT,
-                    GL_NEAREST);
+/// From the framebuffer that is read to the one that is drawn to, where the part's lower left
+/// corner goes to `to`.
+void blit(const PixelBox& part, const Eigen::Vector2i& to) {
+  const Eigen::Vector2i end = part.max() + Eigen::Vector2i::Ones(), to_end = to + end - part.min();
+  glBlitFramebuffer(part.min().x(), part.min().y(), end.x(), end.y(), to.x(), to.y(), to_end.x(),
+                    to_end.y(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 GlObject<delete_texture> new_texture() {
@@ -129,14 +130,34 @@ void Framebuffer::bind() const {
 void Framebuffer::copy_color(const Framebuffer& from, const PixelBox& part) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.object_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, object_.name());
-  blit(part);
+  blit(part, part.min());
+}
+
+void Framebuffer::copy_to_bound(const PixelBox& part, const Eigen::Vector2i& to_px) const {
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.name());
+  blit(part, to_px);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
 void Framebuffer::copy_to_window() const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  blit(PixelBox(Eigen::Vector2i(0, 0), Eigen::Vector2i(width_px_ - 1, height_px_ - 1)));
+  const Eigen::Vector2i corner(0, 0);
+  blit({corner, Eigen::Vector2i(width_px_ - 1, height_px_ - 1)}, corner);
   bind_window();
+}
+
+cv::Mat Framebuffer::read() const {
+  cv::Mat pixels(height_px_, width_px_, CV_8UC3);
+  glBindFramebuffer(GL_FRAMEBUFFER, object_.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width_px_, height_px_, GL_RGB, GL_UNSIGNED_BYTE, pixels.data);
+  bind_window();
+  cv::Mat upright;
+  cv::flip(pixels, upright, 0);  // OpenGL's first row is at the bottom.
+  return upright;
 }
 
 void Framebuffer::bind_window() { glBindFramebuffer(GL_FRAMEBUFFER, 0); }

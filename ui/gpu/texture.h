@@ -45,8 +45,13 @@ class Framebuffer {
   void bind() const;
   /// Takes over a part of the color of another one, px from the lower left.
   void copy_color(const Framebuffer& from, const PixelBox& part) const;
+  /// Copies a part of its color to another place of the framebuffer that is bound for drawing.
+  /// @param to_px  where the part's lower left corner goes
+  void copy_to_bound(const PixelBox& part, const Eigen::Vector2i& to_px) const;
   /// Copies its whole color into the window's own framebuffer, which stays bound.
   void copy_to_window() const;
+  /// @return  its color: CV_8UC3, R, G, B order, first row at the top
+  [[nodiscard]] cv::Mat read() const;
   /// Back to the window's own.
   static void bind_window();
 

@@ -1,5 +1,7 @@
 #include "ui/panels/layout.h"
 
+#include <cmath>
+
 namespace flytri::ui {
 namespace {
 
@@ -12,6 +14,12 @@ constexpr float kNarrowWindow = 1180.0F;
 /// A band as wide as a finger is seen across the room.
 constexpr float kStatusFrame = 10.0F;
 
+/// The picture is copied pixel by pixel.
+Rect whole_pixels(const Rect& rect) {
+  const float x = std::ceil(rect.x), y = std::ceil(rect.y);
+  return {x, y, std::floor(rect.right()) - x, std::floor(rect.bottom()) - y};
+}
+
 }  // namespace
 
 Layout make_layout(float width_px, float height_px, const Theme& theme) {
@@ -23,7 +31,7 @@ Layout make_layout(float width_px, float height_px, const Theme& theme) {
   const bool is_narrow = width_px < kNarrowWindow * theme.scale;
   layout.side = rest.take_right(theme.px(is_narrow ? kNarrowSide : kSide));
   layout.frame = rest;
-  layout.picture = rest.inset(theme.px(kStatusFrame));
+  layout.picture = whole_pixels(rest.inset(theme.px(kStatusFrame)));
   return layout;
 }
 

@@ -5,6 +5,7 @@
 
 #include "ui/key_map.h"
 #include "ui/panels/layout.h"
+#include "ui/panels/scene_image.h"
 #include "ui/perform.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/widgets/button.h"
@@ -16,6 +17,7 @@ namespace flytri::ui {
 /// Images of the window in graphics memory.
 struct Pictures {
   CameraPicture live, stored;
+  SceneImage scene;
 };
 
 /// One frame's business. Panels read the view and the state, change the state, add commands.

@@ -32,11 +32,7 @@ void draw_scene_panel(const PanelContext& context) {
   handle_scene_input(context);
   draw_scene(context);
   tell_repainted(context);
-  ImGui::GetWindowDrawList()->AddImage(
-      // Dear ImGui takes the number of an OpenGL texture as a pointer.
-      // NOLINTNEXTLINE(performance-no-int-to-ptr)
-      reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.scene.texture_id())),
-      picture.min(), picture.max(), {0, 1}, {1, 0});
+  context.pictures.scene.add(context.scene.picture(), picture);
   draw_distance_labels(context);
 }
 

@@ -26,7 +26,7 @@ class Composer {
   /// @return  where the composed picture is
   PixelBox compose(const PictureTarget& model, const PixelBox& changed_px,
                    const std::vector<OverlayLine>& lines, const Eye& eye, const Backdrop& backdrop);
-  [[nodiscard]] std::uint32_t texture_id() const { return picture_.name(); }
+  [[nodiscard]] const Framebuffer& picture() const { return onto_picture_; }
 
  private:
   Composer(ShaderProgram program, LinePainter painter);

@@ -84,11 +84,12 @@ ModelPicture::Done ModelPicture::draw_whole(const SplatStore& store, double now_
   shown_.has_lost = false;
   shown_.begun_s = now_s;
   const FrameTimer timer;
+  PixelBox changed_px = std::exchange(shown_.content_px, {});
   shown_.target.clear();
   const std::size_t drawn = paint(shown_, store, blocks);
   latest_ms_ = timer.stop_ms();
   moving_.learn(drawn, latest_ms_);
-  return {drawn, true, whole_picture(eye_.size)};
+  return {drawn, true, changed_px.extend(shown_.content_px)};
 }
 
 ModelPicture::Done ModelPicture::draw_fresh(const SplatStore& store, const StoreChanges& changes) {
@@ -146,6 +147,7 @@ ModelPicture::Done ModelPicture::draw_behind(const SplatStore& store, std::size_
     behind_.replaced = 0;
     behind_.has_lost = false;
     behind_.begun_s = now_s;
+    behind_.content_px.setEmpty();
     behind_.target.clear();
   }
   const FrameTimer timer;
@@ -155,11 +157,14 @@ ModelPicture::Done ModelPicture::draw_behind(const SplatStore& store, std::size_
   latest_ms_ += slice_ms;
   if (next_) return {drawn, false, {}};
   std::swap(shown_, behind_);
-  return {drawn, true, whole_picture(eye_.size)};
+  return {drawn, true, shown_.content_px.merged(behind_.content_px)};
 }
 
 std::size_t ModelPicture::paint(Kept& kept, const SplatStore& store, const Blocks& blocks) {
   if (blocks.empty()) return 0;
+  for (const StoredBlock* stored : blocks) {
+    kept.content_px.extend(eye_.pixels_of(drawn_box(*stored, kept.detail_share)));
+  }
   kept.target.framebuffer.bind();
   return painter_.paint(store, blocks, eye_, options_, kept.detail_share);
 }

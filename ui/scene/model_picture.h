@@ -58,6 +58,7 @@ class ModelPicture {
     std::size_t replaced = 0;  ///< surfels drawn over older ones of the same block
     bool has_lost = false;     ///< shows surfels that are gone
     double begun_s = 0.0;      ///< when it was drawn from scratch
+    PixelBox content_px;       ///< around all that was drawn into it
   };
 
   Done draw_whole(const SplatStore& store, double now_s);

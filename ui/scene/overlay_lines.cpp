@@ -45,14 +45,26 @@ class Pen {
   std::vector<OverlayLine> lines_;
 };
 
-void add_view(Pen& pen, const View& view, const Isometry& T_world_sensor, double width_px) {
+/// @param step_mm  profiles are drawn in pieces at least this long
+void add_view(Pen& pen, const View& view, const Isometry& T_world_sensor, double width_px,
+              double step_mm) {
   const Color& color = view.pattern == Pattern::kVertical ? kVerticalProfile : kHorizontalProfile;
   for (const Profile& profile : view.profiles) {
-    for (std::size_t i = 0; i + 1 < profile.points.size(); ++i) {
-      pen.line(T_world_sensor * profile.points[i].position_mm,
-               T_world_sensor * profile.points[i + 1].position_mm, width_px, color);
+    if (profile.points.empty()) continue;
+    Vec3 from_mm = profile.points.front().position_mm;
+    for (const ProfilePoint& point : profile.points) {
+      const bool is_last = &point == &profile.points.back();
+      if (!is_last && (point.position_mm - from_mm).norm() < step_mm) continue;
+      pen.line(T_world_sensor * from_mm, T_world_sensor * point.position_mm, width_px, color);
+      from_mm = point.position_mm;
     }
   }
+}
+
+/// So long in the picture that the pieces of a curved line show no corners.
+double smooth_step_mm(const Eye& eye) {
+  constexpr double kStep_px = 6.0;
+  return kStep_px * eye.height_mm / eye.size.height_px;
 }
 
 /// The eight corners of a measurement volume; bit 0 of the number is x, 1 is y, 2 is z.
@@ -89,10 +101,10 @@ void add_sensor(Pen& pen, const SensorGhost& sensor, double now_s) {
   }
 }
 
-void add_preview(Pen& pen, const PreviewContent& preview) {
+void add_preview(Pen& pen, const PreviewContent& preview, double step_mm) {
   add_volume(pen, Isometry::Identity(), preview.volume_mm, 1.5, faded(kNeutral, 0.55));
   for (const auto& view : preview.views) {
-    if (view) add_view(pen, *view, Isometry::Identity(), 2.5);
+    if (view) add_view(pen, *view, Isometry::Identity(), 2.5, step_mm);
   }
 }
 
@@ -153,11 +165,12 @@ void add_brush(Pen& pen, const BrushCursor& brush) {
 std::vector<OverlayLine> overlay_lines(const SceneContent& content, const SceneOptions& options,
                                        const Eye& eye, double now_s) {
   Pen pen(options.scale);
+  const double step_mm = smooth_step_mm(eye);
   for (const AlignedView& view : content.highlighted) {
-    if (view.view) add_view(pen, *view.view, view.T_world_sensor, 3.0);
+    if (view.view) add_view(pen, *view.view, view.T_world_sensor, 3.0, step_mm);
   }
   for (const SensorGhost& sensor : content.sensors) add_sensor(pen, sensor, now_s);
-  if (content.preview) add_preview(pen, *content.preview);
+  if (content.preview) add_preview(pen, *content.preview, step_mm);
   add_holes(pen, content);
   for (const MeasuredSegment& segment : content.measurements) add_measurement(pen, segment, eye);
   if (content.brush) add_brush(pen, *content.brush);

@@ -117,7 +117,7 @@ void SceneRenderer::draw(const SceneContent& content, const SceneOptions& option
   Framebuffer::bind_window();
 }
 
-std::uint32_t SceneRenderer::texture_id() const { return state_->composer.texture_id(); }
+const Framebuffer& SceneRenderer::picture() const { return state_->composer.picture(); }
 
 const PixelBox& SceneRenderer::repainted_px() const { return state_->repainted_px; }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/result.h"
-#include "ui/gpu/pixel_box.h"
+#include "ui/gpu/texture.h"
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/scene_content.h"
 #include "ui/scene/scene_options.h"
@@ -29,7 +29,7 @@ struct Pick {
   Vec3 normal = Vec3::UnitZ();  ///< unit, outwards; of the surface within a few pixels
 };
 
-/// Draws into a texture of its own. Needs a current OpenGL 3.3 core context wherever it is called,
+/// Draws into a picture of its own. Needs a current OpenGL 3.3 core context wherever it is called,
 /// and leaves the window's framebuffer bound.
 class SceneRenderer {
  public:
@@ -45,9 +45,8 @@ class SceneRenderer {
   void draw(const SceneContent& content, const SceneOptions& options, const OrbitCamera& camera,
             const PictureSize& size, double now_s);
 
-  /// OpenGL's name of the picture: RGBA, opaque, the first row at the bottom, so ImGui::Image takes
-  /// uv (0, 1) to (1, 0). Changes with the size alone.
-  [[nodiscard]] std::uint32_t texture_id() const;
+  /// Of the size that the last draw() was given; opaque.
+  [[nodiscard]] const Framebuffer& picture() const;
   /// Where the last draw() made it another picture.
   [[nodiscard]] const PixelBox& repainted_px() const;
   /// The picture is coarser than it will be, or something pulses: draw again soon.

@@ -19,6 +19,12 @@ struct Rect {
   [[nodiscard]] bool contains(const ImVec2& p) const {
     return p.x >= x && p.x < right() && p.y >= y && p.y < bottom();
   }
+  /// What belongs to both; of no size where there is nothing.
+  [[nodiscard]] Rect intersected(const Rect& other) const {
+    const float left = std::max(x, other.x), top = std::max(y, other.y);
+    return {left, top, std::max(std::min(right(), other.right()) - left, 0.0F),
+            std::max(std::min(bottom(), other.bottom()) - top, 0.0F)};
+  }
   /// Smaller by a margin on each side, never below nothing.
   [[nodiscard]] Rect inset(float dx, float dy) const {
     return {x + dx, y + dy, std::max(width - 2.0F * dx, 0.0F), std::max(height - 2.0F * dy, 0.0F)};

@@ -62,17 +62,4 @@ void Canvas::draw(ImDrawData& data, const std::vector<Rect>& boxes, const Color&
   Framebuffer::bind_window();
 }
 
-void Canvas::show() const { framebuffer_.copy_to_window(); }
-
-cv::Mat Canvas::read() const {
-  framebuffer_.bind();
-  cv::Mat pixels(picture_.height_px(), picture_.width_px(), CV_8UC3);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, pixels.cols, pixels.rows, GL_RGB, GL_UNSIGNED_BYTE, pixels.data);
-  Framebuffer::bind_window();
-  cv::Mat upright;
-  cv::flip(pixels, upright, 0);  // OpenGL's first row is at the bottom.
-  return upright;
-}
-
 }  // namespace flytri::ui

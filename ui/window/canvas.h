@@ -20,10 +20,7 @@ class Canvas {
   /// Draws what lies in the boxes; the rest stays as it was.
   /// @param data  as Dear ImGui's Render() left it; clip rectangles are narrowed and restored
   void draw(ImDrawData& data, const std::vector<Rect>& boxes, const Color& background);
-  /// Copies the picture into the window's framebuffer, which stays bound.
-  void show() const;
-  /// @return  CV_8UC3, R, G, B order, first row at the top
-  [[nodiscard]] cv::Mat read() const;
+  [[nodiscard]] const Framebuffer& picture() const { return framebuffer_; }
 
  private:
   Texture picture_;
