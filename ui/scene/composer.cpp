@@ -98,7 +98,8 @@ PixelBox Composer::compose(const PictureTarget& model, const PixelBox& changed_p
   if (is_all) backdrop_ = backdrop;
   PixelBox part = is_all ? whole : with_grooves(changed_px, eye).intersection(whole);
   if (!part.isEmpty()) compose_surface(model, part, eye);
-  const bool are_others = lines != lines_;
+  const bool are_others = lines != lines_ || eye != eye_;
+  eye_ = eye;
   if (are_others) part.extend(lines_px_);
   lines_ = lines;
   lines_px_ = pixels_of(lines_, eye);

@@ -40,7 +40,8 @@ class Composer {
   Texture surface_;  ///< without the lines: kept, as they often change and it does not
   Texture picture_;  ///< with them
   Framebuffer onto_surface_, onto_picture_;
-  Backdrop backdrop_;               ///< of the surface
+  Backdrop backdrop_;  ///< of the surface
+  Eye eye_;
   std::vector<OverlayLine> lines_;  ///< in the picture
   PixelBox lines_px_;               ///< where they are
 };
