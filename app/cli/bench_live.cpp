@@ -14,9 +14,13 @@
 #include "app/cli/source_options.h"
 #include "app/session/frame_pacer.h"
 #include "app/session/session.h"
+#include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/median.h"
 #include "core/interchange/file_bytes.h"
 #include "ui/app_window.h"
+#include "ui/scene/frame_times.h"
+#include "ui/scene/sample_surfels.h"
+#include "ui/window/window.h"
 
 namespace flytri::cli {
 namespace {
@@ -24,6 +28,7 @@ namespace {
 struct BenchArguments {
   SourceChoice source;
   double duration_s = 60.0;
+  bool scene = true;
   std::filesystem::path output;
 };
 
@@ -187,7 +192,49 @@ void Bench::print() const {
   }
 }
 
-Result<void> run(const BenchArguments& arguments) {
+/// The scene at 1280x800 with the sample jaw in so many surfels, from few views to both jaws.
+Result<std::vector<ui::FrameTimes>> scene_times() {
+  auto window = ui::Window::open({"flytri bench", {1280, 800}, false});
+  if (!window) return tl::unexpected(window.error());
+  auto renderer = ui::SceneRenderer::create();
+  if (!renderer) return tl::unexpected(renderer.error());
+  const auto mesh = sample_jaw::make_sample_jaw({}, Workers());
+  if (!mesh) return tl::unexpected(mesh.error());
+  std::vector<ui::FrameTimes> times;
+  for (const std::size_t surfels : {50'000U, 200'000U, 1'000'000U}) {
+    times.push_back(
+        ui::measure_frame_times(*renderer, ui::sample_surfels(*mesh, surfels, 1), {1280, 800}));
+  }
+  return times;
+}
+
+nlohmann::json as_json(const ui::FrameTimes& times) {
+  const auto spread = [](const ui::FrameTime& time) {
+    return nlohmann::json{{"median_ms", time.median_ms},
+                          {"percentile_95_ms", time.percentile_95_ms},
+                          {"processor_ms", time.processor_ms}};
+  };
+  return {{"surfels", times.surfels},           {"whole", spread(times.whole)},
+          {"governed", spread(times.governed)}, {"detail_share", times.detail_share},
+          {"growing", spread(times.growing)},   {"replaced", times.replaced},
+          {"idle", spread(times.idle)}};
+}
+
+void print(const std::vector<ui::FrameTimes>& all) {
+  fmt::print("\nframe of the scene, median and 95 %, ms\n{:>10} {:>16} {:>24} {:>24} {:>12}\n",
+             "surfels", "camera, all", "camera, governed", "still, growing", "unchanged");
+  for (const ui::FrameTimes& times : all) {
+    fmt::print(
+        "{:10} {:8.1f} {:7.1f} {:8.1f} {:7.1f} ({:3.0f} %) {:8.1f} {:7.1f} ({:5}) {:12.2f}\n",
+        times.surfels, times.whole.median_ms, times.whole.percentile_95_ms,
+        times.governed.median_ms, times.governed.percentile_95_ms, 100.0 * times.detail_share,
+        times.growing.median_ms, times.growing.percentile_95_ms, times.replaced,
+        times.idle.median_ms);
+  }
+}
+
+/// The scan with the window open; both are gone afterwards.
+Result<nlohmann::json> run_live(const BenchArguments& arguments) {
   ui::AppWindowOptions window_options;
   window_options.waits_for_screen = false;
   auto window = ui::AppWindow::create(window_options);
@@ -202,8 +249,20 @@ Result<void> run(const BenchArguments& arguments) {
   }
   bench.run(arguments.duration_s);
   bench.print();
+  return bench.report();
+}
+
+Result<void> run(const BenchArguments& arguments) {
+  auto report = run_live(arguments);
+  if (!report) return tl::unexpected(report.error());
+  if (arguments.scene) {
+    const auto times = scene_times();
+    if (!times) return tl::unexpected(times.error());
+    print(*times);
+    for (const ui::FrameTimes& row : *times) (*report)["scene"].push_back(as_json(row));
+  }
   if (arguments.output.empty()) return {};
-  return write_file(arguments.output, bench.report().dump(1) + "\n");
+  return write_file(arguments.output, report->dump(1) + "\n");
 }
 
 }  // namespace
@@ -218,6 +277,8 @@ void add_bench_command(CLI::App& app, Invocation& invocation) {
       ->check(CLI::Range(1.0, 36000.0))
       ->capture_default_str();
   add_source_options(*live, arguments->source);
+  live->add_flag("!--no-scene", arguments->scene,
+                 "Leave out the frame times of 50,000 to 1,000,000 surfels");
   live->add_option("-o,--output", arguments->output, "JSON file for the figures");
   live->footer("Example: flytri bench live --duration 600 -o live.json");
   live->callback([arguments, &invocation] {
