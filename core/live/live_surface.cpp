@@ -150,9 +150,43 @@ std::uint32_t LiveSurface::cell_at(const Vec3f& p_mm) {
 void LiveSurface::attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm) {
   const auto [entry, is_new] = normal_index_.try_emplace(
       key(p_mm, options_.normal_cells), static_cast<std::uint32_t>(normal_cells_.size()));
-  if (is_new) normal_cells_.emplace_back();
+  if (is_new) begin_normal_cell(entry->second, p_mm);
   cells_[cell].normal_cell = entry->second;
   normal_cells_[entry->second].cells.push_back(cell);
+}
+
+template <typename Change>
+void LiveSurface::for_each_around(const Vec3f& center_mm, const Change& change) {
+  const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
+  for (int number = 0; number < 27; ++number) {
+    const Vec3f step(static_cast<float>(number % 3 - 1), static_cast<float>(number / 3 % 3 - 1),
+                     static_cast<float>(number / 9 - 1));
+    const auto found = normal_index_.find(key(center_mm + edge_mm * step, options_.normal_cells));
+    if (found != normal_index_.end()) change(normal_cells_[found->second]);
+  }
+}
+
+void LiveSurface::begin_normal_cell(std::uint32_t index, const Vec3f& p_mm) {
+  const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
+  NormalCell& begun = normal_cells_.emplace_back();
+  begun.center_mm = ((p_mm / edge_mm).array().floor() + 0.5F) * edge_mm;
+  for_each_around(begun.center_mm, [&](NormalCell& near) {
+    ++near.around;
+    begun.well_seen_around += near.well_seen ? 1 : 0;
+  });
+  // Itself was counted as its own neighbor; the others are its neighbors as it is theirs.
+  for_each_around(begun.center_mm, [&](const NormalCell& near) {
+    if (&near != &normal_cells_[index]) ++begun.around;
+  });
+}
+
+/// What is shown of the cubes around follows.
+void LiveSurface::see_well(NormalCell& seen) {
+  seen.well_seen = true;
+  for_each_around(seen.center_mm, [&](NormalCell& near) {
+    ++near.well_seen_around;
+    for (const std::uint32_t cell : near.cells) touch(cell);
+  });
 }
 
 void LiveSurface::attach_to_block(std::uint32_t cell, const Vec3f& p_mm) {
@@ -175,6 +209,9 @@ void LiveSurface::refresh_normals() {
     NormalCell& around = normal_cells_[index];
     around.touched = false;
     around.normal = normal_of(around.tangents, around.towards);
+    const bool well_seen =
+        around.views[0] >= options_.good_views && around.views[1] >= options_.good_views;
+    if (well_seen && !around.well_seen) see_well(around);
     // What the neighbors show follows too, each time as much is known again.
     const int views = around.views[0] + around.views[1];
     if (views < 2 * around.refreshed_at) continue;
@@ -221,8 +258,7 @@ void LiveSurface::refresh_cell(std::uint32_t index) {
   surfel.normal = normal_at(surfel.position_mm, around);
   surfel.radius_mm = kRadiusCells * static_cast<float>(cell_mm_);
   surfel.sigma_mm = cell.information > 0.0F ? 1.0F / std::sqrt(cell.information) : 0.0F;
-  const bool good =
-      around.views[0] >= options_.good_views && around.views[1] >= options_.good_views;
+  const bool good = 2 * around.well_seen_around > around.around;
   surfel.coverage = good ? Coverage::kGood : Coverage::kThin;
   surfel.textured = cell.color.observed();
   surfel.color = surfel.textured ? cell.color.color() : kUntexturedColor;

@@ -28,7 +28,8 @@ struct LiveSurfaceOptions {
   int block_cells = 16;
   /// >= 1. Points that a cell needs to be shown: fewer may be a speck.
   int min_points = 2;
-  /// >= 1. Views of each pattern that a normal's cube needs to be covered well.
+  /// >= 1. Views of each pattern that a normal's cube needs to be well seen. The surface is covered
+  /// well where most of the cubes around are: a line may miss a cube of many that it passes.
   int good_views = 2;
   /// >= good_views. Views of each pattern after which further ones tell nothing new of a place:
   /// their noise averages to a sixth of one view's, which is below what the sensor's own errors
@@ -88,6 +89,10 @@ class LiveSurface {
     Eigen::Matrix3f tangents = Eigen::Matrix3f::Zero();  ///< sum of o o^T
     Vec3f towards = Vec3f::Zero();                       ///< sum of directions to the sensor
     Vec3f normal = Vec3f::UnitZ();
+    Vec3f center_mm = Vec3f::Zero();
+    int around = 0;            ///< of this cube and its 26 neighbors, those that hold points
+    int well_seen_around = 0;  ///< of these
+    bool well_seen = false;
     std::array<int, 2> views{};                     ///< that saw it, by Pattern
     std::array<double, 2> latest_s = {-1.0, -1.0};  ///< the latest of them
     int refreshed_at = 0;                           ///< views when its cells were last refreshed
@@ -109,6 +114,11 @@ class LiveSurface {
   std::uint32_t cell_at(const Vec3f& p_mm);
   void attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm);
   void attach_to_block(std::uint32_t cell, const Vec3f& p_mm);
+  /// Calls `change` for a cube and for each neighbor that it has.
+  template <typename Change>
+  void for_each_around(const Vec3f& center_mm, const Change& change);
+  void begin_normal_cell(std::uint32_t index, const Vec3f& p_mm);
+  void see_well(NormalCell& seen);
   void refresh_normals();
   void refresh_cell(std::uint32_t cell);
   [[nodiscard]] Vec3f position_mm(const Cell& cell) const;

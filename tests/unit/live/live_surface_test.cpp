@@ -88,6 +88,41 @@ TEST(LiveSurface, LinesOfOnePatternAloneCoverThinly) {
   EXPECT_EQ(surface.good_share(), 0.0);
 }
 
+/// A scanned plane where no horizontal line has crossed a band around y = 4.95 mm.
+LiveSurface plane_with_band(double width_mm) {
+  LiveSurface surface = LiveSurface::create().value();
+  double time_s = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    surface.add(plane_view(Pattern::kVertical, time_s += 0.033, 0.1 * i), no_edits());
+    AlignedView horizontal = plane_view(Pattern::kHorizontal, time_s += 0.033, 0.1 * i);
+    auto outside = std::make_shared<View>(*horizontal.view);
+    std::erase_if(outside->profiles, [&](const Profile& profile) {
+      return std::abs(-profile.points.front().position_mm.y() - 4.95) < 0.5 * width_mm;
+    });
+    horizontal.view = outside;
+    surface.add(horizontal, no_edits());
+  }
+  return surface;
+}
+
+Coverage coverage_at(LiveSurface& surface, const Vec3f& p_mm) {
+  const std::vector<Surfel> surfels = surfels_of(surface.publish());
+  return std::min_element(surfels.begin(), surfels.end(),
+                          [&](const Surfel& a, const Surfel& b) {
+                            return (a.position_mm - p_mm).norm() < (b.position_mm - p_mm).norm();
+                          })
+      ->coverage;
+}
+
+TEST(LiveSurface, ACubeThatLinesMissedIsCoveredAsMostAroundItAre) {
+  // The world's y points against the sensor's; cubes have edges of 0.9 mm.
+  const Vec3f middle(5.0F, 4.95F, 0.0F);
+  LiveSurface missed_one = plane_with_band(0.95);
+  EXPECT_EQ(coverage_at(missed_one, middle), Coverage::kGood);
+  LiveSurface missed_many = plane_with_band(2.85);
+  EXPECT_EQ(coverage_at(missed_many, middle), Coverage::kThin);
+}
+
 TEST(LiveSurface, OneViewHasNormalsAcrossItsLines) {
   LiveSurface surface = LiveSurface::create().value();
   surface.add(plane_view(Pattern::kVertical, 0.1), no_edits());
