@@ -4,7 +4,7 @@
 layout(location = 0) in vec3 position_mm;  // world
 layout(location = 1) in vec4 normal;       // world, unit
 layout(location = 2) in vec2 uv;
-layout(location = 3) in vec4 color_flags;  // sRGB; alpha holds bits: 1 textured, 4 locked
+layout(location = 3) in vec4 color_flags;  // sRGB; alpha holds bits: 2 good, 4 locked
 layout(location = 4) in float sigma_mm;
 
 uniform mat4 T_eye_world;
@@ -27,6 +27,6 @@ void main() {
   lock = (flags & 4) != 0 ? 1.0 : 0.0;
   base_color = kPlaster;
   if (color_mode == 1) base_color = mix(kPlaster, color_flags.rgb, texture_blend);
-  if (color_mode == 2) base_color = good_color;
+  if (color_mode == 2) base_color = (flags & 2) != 0 ? good_color : thin_color;
   if (color_mode == 3) base_color = sigma_color(sigma_mm);
 }

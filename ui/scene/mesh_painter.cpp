@@ -26,16 +26,17 @@ std::array<Attribute, 5> mesh_attributes() {
            {4, 1, GL_FLOAT, false, offsetof(MeshVertex, sigma_mm)}}};
 }
 
-std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const std::vector<BrushDab>& locked) {
+std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
+                                    const std::vector<BrushDab>& locked) {
   std::vector<MeshVertex> vertices;
   vertices.reserve(mesh.mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
     const SurfacePoint& v = mesh.mesh.vertices[i];
-    const bool is_locked = reaches(locked, v.position_mm, v.normal);
+    unsigned flags = coverage[i] == Coverage::kGood ? kGoodFlag : 0U;
+    if (reaches(locked, v.position_mm, v.normal)) flags |= kLockedFlag;
     vertices.push_back({v.position_mm, packed_normal(v.normal),
                         mesh.uv.empty() ? Eigen::Vector2f(0.0F, 0.0F) : mesh.uv[i],
-                        packed_color(v.color, is_locked ? kLockedFlag : std::uint8_t{0}),
-                        v.sigma_mm});
+                        packed_color(v.color, static_cast<std::uint8_t>(flags)), v.sigma_mm});
   }
   return vertices;
 }
@@ -57,8 +58,9 @@ MeshPainter::MeshPainter(ShaderProgram program)
   vertices_.attach_indices(indices_);
 }
 
-void MeshPainter::take(const TexturedMesh& mesh, const std::vector<BrushDab>& locked) {
-  const std::vector<MeshVertex> vertices = vertices_of(mesh, locked);
+void MeshPainter::take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
+                       const std::vector<BrushDab>& locked) {
+  const std::vector<MeshVertex> vertices = vertices_of(mesh, coverage, locked);
   buffer_.assign(std::as_bytes(std::span(vertices)));
   indices_.assign(std::as_bytes(std::span(mesh.mesh.triangles)));
   index_count_ = static_cast<GLsizei>(3 * mesh.mesh.triangles.size());

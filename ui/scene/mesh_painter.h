@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/editing/edits.h"
+#include "core/geometry/surfel.h"
 #include "core/geometry/triangle_mesh.h"
 #include "ui/gpu/buffer.h"
 #include "ui/gpu/shader_program.h"
@@ -19,8 +20,10 @@ class MeshPainter {
   [[nodiscard]] static Result<MeshPainter> create();
 
   /// Sends a mesh to graphics memory.
-  /// @param locked  strokes whose vertices are tinted
-  void take(const TexturedMesh& mesh, const std::vector<BrushDab>& locked);
+  /// @param coverage  by vertex
+  /// @param locked    strokes whose vertices are tinted
+  void take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
+            const std::vector<BrushDab>& locked);
   /// Into the bound framebuffer. Triangles seen from behind are left out.
   void paint(const Eye& eye, const SceneOptions& options) const;
 

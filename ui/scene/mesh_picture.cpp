@@ -2,15 +2,18 @@
 
 #include "ui/gpu/frame_timer.h"
 #include "ui/scene/coloring.h"
+#include "ui/scene/mesh_coverage.h"
 #include "ui/scene/mesh_surfels.h"
 #include "ui/scene/vertex_format.h"
 
 namespace flytri::ui {
 
-void MeshPicture::take(const TexturedMesh& mesh, std::uint64_t number,
+void MeshPicture::take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
                        const std::vector<BrushDab>& locked) {
-  if (&mesh == mesh_ && number == number_ && are_same(locked, locked_)) return;
-  painter_.take(mesh, locked);
+  const bool is_known = &mesh == mesh_ && number == number_;
+  if (is_known && are_same(locked, locked_)) return;
+  if (!is_known) coverage_ = coverage_of(mesh.mesh, scanned);
+  painter_.take(mesh, coverage_, locked);
   surfels_.clear();
   mesh_ = &mesh;
   number_ = number;
@@ -33,7 +36,7 @@ PixelBox MeshPicture::update(const Eye& eye, const SceneOptions& options, double
 }
 
 PixelBox MeshPicture::draw_surfels(const SceneOptions& options, double now_s) {
-  if (surfels_.empty()) surfels_ = surfels_of(*mesh_);
+  if (surfels_.empty()) surfels_ = surfels_of(*mesh_, coverage_);
   const StoreChanges changes = store_.update(surfels_, locked_);
   is_coarse_ = true;
   (void)moving_.update(store_, changes, eye_, options, now_s);

@@ -13,8 +13,10 @@ class MeshPicture {
       : painter_(std::move(painter)), moving_(std::move(splats)) {}
 
   /// Shows this mesh from now on. Nothing is sent where it is the one already shown.
-  /// @param number  another one for another mesh at the same address
-  void take(const TexturedMesh& mesh, std::uint64_t number, const std::vector<BrushDab>& locked);
+  /// @param number   another one for another mesh at the same address
+  /// @param scanned  what the mesh was made of, for its coverage
+  void take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
+            const std::vector<BrushDab>& locked);
   /// @return where the picture is another one than before: all or nothing
   PixelBox update(const Eye& eye, const SceneOptions& options, double now_s);
 
@@ -35,7 +37,8 @@ class MeshPicture {
   MeshPainter painter_;
   ModelPicture moving_;
   SplatStore store_;
-  SurfelModel surfels_;  ///< of the mesh; empty until they are needed
+  std::vector<Coverage> coverage_;  ///< by vertex
+  SurfelModel surfels_;             ///< of the mesh; empty until they are needed
   const TexturedMesh* mesh_ = nullptr;
   std::uint64_t number_ = 0;
   std::vector<BrushDab> locked_;

@@ -31,7 +31,7 @@ std::vector<std::uint32_t> random_order(std::size_t count) {
 
 }  // namespace
 
-SurfelModel surfels_of(const TexturedMesh& mesh) {
+SurfelModel surfels_of(const TexturedMesh& mesh, const std::vector<Coverage>& coverage) {
   const std::vector<SurfacePoint>& vertices = mesh.mesh.vertices;
   if (vertices.empty() || mesh.mesh.triangles.empty()) return {};
   const auto spacing_mm =
@@ -46,7 +46,7 @@ SurfelModel surfels_of(const TexturedMesh& mesh) {
     surfel.sigma_mm = vertex.sigma_mm;
     surfel.color = vertex.color;
     surfel.textured = true;
-    surfel.coverage = Coverage::kGood;
+    surfel.coverage = coverage[i];
     add_to_block(surfel, kBlockCells * spacing_mm, blocks);
   }
   return model_of(blocks);

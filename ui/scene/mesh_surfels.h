@@ -9,7 +9,9 @@
 namespace flytri::ui {
 
 /// One surfel a vertex, in blocks, as wide as the vertices' spacing. The same for the same mesh.
-/// @param mesh  with vertex normals; vertices about evenly spread
-[[nodiscard]] SurfelModel surfels_of(const TexturedMesh& mesh);
+/// @param mesh      with vertex normals; vertices about evenly spread
+/// @param coverage  by vertex
+[[nodiscard]] SurfelModel surfels_of(const TexturedMesh& mesh,
+                                     const std::vector<Coverage>& coverage);
 
 }  // namespace flytri::ui

@@ -43,7 +43,8 @@ struct BrushCursor {
 /// Everything is read during draw() alone; what it points to must live as long.
 struct SceneContent {
   const SurfelModel* model = nullptr;
-  const TexturedMesh* mesh = nullptr;  ///< replaces the model where it is set
+  const TexturedMesh* mesh = nullptr;  ///< replaces the model where it is set; its coverage is the
+                                       ///< model's
   std::uint64_t mesh_number = 0;       ///< another number for another mesh at the same address
   bool is_dimmed = false;              ///< the model is frozen: it stands back
 

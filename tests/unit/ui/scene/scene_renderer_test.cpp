@@ -241,6 +241,13 @@ TEST_F(SceneRendererTest, LockedStrokesAreTinted) {
   EXPECT_EQ(picture().at<cv::Vec3b>(100, 160), before);
 }
 
+/// Whether a lit pixel has the color, darker or brighter.
+bool hue_is(const cv::Vec3b& pixel, const Color& color) {
+  // The gloss of the light is white: it takes a little from a dark color's hue.
+  const Eigen::Vector3d a = Eigen::Vector3d(pixel[0], pixel[1], pixel[2]).normalized();
+  return a.dot(Eigen::Vector3f(color[0], color[1], color[2]).cast<double>().normalized()) > 0.94;
+}
+
 TEST_F(SceneRendererTest, CoverageAndUncertaintyHaveTheColorsOfTheirLegends) {
   std::vector<Surfel> surfels = surfel_square(10.0, 0.2);
   for (Surfel& s : surfels) {
@@ -249,11 +256,6 @@ TEST_F(SceneRendererTest, CoverageAndUncertaintyHaveTheColorsOfTheirLegends) {
   }
   const SurfelModel model = block_of(surfels);
   content_.model = &model;
-  // The gloss of the light is white: it takes a little from a dark color's hue.
-  const auto hue_is = [](const cv::Vec3b& pixel, const Color& color) {
-    const Eigen::Vector3d a = Eigen::Vector3d(pixel[0], pixel[1], pixel[2]).normalized();
-    return a.dot(Eigen::Vector3f(color[0], color[1], color[2]).cast<double>().normalized()) > 0.94;
-  };
   options_.color_mode = ColorMode::kCoverage;
   cv::Mat seen = picture();
   EXPECT_TRUE(hue_is(seen.at<cv::Vec3b>(100, 130), options_.thin_color));
@@ -287,6 +289,38 @@ TEST_F(SceneRendererTest, AMeshReplacesTheModelAndShowsItsAtlas) {
   std::swap(mesh.mesh.triangles[1][0], mesh.mesh.triangles[1][1]);
   content_.mesh_number = 1;
   EXPECT_EQ(blob_in(picture()).area_px, 0.0) << "seen from behind";
+}
+
+TEST_F(SceneRendererTest, AMeshIsCoveredAsItsScanWas) {
+  TexturedMesh mesh;
+  for (int column = 0; column <= 10; ++column) {
+    for (const float y : {-5.0F, 5.0F}) {
+      SurfacePoint vertex;
+      vertex.position_mm = {static_cast<float>(column - 5), y, 0.0F};
+      mesh.mesh.vertices.push_back(vertex);
+    }
+    const auto first = static_cast<std::uint32_t>(2 * column);
+    if (column == 10) continue;
+    mesh.mesh.triangles.push_back({first, first + 2, first + 1});
+    mesh.mesh.triangles.push_back({first + 1, first + 2, first + 3});
+  }
+  // Scanned well in the middle, thinly to the left, not at all to the right.
+  std::vector<Surfel> surfels = surfel_square(10.0, 0.2);
+  std::erase_if(surfels, [](const Surfel& s) { return s.position_mm.x() > 2.0F; });
+  for (Surfel& s : surfels) {
+    if (s.position_mm.x() < -2.0F) s.coverage = Coverage::kThin;
+  }
+  const SurfelModel model = block_of(surfels);
+  content_.model = &model;
+  content_.mesh = &mesh;
+  options_.color_mode = ColorMode::kCoverage;
+  const cv::Mat seen = picture();
+  const auto hue_at = [&](double x_mm) {
+    return seen.at<cv::Vec3b>(100, static_cast<int>(pixel(x_mm, 0.0).x()));
+  };
+  EXPECT_TRUE(hue_is(hue_at(-4.0), options_.thin_color));
+  EXPECT_TRUE(hue_is(hue_at(0.0), options_.good_color));
+  EXPECT_TRUE(hue_is(hue_at(4.0), options_.thin_color));
 }
 
 TEST_F(SceneRendererTest, AMeshInMotionMayBeCoarseAndIsWholeWhenItStops) {
