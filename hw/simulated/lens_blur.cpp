@@ -91,14 +91,23 @@ const cv::Mat& LensBlur::kernel(double distance_mm) const {
 }
 
 void LensBlur::spread(float light, int u, int v, double distance_mm, cv::Mat& image) const {
-  const cv::Mat& k = kernel(distance_mm);
+  const std::size_t index = index_of(distance_mm);
+  const cv::Mat& k = padded_[index];
   const int half = k.rows / 2;
-  const int begin = std::max(u - half, 0);
-  const int end = std::min(u + half + 1, image.cols);
-  for (int row = std::max(v - half, 0); row < std::min(v + half + 1, image.rows); ++row) {
-    float* target = image.ptr<float>(row);
-    const float* weights = k.ptr<float>(row - v + half) + half - u;
-    for (int column = begin; column < end; ++column) target[column] += light * weights[column];
+  const int left = u - half;
+  const int width = block_width(kernels_[index].cols);
+  const bool inside = left >= 0 && left + width <= image.cols;
+  const Vector lights = Vector::Constant(light);
+  for (int row = std::max(v - half, 0); row <= std::min(v + half, image.rows - 1); ++row) {
+    float* target = image.ptr<float>(row) + left;
+    const float* weights = k.ptr<float>(row - v + half) + kPad;
+    if (inside) {
+      for (int i = 0; i < width; i += kVector)
+        Eigen::Map<Vector>(target + i) += lights * Eigen::Map<const Vector>(weights + i);
+    } else {
+      for (int i = std::max(-left, 0); i < std::min(k.rows, image.cols - left); ++i)
+        target[i] += light * weights[i];
+    }
   }
 }
 
@@ -118,17 +127,22 @@ void LensBlur::spread(const cv::Matx44f& light, int u, int v, double distance_mm
   for (int j = 0; j < kBlock; ++j) {
     const float* row_light = light.val + static_cast<std::ptrdiff_t>(kBlock) * j;
     if (row_light[0] + row_light[1] + row_light[2] + row_light[3] <= 0.0F) continue;
+    // In registers, which what is written below cannot change.
+    const Vector light_0 = Vector::Constant(row_light[0]);
+    const Vector light_1 = Vector::Constant(row_light[1]);
+    const Vector light_2 = Vector::Constant(row_light[2]);
+    const Vector light_3 = Vector::Constant(row_light[3]);
     const int first = std::max(v + j - half, 0);
     const int last = std::min(v + j + half, image.rows - 1);
     for (int row = first; row <= last; ++row) {
       float* target = image.ptr<float>(row) + left;
       const float* weights = k.ptr<float>(row - v - j + half) + kPad;
       for (int i = 0; i < width; i += kVector) {
-        Eigen::Map<Vector> sum(target + i);
         const auto shifted = [&](int pixel) {
-          return row_light[pixel] * Eigen::Map<const Vector>(weights + i - pixel);
+          return Eigen::Map<const Vector>(weights + i - pixel);
         };
-        sum += (shifted(0) + shifted(1)) + (shifted(2) + shifted(3));
+        Eigen::Map<Vector>(target + i) += (light_0 * shifted(0) + light_1 * shifted(1)) +
+                                          (light_2 * shifted(2) + light_3 * shifted(3));
       }
     }
   }

@@ -59,8 +59,8 @@ LineProfile::Section LineProfile::section(double blur) const {
   Section section;
   section.near_ = &table_[static_cast<std::size_t>(i) * kOffsets];
   section.far_ = section.near_ + kOffsets;
-  section.ty_ = y - i;
-  section.steps_ = 1.0 / offset_step_;
+  section.ty_ = static_cast<float>(y - i);
+  section.steps_ = static_cast<float>(1.0 / offset_step_);
   section.last_ = kOffsets - 1;
   return section;
 }

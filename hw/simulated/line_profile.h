@@ -21,20 +21,20 @@ class LineProfile {
   /// The profile under one disk, for many offsets.
   class Section {
    public:
-    [[nodiscard]] double operator()(double offset) const {
-      const double x = std::abs(offset) * steps_;
-      if (x >= last_) return 0.0;
+    [[nodiscard]] float operator()(float offset) const {
+      const float x = std::abs(offset) * steps_;
+      if (x >= last_) return 0.0F;
       const int j = static_cast<int>(x);
-      const double tx = x - j;
-      return (1.0 - ty_) * ((1.0 - tx) * near_[j] + tx * near_[j + 1]) +
-             ty_ * ((1.0 - tx) * far_[j] + tx * far_[j + 1]);
+      const float tx = x - static_cast<float>(j);
+      return (1.0F - ty_) * (near_[j] + tx * (near_[j + 1] - near_[j])) +
+             ty_ * (far_[j] + tx * (far_[j + 1] - far_[j]));
     }
 
    private:
     friend class LineProfile;
     const float* near_;  // table at the next smaller blur
     const float* far_;   // and at the next larger
-    double ty_, steps_, last_;
+    float ty_, steps_, last_;
   };
   /// Valid as long as the profile.
   [[nodiscard]] Section section(double blur) const;

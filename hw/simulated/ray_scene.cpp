@@ -136,6 +136,43 @@ void RayScene::first_hits(std::span<const Ray> rays, std::span<std::optional<Ray
   }
 }
 
+void RayScene::first_hits(const Isometry& T_model_sensor, const Vec3& origin_mm,
+                          RayPacket& packet) const {
+  using Numbers = RayPacket::Numbers;
+  static_assert(RayPacket::kSize == kPacket);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  const Eigen::Matrix3f R_model_sensor = T_model_sensor.linear().cast<float>();
+  const Vec3f origin = (T_model_sensor * origin_mm).cast<float>();
+  const RayPacket::Vectors directions = rotated(R_model_sensor, packet.directions);
+  alignas(32) std::array<int, kPacket> valid{};
+  valid.fill(-1);
+  RTCRayHit8 query{};
+  const auto numbers = [](float* values) { return Eigen::Map<Numbers>(values); };
+  numbers(query.ray.org_x) = origin.x();
+  numbers(query.ray.org_y) = origin.y();
+  numbers(query.ray.org_z) = origin.z();
+  numbers(query.ray.dir_x) = directions[0];
+  numbers(query.ray.dir_y) = directions[1];
+  numbers(query.ray.dir_z) = directions[2];
+  numbers(query.ray.tfar) = kFar;
+  std::fill_n(query.ray.mask, kPacket, ~0U);
+  std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+  rtcIntersect8(valid.data(), embree_->scene.get(), &context, &query);
+  packet.distances_mm = numbers(query.ray.tfar);
+  packet.normals =
+      rotated(R_model_sensor.transpose(),
+              {numbers(query.hit.Ng_x), numbers(query.hit.Ng_y), numbers(query.hit.Ng_z)});
+  const Numbers length =
+      (packet.normals[0].square() + packet.normals[1].square() + packet.normals[2].square())
+          .sqrt()
+          .max(std::numeric_limits<float>::min());
+  for (Numbers& coordinate : packet.normals) coordinate /= length;
+  std::copy_n(query.hit.primID, kPacket, packet.triangles.begin());
+  packet.u = numbers(query.hit.u);
+  packet.v = numbers(query.hit.v);
+}
+
 bool RayScene::blocked(const Vec3& point_mm, const Vec3& normal, const Vec3& to_mm) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

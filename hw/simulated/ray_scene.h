@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/geometry/triangle_mesh.h"
+#include "hw/simulated/ray_packet.h"
 
 namespace flytri {
 
@@ -38,6 +39,10 @@ class RayScene {
   /// The same for many rays that run close to each other, which is several times faster.
   /// `hits` has the size of `rays`.
   void first_hits(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const;
+
+  /// The same for eight rays from one place, in the frame of who looks.
+  /// @param origin_mm  of the rays, in frame `sensor`, like the packet's directions and its answers
+  void first_hits(const Isometry& T_model_sensor, const Vec3& origin_mm, RayPacket& packet) const;
 
   /// True if something lies between a surface point and a place away from the surface. `normal`
   /// is the surface's at `point_mm`; it keeps the surface from blocking itself.

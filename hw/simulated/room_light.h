@@ -12,6 +12,10 @@ namespace flytri {
 [[nodiscard]] double albedo_at(const TriangleMesh& mesh, std::span<const float> albedo,
                                const RayHit& hit);
 
+/// The same at a place of a triangle: `u` and `v` are the weights of its second and third vertex.
+[[nodiscard]] float albedo_at(const TriangleMesh& mesh, std::span<const float> albedo,
+                              std::uint32_t triangle, float u, float v);
+
 /// Room light comes from everywhere above the surface, most of it from behind the sensor.
 /// @param level  of a white surface that faces the camera, share of full scale
 /// @param facing  absolute cosine between normal and line of sight

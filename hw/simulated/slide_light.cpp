@@ -11,8 +11,6 @@ namespace {
 // Lines are traced this far outside the volume; farther away their light is too faint to matter.
 constexpr double kDepthMargin = 1.0;  // by the volume's depth
 constexpr int kPupilPoints = 7;
-// Surfaces this steep send hardly any light.
-constexpr double kMinCosine = 0.02;
 // A line moves at most about this much during an exposure.
 constexpr double kMotion_px = 8.0;
 
@@ -27,6 +25,8 @@ double largest_blur(const ProjectorModel& projector, const SensorModel& sensor) 
 SlideLight::SlideLight(const SensorModel& sensor, Pattern pattern)
     : projector_(sensor.projector(pattern)),
       profile_(projector_, largest_blur(projector_, sensor)),
+      R_projector_sensor_(projector_.T_sensor_projector.linear().transpose()),
+      center_mm_(projector_.center()),
       focal_px_(sensor.camera.focal_px) {
   // The camera's blur lowers the peak as widths of Gaussians add.
   const double middle_mm = projector_.center().norm();
@@ -51,11 +51,16 @@ std::optional<SlidePoint> SlideLight::point(const LineExposure& exposure, const 
   if (facing < kMinCosine) return std::nullopt;
   const auto place = projector_.slide_place(point.position_mm);
   if (!place || std::abs(place->y()) > projector_.half_length_along) return std::nullopt;
-  point.p_projector = projector_.T_sensor_projector.linear().transpose() *
-                      (point.position_mm - projector_.center());
+  point.p_projector = R_projector_sensor_ * (point.position_mm - center_mm_);
   point.across = place->x();
   point.blur = projector_.lens.blur_radius_mm(point.p_projector.z()) / point.p_projector.z();
   return point;
+}
+
+SlidePoint SlideLight::point(const Vec3& position_mm, const Vec3& normal, const Vec3& view,
+                             double across, double blur) const {
+  return {position_mm, normal, view, R_projector_sensor_ * (position_mm - center_mm_),
+          across,      blur};
 }
 
 double SlideLight::from_nearest_line(double across) const {
@@ -74,12 +79,13 @@ double SlideLight::reach(double blur) const {
 
 double SlideLight::shift(const SlidePoint& point, const Isometry& T_then_middle) const {
   // How far the slide's place moves for each mm along the ray.
-  const Vec3 view_projector = projector_.T_sensor_projector.linear().transpose() * point.view;
+  const Vec3 view_projector = R_projector_sensor_ * point.view;
   const double slope =
       (view_projector.x() - point.p_projector.x() / point.p_projector.z() * view_projector.z()) /
       point.p_projector.z();
-  const Vec3 moved = T_then_middle * point.position_mm;
-  const Vec3 normal = T_then_middle.linear() * point.normal;
+  const Eigen::Matrix3d R_then_middle = T_then_middle.linear();
+  const Vec3 moved = R_then_middle * point.position_mm + T_then_middle.translation();
+  const Vec3 normal = R_then_middle * point.normal;
   const double shift_mm =
       normal.dot(moved - point.position_mm) / std::min(normal.dot(point.view), -kMinCosine);
   return slope * shift_mm;
@@ -87,12 +93,12 @@ double SlideLight::shift(const SlidePoint& point, const Isometry& T_then_middle)
 
 double SlideLight::brightness(const LineExposure& exposure, const SlidePoint& point,
                               const RayHit& hit) const {
-  const Vec3 to_light = projector_.center() - point.position_mm;
+  const Vec3 to_light = center_mm_ - point.position_mm;
   const double light_mm = to_light.norm();
   const double cosine = point.normal.dot(to_light) / light_mm;
   if (cosine < kMinCosine) return 0.0;
   const double albedo = albedo_at(exposure.scene.mesh(), exposure.albedo, hit);
-  const double falloff = projector_.center().squaredNorm() / (light_mm * light_mm);
+  const double falloff = center_mm_.squaredNorm() / (light_mm * light_mm);
   return gain_ * albedo * cosine * falloff;
 }
 

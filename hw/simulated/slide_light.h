@@ -37,12 +37,20 @@ struct SlidePoint {
 /// The light of one pattern. Immutable.
 class SlideLight {
  public:
+  /// Surfaces this steep, to the light or to the camera, send hardly any light.
+  static constexpr double kMinCosine = 0.02;
+
   SlideLight(const SensorModel& sensor, Pattern pattern);
 
   /// @param view  unit, from the camera to the hit, sensor frame
   /// @return  none where the surface is too steep for the camera or the slide's lines have ended
   [[nodiscard]] std::optional<SlidePoint> point(const LineExposure& exposure, const Vec3& view,
                                                 const RayHit& hit) const;
+
+  /// The point that a ray of the camera met, where it is known to be seen and what lights it.
+  /// @param across, blur  as in SlidePoint
+  [[nodiscard]] SlidePoint point(const Vec3& position_mm, const Vec3& normal, const Vec3& view,
+                                 double across, double blur) const;
 
   /// From the nearest line's middle to a place on the slide.
   [[nodiscard]] double from_nearest_line(double across) const;
@@ -75,6 +83,8 @@ class SlideLight {
  private:
   ProjectorModel projector_;
   LineProfile profile_;
+  Eigen::Matrix3d R_projector_sensor_;
+  Vec3 center_mm_;  // of the projector's pupil
   double focal_px_;
   double gain_ = 1.0;  // full scale by brightness on a white surface at the middle of the volume
 };
