@@ -23,7 +23,7 @@ Result<SimulatedScan> simulate_scan(const TriangleMesh& mesh, const SensorModel&
     if (progress.cancelled()) return;
     const double time_s = path->start_s() + static_cast<double>(i) * sensor.frame_period_s;
     const Pattern pattern = i % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal;
-    scan.T_model_sensor[i] = path->T_model_sensor(time_s);
+    scan.T_model_sensor[i] = path->T_model_sensor(time_s) * options.T_path_sensor;
     View ideal = simulator->trace(pattern, scan.T_model_sensor[i]);
     ideal.frame = FrameIndex(i);
     ideal.time_s = time_s;

@@ -17,6 +17,8 @@ namespace flytri::cli {
 struct SimulatedScanOptions {
   int view_count = 300;  ///< >= 2
   PathOptions path;      ///< its duration is set by view_count at the sensor's frame rate
+  /// How the hand holds the sensor off that path, in the frame of the path's sensor.
+  Isometry T_path_sensor = Isometry::Identity();
   ViewNoise noise;
 };
 

@@ -273,6 +273,7 @@ void LiveScan::Impl::take_view(const IntakeResult& result) {
   if (!result.measured || result.measured->outcome != MeasureOutcome::kMeasured) {
     show_frame(result, nullptr);
     if (!is_scanning(phase_)) return ledger_.previewed();
+    board_.update([](ScanSnapshot& s) { s.match_share = 0.0; });
     return missed(time_s, result.measured ? std::string(to_string(result.measured->outcome))
                                           : result.measured.error().message);
   }
@@ -525,6 +526,8 @@ void LiveScan::Impl::run_finishing(std::vector<Frame> textures) {
 
 void LiveScan::Impl::take_result(Result<FinishedScan> finished) {
   hand_over_growth(std::nullopt);
+  // Pieces that were on their own have joined.
+  board_.update([&](ScanSnapshot& s) { s.counts = ledger_.counts(offered_); });
   if (!finished) {
     const bool cancelled = finished.error().code == ErrorCode::kCancelled;
     board_.update([&](ScanSnapshot& s) { s.failure = cancelled ? "" : finished.error().message; });

@@ -28,6 +28,10 @@ RejectReason reason_of(AlignOutcome outcome) {
   return RejectReason::kPoorFit;
 }
 
+/// Share of its way to what the latest view tells that the meter of nearness goes: it shows the
+/// mean of about the latest five, as each tries other places.
+constexpr double kMeterPace = 0.2;
+
 /// Distance of starts from which the registration finds a pose between them, as a share of the
 /// radius: from half of their diagonal it succeeds nine times in ten.
 constexpr double kStartSpacingShare = 0.22;
@@ -234,7 +238,7 @@ RejectReason Registrar::register_view(IncomingView incoming) {
   const bool continues = scan.continues(incoming.view->time_s);
   const Alignment tracked = continues ? scan.track(incoming) : Alignment{};
   if (!tracked.aligned()) {
-    ++lost_views_;
+    if (++lost_views_ == 1) entry_share_ = 0.0;
     // A single bad view is passed over; the search for another place starts when more are lost.
     const bool search = !continues || lost_views_ > kPassedOver;
     return track_lost(std::move(incoming), reason_of(tracked.outcome), search);
@@ -273,9 +277,24 @@ bool Registrar::convincing(const Alignment& alignment) const {
          alignment.rms_mm <= pieces_[scan_]->usual_rms_mm();
 }
 
-double Registrar::share_of_entry(const Alignment& alignment) const {
-  const double enough = std::max(options_.min_entry_evidence, 1e-9);
-  return std::clamp(alignment.agreement.evidence / enough, 0.0, 1.0);
+Isometry Registrar::at_its_depth(const Isometry& T_scan_start, const IncomingView& incoming) const {
+  const TrackedView* nearest = nullptr;
+  double nearest_mm = std::numeric_limits<double>::infinity();
+  for (const TrackedView& view : pieces_[scan_]->views()) {
+    const double off_mm = chord_mm(T_scan_start, view.aligned.T_world_sensor, radius_mm_);
+    if (view.aligned.view->profiles.empty() || off_mm >= nearest_mm) continue;
+    nearest = &view;
+    nearest_mm = off_mm;
+  }
+  if (nearest == nullptr) return T_scan_start;
+  const double seen_mm =
+      (nearest->aligned.T_world_sensor.inverse() * nearest->placed.center_mm).z();
+  return T_scan_start * Eigen::Translation3d(0.0, 0.0, seen_mm - incoming.prepared.center_mm.z());
+}
+
+void Registrar::show_nearness(double proof) {
+  const double share = std::clamp(proof / std::max(options_.min_entry_evidence, 1e-9), 0.0, 1.0);
+  entry_share_ += kMeterPace * (share - entry_share_);
 }
 
 std::vector<Isometry> Registrar::anchors(double time_s) const {
@@ -295,24 +314,28 @@ std::vector<Isometry> Registrar::anchors(double time_s) const {
 
 std::vector<Isometry> Registrar::start_poses(double time_s, bool all) const {
   const TrackedScan& scan = *pieces_[scan_];
-  std::vector<Isometry> around;
+  std::vector<Isometry> near;
   for (const Isometry& T_world_anchor : anchors(time_s)) {
     const std::vector<Isometry> poses = poses_around(T_world_anchor, radius_mm_);
-    around.insert(around.end(), poses.begin(), poses.end());
+    near.insert(near.end(), poses.begin(), poses.end());
   }
   const std::vector<Isometry> path = poses_around_path(scan.views(), radius_mm_);
-  around.insert(around.end(), path.begin(), path.end());
   if (all) {
-    around.resize(std::min(around.size(), static_cast<std::size_t>(options_.retry_starts)));
-    return around;
+    near.insert(near.end(), path.begin(), path.end());
+    near.resize(std::min(near.size(), static_cast<std::size_t>(options_.retry_starts)));
+    return near;
   }
   // Live, every view tries where the operator was asked to enter and where the scan ended, and
-  // then a few more, going on where the view before stopped.
+  // then a few more, going on where the view before stopped: by turns near those places and all
+  // over the scan, as nobody has to enter where he was asked to.
   const auto few = static_cast<std::size_t>(options_.starts_per_view);
   std::vector<Isometry> starts = likeliest_entries();
   const std::size_t more = few > starts.size() ? few - starts.size() : 1;
   const std::size_t first = static_cast<std::size_t>(lost_views_) * more;
-  for (std::size_t i = 0; i < more; ++i) starts.push_back(around[(first + i) % around.size()]);
+  for (std::size_t i = first; i < first + more; ++i) {
+    const std::vector<Isometry>& among = i % 2 == 0 ? near : path;
+    starts.push_back(among[i / 2 % among.size()]);
+  }
   return starts;
 }
 
@@ -347,14 +370,15 @@ bool Registrar::try_to_join(std::size_t piece, std::size_t i, bool all_starts) {
     }
   }
   claim_.reset();
-  entry_share_ = 0.0;
+  double most_proof = 0.0;
   for (const Isometry& T_scan_start : start_poses(incoming.view->time_s, all_starts)) {
-    const Alignment found = scan.locate(incoming, T_scan_start);
-    entry_share_ = std::max(entry_share_, share_of_entry(found));
+    const Alignment found = scan.locate(incoming, at_its_depth(T_scan_start, incoming));
+    most_proof = std::max(most_proof, found.agreement.proof);
     if (!convincing(found)) continue;
     claim_ = {piece, found.T_target_source * T_piece_sensor.inverse()};
     break;
   }
+  show_nearness(most_proof);
   return false;
 }
 

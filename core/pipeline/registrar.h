@@ -110,7 +110,8 @@ class Registrar {
   void expect_entry_at(const std::optional<Isometry>& T_world_sensor) {
     asked_entry_ = T_world_sensor;
   }
-  /// 0..1: how near the latest view that was lost came to entering the scan; 1 if it is not lost.
+  /// 0..1: how near the latest lost views came to entering the scan: what spoke for the best pose
+  /// that was tried, see Agreement::proof, by what a view needs to enter. 1 if it is not lost.
   [[nodiscard]] double entry_share() const { return lost_views_ == 0 ? 1.0 : entry_share_; }
 
   /// Views registered so far in the world frame of the largest piece, but for those retired.
@@ -156,8 +157,12 @@ class Registrar {
   [[nodiscard]] std::vector<Isometry> anchors(double time_s) const;
   [[nodiscard]] std::vector<Isometry> start_poses(double time_s, bool all) const;
   [[nodiscard]] std::vector<Isometry> likeliest_entries() const;
+  /// A start, moved along the line of sight to where the view's surface is as far from the sensor
+  /// as it was when the scan saw this place: a hand comes back nearer or farther.
+  [[nodiscard]] Isometry at_its_depth(const Isometry& T_scan_start,
+                                      const IncomingView& incoming) const;
   [[nodiscard]] bool convincing(const Alignment& alignment) const;
-  [[nodiscard]] double share_of_entry(const Alignment& alignment) const;
+  void show_nearness(double proof);
   void retry_pieces();
   void retry_rejected();
   [[nodiscard]] RegisteredView settle(const Added& added) const;

@@ -94,7 +94,9 @@ struct ScanSnapshot {
 
   std::vector<ReentryPlace> reentry;  ///< the best first; empty unless in continuation
   std::size_t chosen_reentry = 0;
-  double match_share = 0.0;  ///< 0..1: how near the latest view came to be registered
+  /// 0..1: how near the latest views came to be registered, see Registrar::entry_share(); 0 where
+  /// the sensor sees nothing.
+  double match_share = 0.0;
 
   EditList edits;
   bool can_undo = false, can_redo = false;

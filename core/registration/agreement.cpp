@@ -46,8 +46,9 @@ Agreement judge(std::span<const Crossing> crossings, const Isometry& T_world_sou
   for (const auto& [place, votes] : balance) result.agreeing += votes > 0 ? 1 : 0;
   const int proofs = std::max(0, result.agreeing - kPlacesOfTheFit);
   const int contradictions = result.places - result.agreeing;
-  result.evidence = proofs * std::log(kAgreesIfRight / kAgreesIfWrong) +
-                    contradictions * std::log((1.0 - kAgreesIfRight) / (1.0 - kAgreesIfWrong));
+  result.proof = proofs * std::log(kAgreesIfRight / kAgreesIfWrong);
+  result.contradiction = contradictions * std::log((1.0 - kAgreesIfWrong) / (1.0 - kAgreesIfRight));
+  result.evidence = result.proof - result.contradiction;
   return result;
 }
 

@@ -10,8 +10,10 @@ namespace flytri {
 /// Crossings, counted by places: cells of the source as its sensor sees it. Neighboring crossings
 /// share noise and shape, so that only places count as independent.
 struct Agreement {
-  int places = 0;         ///< that hold a crossing
-  int agreeing = 0;       ///< in which more crossings agree than do not
+  int places = 0;              ///< that hold a crossing
+  int agreeing = 0;            ///< in which more crossings agree than do not
+  double proof = 0.0;          ///< what speaks for the pose, >= 0
+  double contradiction = 0.0;  ///< what speaks against it, >= 0
   double evidence = 0.0;  ///< natural logarithm of the odds that the pose is right: see judge()
 };
 
@@ -34,7 +36,8 @@ struct AgreementOptions {
 /// pressed against each other pass through each other, and half of the places lie near their line
 /// of contact. The fit itself makes six places agree under either; they prove nothing.
 ///
-///   evidence = (agreeing - 6) ln(0.95 / 0.5) + (places - agreeing) ln(0.05 / 0.5)
+///   evidence = proof - contradiction
+///            = (agreeing - 6) ln(0.95 / 0.5) - (places - agreeing) ln(0.5 / 0.05)
 ///
 /// @param crossings  all that the search found, also those that a robust fit would drop, with
 ///                   their distances at the final pose.

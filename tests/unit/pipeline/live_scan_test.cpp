@@ -173,6 +173,7 @@ TEST(LiveScan, GoesOnByItselfAfterTheSensorWasAway) {
   EXPECT_EQ(lost->phase, ScanPhase::kContinuation);
   ASSERT_FALSE(lost->reentry.empty());
   EXPECT_NE(lost->reentry.front().image, nullptr);
+  EXPECT_EQ(lost->match_share, 0.0);
   EXPECT_EQ(lost->counts.rejected.at("too few points inside the measurement volume"), 30);
   offer(*scan, 90, 150);
   const auto back = scan->snapshot();

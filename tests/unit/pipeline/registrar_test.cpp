@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "tests/support/wavy_scene.h"
 
@@ -289,6 +291,60 @@ TEST(Registrar, GoesOnFromViewsThatWereKept) {
     registered += second.add(view).fate == ViewFate::kRegistered ? 1 : 0;
   }
   EXPECT_EQ(registered, 30);
+}
+
+/// A hand that goes 10 mm/s along x, from x = 0 at 0 s.
+Isometry straight_pose(double t) {
+  const double tremor_mm = 0.06 * std::sin(47.0 * t);
+  return Isometry(Eigen::Translation3d(10.0 * t, tremor_mm, 0.0));
+}
+
+TEST(Registrar, FindsBackWhereItWasNotAskedTo) {
+  // Scanned are 25 mm, the last of them are proposed; the hand comes back near the first, turned,
+  // and nearer to the surface than it was.
+  const Isometry T_straight_held = exp_twist((Twist() << 0, 0, 0.15, 0.5, 0.5, 1.5).finished());
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 75; ++frame) {
+    (void)registrar.add(scene_view(frame, straight_pose(frame / 30.0), {}));
+  }
+  RegisteredView back;
+  // A second: longer no user holds still.
+  for (int frame = 105; frame < 135 && back.fate != ViewFate::kRegistered; ++frame) {
+    const Isometry T_world_sensor = straight_pose((frame - 105) / 30.0) * T_straight_held;
+    back = registrar.add(scene_view(frame, T_world_sensor, {}));
+    if (back.fate != ViewFate::kRegistered) continue;
+    const Isometry T_scene_world = straight_pose(0.0);
+    EXPECT_LT(pose_distance_mm(T_scene_world * back.T_world_sensor, T_world_sensor, 7.0), 0.1);
+  }
+  EXPECT_EQ(back.fate, ViewFate::kRegistered);
+}
+
+TEST(Registrar, TellsHowNearALostViewIs) {
+  Registrar registrar = Registrar::create().value();
+  EXPECT_EQ(registrar.entry_share(), 1.0);
+  for (int frame = 0; frame < 60; ++frame) {
+    (void)registrar.add(scene_view(frame, straight_pose(frame / 30.0), {}));
+  }
+  // Back from 40 mm beyond the end of what was scanned.
+  std::vector<double> shares;
+  for (int frame = 90; frame < 270; ++frame) {
+    const Isometry T_world_sensor = straight_pose(6.0 - (frame - 90) / 30.0);
+    const RegisteredView view = registrar.add(scene_view(frame, T_world_sensor, {}));
+    if (view.fate == ViewFate::kRegistered) break;
+    shares.push_back(registrar.entry_share());
+  }
+  EXPECT_EQ(registrar.entry_share(), 1.0);
+  ASSERT_GT(shares.size(), 60U);
+  ASSERT_LT(shares.size(), 179U);
+  const auto mean = [&](std::size_t begin, std::size_t end) {
+    return std::accumulate(shares.begin() + static_cast<std::ptrdiff_t>(begin),
+                           shares.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+           static_cast<double>(end - begin);
+  };
+  const std::size_t count = shares.size();
+  // These waves are alike everywhere, so that much fits at a wrong place, too.
+  EXPECT_GT(mean(count - 10, count), mean(0, count / 2) + 0.05);
+  EXPECT_LT(*std::max_element(shares.begin(), shares.end()), 1.0);
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ TEST(Agreement, IsTheDocumentedRatioOfLikelihoods) {
   const Agreement agreement = judge(crossings, Isometry::Identity(), kRadiusMm);
   EXPECT_EQ(agreement.places, 30);
   EXPECT_EQ(agreement.agreeing, 27);
+  EXPECT_NEAR(agreement.proof, 21 * std::log(1.9), 1e-12);
+  EXPECT_NEAR(agreement.contradiction, 3 * std::log(10.0), 1e-12);
   EXPECT_NEAR(agreement.evidence, 21 * std::log(1.9) + 3 * std::log(0.1), 1e-12);
 }
 
