@@ -8,6 +8,7 @@
 #include "app/session/export_files.h"
 #include "app/session/settings_file.h"
 #include "app/session/user_folders.h"
+#include "core/interchange/calibration_json.h"
 #include "core/interchange/file_bytes.h"
 #include "hw/device/clock.h"
 
@@ -67,6 +68,7 @@ void Session::open_chosen_source() {
 
 void Session::use_source(Source source) {
   source_ = std::move(source);
+  if (case_ != nullptr) warn_of_other_calibration();
   show_stage();
   router_->begin_sensor();
   capture_ = std::make_unique<CaptureLoop>(
@@ -261,12 +263,24 @@ void Session::use_case(std::shared_ptr<CaseStore> store) {
   case_state_.passphrase_is_asked = false;
   case_state_.fields = case_->fields().value_or(CaseFields{});
   for (const std::string& line : case_->damage()) notice(ui::Severity::kWarning, line);
+  warn_of_other_calibration();
   if (case_->is_read_only()) case_state_.message = "opened read-only: nothing more is kept in it";
   if (scans_[stage_] == nullptr) {
     is_started_ = false;
     show_stage();
   }
   list_cases();
+}
+
+/// Its views are as exact as they were, but its texture frames suit the other camera.
+void Session::warn_of_other_calibration() {
+  if (source_.calibration == nullptr) return;
+  const auto kept = case_->calibration();
+  if (!kept || !*kept || to_json(**kept) == to_json(*source_.calibration)) return;
+  notice(ui::Severity::kWarning,
+         "This case was scanned with another calibration. What is scanned now is measured with the "
+         "sensor's own; for the texture of what was there, use flytri reconstruct " +
+             case_->path());
 }
 
 void Session::handle(const ui::SetCaseFields& command) {

@@ -75,6 +75,7 @@ class Session {
   void show_stage();
   void use_stage(std::size_t stage, const OpenedStage& opened);
   void use_case(std::shared_ptr<CaseStore> store);
+  void warn_of_other_calibration();
   void forget_scans();
   void list_cases();
   void notice(ui::Severity severity, std::string text);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -29,6 +30,12 @@ bool wait_for(Session& session, const Condition& holds) {
 
 std::int64_t registered(const ui::AppView& view) {
   return view.scan == nullptr ? 0 : view.scan->counts.registered;
+}
+
+bool warns_of_other_calibration(const ui::AppView& view) {
+  return std::any_of(view.notices.begin(), view.notices.end(), [](const ui::Notice& notice) {
+    return notice.text.find("another calibration") != std::string::npos;
+  });
 }
 
 class SessionOnARecording : public ::testing::Test {
@@ -74,9 +81,25 @@ TEST_F(SessionOnARecording, WhatIsScannedIntoACaseIsThereWhenItIsOpenedAgain) {
     return view.file.fields.patient_name == "Smith" && view.scan && !view.scan->model.empty();
   }));
   EXPECT_EQ(session.view().measurements.size(), 1U);
+  EXPECT_FALSE(warns_of_other_calibration(session.view()));
   auto stored = CaseFile::open(path, {.passphrase = {}, .read_only = true});
   ASSERT_FALSE(stored) << "one program at a time has a case open for writing";
   EXPECT_GT(scanned, 60);
+}
+
+TEST_F(SessionOnARecording, ACaseOfAnotherCalibrationIsTold) {
+  const std::string path = (folder_.path() / "cases" / "jones.flytri").string();
+  {
+    Session session(options_);
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+    session.carry_out(ui::NewCase{path, "", {}});
+  }
+  auto other = read_calibration(*options_.source.calibration).value();
+  other.volume.size_mm.x() *= 1.01;
+  ASSERT_TRUE(write_calibration(*options_.source.calibration, other));
+  Session session(options_);
+  session.carry_out(ui::OpenCase{path, ""});
+  EXPECT_TRUE(wait_for(session, warns_of_other_calibration));
 }
 
 TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
