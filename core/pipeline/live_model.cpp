@@ -35,6 +35,7 @@ void LiveModel::add(std::span<const AlignedView> views) {
   for (const AlignedView& view : views) {
     if (surface_.add(view, filter_) > kRedundantShare) redundant_s_.push_back(view.view->time_s);
     trajectory_.set(view.view->time_s, view.T_world_sensor);
+    added_at_.insert_or_assign(view.view->time_s, view.T_world_sensor);
     if (rebuild_) rebuild_->views.push_back(view);
   }
   place_waiting_textures();
@@ -76,9 +77,25 @@ void LiveModel::apply_edits(const EditList& edits, double now_s) {
   if (rebuild_) rebuild_->surface.cut(filter_, now_s);
 }
 
+double LiveModel::follow(std::span<const AlignedView> views) {
+  const double arm_mm = 0.5 * calibration_->volume.size_mm.norm();
+  double farthest_mm = 0.0;
+  trajectory_ = Trajectory(arm_mm);
+  for (const AlignedView& view : views) {
+    trajectory_.set(view.view->time_s, view.T_world_sensor);
+    const auto added = added_at_.find(view.view->time_s);
+    if (added == added_at_.end()) continue;
+    farthest_mm =
+        std::max(farthest_mm, pose_distance_mm(added->second, view.T_world_sensor, arm_mm));
+  }
+  return farthest_mm;
+}
+
 void LiveModel::begin_rebuild(std::vector<AlignedView> views) {
-  trajectory_ = Trajectory(0.5 * calibration_->volume.size_mm.norm());
-  for (const AlignedView& view : views) trajectory_.set(view.view->time_s, view.T_world_sensor);
+  follow(views);
+  for (const AlignedView& view : views) {
+    added_at_.insert_or_assign(view.view->time_s, view.T_world_sensor);
+  }
   for (PlacedTexture& texture : textures_) {
     const auto T = trajectory_.interpolate(texture.frame.time_s, max_gap_s_);
     if (T) texture.T_world_sensor = *T;

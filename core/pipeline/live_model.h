@@ -2,6 +2,7 @@
 /// better poses. Belongs to one thread.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -34,6 +35,10 @@ class LiveModel {
   /// Takes away what new edits trim. What undone edits took comes back by rebuilding.
   void apply_edits(const EditList& edits, double now_s);
 
+  /// Texture frames to come are placed by these poses of the views.
+  /// @return  how far the surface lies off by them, mm: the largest displacement of a view since
+  ///          it was added, within the measurement volume
+  double follow(std::span<const AlignedView> views);
   /// Begins anew with all views and their present poses, beside what is shown meanwhile.
   void begin_rebuild(std::vector<AlignedView> views);
   /// Does a piece of that; false when there is nothing left to do.
@@ -63,7 +68,8 @@ class LiveModel {
   LiveSurface surface_;
   EditFilter filter_;
   Trajectory trajectory_;
-  std::vector<Frame> waiting_;  ///< texture frames whose pose is not known yet
+  std::map<double, Isometry> added_at_;  ///< T_world_sensor by the view's time
+  std::vector<Frame> waiting_;           ///< texture frames whose pose is not known yet
   std::vector<PlacedTexture> textures_;
   std::optional<Rebuild> rebuild_;
   std::vector<double> redundant_s_;

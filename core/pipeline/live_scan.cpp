@@ -30,6 +30,9 @@ constexpr std::size_t kLatencyFrames = 300;
 constexpr double kPublishPeriod_s = 0.03;
 /// Tasks that may wait for the model before further views are handed over together.
 constexpr std::size_t kModelTasks = 4;
+/// While the hand scans, better poses wait until they move the surface by so much of a cell: to
+/// build it anew takes as long as to build it once, and less is not seen.
+constexpr double kToleratedCells = 0.2;
 /// Holes smaller than this many cells across are no places to scan.
 constexpr double kHoleCells = 4.0;
 
@@ -91,6 +94,7 @@ class LiveScan::Impl {
 
   // Model thread.
   void add_to_model(const std::vector<AlignedView>& views, std::optional<double> offered_at_s);
+  void build_anew(const std::vector<AlignedView>& views, const EditList& edits);
   void continue_rebuild();
   void publish_if_due(bool at_once);
   void publish();
@@ -463,10 +467,14 @@ void LiveScan::Impl::show_edits() {
 /// Makes the model anew from all views.
 void LiveScan::Impl::rebuild() {
   model_thread_.post([this, views = registrar_.aligned_views(), edits = edits_.state()] {
-    model_.apply_edits(edits, 0.0);
-    model_.begin_rebuild(views);
-    model_thread_.post([this] { continue_rebuild(); });
+    build_anew(views, edits);
   });
+}
+
+void LiveScan::Impl::build_anew(const std::vector<AlignedView>& views, const EditList& edits) {
+  model_.apply_edits(edits, 0.0);
+  model_.begin_rebuild(views);
+  model_thread_.post([this] { continue_rebuild(); });
 }
 
 void LiveScan::Impl::refine_if_grown(double factor) {
@@ -488,7 +496,12 @@ void LiveScan::Impl::take_refined(const std::vector<AlignedView>& refined) {
   registrar_.apply(refined);
   const std::vector<AlignedView> views = registrar_.aligned_views();
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });
-  rebuild();
+  const double tolerated_cells = is_scanning(phase_) ? kToleratedCells : 0.0;
+  model_thread_.post([this, views, tolerated_cells, edits = edits_.state()] {
+    if (model_.follow(views) > tolerated_cells * model_.surface().cell_mm()) {
+      build_anew(views, edits);
+    }
+  });
 }
 
 void LiveScan::Impl::finish() {
