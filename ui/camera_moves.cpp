@@ -7,9 +7,11 @@ namespace flytri::ui {
 namespace {
 
 constexpr double kFlight_s = 0.7;
+/// To follow the scan: the whole picture is drawn anew meanwhile.
+constexpr double kShortFlight_s = 0.35;
 /// The followed box is larger than the model by this part of the sensor's volume, so that the
 /// camera rests for a while.
-constexpr double kRoomToGrow = 0.8;
+constexpr double kRoomToGrow = 1.2;
 /// With what lies around it a place of re-entry is found by eye.
 constexpr double kReentryRoom = 1.5;
 /// The parts of the picture's width and height that no plate covers.
@@ -32,12 +34,12 @@ Eigen::AlignedBox3d grown(const Eigen::AlignedBox3d& box, const Vec3& volume_mm)
 }
 
 void fly_to_box(const Eigen::AlignedBox3d& box, const Eigen::Quaterniond& q_world_eye,
-                CameraState& state) {
+                double flight_s, CameraState& state) {
   const PictureSize free = {std::max(static_cast<int>(state.picture.width_px * kFreeWidth), 1),
                             std::max(static_cast<int>(state.picture.height_px * kFreeHeight), 1)};
   CameraPose pose = state.camera.fitting(box, q_world_eye, free);
   pose.height_mm /= kFreeHeight;
-  state.camera.fly_to(pose, kFlight_s);
+  state.camera.fly_to(pose, flight_s);
 }
 
 void follow(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state) {
@@ -71,7 +73,8 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
   const bool is_tight = !view.is_scanning && !model_box_mm.isEmpty();
   // A flight that is under way keeps the direction that it was to end in.
   fly_to_box(is_tight ? model_box_mm : state.followed_box_mm,
-             is_first ? first_sight() : state.camera.destination().q_world_eye, state);
+             is_first ? first_sight() : state.camera.destination().q_world_eye,
+             view.is_scanning ? kShortFlight_s : kFlight_s, state);
 }
 
 void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state) {
@@ -79,7 +82,7 @@ void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state) 
       scan.result != nullptr ? jaw_axes(scan.result->surface.mesh) : jaw_axes(scan.model);
   if (axes.box_mm.isEmpty()) return;
   state.follows_scan = false;
-  fly_to_box(axes.box_mm, orientation(axes, side), state);
+  fly_to_box(axes.box_mm, orientation(axes, side), kFlight_s, state);
 }
 
 void show_hole(const AppView& view, std::size_t index, WindowState& state) {

@@ -255,7 +255,10 @@ void LiveSurface::refresh_cell(std::uint32_t index) {
   const NormalCell& around = normal_cells_[cell.normal_cell];
   Surfel& surfel = surfels_[index];
   surfel.position_mm = position_mm(cell);
-  surfel.normal = normal_at(surfel.position_mm, around);
+  if (cell.normal_of_views != around.refreshed_at) {
+    cell.normal_of_views = around.refreshed_at;
+    surfel.normal = normal_at(surfel.position_mm, around);
+  }
   surfel.radius_mm = kRadiusCells * static_cast<float>(cell_mm_);
   surfel.sigma_mm = cell.information > 0.0F ? 1.0F / std::sqrt(cell.information) : 0.0F;
   const bool good = 2 * around.well_seen_around > around.around;

@@ -81,6 +81,7 @@ class LiveSurface {
     float information = 0.0F;  ///< sum of 1 / sigma^2 of the points, 1/mm^2
     std::uint32_t normal_cell = 0;
     std::uint32_t block = 0;
+    int normal_of_views = -1;  ///< views of its cube when its normal was last looked up
     bool touched = false;
     ObservedColor color;
   };

@@ -142,7 +142,7 @@ class LiveScan::Impl {
   double published_at_s_ = 0.0;
   std::vector<double> unpublished_offers_s_;
   std::vector<double> latencies_s_;
-  double holes_at_s_ = 0.0;
+  double holes_at_s_ = 0.0, holes_took_s_ = 0.0;
   std::atomic<bool> looking_for_holes_{false};
   bool grown_since_holes_ = false;
 
@@ -568,7 +568,10 @@ void LiveScan::Impl::add_to_model(const std::vector<AlignedView>& views,
   if (offered_at_s) unpublished_offers_s_.push_back(*offered_at_s);
   model_changed_ = grown_since_holes_ = true;
   publish_if_due(false);
-  const bool due = options_.now_s() - holes_at_s_ > options_.holes_period_s;
+  // The larger the surface, the longer it takes: at most a tenth of a core.
+  constexpr double kRest = 9.0;
+  const bool due =
+      options_.now_s() - holes_at_s_ > std::max(options_.holes_period_s, kRest * holes_took_s_);
   if (due && !looking_for_holes_) look_for_holes();
 }
 
@@ -620,10 +623,12 @@ void LiveScan::Impl::look_for_holes() {
   grown_since_holes_ = false;
   background_thread_.post([this, points = model_.surface().points(),
                            least_mm = kHoleCells * model_.surface().cell_mm()] {
+    const double began_s = options_.now_s();
     Result<SurfaceMesh> mesh = mesh_surface(points, options_.finish.meshing, Workers(1));
-    model_thread_.post([this, mesh = std::move(mesh), least_mm]() mutable {
+    model_thread_.post([this, began_s, mesh = std::move(mesh), least_mm]() mutable {
       looking_for_holes_ = false;
       holes_at_s_ = options_.now_s();
+      holes_took_s_ = holes_at_s_ - began_s;
       if (!mesh) return;  // too few points yet
       std::erase_if(mesh->boundaries, [&](const BoundaryLoop& loop) {
         return loop.is_outer || loop.perimeter_mm < least_mm;

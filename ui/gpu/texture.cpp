@@ -26,7 +26,8 @@ PixelFormat empty_format(GLenum internal_format) {
   if (internal_format == GL_DEPTH_COMPONENT24) {
     return {internal_format, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
   }
-  return {internal_format, GL_RGBA, GL_UNSIGNED_BYTE};
+  // Blue first, as windows have it: Mesa then copies pictures there without converting them.
+  return {internal_format, GL_BGRA, GL_UNSIGNED_BYTE};
 }
 
 void set_filter(GLint filter) {

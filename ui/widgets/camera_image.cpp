@@ -1,12 +1,13 @@
 #include "ui/widgets/camera_image.h"
 
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 namespace flytri::ui {
 namespace {
 
-/// Localized lines are nearly straight: every so many points of one suffice at this size.
-constexpr std::size_t kStride = 6;
+/// Localized lines are nearly straight: pieces of so many pixels on the screen follow them.
+constexpr float kPiece_px = 8.0F;
 
 /// Where a pixel's middle lies on the screen.
 struct PixelPlace {
@@ -21,17 +22,31 @@ struct PixelPlace {
 void draw_line(const std::vector<Pixel>& line, const PixelPlace& place, ImU32 color,
                float thickness) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (std::size_t i = 0; i < line.size(); i += kStride) list.PathLineTo(place(line[i]));
+  const float points_a_px = static_cast<float>(place.size.width) / place.image.width;
+  const auto stride = static_cast<std::size_t>(std::max(kPiece_px * points_a_px, 1.0F));
+  for (std::size_t i = 0; i < line.size(); i += stride) list.PathLineTo(place(line[i]));
   if (!line.empty()) list.PathLineTo(place(line.back()));
   list.PathStroke(color, 0, thickness);
+}
+
+/// Halved until it is about as wide as it is shown at most: what is drawn of it costs as much.
+cv::Mat reduced(cv::Mat image) {
+  constexpr int kWidest_px = 640;
+  while (image.cols > kWidest_px) {
+    cv::Mat half;
+    cv::resize(image, half, {}, 0.5, 0.5, cv::INTER_AREA);
+    image = half;
+  }
+  return image;
 }
 
 /// Measurement frames are linear in light: encoded as screens expect, the dark surface between the
 /// lines is seen, too.
 cv::Mat for_screen(const Frame& frame) {
-  if (frame.image.channels() != 1) return frame.image;
+  const cv::Mat image = reduced(frame.image);
+  if (image.channels() != 1) return image;
   cv::Mat grey;
-  frame.image.convertTo(grey, CV_8U, frame.image.depth() == CV_16U ? 1.0 / 257.0 : 1.0);
+  image.convertTo(grey, CV_8U, image.depth() == CV_16U ? 1.0 / 257.0 : 1.0);
   cv::Mat table(1, 256, CV_8U);
   for (int i = 0; i < 256; ++i) {
     table.at<std::uint8_t>(i) =

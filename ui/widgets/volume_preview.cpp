@@ -7,8 +7,8 @@ namespace {
 
 /// How far depth is drawn to the right and up, of its length.
 constexpr double kObliqueRight = 0.35, kObliqueUp = 0.30;
-constexpr std::size_t kPreviewStride =
-    4;  ///< points of a profile passed over: the picture is small
+/// Points of a profile passed over: the picture is small.
+constexpr std::size_t kPreviewStride = 12;
 
 void draw_volume(const Theme& theme, const Rect& box, const Vec3& volume_mm) {
   const Vec3 half = volume_mm / 2.0;
