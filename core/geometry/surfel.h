@@ -25,6 +25,7 @@ struct Surfel {
   Rgb color = kUntexturedColor;
   bool textured = false;  ///< color was seen by a texture frame
   Coverage coverage = Coverage::kThin;
+  bool operator==(const Surfel&) const = default;
 };
 
 /// The surfels of one cube of space. Immutable once published.

@@ -37,6 +37,16 @@ Vec3f normal_of(const Eigen::Matrix3f& tangents, const Vec3f& towards) {
   return normal.dot(towards) < 0.0F ? Vec3f(-normal) : normal;
 }
 
+/// Whether a surfel needs not be shown anew: each point moves those that are there by little.
+bool look_same(const Surfel& now, const Surfel& shown, double cell_mm) {
+  constexpr float kMove = 0.05F, kTurn = 0.998F, kSigma = 0.15F;
+  return (now.position_mm - shown.position_mm).norm() <= kMove * static_cast<float>(cell_mm) &&
+         now.normal.dot(shown.normal) >= kTurn &&
+         std::abs(now.sigma_mm - shown.sigma_mm) <= kSigma * shown.sigma_mm &&
+         now.radius_mm == shown.radius_mm && now.color == shown.color &&
+         now.textured == shown.textured && now.coverage == shown.coverage;
+}
+
 /// Area of a plane in one cell, if it lies in as many cells as it crosses.
 double area_per_cell_mm2(const Vec3f& normal, double cell_mm) {
   return cell_mm * cell_mm / static_cast<double>(normal.lpNorm<1>());
@@ -198,9 +208,15 @@ void LiveSurface::attach_to_block(std::uint32_t cell, const Vec3f& p_mm) {
     blocks_.back().place = place;
   }
   cells_[cell].block = entry->second;
+}
+
+void LiveSurface::join_block(std::uint32_t index) {
+  Cell& cell = cells_[index];
+  if (cell.in_block) return;
+  cell.in_block = true;
   // Inserted at a random place, so that the order stays random.
-  std::vector<std::uint32_t>& cells = blocks_[entry->second].cells;
-  cells.push_back(cell);
+  std::vector<std::uint32_t>& cells = blocks_[cell.block].cells;
+  cells.push_back(index);
   std::swap(cells.back(), cells[random_.below(cells.size())]);
 }
 
@@ -253,7 +269,7 @@ void LiveSurface::refresh_cell(std::uint32_t index) {
   Cell& cell = cells_[index];
   cell.touched = false;
   const NormalCell& around = normal_cells_[cell.normal_cell];
-  Surfel& surfel = surfels_[index];
+  Surfel surfel = surfels_[index];
   surfel.position_mm = position_mm(cell);
   if (cell.normal_of_views != around.refreshed_at) {
     cell.normal_of_views = around.refreshed_at;
@@ -265,6 +281,11 @@ void LiveSurface::refresh_cell(std::uint32_t index) {
   surfel.coverage = good ? Coverage::kGood : Coverage::kThin;
   surfel.textured = cell.color.observed();
   surfel.color = surfel.textured ? cell.color.color() : kUntexturedColor;
+  const bool becomes_shown =
+      shown(cell) && cell.point_count < 2.0F * static_cast<float>(options_.min_points);
+  if (!becomes_shown && look_same(surfel, surfels_[index], cell_mm_)) return;
+  surfels_[index] = surfel;
+  if (shown(cell)) join_block(index);
   blocks_[cell.block].changed = true;
 }
 

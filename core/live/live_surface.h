@@ -83,6 +83,7 @@ class LiveSurface {
     std::uint32_t block = 0;
     int normal_of_views = -1;  ///< views of its cube when its normal was last looked up
     bool touched = false;
+    bool in_block = false;  ///< from when it is shown first
     ObservedColor color;
   };
   /// Where profiles make a normal.
@@ -102,7 +103,9 @@ class LiveSurface {
   };
   struct Block {
     Key place = 0;
-    std::vector<std::uint32_t> cells;  ///< in random order
+    /// In random order. Only cells that were shown once, so that those which are not yet do not
+    /// move the others' places when they come.
+    std::vector<std::uint32_t> cells;
     bool changed = false;
     double area_mm2 = 0.0, good_mm2 = 0.0;  ///< of what is published
     std::shared_ptr<const SurfelBlock> published;
@@ -115,6 +118,7 @@ class LiveSurface {
   std::uint32_t cell_at(const Vec3f& p_mm);
   void attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm);
   void attach_to_block(std::uint32_t cell, const Vec3f& p_mm);
+  void join_block(std::uint32_t index);
   /// Calls `change` for a cube and for each neighbor that it has.
   template <typename Change>
   void for_each_around(const Vec3f& center_mm, const Change& change);

@@ -36,6 +36,17 @@ Eigen::AlignedBox3f drawn_box(const StoredBlock& stored, double detail_share) {
   return {stored.box_mm.min().array() - more_mm, stored.box_mm.max().array() + more_mm};
 }
 
+/// Of a block's fresh surfels those that a picture of so much detail shows, by their numbers in the
+/// store.
+void append(const StoredBlock& stored, const FreshBlock& fresh, double detail_share,
+            std::vector<std::uint32_t>& surfels) {
+  const std::size_t shown = prefix_length(stored.block->surfels.size(), detail_share);
+  for (const std::uint32_t i : fresh.surfels) {
+    if (i >= shown) break;
+    surfels.push_back(static_cast<std::uint32_t>(stored.range.first) + i);
+  }
+}
+
 }  // namespace
 
 PictureTarget PictureTarget::make(const PictureSize& size) {
@@ -93,22 +104,24 @@ ModelPicture::Done ModelPicture::draw_whole(const SplatStore& store, double now_
 }
 
 ModelPicture::Done ModelPicture::draw_fresh(const SplatStore& store, const StoreChanges& changes) {
-  if (changes.fresh.empty()) return {};
-  Blocks fresh, already_behind;
+  std::vector<std::uint32_t> surfels, surfels_behind;
   PixelBox changed_px;
-  for (const std::uint64_t place : changes.fresh) {
-    const StoredBlock& stored = store.blocks().at(place);
-    fresh.push_back(&stored);
+  for (const FreshBlock& fresh : changes.fresh) {
+    const StoredBlock& stored = store.blocks().at(fresh.place);
+    if (fresh.surfels.empty() || !eye_.may_see(stored.box_mm)) continue;
     changed_px.extend(eye_.pixels_of(drawn_box(stored, shown_.detail_share)));
-    if (next_ && place < *next_) already_behind.push_back(&stored);
+    append(stored, fresh, shown_.detail_share, surfels);
+    shown_.replaced += fresh.replaced_count;
+    if (!next_ || fresh.place >= *next_) continue;
+    append(stored, fresh, 1.0, surfels_behind);
+    behind_.replaced += fresh.replaced_count;
   }
+  if (surfels.empty() && surfels_behind.empty()) return {};
   const FrameTimer timer;
-  const std::size_t drawn = paint(shown_, store, fresh);
-  const std::size_t drawn_behind = paint(behind_, store, already_behind);
-  shown_.replaced += drawn;
-  behind_.replaced += drawn_behind;
+  add(shown_, store, surfels, changed_px);
+  add(behind_, store, surfels_behind, changed_px);
   latest_ms_ += timer.stop_ms();
-  return {drawn + drawn_behind, false, changed_px};
+  return {surfels.size() + surfels_behind.size(), false, changed_px};
 }
 
 bool ModelPicture::is_clean_due(const SplatStore& store, double now_s) const {
@@ -158,6 +171,14 @@ ModelPicture::Done ModelPicture::draw_behind(const SplatStore& store, std::size_
   if (next_) return {drawn, false, {}};
   std::swap(shown_, behind_);
   return {drawn, true, shown_.content_px.merged(behind_.content_px)};
+}
+
+void ModelPicture::add(Kept& kept, const SplatStore& store,
+                       const std::vector<std::uint32_t>& surfels, const PixelBox& where_px) {
+  if (surfels.empty()) return;
+  kept.content_px.extend(where_px);
+  kept.target.framebuffer.bind();
+  painter_.paint_some(store, surfels, eye_, options_, kept.detail_share);
 }
 
 std::size_t ModelPicture::paint(Kept& kept, const SplatStore& store, const Blocks& blocks) {

@@ -19,10 +19,10 @@ struct PictureTarget {
   void clear() const;
 };
 
-/// Two targets: `shown` is what the user sees. While eye and colors stay, new blocks are drawn into
-/// it and nothing else. Where it is coarse, as the camera moved, or no longer right, as blocks were
-/// replaced, a clean one with all surfels is drawn behind it, some blocks a frame, and takes its
-/// place when it is whole.
+/// Two targets: `shown` is what the user sees. While eye and colors stay, new surfels are drawn
+/// into it and nothing else. Where it is coarse, as the camera moved, or no longer right, as
+/// surfels were replaced, a clean one with all surfels is drawn behind it, some blocks a frame, and
+/// takes its place when it is whole.
 class ModelPicture {
  public:
   /// What one update did.
@@ -55,7 +55,7 @@ class ModelPicture {
   struct Kept {
     PictureTarget target;
     double detail_share = 1.0;
-    std::size_t replaced = 0;  ///< surfels drawn over older ones of the same block
+    std::size_t replaced = 0;  ///< surfels drawn over those that were in their stead
     bool has_lost = false;     ///< shows surfels that are gone
     double begun_s = 0.0;      ///< when it was drawn from scratch
     PixelBox content_px;       ///< around all that was drawn into it
@@ -68,6 +68,8 @@ class ModelPicture {
   /// The blocks that are next to be drawn behind, as many as a frame affords; moves next_ on.
   Blocks next_blocks(const SplatStore& store, std::size_t already_drawn);
   std::size_t paint(Kept& kept, const SplatStore& store, const Blocks& blocks);
+  void add(Kept& kept, const SplatStore& store, const std::vector<std::uint32_t>& surfels,
+           const PixelBox& where_px);
 
   SplatPainter painter_;
   Eye eye_;

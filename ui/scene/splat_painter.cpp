@@ -1,6 +1,7 @@
 #include "ui/scene/splat_painter.h"
 
 #include <cmath>
+#include <span>
 
 #include "ui/scene/coloring.h"
 
@@ -23,6 +24,33 @@ Result<SplatPainter> SplatPainter::create() {
   return SplatPainter(std::move(*program));
 }
 
+SplatPainter::SplatPainter(ShaderProgram program)
+    : program_(std::move(program)), indices_(Buffer::make(GL_ARRAY_BUFFER, 0, GL_STREAM_DRAW)) {}
+
+void SplatPainter::begin(const SplatStore& store, const Eye& eye, const SceneOptions& options,
+                         double detail_share) {
+  program_.use();
+  eye.set_uniforms(program_);
+  set_coloring(program_, options);
+  program_.set("focal_px", eye.focal_px());
+  program_.set("radius_scale", static_cast<float>(radius_scale(detail_share)));
+  store.bind();
+  glEnable(GL_DEPTH_TEST);
+  // A surfel that is drawn again at the same place shows its new color.
+  glDepthFunc(GL_LEQUAL);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+}
+
+void SplatPainter::paint_some(const SplatStore& store, const std::vector<std::uint32_t>& surfels,
+                              const Eye& eye, const SceneOptions& options, double detail_share) {
+  if (surfels.empty()) return;
+  indices_.assign(std::as_bytes(std::span(surfels)));
+  begin(store, eye, options, detail_share);
+  store.bind_indices(indices_);
+  glDrawElements(GL_POINTS, static_cast<GLsizei>(surfels.size()), GL_UNSIGNED_INT, nullptr);
+  glDisable(GL_PROGRAM_POINT_SIZE);
+}
+
 std::size_t SplatPainter::paint(const SplatStore& store,
                                 const std::vector<const StoredBlock*>& blocks, const Eye& eye,
                                 const SceneOptions& options, double detail_share) {
@@ -37,16 +65,7 @@ std::size_t SplatPainter::paint(const SplatStore& store,
     drawn += count;
   }
   if (drawn == 0) return 0;
-  program_.use();
-  eye.set_uniforms(program_);
-  set_coloring(program_, options);
-  program_.set("focal_px", eye.focal_px());
-  program_.set("radius_scale", static_cast<float>(radius_scale(detail_share)));
-  store.bind();
-  glEnable(GL_DEPTH_TEST);
-  // A block that is drawn again at the same places shows its new colors.
-  glDepthFunc(GL_LEQUAL);
-  glEnable(GL_PROGRAM_POINT_SIZE);
+  begin(store, eye, options, detail_share);
   glMultiDrawArrays(GL_POINTS, firsts_.data(), counts_.data(),
                     static_cast<GLsizei>(firsts_.size()));
   glDisable(GL_PROGRAM_POINT_SIZE);

@@ -21,10 +21,17 @@ class SplatPainter {
   /// @return how many surfels were drawn
   std::size_t paint(const SplatStore& store, const std::vector<const StoredBlock*>& blocks,
                     const Eye& eye, const SceneOptions& options, double detail_share);
+  /// Single surfels, by their numbers in the store's buffer.
+  /// @param detail_share  of the picture that they are added to
+  void paint_some(const SplatStore& store, const std::vector<std::uint32_t>& surfels,
+                  const Eye& eye, const SceneOptions& options, double detail_share);
 
  private:
-  explicit SplatPainter(ShaderProgram program) : program_(std::move(program)) {}
+  explicit SplatPainter(ShaderProgram program);
+  void begin(const SplatStore& store, const Eye& eye, const SceneOptions& options,
+             double detail_share);
   ShaderProgram program_;
+  Buffer indices_;
   std::vector<GLint> firsts_;
   std::vector<GLsizei> counts_;
 };

@@ -47,6 +47,18 @@ Eigen::AlignedBox3f box_of(const SurfelBlock& block) {
   return box;
 }
 
+/// The surfels of a block that are others than those of the block before it, if there was one.
+FreshBlock difference(const SurfelBlock* before, const SurfelBlock& now) {
+  FreshBlock fresh{now.place, {}, 0};
+  const std::size_t known = before != nullptr ? before->surfels.size() : 0;
+  for (std::size_t i = 0; i < now.surfels.size(); ++i) {
+    if (i < known && before->surfels[i] == now.surfels[i]) continue;
+    fresh.surfels.push_back(static_cast<std::uint32_t>(i));
+    if (i < known) ++fresh.replaced_count;
+  }
+  return fresh;
+}
+
 /// The strokes that reach into a box.
 std::vector<BrushDab> within(const std::vector<BrushDab>& dabs, const Eigen::AlignedBox3f& box) {
   std::vector<BrushDab> near;
@@ -111,7 +123,7 @@ void SplatStore::retint(const std::vector<BrushDab>& locked, StoreChanges& chang
   for (const auto& [place, stored] : blocks_) {
     if (are_same(within(before, stored.box_mm), within(locked_, stored.box_mm))) continue;
     upload(stored, changes);
-    changes.fresh.push_back(place);
+    changes.fresh.push_back(difference(nullptr, *stored.block));
   }
 }
 
@@ -119,6 +131,7 @@ void SplatStore::store(const std::shared_ptr<const SurfelBlock>& block, StoreCha
   StoredBlock& stored = blocks_[block->place];
   const std::size_t before = stored.block ? stored.block->surfels.size() : 0;
   changes.has_lost |= block->surfels.size() < before;
+  changes.fresh.push_back(difference(stored.block.get(), *block));
   stored.block = block;
   stored.box_mm = box_of(*block);
   if (block->surfels.size() > stored.range.count) {
@@ -127,7 +140,6 @@ void SplatStore::store(const std::shared_ptr<const SurfelBlock>& block, StoreCha
     stored.range = place_for(std::max(kSmallestRange, block->surfels.size() * 5 / 4));
   }
   upload(stored, changes);
-  changes.fresh.push_back(block->place);
 }
 
 PlaceRange SplatStore::place_for(std::size_t count) {

@@ -19,11 +19,18 @@ struct StoredBlock {
   Eigen::AlignedBox3f box_mm;
 };
 
+/// A block some of whose surfels look different from before.
+struct FreshBlock {
+  std::uint64_t place = 0;
+  std::vector<std::uint32_t> surfels;  ///< which ones, by rising number in the block
+  std::size_t replaced_count = 0;      ///< of these, those in whose stead others were before
+};
+
 /// What update() found to be different.
 struct StoreChanges {
-  std::vector<std::uint64_t> fresh;  ///< places whose surfels are new
-  bool has_lost = false;             ///< some surfels are gone: the old picture still shows them
-  bool is_another_model = false;     ///< most of the surfels were not there before
+  std::vector<FreshBlock> fresh;
+  bool has_lost = false;          ///< some surfels are gone: the old picture still shows them
+  bool is_another_model = false;  ///< most of the surfels were not there before
   std::size_t uploaded_bytes = 0;
 };
 
@@ -42,6 +49,8 @@ class SplatStore {
   [[nodiscard]] float radius_mm() const { return radius_mm_; }
   /// Ready to be drawn as points, the surfels of a block from its range's first on.
   void bind() const { vertices_.bind(); }
+  /// Ready to be drawn by numbers of surfels.
+  void bind_indices(const Buffer& numbers) const { vertices_.attach_indices(numbers); }
 
  private:
   void store(const std::shared_ptr<const SurfelBlock>& block, StoreChanges& changes);
