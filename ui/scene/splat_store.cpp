@@ -131,15 +131,23 @@ void SplatStore::store(const std::shared_ptr<const SurfelBlock>& block, StoreCha
   StoredBlock& stored = blocks_[block->place];
   const std::size_t before = stored.block ? stored.block->surfels.size() : 0;
   changes.has_lost |= block->surfels.size() < before;
-  changes.fresh.push_back(difference(stored.block.get(), *block));
+  FreshBlock fresh = difference(stored.block.get(), *block);
   stored.block = block;
   stored.box_mm = box_of(*block);
-  if (block->surfels.size() > stored.range.count) {
+  const bool fits = block->surfels.size() <= stored.range.count;
+  if (!fits) {
     allocator_.give_back(stored.range);
     stored.range = {};
     stored.range = place_for(std::max(kSmallestRange, block->surfels.size() * 5 / 4));
   }
-  upload(stored, changes);
+  // Each piece that is sent costs as much as some ten surfels.
+  constexpr std::size_t kPiece = 10;
+  if (fits && kPiece * fresh.surfels.size() < block->surfels.size()) {
+    upload_some(stored, fresh.surfels, changes);
+  } else {
+    upload(stored, changes);
+  }
+  changes.fresh.push_back(std::move(fresh));
 }
 
 PlaceRange SplatStore::place_for(std::size_t count) {
@@ -160,6 +168,18 @@ void SplatStore::upload(const StoredBlock& stored, StoreChanges& changes) {
   }
   buffer_.write(stored.range.first * sizeof(SplatVertex), std::as_bytes(std::span(vertices)));
   changes.uploaded_bytes += vertices.size() * sizeof(SplatVertex);
+}
+
+void SplatStore::upload_some(const StoredBlock& stored, const std::vector<std::uint32_t>& surfels,
+                             StoreChanges& changes) {
+  const std::vector<BrushDab> dabs = within(locked_, stored.box_mm);
+  for (const std::uint32_t i : surfels) {
+    const Surfel& s = stored.block->surfels[i];
+    const SplatVertex vertex = vertex_of(s, reaches(dabs, s.position_mm, s.normal));
+    buffer_.write((stored.range.first + i) * sizeof(SplatVertex),
+                  std::as_bytes(std::span(&vertex, 1)));
+  }
+  changes.uploaded_bytes += surfels.size() * sizeof(SplatVertex);
 }
 
 }  // namespace flytri::ui

@@ -59,6 +59,8 @@ class SplatStore {
   [[nodiscard]] PlaceRange place_for(std::size_t count);
   void sum_up();
   void upload(const StoredBlock& stored, StoreChanges& changes);
+  void upload_some(const StoredBlock& stored, const std::vector<std::uint32_t>& surfels,
+                   StoreChanges& changes);
 
   Buffer buffer_;
   VertexArray vertices_;

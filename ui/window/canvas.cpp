@@ -34,6 +34,20 @@ class Narrowed {
   std::vector<ImVec4> kept_;
 };
 
+/// The lists that draw something within a box to which the clip rectangles are narrowed: the others
+/// would be sent for nothing.
+std::vector<ImDrawList*> reaching(const ImDrawData& data) {
+  std::vector<ImDrawList*> lists;
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    const auto& commands = data.CmdLists[i]->CmdBuffer;
+    const bool draws = std::any_of(commands.begin(), commands.end(), [](const ImDrawCmd& command) {
+      return command.ClipRect.x < command.ClipRect.z && command.ClipRect.y < command.ClipRect.w;
+    });
+    if (draws) lists.push_back(data.CmdLists[i]);
+  }
+  return lists;
+}
+
 void clear(const Rect& box, int height_px, const Color& color) {
   glEnable(GL_SCISSOR_TEST);
   glScissor(static_cast<int>(box.x), height_px - static_cast<int>(box.bottom()),
@@ -57,7 +71,11 @@ void Canvas::draw(ImDrawData& data, const std::vector<Rect>& boxes, const Color&
   for (const Rect& box : boxes) {
     clear(box, picture_.height_px(), background);
     const Narrowed narrowed(data, box);
-    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    std::vector<ImDrawList*> lists = reaching(data);
+    ImDrawData part = data;
+    part.CmdLists = lists.data();
+    part.CmdListsCount = static_cast<int>(lists.size());
+    ImGui_ImplOpenGL3_RenderDrawData(&part);
   }
   Framebuffer::bind_window();
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kTile_px = 32;
 /// Each box costs a walk through all triangles, so there are few.
-constexpr std::size_t kMostBoxes = 6;
+constexpr std::size_t kMostBoxes = 4;
 
 /// Tiles from..to, `to` excluded.
 struct TileBox {

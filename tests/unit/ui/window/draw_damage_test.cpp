@@ -122,7 +122,7 @@ TEST_F(DrawDamageTest, ManyPlacesBecomeFewBoxesThatHoldThemAll) {
   };
   boxes_of(squares(0));
   const std::vector<Rect> boxes = boxes_of(squares(2));
-  EXPECT_LE(boxes.size(), 6U);
+  EXPECT_LE(boxes.size(), 4U);
   for (int i = 0; i < 20; ++i) {
     EXPECT_TRUE(holds(boxes, {static_cast<float>(64 * (i % 5) * 2 + 2),
                               static_cast<float>(96 * (i / 5) + 2), 8.0F, 8.0F}));
