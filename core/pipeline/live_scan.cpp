@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/median.h"
 #include "core/base/task_thread.h"
 #include "core/pipeline/frame_intake.h"
 #include "core/pipeline/frame_ledger.h"
 #include "core/pipeline/journal_thread.h"
 #include "core/pipeline/live_model.h"
+#include "core/pipeline/model_thread.h"
 #include "core/pipeline/reentry_images.h"
 #include "core/pipeline/snapshot_board.h"
 
@@ -24,17 +24,11 @@ namespace {
 constexpr std::size_t kReentryPlaces = 5;
 /// Pictures of re-entry places are this far apart, as a share of the volume's half diagonal.
 constexpr double kPictureShare = 0.25;
-/// Latest frames of which the latency is told.
-constexpr std::size_t kLatencyFrames = 300;
-/// The model is published at most this often while more is waiting to be added to it, s.
-constexpr double kPublishPeriod_s = 0.03;
 /// Tasks that may wait for the model before further views are handed over together.
 constexpr std::size_t kModelTasks = 4;
 /// While the hand scans, better poses wait until they move the surface by so much of a cell: to
 /// build it anew takes as long as to build it once, and less is not seen.
 constexpr double kToleratedCells = 0.2;
-/// Holes smaller than this many cells across are no places to scan.
-constexpr double kHoleCells = 4.0;
 
 double half_diagonal_mm(const Calibration& calibration) {
   return 0.5 * calibration.volume.size_mm.norm();
@@ -92,13 +86,7 @@ class LiveScan::Impl {
     return finishing_;
   }
 
-  // Model thread.
-  void add_to_model(const std::vector<AlignedView>& views, std::optional<double> offered_at_s);
-  void build_anew(const std::vector<AlignedView>& views, const EditList& edits);
-  void continue_rebuild();
-  void publish_if_due(bool at_once);
-  void publish();
-  void look_for_holes();
+  // Finishing thread.
   void run_finishing(std::vector<Frame> textures);
 
   // Any thread.
@@ -136,24 +124,14 @@ class LiveScan::Impl {
   double last_time_s_ = 0.0, scanned_s_ = 0.0;
   std::size_t best_points_ = 0;
 
-  // Of the model thread.
-  LiveModel model_;
-  bool model_changed_ = false;
-  double published_at_s_ = 0.0;
-  std::vector<double> unpublished_offers_s_;
-  std::vector<double> latencies_s_;
-  double holes_at_s_ = 0.0, holes_took_s_ = 0.0;
-  std::atomic<bool> looking_for_holes_{false};
-  bool grown_since_holes_ = false;
-
   // Of the user's thread.
   std::string finishing_step_;
   double finishing_step_since_s_ = 0.0;
 
   // Destroyed first: nothing of the above is used by a thread that has ended.
   JournalThread journal_;
-  TaskThread model_thread_;
   TaskThread background_thread_{TaskThread::Priority::kBackground};
+  ModelThread model_;
   TaskThread finishing_thread_;
   std::vector<std::thread> measuring_threads_;
   std::thread registering_thread_;
@@ -166,8 +144,15 @@ LiveScan::Impl::Impl(std::shared_ptr<const Calibration> calibration, const LiveS
       intake_(static_cast<std::size_t>(options.max_frames_underway)),
       registrar_(std::move(registrar)),
       pictures_(kPictureShare * half_diagonal_mm(*calibration_), half_diagonal_mm(*calibration_)),
-      model_(std::move(model)),
-      journal_(options.journal, options.now_s) {
+      journal_(options.journal, options.now_s),
+      model_(std::move(model), {board_, background_thread_, options.now_s,
+                                [this](std::vector<double> times_s) {
+                                  ask([this, times_s = std::move(times_s)] {
+                                    redundant_s_.insert(redundant_s_.end(), times_s.begin(),
+                                                        times_s.end());
+                                  });
+                                },
+                                options.holes_period_s, options.finish.meshing}) {
   restore(kept);
   for (int i = 0; i < options_.measure_threads; ++i) {
     measuring_threads_.emplace_back([this] { measure_frames(); });
@@ -185,9 +170,9 @@ LiveScan::Impl::~Impl() {
   journal_.wait_until_idle();
   // Stopped before any is destroyed: they post to each other.
   journal_.stop();
-  for (TaskThread* thread : {&model_thread_, &background_thread_, &finishing_thread_}) {
-    thread->stop();
-  }
+  model_.stop();
+  background_thread_.stop();
+  finishing_thread_.stop();
 }
 
 void LiveScan::Impl::offer(Frame frame) {
@@ -264,11 +249,7 @@ void LiveScan::Impl::take_texture(const Frame& frame) {
   board_.update([&](ScanSnapshot& s) { s.latest_texture = std::move(shown); });
   if (!is_scanning(phase_)) return;
   journal([frame](ScanJournal& journal) { journal.keep_texture(frame); });
-  model_thread_.post([this, frame] {
-    model_.add_texture(frame);
-    model_changed_ = true;
-    publish_if_due(false);
-  });
+  model_.add_texture(frame);
 }
 
 /// A frame that was measured, whatever came of it.
@@ -358,10 +339,8 @@ void LiveScan::Impl::hand_over_growth(std::optional<double> offered_at_s) {
   if (!growth.added.empty()) {
     journal([views = growth.added](ScanJournal& journal) { journal.keep_poses(views); });
   }
-  if (unposted_.empty() || model_thread_.pending() > kModelTasks) return;
-  model_thread_.post([this, views = std::exchange(unposted_, {}), offered_at_s] {
-    add_to_model(views, offered_at_s);
-  });
+  if (unposted_.empty() || model_.pending() > kModelTasks) return;
+  model_.add(std::exchange(unposted_, {}), offered_at_s);
   refine_if_grown(options_.refine_growth);
   retire_past();
 }
@@ -381,12 +360,7 @@ void LiveScan::Impl::restore(const KeptScan& kept) {
   known_views_ = kept.views.size();
   if (!kept.views.empty()) last_time_s_ = kept.views.back().view->time_s;
   [[maybe_unused]] const ScanGrowth known = registrar_.take_growth();
-  model_thread_.post([this, kept] {
-    model_.apply_edits(kept.edits.state(), 0.0);
-    model_.add(kept.views);
-    for (const Frame& frame : kept.texture_frames) model_.add_texture(frame);
-    publish();
-  });
+  model_.restore(kept.views, kept.texture_frames, kept.edits.state());
   show_edits();
 }
 
@@ -429,8 +403,10 @@ void LiveScan::Impl::choose_reentry(std::size_t index) {
 
 void LiveScan::Impl::pause() {
   step(ScanEvent::kPause);
+  // What was tolerated while the hand scanned is not where it rests.
+  model_.follow(registrar_.aligned_views(), edits_.state(), 0.0);
   refine_if_grown(1.0);
-  model_thread_.post([this] { look_for_holes(); });
+  model_.look_for_holes();
 }
 
 void LiveScan::Impl::edit(EditKind kind, std::vector<BrushDab> dabs) {
@@ -438,11 +414,7 @@ void LiveScan::Impl::edit(EditKind kind, std::vector<BrushDab> dabs) {
   edits_.push({kind, last_time_s_, std::move(dabs)});
   step(ScanEvent::kEdit);
   show_edits();
-  model_thread_.post([this, edits = edits_.state(), now_s = last_time_s_] {
-    model_.apply_edits(edits, now_s);
-    model_changed_ = grown_since_holes_ = true;
-    publish_if_due(true);
-  });
+  model_.edit(edits_.state(), last_time_s_);
 }
 
 void LiveScan::Impl::change_edits(void (EditStack::*change)()) {
@@ -465,17 +437,7 @@ void LiveScan::Impl::show_edits() {
 }
 
 /// Makes the model anew from all views.
-void LiveScan::Impl::rebuild() {
-  model_thread_.post([this, views = registrar_.aligned_views(), edits = edits_.state()] {
-    build_anew(views, edits);
-  });
-}
-
-void LiveScan::Impl::build_anew(const std::vector<AlignedView>& views, const EditList& edits) {
-  model_.apply_edits(edits, 0.0);
-  model_.begin_rebuild(views);
-  model_thread_.post([this] { continue_rebuild(); });
-}
+void LiveScan::Impl::rebuild() { model_.build_anew(registrar_.aligned_views(), edits_.state()); }
 
 void LiveScan::Impl::refine_if_grown(double factor) {
   const auto enough = static_cast<std::size_t>(options_.min_refine_views);
@@ -496,12 +458,7 @@ void LiveScan::Impl::take_refined(const std::vector<AlignedView>& refined) {
   registrar_.apply(refined);
   const std::vector<AlignedView> views = registrar_.aligned_views();
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });
-  const double tolerated_cells = is_scanning(phase_) ? kToleratedCells : 0.0;
-  model_thread_.post([this, views, tolerated_cells, edits = edits_.state()] {
-    if (model_.follow(views) > tolerated_cells * model_.surface().cell_mm()) {
-      build_anew(views, edits);
-    }
-  });
+  model_.follow(views, edits_.state(), is_scanning(phase_) ? kToleratedCells : 0.0);
 }
 
 void LiveScan::Impl::finish() {
@@ -512,9 +469,9 @@ void LiveScan::Impl::finish() {
   }
   step(ScanEvent::kFinish);
   board_.update([](ScanSnapshot& s) { s.failure.clear(); });
-  model_thread_.post([this] {
+  model_.with_textures([this](const std::vector<PlacedTexture>& placed) {
     std::vector<Frame> textures;
-    for (const PlacedTexture& placed : model_.textures()) textures.push_back(placed.frame);
+    for (const PlacedTexture& texture : placed) textures.push_back(texture.frame);
     finishing_thread_.post([this, textures] { run_finishing(textures); });
   });
 }
@@ -557,91 +514,6 @@ void LiveScan::Impl::take_result(Result<FinishedScan> finished) {
   step(ScanEvent::kResult);
 }
 
-void LiveScan::Impl::add_to_model(const std::vector<AlignedView>& views,
-                                  std::optional<double> offered_at_s) {
-  model_.add(views);
-  if (std::vector<double> redundant_s = model_.take_redundant(); !redundant_s.empty()) {
-    ask([this, redundant_s = std::move(redundant_s)] {
-      redundant_s_.insert(redundant_s_.end(), redundant_s.begin(), redundant_s.end());
-    });
-  }
-  if (offered_at_s) unpublished_offers_s_.push_back(*offered_at_s);
-  model_changed_ = grown_since_holes_ = true;
-  publish_if_due(false);
-  // The larger the surface, the longer it takes: at most a tenth of a core.
-  constexpr double kRest = 9.0;
-  const bool due =
-      options_.now_s() - holes_at_s_ > std::max(options_.holes_period_s, kRest * holes_took_s_);
-  if (due && !looking_for_holes_) look_for_holes();
-}
-
-void LiveScan::Impl::continue_rebuild() {
-  if (model_.continue_rebuild()) {
-    model_thread_.post([this] { continue_rebuild(); });
-    return publish_if_due(false);
-  }
-  model_changed_ = true;
-  publish_if_due(true);
-}
-
-void LiveScan::Impl::publish_if_due(bool at_once) {
-  if (!model_changed_) return;
-  const bool last = model_thread_.pending() <= 1;
-  if (at_once || last || options_.now_s() - published_at_s_ > kPublishPeriod_s) publish();
-}
-
-void LiveScan::Impl::publish() {
-  LiveSurface& surface = model_.surface();
-  SurfelModel model = surface.publish();
-  published_at_s_ = options_.now_s();
-  model_changed_ = false;
-  const double newest_s = unpublished_offers_s_.empty() ? 0.0 : unpublished_offers_s_.back();
-  for (const double offered_s : std::exchange(unpublished_offers_s_, {})) {
-    latencies_s_.push_back(published_at_s_ - offered_s);
-  }
-  if (latencies_s_.size() > kLatencyFrames) {
-    latencies_s_.erase(latencies_s_.begin(),
-                       latencies_s_.end() - static_cast<std::ptrdiff_t>(kLatencyFrames));
-  }
-  std::vector<double> sorted = latencies_s_;
-  std::sort(sorted.begin(), sorted.end());
-  board_.update([&](ScanSnapshot& s) {
-    s.model = std::move(model);
-    s.area_mm2 = surface.area_mm2();
-    s.good_share = surface.good_share();
-    s.holes_are_current = s.holes_are_current && !grown_since_holes_;
-    if (newest_s > 0.0) s.model_offered_at_s = newest_s;
-    if (sorted.empty()) return;
-    s.latency = {quantile_of(sorted, 0.5), quantile_of(sorted, 0.95),
-                 static_cast<std::int64_t>(sorted.size())};
-  });
-}
-
-void LiveScan::Impl::look_for_holes() {
-  if (looking_for_holes_ || !grown_since_holes_) return;
-  looking_for_holes_ = true;
-  grown_since_holes_ = false;
-  background_thread_.post([this, points = model_.surface().points(),
-                           least_mm = kHoleCells * model_.surface().cell_mm()] {
-    const double began_s = options_.now_s();
-    Result<SurfaceMesh> mesh = mesh_surface(points, options_.finish.meshing, Workers(1));
-    model_thread_.post([this, began_s, mesh = std::move(mesh), least_mm]() mutable {
-      looking_for_holes_ = false;
-      holes_at_s_ = options_.now_s();
-      holes_took_s_ = holes_at_s_ - began_s;
-      if (!mesh) return;  // too few points yet
-      std::erase_if(mesh->boundaries, [&](const BoundaryLoop& loop) {
-        return loop.is_outer || loop.perimeter_mm < least_mm;
-      });
-      board_.update([&](ScanSnapshot& s) {
-        if (s.phase == ScanPhase::kFinished) return;
-        s.holes = std::move(mesh->boundaries);
-        s.holes_are_current = !grown_since_holes_;
-      });
-    });
-  });
-}
-
 void LiveScan::Impl::keep_in(std::shared_ptr<ScanJournal> to) {
   journal_.change(std::move(to));
   const std::vector<AlignedView> views = registrar_.aligned_views();
@@ -650,8 +522,8 @@ void LiveScan::Impl::keep_in(std::shared_ptr<ScanJournal> to) {
   }
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });
   journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
-  model_thread_.post([this] {
-    for (const PlacedTexture& placed : model_.textures()) {
+  model_.with_textures([this](const std::vector<PlacedTexture>& all) {
+    for (const PlacedTexture& placed : all) {
       journal([frame = placed.frame](ScanJournal& journal) { journal.keep_texture(frame); });
     }
   });
@@ -680,7 +552,7 @@ void LiveScan::Impl::wait_until_idle() const {
       if (!wishes_.empty()) return true;
     }
     return tracking_ || board_.snapshot()->counts.pending > 0 ||
-           board_.snapshot()->counts.offered < offered_ || model_thread_.pending() > 0 ||
+           board_.snapshot()->counts.offered < offered_ || model_.pending() > 0 ||
            background_thread_.pending() > 0 || finishing_thread_.pending() > 0 ||
            journal_.pending() > 0;
   };

@@ -1,0 +1,71 @@
+/// @file  Keeps the model of a live scan on a thread of its own, and publishes it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/base/task_thread.h"
+#include "core/meshing/mesh_surface.h"
+#include "core/pipeline/live_model.h"
+#include "core/pipeline/snapshot_board.h"
+
+namespace flytri {
+
+/// What the model's thread needs of the scan around it; all must outlive it.
+struct ModelSurroundings {
+  SnapshotBoard& board;
+  TaskThread& background;  ///< where holes are looked for
+  std::function<double()> now_s;
+  /// Gets the times of views that told nothing new; called on the model's thread.
+  std::function<void(std::vector<double>)> tell_redundant;
+  double holes_period_s = 4.0;  ///< > 0, holes are looked for at most this often
+  MeshOptions meshing;          ///< of the surface whose holes are looked for
+};
+
+/// Thread-safe; nothing waits but for the queue.
+class ModelThread {
+ public:
+  ModelThread(LiveModel model, ModelSurroundings around);
+
+  /// @param offered_at_s  when the frame of the newest one came, for the latency
+  void add(std::vector<AlignedView> views, std::optional<double> offered_at_s);
+  void add_texture(const Frame& frame);
+  /// Everything of a scan that was kept, published at once.
+  void restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames, EditList edits);
+  void edit(EditList edits, double now_s);
+  void build_anew(std::vector<AlignedView> views, EditList edits);
+  /// Builds anew only where the poses are off by more than `tolerated_cells`, see
+  /// LiveModel::follow.
+  void follow(std::vector<AlignedView> views, EditList edits, double tolerated_cells);
+  void look_for_holes();
+  /// Calls `use` on this thread with the frames that color the surface.
+  void with_textures(std::function<void(const std::vector<PlacedTexture>&)> use);
+
+  /// Tasks that wait or run.
+  [[nodiscard]] std::size_t pending() const { return thread_.pending(); }
+  void stop() { thread_.stop(); }
+
+ private:
+  // All of the thread.
+  void begin_rebuild(std::vector<AlignedView> views, const EditList& edits);
+  void continue_rebuild();
+  void publish_if_due(bool at_once);
+  void publish();
+  std::optional<LatencyStatistics> latency_with(const std::vector<double>& shown_offers_s);
+  void search_holes();
+  void take_holes(Result<SurfaceMesh> mesh, double began_s);
+
+  const ModelSurroundings around_;
+  LiveModel model_;
+  bool has_changed_ = false;
+  double published_at_s_ = 0.0;
+  std::vector<double> unpublished_offers_s_;
+  std::vector<double> latencies_s_;
+  double holes_at_s_ = 0.0, holes_took_s_ = 0.0;
+  bool searches_holes_ = false;
+  bool has_grown_since_holes_ = false;
+  TaskThread thread_;  ///< destroyed first
+};
+
+}  // namespace flytri
