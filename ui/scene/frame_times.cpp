@@ -35,7 +35,7 @@ FrameTime time_frames(const std::function<void()>& prepare, const std::function<
   return {times_ms[kFrames / 2], times_ms[kFrames * 95 / 100], processor_ms[kFrames / 2]};
 }
 
-/// Replaces the blocks of a model by copies, one after the other, as new views do.
+/// Replaces the blocks of a model, one after the other, by such whose surfels all look different.
 class Replacer {
  public:
   explicit Replacer(SurfelModel& model) : model_(model) {}
@@ -44,7 +44,9 @@ class Replacer {
     std::size_t replaced = 0;
     for (std::size_t i = 0; i < model_.size() && replaced < count; ++i) {
       auto& block = model_[next_++ % model_.size()];
-      block = std::make_shared<const SurfelBlock>(*block);
+      auto other = std::make_shared<SurfelBlock>(*block);
+      for (Surfel& surfel : other->surfels) surfel.sigma_mm += kOther_mm;
+      block = std::move(other);
       replaced += block->surfels.size();
     }
     total_ += replaced;
@@ -52,6 +54,7 @@ class Replacer {
   [[nodiscard]] std::size_t total() const { return total_; }
 
  private:
+  static constexpr float kOther_mm = 1e-4F;
   SurfelModel& model_;
   std::size_t next_ = 0;
   std::size_t total_ = 0;
