@@ -471,6 +471,7 @@ void LiveScan::Impl::finish() {
   board_.update([](ScanSnapshot& s) { s.failure.clear(); });
   model_.with_textures([this](const std::vector<PlacedTexture>& placed) {
     std::vector<Frame> textures;
+    textures.reserve(placed.size());
     for (const PlacedTexture& texture : placed) textures.push_back(texture.frame);
     finishing_thread_.post([this, textures] { run_finishing(textures); });
   });

@@ -149,6 +149,7 @@ cv::Mat Chip::read_out(const Light& light, const ReadOut& how) const {
   const double full = how.bits == 16 ? 65535.0 : 255.0;
   Random random(how.seed, how.stream);
   std::vector<ShiftedStore> speckles;
+  speckles.reserve(static_cast<std::size_t>(how.exposures));
   for (int i = 0; i < how.exposures; ++i) speckles.emplace_back(speckle_, random);
   Noise noise(*this, how, random);
   const auto contrast = static_cast<float>(model_.speckle_contrast);
@@ -185,6 +186,8 @@ cv::Mat Chip::read_out_color(const cv::Mat& light, const ReadOut& how) const {
     std::copy_n(light.ptr<float>(v), row.size(), row.begin());
     if (how.noise) noise.add(v, row);
     std::transform(row.begin(), row.end(), image.ptr<std::uint8_t>(v), [&](float value) {
+      // Never negative, and the inner loop of a color image.
+      // NOLINTNEXTLINE(bugprone-incorrect-roundings)
       return codes_[static_cast<std::size_t>(std::clamp(value, 0.0F, 1.0F) * (kCodes - 1) + 0.5F)];
     });
   }

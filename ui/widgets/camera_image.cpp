@@ -43,7 +43,7 @@ cv::Mat reduced(cv::Mat image) {
 /// Measurement frames are linear in light: encoded as screens expect, the dark surface between the
 /// lines is seen, too.
 cv::Mat for_screen(const Frame& frame) {
-  const cv::Mat image = reduced(frame.image);
+  cv::Mat image = reduced(frame.image);
   if (image.channels() != 1) return image;
   cv::Mat grey;
   image.convertTo(grey, CV_8U, image.depth() == CV_16U ? 1.0 / 257.0 : 1.0);
