@@ -169,9 +169,9 @@ template <typename Change>
 void LiveSurface::for_each_around(const Vec3f& center_mm, const Change& change) {
   const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
   for (int number = 0; number < 27; ++number) {
-    const Vec3f step(static_cast<float>(number % 3 - 1), static_cast<float>(number / 3 % 3 - 1),
-                     static_cast<float>(number / 9 - 1));
-    const auto found = normal_index_.find(key(center_mm + edge_mm * step, options_.normal_cells));
+    const Eigen::Vector3i step(number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1);
+    const Vec3f there_mm = center_mm + edge_mm * step.cast<float>();
+    const auto found = normal_index_.find(key(there_mm, options_.normal_cells));
     if (found != normal_index_.end()) change(normal_cells_[found->second]);
   }
 }
