@@ -253,6 +253,7 @@ void Session::handle(const ui::OpenCase& command) {
       forget_scans();
       case_state_.is_encrypted = !command.passphrase.empty();
       use_case(std::make_shared<CaseStore>(std::move(**file)));
+      warn_of_other_calibration();
     };
   });
 }
@@ -263,7 +264,6 @@ void Session::use_case(std::shared_ptr<CaseStore> store) {
   case_state_.passphrase_is_asked = false;
   case_state_.fields = case_->fields().value_or(CaseFields{});
   for (const std::string& line : case_->damage()) notice(ui::Severity::kWarning, line);
-  warn_of_other_calibration();
   if (case_->is_read_only()) case_state_.message = "opened read-only: nothing more is kept in it";
   if (scans_[stage_] == nullptr) {
     is_started_ = false;

@@ -28,12 +28,15 @@ bool look_same(const Backdrop& a, const Backdrop& b) {
          std::abs(a.splat_radius_mm - b.splat_radius_mm) <= kCreep * b.splat_radius_mm;
 }
 
+PixelBox widened(const PixelBox& box, int margin_px) {
+  const Eigen::Vector2i margin = Eigen::Vector2i::Constant(margin_px);
+  return {box.min() - margin, box.max() + margin};
+}
+
 /// What changed shows in the grooves around it as well.
 PixelBox with_grooves(const PixelBox& changed_px, const Eye& eye) {
   if (changed_px.isEmpty()) return changed_px;
-  const Eigen::Vector2i margin_px =
-      Eigen::Vector2i::Constant(static_cast<int>(std::ceil(groove_reach_px(eye))) + 1);
-  return {changed_px.min() - margin_px, changed_px.max() + margin_px};
+  return widened(changed_px, static_cast<int>(std::ceil(groove_reach_px(eye))) + 1);
 }
 
 /// The pixels that lines may touch.
@@ -45,9 +48,7 @@ PixelBox pixels_of(const std::vector<OverlayLine>& lines, const Eye& eye) {
     const PixelBox middle = eye.pixels_of(box_mm);
     if (middle.isEmpty()) continue;
     // Half the width and a pixel for its soft border.
-    const Eigen::Vector2i margin_px =
-        Eigen::Vector2i::Constant(static_cast<int>(std::ceil(0.5F * line.width_px)) + 2);
-    pixels.extend(PixelBox(middle.min() - margin_px, middle.max() + margin_px));
+    pixels.extend(widened(middle, static_cast<int>(std::ceil(0.5F * line.width_px)) + 2));
   }
   return pixels.intersection(whole_picture(eye.size));
 }

@@ -28,11 +28,12 @@ std::array<Attribute, 4> splat_attributes() {
            {3, 4, GL_UNSIGNED_BYTE, true, offsetof(SplatVertex, color_flags)}}};
 }
 
-SplatVertex vertex_of(const Surfel& surfel, bool is_locked) {
+/// @param locked  strokes near it
+SplatVertex vertex_of(const Surfel& surfel, const std::vector<BrushDab>& locked) {
   unsigned flags = 0;
   if (surfel.textured) flags |= kTexturedFlag;
   if (surfel.coverage == Coverage::kGood) flags |= kGoodFlag;
-  if (is_locked) flags |= kLockedFlag;
+  if (reaches(locked, surfel.position_mm, surfel.normal)) flags |= kLockedFlag;
   return {surfel.position_mm, packed_normal(surfel.normal), Eigen::half(surfel.radius_mm),
           Eigen::half(surfel.sigma_mm),
           packed_color(surfel.color, static_cast<std::uint8_t>(flags))};
@@ -164,7 +165,7 @@ void SplatStore::upload(const StoredBlock& stored, StoreChanges& changes) {
   std::vector<SplatVertex> vertices;
   vertices.reserve(stored.block->surfels.size());
   for (const Surfel& s : stored.block->surfels) {
-    vertices.push_back(vertex_of(s, reaches(dabs, s.position_mm, s.normal)));
+    vertices.push_back(vertex_of(s, dabs));
   }
   buffer_.write(stored.range.first * sizeof(SplatVertex), std::as_bytes(std::span(vertices)));
   changes.uploaded_bytes += vertices.size() * sizeof(SplatVertex);
@@ -174,8 +175,7 @@ void SplatStore::upload_some(const StoredBlock& stored, const std::vector<std::u
                              StoreChanges& changes) {
   const std::vector<BrushDab> dabs = within(locked_, stored.box_mm);
   for (const std::uint32_t i : surfels) {
-    const Surfel& s = stored.block->surfels[i];
-    const SplatVertex vertex = vertex_of(s, reaches(dabs, s.position_mm, s.normal));
+    const SplatVertex vertex = vertex_of(stored.block->surfels[i], dabs);
     buffer_.write((stored.range.first + i) * sizeof(SplatVertex),
                   std::as_bytes(std::span(&vertex, 1)));
   }

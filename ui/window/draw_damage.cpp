@@ -36,6 +36,14 @@ std::uint64_t print_of(std::uint64_t print, const ImDrawVert& vertex) {
   return mixed(mixed(print, pair_of(vertex.uv.x, vertex.uv.y)), vertex.col);
 }
 
+/// The tiles that a rectangle touches.
+TileBox tiles_of(const Rect& rect, int columns, int rows) {
+  const auto tile = [](float px, int count) { return std::clamp(static_cast<int>(px), 0, count); };
+  return {tile(std::floor(rect.x / kTile_px), columns), tile(std::floor(rect.y / kTile_px), rows),
+          tile(std::ceil(rect.right() / kTile_px), columns),
+          tile(std::ceil(rect.bottom() / kTile_px), rows)};
+}
+
 /// A fingerprint for each tile of the window.
 class TilePrints {
  public:
@@ -64,19 +72,15 @@ class TilePrints {
 
   void add(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c, const ImVec4& clip,
            std::uint64_t style) {
-    const auto tile = [](float px, int count) {
-      return std::clamp(static_cast<int>(std::floor(px / kTile_px)), 0, count);
-    };
     const float left = std::max(std::min({a.pos.x, b.pos.x, c.pos.x}), clip.x);
     const float right = std::min(std::max({a.pos.x, b.pos.x, c.pos.x}), clip.z);
     const float top = std::max(std::min({a.pos.y, b.pos.y, c.pos.y}), clip.y);
     const float bottom = std::min(std::max({a.pos.y, b.pos.y, c.pos.y}), clip.w);
     if (!(left <= right && top <= bottom)) return;
     const std::uint64_t print = print_of(print_of(print_of(style, a), b), c);
-    const int end_column = std::min(tile(right, columns_) + 1, columns_);
-    const int end_row = std::min(tile(bottom, rows_) + 1, rows_);
-    for (int row = tile(top, rows_); row < end_row; ++row) {
-      for (int column = tile(left, columns_); column < end_column; ++column) {
+    const TileBox tiles = tiles_of({left, top, right - left, bottom - top}, columns_, rows_);
+    for (int row = tiles.top; row < tiles.bottom; ++row) {
+      for (int column = tiles.left; column < tiles.right; ++column) {
         auto& sum = prints_[static_cast<std::size_t>(row) * columns_ + column];
         sum = mixed(sum, print);
       }
@@ -86,14 +90,6 @@ class TilePrints {
   int columns_, rows_;
   std::vector<std::uint64_t> prints_;
 };
-
-/// The tiles that a rectangle touches.
-TileBox tiles_of(const Rect& rect, int columns, int rows) {
-  const auto tile = [](float px, int count) { return std::clamp(static_cast<int>(px), 0, count); };
-  return {tile(std::floor(rect.x / kTile_px), columns), tile(std::floor(rect.y / kTile_px), rows),
-          tile(std::ceil(rect.right() / kTile_px), columns),
-          tile(std::ceil(rect.bottom() / kTile_px), rows)};
-}
 
 /// Runs of different tiles in a row; a run like the one above makes that one longer.
 void add_row(const std::vector<bool>& is_different, int row, std::vector<TileBox>& boxes) {
