@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "app/cli/commands.h"
+#include "app/cli/command_line.h"
 #include "app/cli/progress_bar.h"
 
 namespace flytri::cli {
@@ -24,19 +24,9 @@ int run(const Job& job) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("flytri: from line frames of a hand-guided scanner to a textured model", "flytri");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", FLYTRI_VERSION);
+  CLI::App app;
   Invocation invocation;
-  add_simulate_command(app, invocation);
-  add_calibrate_command(app, invocation);
-  add_reconstruct_command(app, invocation);
-  add_export_command(app, invocation);
-  add_evaluate_command(app, invocation);
-  add_study_command(app, invocation);
-  add_demo_command(app, invocation);
-  add_app_command(app, invocation);
-  add_bench_command(app, invocation);
+  set_up_command_line(app, invocation);
   try {
     // Who starts the program without a word wants to scan.
     argc > 1 ? app.parse(argc, argv) : app.parse("app");

@@ -177,8 +177,18 @@ bool can_confirm(const Facts& facts) {
   }
 }
 
+ActionState devices_state(Action action, const Facts& facts) {
+  const auto& devices = facts.view.devices;
+  if (!devices) return disabled("only with a rig");
+  if (action == Action::kCheckDevices) return only_if(!devices->is_checking, "running");
+  return enabled(devices->problems.empty() ? "" : "something is wrong");
+}
+
 ActionState program_state(Action action, const Facts& facts) {
   switch (action) {
+    case Action::kDevices:
+    case Action::kCheckDevices:
+      return devices_state(action, facts);
     case Action::kExport:
       return only_if(facts.has_surface() && !facts.is(ScanPhase::kFinishing),
                      "nothing to export yet");
@@ -214,6 +224,10 @@ bool works_behind(Dialog dialog, Action action) {
       return dialog == Dialog::kCase;
     case Action::kSettings:
       return dialog == Dialog::kSettings;
+    case Action::kDevices:
+      return dialog == Dialog::kDevices || dialog == Dialog::kSettings;
+    case Action::kCheckDevices:
+      return dialog == Dialog::kDevices;
     default:
       return false;
   }

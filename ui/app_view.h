@@ -11,6 +11,7 @@
 
 #include "core/interchange/case_file.h"
 #include "core/pipeline/scan_snapshot.h"
+#include "ui/devices_state.h"
 
 namespace flytri::ui {
 
@@ -107,8 +108,8 @@ struct AppView {
   ExportState exports;
   std::vector<Measurement> measurements;  ///< of the current stage
   Settings settings;
-  std::vector<Notice> notices;           ///< the latest last
-  std::vector<std::string> device_text;  ///< what is known of the devices, a line each
+  std::vector<Notice> notices;          ///< the latest last
+  std::optional<DevicesState> devices;  ///< of a rig; none: the frames come from elsewhere
 };
 
 }  // namespace flytri::ui

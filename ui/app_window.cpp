@@ -36,7 +36,7 @@ struct AppWindow::Impl {
   double last_now_s = -1.0;
 
   Result<void> open();
-  Result<Theme> theme_for(const AppView& view);
+  Result<Theme> theme_for(const AppView& view, const ImageSize& size);
   void draw(const AppView& view, const Theme& theme, std::vector<Command>& commands);
 };
 
@@ -63,6 +63,8 @@ void draw_dialog(const PanelContext& context) {
       return draw_case_dialog(context);
     case Dialog::kSettings:
       return draw_settings_dialog(context);
+    case Dialog::kDevices:
+      return draw_device_panel(context);
     case Dialog::kNone:
       break;
   }
@@ -122,8 +124,7 @@ Result<void> AppWindow::Impl::open() {
   return {};
 }
 
-Result<Theme> AppWindow::Impl::theme_for(const AppView& view) {
-  const ImageSize size = window->framebuffer_size();
+Result<Theme> AppWindow::Impl::theme_for(const AppView& view, const ImageSize& size) {
   const double content = options.content_scale.value_or(window->content_scale());
   const float scale =
       window_scale(content, view.settings.user_scale, size.width_px, size.height_px);
@@ -151,16 +152,16 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   const ImageSize size = impl.window->framebuffer_size();
   if (size.width_px == 0 || size.height_px == 0) return !impl.window->should_close();
   // The fonts were there at the start: a scale that cannot be set leaves the former one.
-  const Theme theme = impl.theme_for(view).value_or(impl.host->theme());
+  const Theme theme = impl.theme_for(view, size).value_or(impl.host->theme());
   update_toasts(view, impl.state);
-  const std::vector<KeyEvent> presses = impl.host->begin_frame(view.now_s);
+  const std::vector<KeyEvent> presses = impl.host->begin_frame(size, view.now_s);
   for (const KeyEvent& press : presses) {
     if (const auto action = action_of(press)) perform(*action, view, impl.state, commands);
   }
   if (impl.control) impl.control->ask(view, impl.state, commands);
   drop_tool(view, impl.state);
   impl.draw(view, theme, commands);
-  const bool is_different = impl.host->end_frame(impl.repainted);
+  const std::vector<PixelBox> changed = impl.host->end_frame(impl.repainted);
   if (impl.window->should_close()) commands.emplace_back(Quit{});
   if (impl.control) {
     const bool is_idle = impl.window->input().empty() && presses.empty();
@@ -173,10 +174,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
                           theme.scale,
                           is_idle});
   }
-  if (impl.window->take_refresh() || is_different) {
-    impl.host->canvas().picture().copy_to_window();
-    impl.window->swap();
-  }
+  impl.window->show(impl.host->canvas().picture(), changed);
   return !impl.window->should_close();
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "ui/scene/box_corners.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -33,11 +35,11 @@ Eigen::AlignedBox3d grown(const Eigen::AlignedBox3d& box, const Vec3& volume_mm)
   return Eigen::AlignedBox3d(Vec3(box.min() - margin / 2.0), Vec3(box.max() + margin / 2.0));
 }
 
-void fly_to_box(const Eigen::AlignedBox3d& box, const Eigen::Quaterniond& q_world_eye,
-                double flight_s, CameraState& state) {
+void fly_to_show(std::span<const Vec3> points_mm, const Eigen::Quaterniond& q_world_eye,
+                 double flight_s, CameraState& state) {
   const PictureSize free = {std::max(static_cast<int>(state.picture.width_px * kFreeWidth), 1),
                             std::max(static_cast<int>(state.picture.height_px * kFreeHeight), 1)};
-  CameraPose pose = state.camera.fitting(box, q_world_eye, free);
+  CameraPose pose = state.camera.fitting(points_mm, q_world_eye, free);
   pose.height_mm /= kFreeHeight;
   state.camera.fly_to(pose, flight_s);
 }
@@ -72,17 +74,17 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
   // Room to grow is of use only where something grows.
   const bool is_tight = !view.is_scanning && !model_box_mm.isEmpty();
   // A flight that is under way keeps the direction that it was to end in.
-  fly_to_box(is_tight ? model_box_mm : state.followed_box_mm,
-             is_first ? first_sight() : state.camera.destination().q_world_eye,
-             view.is_scanning ? kShortFlight_s : kFlight_s, state);
+  fly_to_show(corners_of(is_tight ? model_box_mm : state.followed_box_mm),
+              is_first ? first_sight() : state.camera.destination().q_world_eye,
+              view.is_scanning ? kShortFlight_s : kFlight_s, state);
 }
 
 void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state) {
   const JawAxes axes =
       scan.result != nullptr ? jaw_axes(scan.result->surface.mesh) : jaw_axes(scan.model);
-  if (axes.box_mm.isEmpty()) return;
+  if (axes.corners_mm.empty()) return;
   state.follows_scan = false;
-  fly_to_box(axes.box_mm, orientation(axes, side), kFlight_s, state);
+  fly_to_show(axes.corners_mm, orientation(axes, side), kFlight_s, state);
 }
 
 void show_hole(const AppView& view, std::size_t index, WindowState& state) {

@@ -28,6 +28,7 @@ std::string_view name_of(const Command& command) {
       "TakeSensorAway",
       "PointHand",
       "ChangeSettings",
+      "CheckDevices",
       "Tell",
       "Quit"};
   return kNames[command.index()];

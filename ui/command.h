@@ -78,16 +78,19 @@ struct TakeSensorAway {
 struct ChangeSettings {
   Settings settings;
 };
+/// Looks at the devices anew, and starts those that could not be started before.
+struct CheckDevices {};
 /// Words that came over the control channel for the program itself, such as a test's "lose source".
 struct Tell {
   std::string words;
 };
 struct Quit {};
 
-using Command = std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement,
-                             RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
-                             SelectStage, Export, NewCase, OpenCase, SetCaseFields, SteerHand,
-                             FollowPath, TakeSensorAway, PointHand, ChangeSettings, Tell, Quit>;
+using Command =
+    std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement, RemoveMeasurement,
+                 Finish, CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, NewCase,
+                 OpenCase, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
+                 ChangeSettings, CheckDevices, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

@@ -80,8 +80,11 @@ constexpr std::array kBindings = {
 
     KeyBinding{Action::kExport, kProgram, "export", "Export", GLFW_KEY_E, 0, "E", false},
     KeyBinding{Action::kCase, kProgram, "case", "Cases", GLFW_KEY_D, 0, "D", false},
-    KeyBinding{Action::kSettings, kProgram, "settings", "Settings and devices", GLFW_KEY_S, 0, "S",
+    KeyBinding{Action::kSettings, kProgram, "settings", "Settings", GLFW_KEY_S, 0, "S", false},
+    KeyBinding{Action::kDevices, kProgram, "devices", "Cameras and lights", GLFW_KEY_R, 0, "R",
                false},
+    KeyBinding{Action::kCheckDevices, kProgram, "check_devices", "Check devices", GLFW_KEY_F5, 0,
+               "F5", false},
     KeyBinding{Action::kHelp, kProgram, "help", "Keys", GLFW_KEY_H, 0, "H", false},
     KeyBinding{Action::kMute, kProgram, "mute", "Sound", GLFW_KEY_X, 0, "X", false},
     KeyBinding{Action::kLarger, kProgram, "larger", "Everything larger", GLFW_KEY_EQUAL, kControl,

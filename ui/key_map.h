@@ -24,6 +24,8 @@ enum class Action {
   kExport,
   kCase,
   kSettings,
+  kDevices,
+  kCheckDevices,
   kHelp,
   kCancel,
   kConfirm,

@@ -270,6 +270,11 @@ struct Performance {
         return toggle_dialog(Dialog::kCase);
       case Action::kSettings:
         return toggle_dialog(Dialog::kSettings);
+      case Action::kDevices:
+        return toggle_dialog(Dialog::kDevices);
+      case Action::kCheckDevices:
+        commands.emplace_back(CheckDevices{});
+        return;
       case Action::kHelp:
         return toggle_dialog(Dialog::kHelp);
       case Action::kMute:

@@ -28,6 +28,8 @@ std::string_view to_string(Dialog dialog) {
       return "case";
     case Dialog::kSettings:
       return "settings";
+    case Dialog::kDevices:
+      return "devices";
     case Dialog::kNone:
       break;
   }

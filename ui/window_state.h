@@ -27,7 +27,7 @@ enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure };
   return tool == Tool::kUnlock ? EditKind::kUnlock : EditKind::kTrim;
 }
 
-enum class Dialog { kNone, kHelp, kExport, kCase, kSettings };
+enum class Dialog { kNone, kHelp, kExport, kCase, kSettings, kDevices };
 [[nodiscard]] std::string_view to_string(Dialog dialog);
 [[nodiscard]] std::string_view to_string(ColorMode mode);
 

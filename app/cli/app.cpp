@@ -30,7 +30,8 @@ void sound(const ui::AppView& view, ScanPhase& heard, ui::SoundPlayer& sounds) {
   }
 }
 
-Result<void> run(const AppArguments& arguments) {
+/// @param progress  is canceled when the user or the system ends the program by a signal
+Result<void> run(const AppArguments& arguments, const Progress& progress) {
   auto window = ui::AppWindow::create(arguments.window);
   if (!window) return tl::unexpected(window.error());
   SessionOptions options;
@@ -41,7 +42,7 @@ Result<void> run(const AppArguments& arguments) {
   ScanPhase heard = ScanPhase::kPreview;
   std::vector<ui::Command> commands;
   bool is_open = true;
-  while (is_open && !session.is_closing()) {
+  while (is_open && !session.is_closing() && !progress.cancelled()) {
     const double began_s = session.now_s();
     const ui::AppView view = session.view();
     is_open = (*window)->frame(view, commands);
@@ -70,7 +71,7 @@ void add_app_command(CLI::App& app, Invocation& invocation) {
                       "Unix socket on which tests and pictures steer the window");
   command->footer("Example: flytri app");
   command->callback([arguments, &invocation] {
-    invocation.job = [arguments](const Progress&) { return run(*arguments); };
+    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
   });
 }
 

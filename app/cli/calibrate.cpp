@@ -1,9 +1,11 @@
-/// @file  flytri calibrate: target images to calibration.json.
+/// @file  flytri calibrate: target images to calibration.json, from a folder or taken on the spot.
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
 
+#include "app/cli/calibrate_check.h"
+#include "app/cli/calibrate_live.h"
 #include "app/cli/commands.h"
 #include "core/calibrating/calibrate.h"
 #include "core/interchange/calibration_file.h"
@@ -14,9 +16,64 @@ namespace {
 
 struct CalibrateArguments {
   std::filesystem::path set;
-  std::filesystem::path output = "calibration.json";
-  int thread_count = 0;
+  std::filesystem::path output;
+  bool live = false;
+  bool check = false;
+  CalibrateLiveArguments of_live;
+  CalibrateCheckArguments of_check;
 };
+
+Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& progress) {
+  const Result<CalibrationSet> set = read_calibration_set(arguments.set);
+  if (!set) return tl::unexpected(set.error());
+  const Result<Calibration> calibration =
+      calibrate(*set, CalibrateOptions{}, Workers(arguments.of_live.thread_count), progress);
+  if (!calibration) return tl::unexpected(calibration.error());
+  const std::filesystem::path output =
+      arguments.output.empty() ? "calibration.json" : arguments.output;
+  if (auto written = write_calibration(output, *calibration); !written) return written;
+  print_residuals(*calibration);
+  fmt::print("wrote {}\n", output.string());
+  return {};
+}
+
+void add_check_options(CLI::App& command, CLI::Option& check, CalibrateCheckArguments& arguments) {
+  const std::string group = "What a calibration is checked with (--check)";
+  command.add_option("--calibration", arguments.calibration, "calibration.json of the sensor")
+      ->needs(&check)
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--sphere", arguments.sphere_mm, "Diameter, mm; without it, a plane is seen")
+      ->needs(&check)
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  command
+      .add_option("--recording", arguments.recording,
+                  "A recording in which the object moves slowly, instead of taking images")
+      ->needs(&check)
+      ->group(group);
+}
+
+Result<void> run_check(CalibrateArguments& arguments, const Progress& progress) {
+  arguments.of_check.rig = arguments.of_live.rig;
+  arguments.of_check.simulated = arguments.of_live.simulated;
+  arguments.of_check.sensor = arguments.of_live.plan.sensor;
+  return calibrate_check(arguments.of_check, progress);
+}
+
+Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
+  if (arguments.check) return run_check(arguments, progress);
+  if (!arguments.live) {
+    if (!arguments.set.empty()) return calibrate_set(arguments, progress);
+    return fail(ErrorCode::kBadOption,
+                "name a folder with calibration-set.json, or take its images with --live");
+  }
+  arguments.of_live.output = arguments.output;
+  if (!arguments.output.empty()) return calibrate_live(arguments.of_live, progress);
+  return fail(ErrorCode::kBadOption, "name the folder for the images with -o");
+}
+
+}  // namespace
 
 void print_residuals(const Calibration& calibration) {
   constexpr double kMicrons = 1e3;
@@ -37,28 +94,35 @@ void print_residuals(const Calibration& calibration) {
   row("V", calibration.texture_v_px.residual, 1.0, "px");
 }
 
-Result<void> run(const CalibrateArguments& arguments, const Progress& progress) {
-  const Result<CalibrationSet> set = read_calibration_set(arguments.set);
-  if (!set) return tl::unexpected(set.error());
-  const Result<Calibration> calibration =
-      calibrate(*set, CalibrateOptions{}, Workers(arguments.thread_count), progress);
-  if (!calibration) return tl::unexpected(calibration.error());
-  if (auto written = write_calibration(arguments.output, *calibration); !written) return written;
-  print_residuals(*calibration);
-  fmt::print("wrote {}\n", arguments.output.string());
-  return {};
-}
-
-}  // namespace
-
 void add_calibrate_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App* command =
-      app.add_subcommand("calibrate", "Fit a calibration to a set of target images");
-  command->add_option("SET", arguments->set, "Folder with calibration-set.json")->required();
-  command->add_option("-o,--output", arguments->output, "File to write")->capture_default_str();
-  add_threads_option(*command, arguments->thread_count);
-  command->footer("Example: flytri calibrate scans/calibration-set -o calibration.json");
+      app.add_subcommand("calibrate", "Fit a calibration to target images, or take them with it");
+  const auto set = command->add_option("SET", arguments->set, "Folder with calibration-set.json");
+  command->add_option("-o,--output", arguments->output,
+                      "File to write, calibration.json if nothing is said; with --live the folder "
+                      "for images and calibration, where an interrupted session goes on");
+  const auto live = command->add_flag("--live", arguments->live, "Guide through taking the images")
+                        ->excludes(set);
+  const auto check =
+      command
+          ->add_flag("--check", arguments->check,
+                     "Tell from a plane or a sphere whether a calibration still holds")
+          ->excludes(set)
+          ->excludes(live);
+  const auto simulated = command->add_flag("--simulated", arguments->of_live.simulated,
+                                           "Take images with the virtual sensor");
+  add_check_options(*command, *check, arguments->of_check);
+  command->add_option("--rig", arguments->of_live.rig, "The rig's devices, see docs/formats.md")
+      ->excludes(simulated)
+      ->capture_default_str();
+  add_plan_options(*command, arguments->of_live.plan);
+  add_threads_option(*command, arguments->of_live.thread_count);
+  command->footer(
+      "Examples: flytri calibrate scans/calibration-set -o calibration.json\n"
+      "          flytri calibrate --live -o out/calibration --rig rig.json\n"
+      "          flytri calibrate --live --simulated -o out/calibration\n"
+      "          flytri calibrate --check --calibration out/calibration/calibration.json");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
   });

@@ -11,6 +11,7 @@
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/glb.h"
 #include "core/interchange/model.h"
+#include "core/texture/vertex_colors.h"
 
 namespace flytri::cli {
 namespace {
@@ -23,25 +24,12 @@ struct ExportArguments {
   std::vector<fs::path> outputs;
 };
 
-/// Gives each vertex the color of its place in the atlas.
-void color_vertices(TexturedMesh& model) {
-  const cv::Mat_<cv::Vec3b> atlas = model.atlas;
-  const auto texel = [](float share, int count) {
-    return std::clamp(static_cast<int>(share * static_cast<float>(count)), 0, count - 1);
-  };
-  for (std::size_t i = 0; i < model.uv.size(); ++i) {
-    const cv::Vec3b color =
-        atlas(texel(model.uv[i].y(), atlas.rows), texel(model.uv[i].x(), atlas.cols));
-    model.mesh.vertices[i].color = {color[0], color[1], color[2]};
-  }
-}
-
 /// The bytes as they are kept, or the model in another format.
 Result<void> write_kept(const fs::path& output, const std::string& glb, const std::string& name) {
   if (output.extension() == ".glb") return write_file(output, glb);
   Result<TexturedMesh> model = parse_glb(glb, name);
   if (!model) return tl::unexpected(model.error());
-  if (!carries_atlas(output) && !model->atlas.empty()) color_vertices(*model);
+  if (!carries_atlas(output)) color_vertices(*model);
   return write_model(output, *model);
 }
 

@@ -12,5 +12,6 @@ void add_refinement_study(CLI::App& study, Invocation& invocation);
 void add_tracking_study(CLI::App& study, Invocation& invocation);
 void add_continuation_study(CLI::App& study, Invocation& invocation);
 void add_growth_study(CLI::App& study, Invocation& invocation);
+void add_synchronization_study(CLI::App& study, Invocation& invocation);
 
 }  // namespace flytri::cli

@@ -12,6 +12,7 @@ void add_study_command(CLI::App& app, Invocation& invocation) {
   add_tracking_study(*study, invocation);
   add_continuation_study(*study, invocation);
   add_growth_study(*study, invocation);
+  add_synchronization_study(*study, invocation);
   study->footer("Example: flytri study table2 -o table2.json");
 }
 

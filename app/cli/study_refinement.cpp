@@ -52,11 +52,13 @@ Result<void> compare(const RegisteredTruth& registered, const Workers& workers,
   sums.registered.add(registered, steady_seconds());
   RegisteredTruth by_metaviews = registered;
   double start_s = steady_seconds();
+  progress.begin_stage("Optimizing by metaviews");
   const auto reference = refine_by_metaviews(by_metaviews.aligned, {}, progress);
   if (!reference) return tl::unexpected(reference.error());
   sums.by_metaviews.add(by_metaviews, start_s);
   RegisteredTruth jointly = registered;
   start_s = steady_seconds();
+  progress.begin_stage("Optimizing together");
   const auto joint = refine_jointly(jointly.aligned, {}, workers, progress);
   if (!joint) return tl::unexpected(joint.error());
   sums.jointly.add(jointly, start_s);

@@ -61,6 +61,7 @@ Result<ScanResult> run_scan(const TriangleMesh& jaw, const SimulatedScanOptions&
   result.live = pose_error(truth->aligned, truth->T_model_sensor);
   result.live_point_error_mm = point_error_mm(truth->aligned, truth->ideal, truth->T_model_sensor);
   const double refinement_start_s = steady_seconds();
+  progress.begin_stage("Optimizing together");
   const auto refinement = refine_jointly(truth->aligned, {}, workers, progress);
   if (!refinement) return tl::unexpected(refinement.error());
   result.refinement_s = steady_seconds() - refinement_start_s;

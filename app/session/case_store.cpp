@@ -11,6 +11,40 @@
 
 namespace flytri {
 
+namespace {
+
+/// What a result depends on: it is that of a stage in the same state. Edits are told by their
+/// times.
+nlohmann::json state_of(std::int64_t view_count, const EditList& edits) {
+  nlohmann::json edited_at_s = nlohmann::json::array();
+  for (const auto& edit : *edits) edited_at_s.push_back(edit->made_at_s);
+  return {{"view_count", view_count}, {"edited_at_s", std::move(edited_at_s)}};
+}
+
+/// The result that a stage was finished to; null where there is none, or the stage has changed
+/// since. One that cannot be read is told of in `damage`.
+std::shared_ptr<const FinishedScan> current_result(CaseFile& file, ScanStage stage,
+                                                   const StoredStage& stored,
+                                                   std::vector<std::string>& damage) {
+  const auto lost = [&](const Error& error) {
+    damage.push_back(
+        fmt::format("the finished model cannot be read ({}): finish again", error.message));
+    return nullptr;
+  };
+  const auto counts = file.counts(stage);
+  if (!counts || !counts->has_result) return nullptr;
+  const auto result = file.load_result(stage);
+  if (!result) return lost(result.error());
+  const auto summary = nlohmann::json::parse(result->summary_json, nullptr, false);
+  if (!summary.is_object() || !summary.contains("made_of")) return nullptr;
+  if (summary["made_of"] != state_of(counts->views, stored.edits.state())) return nullptr;
+  Result<TexturedMesh> model = parse_glb(result->glb, file.path().string());
+  if (!model) return lost(model.error());
+  return std::make_shared<const FinishedScan>(finished_scan_of(std::move(*model)));
+}
+
+}  // namespace
+
 /// A stage's part of the store.
 class CaseStore::Journal final : public ScanJournal {
  public:
@@ -27,13 +61,17 @@ class CaseStore::Journal final : public ScanJournal {
     store_->write([&](CaseFile& file) { return file.write_poses(stage_, views); });
   }
   void keep_edits(const EditStack& edits) override {
+    edits_ = edits.state();
     store_->write([&](CaseFile& file) { return file.write_edits(stage_, edits); });
   }
   void keep_result(const FinishedScan& result) override {
     store_->write([&](CaseFile& file) -> Result<void> {
       auto glb = encode_glb(result.model, "jaw");
       if (!glb) return tl::unexpected(glb.error());
-      const nlohmann::json summary = {{"views", result.views.size()},
+      const auto counts = file.counts(stage_);
+      if (!counts) return tl::unexpected(counts.error());
+      const nlohmann::json summary = {{"made_of", state_of(counts->views, edits_)},
+                                      {"views", result.views.size()},
                                       {"points", result.points.size()},
                                       {"triangles", result.model.mesh.triangles.size()}};
       return file.write_result(stage_, {std::move(*glb), summary.dump()});
@@ -46,6 +84,7 @@ class CaseStore::Journal final : public ScanJournal {
  private:
   std::shared_ptr<CaseStore> store_;
   ScanStage stage_;
+  EditList edits_ = EditStack().state();
 };
 
 void CaseStore::write(const std::function<Result<void>(CaseFile&)>& writing) {
@@ -71,10 +110,11 @@ Result<OpenedStage> CaseStore::load(ScanStage stage) {
     opened.last_frame = std::max(opened.last_frame, frame.index);
     opened.last_time_s = std::max(opened.last_time_s, frame.time_s);
   }
+  opened.damage = std::move(stored->damage);
+  opened.scan.result = current_result(file_, stage, *stored, opened.damage);
   opened.scan.texture_frames = std::move(stored->texture_frames);
   opened.scan.edits = std::move(stored->edits);
   opened.measurements = std::move(stored->measurements);
-  opened.damage = std::move(stored->damage);
   return opened;
 }
 

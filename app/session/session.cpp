@@ -68,8 +68,14 @@ void Session::open_chosen_source() {
 
 void Session::use_source(Source source) {
   source_ = std::move(source);
+  source_failure_.clear();
   if (case_ != nullptr) warn_of_other_calibration();
   show_stage();
+  start_capture();
+}
+
+void Session::start_capture() {
+  capture_.reset();
   router_->begin_sensor();
   capture_ = std::make_unique<CaptureLoop>(
       source_.sensor, [router = router_](Frame frame) { router->offer(std::move(frame)); });
@@ -211,7 +217,10 @@ void Session::forget_scans() {
 
 /// What was scanned without a case goes into a new one; what belongs to another case stays there.
 void Session::handle(const ui::NewCase& command) {
-  if (source_.calibration == nullptr) return;
+  if (source_.calibration == nullptr) {
+    case_state_.message = "a case holds its sensor's calibration: wait until the sensor is ready";
+    return;
+  }
   CaseFields fields = command.fields;
   fields.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   const std::filesystem::path path = command.path;
@@ -406,6 +415,7 @@ ui::AppView Session::view() {
     view.stage_has_data[i] = scans_[i] != nullptr && !scans_[i]->snapshot()->model.empty();
   }
   view.source = source_state();
+  view.devices = devices_state(view.source);
   view.exports = export_state(view.scan.get());
   view.file = case_state();
   view.measurements = measurements_[stage_];

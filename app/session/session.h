@@ -65,6 +65,7 @@ class Session {
   void handle(const ui::TakeSensorAway& command);
   void handle(const ui::PointHand& command);
   void handle(const ui::ChangeSettings& command);
+  void handle(const ui::CheckDevices&);
   void handle(const ui::Tell& command);
   void handle(const ui::Quit&) { is_closing_ = true; }
 
@@ -72,6 +73,9 @@ class Session {
   void do_beside(std::function<std::function<void()>()> work);
   void open_chosen_source();
   void use_source(Source source);
+  void start_capture();
+  /// What could not be opened or started is tried again.
+  void retry_source();
   void show_stage();
   void use_stage(std::size_t stage, const OpenedStage& opened);
   void use_case(std::shared_ptr<CaseStore> store);
@@ -80,6 +84,7 @@ class Session {
   void list_cases();
   void notice(ui::Severity severity, std::string text);
   [[nodiscard]] ui::SourceState source_state() const;
+  [[nodiscard]] std::optional<ui::DevicesState> devices_state(const ui::SourceState& source) const;
   [[nodiscard]] ui::ExportState export_state(const ScanSnapshot* shown) const;
   [[nodiscard]] ui::CaseState case_state() const;
 
@@ -88,6 +93,7 @@ class Session {
   bool is_started_ = false;  ///< the user wants to scan
   Source source_;
   std::string source_failure_;
+  ui::DevicesState devices_check_;  ///< of the latest check; devices are added by view()
   std::shared_ptr<FrameRouter> router_ = std::make_shared<FrameRouter>();
   std::size_t stage_ = 0;
   std::array<std::shared_ptr<LiveScan>, kScanStages.size()> scans_;

@@ -1,11 +1,13 @@
 #include "app/session/source.h"
 
+#include "app/session/rig_devices.h"
 #include "app/session/user_folders.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/workers.h"
 #include "core/interchange/calibration_file.h"
 #include "core/interchange/model.h"
 #include "hw/recording/replay_sensor.h"
+#include "hw/rig/open_rig.h"
 #include "hw/simulated/faulty_sensor.h"
 #include "hw/simulated/live_sensor.h"
 #include "hw/simulated/sensor_calibration.h"
@@ -24,6 +26,10 @@ Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& w
 }
 
 Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
+  if (choice.calibration) {
+    return fail(ErrorCode::kBadOption,
+                "--calibration goes with --recording or --rig: the virtual sensor has its own");
+  }
   const Workers workers;
   const Result<TriangleMesh> mesh = object_to_scan(choice, workers);
   if (!mesh) return tl::unexpected(mesh.error());
@@ -37,7 +43,7 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   Result<std::shared_ptr<LiveSensor>> sensor =
       LiveSensor::create(*mesh, options, shared, machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared};
+  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt};
 }
 
 Result<Source> open_recording_source(const SourceChoice& choice) {
@@ -56,14 +62,31 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
                 "calibrate)",
                 (*choice.recording / "recording.json").string());
   }
-  return Source{ui::SourceKind::kRecording, *sensor, nullptr, (*sensor)->calibration()};
+  return Source{ui::SourceKind::kRecording, *sensor, nullptr, (*sensor)->calibration(),
+                std::nullopt};
+}
+
+Result<Source> open_rig_source(const SourceChoice& choice) {
+  const Result<RigSettings> rig = chosen_rig(choice);
+  if (!rig) return tl::unexpected(rig.error());
+  auto sensor = open_rig(*rig);
+  if (!sensor) return tl::unexpected(sensor.error());
+  if ((*sensor)->calibration() == nullptr) {
+    return fail(ErrorCode::kBadOption,
+                "{}: names no \"calibration\"; make one with flytri calibrate, and name it there "
+                "or with --calibration FILE",
+                choice.rig->string());
+  }
+  return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),
+                RigSource{*sensor, *rig}};
 }
 
 }  // namespace
 
 Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
-  auto source =
-      choice.recording ? open_recording_source(choice) : open_virtual_sensor(choice, progress);
+  auto source = choice.recording ? open_recording_source(choice)
+                : choice.rig     ? open_rig_source(choice)
+                                 : open_virtual_sensor(choice, progress);
   if (!source || !choice.fault_seed) return source;
   FaultOptions faults;
   faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;

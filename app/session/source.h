@@ -10,17 +10,27 @@
 #include "core/calibration/calibration.h"
 #include "hw/device/sensor.h"
 #include "hw/device/steerable_hand.h"
+#include "hw/rig/rig_sensor.h"
+#include "hw/rig/rig_settings.h"
 #include "ui/app_view.h"
 
 namespace flytri {
 
 /// What the user chose.
 struct SourceChoice {
-  std::optional<std::filesystem::path> recording;    ///< a folder to be replayed
-  std::optional<std::filesystem::path> calibration;  ///< instead of the one the recording names
-  double replay_speed = 1.0;                         ///< > 0; 0: as fast as the frames are taken
-  std::optional<std::filesystem::path> mesh;         ///< what the virtual sensor scans
-  std::optional<std::uint64_t> fault_seed;           ///< for tests: the source fails now and then
+  std::optional<std::filesystem::path> recording;  ///< a folder to be replayed
+  std::optional<std::filesystem::path> rig;        ///< a rig.json: real devices
+  std::optional<std::filesystem::path>
+      calibration;                            ///< instead of the one that recording or rig names
+  double replay_speed = 1.0;                  ///< > 0; 0: as fast as the frames are taken
+  std::optional<std::filesystem::path> mesh;  ///< what the virtual sensor scans
+  std::optional<std::uint64_t> fault_seed;    ///< for tests: the source fails now and then
+};
+
+/// The rig behind a source of devices.
+struct RigSource {
+  std::shared_ptr<RigSensor> sensor;
+  RigSettings settings;
 };
 
 struct Source {
@@ -28,10 +38,11 @@ struct Source {
   std::shared_ptr<Sensor> sensor;
   std::shared_ptr<SteerableHand> hand;  ///< of a simulated sensor; null otherwise
   std::shared_ptr<const Calibration> calibration;
+  std::optional<RigSource> rig;
 };
 
 /// Takes seconds the first time the virtual sensor is used: it is calibrated then.
-/// @errors  Of the recording, the calibration or the mesh; kCancelled.
+/// @errors  Of the recording, the rig, the calibration or the mesh; kCancelled.
 [[nodiscard]] Result<Source> open_source(const SourceChoice& choice, const Progress& progress);
 
 }  // namespace flytri

@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 
 #ifdef FLYTRI_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
@@ -32,6 +33,34 @@ class Handover {
   static void release(char&) {}
 #endif
   char before_ = 0, after_ = 0;
+};
+
+/// A loop cut into pieces; before each it may be cancelled, after each it reports.
+class PiecewiseLoop {
+ public:
+  PiecewiseLoop(std::size_t count, const std::function<void(std::size_t)>& body,
+                const Progress& progress, std::size_t grain)
+      : count_(count), body_(body), progress_(progress), grain_(std::max<std::size_t>(grain, 1)) {
+    if (count == 0) progress.advance();
+  }
+
+  [[nodiscard]] std::size_t piece_count() const { return (count_ + grain_ - 1) / grain_; }
+
+  /// @returns false: cancelled, and the piece left out
+  [[nodiscard]] bool run_piece(std::size_t piece) const {
+    if (progress_.cancelled()) return false;
+    const std::size_t begin = piece * grain_;
+    const std::size_t end = std::min(count_, begin + grain_);
+    for (std::size_t i = begin; i < end; ++i) body_(i);
+    progress_.advance(static_cast<double>(end - begin) / static_cast<double>(count_));
+    return true;
+  }
+
+ private:
+  std::size_t count_;
+  const std::function<void(std::size_t)>& body_;
+  const Progress& progress_;
+  std::size_t grain_;
 };
 
 }  // namespace
@@ -62,6 +91,26 @@ void Workers::for_each(std::size_t count, const std::function<void(std::size_t)>
     });
   });
   handover.end_loop();
+}
+
+bool Workers::for_each_unless_cancelled(std::size_t count,
+                                        const std::function<void(std::size_t)>& body,
+                                        const Progress& progress, std::size_t grain) const {
+  const PiecewiseLoop loop(count, body, progress, grain);
+  std::atomic<bool> complete = true;
+  for_each(loop.piece_count(), [&](std::size_t piece) {
+    if (!loop.run_piece(piece)) complete = false;
+  });
+  return complete;
+}
+
+bool for_each_in_order(std::size_t count, const std::function<void(std::size_t)>& body,
+                       const Progress& progress, std::size_t grain) {
+  const PiecewiseLoop loop(count, body, progress, grain);
+  for (std::size_t piece = 0; piece < loop.piece_count(); ++piece) {
+    if (!loop.run_piece(piece)) return false;
+  }
+  return true;
 }
 
 }  // namespace flytri

@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 
+#include "core/base/progress.h"
+
 namespace flytri {
 
 /// A copyable handle to a bounded set of threads.
@@ -22,9 +24,23 @@ class Workers {
   void for_each(std::size_t count, const std::function<void(std::size_t)>& body,
                 std::size_t grain = 1) const;
 
+  /// The same, advancing `progress` by one step in all, until that is cancelled; a task that has
+  /// begun is ended.
+  /// @returns false if the loop was cancelled before body was called for every i
+  [[nodiscard]] bool for_each_unless_cancelled(std::size_t count,
+                                               const std::function<void(std::size_t)>& body,
+                                               const Progress& progress,
+                                               std::size_t grain = 1) const;
+
  private:
   struct Arena;
   std::shared_ptr<Arena> arena_;
 };
+
+/// Calls body(i) for i from 0 to count - 1, in this order, on the calling thread; otherwise like
+/// Workers::for_each_unless_cancelled.
+[[nodiscard]] bool for_each_in_order(std::size_t count,
+                                     const std::function<void(std::size_t)>& body,
+                                     const Progress& progress, std::size_t grain = 1);
 
 }  // namespace flytri

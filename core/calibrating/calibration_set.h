@@ -34,4 +34,7 @@ struct CalibrationSet {
   std::vector<CalibrationPlane> planes;  ///< by rising z
 };
 
+/// Gives the images of plane `index` the names that they have in files: z00_v.png and so on.
+void name_images(CalibrationPlane& plane, std::size_t index);
+
 }  // namespace flytri

@@ -32,9 +32,6 @@ Result<void> check_plane(const CalibrationPlane& plane, const CalibrationPlane& 
     }
     return {};
   };
-  if (!std::isfinite(plane.z_mm)) {
-    return fail(ErrorCode::kInconsistent, "the plane of {} has no finite z", plane.vertical_name);
-  }
   if (plane.dots_texture.type() != CV_8UC3) {
     return fail(ErrorCode::kBadFormat, "{}: texture images must be 8-bit RGB",
                 plane.dots_texture_name);
@@ -51,7 +48,7 @@ Result<void> check_plane(const CalibrationPlane& plane, const CalibrationPlane& 
   });
 }
 
-Result<void> check_numbers(const CalibrationSet& set) {
+Result<void> check_scene(const CalibrationSet& set) {
   if (!(set.volume.size_mm.minCoeff() > 0) || !set.volume.size_mm.allFinite()) {
     return fail(ErrorCode::kInconsistent, "the measurement volume must be larger than nothing");
   }
@@ -69,26 +66,43 @@ Result<void> check_numbers(const CalibrationSet& set) {
   return {};
 }
 
-}  // namespace
-
-Result<void> check_set(const CalibrationSet& set) {
-  if (auto numbers = check_numbers(set); !numbers) return numbers;
-  if (set.planes.size() < kMinPlanes) {
-    return fail(ErrorCode::kInsufficient, "{} planes, a calibration needs at least {}",
-                set.planes.size(), kMinPlanes);
+Result<void> check_depths(const std::vector<double>& z_mm, double depth_mm) {
+  if (z_mm.size() < kMinPlanes) {
+    return fail(ErrorCode::kInsufficient, "{} planes, a calibration needs at least {}", z_mm.size(),
+                kMinPlanes);
   }
-  for (std::size_t i = 0; i < set.planes.size(); ++i) {
-    if (auto plane = check_plane(set.planes[i], set.planes.front()); !plane) return plane;
-    if (i > 0 && !(set.planes[i].z_mm > set.planes[i - 1].z_mm)) {
-      return fail(ErrorCode::kInconsistent, "planes must be given by rising z; {} is out of order",
-                  set.planes[i].vertical_name);
+  for (std::size_t i = 0; i < z_mm.size(); ++i) {
+    if (!std::isfinite(z_mm[i])) {
+      return fail(ErrorCode::kInconsistent, "plane {} has no finite z", i);
+    }
+    if (i > 0 && !(z_mm[i] > z_mm[i - 1])) {
+      return fail(ErrorCode::kInconsistent,
+                  "planes must be given by rising z; {} mm after {} mm is out of order", z_mm[i],
+                  z_mm[i - 1]);
     }
   }
-  const double span = set.planes.back().z_mm - set.planes.front().z_mm;
-  if (span < 0.8 * set.volume.size_mm.z()) {
+  const double span_mm = z_mm.back() - z_mm.front();
+  if (span_mm < 0.8 * depth_mm) {
     return fail(ErrorCode::kInsufficient,
-                "the planes span {} mm of a volume {} mm deep; calibrate from end to end", span,
-                set.volume.size_mm.z());
+                "the planes span {} mm of a volume {} mm deep; calibrate from end to end", span_mm,
+                depth_mm);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_numbers(const CalibrationSet& set, const std::vector<double>& z_mm) {
+  if (auto scene = check_scene(set); !scene) return scene;
+  return check_depths(z_mm, set.volume.size_mm.z());
+}
+
+Result<void> check_set(const CalibrationSet& set) {
+  std::vector<double> z_mm;
+  for (const CalibrationPlane& plane : set.planes) z_mm.push_back(plane.z_mm);
+  if (auto numbers = check_numbers(set, z_mm); !numbers) return numbers;
+  for (const CalibrationPlane& plane : set.planes) {
+    if (auto good = check_plane(plane, set.planes.front()); !good) return good;
   }
   return {};
 }

@@ -78,12 +78,7 @@ double rim_mean(const cv::Mat& gray, const cv::Rect& box) {
   return sum / count;
 }
 
-struct Spot {
-  Dot dot;
-  double brightness = 0.0;  ///< mean height above the background
-};
-
-Spot measure_spot(const cv::Mat& gray, const cv::Rect& box, double area_px) {
+Dot measure_spot(const cv::Mat& gray, const cv::Rect& box, double area_px) {
   const double background = rim_mean(gray, box);
   double sum = 0, sum_u = 0, sum_v = 0;
   for (int y = box.y; y < box.y + box.height; ++y) {
@@ -95,7 +90,7 @@ Spot measure_spot(const cv::Mat& gray, const cv::Rect& box, double area_px) {
       sum_v += light * y;
     }
   }
-  return {{{sum_u / sum, sum_v / sum}, area_px}, sum / area_px};
+  return {{sum_u / sum, sum_v / sum}, area_px, sum / area_px};
 }
 
 /// True for what looks like a disc: as wide as high, and filled as a disc fills its box (pi / 4).
@@ -105,12 +100,12 @@ bool is_round(const cv::Rect& box, double area_px) {
   return filled > 0.6 && filled < 0.95 && aspect > 0.6 && aspect < 1.67;
 }
 
-std::vector<Spot> find_spots(const cv::Mat& gray) {
+std::vector<Dot> find_spots(const cv::Mat& gray) {
   constexpr int kMinArea = 12;  // px, below that a center is not worth calibrating with
   cv::Mat labels, stats, centroids;
   const int count =
       cv::connectedComponentsWithStats(bright_mask(gray), labels, stats, centroids, 8);
-  std::vector<Spot> spots;
+  std::vector<Dot> spots;
   for (int i = 1; i < count; ++i) {
     const int* s = stats.ptr<int>(i);
     const cv::Rect box(s[cv::CC_STAT_LEFT], s[cv::CC_STAT_TOP], s[cv::CC_STAT_WIDTH],
@@ -129,12 +124,12 @@ std::vector<Spot> find_spots(const cv::Mat& gray) {
 /// Light over the image as a quadratic of u and v, fitted to the brightness of the spots.
 class Shading {
  public:
-  Shading(const std::vector<Spot>& spots, cv::Size size) : size_(size) {
+  Shading(const std::vector<Dot>& spots, cv::Size size) : size_(size) {
     Eigen::MatrixXd rows(static_cast<Eigen::Index>(spots.size()), 6);
     Eigen::VectorXd values(rows.rows());
     for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      const Spot& spot = spots[static_cast<std::size_t>(i)];
-      const double u = spot.dot.center.u_px / size.width, v = spot.dot.center.v_px / size.height;
+      const Dot& spot = spots[static_cast<std::size_t>(i)];
+      const double u = spot.center.u_px / size.width, v = spot.center.v_px / size.height;
       rows.row(i) << 1, u, v, u * u, u * v, v * v;
       values[i] = spot.brightness;
     }
@@ -157,12 +152,12 @@ class Shading {
 }  // namespace
 
 std::vector<Dot> find_dots(const cv::Mat& gray) {
-  const std::vector<Spot> spots = find_spots(gray);
+  const std::vector<Dot> spots = find_spots(gray);
   std::vector<Dot> dots;
   if (spots.empty()) return dots;
   const Shading shading(spots, gray.size());
-  for (const Spot& spot : spots) {
-    Dot dot = spot.dot;
+  for (const Dot& spot : spots) {
+    Dot dot = spot;
     // A disc of radius r under light 1 + g x has its centroid at g r^2 / 4.
     const double quarter_r2 = dot.area_px / (4.0 * CV_PI);
     const Pixel gradient = shading.gradient(dot.center);

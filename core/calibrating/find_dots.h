@@ -11,7 +11,8 @@ namespace flytri {
 /// One bright spot.
 struct Dot {
   Pixel center;
-  double area_px = 0.0;  ///< pixels above half height
+  double area_px = 0.0;     ///< pixels above half height
+  double brightness = 0.0;  ///< mean height above the background there, gray values
 };
 
 /// Finds all dots that lie wholly in the image, in the order of their first pixel.

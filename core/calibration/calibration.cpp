@@ -17,15 +17,6 @@ constexpr std::array<std::array<int, 3>, TrivariateCubic::kTerms> make_exponents
   return exponents;
 }
 
-/// powers[axis][e] = t[axis]^e
-std::array<std::array<double, 4>, 3> powers_of(const Vec3& t) {
-  std::array<std::array<double, 4>, 3> powers{};
-  for (int axis = 0; axis < 3; ++axis) {
-    powers[axis] = {1.0, t[axis], t[axis] * t[axis], t[axis] * t[axis] * t[axis]};
-  }
-  return powers;
-}
-
 }  // namespace
 
 const std::array<std::array<int, 3>, TrivariateCubic::kTerms> TrivariateCubic::kExponents =
@@ -42,19 +33,17 @@ double TrivariateCubic::operator()(const Vec3& p) const {
   return c[0] + x * by_x + y * by_y + z * by_z;
 }
 
-Vec3 TrivariateCubic::gradient(const Vec3& x) const {
-  const auto p = powers_of((x - center).cwiseQuotient(half_range));
-  auto d = p;  // d[axis][e]: derivative of p[axis][e]
-  for (int axis = 0; axis < 3; ++axis) d[axis] = {0.0, 1.0, 2.0 * p[axis][1], 3.0 * p[axis][2]};
-  Vec3 gradient = Vec3::Zero();
-  for (int term = 0; term < kTerms; ++term) {
-    const auto& e = kExponents[term];
-    const double c = coefficients[term];
-    gradient[0] += c * d[0][e[0]] * p[1][e[1]] * p[2][e[2]];
-    gradient[1] += c * p[0][e[0]] * d[1][e[1]] * p[2][e[2]];
-    gradient[2] += c * p[0][e[0]] * p[1][e[1]] * d[2][e[2]];
-  }
-  return gradient.cwiseQuotient(half_range);
+Vec3 TrivariateCubic::gradient(const Vec3& p) const {
+  const Vec3 t = (p - center).cwiseQuotient(half_range);
+  const double x = t[0], y = t[1], z = t[2];
+  const auto& c = coefficients;  // as above
+  const double by_x = c[1] + x * (2 * c[4] + 3 * x * c[10] + 2 * (y * c[11] + z * c[12])) +
+                      y * (c[5] + y * c[13] + z * c[14]) + z * (c[6] + z * c[15]);
+  const double by_y = c[2] + x * (c[5] + x * c[11] + 2 * y * c[13] + z * c[14]) +
+                      y * (2 * c[7] + 3 * y * c[16] + 2 * z * c[17]) + z * (c[8] + z * c[18]);
+  const double by_z = c[3] + x * (c[6] + x * c[12] + y * c[14] + 2 * z * c[15]) +
+                      y * (c[8] + y * c[17] + 2 * z * c[18]) + z * (2 * c[9] + 3 * z * c[19]);
+  return Vec3(by_x, by_y, by_z).cwiseQuotient(half_range);
 }
 
 Vec3 Calibration::locate(Pattern pattern, LineIndex n, const LinePixel& pixel) const {

@@ -27,7 +27,7 @@ float square(float x) { return x * x; }
 /// Distance from `x` to the interval of cell `i`.
 float gap_to_cell(float x, std::int32_t i, float cell) {
   const float low = static_cast<float>(i) * cell;
-  return std::max({low - x, x - (low + cell), 0.0F});
+  return std::max(std::max(low - x, x - (low + cell)), 0.0F);
 }
 
 bool is_nearer(const Neighbor& a, const Neighbor& b) {
@@ -98,13 +98,15 @@ void PointGrid::visit_within(const Vec3f& center_mm, float radius_mm, const Visi
     for (std::int32_t iy = cell_of(center_mm.y() - radius_mm); iy <= y_end; ++iy) {
       const float gap2 = gap_z2 + square(gap_to_cell(center_mm.y(), iy, cell_mm_));
       // The cell's bounds are rounded: a little slack keeps points that lie on them.
-      if (gap2 > limit2 * 1.0001F) continue;
+      const float rest2 = limit2 * 1.0001F - gap2;
+      if (rest2 < 0.0F) continue;
       const Row* row = find_row(row_key(iy, iz));
       if (row == nullptr) continue;
+      const float reach_x = std::sqrt(rest2);
       const auto end = points_.begin() + row->end;
-      auto entry = std::lower_bound(points_.begin() + row->begin, end, center_mm.x() - radius_mm,
+      auto entry = std::lower_bound(points_.begin() + row->begin, end, center_mm.x() - reach_x,
                                     [](const Entry& e, float x) { return e.position_mm.x() < x; });
-      for (; entry != end && entry->position_mm.x() <= center_mm.x() + radius_mm; ++entry) {
+      for (; entry != end && entry->position_mm.x() <= center_mm.x() + reach_x; ++entry) {
         const float distance2 = (entry->position_mm - center_mm).squaredNorm();
         if (distance2 <= limit2) limit2 = visit(*entry, distance2);
       }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/interchange/calibration_scene.h"
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/json_place.h"
 #include "core/interchange/png.h"
@@ -18,24 +19,17 @@ constexpr int kSetVersion = 1;
 /// One of the four images of a plane: its key in the file and its members in the struct.
 struct Slot {
   const char* key;
-  const char* suffix;
   cv::Mat CalibrationPlane::*image;
   std::string CalibrationPlane::*name;
   bool color;
 };
 
 constexpr std::array<Slot, 4> kSlots = {
-    {{"vertical", "v", &CalibrationPlane::vertical, &CalibrationPlane::vertical_name, false},
-     {"horizontal", "h", &CalibrationPlane::horizontal, &CalibrationPlane::horizontal_name, false},
-     {"dots", "d", &CalibrationPlane::dots, &CalibrationPlane::dots_name, false},
-     {"dots_texture", "t", &CalibrationPlane::dots_texture, &CalibrationPlane::dots_texture_name,
+    {{"vertical", &CalibrationPlane::vertical, &CalibrationPlane::vertical_name, false},
+     {"horizontal", &CalibrationPlane::horizontal, &CalibrationPlane::horizontal_name, false},
+     {"dots", &CalibrationPlane::dots, &CalibrationPlane::dots_name, false},
+     {"dots_texture", &CalibrationPlane::dots_texture, &CalibrationPlane::dots_texture_name,
       true}}};
-
-int read_line_count(const JsonPlace& place) {
-  const int count = place.whole_number();
-  if (count < 1) place.reject("at least one line");
-  return count;
-}
 
 std::vector<CalibrationPlane> read_planes(const JsonPlace& list) {
   std::vector<CalibrationPlane> planes;
@@ -52,15 +46,6 @@ std::vector<CalibrationPlane> read_planes(const JsonPlace& list) {
   std::sort(planes.begin(), planes.end(),
             [](const auto& a, const auto& b) { return a.z_mm < b.z_mm; });
   return planes;
-}
-
-DotTarget read_dots(const JsonPlace& place) {
-  DotTarget dots{place.at("pitch_mm").positive_number(), place.at("diameter_mm").positive_number(),
-                 place.at("marker_diameter_mm").positive_number()};
-  if (dots.marker_diameter_mm <= dots.diameter_mm) {
-    place.at("marker_diameter_mm").reject("a number above diameter_mm");
-  }
-  return dots;
 }
 
 /// Loads one image and requires the size of those of the same camera before it.
@@ -81,21 +66,15 @@ Result<cv::Mat> load_image(const std::filesystem::path& path, bool color, cv::Si
 }
 
 std::string name_in(const CalibrationPlane& plane, const Slot& slot, std::size_t index) {
-  const std::string& name = plane.*slot.name;
-  return name.empty() ? fmt::format("z{:02}_{}.png", index, slot.suffix) : name;
+  if (!(plane.*slot.name).empty()) return plane.*slot.name;
+  CalibrationPlane named;
+  name_images(named, index);
+  return named.*slot.name;
 }
 
 nlohmann::ordered_json describe(const CalibrationSet& set) {
-  const Vec3& size = set.volume.size_mm;
-  nlohmann::ordered_json json = {
-      {"format", kSetFormat},
-      {"version", kSetVersion},
-      {"measurement_volume_mm", {size.x(), size.y(), size.z()}},
-      {"lines", {{"vertical", set.line_counts[0]}, {"horizontal", set.line_counts[1]}}},
-      {"dots",
-       {{"pitch_mm", set.dots.pitch_mm},
-        {"diameter_mm", set.dots.diameter_mm},
-        {"marker_diameter_mm", set.dots.marker_diameter_mm}}}};
+  nlohmann::ordered_json json = {{"format", kSetFormat}, {"version", kSetVersion}};
+  put_calibration_scene(json, set);
   for (std::size_t i = 0; i < set.planes.size(); ++i) {
     nlohmann::ordered_json plane = {{"z_mm", set.planes[i].z_mm}};
     for (const Slot& slot : kSlots) plane[slot.key] = name_in(set.planes[i], slot, i);
@@ -110,14 +89,7 @@ Result<CalibrationSet> parse_calibration_set(std::string_view text, const std::s
   const Result<JsonPlace> json = JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
   json->expect_format(kSetFormat, kSetVersion);
-  CalibrationSet set;
-  const JsonPlace volume = json->at("measurement_volume_mm");
-  const std::vector<double> size = volume.numbers(3);
-  set.volume.size_mm = Vec3(size[0], size[1], size[2]);
-  if (set.volume.size_mm.minCoeff() <= 0.0) volume.reject("three numbers above 0");
-  set.line_counts = {read_line_count(json->at("lines").at("vertical")),
-                     read_line_count(json->at("lines").at("horizontal"))};
-  set.dots = read_dots(json->at("dots"));
+  CalibrationSet set = read_calibration_scene(*json);
   set.planes = read_planes(json->at("planes"));
   if (Result<void> outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
   return set;
@@ -150,6 +122,11 @@ Result<void> write_calibration_set(const std::filesystem::path& folder, const Ca
         return written;
     }
   }
+  return write_calibration_set_text(folder, set);
+}
+
+Result<void> write_calibration_set_text(const std::filesystem::path& folder,
+                                        const CalibrationSet& set) {
   return write_file(folder / kSetFile, describe(set).dump(1) + "\n");
 }
 

@@ -27,4 +27,9 @@ namespace flytri {
 [[nodiscard]] Result<void> write_calibration_set(const std::filesystem::path& folder,
                                                  const CalibrationSet& set);
 
+/// Writes calibration-set.json beside images that are there already, under the planes' names.
+/// @errors  As write_file.
+[[nodiscard]] Result<void> write_calibration_set_text(const std::filesystem::path& folder,
+                                                      const CalibrationSet& set);
+
 }  // namespace flytri

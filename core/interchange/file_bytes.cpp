@@ -114,6 +114,10 @@ Result<void> AtomicFile::write(std::string_view bytes) {
 Result<void> AtomicFile::commit() {
   // Some file systems find out that the disk is full only here.
   if (::fsync(descriptor_) != 0) return write_failure(path_, errno);
+  return commit_unsynced();
+}
+
+Result<void> AtomicFile::commit_unsynced() {
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0 || ::rename(temporary_.c_str(), path_.c_str()) != 0) {
     const int error = errno;
@@ -128,6 +132,15 @@ Result<void> write_file(const fs::path& path, std::string_view bytes) {
   if (!file) return tl::unexpected(file.error());
   if (Result<void> written = file->write(bytes); !written) return written;
   return file->commit();
+}
+
+Result<void> sync_file(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return write_failure(path, errno);
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  if (error != 0) return write_failure(path, error);
+  return {};
 }
 
 namespace {

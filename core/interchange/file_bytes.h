@@ -27,6 +27,10 @@ class AtomicFile {
   /// Flushes to the device, closes and renames. Nothing may be written afterwards.
   /// @errors  kWriteFailed, kNotPermitted.
   [[nodiscard]] Result<void> commit();
+  /// The same without waiting for the device: it outlives this process, but whether it outlives a
+  /// power failure is known after sync_file().
+  /// @errors  As commit.
+  [[nodiscard]] Result<void> commit_unsynced();
 
  private:
   AtomicFile(std::filesystem::path path, std::string temporary, int descriptor);
@@ -39,6 +43,10 @@ class AtomicFile {
 
 /// @errors  As AtomicFile.
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Waits until the device has all bytes of a file.
+/// @errors  kNotFound, kNotPermitted, kWriteFailed.
+[[nodiscard]] Result<void> sync_file(const std::filesystem::path& path);
 
 /// @errors  kNotFound, kNotPermitted, kBadFormat (a folder, or a device that fails while reading).
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path);

@@ -146,6 +146,18 @@ void read_colors(const Document& document, const JsonPlace& attributes,
   }
 }
 
+void read_sigma(const Document& document, const JsonPlace& attributes,
+                std::vector<SurfacePoint>& vertices) {
+  if (!attributes.has("_SIGMA")) return;
+  const JsonPlace place = attributes.at("_SIGMA");
+  const auto sigma_mm = document.numbers<float>(place, kFloat, "SCALAR", 1);
+  if (sigma_mm.size() != vertices.size()) {
+    place.reject("as many uncertainties as positions");
+    return;
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].sigma_mm = sigma_mm[i];
+}
+
 void read_uv(const Document& document, const JsonPlace& attributes, TexturedMesh& model) {
   if (!attributes.has("TEXCOORD_0")) return;
   const JsonPlace place = attributes.at("TEXCOORD_0");
@@ -184,6 +196,7 @@ TexturedMesh read_geometry(const Document& document) {
   const JsonPlace attributes = primitives[0].at("attributes");
   read_vertices(document, attributes, model.mesh.vertices);
   read_colors(document, attributes, model.mesh.vertices);
+  read_sigma(document, attributes, model.mesh.vertices);
   read_uv(document, attributes, model);
   read_triangles(document, primitives[0].at("indices"), model.mesh);
   return model;

@@ -67,6 +67,14 @@ class GlbBuilder {
     }
     end_view();
   }
+  /// An attribute of our own, as glTF allows: who does not know it passes it over.
+  void add_sigma() {
+    primitive_.attributes["_SIGMA"] =
+        begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, mesh_.vertices.size(),
+                       TINYGLTF_TARGET_ARRAY_BUFFER);
+    for (const SurfacePoint& point : mesh_.vertices) put(&point.sigma_mm, 1);
+    end_view();
+  }
   void add_triangles() {
     primitive_.indices =
         begin_accessor(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
@@ -165,10 +173,10 @@ Result<std::string> encode_glb(const TexturedMesh& model, const std::string& nam
     if (!encoded) return encoded;
     png = *std::move(encoded);
   }
-  // At most 48 bytes a vertex; the text of the document is far below the reserve.
+  // At most 52 bytes a vertex; the text of the document is far below the reserve.
   constexpr std::uint64_t kReserve = 1U << 20U;
   const std::uint64_t size =
-      48 * model.mesh.vertices.size() + 12 * model.mesh.triangles.size() + png.size() + kReserve;
+      52 * model.mesh.vertices.size() + 12 * model.mesh.triangles.size() + png.size() + kReserve;
   if (size > std::numeric_limits<std::uint32_t>::max()) {
     return fail(ErrorCode::kBadOption, "{}: glTF cannot hold more than 4 GiB; write .ply", name);
   }
@@ -180,6 +188,7 @@ Result<std::string> encode_glb(const TexturedMesh& model, const std::string& nam
   } else {
     builder.add_colors();
   }
+  builder.add_sigma();
   builder.add_triangles();
   if (is_textured) builder.add_atlas(png);
   builder.add_material();

@@ -1,6 +1,6 @@
 /// @file  Reading JSON with errors that name the file, the key and what was expected.
 ///
-/// For the sources of core/interchange only: it brings the JSON library with it.
+/// For sources that read a file format only: it brings the JSON library with it.
 #pragma once
 
 #include <memory>

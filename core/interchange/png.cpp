@@ -1,10 +1,14 @@
 #include "core/interchange/png.h"
 
+#include <libdeflate.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/interchange/deflate_limit.h"
@@ -87,6 +91,80 @@ Result<void> check_header(const Header& header, std::size_t byte_count, const st
   return {};
 }
 
+bool is_storable(const cv::Mat& image) {
+  const int type = image.type();
+  return !image.empty() && (type == CV_8UC1 || type == CV_16UC1 || type == CV_8UC3);
+}
+
+tl::unexpected<Error> not_storable() {
+  return fail(ErrorCode::kBadOption,
+              "an image to be saved as PNG must have pixels, 8- or 16-bit grey or 8-bit RGB");
+}
+
+void append_big_endian(std::string& bytes, std::uint32_t value) {
+  for (const unsigned shift : {24U, 16U, 8U, 0U})
+    bytes.push_back(static_cast<char>(value >> shift));
+}
+
+/// @param body  type and content
+void append_chunk(std::string& bytes, std::string_view body) {
+  append_big_endian(bytes, static_cast<std::uint32_t>(body.size() - 4));
+  bytes += body;
+  append_big_endian(bytes, static_cast<std::uint32_t>(crc32_z(
+                               0, reinterpret_cast<const Bytef*>(body.data()), body.size())));
+}
+
+std::string png_header(const cv::Mat& image) {
+  std::string body = "IHDR";
+  append_big_endian(body, static_cast<std::uint32_t>(image.cols));
+  append_big_endian(body, static_cast<std::uint32_t>(image.rows));
+  body.push_back(image.depth() == CV_16U ? 16 : 8);
+  body.push_back(static_cast<char>(image.channels() == 3 ? kRgb : kGrey));
+  // The only packing, the only set of filters, not interlaced.
+  return body + std::string(3, '\0');
+}
+
+/// A row as PNG has it: of 16 bits the higher ones first.
+void copy_row(const cv::Mat& image, int row, std::vector<std::uint8_t>& to) {
+  const std::uint8_t* from = image.ptr(row);
+  if (image.depth() != CV_16U) {
+    std::copy_n(from, to.size(), to.begin());
+    return;
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i ^ 1U];
+}
+
+/// Every pixel less the one before it: what is left of a smooth image is its noise.
+std::vector<std::uint8_t> filtered_rows(const cv::Mat& image) {
+  constexpr std::uint8_t kSub = 1;
+  const std::size_t step = image.elemSize();
+  const std::size_t width = static_cast<std::size_t>(image.cols) * step;
+  std::vector<std::uint8_t> rows;
+  rows.reserve((width + 1) * static_cast<std::size_t>(image.rows));
+  std::vector<std::uint8_t> row(width), difference(width);
+  for (int i = 0; i < image.rows; ++i) {
+    copy_row(image, i, row);
+    std::copy_n(row.begin(), step, difference.begin());
+    for (std::size_t k = step; k < width; ++k)
+      difference[k] = static_cast<std::uint8_t>(row[k] - row[k - step]);
+    rows.push_back(kSub);
+    rows.insert(rows.end(), difference.begin(), difference.end());
+  }
+  return rows;
+}
+
+/// As quickly as can be: images of cameras are mostly noise, and a longer search for what repeats
+/// saves next to nothing.
+std::string packed(const std::vector<std::uint8_t>& bytes) {
+  constexpr int kQuickest = 1;
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kQuickest), libdeflate_free_compressor);
+  std::string result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+  result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(),
+                                         result.data(), result.size()));
+  return result;
+}
+
 void swap_red_and_blue(cv::Mat& image) {
   for (cv::Vec3b& pixel : cv::Mat_<cv::Vec3b>(image)) std::swap(pixel[0], pixel[2]);
 }
@@ -122,11 +200,7 @@ Result<cv::Mat> read_png(const std::filesystem::path& path) {
 }
 
 Result<std::string> encode_png(const cv::Mat& image) {
-  const int type = image.type();
-  if (image.empty() || (type != CV_8UC1 && type != CV_16UC1 && type != CV_8UC3)) {
-    return fail(ErrorCode::kBadOption,
-                "an image to be saved as PNG must have pixels, 8- or 16-bit grey or 8-bit RGB");
-  }
+  if (!is_storable(image)) return not_storable();
   cv::Mat stored = image;
   if (image.channels() == 3) {
     stored = image.clone();
@@ -140,6 +214,15 @@ Result<std::string> encode_png(const cv::Mat& image) {
   }
   return fail(ErrorCode::kBadOption, "an image of {} x {} pixels cannot be saved as PNG",
               image.cols, image.rows);
+}
+
+Result<std::string> encode_camera_png(const cv::Mat& image) {
+  if (!is_storable(image)) return not_storable();
+  std::string bytes(kSignature);
+  append_chunk(bytes, png_header(image));
+  append_chunk(bytes, "IDAT" + packed(filtered_rows(image)));
+  append_chunk(bytes, "IEND");
+  return bytes;
 }
 
 Result<void> write_png(const std::filesystem::path& path, const cv::Mat& image) {

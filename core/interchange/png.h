@@ -23,6 +23,10 @@ namespace flytri {
 /// @errors  kBadOption: another type, or no pixels.
 [[nodiscard]] Result<std::string> encode_png(const cv::Mat& image);
 
+/// The same for images of cameras: in less than half the time, and a little larger, drawings more.
+/// @errors  As encode_png.
+[[nodiscard]] Result<std::string> encode_camera_png(const cv::Mat& image);
+
 /// @errors  As encode_png and write_file.
 [[nodiscard]] Result<void> write_png(const std::filesystem::path& path, const cv::Mat& image);
 

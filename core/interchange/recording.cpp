@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kRecordingFile = "recording.json";
 constexpr std::string_view kRecordingFormat = "flytri.recording";
 constexpr int kRecordingVersion = 1;
+constexpr const char* kImageFolder = "frames";
 
 bool type_fits(FrameKind kind, int type) {
   if (kind == FrameKind::kTexture) return type == CV_8UC3;
@@ -24,6 +25,33 @@ bool type_fits(FrameKind kind, int type) {
 
 std::string_view expected_type(FrameKind kind) {
   return kind == FrameKind::kTexture ? "8-bit RGB" : "8- or 16-bit grey";
+}
+
+/// Of a path, those that create_folder would make; inner ones first.
+std::vector<std::filesystem::path> missing_folders(std::filesystem::path path) {
+  std::vector<std::filesystem::path> missing;
+  std::error_code unknown;
+  for (; !path.empty() && !std::filesystem::exists(path, unknown); path = path.parent_path())
+    missing.push_back(path);
+  return missing;
+}
+
+/// From the first overwritten image on, the list of the recording before would be a lie.
+Result<void> remove_list(const std::filesystem::path& list) {
+  std::error_code error;
+  std::filesystem::remove(list, error);
+  if (!error) return {};
+  return fail(ErrorCode::kNotPermitted, "{}: cannot be replaced: {}", list.string(),
+              error.message());
+}
+
+Result<void> write_image(const std::filesystem::path& path, const cv::Mat& image) {
+  const Result<std::string> bytes = encode_camera_png(image);
+  if (!bytes) return tl::unexpected(bytes.error());
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  if (Result<void> written = file->write(*bytes); !written) return written;
+  return file->commit_unsynced();
 }
 
 }  // namespace
@@ -72,22 +100,23 @@ Result<Frame> load_frame(const Recording& recording, FrameIndex index) {
   return Frame{index, recorded.kind, recorded.time_s, *std::move(image)};
 }
 
-RecordingWriter::RecordingWriter(std::filesystem::path folder, std::string calibration)
-    : folder_(std::move(folder)), calibration_(std::move(calibration)) {}
+RecordingWriter::MadeFolders::~MadeFolders() {
+  std::error_code not_empty;
+  for (const std::filesystem::path& folder : folders_) std::filesystem::remove(folder, not_empty);
+}
+
+RecordingWriter::RecordingWriter(std::filesystem::path folder, std::string calibration,
+                                 MadeFolders made)
+    : folder_(std::move(folder)), calibration_(std::move(calibration)), made_(std::move(made)) {}
 
 Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& folder,
                                                 std::string calibration) {
-  if (Result<void> made = create_folder(folder / "frames"); !made) {
-    return tl::unexpected(made.error());
+  const std::filesystem::path images = folder / kImageFolder;
+  MadeFolders made(missing_folders(images));
+  if (Result<void> created = create_folder(images); !created) {
+    return tl::unexpected(created.error());
   }
-  // From the first overwritten image on, the old list would be a lie.
-  std::error_code error;
-  std::filesystem::remove(folder / kRecordingFile, error);
-  if (error) {
-    return fail(ErrorCode::kNotPermitted, "{}: cannot be replaced: {}",
-                (folder / kRecordingFile).string(), error.message());
-  }
-  return RecordingWriter(folder, std::move(calibration));
+  return RecordingWriter(folder, std::move(calibration), std::move(made));
 }
 
 Result<void> RecordingWriter::append(const Frame& frame) {
@@ -99,23 +128,32 @@ Result<void> RecordingWriter::append(const Frame& frame) {
     return fail(ErrorCode::kBadOption, "{}: frame {} is not later than the one before",
                 folder_.string(), frames_.size());
   }
-  std::string file = fmt::format("frames/{:06}.png", frames_.size());
-  if (Result<void> written = write_png(folder_ / file, frame.image); !written) return written;
+  if (frames_.empty()) {
+    if (Result<void> removed = remove_list(folder_ / kRecordingFile); !removed) return removed;
+  }
+  std::string file = fmt::format("{}/{:06}.png", kImageFolder, frames_.size());
+  if (Result<void> written = write_image(folder_ / file, frame.image); !written) return written;
+  lines_ += frames_.empty() ? "\n  " : ",\n  ";
+  lines_ += nlohmann::ordered_json(
+                {{"file", file}, {"time_s", frame.time_s}, {"kind", to_string(frame.kind)}})
+                .dump();
   frames_.push_back({std::move(file), frame.time_s, frame.kind});
   return {};
 }
 
-Result<void> RecordingWriter::close() {
+Result<void> RecordingWriter::write_list() {
   if (frames_.empty()) {
     return fail(ErrorCode::kInsufficient, "{}: no frame was recorded", folder_.string());
   }
-  nlohmann::ordered_json json = {{"format", kRecordingFormat}, {"version", kRecordingVersion}};
-  if (!calibration_.empty()) json["calibration"] = calibration_;
-  for (const RecordedFrame& frame : frames_) {
-    json["frames"].push_back(
-        {{"file", frame.file}, {"time_s", frame.time_s}, {"kind", to_string(frame.kind)}});
+  for (; synced_ < frames_.size(); ++synced_) {
+    if (Result<void> synced = sync_file(folder_ / frames_[synced_].file); !synced) return synced;
   }
-  return write_file(folder_ / kRecordingFile, json.dump(1) + "\n");
+  const auto quoted = [](std::string_view text) { return nlohmann::json(text).dump(); };
+  std::string text = fmt::format("{{\n \"format\": {},\n \"version\": {},\n",
+                                 quoted(kRecordingFormat), kRecordingVersion);
+  if (!calibration_.empty()) text += fmt::format(" \"calibration\": {},\n", quoted(calibration_));
+  text += fmt::format(" \"frames\": [{}\n ]\n}}\n", lines_);
+  return write_file(folder_ / kRecordingFile, text);
 }
 
 }  // namespace flytri

@@ -31,10 +31,11 @@ struct LiveSurfaceOptions {
   /// >= 1. Views of each pattern that a normal's cube needs to be well seen. The surface is covered
   /// well where most of the cubes around are: a line may miss a cube of many that it passes.
   int good_views = 2;
-  /// >= good_views. Views of each pattern after which further ones tell nothing new of a place:
-  /// their noise averages to a sixth of one view's, which is below what the sensor's own errors
-  /// are.
-  int enough_views = 40;
+  /// >= good_views. Views of each pattern after which further ones tell nothing new of a place: in
+  /// a cube of normal_cells the noise of both averages to a sixth of one view's, which is below
+  /// what the sensor's own errors are. A line passes a cube in one of several views, so that some
+  /// hundred views are kept of each place.
+  int enough_views = 16;
   TextureOptions texture;
 
   [[nodiscard]] Result<void> validate() const;

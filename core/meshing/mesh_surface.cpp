@@ -15,6 +15,8 @@ constexpr double kSpacingOfPoints = 1.2;
 constexpr std::size_t kMinPoints = 10;
 /// Points whose distance to the next is looked up for the typical spacing.
 constexpr std::size_t kSpacingSamples = 2000;
+/// Of the extraction in the time of all; the rest goes to the topology.
+constexpr double kExtractionShare = 0.9;
 
 /// Median distance of a point to its nearest neighbor.
 double point_spacing_mm(const PointCloud& points) {
@@ -55,7 +57,7 @@ Result<void> MeshOptions::validate() const {
 }
 
 Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& options,
-                                 const Workers& workers) {
+                                 const Workers& workers, const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   const auto too_few = [&] {
     return fail(ErrorCode::kInsufficient,
@@ -68,12 +70,21 @@ Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& op
   const ImplicitSurface surface(points, static_cast<float>(options.smoothing_spacings * spacing_mm),
                                 static_cast<float>(options.support_spacings * spacing_mm),
                                 static_cast<float>(options.gap_spacings * spacing_mm));
+  auto mesh = extract_surface(surface, points, static_cast<float>(spacing_mm), workers,
+                              progress.part(kExtractionShare));
+  if (!mesh) return tl::unexpected(mesh.error());
+  const Progress topology = progress.part((1.0 - kExtractionShare) / 3.0);
   SurfaceMesh result;
-  result.mesh = extract_surface(surface, points, static_cast<float>(spacing_mm), workers);
+  result.mesh = std::move(*mesh);
   repair_manifold(result.mesh);
+  topology.advance();
+  if (progress.cancelled()) return stopped();
   drop_islands(result.mesh, options.min_island_spacings2 * spacing_mm * spacing_mm);
   if (result.mesh.triangles.empty()) return too_few();
+  topology.advance();
+  if (progress.cancelled()) return stopped();
   result.boundaries = find_boundaries(result.mesh);
+  topology.advance();
   return result;
 }
 

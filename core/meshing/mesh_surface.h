@@ -2,6 +2,7 @@
 /// open.
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
@@ -35,8 +36,10 @@ struct MeshOptions {
 /// bridged.
 /// @source  implicit surface: Kolluri, "Provably good moving least squares", SODA 2005; surface
 ///          nets: Gibson, MICCAI 1998. Why these: docs/adr/0003-meshing.md.
-/// @errors  kBadOption; kInsufficient: fewer points than a patch of surface needs.
+/// @param progress  advanced by one step
+/// @errors  kBadOption; kInsufficient: fewer points than a patch of surface needs; kCancelled.
 [[nodiscard]] Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& options,
-                                               const Workers& workers);
+                                               const Workers& workers,
+                                               const Progress& progress = {});
 
 }  // namespace flytri

@@ -1,43 +1,18 @@
 #include "core/meshing/mesh_topology.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "core/geometry/mesh_normals.h"
+#include "core/meshing/half_edges.h"
 
 namespace flytri {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
-
-/// A directed edge of a triangle, sorted by its undirected one.
-struct HalfEdge {
-  std::uint32_t low, high;  ///< vertices, low < high
-  std::uint32_t triangle;
-  bool rising;  ///< runs from low to high
-  friend bool operator<(const HalfEdge& a, const HalfEdge& b) {
-    return std::tuple(a.low, a.high, a.triangle) < std::tuple(b.low, b.high, b.triangle);
-  }
-  [[nodiscard]] bool same_edge(const HalfEdge& other) const {
-    return low == other.low && high == other.high;
-  }
-};
-
-std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh) {
-  std::vector<HalfEdge> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.triangles[t][k];
-      const std::uint32_t b = mesh.triangles[t][(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), t, a < b});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
 
 void keep_triangles(TriangleMesh& mesh, const std::vector<char>& keep) {
   std::size_t next = 0;
@@ -63,7 +38,7 @@ void drop_crowded_edges(TriangleMesh& mesh) {
     while (end < edges.size() && edges[end].same_edge(edges[begin])) ++end;
     const bool same_sense = end - begin == 2 && edges[begin].rising == edges[begin + 1].rising;
     if (end - begin > 2 || same_sense) {
-      for (std::size_t i = begin; i < end; ++i) keep[edges[i].triangle] = 0;
+      for (std::size_t i = begin; i < end; ++i) keep[edges[i].triangle()] = 0;
     }
     begin = end;
   }
@@ -101,8 +76,8 @@ void split_fans(TriangleMesh& mesh) {
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     if (!edges[i].same_edge(edges[i + 1])) continue;
     for (const std::uint32_t v : {edges[i].low, edges[i].high}) {
-      const std::uint32_t s = edges[i].triangle;
-      const std::uint32_t t = edges[i + 1].triangle;
+      const std::uint32_t s = edges[i].triangle();
+      const std::uint32_t t = edges[i + 1].triangle();
       fans.join(3 * s + corner_of(mesh.triangles[s], v), 3 * t + corner_of(mesh.triangles[t], v));
     }
   }
@@ -208,6 +183,25 @@ void drop_islands(TriangleMesh& mesh, double min_area_mm2) {
   }
   keep_triangles(mesh, keep);
   drop_unused_vertices(mesh);
+}
+
+TriangleMesh welded(const TriangleMesh& cut) {
+  using Place = std::array<float, 3>;
+  TriangleMesh mesh;
+  std::map<Place, std::uint32_t> at;
+  std::vector<std::uint32_t> vertex_of;
+  vertex_of.reserve(cut.vertices.size());
+  for (const SurfacePoint& vertex : cut.vertices) {
+    const Vec3f& p = vertex.position_mm;
+    const auto [entry, is_new] = at.try_emplace(Place{p.x(), p.y(), p.z()},
+                                                static_cast<std::uint32_t>(mesh.vertices.size()));
+    if (is_new) mesh.vertices.push_back(vertex);
+    vertex_of.push_back(entry->second);
+  }
+  for (const Triangle& t : cut.triangles) {
+    mesh.triangles.push_back({vertex_of[t[0]], vertex_of[t[1]], vertex_of[t[2]]});
+  }
+  return mesh;
 }
 
 std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {

@@ -15,6 +15,9 @@ void repair_manifold(TriangleMesh& mesh);
 /// Drops connected pieces with less area, then vertices that no triangle uses.
 void drop_islands(TriangleMesh& mesh, double min_area_mm2);
 
+/// The mesh whose cuts are closed again: vertices at the very same place become one.
+[[nodiscard]] TriangleMesh welded(const TriangleMesh& cut);
+
 /// The rims of an oriented manifold, the largest perimeter first. The largest of each connected
 /// piece is its outer border.
 [[nodiscard]] std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh);

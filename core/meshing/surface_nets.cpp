@@ -17,6 +17,10 @@ constexpr int kMargin = 64;
 constexpr int kProjections = 3;
 constexpr std::size_t kGrain = 256;
 
+/// Shares in the time: of all waves; of a wave in what is left (how many follow is not known, but
+/// the first does most); of the corners in a wave.
+constexpr double kWavesShare = 0.9, kWaveShare = 0.75, kCornerShare = 0.5;
+
 /// A grid place as one number that sorts by z, then y, then x.
 using Key = std::uint64_t;
 constexpr int kBits = 21;
@@ -34,6 +38,9 @@ Place place_of(Key key) {
           static_cast<std::int32_t>(key >> (2 * kBits))};
 }
 
+/// One place further along an axis.
+constexpr Key step_along(int axis) { return Key{1} << (axis * kBits); }
+
 void sort_unique(std::vector<Key>& keys) {
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
@@ -42,7 +49,7 @@ void sort_unique(std::vector<Key>& keys) {
 /// The places `low` to `high` steps along an axis from those given; sorted, as those given are.
 /// Shifting keeps the order, so merging takes the place of sorting all of them again.
 std::vector<Key> dilated(const std::vector<Key>& keys, int axis, int low, int high) {
-  const Key step = Key{1} << (axis * kBits);
+  const Key step = step_along(axis);
   std::vector<Key> result, shifted(keys.size()), merged;
   for (int offset = low; offset <= high; ++offset) {
     const Key shift = static_cast<Key>(offset) * step;  // wraps around where it is negative
@@ -55,11 +62,31 @@ std::vector<Key> dilated(const std::vector<Key>& keys, int axis, int low, int hi
   return result;
 }
 
-/// Position of a key in a sorted list, or kNoVertex.
-std::uint32_t find(const std::vector<Key>& keys, Key key) {
-  const auto it = std::lower_bound(keys.begin(), keys.end(), key);
-  return it != keys.end() && *it == key ? static_cast<std::uint32_t>(it - keys.begin()) : kNoVertex;
-}
+/// Looks up rising keys in a sorted list: each search begins where the last one ended, so that
+/// near ones cost little.
+class Cursor {
+ public:
+  explicit Cursor(const std::vector<Key>& keys) : keys_(keys) {}
+
+  /// Position of the key in the list, or kNoVertex.
+  std::uint32_t find(Key key) {
+    std::size_t step = 1;
+    if (at_ >= keys_.size() || keys_[at_] > key) at_ = 0;
+    while (at_ + step < keys_.size() && keys_[at_ + step] < key) {
+      at_ += step;
+      step *= 2;
+    }
+    const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(at_);
+    const auto end =
+        keys_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + step + 1, keys_.size()));
+    at_ = static_cast<std::size_t>(std::lower_bound(begin, end, key) - keys_.begin());
+    return at_ < keys_.size() && keys_[at_] == key ? static_cast<std::uint32_t>(at_) : kNoVertex;
+  }
+
+ private:
+  const std::vector<Key>& keys_;
+  std::size_t at_ = 0;
+};
 
 /// Puts new keys with their values among those that are there; both are sorted, none is in both.
 template <typename Value>
@@ -83,52 +110,96 @@ Place corner_of(const Place& cell, int k) {
   return {cell.x + (k & 1), cell.y + (k >> 1 & 1), cell.z + (k >> 2)};
 }
 
-/// One run: the grid, its values, its vertices. The grid begins around the points and grows along
-/// the surface as long as points surround it.
-class Extraction {
+/// Reads the values at the corners of rising cells, all of which are there.
+class CornerReader {
  public:
-  Extraction(const ImplicitSurface& surface, const PointCloud& points, float spacing_mm,
-             const Workers& workers)
-      : surface_(surface), spacing_mm_(spacing_mm), workers_(workers) {
-    std::vector<Key> wave = cells_around(points);
-    while (!wave.empty()) {
-      evaluate_corners(wave);
-      wave = place_vertices(wave);
+  /// Both are kept by reference.
+  CornerReader(const std::vector<Key>& corners, const std::vector<float>& values)
+      : rows_{Cursor(corners), Cursor(corners), Cursor(corners), Cursor(corners)},
+        values_(values) {}
+
+  /// By corner of the cell, see corner_of.
+  std::array<float, 8> around(Key cell) {
+    std::array<float, 8> values{};
+    for (std::size_t row = 0; row < 4; ++row) {
+      const Key first = cell + (row & 1U) * step_along(1) + (row >> 1U) * step_along(2);
+      const std::uint32_t at = rows_[row].find(first);
+      // The next corner along x is the next in the list.
+      values[2 * row] = values_[at];
+      values[2 * row + 1] = values_[at + 1];
     }
-    number_vertices();
-    connect();
+    return values;
   }
-  TriangleMesh mesh;
 
  private:
-  [[nodiscard]] std::vector<Key> cells_around(const PointCloud& points);
-  void evaluate_corners(const std::vector<Key>& new_cells);
-  [[nodiscard]] std::vector<Key> place_vertices(const std::vector<Key>& new_cells);
-  void add_crossed_neighbors(Key cell, std::vector<Key>& neighbors) const;
+  std::array<Cursor, 4> rows_;  ///< along x, by y and z
+  const std::vector<float>& values_;
+};
+
+/// Finds what is around the edges that begin in rising corners, by axis.
+struct EdgeCursors {
+  EdgeCursors(const std::vector<Key>& corners, const std::vector<Key>& grid_cells)
+      : end(3, Cursor(corners)), cells(3, std::vector(4, Cursor(grid_cells))) {}
+
+  std::vector<Cursor> end;                 ///< among the corners
+  std::vector<std::vector<Cursor>> cells;  ///< each of the four around the edge
+};
+
+/// One run: the grid, its values, its vertices. The grid begins where the points are and grows
+/// along the surface as long as points surround it.
+class Extraction {
+ public:
+  Extraction(const ImplicitSurface& surface, float spacing_mm, const Workers& workers,
+             const Progress& progress)
+      : surface_(surface), spacing_mm_(spacing_mm), workers_(workers), progress_(progress) {}
+
+  Result<TriangleMesh> run(const PointCloud& points);
+
+ private:
+  [[nodiscard]] std::vector<Key> cells_with_points(const PointCloud& points);
+  [[nodiscard]] bool evaluate_corners(const std::vector<Key>& new_cells, const Progress& progress);
+  [[nodiscard]] Result<std::vector<Key>> place_vertices(const std::vector<Key>& new_cells,
+                                                        const Progress& progress);
   void number_vertices();
-  void connect();
-  void connect_edge(const Place& corner, int axis);
+  [[nodiscard]] bool connect(const Progress& progress);
+  void connect_edge(std::size_t corner, int axis, EdgeCursors& cursors);
   [[nodiscard]] Vec3f position_of(const Place& corner) const {
     return origin_mm_ + spacing_mm_ * Vec3f(static_cast<float>(corner.x),
                                             static_cast<float>(corner.y),
                                             static_cast<float>(corner.z));
   }
-  [[nodiscard]] float value_at(const Place& corner) const {
-    return values_[find(corners_, key_of(corner))];
-  }
-  [[nodiscard]] std::optional<SurfacePoint> vertex_in(const Place& cell) const;
+  [[nodiscard]] std::optional<SurfacePoint> vertex_in(const Place& cell,
+                                                      const std::array<float, 8>& value) const;
 
   const ImplicitSurface& surface_;
   float spacing_mm_;
   const Workers& workers_;
+  const Progress& progress_;
   Vec3f origin_mm_ = Vec3f::Zero();
   std::vector<Key> cells_, corners_;                   ///< sorted
   std::vector<std::optional<SurfacePoint>> vertices_;  ///< by cell
   std::vector<float> values_;                          ///< by corner; NaN: no estimate
   std::vector<std::uint32_t> vertex_of_cell_;          ///< by cell
+  TriangleMesh mesh_;
 };
 
-std::vector<Key> Extraction::cells_around(const PointCloud& points) {
+Result<TriangleMesh> Extraction::run(const PointCloud& points) {
+  std::vector<Key> wave = cells_with_points(points);
+  double rest = kWavesShare;
+  for (; !wave.empty(); rest *= 1.0 - kWaveShare) {
+    const Progress of_wave = progress_.part(kWaveShare * rest);
+    if (!evaluate_corners(wave, of_wave.part(kCornerShare))) return stopped();
+    auto next = place_vertices(wave, of_wave.part(1.0 - kCornerShare));
+    if (!next) return tl::unexpected(next.error());
+    wave = std::move(*next);
+  }
+  progress_.advance(rest);
+  number_vertices();
+  if (!connect(progress_.part(1.0 - kWavesShare))) return stopped();
+  return std::move(mesh_);
+}
+
+std::vector<Key> Extraction::cells_with_points(const PointCloud& points) {
   Vec3f low = points.front().position_mm;
   for (const SurfacePoint& point : points) low = low.cwiseMin(point.position_mm);
   origin_mm_ = low - Vec3f::Constant(spacing_mm_ * static_cast<float>(kMargin));
@@ -139,36 +210,38 @@ std::vector<Key> Extraction::cells_around(const PointCloud& points) {
                             static_cast<std::int32_t>(p.z())}));
   }
   sort_unique(cells);
-  for (int axis = 0; axis < 3; ++axis) cells = dilated(cells, axis, -1, 1);
   return cells;
 }
 
-void Extraction::evaluate_corners(const std::vector<Key>& new_cells) {
+/// @returns false if that was cancelled
+bool Extraction::evaluate_corners(const std::vector<Key>& new_cells, const Progress& progress) {
   std::vector<Key> around = new_cells;
   for (int axis = 0; axis < 3; ++axis) around = dilated(around, axis, 0, 1);
   std::vector<Key> corners;
   std::set_difference(around.begin(), around.end(), corners_.begin(), corners_.end(),
                       std::back_inserter(corners));
   std::vector<float> values(corners.size());
-  workers_.for_each(
+  const bool complete = workers_.for_each_unless_cancelled(
       corners.size(),
       [&](std::size_t i) {
         const auto estimate = surface_.at(position_of(place_of(corners[i])));
         values[i] = estimate ? estimate->distance_mm : kNoValue;
       },
-      kGrain);
+      progress, kGrain);
+  if (!complete) return false;
   merge(corners, std::move(values), corners_, values_);
+  return true;
 }
 
 /// The neighbors of a cell across those faces that the surface crosses.
-void Extraction::add_crossed_neighbors(Key cell, std::vector<Key>& neighbors) const {
-  const Place place = place_of(cell);
+void add_crossed_neighbors(Key cell, const std::array<float, 8>& value,
+                           std::vector<Key>& neighbors) {
   for (int axis = 0; axis < 3; ++axis) {
-    const Key step = Key{1} << (axis * kBits);
+    const Key step = step_along(axis);
     for (const int side : {0, 1}) {
       int outside = 0;
       for (int k = 0; k < 8; ++k) {
-        if ((k >> axis & 1) == side && value_at(corner_of(place, k)) >= 0.0F) ++outside;
+        if ((k >> axis & 1) == side && value[k] >= 0.0F) ++outside;
       }
       if (outside != 0 && outside != 4) neighbors.push_back(side == 1 ? cell + step : cell - step);
     }
@@ -176,14 +249,23 @@ void Extraction::add_crossed_neighbors(Key cell, std::vector<Key>& neighbors) co
 }
 
 /// @returns the cells into which the surface goes on, that are not there yet.
-std::vector<Key> Extraction::place_vertices(const std::vector<Key>& new_cells) {
+Result<std::vector<Key>> Extraction::place_vertices(const std::vector<Key>& new_cells,
+                                                    const Progress& progress) {
   std::vector<std::optional<SurfacePoint>> vertices(new_cells.size());
-  workers_.for_each(
-      new_cells.size(), [&](std::size_t i) { vertices[i] = vertex_in(place_of(new_cells[i])); },
-      kGrain);
+  const auto place_block = [&](std::size_t block) {
+    CornerReader corners(corners_, values_);
+    const std::size_t end = std::min(new_cells.size(), (block + 1) * kGrain);
+    for (std::size_t i = block * kGrain; i < end; ++i) {
+      vertices[i] = vertex_in(place_of(new_cells[i]), corners.around(new_cells[i]));
+    }
+  };
+  const std::size_t blocks = (new_cells.size() + kGrain - 1) / kGrain;
+  if (!workers_.for_each_unless_cancelled(blocks, place_block, progress)) return stopped();
   std::vector<Key> neighbors, next;
+  CornerReader corners(corners_, values_);
   for (std::size_t i = 0; i < new_cells.size(); ++i) {
-    if (vertices[i]) add_crossed_neighbors(new_cells[i], neighbors);
+    if (!vertices[i]) continue;
+    add_crossed_neighbors(new_cells[i], corners.around(new_cells[i]), neighbors);
   }
   merge(new_cells, std::move(vertices), cells_, vertices_);
   sort_unique(neighbors);
@@ -192,12 +274,11 @@ std::vector<Key> Extraction::place_vertices(const std::vector<Key>& new_cells) {
   return next;
 }
 
-std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell) const {
-  std::array<float, 8> value{};
+std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell,
+                                                  const std::array<float, 8>& value) const {
   bool any_outside = false;
   bool any_inside = false;
   for (int k = 0; k < 8; ++k) {
-    value[k] = value_at(corner_of(cell, k));
     if (std::isnan(value[k])) return std::nullopt;
     (value[k] >= 0.0F ? any_outside : any_inside) = true;
   }
@@ -233,58 +314,61 @@ void Extraction::number_vertices() {
   vertex_of_cell_.assign(cells_.size(), kNoVertex);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (!vertices_[i]) continue;
-    vertex_of_cell_[i] = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.push_back(*vertices_[i]);
+    vertex_of_cell_[i] = static_cast<std::uint32_t>(mesh_.vertices.size());
+    mesh_.vertices.push_back(*vertices_[i]);
   }
 }
 
-void Extraction::connect_edge(const Place& corner, int axis) {
-  std::array<std::int32_t, 3> end = {corner.x, corner.y, corner.z};
-  ++end[axis];
-  const std::uint32_t a = find(corners_, key_of(corner));
-  const std::uint32_t b = find(corners_, key_of({end[0], end[1], end[2]}));
-  if (b == kNoVertex) return;
-  const bool a_outside = values_[a] >= 0.0F;
-  if (std::isnan(values_[a]) || std::isnan(values_[b]) || a_outside == (values_[b] >= 0.0F)) return;
+void Extraction::connect_edge(std::size_t corner, int axis, EdgeCursors& cursors) {
+  const std::uint32_t end = cursors.end[axis].find(corners_[corner] + step_along(axis));
+  if (end == kNoVertex) return;
+  const bool a_outside = values_[corner] >= 0.0F;
+  if (std::isnan(values_[corner]) || std::isnan(values_[end]) ||
+      a_outside == (values_[end] >= 0.0F)) {
+    return;
+  }
   // The four cells around the edge, counter-clockwise seen from its end.
-  const int p = (axis + 1) % 3;
-  const int q = (axis + 2) % 3;
-  constexpr std::array<std::array<int, 2>, 4> kAround = {{{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}};
+  const Key p = step_along((axis + 1) % 3);
+  const Key q = step_along((axis + 2) % 3);
+  const Key last = corners_[corner];
+  const std::array<Key, 4> around = {last - p - q, last - q, last, last - p};
   std::array<std::uint32_t, 4> ring{};
-  for (int i = 0; i < 4; ++i) {
-    std::array<std::int32_t, 3> cell = {corner.x, corner.y, corner.z};
-    cell[p] += kAround[i][0];
-    cell[q] += kAround[i][1];
-    const std::uint32_t at = find(cells_, key_of({cell[0], cell[1], cell[2]}));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint32_t at = cursors.cells[axis][i].find(around[i]);
     if (at == kNoVertex || vertex_of_cell_[at] == kNoVertex) return;
     ring[i] = vertex_of_cell_[at];
   }
   // Outwards is where the value rises.
   if (a_outside) std::swap(ring[1], ring[3]);
   const auto length2 = [&](int i, int j) {
-    return (mesh.vertices[ring[i]].position_mm - mesh.vertices[ring[j]].position_mm).squaredNorm();
+    return (mesh_.vertices[ring[i]].position_mm - mesh_.vertices[ring[j]].position_mm)
+        .squaredNorm();
   };
   // The shorter diagonal gives the rounder triangles.
   if (length2(0, 2) <= length2(1, 3)) {
-    mesh.triangles.push_back({ring[0], ring[1], ring[2]});
-    mesh.triangles.push_back({ring[0], ring[2], ring[3]});
+    mesh_.triangles.push_back({ring[0], ring[1], ring[2]});
+    mesh_.triangles.push_back({ring[0], ring[2], ring[3]});
   } else {
-    mesh.triangles.push_back({ring[0], ring[1], ring[3]});
-    mesh.triangles.push_back({ring[1], ring[2], ring[3]});
+    mesh_.triangles.push_back({ring[0], ring[1], ring[3]});
+    mesh_.triangles.push_back({ring[1], ring[2], ring[3]});
   }
 }
 
-void Extraction::connect() {
-  for (const Key key : corners_) {
-    for (int axis = 0; axis < 3; ++axis) connect_edge(place_of(key), axis);
-  }
+/// @returns false if that was cancelled
+bool Extraction::connect(const Progress& progress) {
+  EdgeCursors cursors(corners_, cells_);
+  const auto connect_corner = [&](std::size_t i) {
+    for (int axis = 0; axis < 3; ++axis) connect_edge(i, axis, cursors);
+  };
+  return for_each_in_order(corners_.size(), connect_corner, progress, kGrain);
 }
 
 }  // namespace
 
-TriangleMesh extract_surface(const ImplicitSurface& surface, const PointCloud& points,
-                             float spacing_mm, const Workers& workers) {
-  return std::move(Extraction(surface, points, spacing_mm, workers).mesh);
+Result<TriangleMesh> extract_surface(const ImplicitSurface& surface, const PointCloud& points,
+                                     float spacing_mm, const Workers& workers,
+                                     const Progress& progress) {
+  return Extraction(surface, spacing_mm, workers, progress).run(points);
 }
 
 }  // namespace flytri

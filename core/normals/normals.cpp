@@ -23,6 +23,10 @@ constexpr double kMinPatternShare = 0.05;
 constexpr int kExtensionRings = 3;
 constexpr std::size_t kCellGrain = 256;
 
+/// The parts' shares of the time.
+constexpr double kTangentShare = 0.4, kGatherShare = 0.35, kCrossingShare = 0.1,
+                 kExtensionShare = 0.05, kPointShare = 0.1;
+
 using CellKey = std::array<std::int32_t, 3>;
 
 /// o of every point of a view, sensor frame, unit; by profile, by point.
@@ -32,6 +36,11 @@ using ViewTangents = std::vector<std::vector<Vec3>>;
 std::vector<Vec3> tangents_of(const Profile& profile, double sigma_points) {
   const auto count = static_cast<std::ptrdiff_t>(profile.points.size());
   const auto reach = std::max<std::ptrdiff_t>(1, std::lround(kGaussianReach * sigma_points));
+  std::vector<double> weights;  // by distance in points
+  for (std::ptrdiff_t d = 0; d <= reach; ++d) {
+    const auto k = static_cast<double>(d);
+    weights.push_back(std::exp(-0.5 * k * k / (sigma_points * sigma_points)));
+  }
   std::vector<Vec3> tangents(profile.points.size());
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     // The slope of a weighted straight line, which at the ends leans to the side that is there.
@@ -40,7 +49,7 @@ std::vector<Vec3> tangents_of(const Profile& profile, double sigma_points) {
     for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - reach);
          j <= std::min(count - 1, i + reach); ++j) {
       const auto k = static_cast<double>(j - i);
-      const double w = std::exp(-0.5 * k * k / (sigma_points * sigma_points));
+      const double w = weights[static_cast<std::size_t>(std::abs(j - i))];
       const Vec3& p = profile.points[static_cast<std::size_t>(j)].position_mm;
       sum_w += w;
       sum_k += w * k;
@@ -85,57 +94,82 @@ const TangentCell* find_cell(std::span<const TangentCell> cells, const CellKey& 
   return it != cells.end() && it->key == key ? &*it : nullptr;
 }
 
+/// Where a summand comes from; sorting those of one cell keeps their order.
+using Keyed = std::pair<CellKey, std::uint32_t>;
+
+/// The sum of item(index) over all of equal key.
+template <typename Item>
+std::vector<TangentCell> sum_by_key(std::vector<Keyed> keyed, const Item& item) {
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<TangentCell> sums;
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    const TangentCell& cell = item(keyed[i].second);
+    if (i == 0 || keyed[i].first != keyed[i - 1].first) {
+      sums.push_back(cell);
+      sums.back().key = keyed[i].first;
+      continue;
+    }
+    sums.back().oo += cell.oo;
+    sums.back().towards_sensor += cell.towards_sensor;
+    for (const int p : {0, 1}) sums.back().weight[p] += cell.weight[p];
+  }
+  return sums;
+}
+
+std::vector<TangentCell> gather_cells(const AlignedView& aligned, const ViewTangents& tangents,
+                                      double cell_mm) {
+  const Isometry& T_world_sensor = aligned.T_world_sensor;
+  std::vector<Keyed> keyed;
+  std::vector<Vec3> directions;  // by point
+  for (std::size_t k = 0; k < tangents.size(); ++k) {
+    for (std::size_t i = 0; i < tangents[k].size(); ++i) {
+      const Vec3& p_sensor = aligned.view->profiles[k].points[i].position_mm;
+      keyed.emplace_back(key_of(T_world_sensor * p_sensor, cell_mm),
+                         static_cast<std::uint32_t>(keyed.size()));
+      directions.emplace_back(T_world_sensor.linear() * tangents[k][i]);
+    }
+  }
+  TangentCell of_point;
+  of_point.towards_sensor = -T_world_sensor.linear().col(2);
+  of_point.weight[static_cast<std::size_t>(aligned.view->pattern)] = 1.0;
+  return sum_by_key(std::move(keyed), [&](std::uint32_t i) -> const TangentCell& {
+    of_point.oo = directions[i] * directions[i].transpose();
+    return of_point;
+  });
+}
+
 /// Sums of each view's own points, then of all views: in order, so the bits do not depend on
 /// threads.
-std::vector<TangentCell> gather_cells(std::span<const AlignedView> views,
-                                      std::span<const ViewTangents> tangents, double cell_mm,
-                                      const Workers& workers) {
+Result<std::vector<TangentCell>> gather_cells(std::span<const AlignedView> views,
+                                              std::span<const ViewTangents> tangents,
+                                              double cell_mm, const Workers& workers,
+                                              const Progress& progress) {
   std::vector<std::vector<TangentCell>> of_views(views.size());
-  const auto merge = [](std::vector<TangentCell>& cells) {
-    std::stable_sort(cells.begin(), cells.end(),
-                     [](const auto& a, const auto& b) { return a.key < b.key; });
-    std::size_t last = 0;
-    for (std::size_t i = 1; i < cells.size(); ++i) {
-      if (cells[i].key != cells[last].key) {
-        cells[++last] = cells[i];
-      } else {
-        cells[last].oo += cells[i].oo;
-        cells[last].towards_sensor += cells[i].towards_sensor;
-        for (const int p : {0, 1}) cells[last].weight[p] += cells[i].weight[p];
-      }
+  const bool complete = workers.for_each_unless_cancelled(
+      views.size(),
+      [&](std::size_t v) { of_views[v] = gather_cells(views[v], tangents[v], cell_mm); }, progress);
+  if (!complete) return stopped();
+  std::vector<const TangentCell*> all;
+  std::vector<Keyed> keyed;
+  for (const auto& cells : of_views) {
+    for (const TangentCell& cell : cells) {
+      keyed.emplace_back(cell.key, static_cast<std::uint32_t>(all.size()));
+      all.push_back(&cell);
     }
-    if (!cells.empty()) cells.resize(last + 1);
-  };
-  workers.for_each(views.size(), [&](std::size_t v) {
-    const Isometry& T_world_sensor = views[v].T_world_sensor;
-    const View& view = *views[v].view;
-    for (std::size_t k = 0; k < view.profiles.size(); ++k) {
-      for (std::size_t i = 0; i < view.profiles[k].points.size(); ++i) {
-        TangentCell cell;
-        cell.key = key_of(T_world_sensor * view.profiles[k].points[i].position_mm, cell_mm);
-        const Vec3 o = T_world_sensor.linear() * tangents[v][k][i];
-        cell.oo = o * o.transpose();
-        cell.towards_sensor = -T_world_sensor.linear().col(2);
-        cell.weight[static_cast<std::size_t>(view.pattern)] = 1.0;
-        of_views[v].push_back(cell);
-      }
-    }
-    merge(of_views[v]);
-  });
-  std::vector<TangentCell> all;
-  for (auto& cells : of_views) all.insert(all.end(), cells.begin(), cells.end());
-  merge(all);
-  return all;
+  }
+  return sum_by_key(std::move(keyed),
+                    [&](std::uint32_t i) -> const TangentCell& { return *all[i]; });
 }
 
 /// Calls visit(cell, binomial weight) for a cell and its neighbors.
 template <typename Visit>
 void for_neighbors(std::span<const TangentCell> cells, const CellKey& key, const Visit& visit) {
+  constexpr std::array<double, 4> kWeights = {1.0, 0.5, 0.25, 0.125};
   for (int i = -1; i <= 1; ++i) {
     for (int j = -1; j <= 1; ++j) {
       for (int k = -1; k <= 1; ++k) {
         const TangentCell* cell = find_cell(cells, {key[0] + i, key[1] + j, key[2] + k});
-        if (cell != nullptr) visit(*cell, std::pow(0.5, std::abs(i) + std::abs(j) + std::abs(k)));
+        if (cell != nullptr) visit(*cell, kWeights[std::abs(i) + std::abs(j) + std::abs(k)]);
       }
     }
   }
@@ -167,11 +201,28 @@ Vec3 common_normal(const TangentCell& cell, double min_crossing_sine) {
   return normal.dot(cell.towards_sensor) < 0.0 ? Vec3(-normal) : normal;
 }
 
+/// Gives the cells in which profiles cross their normal. @returns false if that was cancelled
+bool cross_tangents(std::vector<TangentCell>& cells, const NormalOptions& options,
+                    const Workers& workers, const Progress& progress) {
+  std::vector<Vec3> normals(cells.size());
+  const bool complete = workers.for_each_unless_cancelled(
+      cells.size(),
+      [&](std::size_t c) {
+        normals[c] = common_normal(blend(cells, cells[c].key), options.min_crossing_sine);
+      },
+      progress, kCellGrain);
+  if (!complete) return false;
+  for (std::size_t c = 0; c < cells.size(); ++c) cells[c].normal = normals[c];
+  return true;
+}
+
 /// Carries normals into cells without a crossing from those beside them, ring by ring.
-void extend_normals(std::vector<TangentCell>& cells, const Workers& workers) {
+/// @returns false if that was cancelled
+bool extend_normals(std::vector<TangentCell>& cells, const Workers& workers,
+                    const Progress& progress) {
   for (int ring = 0; ring < kExtensionRings; ++ring) {
     std::vector<Vec3> extended(cells.size(), Vec3::Zero());
-    workers.for_each(
+    const bool complete = workers.for_each_unless_cancelled(
         cells.size(),
         [&](std::size_t c) {
           if (!cells[c].normal.isZero()) return;
@@ -179,11 +230,13 @@ void extend_normals(std::vector<TangentCell>& cells, const Workers& workers) {
             extended[c] += weight * neighbor.normal;
           });
         },
-        kCellGrain);
+        progress.part(1.0 / kExtensionRings), kCellGrain);
+    if (!complete) return false;
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (!extended[c].isZero()) cells[c].normal = extended[c].normalized();
     }
   }
+  return true;
 }
 
 /// `n` made perpendicular to the point's own o; zero if that leaves little.
@@ -236,30 +289,34 @@ Result<void> NormalOptions::validate() const {
 
 Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> views,
                                                   const NormalOptions& options,
-                                                  const Workers& workers) {
+                                                  const Workers& workers,
+                                                  const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   std::vector<ViewNormals> normals(views.size());
   const double spacing_mm = median_point_spacing_mm(views);
-  if (spacing_mm <= 0.0) return normals;
+  if (spacing_mm <= 0.0) {
+    progress.advance();
+    return normals;
+  }
   const double sigma_mm =
       options.tangent_sigma_mm > 0.0 ? options.tangent_sigma_mm : kTangentSpacings * spacing_mm;
   const double cell_mm = options.cell_mm > 0.0 ? options.cell_mm : kCellSpacings * spacing_mm;
   std::vector<ViewTangents> tangents(views.size());
-  workers.for_each(views.size(),
-                   [&](std::size_t v) { tangents[v] = tangents_of(*views[v].view, sigma_mm); });
-  std::vector<TangentCell> cells = gather_cells(views, tangents, cell_mm, workers);
-  std::vector<Vec3> cell_normals(cells.size());
-  workers.for_each(
-      cells.size(),
-      [&](std::size_t c) {
-        cell_normals[c] = common_normal(blend(cells, cells[c].key), options.min_crossing_sine);
-      },
-      kCellGrain);
-  for (std::size_t c = 0; c < cells.size(); ++c) cells[c].normal = cell_normals[c];
-  extend_normals(cells, workers);
-  workers.for_each(views.size(), [&](std::size_t v) {
-    normals[v] = normals_of(views[v], tangents[v], cells, cell_mm);
-  });
+  bool complete = workers.for_each_unless_cancelled(
+      views.size(), [&](std::size_t v) { tangents[v] = tangents_of(*views[v].view, sigma_mm); },
+      progress.part(kTangentShare));
+  if (!complete) return stopped();
+  auto cells = gather_cells(views, tangents, cell_mm, workers, progress.part(kGatherShare));
+  if (!cells) return tl::unexpected(cells.error());
+  if (!cross_tangents(*cells, options, workers, progress.part(kCrossingShare)) ||
+      !extend_normals(*cells, workers, progress.part(kExtensionShare))) {
+    return stopped();
+  }
+  complete = workers.for_each_unless_cancelled(
+      views.size(),
+      [&](std::size_t v) { normals[v] = normals_of(views[v], tangents[v], *cells, cell_mm); },
+      progress.part(kPointShare));
+  if (!complete) return stopped();
   return normals;
 }
 

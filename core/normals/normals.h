@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
@@ -36,10 +37,12 @@ using ViewNormals = std::vector<std::vector<Vec3f>>;
 /// profile crosses, the normal is carried over from the nearest crossings; far from any it is n_in,
 /// which is all that one profile can say.
 /// @source  Arold et al., "Calculation of Normals", eq. (full_normal).
-/// @errors  kBadOption.
+/// @param progress  advanced by one step
+/// @errors  kBadOption, kCancelled.
 [[nodiscard]] Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> views,
                                                                 const NormalOptions& options,
-                                                                const Workers& workers);
+                                                                const Workers& workers,
+                                                                const Progress& progress = {});
 
 /// All points with their normals, in the world frame, view after view.
 /// @param normals  of the same views

@@ -4,10 +4,19 @@
 #include <span>
 #include <utility>
 
+#include "core/meshing/mesh_topology.h"
+#include "core/texture/vertex_colors.h"
 #include "core/trajectory/trajectory.h"
 
 namespace flytri {
 namespace {
+
+/// The steps of the finishing, as the user sees them.
+constexpr auto kRefining = "Refining all views together", kNormals = "Calculating normals",
+               kThinning = "Thinning points", kMeshing = "Meshing", kTexturing = "Texturing";
+
+/// Of coloring the points, and as much the vertices, in the time of texturing.
+constexpr double kColoringShare = 0.15;
 
 /// One run: holds what the stages hand to each other.
 class Finisher {
@@ -23,12 +32,9 @@ class Finisher {
   Result<FinishedScan> run();
 
  private:
-  [[nodiscard]] Result<void> go_on() const {
-    if (!progress_.cancelled()) return {};
-    return fail(ErrorCode::kCancelled, "stopped; nothing was written");
-  }
   Result<void> refine_views();
   void place_texture_frames();
+  Result<std::vector<SurfaceSample>> find_samples();
   Result<void> make_points();
   Result<void> make_surface();
   Result<void> apply_texture();
@@ -43,6 +49,7 @@ class Finisher {
 
 Result<void> Finisher::refine_views() {
   std::vector<AlignedView>& views = scanned_.views;
+  progress_.begin_stage(kRefining);
   const Result<Refinement> refined =
       refine_jointly(views, options_.refinement, workers_, progress_);
   if (!refined) return tl::unexpected(refined.error());
@@ -68,30 +75,36 @@ void Finisher::place_texture_frames() {
   }
 }
 
-Result<void> Finisher::make_points() {
-  progress_.begin_stage("Thinning points", 2);
-  const auto normals = crossing_normals(result_.views, options_.normals, workers_);
+/// All measured points that the edits keep, with their normals.
+Result<std::vector<SurfaceSample>> Finisher::find_samples() {
+  progress_.begin_stage(kNormals);
+  const auto normals = crossing_normals(result_.views, options_.normals, workers_, progress_);
   if (!normals) return tl::unexpected(normals.error());
   std::vector<SurfaceSample> samples = surface_samples(result_.views, *normals);
   clock_.end_stage("normals", samples.size(), "points");
-  progress_.advance();
-  if (auto ok = go_on(); !ok) return ok;
   if (const EditFilter filter(scanned_.edits); !filter.empty()) {
     std::erase_if(samples, [&](const SurfaceSample& sample) {
       const double seen_at_s = result_.views[sample.view.at()].view->time_s;
       return !filter.keeps(sample.position_mm, sample.normal, seen_at_s);
     });
   }
-  Result<Reduction> reduction = reduce_samples(samples, options_.reduction, workers_);
+  return samples;
+}
+
+Result<void> Finisher::make_points() {
+  const auto samples = find_samples();
+  if (!samples) return tl::unexpected(samples.error());
+  progress_.begin_stage(kThinning);
+  Result<Reduction> reduction = reduce_samples(*samples, options_.reduction, workers_, progress_);
   if (!reduction) return tl::unexpected(reduction.error());
   result_.points = std::move(reduction->points);
-  clock_.end_stage("reduction", samples.size(), "points");
+  clock_.end_stage("reduction", samples->size(), "points");
   return {};
 }
 
 Result<void> Finisher::make_surface() {
-  progress_.begin_stage("Meshing", 1);
-  Result<SurfaceMesh> surface = mesh_surface(result_.points, options_.meshing, workers_);
+  progress_.begin_stage(kMeshing);
+  Result<SurfaceMesh> surface = mesh_surface(result_.points, options_.meshing, workers_, progress_);
   if (!surface) return tl::unexpected(surface.error());
   result_.surface = std::move(*surface);
   clock_.end_stage("meshing", result_.points.size(), "points");
@@ -108,18 +121,16 @@ Result<void> Finisher::apply_texture() {
   }
   if (frames.empty()) return {};
   const Calibration& calibration = *scanned_.calibration;
-  progress_.begin_stage("Texturing", 3);
+  progress_.begin_stage(kTexturing);
   const std::array<std::span<SurfacePoint>, 2> surfaces = {result_.points,
                                                            result_.surface.mesh.vertices};
   for (const std::span<SurfacePoint> points : surfaces) {
-    if (auto ok = go_on(); !ok) return ok;
-    const auto counts =
-        color_points(points, frames, calibration, options_.atlas.coloring, workers_);
+    const auto counts = color_points(points, frames, calibration, options_.atlas.coloring, workers_,
+                                     progress_.part(kColoringShare));
     if (!counts) return tl::unexpected(counts.error());
-    progress_.advance();
   }
-  Result<BakedAtlas> baked =
-      bake_atlas(result_.surface.mesh, frames, calibration, options_.atlas, workers_);
+  Result<BakedAtlas> baked = bake_atlas(result_.surface.mesh, frames, calibration, options_.atlas,
+                                        workers_, progress_.part(1.0 - 2.0 * kColoringShare));
   if (!baked) return tl::unexpected(baked.error());
   result_.model = std::move(baked->model);
   clock_.end_stage("texture", frames.size(), "frames");
@@ -130,14 +141,24 @@ Result<FinishedScan> Finisher::run() {
   if (auto ok = refine_views(); !ok) return tl::unexpected(ok.error());
   place_texture_frames();
   if (auto ok = make_points(); !ok) return tl::unexpected(ok.error());
-  if (auto ok = go_on(); !ok) return tl::unexpected(ok.error());
   if (auto ok = make_surface(); !ok) return tl::unexpected(ok.error());
   if (auto ok = apply_texture(); !ok) return tl::unexpected(ok.error());
-  if (auto ok = go_on(); !ok) return tl::unexpected(ok.error());
+  // Cancelled after the last check, it is cancelled all the same.
+  if (progress_.cancelled()) return stopped();
   return std::move(result_);
 }
 
 }  // namespace
+
+FinishedScan finished_scan_of(TexturedMesh model) {
+  FinishedScan finished;
+  finished.model = std::move(model);
+  color_vertices(finished.model);
+  finished.surface.mesh = welded(finished.model.mesh);
+  repair_manifold(finished.surface.mesh);
+  finished.surface.boundaries = find_boundaries(finished.surface.mesh);
+  return finished;
+}
 
 Result<FinishedScan> finish_scan(ScannedViews scanned, const FinishOptions& options,
                                  const Workers& workers, const Progress& progress,

@@ -52,6 +52,10 @@ struct FinishedScan {
   TexturedMesh model;   ///< the same triangles, cut into charts if there is texture
 };
 
+/// The result that a model was kept of, as far as the model tells: its surface, with the holes, and
+/// the model.
+[[nodiscard]] FinishedScan finished_scan_of(TexturedMesh model);
+
 /// Optimizes all poses together, thins the points, meshes and textures them.
 /// @source  Arold et al., "Global Optimization" to "Texture Acquisition and Mapping"; the joint
 ///          optimization and the mesh are this project's.

@@ -10,8 +10,9 @@ namespace {
 constexpr std::size_t kViewsAtOnce = 4;
 /// Closer to a kept one than this share of the volume, a texture frame shows nothing new.
 constexpr double kSamePlaceShare = 0.25;
-/// Of a view's points, from which it tells nothing new.
-constexpr double kRedundantShare = 0.95;
+/// Of a view's points, from which it tells nothing new: at the rims of what is scanned some always
+/// do.
+constexpr double kRedundantShare = 0.9;
 
 }  // namespace
 
@@ -33,7 +34,10 @@ Result<LiveModel> LiveModel::create(const LiveSurfaceOptions& options,
 
 void LiveModel::add(std::span<const AlignedView> views) {
   for (const AlignedView& view : views) {
-    if (surface_.add(view, filter_) > kRedundantShare) redundant_s_.push_back(view.view->time_s);
+    const bool is_shown = !rebuild_ || !rebuild_->is_other;
+    if (is_shown && surface_.add(view, filter_) > kRedundantShare) {
+      redundant_s_.push_back(view.view->time_s);
+    }
     trajectory_.set(view.view->time_s, view.T_world_sensor);
     added_at_.insert_or_assign(view.view->time_s, view.T_world_sensor);
     if (rebuild_) rebuild_->views.push_back(view);
@@ -91,7 +95,7 @@ double LiveModel::follow(std::span<const AlignedView> views) {
   return farthest_mm;
 }
 
-void LiveModel::begin_rebuild(std::vector<AlignedView> views) {
+void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   follow(views);
   for (const AlignedView& view : views) {
     added_at_.insert_or_assign(view.view->time_s, view.T_world_sensor);
@@ -100,8 +104,10 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views) {
     const auto T = trajectory_.interpolate(texture.frame.time_s, max_gap_s_);
     if (T) texture.T_world_sensor = *T;
   }
+  // One that was under way for another world is taken over by this one.
+  is_other = is_other || (rebuild_ && rebuild_->is_other);
   // The options were validated when the model was made.
-  rebuild_.emplace(Rebuild{*LiveSurface::create(options_), std::move(views)});
+  rebuild_.emplace(Rebuild{*LiveSurface::create(options_), std::move(views), is_other});
 }
 
 bool LiveModel::continue_rebuild() {

@@ -40,7 +40,8 @@ class LiveModel {
   ///          it was added, within the measurement volume
   double follow(std::span<const AlignedView> views);
   /// Begins anew with all views and their present poses, beside what is shown meanwhile.
-  void begin_rebuild(std::vector<AlignedView> views);
+  /// @param is_other  in another world frame: what is shown does not grow any more
+  void begin_rebuild(std::vector<AlignedView> views, bool is_other);
   /// Does a piece of that; false when there is nothing left to do.
   bool continue_rebuild();
 
@@ -54,6 +55,7 @@ class LiveModel {
   struct Rebuild {
     LiveSurface surface;
     std::vector<AlignedView> views;
+    bool is_other = false;
     std::size_t views_done = 0, textures_done = 0;
   };
 

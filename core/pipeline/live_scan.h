@@ -52,6 +52,7 @@ struct KeptScan {
   std::vector<AlignedView> views;     ///< by rising time, registered
   std::vector<Frame> texture_frames;  ///< by rising time
   EditStack edits;
+  std::shared_ptr<const FinishedScan> result;  ///< null where the scan has changed since
 };
 
 /// Owns its threads: some measure, one registers, one keeps the model, one optimizes beside them

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/free_memory.h"
 #include "core/base/median.h"
 
 namespace flytri {
@@ -62,15 +63,16 @@ void ModelThread::edit(EditList edits, double now_s) {
   });
 }
 
-void ModelThread::build_anew(std::vector<AlignedView> views, EditList edits) {
-  thread_.post(
-      [this, views = std::move(views), edits = std::move(edits)] { begin_rebuild(views, edits); });
+void ModelThread::build_anew(std::vector<AlignedView> views, EditList edits, bool is_other) {
+  thread_.post([this, views = std::move(views), edits = std::move(edits), is_other] {
+    begin_rebuild(views, edits, is_other);
+  });
 }
 
 void ModelThread::follow(std::vector<AlignedView> views, EditList edits, double tolerated_cells) {
   thread_.post([this, views = std::move(views), edits = std::move(edits), tolerated_cells] {
     const double off_mm = model_.follow(views);
-    if (off_mm > tolerated_cells * model_.surface().cell_mm()) begin_rebuild(views, edits);
+    if (off_mm > tolerated_cells * model_.surface().cell_mm()) begin_rebuild(views, edits, false);
   });
 }
 
@@ -82,9 +84,10 @@ void ModelThread::with_textures(std::function<void(const std::vector<PlacedTextu
   thread_.post([this, use = std::move(use)] { use(model_.textures()); });
 }
 
-void ModelThread::begin_rebuild(std::vector<AlignedView> views, const EditList& edits) {
+void ModelThread::begin_rebuild(std::vector<AlignedView> views, const EditList& edits,
+                                bool is_other) {
   model_.apply_edits(edits, 0.0);
-  model_.begin_rebuild(std::move(views));
+  model_.begin_rebuild(std::move(views), is_other);
   thread_.post([this] { continue_rebuild(); });
 }
 
@@ -114,7 +117,9 @@ void ModelThread::publish() {
     s.model = std::move(model);
     s.area_mm2 = surface.area_mm2();
     s.good_share = surface.good_share();
-    s.holes_are_current = s.holes_are_current && !has_grown_since_holes_;
+    // Those of a finished scan are its mesh's, whatever happens to the surfels behind it.
+    const bool is_finished = s.phase == ScanPhase::kFinished;
+    s.holes_are_current = s.holes_are_current && (is_finished || !has_grown_since_holes_);
     if (!latency) return;
     s.latency = *latency;
     s.model_offered_at_s = shown_offers_s.back();
@@ -143,6 +148,7 @@ void ModelThread::search_holes() {
   around_.background.post([this, points = model_.surface().points()] {
     const double began_s = around_.now_s();
     Result<SurfaceMesh> mesh = mesh_surface(points, around_.meshing, Workers(1));
+    release_free_memory();
     thread_.post([this, began_s, mesh = std::move(mesh)]() mutable {
       take_holes(std::move(mesh), began_s);
     });
@@ -154,14 +160,29 @@ void ModelThread::take_holes(Result<SurfaceMesh> mesh, double began_s) {
   holes_at_s_ = around_.now_s();
   holes_took_s_ = holes_at_s_ - began_s;
   if (!mesh) return;  // too few points yet
-  const double least_mm = kHoleCells * model_.surface().cell_mm();
-  std::erase_if(mesh->boundaries, [&](const BoundaryLoop& loop) {
-    return loop.is_outer || loop.perimeter_mm < least_mm;
-  });
+  remove_small(mesh->boundaries);
   around_.board.update([&](ScanSnapshot& s) {
     if (s.phase == ScanPhase::kFinished) return;
     s.holes = std::move(mesh->boundaries);
     s.holes_are_current = !has_grown_since_holes_;
+  });
+}
+
+void ModelThread::show_holes(std::vector<BoundaryLoop> boundaries) {
+  thread_.post([this, boundaries = std::move(boundaries)]() mutable {
+    remove_small(boundaries);
+    around_.board.update([&](ScanSnapshot& s) {
+      if (s.phase != ScanPhase::kFinished) return;
+      s.holes = std::move(boundaries);
+      s.holes_are_current = true;
+    });
+  });
+}
+
+void ModelThread::remove_small(std::vector<BoundaryLoop>& boundaries) {
+  const double least_mm = kHoleCells * model_.surface().cell_mm();
+  std::erase_if(boundaries, [&](const BoundaryLoop& loop) {
+    return loop.is_outer || loop.perimeter_mm < least_mm;
   });
 }
 

@@ -34,11 +34,14 @@ class ModelThread {
   /// Everything of a scan that was kept, published at once.
   void restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames, EditList edits);
   void edit(EditList edits, double now_s);
-  void build_anew(std::vector<AlignedView> views, EditList edits);
+  /// @param is_other  the views are in another world frame than those before
+  void build_anew(std::vector<AlignedView> views, EditList edits, bool is_other);
   /// Builds anew only where the poses are off by more than `tolerated_cells`, see
   /// LiveModel::follow.
   void follow(std::vector<AlignedView> views, EditList edits, double tolerated_cells);
   void look_for_holes();
+  /// Shows those of a finished mesh, while its scan is finished.
+  void show_holes(std::vector<BoundaryLoop> boundaries);
   /// Calls `use` on this thread with the frames that color the surface.
   void with_textures(std::function<void(const std::vector<PlacedTexture>&)> use);
 
@@ -48,12 +51,14 @@ class ModelThread {
 
  private:
   // All of the thread.
-  void begin_rebuild(std::vector<AlignedView> views, const EditList& edits);
+  void begin_rebuild(std::vector<AlignedView> views, const EditList& edits, bool is_other);
   void continue_rebuild();
   void publish_if_due(bool at_once);
   void publish();
   std::optional<LatencyStatistics> latency_with(const std::vector<double>& shown_offers_s);
   void search_holes();
+  /// Leaves only places to scan: inner ones that a sensor would fill.
+  void remove_small(std::vector<BoundaryLoop>& boundaries);
   void take_holes(Result<SurfaceMesh> mesh, double began_s);
 
   const ModelSurroundings around_;

@@ -7,10 +7,6 @@
 namespace flytri {
 namespace {
 
-tl::unexpected<Error> stopped() {
-  return fail(ErrorCode::kCancelled, "stopped; nothing was written");
-}
-
 /// One run: holds what the stages hand to each other.
 class Run {
  public:
@@ -101,12 +97,12 @@ void Run::accept_frames(std::size_t count) {
 Result<void> Run::measure_frames(const Recording& recording, const Calibration& calibration) {
   const std::size_t count = recording.frames.size();
   accept_frames(count);
-  progress_.begin_stage("Measuring lines", count);
+  progress_.begin_stage("Measuring lines");
   std::vector<Result<void>> outcomes(count);
-  workers_.for_each(count, [&](std::size_t i) {
-    if (!progress_.cancelled()) outcomes[i] = measure_frame(recording, calibration, i);
-    progress_.advance();
-  });
+  const bool complete = workers_.for_each_unless_cancelled(
+      count, [&](std::size_t i) { outcomes[i] = measure_frame(recording, calibration, i); },
+      progress_);
+  if (!complete) return stopped();
   for (const Result<void>& outcome : outcomes) {
     if (!outcome) return outcome;
   }
@@ -126,7 +122,11 @@ Result<void> Run::register_views() {
     registrar->add(view);
     ++view_count;
   }
-  for (const RegisteredView& registered : registrar->finish()) {
+  progress_.begin_stage("Registering what was lost");
+  const std::vector<RegisteredView> settled =
+      registrar->finish(Registrar::World::kFirstView, progress_);
+  if (progress_.cancelled()) return stopped();
+  for (const RegisteredView& registered : settled) {
     const FrameIndex frame = registered.view->frame;
     if (registered.fate == ViewFate::kRejected) {
       reject(frame, std::string(to_string(registered.reason)));

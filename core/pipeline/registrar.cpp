@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace flytri {
 namespace {
@@ -31,77 +32,6 @@ RejectReason reason_of(AlignOutcome outcome) {
 /// Share of its way to what the latest view tells that the meter of nearness goes: it shows the
 /// mean of about the latest five, as each tries other places.
 constexpr double kMeterPace = 0.2;
-
-/// Distance of starts from which the registration finds a pose between them, as a share of the
-/// radius: from half of their diagonal it succeeds nine times in ten.
-constexpr double kStartSpacingShare = 0.22;
-
-/// About pose_distance_mm, without the angle itself: thousands are compared.
-double chord_mm(const Isometry& T_a_b, const Isometry& T_a_c, double arm_mm) {
-  const double turned = 0.5 * (T_a_b.linear() - T_a_c.linear()).squaredNorm();
-  return std::sqrt((T_a_b.translation() - T_a_c.translation()).squaredNorm() +
-                   arm_mm * arm_mm * turned);
-}
-
-void append_unless_near(const Isometry& T, double distance_mm, double arm_mm,
-                        std::vector<Isometry>& poses) {
-  const bool near = std::any_of(poses.begin(), poses.end(), [&](const Isometry& T_known) {
-    return chord_mm(T_known, T, arm_mm) < distance_mm;
-  });
-  if (!near) poses.push_back(T);
-}
-
-/// A pose and its neighbors along the surface, from near to far: two steps to each side.
-std::vector<Isometry> poses_around(const Isometry& T_world_sensor, double radius_mm) {
-  std::vector<Eigen::Array2i> steps;
-  for (int i = -2; i <= 2; ++i) {
-    for (int j = -2; j <= 2; ++j) steps.emplace_back(i, j);
-  }
-  std::stable_sort(steps.begin(), steps.end(), [](const auto& a, const auto& b) {
-    return a.matrix().squaredNorm() < b.matrix().squaredNorm();
-  });
-  std::vector<Isometry> poses;
-  for (const Eigen::Array2i& step : steps) {
-    const Eigen::Vector2d shift_mm = kStartSpacingShare * radius_mm * step.cast<double>().matrix();
-    poses.push_back(T_world_sensor * Eigen::Translation3d(shift_mm.x(), shift_mm.y(), 0.0));
-  }
-  return poses;
-}
-
-/// How a hand that comes back may hold the sensor, as twists off a pose it had: as it was; tilted
-/// about either axis, to look at a flank; turned about the line of sight; shifted along the
-/// surface.
-std::vector<Twist> holds(double radius_mm) {
-  constexpr double kTilt_rad = 0.4, kTurn_rad = 0.35, kShiftShare = 0.4;
-  std::vector<Twist> offs = {Twist::Zero()};
-  const auto add = [&](int axis, double amount) {
-    for (const double sense : {1.0, -1.0}) offs.push_back(sense * amount * Twist::Unit(axis));
-  };
-  for (const double tilt_rad : {kTilt_rad, 2.0 * kTilt_rad}) {
-    for (const int axis : {0, 1}) add(axis, tilt_rad);
-  }
-  add(2, kTurn_rad);
-  const std::size_t turned = offs.size();
-  for (const int axis : {3, 4}) add(axis, kShiftShare * radius_mm);
-  for (std::size_t shift = turned; shift < turned + 4; ++shift) {
-    for (std::size_t turn = 1; turn < turned; ++turn) offs.push_back(offs[shift] + offs[turn]);
-  }
-  return offs;
-}
-
-/// Poses that a hand may take up a scan from: those of the path, held in each way, the likelier
-/// ways first.
-std::vector<Isometry> poses_around_path(const std::vector<TrackedView>& views, double radius_mm) {
-  std::vector<Isometry> path;
-  for (const TrackedView& view : views) {
-    append_unless_near(view.aligned.T_world_sensor, 0.35 * radius_mm, radius_mm, path);
-  }
-  std::vector<Isometry> poses;
-  for (const Twist& off : holds(radius_mm)) {
-    for (const Isometry& T_world_sensor : path) poses.push_back(T_world_sensor * exp_twist(off));
-  }
-  return poses;
-}
 
 /// True for reasons that no later view can cure.
 bool is_final(RejectReason reason) {
@@ -159,6 +89,7 @@ Result<void> RegistrarOptions::validate() const {
     return fail(ErrorCode::kBadOption, "min_entry_evidence is {}, must be in [0, 1000]",
                 min_entry_evidence);
   }
+  if (auto ok = check_range(settled_views, 1, 1000000, "settled_views"); !ok) return ok;
   if (auto ok = check_range(register_every, 1, 1000, "register_every"); !ok) return ok;
   if (!(max_gap_s > 0.0)) {
     return fail(ErrorCode::kBadOption, "max_gap_s is {}, must be above 0", max_gap_s);
@@ -261,10 +192,10 @@ RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason, b
   }
   if (!tracked) start_piece(std::move(incoming));
   if (search && try_to_join(side_, pieces_[side_]->size() - 1, false)) return RejectReason::kNone;
-  // A piece that outgrows the scan is the scan; what was, may join it.
-  if (pieces_[side_]->size() > pieces_[scan_]->size()) {
-    std::swap(scan_, side_);
-    side_ = scan_;
+  const std::size_t scan_size = pieces_[scan_]->size();
+  if (scan_size < static_cast<std::size_t>(options_.settled_views) &&
+      pieces_[side_]->size() > scan_size) {
+    scan_ = side_;  // What was, may join it.
     lost_views_ = 0;
     claim_.reset();
     return RejectReason::kNone;
@@ -277,105 +208,42 @@ bool Registrar::convincing(const Alignment& alignment) const {
          alignment.rms_mm <= pieces_[scan_]->usual_rms_mm();
 }
 
-Isometry Registrar::at_its_depth(const Isometry& T_scan_start, const IncomingView& incoming) const {
-  const TrackedView* nearest = nullptr;
-  double nearest_mm = std::numeric_limits<double>::infinity();
-  for (const TrackedView& view : pieces_[scan_]->views()) {
-    const double off_mm = chord_mm(T_scan_start, view.aligned.T_world_sensor, radius_mm_);
-    if (view.aligned.view->profiles.empty() || off_mm >= nearest_mm) continue;
-    nearest = &view;
-    nearest_mm = off_mm;
-  }
-  if (nearest == nullptr) return T_scan_start;
-  const double seen_mm =
-      (nearest->aligned.T_world_sensor.inverse() * nearest->placed.center_mm).z();
-  return T_scan_start * Eigen::Translation3d(0.0, 0.0, seen_mm - incoming.prepared.center_mm.z());
-}
-
 void Registrar::show_nearness(double proof) {
   const double share = std::clamp(proof / std::max(options_.min_entry_evidence, 1e-9), 0.0, 1.0);
   entry_share_ += kMeterPace * (share - entry_share_);
 }
 
-std::vector<Isometry> Registrar::anchors(double time_s) const {
-  // Where the scan ended, or would be if the hand went on; where it was taken up again; and where
-  // the operator was asked to enter.
-  std::vector<Isometry> candidates = trajectory().guesses(time_s);
-  const std::vector<TimedPose> later = trajectory().between(time_s, time_s + options_.max_gap_s);
-  if (!later.empty()) candidates.push_back(later.front().T_world_sensor);
-  if (asked_entry_) candidates.insert(candidates.begin(), *asked_entry_);
-  if (const auto best = proposal()) candidates.push_back(best->second.T_world_sensor);
-  std::vector<Isometry> result;
-  for (const Isometry& T_world_sensor : candidates) {
-    append_unless_near(T_world_sensor, kStartSpacingShare * radius_mm_, radius_mm_, result);
-  }
-  return result;
-}
-
-std::vector<Isometry> Registrar::start_poses(double time_s, bool all) const {
-  const TrackedScan& scan = *pieces_[scan_];
-  std::vector<Isometry> near;
-  for (const Isometry& T_world_anchor : anchors(time_s)) {
-    const std::vector<Isometry> poses = poses_around(T_world_anchor, radius_mm_);
-    near.insert(near.end(), poses.begin(), poses.end());
-  }
-  const std::vector<Isometry> path = poses_around_path(scan.views(), radius_mm_);
-  if (all) {
-    near.insert(near.end(), path.begin(), path.end());
-    near.resize(std::min(near.size(), static_cast<std::size_t>(options_.retry_starts)));
-    return near;
-  }
-  // Live, every view tries where the operator was asked to enter and where the scan ended, and
-  // then a few more, going on where the view before stopped: by turns near those places and all
-  // over the scan, as nobody has to enter where he was asked to.
-  const auto few = static_cast<std::size_t>(options_.starts_per_view);
-  std::vector<Isometry> starts = likeliest_entries();
-  const std::size_t more = few > starts.size() ? few - starts.size() : 1;
-  const std::size_t first = static_cast<std::size_t>(lost_views_) * more;
-  for (std::size_t i = first; i < first + more; ++i) {
-    const std::vector<Isometry>& among = i % 2 == 0 ? near : path;
-    starts.push_back(among[i / 2 % among.size()]);
-  }
-  return starts;
-}
-
-std::vector<Isometry> Registrar::likeliest_entries() const {
-  std::vector<Isometry> entries;
-  const auto proposed = proposal();
-  if (asked_entry_) {
-    entries.push_back(*asked_entry_);
-  } else if (proposed) {
-    entries.push_back(proposed->second.T_world_sensor);
-  }
-  if (!trajectory().empty()) {
-    const TimedPose last = trajectory().before(trajectory().last_time_s(), 1).front();
-    append_unless_near(last.T_world_sensor, kStartSpacingShare * radius_mm_, radius_mm_, entries);
-  }
-  return entries;
-}
-
-bool Registrar::confirms_claim(const Alignment& alignment) const {
-  return convincing(alignment) && alignment.moved_mm < 0.1 * radius_mm_;
+/// The next view confirms a claim where its own registration says the same. Where the two are too
+/// far apart to be one piece, it has to be found near the other.
+bool Registrar::confirm_claim(std::size_t piece, const IncomingView& incoming,
+                              const Isometry& T_piece_sensor) {
+  const Claim claim = *std::exchange(claim_, std::nullopt);
+  const bool is_same = claim.piece == piece;
+  const Isometry T_scan_start = is_same ? claim.T_scan_piece * T_piece_sensor : claim.T_scan_sensor;
+  const double allowed_mm = (is_same ? 0.1 : 0.5) * radius_mm_;
+  const Alignment found = pieces_[scan_]->locate(incoming, T_scan_start);
+  if (!convincing(found) || found.moved_mm >= allowed_mm) return false;
+  join(piece, found.T_target_source * T_piece_sensor.inverse());
+  if (!is_same) join(claim.piece, claim.T_scan_piece);
+  return true;
 }
 
 bool Registrar::try_to_join(std::size_t piece, std::size_t i, bool all_starts) {
   const TrackedScan& scan = *pieces_[scan_];
   const IncomingView incoming = pieces_[piece]->incoming(i);
   const Isometry T_piece_sensor = pieces_[piece]->views()[i].aligned.T_world_sensor;
-  if (claim_ && claim_->piece == piece) {
-    const Alignment second = scan.locate(incoming, claim_->T_scan_piece * T_piece_sensor);
-    if (confirms_claim(second)) {
-      join(piece, second.T_target_source * T_piece_sensor.inverse());
-      return true;
-    }
-  }
-  claim_.reset();
+  if (claim_ && confirm_claim(piece, incoming, T_piece_sensor)) return true;
   double most_proof = 0.0;
-  for (const Isometry& T_scan_start : start_poses(incoming.view->time_s, all_starts)) {
-    const Alignment found = scan.locate(incoming, at_its_depth(T_scan_start, incoming));
+  const EntryStarts starts = entry_starts();
+  const double time_s = incoming.view->time_s;
+  for (const Isometry& T_scan_start :
+       all_starts ? starts.all(time_s, static_cast<std::size_t>(options_.retry_starts))
+                  : starts.few(time_s, static_cast<std::size_t>(options_.starts_per_view),
+                               static_cast<std::size_t>(lost_views_))) {
+    const Alignment found = scan.locate(incoming, starts.at_its_depth(T_scan_start, incoming));
     most_proof = std::max(most_proof, found.agreement.proof);
     if (!convincing(found)) continue;
-    claim_ = {piece, found.T_target_source * T_piece_sensor.inverse()};
+    claim_ = {piece, found.T_target_source * T_piece_sensor.inverse(), found.T_target_source};
     break;
   }
   show_nearness(most_proof);
@@ -396,40 +264,26 @@ void Registrar::join(std::size_t piece, const Isometry& T_scan_piece) {
 }
 
 std::optional<ReentryProposal> Registrar::proposal() const {
-  if (pieces_.empty() || pieces_[scan_]->size() < 2) return std::nullopt;
-  const std::vector<TrackedView>& views = pieces_[scan_]->views();
-  const auto pairs = std::min(views.size() - 1, static_cast<std::size_t>(options_.proposal_pairs));
-  ReentryProposal best;
-  for (std::size_t i = views.size() - 1; i >= views.size() - pairs; --i) {
-    const AlignedView& first = views[i - 1].aligned;
-    const AlignedView& second = views[i].aligned;
-    const std::size_t points = first.view->point_count() + second.view->point_count();
-    if (points > best.point_count) best = {first, second, points};
-  }
-  return best;
+  if (pieces_.empty()) return std::nullopt;
+  return propose_reentry(*pieces_[scan_], options_.proposal_pairs);
 }
 
 std::vector<ReentryProposal> Registrar::proposals(std::size_t count) const {
-  std::vector<ReentryProposal> ranked;
-  if (const auto best = proposal()) ranked.push_back(*best);
-  if (ranked.empty()) return ranked;
-  const std::vector<TrackedView>& views = pieces_[scan_]->views();
-  std::vector<std::size_t> order(views.size() - 1);
-  std::iota(order.begin(), order.end(), std::size_t{1});
-  const auto points = [&](std::size_t i) {
-    return views[i - 1].aligned.view->point_count() + views[i].aligned.view->point_count();
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return points(a) > points(b); });
-  for (const std::size_t i : order) {
-    if (ranked.size() >= count) break;
-    const AlignedView& second = views[i].aligned;
-    const bool near = std::any_of(ranked.begin(), ranked.end(), [&](const ReentryProposal& known) {
-      return chord_mm(known.second.T_world_sensor, second.T_world_sensor, radius_mm_) < radius_mm_;
-    });
-    if (!near) ranked.push_back({views[i - 1].aligned, second, points(i)});
+  if (pieces_.empty()) return {};
+  return propose_reentries(*pieces_[scan_], options_.proposal_pairs, count, radius_mm_);
+}
+
+EntryStarts Registrar::entry_starts() {
+  const TrackedScan& scan = *pieces_[scan_];
+  if (stops_.piece != scan_ || stops_.views != scan.size()) {
+    stops_ = {scan_, scan.size(), path_stops(scan, radius_mm_)};
   }
-  return ranked;
+  const auto proposed = proposal();
+  return {scan,
+          stops_.poses,
+          radius_mm_,
+          {asked_entry_, proposed ? std::optional(proposed->second.T_world_sensor) : std::nullopt,
+           options_.max_gap_s}};
 }
 
 ScanGrowth Registrar::take_growth() {
@@ -463,6 +317,7 @@ void Registrar::apply(std::span<const AlignedView> refined) {
   TrackedScan& scan = *pieces_[scan_];
   std::map<double, const AlignedView*> by_time;
   for (const AlignedView& view : refined) by_time[view.view->time_s] = &view;
+  stops_ = {};
   // Below this nothing that registers to a view could tell.
   const double negligible_mm = 1e-4 * radius_mm_;
   Isometry T_new_world = Isometry::Identity();  // of the last view that is known
@@ -491,33 +346,53 @@ std::vector<AlignedView> Registrar::aligned_views() const {
   return result;
 }
 
-void Registrar::retry_pieces() {
-  // A few views spread over a piece stand for it: each asks all starts, its neighbor confirms.
-  constexpr std::size_t kAttempts = 4;
-  for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
-    claim_.reset();
-    const std::size_t count = piece == scan_ ? 0 : pieces_[piece]->size();
-    for (std::size_t attempt = 0; count >= 2 && attempt < kAttempts; ++attempt) {
-      const std::size_t i = attempt * (count - 2) / (kAttempts - 1);
-      if (try_to_join(piece, i, true)) break;
-      if (claim_ && try_to_join(piece, i + 1, false)) break;
-    }
+void Registrar::retry_pieces(const Progress& progress) {
+  for (std::size_t piece = 0; piece < pieces_.size() && !progress.cancelled(); ++piece) {
+    if (piece != scan_) retry_piece(piece);
+    progress.advance(1.0 / static_cast<double>(pieces_.size()));
   }
 }
 
-void Registrar::retry_rejected() {
-  TrackedScan& scan = *pieces_[scan_];
-  for (Added& added : added_) {
-    if (added.reason == RejectReason::kNone || added.reason == RejectReason::kTooFewPoints)
-      continue;
-    if (scan.registered_pose(added.view->time_s)) continue;
-    const auto T_world_start = trajectory().interpolate(added.view->time_s, options_.max_gap_s);
-    if (!T_world_start) continue;
-    IncomingView incoming{added.view, prepare_view(*added.view, options_.track.smoothing)};
-    const Alignment found = scan.locate(incoming, *T_world_start);
-    if (!convincing(found) || found.moved_mm > 0.3 * radius_mm_) continue;
-    scan.add(std::move(incoming), found.T_target_source);
+/// A few views spread over a piece stand for it: each asks all starts, its neighbor confirms.
+void Registrar::retry_piece(std::size_t piece) {
+  constexpr std::size_t kAttempts = 4;
+  claim_.reset();
+  const std::size_t count = pieces_[piece]->size();
+  for (std::size_t attempt = 0; count >= 2 && attempt < kAttempts; ++attempt) {
+    const std::size_t i = attempt * (count - 2) / (kAttempts - 1);
+    if (try_to_join(piece, i, true)) break;
+    if (claim_ && try_to_join(piece, i + 1, false)) break;
   }
+}
+
+/// What did not join is left out: the less, the better.
+void Registrar::choose_largest_piece(const Progress& progress) {
+  const auto largest =
+      std::max_element(pieces_.begin(), pieces_.end(),
+                       [](const auto& a, const auto& b) { return a->size() < b->size(); });
+  if ((*largest)->size() <= pieces_[scan_]->size()) return;
+  scan_ = static_cast<std::size_t>(largest - pieces_.begin());
+  retry_pieces(progress);
+}
+
+void Registrar::retry_rejected(const Progress& progress) {
+  for (Added& added : added_) {
+    if (progress.cancelled()) return;
+    retry_rejected(added);
+    progress.advance(1.0 / static_cast<double>(added_.size()));
+  }
+}
+
+void Registrar::retry_rejected(const Added& added) {
+  if (added.reason == RejectReason::kNone || added.reason == RejectReason::kTooFewPoints) return;
+  TrackedScan& scan = *pieces_[scan_];
+  if (scan.registered_pose(added.view->time_s)) return;
+  const auto T_world_start = trajectory().interpolate(added.view->time_s, options_.max_gap_s);
+  if (!T_world_start) return;
+  IncomingView incoming{added.view, prepare_view(*added.view, options_.track.smoothing)};
+  const Alignment found = scan.locate(incoming, *T_world_start);
+  if (!convincing(found) || found.moved_mm > 0.3 * radius_mm_) return;
+  scan.add(std::move(incoming), found.T_target_source);
 }
 
 RegisteredView Registrar::settle(const Added& added) const {
@@ -541,10 +416,12 @@ RegisteredView Registrar::settle(const Added& added) const {
   return result;
 }
 
-std::vector<RegisteredView> Registrar::finish(World world) {
+std::vector<RegisteredView> Registrar::finish(World world, const Progress& progress) {
   if (!pieces_.empty()) {
-    retry_pieces();
-    retry_rejected();
+    const Progress third = progress.part(1.0 / 3.0);
+    retry_pieces(third);
+    if (world == World::kFirstView) choose_largest_piece(third);
+    retry_rejected(third);
   }
   if (!pieces_.empty() && world == World::kFirstView) {
     const Isometry T_world_scan = aligned_views().front().T_world_sensor.inverse();

@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/pipeline/tracked_scan.h"
+#include "core/base/progress.h"
+#include "core/pipeline/entry_starts.h"
+#include "core/pipeline/reentry_proposal.h"
 
 namespace flytri {
 
@@ -52,13 +54,6 @@ struct ScanGrowth {
   std::vector<AlignedView> added;
 };
 
-/// Where a lost scan is best taken up again: two successive views with many profiles and points.
-/// @source  Arold et al., "Preview and Continuation Mode".
-struct ReentryProposal {
-  AlignedView first, second;
-  std::size_t point_count = 0;  ///< the rating: sum over both
-};
-
 struct RegistrarOptions {
   TrackOptions track;
   /// Default 20, range [1, 1000]. k of the paper: views tried against the last good one before the
@@ -73,6 +68,10 @@ struct RegistrarOptions {
   /// Default 14, range [0, 1000]. Evidence, see judge(), that a lost view needs to enter: a million
   /// to one, because so many places are tried.
   double min_entry_evidence = 14.0;
+  /// Default 100, range [1, 1000000]. A scan of so many views stays the scan while it goes on,
+  /// however large another piece grows: what was edited and measured refers to its frame. Before,
+  /// the larger piece takes its place: the first views may have been useless.
+  int settled_views = 100;
   /// Default 1, >= 1. Only every n-th view of each pattern is registered, the others are
   /// interpolated.
   int register_every = 1;
@@ -130,8 +129,11 @@ class Registrar {
   /// After the scan: tries pieces and rejected views once more against the whole model, then
   /// settles every fate, in the order of add(). The world becomes the sensor frame of the first
   /// view, unless it is to stay: edits and measurements refer to it.
+  /// @param progress  advances by one step at most; canceled, what was not tried again stays what
+  /// it was
   enum class World { kFirstView, kUnchanged };
-  [[nodiscard]] std::vector<RegisteredView> finish(World world = World::kFirstView);
+  [[nodiscard]] std::vector<RegisteredView> finish(World world = World::kFirstView,
+                                                   const Progress& progress = {});
 
  private:
   explicit Registrar(const RegistrarOptions& options) : options_(options) {}
@@ -141,30 +143,29 @@ class Registrar {
     RejectReason reason = RejectReason::kNone;
     bool skipped = false;
   };
-  /// A pose that one view of a piece suggests for the piece.
+  /// A pose that one view of a piece suggests for itself and its piece.
   struct Claim {
     std::size_t piece = 0;
     Isometry T_scan_piece = Isometry::Identity();
+    Isometry T_scan_sensor = Isometry::Identity();
   };
 
   RegisteredView take(const std::shared_ptr<const View>& view, bool may_register);
   RejectReason register_view(IncomingView incoming);
   RejectReason track_lost(IncomingView incoming, RejectReason reason, bool search);
   bool try_to_join(std::size_t piece, std::size_t i, bool all_starts);
-  [[nodiscard]] bool confirms_claim(const Alignment& alignment) const;
+  bool confirm_claim(std::size_t piece, const IncomingView& incoming,
+                     const Isometry& T_piece_sensor);
   void join(std::size_t piece, const Isometry& T_scan_piece);
   void start_piece(IncomingView incoming);
-  [[nodiscard]] std::vector<Isometry> anchors(double time_s) const;
-  [[nodiscard]] std::vector<Isometry> start_poses(double time_s, bool all) const;
-  [[nodiscard]] std::vector<Isometry> likeliest_entries() const;
-  /// A start, moved along the line of sight to where the view's surface is as far from the sensor
-  /// as it was when the scan saw this place: a hand comes back nearer or farther.
-  [[nodiscard]] Isometry at_its_depth(const Isometry& T_scan_start,
-                                      const IncomingView& incoming) const;
+  [[nodiscard]] EntryStarts entry_starts();
   [[nodiscard]] bool convincing(const Alignment& alignment) const;
   void show_nearness(double proof);
-  void retry_pieces();
-  void retry_rejected();
+  void retry_pieces(const Progress& progress);
+  void retry_piece(std::size_t piece);
+  void choose_largest_piece(const Progress& progress);
+  void retry_rejected(const Progress& progress);
+  void retry_rejected(const Added& added);
   [[nodiscard]] RegisteredView settle(const Added& added) const;
 
   RegistrarOptions options_;
@@ -178,6 +179,12 @@ class Registrar {
   double radius_mm_ = 0.0;
   std::optional<Claim> claim_;
   std::optional<Isometry> asked_entry_;
+  /// path_stops() of the scan, for as long as it is the same: many lost views ask for them.
+  struct KnownStops {
+    std::size_t piece = 0, views = 0;
+    std::vector<Isometry> poses;
+  };
+  KnownStops stops_;
   double entry_share_ = 0.0;
   double latest_rms_mm_ = 0.0;                   ///< of the view that was registered last
   std::size_t told_piece_ = 0, told_views_ = 0;  ///< what take_growth() has told

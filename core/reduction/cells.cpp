@@ -10,6 +10,10 @@ namespace flytri {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kBlock = 1024;
+
+/// The parts' shares of the time.
+constexpr double kGrowingShare = 0.5, kNearestShare = 0.5;
 
 /// Squared distance of `sample` from the axis of the cell around `center`; infinite outside of the
 /// cell or on another surface.
@@ -90,10 +94,59 @@ class GrowingCenters {
   std::uint32_t last_ = 0;
 };
 
+/// Finds the center whose axis is nearest, for samples that mostly follow each other closely: what
+/// is near one of them serves for the next as well.
+class NearCenters {
+ public:
+  NearCenters(std::span<const SurfaceSample> samples, std::span<const std::uint32_t> centers,
+              const PointGrid& grid, const CellShape& shape)
+      : samples_(samples), centers_(centers), grid_(grid), shape_(shape) {}
+
+  /// The cell, of equally near ones the first. The sample must lie in one.
+  std::uint32_t nearest_to(const SurfaceSample& sample) {
+    const float slack_mm = shape_.width_mm;
+    if (cells_.empty() || (sample.position_mm - middle_mm_).squaredNorm() > slack_mm * slack_mm) {
+      gather(sample.position_mm, std::hypot(shape_.width_mm, shape_.half_length_mm) + slack_mm);
+    }
+    std::uint32_t best = kNone;
+    float best2 = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const float d2 = distance2_from_axis(near_[i], sample, shape_);
+      if (d2 < best2 || (d2 == best2 && cells_[i] < best)) {
+        best2 = d2;
+        best = cells_[i];
+      }
+    }
+    return best;
+  }
+
+ private:
+  void gather(const Vec3f& middle_mm, float reach_mm) {
+    middle_mm_ = middle_mm;
+    grid_.within(middle_mm, reach_mm, found_);
+    cells_.clear();
+    near_.clear();
+    for (const Neighbor& n : found_) {
+      cells_.push_back(n.index);
+      near_.push_back(samples_[centers_[n.index]]);
+    }
+  }
+
+  std::span<const SurfaceSample> samples_;
+  std::span<const std::uint32_t> centers_;
+  const PointGrid& grid_;
+  CellShape shape_;
+  Vec3f middle_mm_ = Vec3f::Zero();  ///< around which was gathered
+  std::vector<Neighbor> found_;
+  std::vector<std::uint32_t> cells_;
+  std::vector<SurfaceSample> near_;  ///< their centers
+};
+
 /// The cell whose axis is nearest to each sample.
-std::vector<std::uint32_t> nearest_cells(std::span<const SurfaceSample> samples,
-                                         std::span<const std::uint32_t> centers,
-                                         const CellShape& shape, const Workers& workers) {
+Result<std::vector<std::uint32_t>> nearest_cells(std::span<const SurfaceSample> samples,
+                                                 std::span<const std::uint32_t> centers,
+                                                 const CellShape& shape, const Workers& workers,
+                                                 const Progress& progress) {
   std::vector<Vec3f> positions(centers.size());
   for (std::size_t c = 0; c < centers.size(); ++c) {
     positions[c] = samples[centers[c]].position_mm;
@@ -101,42 +154,38 @@ std::vector<std::uint32_t> nearest_cells(std::span<const SurfaceSample> samples,
   const float reach_mm = std::hypot(shape.width_mm, shape.half_length_mm);
   const PointGrid grid(positions, 0.5F * reach_mm);
   std::vector<std::uint32_t> cell_of(samples.size(), kNone);
-  constexpr std::size_t kBlock = 1024;
   const std::size_t blocks = (samples.size() + kBlock - 1) / kBlock;
-  workers.for_each(blocks, [&](std::size_t block) {
-    std::vector<Neighbor> near;
+  const auto search_block = [&](std::size_t block) {
+    NearCenters near(samples, centers, grid, shape);
     const std::size_t end = std::min(samples.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) {
-      grid.within(samples[i].position_mm, reach_mm, near);
-      float best2 = std::numeric_limits<float>::infinity();
-      for (const Neighbor& n : near) {
-        const float d2 = distance2_from_axis(samples[centers[n.index]], samples[i], shape);
-        if (d2 < best2 || (d2 == best2 && n.index < cell_of[i])) {
-          best2 = d2;
-          cell_of[i] = n.index;
-        }
-      }
-    }
-  });
+    for (std::size_t i = block * kBlock; i < end; ++i) cell_of[i] = near.nearest_to(samples[i]);
+  };
+  if (!workers.for_each_unless_cancelled(blocks, search_block, progress)) return stopped();
   return cell_of;
 }
 
 }  // namespace
 
-Cells divide_into_cells(std::span<const SurfaceSample> samples, const CellShape& shape,
-                        const Workers& workers) {
+Result<Cells> divide_into_cells(std::span<const SurfaceSample> samples, const CellShape& shape,
+                                const Workers& workers, const Progress& progress) {
   GrowingCenters growing(samples, shape);
-  for (std::size_t i = 0; i < samples.size(); ++i) growing.offer(static_cast<std::uint32_t>(i));
+  const auto offer = [&](std::size_t i) { growing.offer(static_cast<std::uint32_t>(i)); };
+  if (!for_each_in_order(samples.size(), offer, progress.part(kGrowingShare), kBlock)) {
+    return stopped();
+  }
   Cells cells;
+  cells.shape = shape;
   cells.centers = growing.take();
-  const std::vector<std::uint32_t> cell_of = nearest_cells(samples, cells.centers, shape, workers);
+  const auto cell_of =
+      nearest_cells(samples, cells.centers, shape, workers, progress.part(kNearestShare));
+  if (!cell_of) return tl::unexpected(cell_of.error());
   cells.starts.assign(cells.size() + 1, 0);
-  for (const std::uint32_t c : cell_of) ++cells.starts[c + 1];
+  for (const std::uint32_t c : *cell_of) ++cells.starts[c + 1];
   std::partial_sum(cells.starts.begin(), cells.starts.end(), cells.starts.begin());
   std::vector<std::uint32_t> next(cells.starts.begin(), cells.starts.end() - 1);
   cells.members.resize(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    cells.members[next[cell_of[i]]++] = static_cast<std::uint32_t>(i);
+    cells.members[next[(*cell_of)[i]]++] = static_cast<std::uint32_t>(i);
   }
   return cells;
 }

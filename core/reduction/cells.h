@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
 
@@ -20,6 +22,7 @@ struct CellShape {
 /// Which samples lie in which cell: those of cell c are members[starts[c]] ..
 /// members[starts[c+1]-1].
 struct Cells {
+  CellShape shape;                     ///< of each
   std::vector<std::uint32_t> centers;  ///< the sample around which each cell was formed
   std::vector<std::uint32_t> starts;   ///< one more than cells
   std::vector<std::uint32_t> members;  ///< rising within a cell
@@ -35,7 +38,10 @@ struct Cells {
 /// @param samples  in spatial order, finite
 /// @source  Arold et al., "Data Reduction"; there a sample stays in the first cell that holds it.
 ///          The nearest one makes cells of even size.
-[[nodiscard]] Cells divide_into_cells(std::span<const SurfaceSample> samples,
-                                      const CellShape& shape, const Workers& workers);
+/// @param progress  advanced by one step
+/// @errors  kCancelled.
+[[nodiscard]] Result<Cells> divide_into_cells(std::span<const SurfaceSample> samples,
+                                              const CellShape& shape, const Workers& workers,
+                                              const Progress& progress);
 
 }  // namespace flytri

@@ -28,7 +28,7 @@ Vec3f mean_normal(std::span<const SurfaceSample> samples, std::span<const std::u
 }
 
 ViewMean mean_of_view(std::span<const SurfaceSample> samples, std::span<const std::uint32_t> run,
-                      const Vec3f& normal, double noise_length_samples) {
+                      const Vec3f& normal, const MeanVariance& mean_variance) {
   ViewMean mean;
   double weight_sum = 0.0;
   for (const std::uint32_t i : run) {
@@ -39,18 +39,26 @@ ViewMean mean_of_view(std::span<const SurfaceSample> samples, std::span<const st
   }
   mean.position_mm /= weight_sum;
   const double typical_variance = static_cast<double>(run.size()) / weight_sum;
-  mean.variance_mm2 = typical_variance * mean_variance_share(run.size(), noise_length_samples);
+  mean.variance_mm2 = typical_variance * mean_variance.share(run.size());
   return mean;
 }
 
 }  // namespace
 
-double mean_variance_share(std::size_t count, double noise_length_samples) {
+MeanVariance::MeanVariance(double noise_length_samples)
+    : noise_length_samples_(noise_length_samples) {
+  constexpr std::size_t kUsual = 64;
+  for (std::size_t count = 0; count < kUsual; ++count) {
+    usual_.push_back(count == 0 ? 1.0 : compute(count));
+  }
+}
+
+double MeanVariance::compute(std::size_t count) const {
   const double n = static_cast<double>(count);
   double sum = 1.0;
   for (std::size_t lag = 1; lag < count; ++lag) {
     const double k = static_cast<double>(lag);
-    const double ratio = k / noise_length_samples;
+    const double ratio = k / noise_length_samples_;
     if (ratio > 4.0) break;  // what follows is below 1e-7
     sum += 2.0 * (1.0 - k / n) * std::exp(-ratio * ratio);
   }
@@ -58,7 +66,8 @@ double mean_variance_share(std::size_t count, double noise_length_samples) {
 }
 
 SurfacePoint merge_samples(std::span<const SurfaceSample> samples,
-                           std::span<const std::uint32_t> members, double noise_length_samples) {
+                           std::span<const std::uint32_t> members,
+                           const MeanVariance& mean_variance) {
   assert(!members.empty());
   std::vector<std::uint32_t> by_view(members.begin(), members.end());
   std::stable_sort(by_view.begin(), by_view.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -71,7 +80,7 @@ SurfacePoint merge_samples(std::span<const SurfaceSample> samples,
     while (end < by_view.size() && samples[by_view[end]].view == samples[by_view[begin]].view)
       ++end;
     means.push_back(mean_of_view(samples, std::span(by_view).subspan(begin, end - begin), normal,
-                                 noise_length_samples));
+                                 mean_variance));
     begin = end;
   }
   Vec3 position = Vec3::Zero();

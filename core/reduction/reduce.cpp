@@ -18,6 +18,9 @@ constexpr double kCellSpacings = 3.0;
 /// sample.
 constexpr double kHalfLengthSigmas = 6.0;
 
+/// The parts' shares of the time.
+constexpr double kOrderShare = 0.2, kCellShare = 0.3, kSupportShare = 0.4, kMergeShare = 0.1;
+
 /// Median size of the samples' deviation.
 double median_sigma_mm(std::span<const SurfaceSample> samples) {
   std::vector<float> sigmas;
@@ -39,6 +42,7 @@ CellShape shape_of_cells(std::span<const SurfaceSample> samples, double cell_mm,
 /// Keeps the members that are supported; a cell may become empty.
 Cells keep_supported(const Cells& cells, const std::vector<Support>& support) {
   Cells kept;
+  kept.shape = cells.shape;
   kept.centers = cells.centers;
   kept.starts = {0};
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -50,23 +54,47 @@ Cells keep_supported(const Cells& cells, const std::vector<Support>& support) {
   return kept;
 }
 
-PointCloud merge_cells(std::span<const SurfaceSample> samples, const Cells& cells,
-                       double noise_length_samples, const Workers& workers) {
+Result<PointCloud> merge_cells(std::span<const SurfaceSample> samples, const Cells& cells,
+                               double noise_length_samples, const Workers& workers,
+                               const Progress& progress) {
+  const MeanVariance mean_variance(noise_length_samples);
   PointCloud merged(cells.size());
-  workers.for_each(
+  const bool complete = workers.for_each_unless_cancelled(
       cells.size(),
       [&](std::size_t c) {
         if (!cells.of(c).empty()) {
-          merged[c] = merge_samples(samples, cells.of(c), noise_length_samples);
+          merged[c] = merge_samples(samples, cells.of(c), mean_variance);
         }
       },
-      1024);
+      progress, 1024);
+  if (!complete) return stopped();
   PointCloud points;
   points.reserve(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (!cells.of(c).empty()) points.push_back(merged[c]);
   }
   return points;
+}
+
+/// Reduces samples in spatial order, and adds what becomes of them to `reduction`.
+Result<void> reduce_ordered(std::span<const SurfaceSample> samples, const ReduceOptions& options,
+                            const Workers& workers, const Progress& progress,
+                            Reduction& reduction) {
+  const CellShape shape = shape_of_cells(samples, reduction.cell_mm, options);
+  const auto cells = divide_into_cells(samples, shape, workers, progress.part(kCellShare));
+  if (!cells) return tl::unexpected(cells.error());
+  const SupportRule rule{static_cast<float>(options.outlier_sigmas), options.min_support};
+  const auto support = find_support(samples, *cells, rule, workers, progress.part(kSupportShare));
+  if (!support) return tl::unexpected(support.error());
+  auto points = merge_cells(samples, keep_supported(*cells, *support), options.noise_length_samples,
+                            workers, progress.part(kMergeShare));
+  if (!points) return tl::unexpected(points.error());
+  reduction.points = std::move(*points);
+  for (const Support s : *support) {
+    if (s == Support::kOutvoted) ++reduction.counts.outlier_count;
+    if (s == Support::kIsolated) ++reduction.counts.isolated_count;
+  }
+  return {};
 }
 
 }  // namespace
@@ -89,7 +117,8 @@ Result<void> ReduceOptions::validate() const {
 }
 
 Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
-                                 const ReduceOptions& options, const Workers& workers) {
+                                 const ReduceOptions& options, const Workers& workers,
+                                 const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   Reduction reduction;
   reduction.counts.sample_count = samples.size();
@@ -101,19 +130,13 @@ Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
                 "no view has two of the {} samples, so their spacing is unknown: set cell_mm",
                 samples.size());
   }
-  const std::vector<SurfaceSample> ordered = spatially_ordered(samples, reduction.cell_mm);
-  reduction.counts.isolated_count = samples.size() - ordered.size();
-  if (ordered.empty()) return reduction;
-  const CellShape shape = shape_of_cells(ordered, reduction.cell_mm, options);
-  const Cells cells = divide_into_cells(ordered, shape, workers);
-  const SupportRule rule{static_cast<float>(options.outlier_sigmas), options.min_support};
-  const std::vector<Support> support = find_support(ordered, cells, shape, rule, workers);
-  reduction.points =
-      merge_cells(ordered, keep_supported(cells, support), options.noise_length_samples, workers);
-  for (const Support s : support) {
-    if (s == Support::kOutvoted) ++reduction.counts.outlier_count;
-    if (s == Support::kIsolated) ++reduction.counts.isolated_count;
-  }
+  const auto ordered =
+      spatially_ordered(samples, reduction.cell_mm, workers, progress.part(kOrderShare));
+  if (!ordered) return tl::unexpected(ordered.error());
+  reduction.counts.isolated_count = samples.size() - ordered->size();
+  if (ordered->empty()) return reduction;
+  const auto reduced = reduce_ordered(*ordered, options, workers, progress, reduction);
+  if (!reduced) return tl::unexpected(reduced.error());
   return reduction;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
@@ -55,9 +56,11 @@ struct Reduction {
 /// point's sigma_mm is the standard uncertainty of that average along the normal, from the samples'
 /// own and from how far the views disagree. Samples that are not finite or
 /// have no unit normal are dropped as isolated.
-/// @errors  kBadOption.
+/// @param progress  advanced by one step
+/// @errors  kBadOption; kInsufficient: no view has two samples, so that their spacing is not known;
+///          kCancelled.
 [[nodiscard]] Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
-                                               const ReduceOptions& options,
-                                               const Workers& workers);
+                                               const ReduceOptions& options, const Workers& workers,
+                                               const Progress& progress = {});
 
 }  // namespace flytri

@@ -1,9 +1,11 @@
 #include "core/reduction/sample_order.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 #include "core/base/median.h"
@@ -75,27 +77,70 @@ std::vector<SurfaceSample> probe_views(std::span<const SurfaceSample> samples) {
   return chosen;
 }
 
+/// A sample and its place on the curve.
+struct Keyed {
+  std::uint64_t key = 0;
+  std::uint32_t index = 0;
+};
+/// No place on the curve.
+constexpr std::uint64_t kUnusable = std::numeric_limits<std::uint64_t>::max();
+constexpr std::size_t kGrain = 1024, kBucketGrain = 64;
+/// Of finding the keys in the time of sorting.
+constexpr double kKeyShare = 0.2;
+
+/// Sorts by the leading bits of the key in one pass, so that the rest can be sorted side by side.
+/// @returns where each stretch of equal bits begins, and the end
+std::vector<std::size_t> sort_roughly(std::vector<Keyed>& order) {
+  constexpr int kLeadingBits = 18;
+  if (order.empty()) return {0};
+  const auto by_key = [](const Keyed& a, const Keyed& b) { return a.key < b.key; };
+  const auto [low, high] = std::minmax_element(order.begin(), order.end(), by_key);
+  const std::uint64_t first = low->key;
+  const int shift = std::max(0, static_cast<int>(std::bit_width(high->key - first)) - kLeadingBits);
+  const auto bucket_of = [&](const Keyed& keyed) {
+    return static_cast<std::size_t>((keyed.key - first) >> shift);
+  };
+  std::vector<std::size_t> starts(bucket_of(*high) + 2, 0);
+  for (const Keyed& keyed : order) ++starts[bucket_of(keyed) + 1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+  std::vector<Keyed> sorted(order.size());
+  for (const Keyed& keyed : order) sorted[next[bucket_of(keyed)]++] = keyed;
+  order.swap(sorted);
+  return starts;
+}
+
 }  // namespace
 
-std::vector<SurfaceSample> spatially_ordered(std::span<const SurfaceSample> samples,
-                                             double cell_mm) {
-  struct Keyed {
-    std::uint64_t key;
-    std::uint32_t index;
+Result<std::vector<SurfaceSample>> spatially_ordered(std::span<const SurfaceSample> samples,
+                                                     double cell_mm, const Workers& workers,
+                                                     const Progress& progress) {
+  std::vector<Keyed> order(samples.size());
+  const auto key = [&](std::size_t i) {
+    order[i] = {is_usable(samples[i]) ? morton(samples[i].position_mm, cell_mm) : kUnusable,
+                static_cast<std::uint32_t>(i)};
   };
-  std::vector<Keyed> order;
-  order.reserve(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!is_usable(samples[i])) continue;
-    order.push_back({morton(samples[i].position_mm, cell_mm), static_cast<std::uint32_t>(i)});
+  if (!workers.for_each_unless_cancelled(samples.size(), key, progress.part(kKeyShare), kGrain)) {
+    return stopped();
   }
-  std::sort(order.begin(), order.end(), [&](const Keyed& a, const Keyed& b) {
-    if (a.key != b.key) return a.key < b.key;
-    return all_fields(samples[a.index]) < all_fields(samples[b.index]);
-  });
-  std::vector<SurfaceSample> ordered;
-  ordered.reserve(order.size());
-  for (const Keyed& k : order) ordered.push_back(samples[k.index]);
+  std::erase_if(order, [](const Keyed& keyed) { return keyed.key == kUnusable; });
+  const std::vector<std::size_t> starts = sort_roughly(order);
+  std::vector<SurfaceSample> ordered(order.size());
+  const auto sort_bucket = [&](std::size_t bucket) {
+    const auto begin = order.begin() + static_cast<std::ptrdiff_t>(starts[bucket]);
+    const auto end = order.begin() + static_cast<std::ptrdiff_t>(starts[bucket + 1]);
+    std::sort(begin, end, [&](const Keyed& a, const Keyed& b) {
+      if (a.key != b.key) return a.key < b.key;
+      return all_fields(samples[a.index]) < all_fields(samples[b.index]);
+    });
+    for (std::size_t i = starts[bucket]; i < starts[bucket + 1]; ++i) {
+      ordered[i] = samples[order[i].index];
+    }
+  };
+  if (!workers.for_each_unless_cancelled(starts.size() - 1, sort_bucket,
+                                         progress.part(1.0 - kKeyShare), kBucketGrain)) {
+    return stopped();
+  }
   return ordered;
 }
 

@@ -5,15 +5,21 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
 
 namespace flytri {
 
 /// The usable samples (finite, with a unit normal) along a space-filling curve, so that neighbors
 /// in the list are near in space and any order of the input gives the same list.
-/// @param cell_mm  > 0: resolution of the curve
-[[nodiscard]] std::vector<SurfaceSample> spatially_ordered(std::span<const SurfaceSample> samples,
-                                                           double cell_mm);
+/// @param cell_mm   > 0: resolution of the curve
+/// @param progress  advanced by one step
+/// @errors  kCancelled.
+[[nodiscard]] Result<std::vector<SurfaceSample>> spatially_ordered(
+    std::span<const SurfaceSample> samples, double cell_mm, const Workers& workers,
+    const Progress& progress);
 
 /// Median distance of a sample to the nearest one of its own view, measured across the direction of
 /// the noise: the footprint of a camera pixel on the object. 0 if no view has two samples.

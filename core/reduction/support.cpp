@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
+#include <utility>
 
 #include "core/geometry/point_grid.h"
 
@@ -28,28 +28,46 @@ struct Votes {
 /// relative to the cell's center, heights are along its normal.
 struct WitnessTable {
   std::vector<float> x_mm, y_mm, z_mm, height_mm, variance_mm2;
-  std::vector<ViewIndex> views;
+  std::vector<std::uint32_t> slots;  ///< which of the views it is of
+  std::vector<ViewIndex> views;      ///< rising
 
   void clear() {
     for (auto* field : {&x_mm, &y_mm, &z_mm, &height_mm, &variance_mm2}) field->clear();
+    slots.clear();
     views.clear();
   }
+  /// Witnesses are added view by view.
   void add(const Vec3f& p, float height, float variance, ViewIndex view) {
     x_mm.push_back(p.x()), y_mm.push_back(p.y()), z_mm.push_back(p.z());
     height_mm.push_back(height), variance_mm2.push_back(variance);
-    views.push_back(view);
+    if (views.empty() || views.back() != view) views.push_back(view);
+    slots.push_back(static_cast<std::uint32_t>(views.size() - 1));
   }
 };
 
 /// How a witness stands to a sample: the bits of what it says.
 enum Statement : std::uint8_t { kFar = 0, kNear = 1, kAgrees = 2 };
 
+/// A sample by its view, as one number: sorting is quick.
+using Witness = std::uint64_t;
+Witness witness_of(ViewIndex view, std::uint32_t sample) {
+  return (static_cast<Witness>(static_cast<std::uint32_t>(view.value)) << 32U) | sample;
+}
+std::uint32_t view_of(Witness w) { return static_cast<std::uint32_t>(w >> 32U); }
+std::uint32_t sample_of(Witness w) { return static_cast<std::uint32_t>(w); }
+
 /// Votes on the samples of one cell after another, with memory kept between them.
 class Jury {
  public:
-  Jury(std::span<const SurfaceSample> samples, const Cells& cells, const PointGrid& centers,
-       const CellShape& shape, const SupportRule& rule)
-      : samples_(samples), cells_(cells), centers_(centers), shape_(shape), rule_(rule) {}
+  /// @param members  those of the cells, in the same order
+  Jury(std::span<const SurfaceSample> samples, const Cells& cells, std::span<const Witness> members,
+       const PointGrid& centers, const SupportRule& rule)
+      : samples_(samples),
+        cells_(cells),
+        members_(members),
+        centers_(centers),
+        shape_(cells.shape),
+        rule_(rule) {}
 
   void judge(std::size_t cell, std::vector<Support>& support) {
     gather(cell);
@@ -58,13 +76,6 @@ class Jury {
   }
 
  private:
-  /// A sample by its view; the view beside it makes sorting cheap.
-  struct Witness {
-    std::uint32_t view;
-    std::uint32_t sample;
-    auto operator<=>(const Witness&) const = default;
-  };
-
   /// Collects the samples around a cell's axis, those of a view together.
   void gather(std::size_t cell) {
     const SurfaceSample& center = samples_[cells_.centers[cell]];
@@ -76,41 +87,41 @@ class Jury {
       const Vec3f d = samples_[cells_.centers[n.index]].position_mm - center.position_mm;
       const float along = d.dot(center.normal);
       if (d.squaredNorm() - along * along > across_mm * across_mm) continue;
-      for (const std::uint32_t j : cells_.of(n.index)) {
-        witnesses_.push_back({static_cast<std::uint32_t>(samples_[j].view.value), j});
-      }
+      const auto members = members_.subspan(cells_.starts[n.index], cells_.of(n.index).size());
+      witnesses_.insert(witnesses_.end(), members.begin(), members.end());
     }
-    std::sort(witnesses_.begin(), witnesses_.end());
     excuse_surplus_views();
+    std::sort(witnesses_.begin(), witnesses_.end());
     normal_ = mean_normal(center);
   }
 
-  /// Keeps the witnesses of evenly chosen views if there are too many.
+  /// Keeps the witnesses of evenly chosen views if there are too many: of every second, third, ...
+  /// view that is there, by its number.
   void excuse_surplus_views() {
     const std::size_t step = witnesses_.size() / kMaxWitnesses + 1;
     if (step == 1) return;
-    std::size_t kept = 0;
-    std::size_t view_rank = 0;
-    std::uint32_t view = witnesses_.front().view;
-    for (const Witness& w : witnesses_) {
-      if (w.view != view) ++view_rank;
-      view = w.view;
-      if (view_rank % step == 0) witnesses_[kept++] = w;
+    views_.clear();
+    for (const Witness w : witnesses_) {
+      if (view_of(w) >= is_heard_.size()) is_heard_.resize(view_of(w) + 1, 0);
+      if (std::exchange(is_heard_[view_of(w)], 1) == 0) views_.push_back(view_of(w));
     }
-    witnesses_.resize(kept);
+    std::sort(views_.begin(), views_.end());
+    for (std::size_t i = 0; i < views_.size(); ++i) is_heard_[views_[i]] = i % step == 0 ? 1 : 0;
+    std::erase_if(witnesses_, [&](Witness w) { return is_heard_[view_of(w)] == 0; });
+    for (const std::uint32_t view : views_) is_heard_[view] = 0;
   }
 
   /// Fills the table with the witnesses that lie on the cell's surface.
   void tabulate(const Vec3f& center_mm) {
     center_mm_ = center_mm;
     table_.clear();
-    for (const Witness& w : witnesses_) {
-      const SurfaceSample& witness = samples_[w.sample];
+    for (const Witness w : witnesses_) {
+      const SurfaceSample& witness = samples_[sample_of(w)];
       if (witness.normal.dot(normal_) < shape_.min_normal_cos) continue;
       const Vec3f p = witness.position_mm - center_mm;
       table_.add(p, normal_.dot(p), square(sigma_across_mm(witness, normal_)), witness.view);
     }
-    statements_.resize(table_.views.size());
+    statements_.resize(table_.slots.size());
   }
 
   /// What each witness of the table says about the height of the surface at the sample.
@@ -134,15 +145,18 @@ class Jury {
   [[nodiscard]] Votes vote(const SurfaceSample& sample) {
     question(sample);
     Votes votes;
-    for (std::size_t w = 0; w < statements_.size();) {
-      const ViewIndex view = table_.views[w];
-      unsigned heard = kFar;
-      for (; w < statements_.size() && table_.views[w] == view; ++w) {
-        heard |= statements_[w];
-        votes.agreeing_samples += statements_[w] / kAgrees;
-      }
-      if (view == sample.view || heard == kFar) continue;
-      ++((heard & kAgrees) != 0 ? votes.agreeing_views : votes.opposing_views);
+    heard_.assign(table_.views.size(), kFar);
+    for (std::size_t w = 0; w < statements_.size(); ++w) {
+      heard_[table_.slots[w]] |= statements_[w];
+      votes.agreeing_samples += statements_[w] / kAgrees;
+    }
+    const auto own = std::lower_bound(table_.views.begin(), table_.views.end(), sample.view);
+    if (own != table_.views.end() && *own == sample.view) {
+      heard_[static_cast<std::size_t>(own - table_.views.begin())] = kFar;
+    }
+    for (const std::uint8_t heard : heard_) {
+      votes.agreeing_views += heard / kAgrees;
+      votes.opposing_views += heard == kNear ? 1 : 0;
     }
     return votes;
   }
@@ -157,8 +171,8 @@ class Jury {
 
   [[nodiscard]] Vec3f mean_normal(const SurfaceSample& sample) const {
     Vec3f sum = sample.normal;
-    for (const Witness& w : witnesses_) {
-      const Vec3f& normal = samples_[w.sample].normal;
+    for (const Witness w : witnesses_) {
+      const Vec3f& normal = samples_[sample_of(w)].normal;
       if (normal.dot(sample.normal) >= shape_.min_normal_cos) sum += normal;
     }
     return sum.normalized();
@@ -168,15 +182,19 @@ class Jury {
 
   std::span<const SurfaceSample> samples_;
   const Cells& cells_;
+  std::span<const Witness> members_;
   const PointGrid& centers_;
   CellShape shape_;
   SupportRule rule_;
   std::vector<Neighbor> near_cells_;
-  std::vector<Witness> witnesses_;  ///< samples around the cell, by view
-  Vec3f normal_ = Vec3f::UnitZ();   ///< of the surface in the cell
+  std::vector<Witness> witnesses_;    ///< samples around the cell, by view
+  std::vector<std::uint32_t> views_;  ///< that are there, rising
+  std::vector<char> is_heard_;        ///< by view; all 0 between cells
+  Vec3f normal_ = Vec3f::UnitZ();     ///< of the surface in the cell
   Vec3f center_mm_ = Vec3f::Zero();
   WitnessTable table_;                    ///< witnesses on the surface of the cell
   std::vector<std::uint8_t> statements_;  ///< of the table's witnesses, on one sample
+  std::vector<std::uint8_t> heard_;       ///< of the table's views, all their statements together
 };
 
 }  // namespace
@@ -186,21 +204,26 @@ float sigma_across_mm(const SurfaceSample& sample, const Vec3f& normal) {
   return std::sqrt(along * along + 0.01F * sample.deviation_mm.squaredNorm());
 }
 
-std::vector<Support> find_support(std::span<const SurfaceSample> samples, const Cells& cells,
-                                  const CellShape& shape, const SupportRule& rule,
-                                  const Workers& workers) {
+Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples,
+                                          const Cells& cells, const SupportRule& rule,
+                                          const Workers& workers, const Progress& progress) {
   std::vector<Vec3f> positions(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
     positions[c] = samples[cells.centers[c]].position_mm;
   }
-  const PointGrid centers(positions, 2.0F * shape.width_mm);
+  const PointGrid centers(positions, 2.0F * cells.shape.width_mm);
+  std::vector<Witness> members(cells.members.size());
+  std::transform(cells.members.begin(), cells.members.end(), members.begin(),
+                 [&](std::uint32_t i) { return witness_of(samples[i].view, i); });
   std::vector<Support> support(samples.size(), Support::kSupported);
   constexpr std::size_t kBlock = 512;
-  workers.for_each((cells.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
-    Jury jury(samples, cells, centers, shape, rule);
+  const auto judge_block = [&](std::size_t block) {
+    Jury jury(samples, cells, members, centers, rule);
     const std::size_t end = std::min(cells.size(), (block + 1) * kBlock);
     for (std::size_t c = block * kBlock; c < end; ++c) jury.judge(c, support);
-  });
+  };
+  const std::size_t blocks = (cells.size() + kBlock - 1) / kBlock;
+  if (!workers.for_each_unless_cancelled(blocks, judge_block, progress)) return stopped();
   return support;
 }
 

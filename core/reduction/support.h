@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
 #include "core/reduction/cells.h"
@@ -30,8 +32,11 @@ struct SupportRule {
 
 /// Lets the views vote on every sample. Views count, not samples: the samples of one line err
 /// together.
-[[nodiscard]] std::vector<Support> find_support(std::span<const SurfaceSample> samples,
-                                                const Cells& cells, const CellShape& shape,
-                                                const SupportRule& rule, const Workers& workers);
+/// @param progress  advanced by one step
+/// @errors  kCancelled.
+[[nodiscard]] Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples,
+                                                        const Cells& cells, const SupportRule& rule,
+                                                        const Workers& workers,
+                                                        const Progress& progress);
 
 }  // namespace flytri

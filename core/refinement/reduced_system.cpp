@@ -1,6 +1,7 @@
 #include "core/refinement/reduced_system.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace flytri {
 namespace {
@@ -29,6 +30,11 @@ ReducedSystem::ReducedSystem(std::vector<Vec3> centers_mm)
       blocks_of_view_(centers_mm_.size()) {
   group_size_ = std::max<std::size_t>(1, (centers_mm_.size() + kMaxGroups - 1) / kMaxGroups);
   group_count_ = (centers_mm_.size() + group_size_ - 1) / group_size_;
+}
+
+void ReducedSystem::reserve(std::size_t block_count) {
+  blocks_.reserve(block_count);
+  cell_of_block_.reserve(block_count);
 }
 
 void ReducedSystem::add_cell(const std::vector<CellViewBlock>& blocks) {
@@ -144,14 +150,18 @@ Eigen::VectorXd ReducedSystem::precondition(const Eigen::VectorXd& r) const {
   return z;
 }
 
-Eigen::VectorXd ReducedSystem::solve(const Workers& workers) const {
+Result<Eigen::VectorXd> ReducedSystem::solve(const Workers& workers,
+                                             const Progress& progress) const {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(gradient_.size());
   Eigen::VectorXd r = -gradient_;
-  const double target = kTolerance * r.norm();
+  const double start = r.norm();
+  double done = 0.0;
   Eigen::VectorXd z = precondition(r);
   Eigen::VectorXd p = z;
   double rz = r.dot(z);
-  for (int iteration = 0; iteration < kMaxIterations && r.norm() > target; ++iteration) {
+  for (int iteration = 0; iteration < kMaxIterations && r.norm() > kTolerance * start;
+       ++iteration) {
+    if (progress.cancelled()) return stopped();
     const Eigen::VectorXd Hp = apply(p, workers);
     const double curvature = p.dot(Hp);
     // Rounding can turn the free motions of the whole scan slightly negative: nothing is left then.
@@ -163,7 +173,13 @@ Eigen::VectorXd ReducedSystem::solve(const Workers& workers) const {
     const double rz_next = r.dot(z);
     p = z + (rz_next / rz) * p;
     rz = rz_next;
+    // The residual may rise in between; what was told stays.
+    const double share = std::log(r.norm() / start) / std::log(kTolerance);
+    const double more = std::min(std::max(done, share), 1.0) - done;
+    progress.advance(more);
+    done += more;
   }
+  progress.advance(1.0 - done);
   return x;
 }
 

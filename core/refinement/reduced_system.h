@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/rigid.h"
 
@@ -26,6 +28,8 @@ class ReducedSystem {
   /// @param centers_mm  center of each view's points, world frame: its twist turns about it
   explicit ReducedSystem(std::vector<Vec3> centers_mm);
 
+  /// Makes room for so many blocks at once: they are most of what the refinement holds.
+  void reserve(std::size_t block_count);
   /// Adds a cell; `blocks` by rising view.
   void add_cell(const std::vector<CellViewBlock>& blocks);
   /// Adds to a view's own information J^T W J and to its gradient.
@@ -42,8 +46,11 @@ class ReducedSystem {
   /// Solves for the twists by conjugate gradients. Preconditioned at two levels: each view by
   /// itself, and stretches of consecutive views as rigid pieces, which takes the long waves of a
   /// drift that the first level leaves.
+  /// @param progress  advanced by one step, as the logarithm of the residual falls
   /// @source  two-level additive Schwarz; Saad, "Iterative Methods for Sparse Linear Systems".
-  [[nodiscard]] Eigen::VectorXd solve(const Workers& workers) const;
+  /// @errors  kCancelled.
+  [[nodiscard]] Result<Eigen::VectorXd> solve(const Workers& workers,
+                                              const Progress& progress = {}) const;
 
  private:
   [[nodiscard]] std::size_t group_of(std::size_t view) const { return view / group_size_; }

@@ -66,13 +66,15 @@ struct Refinement {
 /// the solution. A quadric follows each rigid motion of its cell, so moving the whole scan costs
 /// nothing.
 ///
-/// @param views  by time, at least one; changed are only the poses.
+/// @param views     by time, at least one; changed are only the poses.
+/// @param progress  advanced by one step
 /// @source  own; it takes the place of Arold et al., "Global Optimization", see
 ///          docs/adr/0004-joint-refinement.md.
-/// @errors  kBadOption, kCancelled (poses as they were).
+/// @errors  kBadOption, kInsufficient: no view, kCancelled (poses as they were).
 [[nodiscard]] Result<Refinement> refine_jointly(std::vector<AlignedView>& views,
                                                 const JointRefineOptions& options,
-                                                const Workers& workers, const Progress& progress);
+                                                const Workers& workers,
+                                                const Progress& progress = {});
 
 struct MetaviewRefineOptions {
   /// Of one view to its metaview. Guesses are near: the search begins narrow.
@@ -95,11 +97,12 @@ struct MetaviewRefinement {
 /// The paper's method, kept as the reference that refine_jointly is measured against: one view
 /// after the other, in random order, is registered to all that overlap with it, which act as one
 /// rigid metaview; again and again, until nothing moves.
-/// @param views  at least one; changed are only the poses. The first view keeps its pose.
+/// @param views     at least one; changed are only the poses. The first view keeps its pose.
+/// @param progress  advanced by one step
 /// @source  Arold et al., "Global Optimization".
 /// @errors  kBadOption, kInsufficient, kCancelled (poses as they were).
 [[nodiscard]] Result<MetaviewRefinement> refine_by_metaviews(std::vector<AlignedView>& views,
                                                              const MetaviewRefineOptions& options,
-                                                             const Progress& progress);
+                                                             const Progress& progress = {});
 
 }  // namespace flytri

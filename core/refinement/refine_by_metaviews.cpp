@@ -101,11 +101,10 @@ Result<MetaviewRefinement> refine_by_metaviews(std::vector<AlignedView>& views,
   MetaviewRefiner refiner(views, options);
   MetaviewRefinement result;
   Random random(options.seed);
-  progress.begin_stage("Optimizing by metaviews", static_cast<std::size_t>(options.max_rounds));
   for (int i = 0; i < options.max_rounds; ++i) {
-    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped while optimizing");
+    if (progress.cancelled()) return stopped();
     result.moved_mm.push_back(refiner.round(random));
-    progress.advance();
+    progress.advance(1.0 / options.max_rounds);
     if (!refiner.moved_any()) return result;
     result.outcome = RefineOutcome::kStepLimit;
     if (result.moved_mm.back() < options.convergence_share * refiner.radius_mm()) {

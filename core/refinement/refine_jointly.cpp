@@ -20,12 +20,22 @@ constexpr double kMaxWorsening = 1.02;
 constexpr double kMinValidShare = 0.5;
 constexpr double kEnlargement = 1.5;
 constexpr int kMaxEnlargements = 3;
+/// Shares in the time: of a step in what is left, as nobody knows how many follow; of the surfaces
+/// in a step; of the sums in the move that follows.
+constexpr double kStepShare = 0.25, kSurfaceShare = 0.5, kSumShare = 0.4;
+
+/// What is kept of a residual; the rest is found anew where it is needed, as there are many.
+struct ResidualSize {
+  double residual_mm = 0.0;
+  double sigma_mm = 0.0;
+  bool usable = false;
+};
 
 /// Everything one step works on.
 struct Step {
   double cell_mm = 0.0;
   std::vector<SurfaceCell> cells;
-  std::vector<std::vector<SurfaceResidual>> residuals;  ///< by cell, parallel to its data
+  std::vector<std::vector<ResidualSize>> residuals;  ///< by cell, parallel to its data
   double spread = 1.0;           ///< robust standard deviation of the normalized residuals
   double robust_sigma_mm = 0.0;  ///< of the residuals themselves
 };
@@ -36,7 +46,7 @@ void measure_spread(Step& step) {
   std::vector<double> normalized;
   std::vector<double> plain;
   for (const auto& cell : step.residuals) {
-    for (const SurfaceResidual& r : cell) {
+    for (const ResidualSize& r : cell) {
       if (!r.usable) continue;
       normalized.push_back(std::abs(r.residual_mm) / r.sigma_mm);
       plain.push_back(std::abs(r.residual_mm));
@@ -46,18 +56,21 @@ void measure_spread(Step& step) {
   step.robust_sigma_mm = kSigmaOfMedian * median_abs(plain);
 }
 
-Step fit_surfaces(std::span<const Datum> data, std::span<const Isometry> poses, double cell_mm,
-                  const Workers& workers) {
+Result<Step> fit_surfaces(std::span<const Datum> data, std::span<const Isometry> poses,
+                          double cell_mm, const Workers& workers, const Progress& progress) {
   Step step{cell_mm, divide_space(data, poses, cell_mm), {}, 1.0, 0.0};
   step.residuals.resize(step.cells.size());
-  workers.for_each(step.cells.size(), [&](std::size_t c) {
+  const auto fit = [&](std::size_t c) {
     SurfaceCell& cell = step.cells[c];
     fit_surface(cell, data, poses, cell_mm);
     if (!cell.valid) return;
+    step.residuals[c].reserve(cell.data.size());
     for (const std::uint32_t i : cell.data) {
-      step.residuals[c].push_back(residual_of(cell, data[i], poses[data[i].view.at()], cell_mm));
+      const SurfaceResidual r = residual_of(cell, data[i], poses[data[i].view.at()], cell_mm);
+      step.residuals[c].push_back({r.residual_mm, r.sigma_mm, r.usable});
     }
-  });
+  };
+  if (!workers.for_each_unless_cancelled(step.cells.size(), fit, progress)) return stopped();
   measure_spread(step);
   return step;
 }
@@ -73,13 +86,6 @@ double valid_share(const Step& step) {
   return all == 0 ? 0.0 : static_cast<double>(valid) / static_cast<double>(all);
 }
 
-/// How residuals are weighed.
-struct WeightRule {
-  double spread = 1.0;  ///< of the normalized residuals: they are larger than the noise while the
-                        ///< poses are wrong
-  double tukey_sigmas = 4.0;
-};
-
 /// Sums of one cell, view by view.
 struct CellSums {
   struct ViewSums {
@@ -92,32 +98,6 @@ struct CellSums {
   Matrix6 AA = Matrix6::Zero();
   Quadric Ar = Quadric::Zero();
 };
-
-CellSums sum_cell(const SurfaceCell& cell, std::span<const SurfaceResidual> residuals,
-                  std::span<const Datum> data, std::span<const Vec3> centers_mm,
-                  const WeightRule& rule) {
-  CellSums sums;
-  for (std::size_t k = 0; k < residuals.size(); ++k) {
-    const SurfaceResidual& r = residuals[k];
-    if (!r.usable) continue;
-    const auto view = static_cast<std::uint32_t>(data[cell.data[k]].view.value);
-    const double sigma_mm = rule.spread * r.sigma_mm;
-    const double weight =
-        tukey_weight(r.residual_mm / sigma_mm, rule.tukey_sigmas) / (sigma_mm * sigma_mm);
-    if (weight == 0.0) continue;
-    // Data come view after view.
-    if (sums.views.empty() || sums.views.back().view != view) sums.views.push_back({view});
-    auto& of_view = sums.views.back();
-    Twist J;
-    J << (r.foot_mm - centers_mm[view]).cross(r.gradient), r.gradient;
-    of_view.JJ.noalias() += weight * J * J.transpose();
-    of_view.JA.noalias() += weight * J * r.terms.transpose();
-    of_view.Jr += weight * r.residual_mm * J;
-    sums.AA.noalias() += weight * r.terms * r.terms.transpose();
-    sums.Ar += weight * r.residual_mm * r.terms;
-  }
-  return sums;
-}
 
 /// Eliminates the cell's surface and adds what is left to the system.
 void add_cell(const CellSums& sums, ReducedSystem& system) {
@@ -155,9 +135,16 @@ class JointRefiner {
  private:
   [[nodiscard]] std::vector<Vec3> view_centers() const;
   [[nodiscard]] double mean_radius_mm() const;
-  [[nodiscard]] Step fit_surfaces_over_drift() const;
-  /// Moves all poses by one Gauss-Newton step.
-  void move(const Step& step);
+  [[nodiscard]] Result<Step> fit_surfaces_over_drift(const Progress& progress) const;
+  /// Moves all poses by one Gauss-Newton step. False: cancelled, and none moved.
+  [[nodiscard]] bool move(const Step& step, const Progress& progress);
+  [[nodiscard]] CellSums sum_cell(const Step& step, std::size_t c,
+                                  std::span<const Vec3> centers_mm) const;
+  /// How many pairs of a cell and a view that is seen in it there are.
+  [[nodiscard]] std::size_t count_views_of_cells(const Step& step) const;
+  /// Adds all cells, in order. False: cancelled.
+  [[nodiscard]] bool add_cells(const Step& step, std::span<const Vec3> centers_mm,
+                               ReducedSystem& system, const Progress& progress) const;
   void rate_views(const Step& step);
   void fix_world();
 
@@ -173,12 +160,13 @@ class JointRefiner {
 };
 
 /// Where poses are far off, the data of a small cell are no surface; a larger one still sees it.
-Step JointRefiner::fit_surfaces_over_drift() const {
+Result<Step> JointRefiner::fit_surfaces_over_drift(const Progress& progress) const {
   double cell_mm = cell_mm_;
-  Step step = fit_surfaces(data_, poses_, cell_mm, workers_);
-  for (int i = 0; i < kMaxEnlargements && valid_share(step) < kMinValidShare; ++i) {
+  auto step = fit_surfaces(data_, poses_, cell_mm, workers_, progress);
+  for (int i = 0; i < kMaxEnlargements && step && valid_share(*step) < kMinValidShare; ++i) {
     cell_mm *= kEnlargement;
-    step = fit_surfaces(data_, poses_, cell_mm, workers_);
+    // What has to be done again was not foreseen: it does not advance.
+    step = fit_surfaces(data_, poses_, cell_mm, workers_, progress.part(0.0));
   }
   return step;
 }
@@ -203,13 +191,8 @@ double JointRefiner::mean_radius_mm() const {
   return sum / static_cast<double>(data_.size());
 }
 
-void JointRefiner::move(const Step& step) {
+bool JointRefiner::move(const Step& step, const Progress& progress) {
   const std::vector<Vec3> centers = view_centers();
-  std::vector<CellSums> sums(step.cells.size());
-  const WeightRule rule{step.spread, options_.tukey_sigmas};
-  workers_.for_each(step.cells.size(), [&](std::size_t c) {
-    sums[c] = sum_cell(step.cells[c], step.residuals[c], data_, centers, rule);
-  });
   ReducedSystem system(centers);
   const double step_mm = options_.step_share * cell_mm_;
   Twist prior;
@@ -217,14 +200,74 @@ void JointRefiner::move(const Step& step) {
   for (std::size_t v = 0; v < poses_.size(); ++v) {
     system.add_view(v, prior.cwiseAbs2().asDiagonal(), Twist::Zero());
   }
-  for (const CellSums& cell : sums) add_cell(cell, system);
+  if (!add_cells(step, centers, system, progress.part(kSumShare))) return false;
   system.finish(workers_);
-  const Eigen::VectorXd x = system.solve(workers_);
+  if (progress.cancelled()) return false;
+  const auto x = system.solve(workers_, progress.part(1.0 - kSumShare));
+  if (!x) return false;
   for (std::size_t v = 0; v < poses_.size(); ++v) {
-    const Twist twist = x.segment<6>(6 * static_cast<Eigen::Index>(v));
+    const Twist twist = x->segment<6>(6 * static_cast<Eigen::Index>(v));
     const Eigen::Translation3d to_center(-centers[v]);
     poses_[v] = to_center.inverse() * exp_twist(twist) * to_center * poses_[v];
   }
+  return true;
+}
+
+CellSums JointRefiner::sum_cell(const Step& step, std::size_t c,
+                                std::span<const Vec3> centers_mm) const {
+  const SurfaceCell& cell = step.cells[c];
+  CellSums sums;
+  for (std::size_t k = 0; k < step.residuals[c].size(); ++k) {
+    const ResidualSize& size = step.residuals[c][k];
+    if (!size.usable) continue;
+    // The residuals are larger than the noise while the poses are wrong.
+    const double sigma_mm = step.spread * size.sigma_mm;
+    const double weight =
+        tukey_weight(size.residual_mm / sigma_mm, options_.tukey_sigmas) / (sigma_mm * sigma_mm);
+    if (weight == 0.0) continue;
+    const Datum& datum = data_[cell.data[k]];
+    const auto view = static_cast<std::uint32_t>(datum.view.value);
+    const SurfaceResidual r = residual_of(cell, datum, poses_[view], step.cell_mm);
+    // Data come view after view.
+    if (sums.views.empty() || sums.views.back().view != view) sums.views.push_back({view});
+    auto& of_view = sums.views.back();
+    Twist J;
+    J << (r.foot_mm - centers_mm[view]).cross(r.gradient), r.gradient;
+    of_view.JJ.noalias() += weight * J * J.transpose();
+    of_view.JA.noalias() += weight * J * r.terms.transpose();
+    of_view.Jr += weight * r.residual_mm * J;
+    sums.AA.noalias() += weight * r.terms * r.terms.transpose();
+    sums.Ar += weight * r.residual_mm * r.terms;
+  }
+  return sums;
+}
+
+std::size_t JointRefiner::count_views_of_cells(const Step& step) const {
+  std::size_t count = 0;
+  for (const SurfaceCell& cell : step.cells) {
+    if (!cell.valid) continue;
+    for (std::size_t k = 0; k < cell.data.size(); ++k) {
+      if (k == 0 || data_[cell.data[k]].view != data_[cell.data[k - 1]].view) ++count;
+    }
+  }
+  return count;
+}
+
+bool JointRefiner::add_cells(const Step& step, std::span<const Vec3> centers_mm,
+                             ReducedSystem& system, const Progress& progress) const {
+  // A block at a time, so that the sums take little memory.
+  constexpr std::size_t kBlock = 1024;
+  system.reserve(count_views_of_cells(step));
+  std::vector<CellSums> sums(kBlock);
+  const std::size_t count = step.cells.size();
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    const std::size_t size = std::min(kBlock, count - begin);
+    const Progress of_block = progress.part(static_cast<double>(size) / static_cast<double>(count));
+    const auto sum = [&](std::size_t i) { sums[i] = sum_cell(step, begin + i, centers_mm); };
+    if (!workers_.for_each_unless_cancelled(size, sum, of_block)) return false;
+    for (std::size_t i = 0; i < size; ++i) add_cell(sums[i], system);
+  }
+  return true;
 }
 
 void JointRefiner::rate_views(const Step& step) {
@@ -233,7 +276,7 @@ void JointRefiner::rate_views(const Step& step) {
   const double limit = options_.tukey_sigmas * step.spread;
   for (std::size_t c = 0; c < step.cells.size(); ++c) {
     for (std::size_t k = 0; k < step.residuals[c].size(); ++k) {
-      const SurfaceResidual& r = step.residuals[c][k];
+      const ResidualSize& r = step.residuals[c][k];
       if (!r.usable) continue;
       const std::size_t v = data_[step.cells[c].data[k]].view.at();
       ++result_.views[v].count;
@@ -262,34 +305,38 @@ void JointRefiner::fix_world() {
 
 Result<Refinement> JointRefiner::run() {
   result_.views.assign(poses_.size(), {});
-  if (data_.empty()) return result_;
+  if (data_.empty()) {
+    progress_.advance();
+    return result_;
+  }
   const auto step_count = static_cast<std::size_t>(options_.max_steps);
-  progress_.begin_stage("Optimizing together", step_count);
   std::vector<Isometry> best = poses_;
   double former_sigma_mm = 0.0;
   double cell_mm = 0.0;
-  for (std::size_t i = 0; i <= step_count; ++i) {
-    if (progress_.cancelled()) return fail(ErrorCode::kCancelled, "stopped while optimizing");
-    const Step step = fit_surfaces_over_drift();
-    const bool comparable = step.cell_mm == cell_mm;
-    if (comparable && step.robust_sigma_mm > kMaxWorsening * former_sigma_mm) {
+  double rest = 1.0;
+  for (std::size_t i = 0; i <= step_count; ++i, rest *= 1.0 - kStepShare) {
+    const Progress of_step = progress_.part(kStepShare * rest);
+    const auto step = fit_surfaces_over_drift(of_step.part(kSurfaceShare));
+    if (!step) return tl::unexpected(step.error());
+    const bool comparable = step->cell_mm == cell_mm;
+    if (comparable && step->robust_sigma_mm > kMaxWorsening * former_sigma_mm) {
       poses_ = best;
       break;
     }
-    cell_mm = step.cell_mm;
+    cell_mm = step->cell_mm;
     best = poses_;
-    result_.robust_sigma_mm.push_back(step.robust_sigma_mm);
-    rate_views(step);
-    const double change_mm = std::abs(step.robust_sigma_mm - former_sigma_mm);
+    result_.robust_sigma_mm.push_back(step->robust_sigma_mm);
+    rate_views(*step);
+    const double change_mm = std::abs(step->robust_sigma_mm - former_sigma_mm);
     const bool converged =
-        comparable && change_mm < options_.convergence_share * step.robust_sigma_mm;
-    former_sigma_mm = step.robust_sigma_mm;
+        comparable && change_mm < options_.convergence_share * step->robust_sigma_mm;
+    former_sigma_mm = step->robust_sigma_mm;
     result_.outcome = converged ? RefineOutcome::kConverged : RefineOutcome::kStepLimit;
     if (converged || i == step_count) break;
-    move(step);
+    if (!move(*step, of_step.part(1.0 - kSurfaceShare))) return stopped();
     result_.steps = static_cast<int>(i) + 1;
-    progress_.advance();
   }
+  progress_.advance(rest * (1.0 - kStepShare * kSurfaceShare));
   fix_world();
   return result_;
 }

@@ -1,7 +1,6 @@
 #include "core/refinement/surface_cells.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -34,13 +33,19 @@ struct LocalDatum {
   double sigma_mm;
 };
 
-using CellKey = std::array<std::int32_t, 3>;
+/// A cube of space as one number, which sorts by x, then y, then z. Beyond a million cubes off the
+/// origin they are not told apart.
+using CellKey = std::uint64_t;
 
 CellKey key_of(const Vec3& p_world, double cell_mm) {
-  const Vec3 scaled = p_world / cell_mm;
-  return {static_cast<std::int32_t>(std::floor(scaled.x())),
-          static_cast<std::int32_t>(std::floor(scaled.y())),
-          static_cast<std::int32_t>(std::floor(scaled.z()))};
+  constexpr int kBits = 21;
+  constexpr double kMiddle = 1 << (kBits - 1);
+  CellKey key = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double place = std::clamp(std::floor(p_world[axis] / cell_mm), -kMiddle, kMiddle - 1.0);
+    key = (key << kBits) | static_cast<CellKey>(place + kMiddle);
+  }
+  return key;
 }
 
 bool seen_by_two_views(const SurfaceCell& cell, std::span<const Datum> data) {
@@ -146,10 +151,10 @@ std::vector<SurfaceCell> divide_space(std::span<const Datum> data,
   std::vector<SurfaceCell> cells;
   for (std::size_t begin = 0; begin < keys.size();) {
     std::size_t end = begin;
+    while (end < keys.size() && keys[end].first == keys[begin].first) ++end;
     SurfaceCell cell;
-    while (end < keys.size() && keys[end].first == keys[begin].first) {
-      cell.data.push_back(keys[end++].second);
-    }
+    cell.data.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i) cell.data.push_back(keys[i].second);
     if (cell.data.size() >= kMinData && seen_by_two_views(cell, data)) {
       cells.push_back(std::move(cell));
     }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "core/meshing/half_edges.h"
 #include "core/texture/texel_raster.h"
 
 namespace flytri {
@@ -23,27 +24,14 @@ Vec3f area_normal(const TriangleMesh& mesh, const Triangle& t) {
 
 /// For each side of each triangle the triangle beyond it, or kNone.
 std::vector<std::array<std::uint32_t, 3>> find_neighbors(const TriangleMesh& mesh) {
-  struct Side {
-    std::uint32_t low, high, triangle, side;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::uint32_t s = 0; s < 3; ++s) {
-      const auto [low, high] = std::minmax(mesh.triangles[t][s], mesh.triangles[t][(s + 1) % 3]);
-      sides.push_back({low, high, t, s});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
+  const std::vector<HalfEdge> edges = half_edges_of(mesh);
   std::vector<std::array<std::uint32_t, 3>> neighbors(mesh.triangles.size(), {kNone, kNone, kNone});
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    const Side& a = sides[i - 1];
-    const Side& b = sides[i];
-    if (a.low != b.low || a.high != b.high) continue;
-    neighbors[a.triangle][a.side] = b.triangle;
-    neighbors[b.triangle][b.side] = a.triangle;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const HalfEdge& a = edges[i - 1];
+    const HalfEdge& b = edges[i];
+    if (!a.same_edge(b)) continue;
+    neighbors[a.triangle()][a.corner % 3] = b.triangle();
+    neighbors[b.triangle()][b.corner % 3] = a.triangle();
   }
   return neighbors;
 }
@@ -58,11 +46,14 @@ class ChartCutter {
         chart_of_(mesh.triangles.size(), kNone),
         visit_(mesh.triangles.size(), kNone) {}
 
-  std::vector<Chart> cut() {
+  Result<std::vector<Chart>> cut(const Progress& progress) {
     std::vector<Chart> charts;
+    const auto triangle_count = static_cast<double>(mesh_.triangles.size());
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (chart_of_[t] != kNone) continue;
+      if (progress.cancelled()) return stopped();
       charts.push_back(grow(t, static_cast<std::uint32_t>(charts.size())));
+      progress.advance(static_cast<double>(charts.back().triangles.size()) / triangle_count);
     }
     return charts;
   }
@@ -167,8 +158,9 @@ Eigen::Array2f project_to_chart(const Chart& chart, const Vec3f& position_mm, do
          static_cast<float>(texel_mm);
 }
 
-std::vector<Chart> cut_charts(const TriangleMesh& mesh, const ChartOptions& options) {
-  return ChartCutter(mesh, options).cut();
+Result<std::vector<Chart>> cut_charts(const TriangleMesh& mesh, const ChartOptions& options,
+                                      const Progress& progress) {
+  return ChartCutter(mesh, options).cut(progress);
 }
 
 bool pack_charts(std::vector<Chart>& charts, int side_px) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 
 namespace flytri {
@@ -40,8 +42,12 @@ struct ChartOptions {
 }
 
 /// Every triangle gets into exactly one chart.
-/// @param mesh  indices valid
-[[nodiscard]] std::vector<Chart> cut_charts(const TriangleMesh& mesh, const ChartOptions& options);
+/// @param mesh      indices valid
+/// @param progress  advanced by one step
+/// @errors  kCancelled.
+[[nodiscard]] Result<std::vector<Chart>> cut_charts(const TriangleMesh& mesh,
+                                                    const ChartOptions& options,
+                                                    const Progress& progress = {});
 
 /// Gives every chart a corner so that none overlap.
 /// @param side_px  of the square atlas

@@ -18,6 +18,11 @@ constexpr double kCoarsening = 1.12;
 constexpr int kMaxCoarsenings = 30;
 constexpr int kMinSide = 16;
 
+/// The parts' shares of the time; of each layout that is tried in what is left for that: the first
+/// mostly does.
+constexpr double kLayoutShare = 0.4, kColorShare = 0.5, kPaintShare = 0.1;
+constexpr double kTryShare = 0.9;
+
 /// Edge of a pixel of the texture camera, in the middle of the volume.
 double pixel_mm(const Calibration& calibration) {
   const Vec3 middle = Vec3::Zero();
@@ -38,19 +43,25 @@ struct Layout {
   int side_px = 0;
 };
 
-Result<Layout> lay_out(const TriangleMesh& mesh, double finest_mm, int max_side_px) {
+Result<Layout> lay_out(const TriangleMesh& mesh, double finest_mm, int max_side_px,
+                       const Progress& progress) {
+  double rest = 1.0;
   const double filled_px = std::sqrt(kFilledShare) * max_side_px;
   ChartOptions options;
   options.texel_mm = std::max(finest_mm, std::sqrt(area_mm2(mesh)) / filled_px);
   for (int i = 0; i < kMaxCoarsenings; ++i, options.texel_mm *= kCoarsening) {
     options.max_chart_px = std::max(kMinSide, max_side_px / 8);
-    Layout layout{cut_charts(mesh, options), options.texel_mm, max_side_px};
+    auto charts = cut_charts(mesh, options, progress.part(kTryShare * rest));
+    if (!charts) return tl::unexpected(charts.error());
+    rest *= 1.0 - kTryShare;
+    Layout layout{std::move(*charts), options.texel_mm, max_side_px};
     if (!pack_charts(layout.charts, max_side_px)) continue;
     while (layout.side_px > kMinSide && pack_charts(layout.charts, layout.side_px / 2)) {
       layout.side_px /= 2;
     }
     // The last, failed try has moved corners.
     static_cast<void>(pack_charts(layout.charts, layout.side_px));
+    progress.advance(rest);
     return layout;
   }
   return fail(ErrorCode::kInsufficient,
@@ -131,38 +142,55 @@ Texels find_texels(const TexturedMesh& model, int side_px) {
   return texels;
 }
 
-/// Spreads colors into the gutters, a texel a round; what stays empty becomes the mean color.
-void fill_gutters(cv::Mat& atlas, std::vector<char>& known, int rounds) {
-  const int side_px = atlas.cols;
-  const auto at = [&](int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_px) +
+/// The atlas under construction, and which of its texels have a color.
+struct Painting {
+  cv::Mat atlas;
+  std::vector<char> known;
+
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(atlas.cols) +
            static_cast<std::size_t>(x);
-  };
-  for (int round = 0; round < rounds; ++round) {
-    const std::vector<char> before = known;
-    for (int y = 0; y < side_px; ++y) {
-      for (int x = 0; x < side_px; ++x) {
-        if (before[at(x, y)] != 0) continue;
-        cv::Vec3i sum(0, 0, 0);
-        int count = 0;
-        for (int dy = -1; dy <= 1; ++dy) {
-          for (int dx = -1; dx <= 1; ++dx) {
-            const int nx = x + dx, ny = y + dy;
-            if (nx < 0 || ny < 0 || nx >= side_px || ny >= side_px || before[at(nx, ny)] == 0) {
-              continue;
-            }
-            sum += cv::Vec3i(atlas.at<cv::Vec3b>(ny, nx));
-            ++count;
-          }
-        }
-        if (count == 0) continue;
-        for (int c = 0; c < 3; ++c) {
-          atlas.at<cv::Vec3b>(y, x)[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
-        }
-        known[at(x, y)] = 1;
-      }
+  }
+};
+
+/// Gives a texel the mean color of those around it that were known before, if any.
+void extend_to(Painting& painting, const std::vector<char>& before, int x, int y) {
+  const int side_px = painting.atlas.cols;
+  cv::Vec3i sum(0, 0, 0);
+  int count = 0;
+  for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, side_px - 1); ++ny) {
+    for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, side_px - 1); ++nx) {
+      if (before[painting.at(nx, ny)] == 0) continue;
+      sum += cv::Vec3i(painting.atlas.at<cv::Vec3b>(ny, nx));
+      ++count;
     }
   }
+  if (count == 0) return;
+  for (int c = 0; c < 3; ++c) {
+    painting.atlas.at<cv::Vec3b>(y, x)[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
+  }
+  painting.known[painting.at(x, y)] = 1;
+}
+
+/// Spreads colors into the gutters, a texel a round; what stays empty keeps the mean color.
+/// @returns false if that was cancelled
+bool fill_gutters(Painting& painting, int rounds, const Workers& workers,
+                  const Progress& progress) {
+  const int side_px = painting.atlas.cols;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<char> before = painting.known;
+    const auto fill_row = [&](std::size_t row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < side_px; ++x) {
+        if (before[painting.at(x, y)] == 0) extend_to(painting, before, x, y);
+      }
+    };
+    if (!workers.for_each_unless_cancelled(static_cast<std::size_t>(side_px), fill_row,
+                                           progress.part(1.0 / rounds))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 cv::Vec3b mean_color(const PointCloud& points) {
@@ -175,18 +203,21 @@ cv::Vec3b mean_color(const PointCloud& points) {
           static_cast<std::uint8_t>(sum[2] / count)};
 }
 
-cv::Mat paint(const Texels& texels, int side_px, int gutter_px) {
+Result<cv::Mat> paint(const Texels& texels, int side_px, const Workers& workers,
+                      const Progress& progress) {
   const cv::Vec3b mean = mean_color(texels.points);
-  cv::Mat atlas(side_px, side_px, CV_8UC3, cv::Scalar(mean[0], mean[1], mean[2]));
-  std::vector<char> known(static_cast<std::size_t>(side_px) * static_cast<std::size_t>(side_px));
+  Painting painting{cv::Mat(side_px, side_px, CV_8UC3, cv::Scalar(mean[0], mean[1], mean[2])), {}};
+  painting.known.resize(painting.atlas.total());
   for (std::size_t i = 0; i < texels.points.size(); ++i) {
     const Rgb& color = texels.points[i].color;
     const int place = texels.places[i];
-    atlas.at<cv::Vec3b>(place / side_px, place % side_px) = {color[0], color[1], color[2]};
-    known[static_cast<std::size_t>(place)] = 1;
+    painting.atlas.at<cv::Vec3b>(place / side_px, place % side_px) = {color[0], color[1], color[2]};
+    painting.known[static_cast<std::size_t>(place)] = 1;
   }
-  fill_gutters(atlas, known, gutter_px);
-  return atlas;
+  // A ring more than the gutter: small triangles between texel centers have none of their own.
+  const int rings = ChartOptions{}.gutter_px + 1;
+  if (!fill_gutters(painting, rings, workers, progress)) return stopped();
+  return painting.atlas;
 }
 
 }  // namespace
@@ -205,20 +236,24 @@ Result<void> AtlasOptions::validate() const {
 
 Result<BakedAtlas> bake_atlas(const TriangleMesh& mesh, std::span<const TextureFrame> frames,
                               const Calibration& calibration, const AtlasOptions& options,
-                              const Workers& workers) {
+                              const Workers& workers, const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (mesh.triangles.empty()) return fail(ErrorCode::kInsufficient, "the mesh has no triangles");
-  const auto layout = lay_out(mesh, options.texel_px * pixel_mm(calibration), options.max_side_px);
+  const auto layout = lay_out(mesh, options.texel_px * pixel_mm(calibration), options.max_side_px,
+                              progress.part(kLayoutShare));
   if (!layout) return tl::unexpected(layout.error());
   BakedAtlas baked;
   unfold(mesh, *layout, baked.model);
+  if (progress.cancelled()) return stopped();
   Texels texels = find_texels(baked.model, layout->side_px);
   TextureOptions coloring = options.coloring;
   coloring.extend_share = 0.0;
-  const auto counts = color_points(texels.points, frames, calibration, coloring, workers);
+  const auto counts = color_points(texels.points, frames, calibration, coloring, workers,
+                                   progress.part(kColorShare));
   if (!counts) return tl::unexpected(counts.error());
-  // A ring more than the gutter: small triangles between texel centers have none of their own.
-  baked.model.atlas = paint(texels, layout->side_px, ChartOptions{}.gutter_px + 1);
+  auto atlas = paint(texels, layout->side_px, workers, progress.part(kPaintShare));
+  if (!atlas) return tl::unexpected(atlas.error());
+  baked.model.atlas = std::move(*atlas);
   baked.texels = *counts;
   baked.chart_count = static_cast<int>(layout->charts.size());
   baked.texel_mm = layout->texel_mm;

@@ -27,12 +27,14 @@ struct BakedAtlas {
 
 /// Every texel is a point of the surface, colored as color_points does it. Texels that no frame saw
 /// take the color of the mesh's vertices around them; so do all beyond the charts' borders.
-/// @param mesh  colored; its vertices are repeated in each chart they belong to
-/// @errors  kBadOption, kInsufficient: no triangles, or more charts than the atlas can hold; as
-///          color_points.
+/// @param mesh      colored; its vertices are repeated in each chart they belong to
+/// @param progress  advanced by one step
+/// @errors  kBadOption, kInsufficient: no triangles, or more charts than the atlas can hold;
+///          kCancelled; as color_points.
 [[nodiscard]] Result<BakedAtlas> bake_atlas(const TriangleMesh& mesh,
                                             std::span<const TextureFrame> frames,
                                             const Calibration& calibration,
-                                            const AtlasOptions& options, const Workers& workers);
+                                            const AtlasOptions& options, const Workers& workers,
+                                            const Progress& progress = {});
 
 }  // namespace flytri

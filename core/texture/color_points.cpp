@@ -1,5 +1,7 @@
 #include "core/texture/color_points.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/point_grid.h"
@@ -7,30 +9,55 @@
 namespace flytri {
 namespace {
 
-/// Gives observed points their color, and the others that of their nearest observed neighbor.
-ColorCounts spread_colors(std::span<SurfacePoint> points, std::span<const ObservedColor> colors,
-                          float reach_mm) {
-  ColorCounts counts;
-  std::vector<Vec3f> observed_mm;
-  std::vector<std::size_t> observed;
+/// Of looking through the frames in the time of all; the rest goes to what none of them saw.
+constexpr double kFramesShare = 0.9;
+constexpr std::size_t kGrain = 1024;
+
+/// Those of the points that were observed.
+struct ObservedPoints {
+  std::vector<std::uint32_t> points;
+  std::vector<Vec3f> positions_mm;
+};
+
+/// Gives the observed points their color.
+ObservedPoints color_observed(std::span<SurfacePoint> points,
+                              std::span<const ObservedColor> colors) {
+  ObservedPoints observed;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!colors[i].observed()) continue;
     points[i].color = colors[i].color();
-    observed_mm.push_back(points[i].position_mm);
-    observed.push_back(i);
+    observed.points.push_back(static_cast<std::uint32_t>(i));
+    observed.positions_mm.push_back(points[i].position_mm);
   }
-  counts.observed = observed.size();
-  if (observed.empty() || reach_mm <= 0.0F) {
-    counts.untextured = points.size() - observed.size();
+  return observed;
+}
+
+/// Gives observed points their color, and the others that of their nearest observed neighbor.
+Result<ColorCounts> spread_colors(std::span<SurfacePoint> points,
+                                  std::span<const ObservedColor> colors, float reach_mm,
+                                  const Workers& workers, const Progress& progress) {
+  const ObservedPoints observed = color_observed(points, colors);
+  ColorCounts counts;
+  counts.observed = observed.points.size();
+  counts.untextured = points.size() - counts.observed;
+  if (counts.observed == 0 || reach_mm <= 0.0F) {
+    progress.advance();
     return counts;
   }
-  const PointGrid grid(observed_mm, 0.25F * reach_mm);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (colors[i].observed()) continue;
+  const PointGrid grid(observed.positions_mm, 0.25F * reach_mm);
+  std::vector<char> extended(points.size(), 0);
+  const auto extend = [&](std::size_t i) {
+    if (colors[i].observed()) return;
     const auto nearest = grid.nearest(points[i].position_mm, reach_mm);
-    if (nearest) points[i].color = points[observed[nearest->index]].color;
-    ++(nearest ? counts.extended : counts.untextured);
+    if (!nearest) return;
+    points[i].color = points[observed.points[nearest->index]].color;
+    extended[i] = 1;
+  };
+  if (!workers.for_each_unless_cancelled(points.size(), extend, progress, kGrain)) {
+    return stopped();
   }
+  counts.extended = static_cast<std::size_t>(std::count(extended.begin(), extended.end(), 1));
+  counts.untextured -= counts.extended;
   return counts;
 }
 
@@ -39,15 +66,18 @@ ColorCounts spread_colors(std::span<SurfacePoint> points, std::span<const Observ
 Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                                  std::span<const TextureFrame> frames,
                                  const Calibration& calibration, const TextureOptions& options,
-                                 const Workers& workers) {
+                                 const Workers& workers, const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   std::vector<ObservedColor> colors(points.size());
   for (const TextureFrame& frame : frames) {
+    if (progress.cancelled()) return stopped();
     auto seen = observe_points(points, colors, frame, calibration, options, workers);
     if (!seen) return tl::unexpected(seen.error());
+    progress.advance(kFramesShare / static_cast<double>(frames.size()));
   }
   return spread_colors(points, colors,
-                       static_cast<float>(options.extend_share * calibration.volume.size_mm.x()));
+                       static_cast<float>(options.extend_share * calibration.volume.size_mm.x()),
+                       workers, progress.part(1.0 - kFramesShare));
 }
 
 }  // namespace flytri

@@ -18,11 +18,13 @@ struct ColorCounts {
 /// Colors each point with what the frames observed there, see observe_points; the others from
 /// their neighbors.
 /// @param points  world frame; only their colors change
-/// @errors  kBadOption; as observe_points.
+/// @param progress  advanced by one step
+/// @errors  kBadOption, kCancelled; as observe_points.
 [[nodiscard]] Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                                                std::span<const TextureFrame> frames,
                                                const Calibration& calibration,
                                                const TextureOptions& options,
-                                               const Workers& workers);
+                                               const Workers& workers,
+                                               const Progress& progress = {});
 
 }  // namespace flytri

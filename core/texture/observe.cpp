@@ -8,7 +8,8 @@
 namespace flytri {
 namespace {
 
-constexpr std::size_t kGrain = 1024;
+/// Points that are tested together; neighbors in the list mostly are neighbors in space.
+constexpr std::size_t kBlock = 256;
 
 /// A point as one texture frame may see it.
 struct Projection {
@@ -67,12 +68,29 @@ Vec3f sample(const cv::Mat& image, float u_px, float v_px) {
   return sum;
 }
 
+double margin_mm(const Calibration& calibration, const TextureOptions& options) {
+  return options.volume_margin_share * calibration.volume.size_mm.maxCoeff();
+}
+
+/// False if the ball around the points is outside of the measurement volume.
+bool may_reach_volume(std::span<const SurfacePoint> points, const Isometry& T_sensor_world,
+                      const Calibration& calibration, const TextureOptions& options) {
+  Vec3f low = points.front().position_mm;
+  Vec3f high = low;
+  for (const SurfacePoint& point : points) {
+    low = low.cwiseMin(point.position_mm);
+    high = high.cwiseMax(point.position_mm);
+  }
+  const double radius_mm = 0.5 * static_cast<double>((high - low).norm());
+  const Vec3 middle_sensor = T_sensor_world * (0.5F * (low + high)).cast<double>();
+  return calibration.volume.contains(middle_sensor, margin_mm(calibration, options) + radius_mm);
+}
+
 Projection project(const SurfacePoint& point, const Isometry& T_sensor_world,
                    const Calibration& calibration, const TextureOptions& options) {
   const Vec3 p_sensor = T_sensor_world * point.position_mm.cast<double>();
-  const double margin_mm = options.volume_margin_share * calibration.volume.size_mm.maxCoeff();
   Projection projection;
-  if (!calibration.volume.contains(p_sensor, margin_mm)) return projection;
+  if (!calibration.volume.contains(p_sensor, margin_mm(calibration, options))) return projection;
   const Pixel pixel = calibration.project_to_texture(p_sensor);
   const ImageSize size = calibration.texture_size;
   if (!(pixel.u_px >= 0.0 && pixel.v_px >= 0.0 && pixel.u_px <= size.width_px - 1 &&
@@ -116,31 +134,35 @@ Result<void> observe_points(std::span<const SurfacePoint> points, std::span<Obse
                 calibration.texture_size.height_px);
   }
   const Isometry T_sensor_world = frame.T_world_sensor.inverse();
-  std::vector<Projection> projections(points.size());
-  workers.for_each(
-      points.size(),
-      [&](std::size_t i) {
-        projections[i] = project(points[i], T_sensor_world, calibration, options);
-      },
-      kGrain);
+  // By block of points; empty where the frame sees none of them.
+  std::vector<std::vector<Projection>> blocks((points.size() + kBlock - 1) / kBlock);
+  workers.for_each(blocks.size(), [&](std::size_t b) {
+    const auto block = points.subspan(b * kBlock, std::min(kBlock, points.size() - b * kBlock));
+    if (!may_reach_volume(block, T_sensor_world, calibration, options)) return;
+    blocks[b].reserve(block.size());
+    for (const SurfacePoint& point : block) {
+      blocks[b].push_back(project(point, T_sensor_world, calibration, options));
+    }
+  });
   DepthBuffer buffer(calibration.texture_size, options.depth_cell_px);
-  for (const Projection& projection : projections) {
-    if (std::isfinite(projection.depth_mm)) buffer.add(projection);
+  for (const auto& block : blocks) {
+    for (const Projection& projection : block) {
+      if (std::isfinite(projection.depth_mm)) buffer.add(projection);
+    }
   }
   const auto tolerance_mm =
       static_cast<float>(options.depth_tolerance_share * calibration.volume.size_mm.z());
-  workers.for_each(
-      points.size(),
-      [&](std::size_t i) {
-        const Projection& p = projections[i];
-        if (!p.facing || !std::isfinite(p.depth_mm)) return;
-        if (p.depth_mm > buffer.closest_mm(p) + tolerance_mm) return;
-        const Vec3f srgb = sample(frame.image, p.u_px, p.v_px);
-        if (srgb.maxCoeff() > static_cast<float>(options.max_channel)) return;
-        colors[i].add(
-            {linear_from_srgb(srgb.x()), linear_from_srgb(srgb.y()), linear_from_srgb(srgb.z())});
-      },
-      kGrain);
+  workers.for_each(blocks.size(), [&](std::size_t b) {
+    for (std::size_t i = 0; i < blocks[b].size(); ++i) {
+      const Projection& p = blocks[b][i];
+      if (!p.facing || !std::isfinite(p.depth_mm)) continue;
+      if (p.depth_mm > buffer.closest_mm(p) + tolerance_mm) continue;
+      const Vec3f srgb = sample(frame.image, p.u_px, p.v_px);
+      if (srgb.maxCoeff() > static_cast<float>(options.max_channel)) continue;
+      colors[b * kBlock + i].add(
+          {linear_from_srgb(srgb.x()), linear_from_srgb(srgb.y()), linear_from_srgb(srgb.z())});
+    }
+  });
   return {};
 }
 

@@ -44,6 +44,12 @@ double pose_distance_mm(const Isometry& T_a_b, const Isometry& T_a_c, double arm
   return std::hypot(arm_mm * rotation_angle(T_b_c), T_b_c.translation().norm());
 }
 
+double pose_chord_mm(const Isometry& T_a_b, const Isometry& T_a_c, double arm_mm) {
+  const double turned = 0.5 * (T_a_b.linear() - T_a_c.linear()).squaredNorm();
+  return std::sqrt((T_a_b.translation() - T_a_c.translation()).squaredNorm() +
+                   arm_mm * arm_mm * turned);
+}
+
 namespace {
 
 std::vector<double> deviations(std::span<const TimedPose> poses, const PathFit& curve,

@@ -35,6 +35,8 @@ class PathFit {
 
 /// Distance of two poses as the points of a view feel it: RMS over points at `arm_mm`.
 [[nodiscard]] double pose_distance_mm(const Isometry& T_a_b, const Isometry& T_a_c, double arm_mm);
+/// Nearly the same for small angles, without the angle itself: for thousands of poses.
+[[nodiscard]] double pose_chord_mm(const Isometry& T_a_b, const Isometry& T_a_c, double arm_mm);
 
 struct OutlierOptions {
   int degree = 2;   ///< 0..3, of the curve: over a few tenths of a second a hand is a parabola

@@ -43,17 +43,16 @@ Result<void> RecorderSensor::start() {
   writer_.reset();
   listed_s_ = 0.0;
   if (auto opened = open(); !opened) give_up(opened.error());
-  return sensor_->start();
+  auto started = sensor_->start();
+  // Nothing came: no empty folder is left.
+  if (!started) writer_.reset();
+  return started;
 }
 
 Result<void> RecorderSensor::open() {
   const auto calibration = sensor_->calibration();
   auto writer = RecordingWriter::create(folder_, calibration ? kCalibrationName : "");
   if (!writer) return tl::unexpected(writer.error());
-  if (calibration) {
-    auto written = write_calibration(folder_ / kCalibrationName, *calibration);
-    if (!written) return written;
-  }
   writer_ = *std::move(writer);
   return {};
 }
@@ -62,6 +61,7 @@ Result<void> RecorderSensor::open() {
 void RecorderSensor::give_up(const Error& error) {
   const std::lock_guard lock(mutex_);
   open_ = false;
+  status_.has_ended = true;
   status_.lost += static_cast<std::int64_t>(queue_.size());
   queue_.clear();
   status_.message = fmt::format(
@@ -118,10 +118,15 @@ bool RecorderSensor::write_one(double timeout_s) {
 }
 
 Result<void> RecorderSensor::write(const Frame& frame) {
+  const auto calibration = sensor_->calibration();
+  if (writer_->frames().empty() && calibration) {
+    auto written = write_calibration(folder_ / kCalibrationName, *calibration);
+    if (!written) return written;
+  }
   if (auto appended = writer_->append(frame); !appended) return appended;
   if (frame.time_s < listed_s_ + options_.list_period_s) return {};
   listed_s_ = frame.time_s;
-  return writer_->close();
+  return writer_->write_list();
 }
 
 void RecorderSensor::stop() {
@@ -133,8 +138,9 @@ void RecorderSensor::stop() {
     const std::lock_guard lock(mutex_);
     std::swap(open, open_);
   }
-  if (!open || writer_->frames().empty()) return;
-  if (auto closed = writer_->close(); !closed) give_up(closed.error());
+  if (open && writer_ && !writer_->frames().empty())
+    if (auto listed = writer_->write_list(); !listed) give_up(listed.error());
+  writer_.reset();
 }
 
 SensorStatus RecorderSensor::status() const {

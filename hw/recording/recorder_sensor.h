@@ -15,18 +15,21 @@
 namespace flytri {
 
 struct RecorderOptions {
-  /// 1..10000, frames that may wait to be written, each below a megabyte: two seconds at 30 Hz.
+  /// 1..10000, frames that may wait to be written: two seconds of one camera at 30 Hz, which is
+  /// more than a disk pauses, and 150 MB at most.
   int queue_frames = 60;
-  /// > 0, of frames: so often the list of frames is written, so that a crash costs no more.
-  double list_period_s = 2.0;
+  /// > 0, by the frames' times. So often the list of frames is written, so that a crash costs no
+  /// more than this and what waits.
+  double list_period_s = 0.5;
   [[nodiscard]] Result<void> validate() const;
 };
 
 struct RecorderStatus {
   std::int64_t written = 0;  ///< frames that are on disk
   std::int64_t waiting = 0;
-  std::int64_t lost = 0;  ///< frames that passed but could not be written
-  std::string message;    ///< what was lost, why, and the remedy; empty where nothing was
+  std::int64_t lost = 0;   ///< frames that passed but could not be written
+  bool has_ended = false;  ///< for good, by a failure; what was written before is safe
+  std::string message;     ///< what was lost, why, and the remedy; empty where nothing was
 };
 
 /// A decorator: frames, states and errors are those of the sensor within, which is never held up.
@@ -34,7 +37,8 @@ struct RecorderStatus {
 /// the status' message says so. The calibration, where there is one, is written along.
 class RecorderSensor final : public Sensor {
  public:
-  /// @param folder  of the recording; it is made at each start(), what it held is overwritten
+  /// @param folder  of the recording; made at each start(). What it held is overwritten from the
+  ///                first frame on; where none comes, it is left as it was
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::shared_ptr<RecorderSensor>> create(
       std::shared_ptr<Sensor> sensor, std::filesystem::path folder,

@@ -186,7 +186,7 @@ Result<RecordingCounts> simulate_recording(const TriangleMesh& mesh,
     if (scene) scene = write_mesh(folder, *path, taken, *simulator, workers);
     if (!scene) return tl::unexpected(scene.error());
   }
-  if (auto closed = writer->close(); !closed) return tl::unexpected(closed.error());
+  if (auto closed = writer->write_list(); !closed) return tl::unexpected(closed.error());
   if (progress.cancelled())
     return fail(ErrorCode::kCancelled, "stopped after {} of {} frames; {} holds them",
                 writer->frames().size(), planned.size(), folder.string());

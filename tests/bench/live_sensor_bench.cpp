@@ -60,12 +60,12 @@ cv::Mat frame_image() {
 
 void encode_frame(benchmark::State& state) {
   const cv::Mat image = frame_image();
-  for (auto _ : state) benchmark::DoNotOptimize(encode_png(image).value());
+  for (auto _ : state) benchmark::DoNotOptimize(encode_camera_png(image).value());
 }
 BENCHMARK(encode_frame)->Unit(benchmark::kMillisecond);
 
 void decode_frame(benchmark::State& state) {
-  const std::string bytes = encode_png(frame_image()).value();
+  const std::string bytes = encode_camera_png(frame_image()).value();
   for (auto _ : state) benchmark::DoNotOptimize(decode_png(bytes, "frame").value());
 }
 BENCHMARK(decode_frame)->Unit(benchmark::kMillisecond);

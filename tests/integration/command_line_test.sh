@@ -43,6 +43,20 @@ done
 expect 'evaluate' 0 'poses, RMS at the corners .* registered' \
   "$flytri" evaluate 1.ply --recording scan --report 1.json
 
+# Calibration at the chair: interrupted, taken up again, checked.
+live() { "$flytri" calibrate --live --simulated -o chair --planes 5; }
+expect 'live calibration, stopped' 0 '^stopped; chair keeps' live <<< $'\n\n\nq'
+absent 'stopped calibration' chair/calibration.json chair/calibration-set.json
+expect 'live calibration goes on' 0 '^chair: going on, 3 of 10' live < <(yes '')
+expect 'offline as live' 0 '^wrote offline.json' "$flytri" calibrate chair -o offline.json
+cmp offline.json chair/calibration.json > log 2>&1 || fail 'offline calibration differs'
+expect 'check on a plane' 0 '^the calibration holds' \
+  "$flytri" calibrate --check --simulated --calibration offline.json < <(yes '')
+expect 'check on what is no plane' 1 'no verdict' \
+  "$flytri" calibrate --check --calibration calibration.json --recording scan
+expect 'live without a folder' 1 '-o' "$flytri" calibrate --live --simulated
+expect 'nothing to calibrate' 1 '--live' "$flytri" calibrate
+
 # Exit codes of usage.
 for command in '' simulate 'simulate recording' 'simulate calibration-set' calibrate reconstruct \
   evaluate study demo app bench 'bench live' export; do

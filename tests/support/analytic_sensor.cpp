@@ -31,7 +31,8 @@ Vec3 AnalyticSensor::back_project(const Pixel& pixel, double z_mm) const {
 double AnalyticSensor::line_mm(Pattern pattern, int n, double z_mm) const {
   const int count = line_counts[static_cast<std::size_t>(pattern)];
   const double at_zero = (n - 0.5 * (count - 1)) * line_spacing_mm;
-  return projector_mm + (at_zero - projector_mm) * (z_mm + distance_mm) / distance_mm;
+  return projector_mm + (at_zero - projector_mm) * (z_mm + distance_mm) / distance_mm +
+         turn_rad * (z_mm + distance_mm);
 }
 
 double AnalyticSensor::across_px(Pattern pattern, int n, double along_px, double z_mm) const {

@@ -22,6 +22,7 @@ struct AnalyticSensor {
   double distortion = -0.15;     ///< of the squared tangent of the view angle
   double projector_mm = 8.0;     ///< beside the camera
   double line_spacing_mm = 2.9;  ///< at z = 0
+  double turn_rad = 0.0;         ///< of the projectors, across their lines
   double focus_mm = -6.0;        ///< in front of the volume: lines get wider all through it
   double read_noise = 0.5;
 

@@ -89,6 +89,13 @@ std::shared_ptr<const LiveFrame> FakeJaw::live_frame(Pattern pattern) const {
   return frames_[static_cast<std::size_t>(pattern)];
 }
 
+std::shared_ptr<const LiveFrame> FakeJaw::flash_frame() const {
+  auto frame = std::make_shared<LiveFrame>();
+  frame->frame.kind = FrameKind::kTexture;
+  frame->frame.image = images_->texture_image(T_world_sensor(), 1);
+  return frame;
+}
+
 SurfelModel FakeJaw::seen_until(double share) const {
   const SurfelModel whole = ui::sample_surfels(mesh_, kSurfels, 1);
   std::vector<Isometry> T_sensor_world;

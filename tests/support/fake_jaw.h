@@ -22,6 +22,8 @@ class FakeJaw {
   /// Places left out of the surfels.
   [[nodiscard]] std::vector<BoundaryLoop> holes() const;
   [[nodiscard]] std::shared_ptr<const LiveFrame> live_frame(Pattern pattern) const;
+  /// From the same place as the live frames, by the flash.
+  [[nodiscard]] std::shared_ptr<const LiveFrame> flash_frame() const;
   /// From another place, as after a loss.
   [[nodiscard]] std::shared_ptr<const LiveFrame> other_frame() const { return other_; }
   [[nodiscard]] Isometry T_world_sensor() const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "tests/support/fake_devices.h"
 #include "tests/support/fake_jaw.h"
 
 namespace flytri::testing {
@@ -11,9 +12,9 @@ namespace {
 
 using ui::AppView;
 
-constexpr std::array<std::string_view, 11> kStates = {
-    "ready",     "preview",  "scanning", "near",      "paused",    "lost",
-    "finishing", "finished", "failed",   "no_sensor", "empty_case"};
+constexpr std::array<std::string_view, 13> kStates = {
+    "ready",    "preview", "scanning",  "near",       "paused",  "lost",         "finishing",
+    "finished", "failed",  "no_sensor", "empty_case", "devices", "devices_wrong"};
 
 /// What all states have in common: a case, a simulated sensor, two older cases.
 AppView ordinary_view() {
@@ -31,8 +32,6 @@ AppView ordinary_view() {
   view.source.hand = ui::SimulatedHand{};
   view.exports.folder = "/home/clinic/exports";
   view.exports.name = "Rivera-2031-upper";
-  view.device_text = {"Simulated sensor: 1024 x 768 at 30 Hz", "10 vertical, 7 horizontal lines",
-                      "Sound: PulseAudio"};
   return view;
 }
 
@@ -176,6 +175,29 @@ struct FakeScan::Parts {
     return view;
   }
 
+  [[nodiscard]] AppView with_devices(ui::DevicesState devices) const {
+    AppView view = paused();
+    view.source.hand.reset();
+    view.source.kind = ui::SourceKind::kDevices;
+    view.source.name = "Intra-oral rig 04";
+    view.devices = std::move(devices);
+    ScanSnapshot scan = *view.scan;
+    scan.latest_texture = jaw.flash_frame();
+    set_scan(view, std::move(scan));
+    return view;
+  }
+
+  /// The vertical lines are overexposed, the horizontal ones and the flash too weak.
+  [[nodiscard]] AppView with_faulty_devices() const {
+    AppView view = with_devices(faulty_devices());
+    ScanSnapshot scan = *view.scan;
+    scan.latest = {exposed(*scan.latest[0], 4.0), exposed(*scan.latest[1], 0.15)};
+    scan.latest_texture = exposed(*scan.latest_texture, 0.2);
+    set_scan(view, std::move(scan));
+    view.source.message = view.devices->problems.front();
+    return view;
+  }
+
   [[nodiscard]] static AppView ready() {
     AppView view = ordinary_view();
     view.stage_has_data = {};
@@ -199,12 +221,19 @@ std::span<const std::string_view> fake_states() { return kStates; }
 std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
   const Parts& parts = *parts_;
   const std::array<std::function<AppView()>, kStates.size()> makers = {
-      [] { return Parts::ready(); },       [&] { return parts.preview(); },
-      [&] { return parts.scanning(); },    [&] { return parts.too_near(); },
-      [&] { return parts.paused(); },      [&] { return parts.lost(); },
-      [&] { return parts.finishing(); },   [&] { return parts.finished(); },
-      [&] { return parts.failed(); },      [&] { return parts.no_sensor(); },
-      [] { return Parts::without_case(); }};
+      [] { return Parts::ready(); },
+      [&] { return parts.preview(); },
+      [&] { return parts.scanning(); },
+      [&] { return parts.too_near(); },
+      [&] { return parts.paused(); },
+      [&] { return parts.lost(); },
+      [&] { return parts.finishing(); },
+      [&] { return parts.finished(); },
+      [&] { return parts.failed(); },
+      [&] { return parts.no_sensor(); },
+      [] { return Parts::without_case(); },
+      [&] { return parts.with_devices(running_devices()); },
+      [&] { return parts.with_faulty_devices(); }};
   const auto found = std::find(kStates.begin(), kStates.end(), state);
   if (found == kStates.end()) return std::nullopt;
   return makers[static_cast<std::size_t>(found - kStates.begin())]();

@@ -4,6 +4,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "core/interchange/png.h"
+#include "tests/ui/screen_reader.h"
 #include "tests/ui/window_driver.h"
 
 namespace flytri {
@@ -74,6 +76,29 @@ TEST_F(RealWindow, ButtonsGiveTheCommandsOfTheirKeys) {
   for (const auto& [state, id, command] : cases) {
     show(state);
     EXPECT_EQ(after_click(id), Names{command}) << state << ", " << id;
+  }
+}
+
+/// Only parts that changed are sent to the screen where OpenGL has no graphics card: all of them
+/// must have been.
+TEST_F(RealWindow, TheScreenHoldsAllThatWasDrawn) {
+  const TemporaryFolder folder;
+  const std::filesystem::path shot = folder.path() / "shot.png";
+  for (const std::string change :
+       {"tell paused", "do coverage", "do settings", "do cancel", "do show_all", "tell finished",
+        "do occlusal", "tell empty_case", "tell paused"}) {
+    window().ask(change);
+    // What flies or fades is drawn and read at different times until it rests.
+    double largest = -1.0;
+    for (int tries = 0; tries < 50 && largest != 0.0; ++tries) {
+      window().ask("wait 20");
+      window().ask("shot " + shot.string());
+      const cv::Mat drawn = read_png(shot).value();
+      const cv::Mat shown = testing::read_screen(drawn.cols, drawn.rows);
+      ASSERT_EQ(shown.size(), drawn.size()) << "a screen of 24 bits, as large as the window?";
+      largest = cv::norm(shown, drawn, cv::NORM_INF);
+    }
+    EXPECT_EQ(largest, 0.0) << change;
   }
 }
 
@@ -183,7 +208,11 @@ TEST_F(RealWindow, ALossFliesToTheChosenPlaceAndBack) {
   EXPECT_LT(there["height_mm"], before["height_mm"]);
   show("scanning");
   window().ask("wait 60");
-  EXPECT_EQ(window().state()["camera"]["target_mm"], before["target_mm"]);
+  const auto back = window().state()["camera"];
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(back["target_mm"][axis].get<double>(), before["target_mm"][axis].get<double>(),
+                1e-6);
+  }
 }
 
 TEST_F(RealWindow, HelpOpensAndKeysWorkThere) {
@@ -222,6 +251,19 @@ TEST_F(RealWindow, AClickBesideADialogClosesIt) {
   window().key("s");
   EXPECT_EQ(window().state()["dialog"], "settings");
   window().click_at(5.0, 5.0);
+  EXPECT_EQ(window().state()["dialog"], "none");
+}
+
+TEST_F(RealWindow, TheDevicePanelIsThereWithDevicesAlone) {
+  show("scanning");
+  window().key("r");
+  EXPECT_EQ(window().state()["dialog"], "none");
+  show("devices_wrong");
+  EXPECT_EQ(after_click("devices"), Names{});
+  EXPECT_EQ(window().state()["dialog"], "devices");
+  EXPECT_EQ(after_click("check_devices"), Names{"CheckDevices"});
+  EXPECT_EQ(after_key("F5"), Names{"CheckDevices"});
+  window().key("r");
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 

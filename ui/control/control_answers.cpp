@@ -123,6 +123,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"phase", frame.view.scan == nullptr ? "none" : to_string(frame.view.scan->phase)},
       {"snapshot", frame.view.scan == nullptr ? 0 : frame.view.scan->number},
       {"scanning", frame.view.is_scanning},
+      {"knows_holes", frame.view.scan != nullptr && !frame.view.scan->holes.empty()},
       {"frames", frames_as_json(frame.view)},
       {"dialog", to_string(state.dialog)},
       {"tool", to_string(state.tool)},

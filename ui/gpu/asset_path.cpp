@@ -17,7 +17,6 @@ std::vector<fs::path> asset_folders() {
   std::vector<fs::path> folders;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) folders.push_back(program.parent_path().parent_path() / "share/flytri");
-  folders.emplace_back(FLYTRI_SOURCE_ASSETS);
   return folders;
 }
 

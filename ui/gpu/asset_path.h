@@ -9,8 +9,8 @@
 namespace flytri::ui {
 
 /// The file of an asset such as "shaders/splat.vert". Looked for in $FLYTRI_ASSETS, if that is set
-/// nowhere else; then in ../share/flytri beside the program; then in the source tree that it was
-/// built from.
+/// nowhere else; otherwise in ../share/flytri beside the program, which in a build folder is a link
+/// to the source tree.
 /// @errors  kNotFound, with the places that were tried.
 [[nodiscard]] Result<std::filesystem::path> asset_path(std::string_view name);
 

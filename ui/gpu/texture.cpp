@@ -142,12 +142,15 @@ void Framebuffer::copy_to_bound(const PixelBox& part, const Eigen::Vector2i& to_
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
 }
 
-void Framebuffer::copy_to_window() const {
+void Framebuffer::copy_to_window(const std::vector<PixelBox>& parts) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  const Eigen::Vector2i corner(0, 0);
-  blit({corner, Eigen::Vector2i(width_px_ - 1, height_px_ - 1)}, corner);
+  for (const PixelBox& part : parts) blit(part, part.min());
   bind_window();
+}
+
+PixelBox Framebuffer::area() const {
+  return {Eigen::Vector2i(0, 0), Eigen::Vector2i(width_px_ - 1, height_px_ - 1)};
 }
 
 cv::Mat Framebuffer::read() const {

@@ -48,8 +48,10 @@ class Framebuffer {
   /// Copies a part of its color to another place of the framebuffer that is bound for drawing.
   /// @param to_px  where the part's lower left corner goes
   void copy_to_bound(const PixelBox& part, const Eigen::Vector2i& to_px) const;
-  /// Copies its whole color into the window's own framebuffer, which stays bound.
-  void copy_to_window() const;
+  /// Copies parts of its color to the same places of the window's own framebuffer, which stays
+  /// bound.
+  void copy_to_window(const std::vector<PixelBox>& parts) const;
+  [[nodiscard]] PixelBox area() const;
   /// @return  its color: CV_8UC3, R, G, B order, first row at the top
   [[nodiscard]] cv::Mat read() const;
   /// Back to the window's own.

@@ -51,7 +51,7 @@ void draw_holes(const PanelContext& context, Rect& rest, const std::vector<std::
   const ScanSnapshot& scan = *context.view.scan;
   draw_heading(context, rest,
                fmt::format("{} {}{}", holes.size(), holes.size() == 1 ? "hole" : "holes",
-                           scan.holes_are_current ? "" : ", a moment ago"));
+                           scan.holes_are_current ? "" : " so far"));
   const std::size_t count = std::min(holes.size(), kMostRows);
   for (std::size_t i = 0; i < count; ++i) {
     const std::string id = fmt::format("hole_{}", i + 1);

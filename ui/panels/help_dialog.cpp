@@ -13,7 +13,7 @@ constexpr float kHelpRow = 23.0F;
 constexpr float kHelpHeading = 30.0F;
 constexpr float kKey = 92.0F;
 /// The fullest column, in rows: looking and program, with their headings.
-constexpr float kMostHelpRows = 26.0F;
+constexpr float kMostHelpRows = 28.0F;
 
 /// Rows close up where the window is low.
 float row_height(const PanelContext& context, float height) {

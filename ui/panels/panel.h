@@ -1,6 +1,7 @@
 /// @file  What every panel is given, and the plate that it draws on.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "ui/key_map.h"
@@ -10,6 +11,7 @@
 #include "ui/scene/scene_renderer.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/camera_image.h"
+#include "ui/widgets/exposed_picture.h"
 #include "ui/widgets/item_places.h"
 
 namespace flytri::ui {
@@ -17,6 +19,7 @@ namespace flytri::ui {
 /// Images of the window in graphics memory.
 struct Pictures {
   CameraPicture live, stored;
+  std::array<ExposedPicture, 3> exposed;  ///< vertical, horizontal, flash: of the device panel
   SceneImage scene;
 };
 

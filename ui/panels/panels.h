@@ -30,5 +30,6 @@ void draw_help_dialog(const PanelContext& context);
 void draw_export_dialog(const PanelContext& context);
 void draw_case_dialog(const PanelContext& context);
 void draw_settings_dialog(const PanelContext& context);
+void draw_device_panel(const PanelContext& context);
 
 }  // namespace flytri::ui

@@ -1,5 +1,7 @@
 #include "ui/panels/scene_image.h"
 
+#include "ui/widgets/pixel_rows.h"
+
 namespace flytri::ui {
 
 void SceneImage::add(const Framebuffer& picture, const Rect& place) {
@@ -15,14 +17,10 @@ void SceneImage::add(const Framebuffer& picture, const Rect& place) {
 void SceneImage::copy(const ImVec4& clip) const {
   const Rect shown = place_.intersected({clip.x, clip.y, clip.z - clip.x, clip.w - clip.y});
   if (shown.width < 1.0F || shown.height < 1.0F) return;
-  // OpenGL counts from below.
-  const auto px = [](float x, float y) {
-    return Eigen::Vector2i(static_cast<int>(x), static_cast<int>(y));
-  };
-  const Eigen::Vector2i from = px(shown.x - place_.x, place_.bottom() - shown.bottom());
-  const PixelBox part(from, from + px(shown.width - 1.0F, shown.height - 1.0F));
+  const Rect part = {shown.x - place_.x, shown.y - place_.y, shown.width, shown.height};
   glDisable(GL_SCISSOR_TEST);
-  picture_->copy_to_bound(part, px(shown.x, window_height_px_ - shown.bottom()));
+  picture_->copy_to_bound(from_below(part, place_.height),
+                          from_below(shown, window_height_px_).min());
   glEnable(GL_SCISSOR_TEST);
 }
 

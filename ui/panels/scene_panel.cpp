@@ -3,6 +3,7 @@
 #include "ui/panels/scene_input.h"
 #include "ui/panels/scene_view.h"
 #include "ui/panels/status.h"
+#include "ui/widgets/pixel_rows.h"
 
 namespace flytri::ui {
 namespace {
@@ -12,10 +13,10 @@ void tell_repainted(const PanelContext& context) {
   const PixelBox& part = context.scene.repainted_px();
   if (part.isEmpty()) return;
   const Rect& picture = context.layout.picture;
-  const Eigen::Array2f corner = part.min().cast<float>(),
-                       size = (part.sizes() + Eigen::Vector2i::Ones()).cast<float>();
-  context.repainted.push_back(
-      {picture.x + corner.x(), picture.bottom() - corner.y() - size.y(), size.x(), size.y()});
+  Rect place = from_above(part, picture.height);
+  place.x += picture.x;
+  place.y += picture.y;
+  context.repainted.push_back(place);
 }
 
 }  // namespace
@@ -25,10 +26,9 @@ void draw_scene_panel(const PanelContext& context) {
   const Plate plate("scene", context.layout.frame,
                     {Layer::kFixed, status_of(context.view).color, 0.0F});
   context.places.set("scene", picture);
-  ImGui::SetCursorScreenPos(picture.min());
-  ImGui::InvisibleButton("picture", picture.size(),
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
-                             ImGuiButtonFlags_MouseButtonMiddle);
+  touch_area("picture", picture,
+             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                 ImGuiButtonFlags_MouseButtonMiddle);
   handle_scene_input(context);
   draw_scene(context);
   tell_repainted(context);

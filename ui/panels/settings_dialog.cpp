@@ -1,4 +1,4 @@
-/// @file  Size of everything, sound, and what is known of the devices.
+/// @file  Size of everything, sound, and the way to the devices.
 #include <fmt/format.h>
 
 #include "ui/panels/dialog.h"
@@ -30,26 +30,19 @@ void draw_sound(const PanelContext& context, Rect row) {
   draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Sound of loss and return");
 }
 
-void draw_devices(const PanelContext& context, Rect rest) {
-  draw_text(rest.take_top(context.px(28.0F), context.px(kGapXs)),
-            {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Devices");
-  if (context.view.device_text.empty()) {
-    draw_text(rest.take_top(context.px(22.0F)), {context.theme.fonts.body, kTextQuiet},
-              "Nothing is known of devices");
-  }
-  for (const std::string& line : context.view.device_text) {
-    if (rest.height < context.px(22.0F)) return;
-    draw_text(rest.take_top(context.px(22.0F)), {context.theme.fonts.body, kTextQuiet}, line);
-  }
+void draw_devices(const PanelContext& context, Rect row) {
+  small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
+               Action::kDevices, {icon::kDevice, "Show"});
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Cameras and lights");
 }
 
 }  // namespace
 
 void draw_settings_dialog(const PanelContext& context) {
-  DialogPlate dialog(context, "Settings and devices", {560.0F, 480.0F});
+  DialogPlate dialog(context, "Settings", {560.0F, 264.0F});
   draw_size(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapM)));
-  draw_devices(context, dialog.rest);
+  draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
+  draw_devices(context, dialog.rest.take_top(context.px(kSettingsRow)));
 }
 
 }  // namespace flytri::ui

@@ -30,8 +30,7 @@ const char* missing_text(const AppView& view) {
 void steer(const PanelContext& context, const Rect& image) {
   const auto& hand = context.view.source.hand;
   if (!hand || hand->follows_path) return;
-  ImGui::SetCursorScreenPos(image.min());
-  ImGui::InvisibleButton("live_image", image.size());
+  touch_area("live_image", image);
   const ImGuiIO& io = ImGui::GetIO();
   const double mm_per_px = context.view.volume_mm.x() / static_cast<double>(image.width);
   Vec3 move_mm = Vec3::Zero();

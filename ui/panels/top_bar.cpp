@@ -86,6 +86,12 @@ void draw_scan_figures(const PanelContext& context, Rect row) {
   }
 }
 
+/// There only where the scan is made with devices; colored when something is wrong with them.
+void draw_devices_button(const PanelContext& context, const Rect& box) {
+  const bool is_wrong = !context.view.devices->problems.empty();
+  small_action(context, box, Action::kDevices, {icon::kDevice, "", is_wrong, kCaution, false});
+}
+
 void draw_program_buttons(const PanelContext& context, Rect row) {
   const bool is_muted = context.view.settings.is_muted;
   const float side = row.height;
@@ -93,6 +99,13 @@ void draw_program_buttons(const PanelContext& context, Rect row) {
                {icon::kSettings, "", false, kNeutral, false});
   small_action(context, row.take_right(side, context.px(kGapS)), Action::kMute,
                {is_muted ? icon::kMuted : icon::kSound, "", false, kNeutral, false});
+  if (context.view.devices) draw_devices_button(context, row);
+}
+
+/// Squares as high as the bar, with the gaps between them.
+float program_buttons_width(const PanelContext& context, float height) {
+  const float count = context.view.devices ? 3.0F : 2.0F;
+  return count * height + (count - 1.0F) * context.px(kGapS);
 }
 
 }  // namespace
@@ -103,7 +116,7 @@ void draw_top_bar(const PanelContext& context) {
   const float gap = context.px(kGapM);
   draw_case(context, row.take_left(context.px(232.0F), gap));
   draw_stages(context, row.take_left(context.px(312.0F), gap).inset(0.0F, context.px(2.0F)));
-  draw_program_buttons(context, row.take_right(context.px(104.0F), gap));
+  draw_program_buttons(context, row.take_right(program_buttons_width(context, row.height), gap));
   const float width = std::min(row.width, context.px(400.0F));
   draw_scan_figures(context, row.centered(width, row.height));
 }

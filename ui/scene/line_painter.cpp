@@ -24,7 +24,7 @@ std::array<std::uint8_t, 4> bytes_of(const Color& color) {
   return bytes;
 }
 
-std::vector<LineCorner> corners_of(const std::vector<OverlayLine>& lines) {
+std::vector<LineCorner> corners_of_lines(const std::vector<OverlayLine>& lines) {
   std::vector<LineCorner> corners;
   corners.reserve(4 * lines.size());
   for (const OverlayLine& line : lines) {
@@ -78,7 +78,7 @@ void LinePainter::paint(const std::vector<OverlayLine>& lines, const Eye& eye) {
   constexpr double kLift = 0.004;
   constexpr float kHiddenOpacity = 0.35F;
   if (lines.empty()) return;
-  const std::vector<LineCorner> corners = corners_of(lines);
+  const std::vector<LineCorner> corners = corners_of_lines(lines);
   corners_.assign(std::as_bytes(std::span(corners)));
   if (lines.size() > indexed_lines_) {
     indexed_lines_ = 2 * lines.size();

@@ -103,18 +103,20 @@ bool OrbitCamera::advance(double dt_s) {
   return true;
 }
 
-CameraPose OrbitCamera::fitting(const Eigen::AlignedBox3d& box_mm,
+CameraPose OrbitCamera::fitting(std::span<const Vec3> points_mm,
                                 const Eigen::Quaterniond& q_world_eye,
                                 const PictureSize& size) const {
   CameraPose pose = pose_;
   pose.q_world_eye = q_world_eye.normalized();
-  if (box_mm.isEmpty()) return pose;
-  pose.target_mm = box_mm.center();
+  if (points_mm.empty()) return pose;
+  const Eigen::Quaterniond q_eye_world = pose.q_world_eye.conjugate();
+  Eigen::AlignedBox3d seen_mm;
+  for (const Vec3& p_world : points_mm) seen_mm.extend(q_eye_world * p_world);
+  pose.target_mm = pose.q_world_eye * seen_mm.center();
   const double slope = std::tan(0.5 * options_.field_of_view_rad);
   double distance_mm = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p_world = box_mm.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
-    const Vec3 p_eye = pose.q_world_eye.conjugate() * (p_world - pose.target_mm);
+  for (const Vec3& p_world : points_mm) {
+    const Vec3 p_eye = q_eye_world * (p_world - pose.target_mm);
     const double side_mm = std::max(std::abs(p_eye.y()), std::abs(p_eye.x()) / size.aspect());
     distance_mm = std::max(distance_mm, side_mm * (1.0 + kFitMargin) / slope + p_eye.z());
   }

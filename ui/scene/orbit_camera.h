@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <span>
 
 #include "core/base/result.h"
 #include "core/geometry/rigid.h"
@@ -60,8 +61,9 @@ class OrbitCamera {
   [[nodiscard]] const CameraPose& destination() const { return is_flying() ? to_ : pose_; }
   [[nodiscard]] bool is_flying() const { return remaining_s_ > 0.0; }
 
-  /// The pose that shows the whole box, seen as `q_world_eye` says.
-  [[nodiscard]] CameraPose fitting(const Eigen::AlignedBox3d& box_mm,
+  /// The pose that shows all points and little else, seen as `q_world_eye` says.
+  /// @param points_mm  world frame, the corners of a box for instance
+  [[nodiscard]] CameraPose fitting(std::span<const Vec3> points_mm,
                                    const Eigen::Quaterniond& q_world_eye,
                                    const PictureSize& size) const;
 

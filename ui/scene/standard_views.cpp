@@ -4,6 +4,8 @@
 #include <functional>
 #include <numbers>
 
+#include "ui/scene/box_corners.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -72,20 +74,30 @@ Bend bend_of(const Surface& surface, const Means& means, const Vec3& occlusal, c
   return {sum / count - squares / count * across_sum / count, flanks / count};
 }
 
+std::vector<Vec3> corners_along(const Surface& surface, const JawAxes& axes) {
+  Eigen::Matrix3d R_jaw_world;
+  R_jaw_world << axes.buccal.cross(axes.occlusal).transpose(), axes.buccal.transpose(),
+      axes.occlusal.transpose();
+  Eigen::AlignedBox3d box_mm;
+  surface([&](const Vec3& p, const Vec3&) { box_mm.extend(R_jaw_world * p); });
+  std::vector<Vec3> corners;
+  for (const Vec3& corner : corners_of(box_mm)) corners.push_back(R_jaw_world.transpose() * corner);
+  return corners;
+}
+
 JawAxes axes_of(const Surface& surface) {
   /// Below this the arch is taken for straight: a bend of 1 % of its length.
   constexpr double kSmallestBend = 1e-4;
   JawAxes axes;
   const Means means = means_of(surface);
-  axes.box_mm = means.box_mm;
   if (means.box_mm.isEmpty()) return axes;
-  axes.center_mm = means.box_mm.center();
   if (means.normal.norm() > 1e-6) axes.occlusal = means.normal.normalized();
   Vec3 side = short_axis(surface, means.position_mm, axes.occlusal);
   const Bend bend = bend_of(surface, means, axes.occlusal, side);
   const bool is_bent = std::abs(bend.moment) > kSmallestBend;
   if (is_bent ? bend.moment > 0.0 : bend.flanks < 0.0) side = -side;
   axes.buccal = side;
+  axes.corners_mm = corners_along(surface, axes);
   return axes;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "core/geometry/rigid.h"
 #include "core/geometry/surfel.h"
@@ -17,10 +18,10 @@ enum class StandardView {
 
 /// How a jaw lies in the world frame.
 struct JawAxes {
-  Vec3 center_mm = Vec3::Zero();
   Vec3 occlusal = Vec3::UnitZ();  ///< unit, out of the chewing surfaces
   Vec3 buccal = Vec3::UnitY();    ///< unit, perpendicular to it, towards the cheek or the lips
-  Eigen::AlignedBox3d box_mm;     ///< of all surfels; empty where there are none
+  /// Of the smallest box along the axes that holds the surface; empty where there is none.
+  std::vector<Vec3> corners_mm;
 };
 
 /// The chewing surfaces, gum and flanks are seen from one side only: that side is the mean normal.

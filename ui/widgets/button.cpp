@@ -9,8 +9,7 @@ struct Touch {
 };
 
 Touch touch(const Rect& box, const ButtonLook& look) {
-  ImGui::SetCursorScreenPos(box.min());
-  const bool is_clicked = ImGui::InvisibleButton(look.id, box.size()) && look.is_enabled;
+  const bool is_clicked = touch_area(look.id, box) && look.is_enabled;
   const bool is_hovered = ImGui::IsItemHovered();
   if (is_hovered && !look.hint.empty()) {
     ImGui::SetTooltip("%s", look.hint.c_str());

@@ -40,11 +40,13 @@ cv::Mat reduced(cv::Mat image) {
   return image;
 }
 
-/// Measurement frames are linear in light: encoded as screens expect, the dark surface between the
-/// lines is seen, too.
-cv::Mat for_screen(const Frame& frame) {
+}  // namespace
+
+cv::Mat screen_image(const Frame& frame) {
   cv::Mat image = reduced(frame.image);
   if (image.channels() != 1) return image;
+  // Measurement frames are linear in light: encoded as screens expect, the dark surface between the
+  // lines is seen, too.
   cv::Mat grey;
   image.convertTo(grey, CV_8U, image.depth() == CV_16U ? 1.0 / 257.0 : 1.0);
   cv::Mat table(1, 256, CV_8U);
@@ -57,13 +59,11 @@ cv::Mat for_screen(const Frame& frame) {
   return encoded;
 }
 
-}  // namespace
-
 void CameraPicture::show(const std::shared_ptr<const LiveFrame>& latest) {
   is_new = latest != frame;
   if (!is_new) return;
   frame = latest;
-  if (frame != nullptr && !frame->frame.image.empty()) texture.assign(for_screen(frame->frame));
+  if (frame != nullptr && !frame->frame.image.empty()) texture.assign(screen_image(frame->frame));
 }
 
 Rect camera_image(const Theme& theme, const Rect& box, const CameraPicture& picture,
@@ -80,6 +80,7 @@ Rect camera_image(const Theme& theme, const Rect& box, const CameraPicture& pict
       // NOLINTNEXTLINE(performance-no-int-to-ptr)
       reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture.name())),
       image.min(), image.max(), {0, 0}, {1, 1}, IM_COL32_WHITE, theme.px(kGapXs));
+  if (!picture.shows_lines) return image;
   for (const std::vector<Pixel>& line : picture.frame->lines) {
     draw_line(line, {image, size}, to_u32(kCaution), theme.px(2.0F));
   }

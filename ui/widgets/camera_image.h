@@ -14,10 +14,14 @@ struct CameraPicture {
   Texture texture;
   std::shared_ptr<const LiveFrame> frame;
 
-  bool is_new = false;  ///< another image than at the show() before
+  bool is_new = false;      ///< another image than at the show() before
+  bool shows_lines = true;  ///< those that were found, over the image
 
   void show(const std::shared_ptr<const LiveFrame>& latest);
 };
+
+/// A frame's image as a screen shows it: of moderate size, CV_8UC1 or CV_8UC3.
+[[nodiscard]] cv::Mat screen_image(const Frame& frame);
 
 /// The image fitted into the box; a plain box with `missing_text` where there is none.
 /// @return  where the image lies

@@ -1,5 +1,6 @@
 #include "ui/widgets/draw.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 
@@ -71,6 +72,13 @@ void draw_outline(const Rect& box, const Color& color, float thickness, float ro
   const Rect middle = box.inset(thickness / 2.0F);
   ImGui::GetWindowDrawList()->AddRect(middle.min(), middle.max(), to_u32(color), rounding, 0,
                                       thickness);
+}
+
+bool touch_area(const char* id, const Rect& box, ImGuiButtonFlags buttons) {
+  ImGui::SetCursorScreenPos(box.min());
+  // In a tiny window nothing may be left of a box, which Dear ImGui takes for a mistake.
+  return ImGui::InvisibleButton(id, {std::max(box.width, 1.0F), std::max(box.height, 1.0F)},
+                                buttons);
 }
 
 }  // namespace flytri::ui

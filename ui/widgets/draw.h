@@ -32,4 +32,10 @@ float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view tex
 void draw_box(const Rect& box, const Color& color, float rounding = 0.0F);
 void draw_outline(const Rect& box, const Color& color, float thickness, float rounding = 0.0F);
 
+/// Takes clicks and drags within a box, which Dear ImGui then speaks of as its last item.
+/// @param id  unique in its panel
+/// @return  whether it was clicked
+bool touch_area(const char* id, const Rect& box,
+                ImGuiButtonFlags buttons = ImGuiButtonFlags_MouseButtonLeft);
+
 }  // namespace flytri::ui

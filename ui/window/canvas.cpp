@@ -2,6 +2,8 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
+#include "ui/widgets/pixel_rows.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -48,10 +50,10 @@ std::vector<ImDrawList*> reaching(const ImDrawData& data) {
   return lists;
 }
 
-void clear(const Rect& box, int height_px, const Color& color) {
+void clear(const PixelBox& box, const Color& color) {
   glEnable(GL_SCISSOR_TEST);
-  glScissor(static_cast<int>(box.x), height_px - static_cast<int>(box.bottom()),
-            static_cast<int>(box.width), static_cast<int>(box.height));
+  const Eigen::Vector2i size = box.sizes() + Eigen::Vector2i::Ones();
+  glScissor(box.min().x(), box.min().y(), size.x(), size.y());
   glClearColor(color[0], color[1], color[2], 1.0F);
   glClear(GL_COLOR_BUFFER_BIT);
   glDisable(GL_SCISSOR_TEST);
@@ -69,7 +71,7 @@ bool Canvas::resize(const ImageSize& size) {
 void Canvas::draw(ImDrawData& data, const std::vector<Rect>& boxes, const Color& background) {
   framebuffer_.bind();
   for (const Rect& box : boxes) {
-    clear(box, picture_.height_px(), background);
+    clear(from_below(box, data.DisplaySize.y), background);
     const Narrowed narrowed(data, box);
     std::vector<ImDrawList*> lists = reaching(data);
     ImDrawData part = data;

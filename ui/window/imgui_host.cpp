@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/theme/palette.h"
+#include "ui/widgets/pixel_rows.h"
 
 namespace flytri::ui {
 namespace {
@@ -87,13 +88,14 @@ Result<void> ImGuiHost::set_scale(float scale) {
   theme_ = *theme;
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
+  ImGui::GetIO().Fonts->ClearTexData();  // some 40 MB that the texture has now
   damage_.forget();
   return {};
 }
 
-std::vector<KeyEvent> ImGuiHost::begin_frame(double now_s) {
+std::vector<KeyEvent> ImGuiHost::begin_frame(const ImageSize& size, double now_s) {
   ImGuiIO& io = ImGui::GetIO();
-  const ImageSize size = window_.framebuffer_size();
+  size_ = size;
   io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
   io.DeltaTime =
       last_now_s_ < 0.0 ? 1.0F / 60.0F : std::max(static_cast<float>(now_s - last_now_s_), 1e-4F);
@@ -109,13 +111,16 @@ std::vector<KeyEvent> ImGuiHost::begin_frame(double now_s) {
   return presses;
 }
 
-bool ImGuiHost::end_frame(const std::vector<Rect>& repainted) {
+std::vector<PixelBox> ImGuiHost::end_frame(const std::vector<Rect>& repainted) {
   ImGui::Render();
   ImDrawData& data = *ImGui::GetDrawData();
-  if (canvas_.resize(window_.framebuffer_size())) damage_.forget();
+  if (canvas_.resize(size_)) damage_.forget();
   const std::vector<Rect> boxes = damage_.update(data, repainted);
   canvas_.draw(data, boxes, kBackground);
-  return !boxes.empty();
+  std::vector<PixelBox> changed;
+  changed.reserve(boxes.size());
+  for (const Rect& box : boxes) changed.push_back(from_below(box, data.DisplaySize.y));
+  return changed;
 }
 
 }  // namespace flytri::ui

@@ -28,13 +28,14 @@ class ImGuiHost {
   [[nodiscard]] const Theme& theme() const { return theme_; }
 
   /// Opens a frame of Dear ImGui with the next events of the window.
+  /// @param size  of the window in this frame
   /// @param now_s  monotonic
   /// @return  keys pressed and repeated in this frame while no text field wanted them, in order
-  [[nodiscard]] std::vector<KeyEvent> begin_frame(double now_s);
+  [[nodiscard]] std::vector<KeyEvent> begin_frame(const ImageSize& size, double now_s);
   /// Draws what is different from the frame before.
   /// @param repainted  where textures hold another picture than before
-  /// @return  whether anything is
-  bool end_frame(const std::vector<Rect>& repainted);
+  /// @return  where it is, px of the canvas
+  std::vector<PixelBox> end_frame(const std::vector<Rect>& repainted);
   /// The frame as it was drawn.
   [[nodiscard]] const Canvas& canvas() const { return canvas_; }
 
@@ -42,6 +43,7 @@ class ImGuiHost {
   Window& window_;
   ImGuiContext* context_;
   Theme theme_;
+  ImageSize size_;  ///< of the window in this frame
   DrawDamage damage_;
   Canvas canvas_;
   double last_now_s_ = -1.0;

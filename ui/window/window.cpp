@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace flytri::ui {
 namespace {
@@ -85,7 +86,9 @@ void on_wheel(GLFWwindow* window, double x, double y) {
 
 }  // namespace
 
-Window::Window(GLFWwindow* window) : window_(window) { listen(); }
+Window::Window(GLFWwindow* window) : window_(window), partial_swap_(PartialSwap::find()) {
+  listen();
+}
 
 Window::~Window() {
   glfwDestroyWindow(window_);
@@ -128,7 +131,24 @@ void Window::listen() {
 
 void Window::poll() { glfwPollEvents(); }
 
-void Window::swap() { glfwSwapBuffers(window_); }
+bool Window::keeps_its_size() {
+  const ImageSize size = framebuffer_size();
+  return size == std::exchange(shown_size_, size);
+}
+
+void Window::show(const Framebuffer& picture, const std::vector<PixelBox>& changed) {
+  const bool was_asked = std::exchange(wants_refresh_, false);
+  if (changed.empty() && !was_asked) return;
+  if (partial_swap_ && !was_asked) {
+    picture.copy_to_window(changed);
+    if (keeps_its_size()) {
+      for (const PixelBox& part : changed) partial_swap_->show(part);
+      return;
+    }
+  }
+  picture.copy_to_window({picture.area()});
+  glfwSwapBuffers(window_);
+}
 
 bool Window::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 

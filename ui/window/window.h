@@ -2,12 +2,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/imaging/frame.h"
+#include "ui/gpu/texture.h"
 #include "ui/window/input.h"
+#include "ui/window/partial_swap.h"
 
 struct GLFWwindow;
 
@@ -31,10 +34,9 @@ class Window {
 
   /// Takes what the window system has for us, without waiting.
   void poll();
-  /// Shows what was drawn.
-  void swap();
-  /// Whether the window system asked for the picture again since the last time.
-  [[nodiscard]] bool take_refresh() { return std::exchange(wants_refresh_, false); }
+  /// Puts a picture of the window's size on the screen; does nothing where it is there already.
+  /// @param changed  where the picture is another one than at the last call, px of the picture
+  void show(const Framebuffer& picture, const std::vector<PixelBox>& changed);
   [[nodiscard]] bool should_close() const;
   [[nodiscard]] ImageSize framebuffer_size() const;
   /// Pixels by pixels of an ordinary screen.
@@ -46,9 +48,15 @@ class Window {
   explicit Window(GLFWwindow* window);
   void listen();
   static void on_refresh(GLFWwindow* window);
+  /// Whether the window still has the size that it had when this was last asked. Between the two,
+  /// OpenGL saw a size when it drew, and a part is placed from the bottom of that: by another size
+  /// it would lie outside of OpenGL's picture, and for that the X server ends the program.
+  [[nodiscard]] bool keeps_its_size();
   GLFWwindow* window_;
   InputQueue input_;
-  bool wants_refresh_ = true;
+  std::optional<PartialSwap> partial_swap_;
+  ImageSize shown_size_;       ///< what keeps_its_size() last saw
+  bool wants_refresh_ = true;  ///< the window system asks for the whole picture again
 };
 
 }  // namespace flytri::ui

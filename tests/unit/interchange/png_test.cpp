@@ -27,6 +27,17 @@ TEST_P(Png, KeepsEveryPixel) {
   EXPECT_EQ(cv::norm(*back, image, cv::NORM_INF), 0.0);
 }
 
+TEST_P(Png, TheQuickWayKeepsEveryPixelToo) {
+  for (const cv::Mat& image :
+       {random_image(GetParam()), cv::Mat(random_image(GetParam())(cv::Rect(3, 2, 31, 30))),
+        cv::Mat(cv::Mat::zeros(5, 1, GetParam()))}) {
+    const Result<cv::Mat> back = decode_png(*encode_camera_png(image), "a.png");
+    ASSERT_TRUE(back) << back.error().message;
+    ASSERT_EQ(back->type(), image.type());
+    EXPECT_EQ(cv::norm(*back, image, cv::NORM_INF), 0.0);
+  }
+}
+
 TEST_P(Png, RefusesEveryTruncation) {
   const std::string bytes = *encode_png(random_image(GetParam()));
   for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
@@ -56,6 +67,8 @@ TEST(PngColor, RefusesTypesThatPngOrTheContractLacks) {
   EXPECT_FALSE(encode_png(cv::Mat()));
   EXPECT_FALSE(encode_png(cv::Mat(4, 4, CV_32FC1, cv::Scalar(0))));
   EXPECT_FALSE(encode_png(cv::Mat(4, 4, CV_8UC4, cv::Scalar(0))));
+  EXPECT_FALSE(encode_camera_png(cv::Mat()));
+  EXPECT_FALSE(encode_camera_png(cv::Mat(4, 4, CV_8UC4, cv::Scalar(0))));
 }
 
 }  // namespace

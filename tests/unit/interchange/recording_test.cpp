@@ -24,7 +24,7 @@ void write_three_frames(const std::filesystem::path& folder) {
   ASSERT_TRUE(writer->append(frame_of(FrameKind::kVertical, 0.0, 1000)));
   ASSERT_TRUE(writer->append(frame_of(FrameKind::kHorizontal, 1.0 / 30.0, 65535)));
   ASSERT_TRUE(writer->append(frame_of(FrameKind::kTexture, 0.1, 30)));
-  ASSERT_TRUE(writer->close());
+  ASSERT_TRUE(writer->write_list());
 }
 
 TEST(Recording, WhatIsWrittenIsRead) {
@@ -69,7 +69,7 @@ TEST(Recording, WithoutCloseItIsNoRecording) {
 TEST(Recording, WriterRefusesWhatTheReaderWould) {
   const TemporaryFolder folder;
   Result<RecordingWriter> writer = RecordingWriter::create(folder.path());
-  EXPECT_EQ(writer->close().error().code, ErrorCode::kInsufficient);
+  EXPECT_EQ(writer->write_list().error().code, ErrorCode::kInsufficient);
   ASSERT_TRUE(writer->append(frame_of(FrameKind::kVertical, 1.0, 1)));
   EXPECT_FALSE(writer->append(frame_of(FrameKind::kVertical, 1.0, 1)));
   Frame color = frame_of(FrameKind::kTexture, 2.0, 1);

@@ -189,6 +189,32 @@ TEST(Registrar, GoesOnAfterAHandWasInterrupted) {
   EXPECT_LT(errors.worst_mm, 0.1);
 }
 
+TEST(Registrar, ASettledScanStaysTheScanUntilTheEnd) {
+  constexpr int kBefore = 20, kAfter = 40;
+  const auto elsewhere = [](double t) {
+    return make_isometry(Eigen::Quaterniond::Identity(), Vec3(150.0, 60.0, 0.0)) * hand_pose(t);
+  };
+  for (const int settled_views : {kBefore / 2, 2 * kBefore}) {
+    RegistrarOptions options;
+    options.settled_views = settled_views;
+    options.retry_starts = 10;
+    Registrar registrar = Registrar::create(options).value();
+    for (int frame = 0; frame < kBefore + kAfter; ++frame) {
+      const double t = frame / 30.0;
+      registrar.add(scene_view(frame, frame < kBefore ? hand_pose(t) : elsewhere(t), {}));
+    }
+    const bool is_settled = settled_views <= kBefore;
+    EXPECT_EQ(registrar.interrupted(), is_settled);
+    EXPECT_EQ(registrar.aligned_views().size(), is_settled ? kBefore : kAfter);
+    // The world of a scan that is finished for good is free.
+    int registered = 0;
+    for (const RegisteredView& view : registrar.finish()) {
+      registered += view.fate == ViewFate::kRegistered ? 1 : 0;
+    }
+    EXPECT_EQ(registered, kAfter);
+  }
+}
+
 TEST(Registrar, SkippedViewsAreInterpolated) {
   RegistrarOptions options;
   options.register_every = 2;

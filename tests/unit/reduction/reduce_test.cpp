@@ -133,9 +133,9 @@ TEST(Reduce, BadOptionsAreNamed) {
 }
 
 TEST(MeanVarianceShare, IsWhatCorrelatedNoiseShows) {
-  EXPECT_DOUBLE_EQ(mean_variance_share(1, 1.5), 1.0);
-  EXPECT_NEAR(mean_variance_share(4, 0.01), 0.25, 1e-12);  // white
-  EXPECT_NEAR(mean_variance_share(4, 1e6), 1.0, 1e-9);     // all alike
+  EXPECT_DOUBLE_EQ(MeanVariance(1.5).share(1), 1.0);
+  EXPECT_NEAR(MeanVariance(0.01).share(4), 0.25, 1e-12);  // white
+  EXPECT_NEAR(MeanVariance(1e6).share(4), 1.0, 1e-9);     // all alike
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST(ReducedSystem, SolutionSatisfiesTheNormalEquations) {
   const Workers workers(2);
   ReducedSystem system = random_system(kCount, random);
   system.finish(workers);
-  const Eigen::VectorXd x = system.solve(workers);
+  const Eigen::VectorXd x = *system.solve(workers);
   // -g comes back from H x; the tolerance is that of the conjugate gradients.
   Eigen::VectorXd y = system.apply(x, workers);
   EXPECT_GT(x.norm(), 0.0);

@@ -51,7 +51,7 @@ TEST(AtlasCharts, EveryTriangleIsInOneChartAndNoTexelInTwoTriangles) {
     ChartOptions options;
     options.texel_mm = 0.06;
     options.max_chart_px = 64;
-    std::vector<Chart> charts = cut_charts(mesh, options);
+    std::vector<Chart> charts = *cut_charts(mesh, options);
     ASSERT_TRUE(pack_charts(charts, 1024));
     std::vector<int> charts_of(mesh.triangles.size(), 0);
     std::set<std::pair<int, int>> taken;
@@ -80,7 +80,7 @@ TEST(AtlasCharts, EveryTriangleIsInOneChartAndNoTexelInTwoTriangles) {
 }
 
 TEST(AtlasCharts, PackedChartsDoNotOverlap) {
-  std::vector<Chart> charts = cut_charts(wave(4.0F), {});
+  std::vector<Chart> charts = *cut_charts(wave(4.0F), {});
   ASSERT_GT(charts.size(), 2U);
   ASSERT_TRUE(pack_charts(charts, 1024));
   for (std::size_t a = 0; a < charts.size(); ++a) {

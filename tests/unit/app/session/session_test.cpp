@@ -87,6 +87,47 @@ TEST_F(SessionOnARecording, WhatIsScannedIntoACaseIsThereWhenItIsOpenedAgain) {
   EXPECT_GT(scanned, 60);
 }
 
+TEST_F(SessionOnARecording, AFinishedCaseIsFinishedWhenItIsOpenedAgain) {
+  const std::string path = (folder_.path() / "cases" / "done.flytri").string();
+  std::size_t triangles = 0, holes = 0;
+  const auto has_result = [](const auto& view) {
+    return view.scan != nullptr && view.scan->result != nullptr;
+  };
+  {
+    Session session(options_);
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+    session.carry_out(ui::NewCase{path, "", {}});
+    session.carry_out(ui::StartScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+    session.carry_out(ui::Finish{});
+    ASSERT_TRUE(wait_for(session, has_result));
+    session.scan()->wait_until_idle();
+    triangles = session.view().scan->result->model.mesh.triangles.size();
+    holes = session.view().scan->holes.size();
+  }
+  {
+    Session session(options_);
+    session.carry_out(ui::OpenCase{path, ""});
+    ASSERT_TRUE(wait_for(session, has_result));
+    session.scan()->wait_until_idle();
+    const auto scan = session.view().scan;
+    EXPECT_EQ(scan->phase, ScanPhase::kFinished);
+    EXPECT_EQ(scan->result->surface.mesh.triangles.size(), triangles);
+    EXPECT_EQ(scan->holes.size(), holes);
+    EXPECT_GT(scan->result->surface.mesh.vertices.front().sigma_mm, 0.0F);
+    // A scan that goes on has no result any more.
+    session.carry_out(ui::ResumeScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 10; }));
+    session.carry_out(ui::PauseScan{});
+    session.scan()->wait_until_idle();
+  }
+  Session session(options_);
+  session.carry_out(ui::OpenCase{path, ""});
+  ASSERT_TRUE(wait_for(
+      session, [](const auto& view) { return view.scan != nullptr && !view.scan->model.empty(); }));
+  EXPECT_EQ(session.view().scan->result, nullptr);
+}
+
 TEST_F(SessionOnARecording, ACaseOfAnotherCalibrationIsTold) {
   const std::string path = (folder_.path() / "cases" / "jones.flytri").string();
   {

@@ -1,8 +1,11 @@
 #include "hw/recording/recorder_sensor.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <fstream>
 #include <opencv2/core.hpp>
 #include <thread>
@@ -147,6 +150,62 @@ TEST(RecorderSensor, ACrashLeavesARecordingOfAllButTheLastSeconds) {
     // No stop(): as if the process had ended here.
   }
   EXPECT_EQ(replay(folder / "scan").size(), 91U);
+}
+
+// Writes frames in a process of its own and tells the number of each that is written.
+[[noreturn]] void record_and_tell(const fs::path& folder, int pipe) {
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(100'000)), folder).value();
+  if (!recorder->start()) _exit(1);
+  for (int number = 0;; ++number) {
+    if (!recorder->next(1.0).value()) _exit(1);
+    recorder->work_beside(0.0);
+    if (write(pipe, &number, sizeof number) != sizeof number) _exit(1);
+  }
+}
+
+TEST(RecorderSensor, KilledItHasAllButTheLastSecond) {
+  for (const int last : {40, 111, 256}) {
+    const TemporaryFolder folder;
+    std::array<int, 2> pipe{};
+    ASSERT_EQ(::pipe(pipe.data()), 0);
+    const pid_t child = fork();
+    if (child == 0) record_and_tell(folder / "scan", pipe[1]);
+    int number = -1;
+    while (number < last) ASSERT_EQ(read(pipe[0], &number, sizeof number), ssize_t{sizeof number});
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    close(pipe[0]);
+    close(pipe[1]);
+    // Each image that is listed is whole, and the list goes up to the last second at 30 Hz.
+    const std::vector<Frame> kept = replay(folder / "scan");
+    EXPECT_GE(static_cast<int>(kept.size()), last + 1 - 30);
+    EXPECT_EQ(kept.size(), open_recording(folder / "scan")->frames.size());
+  }
+}
+
+// A sensor that cannot be started, or whose frames never come.
+TEST(RecorderSensor, WithoutAFrameTheFolderIsAsItWas) {
+  class Absent final : public ScriptedSensor {
+   public:
+    Absent() : ScriptedSensor({}) {}
+    Result<void> start() override { return fail(ErrorCode::kNotFound, "no such camera"); }
+  };
+  const TemporaryFolder folder;
+  const auto absent =
+      RecorderSensor::create(std::make_shared<Absent>(), folder / "deep" / "scan").value();
+  EXPECT_FALSE(absent->start());
+  EXPECT_FALSE(fs::exists(folder / "deep"));
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(3)), folder / "scan").value();
+  run(*recorder);
+  recorder->stop();
+  const auto silent =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(0)), folder / "scan").value();
+  run(*silent);
+  silent->stop();
+  // The recording that lies there is not given up for nothing.
+  EXPECT_EQ(replay(folder / "scan").size(), 3U);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ class ReplayTest : public ::testing::Test {
       const cv::Mat image(24, 32, CV_8UC1, cv::Scalar(i));
       ASSERT_TRUE(writer.append({FrameIndex(i), FrameKind::kVertical, 3.0 + 0.1 * i, image}));
     }
-    ASSERT_TRUE(writer.close());
+    ASSERT_TRUE(writer.write_list());
   }
   std::shared_ptr<ReplaySensor> open(double speed) const {
     return ReplaySensor::open(folder_.path(), {.speed = speed}, clock_.clock()).value();

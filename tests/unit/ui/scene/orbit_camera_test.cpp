@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/scene/box_corners.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -124,7 +126,7 @@ TEST(OrbitCamera, FittingShowsTheWholeBoxAndLittleElse) {
   const Eigen::AlignedBox3d box(Vec3(-30.0, -5.0, 10.0), Vec3(40.0, 20.0, 70.0));
   for (const double field_of_view_rad : {0.02, 0.35, 1.2}) {
     OrbitCamera camera({.field_of_view_rad = field_of_view_rad});
-    camera.set_pose(camera.fitting(box, some_pose().q_world_eye, kSize));
+    camera.set_pose(camera.fitting(corners_of(box), some_pose().q_world_eye, kSize));
     double widest = 0.0;
     for (int i = 0; i < 8; ++i) {
       const Vec3 p = seen_at(camera, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));

@@ -59,8 +59,17 @@ TEST(StandardViews, LookFromTheirSides) {
   }
 }
 
-TEST(StandardViews, NothingScannedHasAnEmptyBox) {
-  EXPECT_TRUE(jaw_axes(SurfelModel{}).box_mm.isEmpty());
+TEST(StandardViews, TheBoxLiesAlongTheJawHoweverThatLies) {
+  const auto volume_of = [](const Isometry& T_world_arch) {
+    const std::vector<Vec3> corners = jaw_axes(arch(30.0, 0.8, T_world_arch)).corners_mm;
+    EXPECT_EQ(corners.size(), 8U);
+    return (corners[7] - corners[0]).norm();
+  };
+  EXPECT_NEAR(volume_of(kTurned), volume_of(Isometry::Identity()), 0.01);
+}
+
+TEST(StandardViews, NothingScannedHasNoBox) {
+  EXPECT_TRUE(jaw_axes(SurfelModel{}).corners_mm.empty());
 }
 
 }  // namespace

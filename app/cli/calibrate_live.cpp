@@ -1,0 +1,113 @@
+#include "app/cli/calibrate_live.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/cli/chair_dialog.h"
+#include "core/interchange/guided_session_file.h"
+#include "hw/chair/open_shots.h"
+#include "hw/chair/simulated_shots.h"
+
+namespace flytri::cli {
+namespace {
+
+constexpr int kPlanes = 17;  // a millimetre apart in a volume 15 mm deep
+
+bool says_anything(const PlanArguments& arguments) {
+  return arguments.sensor != PlanArguments{}.sensor || !arguments.volume_mm.empty() ||
+         !arguments.lines.empty() || !arguments.dots_mm.empty() || arguments.planes > 0 ||
+         arguments.by_target;
+}
+
+/// From the options; those that are not given are the sensor's.
+CalibrationPlan make_plan(const PlanArguments& arguments) {
+  SensorModel sensor = sensor_named(arguments.sensor);
+  if (const auto& size = arguments.volume_mm; !size.empty()) {
+    sensor.volume.size_mm = Vec3(size[0], size[1], size[2]);
+  }
+  if (const auto& dots = arguments.dots_mm; !dots.empty())
+    sensor.dots = {dots[0], dots[1], dots[2]};
+  CalibrationPlan plan = plan_of(sensor, arguments.planes > 0 ? arguments.planes : kPlanes);
+  if (const auto& lines = arguments.lines; !lines.empty()) plan.line_counts = {lines[0], lines[1]};
+  if (arguments.by_target) plan.order = PlacementOrder::kByTarget;
+  return plan;
+}
+
+/// Who names nothing goes on with what the folder says.
+Result<CalibrationPlan> choose_plan(const CalibrateLiveArguments& arguments) {
+  if (!says_anything(arguments.plan)) {
+    auto found = read_guided_plan(arguments.output);
+    if (found || found.error().code != ErrorCode::kNotFound) return found;
+  }
+  return make_plan(arguments.plan);
+}
+
+void print_planes(const std::vector<PlaneResidual>& planes) {
+  constexpr double kMicrons = 1e3;
+  fmt::print("{:<14} {:>13} {:>13}\n", "plane", "vertical", "horizontal");
+  for (const PlaneResidual& plane : planes) {
+    fmt::print("z {:+8.2f} mm  {:>+10.2f} um {:>+10.2f} um\n", plane.z_mm,
+               kMicrons * plane.offset_mm[0], kMicrons * plane.offset_mm[1]);
+  }
+}
+
+void print_restored(const ChairSession& session) {
+  if (session.restored() > 0) {
+    fmt::print("{}: going on, {} of {} placements are done\n", session.folder().string(),
+               session.restored(), session.guide().placements().size());
+  }
+  for (const std::string& complaint : session.complaints()) {
+    fmt::print("not taken over: {}\n", complaint);
+  }
+}
+
+}  // namespace
+
+void add_plan_options(CLI::App& command, PlanArguments& plan) {
+  const std::string group = "What the sensor is calibrated with (--live)";
+  command.add_option("--sensor", plan.sensor, "The sensor of the paper whose numbers are taken")
+      ->check(CLI::IsMember({"intraoral", "face"}))
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--volume", plan.volume_mm, "Measurement volume, mm: x y z")
+      ->expected(3)
+      ->group(group);
+  command.add_option("--lines", plan.lines, "Number of vertical and horizontal lines")
+      ->group(group);
+  command.add_option("--dots", plan.dots_mm, "Dot target, mm: pitch, diameter, large diameter")
+      ->expected(3)
+      ->group(group);
+  command.add_option("--planes", plan.planes, "Number of depths, 17 if nothing is said")
+      ->check(CLI::Range(5, 100))
+      ->group(group);
+  command
+      .add_flag("--by-target", plan.by_target,
+                "First the white plane through all depths, then the dots")
+      ->group(group);
+}
+
+Result<void> calibrate_live(const CalibrateLiveArguments& arguments, const Progress& progress) {
+  const auto plan = choose_plan(arguments);
+  if (!plan) return tl::unexpected(plan.error());
+  auto source = open_shots({arguments.simulated, arguments.plan.sensor, arguments.rig});
+  if (!source) return tl::unexpected(source.error());
+  auto session = ChairSession::open(arguments.output, *plan, *source);
+  if (!session) return tl::unexpected(session.error());
+  print_restored(*session);
+  if (auto started = (*source)->start(); !started) return started;
+  const auto fit = run_chair_dialog(*session, Workers(arguments.thread_count), progress);
+  (*source)->stop();
+  if (!fit) return tl::unexpected(fit.error());
+  if (!*fit) {
+    fmt::print("stopped; {} keeps what is done, the same command goes on with it\n",
+               arguments.output.string());
+    return {};
+  }
+  print_planes((*fit)->planes);
+  print_residuals((*fit)->calibration);
+  fmt::print("wrote {}\n", (arguments.output / "calibration.json").string());
+  return {};
+}
+
+}  // namespace flytri::cli

@@ -1,0 +1,39 @@
+/// @file  flytri calibrate --live: a guided calibration with a rig, or with the virtual sensor.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "core/calibrating/calibration_plan.h"
+
+namespace flytri::cli {
+
+/// What stands in front of the sensor, where it is not as the sensor's own paper has it.
+struct PlanArguments {
+  std::string sensor = "intraoral";
+  std::vector<double> volume_mm;  ///< x, y, z; empty: not said
+  std::vector<int> lines;         ///< vertical, horizontal; empty: not said
+  std::vector<double> dots_mm;    ///< pitch, diameter, large diameter; empty: not said
+  int planes = 0;                 ///< 0: not said
+  bool by_target = false;
+};
+
+struct CalibrateLiveArguments {
+  PlanArguments plan;
+  std::filesystem::path rig = "rig.json";
+  bool simulated = false;
+  std::filesystem::path output;
+  int thread_count = 0;
+};
+
+void add_plan_options(CLI::App& command, PlanArguments& plan);
+
+[[nodiscard]] Result<void> calibrate_live(const CalibrateLiveArguments& arguments,
+                                          const Progress& progress);
+
+/// RMS and maximum of what the fits left.
+void print_residuals(const Calibration& calibration);
+
+}  // namespace flytri::cli

@@ -1,0 +1,25 @@
+#include "app/cli/command_line.h"
+
+#include "app/cli/commands.h"
+
+namespace flytri::cli {
+
+void set_up_command_line(CLI::App& app, Invocation& invocation) {
+  app.name("flytri");
+  app.description("flytri: from line frames of a hand-guided scanner to a textured model");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", FLYTRI_VERSION);
+  add_simulate_command(app, invocation);
+  add_calibrate_command(app, invocation);
+  add_reconstruct_command(app, invocation);
+  add_export_command(app, invocation);
+  add_evaluate_command(app, invocation);
+  add_study_command(app, invocation);
+  add_demo_command(app, invocation);
+  add_app_command(app, invocation);
+  add_devices_command(app, invocation);
+  add_record_command(app, invocation);
+  add_bench_command(app, invocation);
+}
+
+}  // namespace flytri::cli

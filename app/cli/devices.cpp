@@ -1,0 +1,152 @@
+/// @file  flytri devices: what is plugged in, and what is wrong with it.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "hw/gpio/gpio_chips.h"
+#include "hw/rig/check_rig.h"
+#include "hw/rig/rig_file.h"
+#include "hw/v4l2/find_camera.h"
+#include "hw/v4l2/video_system.h"
+
+namespace flytri::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DevicesArguments {
+  std::optional<std::filesystem::path> rig;
+  bool as_json = false;
+};
+
+std::vector<std::string> messages(const std::vector<Error>& problems) {
+  std::vector<std::string> messages;
+  messages.reserve(problems.size());
+  for (const Error& problem : problems) messages.push_back(problem.message);
+  return messages;
+}
+
+std::string with_serial(const std::string& name, const std::string& serial) {
+  return serial.empty() ? name : fmt::format("{}, serial {}", name, serial);
+}
+
+void print_problems(const std::vector<Error>& problems) {
+  for (const Error& problem : problems) fmt::print("    problem: {}\n", problem.message);
+}
+
+void print(const CameraDescription& camera) {
+  fmt::print("camera {} ({}, bus {})\n", with_serial(camera.name, camera.serial), camera.node,
+             camera.bus_path);
+  for (const CameraMode& mode : camera.modes) {
+    fmt::print("    {} {} x {}", mode.format, mode.size.width_px, mode.size.height_px);
+    for (const double rate_hz : mode.rates_hz) fmt::print(" {:.4g}", rate_hz);
+    fmt::print("{}\n", mode.rates_hz.empty() ? "" : " Hz");
+  }
+  for (const CameraControl& control : camera.controls)
+    fmt::print("    {}: {} of {} to {}\n", control.name, control.value, control.minimum,
+               control.maximum);
+  print_problems(camera.problems);
+}
+
+void print(const GpioChip& chip) {
+  fmt::print("switch {} ({}, bus {}), {} lines\n", with_serial(chip.label, chip.device.serial),
+             chip.device.node, chip.device.bus_path, chip.lines.size());
+  for (std::size_t i = 0; i < chip.lines.size(); ++i) {
+    const GpioLine& line = chip.lines[i];
+    if (line.name.empty() && line.consumer.empty()) continue;
+    fmt::print("    line {} {}{}{}\n", i, line.name, line.consumer.empty() ? "" : " in use by ",
+               line.consumer);
+  }
+  print_problems(chip.problems);
+}
+
+Json to_json(const CameraDescription& camera) {
+  Json json = {{"name", camera.name},
+               {"serial", camera.serial},
+               {"node", camera.node},
+               {"bus_path", camera.bus_path},
+               {"modes", Json::array()},
+               {"controls", Json::array()},
+               {"problems", messages(camera.problems)}};
+  for (const CameraMode& mode : camera.modes)
+    json["modes"].push_back({{"format", mode.format},
+                             {"size_px", {mode.size.width_px, mode.size.height_px}},
+                             {"rates_hz", mode.rates_hz}});
+  for (const CameraControl& control : camera.controls)
+    json["controls"].push_back({{"name", control.name},
+                                {"minimum", control.minimum},
+                                {"maximum", control.maximum},
+                                {"step", control.step},
+                                {"value", control.value}});
+  return json;
+}
+
+Json to_json(const GpioChip& chip) {
+  Json json = {{"label", chip.label},      {"serial", chip.device.serial},
+               {"node", chip.device.node}, {"bus_path", chip.device.bus_path},
+               {"lines", Json::array()},   {"problems", messages(chip.problems)}};
+  for (const GpioLine& line : chip.lines)
+    json["lines"].push_back({{"name", line.name}, {"consumer", line.consumer}});
+  return json;
+}
+
+void print_all(const std::vector<CameraDescription>& cameras, const std::vector<GpioChip>& chips) {
+  for (const CameraDescription& camera : cameras) print(camera);
+  if (cameras.empty())
+    fmt::print("No camera is there. Plug one in; one that should be listed may lack its driver.\n");
+  for (const GpioChip& chip : chips) print(chip);
+  if (chips.empty()) fmt::print("No switch for the lights is there. Plug in its USB-GPIO chip.\n");
+}
+
+Result<void> run(const DevicesArguments& arguments) {
+  const auto system = kernel_video_system();
+  const auto cameras = list_cameras(*system);
+  const auto chips = list_chips();
+  std::optional<std::vector<Error>> faults;
+  if (arguments.rig) {
+    const auto rig = read_rig(*arguments.rig);
+    if (!rig) return tl::unexpected(rig.error());
+    faults = check_rig(*rig, *system, chips);
+  }
+  if (arguments.as_json) {
+    Json json = {{"format", "flytri.devices"},
+                 {"version", 1},
+                 {"cameras", Json::array()},
+                 {"switches", Json::array()}};
+    for (const CameraDescription& camera : cameras) json["cameras"].push_back(to_json(camera));
+    for (const GpioChip& chip : chips) json["switches"].push_back(to_json(chip));
+    if (faults) json["rig_problems"] = messages(*faults);
+    fmt::print("{}\n", json.dump(1));
+  } else {
+    print_all(cameras, chips);
+    if (faults && faults->empty()) fmt::print("The rig is ready.\n");
+    if (faults) {
+      for (const Error& fault : *faults) fmt::print("rig: {}\n", fault.message);
+    }
+  }
+  if (faults && !faults->empty())
+    return fail(faults->front().code, "{} of the rig's devices cannot be used", faults->size());
+  return {};
+}
+
+}  // namespace
+
+void add_devices_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<DevicesArguments>();
+  CLI::App* command = app.add_subcommand(
+      "devices", "List cameras and switches, what they can do and what is wrong with them");
+  command->add_option("--rig", arguments->rig, "Also say whether this rig can be used")
+      ->check(CLI::ExistingFile);
+  command->add_flag("--json", arguments->as_json, "For programs");
+  command->footer("Example: flytri devices --rig rig.json");
+  command->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress&) { return run(*arguments); };
+  });
+}
+
+}  // namespace flytri::cli

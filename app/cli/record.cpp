@@ -1,0 +1,120 @@
+/// @file  flytri record: what a rig sees, into a folder.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "app/cli/commands.h"
+#include "hw/device/capture_loop.h"
+#include "hw/recording/recorder_sensor.h"
+#include "hw/rig/open_rig.h"
+#include "hw/rig/rig_file.h"
+#include "hw/rig/rig_message.h"
+
+namespace flytri::cli {
+namespace {
+
+struct RecordArguments {
+  std::filesystem::path output;
+  std::filesystem::path rig = "rig.json";
+  double duration_s = 0.0;
+};
+
+constexpr auto kLook = std::chrono::milliseconds(100);
+/// Between two lines where standard error is no terminal.
+constexpr double kLinePeriod_s = 5.0;
+
+/// Shows how a recording goes: on a terminal one line that is drawn anew, else a line now and then.
+class RecordLine {
+ public:
+  void show(double time_s, const RecorderStatus& recorder, const RigStatus& rig,
+            const SensorStatus& sensor) {
+    if (!is_terminal_ && time_s < shown_s_ + kLinePeriod_s) return;
+    shown_s_ = time_s;
+    fmt::print(stderr, "{}{:6.1f} s  {} recorded; {}{}{}{}", is_terminal_ ? "\r\033[K" : "", time_s,
+               recorder.written, rig_summary(rig), sensor.message.empty() ? "" : "; ",
+               sensor.message, is_terminal_ ? "" : "\n");
+    std::fflush(stderr);
+  }
+  ~RecordLine() {
+    if (is_terminal_) fmt::print(stderr, "\r\033[K");
+  }
+
+ private:
+  const bool is_terminal_ = isatty(STDERR_FILENO) != 0;
+  double shown_s_ = -kLinePeriod_s;
+};
+
+bool is_over(SensorState state) {
+  return state == SensorState::kFailed || state == SensorState::kEnded;
+}
+
+/// Until Ctrl-C, the end of the time, or a failure for good, of the rig or of the disk.
+void watch(const RecordArguments& arguments, const RecorderSensor& recorder, const RigSensor& rig,
+           const Progress& progress) {
+  const Clock clock = machine_clock();
+  const double start_s = clock.now_s();
+  RecordLine line;
+  while (!progress.cancelled() && !is_over(recorder.status().state) &&
+         !recorder.recorder_status().has_ended) {
+    const double time_s = clock.now_s() - start_s;
+    if (arguments.duration_s > 0.0 && time_s > arguments.duration_s) return;
+    line.show(time_s, recorder.recorder_status(), rig.rig_status(), recorder.status());
+    std::this_thread::sleep_for(kLook);
+  }
+}
+
+Result<void> run(const RecordArguments& arguments, const Progress& progress) {
+  auto settings = read_rig(arguments.rig);
+  if (!settings) {
+    if (settings.error().code != ErrorCode::kNotFound) return tl::unexpected(settings.error());
+    return fail(
+        ErrorCode::kNotFound,
+        "{}; `flytri devices` lists what is plugged in, docs/formats.md says how to write a "
+        "rig.json of it",
+        settings.error().message);
+  }
+  auto rig = open_rig(*settings);
+  if (!rig) return tl::unexpected(rig.error());
+  auto recorder = RecorderSensor::create(*rig, arguments.output);
+  if (!recorder) return tl::unexpected(recorder.error());
+  SensorStatus status;
+  {
+    CaptureLoop loop(*recorder, [](const Frame&) {});
+    watch(arguments, **recorder, **rig, progress);
+    status = loop.status();
+    loop.stop();
+  }
+  const RecorderStatus written = (*recorder)->recorder_status();
+  fmt::print("{}: {} frames recorded, {} lost to the disk; {}\n", arguments.output.string(),
+             written.written, written.lost, rig_summary((*rig)->rig_status()));
+  if (status.state == SensorState::kFailed) return fail(ErrorCode::kNotFound, "{}", status.message);
+  if (!written.message.empty()) return fail(ErrorCode::kWriteFailed, "{}", written.message);
+  if (written.written == 0)
+    return fail(ErrorCode::kInsufficient, "no frame was recorded. {}", status.message);
+  return {};
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<RecordArguments>();
+  CLI::App* command = app.add_subcommand(
+      "record", "Record what the devices of a rig see, until Ctrl-C; what is recorded is safe");
+  command->add_option("-o,--output", arguments->output, "Folder to write")->required();
+  command->add_option("--rig", arguments->rig, "The rig's devices, see docs/formats.md")
+      ->capture_default_str();
+  command->add_option("--duration", arguments->duration_s, "Length, s; 0: until Ctrl-C")
+      ->check(CLI::Range(0.0, 36000.0))
+      ->capture_default_str();
+  command->footer("Example: flytri record -o out/scan --rig rig.json");
+  command->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
+  });
+}
+
+}  // namespace flytri::cli

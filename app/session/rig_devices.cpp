@@ -1,0 +1,126 @@
+#include "app/session/rig_devices.h"
+
+#include <fmt/format.h>
+
+#include "hw/gpio/gpio_chips.h"
+#include "hw/rig/check_rig.h"
+#include "hw/rig/rig_file.h"
+#include "hw/v4l2/video_system.h"
+
+namespace flytri {
+namespace {
+
+/// A switch that takes longer than this, a period at 30 Hz, is late for the gap between exposures.
+constexpr double kSlowSwitch_s = 1.0 / 30.0;
+
+ui::DeviceFigure count(std::string label, std::int64_t value) {
+  return {std::move(label), fmt::format("{}", value), false};
+}
+/// Of what should not happen.
+ui::DeviceFigure fault_count(std::string label, std::int64_t value) {
+  return {std::move(label), fmt::format("{}", value), value > 0};
+}
+
+template <typename Match>
+std::string name_of(const Match& match, const std::string& name) {
+  if (!name.empty()) return name;
+  return match.serial.empty() ? match.bus_path : match.serial;
+}
+
+ui::DeviceHealth health_of(CameraState state) {
+  switch (state) {
+    case CameraState::kIdle:
+      return ui::DeviceHealth::kUnknown;
+    case CameraState::kRunning:
+      return ui::DeviceHealth::kFine;
+    default:
+      return ui::DeviceHealth::kBroken;
+  }
+}
+
+ui::DeviceHealth health_of(LightSwitchState state) {
+  switch (state) {
+    case LightSwitchState::kIdle:
+      return ui::DeviceHealth::kUnknown;
+    case LightSwitchState::kRunning:
+      return ui::DeviceHealth::kFine;
+    default:
+      return ui::DeviceHealth::kBroken;
+  }
+}
+
+ui::DeviceState camera_state(std::string role, const RigCamera& camera,
+                             const RigCameraStatus& status) {
+  const CameraStatus& counts = status.camera;
+  ui::DeviceState state;
+  state.role = std::move(role);
+  state.name = name_of(camera.match, camera.match.name);
+  state.state = to_string(counts.state);
+  state.health = health_of(counts.state);
+  state.figures = {
+      count("labeled", status.labels.labeled),
+      count("straddled", status.labels.straddled),
+      count("unknown", status.labels.unknown),
+      fault_count("gaps", counts.dropped),
+      fault_count("damaged", status.damaged),
+      fault_count("interrupted", counts.frozen + counts.lost),
+      {"latency",
+       status.is_learned ? fmt::format("{:.1f} ms", 1e3 * status.latency.latency_s) : "learning",
+       false}};
+  return state;
+}
+
+ui::DeviceState lights_state(const LightWiring& wiring, const RigStatus& status) {
+  const LightSwitchStatus& counts = status.lights;
+  ui::DeviceState state;
+  state.role = "Lights";
+  state.name = name_of(wiring.chip, wiring.chip.label);
+  state.state = to_string(counts.state);
+  state.health = health_of(counts.state);
+  // That the switch says it works proves nothing: the images tell.
+  const bool is_faulty = status.measurement.fault != LightFault::kNone;
+  if (is_faulty && state.health == ui::DeviceHealth::kFine)
+    state.health = ui::DeviceHealth::kDoubtful;
+  state.figures = {count("switched", counts.switched),
+                   fault_count("refused", counts.refused),
+                   count("skipped", counts.skipped),
+                   fault_count("interrupted", counts.lost),
+                   {"slowest", fmt::format("{:.1f} ms", 1e3 * counts.slowest_s),
+                    counts.slowest_s > kSlowSwitch_s},
+                   {"a pattern",
+                    fmt::format("{} {}", status.frames_per_pattern,
+                                status.frames_per_pattern == 1 ? "frame" : "frames"),
+                    false},
+                   {"in step", status.keeps_step ? "yes" : "no", false}};
+  return state;
+}
+
+}  // namespace
+
+Result<RigSettings> chosen_rig(const SourceChoice& choice) {
+  Result<RigSettings> rig = read_rig(*choice.rig);
+  if (rig && choice.calibration) rig->calibration = choice.calibration;
+  return rig;
+}
+
+std::vector<std::string> check_chosen_rig(const SourceChoice& choice) {
+  const auto rig = chosen_rig(choice);
+  if (!rig) return {rig.error().message};
+  std::vector<std::string> problems;
+  for (const Error& problem : check_rig(*rig, *kernel_video_system(), list_chips()))
+    problems.push_back(problem.message);
+  return problems;
+}
+
+std::vector<ui::DeviceState> device_states(const RigSettings& rig, const RigStatus& status) {
+  std::vector<ui::DeviceState> states = {
+      camera_state("Measurement camera", rig.measurement, status.measurement)};
+  if (rig.texture) {
+    states.push_back(
+        camera_state("Texture camera", *rig.texture, status.texture.value_or(RigCameraStatus{})));
+  }
+  states.push_back(lights_state(rig.lights, status));
+  return states;
+}
+
+}  // namespace flytri

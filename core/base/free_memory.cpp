@@ -1,0 +1,17 @@
+#include "core/base/free_memory.h"
+
+#include <cstdlib>  // tells which C library it is
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace flytri {
+
+void release_free_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace flytri

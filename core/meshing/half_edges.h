@@ -1,0 +1,27 @@
+/// @file  The directed edges of a mesh's triangles, sorted so that those of one edge are together.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/triangle_mesh.h"
+
+namespace flytri {
+
+/// A directed edge of a triangle.
+struct HalfEdge {
+  std::uint32_t low, high;  ///< its vertices, low <= high
+  std::uint32_t corner;     ///< 3 t + k: it begins at corner k of triangle t
+  bool rising;              ///< runs from low to high
+
+  [[nodiscard]] std::uint32_t triangle() const { return corner / 3; }
+  [[nodiscard]] bool same_edge(const HalfEdge& other) const {
+    return low == other.low && high == other.high;
+  }
+};
+
+/// All of them, by low, then high, then corner.
+/// @param mesh  indices valid
+[[nodiscard]] std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh);
+
+}  // namespace flytri

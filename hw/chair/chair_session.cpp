@@ -1,0 +1,97 @@
+#include "hw/chair/chair_session.h"
+
+#include <utility>
+
+#include "core/interchange/calibration_file.h"
+#include "core/interchange/calibration_set_file.h"
+#include "core/interchange/guided_session_file.h"
+
+namespace flytri {
+namespace {
+
+bool is_alike(const CalibrationPlan& a, const CalibrationPlan& b) {
+  return a.volume.size_mm == b.volume.size_mm && a.line_counts == b.line_counts &&
+         a.dots.pitch_mm == b.dots.pitch_mm && a.dots.diameter_mm == b.dots.diameter_mm &&
+         a.dots.marker_diameter_mm == b.dots.marker_diameter_mm && a.z_mm == b.z_mm &&
+         a.order == b.order;
+}
+
+/// Leaves the session in the folder as it is, or begins one there.
+Result<void> settle_plan(const std::filesystem::path& folder, const CalibrationPlan& plan) {
+  const auto found = read_guided_plan(folder);
+  if (!found && found.error().code == ErrorCode::kNotFound) return write_guided_plan(folder, plan);
+  if (!found) return tl::unexpected(found.error());
+  if (is_alike(*found, plan)) return {};
+  return fail(ErrorCode::kInconsistent,
+              "{} holds a calibration with other planes, lines or dots; go on with its own, or "
+              "name another folder",
+              folder.string());
+}
+
+}  // namespace
+
+Result<ChairSession> ChairSession::open(const std::filesystem::path& folder,
+                                        const CalibrationPlan& plan,
+                                        std::shared_ptr<ShotSource> source,
+                                        const GuidedOptions& options) {
+  auto guide = GuidedCalibration::create(plan, options);
+  if (!guide) return tl::unexpected(guide.error());
+  if (auto settled = settle_plan(folder, plan); !settled) return tl::unexpected(settled.error());
+  ChairSession session(folder, *std::move(guide), std::move(source));
+  session.restore();
+  return session;
+}
+
+ChairSession::ChairSession(std::filesystem::path folder, GuidedCalibration guide,
+                           std::shared_ptr<ShotSource> source)
+    : folder_(std::move(folder)), guide_(std::move(guide)), source_(std::move(source)) {}
+
+void ChairSession::restore() {
+  for (std::size_t i = 0; i < guide_.placements().size(); ++i) {
+    const auto images = read_placement(folder_, guide_.placements()[i]);
+    if (!images) {
+      complaints_.push_back(images.error().message);
+      continue;
+    }
+    if (images->empty()) continue;
+    const ShotVerdict verdict = guide_.restore(i, *images);
+    if (verdict.good()) {
+      ++restored_;
+    } else {
+      complaints_.push_back(
+          fmt::format("plane {}: {}", guide_.placements()[i].plane + 1, verdict.finding));
+    }
+  }
+}
+
+Result<ShotOutcome> ChairSession::shoot(const Progress& progress) {
+  const WantedShot shot = *guide_.wanted();
+  const auto image = source_->take(shot.kind, shot.z_mm, progress);
+  if (!image) return tl::unexpected(image.error());
+  ShotOutcome outcome{shot, guide_.take(*image)};
+  if (!guide_.is_done(shot.placement)) return outcome;
+  auto written = write_placement(folder_, shot.place, guide_.images(shot.placement));
+  if (!written) {
+    guide_.reopen(shot.placement);
+    return tl::unexpected(written.error());
+  }
+  return outcome;
+}
+
+Result<void> ChairSession::reopen(std::size_t placement) {
+  guide_.reopen(placement);
+  return remove_placement(folder_, guide_.placements()[placement]);
+}
+
+Result<GuidedFit> ChairSession::finish(const Workers& workers, const Progress& progress) const {
+  auto fit = guide_.fit(workers, progress);
+  if (!fit) return fit;
+  if (auto written = write_calibration_set_text(folder_, guide_.set()); !written) {
+    return tl::unexpected(written.error());
+  }
+  auto written = write_calibration(folder_ / "calibration.json", fit->calibration);
+  if (!written) return tl::unexpected(written.error());
+  return fit;
+}
+
+}  // namespace flytri

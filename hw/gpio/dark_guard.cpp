@@ -1,0 +1,123 @@
+#include "hw/gpio/dark_guard.h"
+
+#include <fcntl.h>
+#include <linux/gpio.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <system_error>
+
+namespace flytri {
+
+namespace {
+
+// All that the child needs, in memory that is ready before the fork.
+struct PreparedOrder {
+  std::array<char, 64> node{};
+  std::array<char, GPIO_MAX_NAME_SIZE> label{};
+  gpiohandle_request request{};
+};
+
+template <typename Text>
+void copy_text(const std::string& from, Text& to) {
+  from.copy(std::data(to), std::size(to) - 1);
+}
+
+PreparedOrder prepare(const DarkOrder& order) {
+  PreparedOrder prepared;
+  copy_text(order.node, prepared.node);
+  copy_text(order.label, prepared.label);
+  gpiohandle_request& request = prepared.request;
+  copy_text("flytri: dark", request.consumer_label);
+  request.flags = GPIOHANDLE_REQUEST_OUTPUT;
+  request.lines = static_cast<std::uint32_t>(
+      std::min<std::size_t>(order.lines.size(), std::size(request.lineoffsets)));
+  for (std::uint32_t i = 0; i < request.lines; ++i) {
+    request.lineoffsets[i] = order.lines[i];
+    request.default_values[i] = static_cast<std::uint8_t>(order.dark_values[i]);
+  }
+  return prepared;
+}
+
+// From here to stand_guard: in the child of a process with threads, which may only make system
+// calls.
+
+bool turn_dark(PreparedOrder& order) {
+  const int chip = open(order.node.data(), O_RDONLY | O_CLOEXEC);
+  if (chip < 0) return false;
+  gpiochip_info info{};
+  const bool is_chip = ioctl(chip, GPIO_GET_CHIPINFO_IOCTL, &info) == 0 &&
+                       std::strncmp(info.label, order.label.data(), sizeof info.label) == 0;
+  // Asking for the lines sets them; letting them go leaves them so.
+  const bool done = is_chip && ioctl(chip, GPIO_GET_LINEHANDLE_IOCTL, &order.request) == 0;
+  if (done) close(order.request.fd);
+  close(chip);
+  return done;
+}
+
+[[noreturn]] void stand_guard(int pipe, PreparedOrder& order) {
+  // Neither the lines nor the cameras of the parent must stay open here.
+  dup2(pipe, 0);
+  close_range(1, ~0U, 0);
+  char dismissed = 0;
+  ssize_t received = 0;
+  do {
+    received = read(0, &dismissed, 1);
+  } while (received < 0 && errno == EINTR);
+  // The kernel may still be busy taking the lines from the dead one: half a minute of tries.
+  const timespec pause{0, 10'000'000};
+  for (int attempt = 0; received == 0 && attempt < 3000 && !turn_dark(order); ++attempt)
+    nanosleep(&pause, nullptr);
+  _exit(0);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<DarkGuard>> DarkGuard::start(const DarkOrder& order) {
+  PreparedOrder prepared = prepare(order);
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    return fail(ErrorCode::kInconsistent, "no pipe for the guard of the lights ({}): close files",
+                std::generic_category().message(errno));
+  // The child starts with all signals blocked, so that no handler of ours runs in it.
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t child = fork();
+  const int error = errno;
+  if (child == 0) stand_guard(ends[0], prepared);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  close(ends[0]);
+  if (child > 0) return std::unique_ptr<DarkGuard>(new DarkGuard(child, ends[1]));
+  close(ends[1]);
+  return fail(ErrorCode::kInconsistent,
+              "no process for the guard of the lights ({}): close other programs",
+              std::generic_category().message(error));
+}
+
+DarkGuard::~DarkGuard() {
+  const char dismissed = 1;
+  // A guard that is gone already needs no word, and the signal about that is of no use.
+  sigset_t broken_pipe;
+  sigset_t before;
+  sigemptyset(&broken_pipe);
+  sigaddset(&broken_pipe, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &broken_pipe, &before);
+  const bool gone = write(pipe_, &dismissed, 1) != 1;
+  const timespec at_once{};
+  if (gone) sigtimedwait(&broken_pipe, nullptr, &at_once);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  close(pipe_);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+}  // namespace flytri

@@ -1,0 +1,237 @@
+#include "hw/gpio/gpio_light_switch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "hw/device/clock.h"
+#include "hw/device/wish_queue.h"
+
+namespace flytri {
+
+namespace {
+
+// Nobody reads that far back; a caller that never asks must not fill the memory.
+constexpr std::size_t kMaxDone = 1000;
+
+std::chrono::steady_clock::time_point time_point(double time_s) {
+  using Clock = std::chrono::steady_clock;
+  return Clock::time_point(
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s)));
+}
+
+}  // namespace
+
+Result<void> GpioLightSwitchOptions::validate() const {
+  if (!(search_period_s > 0.0))
+    return fail(ErrorCode::kBadOption, "search_period_s {}: must be above 0", search_period_s);
+  if (!(slow_call_s > 0.0))
+    return fail(ErrorCode::kBadOption, "slow_call_s {}: must be above 0", slow_call_s);
+  return {};
+}
+
+// What the thread and its callers share. The device is only touched without the lock.
+struct GpioLightSwitch::Worker {
+  Worker(OpenLightLines opener, const GpioLightSwitchOptions& given)
+      : open(std::move(opener)), options(given) {}
+
+  void run();
+  void search(std::unique_lock<std::mutex>& lock);
+  void serve(std::unique_lock<std::mutex>& lock);
+  void carry_out(std::unique_lock<std::mutex>& lock, const NumberedWish& wish);
+  void lose(std::unique_lock<std::mutex>& lock, std::string message);
+  void note_duration(double call_s);
+
+  const OpenLightLines open;
+  const GpioLightSwitchOptions options;
+  const Clock clock = machine_clock();
+  std::thread thread;
+  std::unique_ptr<LightLines> lines;  // of the thread while it runs
+
+  std::mutex mutex;  // of all below
+  std::condition_variable changed;
+  bool running = false;
+  WishQueue wishes;
+  std::deque<LightSwitching> done;
+  NumberedWish latest;                 // that was carried out, or tried
+  std::optional<double> call_began_s;  // of the call to the device that is in progress
+  LightSwitchStatus status;
+};
+
+void GpioLightSwitch::Worker::run() {
+  std::unique_lock lock(mutex);
+  while (running) {
+    if (lines)
+      serve(lock);
+    else
+      search(lock);
+  }
+  lock.unlock();
+  lines.reset();
+}
+
+// While it is lost, wishes that are due pass; the latest of them holds when it is back.
+void GpioLightSwitch::Worker::search(std::unique_lock<std::mutex>& lock) {
+  changed.wait_until(lock, time_point(clock.now_s() + options.search_period_s),
+                     [&] { return !running; });
+  if (!running) return;
+  lock.unlock();
+  auto opened = open();
+  lock.lock();
+  if (const auto passed = wishes.take_due(clock.now_s())) {
+    latest = passed->wish;
+    status.skipped += passed->skipped + 1;
+  }
+  if (!opened) {
+    status.message = opened.error().message;
+    return;
+  }
+  lines = std::move(*opened);
+  status.state = LightSwitchState::kRunning;
+  status.message.clear();
+  ++status.returned;
+  if (latest.number == 0) return;
+  // It was counted as skipped, or failed; now it is carried out after all.
+  const NumberedWish again = latest;
+  carry_out(lock, again);
+}
+
+void GpioLightSwitch::Worker::serve(std::unique_lock<std::mutex>& lock) {
+  const double check_s = clock.now_s() + options.search_period_s;
+  const auto wake_s = [&] { return std::min(check_s, wishes.first_due_s().value_or(check_s)); };
+  while (running && !wishes.is_due(clock.now_s()) && clock.now_s() < check_s)
+    changed.wait_until(lock, time_point(wake_s()));
+  if (!running) return;
+  if (const auto due = wishes.take_due(clock.now_s())) {
+    status.skipped += due->skipped;
+    carry_out(lock, due->wish);
+  } else if (!lines->present()) {
+    lose(lock, "the switch of the lights was unplugged: plug it in again");
+  }
+}
+
+void GpioLightSwitch::Worker::carry_out(std::unique_lock<std::mutex>& lock,
+                                        const NumberedWish& wish) {
+  latest = wish;
+  const double before_s = clock.now_s();
+  call_began_s = before_s;
+  lock.unlock();
+  const int error = lines->set(wish.wish.light);
+  const double after_s = clock.now_s();
+  lock.lock();
+  call_began_s.reset();
+  note_duration(after_s - before_s);
+  ++(error == 0 ? status.switched : status.refused);
+  done.push_back({wish.number, wish.wish.light, before_s, after_s, error == 0});
+  if (done.size() > kMaxDone) done.pop_front();
+  if (error != 0)
+    lose(lock, fmt::format("the switch of the lights does not take orders ({}): plug it in again",
+                           std::generic_category().message(error)));
+}
+
+void GpioLightSwitch::Worker::note_duration(double call_s) {
+  status.slowest_s = std::max(status.slowest_s, call_s);
+  status.message.clear();
+  if (call_s > options.slow_call_s)
+    status.message = fmt::format(
+        "the switch of the lights took {:.1f} s for an order, which it may not have carried out: "
+        "plug it in again",
+        call_s);
+}
+
+void GpioLightSwitch::Worker::lose(std::unique_lock<std::mutex>& lock, std::string message) {
+  status.state = LightSwitchState::kLost;
+  status.message = std::move(message);
+  ++status.lost;
+  // Letting the lines go is a call to the device, too.
+  lock.unlock();
+  lines.reset();
+  lock.lock();
+}
+
+GpioLightSwitch::GpioLightSwitch(std::unique_ptr<Worker> worker) : worker_(std::move(worker)) {}
+
+GpioLightSwitch::~GpioLightSwitch() { stop(); }
+
+Result<std::unique_ptr<GpioLightSwitch>> GpioLightSwitch::create(
+    OpenLightLines open, const GpioLightSwitchOptions& options) {
+  if (const auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  return std::unique_ptr<GpioLightSwitch>(
+      new GpioLightSwitch(std::make_unique<Worker>(std::move(open), options)));
+}
+
+Result<std::unique_ptr<GpioLightSwitch>> GpioLightSwitch::create(
+    const LightWiring& wiring, const GpioLightSwitchOptions& options) {
+  if (const auto valid = wiring.validate(); !valid) return tl::unexpected(valid.error());
+  return create([wiring] { return open_gpio_lines(wiring); }, options);
+}
+
+Result<void> GpioLightSwitch::start() {
+  if (worker_->thread.joinable()) return {};
+  auto lines = worker_->open();
+  const std::lock_guard lock(worker_->mutex);
+  worker_->status = {};
+  if (!lines) {
+    worker_->status.state = LightSwitchState::kFailed;
+    worker_->status.message = lines.error().message;
+    return tl::unexpected(lines.error());
+  }
+  worker_->lines = std::move(*lines);
+  worker_->status.state = LightSwitchState::kRunning;
+  worker_->running = true;
+  worker_->wishes.clear();
+  worker_->done.clear();
+  worker_->latest = {};
+  worker_->thread = std::thread([worker = worker_.get()] { worker->run(); });
+  return {};
+}
+
+void GpioLightSwitch::stop() {
+  {
+    const std::lock_guard lock(worker_->mutex);
+    worker_->running = false;
+  }
+  worker_->changed.notify_all();
+  if (worker_->thread.joinable()) worker_->thread.join();
+  // Only now: what the thread was doing may have gone well or badly meanwhile.
+  const std::lock_guard lock(worker_->mutex);
+  worker_->status.state = LightSwitchState::kIdle;
+  worker_->status.message.clear();
+}
+
+std::int64_t GpioLightSwitch::post(const LightWish& wish) {
+  std::int64_t number = 0;
+  {
+    const std::lock_guard lock(worker_->mutex);
+    if (!worker_->running) return 0;
+    number = worker_->wishes.post(wish);
+  }
+  worker_->changed.notify_all();
+  return number;
+}
+
+std::vector<LightSwitching> GpioLightSwitch::take_done() {
+  const std::lock_guard lock(worker_->mutex);
+  std::vector<LightSwitching> done(worker_->done.begin(), worker_->done.end());
+  worker_->done.clear();
+  return done;
+}
+
+LightSwitchStatus GpioLightSwitch::status() const {
+  const std::lock_guard lock(worker_->mutex);
+  LightSwitchStatus status = worker_->status;
+  if (!worker_->call_began_s) return status;
+  const double busy_s = worker_->clock.now_s() - *worker_->call_began_s;
+  status.slowest_s = std::max(status.slowest_s, busy_s);
+  if (busy_s > worker_->options.slow_call_s)
+    status.message = fmt::format(
+        "the switch of the lights has not answered for {:.1f} s: plug it in again", busy_s);
+  return status;
+}
+
+}  // namespace flytri

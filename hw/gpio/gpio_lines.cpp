@@ -1,0 +1,120 @@
+#include "hw/gpio/gpio_lines.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <vector>
+
+#include "hw/gpio/dark_guard.h"
+#include "hw/gpio/gpio_chips.h"
+#include "hw/gpio/open_chip.h"
+
+namespace flytri {
+
+namespace {
+
+struct WiredLight {
+  Light light;
+  unsigned line;
+  bool active_low;
+};
+
+// As they are on the wire, whatever shines.
+std::vector<int> values_for(const std::vector<WiredLight>& lights, Light shining) {
+  std::vector<int> values;
+  values.reserve(lights.size());
+  for (const WiredLight& wired : lights)
+    values.push_back((wired.light == shining) != wired.active_low ? 1 : 0);
+  return values;
+}
+
+std::vector<unsigned> lines_of(const std::vector<WiredLight>& lights) {
+  std::vector<unsigned> lines;
+  lines.reserve(lights.size());
+  for (const WiredLight& wired : lights) lines.push_back(wired.line);
+  return lines;
+}
+
+class GpioLines final : public LightLines {
+ public:
+  GpioLines(GpioChip chip, std::vector<WiredLight> lights)
+      : description_(std::move(chip)), lights_(std::move(lights)) {}
+  ~GpioLines() override {
+    // A chip that is gone cannot be told, and takes its lights along.
+    if (held_) (void)set(Light::kDark);
+  }
+
+  Result<void> hold() {
+    chip_ = open_chip(description_.device.node);
+    auto lines = lines_of(lights_);
+    if (!chip_ || gpiod_chip_get_lines(chip_.get(), lines.data(),
+                                       static_cast<unsigned>(lines.size()), &bulk_) != 0)
+      return failed("opening it", errno);
+    const std::vector<int> dark = values_for(lights_, Light::kDark);
+    if (gpiod_line_request_bulk_output(&bulk_, "flytri", dark.data()) != 0)
+      return failed("asking for its lines", errno);
+    held_ = true;
+    auto guard =
+        DarkGuard::start({description_.device.node, description_.label, std::move(lines), dark});
+    if (!guard) return tl::unexpected(guard.error());
+    guard_ = std::move(*guard);
+    return {};
+  }
+
+  int set(Light light) override {
+    const std::vector<int> values = values_for(lights_, light);
+    return gpiod_line_set_value_bulk(&bulk_, values.data()) == 0 ? 0 : errno;
+  }
+
+  bool present() const override { return access(description_.device.node.c_str(), F_OK) == 0; }
+
+ private:
+  tl::unexpected<Error> failed(std::string_view doing, int error_number) const {
+    return fail(error_number == EBUSY ? ErrorCode::kInconsistent : ErrorCode::kNotFound,
+                "GPIO chip {}: {} failed ({}): end other programs that use it, or unplug it and "
+                "plug it in again",
+                description_.label, doing, std::generic_category().message(error_number));
+  }
+
+  const GpioChip description_;
+  const std::vector<WiredLight> lights_;
+  std::unique_ptr<DarkGuard> guard_;  // dismissed last, when the lines are dark and let go
+  OpenChip chip_;
+  gpiod_line_bulk bulk_{};
+  bool held_ = false;
+};
+
+Result<std::vector<WiredLight>> wire(const GpioChip& chip, const LightWiring& wiring) {
+  std::vector<WiredLight> lights;
+  const auto add = [&](Light light, const LineMatch& match) -> Result<void> {
+    const auto line = find_line(chip, match);
+    if (!line) return tl::unexpected(line.error());
+    lights.push_back({light, *line, match.active_low});
+    return {};
+  };
+  if (const auto done = add(Light::kVertical, wiring.vertical); !done)
+    return tl::unexpected(done.error());
+  if (const auto done = add(Light::kHorizontal, wiring.horizontal); !done)
+    return tl::unexpected(done.error());
+  if (wiring.flash) {
+    if (const auto done = add(Light::kFlash, *wiring.flash); !done)
+      return tl::unexpected(done.error());
+  }
+  return lights;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LightLines>> open_gpio_lines(const LightWiring& wiring) {
+  if (const auto valid = wiring.validate(); !valid) return tl::unexpected(valid.error());
+  auto chip = find_chip(list_chips(), wiring.chip);
+  if (!chip) return tl::unexpected(chip.error());
+  auto lights = wire(*chip, wiring);
+  if (!lights) return tl::unexpected(lights.error());
+  auto lines = std::make_unique<GpioLines>(std::move(*chip), std::move(*lights));
+  if (const auto held = lines->hold(); !held) return tl::unexpected(held.error());
+  return lines;
+}
+
+}  // namespace flytri

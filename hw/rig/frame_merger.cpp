@@ -1,0 +1,75 @@
+#include "hw/rig/frame_merger.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flytri {
+namespace {
+
+/// Flashes that are remembered: those ahead and those whose frames are on their way.
+constexpr std::size_t kFlashes = 8;
+/// Of two images of one flash: beyond noise.
+constexpr double kBrighter = 1.05;
+
+}  // namespace
+
+void FrameMerger::flash_at(double begin_s) {
+  flashes_s_.push_back(begin_s);
+  if (flashes_s_.size() > kFlashes) flashes_s_.pop_front();
+}
+
+void FrameMerger::add_pattern(Pattern pattern, const cv::Mat& image, double time_s, double now_s) {
+  const FrameKind kind =
+      pattern == Pattern::kVertical ? FrameKind::kVertical : FrameKind::kHorizontal;
+  patterns_.push_back({{FrameIndex(), kind, time_s, image}, now_s});
+}
+
+void FrameMerger::add_texture(const cv::Mat& image, const FrameLabel& label, double now_s) {
+  const bool is_other = label.outcome == LabelOutcome::kLabeled && label.light != Light::kFlash;
+  if (label.evidence.is_flash && !is_other) {
+    if (brightest_ && label.evidence.area <= kBrighter * brightest_area_) return;
+    brightest_area_ = label.evidence.area;
+    brightest_ = {{FrameIndex(), FrameKind::kTexture, label.time_s, image}, now_s};
+    return;
+  }
+  if (brightest_) textures_.push_back(*std::move(brightest_));
+  brightest_.reset();
+  texture_seen_s_ = label.time_s;
+}
+
+// A flash began before this frame, and the texture camera has not shown what comes after it.
+bool FrameMerger::waits_for_texture(const Waiting& pattern) const {
+  return std::any_of(flashes_s_.begin(), flashes_s_.end(), [&](double flash_s) {
+    return flash_s < pattern.frame.time_s && texture_seen_s_ < flash_s + 0.5 * options_.flash_s;
+  });
+}
+
+std::optional<Frame> FrameMerger::next(double now_s, bool texture_comes) {
+  while (!patterns_.empty() || !textures_.empty()) {
+    const bool is_texture =
+        patterns_.empty() ||
+        (!textures_.empty() && textures_.front().frame.time_s < patterns_.front().frame.time_s);
+    std::deque<Waiting>& queue = is_texture ? textures_ : patterns_;
+    // Patterns that were lit before a flash may be on their way, too.
+    const bool waits =
+        is_texture ? patterns_.empty() : texture_comes && waits_for_texture(queue.front());
+    if (waits && now_s - queue.front().arrived_s <= options_.patience_s) return std::nullopt;
+    Frame frame = std::move(queue.front().frame);
+    queue.pop_front();
+    if (auto numbered_frame = numbered(std::move(frame))) return numbered_frame;
+  }
+  return std::nullopt;
+}
+
+std::optional<Frame> FrameMerger::numbered(Frame frame) {
+  if (frame.time_s <= last_s_) {
+    ++late_;
+    return std::nullopt;
+  }
+  last_s_ = frame.time_s;
+  frame.time_s -= options_.start_s;
+  frame.index = FrameIndex(static_cast<std::size_t>(count_++));
+  return frame;
+}
+
+}  // namespace flytri

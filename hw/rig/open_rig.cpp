@@ -1,0 +1,49 @@
+#include "hw/rig/open_rig.h"
+
+#include "core/interchange/calibration_file.h"
+#include "hw/gpio/gpio_light_switch.h"
+#include "hw/v4l2/v4l2_camera.h"
+
+namespace flytri {
+
+Result<std::shared_ptr<RigSensor>> assemble_rig(const RigSettings& rig, RigDevices devices) {
+  if (auto valid = rig.validate(); !valid) return tl::unexpected(valid.error());
+  std::shared_ptr<const Calibration> calibration;
+  if (rig.calibration) {
+    auto read = read_calibration(*rig.calibration);
+    if (!read) return tl::unexpected(read.error());
+    calibration = std::make_shared<const Calibration>(*std::move(read));
+  }
+  RigSensorOptions options;
+  options.name = rig.name;
+  options.flash_period_s = rig.flash_period_s;
+  options.measurement_readout_s = rig.measurement.readout_s;
+  if (rig.texture) options.texture_readout_s = rig.texture->readout_s;
+  return RigSensor::create(std::move(devices), options, std::move(calibration));
+}
+
+Result<RigDevices> open_devices(const RigSettings& rig) {
+  if (auto valid = rig.validate(); !valid) return tl::unexpected(valid.error());
+  RigDevices devices;
+  devices.clock = machine_clock();
+  auto measurement = V4l2Camera::create(rig.measurement.match, rig.measurement.settings);
+  if (!measurement) return tl::unexpected(measurement.error());
+  devices.measurement = *std::move(measurement);
+  if (rig.texture) {
+    auto texture = V4l2Camera::create(rig.texture->match, rig.texture->settings);
+    if (!texture) return tl::unexpected(texture.error());
+    devices.texture = *std::move(texture);
+  }
+  auto lights = GpioLightSwitch::create(rig.lights);
+  if (!lights) return tl::unexpected(lights.error());
+  devices.lights = *std::move(lights);
+  return devices;
+}
+
+Result<std::shared_ptr<RigSensor>> open_rig(const RigSettings& rig) {
+  auto devices = open_devices(rig);
+  if (!devices) return tl::unexpected(devices.error());
+  return assemble_rig(rig, *std::move(devices));
+}
+
+}  // namespace flytri

@@ -1,0 +1,181 @@
+#include "hw/rig/rig_file.h"
+
+#include "core/interchange/file_bytes.h"
+#include "core/interchange/json_place.h"
+
+namespace flytri {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kFormat = "flytri.rig";
+constexpr int kVersion = 1;
+
+std::string text_or_nothing(const JsonPlace& place, std::string_view key) {
+  return place.has(key) ? place.at(key).text() : std::string();
+}
+
+std::optional<double> positive_or_nothing(const JsonPlace& place, std::string_view key) {
+  if (!place.has(key)) return std::nullopt;
+  return place.at(key).positive_number();
+}
+
+CameraMatch read_match(const JsonPlace& place) {
+  CameraMatch match{text_or_nothing(place, "name"), text_or_nothing(place, "serial"),
+                    text_or_nothing(place, "bus_path")};
+  if (match == CameraMatch{}) place.reject("\"name\", \"serial\" or \"bus_path\" of the camera");
+  return match;
+}
+
+PixelFormat read_format(const JsonPlace& place) {
+  const auto format = pixel_format_of(place.text());
+  if (!format) place.reject("a pixel format: GREY, Y10, Y12, Y16, YUYV or MJPG");
+  return format.value_or(PixelFormat::kGrey8);
+}
+
+ImageSize read_size(const JsonPlace& place) {
+  const auto sides = place.elements();
+  if (sides.size() != 2) {
+    place.reject("width and height");
+    return {1, 1};
+  }
+  return {sides[0].whole_number(), sides[1].whole_number()};
+}
+
+RigCamera read_camera(const JsonPlace& place, Channels channels) {
+  RigCamera camera;
+  camera.match = read_match(place.at("match"));
+  CameraSettings& settings = camera.settings;
+  settings.channels = channels;
+  settings.format = read_format(place.at("format"));
+  settings.size = read_size(place.at("size_px"));
+  settings.rate_hz = place.at("rate_hz").positive_number();
+  settings.exposure_s = positive_or_nothing(place, "exposure_s");
+  if (place.has("gain")) settings.gain = place.at("gain").number();
+  settings.white_balance_k = positive_or_nothing(place, "white_balance_k");
+  if (place.has("focus")) settings.focus = place.at("focus").number();
+  if (place.has("readout_s")) camera.readout_s = place.at("readout_s").number();
+  return camera;
+}
+
+LineMatch read_line(const JsonPlace& place) {
+  LineMatch line;
+  if (place.has("line_name")) {
+    line.name = place.at("line_name").text();
+  } else {
+    line.offset = place.at("line").whole_number();
+  }
+  if (place.has("active")) {
+    const std::string active = place.at("active").text();
+    if (active != "high" && active != "low") place.at("active").reject("\"high\" or \"low\"");
+    line.active_low = active == "low";
+  }
+  return line;
+}
+
+LightWiring read_lights(const JsonPlace& place) {
+  LightWiring lights;
+  const JsonPlace chip = place.at("chip");
+  lights.chip = {text_or_nothing(chip, "label"), text_or_nothing(chip, "serial"),
+                 text_or_nothing(chip, "bus_path")};
+  lights.vertical = read_line(place.at("vertical"));
+  lights.horizontal = read_line(place.at("horizontal"));
+  if (place.has("flash")) lights.flash = read_line(place.at("flash"));
+  return lights;
+}
+
+void add_text(Json& json, const char* key, const std::string& text) {
+  if (!text.empty()) json[key] = text;
+}
+
+void add_number(Json& json, const char* key, const std::optional<double>& number) {
+  if (number) json[key] = *number;
+}
+
+Json to_json(const RigCamera& camera) {
+  Json match = Json::object();
+  add_text(match, "name", camera.match.name);
+  add_text(match, "serial", camera.match.serial);
+  add_text(match, "bus_path", camera.match.bus_path);
+  const CameraSettings& settings = camera.settings;
+  Json json = {{"match", match},
+               {"format", to_string(settings.format)},
+               {"size_px", {settings.size.width_px, settings.size.height_px}},
+               {"rate_hz", settings.rate_hz}};
+  add_number(json, "exposure_s", settings.exposure_s);
+  add_number(json, "gain", settings.gain);
+  add_number(json, "white_balance_k", settings.white_balance_k);
+  add_number(json, "focus", settings.focus);
+  if (camera.readout_s > 0.0) json["readout_s"] = camera.readout_s;
+  return json;
+}
+
+Json to_json(const LineMatch& line) {
+  Json json = Json::object();
+  if (line.offset) {
+    json["line"] = *line.offset;
+  } else {
+    json["line_name"] = line.name;
+  }
+  json["active"] = line.active_low ? "low" : "high";
+  return json;
+}
+
+Json to_json(const LightWiring& lights) {
+  Json chip = Json::object();
+  add_text(chip, "label", lights.chip.label);
+  add_text(chip, "serial", lights.chip.serial);
+  add_text(chip, "bus_path", lights.chip.bus_path);
+  Json json = {{"chip", chip},
+               {"vertical", to_json(lights.vertical)},
+               {"horizontal", to_json(lights.horizontal)}};
+  if (lights.flash) json["flash"] = to_json(*lights.flash);
+  return json;
+}
+
+}  // namespace
+
+Result<RigSettings> parse_rig(std::string_view text, const std::string& name) {
+  const Result<JsonPlace> json = JsonPlace::parse(text, name);
+  if (!json) return tl::unexpected(json.error());
+  json->expect_format(kFormat, kVersion);
+  RigSettings rig;
+  if (json->has("name")) rig.name = json->at("name").text();
+  rig.measurement = read_camera(json->at("measurement_camera"), Channels::kGrey);
+  if (json->has("texture_camera"))
+    rig.texture = read_camera(json->at("texture_camera"), Channels::kRgb);
+  rig.lights = read_lights(json->at("lights"));
+  if (json->has("flash_period_s"))
+    rig.flash_period_s = json->at("flash_period_s").positive_number();
+  if (json->has("calibration")) rig.calibration = json->at("calibration").text();
+  if (auto read = json->outcome(); !read) return tl::unexpected(read.error());
+  if (auto valid = rig.validate(); !valid)
+    return fail(valid.error().code, "{}: {}", name, valid.error().message);
+  return rig;
+}
+
+Result<RigSettings> read_rig(const std::filesystem::path& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return tl::unexpected(text.error());
+  Result<RigSettings> rig = parse_rig(*text, path.string());
+  if (rig && rig->calibration) rig->calibration = path.parent_path() / *rig->calibration;
+  return rig;
+}
+
+std::string rig_to_json(const RigSettings& rig) {
+  Json json = {{"format", kFormat},
+               {"version", kVersion},
+               {"name", rig.name},
+               {"measurement_camera", to_json(rig.measurement)}};
+  if (rig.texture) json["texture_camera"] = to_json(*rig.texture);
+  json["lights"] = to_json(rig.lights);
+  json["flash_period_s"] = rig.flash_period_s;
+  if (rig.calibration) json["calibration"] = rig.calibration->string();
+  return json.dump(1) + "\n";
+}
+
+Result<void> write_rig(const std::filesystem::path& path, const RigSettings& rig) {
+  return write_file(path, rig_to_json(rig));
+}
+
+}  // namespace flytri

@@ -1,0 +1,221 @@
+#include "hw/rig/rig_sensor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hw/rig/rig_message.h"
+
+namespace flytri {
+namespace {
+
+/// A camera whose exposure is not known may collect light for half of its period.
+constexpr double kUnknownExposure = 0.5;
+constexpr int kMaxFlashFrames = 10;
+/// Frames of the texture camera that may queue in its driver.
+constexpr int kMaxQueued = 16;
+
+/// Frames of the measurement camera in which a whole exposure of the texture camera fits.
+int flash_frames(const Camera& measurement, const Camera* texture, double readout_s) {
+  if (texture == nullptr) return 1;
+  const CameraSettings settings = texture->read_back();
+  const double period_s = 1.0 / settings.rate_hz;
+  const double window_s = settings.exposure_s.value_or(kUnknownExposure * period_s) + readout_s;
+  const double frames = (period_s + window_s) * measurement.read_back().rate_hz;
+  return std::clamp(static_cast<int>(std::ceil(frames)), 1, kMaxFlashFrames);
+}
+
+bool is_away(CameraState state) {
+  return state == CameraState::kLost || state == CameraState::kFrozen;
+}
+
+}  // namespace
+
+Result<void> RigSensorOptions::validate() const {
+  if (!(flash_period_s > 0.0))
+    return fail(ErrorCode::kBadOption, "flash_period_s must be above 0, not {}", flash_period_s);
+  for (const double value : {measurement_readout_s, texture_readout_s, patience_s})
+    if (!(value >= 0.0))
+      return fail(ErrorCode::kBadOption, "readouts and patience must be at least 0 s, not {}",
+                  value);
+  if (!(ahead_s >= 0.05 && ahead_s <= 1.0))
+    return fail(ErrorCode::kBadOption, "ahead_s must be in 0.05..1, not {}", ahead_s);
+  return {};
+}
+
+Result<std::shared_ptr<RigSensor>> RigSensor::create(
+    RigDevices devices, const RigSensorOptions& options,
+    std::shared_ptr<const Calibration> calibration) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (devices.measurement == nullptr || devices.lights == nullptr)
+    return fail(ErrorCode::kBadOption, "a rig needs a measurement camera and lights");
+  return std::shared_ptr<RigSensor>(
+      new RigSensor(std::move(devices), options, std::move(calibration)));
+}
+
+RigSensor::RigSensor(RigDevices devices, const RigSensorOptions& options,
+                     std::shared_ptr<const Calibration> calibration)
+    : devices_(std::move(devices)),
+      options_(options),
+      calibration_(std::move(calibration)),
+      measurement_(devices_.measurement, options.measurement_readout_s) {
+  if (devices_.texture) texture_.emplace(devices_.texture, options.texture_readout_s);
+}
+
+Result<void> RigSensor::start() {
+  const SensorState state = status_.state();
+  if (state == SensorState::kRunning || state == SensorState::kLost) return {};
+  failure_.reset();
+  texture_failure_.clear();
+  status_.restart();
+  if (auto started = start_devices(); !started) return fail_for_good(started.error());
+  is_away_ = false;
+  const int frames =
+      flash_frames(*devices_.measurement, devices_.texture.get(), options_.texture_readout_s);
+  merger_ = FrameMerger({.start_s = devices_.clock.now_s(),
+                         .flash_s = frames / devices_.measurement->read_back().rate_hz,
+                         .patience_s = options_.patience_s});
+  LightPlanOptions plan;
+  plan.has_flash = texture_.has_value();
+  plan.flash_period_s = options_.flash_period_s;
+  plan.flash_frames = frames;
+  plan_ = LightPlan(plan);
+  note_status();
+  return {};
+}
+
+Result<void> RigSensor::start_devices() {
+  // The lights come first: their guard is a child process that is best started early.
+  if (auto started = devices_.lights->start(); !started) return started;
+  auto started = measurement_.start();
+  if (started && texture_) {
+    started = texture_->start();
+    if (!started) measurement_.stop();
+  }
+  if (!started) devices_.lights->stop();
+  return started;
+}
+
+Result<void> RigSensor::fail_for_good(const Error& error) {
+  failure_ = error;
+  status_.set(SensorState::kFailed, error.message);
+  return tl::unexpected(error);
+}
+
+void RigSensor::stop() {
+  devices_.lights->stop();
+  measurement_.stop();
+  if (texture_) texture_->stop();
+  status_.set(SensorState::kIdle);
+}
+
+Result<std::optional<Frame>> RigSensor::next(double timeout_s) {
+  if (failure_) return tl::unexpected(*failure_);
+  if (status_.state() == SensorState::kIdle)
+    return fail(ErrorCode::kBadOption, "{}: start it first", options_.name);
+  plan_lights();
+  // What is there already need not wait for more.
+  std::optional<Frame> frame = release();
+  if (!frame) {
+    if (auto read = read_measurement(timeout_s); !read) {
+      stop();
+      return tl::unexpected(fail_for_good(read.error()).error());
+    }
+    read_texture();
+    frame = release();
+  }
+  note_status();
+  return frame;
+}
+
+void RigSensor::plan_lights() {
+  hear_lights();
+  if (is_away_) return;
+  const double now_s = devices_.clock.now_s();
+  for (const LightWish& wish :
+       plan_.plan(now_s, now_s + options_.ahead_s, measurement_.labeler().beat())) {
+    const std::int64_t number = devices_.lights->post(wish);
+    if (number == 0) continue;
+    measurement_.labeler().posted(number, wish.not_before_s);
+    if (texture_) texture_->labeler().posted(number, wish.not_before_s);
+    if (wish.light == Light::kFlash) merger_.flash_at(wish.not_before_s);
+  }
+}
+
+void RigSensor::hear_lights() {
+  for (const LightSwitching& done : devices_.lights->take_done()) {
+    measurement_.labeler().switched(done);
+    if (texture_) texture_->labeler().switched(done);
+  }
+}
+
+Result<void> RigSensor::read_measurement(double timeout_s) {
+  const auto frame = measurement_.next(timeout_s);
+  if (!frame) return tl::unexpected(frame.error());
+  const LightSwitchStatus lights = devices_.lights->status();
+  if (lights.state == LightSwitchState::kFailed)
+    return fail(ErrorCode::kNotFound, "{}", lights.message);
+  const bool was_away = std::exchange(
+      is_away_, is_away(measurement_.state()) || lights.state == LightSwitchState::kLost);
+  if (is_away_ && !was_away) devices_.lights->post({Light::kDark, 0.0});
+  if (!*frame) return {};
+  hear_lights();
+  const FrameLabel label = measurement_.label(**frame);
+  const bool is_pattern = label.light == Light::kVertical || label.light == Light::kHorizontal;
+  // Lights that are away may be dark by now: an image that shows nothing would not tell.
+  if (label.outcome != LabelOutcome::kLabeled || !is_pattern || is_away_) return {};
+  const Pattern pattern =
+      label.light == Light::kVertical ? Pattern::kVertical : Pattern::kHorizontal;
+  merger_.add_pattern(pattern, (*frame)->image, label.time_s, devices_.clock.now_s());
+  return {};
+}
+
+// All that has come meanwhile; the measurement camera alone is waited for.
+void RigSensor::read_texture() {
+  if (!texture_ || !texture_failure_.empty()) return;
+  for (int i = 0; i < kMaxQueued; ++i) {
+    const auto frame = texture_->next(0.0);
+    if (!frame) {
+      texture_failure_ = frame.error().message;
+      return;
+    }
+    if (!*frame) return;
+    hear_lights();
+    merger_.add_texture((*frame)->image, texture_->label(**frame), devices_.clock.now_s());
+  }
+}
+
+std::optional<Frame> RigSensor::release() {
+  const bool texture_comes = texture_ && texture_failure_.empty() && !is_away(texture_->state());
+  std::optional<Frame> frame = merger_.next(devices_.clock.now_s(), texture_comes);
+  if (frame) status_.count_delivered();
+  return frame;
+}
+
+void RigSensor::note_status() {
+  RigStatus status;
+  status.measurement = measurement_.status();
+  if (texture_) status.texture = texture_->status();
+  status.lights = devices_.lights->status();
+  status.frames_per_pattern = plan_.frames_per_pattern();
+  status.keeps_step = plan_.in_step_since_s().has_value();
+  status.late = merger_.late();
+  status_.set(is_away_ ? SensorState::kLost : SensorState::kRunning,
+              rig_message(status, texture_failure_));
+  const std::lock_guard lock(mutex_);
+  rig_status_ = std::move(status);
+}
+
+SensorStatus RigSensor::status() const {
+  SensorStatus status = status_.status();
+  const RigStatus rig = rig_status();
+  status.dropped = rig.measurement.camera.dropped + rig.measurement.damaged + rig.late;
+  return status;
+}
+
+RigStatus RigSensor::rig_status() const {
+  const std::lock_guard lock(mutex_);
+  return rig_status_;
+}
+
+}  // namespace flytri

@@ -1,0 +1,123 @@
+#include "hw/sync/frame_labeler.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace flytri {
+namespace {
+
+// Swapped beyond doubt: it is told to the user.
+constexpr double kSurelySwapped = 0.999;
+
+bool is_pattern(Light light) { return light == Light::kVertical || light == Light::kHorizontal; }
+
+/// Share of the lines' light that runs along a pattern.
+double share_along(Light pattern, const LightEvidence& evidence) {
+  return pattern == Light::kVertical ? evidence.column_share : 1.0 - evidence.column_share;
+}
+
+}  // namespace
+
+Result<void> LabelerOptions::validate() const {
+  for (const Result<void>& part : {clock.validate(), latency.validate(), image.validate(),
+                                   evidence.validate(), watch.validate()})
+    if (!part) return part;
+  if (!(certainty >= 0.5 && certainty <= 1.0))
+    return fail(ErrorCode::kBadOption, "certainty must be in 0.5..1, not {}", certainty);
+  if (!(pure_share >= 0.5 && pure_share <= 1.0))
+    return fail(ErrorCode::kBadOption, "pure_share must be in 0.5..1, not {}", pure_share);
+  if (!(clear_share >= pure_share && clear_share <= 1.0))
+    return fail(ErrorCode::kBadOption, "clear_share must be in pure_share..1, not {}", clear_share);
+  return {};
+}
+
+Result<FrameLabeler> FrameLabeler::create(const LabelerOptions& options) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  LabelerOptions complete = options;
+  complete.latency.frame_period_s = options.clock.period_s;
+  return FrameLabeler(complete);
+}
+
+FrameLabeler::FrameLabeler(const LabelerOptions& options)
+    : options_(options),
+      clock_(options.clock),
+      reader_(options.evidence),
+      filter_(options.latency),
+      watch_(options.watch),
+      latency_(filter_.estimate()) {}
+
+void FrameLabeler::switched(const LightSwitching& done) {
+  history_.switched(done);
+  if (!done.accepted || !is_pattern(done.light)) return;
+  if (done.light != last_pattern_) ++switchings_;
+  last_pattern_ = done.light;
+}
+
+void FrameLabeler::camera_returned() { clock_ = FrameClock(options_.clock); }
+
+// The clock is sure, or it is nearly sure and the image shows that light and no other.
+std::optional<Light> FrameLabeler::expected(const LightPrediction& prediction,
+                                            const LightEvidence& evidence) const {
+  for (const Light light : {Light::kDark, Light::kVertical, Light::kHorizontal, Light::kFlash}) {
+    if (prediction.alone[at(light)] >= options_.certainty) return light;
+    const bool is_clear = is_pattern(light) ? evidence.has_lines && share_along(light, evidence) >=
+                                                                        options_.clear_share
+                                            : light == Light::kFlash && evidence.is_flash;
+    if (is_clear && prediction.nearly_alone[at(light)] >= options_.certainty) return light;
+  }
+  return std::nullopt;
+}
+
+LabelOutcome FrameLabeler::judge(Light light, const LightEvidence& evidence) const {
+  const auto labeled_if = [](bool agrees) {
+    return agrees ? LabelOutcome::kLabeled : LabelOutcome::kUnknown;
+  };
+  if (evidence.is_flash) return labeled_if(light == Light::kFlash);
+  if (!evidence.has_lines) return LabelOutcome::kLabeled;
+  if (!is_pattern(light)) return LabelOutcome::kUnknown;
+  const double share = share_along(light, evidence);
+  // Little light cannot tell a mixture, only that it is the other pattern.
+  const bool is_little = evidence.line_places < options_.latency.few_line_places;
+  if (share >= (is_little ? 0.5 : options_.pure_share)) return LabelOutcome::kLabeled;
+  return share > 1.0 - options_.pure_share ? LabelOutcome::kStraddled : LabelOutcome::kUnknown;
+}
+
+FrameLabel FrameLabeler::label(const cv::Mat& image, double stamp_s) {
+  FrameLabel label;
+  label.evidence = reader_.read(measure_image_light(image, options_.image));
+  const double steady_s = clock_.add(stamp_s);
+  const LightPrediction prediction = filter_.predict(history_, steady_s);
+  const std::optional<Light> light = expected(prediction, label.evidence);
+  if (light) {
+    label.light = *light;
+    label.outcome = judge(*light, label.evidence);
+  } else if (is_learned_) {
+    label.outcome = LabelOutcome::kStraddled;
+  }
+  filter_.learn(history_, steady_s, label.evidence);
+  latency_ = filter_.estimate();
+  is_learned_ = filter_.is_learned();
+  label.time_s = steady_s - latency_.latency_s;
+  watch_.add({light, label.evidence, switchings_});
+  count(label.outcome);
+  return label;
+}
+
+void FrameLabeler::count(LabelOutcome outcome) {
+  switch (outcome) {
+    case LabelOutcome::kLabeled:
+      ++counts_.labeled;
+      return;
+    case LabelOutcome::kStraddled:
+      ++counts_.straddled;
+      return;
+    case LabelOutcome::kUnknown:
+      ++counts_.unknown;
+  }
+}
+
+LightFault FrameLabeler::fault() const {
+  return watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
+}
+
+}  // namespace flytri

@@ -1,0 +1,87 @@
+#include "hw/sync/image_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/base/median.h"
+
+namespace flytri {
+namespace {
+
+/// Pixels across a line that are averaged: half of the narrowest line.
+constexpr int kAcross_px = 2;
+
+/// What one direction of strips says.
+struct StripLight {
+  double lines = 0.0;
+  double area = 0.0;
+  int places = 0;
+};
+
+/// Below half a step of an 8-bit scale no line is of use, and rounding alone leaves as much.
+constexpr float kFaintest = 0.5F / 255.0F;
+
+/// Standard deviation of the noise: from steps between neighbors along a strip, of which few are
+/// edges of lines.
+float noise_of(const cv::Mat& strips) {
+  std::vector<float> steps;
+  steps.reserve(strips.total());
+  for (int row = 0; row < strips.rows; ++row) {
+    const float* cells = strips.ptr<float>(row);
+    for (int i = 1; i < strips.cols; ++i) steps.push_back(std::abs(cells[i] - cells[i - 1]));
+  }
+  if (steps.empty()) return 0.0F;
+  return static_cast<float>(kSigmaOfMedian / std::sqrt(2.0)) * median_of(steps);
+}
+
+/// @param strips  CV_32F, a strip a row, by full scale
+StripLight measure_strips(const cv::Mat& strips, const ImageLightOptions& options) {
+  const int width = std::max(3, static_cast<int>(options.line_width_share * strips.cols)) | 1;
+  cv::Mat areas;
+  cv::morphologyEx(strips, areas, cv::MORPH_OPEN, cv::Mat::ones(1, width, CV_8U), {-1, -1}, 1,
+                   cv::BORDER_REPLICATE);
+  const cv::Mat hat = strips - areas;
+  const float threshold = static_cast<float>(options.threshold) * noise_of(strips) + kFaintest;
+  const cv::Mat lit = hat > threshold;
+  std::vector<float> levels(areas.begin<float>(), areas.end<float>());
+  const auto low = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 20);
+  std::nth_element(levels.begin(), low, levels.end());
+  const int places = cv::countNonZero(lit);
+  const double lines = cv::mean(hat, lit)[0] * places / static_cast<double>(hat.total());
+  return {lines, cv::mean(areas)[0] - *low, places};
+}
+
+}  // namespace
+
+Result<void> ImageLightOptions::validate() const {
+  if (strip_px < 4 || strip_px > 64)
+    return fail(ErrorCode::kBadOption, "strip_px must be in 4..64, not {}", strip_px);
+  if (!(line_width_share >= 0.01 && line_width_share <= 0.2))
+    return fail(ErrorCode::kBadOption, "line_width_share must be in 0.01..0.2, not {}",
+                line_width_share);
+  if (!(threshold > 1.0))
+    return fail(ErrorCode::kBadOption, "threshold must be above 1, not {}", threshold);
+  return {};
+}
+
+ImageLight measure_image_light(const cv::Mat& image, const ImageLightOptions& options) {
+  cv::Mat gray = image;
+  if (image.channels() == 3) cv::extractChannel(image, gray, 1);
+  cv::Mat light;
+  gray.convertTo(light, CV_32F, gray.depth() == CV_16U ? 1.0 / 65535.0 : 1.0 / 255.0);
+  // Means over blocks: long along the lines that are to stay, short across.
+  const auto blocks = [&](int width_px, int height_px) {
+    cv::Mat means;
+    const cv::Size size(std::max(1, light.cols / width_px), std::max(1, light.rows / height_px));
+    cv::resize(light, means, size, 0.0, 0.0, cv::INTER_AREA);
+    return means;
+  };
+  const StripLight columns = measure_strips(blocks(kAcross_px, options.strip_px), options);
+  const StripLight rows = measure_strips(blocks(options.strip_px, kAcross_px).t(), options);
+  return {columns.lines, rows.lines, std::min(columns.area, rows.area),
+          columns.places + rows.places};
+}
+
+}  // namespace flytri

@@ -1,0 +1,212 @@
+#include "hw/sync/latency_filter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace flytri {
+namespace {
+
+constexpr int kStepsPerPeriod = 32;
+/// Halves of the windows that are thought possible, in steps: up to one and a half periods.
+constexpr std::array kHalfWindows = {1, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24};
+constexpr int kMaxHalfWindow = kHalfWindows.back();
+
+// Of a frame's light: rounding of the grid.
+constexpr double kAlone = 0.98;
+constexpr double kNearlyAlone = 0.9;
+
+// No combination is ever excluded: a dozen images bring it back when the latency jumps.
+constexpr double kLeast = 1e-12;
+
+/// From 0 where none of the light is a flash to 1 from where it outshines all else.
+double flash_visibility(double flash_share) { return std::min(1.0, flash_share / 0.3); }
+
+/// The mean of exp(-(x - m)^2 / 2 sigma^2) over m from `low` to `high`.
+double mean_of_bell(double x, double low, double high, double sigma) {
+  const double scale = 1.0 / (std::numbers::sqrt2 * sigma);
+  const double width = (high - low) * scale;
+  // Nearly one place: the integral's difference of error functions would cancel.
+  if (width < 1e-3) return std::exp(-std::pow((x - 0.5 * (low + high)) * scale, 2));
+  const double integral = std::erf((high - x) * scale) - std::erf((low - x) * scale);
+  return 0.5 * std::sqrt(std::numbers::pi) * integral / width;
+}
+
+LightTimes difference(const LightTimes& end, const LightTimes& begin) {
+  LightTimes times;
+  for (std::size_t light = 0; light < kLightCount; ++light)
+    times.lit_s[light] = end.lit_s[light] - begin.lit_s[light];
+  times.changing_s = end.changing_s - begin.changing_s;
+  return times;
+}
+
+void swap_patterns(LightTimes& times) {
+  std::swap(times.lit_s[at(Light::kVertical)], times.lit_s[at(Light::kHorizontal)]);
+}
+
+}  // namespace
+
+Result<void> LatencyOptions::validate() const {
+  if (!(frame_period_s > 0.0))
+    return fail(ErrorCode::kBadOption, "frame_period_s must be above 0, not {}", frame_period_s);
+  if (!(min_latency_periods >= -4.0 && min_latency_periods <= 0.0))
+    return fail(ErrorCode::kBadOption, "min_latency_periods must be in -4..0, not {}",
+                min_latency_periods);
+  if (!(max_latency_periods >= 1.0 && max_latency_periods <= 16.0))
+    return fail(ErrorCode::kBadOption, "max_latency_periods must be in 1..16, not {}",
+                max_latency_periods);
+  if (!(min_window_s >= 0.0))
+    return fail(ErrorCode::kBadOption, "min_window_s must be at least 0, not {}", min_window_s);
+  if (!(outlier_share >= 0.0 && outlier_share <= 0.5))
+    return fail(ErrorCode::kBadOption, "outlier_share must be in 0..0.5, not {}", outlier_share);
+  if (!(share_sigma > 0.0))
+    return fail(ErrorCode::kBadOption, "share_sigma must be above 0, not {}", share_sigma);
+  if (!(few_line_places >= 0.0))
+    return fail(ErrorCode::kBadOption, "few_line_places must be at least 0, not {}",
+                few_line_places);
+  if (!(drift >= 0.0 && drift <= 0.1))
+    return fail(ErrorCode::kBadOption, "drift must be in 0..0.1, not {}", drift);
+  return {};
+}
+
+LatencyFilter::LatencyFilter(const LatencyOptions& options)
+    : options_(options), step_s_(options.frame_period_s / kStepsPerPeriod) {
+  const double periods = options.max_latency_periods - options.min_latency_periods;
+  latency_count_ = static_cast<std::size_t>(std::lround(periods * kStepsPerPeriod)) + 1;
+  const std::size_t cells = 2 * kHalfWindows.size() * latency_count_;
+  probability_.assign(cells, 1.0);
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    if (window_s(window_of(cell)) < options.min_window_s - step_s_) probability_[cell] = kLeast;
+  normalize();
+}
+
+double LatencyFilter::latency_s(std::size_t place) const {
+  return options_.min_latency_periods * options_.frame_period_s +
+         static_cast<double>(place) * step_s_;
+}
+
+std::size_t LatencyFilter::window_of(std::size_t cell) const {
+  return cell / latency_count_ % kHalfWindows.size();
+}
+
+double LatencyFilter::window_s(std::size_t window) const {
+  return 2.0 * kHalfWindows[window] * step_s_;
+}
+
+template <typename Use>
+void LatencyFilter::visit(const LightHistory& history, double stamp_s, const Use& use) const {
+  // Running sums from the earliest light that may have got into the frame to the latest.
+  const auto last = static_cast<int>(latency_count_) - 1;
+  const double start_s =
+      stamp_s - latency_s(latency_count_ - 1) - static_cast<double>(kMaxHalfWindow) * step_s_;
+  const std::vector<LightTimes> sums =
+      history.running_times(start_s, step_s_, last + 2 * kMaxHalfWindow);
+  std::size_t cell = 0;
+  for (const bool swapped : {false, true}) {
+    for (std::size_t w = 0; w < kHalfWindows.size(); ++w) {
+      for (std::size_t place = 0; place < latency_count_; ++place) {
+        const std::size_t middle = latency_count_ - 1 - place + std::size_t{kMaxHalfWindow};
+        const auto half = static_cast<std::size_t>(kHalfWindows[w]);
+        LightTimes times = difference(sums[middle + half], sums[middle - half]);
+        if (swapped) swap_patterns(times);
+        use(cell++, times, window_s(w));
+      }
+    }
+  }
+}
+
+LightPrediction LatencyFilter::predict(const LightHistory& history, double stamp_s) const {
+  LightPrediction prediction;
+  visit(history, stamp_s, [&](std::size_t cell, const LightTimes& times, double window_s) {
+    for (std::size_t light = 0; light < kLightCount; ++light) {
+      const double share = times.lit_s[light] / window_s;
+      if (share >= kAlone) prediction.alone[light] += probability_[cell];
+      if (share >= kNearlyAlone) prediction.nearly_alone[light] += probability_[cell];
+    }
+  });
+  return prediction;
+}
+
+double LatencyFilter::likelihood(const LightTimes& times, double window_s,
+                                 const LightEvidence& evidence) const {
+  const auto share = [&](double time_s) { return time_s / window_s; };
+  const double changing = share(times.changing_s);
+  const double outlier = options_.outlier_share;
+  // What shone during a call to the device may be either: the better one is assumed.
+  const double flash = share(times.lit(Light::kFlash));
+  if (evidence.is_flash) return outlier + (1.0 - outlier) * flash_visibility(flash + changing);
+  // Nothing is in front of the sensor, whatever shines, or it is dark; a flash is seen farthest.
+  if (!evidence.has_lines)
+    return 0.6 + 0.4 * share(times.lit(Light::kDark)) - 0.4 * flash_visibility(flash);
+  const double vertical = share(times.lit(Light::kVertical));
+  const double lines = vertical + share(times.lit(Light::kHorizontal)) + changing;
+  if (lines < 0.1) return outlier;
+  const double sigma =
+      options_.share_sigma * (1.0 + options_.few_line_places / evidence.line_places);
+  return outlier + (1.0 - outlier) * (1.0 - flash_visibility(flash)) *
+                       mean_of_bell(evidence.column_share, vertical / lines,
+                                    (vertical + changing) / lines, sigma);
+}
+
+void LatencyFilter::learn(const LightHistory& history, double stamp_s,
+                          const LightEvidence& evidence) {
+  drift();
+  visit(history, stamp_s, [&](std::size_t cell, const LightTimes& times, double window_s) {
+    probability_[cell] *= likelihood(times, window_s, evidence);
+  });
+  normalize();
+}
+
+void LatencyFilter::normalize() {
+  const double sum = std::accumulate(probability_.begin(), probability_.end(), 0.0);
+  for (double& probability : probability_) probability = std::max(probability / sum, kLeast);
+}
+
+void LatencyFilter::drift() {
+  for (auto row = probability_.begin(); row != probability_.end();) {
+    const auto end = row + static_cast<std::ptrdiff_t>(latency_count_);
+    double before = *row;
+    for (auto cell = row; cell != end; ++cell) {
+      const double after = cell + 1 != end ? *(cell + 1) : *cell;
+      const double here = *cell;
+      *cell += options_.drift * (before + after - 2.0 * here);
+      before = here;
+    }
+    row = end;
+  }
+}
+
+LatencyEstimate LatencyFilter::estimate() const {
+  LatencyEstimate estimate;
+  double latency_square = 0.0, window_square = 0.0, sum = 0.0;
+  const std::size_t per_mapping = kHalfWindows.size() * latency_count_;
+  for (std::size_t cell = 0; cell < probability_.size(); ++cell) {
+    const double p = probability_[cell];
+    const double latency = latency_s(cell % latency_count_);
+    const double window = window_s(window_of(cell));
+    sum += p;
+    estimate.latency_s += p * latency;
+    latency_square += p * latency * latency;
+    estimate.window_s += p * window;
+    window_square += p * window * window;
+    if (cell >= per_mapping) estimate.swapped += p;
+  }
+  estimate.latency_s /= sum;
+  estimate.window_s /= sum;
+  estimate.swapped /= sum;
+  const auto sigma = [&](double square, double mean) {
+    return std::sqrt(std::max(0.0, square / sum - mean * mean));
+  };
+  estimate.latency_sigma_s = sigma(latency_square, estimate.latency_s);
+  estimate.window_sigma_s = sigma(window_square, estimate.window_s);
+  return estimate;
+}
+
+bool LatencyFilter::is_learned() const {
+  const LatencyEstimate now = estimate();
+  const bool is_sure = now.swapped < 0.01 || now.swapped > 0.99;
+  return is_sure && now.latency_sigma_s < options_.frame_period_s / 8.0;
+}
+
+}  // namespace flytri

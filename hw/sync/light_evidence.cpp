@@ -1,0 +1,68 @@
+#include "hw/sync/light_evidence.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/median.h"
+
+namespace flytri {
+namespace {
+
+// Fewer images make no reference.
+constexpr std::size_t kFewestImages = 5;
+constexpr std::size_t kFewestShares = 10;
+// A pattern lights at least twice this share of the images alone, also while the latency is
+// learned.
+constexpr double kExtreme = 0.15;
+
+}  // namespace
+
+Result<void> EvidenceOptions::validate() const {
+  if (reference_images < static_cast<int>(kFewestImages) || reference_images > 1000)
+    return fail(ErrorCode::kBadOption, "reference_images must be in 5..1000, not {}",
+                reference_images);
+  if (!(flash_ratio > 1.0))
+    return fail(ErrorCode::kBadOption, "flash_ratio must be above 1, not {}", flash_ratio);
+  for (const double share : {flash_step, flash_line_share})
+    if (!(share >= 0.0 && share <= 1.0))
+      return fail(ErrorCode::kBadOption, "shares of a flash must be in 0..1, not {}", share);
+  if (min_line_places < 1)
+    return fail(ErrorCode::kBadOption, "min_line_places must be at least 1, not {}",
+                min_line_places);
+  return {};
+}
+
+bool EvidenceReader::is_flash(const ImageLight& light) const {
+  if (areas_.size() < kFewestImages) return false;
+  std::vector<double> areas(areas_.begin(), areas_.end());
+  const double usual = median_of(areas);
+  const double lines = light.along_columns + light.along_rows;
+  return light.area > options_.flash_ratio * usual && light.area > usual + options_.flash_step &&
+         lines < options_.flash_line_share * (lines + light.area);
+}
+
+double EvidenceReader::stretched(double column_share) {
+  shares_.push_back(column_share);
+  if (shares_.size() > static_cast<std::size_t>(options_.reference_images)) shares_.pop_front();
+  std::vector<double> sorted(shares_.begin(), shares_.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double low = quantile_of(sorted, kExtreme), high = quantile_of(sorted, 1.0 - kExtreme);
+  // Both patterns must have been seen.
+  if (shares_.size() < kFewestShares || low > 0.25 || high < 0.75) return column_share;
+  return std::clamp((column_share - low) / (high - low), 0.0, 1.0);
+}
+
+LightEvidence EvidenceReader::read(const ImageLight& light) {
+  LightEvidence evidence;
+  evidence.is_flash = is_flash(light);
+  evidence.has_lines = !evidence.is_flash && light.line_places >= options_.min_line_places;
+  evidence.line_places = light.line_places;
+  evidence.area = light.area;
+  evidence.column_share =
+      evidence.has_lines ? stretched(light.column_share()) : light.column_share();
+  areas_.push_back(light.area);
+  if (areas_.size() > static_cast<std::size_t>(options_.reference_images)) areas_.pop_front();
+  return evidence;
+}
+
+}  // namespace flytri

@@ -1,0 +1,106 @@
+#include "hw/sync/light_plan.h"
+
+#include <algorithm>
+
+namespace flytri {
+namespace {
+
+// While the latency is learned: dark frames at the start, then in each round of slots one of
+// either kind among the patterns.
+constexpr double kDarkAtFirst = 8.0;
+constexpr int kRound = 12, kFlashInRound = 5, kDarkInRound = 11;
+constexpr double kLearningDark = 1.7;
+// Frames that a pattern stays for while the latency is learned: from the first to the sum.
+constexpr double kLearningShortest = 1.2, kLearningSpread = 1.0;
+
+Light light_of(Pattern pattern) {
+  return pattern == Pattern::kVertical ? Light::kVertical : Light::kHorizontal;
+}
+
+}  // namespace
+
+Result<void> LightPlanOptions::validate() const {
+  if (!(flash_period_s > 0.0))
+    return fail(ErrorCode::kBadOption, "flash_period_s must be above 0, not {}", flash_period_s);
+  if (flash_frames < 1 || flash_frames > 10)
+    return fail(ErrorCode::kBadOption, "flash_frames must be in 1..10, not {}", flash_frames);
+  if (!(margin >= 0.0 && margin <= 0.5))
+    return fail(ErrorCode::kBadOption, "margin must be in 0..0.5, not {}", margin);
+  return {};
+}
+
+LightPlan::LightPlan(const LightPlanOptions& options) : options_(options), random_(options.seed) {}
+
+std::vector<LightWish> LightPlan::plan(double now_s, double until_s, const CameraBeat& beat) {
+  if (!is_started_) {
+    is_started_ = true;
+    next_s_ = flash_s_ = now_s;
+  }
+  std::vector<LightWish> wishes;
+  // What should have begun long ago begins now.
+  next_s_ = std::max(next_s_, now_s);
+  while (next_s_ < until_s) {
+    choose_frames_per_pattern(beat);
+    const Slot slot = next_slot(beat);
+    wishes.push_back({slot.light, next_s_});
+    const double end_s = next_s_ + slot.duration_s;
+    next_s_ = beat.is_learned ? into_gap(end_s, beat) : end_s;
+    if (!beat.is_learned)
+      in_step_since_s_.reset();
+    else if (!in_step_since_s_)
+      in_step_since_s_ = next_s_;
+  }
+  return wishes;
+}
+
+LightPlan::Slot LightPlan::next_slot(const CameraBeat& beat) {
+  const double period_s = beat.clock.period_s();
+  if (!beat.is_learned) return learning_slot(period_s);
+  if (next_s_ - flash_s_ >= options_.flash_period_s) {
+    flash_s_ = next_s_;
+    if (options_.has_flash) return {Light::kFlash, options_.flash_frames * period_s};
+    return {Light::kDark, frames_per_pattern_ * period_s};
+  }
+  return {next_pattern(), frames_per_pattern_ * period_s};
+}
+
+LightPlan::Slot LightPlan::learning_slot(double period_s) {
+  const int slot = learning_slots_++;
+  if (slot == 0) return {Light::kDark, kDarkAtFirst * period_s};
+  if (slot % kRound == kDarkInRound) return {Light::kDark, kLearningDark * period_s};
+  if (slot % kRound == kFlashInRound && options_.has_flash) {
+    flash_s_ = next_s_;
+    return {Light::kFlash, options_.flash_frames * period_s};
+  }
+  return {next_pattern(), (kLearningShortest + kLearningSpread * random_.uniform()) * period_s};
+}
+
+Light LightPlan::next_pattern() {
+  pattern_ = other(pattern_);
+  return light_of(pattern_);
+}
+
+void LightPlan::choose_frames_per_pattern(const CameraBeat& beat) {
+  if (!beat.is_learned) return;
+  const double period_s = beat.clock.period_s();
+  const LatencyEstimate& latency = beat.latency;
+  // The likeliest window: one that is longer shows in mixed images, and is learned then.
+  const double window_s = latency.window_s;
+  const double distance =
+      (0.5 * (period_s - window_s - beat.call_s) - latency.latency_sigma_s) / period_s;
+  // Not to and fro where it is close.
+  const double needed = frames_per_pattern_ == 1 ? 0.75 * options_.margin : options_.margin;
+  frames_per_pattern_ = distance >= needed ? 1 : 2;
+}
+
+// The moment nearest to `time_s` that lies amid two exposures, or, where two frames share a
+// pattern, amid the exposure that is given up.
+double LightPlan::into_gap(double time_s, const CameraBeat& beat) const {
+  const double period_s = beat.clock.period_s();
+  const double offset_s = frames_per_pattern_ == 1 ? 0.5 * period_s : 0.0;
+  // The call's middle is what the latency counts from.
+  const double shift_s = beat.latency.latency_s - offset_s + 0.5 * beat.call_s;
+  return beat.clock.next_stamp_s(time_s + shift_s - 0.5 * period_s) - shift_s;
+}
+
+}  // namespace flytri

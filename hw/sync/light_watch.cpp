@@ -1,0 +1,105 @@
+#include "hw/sync/light_watch.h"
+
+#include <algorithm>
+
+namespace flytri {
+namespace {
+
+// Switchings between patterns after which images that are all alike are no chance.
+constexpr std::int64_t kSwitchingsToBeStuck = 10;
+// Flashes are rare: so many frames under one must show none.
+constexpr int kFlashesToMiss = 3;
+
+bool shows(const LightEvidence& evidence, Light light) {
+  return light == Light::kFlash ? evidence.is_flash : evidence.has_lines;
+}
+
+}  // namespace
+
+std::string message_of(LightFault fault) {
+  switch (fault) {
+    case LightFault::kNone:
+      return {};
+    case LightFault::kSwapped:
+      return "The vertical and the horizontal projector are swapped: exchange their cables, or "
+             "the lines \"vertical\" and \"horizontal\" in rig.json. Frames are named by what they "
+             "show.";
+    case LightFault::kStuck:
+      return "The lights do not change though the switch reports success: check its cable and "
+             "power, then plug it in again.";
+    case LightFault::kNoVertical:
+      return "The vertical lines never show: check the cable and power of the vertical projector "
+             "and its line in rig.json.";
+    case LightFault::kNoHorizontal:
+      return "The horizontal lines never show: check the cable and power of the horizontal "
+             "projector and its line in rig.json.";
+    case LightFault::kNoFlash:
+      return "The flash never shows: check its cable and power and its line in rig.json.";
+    case LightFault::kNothingSeen:
+      break;
+  }
+  return "No projected light has been seen yet: hold the sensor over the teeth. If it is there, "
+         "check the cable and power of the projectors and the exposure of the camera.";
+}
+
+Result<void> WatchOptions::validate() const {
+  if (memory < 20 || memory > 10000)
+    return fail(ErrorCode::kBadOption, "memory must be in 20..10000, not {}", memory);
+  if (enough < 5 || enough > memory)
+    return fail(ErrorCode::kBadOption, "enough must be in 5..memory, not {}", enough);
+  if (!(alike >= 0.0 && alike <= 1.0))
+    return fail(ErrorCode::kBadOption, "alike must be in 0..1, not {}", alike);
+  return {};
+}
+
+void LightWatch::add(const Seen& seen) {
+  seen_.push_back(seen);
+  if (seen_.size() > static_cast<std::size_t>(options_.memory)) seen_.pop_front();
+  any_light_ |= !seen.evidence.is_empty();
+  ++frames_;
+}
+
+bool LightWatch::is_stuck() const {
+  double least = 1.0, most = 0.0;
+  int lines = 0, dark = 0;
+  std::int64_t first = 0, last = 0;
+  for (const Seen& seen : seen_) {
+    if (seen.evidence.is_flash) return false;
+    dark += seen.evidence.has_lines ? 0 : 1;
+    if (!seen.evidence.has_lines) continue;
+    if (lines++ == 0) first = seen.switchings;
+    last = seen.switchings;
+    least = std::min(least, seen.evidence.column_share);
+    most = std::max(most, seen.evidence.column_share);
+  }
+  // Where half of the images are empty, one of the patterns may be missing: that is another fault.
+  return lines >= options_.enough && lines > 2 * dark && last - first >= kSwitchingsToBeStuck &&
+         most - least < options_.alike;
+}
+
+bool LightWatch::is_missing(Light light) const {
+  int expected = 0, others = 0;
+  for (const Seen& seen : seen_) {
+    if (!seen.expected || *seen.expected == Light::kDark) continue;
+    if (*seen.expected != light) {
+      others += shows(seen.evidence, *seen.expected) ? 1 : 0;
+    } else if (shows(seen.evidence, light)) {
+      return false;
+    } else {
+      ++expected;
+    }
+  }
+  return expected >= (light == Light::kFlash ? kFlashesToMiss : options_.enough) &&
+         others >= options_.enough;
+}
+
+LightFault LightWatch::fault(bool is_swapped) const {
+  if (is_stuck()) return LightFault::kStuck;
+  if (is_swapped) return LightFault::kSwapped;
+  if (is_missing(Light::kVertical)) return LightFault::kNoVertical;
+  if (is_missing(Light::kHorizontal)) return LightFault::kNoHorizontal;
+  if (is_missing(Light::kFlash)) return LightFault::kNoFlash;
+  return !any_light_ && frames_ >= options_.memory ? LightFault::kNothingSeen : LightFault::kNone;
+}
+
+}  // namespace flytri

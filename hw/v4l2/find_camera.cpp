@@ -1,0 +1,119 @@
+#include "hw/v4l2/find_camera.h"
+
+#include <linux/videodev2.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "hw/v4l2/video_controls.h"
+#include "hw/v4l2/video_failure.h"
+#include "hw/v4l2/video_modes.h"
+
+namespace flytri {
+
+namespace {
+
+bool matches(const DeviceNode& node, const CameraMatch& match) {
+  return node.name.find(match.name) != std::string::npos &&
+         is_device(node, match.serial, match.bus_path);
+}
+
+bool gives_images(VideoDevice& device) {
+  v4l2_capability info{};
+  if (device.control(VIDIOC_QUERYCAP, &info) != 0) return false;
+  constexpr std::uint32_t kNeeded = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
+  return (info.device_caps & kNeeded) == kNeeded;
+}
+
+// Of a device file that may not be opened its number among the camera's says what it is for.
+bool is_camera(VideoSystem& system, const DeviceNode& node) {
+  const auto device = system.open(node.node);
+  return device ? gives_images(**device) : node.index == 0;
+}
+
+std::vector<DeviceNode> cameras(VideoSystem& system, const CameraMatch& match) {
+  std::vector<DeviceNode> found;
+  for (DeviceNode& node : system.nodes())
+    if (matches(node, match) && is_camera(system, node)) found.push_back(std::move(node));
+  return found;
+}
+
+std::string names_of(const std::vector<DeviceNode>& nodes) {
+  std::string names;
+  for (const DeviceNode& node : nodes)
+    names += fmt::format("{}{} at {}", names.empty() ? "" : ", ", to_string(node), node.bus_path);
+  return names.empty() ? "none" : names;
+}
+
+std::string text_of(const CameraMatch& match) {
+  return text_of_device(match.name.empty() ? "any camera" : fmt::format("\"{}\"", match.name),
+                        match.serial, match.bus_path);
+}
+
+// Asking to have no buffers changes nothing, but is refused while someone else has some.
+bool is_busy(VideoDevice& device) {
+  v4l2_requestbuffers request{};
+  request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  request.memory = V4L2_MEMORY_MMAP;
+  return device.control(VIDIOC_REQBUFS, &request) == EBUSY;
+}
+
+bool any_known(const std::vector<CameraMode>& modes) {
+  return std::any_of(modes.begin(), modes.end(), [](const CameraMode& mode) {
+    return pixel_format_of(mode.format).has_value();
+  });
+}
+
+CameraDescription describe(VideoSystem& system, const DeviceNode& node) {
+  CameraDescription description{node.name, node.serial, node.node, node.bus_path, {}, {}, {}};
+  const auto device = system.open(node.node);
+  if (!device) {
+    description.problems.push_back(video_failure(node, "opening it", device.error()));
+    return description;
+  }
+  description.modes = list_modes(**device);
+  description.controls = list_controls(**device);
+  if (is_busy(**device))
+    description.problems.push_back(video_failure(node, "asking for buffers", EBUSY));
+  if (!any_known(description.modes))
+    description.problems.push_back(
+        {ErrorCode::kBadOption,
+         fmt::format("camera {} has none of the formats GREY, Y10, Y12, Y16, YUYV and MJPG: use "
+                     "another camera",
+                     to_string(node))});
+  return description;
+}
+
+}  // namespace
+
+Result<DeviceNode> find_camera(VideoSystem& system, const CameraMatch& match) {
+  const std::vector<DeviceNode> found = cameras(system, match);
+  if (found.size() == 1) return found.front();
+  if (found.empty())
+    return fail(ErrorCode::kNotFound, "there is no camera {}: plug it in; cameras here: {}",
+                text_of(match), names_of(cameras(system, {})));
+  return fail(ErrorCode::kInconsistent,
+              "several cameras are {}: name one by its serial number or bus path: {}",
+              text_of(match), names_of(found));
+}
+
+std::vector<CameraDescription> list_cameras(VideoSystem& system) {
+  std::vector<CameraDescription> descriptions;
+  for (const DeviceNode& node : cameras(system, {})) descriptions.push_back(describe(system, node));
+  return descriptions;
+}
+
+std::vector<Error> check_camera(VideoSystem& system, const CameraMatch& match,
+                                const CameraSettings& settings) {
+  const auto node = find_camera(system, match);
+  if (!node) return {node.error()};
+  const auto device = system.open(node->node);
+  if (!device) return {video_failure(*node, "opening it", device.error())};
+  std::vector<Error> problems;
+  if (is_busy(**device)) problems.push_back(video_failure(*node, "asking for buffers", EBUSY));
+  const auto mode = check_mode({**device, *node}, settings);
+  if (!mode) problems.push_back(mode.error());
+  return problems;
+}
+
+}  // namespace flytri

@@ -1,0 +1,129 @@
+#include "hw/v4l2/pixel_conversion.h"
+
+#include <turbojpeg.h>
+
+#include <algorithm>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+
+namespace flytri {
+
+namespace {
+
+bool is_grey(PixelFormat format) {
+  return format != PixelFormat::kYuyv && format != PixelFormat::kMjpeg;
+}
+
+std::size_t bytes_per_pixel(PixelFormat format) { return format == PixelFormat::kGrey8 ? 1 : 2; }
+
+// Zeros that bring the highest bit of a pixel to bit 15.
+int shift_to_full_scale(PixelFormat format) {
+  if (format == PixelFormat::kGrey10) return 6;
+  if (format == PixelFormat::kGrey12) return 4;
+  return 0;
+}
+
+std::size_t row_bytes(const BufferLayout& layout) {
+  return static_cast<std::size_t>(layout.size.width_px) * bytes_per_pixel(layout.format);
+}
+
+cv::Mat black(const BufferLayout& layout, Channels channels) {
+  int type = CV_8UC1;
+  if (is_grey(layout.format))
+    type = layout.format == PixelFormat::kGrey8 ? CV_8UC1 : CV_16UC1;
+  else if (channels == Channels::kRgb)
+    type = CV_8UC3;
+  return cv::Mat::zeros(layout.size.height_px, layout.size.width_px, type);
+}
+
+// Rows that are there as a whole; a row that is cut off is as good as missing.
+int whole_rows(std::size_t bytes, const BufferLayout& layout) {
+  if (bytes < row_bytes(layout)) return 0;
+  const std::size_t rows = 1 + (bytes - row_bytes(layout)) / layout.bytes_per_line;
+  return static_cast<int>(std::min<std::size_t>(rows, layout.size.height_px));
+}
+
+// The samples of 16 bits are little-endian, as is every machine that this runs on.
+void convert_rows(const cv::Mat& packed, const BufferLayout& layout, Channels channels,
+                  cv::Mat target) {
+  switch (layout.format) {
+    case PixelFormat::kGrey8:
+    case PixelFormat::kGrey16:
+      packed.copyTo(target);
+      break;
+    case PixelFormat::kGrey10:
+    case PixelFormat::kGrey12:
+      packed.convertTo(target, CV_16U, 1 << shift_to_full_scale(layout.format));
+      break;
+    case PixelFormat::kYuyv:
+      if (channels == Channels::kRgb)
+        cv::cvtColor(packed, target, cv::COLOR_YUV2RGB_YUYV);
+      else
+        cv::extractChannel(packed, target, 0);
+      break;
+    case PixelFormat::kMjpeg:
+      break;
+  }
+}
+
+ConvertedImage convert_uncompressed(std::span<const std::uint8_t> bytes, const BufferLayout& layout,
+                                    Channels channels) {
+  ConvertedImage converted{black(layout, channels)};
+  const int rows = whole_rows(bytes.size(), layout);
+  if (rows < layout.size.height_px) converted.outcome = Conversion::kShort;
+  if (rows == 0) return converted;
+  int type = CV_8UC1;
+  if (layout.format == PixelFormat::kYuyv)
+    type = CV_8UC2;
+  else if (layout.format != PixelFormat::kGrey8)
+    type = CV_16UC1;
+  // The matrix only reads, but has no way to say so.
+  const cv::Mat packed(rows, layout.size.width_px, type, const_cast<std::uint8_t*>(bytes.data()),
+                       layout.bytes_per_line);
+  convert_rows(packed, layout, channels, converted.image.rowRange(0, rows));
+  return converted;
+}
+
+struct DecoderCloser {
+  void operator()(void* decoder) const { tjDestroy(decoder); }
+};
+
+// A decoder of a library that, other than OpenCV's, says so where an image was cut off or damaged.
+bool decode_into(std::span<const std::uint8_t> bytes, cv::Mat& image) {
+  const std::unique_ptr<void, DecoderCloser> decoder(tjInitDecompress());
+  int width = 0;
+  int height = 0;
+  int subsampling = 0;
+  int color_space = 0;
+  const auto length = static_cast<unsigned long>(bytes.size());
+  if (!decoder || tjDecompressHeader3(decoder.get(), bytes.data(), length, &width, &height,
+                                      &subsampling, &color_space) != 0)
+    return false;
+  if (cv::Size(width, height) != image.size()) return false;
+  const int pixels = image.channels() == 3 ? TJPF_RGB : TJPF_GRAY;
+  return tjDecompress2(decoder.get(), bytes.data(), length, image.data, width,
+                       static_cast<int>(image.step), height, pixels, TJFLAG_STOPONWARNING) == 0;
+}
+
+ConvertedImage decode(std::span<const std::uint8_t> bytes, const BufferLayout& layout,
+                      Channels channels) {
+  ConvertedImage converted{black(layout, channels)};
+  if (decode_into(bytes, converted.image)) return converted;
+  return {black(layout, channels), Conversion::kUndecodable};
+}
+
+}  // namespace
+
+std::size_t bytes_needed(const BufferLayout& layout) {
+  if (layout.format == PixelFormat::kMjpeg) return 0;
+  return static_cast<std::size_t>(layout.size.height_px - 1) * layout.bytes_per_line +
+         row_bytes(layout);
+}
+
+ConvertedImage convert(std::span<const std::uint8_t> bytes, const BufferLayout& layout,
+                       Channels channels) {
+  if (layout.format == PixelFormat::kMjpeg) return decode(bytes, layout, channels);
+  return convert_uncompressed(bytes, layout, channels);
+}
+
+}  // namespace flytri

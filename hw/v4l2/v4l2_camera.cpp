@@ -1,0 +1,172 @@
+#include "hw/v4l2/v4l2_camera.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "hw/v4l2/find_camera.h"
+
+namespace flytri {
+
+Result<void> V4l2CameraOptions::validate() const {
+  if (buffers < 2 || buffers > 32)
+    return fail(ErrorCode::kBadOption, "buffers {}: must be 2 to 32", buffers);
+  if (!(frozen_after_periods > 1.0))
+    return fail(ErrorCode::kBadOption, "frozen_after_periods {}: must be above 1",
+                frozen_after_periods);
+  if (!(restart_after_s > 0.0))
+    return fail(ErrorCode::kBadOption, "restart_after_s {}: must be above 0", restart_after_s);
+  if (!(search_period_s > 0.0))
+    return fail(ErrorCode::kBadOption, "search_period_s {}: must be above 0", search_period_s);
+  return {};
+}
+
+V4l2Camera::V4l2Camera(CameraMatch match, const CameraSettings& settings,
+                       const V4l2CameraOptions& options, VideoMeans means)
+    : match_(std::move(match)),
+      asked_(settings),
+      options_(options),
+      means_(std::move(means)),
+      read_back_(settings),
+      name_(match_.name) {}
+
+Result<std::unique_ptr<V4l2Camera>> V4l2Camera::create(CameraMatch match,
+                                                       const CameraSettings& settings,
+                                                       const V4l2CameraOptions& options,
+                                                       VideoMeans means) {
+  if (const auto valid = settings.validate(); !valid) return tl::unexpected(valid.error());
+  if (const auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  return std::unique_ptr<V4l2Camera>(
+      new V4l2Camera(std::move(match), settings, options, std::move(means)));
+}
+
+CameraStatus V4l2Camera::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+CameraSettings V4l2Camera::read_back() const {
+  const std::lock_guard lock(mutex_);
+  return read_back_;
+}
+
+std::string V4l2Camera::name() const {
+  const std::lock_guard lock(mutex_);
+  return name_;
+}
+
+Result<void> V4l2Camera::open() {
+  const auto node = find_camera(*means_.system, match_);
+  if (!node) return tl::unexpected(node.error());
+  auto stream = VideoStream::open(*means_.system, *node, asked_, options_.buffers);
+  if (!stream) return tl::unexpected(stream.error());
+  stream_ = std::move(*stream);
+  ledger_.begin_stream(1.0 / stream_->read_back().rate_hz);
+  last_arrival_s_ = means_.clock.now_s();
+  const std::lock_guard lock(mutex_);
+  read_back_ = stream_->read_back();
+  name_ = node->name;
+  return {};
+}
+
+Result<void> V4l2Camera::start() {
+  const CameraState state = status().state;
+  if (state != CameraState::kIdle && state != CameraState::kFailed) return {};
+  ledger_ = {};
+  away_ = false;
+  auto opened = open();
+  const std::lock_guard lock(mutex_);
+  status_ = {};
+  status_.state = opened ? CameraState::kRunning : CameraState::kFailed;
+  if (!opened) status_.message = opened.error().message;
+  return opened;
+}
+
+void V4l2Camera::stop() {
+  stream_.reset();
+  const std::lock_guard lock(mutex_);
+  status_.state = CameraState::kIdle;
+  status_.message.clear();
+}
+
+Result<std::optional<CameraFrame>> V4l2Camera::next(double timeout_s) {
+  const CameraStatus before = status();
+  if (before.state == CameraState::kIdle)
+    return fail(ErrorCode::kBadOption, "the camera was not started");
+  if (before.state == CameraState::kFailed)
+    return fail(ErrorCode::kBadOption, "the camera did not start: {}", before.message);
+  if (!stream_) {
+    search(timeout_s);
+    return std::nullopt;
+  }
+  auto taken = stream_->take(timeout_s);
+  if (!taken) {
+    ended(taken.error());
+    return std::nullopt;
+  }
+  if (!*taken) {
+    watch_for_frames(means_.clock.now_s());
+    return std::nullopt;
+  }
+  return enter(**taken);
+}
+
+CameraFrame V4l2Camera::enter(const StreamedImage& image) {
+  last_arrival_s_ = means_.clock.now_s();
+  const std::lock_guard lock(mutex_);
+  status_.state = CameraState::kRunning;
+  status_.message.clear();
+  return ledger_.enter(image, last_arrival_s_, status_);
+}
+
+void V4l2Camera::ended(const StreamEnd& end) {
+  stream_.reset();
+  next_search_s_ = means_.clock.now_s();
+  const std::lock_guard lock(mutex_);
+  status_.state = CameraState::kLost;
+  status_.message = end.error.message;
+  if (end.gone && !std::exchange(away_, true)) ++status_.lost;
+}
+
+void V4l2Camera::watch_for_frames(double now_s) {
+  const double silent_s = now_s - last_arrival_s_;
+  if (silent_s > options_.restart_after_s) {
+    // It counts as frozen until a frame comes, however often it is set up anew.
+    stream_.reset();
+    next_search_s_ = now_s;
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  const bool silent = silent_s * read_back_.rate_hz > options_.frozen_after_periods;
+  if (!silent || status_.state == CameraState::kFrozen) return;
+  status_.state = CameraState::kFrozen;
+  status_.message = "the camera sends no frames; unplug it and plug it in again if that lasts";
+  ++status_.frozen;
+}
+
+void V4l2Camera::search(double timeout_s) {
+  const double wait_s = next_search_s_ - means_.clock.now_s();
+  means_.clock.sleep_s(std::min(wait_s, timeout_s));
+  if (wait_s > timeout_s) return;
+  const auto opened = open();
+  next_search_s_ = means_.clock.now_s() + options_.search_period_s;
+  if (opened) {
+    reopened();
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  status_.state = CameraState::kLost;
+  status_.message = opened.error().message;
+  // What looked like a broken stream was the camera going away.
+  if (opened.error().code == ErrorCode::kNotFound && !std::exchange(away_, true)) ++status_.lost;
+}
+
+void V4l2Camera::reopened() {
+  const std::lock_guard lock(mutex_);
+  if (status_.state != CameraState::kFrozen) {
+    status_.state = CameraState::kRunning;
+    status_.message.clear();
+  }
+  ++(std::exchange(away_, false) ? status_.returned : status_.restarted);
+}
+
+}  // namespace flytri

@@ -1,0 +1,61 @@
+/// @file  A camera that streams: set up at construction, one buffer after the other comes out.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hw/device/camera.h"
+#include "hw/v4l2/pixel_conversion.h"
+#include "hw/v4l2/video_system.h"
+
+namespace flytri {
+
+/// A filled buffer, converted, before anything is made of the numbers in it.
+struct StreamedImage {
+  ConvertedImage converted;
+  bool flagged = false;        ///< the driver calls it damaged
+  std::uint32_t sequence = 0;  ///< the driver's: from 0 since the stream began, and around
+  /// By the driver, on the monotonic clock; nothing: it uses another clock.
+  std::optional<double> time_s;
+  StampMeaning stamp = StampMeaning::kStartOfExposure;
+};
+
+/// What ended a stream.
+struct StreamEnd {
+  bool gone = false;  ///< the device is away, not just the stream
+  Error error;
+};
+
+class VideoStream {
+ public:
+  /// Sets mode and controls, maps the buffers and starts the stream.
+  /// @errors  As Camera::start.
+  [[nodiscard]] static Result<std::unique_ptr<VideoStream>> open(VideoSystem& system,
+                                                                 const DeviceNode& node,
+                                                                 const CameraSettings& settings,
+                                                                 int buffers);
+  ~VideoStream();
+  VideoStream(const VideoStream&) = delete;
+  VideoStream& operator=(const VideoStream&) = delete;
+
+  /// The next image; nothing: none within the time. After an error the stream is of no use.
+  [[nodiscard]] tl::expected<std::optional<StreamedImage>, StreamEnd> take(double timeout_s);
+
+  [[nodiscard]] const CameraSettings& read_back() const { return read_back_; }
+
+ private:
+  VideoStream(std::unique_ptr<VideoDevice> device, DeviceNode node);
+  [[nodiscard]] Result<void> set_up(const CameraSettings& settings);
+  [[nodiscard]] Result<void> begin(int buffers);
+  [[nodiscard]] StreamEnd ended(std::string_view doing, int error_number) const;
+
+  std::unique_ptr<VideoDevice> device_;
+  const DeviceNode node_;
+  CameraSettings read_back_;
+  BufferLayout layout_;
+  std::vector<std::span<const std::uint8_t>> buffers_;
+  bool streaming_ = false;
+};
+
+}  // namespace flytri

@@ -1,0 +1,46 @@
+/// @file  Reads a real camera for a while, as a capture loop does, and keeps what came.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "hw/v4l2/v4l2_camera.h"
+
+namespace flytri::testing {
+
+/// Frames without their images.
+struct ReadFrame {
+  double time_s = 0.0;
+  std::int64_t sequence = 0;
+  bool damaged = false;
+};
+
+class CameraReader {
+ public:
+  CameraReader(const CameraMatch& match, const CameraSettings& settings);
+
+  [[nodiscard]] V4l2Camera& camera() { return *camera_; }
+  void start();
+
+  /// Reads until so many frames more have come. Fails the test after `limit_s`.
+  void read(int frames, double limit_s = 20.0);
+  /// Reads until the status is as wanted, with or without frames. Fails the test after `limit_s`.
+  void read_until(const std::function<bool(const CameraStatus&)>& wanted, double limit_s = 20.0);
+
+  [[nodiscard]] const std::vector<ReadFrame>& frames() const { return frames_; }
+  [[nodiscard]] const cv::Mat& last_image() const { return last_image_; }
+  /// Fails the test unless times and sequence numbers rise.
+  void expect_order() const;
+
+ private:
+  void read_one();
+
+  std::unique_ptr<V4l2Camera> camera_;
+  std::vector<ReadFrame> frames_;
+  cv::Mat last_image_;
+};
+
+}  // namespace flytri::testing

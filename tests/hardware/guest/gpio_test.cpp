@@ -1,0 +1,251 @@
+// The lights on GPIO chips on USB: the kernel's ftdi_sio and hid-mcp2221, and devices played by
+// usb_devices.
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "hw/device/clock.h"
+#include "hw/gpio/gpio_chips.h"
+#include "hw/gpio/gpio_light_switch.h"
+#include "tests/hardware/guest/camera_reader.h"
+#include "tests/hardware/guest/usb_bench.h"
+
+namespace flytri {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::order;
+using testing::shining;
+using testing::wait_until;
+
+constexpr unsigned kDarkPins = 0;
+constexpr unsigned kVerticalPins = 1;
+constexpr unsigned kHorizontalPins = 2;
+constexpr unsigned kFlashPins = 4;
+const char* const kFtdi = "ftdi-cbus";
+const char* const kMcp = "mcp2221_gpio";
+
+LightWiring wiring(const char* label) {
+  return {{label, "", ""}, {"", 0}, {"", 1}, LineMatch{"", 2}};
+}
+
+std::unique_ptr<GpioLightSwitch> make_switch(const LightWiring& wiring) {
+  return std::move(*GpioLightSwitch::create(wiring));
+}
+
+class GpioTest : public ::testing::Test {
+ protected:
+  GpioTest() { testing::mend_all(); }
+
+  // Wants a light and waits until the device was told.
+  static void turn_on(GpioLightSwitch& lights, Light light) {
+    const auto before = lights.status().switched;
+    ASSERT_GT(lights.post({light, 0.0}), 0);
+    wait_until([&] { return lights.status().switched > before; });
+  }
+};
+
+TEST_F(GpioTest, EachLightShinesAloneOnBothChips) {
+  for (const char* label : {kFtdi, kMcp}) {
+    SCOPED_TRACE(label);
+    const auto lights = make_switch(wiring(label));
+    const auto started = lights->start();
+    ASSERT_TRUE(started) << started.error().message;
+    EXPECT_EQ(shining(), kDarkPins);
+    for (const auto& [light, pins] :
+         {std::pair{Light::kVertical, kVerticalPins},
+          std::pair{Light::kHorizontal, kHorizontalPins}, std::pair{Light::kFlash, kFlashPins},
+          std::pair{Light::kDark, kDarkPins}, std::pair{Light::kVertical, kVerticalPins}}) {
+      ASSERT_NO_FATAL_FAILURE(turn_on(*lights, light));
+      EXPECT_EQ(shining(), pins);
+    }
+    lights->stop();
+    EXPECT_EQ(shining(), kDarkPins);
+  }
+}
+
+TEST_F(GpioTest, PolarityIsTurned) {
+  LightWiring inverted = wiring(kFtdi);
+  inverted.vertical.active_low = true;
+  inverted.flash.reset();
+  const auto lights = make_switch(inverted);
+  ASSERT_TRUE(lights->start());
+  EXPECT_EQ(shining(), kVerticalPins);  // which is dark
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kVertical));
+  EXPECT_EQ(shining(), kDarkPins);
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kHorizontal));
+  EXPECT_EQ(shining(), kVerticalPins | kHorizontalPins);
+  lights->stop();
+  EXPECT_EQ(shining(), kVerticalPins);
+}
+
+TEST_F(GpioTest, ChipThatIsHeldIsRefusedAndTheHolderNamed) {
+  const auto holder = make_switch(wiring(kFtdi));
+  ASSERT_TRUE(holder->start());
+  const auto second = make_switch(wiring(kFtdi));
+  const auto refused = second->start();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kInconsistent);
+  EXPECT_THAT(refused.error().message, HasSubstr("held by flytri"));
+}
+
+TEST_F(GpioTest, WrongPermissionsAreNamed) {
+  const auto check = [] {
+    if (setuid(65534) != 0) std::_Exit(2);
+    const auto refused = make_switch(wiring(kFtdi))->start();
+    const bool named = !refused && refused.error().code == ErrorCode::kNotPermitted;
+    std::_Exit(named ? 0 : 1);
+  };
+  EXPECT_EXIT(check(), ::testing::ExitedWithCode(0), "");
+}
+
+TEST_F(GpioTest, UnpluggedInMidScanGoesOnWithItsLightUnderAnotherNumber) {
+  const auto lights = make_switch(wiring(kFtdi));
+  ASSERT_TRUE(lights->start());
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kVertical));
+  const std::string node_before = find_chip(list_chips(), {kFtdi, "", ""})->device.node;
+  order("unplug ftdi");
+  wait_until([&] { return lights->status().state == LightSwitchState::kLost; });
+  EXPECT_EQ(shining(), kDarkPins);
+  lights->post({Light::kHorizontal, 0.0});
+  // The other chip takes its number.
+  order("unplug mcp");
+  wait_until([] { return list_device_nodes("gpio").empty(); });
+  order("plug mcp");
+  wait_until([] { return list_device_nodes("gpio").size() == 1; }, testing::kPlugging_s);
+  order("plug ftdi");
+  wait_until([&] { return lights->status().returned == 1; });
+  wait_until([] { return shining() == kHorizontalPins; });
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kFlash));
+  EXPECT_EQ(shining(), kFlashPins);
+  EXPECT_NE(find_chip(list_chips(), {kFtdi, "", ""})->device.node, node_before);
+  EXPECT_EQ(lights->status().lost, 1);
+  EXPECT_EQ(lights->status().state, LightSwitchState::kRunning);
+}
+
+// What a scan does: with each frame the other light is wanted. A chip that blocks for twelve
+// seconds an order costs neither a frame nor the time of whoever wants the light.
+TEST_F(GpioTest, MuteChipHoldsNeitherTheCallerNorTheCameraUp) {
+  const auto lights = make_switch(wiring(kMcp));
+  ASSERT_TRUE(lights->start());
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kVertical));
+  CameraSettings settings;
+  settings.size = {320, 240};
+  settings.rate_hz = 25.0;
+  testing::CameraReader reader({"", "M0001", ""}, settings);
+  ASSERT_NO_FATAL_FAILURE(reader.start());
+  order("mute mcp");
+  const Clock clock = machine_clock();
+  double slowest_post_s = 0.0;
+  for (int i = 0; i < 50; ++i) {
+    const double before_s = clock.now_s();
+    lights->post({i % 2 == 0 ? Light::kHorizontal : Light::kVertical, 0.0});
+    slowest_post_s = std::max(slowest_post_s, clock.now_s() - before_s);
+    ASSERT_NO_FATAL_FAILURE(reader.read(1));
+  }
+  EXPECT_LT(slowest_post_s, 0.01);
+  EXPECT_EQ(reader.camera().status().dropped, 0);
+  EXPECT_THAT(lights->status().message, HasSubstr("has not answered"));
+  order("unmute mcp");
+  // The last wish is served when the chip is through with what it did not answer.
+  wait_until([&] { return lights->status().switched == 3; }, 60.0);
+  EXPECT_EQ(shining(), kVerticalPins);
+  EXPECT_GT(lights->status().slowest_s, 4.0);
+  EXPECT_EQ(lights->status().skipped, 48);
+}
+
+// A folder of pictures for the camera: all of one brightness for each light.
+class LitPictures {
+ public:
+  static constexpr int kVerticalGrey = 200;
+  static constexpr int kHorizontalGrey = 100;
+  explicit LitPictures(const ImageSize& size) {
+    std::filesystem::create_directory(kFolder);
+    write("0_vertical.grey", std::string(size.width_px * size.height_px, char(kVerticalGrey)));
+    write("0_horizontal.grey", std::string(size.width_px * size.height_px, char(kHorizontalGrey)));
+  }
+  ~LitPictures() { std::filesystem::remove_all(kFolder); }
+
+ private:
+  static constexpr const char* kFolder = "/tmp/pictures";
+  static void write(const char* name, const std::string& bytes) {
+    std::ofstream(std::filesystem::path(kFolder) / name, std::ios::binary) << bytes;
+  }
+};
+
+// A frame that began after a light was told to shine, and before the next, shows that light alone.
+TEST_F(GpioTest, FramesShowTheLightThatShoneWhileTheyExposed) {
+  CameraSettings settings;
+  settings.size = {320, 240};
+  settings.rate_hz = 25.0;
+  settings.exposure_s = 0.01;
+  const LitPictures pictures(settings.size);
+  testing::CameraReader reader({"", "M0001", ""}, settings);
+  ASSERT_NO_FATAL_FAILURE(reader.start());
+  const auto lights = make_switch(wiring(kFtdi));
+  ASSERT_TRUE(lights->start());
+  for (int i = 0; i < 20; ++i) {
+    const bool vertical = i % 2 == 0;
+    ASSERT_NO_FATAL_FAILURE(turn_on(*lights, vertical ? Light::kVertical : Light::kHorizontal));
+    // The first may have been exposed before, or have seen both.
+    ASSERT_NO_FATAL_FAILURE(reader.read(2));
+    EXPECT_EQ(reader.last_image().at<std::uint8_t>(120, 160),
+              vertical ? LitPictures::kVerticalGrey : LitPictures::kHorizontalGrey);
+  }
+}
+
+// The end of a program with a light on.
+void end_with_light_on(const char* label, const std::function<void()>& end) {
+  const pid_t program = fork();
+  ASSERT_GE(program, 0);
+  if (program == 0) {
+    setpgid(0, 0);
+    const auto lights = make_switch(wiring(label));
+    if (!lights->start()) std::_Exit(1);
+    lights->post({Light::kVertical, 0.0});
+    wait_until([&] { return lights->status().switched == 1; });
+    end();
+  }
+  wait_until([] { return shining() == kVerticalPins; });
+  int status = 0;
+  waitpid(program, &status, 0);
+  wait_until([] { return shining() == kDarkPins; });
+}
+
+TEST_F(GpioTest, LightsGoDarkHoweverTheProgramEnds) {
+  // A signal to the whole group, as from the terminal, meets the guard, too.
+  const auto interrupt_group = [] {
+    kill(0, SIGINT);
+    pause();
+  };
+  for (const char* label : {kFtdi, kMcp}) {
+    SCOPED_TRACE(label);
+    end_with_light_on(label, [] { raise(SIGKILL); });
+    end_with_light_on(label, [] { std::abort(); });
+    end_with_light_on(label, [] { raise(SIGSEGV); });
+    end_with_light_on(label, [] { std::_Exit(0); });
+    end_with_light_on(label, interrupt_group);
+  }
+}
+
+TEST_F(GpioTest, GuardIsDismissedByAnOrderlyEnd) {
+  const auto lights = make_switch(wiring(kFtdi));
+  ASSERT_TRUE(lights->start());
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kVertical));
+  lights->stop();
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no child is left
+  // Nobody holds the lines any more.
+  for (const GpioChip& chip : list_chips())
+    for (const GpioLine& line : chip.lines) EXPECT_EQ(line.consumer, "");
+}
+
+}  // namespace
+}  // namespace flytri

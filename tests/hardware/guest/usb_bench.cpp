@@ -1,0 +1,52 @@
+#include "tests/hardware/guest/usb_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "hw/device/clock.h"
+#include "hw/device/device_node.h"
+
+namespace flytri::testing {
+
+namespace {
+
+bool all_are_there() {
+  const auto cameras = list_device_nodes("video4linux");
+  const auto has_camera = [&](const char* serial) {
+    return std::any_of(cameras.begin(), cameras.end(),
+                       [&](const DeviceNode& camera) { return camera.serial == serial; });
+  };
+  return has_camera("M0001") && has_camera("C0002") && list_device_nodes("gpio").size() == 2;
+}
+
+}  // namespace
+
+void order(const std::string& line) { std::ofstream("/tmp/usb") << line << std::endl; }
+
+unsigned shining() {
+  std::ifstream log("/tmp/lights");
+  double time_s = 0.0;
+  unsigned pins = 0;
+  for (unsigned read = 0; log >> time_s >> read;) pins = read;
+  return pins;
+}
+
+void wait_until(const std::function<bool()>& reached, double limit_s) {
+  const Clock clock = machine_clock();
+  const double end_s = clock.now_s() + limit_s;
+  while (!reached()) {
+    ASSERT_LT(clock.now_s(), end_s);
+    clock.sleep_s(0.05);
+  }
+}
+
+void mend_all() {
+  for (const char* line :
+       {"thaw camera", "unmute mcp", "plug camera", "plug camera2", "plug ftdi", "plug mcp"})
+    order(line);
+  wait_until(all_are_there, kPlugging_s);
+}
+
+}  // namespace flytri::testing

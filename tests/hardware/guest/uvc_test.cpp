@@ -1,0 +1,206 @@
+// Cameras on USB: the kernel's uvcvideo, and devices played by usb_devices.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <thread>
+
+#include "hw/v4l2/find_camera.h"
+#include "tests/hardware/guest/camera_reader.h"
+#include "tests/hardware/guest/usb_bench.h"
+
+namespace flytri {
+namespace {
+
+using testing::CameraReader;
+using testing::order;
+
+const CameraMatch kMono{"", "M0001", ""};   // in bulk
+const CameraMatch kColor{"", "C0002", ""};  // isochronous
+constexpr double kRate_hz = 25.0;
+
+CameraSettings settings(PixelFormat format = PixelFormat::kGrey8) {
+  CameraSettings settings;
+  settings.format = format;
+  settings.size = {320, 240};
+  settings.rate_hz = kRate_hz;
+  return settings;
+}
+
+class UvcTest : public ::testing::Test {
+ protected:
+  UvcTest() { testing::mend_all(); }
+
+  // Whether the driver hands damaged images on, as of the next plugging in; else it drops them.
+  static void hand_on_damaged(bool wanted) {
+    std::ofstream("/sys/module/uvcvideo/parameters/nodrop") << (wanted ? 1 : 0);
+    order("unplug camera");
+    testing::wait_until([] { return !find_camera(*kernel_video_system(), kMono); });
+    testing::mend_all();
+  }
+};
+
+TEST_F(UvcTest, StreamsAtItsRateWithoutLoss) {
+  for (const CameraMatch& match : {kMono, kColor}) {
+    SCOPED_TRACE(match.serial);
+    CameraReader reader(match, settings());
+    ASSERT_NO_FATAL_FAILURE(reader.start());
+    ASSERT_NO_FATAL_FAILURE(reader.read(30));
+    reader.expect_order();
+    const auto& frames = reader.frames();
+    EXPECT_NEAR(29.0 / (frames.back().time_s - frames.front().time_s), kRate_hz, 1.0);
+    const CameraStatus status = reader.camera().status();
+    EXPECT_EQ(status.dropped, 0);
+    EXPECT_EQ(status.restamped, 0);
+    EXPECT_EQ(status.flagged + status.short_frames + status.undecodable, 0);
+  }
+}
+
+// The dim ground of the picture is even: 16 to 47 in each format.
+TEST_F(UvcTest, EveryFormatShowsThePicture) {
+  for (const PixelFormat format : {PixelFormat::kGrey8, PixelFormat::kYuyv, PixelFormat::kMjpeg}) {
+    for (const Channels channels : {Channels::kGrey, Channels::kRgb}) {
+      SCOPED_TRACE(to_string(format));
+      CameraSettings wanted = settings(format);
+      wanted.channels = channels;
+      CameraReader reader(kMono, wanted);
+      ASSERT_NO_FATAL_FAILURE(reader.start());
+      ASSERT_NO_FATAL_FAILURE(reader.read(2));
+      const bool color = format != PixelFormat::kGrey8 && channels == Channels::kRgb;
+      ASSERT_EQ(reader.last_image().type(), color ? CV_8UC3 : CV_8UC1);
+      double darkest = 0.0;
+      double brightest = 0.0;
+      cv::minMaxLoc(reader.last_image().reshape(1), &darkest, &brightest);
+      EXPECT_LE(brightest - darkest, 2.0);  // what JPEG rounds
+      EXPECT_LE(brightest, 48.0);
+      EXPECT_GT(brightest, 0.0);
+      EXPECT_EQ(reader.camera().status().undecodable, 0);
+    }
+  }
+}
+
+TEST_F(UvcTest, IsSetByHandAndReadBack) {
+  CameraSettings wanted = settings();
+  wanted.exposure_s = 0.005;
+  wanted.gain = 20.0;
+  wanted.white_balance_k = 5000.0;
+  wanted.focus = 100.0;
+  CameraReader reader(kMono, wanted);
+  ASSERT_NO_FATAL_FAILURE(reader.start());
+  const CameraSettings read_back = reader.camera().read_back();
+  EXPECT_DOUBLE_EQ(*read_back.exposure_s, 0.005);
+  EXPECT_EQ(read_back.gain, 20.0);
+  EXPECT_EQ(read_back.white_balance_k, 5000.0);
+  EXPECT_EQ(read_back.focus, 100.0);
+  int automatics = 0;
+  for (const CameraDescription& camera : list_cameras(*kernel_video_system())) {
+    if (camera.serial != kMono.serial) continue;
+    for (const CameraControl& control : camera.controls) {
+      if (control.name.find("Auto") == std::string::npos) continue;
+      ++automatics;
+      EXPECT_EQ(control.value, control.name == "Auto Exposure" ? 1.0 : 0.0) << control.name;
+    }
+  }
+  EXPECT_GE(automatics, 3);
+}
+
+TEST_F(UvcTest, ImagesThatTheDriverDropsAreGapsThatAreCounted) {
+  CameraReader reader(kMono, settings());
+  ASSERT_NO_FATAL_FAILURE(reader.start());
+  for (const char* fault : {"short camera", "error camera"}) {
+    ASSERT_NO_FATAL_FAILURE(reader.read(5));
+    order(fault);
+  }
+  ASSERT_NO_FATAL_FAILURE(reader.read(5));
+  reader.expect_order();
+  EXPECT_EQ(reader.camera().status().dropped, 2);
+  EXPECT_EQ(reader.camera().status().flagged, 0);
+}
+
+TEST_F(UvcTest, DamagedImagesThatTheDriverHandsOnAreMarkedAndCounted) {
+  hand_on_damaged(true);
+  CameraReader reader(kMono, settings());
+  ASSERT_NO_FATAL_FAILURE(reader.start());
+  ASSERT_NO_FATAL_FAILURE(reader.read(5));
+  order("short camera");
+  reader.read_until([](const CameraStatus& status) { return status.short_frames == 1; });
+  EXPECT_TRUE(reader.frames().back().damaged);
+  // The lower half is missing.
+  EXPECT_EQ(reader.last_image().at<std::uint8_t>(239, 0), 0);
+  EXPECT_GT(reader.last_image().at<std::uint8_t>(0, 0), 0);
+  order("error camera");
+  reader.read_until([](const CameraStatus& status) { return status.flagged == 2; });
+  EXPECT_TRUE(reader.frames().back().damaged);
+  ASSERT_NO_FATAL_FAILURE(reader.read(5));
+  EXPECT_FALSE(reader.frames().back().damaged);
+  EXPECT_EQ(reader.camera().status().dropped, 0);
+  reader.camera().stop();
+  hand_on_damaged(false);
+}
+
+TEST_F(UvcTest, FrozenCameraIsNoticedAndGoesOn) {
+  CameraReader reader(kMono, settings());
+  ASSERT_NO_FATAL_FAILURE(reader.start());
+  ASSERT_NO_FATAL_FAILURE(reader.read(5));
+  order("freeze camera");
+  reader.read_until([](const CameraStatus& s) { return s.state == CameraState::kFrozen; });
+  order("thaw camera");
+  reader.read_until([](const CameraStatus& s) { return s.state == CameraState::kRunning; });
+  EXPECT_EQ(reader.camera().status().restarted, 0);
+  // For so long that it is set up anew.
+  order("freeze camera");
+  reader.read_until([](const CameraStatus& status) { return status.restarted == 1; });
+  order("thaw camera");
+  ASSERT_NO_FATAL_FAILURE(reader.read(5));
+  reader.expect_order();
+  EXPECT_EQ(reader.camera().status().frozen, 2);
+  EXPECT_EQ(reader.camera().status().lost, 0);
+}
+
+TEST_F(UvcTest, UnpluggedInMidStreamGoesOnAsItWasWhenItIsBack) {
+  for (const auto& [name, match] : {std::pair{"camera", kMono}, std::pair{"camera2", kColor}}) {
+    SCOPED_TRACE(name);
+    CameraSettings wanted = settings();
+    wanted.exposure_s = 0.007;
+    CameraReader reader(match, wanted);
+    ASSERT_NO_FATAL_FAILURE(reader.start());
+    ASSERT_NO_FATAL_FAILURE(reader.read(10));
+    order(std::string("unplug ") + name);
+    reader.read_until([](const CameraStatus& s) { return s.lost == 1; });
+    EXPECT_EQ(reader.camera().status().state, CameraState::kLost);
+    order(std::string("plug ") + name);
+    reader.read_until([](const CameraStatus& s) { return s.returned == 1; });
+    ASSERT_NO_FATAL_FAILURE(reader.read(10));
+    reader.expect_order();
+    EXPECT_EQ(reader.frames().size(), 20U);
+    EXPECT_EQ(reader.camera().status().restarted, 0);
+    // What it forgot was set again.
+    EXPECT_DOUBLE_EQ(*reader.camera().read_back().exposure_s, 0.007);
+  }
+}
+
+TEST_F(UvcTest, OneOfTwoIsUnpluggedAndTheOtherLosesNothing) {
+  CameraSettings wanted = settings(PixelFormat::kMjpeg);
+  wanted.channels = Channels::kRgb;
+  CameraReader mono(kMono, settings());
+  CameraReader color(kColor, wanted);
+  ASSERT_NO_FATAL_FAILURE(mono.start());
+  ASSERT_NO_FATAL_FAILURE(color.start());
+  std::thread other([&] {
+    color.read(5);
+    order("unplug camera2");
+    color.read_until([](const CameraStatus& status) { return status.lost == 1; });
+    order("plug camera2");
+    color.read(10);
+  });
+  mono.read(60);
+  other.join();
+  mono.expect_order();
+  color.expect_order();
+  EXPECT_EQ(mono.camera().status().dropped, 0);
+  EXPECT_EQ(mono.frames().back().sequence, 59);
+  EXPECT_EQ(color.camera().status().returned, 1);
+}
+
+}  // namespace
+}  // namespace flytri

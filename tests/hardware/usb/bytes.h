@@ -1,0 +1,23 @@
+/// @file  Bytes as USB sends them: least significant first.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace flytri::usb {
+
+using Bytes = std::vector<std::uint8_t>;
+
+void append(Bytes& bytes, std::span<const std::uint8_t> more);
+
+void append_number(Bytes& bytes, std::uint32_t value, int length);
+
+/// Bytes that are missing count as 0.
+[[nodiscard]] std::uint32_t read_number(std::span<const std::uint8_t> bytes, std::size_t offset,
+                                        std::size_t length);
+
+/// A descriptor: its length goes before what is given.
+[[nodiscard]] Bytes descriptor(const Bytes& content);
+
+}  // namespace flytri::usb

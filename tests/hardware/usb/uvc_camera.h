@@ -1,0 +1,77 @@
+/// @file  A USB camera, for the kernel's uvcvideo: it sees what the pins light.
+#pragma once
+
+#include <memory>
+
+#include "tests/hardware/usb/light_pins.h"
+#include "tests/hardware/usb/picture.h"
+#include "tests/hardware/usb/usb_device.h"
+#include "tests/hardware/usb/uvc_descriptors.h"
+
+namespace flytri::usb {
+
+struct UvcCameraOptions {
+  std::string name;
+  std::string serial;
+  bool isochronous = false;  ///< else it streams in bulk
+  std::string pictures;      ///< folder, as Picture takes it
+};
+
+/// A control with its range.
+struct UvcControl {
+  std::uint8_t entity;
+  std::uint8_t selector;
+  int bytes;
+  std::uint32_t minimum;
+  std::uint32_t maximum;
+  std::uint32_t resolution;
+  std::uint32_t value;
+};
+
+/// Words: "freeze", no frames though it streams; "thaw"; "short", half of the next frame is
+/// missing; "error", the next frame is said to be damaged.
+class UvcCamera final : public UsbDevice {
+ public:
+  UvcCamera(int port, const UvcCameraOptions& options, const LightPins& pins);
+
+ private:
+  std::optional<Bytes> control(const Setup& setup, const Bytes& data) override;
+  void receive(const Transfer&) override {}
+  void transfer_waits() override;
+  void obey(std::string_view word) override;
+  void reset() override;
+  void do_work(double now_s) override;
+  double next_work_s() const override;
+
+  [[nodiscard]] std::optional<Bytes> answer_entity(const Setup& setup, const Bytes& data);
+  [[nodiscard]] std::optional<Bytes> negotiate(const Setup& setup, const Bytes& data);
+  void agree(const Bytes& wanted);
+  [[nodiscard]] std::uint32_t control_value(std::uint8_t entity, std::uint8_t selector) const;
+  void stream(bool on);
+  void expose(double now_s);
+  void send_bulk();
+  void send_packets(double now_s);
+  [[nodiscard]] Bytes next_payload(std::size_t room);
+
+  const UvcCameraOptions options_;
+  const LightPins& pins_;
+  std::vector<UvcControl> controls_;
+  UvcFormat format_ = UvcFormat::kGrey;
+  std::size_t size_ = 0;  // index
+  std::uint32_t interval_ = kUvcIntervals[1];
+
+  bool streaming_ = false;
+  bool frozen_ = false;
+  bool next_short_ = false;
+  bool next_error_ = false;
+  bool error_ = false;  // of the image on its way
+  double next_frame_s_ = 0.0;
+  double next_packets_s_ = 0.0;
+  std::uint32_t exposures_ = 0;
+  std::unique_ptr<Picture> picture_;
+  Bytes image_;           // on its way; empty: none
+  std::size_t sent_ = 0;  // of the image
+  std::uint8_t frame_bit_ = 0;
+};
+
+}  // namespace flytri::usb

@@ -1,0 +1,112 @@
+# shellcheck shell=bash
+# Boots Debian's stock kernel in QEMU with programs of ours, to meet the real drivers without
+# devices. Sourced by what runs tests in it:
+#
+#     vm_require                            ends with 77 and one line where a tool is missing
+#     vm_fetch_kernel WORK                  once: the kernel package into WORK, unpacked
+#     vm_boot WORK SCRIPT MODULES PROGRAM...  boots, runs SCRIPT in the guest; 0 only if it said so
+#
+# The guest's time is virtual (-icount): it stands still while the host is busy and leaps while the
+# guest idles, so that tests neither fail under load nor wait. No timing taken inside means anything.
+# An instruction takes 2^VM_TICK ns of it, by default 2: with less, more is done in its time.
+# SCRIPT is the guest's shell script; its directory /share is WORK/share. PROGRAMs are found in /bin,
+# with the libraries that they need. Logs: WORK/console.log.
+
+vm_packages="busybox-static cpio kmod qemu-system-x86 seabios xz-utils"
+
+vm_require() {
+  local tool missing=
+  for tool in busybox cpio depmod qemu-system-x86_64 xz apt-get dpkg; do
+    command -v "$tool" > /dev/null || missing+=" $tool"
+  done
+  [ -z "$missing" ] && return
+  echo "***Skipped: tests on real drivers need$missing: apt-get install $vm_packages"
+  exit 77
+}
+
+# The kernel without its own decompressor, which would take a minute on an emulated processor: the
+# image carries the compressed kernel after its first xz header.
+vm_extract_kernel() {
+  local offset
+  offset=$(LC_ALL=C grep -abo -m 1 -P '\xFD7zXZ\x00' "$1" | head -n 1 | cut -d : -f 1)
+  # What follows the compressed kernel is not for xz, which says so and fails after its work.
+  tail -c +$((offset + 1)) "$1" | xz -dc 2> /dev/null > "$2" || [ -s "$2" ]
+}
+
+# The cloud kernel has no cameras.
+vm_kernel_package() {
+  apt-cache depends linux-image-amd64 2> /dev/null | awk '/Depends:/ {print $2; exit}' || true
+}
+
+vm_fetch_kernel() {
+  local work=$1 package
+  [ -e "$work/kernel.ready" ] && return
+  rm -rf "${work:?}/kernel"
+  mkdir -p "$work/kernel"
+  package=$(vm_kernel_package)
+  # A fresh system knows no packages yet.
+  if [ -z "$package" ] && [ "$(id -u)" = 0 ]; then
+    apt-get update -qq
+    package=$(vm_kernel_package)
+  fi
+  (cd "$work" && apt-get -qq -o APT::Sandbox::User=root download "$package") || {
+    echo "vm: the package ${package:-linux-image-amd64} cannot be fetched; apt-get update, and check the network"
+    return 1
+  }
+  dpkg -x "$work/$package"_*.deb "$work/kernel"
+  rm "$work/$package"_*.deb
+  echo "${package#linux-image-}" > "$work/version"
+  vm_extract_kernel "$work"/kernel/boot/vmlinuz-* "$work/vmlinux"
+  depmod -b "$work/kernel" "$(cat "$work/version")"
+  touch "$work/kernel.ready"
+}
+
+# Files of the modules named and of those that they need, in the order of loading.
+vm_module_files() {
+  local work=$1 module
+  for module in $2; do
+    modprobe -d "$work/kernel" -S "$(cat "$work/version")" --show-depends "$module"
+  done | awk '$1 == "insmod" && !seen[$2]++ {print $2}'
+}
+
+vm_libraries() {
+  local program
+  for program in "$@"; do
+    ldd "$program" 2> /dev/null | grep -oE '/[^ ]+'
+  done | sort -u
+}
+
+vm_pack() {
+  local work=$1 script=$2 modules=$3 root=$1/root file
+  shift 3
+  rm -rf "${root:?}"
+  mkdir -p "$root"/{bin,dev,modules,proc,share,sys,tmp}
+  cp "$(command -v busybox)" "$root/bin/busybox"
+  cp "$@" "$root/bin/"
+  cp "$(dirname "${BASH_SOURCE[0]}")/guest/init" "$root/init"
+  cp "$script" "$root/script"
+  vm_module_files "$work" "$modules" | while read -r file; do
+    cp "$file" "$root/modules/"
+    basename "$file" .ko >> "$root/modules/order"
+  done
+  vm_libraries "$@" | while read -r file; do
+    mkdir -p "$root${file%/*}"
+    cp -L "$file" "$root$file"
+  done
+  (cd "$root" && find . | cpio -o -H newc --quiet) > "$work/initramfs"
+}
+
+vm_boot() {
+  local work=$1
+  mkdir -p "$work/share"
+  vm_pack "$@"
+  timeout "${VM_TIMEOUT_S:-1500}" qemu-system-x86_64 -accel tcg -cpu max -smp 1 -m 1536 \
+    -icount "shift=${VM_TICK:-1},sleep=off" -rtc clock=vm -nodefaults -display none -no-reboot \
+    -serial "file:$work/console.log" \
+    -virtfs "local,path=$work/share,mount_tag=share,security_model=none" \
+    -kernel "$work/vmlinux" -initrd "$work/initramfs" -append 'console=ttyS0 panic=-1 quiet' < /dev/null ||
+    echo "vm: it was ended after ${VM_TIMEOUT_S:-1500} s, or could not be started"
+  tr -d '\r' < "$work/console.log" | sed -n '/^guest: /,$p'
+  # Its last word: whatever else ends the machine, a panic among others, leaves it out.
+  tr -d '\r' < "$work/console.log" | tail -n 5 | grep -q '^guest: passed$'
+}

@@ -1,0 +1,151 @@
+/// @file  A whole rig without devices, from the light to the model: simulated cameras under
+/// simulated lights are recorded, and the recording is reconstructed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "assets/sample_jaw/sample_jaw.h"
+#include "core/evaluation/best_fit.h"
+#include "core/evaluation/surface_error.h"
+#include "core/pipeline/reconstruct.h"
+#include "hw/recording/recorder_sensor.h"
+#include "hw/simulated/lit_scene.h"
+#include "hw/simulated/sensor_calibration.h"
+#include "tests/support/simulated_rig.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+using testing::make_simulated_rig;
+using testing::SimulatedRig;
+using testing::SimulatedRigOptions;
+
+/// The hand rests so long where it will begin, until the rig has learned its latency.
+constexpr double kRest_s = 1.4;
+constexpr double kScan_s = 2.2;
+/// Of the simulated devices' clock, at the start.
+constexpr double kStart_s = 100.0;
+
+/// What both cameras see of a hand that begins to move.
+class Stage {
+ public:
+  explicit Stage(const TriangleMesh& jaw)
+      : scene_(LitScene::create(jaw, intraoral_sensor(),
+                                {.kind = PathKind::kQuadrant, .duration_s = 10.0},
+                                {.tracing = Tracing::kGrid})
+                   .value()),
+        dark_(scene_.measurement_image(Light::kDark, 0.0)) {}
+
+  /// As a perfect rig would see it.
+  [[nodiscard]] cv::Mat measurement(Light light, double time_s) const {
+    return light == Light::kDark ? dark_ : scene_.measurement_image(light, path_s(time_s));
+  }
+  [[nodiscard]] cv::Mat texture(Light light, double time_s) const {
+    return scene_.texture_image(light, path_s(time_s));
+  }
+  [[nodiscard]] Isometry T_model_sensor(double time_s) const {
+    return scene_.path().T_model_sensor(path_s(time_s));
+  }
+
+ private:
+  static double path_s(double time_s) { return time_s - kStart_s - kRest_s; }
+
+  LitScene scene_;
+  cv::Mat dark_;  // the same at all times: nobody looks at it for long
+};
+
+SimulatedRigOptions rig_of(const Stage& stage) {
+  const SensorModel sensor = intraoral_sensor();
+  SimulatedRigOptions options;
+  options.measurement.settings.size = sensor.camera.size;
+  options.measurement.exposure_s = sensor.exposure_s;
+  options.measurement.latency_s = 0.05;
+  options.measurement.jitter_s = 0.002;
+  options.texture.settings.size = sensor.texture_camera.size;
+  options.texture.settings.channels = Channels::kRgb;
+  options.texture.latency_s = 0.07;
+  options.texture.phase_s = 0.011;
+  options.measurement_scene = [&stage](Light light, double time_s) {
+    return stage.measurement(light, time_s);
+  };
+  options.texture_scene = [&stage](Light light, double time_s) {
+    return stage.texture(light, time_s);
+  };
+  return options;
+}
+
+void record(const SimulatedRig& rig, const std::filesystem::path& folder) {
+  const auto recorder = RecorderSensor::create(rig.sensor, folder).value();
+  ASSERT_TRUE(recorder->start());
+  while (rig.clock.now_s() < kStart_s + kRest_s + kScan_s) {
+    ASSERT_TRUE(recorder->next(0.05));
+    while (recorder->work_beside(0.0)) {
+    }
+  }
+  recorder->stop();
+  EXPECT_EQ(recorder->recorder_status().lost, 0);
+}
+
+/// The middle of the exposure that a frame's learned time is near to.
+double exposed_s(const SimulatedRig& rig, const Frame& frame) {
+  const double period_s = 1.0 / rig.measurement->read_back().rate_hz;
+  const double since_s = kStart_s + frame.time_s - rig.measurement->exposure(0).middle_s;
+  return rig.measurement->exposure(std::llround(since_s / period_s)).middle_s;
+}
+
+/// That each frame is, bit for bit, what was lit by its light alone.
+/// @return  number of measurement frames
+int expect_true(const Recording& recording, const SimulatedRig& rig, const Stage& stage) {
+  int measurement = 0;
+  for (std::size_t i = 0; i < recording.frames.size(); ++i) {
+    const Frame frame = load_frame(recording, FrameIndex(i)).value();
+    if (frame.kind == FrameKind::kTexture) continue;
+    ++measurement;
+    const Light light = frame.kind == FrameKind::kVertical ? Light::kVertical : Light::kHorizontal;
+    EXPECT_EQ(cv::norm(frame.image, stage.measurement(light, exposed_s(rig, frame)), cv::NORM_INF),
+              0.0)
+        << "frame " << i << " at " << frame.time_s << " s";
+  }
+  return measurement;
+}
+
+/// From the result's world, the frame of the first view, to the jaw.
+Isometry first_pose(const Recording& recording, const SimulatedRig& rig, const Stage& stage) {
+  for (std::size_t i = 0;; ++i) {
+    const Frame frame = load_frame(recording, FrameIndex(i)).value();
+    if (pattern_of(frame.kind)) return stage.T_model_sensor(exposed_s(rig, frame));
+  }
+}
+
+TEST(RigScan, IsReconstructedAsExactlyAsTheSensorMeasures) {
+  const Workers workers;
+  const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, workers).value();
+  const Stage stage(jaw);
+  const SimulatedRig rig = make_simulated_rig(rig_of(stage));
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(record(rig, folder / "scan"));
+  const Recording recording = open_recording(folder / "scan").value();
+  // Lights are off now and then, and a texture frame takes the place of some others.
+  EXPECT_GT(expect_true(recording, rig, stage), 30.0 * kScan_s * 0.85);
+
+  const Calibration calibration = calibrate_virtual_sensor(intraoral_sensor(), workers, {}).value();
+  const Reconstruction result = reconstruct(recording, calibration, {}, workers, {}).value();
+  int textured = 0, rejected = 0;
+  for (const FrameReport& report : result.frames) {
+    textured += report.fate == FrameFate::kTextured ? 1 : 0;
+    rejected += report.fate == FrameFate::kRejected ? 1 : 0;
+  }
+  EXPECT_GE(textured, 2);
+  EXPECT_EQ(rejected, 0);
+  const TriangleMesh placed = transformed(result.surface.mesh, first_pose(recording, rig, stage));
+  const BestFit fit = best_fit(placed, jaw, {}, workers).value();
+  const SurfaceError error =
+      surface_error(transformed(placed, fit.T_truth_result), jaw, {}, {}, workers).value();
+  // The paper's figure for a whole jaw.
+  EXPECT_LT(error.distance.rms_mm, 0.032);
+  EXPECT_LT(fit.T_truth_result.translation().norm(), 0.1);
+}
+
+}  // namespace
+}  // namespace flytri

@@ -1,0 +1,60 @@
+/// @file  A camera without a kernel: answers the calls of V4L2 as drivers do, frame by frame.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hw/device/clock.h"
+#include "hw/v4l2/video_system.h"
+
+namespace flytri::testing {
+
+struct FakeControl {
+  std::int32_t minimum = 0;
+  std::int32_t maximum = 1;
+  std::int32_t value = 0;
+};
+
+struct FakeBuffer {
+  std::vector<std::uint8_t> bytes;
+  std::uint32_t sequence = 0;
+  double time_s = 0.0;
+  std::uint32_t flags = 0;  ///< in addition to that of the clock
+  bool monotonic = true;
+  int error = 0;  ///< of VIDIOC_DQBUF, in place of a frame
+};
+
+/// A camera of one format and size. Everything may be changed while it runs.
+struct FakeCamera {
+  DeviceNode node{"/dev/video0", "Fake Camera", "F1", "1-1", 0};
+  std::uint32_t fourcc = 0;
+  std::uint32_t width = 4;
+  std::uint32_t height = 2;
+  std::map<std::uint32_t, FakeControl> controls;
+  std::deque<FakeBuffer> frames;        ///< what comes; none: silence
+  std::map<unsigned long, int> errors;  ///< by request, of calls that fail
+  int open_error = 0;
+  bool captures = true;
+  bool present = true;
+  int opened = 0;     ///< how often, so far
+  int streaming = 0;  ///< open streams
+};
+
+/// A machine with such cameras.
+class FakeVideoSystem final : public VideoSystem {
+ public:
+  explicit FakeVideoSystem(Clock clock) : clock_(std::move(clock)) {}
+  std::shared_ptr<FakeCamera> add();
+  std::vector<DeviceNode> nodes() override;
+  tl::expected<std::unique_ptr<VideoDevice>, int> open(const std::string& node) override;
+
+ private:
+  Clock clock_;
+  std::vector<std::shared_ptr<FakeCamera>> cameras_;
+};
+
+}  // namespace flytri::testing

@@ -1,0 +1,32 @@
+#include "app/session/case_store.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(CaseStore, AFinishedModelThatCannotBeReadIsTold) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "case.flytri";
+  {
+    auto file = CaseFile::create(path, {});
+    ASSERT_TRUE(file) << file.error().message;
+    const char* summary = R"({"made_of": {"view_count": 0, "edited_at_s": []}})";
+    ASSERT_TRUE(file->write_result(ScanStage::kUpper, {"glTF, and no more", summary}));
+    ASSERT_TRUE(file->commit());
+  }
+  auto file = CaseFile::open(path);
+  ASSERT_TRUE(file) << file.error().message;
+  const auto opened = std::make_shared<CaseStore>(std::move(*file))->load(ScanStage::kUpper);
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_EQ(opened->scan.result, nullptr);
+  EXPECT_THAT(opened->damage, ElementsAre(HasSubstr("finish again")));
+}
+
+}  // namespace
+}  // namespace flytri

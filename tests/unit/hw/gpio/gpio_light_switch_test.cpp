@@ -1,0 +1,203 @@
+#include "hw/gpio/gpio_light_switch.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <cerrno>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "hw/device/clock.h"
+
+namespace flytri {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// The lights of a chip that does as the test says, and outlives the lines that are held.
+class FakeChip {
+ public:
+  std::atomic<bool> plugged{true};
+  std::atomic<int> error{0};
+
+  void set(Light light) {
+    std::unique_lock lock(mutex_);
+    released_.wait(lock, [&] { return !mute_; });
+    lights_.push_back(light);
+  }
+  void mute() {
+    const std::lock_guard lock(mutex_);
+    mute_ = true;
+  }
+  void answer() {
+    {
+      const std::lock_guard lock(mutex_);
+      mute_ = false;
+    }
+    released_.notify_all();
+  }
+  std::vector<Light> lights() {
+    const std::lock_guard lock(mutex_);
+    return lights_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable released_;
+  bool mute_ = false;
+  std::vector<Light> lights_;
+};
+
+class FakeLines final : public LightLines {
+ public:
+  explicit FakeLines(std::shared_ptr<FakeChip> chip) : chip_(std::move(chip)) {}
+  ~FakeLines() override {
+    if (chip_->plugged) chip_->set(Light::kDark);
+  }
+  int set(Light light) override {
+    if (!chip_->plugged) return ENODEV;
+    if (chip_->error != 0) return chip_->error;
+    chip_->set(light);
+    return 0;
+  }
+  bool present() const override { return chip_->plugged; }
+
+ private:
+  std::shared_ptr<FakeChip> chip_;
+};
+
+class GpioLightSwitchTest : public ::testing::Test {
+ protected:
+  GpioLightSwitchTest() {
+    const OpenLightLines open = [chip = chip_]() -> Result<std::unique_ptr<LightLines>> {
+      if (!chip->plugged) return fail(ErrorCode::kNotFound, "no chip: plug it in");
+      return std::make_unique<FakeLines>(chip);
+    };
+    switch_ =
+        std::move(*GpioLightSwitch::create(open, {.search_period_s = 0.002, .slow_call_s = 0.01}));
+  }
+
+  // The switch works on a thread of its own; a minute is for machines that stand still.
+  void wait_until(const std::function<bool(const LightSwitchStatus&)>& reached) {
+    const Clock clock = machine_clock();
+    const double end_s = clock.now_s() + 60.0;
+    while (!reached(switch_->status())) {
+      ASSERT_LT(clock.now_s(), end_s);
+      std::this_thread::yield();
+    }
+  }
+
+  void post_and_wait(Light light) {
+    const auto before = switch_->status().switched;
+    switch_->post({light, 0.0});
+    wait_until([&](const LightSwitchStatus& status) { return status.switched > before; });
+  }
+
+  std::shared_ptr<FakeChip> chip_ = std::make_shared<FakeChip>();
+  std::unique_ptr<GpioLightSwitch> switch_;
+};
+
+TEST_F(GpioLightSwitchTest, CarriesOutWishesAndTellsWhen) {
+  ASSERT_TRUE(switch_->start());
+  const double before_s = machine_clock().now_s();
+  post_and_wait(Light::kVertical);
+  post_and_wait(Light::kFlash);
+  const auto done = switch_->take_done();
+  ASSERT_EQ(done.size(), 2U);
+  EXPECT_EQ(done[0].wish, 1);
+  EXPECT_EQ(done[0].light, Light::kVertical);
+  EXPECT_TRUE(done[0].accepted);
+  EXPECT_LE(before_s, done[0].before_s);
+  EXPECT_LE(done[0].before_s, done[0].after_s);
+  EXPECT_LE(done[0].after_s, done[1].before_s);
+  EXPECT_TRUE(switch_->take_done().empty());
+}
+
+TEST_F(GpioLightSwitchTest, WaitsForTheTimeOfAWish) {
+  ASSERT_TRUE(switch_->start());
+  const double due_s = machine_clock().now_s() + 0.02;
+  switch_->post({Light::kVertical, due_s});
+  wait_until([](const LightSwitchStatus& status) { return status.switched == 1; });
+  EXPECT_GE(switch_->take_done()[0].before_s, due_s);
+}
+
+TEST_F(GpioLightSwitchTest, AllIsDarkAfterStopAndWishesAreRefused) {
+  ASSERT_TRUE(switch_->start());
+  post_and_wait(Light::kHorizontal);
+  switch_->stop();
+  EXPECT_THAT(chip_->lights(), ElementsAre(Light::kHorizontal, Light::kDark));
+  EXPECT_EQ(switch_->post({Light::kVertical, 0.0}), 0);
+  EXPECT_EQ(switch_->status().state, LightSwitchState::kIdle);
+  ASSERT_TRUE(switch_->start());
+  EXPECT_EQ(switch_->post({Light::kVertical, 0.0}), 1);
+}
+
+TEST_F(GpioLightSwitchTest, BlockedChipHoldsNobodyUpAndOnlyTheLastWishIsCarriedOut) {
+  ASSERT_TRUE(switch_->start());
+  chip_->mute();
+  switch_->post({Light::kVertical, 0.0});
+  wait_until([](const LightSwitchStatus& status) { return status.slowest_s > 0.02; });
+  EXPECT_THAT(switch_->status().message, HasSubstr("has not answered"));
+  switch_->post({Light::kHorizontal, 0.0});
+  switch_->post({Light::kFlash, 0.0});
+  switch_->post({Light::kVertical, 0.0});
+  chip_->answer();
+  wait_until([](const LightSwitchStatus& status) { return status.switched == 2; });
+  EXPECT_THAT(chip_->lights(), ElementsAre(Light::kVertical, Light::kVertical));
+  EXPECT_EQ(switch_->status().skipped, 2);
+  const auto done = switch_->take_done();
+  ASSERT_EQ(done.size(), 2U);
+  EXPECT_EQ(done[1].wish, 4);
+  EXPECT_GT(done[0].after_s - done[0].before_s, 0.02);
+}
+
+TEST_F(GpioLightSwitchTest, UnpluggedWhileIdleIsNoticedAndTheLightComesBack) {
+  ASSERT_TRUE(switch_->start());
+  post_and_wait(Light::kVertical);
+  chip_->plugged = false;
+  wait_until([](const LightSwitchStatus& s) { return s.state == LightSwitchState::kLost; });
+  EXPECT_EQ(switch_->status().lost, 1);
+  switch_->post({Light::kHorizontal, 0.0});
+  wait_until([](const LightSwitchStatus& status) { return status.skipped == 1; });
+  chip_->plugged = true;
+  wait_until([](const LightSwitchStatus& status) { return status.switched == 2; });
+  EXPECT_EQ(switch_->status().returned, 1);
+  EXPECT_EQ(switch_->status().state, LightSwitchState::kRunning);
+  EXPECT_THAT(chip_->lights(), ElementsAre(Light::kVertical, Light::kHorizontal));
+}
+
+TEST_F(GpioLightSwitchTest, RefusedWishIsToldAndTheChipOpenedAgain) {
+  ASSERT_TRUE(switch_->start());
+  chip_->error = EIO;
+  switch_->post({Light::kVertical, 0.0});
+  wait_until([](const LightSwitchStatus& status) { return status.refused >= 1; });
+  chip_->error = 0;
+  wait_until([](const LightSwitchStatus& status) { return status.switched == 1; });
+  EXPECT_FALSE(switch_->take_done()[0].accepted);
+}
+
+TEST_F(GpioLightSwitchTest, SaysWhyItDoesNotStart) {
+  chip_->plugged = false;
+  const auto started = switch_->start();
+  ASSERT_FALSE(started);
+  EXPECT_EQ(switch_->status().state, LightSwitchState::kFailed);
+  EXPECT_EQ(switch_->status().message, "no chip: plug it in");
+  EXPECT_EQ(switch_->post({Light::kVertical, 0.0}), 0);
+}
+
+TEST(LightWiring, NamesWhatIsWrong) {
+  LightWiring wiring{{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, std::nullopt};
+  EXPECT_TRUE(wiring.validate());
+  wiring.flash = LineMatch{"", 1};
+  EXPECT_THAT(wiring.validate().error().message, HasSubstr("same"));
+  wiring.flash = LineMatch{};
+  EXPECT_THAT(wiring.validate().error().message, HasSubstr("flash"));
+  wiring.flash.reset();
+  wiring.chip = {};
+  EXPECT_THAT(wiring.validate().error().message, HasSubstr("chip"));
+}
+
+}  // namespace
+}  // namespace flytri

@@ -1,0 +1,99 @@
+#include "hw/rig/frame_merger.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+namespace flytri {
+namespace {
+
+constexpr double kPatience_s = 0.25;
+
+cv::Mat image(int value) { return {2, 2, CV_8UC1, cv::Scalar(value)}; }
+
+FrameLabel dark_at(double time_s) {
+  FrameLabel label;
+  label.outcome = LabelOutcome::kLabeled;
+  label.time_s = time_s;
+  return label;
+}
+
+FrameLabel flash_of(double time_s, double area) {
+  FrameLabel label = dark_at(time_s);
+  label.light = Light::kFlash;
+  label.evidence.is_flash = true;
+  label.evidence.area = area;
+  return label;
+}
+
+class FrameMergerTest : public ::testing::Test {
+ protected:
+  FrameMergerTest() : merger_({.start_s = 10.0, .flash_s = 0.1, .patience_s = kPatience_s}) {}
+
+  void pattern(double time_s) { merger_.add_pattern(Pattern::kVertical, image(0), time_s, time_s); }
+  /// All that comes out, as times since the start.
+  std::vector<double> taken(double now_s, bool texture_comes = true) {
+    std::vector<double> times_s;
+    while (const auto frame = merger_.next(now_s, texture_comes)) {
+      EXPECT_EQ(frame->index.at(), count_++);
+      times_s.push_back(frame->time_s);
+    }
+    return times_s;
+  }
+
+  FrameMerger merger_;
+  std::size_t count_ = 0;
+};
+
+TEST_F(FrameMergerTest, PatternsComeAtOnceWhereNoFlashIsAhead) {
+  pattern(10.5);
+  pattern(10.75);
+  EXPECT_EQ(taken(10.75), (std::vector{0.5, 0.75}));
+}
+
+TEST_F(FrameMergerTest, APatternAfterAFlashWaitsForItsImage) {
+  merger_.flash_at(10.5);
+  pattern(10.25);
+  pattern(10.75);
+  EXPECT_EQ(taken(10.75), std::vector{0.25});
+  merger_.add_texture(image(9), flash_of(10.5, 0.5), 10.8);
+  EXPECT_TRUE(taken(10.8).empty());
+  // Now it is known that no brighter one follows.
+  merger_.add_texture(image(0), dark_at(10.625), 10.85);
+  EXPECT_EQ(taken(10.85), (std::vector{0.5, 0.75}));
+}
+
+TEST_F(FrameMergerTest, NothingWaitsLongerThanPatienceNorForACameraThatIsAway) {
+  merger_.flash_at(10.5);
+  pattern(10.75);
+  EXPECT_TRUE(taken(10.75 + kPatience_s).empty());
+  EXPECT_EQ(taken(10.76 + kPatience_s), std::vector{0.75});
+  pattern(11.25);
+  EXPECT_EQ(taken(11.25, false), std::vector{1.25});
+}
+
+TEST_F(FrameMergerTest, OfOneFlashTheBrightestImageIsTaken) {
+  for (const auto& [value, area] : {std::pair{1, 0.2}, {2, 0.5}, {3, 0.51}})
+    merger_.add_texture(image(value), flash_of(10.5 + 0.01 * value, area), 10.6);
+  merger_.add_texture(image(0), dark_at(10.7), 10.7);
+  pattern(10.75);
+  const auto texture = merger_.next(10.75, true);
+  ASSERT_TRUE(texture);
+  EXPECT_EQ(texture->kind, FrameKind::kTexture);
+  // The third is brighter by less than noise.
+  EXPECT_EQ(texture->image.at<std::uint8_t>(0, 0), 2);
+}
+
+TEST_F(FrameMergerTest, WhatComesAfterALaterOneIsGivenUpAndCounted) {
+  merger_.flash_at(10.5);
+  pattern(10.75);
+  EXPECT_EQ(taken(11.5), std::vector{0.75});
+  merger_.add_texture(image(9), flash_of(10.5, 0.5), 11.5);
+  merger_.add_texture(image(0), dark_at(10.7), 11.5);
+  EXPECT_TRUE(taken(12.0).empty());
+  EXPECT_EQ(merger_.late(), 1);
+}
+
+}  // namespace
+}  // namespace flytri

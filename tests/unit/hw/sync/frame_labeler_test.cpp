@@ -1,0 +1,128 @@
+#include "hw/sync/frame_labeler.h"
+
+#include <gtest/gtest.h>
+
+#include "hw/simulated/label_trial.h"
+#include "tests/support/simulated_rig.h"
+
+namespace flytri {
+namespace {
+
+constexpr double kPeriod_s = 1.0 / 30.0;
+
+LabelTrialOptions usual() {
+  LabelTrialOptions options;
+  options.camera.noise = 0.004;
+  options.camera.latency_s = 1.3 * kPeriod_s;
+  options.duration_s = 9.0;
+  return options;
+}
+
+LabelTrialResult run(const LabelTrialOptions& options,
+                     const SimulatedCamera::Scene& of_light = testing::striped_scene) {
+  return run_label_trial(options, of_light).value();
+}
+
+void expect_all_right(const LabelTrialResult& result, double in_step_within_s) {
+  ASSERT_TRUE(result.in_step_after_s);
+  EXPECT_LT(*result.in_step_after_s, in_step_within_s);
+  EXPECT_EQ(result.wrong, 0);
+  // One at most is given up: when the plan goes from two frames a pattern to one.
+  EXPECT_GE(result.right, result.whole - 1);
+  EXPECT_GT(result.whole, 100);
+  EXPECT_LT(result.largest_mixture, 0.1);
+}
+
+TEST(FrameLabeler, LabelsAllWholeFramesWhateverTheLatency) {
+  for (const double periods : {0.0, 0.37, 1.0, 1.5, 2.2, 3.0}) {
+    SCOPED_TRACE(periods);
+    LabelTrialOptions options = usual();
+    options.camera.latency_s = periods * kPeriod_s;
+    const LabelTrialResult result = run(options);
+    expect_all_right(result, 4.0);
+    // An eighth of a period is what the plan needs.
+    EXPECT_NEAR(result.latency_error_s, 0.0, kPeriod_s / 8.0);
+    EXPECT_EQ(result.fault, LightFault::kNone);
+  }
+}
+
+TEST(FrameLabeler, JitterAndDroppedFramesCostNothing) {
+  LabelTrialOptions options = usual();
+  options.camera.jitter_s = 0.006;
+  options.camera.dropped_share = 0.1;
+  expect_all_right(run(options), 4.0);
+}
+
+TEST(FrameLabeler, ARollingShutterGetsTwoFramesAPattern) {
+  LabelTrialOptions options = usual();
+  options.camera.exposure_s = 0.01;
+  options.camera.readout_s = 0.02;
+  const LabelTrialResult result = run(options);
+  expect_all_right(result, 6.0);
+  EXPECT_GT(result.whole, result.straddled / 2);
+}
+
+TEST(FrameLabeler, WhileNothingIsInFrontOfItTheClockDecides) {
+  LabelTrialOptions options = usual();
+  const LabelTrialResult result = run(options, [](Light light, double time_s) {
+    return testing::striped_scene(time_s > 104.0 && time_s < 109.0 ? Light::kDark : light, time_s);
+  });
+  expect_all_right(result, 4.0);
+}
+
+TEST(FrameLabeler, ASwappedCableIsNamedAndFramesKeepTheNameOfWhatTheyShow) {
+  LabelTrialOptions options = usual();
+  options.lights.faults.is_swapped = true;
+  const LabelTrialResult result = run(options);
+  expect_all_right(result, 4.0);
+  EXPECT_EQ(result.fault, LightFault::kSwapped);
+}
+
+TEST(FrameLabeler, ASwitchThatDoesNotActIsNamed) {
+  LabelTrialOptions options = usual();
+  options.lights.faults.is_mute = true;
+  const LabelTrialResult nothing = run(options);
+  EXPECT_EQ(nothing.fault, LightFault::kNothingSeen);
+  EXPECT_EQ(nothing.wrong, 0);
+  // It stopped acting while a pattern was lit.
+  const LabelTrialResult stuck = run(options, [](Light, double time_s) {
+    return testing::striped_scene(Light::kVertical, time_s);
+  });
+  EXPECT_EQ(stuck.fault, LightFault::kStuck);
+}
+
+TEST(FrameLabeler, AProjectorThatNeverShinesIsNamed) {
+  LabelTrialOptions options = usual();
+  options.lights.faults.no_horizontal = true;
+  EXPECT_EQ(run(options).fault, LightFault::kNoHorizontal);
+  options.lights.faults = {.no_vertical = true};
+  EXPECT_EQ(run(options).fault, LightFault::kNoVertical);
+  options.lights.faults = {.no_flash = true};
+  EXPECT_EQ(run(options).fault, LightFault::kNoFlash);
+}
+
+TEST(FrameLabeler, FollowsALatencyThatDrifts) {
+  // The camera's clock runs off by a third of a percent: its period is learned, not believed.
+  LabelTrialOptions options = usual();
+  options.camera.settings.rate_hz = 30.1;
+  expect_all_right(run(options), 4.0);
+}
+
+TEST(FrameLabeler, NamesEveryFaultWithItsRemedy) {
+  for (const LightFault fault : {LightFault::kSwapped, LightFault::kStuck, LightFault::kNoVertical,
+                                 LightFault::kNoHorizontal, LightFault::kNoFlash})
+    EXPECT_NE(message_of(fault).find("cable"), std::string::npos);
+  EXPECT_TRUE(message_of(LightFault::kNone).empty());
+}
+
+TEST(FrameLabeler, RefusesBadOptions) {
+  LabelerOptions options;
+  options.pure_share = 0.3;
+  EXPECT_FALSE(FrameLabeler::create(options));
+  options = {};
+  options.latency.max_latency_periods = 0.0;
+  EXPECT_FALSE(FrameLabeler::create(options));
+}
+
+}  // namespace
+}  // namespace flytri

@@ -1,0 +1,92 @@
+#include "hw/v4l2/find_camera.h"
+
+#include <gmock/gmock.h>
+#include <linux/videodev2.h>
+
+#include <cerrno>
+
+#include "hw/device/clock.h"
+#include "tests/support/fake_video.h"
+
+namespace flytri {
+namespace {
+
+using testing::FakeCamera;
+using testing::FakeVideoSystem;
+using ::testing::HasSubstr;
+
+// Two cameras of the same make, and the metadata file of the first.
+class FindCameraTest : public ::testing::Test {
+ protected:
+  FindCameraTest() {
+    add({"/dev/video0", "Mono Camera", "M1", "1-1", 0});
+    auto metadata = add({"/dev/video1", "Mono Camera", "M1", "1-1", 1});
+    metadata->captures = false;
+    add({"/dev/video2", "Mono Camera", "M2", "1-2", 0});
+    add({"/dev/video3", "Color Camera", "", "1-3", 0});
+  }
+
+  std::shared_ptr<FakeCamera> add(DeviceNode node) {
+    auto camera = system_.add();
+    camera->node = std::move(node);
+    camera->fourcc = V4L2_PIX_FMT_GREY;
+    cameras_.push_back(camera);
+    return camera;
+  }
+
+  FakeVideoSystem system_{machine_clock()};
+  std::vector<std::shared_ptr<FakeCamera>> cameras_;
+};
+
+TEST_F(FindCameraTest, FindsByAnyPartOfTheRuleThatIsGiven) {
+  EXPECT_EQ(find_camera(system_, {"Color", "", ""})->node, "/dev/video3");
+  EXPECT_EQ(find_camera(system_, {"", "M1", ""})->node, "/dev/video0");
+  EXPECT_EQ(find_camera(system_, {"Mono", "", "1-2"})->node, "/dev/video2");
+}
+
+TEST_F(FindCameraTest, SaysWhatThereIsWhereNoneOrSeveralMatch) {
+  const auto none = find_camera(system_, {"Mono", "M", ""});
+  EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(none.error().message, HasSubstr("Color Camera (/dev/video3)"));
+  const auto several = find_camera(system_, {"Mono", "", ""});
+  EXPECT_EQ(several.error().code, ErrorCode::kInconsistent);
+  EXPECT_THAT(several.error().message, HasSubstr("serial M2"));
+}
+
+TEST_F(FindCameraTest, ListsEveryCameraWithWhatIsWrongWithIt) {
+  cameras_[0]->open_error = EACCES;
+  cameras_[1]->open_error = EACCES;
+  cameras_[2]->errors[VIDIOC_REQBUFS] = EBUSY;
+  cameras_[2]->controls[V4L2_CID_GAIN] = {0, 63, 10};
+  cameras_[3]->fourcc = v4l2_fourcc('X', '1', ' ', ' ');
+  const auto listed = list_cameras(system_);
+  ASSERT_EQ(listed.size(), 3U);
+  ASSERT_EQ(listed[0].problems.size(), 1U);
+  EXPECT_EQ(listed[0].problems[0].code, ErrorCode::kNotPermitted);
+  ASSERT_EQ(listed[1].problems.size(), 1U);
+  EXPECT_EQ(listed[1].problems[0].code, ErrorCode::kInconsistent);
+  ASSERT_EQ(listed[1].modes.size(), 1U);
+  EXPECT_EQ(listed[1].modes[0].format, "GREY");
+  EXPECT_EQ(listed[1].modes[0].size, (ImageSize{4, 2}));
+  ASSERT_EQ(listed[1].controls.size(), 1U);
+  EXPECT_EQ(listed[1].controls[0].maximum, 63.0);
+  EXPECT_EQ(listed[1].controls[0].value, 10.0);
+  ASSERT_EQ(listed[2].problems.size(), 1U);
+  EXPECT_EQ(listed[2].modes[0].format, "X1");
+  EXPECT_EQ(listed[2].problems[0].code, ErrorCode::kBadOption);
+}
+
+TEST_F(FindCameraTest, ChecksSettingsWithoutStarting) {
+  CameraSettings settings;
+  settings.size = {4, 2};
+  EXPECT_TRUE(check_camera(system_, {"Color", "", ""}, settings).empty());
+  settings.size = {8, 2};
+  const auto problems = check_camera(system_, {"Color", "", ""}, settings);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_THAT(problems[0].message, HasSubstr("has no GREY of 8 x 2; it has GREY 4 x 2"));
+  EXPECT_EQ(check_camera(system_, {"Blue", "", ""}, settings)[0].code, ErrorCode::kNotFound);
+  EXPECT_EQ(cameras_[3]->streaming, 0);
+}
+
+}  // namespace
+}  // namespace flytri

@@ -1,0 +1,218 @@
+#include "hw/v4l2/v4l2_camera.h"
+
+#include <gmock/gmock.h>
+#include <linux/videodev2.h>
+
+#include <cerrno>
+
+#include "tests/support/fake_video.h"
+#include "tests/support/manual_clock.h"
+
+namespace flytri {
+namespace {
+
+using testing::FakeBuffer;
+using testing::FakeCamera;
+using testing::FakeVideoSystem;
+using ::testing::HasSubstr;
+using testing::ManualClock;
+
+constexpr double kPeriod_s = 0.1;
+
+// A fake camera of 4 x 2 grey pixels at 10 Hz, and what reads it.
+class V4l2CameraTest : public ::testing::Test {
+ protected:
+  V4l2CameraTest() {
+    fake_->fourcc = V4L2_PIX_FMT_GREY;
+    settings_.size = {4, 2};
+    settings_.rate_hz = 1.0 / kPeriod_s;
+  }
+
+  void make_camera(const CameraMatch& match = {}) {
+    auto camera = V4l2Camera::create(match, settings_, {}, {system_, clock_.clock()});
+    ASSERT_TRUE(camera) << camera.error().message;
+    camera_ = std::move(*camera);
+  }
+
+  void start() {
+    make_camera();
+    const auto started = camera_->start();
+    ASSERT_TRUE(started) << started.error().message;
+  }
+
+  // A frame arrives one period after the one before.
+  FakeBuffer& deliver(std::uint32_t sequence) {
+    clock_.turn(kPeriod_s);
+    fake_->frames.push_back({std::vector<std::uint8_t>(8, 7), sequence, clock_.now_s() - 0.01});
+    return fake_->frames.back();
+  }
+
+  CameraFrame take() {
+    const auto next = camera_->next(0.0);
+    EXPECT_TRUE(next && *next);
+    return next && *next ? **next : CameraFrame{};
+  }
+
+  void expect_none(double timeout_s) {
+    const auto next = camera_->next(timeout_s);
+    ASSERT_TRUE(next);
+    EXPECT_FALSE(*next);
+  }
+
+  ManualClock clock_;
+  std::shared_ptr<FakeVideoSystem> system_ = std::make_shared<FakeVideoSystem>(clock_.clock());
+  std::shared_ptr<FakeCamera> fake_ = system_->add();
+  CameraSettings settings_;
+  std::unique_ptr<V4l2Camera> camera_;
+};
+
+TEST_F(V4l2CameraTest, DeliversImagesWithTheDriversTimeAndNumber) {
+  start();
+  deliver(0).bytes = {1, 2, 3, 4, 5, 6, 7, 8};
+  const CameraFrame frame = take();
+  EXPECT_EQ(frame.image.at<std::uint8_t>(1, 3), 8);
+  // The driver's times are whole microseconds.
+  EXPECT_NEAR(frame.time_s, clock_.now_s() - 0.01, 1e-6);
+  EXPECT_EQ(frame.stamp, StampMeaning::kEndOfReadout);
+  EXPECT_EQ(frame.sequence, 0);
+  EXPECT_FALSE(frame.damaged);
+  deliver(1).flags = V4L2_BUF_FLAG_TSTAMP_SRC_SOE;
+  EXPECT_EQ(take().stamp, StampMeaning::kStartOfExposure);
+  EXPECT_EQ(camera_->status().delivered, 2);
+}
+
+TEST_F(V4l2CameraTest, CountsGapsAlsoWhereTheNumberTurnsOver) {
+  start();
+  deliver(0);
+  take();
+  deliver(4);
+  EXPECT_EQ(take().sequence, 4);
+  EXPECT_EQ(camera_->status().dropped, 3);
+  start();
+  deliver(0xffffffff);
+  const std::int64_t first = take().sequence;
+  deliver(1);
+  EXPECT_EQ(take().sequence, first + 2);
+  EXPECT_EQ(camera_->status().dropped, 1);
+}
+
+TEST_F(V4l2CameraTest, MarksAndCountsDamagedFrames) {
+  start();
+  deliver(0).flags = V4L2_BUF_FLAG_ERROR;
+  EXPECT_TRUE(take().damaged);
+  deliver(1).bytes.resize(5);
+  EXPECT_TRUE(take().damaged);
+  deliver(2);
+  EXPECT_FALSE(take().damaged);
+  EXPECT_EQ(camera_->status().flagged, 1);
+  EXPECT_EQ(camera_->status().short_frames, 1);
+  EXPECT_EQ(camera_->status().delivered, 3);
+}
+
+TEST_F(V4l2CameraTest, TakesTheTimeOfArrivalWhereTheStampIsNone) {
+  start();
+  deliver(0).monotonic = false;
+  EXPECT_EQ(take().time_s, clock_.now_s());
+  deliver(1).time_s = clock_.now_s() + 1.0;  // of the future
+  EXPECT_EQ(take().time_s, clock_.now_s());
+  deliver(2).time_s = 1.0;  // backwards
+  EXPECT_EQ(take().time_s, clock_.now_s());
+  EXPECT_EQ(camera_->status().restamped, 3);
+}
+
+TEST_F(V4l2CameraTest, GoesOnAfterItWasUnpluggedUnderAnotherNode) {
+  start();
+  deliver(0);
+  const std::int64_t before = take().sequence;
+  fake_->present = false;
+  expect_none(0.0);
+  EXPECT_EQ(camera_->status().state, CameraState::kLost);
+  for (int i = 0; i < 5; ++i) expect_none(1.0);
+  EXPECT_EQ(camera_->status().lost, 1);
+  EXPECT_THAT(camera_->status().message, HasSubstr("plug it in"));
+  fake_->present = true;
+  fake_->node.node = "/dev/video7";
+  expect_none(1.0);
+  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  EXPECT_EQ(camera_->status().returned, 1);
+  deliver(0);
+  EXPECT_GE(take().sequence, before + 2);
+  EXPECT_EQ(camera_->status().restarted, 0);
+}
+
+TEST_F(V4l2CameraTest, StartsABrokenStreamAgain) {
+  start();
+  deliver(0).error = EIO;
+  expect_none(0.0);
+  EXPECT_EQ(camera_->status().state, CameraState::kLost);
+  expect_none(0.0);
+  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  EXPECT_EQ(camera_->status().restarted, 1);
+  EXPECT_EQ(camera_->status().lost, 0);
+  EXPECT_EQ(fake_->streaming, 1);
+  deliver(0);
+  take();
+}
+
+TEST_F(V4l2CameraTest, FrozenCountsOnceAndIsSetUpAnewUntilFramesCome) {
+  start();
+  deliver(0);
+  take();
+  expect_none(4.0 * kPeriod_s);
+  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  expect_none(2.0 * kPeriod_s);
+  EXPECT_EQ(camera_->status().state, CameraState::kFrozen);
+  for (int i = 0; i < 60; ++i) expect_none(kPeriod_s);
+  EXPECT_EQ(camera_->status().state, CameraState::kFrozen);
+  EXPECT_EQ(camera_->status().frozen, 1);
+  EXPECT_GE(camera_->status().restarted, 2);
+  deliver(0);
+  take();
+  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  EXPECT_EQ(camera_->status().message, "");
+}
+
+TEST_F(V4l2CameraTest, StopLetsTheCameraGo) {
+  start();
+  EXPECT_EQ(fake_->streaming, 1);
+  camera_->stop();
+  EXPECT_EQ(fake_->streaming, 0);
+  EXPECT_EQ(camera_->next(0.0).error().code, ErrorCode::kBadOption);
+  ASSERT_TRUE(camera_->start());
+  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+}
+
+TEST_F(V4l2CameraTest, SaysWhyItDoesNotStart) {
+  const auto expect_failure = [&](ErrorCode code, const std::string& remedy) {
+    make_camera();
+    const auto started = camera_->start();
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().code, code);
+    EXPECT_THAT(started.error().message, HasSubstr(remedy));
+    EXPECT_EQ(camera_->status().state, CameraState::kFailed);
+    EXPECT_EQ(camera_->status().message, started.error().message);
+  };
+  fake_->open_error = EACCES;
+  expect_failure(ErrorCode::kNotPermitted, "group \"video\"");
+  fake_->open_error = 0;
+  fake_->errors[VIDIOC_REQBUFS] = EBUSY;
+  expect_failure(ErrorCode::kInconsistent, "close that program");
+  fake_->errors.clear();
+  fake_->errors[VIDIOC_STREAMON] = ENOSPC;
+  expect_failure(ErrorCode::kBadOption, "USB bus is too slow");
+  fake_->errors.clear();
+  settings_.format = PixelFormat::kGrey12;
+  expect_failure(ErrorCode::kBadOption, "it has GREY 4 x 2");
+  fake_->present = false;
+  expect_failure(ErrorCode::kNotFound, "plug it in");
+}
+
+TEST_F(V4l2CameraTest, RefusesOptionsOutOfRange) {
+  settings_.rate_hz = 0.0;
+  EXPECT_FALSE(V4l2Camera::create({}, settings_, {}, {system_, clock_.clock()}));
+  settings_.rate_hz = 30.0;
+  EXPECT_FALSE(V4l2Camera::create({}, settings_, {.buffers = 1}, {system_, clock_.clock()}));
+}
+
+}  // namespace
+}  // namespace flytri

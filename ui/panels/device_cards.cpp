@@ -1,0 +1,116 @@
+#include "ui/panels/device_cards.h"
+
+#include "ui/theme/icons.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr float kCard = 76.0F;
+constexpr float kCardHead = 24.0F;
+constexpr float kDot = 10.0F;
+constexpr float kCheckHeading = 36.0F;
+constexpr std::size_t kMostFigures = 7;
+
+Color color_of(DeviceHealth health) {
+  switch (health) {
+    case DeviceHealth::kFine:
+      return kGood;
+    case DeviceHealth::kDoubtful:
+      return kCaution;
+    case DeviceHealth::kBroken:
+      return kBad;
+    case DeviceHealth::kUnknown:
+      break;
+  }
+  return kTextQuiet;
+}
+
+void draw_head(const PanelContext& context, Rect row, const DeviceState& device) {
+  const Theme& theme = context.theme;
+  const float dot = context.px(kDot);
+  draw_box(row.take_left(dot, context.px(kGapS)).centered(dot, dot), color_of(device.health),
+           dot / 2.0F);
+  draw_text(row.take_right(text_width(theme.fonts.strong, device.state), context.px(kGapS)),
+            {theme.fonts.strong, color_of(device.health), Align::kRight}, device.state);
+  draw_text(row.take_left(text_width(theme.fonts.strong, device.role) + 1.0F, context.px(kGapS)),
+            {theme.fonts.strong, kText, Align::kLeft}, device.role);
+  draw_text(row, {theme.fonts.body, kTextQuiet, Align::kLeft}, device.name);
+}
+
+void draw_figures(const PanelContext& context, Rect row, const std::vector<DeviceFigure>& figures) {
+  const Theme& theme = context.theme;
+  const float width = row.width / static_cast<float>(kMostFigures);
+  for (std::size_t i = 0; i < std::min(figures.size(), kMostFigures); ++i) {
+    Rect cell = row.take_left(width);
+    cell.width -= context.px(kGapXs);
+    draw_text(cell.take_top(cell.height / 2.0F),
+              {theme.fonts.strong, figures[i].is_worrying ? kCaution : kText, Align::kLeft},
+              figures[i].value);
+    draw_text(cell, {theme.fonts.small, kTextQuiet, Align::kLeft}, figures[i].label);
+  }
+}
+
+/// Messages of the devices begin small, as they often follow the name of a file.
+std::string sentence(std::string message) {
+  if (!message.empty() && message.front() >= 'a' && message.front() <= 'z')
+    message.front() = static_cast<char>(message.front() - 'a' + 'A');
+  return message;
+}
+
+/// @return  false: it does not fit whole into what is left, and half a remedy misleads
+bool draw_problem(const PanelContext& context, Rect& rest, const std::string& problem) {
+  ImFont* font = context.theme.fonts.body;
+  Rect text = rest;
+  Rect margin = text.take_left(context.px(20.0F), context.px(kGapXs));
+  const float height = wrapped_height(font, text.width, problem);
+  if (height > rest.height) return false;
+  draw_text(margin.take_top(context.px(20.0F)), {font, kCaution, Align::kLeft}, icon::kWarning);
+  draw_wrapped(text, {font, kText}, problem);
+  rest.take_top(height, context.px(kGapS));
+  return true;
+}
+
+/// What is said in the place of problems while there are none.
+const char* verdict_on(const DevicesState& devices) {
+  if (devices.is_checking) return "Looking at the devices\u2026";
+  return devices.is_checked ? "Nothing is wrong" : "Not checked yet";
+}
+
+void draw_verdict(const PanelContext& context, Rect row, const DevicesState& devices) {
+  const bool is_good = devices.is_checked && !devices.is_checking;
+  if (is_good) {
+    draw_text(row.take_left(context.px(24.0F), context.px(kGapXs)),
+              {context.theme.fonts.strong, kGood, Align::kLeft}, icon::kSaved);
+  }
+  draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft}, verdict_on(devices));
+}
+
+}  // namespace
+
+void draw_device_cards(const PanelContext& context, Rect box) {
+  for (const DeviceState& device : context.view.devices->devices) {
+    const Rect card = box.take_top(context.px(kCard), context.px(kGapXs));
+    draw_box(card, kRaised, context.px(kRounding));
+    Rect inner = card.inset(context.px(12.0F), context.px(6.0F));
+    draw_head(context, inner.take_top(context.px(kCardHead), context.px(2.0F)), device);
+    draw_figures(context, inner, device.figures);
+  }
+}
+
+void draw_device_check(const PanelContext& context, Rect box) {
+  const DevicesState& devices = *context.view.devices;
+  const Theme& theme = context.theme;
+  Rect head = box.take_top(context.px(kCheckHeading), context.px(kGapS));
+  const ActionLook look = {icon::kResume, "Check again"};
+  small_action(context, head.take_right(small_action_width(context, Action::kCheckDevices, look)),
+               Action::kCheckDevices, look);
+  draw_text(head, {theme.fonts.strong, kNeutral, Align::kLeft}, "What is wrong");
+  if (devices.problems.empty()) {
+    return draw_verdict(context, box.take_top(context.px(24.0F)), devices);
+  }
+  for (const std::string& problem : devices.problems) {
+    if (!draw_problem(context, box, sentence(problem))) return;
+  }
+}
+
+}  // namespace flytri::ui

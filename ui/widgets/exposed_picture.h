@@ -1,0 +1,27 @@
+/// @file  A camera image on which pixels that are clipped or too dark are marked.
+#pragma once
+
+#include <memory>
+
+#include "ui/exposure.h"
+#include "ui/theme/status_colors.h"
+#include "ui/widgets/camera_image.h"
+
+namespace flytri::ui {
+
+inline constexpr Color kClippedMark = kBad;
+inline constexpr Color kDarkMark = kNeutral;
+
+/// Judged and loaded anew only when the frame is another.
+struct ExposedPicture {
+  CameraPicture picture;
+  Exposure exposure;
+
+  void show(const std::shared_ptr<const LiveFrame>& latest);
+};
+
+/// The image for the screen, RGB, with its marks in the colors above; marks stay seen however much
+/// the image is reduced.
+[[nodiscard]] cv::Mat marked_image(const Frame& frame, const cv::Mat& marks);
+
+}  // namespace flytri::ui

@@ -1,0 +1,13 @@
+/// @file  How many pixels have which brightness, as bars.
+#pragma once
+
+#include <span>
+
+#include "ui/widgets/draw.h"
+
+namespace flytri::ui {
+
+/// @param shares  of all pixels, by rising brightness; the last bin is that of clipped pixels
+void histogram(const Theme& theme, const Rect& box, std::span<const double> shares);
+
+}  // namespace flytri::ui
