@@ -156,11 +156,33 @@ ActionState hand_state(Action action, const Facts& facts) {
 }
 
 ActionState cancel_state(const Facts& facts) {
+  if (facts.state.dialog == Dialog::kCalibration && facts.view.calibration &&
+      facts.view.calibration->running) {
+    return enabled("stops the calibration");
+  }
   if (facts.state.dialog != Dialog::kNone) return enabled("closes the dialog");
   if (facts.state.tool != Tool::kNone) return enabled("puts the tool down");
   if (facts.is(ScanPhase::kFinishing)) return enabled("cancels finishing");
   if (facts.state.selected_hole) return enabled("leaves the hole");
   return disabled("nothing to cancel");
+}
+
+/// Why the panel's main button does nothing now; empty: it does.
+std::string why_not_confirmed(const CalibrationState& calibration) {
+  if (!calibration.running) return "choose what to do";
+  switch (calibration.running->step) {
+    case CalibrationStep::kTarget:
+      return {};
+    case CalibrationStep::kDone:
+      if (calibration.running->task != CalibrationTask::kCalibrate) return "done";
+      return calibration.why_not_used;
+    case CalibrationStep::kRefused:
+      return "choose what to take again";
+    case CalibrationStep::kFailed:
+      return "failed";
+    default:
+      return "wait";
+  }
 }
 
 bool can_confirm(const Facts& facts) {
@@ -175,6 +197,31 @@ bool can_confirm(const Facts& facts) {
     default:
       return facts.state.dialog != Dialog::kNone;
   }
+}
+
+ActionState begin_state(Action action, const CalibrationState& calibration, const Facts& facts) {
+  if (facts.state.dialog != Dialog::kCalibration) return disabled("after Calibration");
+  if (calibration.running) return disabled("running");
+  if (action == Action::kCalibrate) return enabled();
+  if (!calibration.has_calibration) return disabled("no calibration yet");
+  const bool has_diameter = typed_length_mm(facts.state.calibration_form.sphere_diameter_mm) > 0.0;
+  return only_if(action == Action::kCheckOnPlane || has_diameter, "type its diameter");
+}
+
+ActionState calibrating_state(Action action, const Facts& facts) {
+  const auto& calibration = facts.view.calibration;
+  if (!calibration) return disabled("not of a recording");
+  if (action != Action::kCalibration && action != Action::kPlaceBefore)
+    return begin_state(action, *calibration, facts);
+  if (action == Action::kCalibration) {
+    if (facts.is(ScanPhase::kFinishing)) return disabled("finishing");
+    const bool is_open = facts.state.dialog == Dialog::kCalibration;
+    return is_open && calibration->running ? disabled("running") : enabled();
+  }
+  if (!calibration->running) return disabled("while calibrating");
+  const CalibrationStep step = calibration->running->step;
+  const bool waits = step == CalibrationStep::kTarget || step == CalibrationStep::kRefused;
+  return only_if(waits && place_before(*calibration->running), "nothing taken");
 }
 
 ActionState devices_state(Action action, const Facts& facts) {
@@ -200,6 +247,10 @@ ActionState program_state(Action action, const Facts& facts) {
     case Action::kCancel:
       return cancel_state(facts);
     case Action::kConfirm:
+      if (facts.state.dialog == Dialog::kCalibration && facts.view.calibration) {
+        const std::string why = why_not_confirmed(*facts.view.calibration);
+        return why.empty() ? enabled() : disabled(why);
+      }
       return only_if(can_confirm(facts), "nothing to confirm");
     default:
       return enabled();
@@ -228,6 +279,14 @@ bool works_behind(Dialog dialog, Action action) {
       return dialog == Dialog::kDevices || dialog == Dialog::kSettings;
     case Action::kCheckDevices:
       return dialog == Dialog::kDevices;
+    case Action::kCalibration:
+      return dialog == Dialog::kCalibration || dialog == Dialog::kDevices ||
+             dialog == Dialog::kSettings;
+    case Action::kCalibrate:
+    case Action::kCheckOnPlane:
+    case Action::kCheckOnSphere:
+    case Action::kPlaceBefore:
+      return dialog == Dialog::kCalibration;
     default:
       return false;
   }
@@ -243,6 +302,8 @@ ActionState state_by_group(Action action, const Facts& facts) {
       return looking_state(action, facts);
     case ActionGroup::kHand:
       return hand_state(action, facts);
+    case ActionGroup::kCalibrating:
+      return calibrating_state(action, facts);
     case ActionGroup::kProgram:
       break;
   }

@@ -11,6 +11,7 @@
 
 #include "core/interchange/case_file.h"
 #include "core/pipeline/scan_snapshot.h"
+#include "ui/calibration_state.h"
 #include "ui/devices_state.h"
 
 namespace flytri::ui {
@@ -108,8 +109,9 @@ struct AppView {
   ExportState exports;
   std::vector<Measurement> measurements;  ///< of the current stage
   Settings settings;
-  std::vector<Notice> notices;          ///< the latest last
-  std::optional<DevicesState> devices;  ///< of a rig; none: the frames come from elsewhere
+  std::vector<Notice> notices;                  ///< the latest last
+  std::optional<DevicesState> devices;          ///< of a rig; none: the frames come from elsewhere
+  std::optional<CalibrationState> calibration;  ///< none: of a recording, whose sensor is not here
 };
 
 }  // namespace flytri::ui

@@ -65,6 +65,8 @@ void draw_dialog(const PanelContext& context) {
       return draw_settings_dialog(context);
     case Dialog::kDevices:
       return draw_device_panel(context);
+    case Dialog::kCalibration:
+      return draw_calibration_panel(context);
     case Dialog::kNone:
       break;
   }

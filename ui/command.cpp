@@ -29,6 +29,11 @@ std::string_view name_of(const Command& command) {
       "PointHand",
       "ChangeSettings",
       "CheckDevices",
+      "BeginCalibration",
+      "TakeCalibrationImages",
+      "RetakeCalibrationPlace",
+      "UseCalibration",
+      "EndCalibration",
       "Tell",
       "Quit"};
   return kNames[command.index()];

@@ -80,6 +80,22 @@ struct ChangeSettings {
 };
 /// Looks at the devices anew, and starts those that could not be started before.
 struct CheckDevices {};
+/// Scanning pauses, and the sensor is handed to the task.
+struct BeginCalibration {
+  CalibrationTask task = CalibrationTask::kCalibrate;
+  std::string folder;               ///< of a calibration: where it is kept, or goes on
+  double sphere_diameter_mm = 0.0;  ///< of a check on a sphere, > 0
+};
+/// Takes the images of the place that is wanted.
+struct TakeCalibrationImages {};
+/// A place is wanted again.
+struct RetakeCalibrationPlace {
+  std::size_t index = 0;  ///< in RunningCalibration::places
+};
+/// Scans are made with the new calibration from now on.
+struct UseCalibration {};
+/// Ends the task, done or not, and gives the sensor back. What is on disk stays there.
+struct EndCalibration {};
 /// Words that came over the control channel for the program itself, such as a test's "lose source".
 struct Tell {
   std::string words;
@@ -90,7 +106,8 @@ using Command =
     std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement, RemoveMeasurement,
                  Finish, CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, NewCase,
                  OpenCase, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
-                 ChangeSettings, CheckDevices, Tell, Quit>;
+                 ChangeSettings, CheckDevices, BeginCalibration, TakeCalibrationImages,
+                 RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

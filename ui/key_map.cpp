@@ -13,6 +13,7 @@ constexpr auto kScanning = ActionGroup::kScanning;
 constexpr auto kEditing = ActionGroup::kEditing;
 constexpr auto kLooking = ActionGroup::kLooking;
 constexpr auto kHand = ActionGroup::kHand;
+constexpr auto kCalibrating = ActionGroup::kCalibrating;
 constexpr auto kProgram = ActionGroup::kProgram;
 constexpr int kControl = GLFW_MOD_CONTROL;
 constexpr int kShift = GLFW_MOD_SHIFT;
@@ -78,6 +79,17 @@ constexpr std::array kBindings = {
     KeyBinding{Action::kTakeAway, kHand, "take_away", "Take the sensor away", GLFW_KEY_A, 0, "A",
                false},
 
+    KeyBinding{Action::kCalibration, kCalibrating, "calibration", "Calibration", GLFW_KEY_C, 0, "C",
+               false},
+    KeyBinding{Action::kCalibrate, kCalibrating, "calibrate", "Calibrate the sensor", GLFW_KEY_V, 0,
+               "V", false},
+    KeyBinding{Action::kCheckOnPlane, kCalibrating, "check_on_plane", "Check on a plane",
+               GLFW_KEY_P, 0, "P", false},
+    KeyBinding{Action::kCheckOnSphere, kCalibrating, "check_on_sphere", "Check on a sphere",
+               GLFW_KEY_G, 0, "G", false},
+    KeyBinding{Action::kPlaceBefore, kCalibrating, "place_before", "Last place again",
+               GLFW_KEY_BACKSPACE, 0, "Backspace", false},
+
     KeyBinding{Action::kExport, kProgram, "export", "Export", GLFW_KEY_E, 0, "E", false},
     KeyBinding{Action::kCase, kProgram, "case", "Cases", GLFW_KEY_D, 0, "D", false},
     KeyBinding{Action::kSettings, kProgram, "settings", "Settings", GLFW_KEY_S, 0, "S", false},
@@ -108,6 +120,8 @@ std::string_view to_string(ActionGroup group) {
       return "Looking";
     case ActionGroup::kHand:
       return "Hand and arrows";
+    case ActionGroup::kCalibrating:
+      return "Calibrating";
     case ActionGroup::kProgram:
       break;
   }

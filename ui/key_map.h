@@ -26,6 +26,11 @@ enum class Action {
   kSettings,
   kDevices,
   kCheckDevices,
+  kCalibration,
+  kCalibrate,
+  kCheckOnPlane,
+  kCheckOnSphere,
+  kPlaceBefore,
   kHelp,
   kCancel,
   kConfirm,
@@ -67,7 +72,7 @@ enum class Action {
 };
 
 /// Where an action stands in the list of keys.
-enum class ActionGroup { kScanning, kEditing, kLooking, kHand, kProgram };
+enum class ActionGroup { kScanning, kEditing, kLooking, kHand, kCalibrating, kProgram };
 [[nodiscard]] std::string_view to_string(ActionGroup group);
 
 /// A row of the table.

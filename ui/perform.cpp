@@ -81,7 +81,9 @@ struct Performance {
   }
 
   void cancel() const {
-    if (state.dialog != Dialog::kNone) {
+    if (state.dialog == Dialog::kCalibration && is_calibrating()) {
+      commands.emplace_back(EndCalibration{});
+    } else if (state.dialog != Dialog::kNone) {
       state.dialog = Dialog::kNone;
     } else if (state.tool != Tool::kNone) {
       toggle_tool(state.tool);
@@ -93,6 +95,11 @@ struct Performance {
   }
 
   void confirm() const {
+    if (state.dialog == Dialog::kCalibration) {
+      const bool is_done = view.calibration->running->step == CalibrationStep::kDone;
+      commands.push_back(is_done ? Command(UseCalibration{}) : Command(TakeCalibrationImages{}));
+      return;
+    }
     if (state.dialog == Dialog::kExport) {
       // Stays open: it shows what was written.
       commands.emplace_back(export_asked(state.export_form));
@@ -262,6 +269,32 @@ struct Performance {
     change(settings);
   }
 
+  [[nodiscard]] bool is_calibrating() const {
+    return view.calibration.has_value() && view.calibration->running.has_value();
+  }
+
+  void begin_calibration(CalibrationTask task) const {
+    const CalibrationForm& form = state.calibration_form;
+    commands.emplace_back(BeginCalibration{task,
+                                           form.is_edited ? form.folder : view.calibration->folder,
+                                           typed_length_mm(form.sphere_diameter_mm).value_or(0.0)});
+  }
+
+  void calibrating(Action action) const {
+    switch (action) {
+      case Action::kCalibration:
+        return toggle_dialog(Dialog::kCalibration);
+      case Action::kCalibrate:
+        return begin_calibration(CalibrationTask::kCalibrate);
+      case Action::kCheckOnPlane:
+        return begin_calibration(CalibrationTask::kCheckOnPlane);
+      case Action::kCheckOnSphere:
+        return begin_calibration(CalibrationTask::kCheckOnSphere);
+      default:
+        commands.emplace_back(RetakeCalibrationPlace{*place_before(*view.calibration->running)});
+    }
+  }
+
   void program(Action action) const {
     switch (action) {
       case Action::kExport:
@@ -308,6 +341,8 @@ void perform(Action action, const AppView& view, WindowState& state,
       return performance.looking(action);
     case ActionGroup::kHand:
       return performance.hand(action);
+    case ActionGroup::kCalibrating:
+      return performance.calibrating(action);
     case ActionGroup::kProgram:
       return performance.program(action);
   }

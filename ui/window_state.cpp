@@ -1,5 +1,7 @@
 #include "ui/window_state.h"
 
+#include <charconv>
+
 namespace flytri::ui {
 
 std::string_view to_string(Tool tool) {
@@ -30,6 +32,8 @@ std::string_view to_string(Dialog dialog) {
       return "settings";
     case Dialog::kDevices:
       return "devices";
+    case Dialog::kCalibration:
+      return "calibration";
     case Dialog::kNone:
       break;
   }
@@ -48,6 +52,14 @@ std::string_view to_string(ColorMode mode) {
       break;
   }
   return "shading";
+}
+
+std::optional<double> typed_length_mm(const std::string& text) {
+  double length_mm = 0.0;
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, length_mm);
+  if (read.ec != std::errc() || read.ptr != end || !(length_mm > 0.0)) return std::nullopt;
+  return length_mm;
 }
 
 }  // namespace flytri::ui

@@ -27,7 +27,7 @@ enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure };
   return tool == Tool::kUnlock ? EditKind::kUnlock : EditKind::kTrim;
 }
 
-enum class Dialog { kNone, kHelp, kExport, kCase, kSettings, kDevices };
+enum class Dialog { kNone, kHelp, kExport, kCase, kSettings, kDevices, kCalibration };
 [[nodiscard]] std::string_view to_string(Dialog dialog);
 [[nodiscard]] std::string_view to_string(ColorMode mode);
 
@@ -66,6 +66,15 @@ struct CaseForm {
   bool is_path_edited = false;  ///< else the path of a new case is proposed from its fields
 };
 
+struct CalibrationForm {
+  std::string folder;
+  bool is_edited = false;  ///< else the folder is the one proposed
+  std::string sphere_diameter_mm = "10";
+};
+
+/// What was typed as a length; none where it is no length.
+[[nodiscard]] std::optional<double> typed_length_mm(const std::string& text);
+
 /// A notice while it shows.
 struct ShownNotice {
   Notice notice;
@@ -83,6 +92,7 @@ struct WindowState {
   Dialog dialog = Dialog::kNone;
   ExportForm export_form;
   CaseForm case_form;
+  CalibrationForm calibration_form;
   std::vector<ShownNotice> toasts;
   std::uint64_t latest_notice = 0;
   double frame_s = 0.0;  ///< between the latest two frames

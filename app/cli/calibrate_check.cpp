@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
 
 #include "app/cli/chair_dialog.h"
@@ -13,18 +12,6 @@
 
 namespace flytri::cli {
 namespace {
-
-/// Where the object is asked for, as shares of the volume's depth.
-struct Place {
-  double depth_share;
-  const char* words;
-};
-constexpr std::array<Place, 6> kPlaces = {{{0.0, "in the middle of the volume"},
-                                           {-0.3, "near"},
-                                           {0.3, "far"},
-                                           {0.1, "in the middle, tilted to the left"},
-                                           {-0.1, "in the middle, tilted upwards"},
-                                           {0.2, "a little farther, tilted to the right"}}};
 
 void print(const HoldReport& report) {
   constexpr double kMicrons = 1e3;
@@ -44,11 +31,12 @@ Result<std::vector<HoldPose>> take_poses(const CalibrateCheckArguments& argument
   if (auto started = (*source)->start(); !started) return tl::unexpected(started.error());
   Prompt prompt(progress);
   std::vector<HoldPose> poses;
-  while (poses.size() < kPlaces.size()) {
-    const Place& place = kPlaces[poses.size()];
+  const auto places = hold_places();
+  while (poses.size() < places.size()) {
+    const HoldPlace& place = places[poses.size()];
     const auto line = prompt.ask(
         fmt::format("{} of {}: put the {} {} and let it rest, then press Enter. ", poses.size() + 1,
-                    kPlaces.size(), arguments.sphere_mm > 0.0 ? "sphere" : "plane", place.words));
+                    places.size(), arguments.sphere_mm > 0.0 ? "sphere" : "plane", place.words));
     if (!line) return stopped();
     fmt::print("\n");
     auto pose = take_hold_pose(**source, place.depth_share * calibration.volume.size_mm.z(),

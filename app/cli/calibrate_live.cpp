@@ -12,8 +12,6 @@
 namespace flytri::cli {
 namespace {
 
-constexpr int kPlanes = 17;  // a millimetre apart in a volume 15 mm deep
-
 bool says_anything(const PlanArguments& arguments) {
   return arguments.sensor != PlanArguments{}.sensor || !arguments.volume_mm.empty() ||
          !arguments.lines.empty() || !arguments.dots_mm.empty() || arguments.planes > 0 ||
@@ -28,7 +26,7 @@ CalibrationPlan make_plan(const PlanArguments& arguments) {
   }
   if (const auto& dots = arguments.dots_mm; !dots.empty())
     sensor.dots = {dots[0], dots[1], dots[2]};
-  CalibrationPlan plan = plan_of(sensor, arguments.planes > 0 ? arguments.planes : kPlanes);
+  CalibrationPlan plan = plan_of(sensor, arguments.planes > 0 ? arguments.planes : kUsualPlanes);
   if (const auto& lines = arguments.lines; !lines.empty()) plan.line_counts = {lines[0], lines[1]};
   if (arguments.by_target) plan.order = PlacementOrder::kByTarget;
   return plan;

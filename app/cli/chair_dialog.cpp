@@ -33,9 +33,8 @@ Choice understand(const std::optional<std::string>& line, std::size_t plane_coun
 }
 
 std::string describe(const WantedShot& shot, const GuidedCalibration& guide) {
-  const bool dots = shot.place.face == TargetFace::kDots;
   return fmt::format("{} of {}: put the {} at z = {:+.2f} mm (plane {}).", shot.placement + 1,
-                     guide.placements().size(), dots ? "dot target" : "white plane", shot.z_mm,
+                     guide.placements().size(), to_string(shot.place.face), shot.z_mm,
                      shot.place.plane + 1);
 }
 

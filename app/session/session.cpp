@@ -5,6 +5,7 @@
 #include <ctime>
 #include <utility>
 
+#include "app/session/calibration_files.h"
 #include "app/session/export_files.h"
 #include "app/session/settings_file.h"
 #include "app/session/user_folders.h"
@@ -28,12 +29,14 @@ Session::Session(SessionOptions options)
   options_.scan.now_s = machine_clock().now_s;
   exports_.folder = documents_folder().string();
   exports_.name = "jaw";
+  calibration_folder_ = propose_calibration_folder(data_folder() / "calibrations");
   open_chosen_source();
   list_cases();
 }
 
 Session::~Session() {
   beside_.cancel();
+  desk_.reset();
   capture_.reset();
   router_->set_scan(nullptr);
   beside_thread_.stop();
@@ -76,6 +79,7 @@ void Session::use_source(Source source) {
 
 void Session::start_capture() {
   capture_.reset();
+  if (desk_ != nullptr || is_desk_closing_) return;
   router_->begin_sensor();
   capture_ = std::make_unique<CaptureLoop>(
       source_.sensor, [router = router_](Frame frame) { router->offer(std::move(frame)); });
@@ -378,6 +382,10 @@ ui::SourceState Session::source_state() const {
     return state;
   }
   state.name = source_.sensor->name();
+  if (capture_ == nullptr) {
+    state.message = "The sensor is being calibrated";
+    return state;
+  }
   const SensorStatus status = capture_->status();
   state.is_running = status.state == SensorState::kRunning;
   state.is_lost = status.state == SensorState::kLost || status.state == SensorState::kFailed;
@@ -416,6 +424,7 @@ ui::AppView Session::view() {
   }
   view.source = source_state();
   view.devices = devices_state(view.source);
+  view.calibration = calibration_state();
   view.exports = export_state(view.scan.get());
   view.file = case_state();
   view.measurements = measurements_[stage_];

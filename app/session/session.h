@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/calibration_desk.h"
 #include "app/session/case_store.h"
 #include "app/session/frame_router.h"
 #include "app/session/source.h"
@@ -66,6 +67,11 @@ class Session {
   void handle(const ui::PointHand& command);
   void handle(const ui::ChangeSettings& command);
   void handle(const ui::CheckDevices&);
+  void handle(const ui::BeginCalibration& command);
+  void handle(const ui::TakeCalibrationImages&);
+  void handle(const ui::RetakeCalibrationPlace& command);
+  void handle(const ui::UseCalibration&);
+  void handle(const ui::EndCalibration&);
   void handle(const ui::Tell& command);
   void handle(const ui::Quit&) { is_closing_ = true; }
 
@@ -76,6 +82,8 @@ class Session {
   void start_capture();
   /// What could not be opened or started is tried again.
   void retry_source();
+  /// Ends the calibration desk beside, and then, when the devices are free, goes on.
+  void close_desk(std::function<void()> then);
   void show_stage();
   void use_stage(std::size_t stage, const OpenedStage& opened);
   void use_case(std::shared_ptr<CaseStore> store);
@@ -85,6 +93,9 @@ class Session {
   void notice(ui::Severity severity, std::string text);
   [[nodiscard]] ui::SourceState source_state() const;
   [[nodiscard]] std::optional<ui::DevicesState> devices_state(const ui::SourceState& source) const;
+  [[nodiscard]] std::optional<ui::CalibrationState> calibration_state() const;
+  /// Why scans cannot be made with a new calibration now; empty: they can.
+  [[nodiscard]] std::string why_calibration_is_not_used() const;
   [[nodiscard]] ui::ExportState export_state(const ScanSnapshot* shown) const;
   [[nodiscard]] ui::CaseState case_state() const;
 
@@ -93,7 +104,11 @@ class Session {
   bool is_started_ = false;  ///< the user wants to scan
   Source source_;
   std::string source_failure_;
-  ui::DevicesState devices_check_;  ///< of the latest check; devices are added by view()
+  ui::DevicesState devices_check_;            ///< of the latest check; devices are added by view()
+  std::filesystem::path calibration_folder_;  ///< proposed for the next calibration
+  /// While it is there the devices are its, and no frames are captured.
+  std::shared_ptr<CalibrationDesk> desk_;
+  bool is_desk_closing_ = false;
   std::shared_ptr<FrameRouter> router_ = std::make_shared<FrameRouter>();
   std::size_t stage_ = 0;
   std::array<std::shared_ptr<LiveScan>, kScanStages.size()> scans_;

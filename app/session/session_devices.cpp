@@ -6,7 +6,7 @@ namespace flytri {
 
 void Session::retry_source() {
   if (source_.sensor == nullptr) return open_chosen_source();
-  if (capture_->status().state == SensorState::kFailed) start_capture();
+  if (capture_ != nullptr && capture_->status().state == SensorState::kFailed) start_capture();
 }
 
 /// While the devices run they say themselves what is wrong: a look at them from outside would only

@@ -4,6 +4,10 @@
 
 namespace flytri {
 
+std::string_view to_string(TargetFace face) {
+  return face == TargetFace::kDots ? "dot target" : "white plane";
+}
+
 std::string_view to_string(ShotKind kind) {
   switch (kind) {
     case ShotKind::kDark:

@@ -18,6 +18,8 @@ enum class TargetFace { kWhitePlane, kDots };
 /// camera, both in the flash.
 enum class ShotKind { kDark, kVertical, kHorizontal, kVerticalAgain, kDots, kDotsTexture };
 
+/// What a user calls it.
+[[nodiscard]] std::string_view to_string(TargetFace face);
 [[nodiscard]] std::string_view to_string(ShotKind kind);
 [[nodiscard]] TargetFace face_of(ShotKind kind);
 /// In the order in which they are taken.

@@ -1,18 +1,9 @@
 #include "core/pipeline/measure_view.h"
 
+#include "core/localization/outline.h"
+
 namespace flytri {
 namespace {
-
-/// Every few samples of a trace, for a picture of it.
-std::vector<Pixel> outline(const LineTrace& trace, Pattern pattern) {
-  constexpr std::size_t kStep = 4;
-  std::vector<Pixel> pixels;
-  for (std::size_t i = 0; i < trace.size(); i += kStep) {
-    pixels.push_back(
-        to_pixel(pattern, {static_cast<double>(trace[i].along_px), trace[i].across_px}));
-  }
-  return pixels;
-}
 
 Result<MeasuredView> measure_pattern(const Frame& frame, Pattern pattern,
                                      const Calibration& calibration,
@@ -28,7 +19,7 @@ Result<MeasuredView> measure_pattern(const Frame& frame, Pattern pattern,
   measured.view.time_s = frame.time_s;
   for (const LineTrace& trace : *traces) {
     measured.counts.localized += static_cast<int>(trace.size());
-    measured.lines.push_back(outline(trace, pattern));
+    measured.lines.push_back(outline_of(trace, pattern));
   }
   measured.counts.index = lines.counts;
   measured.counts.short_profiles = triangulation.short_profiles;

@@ -1,5 +1,6 @@
 #include "hw/chair/hold_shots.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +10,13 @@
 
 namespace flytri {
 namespace {
+
+constexpr std::array<HoldPlace, 6> kPlaces = {{{0.0, "in the middle of the volume"},
+                                               {-0.3, "near"},
+                                               {0.3, "far"},
+                                               {0.1, "in the middle, tilted to the left"},
+                                               {-0.1, "in the middle, tilted upwards"},
+                                               {0.2, "a little farther, tilted to the right"}}};
 
 double mean_depth_mm(const View& view) {
   double sum = 0.0, count = 0.0;
@@ -22,6 +30,8 @@ double mean_depth_mm(const View& view) {
 }
 
 }  // namespace
+
+std::span<const HoldPlace> hold_places() { return kPlaces; }
 
 Result<HoldPose> take_hold_pose(ShotSource& source, double z_mm, const Calibration& calibration,
                                 const Progress& progress) {

@@ -3,12 +3,22 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/calibrating/hold_report.h"
 #include "hw/chair/shot_source.h"
 
 namespace flytri {
+
+/// Where a user is asked to hold the object.
+struct HoldPlace {
+  double depth_share;  ///< -0.5..0.5 of the volume's depth
+  std::string_view words;
+};
+/// Near and far, upright and tilted: what the poses share shows only where they differ.
+[[nodiscard]] std::span<const HoldPlace> hold_places();
 
 /// The object where it is now, under both patterns and the first one again.
 /// @param z_mm  where it is to be, see ShotSource

@@ -50,8 +50,11 @@ class SimulatedShots final : public ShotSource {
   std::uint64_t stream_ = 0;
 };
 
+/// A millimeter apart in a volume 15 mm deep.
+inline constexpr int kUsualPlanes = 17;
+
 /// What a guided calibration of this sensor takes.
 /// @param plane_count  at equal distances through a little more than the volume
-[[nodiscard]] CalibrationPlan plan_of(const SensorModel& sensor, int plane_count);
+[[nodiscard]] CalibrationPlan plan_of(const SensorModel& sensor, int plane_count = kUsualPlanes);
 
 }  // namespace flytri

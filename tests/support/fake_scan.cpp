@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "tests/support/fake_calibration.h"
 #include "tests/support/fake_devices.h"
 #include "tests/support/fake_jaw.h"
 
@@ -12,9 +13,10 @@ namespace {
 
 using ui::AppView;
 
-constexpr std::array<std::string_view, 13> kStates = {
-    "ready",    "preview", "scanning",  "near",       "paused",  "lost",         "finishing",
-    "finished", "failed",  "no_sensor", "empty_case", "devices", "devices_wrong"};
+constexpr std::array<std::string_view, 18> kStates = {
+    "ready",         "preview",     "scanning",     "near",        "paused",     "lost",
+    "finishing",     "finished",    "failed",       "no_sensor",   "empty_case", "devices",
+    "devices_wrong", "calibrating", "shot_refused", "set_refused", "calibrated", "check_broken"};
 
 /// What all states have in common: a case, a simulated sensor, two older cases.
 AppView ordinary_view() {
@@ -30,6 +32,9 @@ AppView ordinary_view() {
   view.source.name = "Simulated sensor, 20 x 15 x 15 mm";
   view.source.is_running = true;
   view.source.hand = ui::SimulatedHand{};
+  view.calibration =
+      ui::CalibrationState{"/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214", true,
+                           "the virtual sensor has its own", std::nullopt};
   view.exports.folder = "/home/clinic/exports";
   view.exports.name = "Rivera-2031-upper";
   return view;
@@ -198,6 +203,13 @@ struct FakeScan::Parts {
     return view;
   }
 
+  [[nodiscard]] AppView calibrating(ui::RunningCalibration running) const {
+    AppView view = with_devices(running_devices());
+    view.calibration->why_not_used.clear();
+    view.calibration->running = std::move(running);
+    return view;
+  }
+
   [[nodiscard]] static AppView ready() {
     AppView view = ordinary_view();
     view.stage_has_data = {};
@@ -233,7 +245,12 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
       [&] { return parts.no_sensor(); },
       [] { return Parts::without_case(); },
       [&] { return parts.with_devices(running_devices()); },
-      [&] { return parts.with_faulty_devices(); }};
+      [&] { return parts.with_faulty_devices(); },
+      [&] { return parts.calibrating(waiting_calibration()); },
+      [&] { return parts.calibrating(refused_shot()); },
+      [&] { return parts.calibrating(refused_set()); },
+      [&] { return parts.calibrating(finished_calibration()); },
+      [&] { return parts.calibrating(broken_check()); }};
   const auto found = std::find(kStates.begin(), kStates.end(), state);
   if (found == kStates.end()) return std::nullopt;
   return makers[static_cast<std::size_t>(found - kStates.begin())]();

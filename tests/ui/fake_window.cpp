@@ -48,6 +48,9 @@ struct FakeProgram {
     if (const auto* follow = std::get_if<flytri::ui::FollowPath>(&command)) {
       if (view.source.hand) view.source.hand->follows_path = follow->follows;
     }
+    if (std::holds_alternative<flytri::ui::EndCalibration>(command) && view.calibration) {
+      view.calibration->running.reset();
+    }
     if (const auto* made = std::get_if<flytri::ui::NewCase>(&command)) view.file.path = made->path;
     if (std::holds_alternative<flytri::ui::Quit>(command)) is_running = false;
   }

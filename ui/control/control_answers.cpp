@@ -133,6 +133,15 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"camera", camera_as_json(state.view)},
       {"actions", actions_as_json(frame.view, state)},
       {"commands", commands_}};
+  if (const auto& calibration = frame.view.calibration; calibration && calibration->running) {
+    const RunningCalibration& running = *calibration->running;
+    const auto done = std::count_if(running.places.begin(), running.places.end(),
+                                    [](const CalibrationPlace& place) { return place.is_done; });
+    json["calibration"] = {{"step", to_string(running.step)},
+                           {"done", done},
+                           {"message", running.message},
+                           {"verdict", running.outcome.verdict}};
+  }
   if (state.selected_hole) json["selected_hole"] = *state.selected_hole;
   commands_.clear();
   // Text that is not UTF-8 must not end the program.

@@ -50,13 +50,6 @@ void draw_figures(const PanelContext& context, Rect row, const std::vector<Devic
   }
 }
 
-/// Messages of the devices begin small, as they often follow the name of a file.
-std::string sentence(std::string message) {
-  if (!message.empty() && message.front() >= 'a' && message.front() <= 'z')
-    message.front() = static_cast<char>(message.front() - 'a' + 'A');
-  return message;
-}
-
 /// @return  false: it does not fit whole into what is left, and half a remedy misleads
 bool draw_problem(const PanelContext& context, Rect& rest, const std::string& problem) {
   ImFont* font = context.theme.fonts.body;

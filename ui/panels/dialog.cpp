@@ -39,13 +39,14 @@ void draw_close(const PanelContext& context, const Rect& box) {
 
 }  // namespace
 
-DialogPlate::DialogPlate(const PanelContext& context, const char* title, const ImVec2& size)
+DialogPlate::DialogPlate(const PanelContext& context, const char* title, const ImVec2& size,
+                         ClickBeside beside)
     : plate_("dialog", context.layout.window, {Layer::kDialog, kShade, 0.0F}) {
   const Rect box = dialog_box(context, size);
   context.places.set("dialog", box);
   draw_box(box, kPanel, context.px(12.0F));
   draw_outline(box, kHairline, context.px(1.0F), context.px(12.0F));
-  close_by_click(context, box);
+  if (beside == ClickBeside::kCloses) close_by_click(context, box);
   rest = box.inset(context.px(kGapL));
   Rect head = rest.take_top(context.px(kTitle), context.px(kGapM));
   draw_close(context, head.take_right(context.px(40.0F)).inset(0.0F, context.px(-4.0F)));

@@ -7,11 +7,15 @@
 
 namespace flytri::ui {
 
-/// Shades the window and opens a plate in its middle; a click beside it closes the dialog.
+/// kNothing: of a dialog whose end ends something that took work.
+enum class ClickBeside { kCloses, kNothing };
+
+/// Shades the window and opens a plate in its middle.
 class DialogPlate {
  public:
   /// @param size  in units; cut to the window
-  DialogPlate(const PanelContext& context, const char* title, const ImVec2& size);
+  DialogPlate(const PanelContext& context, const char* title, const ImVec2& size,
+              ClickBeside beside = ClickBeside::kCloses);
 
   /// What is left below the title, within the margins; dialogs cut it up.
   Rect rest;

@@ -72,6 +72,7 @@ void draw_help_dialog(const PanelContext& context) {
   draw_group(context, second, row, ActionGroup::kLooking);
   draw_group(context, second, row, ActionGroup::kProgram);
   draw_group(context, third, row, ActionGroup::kHand);
+  draw_group(context, third, row, ActionGroup::kCalibrating);
 }
 
 }  // namespace flytri::ui

@@ -19,6 +19,7 @@ namespace flytri::ui {
 /// Images of the window in graphics memory.
 struct Pictures {
   CameraPicture live, stored;
+  CameraPicture target;                   ///< of the calibration panel
   std::array<ExposedPicture, 3> exposed;  ///< vertical, horizontal, flash: of the device panel
   SceneImage scene;
 };

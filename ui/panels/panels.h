@@ -31,5 +31,6 @@ void draw_export_dialog(const PanelContext& context);
 void draw_case_dialog(const PanelContext& context);
 void draw_settings_dialog(const PanelContext& context);
 void draw_device_panel(const PanelContext& context);
+void draw_calibration_panel(const PanelContext& context);
 
 }  // namespace flytri::ui

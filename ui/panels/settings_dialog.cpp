@@ -36,13 +36,20 @@ void draw_devices(const PanelContext& context, Rect row) {
   draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Cameras and lights");
 }
 
+void draw_calibration(const PanelContext& context, Rect row) {
+  small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
+               Action::kCalibration, {icon::kTarget, "Show"});
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Calibration of the sensor");
+}
+
 }  // namespace
 
 void draw_settings_dialog(const PanelContext& context) {
-  DialogPlate dialog(context, "Settings", {560.0F, 264.0F});
+  DialogPlate dialog(context, "Settings", {560.0F, 320.0F});
   draw_size(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_devices(context, dialog.rest.take_top(context.px(kSettingsRow)));
+  draw_devices(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
+  draw_calibration(context, dialog.rest.take_top(context.px(kSettingsRow)));
 }
 
 }  // namespace flytri::ui

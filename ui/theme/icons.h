@@ -31,6 +31,7 @@ inline constexpr const char* kMuted = "\xef\x80\xa6";        ///< volume-off, F0
 inline constexpr const char* kHand = "\xef\x89\x96";         ///< hand-paper, F256
 inline constexpr const char* kPath = "\xef\x80\x98";         ///< road, F018
 inline constexpr const char* kTrash = "\xef\x87\xb8";        ///< trash, F1F8
+inline constexpr const char* kTarget = "\xef\x81\x9b";       ///< crosshairs, F05B
 inline constexpr const char* kDevice = "\xef\x80\xb0";       ///< camera, F030
 }  // namespace icon
 

@@ -63,6 +63,12 @@ float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view tex
   return wrapped_height(style.font, box.width, text);
 }
 
+std::string sentence(std::string message) {
+  if (!message.empty() && message.front() >= 'a' && message.front() <= 'z')
+    message.front() = static_cast<char>(message.front() - 'a' + 'A');
+  return message;
+}
+
 void draw_box(const Rect& box, const Color& color, float rounding) {
   ImGui::GetWindowDrawList()->AddRectFilled(box.min(), box.max(), to_u32(color), rounding);
 }

@@ -28,6 +28,10 @@ float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view tex
 /// The text, or as much of it as goes into the width with dots after it.
 [[nodiscard]] std::string elided(ImFont* font, float width, std::string_view text);
 
+/// Messages of the devices begin small, as they often follow the name of a file; in a paragraph of
+/// their own they begin large.
+[[nodiscard]] std::string sentence(std::string message);
+
 /// A filled box with round corners.
 void draw_box(const Rect& box, const Color& color, float rounding = 0.0F);
 void draw_outline(const Rect& box, const Color& color, float thickness, float rounding = 0.0F);

@@ -1,0 +1,163 @@
+#include "app/session/calibration_desk.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "core/localization/localize.h"
+#include "core/localization/outline.h"
+
+namespace flytri {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Between two looks: the thread rests as long as a look took, and at least so long.
+constexpr std::chrono::milliseconds kRest{30};
+
+/// What the window shows of an image: lines that are found are drawn over it.
+std::shared_ptr<const LiveFrame> shown_frame(cv::Mat image, ShotKind kind) {
+  auto shown = std::make_shared<LiveFrame>();
+  shown->frame.image = std::move(image);
+  if (kind != ShotKind::kVertical) return shown;
+  shown->frame.kind = FrameKind::kVertical;
+  const auto traces = localize_lines(shown->frame.image, Pattern::kVertical, {});
+  if (!traces) return shown;
+  for (const LineTrace& trace : *traces) {
+    shown->lines.push_back(outline_of(trace, Pattern::kVertical));
+  }
+  return shown;
+}
+
+bool is_refusal(const Error& error) {
+  return error.code == ErrorCode::kInconsistent || error.code == ErrorCode::kInsufficient;
+}
+
+}  // namespace
+
+CalibrationDesk::CalibrationDesk(DeskJob job) : job_(std::move(job)) {
+  state_.task = job_.task;
+  state_.folder = job_.folder.string();
+  thread_.post([this] { open(); });
+}
+
+CalibrationDesk::~CalibrationDesk() {
+  progress_.cancel();
+  thread_.stop();
+  if (source_ != nullptr) source_->stop();
+}
+
+ui::RunningCalibration CalibrationDesk::state() const {
+  const std::lock_guard lock(mutex_);
+  ui::RunningCalibration state = state_;
+  state.computed_share = progress_.snapshot().fraction;
+  return state;
+}
+
+void CalibrationDesk::change(const std::function<void(ui::RunningCalibration&)>& change) {
+  const std::lock_guard lock(mutex_);
+  change(state_);
+}
+
+void CalibrationDesk::take() {
+  const std::lock_guard lock(mutex_);
+  if (state_.step != ui::CalibrationStep::kTarget || is_asked_) return;
+  is_asked_ = true;
+  state_.shots.clear();
+  state_.message.clear();
+  state_.step = ui::CalibrationStep::kTaking;
+  thread_.post([this] { take_images(); });
+}
+
+void CalibrationDesk::retake(std::size_t place) {
+  const std::lock_guard lock(mutex_);
+  const bool waits =
+      state_.step == ui::CalibrationStep::kTarget || state_.step == ui::CalibrationStep::kRefused;
+  if (!waits || is_asked_ || place >= state_.places.size() || !state_.places[place].is_done) return;
+  is_asked_ = true;
+  thread_.post([this, place] { reopen(place); });
+}
+
+void CalibrationDesk::open() {
+  auto source = job_.open_source();
+  if (!source) return fail(source.error());
+  source_ = *std::move(source);
+  auto work = job_.begin_work(source_);
+  if (!work) return fail(work.error());
+  work_ = *std::move(work);
+  if (auto started = source_->start(); !started) return fail(started.error());
+  go_on();
+  thread_.post([this] { look(); });
+}
+
+void CalibrationDesk::go_on() {
+  change([this](ui::RunningCalibration& state) {
+    is_asked_ = false;
+    state.places = work_->places();
+    state.wanted = work_->wanted();
+    state.step = state.wanted ? ui::CalibrationStep::kTarget : ui::CalibrationStep::kComputing;
+  });
+  if (!work_->wanted()) conclude();
+}
+
+/// Shows what the camera sees while somebody puts the target into place, again and again.
+void CalibrationDesk::look() {
+  if (progress_.cancelled()) return;
+  const ui::CalibrationStep step = state().step;
+  if (step == ui::CalibrationStep::kDone || step == ui::CalibrationStep::kFailed) return;
+  const auto begun = Clock::now();
+  if (step == ui::CalibrationStep::kTarget) {
+    const CalibrationWork::Look wanted = work_->look();
+    auto image = source_->look(wanted.kind, wanted.z_mm, progress_);
+    if (!image) return fail(image.error());
+    auto shown = shown_frame(*std::move(image), wanted.kind);
+    change([&](ui::RunningCalibration& state) { state.image = std::move(shown); });
+  }
+  std::this_thread::sleep_for(std::max<Clock::duration>(kRest, Clock::now() - begun));
+  thread_.post([this] { look(); });
+}
+
+void CalibrationDesk::take_images() {
+  const auto tell = [this](ui::JudgedShot shot) {
+    change([&](ui::RunningCalibration& state) { state.shots.push_back(std::move(shot)); });
+  };
+  if (auto taken = work_->take(tell, progress_); !taken) return fail(taken.error());
+  go_on();
+}
+
+void CalibrationDesk::reopen(std::size_t place) {
+  if (auto reopened = work_->reopen(place); !reopened) return fail(reopened.error());
+  change([](ui::RunningCalibration& state) {
+    state.shots.clear();
+    state.message.clear();
+  });
+  go_on();
+}
+
+void CalibrationDesk::conclude() {
+  auto outcome = work_->conclude(progress_);
+  if (!outcome && !is_refusal(outcome.error())) return fail(outcome.error());
+  if (outcome) source_->stop();
+  change([&](ui::RunningCalibration& state) {
+    state.shots.clear();
+    if (outcome) {
+      state.outcome = *std::move(outcome);
+      state.step = ui::CalibrationStep::kDone;
+    } else {
+      state.message = outcome.error().message;
+      state.step = ui::CalibrationStep::kRefused;
+    }
+  });
+}
+
+void CalibrationDesk::fail(const Error& error) {
+  if (source_ != nullptr) source_->stop();
+  change([&](ui::RunningCalibration& state) {
+    is_asked_ = false;
+    state.message = error.message;
+    state.step = ui::CalibrationStep::kFailed;
+  });
+}
+
+}  // namespace flytri

@@ -1,0 +1,210 @@
+#include "app/session/calibration_work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/calibrating/hold_check.h"
+#include "hw/chair/chair_session.h"
+#include "hw/chair/hold_shots.h"
+
+namespace flytri {
+namespace {
+
+constexpr double kMicrons = 1e3;
+
+ui::JudgedShot judged(const ShotOutcome& outcome) {
+  const ShotVerdict& verdict = outcome.verdict;
+  ui::JudgedShot shot{std::string(to_string(outcome.shot.kind)), verdict.good(), verdict.finding,
+                      std::string(remedy_of(verdict.fault))};
+  if (verdict.good() && verdict.figures.found > 0) {
+    shot.finding = fmt::format("{} found, brightness {:.0f} %", verdict.figures.found,
+                               100 * verdict.figures.brightness);
+  }
+  return shot;
+}
+
+/// A depth without a sign where it is none.
+std::string depth_text(double z_mm, int digits) {
+  return std::abs(z_mm) < 1e-9 ? fmt::format("{:.{}f}", 0.0, digits)
+                               : fmt::format("{:+.{}f}", z_mm, digits);
+}
+
+double worst_offset_mm(const std::vector<PlaneResidual>& planes) {
+  double worst_mm = 0.0;
+  for (const PlaneResidual& plane : planes) {
+    for (const double offset_mm : plane.offset_mm) {
+      worst_mm = std::max(worst_mm, std::abs(offset_mm));
+    }
+  }
+  return worst_mm;
+}
+
+class Calibrating final : public CalibrationWork {
+ public:
+  explicit Calibrating(ChairSession session) : session_(std::move(session)) {}
+
+  std::vector<ui::CalibrationPlace> places() const override {
+    const GuidedCalibration& guide = session_.guide();
+    std::vector<ui::CalibrationPlace> places;
+    for (std::size_t i = 0; i < guide.placements().size(); ++i) {
+      const Placement& placement = guide.placements()[i];
+      const double z_mm = guide.plan().z_mm[placement.plane];
+      places.push_back({std::string(to_string(placement.face)),
+                        fmt::format("at z = {} mm", depth_text(z_mm, 2)), depth_text(z_mm, 1),
+                        placement.plane, static_cast<std::size_t>(placement.face),
+                        guide.is_done(i)});
+    }
+    return places;
+  }
+
+  std::optional<std::size_t> wanted() const override {
+    const auto shot = session_.guide().wanted();
+    return shot ? std::optional(shot->placement) : std::nullopt;
+  }
+
+  Look look() const override {
+    const auto shot = session_.guide().wanted();
+    if (!shot) return {};
+    const bool is_white = shot->place.face == TargetFace::kWhitePlane;
+    return {is_white ? ShotKind::kVertical : ShotKind::kDots, shot->z_mm};
+  }
+
+  Result<void> take(const Tell& tell, const Progress& progress) override {
+    do {
+      const auto outcome = session_.shoot(progress);
+      if (!outcome) return tl::unexpected(outcome.error());
+      tell(judged(*outcome));
+    } while (session_.guide().wanted() && !session_.guide().wanted()->begins_placement);
+    return {};
+  }
+
+  Result<void> reopen(std::size_t place) override { return session_.reopen(place); }
+
+  Result<ui::CalibrationOutcome> conclude(const Progress& progress) override {
+    const auto fit = session_.finish(Workers(), progress);
+    if (!fit) return tl::unexpected(fit.error());
+    ui::CalibrationOutcome outcome;
+    outcome.is_good = true;
+    outcome.verdict = "The sensor is calibrated";
+    outcome.planes = fit->planes;
+    outcome.plane_limit_mm =
+        PlaneResidualOptions{}.max_offset_share * fit->calibration.volume.size_mm.z();
+    const auto rms_um = [&](Pattern pattern) {
+      return kMicrons * fit->calibration.of(pattern).depth_residual_mm.rms;
+    };
+    outcome.meanings = {
+        fmt::format("Single samples scatter by {:.1f} \u00b5m on vertical and {:.1f} \u00b5m on "
+                    "horizontal lines; no plane is farther than {:.1f} \u00b5m from its place.",
+                    rms_um(Pattern::kVertical), rms_um(Pattern::kHorizontal),
+                    kMicrons * worst_offset_mm(fit->planes)),
+        fmt::format("Written: {}", (session_.folder() / "calibration.json").string())};
+    return outcome;
+  }
+
+ private:
+  ChairSession session_;
+};
+
+class Checking final : public CalibrationWork {
+ public:
+  Checking(std::shared_ptr<const Calibration> calibration, std::optional<double> sphere_diameter_mm,
+           std::shared_ptr<ShotSource> source)
+      : calibration_(std::move(calibration)),
+        sphere_diameter_mm_(sphere_diameter_mm),
+        source_(std::move(source)),
+        poses_(hold_places().size()) {}
+
+  std::vector<ui::CalibrationPlace> places() const override {
+    std::vector<ui::CalibrationPlace> places;
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      places.push_back({sphere_diameter_mm_ ? "sphere" : "plane",
+                        std::string(hold_places()[i].words), fmt::format("{}", i + 1), i, 0,
+                        poses_[i].has_value()});
+    }
+    return places;
+  }
+
+  std::optional<std::size_t> wanted() const override {
+    const auto open = std::find(poses_.begin(), poses_.end(), std::nullopt);
+    if (open == poses_.end()) return std::nullopt;
+    return static_cast<std::size_t>(open - poses_.begin());
+  }
+
+  Look look() const override { return {ShotKind::kVertical, depth_mm(wanted().value_or(0))}; }
+
+  Result<void> take(const Tell& tell, const Progress& progress) override {
+    const std::size_t place = *wanted();
+    auto pose = take_hold_pose(*source_, depth_mm(place), *calibration_, progress);
+    const std::string name = fmt::format("place {}", place + 1);
+    if (pose) {
+      poses_[place] = *std::move(pose);
+      tell({name, true, "at rest", {}});
+      return {};
+    }
+    if (pose.error().code != ErrorCode::kInconsistent) return tl::unexpected(pose.error());
+    tell({name, false, pose.error().message, {}});
+    return {};
+  }
+
+  Result<void> reopen(std::size_t place) override {
+    poses_[place].reset();
+    return {};
+  }
+
+  Result<ui::CalibrationOutcome> conclude(const Progress& /*progress*/) override {
+    std::vector<HoldPose> poses;
+    for (const auto& pose : poses_) poses.push_back(*pose);
+    const auto report = sphere_diameter_mm_
+                            ? check_on_sphere(poses, *sphere_diameter_mm_, *calibration_)
+                            : check_on_plane(poses, *calibration_);
+    if (!report) return tl::unexpected(report.error());
+    ui::CalibrationOutcome outcome;
+    outcome.is_good = report->outcome == HoldOutcome::kHolds;
+    outcome.figures = report->figures;
+    outcome.meanings = report->meanings;
+    switch (report->outcome) {
+      case HoldOutcome::kHolds:
+        outcome.verdict = "The calibration holds";
+        break;
+      case HoldOutcome::kBroken:
+        outcome.verdict = "The calibration no longer holds";
+        outcome.meanings.emplace_back("Calibrate the sensor anew.");
+        break;
+      case HoldOutcome::kUnclear:
+        outcome.verdict = "No verdict";
+        outcome.meanings = {report->reason};
+    }
+    return outcome;
+  }
+
+ private:
+  double depth_mm(std::size_t place) const {
+    return hold_places()[place].depth_share * calibration_->volume.size_mm.z();
+  }
+
+  std::shared_ptr<const Calibration> calibration_;
+  std::optional<double> sphere_diameter_mm_;
+  std::shared_ptr<ShotSource> source_;
+  std::vector<std::optional<HoldPose>> poses_;  // by hold_places()
+};
+
+}  // namespace
+
+Result<std::unique_ptr<CalibrationWork>> calibrate_at_chair(const std::filesystem::path& folder,
+                                                            const CalibrationPlan& plan,
+                                                            std::shared_ptr<ShotSource> source) {
+  auto session = ChairSession::open(folder, plan, std::move(source));
+  if (!session) return tl::unexpected(session.error());
+  return std::make_unique<Calibrating>(*std::move(session));
+}
+
+std::unique_ptr<CalibrationWork> check_at_chair(std::shared_ptr<const Calibration> calibration,
+                                                std::optional<double> sphere_diameter_mm,
+                                                std::shared_ptr<ShotSource> source) {
+  return std::make_unique<Checking>(std::move(calibration), sphere_diameter_mm, std::move(source));
+}
+
+}  // namespace flytri

@@ -1,0 +1,167 @@
+#include "app/session/calibration_desk.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "core/interchange/calibration_file.h"
+#include "hw/chair/simulated_shots.h"
+#include "hw/simulated/sensor_calibration.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+using ::testing::HasSubstr;
+using ui::CalibrationStep;
+
+constexpr int kPlanes = 5;
+
+std::shared_ptr<SimulatedShots> make_shots() {
+  return SimulatedShots::create(intraoral_sensor()).value();
+}
+
+/// Devices that are gone when they are asked for an image.
+class GoneShots final : public ShotSource {
+ public:
+  Result<void> start() override { return {}; }
+  void stop() override { stops = true; }
+  Result<cv::Mat> take(ShotKind, double, const Progress&) override {
+    return flytri::fail(ErrorCode::kNotFound, "the camera is gone; plug it in again");
+  }
+  Result<cv::Mat> look(ShotKind kind, double z_mm, const Progress& progress) override {
+    return take(kind, z_mm, progress);
+  }
+  std::string name() const override { return "gone"; }
+
+  std::atomic<bool> stops = false;
+};
+
+DeskJob calibration_job(const std::filesystem::path& folder, std::shared_ptr<ShotSource> shots) {
+  DeskJob job;
+  job.folder = folder;
+  job.open_source = [shots] { return Result<std::shared_ptr<ShotSource>>(shots); };
+  job.begin_work = [folder](std::shared_ptr<ShotSource> source) {
+    return calibrate_at_chair(folder, plan_of(intraoral_sensor(), kPlanes), std::move(source));
+  };
+  return job;
+}
+
+/// Until the desk waits for the user; false after a minute.
+bool wait_until_it_waits(const CalibrationDesk& desk) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < end) {
+    const CalibrationStep step = desk.state().step;
+    if (step != CalibrationStep::kOpening && step != CalibrationStep::kTaking &&
+        step != CalibrationStep::kComputing)
+      return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+/// Takes places until the desk wants no more.
+void take_all(CalibrationDesk& desk) {
+  ASSERT_TRUE(wait_until_it_waits(desk));
+  for (std::size_t i = 0; i < 100 && desk.state().step == CalibrationStep::kTarget; ++i) {
+    desk.take();
+    ASSERT_TRUE(wait_until_it_waits(desk));
+  }
+}
+
+TEST(CalibrationDesk, GuidesThroughAllPlacesToACalibration) {
+  const TemporaryFolder folder;
+  CalibrationDesk desk(calibration_job(folder.path(), make_shots()));
+  ASSERT_TRUE(wait_until_it_waits(desk));
+  EXPECT_EQ(desk.state().places.size(), 2U * kPlanes);
+  EXPECT_EQ(desk.state().wanted, 0U);
+  take_all(desk);
+  const ui::RunningCalibration state = desk.state();
+  ASSERT_EQ(state.step, CalibrationStep::kDone) << state.message;
+  EXPECT_TRUE(state.outcome.is_good);
+  EXPECT_EQ(state.outcome.planes.size(), std::size_t(kPlanes));
+  EXPECT_TRUE(read_calibration(folder.path() / "calibration.json").has_value());
+}
+
+TEST(CalibrationDesk, ShowsWhatTheCameraSeesWithItsLines) {
+  const TemporaryFolder folder;
+  const CalibrationDesk desk(calibration_job(folder.path(), make_shots()));
+  ASSERT_TRUE(wait_until_it_waits(desk));
+  for (int i = 0; i < 500 && desk.state().image == nullptr; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const auto image = desk.state().image;
+  ASSERT_NE(image, nullptr);
+  EXPECT_GT(image->lines.size(), 5U);
+}
+
+TEST(CalibrationDesk, ARefusedShotIsToldAndItsPlaceStaysWanted) {
+  const TemporaryFolder folder;
+  const auto shots = make_shots();
+  SimulatedMishap mishap;
+  mishap.lights_swapped = true;
+  ASSERT_TRUE(shots->set_mishap(mishap));
+  CalibrationDesk desk(calibration_job(folder.path(), shots));
+  ASSERT_TRUE(wait_until_it_waits(desk));
+  desk.take();
+  ASSERT_TRUE(wait_until_it_waits(desk));
+  const ui::RunningCalibration state = desk.state();
+  EXPECT_EQ(state.step, CalibrationStep::kTarget);
+  EXPECT_EQ(state.wanted, 0U);
+  ASSERT_EQ(state.shots.size(), 2U);
+  EXPECT_TRUE(state.shots[0].is_good) << "dark";
+  EXPECT_FALSE(state.shots[1].is_good);
+  EXPECT_FALSE(state.shots[1].remedy.empty());
+}
+
+TEST(CalibrationDesk, APlaceIsTakenAgainWhereTheUserWantsIt) {
+  const TemporaryFolder folder;
+  CalibrationDesk desk(calibration_job(folder.path(), make_shots()));
+  ASSERT_TRUE(wait_until_it_waits(desk));
+  for (int i = 0; i < 3; ++i) {
+    desk.take();
+    ASSERT_TRUE(wait_until_it_waits(desk));
+  }
+  EXPECT_EQ(desk.state().wanted, 3U);
+  desk.retake(9);  // not taken yet: nothing happens
+  desk.retake(1);
+  for (int i = 0; i < 500 && desk.state().wanted != 1U; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(desk.state().wanted, 1U);
+  EXPECT_TRUE(desk.state().places[2].is_done);
+}
+
+TEST(CalibrationDesk, DevicesThatGoAreToldWithTheirRemedyAndLetGo) {
+  const TemporaryFolder folder;
+  const auto shots = std::make_shared<GoneShots>();
+  const CalibrationDesk desk(calibration_job(folder.path(), shots));
+  for (int i = 0; i < 500 && desk.state().step != CalibrationStep::kFailed; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(desk.state().step, CalibrationStep::kFailed);
+  EXPECT_THAT(desk.state().message, HasSubstr("plug it in again"));
+  EXPECT_TRUE(shots->stops) << "the lights are dark";
+}
+
+TEST(CalibrationDesk, ACheckOnAPlaneHoldsWithTheSensorsOwnCalibration) {
+  const TemporaryFolder folder;
+  const auto calibration = std::make_shared<const Calibration>(
+      kept_sensor_calibration(intraoral_sensor(), folder.path(), Workers(), {}).value());
+  DeskJob job;
+  job.task = ui::CalibrationTask::kCheckOnPlane;
+  job.open_source = [] { return Result<std::shared_ptr<ShotSource>>(make_shots()); };
+  job.begin_work =
+      [calibration](
+          std::shared_ptr<ShotSource> source) -> Result<std::unique_ptr<CalibrationWork>> {
+    return check_at_chair(calibration, std::nullopt, std::move(source));
+  };
+  CalibrationDesk desk(std::move(job));
+  take_all(desk);
+  const ui::RunningCalibration state = desk.state();
+  ASSERT_EQ(state.step, CalibrationStep::kDone) << state.message;
+  EXPECT_TRUE(state.outcome.is_good) << state.outcome.verdict;
+  EXPECT_FALSE(state.outcome.figures.empty());
+}
+
+}  // namespace
+}  // namespace flytri

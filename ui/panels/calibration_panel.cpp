@@ -1,0 +1,201 @@
+/// @file  Calibration at the chair: what to put where, what the camera sees of it, what was wrong.
+#include <fmt/format.h>
+
+#include "ui/panels/calibration_cards.h"
+#include "ui/panels/dialog.h"
+#include "ui/panels/panels.h"
+#include "ui/theme/icons.h"
+#include "ui/widgets/meter.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr float kChoiceRow = 76.0F;
+constexpr float kChoiceButton = 264.0F;
+constexpr float kButtonRow = 48.0F;
+constexpr float kImageShare = 0.48F;
+
+const char* title_of(CalibrationTask task) {
+  switch (task) {
+    case CalibrationTask::kCheckOnPlane:
+      return "Check on a plane";
+    case CalibrationTask::kCheckOnSphere:
+      return "Check on a sphere";
+    case CalibrationTask::kCalibrate:
+      break;
+  }
+  return "Calibrating the sensor";
+}
+
+struct Choice {
+  Action action;
+  const char* icon;
+  const char* label;
+  const char* purpose;
+};
+constexpr std::array<Choice, 3> kChoices = {
+    {{Action::kCalibrate, icon::kTarget, "Calibrate",
+      "A white plane and a dot target, moved through the volume. Needed once, and whenever a check "
+      "fails."},
+     {Action::kCheckOnPlane, icon::kFinish, "Check on a plane",
+      "A flat white plate at six places. Tells whether the calibration still holds, but not "
+      "whether its scale does."},
+     {Action::kCheckOnSphere, icon::kFinish, "Check on a sphere",
+      "A matt sphere of known diameter at six places. Tells about the scale, too."}}};
+
+void draw_choice(const PanelContext& context, Rect row, const Choice& choice) {
+  const Rect button = row.take_left(context.px(kChoiceButton), context.px(kGapM));
+  small_action(context, button.centered(button.width, context.px(56.0F)), choice.action,
+               {choice.icon, choice.label});
+  const ActionState standing = action_state(choice.action, context.view, context.state);
+  const std::string text =
+      standing.is_enabled ? choice.purpose : fmt::format("Not possible: {}.", standing.text);
+  const float height = wrapped_height(context.theme.fonts.body, row.width, text);
+  draw_wrapped(row.centered(row.width, height), {context.theme.fonts.body, kTextQuiet}, text);
+}
+
+void draw_choices(const PanelContext& context) {
+  CalibrationForm& form = context.state.calibration_form;
+  if (!form.is_edited) form.folder = context.view.calibration->folder;
+  DialogPlate dialog(context, "Calibration", {880.0F, 448.0F});
+  for (const Choice& choice : kChoices) {
+    draw_choice(context, dialog.rest.take_top(context.px(kChoiceRow), context.px(kGapS)), choice);
+  }
+  dialog.rest.take_top(context.px(kGapS));
+  Rect fields = dialog.rest.take_top(context.px(kFieldRow), context.px(kGapS));
+  text_field(context, fields.take_right(context.px(200.0F), context.px(kGapM)),
+             {"sphere_diameter", "Diameter of the sphere, mm"}, form.sphere_diameter_mm);
+  form.is_edited |=
+      text_field(context, fields, {"calibration_folder", "Calibrations are kept in"}, form.folder);
+  draw_wrapped(dialog.rest, {context.theme.fonts.small, kTextQuiet},
+               "A calibration that was begun in this folder goes on where it stopped. Scanning "
+               "pauses meanwhile.");
+}
+
+std::string headline(const RunningCalibration& running) {
+  switch (running.step) {
+    case CalibrationStep::kOpening:
+      return "Opening cameras and lights\u2026";
+    case CalibrationStep::kTarget:
+      if (running.wanted) {
+        const CalibrationPlace& place = running.places[*running.wanted];
+        return fmt::format("Put the {} {}", place.target, place.where);
+      }
+      return {};
+    case CalibrationStep::kTaking:
+      return "Taking images: leave it at rest";
+    case CalibrationStep::kComputing:
+      return "Computing\u2026";
+    case CalibrationStep::kRefused:
+      return "The images do not fit together";
+    case CalibrationStep::kFailed:
+      return "It cannot go on";
+    case CalibrationStep::kDone:
+      break;
+  }
+  return running.outcome.verdict;
+}
+
+Color color_of(const RunningCalibration& running) {
+  switch (running.step) {
+    case CalibrationStep::kRefused:
+      return kCaution;
+    case CalibrationStep::kFailed:
+      return kBad;
+    case CalibrationStep::kDone:
+      return running.outcome.is_good ? kGood : kBad;
+    default:
+      return kText;
+  }
+}
+
+/// What stands below the headline.
+std::string advice(const RunningCalibration& running) {
+  switch (running.step) {
+    case CalibrationStep::kRefused:
+      return sentence(running.message) + "\nTouch below what is to be taken again.";
+    case CalibrationStep::kTarget:
+      return fmt::format(
+          "Place {} of {}. When it rests, press Enter; the lights switch by "
+          "themselves.",
+          running.wanted.value_or(0) + 1, running.places.size());
+    case CalibrationStep::kDone:
+      return fmt::format("{}", fmt::join(running.outcome.meanings, "\n"));
+    default:
+      return sentence(running.message);
+  }
+}
+
+void draw_report(const PanelContext& context, Rect box, const RunningCalibration& running) {
+  const Fonts& fonts = context.theme.fonts;
+  const std::string title = headline(running);
+  const float height = wrapped_height(fonts.title, box.width, title);
+  draw_wrapped(box.take_top(height, context.px(kGapS)), {fonts.title, color_of(running)}, title);
+  const std::string text = advice(running);
+  if (!text.empty()) {
+    const Rect part = box.take_top(wrapped_height(fonts.body, box.width, text), context.px(kGapM));
+    draw_wrapped(part, {fonts.body, kText}, text);
+  }
+  if (running.step == CalibrationStep::kComputing) {
+    meter(context.theme, box.take_top(context.px(kGapS)), running.computed_share, kNeutral);
+    return;
+  }
+  draw_judged_shots(context, box, running);
+}
+
+void draw_seen(const PanelContext& context, const Rect& box, const RunningCalibration& running) {
+  if (running.step == CalibrationStep::kDone) return draw_outcome(context, box, running.outcome);
+  CameraPicture& picture = context.pictures.target;
+  picture.show(running.image);
+  show_camera_image(context, box, picture, "no image yet");
+}
+
+void draw_buttons(const PanelContext& context, Rect row, const RunningCalibration& running) {
+  const bool is_done = running.step == CalibrationStep::kDone;
+  const ActionLook main = is_done ? ActionLook{icon::kSaved, "Use it", true, kNeutral}
+                                  : ActionLook{icon::kDevice, "Take images", true, kNeutral};
+  const bool has_main = !is_done || running.task == CalibrationTask::kCalibrate;
+  const float width =
+      std::max(small_action_width(context, Action::kConfirm, main), context.px(200.0F));
+  if (has_main)
+    small_action(context, row.take_right(width, context.px(kGapM)), Action::kConfirm, main);
+  const ActionLook stop = {icon::kCancel, is_done ? "Close" : "Stop"};
+  small_action(context,
+               row.take_left(small_action_width(context, Action::kCancel, stop), context.px(kGapM)),
+               Action::kCancel, stop);
+  const ActionLook back = {icon::kUndo};
+  if (!is_done) {
+    small_action(
+        context,
+        row.take_left(small_action_width(context, Action::kPlaceBefore, back), context.px(kGapM)),
+        Action::kPlaceBefore, back);
+  }
+  const std::string& why = context.view.calibration->why_not_used;
+  if (is_done && has_main && !why.empty()) {
+    draw_text(row, {context.theme.fonts.small, kTextQuiet, Align::kRight}, why);
+  } else if (!is_done && !running.folder.empty()) {
+    draw_text(row, {context.theme.fonts.small, kTextQuiet, Align::kRight},
+              fmt::format("kept in {}", running.folder));
+  }
+}
+
+void draw_running(const PanelContext& context, const RunningCalibration& running) {
+  DialogPlate dialog(context, title_of(running.task), {1216.0F, 752.0F}, ClickBeside::kNothing);
+  Rect rest = dialog.rest;
+  draw_buttons(context, rest.take_bottom(context.px(kButtonRow), context.px(kGapM)), running);
+  const float places = calibration_places_height(context, running);
+  draw_calibration_places(context, rest.take_bottom(places, context.px(kGapM)), running);
+  draw_seen(context, rest.take_left(rest.width * kImageShare, context.px(kGapL)), running);
+  draw_report(context, rest, running);
+}
+
+}  // namespace
+
+void draw_calibration_panel(const PanelContext& context) {
+  const auto& calibration = context.view.calibration;
+  if (!calibration) return;
+  if (calibration->running) return draw_running(context, *calibration->running);
+  draw_choices(context);
+}
+
+}  // namespace flytri::ui
