@@ -204,6 +204,8 @@ ActionState begin_state(Action action, const CalibrationState& calibration, cons
   if (calibration.running) return disabled("running");
   if (action == Action::kCalibrate) return enabled();
   if (!calibration.has_calibration) return disabled("no calibration yet");
+  if (action == Action::kCheckOnSphere && calibration.is_simulated)
+    return disabled("the virtual sensor sees a plane");
   const bool has_diameter = typed_length_mm(facts.state.calibration_form.sphere_diameter_mm) > 0.0;
   return only_if(action == Action::kCheckOnPlane || has_diameter, "type its diameter");
 }

@@ -74,6 +74,7 @@ struct RunningCalibration {
 struct CalibrationState {
   std::string folder;            ///< proposed for a new calibration
   bool has_calibration = false;  ///< there is one to be checked
+  bool is_simulated = false;     ///< the virtual sensor, which sees a plane and nothing else
   std::string why_not_used;      ///< why a new one cannot be taken into use; empty: it can
   std::optional<RunningCalibration> running;
 };

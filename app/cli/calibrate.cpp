@@ -37,7 +37,9 @@ Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& 
   return {};
 }
 
-void add_check_options(CLI::App& command, CLI::Option& check, CalibrateCheckArguments& arguments) {
+/// The virtual sensor sees a plane, and cannot be shown a sphere.
+void add_check_options(CLI::App& command, CLI::Option& check, CLI::Option& simulated,
+                       CalibrateCheckArguments& arguments) {
   const std::string group = "What a calibration is checked with (--check)";
   command.add_option("--calibration", arguments.calibration, "calibration.json of the sensor")
       ->needs(&check)
@@ -45,6 +47,7 @@ void add_check_options(CLI::App& command, CLI::Option& check, CalibrateCheckArgu
       ->group(group);
   command.add_option("--sphere", arguments.sphere_mm, "Diameter, mm; without it, a plane is seen")
       ->needs(&check)
+      ->excludes(&simulated)
       ->check(CLI::PositiveNumber)
       ->group(group);
   command
@@ -112,7 +115,7 @@ void add_calibrate_command(CLI::App& app, Invocation& invocation) {
           ->excludes(live);
   const auto simulated = command->add_flag("--simulated", arguments->of_live.simulated,
                                            "Take images with the virtual sensor");
-  add_check_options(*command, *check, arguments->of_check);
+  add_check_options(*command, *check, *simulated, arguments->of_check);
   command->add_option("--rig", arguments->of_live.rig, "The rig's devices, see docs/formats.md")
       ->excludes(simulated)
       ->capture_default_str();

@@ -46,6 +46,7 @@ void Session::handle(const ui::BeginCalibration& command) {
   if (!calibration_state() || desk_ != nullptr || is_desk_closing_) return;
   const bool checks = command.task != ui::CalibrationTask::kCalibrate;
   if (checks && source_.calibration == nullptr) return;
+  if (command.task == ui::CalibrationTask::kCheckOnSphere && !options_.source.rig) return;
   handle(ui::PauseScan{});
   capture_.reset();
   DeskJob job;
@@ -115,6 +116,7 @@ std::optional<ui::CalibrationState> Session::calibration_state() const {
   ui::CalibrationState state;
   state.folder = calibration_folder_.string();
   state.has_calibration = source_.calibration != nullptr;
+  state.is_simulated = !options_.source.rig;
   state.why_not_used = why_calibration_is_not_used();
   if (desk_ != nullptr) state.running = desk_->state();
   return state;

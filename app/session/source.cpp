@@ -73,8 +73,8 @@ Result<Source> open_rig_source(const SourceChoice& choice) {
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
     return fail(ErrorCode::kBadOption,
-                "{}: names no \"calibration\"; make one with flytri calibrate, and name it there "
-                "or with --calibration FILE",
+                "{}: names no \"calibration\"; make one here (C) or with flytri calibrate "
+                "--live, and name it there or with --calibration FILE",
                 choice.rig->string());
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),

@@ -32,9 +32,10 @@ AppView ordinary_view() {
   view.source.name = "Simulated sensor, 20 x 15 x 15 mm";
   view.source.is_running = true;
   view.source.hand = ui::SimulatedHand{};
-  view.calibration =
-      ui::CalibrationState{"/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214", true,
-                           "the virtual sensor has its own", std::nullopt};
+  view.calibration.emplace();
+  view.calibration->folder = "/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214";
+  view.calibration->has_calibration = true;
+  view.calibration->why_not_used = "the virtual sensor has its own";
   view.exports.folder = "/home/clinic/exports";
   view.exports.name = "Rivera-2031-upper";
   return view;

@@ -160,7 +160,7 @@ void draw_figure(const PanelContext& context, Rect row, const HoldFigure& figure
   const Color ink = figure.good() ? kGood : kBad;
   Rect words = row.take_top(context.px(kShotRow));
   draw_text(words.take_right(context.px(184.0F)), {fonts.strong, ink, Align::kRight},
-            fmt::format("{:+.1f} of \u00b1{:.1f} \u00b5m", kMicrons * figure.deviation_mm,
+            fmt::format("{:.1f} of {:.1f} \u00b5m", kMicrons * std::abs(figure.deviation_mm),
                         kMicrons * figure.limit_mm));
   draw_text(words, {fonts.body, kText, Align::kLeft}, figure.name);
   // From the middle, where nothing is wrong, to the limit at either end.
@@ -209,8 +209,10 @@ void draw_outcome(const PanelContext& context, Rect box, const CalibrationOutcom
   draw_text(box.take_top(context.px(kShotRow), context.px(kGapS)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft},
             "Deviations at the border of the volume");
+  const auto count = static_cast<float>(std::max<std::size_t>(outcome.figures.size(), 1));
+  const float row = std::min(context.px(kTableRow), box.height / count);
   for (const HoldFigure& figure : outcome.figures) {
-    draw_figure(context, box.take_top(context.px(kTableRow)), figure);
+    draw_figure(context, box.take_top(row), figure);
   }
 }
 
