@@ -129,15 +129,16 @@ void V4l2Camera::ended(const StreamEnd& end) {
 
 void V4l2Camera::watch_for_frames(double now_s) {
   const double silent_s = now_s - last_arrival_s_;
+  // A slow camera may be silent for long and is well.
+  const double rate_hz = stream_->read_back().rate_hz;
+  if (silent_s * rate_hz <= options_.frozen_after_periods) return;
   if (silent_s > options_.restart_after_s) {
-    // It counts as frozen until a frame comes, however often it is set up anew.
     stream_.reset();
     next_search_s_ = now_s;
-    return;
   }
+  // It counts as frozen until a frame comes, however often it is set up anew.
   const std::lock_guard lock(mutex_);
-  const bool silent = silent_s * read_back_.rate_hz > options_.frozen_after_periods;
-  if (!silent || status_.state == CameraState::kFrozen) return;
+  if (status_.state == CameraState::kFrozen) return;
   status_.state = CameraState::kFrozen;
   status_.message = "the camera sends no frames; unplug it and plug it in again if that lasts";
   ++status_.frozen;

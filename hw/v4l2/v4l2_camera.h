@@ -17,7 +17,7 @@ struct V4l2CameraOptions {
   int buffers = 8;
   /// > 1, of frames: so long none comes before the camera counts as frozen.
   double frozen_after_periods = 5.0;
-  /// > 0. A camera that is frozen so long is set up anew: many go on then.
+  /// > 0. A camera that is frozen and has sent nothing for so long is set up anew: many go on then.
   double restart_after_s = 2.0;
   /// > 0. So often a camera that is lost is looked for. Setting one up takes about as long.
   double search_period_s = 0.25;

@@ -87,7 +87,7 @@ Result<void> set_by_hand(const OpenVideo& video, const ManualControl& control, d
     return fail(ErrorCode::kBadOption, "camera {} has no {}: leave it out of the settings",
                 to_string(video.node), control.name);
   const double steps = std::round(wanted / control.unit);
-  if (steps < info->minimum || steps > info->maximum)
+  if (!(steps >= info->minimum && steps <= info->maximum))
     return fail(ErrorCode::kBadOption, "camera {}: {} is {}, it takes {} to {}",
                 to_string(video.node), control.name, wanted, info->minimum * control.unit,
                 info->maximum * control.unit);

@@ -172,6 +172,28 @@ TEST_F(V4l2CameraTest, FrozenCountsOnceAndIsSetUpAnewUntilFramesCome) {
   EXPECT_EQ(camera_->status().message, "");
 }
 
+TEST_F(V4l2CameraTest, OneLongWaitWithoutAFrameIsFrozenToo) {
+  start();
+  expect_none(3.0);
+  EXPECT_EQ(camera_->status().state, CameraState::kFrozen);
+  EXPECT_EQ(camera_->status().frozen, 1);
+  expect_none(0.0);
+  EXPECT_EQ(camera_->status().state, CameraState::kFrozen);
+  EXPECT_EQ(camera_->status().restarted, 1);
+}
+
+TEST_F(V4l2CameraTest, ASlowCameraIsNotSetUpAnewBetweenItsFrames) {
+  settings_.rate_hz = 0.4;
+  start();
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    expect_none(2.4);
+    deliver(i);
+    take();
+  }
+  EXPECT_EQ(camera_->status().frozen, 0);
+  EXPECT_EQ(camera_->status().restarted, 0);
+}
+
 TEST_F(V4l2CameraTest, StopLetsTheCameraGo) {
   start();
   EXPECT_EQ(fake_->streaming, 1);

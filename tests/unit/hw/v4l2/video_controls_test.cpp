@@ -4,6 +4,7 @@
 #include <linux/videodev2.h>
 
 #include <cerrno>
+#include <limits>
 
 #include "hw/device/clock.h"
 #include "tests/support/fake_video.h"
@@ -63,6 +64,9 @@ TEST_F(VideoControlsTest, RefusesWhatTheCameraDoesNotHave) {
   settings.exposure_s = 1.0;
   EXPECT_THAT(set(settings).error().message, HasSubstr("exposure_s is 1, it takes 0.0001 to 0.5"));
   settings.exposure_s.reset();
+  settings.gain = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(set(settings).error().message, HasSubstr("it takes 0 to 63"));
+  settings.gain.reset();
   settings.focus = 1.0;
   EXPECT_THAT(set(settings).error().message, HasSubstr("has no focus"));
   EXPECT_EQ(set(settings).error().code, ErrorCode::kBadOption);
