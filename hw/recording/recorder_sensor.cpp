@@ -33,7 +33,8 @@ RecorderSensor::RecorderSensor(std::shared_ptr<Sensor> sensor, std::filesystem::
     : sensor_(std::move(sensor)), folder_(std::move(folder)), options_(options) {}
 
 Result<void> RecorderSensor::start() {
-  if (sensor_->status().state == SensorState::kRunning) return {};
+  const SensorState state = sensor_->status().state;
+  if (state == SensorState::kRunning || state == SensorState::kLost) return {};
   {
     const std::lock_guard lock(mutex_);
     queue_.clear();
@@ -42,6 +43,7 @@ Result<void> RecorderSensor::start() {
   }
   writer_.reset();
   listed_s_ = 0.0;
+  listed_ = 0;
   if (auto opened = open(); !opened) give_up(opened.error());
   auto started = sensor_->start();
   // Nothing came: no empty folder is left.
@@ -57,12 +59,14 @@ Result<void> RecorderSensor::open() {
   return {};
 }
 
-// From here on nothing is written; what is waiting is lost.
+// From here on nothing is written; what is waiting is lost, and so is what cannot be listed.
 void RecorderSensor::give_up(const Error& error) {
+  if (writer_ && std::ssize(writer_->frames()) > listed_) (void)list();
   const std::lock_guard lock(mutex_);
   open_ = false;
   status_.has_ended = true;
-  status_.lost += static_cast<std::int64_t>(queue_.size());
+  status_.lost += std::ssize(queue_) + status_.written - listed_;
+  status_.written = listed_;
   queue_.clear();
   status_.message = fmt::format(
       "The recording ended after {} frames: {}. The scan goes on without it; free some space or "
@@ -126,7 +130,13 @@ Result<void> RecorderSensor::write(const Frame& frame) {
   if (auto appended = writer_->append(frame); !appended) return appended;
   if (frame.time_s < listed_s_ + options_.list_period_s) return {};
   listed_s_ = frame.time_s;
-  return writer_->write_list();
+  return list();
+}
+
+Result<void> RecorderSensor::list() {
+  auto written = writer_->write_list();
+  if (written) listed_ = std::ssize(writer_->frames());
+  return written;
 }
 
 void RecorderSensor::stop() {
@@ -139,7 +149,7 @@ void RecorderSensor::stop() {
     std::swap(open, open_);
   }
   if (open && writer_ && !writer_->frames().empty())
-    if (auto listed = writer_->write_list(); !listed) give_up(listed.error());
+    if (auto listed = list(); !listed) give_up(listed.error());
   writer_.reset();
 }
 

@@ -25,7 +25,7 @@ struct RecorderOptions {
 };
 
 struct RecorderStatus {
-  std::int64_t written = 0;  ///< frames that are on disk
+  std::int64_t written = 0;  ///< frames that are on disk; once it has ended: that are listed
   std::int64_t waiting = 0;
   std::int64_t lost = 0;   ///< frames that passed but could not be written
   bool has_ended = false;  ///< for good, by a failure; what was written before is safe
@@ -67,6 +67,7 @@ class RecorderSensor final : public Sensor {
   void pass(const Frame& frame);
   bool write_one(double timeout_s);
   [[nodiscard]] Result<void> write(const Frame& frame);
+  [[nodiscard]] Result<void> list();
   void give_up(const Error& error);
 
   const std::shared_ptr<Sensor> sensor_;
@@ -75,7 +76,8 @@ class RecorderSensor final : public Sensor {
 
   // Of whoever writes: the thread beside the stream, then stop().
   std::optional<RecordingWriter> writer_;
-  double listed_s_ = 0.0;  // time of the frame with which the list was written last
+  double listed_s_ = 0.0;    // time of the frame with which the list was written last
+  std::int64_t listed_ = 0;  // frames in that list
 
   mutable std::mutex mutex_;  // of all below
   std::condition_variable arrived_;

@@ -118,7 +118,7 @@ bool ReplaySensor::work_beside(double timeout_s) {
     return to_decode_ < std::min(to_deliver_ + limit, recording_.frames.size());
   };
   if (status_.state() != SensorState::kRunning) return false;
-  if (!taken_.wait_for(lock, std::chrono::duration<double>(timeout_s), room)) return true;
+  if (!taken_.wait_for(lock, std::chrono::duration<double>(timeout_s), room)) return false;
   const std::size_t index = *claim(limit);
   lock.unlock();
   decode(index);

@@ -12,6 +12,7 @@
 
 #include "hw/device/capture_loop.h"
 #include "hw/recording/replay_sensor.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/scripted_sensor.h"
 #include "tests/support/temporary_folder.h"
@@ -134,10 +135,47 @@ TEST(RecorderSensor, ADiskThatFailsInTheMiddleEndsTheRecordingAlone) {
     if (i == 3) fs::remove_all(folder / "scan" / "frames");
     recorder->work_beside(0.0);
   }
+  // The images went with the folder, and nothing was listed yet.
+  EXPECT_EQ(recorder->recorder_status().written, 0);
+  EXPECT_EQ(recorder->recorder_status().lost, 8);
+  EXPECT_NE(recorder->status().message.find("ended after 0 frames"), std::string::npos);
+  recorder->stop();
+}
+
+TEST(RecorderSensor, AFullDiskKeepsWhatWasWrittenAndTellsHowMuch) {
+  const TemporaryFolder folder;
+  std::deque<ScriptedSensor::Step> script = frames(5);
+  cv::Mat noise(256, 256, CV_8UC1);
+  cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 256);
+  script[3] = [=](StatusKeeper&) -> Result<std::optional<Frame>> {
+    return Frame{FrameIndex(3), FrameKind::kHorizontal, 3 / 30.0, noise};
+  };
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(script), folder / "scan").value();
+  {
+    const FullDisk disk(16'384);
+    EXPECT_EQ(run(*recorder).size(), 5U);
+  }
+  EXPECT_TRUE(recorder->recorder_status().has_ended);
   EXPECT_EQ(recorder->recorder_status().written, 3);
-  EXPECT_EQ(recorder->recorder_status().lost, 5);
+  EXPECT_EQ(recorder->recorder_status().lost, 2);
   EXPECT_NE(recorder->status().message.find("ended after 3 frames"), std::string::npos);
   recorder->stop();
+  EXPECT_EQ(replay(folder / "scan").size(), 3U);
+}
+
+TEST(RecorderSensor, StartingALostSensorAgainLeavesTheRecordingAlone) {
+  const TemporaryFolder folder;
+  std::deque<ScriptedSensor::Step> script = frames(2);
+  script.push_back(ScriptedSensor::nothing(SensorState::kLost));
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<ScriptedSensor>(script), folder / "scan").value();
+  run(*recorder);
+  ASSERT_EQ(recorder->status().state, SensorState::kLost);
+  EXPECT_TRUE(recorder->start());
+  EXPECT_EQ(recorder->recorder_status().written, 2);
+  recorder->stop();
+  EXPECT_EQ(replay(folder / "scan").size(), 2U);
 }
 
 TEST(RecorderSensor, ACrashLeavesARecordingOfAllButTheLastSeconds) {

@@ -78,6 +78,17 @@ TEST_F(ReplayTest, DecodesAheadAndDeliversInOrder) {
   EXPECT_EQ(indices, (std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
+// Who has other work to do beside it, as a recorder, would else ask over and over.
+TEST_F(ReplayTest, SaysWhereNothingIsLeftToDecodeAhead) {
+  const auto sensor = open(1.0);
+  EXPECT_FALSE(sensor->work_beside(0.0));
+  ASSERT_TRUE(sensor->start());
+  for (int i = 0; i < ReplayOptions().ahead; ++i) EXPECT_TRUE(sensor->work_beside(0.0));
+  EXPECT_FALSE(sensor->work_beside(0.0));
+  EXPECT_TRUE(sensor->next(1.0).value());
+  EXPECT_TRUE(sensor->work_beside(0.0));
+}
+
 TEST_F(ReplayTest, BeginsAnewAfterItsEnd) {
   const auto sensor = open(0.0);
   for (int round = 0; round < 2; ++round) {
