@@ -92,6 +92,8 @@ void GpioLightSwitch::Worker::search(std::unique_lock<std::mutex>& lock) {
     return;
   }
   lines = std::move(*opened);
+  // Stopped meanwhile: nothing is turned on any more.
+  if (!running) return;
   status.state = LightSwitchState::kRunning;
   status.message.clear();
   ++status.returned;

@@ -21,7 +21,13 @@ class FakeChip {
  public:
   std::atomic<bool> plugged{true};
   std::atomic<int> error{0};
+  std::atomic<int> opened{0};
 
+  void open() {
+    ++opened;
+    std::unique_lock lock(mutex_);
+    released_.wait(lock, [&] { return !mute_; });
+  }
   void set(Light light) {
     std::unique_lock lock(mutex_);
     released_.wait(lock, [&] { return !mute_; });
@@ -73,6 +79,7 @@ class GpioLightSwitchTest : public ::testing::Test {
   GpioLightSwitchTest() {
     const OpenLightLines open = [chip = chip_]() -> Result<std::unique_ptr<LightLines>> {
       if (!chip->plugged) return fail(ErrorCode::kNotFound, "no chip: plug it in");
+      chip->open();
       return std::make_unique<FakeLines>(chip);
     };
     switch_ =
@@ -166,6 +173,21 @@ TEST_F(GpioLightSwitchTest, UnpluggedWhileIdleIsNoticedAndTheLightComesBack) {
   EXPECT_EQ(switch_->status().returned, 1);
   EXPECT_EQ(switch_->status().state, LightSwitchState::kRunning);
   EXPECT_THAT(chip_->lights(), ElementsAre(Light::kVertical, Light::kHorizontal));
+}
+
+TEST_F(GpioLightSwitchTest, NoLightComesOnWhereTheChipIsBackOnlyAfterStop) {
+  ASSERT_TRUE(switch_->start());
+  post_and_wait(Light::kVertical);
+  chip_->plugged = false;
+  wait_until([](const LightSwitchStatus& s) { return s.state == LightSwitchState::kLost; });
+  chip_->mute();
+  chip_->plugged = true;
+  wait_until([&](const LightSwitchStatus&) { return chip_->opened == 2; });
+  std::thread stopping([&] { switch_->stop(); });
+  wait_until([&](const LightSwitchStatus&) { return switch_->post({Light::kVertical, 0.0}) == 0; });
+  chip_->answer();
+  stopping.join();
+  EXPECT_THAT(chip_->lights(), ElementsAre(Light::kVertical, Light::kDark));
 }
 
 TEST_F(GpioLightSwitchTest, RefusedWishIsToldAndTheChipOpenedAgain) {
