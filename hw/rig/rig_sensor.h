@@ -60,7 +60,8 @@ class RigSensor final : public Sensor {
   [[nodiscard]] Result<void> start() override;
   void stop() override;
   [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
-  /// Dropped frames are those that the cameras miss by their numbers, and damaged ones.
+  /// Dropped frames are those of the measurement camera that are missing by its numbers or damaged,
+  /// and those of either camera that were late.
   [[nodiscard]] SensorStatus status() const override;
   [[nodiscard]] std::shared_ptr<const Calibration> calibration() const override {
     return calibration_;

@@ -1,0 +1,84 @@
+#include "hw/rig/check_rig.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <linux/videodev2.h>
+
+#include "hw/device/clock.h"
+#include "tests/support/fake_video.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::FakeCamera;
+using testing::FakeVideoSystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// A rig of two cameras and a chip, all of which are there.
+class CheckRigTest : public ::testing::Test {
+ protected:
+  CheckRigTest() {
+    measurement_->node = {"/dev/video0", "Mono Camera", "M1", "1-1", 0};
+    measurement_->fourcc = V4L2_PIX_FMT_GREY;
+    texture_->node = {"/dev/video2", "Color Camera", "C1", "1-2", 0};
+    texture_->fourcc = V4L2_PIX_FMT_YUYV;
+    rig_.measurement.match.name = "Mono";
+    rig_.measurement.settings.size = {4, 2};
+    rig_.texture.emplace();
+    rig_.texture->match.name = "Color";
+    rig_.texture->settings.format = PixelFormat::kYuyv;
+    rig_.texture->settings.size = {4, 2};
+    rig_.lights = {{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, LineMatch{"", 2}};
+  }
+
+  std::vector<std::string> problems() {
+    std::vector<std::string> messages;
+    for (const Error& problem : check_rig(rig_, system_, chips_))
+      messages.push_back(problem.message);
+    return messages;
+  }
+
+  FakeVideoSystem system_{machine_clock()};
+  std::shared_ptr<FakeCamera> measurement_ = system_.add();
+  std::shared_ptr<FakeCamera> texture_ = system_.add();
+  std::vector<GpioChip> chips_ = {
+      {{"/dev/gpiochip0", "", "1", "1-3", 0}, "ftdi-cbus", {{}, {}, {}, {}}, {}}};
+  RigSettings rig_;
+};
+
+TEST_F(CheckRigTest, FindsNothingWhereAllIsThere) { EXPECT_THAT(problems(), IsEmpty()); }
+
+TEST_F(CheckRigTest, NamesEveryDeviceThatIsMissing) {
+  measurement_->present = texture_->present = false;
+  chips_.clear();
+  rig_.calibration = "/nowhere/calibration.json";
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("\"Mono\""), HasSubstr("\"Color\""),
+                                      HasSubstr("\"ftdi-cbus\""), HasSubstr("calibration.json")));
+}
+
+TEST_F(CheckRigTest, NamesALineThatIsHeldAndOneThatIsMissing) {
+  chips_[0].lines[1].consumer = "another program";
+  rig_.lights.flash->offset = 4;
+  EXPECT_THAT(problems(),
+              ElementsAre(HasSubstr("held by another program"), HasSubstr("its lines are 0 to 3")));
+}
+
+TEST_F(CheckRigTest, OneCameraCannotBeBoth) {
+  texture_->present = false;
+  rig_.texture->match = {"", "M1", ""};
+  rig_.texture->settings.format = PixelFormat::kGrey8;
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("both the measurement and the texture camera")));
+}
+
+TEST_F(CheckRigTest, WithoutTextureNeedsNeitherItsCameraNorAFlash) {
+  texture_->present = false;
+  rig_.texture.reset();
+  rig_.lights.flash.reset();
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace flytri
