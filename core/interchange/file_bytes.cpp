@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <random>
 #include <system_error>
 #include <utility>
 
@@ -50,14 +51,11 @@ tl::unexpected<Error> read_failure(const fs::path& path, int error) {
               std::generic_category().message(error));
 }
 
-/// The permissions that a newly created file has: mkstemp gives the owner alone access.
-void widen_permissions(int descriptor, const fs::path& path) {
+/// Those of the file that is replaced, if there is one; else they stay those of a new file.
+void take_over_permissions(int descriptor, const fs::path& path) {
   struct stat former {};
-  const bool replaces = ::stat(path.c_str(), &former) == 0;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
   // Without it the file is still whole and its owner's, so a failure here is no reason to stop.
-  (void)::fchmod(descriptor, replaces ? former.st_mode & 07777U : 0666U & ~mask);
+  if (::stat(path.c_str(), &former) == 0) (void)::fchmod(descriptor, former.st_mode & 07777U);
 }
 
 }  // namespace
@@ -93,11 +91,17 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path) {
   if (fs::is_directory(path, ignored)) {
     return fail(ErrorCode::kWriteFailed, "{}: is a folder; name a file", path.string());
   }
-  // Hidden and short, so that a long name of the file itself does not overflow the limit.
-  std::string temporary = (path.parent_path() / ".flytri-XXXXXX").string();
-  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+  std::random_device random;
+  std::string temporary;
+  int descriptor = -1;
+  do {
+    // Hidden and short, so that a long name of the file itself does not overflow the limit.
+    temporary = (path.parent_path() / fmt::format(".flytri-{:08x}", random())).string();
+    // mkstemp would give the owner alone access, and umask() cannot be read beside other threads.
+    descriptor = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (descriptor < 0 && errno == EEXIST);
   if (descriptor < 0) return write_failure(path, errno);
-  widen_permissions(descriptor, path);
+  take_over_permissions(descriptor, path);
   return AtomicFile(path, std::move(temporary), descriptor);
 }
 

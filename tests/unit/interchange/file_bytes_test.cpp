@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <iterator>
+#include <thread>
+#include <vector>
 
 #include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
@@ -48,6 +51,27 @@ TEST(AtomicFile, FullDiskKeepsTheOldFile) {
   EXPECT_THAT(written.error().message, HasSubstr("a.bin: cannot be written"));
   EXPECT_EQ(*read_file(folder / "a.bin"), "old");
   EXPECT_EQ(entries_in(folder.path()), 1U);
+}
+
+// The recorder and the case write at the same time.
+TEST(AtomicFile, PermissionsAreThoseOfTheProcessWhateverOtherThreadsWrite) {
+  const TemporaryFolder folder;
+  const mode_t former = ::umask(027);
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&, thread] {
+      for (int i = 0; i < 500; ++i) {
+        Result<AtomicFile> file = AtomicFile::create(folder / fmt::format("{}-{}", thread, i));
+        ASSERT_TRUE(file && file->commit_unsynced());
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(::umask(former), 027U);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    ASSERT_EQ(entry.status().permissions(), static_cast<std::filesystem::perms>(0640))
+        << entry.path();
+  }
 }
 
 TEST(AtomicFile, SaysWhatToDoAboutAMissingFolder) {
