@@ -116,17 +116,24 @@ class TargetMap {
   Eigen::MatrixX2d coefficients_;
 };
 
+/// The dots inside the volume, by the largest number in each direction.
+struct DotReach {
+  int i = 0, j = 0;
+  DotReach(const DotTarget& target, const MeasurementVolume& volume)
+      : i(static_cast<int>(0.5 * volume.size_mm.x() / target.pitch_mm)),
+        j(static_cast<int>(0.5 * volume.size_mm.y() / target.pitch_mm)) {}
+  [[nodiscard]] bool contains(const NumberedDot& dot) const {
+    return std::abs(dot.i) <= i && std::abs(dot.j) <= j;
+  }
+};
+
 /// Of the dots inside the volume, how many are in sight of this image; those that may be cut by its
 /// border are not asked for.
-int dots_in_sight(const TargetMap& map, const DotTarget& target, const MeasurementVolume& volume,
-                  cv::Size size) {
+int dots_in_sight(const TargetMap& map, const DotReach& reach, cv::Size size) {
   const double margin_px = map.pitch_px();
-  const auto reach = [&](double extent_mm) {
-    return static_cast<int>(0.5 * extent_mm / target.pitch_mm);
-  };
   int count = 0;
-  for (int j = -reach(volume.size_mm.y()); j <= reach(volume.size_mm.y()); ++j) {
-    for (int i = -reach(volume.size_mm.x()); i <= reach(volume.size_mm.x()); ++i) {
+  for (int j = -reach.j; j <= reach.j; ++j) {
+    for (int i = -reach.i; i <= reach.i; ++i) {
       const Pixel at = map(i, j);
       const bool in_sight = at.u_px > margin_px && at.u_px < size.width - margin_px &&
                             at.v_px > margin_px && at.v_px < size.height - margin_px;
@@ -175,12 +182,10 @@ DotShot check_dots(const cv::Mat& image, const DotTarget& target, const Measurem
   const TargetMap map(numbered);
   shot.origin = map(0, 0);
   shot.pitch_px = map.pitch_px();
-  const int asked = dots_in_sight(map, target, volume, image.size());
-  const auto reach_i = 0.5 * volume.size_mm.x() / target.pitch_mm;
-  const auto reach_j = 0.5 * volume.size_mm.y() / target.pitch_mm;
-  const auto there = std::count_if(numbered.begin(), numbered.end(), [&](const NumberedDot& dot) {
-    return std::abs(dot.i) <= reach_i && std::abs(dot.j) <= reach_j;
-  });
+  const DotReach reach(target, volume);
+  const int asked = dots_in_sight(map, reach, image.size());
+  const auto there = std::count_if(numbered.begin(), numbered.end(),
+                                   [&](const NumberedDot& dot) { return reach.contains(dot); });
   if (static_cast<double>(there) < options.min_complete * asked) {
     shot.verdict = refuse(ShotFault::kNoDots,
                           fmt::format("{} of the {} dots in sight found", there, asked), figures);

@@ -119,22 +119,26 @@ ShotVerdict GuidedCalibration::check_type(ShotKind kind, const cv::Mat& image) c
                         is_texture ? "8-bit color" : "grey of 8 or 16 bits"),
             {}};
   }
-  const auto same_camera = [&](ShotKind other) {
-    return (other == ShotKind::kDotsTexture) == is_texture;
-  };
-  for (std::size_t i = 0; i <= placements_.size(); ++i) {
-    const bool in_hand = i == placements_.size();
-    const auto& images = in_hand ? current_->images : images_[i];
-    const auto& place = placements_[in_hand ? current_->placement : i];
+  const cv::Mat* before = first_image(is_texture);
+  if (before == nullptr || (before->size() == image.size() && before->type() == image.type()))
+    return {};
+  return {ShotFault::kWrongImage,
+          fmt::format("the image has {}, those before {}", size_of(image), size_of(*before)),
+          {}};
+}
+
+const cv::Mat* GuidedCalibration::first_image(bool is_texture) const {
+  const auto first_of = [&](TargetFace face, const std::vector<cv::Mat>& images) -> const cv::Mat* {
+    const std::vector<ShotKind> shots = shots_of(face);
     for (std::size_t k = 0; k < images.size(); ++k) {
-      const bool alike = images[k].size() == image.size() && images[k].type() == image.type();
-      if (alike || !same_camera(shots_of(place.face)[k])) continue;
-      return {ShotFault::kWrongImage,
-              fmt::format("the image has {}, those before {}", size_of(image), size_of(images[k])),
-              {}};
+      if ((shots[k] == ShotKind::kDotsTexture) == is_texture) return &images[k];
     }
+    return nullptr;
+  };
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    if (const cv::Mat* image = first_of(placements_[i].face, images_[i])) return image;
   }
-  return {};
+  return first_of(placements_[current_->placement].face, current_->images);
 }
 
 ShotVerdict GuidedCalibration::check_pattern(const WantedShot& shot, const cv::Mat& image) {

@@ -97,6 +97,9 @@ class GuidedCalibration {
   [[nodiscard]] const Current& current() const;
   [[nodiscard]] ShotVerdict check(const WantedShot& shot, const cv::Mat& image);
   [[nodiscard]] ShotVerdict check_type(ShotKind kind, const cv::Mat& image) const;
+  /// Of those that are kept or in hand, of the texture camera or of the other; all of one camera
+  /// are alike. Null: none.
+  [[nodiscard]] const cv::Mat* first_image(bool is_texture) const;
   [[nodiscard]] ShotVerdict check_pattern(const WantedShot& shot, const cv::Mat& image);
   void finish_placement();
 
