@@ -163,24 +163,40 @@ void GrowingScan::show_frame(const IntakeResult& result, std::shared_ptr<const V
 }
 
 void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
-  ScanGrowth growth = registrar_.take_growth();
-  if (growth.is_all) unposted_.clear();
-  for (const AlignedView& view : growth.added) {
-    ledger_.found(view.view->time_s);
-    unposted_.push_back(view);
-  }
+  const ScanGrowth growth = registrar_.take_growth();
+  for (const AlignedView& view : growth.added) ledger_.found(view.view->time_s);
   known_views_ = growth.is_all ? growth.added.size() : known_views_ + growth.added.size();
   if (growth.is_all) {
-    unposted_.clear();
     rebuild(true);
+  } else if (!growth.added.empty()) {
+    waiting_.views.insert(waiting_.views.end(), growth.added.begin(), growth.added.end());
+    if (offered_at_s) waiting_.offered_at_s.push_back(*offered_at_s);
   }
   if (!growth.added.empty()) {
     journal([views = growth.added](ScanJournal& journal) { journal.keep_poses(views); });
   }
-  if (unposted_.empty() || model_.pending() > kModelTasks) return;
-  model_.add(std::exchange(unposted_, {}), offered_at_s);
+  if (waiting_.views.empty()) return;
+  if (model_.pending() > kModelTasks) return hand_over_later();
+  hand_over_waiting();
   refinement_.run_if_grown(known_views_, [this] { return aligned_views(); });
   retire_past();
+}
+
+void GrowingScan::hand_over_waiting() {
+  if (waiting_.views.empty()) return;
+  Waiting waiting = std::exchange(waiting_, {});
+  model_.add(std::move(waiting.views), std::move(waiting.offered_at_s));
+}
+
+/// As soon as the model has done what it was given: no further view may come.
+void GrowingScan::hand_over_later() {
+  if (std::exchange(is_model_asked_, true)) return;
+  model_.when_done([this] {
+    ask_([this] {
+      is_model_asked_ = false;
+      hand_over_waiting();
+    });
+  });
 }
 
 /// Lets go of views that told nothing new, some at a time, and not before the hand has left them.
@@ -248,6 +264,7 @@ void GrowingScan::choose_reentry(std::size_t index) {
 
 void GrowingScan::pause() {
   step(ScanEvent::kPause);
+  hand_over_waiting();
   refinement_.run_if_new(known_views_, [this] { return aligned_views(); });
   // What was tolerated while the hand scanned is not where it rests. An optimization ends with
   // that, too.
@@ -282,12 +299,15 @@ void GrowingScan::show_edits() {
   journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
 }
 
-/// Makes the model anew from all views.
+/// Makes the model anew from all views, those that waited for it among them.
 void GrowingScan::rebuild(bool is_other) {
+  waiting_ = {};
   model_.build_anew(aligned_views(), edits_.state(), is_other);
 }
 
 void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
+  // A model that is built anew has all views: one that came later would be in it twice.
+  hand_over_waiting();
   registrar_.apply(refined);
   const std::vector<AlignedView> views = aligned_views();
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });

@@ -52,6 +52,11 @@ class GrowingScan {
   void stop();
 
  private:
+  /// What the model is to be given once it has less to do.
+  struct Waiting {
+    std::vector<AlignedView> views;
+    std::vector<double> offered_at_s;  ///< when the frames came that made the scan grow so
+  };
   void take_texture(const Frame& frame);
   void take_view(const IntakeResult& result, bool is_late);
   void register_view(const IntakeResult& result, const std::shared_ptr<const View>& view,
@@ -59,6 +64,8 @@ class GrowingScan {
   void missed(double time_s, const std::string& reason);
   void show_frame(const IntakeResult& result, std::shared_ptr<const View> view);
   void hand_over_growth(std::optional<double> offered_at_s);
+  void hand_over_waiting();
+  void hand_over_later();
   void restore(const KeptScan& kept);
   void step(ScanEvent event);
   void show_reentry();
@@ -86,7 +93,8 @@ class GrowingScan {
   FrameLedger ledger_;
   EditStack edits_;
   ReentryImages pictures_;
-  std::vector<AlignedView> unposted_;
+  Waiting waiting_;
+  bool is_model_asked_ = false;      ///< to say when it has done what it was given
   std::vector<double> redundant_s_;  ///< times of views that are to be let go
   std::size_t known_views_ = 0;      ///< registered
   int missed_in_a_row_ = 0;

@@ -21,12 +21,13 @@ constexpr double kHoleCells = 4.0;
 ModelThread::ModelThread(LiveModel model, ModelSurroundings around)
     : around_(std::move(around)), model_(std::move(model)) {}
 
-void ModelThread::add(std::vector<AlignedView> views, std::optional<double> offered_at_s) {
-  thread_.post([this, views = std::move(views), offered_at_s] {
+void ModelThread::add(std::vector<AlignedView> views, std::vector<double> offered_at_s) {
+  thread_.post([this, views = std::move(views), offered_at_s = std::move(offered_at_s)] {
     model_.add(views);
     std::vector<double> redundant_s = model_.take_redundant();
     if (!redundant_s.empty()) around_.tell_redundant(std::move(redundant_s));
-    if (offered_at_s) unpublished_offers_s_.push_back(*offered_at_s);
+    unpublished_offers_s_.insert(unpublished_offers_s_.end(), offered_at_s.begin(),
+                                 offered_at_s.end());
     has_changed_ = has_grown_since_holes_ = true;
     publish_if_due(false);
     // The larger the surface, the longer it takes: at most a tenth of a core.

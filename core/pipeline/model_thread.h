@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/task_thread.h"
@@ -28,8 +29,8 @@ class ModelThread {
  public:
   ModelThread(LiveModel model, ModelSurroundings around);
 
-  /// @param offered_at_s  when the frame of the newest one came, for the latency
-  void add(std::vector<AlignedView> views, std::optional<double> offered_at_s);
+  /// @param offered_at_s  when the frames came that made the scan grow so, for the latency
+  void add(std::vector<AlignedView> views, std::vector<double> offered_at_s);
   void add_texture(const Frame& frame);
   /// Everything of a scan that was kept, published at once.
   void restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames, EditList edits);
@@ -44,6 +45,9 @@ class ModelThread {
   void show_holes(std::vector<BoundaryLoop> boundaries);
   /// Calls `use` on this thread with the frames that color the surface.
   void with_textures(std::function<void(const std::vector<PlacedTexture>&)> use);
+
+  /// Calls `then` on this thread when it has done all that it was given before.
+  void when_done(std::function<void()> then) { thread_.post(std::move(then)); }
 
   /// Tasks that wait or run.
   [[nodiscard]] std::size_t pending() const { return thread_.pending(); }
