@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 #include <span>
 
 #include "core/base/random.h"
@@ -109,7 +109,7 @@ class Chip::Noise {
         read_e2_(static_cast<float>(chip.model_.read_noise_e * chip.model_.read_noise_e)),
         scale_(1.0F / (well_ * std::sqrt(static_cast<float>(how.exposures)))),
         random_(random) {
-    if (how.stored_noise) stored_.emplace(chip.white_, random);
+    if (how.stored_noise) stored_ = std::make_unique<ShiftedStore>(chip.white_, random);
   }
 
   void add(int v, std::span<float> row) {
@@ -132,7 +132,7 @@ class Chip::Noise {
   const std::vector<float>& normals_;
   float well_, read_e2_, scale_;
   Random& random_;
-  std::optional<ShiftedStore> stored_;
+  std::unique_ptr<const ShiftedStore> stored_;  // null: each value is drawn
 };
 
 Chip::Chip(const ChipModel& model)
