@@ -1,5 +1,7 @@
 #include "hw/rig/rig_camera.h"
 
+#include <utility>
+
 namespace flytri {
 
 Result<void> RigCameraReader::start() {
@@ -14,18 +16,16 @@ Result<void> RigCameraReader::start() {
     return tl::unexpected(labeler.error());
   }
   labeler_ = *std::move(labeler);
-  damaged_ = returned_ = 0;
+  damaged_ = streams_ = 0;
   return {};
 }
 
 Result<std::optional<CameraFrame>> RigCameraReader::next(double timeout_s) {
   auto frame = camera_->next(timeout_s);
   if (!frame) return tl::unexpected(frame.error());
-  const std::int64_t returned = camera_->status().returned;
-  if (returned != returned_) {
-    returned_ = returned;
-    labeler_->camera_returned();
-  }
+  const CameraStatus status = camera_->status();
+  const std::int64_t streams = status.returned + status.restarted;
+  if (std::exchange(streams_, streams) != streams) labeler_->camera_returned();
   if (!*frame) return std::nullopt;
   if ((*frame)->damaged) {
     ++damaged_;

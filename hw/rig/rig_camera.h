@@ -48,7 +48,7 @@ class RigCameraReader {
   double readout_s_;
   std::optional<FrameLabeler> labeler_;
   std::int64_t damaged_ = 0;
-  std::int64_t returned_ = 0;  // times that the camera came back, as far as the labeler knows
+  std::int64_t streams_ = 0;  // begun since the first one, as far as the labeler knows
 };
 
 }  // namespace flytri

@@ -68,15 +68,14 @@ class FrameLabeler {
   /// Frames in the order of their stamps, with all that was switched before they arrived.
   [[nodiscard]] FrameLabel label(const cv::Mat& image, double stamp_s);
 
-  /// The camera was away: its beat begins anew. The latency is kept, and learned again if it is
-  /// another one now.
+  /// The camera was away or was set up anew: its beat begins anew. The latency is kept, and learned
+  /// again if it is another one now.
   void camera_returned();
 
   /// What the plan of the lights goes by.
   [[nodiscard]] CameraBeat beat() const {
     return {clock_, latency_, is_learned_, history_.call_s()};
   }
-  [[nodiscard]] const FrameClock& clock() const { return clock_; }
   [[nodiscard]] const LatencyEstimate& latency() const { return latency_; }
   [[nodiscard]] bool is_learned() const { return is_learned_; }
   [[nodiscard]] LightFault fault() const;

@@ -1,0 +1,79 @@
+#include "hw/rig/rig_camera.h"
+
+#include <gtest/gtest.h>
+
+namespace flytri {
+namespace {
+
+// A camera at 10 Hz whose faults are those that a test writes into its status.
+class FaultyCamera final : public Camera {
+ public:
+  Result<void> start() override {
+    status_ = {};
+    return {};
+  }
+  void stop() override {}
+  Result<std::optional<CameraFrame>> next(double /*timeout_s*/) override {
+    CameraFrame frame;
+    frame.image = cv::Mat(64, 64, CV_8UC1, cv::Scalar(10));
+    frame.time_s = 100.0 + 0.1 * static_cast<double>(taken_++);
+    frame.damaged = is_damaged;
+    return frame;
+  }
+  [[nodiscard]] CameraStatus status() const override { return status_; }
+  [[nodiscard]] CameraSettings asked() const override { return read_back(); }
+  [[nodiscard]] CameraSettings read_back() const override {
+    CameraSettings settings;
+    settings.rate_hz = 10.0;
+    return settings;
+  }
+  [[nodiscard]] std::string name() const override { return "faulty camera"; }
+
+  CameraStatus& faults() { return status_; }
+  bool is_damaged = false;
+
+ private:
+  CameraStatus status_;
+  std::int64_t taken_ = 0;
+};
+
+class RigCameraReaderTest : public ::testing::Test {
+ protected:
+  RigCameraReaderTest() { EXPECT_TRUE(reader_.start()); }
+
+  // Whether stamps tell of a beat by now.
+  [[nodiscard]] bool knows_beat() {
+    constexpr double kTime_s = 200.03;
+    return reader_.labeler().beat().clock.next_stamp_s(kTime_s) != kTime_s;
+  }
+  void label_some() {
+    for (int i = 0; i < 10; ++i) (void)reader_.label(*reader_.next(0.0).value());
+  }
+
+  std::shared_ptr<FaultyCamera> camera_ = std::make_shared<FaultyCamera>();
+  RigCameraReader reader_{camera_, 0.0};
+};
+
+TEST_F(RigCameraReaderTest, DamagedFramesAreCountedAndKeptBack) {
+  camera_->is_damaged = true;
+  EXPECT_FALSE(reader_.next(0.0).value());
+  camera_->is_damaged = false;
+  EXPECT_TRUE(reader_.next(0.0).value());
+  EXPECT_EQ(reader_.status().damaged, 1);
+}
+
+// Its exposures then begin at other times than before.
+TEST_F(RigCameraReaderTest, TheBeatBeginsAnewWithEachStream) {
+  for (std::int64_t CameraStatus::*count : {&CameraStatus::returned, &CameraStatus::restarted}) {
+    label_some();
+    EXPECT_TRUE(knows_beat());
+    ++(camera_->faults().*count);
+    EXPECT_TRUE(reader_.next(0.0).value());
+    EXPECT_FALSE(knows_beat());
+  }
+  label_some();
+  EXPECT_TRUE(knows_beat());
+}
+
+}  // namespace
+}  // namespace flytri
