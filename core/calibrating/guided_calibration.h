@@ -94,7 +94,6 @@ class GuidedCalibration {
     LineShot vertical;
   };
   GuidedCalibration(const CalibrationPlan& plan, const GuidedOptions& options);
-  [[nodiscard]] const Current& current() const;
   [[nodiscard]] ShotVerdict check(const WantedShot& shot, const cv::Mat& image);
   [[nodiscard]] ShotVerdict check_type(ShotKind kind, const cv::Mat& image) const;
   /// Of those that are kept or in hand, of the texture camera or of the other; all of one camera

@@ -179,27 +179,22 @@ void LatencyFilter::drift() {
 
 LatencyEstimate LatencyFilter::estimate() const {
   LatencyEstimate estimate;
-  double latency_square = 0.0, window_square = 0.0, sum = 0.0;
+  double latency_square = 0.0, sum = 0.0;
   const std::size_t per_mapping = kHalfWindows.size() * latency_count_;
   for (std::size_t cell = 0; cell < probability_.size(); ++cell) {
     const double p = probability_[cell];
     const double latency = latency_s(cell % latency_count_);
-    const double window = window_s(window_of(cell));
     sum += p;
     estimate.latency_s += p * latency;
     latency_square += p * latency * latency;
-    estimate.window_s += p * window;
-    window_square += p * window * window;
+    estimate.window_s += p * window_s(window_of(cell));
     if (cell >= per_mapping) estimate.swapped += p;
   }
   estimate.latency_s /= sum;
   estimate.window_s /= sum;
   estimate.swapped /= sum;
-  const auto sigma = [&](double square, double mean) {
-    return std::sqrt(std::max(0.0, square / sum - mean * mean));
-  };
-  estimate.latency_sigma_s = sigma(latency_square, estimate.latency_s);
-  estimate.window_sigma_s = sigma(window_square, estimate.window_s);
+  const double variance = latency_square / sum - estimate.latency_s * estimate.latency_s;
+  estimate.latency_sigma_s = std::sqrt(std::max(0.0, variance));
   return estimate;
 }
 

@@ -43,8 +43,7 @@ struct LatencyEstimate {
   double latency_s = 0.0;        ///< mean
   double latency_sigma_s = 0.0;  ///< standard deviation
   double window_s = 0.0;         ///< mean
-  double window_sigma_s = 0.0;
-  double swapped = 0.0;  ///< probability that the patterns are swapped
+  double swapped = 0.0;          ///< probability that the patterns are swapped
 };
 
 /// What the clock alone says of a frame: probabilities.
