@@ -4,6 +4,7 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 #include "app/cli/command_line.h"
 #include "packaging/manual/manual_page.h"
@@ -24,8 +25,10 @@ int print_page(const char* version, const char* date, const char* sections) {
       .date = date,
       .purpose = "hand-guided 3D scanner for dentistry",
       .more_sections = std::string(std::istreambuf_iterator<char>(file), {})};
-  std::fputs(flytri::manual::manual_page(program, facts).c_str(), stdout);
-  return 0;
+  const std::string page = flytri::manual::manual_page(program, facts);
+  if (std::fputs(page.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return 0;
+  std::fputs("flytri_manual: the page cannot be written\n", stderr);
+  return 1;
 }
 
 }  // namespace
