@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstring>
 #include <ctime>
@@ -20,9 +21,10 @@ namespace {
 
 // All that the child needs, in memory that is ready before the fork.
 struct PreparedOrder {
-  std::array<char, 64> node{};
+  std::array<char, PATH_MAX> node{};
   std::array<char, GPIO_MAX_NAME_SIZE> label{};
   gpiohandle_request request{};
+  int file_limit = 0;  // no descriptor is that large
 };
 
 template <typename Text>
@@ -43,6 +45,7 @@ PreparedOrder prepare(const DarkOrder& order) {
     request.lineoffsets[i] = order.lines[i];
     request.default_values[i] = static_cast<std::uint8_t>(order.dark_values[i]);
   }
+  prepared.file_limit = static_cast<int>(sysconf(_SC_OPEN_MAX));
   return prepared;
 }
 
@@ -62,10 +65,17 @@ bool turn_dark(PreparedOrder& order) {
   return done;
 }
 
+// Neither the lines nor the cameras of the parent must stay open here, nor the pipe's other end,
+// which would hide the parent's death.
+void keep_only(int descriptor, int file_limit) {
+  dup2(descriptor, 0);
+  if (close_range(1, ~0U, 0) == 0) return;
+  // As in containers that do not know the call.
+  for (int other = 1; other < file_limit; ++other) close(other);
+}
+
 [[noreturn]] void stand_guard(int pipe, PreparedOrder& order) {
-  // Neither the lines nor the cameras of the parent must stay open here.
-  dup2(pipe, 0);
-  close_range(1, ~0U, 0);
+  keep_only(pipe, order.file_limit);
   char dismissed = 0;
   ssize_t received = 0;
   do {

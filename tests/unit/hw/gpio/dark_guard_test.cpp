@@ -1,0 +1,79 @@
+#include "hw/gpio/dark_guard.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/inotify.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace flytri {
+namespace {
+
+// A file in the place of the chip, which tells when it is opened. It takes no order: a guard that
+// acts tries again for half a minute, and ends.
+class DarkGuardTest : public ::testing::Test {
+ protected:
+  DarkGuardTest() {
+    std::ofstream(chip_) << "no chip";
+    EXPECT_GE(inotify_add_watch(opened_, chip_.c_str(), IN_OPEN), 0);
+  }
+  ~DarkGuardTest() override { close(opened_); }
+
+  [[nodiscard]] DarkOrder order() const { return {chip_.string(), "label", {0, 1}, {0, 1}}; }
+  // Whether somebody opens the chip within the time.
+  [[nodiscard]] bool is_opened(int timeout_ms) const {
+    pollfd waiting{opened_, POLLIN, 0};
+    return poll(&waiting, 1, timeout_ms) == 1;
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path chip_ = folder_ / "chip";
+  int opened_ = inotify_init1(IN_CLOEXEC);
+};
+
+TEST_F(DarkGuardTest, TurnsToTheChipWhenTheProgramDies) {
+  std::array<int, 2> lives{};
+  ASSERT_EQ(pipe(lives.data()), 0);
+  const pid_t program = fork();
+  if (program == 0) {
+    close(lives[1]);
+    const auto guard = DarkGuard::start(order());
+    char word = 0;
+    // Killed while it waits, as by an unhandled signal: nothing is dismissed.
+    _exit(guard ? static_cast<int>(read(lives[0], &word, 1)) : 1);
+  }
+  close(lives[0]);
+  EXPECT_FALSE(is_opened(100));
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
+  EXPECT_TRUE(is_opened(60'000));
+  close(lives[1]);
+}
+
+TEST_F(DarkGuardTest, DismissedItLeavesTheChipAlone) {
+  { const auto guard = DarkGuard::start(order()).value(); }
+  // It has ended: its process was waited for.
+  EXPECT_FALSE(is_opened(0));
+}
+
+TEST_F(DarkGuardTest, HoldsNoFileOfTheProgram) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  const auto guard = DarkGuard::start(order()).value();
+  close(ends[1]);
+  pollfd waiting{ends[0], POLLIN, 0};
+  ASSERT_EQ(poll(&waiting, 1, 60'000), 1);
+  char byte = 0;
+  EXPECT_EQ(read(ends[0], &byte, 1), 0) << "the pipe's other end is open still";
+  close(ends[0]);
+}
+
+}  // namespace
+}  // namespace flytri
