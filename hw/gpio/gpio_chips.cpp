@@ -111,4 +111,19 @@ Result<unsigned> find_line(const GpioChip& chip, const LineMatch& match) {
               *number, chip.label, consumer);
 }
 
+Result<std::vector<unsigned>> find_lines(const GpioChip& chip, const LightWiring& wiring) {
+  std::vector<LineMatch> matches = {wiring.vertical, wiring.horizontal};
+  if (wiring.flash) matches.push_back(*wiring.flash);
+  std::vector<unsigned> numbers;
+  for (const LineMatch& match : matches) {
+    const auto number = find_line(chip, match);
+    if (!number) return tl::unexpected(number.error());
+    if (std::find(numbers.begin(), numbers.end(), *number) != numbers.end())
+      return fail(ErrorCode::kBadOption, "line {} of GPIO chip {}: two lights have the same one",
+                  *number, chip.label);
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 }  // namespace flytri

@@ -35,4 +35,9 @@ struct GpioChip {
 /// @errors  kNotFound with those that there are; kInconsistent: somebody else holds it
 [[nodiscard]] Result<unsigned> find_line(const GpioChip& chip, const LineMatch& match);
 
+/// The numbers of the lights' lines: vertical, horizontal, and flash where the rig has one.
+/// @errors  As find_line; kBadOption: two lights have the same, one by name and one by number.
+[[nodiscard]] Result<std::vector<unsigned>> find_lines(const GpioChip& chip,
+                                                       const LightWiring& wiring);
+
 }  // namespace flytri

@@ -86,21 +86,12 @@ class GpioLines final : public LightLines {
 };
 
 Result<std::vector<WiredLight>> wire(const GpioChip& chip, const LightWiring& wiring) {
-  std::vector<WiredLight> lights;
-  const auto add = [&](Light light, const LineMatch& match) -> Result<void> {
-    const auto line = find_line(chip, match);
-    if (!line) return tl::unexpected(line.error());
-    lights.push_back({light, *line, match.active_low});
-    return {};
-  };
-  if (const auto done = add(Light::kVertical, wiring.vertical); !done)
-    return tl::unexpected(done.error());
-  if (const auto done = add(Light::kHorizontal, wiring.horizontal); !done)
-    return tl::unexpected(done.error());
-  if (wiring.flash) {
-    if (const auto done = add(Light::kFlash, *wiring.flash); !done)
-      return tl::unexpected(done.error());
-  }
+  const auto lines = find_lines(chip, wiring);
+  if (!lines) return tl::unexpected(lines.error());
+  std::vector<WiredLight> lights = {
+      {Light::kVertical, (*lines)[0], wiring.vertical.active_low},
+      {Light::kHorizontal, (*lines)[1], wiring.horizontal.active_low}};
+  if (wiring.flash) lights.push_back({Light::kFlash, (*lines)[2], wiring.flash->active_low});
   return lights;
 }
 

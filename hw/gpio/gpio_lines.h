@@ -7,9 +7,8 @@
 namespace flytri {
 
 /// Takes hold of the lines as outputs, all dark, and starts their guard (hw/gpio/dark_guard.h).
-/// @errors  kNotFound, kNotPermitted, kInconsistent (several chips match, a line is held by
-/// somebody
-///          else, or no guard can be started); the message says which and the remedy
+/// @errors  kBadOption; kNotFound, kNotPermitted; kInconsistent: several chips match, somebody else
+///          holds a line, or no guard can be started. The message says which, and the remedy.
 [[nodiscard]] Result<std::unique_ptr<LightLines>> open_gpio_lines(const LightWiring& wiring);
 
 }  // namespace flytri

@@ -22,9 +22,17 @@ void check_distinct(std::vector<Error>& problems, const RigSettings& rig, VideoS
                                   to_string(*measurement))});
 }
 
-void check_line(std::vector<Error>& problems, const GpioChip& chip, const LineMatch& line) {
-  const auto found = find_line(chip, line);
-  if (!found) problems.push_back(found.error());
+std::vector<Error> check_lines(const GpioChip& chip, const LightWiring& lights) {
+  std::vector<Error> problems;
+  const auto check = [&](const auto& found) {
+    if (!found) problems.push_back(found.error());
+  };
+  check(find_line(chip, lights.vertical));
+  check(find_line(chip, lights.horizontal));
+  if (lights.flash) check(find_line(chip, *lights.flash));
+  // Each is well by itself: are they together?
+  if (problems.empty()) check(find_lines(chip, lights));
+  return problems;
 }
 
 }  // namespace
@@ -38,13 +46,7 @@ std::vector<Error> check_rig(const RigSettings& rig, VideoSystem& system,
     check_distinct(problems, rig, system);
   }
   const auto chip = find_chip(chips, rig.lights.chip);
-  if (!chip) {
-    problems.push_back(chip.error());
-  } else {
-    check_line(problems, *chip, rig.lights.vertical);
-    check_line(problems, *chip, rig.lights.horizontal);
-    if (rig.lights.flash) check_line(problems, *chip, *rig.lights.flash);
-  }
+  append(problems, chip ? check_lines(*chip, rig.lights) : std::vector{chip.error()});
   if (rig.calibration) {
     const auto calibration = read_calibration(*rig.calibration);
     if (!calibration) problems.push_back(calibration.error());

@@ -66,6 +66,12 @@ TEST_F(CheckRigTest, NamesALineThatIsHeldAndOneThatIsMissing) {
               ElementsAre(HasSubstr("held by another program"), HasSubstr("its lines are 0 to 3")));
 }
 
+TEST_F(CheckRigTest, NamesALineThatTwoLightsHave) {
+  chips_[0].lines[2].name = "C2";
+  rig_.lights.horizontal = {"C2", std::nullopt};
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("two lights have the same one")));
+}
+
 TEST_F(CheckRigTest, OneCameraCannotBeBoth) {
   texture_->present = false;
   rig_.texture->match = {"", "M1", ""};
