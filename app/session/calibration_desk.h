@@ -32,8 +32,6 @@ class CalibrationDesk {
   void take();
   /// The place is wanted again.
   void retake(std::size_t place);
-  /// Waits until what was asked for is done; for tests.
-  void wait_until_idle() const { thread_.wait_until_idle(); }
 
   [[nodiscard]] ui::RunningCalibration state() const;
 

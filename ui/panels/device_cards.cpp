@@ -1,5 +1,9 @@
 #include "ui/panels/device_cards.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "ui/theme/icons.h"
 
 namespace flytri::ui {
@@ -9,6 +13,7 @@ constexpr float kCard = 76.0F;
 constexpr float kCardHead = 24.0F;
 constexpr float kDot = 10.0F;
 constexpr float kCheckHeading = 36.0F;
+constexpr float kMoreRow = 24.0F;
 constexpr std::size_t kMostFigures = 7;
 
 Color color_of(DeviceHealth health) {
@@ -50,13 +55,15 @@ void draw_figures(const PanelContext& context, Rect row, const std::vector<Devic
   }
 }
 
+/// @param kept_px  of what is left, for what comes after
 /// @return  false: it does not fit whole into what is left, and half a remedy misleads
-bool draw_problem(const PanelContext& context, Rect& rest, const std::string& problem) {
+bool draw_problem(const PanelContext& context, Rect& rest, const std::string& problem,
+                  float kept_px) {
   ImFont* font = context.theme.fonts.body;
   Rect text = rest;
   Rect margin = text.take_left(context.px(20.0F), context.px(kGapXs));
   const float height = wrapped_height(font, text.width, problem);
-  if (height > rest.height) return false;
+  if (height > rest.height - kept_px) return false;
   draw_text(margin.take_top(context.px(20.0F)), {font, kCaution, Align::kLeft}, icon::kWarning);
   draw_wrapped(text, {font, kText}, problem);
   rest.take_top(height, context.px(kGapS));
@@ -101,8 +108,13 @@ void draw_device_check(const PanelContext& context, Rect box) {
   if (devices.problems.empty()) {
     return draw_verdict(context, box.take_top(context.px(24.0F)), devices);
   }
-  for (const std::string& problem : devices.problems) {
-    if (!draw_problem(context, box, sentence(problem))) return;
+  const std::size_t count = devices.problems.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const float kept_px = i + 1 < count ? context.px(kMoreRow) : 0.0F;
+    if (draw_problem(context, box, sentence(devices.problems[i]), kept_px)) continue;
+    draw_text(box.take_top(context.px(kMoreRow)), {theme.fonts.body, kTextQuiet, Align::kLeft},
+              fmt::format("{} more: flytri devices lists them", count - i));
+    return;
   }
 }
 

@@ -1,10 +1,11 @@
 /// @file  The devices of a rig: what they see and how it is exposed, how they run, what is wrong.
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "ui/panels/device_cards.h"
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
-#include "ui/theme/icons.h"
 #include "ui/widgets/badge.h"
 #include "ui/widgets/histogram.h"
 
@@ -95,7 +96,7 @@ float image_part(const PanelContext& context, const Rect& rest) {
   const float width = (rest.width - 2.0F * context.px(kGapM)) / static_cast<float>(kColumns.size());
   const float around = kColumnTitle + kGapXs + kHistogram + kAdvice + 2.0F * kGapS;
   const float wanted = kImageRatio * width + context.px(around);
-  return std::min(wanted, rest.height - context.px(kLowerPart + kGapM));
+  return std::clamp(rest.height - context.px(kLowerPart + kGapM), 0.0F, wanted);
 }
 
 }  // namespace
