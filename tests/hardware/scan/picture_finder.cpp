@@ -5,26 +5,45 @@
 #include <string_view>
 
 #include "core/interchange/file_bytes.h"
+#include "hw/device/light_switch.h"
+#include "hw/v4l2/pixel_conversion.h"
 
 namespace flytri::scan {
 namespace {
 
-Result<std::string> read_picture(const std::filesystem::path& folder, const Shown& shown) {
-  const Light light = shown.pattern == Pattern::kVertical ? Light::kVertical : Light::kHorizontal;
-  return read_file(folder / fmt::format("{}_{}.grey", shown.number, to_string(light)));
-}
-
 std::size_t hash_of(std::string_view bytes) { return std::hash<std::string_view>()(bytes); }
+
+std::string_view pixels_of(const cv::Mat& image) {
+  return {reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()};
+}
 
 }  // namespace
 
-Result<PictureFinder> PictureFinder::read(const std::filesystem::path& folder, std::size_t count) {
+Result<std::string> PictureFinder::read_picture(const Shown& shown) const {
+  if (shown.kind != FrameKind::kTexture) {
+    const Light light = shown.kind == FrameKind::kVertical ? Light::kVertical : Light::kHorizontal;
+    return read_file(folder_ / fmt::format("{}_{}.grey", shown.number, to_string(light)));
+  }
+  const auto file = folder_ / fmt::format("{}_flash.jpg", shown.number);
+  const auto jpeg = read_file(file);
+  if (!jpeg) return jpeg;
+  const ConvertedImage decoded =
+      convert({reinterpret_cast<const std::uint8_t*>(jpeg->data()), jpeg->size()},
+              {PixelFormat::kMjpeg, color_}, Channels::kRgb);
+  if (decoded.outcome == Conversion::kDone) return std::string(pixels_of(decoded.image));
+  return fail(ErrorCode::kBadFormat, "{} cannot be decoded", file.string());
+}
+
+Result<PictureFinder> PictureFinder::read(const std::filesystem::path& folder, std::size_t count,
+                                          const ImageSize& color) {
   PictureFinder finder;
   finder.folder_ = folder;
+  finder.color_ = color;
   for (std::size_t number = 0; number < count; ++number)
-    for (const Pattern pattern : kPatterns) {
-      const Shown shown{number, pattern};
-      const auto bytes = read_picture(folder, shown);
+    for (const FrameKind kind :
+         {FrameKind::kVertical, FrameKind::kHorizontal, FrameKind::kTexture}) {
+      const Shown shown{number, kind};
+      const auto bytes = finder.read_picture(shown);
       if (!bytes) return tl::unexpected(bytes.error());
       finder.by_hash_[hash_of(*bytes)].push_back(shown);
     }
@@ -32,12 +51,11 @@ Result<PictureFinder> PictureFinder::read(const std::filesystem::path& folder, s
 }
 
 std::optional<Shown> PictureFinder::find(const cv::Mat& image) const {
-  const std::string_view pixels(reinterpret_cast<const char*>(image.data),
-                                image.total() * image.elemSize());
+  const std::string_view pixels = pixels_of(image);
   const auto alike = by_hash_.find(hash_of(pixels));
   if (alike == by_hash_.end()) return std::nullopt;
   for (const Shown& shown : alike->second)
-    if (const auto bytes = read_picture(folder_, shown); bytes && *bytes == pixels) return shown;
+    if (const auto bytes = read_picture(shown); bytes && *bytes == pixels) return shown;
   return std::nullopt;
 }
 

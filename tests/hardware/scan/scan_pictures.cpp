@@ -4,6 +4,7 @@
 
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/interchange/file_bytes.h"
+#include "tests/hardware/usb/jpeg.h"
 
 namespace flytri::scan {
 namespace {
@@ -18,6 +19,10 @@ std::vector<Moment> moments_of(const ScanOptions& options, const SensorPath& pat
   return moments;
 }
 
+std::string_view bytes_of(const cv::Mat& image) {
+  return {reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()};
+}
+
 }  // namespace
 
 Result<ScanPictures> ScanPictures::create(const ScanOptions& options, const Workers& workers) {
@@ -29,22 +34,33 @@ Result<ScanPictures> ScanPictures::create(const ScanOptions& options, const Work
   return ScanPictures(*std::move(mesh), *std::move(scene), std::move(moments));
 }
 
-cv::Mat ScanPictures::picture(std::size_t number, Light light) const {
-  return scene_.measurement_image(light, moments_.at(number).time_s);
+cv::Mat ScanPictures::picture(std::size_t number, FrameKind kind) const {
+  const double time_s = moments_.at(number).time_s;
+  if (kind == FrameKind::kTexture) return scene_.texture_image(Light::kFlash, time_s);
+  return scene_.measurement_image(
+      kind == FrameKind::kVertical ? Light::kVertical : Light::kHorizontal, time_s);
+}
+
+Result<void> ScanPictures::write(const std::filesystem::path& folder, std::size_t number) const {
+  for (const Light light : {Light::kVertical, Light::kHorizontal, Light::kFlash}) {
+    const cv::Mat image = scene_.measurement_image(light, moments_.at(number).time_s);
+    const auto file = folder / fmt::format("{}_{}.grey", number, to_string(light));
+    if (auto written = write_file(file, bytes_of(image)); !written) return written;
+  }
+  const cv::Mat color = picture(number, FrameKind::kTexture);
+  const usb::Bytes jpeg = usb::encode_jpeg(
+      {color.data, color.total() * color.elemSize()},
+      {static_cast<std::uint32_t>(color.cols), static_cast<std::uint32_t>(color.rows)});
+  return write_file(folder / fmt::format("{}_flash.jpg", number),
+                    {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
 }
 
 Result<void> ScanPictures::write(const std::filesystem::path& folder,
                                  const Workers& workers) const {
   if (auto made = create_folder(folder); !made) return made;
   std::vector<Result<void>> written(moments_.size());
-  workers.for_each(moments_.size(), [&](std::size_t number) {
-    for (const Light light : {Light::kVertical, Light::kHorizontal}) {
-      const cv::Mat image = picture(number, light);
-      const std::string_view bytes(reinterpret_cast<const char*>(image.data), image.total());
-      const auto file = folder / fmt::format("{}_{}.grey", number, to_string(light));
-      if (written[number]) written[number] = write_file(file, bytes);
-    }
-  });
+  workers.for_each(moments_.size(),
+                   [&](std::size_t number) { written[number] = write(folder, number); });
   for (const Result<void>& each : written)
     if (!each) return each;
   return {};

@@ -1,4 +1,4 @@
-/// @file  A scan as pictures: at each moment what the virtual sensor sees under each light.
+/// @file  A scan as pictures: at each moment what both cameras see under each light.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/imaging/frame.h"
 #include "hw/simulated/lit_scene.h"
 
 namespace flytri::scan {
@@ -34,15 +35,19 @@ class ScanPictures {
 
   [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
-  /// CV_8UC1, 1024x768. The resting hand's pictures differ in their noise.
-  [[nodiscard]] cv::Mat picture(std::size_t number, Light light) const;
+  /// What the measurement camera sees, or under the flash the texture camera: CV_8UC1, 1024x768, or
+  /// CV_8UC3 in R, G, B order, 1280x960. The resting hand's pictures differ in their noise.
+  [[nodiscard]] cv::Mat picture(std::size_t number, FrameKind kind) const;
 
-  /// Writes "NUMBER_LIGHT.grey" of both patterns, as the USB camera takes them.
+  /// Writes "NUMBER_LIGHT.grey" of both patterns and the flash, and "NUMBER_flash.jpg", as the USB
+  /// cameras take them.
   /// @errors  As write_file.
   [[nodiscard]] Result<void> write(const std::filesystem::path& folder,
                                    const Workers& workers) const;
 
  private:
+  [[nodiscard]] Result<void> write(const std::filesystem::path& folder, std::size_t number) const;
+
   ScanPictures(TriangleMesh mesh, LitScene scene, std::vector<Moment> moments)
       : mesh_(std::move(mesh)), scene_(std::move(scene)), moments_(std::move(moments)) {}
 

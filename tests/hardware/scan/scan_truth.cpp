@@ -19,7 +19,8 @@ Result<void> write_scan_truth(const std::filesystem::path& recording, const Scan
     const Moment& moment = pictures.moments().at(shown[i].number);
     const RecordedFrame& frame = recorded->frames.at(i);
     truth.poses.push_back({FrameIndex(i), frame.file, frame.time_s, moment.T_model_sensor});
-    exposures.push_back({shown[i].pattern, moment.T_model_sensor});
+    if (const auto pattern = pattern_of(shown[i].kind))
+      exposures.push_back({*pattern, moment.T_model_sensor});
   }
   if (auto written = write_truth(recording / "truth.json", truth); !written) return written;
   const RayScene scene(pictures.mesh());

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/imaging/pattern.h"
+#include "core/imaging/frame.h"
 #include "tests/hardware/scan/scan_pictures.h"
 
 namespace flytri::scan {
@@ -12,7 +12,7 @@ namespace flytri::scan {
 /// Which picture a frame of the recording shows.
 struct Shown {
   std::size_t number = 0;  ///< of the moment
-  Pattern pattern = Pattern::kVertical;
+  FrameKind kind = FrameKind::kVertical;
   bool operator==(const Shown&) const = default;
 };
 

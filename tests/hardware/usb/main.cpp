@@ -2,10 +2,11 @@
 //
 //     usb_devices NAME... [--pictures FOLDER]
 //
-// NAME: camera (bulk), camera2 (isochronous), ftdi, mcp. They are plugged in at the start. Orders
-// come through the FIFO /tmp/usb, a line each: WORD NAME, where WORD is plug, unplug, or one that
-// the device knows (uvc_camera.h, gpio_devices.h). What shines is appended to /tmp/lights
-// (light_pins.h).
+// NAME: camera (bulk), camera2 (isochronous), texture (bulk, in color; after the camera whose
+// moments it sees), ftdi, mcp. They are plugged in at the start. The pictures are shown to camera
+// and texture. Orders come through the FIFO /tmp/usb, a line each: WORD NAME, where WORD is plug,
+// unplug, or one that the device knows (uvc_camera.h, gpio_devices.h). What shines is appended to
+// /tmp/lights (light_pins.h).
 
 #include <fcntl.h>
 #include <poll.h>
@@ -29,14 +30,24 @@ namespace {
 
 using Devices = std::map<std::string, std::unique_ptr<UsbDevice>>;
 
-std::unique_ptr<UsbDevice> make_device(const std::string& name, int port,
+std::unique_ptr<UsbDevice> make_device(const std::string& name, const Devices& devices,
                                        const std::string& pictures, LightPins& pins) {
+  const int port = static_cast<int>(devices.size());
   if (name == "camera")
     return std::make_unique<UvcCamera>(
         port, UvcCameraOptions{"Mono Camera", "M0001", false, pictures}, pins);
   if (name == "camera2")
     return std::make_unique<UvcCamera>(port, UvcCameraOptions{"Color Camera", "C0002", true, ""},
                                        pins);
+  if (name == "texture") {
+    const auto camera = devices.find("camera");
+    if (camera == devices.end()) return nullptr;
+    return std::make_unique<UvcCamera>(
+        port,
+        UvcCameraOptions{"Color Camera", "C0002", false, pictures,
+                         dynamic_cast<const UvcCamera*>(camera->second.get())},
+        pins);
+  }
   if (name == "ftdi") return std::make_unique<Ft232h>(port, pins);
   if (name == "mcp") return std::make_unique<Mcp2221>(port, pins);
   return nullptr;
@@ -105,7 +116,7 @@ int main(int count, char** words) {
       ++i;
       continue;
     }
-    auto device = make_device(words[i], static_cast<int>(devices.size()), pictures, pins);
+    auto device = make_device(words[i], devices, pictures, pins);
     if (!device) {
       std::fprintf(stderr, "usb_devices: no such device: %s\n", words[i]);
       return 2;

@@ -1,13 +1,14 @@
 #include "tests/hardware/usb/picture.h"
 
-#include <turbojpeg.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+
+#include "tests/hardware/usb/jpeg.h"
 
 namespace flytri::usb {
 
@@ -16,9 +17,8 @@ namespace {
 constexpr std::uint8_t kBright = 240;
 constexpr std::uint8_t kDimmest = 16;  // black where luminance has a limited range
 
-std::string file_of(const std::string& folder, std::uint32_t number, const char* light) {
-  return folder + "/" + std::to_string(number) + "_" + light + ".grey";
-}
+/// Of an exposure: what is missing to it is jitter of the times.
+constexpr double kWhole = 0.999;
 
 // Where a light is on for a part of the time, it is as much brighter.
 void brighten(std::uint8_t& pixel, double share) {
@@ -39,56 +39,9 @@ Bytes test_picture(const UvcSize& size, const Exposure& exposure) {
   return image;
 }
 
-Bytes jpeg(const Bytes& grey, const UvcSize& size) {
-  void* const encoder = tjInitCompress();
-  unsigned char* buffer = nullptr;
-  unsigned long length = 0;
-  tjCompress2(encoder, grey.data(), static_cast<int>(size.width), 0, static_cast<int>(size.height),
-              TJPF_GRAY, &buffer, &length, TJSAMP_GRAY, 90, TJFLAG_FASTDCT);
-  Bytes bytes(buffer, buffer + length);
-  tjFree(buffer);
-  tjDestroy(encoder);
-  return bytes;
-}
-
-}  // namespace
-
-Picture::Picture(const UvcSize& size, std::string folder)
-    : size_(size), folder_(std::move(folder)) {
-  while (!folder_.empty() && has(count_)) ++count_;
-}
-
-bool Picture::has(std::uint32_t number) const {
-  return std::filesystem::exists(file_of(folder_, number, "vertical")) ||
-         std::filesystem::exists(file_of(folder_, number, "horizontal"));
-}
-
-void Picture::add(Bytes& image, const char* light, std::uint32_t number, double share) {
-  if (share <= 0.0) return;
-  Bytes lit(image.size());
-  std::ifstream file(file_of(folder_, number, light), std::ios::binary);
-  if (!file.read(reinterpret_cast<char*>(lit.data()), std::ssize(lit))) return;
-  // By a table: the guest is slow.
-  std::array<std::uint8_t, 256> dimmed{};
-  for (std::size_t value = 0; value < dimmed.size(); ++value)
-    dimmed[value] = static_cast<std::uint8_t>(std::lround(share * static_cast<double>(value)));
-  for (std::size_t i = 0; i < image.size(); ++i)
-    image[i] = static_cast<std::uint8_t>(std::min(255, image[i] + dimmed[lit[i]]));
-}
-
-Bytes Picture::grey(const Exposure& exposure) {
-  if (count_ == 0) return test_picture(size_, exposure);
-  Bytes image(std::size_t{size_.width} * size_.height);
-  const std::uint32_t number = exposure.number % count_;
-  add(image, "vertical", number, exposure.vertical);
-  add(image, "horizontal", number, exposure.horizontal);
-  add(image, "flash", number, exposure.flash);
-  return image;
-}
-
 Bytes encode(const Bytes& grey, UvcFormat format, const UvcSize& size) {
   if (format == UvcFormat::kGrey) return grey;
-  if (format == UvcFormat::kMjpeg) return jpeg(grey, size);
+  if (format == UvcFormat::kMjpeg) return encode_jpeg(grey, size);
   Bytes yuyv;
   yuyv.reserve(2 * grey.size());
   for (const std::uint8_t luminance : grey) {
@@ -96,6 +49,71 @@ Bytes encode(const Bytes& grey, UvcFormat format, const UvcSize& size) {
     yuyv.push_back(128);  // no color
   }
   return yuyv;
+}
+
+// By a table: the guest is slow.
+std::array<std::uint8_t, 256> dimmed(double share) {
+  std::array<std::uint8_t, 256> table{};
+  for (std::size_t value = 0; value < table.size(); ++value)
+    table[value] = static_cast<std::uint8_t>(std::lround(share * static_cast<double>(value)));
+  return table;
+}
+
+}  // namespace
+
+Picture::Picture(const UvcSize& size, std::string folder)
+    : size_(size), folder_(std::move(folder)) {
+  while (!folder_.empty() && has(count_)) ++count_;
+  if (count_ > 0 && std::filesystem::exists(file_of(0, "flash.jpg")))
+    black_ = encode_jpeg(Bytes(std::size_t{size_.width} * size_.height), size_);
+}
+
+std::string Picture::file_of(std::uint32_t number, const char* name) const {
+  return folder_ + "/" + std::to_string(number) + "_" + name;
+}
+
+bool Picture::has(std::uint32_t number) const {
+  for (const char* name : {"vertical.grey", "horizontal.grey", "flash.grey"})
+    if (std::filesystem::exists(file_of(number, name))) return true;
+  return false;
+}
+
+void Picture::add(Bytes& image, const char* light, std::uint32_t number, double share) const {
+  if (share <= 0.0) return;
+  Bytes lit(image.size());
+  std::ifstream file(file_of(number, light), std::ios::binary);
+  if (!file.read(reinterpret_cast<char*>(lit.data()), std::ssize(lit))) return;
+  const auto table = dimmed(share);
+  for (std::size_t i = 0; i < image.size(); ++i)
+    image[i] = static_cast<std::uint8_t>(std::min(255, image[i] + table[lit[i]]));
+}
+
+Bytes Picture::image(const Exposure& exposure, UvcFormat format) const {
+  if (count_ == 0) return encode(test_picture(size_, exposure), format, size_);
+  if (format == UvcFormat::kMjpeg && !black_.empty()) return color(exposure);
+  return encode(grey(exposure), format, size_);
+}
+
+Bytes Picture::grey(const Exposure& exposure) const {
+  Bytes image(std::size_t{size_.width} * size_.height);
+  const std::uint32_t number = exposure.number % count_;
+  add(image, "dark.grey", number, 1.0 - exposure.vertical - exposure.horizontal - exposure.flash);
+  add(image, "vertical.grey", number, exposure.vertical);
+  add(image, "horizontal.grey", number, exposure.horizontal);
+  add(image, "flash.grey", number, exposure.flash);
+  return image;
+}
+
+// The flash is the only light that a color camera is for.
+Bytes Picture::color(const Exposure& exposure) const {
+  if (exposure.flash <= 0.0) return black_;
+  std::ifstream file(file_of(exposure.number % count_, "flash.jpg"), std::ios::binary);
+  const Bytes whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (exposure.flash >= kWhole) return whole;
+  Bytes pixels = decode_jpeg(whole, size_);
+  const auto table = dimmed(exposure.flash);
+  for (std::uint8_t& pixel : pixels) pixel = table[pixel];
+  return encode_jpeg(pixels, size_);
 }
 
 }  // namespace flytri::usb

@@ -1,6 +1,7 @@
 #include "tests/hardware/usb/uvc_camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "hw/device/clock.h"
@@ -34,6 +35,8 @@ constexpr std::size_t kNegotiationBytes = 26;
 constexpr double kInterval_s = 100e-9;
 constexpr double kExposureUnit_s = 100e-6;
 constexpr double kMicroframe_s = 125e-6;
+/// Of a period: by so much a camera beside another one exposes later.
+constexpr double kBehind = 0.25;
 // Bits of a payload's head.
 constexpr std::uint8_t kEndOfHead = 0x80;
 constexpr std::uint8_t kError = 0x40;
@@ -151,6 +154,8 @@ void UvcCamera::stream(bool on) {
   sent_ = 0;
   if (!on) return;
   next_frame_s_ = next_packets_s_ = now_s();
+  if (options_.beside)
+    next_frame_s_ = options_.beside->next_frame_s_ + kBehind * interval_ * kInterval_s;
   picture_ = std::make_unique<Picture>(kUvcSizes[size_], options_.pictures);
 }
 
@@ -166,16 +171,24 @@ void UvcCamera::obey(std::string_view word) {
   if (word == "error") next_error_ = true;
 }
 
+std::uint32_t UvcCamera::number_at(double time_s) const {
+  const double later = std::round((time_s - exposed_s_) / (interval_ * kInterval_s));
+  const double number = exposures_ - 1.0 + (streaming_ ? later : 0.0);
+  return static_cast<std::uint32_t>(std::max(number, 0.0));
+}
+
 // The exposure that ends now; with the one before still on its way, it is lost.
 void UvcCamera::expose(double time_s) {
-  const std::uint32_t number = exposures_++;
+  const std::uint32_t own_number = exposures_++;
+  exposed_s_ = time_s;
   if (frozen_ || !image_.empty()) return;
   const double begin_s =
       time_s - std::min(control_value(kLensEntity, kExposureTime) * kExposureUnit_s,
                         interval_ * kInterval_s);
+  const std::uint32_t number = options_.beside ? options_.beside->number_at(time_s) : own_number;
   const Exposure exposure{number, pins_.share(0, begin_s, time_s), pins_.share(1, begin_s, time_s),
                           pins_.share(2, begin_s, time_s)};
-  image_ = encode(picture_->grey(exposure), format_, kUvcSizes[size_]);
+  image_ = picture_->image(exposure, format_);
   if (std::exchange(next_short_, false)) image_.resize(image_.size() / 2);
   error_ = std::exchange(next_error_, false);
 }

@@ -10,11 +10,15 @@
 
 namespace flytri::usb {
 
+class UvcCamera;
+
 struct UvcCameraOptions {
   std::string name;
   std::string serial;
   bool isochronous = false;  ///< else it streams in bulk
   std::string pictures;      ///< folder, as Picture takes it
+  /// Sees the same moments as this camera, which lives longer; null: its own exposures count.
+  const UvcCamera* beside = nullptr;
 };
 
 /// A control with its range.
@@ -33,6 +37,9 @@ struct UvcControl {
 class UvcCamera final : public UsbDevice {
  public:
   UvcCamera(int port, const UvcCameraOptions& options, const LightPins& pins);
+
+  /// Number of the exposure whose end is nearest, also of one to come.
+  [[nodiscard]] std::uint32_t number_at(double time_s) const;
 
  private:
   std::optional<Bytes> control(const Setup& setup, const Bytes& data) override;
@@ -64,7 +71,8 @@ class UvcCamera final : public UsbDevice {
   bool frozen_ = false;
   bool next_short_ = false;
   bool next_error_ = false;
-  bool error_ = false;  // of the image on its way
+  bool error_ = false;      // of the image on its way
+  double exposed_s_ = 0.0;  // the end of the latest exposure
   double next_frame_s_ = 0.0;
   double next_packets_s_ = 0.0;
   std::uint32_t exposures_ = 0;

@@ -17,10 +17,11 @@ struct UvcSize {
 };
 
 /// By their numbers in the descriptors, less one; the same for each format.
-inline constexpr std::array kUvcSizes = {UvcSize{640, 480}, UvcSize{320, 240}, UvcSize{1024, 768}};
-/// In units of 100 ns, rising: 50, 30, 25 and 10 Hz.
-inline constexpr std::array<std::uint32_t, 4> kUvcIntervals = {200'000, 333'333, 400'000,
-                                                               1'000'000};
+inline constexpr std::array kUvcSizes = {UvcSize{640, 480}, UvcSize{320, 240}, UvcSize{1024, 768},
+                                         UvcSize{1280, 960}};
+/// In units of 100 ns, rising: 50, 30, 25, 10 and 5 Hz.
+inline constexpr std::array<std::uint32_t, 5> kUvcIntervals = {200'000, 333'333, 400'000, 1'000'000,
+                                                               2'000'000};
 
 /// Entities of the control interface.
 inline constexpr std::uint8_t kLensEntity = 1;
