@@ -6,6 +6,9 @@
 //                                           writes its truth. Once: its times are changed
 //     flytri_hardware_scan compare FOLDER   that recorded.json is as good as simulated.json, both
 //                                           of flytri evaluate
+//     flytri_hardware_scan targets FOLDER   of a calibration: pictures/, rig.json
+//     flytri_hardware_scan fits FOLDER      that recorded/calibration.json fits its images as well
+//                                           as simulated/calibration.json fits its own
 
 #include <fmt/format.h>
 
@@ -21,16 +24,15 @@
 #include "core/interchange/recording.h"
 #include "hw/rig/rig_file.h"
 #include "hw/simulated/sensor_calibration.h"
+#include "tests/hardware/scan/calibration_run.h"
 #include "tests/hardware/scan/picture_finder.h"
+#include "tests/hardware/scan/vm_rig.h"
 
 namespace flytri::scan {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Of both cameras. The guest is slow: its clock has six ticks for one of the hand's.
-constexpr double kRate_hz = 5.0;
-constexpr double kFlashPeriod_s = 4.0;
 /// Exposures of a flash: the texture camera keeps no step with the other, one of its own must fit.
 constexpr int kFlashFrames = 2;
 /// Of the moments at which the hand moves under a pattern: what must have been recorded.
@@ -48,31 +50,6 @@ constexpr std::array kGauges = {Gauge{"as_it_stands", 0.01}, Gauge{"best_fit", 0
 constexpr double kAsComplete = 0.01;
 /// Of chromaticity: the picture is compressed on its way.
 constexpr double kAsColored = 0.005;
-
-/// The cameras and chips of tests/hardware/usb.
-RigSettings rig_of(const ScanOptions& options) {
-  RigSettings rig;
-  rig.name = "virtual machine";
-  rig.measurement.match.serial = "M0001";
-  rig.measurement.settings.size = options.sensor.camera.size;
-  rig.measurement.settings.rate_hz = kRate_hz;
-  rig.measurement.settings.exposure_s = options.sensor.exposure_s;
-  RigCamera texture;
-  texture.match.serial = "C0002";
-  texture.settings.format = PixelFormat::kMjpeg;
-  texture.settings.channels = Channels::kRgb;
-  texture.settings.size = options.sensor.texture_camera.size;
-  texture.settings.rate_hz = kRate_hz;
-  texture.settings.exposure_s = options.sensor.exposure_s;
-  rig.texture = texture;
-  rig.lights.chip.label = "ftdi-cbus";
-  rig.lights.vertical.offset = 0;
-  rig.lights.horizontal.offset = 1;
-  rig.lights.flash.emplace().offset = 2;
-  rig.flash_period_s = kFlashPeriod_s;
-  rig.calibration = "calibration.json";
-  return rig;
-}
 
 /// The patterns alternate; of the exposures of a flash one is kept, the others are nothing.
 std::optional<FrameKind> kind_of(std::size_t number) {
@@ -107,7 +84,7 @@ Result<void> take(const fs::path& folder) {
   const auto calibration = kept_sensor_calibration(options.sensor, folder, workers, {});
   if (!calibration) return tl::unexpected(calibration.error());
   auto written = write_calibration(folder / "calibration.json", *calibration);
-  if (written) written = write_rig(folder / "rig.json", rig_of(options));
+  if (written) written = write_rig(folder / "rig.json", vm_rig(options.sensor, "calibration.json"));
   // The pictures are shown over and over: the recording ends before they begin anew.
   const double duration_s = (options.resting + options.moving - 1) / kRate_hz;
   if (written) written = write_file(folder / "duration", fmt::format("{}\n", duration_s));
@@ -269,6 +246,8 @@ Result<void> run(std::string_view word, const fs::path& folder) {
   if (word == "take") return take(folder);
   if (word == "check") return check(folder);
   if (word == "compare") return compare(folder);
+  if (word == "targets") return write_targets(folder);
+  if (word == "fits") return check_fits(folder);
   return fail(ErrorCode::kBadOption, "no such word: {}", word);
 }
 
@@ -277,7 +256,7 @@ Result<void> run(std::string_view word, const fs::path& folder) {
 
 int main(int count, char** words) {
   if (count != 3) {
-    fmt::print(stderr, "flytri_hardware_scan take|check|compare FOLDER\n");
+    fmt::print(stderr, "flytri_hardware_scan take|check|compare|targets|fits FOLDER\n");
     return 2;
   }
   const auto done = flytri::scan::run(words[1], words[2]);

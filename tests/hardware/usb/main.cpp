@@ -44,7 +44,7 @@ std::unique_ptr<UsbDevice> make_device(const std::string& name, const Devices& d
     if (camera == devices.end()) return nullptr;
     return std::make_unique<UvcCamera>(
         port,
-        UvcCameraOptions{"Color Camera", "C0002", false, pictures,
+        UvcCameraOptions{"Color Camera", "C0002", false, pictures, true,
                          dynamic_cast<const UvcCamera*>(camera->second.get())},
         pins);
   }

@@ -61,11 +61,10 @@ std::array<std::uint8_t, 256> dimmed(double share) {
 
 }  // namespace
 
-Picture::Picture(const UvcSize& size, std::string folder)
+Picture::Picture(const UvcSize& size, std::string folder, bool color)
     : size_(size), folder_(std::move(folder)) {
   while (!folder_.empty() && has(count_)) ++count_;
-  if (count_ > 0 && std::filesystem::exists(file_of(0, "flash.jpg")))
-    black_ = encode_jpeg(Bytes(std::size_t{size_.width} * size_.height), size_);
+  if (color) black_ = encode_jpeg(Bytes(std::size_t{size_.width} * size_.height), size_);
 }
 
 std::string Picture::file_of(std::uint32_t number, const char* name) const {
@@ -109,6 +108,7 @@ Bytes Picture::color(const Exposure& exposure) const {
   if (exposure.flash <= 0.0) return black_;
   std::ifstream file(file_of(exposure.number % count_, "flash.jpg"), std::ios::binary);
   const Bytes whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (whole.empty()) return black_;
   if (exposure.flash >= kWhole) return whole;
   Bytes pixels = decode_jpeg(whole, size_);
   const auto table = dimmed(exposure.flash);

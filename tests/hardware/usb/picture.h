@@ -24,7 +24,8 @@ class Picture {
   ///                vertical, horizontal or flash, each width x height bytes; shown over and over,
   ///                one of each light a number; a file that is missing is black. For a color
   ///                camera, "NUMBER_flash.jpg": what it sends under the flash. Empty: no folder.
-  Picture(const UvcSize& size, std::string folder);
+  /// @param color   what MJPEG shows of a folder
+  Picture(const UvcSize& size, std::string folder, bool color);
 
   /// As the camera sends it.
   [[nodiscard]] Bytes image(const Exposure& exposure, UvcFormat format) const;
@@ -39,7 +40,7 @@ class Picture {
   const UvcSize size_;
   const std::string folder_;
   std::uint32_t count_ = 0;  // of numbers in the folder
-  Bytes black_;              // as a color camera sends it; empty: there is no picture of one
+  Bytes black_;              // as a color camera sends it; empty: it is none
 };
 
 }  // namespace flytri::usb

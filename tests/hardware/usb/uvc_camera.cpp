@@ -156,7 +156,13 @@ void UvcCamera::stream(bool on) {
   next_frame_s_ = next_packets_s_ = now_s();
   if (options_.beside)
     next_frame_s_ = options_.beside->next_frame_s_ + kBehind * interval_ * kInterval_s;
-  picture_ = std::make_unique<Picture>(kUvcSizes[size_], options_.pictures);
+  show(place_);
+}
+
+void UvcCamera::show(const std::string& place) {
+  place_ = place;
+  const std::string folder = place.empty() ? options_.pictures : options_.pictures + "/" + place;
+  picture_ = std::make_unique<Picture>(kUvcSizes[size_], folder, options_.color);
 }
 
 void UvcCamera::reset() {
@@ -169,6 +175,8 @@ void UvcCamera::obey(std::string_view word) {
   if (word == "thaw") frozen_ = false;
   if (word == "short") next_short_ = true;
   if (word == "error") next_error_ = true;
+  constexpr std::string_view kPlace = "place:";
+  if (word.starts_with(kPlace)) show(std::string(word.substr(kPlace.size())));
 }
 
 std::uint32_t UvcCamera::number_at(double time_s) const {

@@ -17,6 +17,7 @@ struct UvcCameraOptions {
   std::string serial;
   bool isochronous = false;  ///< else it streams in bulk
   std::string pictures;      ///< folder, as Picture takes it
+  bool color = false;        ///< with pictures, in MJPEG
   /// Sees the same moments as this camera, which lives longer; null: its own exposures count.
   const UvcCamera* beside = nullptr;
 };
@@ -33,7 +34,8 @@ struct UvcControl {
 };
 
 /// Words: "freeze", no frames though it streams; "thaw"; "short", half of the next frame is
-/// missing; "error", the next frame is said to be damaged.
+/// missing; "error", the next frame is said to be damaged; "place:NAME", the pictures are those of
+/// that folder in its own.
 class UvcCamera final : public UsbDevice {
  public:
   UvcCamera(int port, const UvcCameraOptions& options, const LightPins& pins);
@@ -55,6 +57,7 @@ class UvcCamera final : public UsbDevice {
   void agree(const Bytes& wanted);
   [[nodiscard]] std::uint32_t control_value(std::uint8_t entity, std::uint8_t selector) const;
   void stream(bool on);
+  void show(const std::string& place);
   void expose(double now_s);
   void send_bulk();
   void send_packets(double now_s);
@@ -76,6 +79,7 @@ class UvcCamera final : public UsbDevice {
   double next_frame_s_ = 0.0;
   double next_packets_s_ = 0.0;
   std::uint32_t exposures_ = 0;
+  std::string place_;  // folder in that of the pictures
   std::unique_ptr<Picture> picture_;
   Bytes image_;           // on its way; empty: none
   std::size_t sent_ = 0;  // of the image

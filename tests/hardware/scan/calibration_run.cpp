@@ -1,0 +1,132 @@
+#include "tests/hardware/scan/calibration_run.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "core/base/workers.h"
+#include "core/interchange/calibration_file.h"
+#include "core/interchange/file_bytes.h"
+#include "hw/chair/rig_shots.h"
+#include "hw/chair/simulated_shots.h"
+#include "hw/rig/rig_file.h"
+#include "tests/hardware/scan/vm_rig.h"
+#include "tests/hardware/usb/jpeg.h"
+
+namespace flytri::scan {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// By how much a residual may be larger: images have 8 bits before they are averaged, and color is
+/// compressed.
+constexpr double kAsGood = 1.2;
+
+std::string_view file_of(ShotKind kind) {
+  switch (kind) {
+    case ShotKind::kDark:
+      return "dark.grey";
+    case ShotKind::kVertical:
+    case ShotKind::kVerticalAgain:
+      return "vertical.grey";
+    case ShotKind::kHorizontal:
+      return "horizontal.grey";
+    case ShotKind::kDots:
+      return "flash.grey";
+    case ShotKind::kDotsTexture:
+      break;
+  }
+  return "flash.jpg";
+}
+
+Result<void> write_picture(const fs::path& file, const cv::Mat& image) {
+  const std::size_t bytes = image.total() * image.elemSize();
+  if (image.channels() == 1)
+    return write_file(file, {reinterpret_cast<const char*>(image.data), bytes});
+  const usb::Bytes jpeg = usb::encode_jpeg(
+      {image.data, bytes},
+      {static_cast<std::uint32_t>(image.cols), static_cast<std::uint32_t>(image.rows)});
+  return write_file(file, {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
+}
+
+/// What the cameras see of one target at one depth.
+Result<void> write_placement(const fs::path& folder, const CalibrationCamera& camera,
+                             TargetFace face, double z_mm) {
+  if (auto made = create_folder(folder); !made) return made;
+  std::uint64_t stream = 0;
+  for (const ShotKind kind : shots_of(face)) {
+    // The cameras go on with the pictures of the first shot under that light.
+    if (kind == ShotKind::kVerticalAgain) continue;
+    for (int i = 0; i < RigShotOptions().exposures; ++i) {
+      const auto file = folder / fmt::format("{}_{}", i, file_of(kind));
+      auto written = write_picture(file, camera.take(kind, z_mm, stream++));
+      if (!written) return written;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> write_targets(const fs::path& folder) {
+  const auto shots = SimulatedShots::create(intraoral_sensor());
+  if (!shots) return tl::unexpected(shots.error());
+  if (auto made = create_folder(folder); !made) return made;
+  auto written = write_rig(folder / "rig.json", vm_rig((*shots)->sensor(), {}));
+  if (written) written = write_file(folder / "planes", fmt::format("{}\n", kPlanes));
+  if (!written) return written;
+  const CalibrationPlan plan = plan_of((*shots)->sensor(), kPlanes);
+  const std::vector<Placement> placements = placements_of(plan);
+  std::vector<Result<void>> done(placements.size());
+  Workers().for_each(placements.size(), [&](std::size_t i) {
+    // The seed tells the noise of the placements apart.
+    const auto camera =
+        CalibrationCamera::create((*shots)->sensor(), {.exposures = 1, .bits = 8, .seed = i + 1});
+    done[i] = camera ? write_placement(folder / "pictures" / std::to_string(i + 1), *camera,
+                                       placements[i].face, plan.z_mm[placements[i].plane])
+                     : tl::unexpected(camera.error());
+  });
+  for (const Result<void>& each : done)
+    if (!each) return each;
+  return {};
+}
+
+Result<void> check_fits(const fs::path& folder) {
+  const auto recorded = read_calibration(folder / "recorded" / "calibration.json");
+  if (!recorded) return tl::unexpected(recorded.error());
+  const auto simulated = read_calibration(folder / "simulated" / "calibration.json");
+  if (!simulated) return tl::unexpected(simulated.error());
+  struct Gauge {
+    const char* name;
+    const char* unit;
+    double scale;
+    double is;
+    double should;
+  };
+  const auto depth_mm = [](const Calibration& of, Pattern pattern) {
+    return of.of(pattern).depth_residual_mm.rms;
+  };
+  const std::array gauges = {
+      Gauge{"Z vertical", "um", 1e3, depth_mm(*recorded, Pattern::kVertical),
+            depth_mm(*simulated, Pattern::kVertical)},
+      Gauge{"Z horizontal", "um", 1e3, depth_mm(*recorded, Pattern::kHorizontal),
+            depth_mm(*simulated, Pattern::kHorizontal)},
+      Gauge{"X", "um", 1e3, recorded->x_mm.residual.rms, simulated->x_mm.residual.rms},
+      Gauge{"Y", "um", 1e3, recorded->y_mm.residual.rms, simulated->y_mm.residual.rms},
+      Gauge{"U", "px", 1.0, recorded->texture_u_px.residual.rms,
+            simulated->texture_u_px.residual.rms},
+      Gauge{"V", "px", 1.0, recorded->texture_v_px.residual.rms,
+            simulated->texture_v_px.residual.rms}};
+  bool is_as_good = true;
+  for (const Gauge& gauge : gauges) {
+    fmt::print("{}: RMS {:.2f} {} recorded, {:.2f} simulated\n", gauge.name, gauge.scale * gauge.is,
+               gauge.unit, gauge.scale * gauge.should);
+    is_as_good &= gauge.is <= kAsGood * gauge.should;
+  }
+  if (is_as_good) return {};
+  return fail(ErrorCode::kInconsistent,
+              "the calibration fits its images worse than without devices");
+}
+
+}  // namespace flytri::scan
