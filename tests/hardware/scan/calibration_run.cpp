@@ -67,6 +67,25 @@ Result<void> write_placement(const fs::path& folder, const CalibrationCamera& ca
   return {};
 }
 
+struct Residual {
+  const char* name;
+  const char* unit;
+  double rms;
+};
+
+std::array<Residual, 6> residuals_of(const Calibration& calibration) {
+  constexpr double kMicrons = 1e3;
+  const auto depth = [&](Pattern pattern) {
+    return kMicrons * calibration.of(pattern).depth_residual_mm.rms;
+  };
+  return {Residual{"Z vertical", "um", depth(Pattern::kVertical)},
+          Residual{"Z horizontal", "um", depth(Pattern::kHorizontal)},
+          Residual{"X", "um", kMicrons * calibration.x_mm.residual.rms},
+          Residual{"Y", "um", kMicrons * calibration.y_mm.residual.rms},
+          Residual{"U", "px", calibration.texture_u_px.residual.rms},
+          Residual{"V", "px", calibration.texture_v_px.residual.rms}};
+}
+
 }  // namespace
 
 Result<void> write_targets(const fs::path& folder) {
@@ -97,32 +116,13 @@ Result<void> check_fits(const fs::path& folder) {
   if (!recorded) return tl::unexpected(recorded.error());
   const auto simulated = read_calibration(folder / "simulated" / "calibration.json");
   if (!simulated) return tl::unexpected(simulated.error());
-  struct Gauge {
-    const char* name;
-    const char* unit;
-    double scale;
-    double is;
-    double should;
-  };
-  const auto depth_mm = [](const Calibration& of, Pattern pattern) {
-    return of.of(pattern).depth_residual_mm.rms;
-  };
-  const std::array gauges = {
-      Gauge{"Z vertical", "um", 1e3, depth_mm(*recorded, Pattern::kVertical),
-            depth_mm(*simulated, Pattern::kVertical)},
-      Gauge{"Z horizontal", "um", 1e3, depth_mm(*recorded, Pattern::kHorizontal),
-            depth_mm(*simulated, Pattern::kHorizontal)},
-      Gauge{"X", "um", 1e3, recorded->x_mm.residual.rms, simulated->x_mm.residual.rms},
-      Gauge{"Y", "um", 1e3, recorded->y_mm.residual.rms, simulated->y_mm.residual.rms},
-      Gauge{"U", "px", 1.0, recorded->texture_u_px.residual.rms,
-            simulated->texture_u_px.residual.rms},
-      Gauge{"V", "px", 1.0, recorded->texture_v_px.residual.rms,
-            simulated->texture_v_px.residual.rms}};
+  const auto is = residuals_of(*recorded);
+  const auto should = residuals_of(*simulated);
   bool is_as_good = true;
-  for (const Gauge& gauge : gauges) {
-    fmt::print("{}: RMS {:.2f} {} recorded, {:.2f} simulated\n", gauge.name, gauge.scale * gauge.is,
-               gauge.unit, gauge.scale * gauge.should);
-    is_as_good &= gauge.is <= kAsGood * gauge.should;
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    fmt::print("{}: RMS {:.2f} {} recorded, {:.2f} simulated\n", is[i].name, is[i].rms, is[i].unit,
+               should[i].rms);
+    is_as_good &= is[i].rms <= kAsGood * should[i].rms;
   }
   if (is_as_good) return {};
   return fail(ErrorCode::kInconsistent,

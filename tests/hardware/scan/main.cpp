@@ -136,7 +136,7 @@ int count_moving(const Labels& labels, const ScanOptions& options, bool texture)
 }
 
 /// The largest difference between the time of a texture frame and that of its moment, which the
-/// nearest frame before it of the other camera tells.
+/// last frame before it of the other camera tells.
 double texture_off_s(const Labels& labels) {
   double off_s = 0.0;
   std::optional<std::size_t> pattern;
@@ -163,8 +163,7 @@ Result<void> judge(const Labels& labels, const ScanOptions& options) {
       "{} frames show what their label says, bit for bit; {} show another light, {} more than one, "
       "{} an earlier moment than the frame before\n"
       "of the moving hand {} under a pattern, {} expected, and {} under the flash, {} expected; "
-      "the "
-      "latter at most {:.0f} ms off their moment\n",
+      "these at most {:.0f} ms off their moment\n",
       labels.shown.size(), labels.other, labels.mixed, labels.backward, patterns, wanted, textures,
       flashes, 1e3 * off_s);
   if (labels.other + labels.mixed + labels.backward > 0 || off_s > kTextureOff_s)
