@@ -11,7 +11,7 @@
 namespace flytri {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
 /// Between two looks: the thread rests as long as a look took, and at least so long.
 constexpr std::chrono::milliseconds kRest{30};
@@ -106,7 +106,7 @@ void CalibrationDesk::look() {
   if (progress_.cancelled()) return;
   const ui::CalibrationStep step = state().step;
   if (step == ui::CalibrationStep::kDone || step == ui::CalibrationStep::kFailed) return;
-  const auto begun = Clock::now();
+  const auto begun = SteadyClock::now();
   if (step == ui::CalibrationStep::kTarget) {
     const CalibrationWork::Look wanted = work_->look();
     auto image = source_->look(wanted.kind, wanted.z_mm, progress_);
@@ -114,7 +114,7 @@ void CalibrationDesk::look() {
     auto shown = shown_frame(*std::move(image), wanted.kind);
     change([&](ui::RunningCalibration& state) { state.image = std::move(shown); });
   }
-  std::this_thread::sleep_for(std::max<Clock::duration>(kRest, Clock::now() - begun));
+  std::this_thread::sleep_for(std::max<SteadyClock::duration>(kRest, SteadyClock::now() - begun));
   thread_.post([this] { look(); });
 }
 

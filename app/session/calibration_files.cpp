@@ -62,8 +62,8 @@ Result<std::filesystem::path> adopt_calibration(const SourceChoice& choice,
                                                 const std::filesystem::path& calibration) {
   const auto bytes = read_file(calibration);
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto place = choice.calibration ? Result<std::filesystem::path>(*choice.calibration)
-                                        : place_in_rig(*choice.rig);
+  auto place = choice.calibration ? Result<std::filesystem::path>(*choice.calibration)
+                                  : place_in_rig(*choice.rig);
   if (!place) return place;
   if (auto kept = keep_beside(*place); !kept) return tl::unexpected(kept.error());
   if (auto written = write_file(*place, *bytes); !written) return tl::unexpected(written.error());
