@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ui/scene/box_corners.h"
+#include "ui/scene/hole_width.h"
 
 namespace flytri::ui {
 namespace {
@@ -92,8 +93,7 @@ void show_hole(const AppView& view, std::size_t index, WindowState& state) {
   state.selected_hole = index;
   state.view.follows_scan = false;
   const Vec3 up = state.view.camera.pose().q_world_eye * Vec3::UnitY();
-  const double height_mm =
-      std::max(hole.perimeter_mm / std::numbers::pi / kHoleShare, view.volume_mm.y());
+  const double height_mm = std::max(hole_width_mm(hole) / kHoleShare, view.volume_mm.y());
   state.view.camera.fly_to(
       pose_facing(hole.center_mm.cast<double>(), hole.normal.cast<double>(), up, height_mm),
       kFlight_s);

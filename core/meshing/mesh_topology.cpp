@@ -164,6 +164,19 @@ std::vector<std::uint32_t> boundary_successors(const TriangleMesh& mesh) {
   return next;
 }
 
+/// Of each piece the loop that encloses most: a ragged crack may have a longer rim than the border.
+void mark_outer(const TriangleMesh& mesh, std::vector<BoundaryLoop>& loops) {
+  DisjointSets pieces = pieces_of(mesh);
+  std::vector<BoundaryLoop*> outer(mesh.vertices.size(), nullptr);
+  for (BoundaryLoop& loop : loops) {
+    BoundaryLoop*& largest = outer[pieces.find(loop.vertices.front())];
+    if (largest == nullptr || loop.area_mm2 > largest->area_mm2) largest = &loop;
+  }
+  for (BoundaryLoop* loop : outer) {
+    if (loop != nullptr) loop->is_outer = true;
+  }
+}
+
 }  // namespace
 
 void repair_manifold(TriangleMesh& mesh) {
@@ -220,13 +233,7 @@ std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {
   std::stable_sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
     return a.perimeter_mm > b.perimeter_mm;
   });
-  DisjointSets pieces = pieces_of(mesh);
-  std::vector<char> has_border(mesh.vertices.size(), 0);
-  for (BoundaryLoop& loop : loops) {
-    char& seen = has_border[pieces.find(loop.vertices.front())];
-    loop.is_outer = seen == 0;
-    seen = 1;
-  }
+  mark_outer(mesh, loops);
   return loops;
 }
 

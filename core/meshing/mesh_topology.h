@@ -18,8 +18,8 @@ void drop_islands(TriangleMesh& mesh, double min_area_mm2);
 /// The mesh whose cuts are closed again: vertices at the very same place become one.
 [[nodiscard]] TriangleMesh welded(const TriangleMesh& cut);
 
-/// The rims of an oriented manifold, the largest perimeter first. The largest of each connected
-/// piece is its outer border.
+/// The rims of an oriented manifold, the largest perimeter first. Of each connected piece the one
+/// that encloses the largest area is its outer border.
 [[nodiscard]] std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh);
 
 }  // namespace flytri

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "ui/camera_moves.h"
 #include "ui/panels/panels.h"
+#include "ui/scene/hole_width.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/meter.h"
 
@@ -44,7 +44,7 @@ void draw_heading(const PanelContext& context, Rect& rest, const std::string& te
 }
 
 std::string hole_text(const BoundaryLoop& hole) {
-  return fmt::format("{:.1f} mm wide", std::sqrt(std::max(hole.area_mm2, 0.0)));
+  return fmt::format("{:.1f} mm wide", hole_width_mm(hole));
 }
 
 void draw_holes(const PanelContext& context, Rect& rest, const std::vector<std::size_t>& holes) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/scene/hole_width.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -112,8 +114,8 @@ void add_hole(Pen& pen, const BoundaryLoop& hole, const TriangleMesh* mesh, bool
   const double width_px = is_selected ? 4.0 : 2.5;
   const Color color = is_selected ? kCaution : faded(kBad, 0.9);
   if (mesh == nullptr || hole.vertices.empty()) {
-    pen.ring(hole.center_mm.cast<double>(), hole.normal.cast<double>(),
-             hole.perimeter_mm / (2.0 * std::numbers::pi), width_px, color);
+    pen.ring(hole.center_mm.cast<double>(), hole.normal.cast<double>(), hole_width_mm(hole) / 2.0,
+             width_px, color);
     return;
   }
   for (std::size_t i = 0; i < hole.vertices.size(); ++i) {

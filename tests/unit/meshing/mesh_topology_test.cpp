@@ -1,0 +1,50 @@
+#include "core/meshing/mesh_topology.h"
+
+#include <gtest/gtest.h>
+
+namespace flytri {
+namespace {
+
+constexpr std::uint32_t kCells = 20;
+
+/// A comb: its rim is three times as long as the border of the square around it.
+bool is_cut_out(std::uint32_t column, std::uint32_t row) {
+  const bool is_spine = row == 2 && column >= 2 && column < 18;
+  const bool is_tooth = column % 2 == 0 && column >= 2 && column < 18 && row >= 3 && row < 17;
+  return is_spine || is_tooth;
+}
+
+/// A square in the plane z = 0, seen from above, its cells a millimeter wide.
+TriangleMesh square_with_a_comb_cut_out() {
+  TriangleMesh mesh;
+  for (std::uint32_t row = 0; row <= kCells; ++row) {
+    for (std::uint32_t column = 0; column <= kCells; ++column) {
+      SurfacePoint& vertex = mesh.vertices.emplace_back();
+      vertex.position_mm = Vec3f(static_cast<float>(column), static_cast<float>(row), 0.0F);
+      vertex.normal = Vec3f::UnitZ();
+    }
+  }
+  for (std::uint32_t row = 0; row < kCells; ++row) {
+    for (std::uint32_t column = 0; column < kCells; ++column) {
+      if (is_cut_out(column, row)) continue;
+      const std::uint32_t v = row * (kCells + 1) + column, above = v + kCells + 1;
+      mesh.triangles.push_back({v, v + 1, above + 1});
+      mesh.triangles.push_back({v, above + 1, above});
+    }
+  }
+  repair_manifold(mesh);
+  return mesh;
+}
+
+TEST(FindBoundaries, TheBorderIsWhatEnclosesMostHoweverRaggedAHoleIs) {
+  const std::vector<BoundaryLoop> loops = find_boundaries(square_with_a_comb_cut_out());
+  ASSERT_EQ(loops.size(), 2U);
+  EXPECT_GT(loops[0].perimeter_mm, 3.0 * loops[1].perimeter_mm);
+  EXPECT_FALSE(loops[0].is_outer);
+  EXPECT_NEAR(loops[0].area_mm2, 128.0, 1e-3);
+  EXPECT_TRUE(loops[1].is_outer);
+  EXPECT_NEAR(loops[1].area_mm2, 400.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace flytri
