@@ -68,16 +68,6 @@ Result<void> go_back(ChairSession& session) {
   return session.reopen(*before);
 }
 
-/// All shots of the placement that is wanted, up to the first that is refused.
-Result<void> take_placement(ChairSession& session, const Progress& progress) {
-  do {
-    const auto outcome = session.shoot(progress);
-    if (!outcome) return tl::unexpected(outcome.error());
-    print(*outcome);
-  } while (session.guide().wanted() && !session.guide().wanted()->begins_placement);
-  return {};
-}
-
 /// @return  false: stop
 Result<bool> obey(const Choice& choice, ChairSession& session, const Progress& progress) {
   Result<void> done;
@@ -85,7 +75,7 @@ Result<bool> obey(const Choice& choice, ChairSession& session, const Progress& p
     case Answer::kStop:
       return false;
     case Answer::kTake:
-      if (session.guide().wanted()) done = take_placement(session, progress);
+      if (session.guide().wanted()) done = session.shoot_placement(print, progress);
       break;
     case Answer::kBack:
       done = go_back(session);
@@ -100,10 +90,6 @@ Result<bool> obey(const Choice& choice, ChairSession& session, const Progress& p
   }
   if (!done) return tl::unexpected(done.error());
   return true;
-}
-
-bool is_refusal(const Error& error) {
-  return error.code == ErrorCode::kInconsistent || error.code == ErrorCode::kInsufficient;
 }
 
 }  // namespace

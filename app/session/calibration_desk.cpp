@@ -7,6 +7,7 @@
 
 #include "core/localization/localize.h"
 #include "core/localization/outline.h"
+#include "hw/chair/chair_session.h"
 
 namespace flytri {
 namespace {
@@ -28,10 +29,6 @@ std::shared_ptr<const LiveFrame> shown_frame(cv::Mat image, ShotKind kind) {
     shown->lines.push_back(outline_of(trace, Pattern::kVertical));
   }
   return shown;
-}
-
-bool is_refusal(const Error& error) {
-  return error.code == ErrorCode::kInconsistent || error.code == ErrorCode::kInsufficient;
 }
 
 }  // namespace

@@ -73,12 +73,8 @@ class Calibrating final : public CalibrationWork {
   }
 
   Result<void> take(const Tell& tell, const Progress& progress) override {
-    do {
-      const auto outcome = session_.shoot(progress);
-      if (!outcome) return tl::unexpected(outcome.error());
-      tell(judged(*outcome));
-    } while (session_.guide().wanted() && !session_.guide().wanted()->begins_placement);
-    return {};
+    return session_.shoot_placement([&](const ShotOutcome& outcome) { tell(judged(outcome)); },
+                                    progress);
   }
 
   Result<void> reopen(std::size_t place) override { return session_.reopen(place); }

@@ -78,6 +78,16 @@ Result<ShotOutcome> ChairSession::shoot(const Progress& progress) {
   return outcome;
 }
 
+Result<void> ChairSession::shoot_placement(const std::function<void(const ShotOutcome&)>& tell,
+                                           const Progress& progress) {
+  do {
+    const auto outcome = shoot(progress);
+    if (!outcome) return tl::unexpected(outcome.error());
+    tell(*outcome);
+  } while (guide_.wanted() && !guide_.wanted()->begins_placement);
+  return {};
+}
+
 Result<void> ChairSession::reopen(std::size_t placement) {
   guide_.reopen(placement);
   return remove_placement(folder_, guide_.placements()[placement]);

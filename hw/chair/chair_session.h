@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,6 +42,12 @@ class ChairSession {
   /// @errors  Of the source, and of the disk; what is done so far is kept.
   [[nodiscard]] Result<ShotOutcome> shoot(const Progress& progress);
 
+  /// Takes the shots of the wanted placement, up to the first that is refused.
+  /// @param tell  hears of each
+  /// @errors  As shoot.
+  [[nodiscard]] Result<void> shoot_placement(const std::function<void(const ShotOutcome&)>& tell,
+                                             const Progress& progress);
+
   /// The placement is wanted again; its images are removed.
   /// @errors  As remove_placement.
   [[nodiscard]] Result<void> reopen(std::size_t placement);
@@ -60,5 +67,10 @@ class ChairSession {
   int restored_ = 0;
   std::vector<std::string> complaints_;
 };
+
+/// Whether the images are at fault, so that some are to be taken again, and not devices or disk.
+[[nodiscard]] inline bool is_refusal(const Error& error) {
+  return error.code == ErrorCode::kInconsistent || error.code == ErrorCode::kInsufficient;
+}
 
 }  // namespace flytri
