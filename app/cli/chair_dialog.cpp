@@ -75,7 +75,10 @@ Result<bool> obey(const Choice& choice, ChairSession& session, const Progress& p
     case Answer::kStop:
       return false;
     case Answer::kTake:
-      if (session.guide().wanted()) done = session.shoot_placement(print, progress);
+      if (session.guide().wanted()) {
+        done =
+            session.shoot_placement([](const ShotOutcome& outcome) { print(outcome); }, progress);
+      }
       break;
     case Answer::kBack:
       done = go_back(session);
