@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/meshing/coverage_holes.h"
 #include "ui/scene/box_corners.h"
-#include "ui/scene/hole_width.h"
 
 namespace flytri::ui {
 namespace {
@@ -90,7 +90,7 @@ void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state) 
 
 void show_hole(const AppView& view, std::size_t index, WindowState& state) {
   const BoundaryLoop& hole = view.scan->holes[index];
-  state.selected_hole = index;
+  state.selected_hole = {index, hole.center_mm, hole_width_mm(hole)};
   state.view.follows_scan = false;
   const Vec3 up = state.view.camera.pose().q_world_eye * Vec3::UnitY();
   const double height_mm = std::max(hole_width_mm(hole) / kHoleShare, view.volume_mm.y());
@@ -101,12 +101,12 @@ void show_hole(const AppView& view, std::size_t index, WindowState& state) {
 
 void show_next_hole(const AppView& view, WindowState& state) {
   const std::vector<BoundaryLoop>& holes = view.scan->holes;
-  const std::size_t start = state.selected_hole ? *state.selected_hole + 1 : 0;
-  state.selected_hole.reset();
-  for (std::size_t i = 0; i < holes.size(); ++i) {
-    const std::size_t index = (start + i) % holes.size();
-    if (!holes[index].is_outer) return show_hole(view, index, state);
+  if (holes.empty()) {
+    state.selected_hole.reset();
+    return;
   }
+  const std::size_t next = state.selected_hole ? state.selected_hole->index + 1 : 0;
+  show_hole(view, next % holes.size(), state);
 }
 
 void move_by_itself(const AppView& view, const Eigen::AlignedBox3d& model_box_mm,

@@ -15,8 +15,8 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
 /// Flies to a view of the whole jaw.
 void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state);
 
-/// Flies to the hole after the selected one, the largest first, the outer border left out; none is
-/// selected where there is none.
+/// Flies to the hole after the selected one, the widest first; none is selected where there is
+/// none.
 void show_next_hole(const AppView& view, WindowState& state);
 
 /// Flies to one of the scan's holes and selects it.

@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "core/meshing/coverage_holes.h"
+
 namespace flytri::ui {
 
 std::string_view to_string(Tool tool) {
@@ -60,6 +62,20 @@ std::optional<double> typed_length_mm(const std::string& text) {
   const auto read = std::from_chars(text.data(), end, length_mm);
   if (read.ec != std::errc() || read.ptr != end || !(length_mm > 0.0)) return std::nullopt;
   return length_mm;
+}
+
+std::optional<SelectedHole> found_again(const SelectedHole& selected,
+                                        std::span<const BoundaryLoop> holes) {
+  // One that is being closed, or falls into several, has its center within what it was.
+  double nearest_mm = selected.width_mm / 2.0;
+  std::optional<SelectedHole> found;
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    const double away_mm = (holes[i].center_mm - selected.center_mm).norm();
+    if (away_mm > nearest_mm) continue;
+    nearest_mm = away_mm;
+    found = {i, holes[i].center_mm, hole_width_mm(holes[i])};
+  }
+  return found;
 }
 
 }  // namespace flytri::ui

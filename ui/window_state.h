@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,6 +76,17 @@ struct CalibrationForm {
 /// What was typed as a length; none where it is no length.
 [[nodiscard]] std::optional<double> typed_length_mm(const std::string& text);
 
+/// The hole that the user went to.
+struct SelectedHole {
+  std::size_t index = 0;  ///< among the holes of the scan
+  Vec3f center_mm = Vec3f::Zero();
+  double width_mm = 0.0;
+};
+
+/// Where the selected hole is among the holes that were found since; none where it was closed.
+[[nodiscard]] std::optional<SelectedHole> found_again(const SelectedHole& selected,
+                                                      std::span<const BoundaryLoop> holes);
+
 /// A notice while it shows.
 struct ShownNotice {
   Notice notice;
@@ -88,7 +100,7 @@ struct WindowState {
   Tool tool = Tool::kNone;
   BrushState brush;
   std::optional<Vec3> measured_from_mm;  ///< first of the two points
-  std::optional<std::size_t> selected_hole;
+  std::optional<SelectedHole> selected_hole;
   Dialog dialog = Dialog::kNone;
   ExportForm export_form;
   CaseForm case_form;

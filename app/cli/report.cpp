@@ -11,6 +11,7 @@
 #include "core/interchange/file_bytes.h"
 #include "core/interchange/json_place.h"
 #include "core/interchange/model.h"
+#include "core/meshing/coverage_holes.h"
 
 namespace flytri::cli {
 namespace {
@@ -62,6 +63,7 @@ Json stage_json(const StageTime& stage) {
 Json hole_json(const BoundaryLoop& loop) {
   return {{"perimeter_mm", loop.perimeter_mm},
           {"area_mm2", loop.area_mm2},
+          {"width_mm", hole_width_mm(loop)},
           {"center_mm", {loop.center_mm.x(), loop.center_mm.y(), loop.center_mm.z()}},
           {"normal", {loop.normal.x(), loop.normal.y(), loop.normal.z()}},
           {"is_outer_border", loop.is_outer}};
@@ -89,12 +91,6 @@ Json to_json(const Reconstruction& reconstruction, const Vec3& volume_mm) {
   return json;
 }
 
-std::size_t hole_count(const SurfaceMesh& surface) {
-  return static_cast<std::size_t>(
-      std::count_if(surface.boundaries.begin(), surface.boundaries.end(),
-                    [](const BoundaryLoop& loop) { return !loop.is_outer; }));
-}
-
 }  // namespace
 
 double steady_seconds() {
@@ -110,8 +106,9 @@ void print_summary(const Reconstruction& reconstruction) {
   for (const auto& [reason, count] : rejection_counts(reconstruction)) {
     fmt::print("  {} rejected: {}\n", count, reason);
   }
-  fmt::print("{} points, {} triangles, {} holes\n", reconstruction.points.size(),
-             reconstruction.surface.mesh.triangles.size(), hole_count(reconstruction.surface));
+  fmt::print("{} points, {} triangles, {} holes at least {} mm wide\n",
+             reconstruction.points.size(), reconstruction.surface.mesh.triangles.size(),
+             coverage_holes(reconstruction.surface.boundaries).size(), kLeastHoleWidth_mm);
   for (const StageTime& stage : reconstruction.stages) {
     fmt::print("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,
                stage.item_name);

@@ -164,16 +164,15 @@ std::vector<std::uint32_t> boundary_successors(const TriangleMesh& mesh) {
   return next;
 }
 
-/// Of each piece the loop that encloses most: a ragged crack may have a longer rim than the border.
+/// Of each piece the loop that encloses most, the first here: a ragged crack may have a longer rim
+/// than the border.
 void mark_outer(const TriangleMesh& mesh, std::vector<BoundaryLoop>& loops) {
   DisjointSets pieces = pieces_of(mesh);
-  std::vector<BoundaryLoop*> outer(mesh.vertices.size(), nullptr);
+  std::vector<char> has_border(mesh.vertices.size(), 0);
   for (BoundaryLoop& loop : loops) {
-    BoundaryLoop*& largest = outer[pieces.find(loop.vertices.front())];
-    if (largest == nullptr || loop.area_mm2 > largest->area_mm2) largest = &loop;
-  }
-  for (BoundaryLoop* loop : outer) {
-    if (loop != nullptr) loop->is_outer = true;
+    char& has = has_border[pieces.find(loop.vertices.front())];
+    loop.is_outer = has == 0;
+    has = 1;
   }
 }
 
@@ -231,7 +230,7 @@ std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {
     loops.push_back(std::move(loop));
   }
   std::stable_sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
-    return a.perimeter_mm > b.perimeter_mm;
+    return a.area_mm2 > b.area_mm2;
   });
   mark_outer(mesh, loops);
   return loops;

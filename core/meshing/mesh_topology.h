@@ -18,7 +18,7 @@ void drop_islands(TriangleMesh& mesh, double min_area_mm2);
 /// The mesh whose cuts are closed again: vertices at the very same place become one.
 [[nodiscard]] TriangleMesh welded(const TriangleMesh& cut);
 
-/// The rims of an oriented manifold, the largest perimeter first. Of each connected piece the one
+/// The rims of an oriented manifold, the largest area first. Of each connected piece the one
 /// that encloses the largest area is its outer border.
 [[nodiscard]] std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh);
 

@@ -21,7 +21,7 @@ struct BoundaryLoop {
 
 struct SurfaceMesh {
   TriangleMesh mesh;
-  std::vector<BoundaryLoop> boundaries;  ///< the largest perimeter first
+  std::vector<BoundaryLoop> boundaries;  ///< see find_boundaries()
 };
 
 }  // namespace flytri

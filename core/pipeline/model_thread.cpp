@@ -5,6 +5,7 @@
 
 #include "core/base/free_memory.h"
 #include "core/base/median.h"
+#include "core/meshing/coverage_holes.h"
 
 namespace flytri {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr std::size_t kLatencyFrames = 300;
 /// The model is published at most this often while more is waiting to be added to it, s.
 constexpr double kPublishPeriod_s = 0.03;
-/// Holes smaller than this many cells across are no places to scan.
-constexpr double kHoleCells = 4.0;
 
 }  // namespace
 
@@ -161,29 +160,21 @@ void ModelThread::take_holes(Result<SurfaceMesh> mesh, double began_s) {
   holes_at_s_ = around_.now_s();
   holes_took_s_ = holes_at_s_ - began_s;
   if (!mesh) return;  // too few points yet
-  remove_small(mesh->boundaries);
+  std::vector<BoundaryLoop> holes = coverage_holes(std::move(mesh->boundaries));
   around_.board.update([&](ScanSnapshot& s) {
     if (s.phase == ScanPhase::kFinished) return;
-    s.holes = std::move(mesh->boundaries);
+    s.holes = std::move(holes);
     s.holes_are_current = !has_grown_since_holes_;
   });
 }
 
 void ModelThread::show_holes(std::vector<BoundaryLoop> boundaries) {
-  thread_.post([this, boundaries = std::move(boundaries)]() mutable {
-    remove_small(boundaries);
+  thread_.post([this, holes = coverage_holes(std::move(boundaries))]() mutable {
     around_.board.update([&](ScanSnapshot& s) {
       if (s.phase != ScanPhase::kFinished) return;
-      s.holes = std::move(boundaries);
+      s.holes = std::move(holes);
       s.holes_are_current = true;
     });
-  });
-}
-
-void ModelThread::remove_small(std::vector<BoundaryLoop>& boundaries) {
-  const double least_mm = kHoleCells * model_.surface().cell_mm();
-  std::erase_if(boundaries, [&](const BoundaryLoop& loop) {
-    return loop.is_outer || loop.perimeter_mm < least_mm;
   });
 }
 

@@ -41,7 +41,7 @@ class ModelThread {
   /// LiveModel::follow.
   void follow(std::vector<AlignedView> views, EditList edits, double tolerated_cells);
   void look_for_holes();
-  /// Shows those of a finished mesh, while its scan is finished.
+  /// Shows the holes of a finished mesh, while its scan is finished.
   void show_holes(std::vector<BoundaryLoop> boundaries);
   /// Calls `use` on this thread with the frames that color the surface.
   void with_textures(std::function<void(const std::vector<PlacedTexture>&)> use);
@@ -61,8 +61,6 @@ class ModelThread {
   void publish();
   std::optional<LatencyStatistics> latency_with(const std::vector<double>& shown_offers_s);
   void search_holes();
-  /// Leaves only places to scan: inner ones that a sensor would fill.
-  void remove_small(std::vector<BoundaryLoop>& boundaries);
   void take_holes(Result<SurfaceMesh> mesh, double began_s);
 
   const ModelSurroundings around_;

@@ -89,7 +89,7 @@ struct ScanSnapshot {
   SurfelModel model;
   double good_share = 0.0;          ///< of the surfels, covered well: 0..1
   double area_mm2 = 0.0;            ///< of the surface seen so far
-  std::vector<BoundaryLoop> holes;  ///< the largest first; empty until looked for
+  std::vector<BoundaryLoop> holes;  ///< see coverage_holes(); empty until looked for
   bool holes_are_current = false;   ///< the surface has not grown since they were looked for
 
   std::vector<ReentryPlace> reentry;  ///< the best first; empty unless in continuation

@@ -142,7 +142,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
                            {"message", running.message},
                            {"verdict", running.outcome.verdict}};
   }
-  if (state.selected_hole) json["selected_hole"] = *state.selected_hole;
+  if (state.selected_hole) json["selected_hole"] = state.selected_hole->index;
   commands_.clear();
   // Text that is not UTF-8 must not end the program.
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

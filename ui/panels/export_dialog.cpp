@@ -1,8 +1,6 @@
 /// @file  Export: which files, where to, what they weigh, and whether the model has holes.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
@@ -58,10 +56,7 @@ void draw_place(const PanelContext& context, DialogPlate& dialog, ExportForm& fo
 }
 
 std::size_t open_holes(const AppView& view) {
-  if (view.scan == nullptr) return 0;
-  return static_cast<std::size_t>(
-      std::count_if(view.scan->holes.begin(), view.scan->holes.end(),
-                    [](const BoundaryLoop& hole) { return !hole.is_outer; }));
+  return view.scan == nullptr ? 0 : view.scan->holes.size();
 }
 
 struct Note {

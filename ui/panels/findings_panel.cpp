@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/meshing/coverage_holes.h"
 #include "ui/camera_moves.h"
 #include "ui/panels/panels.h"
-#include "ui/scene/hole_width.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/meter.h"
 
@@ -18,16 +18,6 @@ constexpr float kDistanceWidth = 232.0F;
 constexpr float kRow = 40.0F;
 constexpr float kHeading = 24.0F;
 constexpr std::size_t kMostRows = 3;
-
-/// Indices of the holes proper, the largest first; the border of the scan is none.
-std::vector<std::size_t> inner_holes(const AppView& view) {
-  std::vector<std::size_t> indices;
-  if (view.scan == nullptr) return indices;
-  for (std::size_t i = 0; i < view.scan->holes.size(); ++i) {
-    if (!view.scan->holes[i].is_outer) indices.push_back(i);
-  }
-  return indices;
-}
 
 /// A plate at the lower left, grown upwards by its rows and a heading.
 Rect plate_box(const PanelContext& context, float width, std::size_t rows) {
@@ -47,8 +37,10 @@ std::string hole_text(const BoundaryLoop& hole) {
   return fmt::format("{:.1f} mm wide", hole_width_mm(hole));
 }
 
-void draw_holes(const PanelContext& context, Rect& rest, const std::vector<std::size_t>& holes) {
+void draw_holes(const PanelContext& context, Rect& rest) {
   const ScanSnapshot& scan = *context.view.scan;
+  const std::vector<BoundaryLoop>& holes = scan.holes;
+  const auto& selected = context.state.selected_hole;
   draw_heading(context, rest,
                fmt::format("{} {}{}", holes.size(), holes.size() == 1 ? "hole" : "holes",
                            scan.holes_are_current ? "" : " so far"));
@@ -57,12 +49,12 @@ void draw_holes(const PanelContext& context, Rect& rest, const std::vector<std::
     const std::string id = fmt::format("hole_{}", i + 1);
     ButtonLook look;
     look.id = id.c_str();
-    look.label = hole_text(scan.holes[holes[i]]);
-    look.is_on = context.state.selected_hole == holes[i];
+    look.label = hole_text(holes[i]);
+    look.is_on = selected && selected->index == i;
     look.color = kCaution;
     const Rect box = rest.take_top(context.px(kRow), context.px(kGapXs));
     context.places.set(id, box);
-    if (small_button(context.theme, box, look)) show_hole(context.view, holes[i], context.state);
+    if (small_button(context.theme, box, look)) show_hole(context.view, i, context.state);
   }
   small_action(context, rest.take_top(context.px(kRow), context.px(kGapXs)), Action::kNextHole,
                {icon::kNext, "Next hole"});
@@ -89,12 +81,12 @@ void draw_measurements(const PanelContext& context, Rect& rest) {
   }
 }
 
-void draw_hole_plate(const PanelContext& context, const std::vector<std::size_t>& holes) {
-  const std::size_t rows = std::min(holes.size(), kMostRows) + 1;
+void draw_hole_plate(const PanelContext& context) {
+  const std::size_t rows = std::min(context.view.scan->holes.size(), kMostRows) + 1;
   const Rect box = plate_box(context, kHoleWidth, rows);
   const Plate plate("holes", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
-  draw_holes(context, rest, holes);
+  draw_holes(context, rest);
 }
 
 void draw_measurement_plate(const PanelContext& context) {
@@ -111,12 +103,12 @@ void draw_findings_panel(const PanelContext& context) {
   const ScanPhase phase = context.phase();
   if (phase == ScanPhase::kContinuation || phase == ScanPhase::kFinishing) return;
   const bool measures = context.state.tool == Tool::kMeasure;
-  const auto holes = inner_holes(context.view);
+  const bool has_holes = context.view.scan != nullptr && !context.view.scan->holes.empty();
   // One at a time: distances while they are measured, or where there are no holes to close.
-  if (!context.view.measurements.empty() && (measures || holes.empty())) {
+  if (!context.view.measurements.empty() && (measures || !has_holes)) {
     draw_measurement_plate(context);
-  } else if (!holes.empty()) {
-    draw_hole_plate(context, holes);
+  } else if (has_holes) {
+    draw_hole_plate(context);
   }
 }
 

@@ -64,8 +64,8 @@ void add_surface(const ScanSnapshot& scan, SceneContent& content) {
 void add_holes(const PanelContext& context, SceneContent& content) {
   const std::vector<BoundaryLoop>& holes = context.view.scan->holes;
   auto& selected = context.state.selected_hole;
-  if (selected && *selected >= holes.size()) selected.reset();
-  content.selected_hole = selected;
+  if (selected) selected = found_again(*selected, holes);
+  if (selected) content.selected_hole = selected->index;
   const bool is_lost = context.phase() == ScanPhase::kContinuation;
   if (is_lost) return;
   if (selected || context.state.color_mode == ColorMode::kCoverage) content.holes = &holes;

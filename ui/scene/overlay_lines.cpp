@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ui/scene/hole_width.h"
+#include "core/meshing/coverage_holes.h"
 
 namespace flytri::ui {
 namespace {
@@ -128,8 +128,7 @@ void add_hole(Pen& pen, const BoundaryLoop& hole, const TriangleMesh* mesh, bool
 void add_holes(Pen& pen, const SceneContent& content) {
   if (content.holes == nullptr) return;
   for (std::size_t i = 0; i < content.holes->size(); ++i) {
-    const BoundaryLoop& hole = (*content.holes)[i];
-    if (!hole.is_outer) add_hole(pen, hole, content.rim_mesh, content.selected_hole == i);
+    add_hole(pen, (*content.holes)[i], content.rim_mesh, content.selected_hole == i);
   }
 }
 

@@ -39,11 +39,11 @@ TriangleMesh square_with_a_comb_cut_out() {
 TEST(FindBoundaries, TheBorderIsWhatEnclosesMostHoweverRaggedAHoleIs) {
   const std::vector<BoundaryLoop> loops = find_boundaries(square_with_a_comb_cut_out());
   ASSERT_EQ(loops.size(), 2U);
-  EXPECT_GT(loops[0].perimeter_mm, 3.0 * loops[1].perimeter_mm);
-  EXPECT_FALSE(loops[0].is_outer);
-  EXPECT_NEAR(loops[0].area_mm2, 128.0, 1e-3);
-  EXPECT_TRUE(loops[1].is_outer);
-  EXPECT_NEAR(loops[1].area_mm2, 400.0, 1e-3);
+  EXPECT_TRUE(loops[0].is_outer);
+  EXPECT_NEAR(loops[0].area_mm2, 400.0, 1e-3);
+  EXPECT_FALSE(loops[1].is_outer);
+  EXPECT_NEAR(loops[1].area_mm2, 128.0, 1e-3);
+  EXPECT_GT(loops[1].perimeter_mm, 3.0 * loops[0].perimeter_mm);
 }
 
 }  // namespace
