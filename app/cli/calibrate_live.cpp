@@ -34,11 +34,9 @@ CalibrationPlan make_plan(const PlanArguments& arguments) {
 
 /// Who names nothing goes on with what the folder says.
 Result<CalibrationPlan> choose_plan(const CalibrateLiveArguments& arguments) {
-  if (!says_anything(arguments.plan)) {
-    auto found = read_guided_plan(arguments.output);
-    if (found || found.error().code != ErrorCode::kNotFound) return found;
-  }
-  return make_plan(arguments.plan);
+  const CalibrationPlan plan = make_plan(arguments.plan);
+  if (says_anything(arguments.plan)) return plan;
+  return guided_plan_or(plan, arguments.output);
 }
 
 void print_planes(const std::vector<PlaneResidual>& planes) {

@@ -9,11 +9,9 @@
 namespace flytri {
 namespace {
 
-/// What the folder says, where a calibration was begun there; else what is known of the sensor. One
-/// that nothing is known of is taken for the intra-oral sensor of the paper.
-Result<CalibrationPlan> plan_for(const std::filesystem::path& folder, const Calibration* known) {
-  auto found = read_guided_plan(folder);
-  if (found || found.error().code != ErrorCode::kNotFound) return found;
+/// From what is known of the sensor. One that nothing is known of is taken for the intra-oral
+/// sensor of the paper.
+CalibrationPlan plan_for(const Calibration* known) {
   SensorModel sensor = intraoral_sensor();
   if (known != nullptr) sensor.volume = known->volume;
   CalibrationPlan plan = plan_of(sensor);
@@ -35,7 +33,7 @@ Result<std::unique_ptr<CalibrationWork>> begin_work(
     case ui::CalibrationTask::kCalibrate:
       break;
   }
-  const auto plan = plan_for(command.folder, calibration.get());
+  const auto plan = guided_plan_or(plan_for(calibration.get()), command.folder);
   if (!plan) return tl::unexpected(plan.error());
   return calibrate_at_chair(command.folder, *plan, std::move(source));
 }

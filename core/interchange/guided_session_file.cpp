@@ -49,6 +49,13 @@ Result<CalibrationPlan> read_guided_plan(const std::filesystem::path& folder) {
   return plan;
 }
 
+Result<CalibrationPlan> guided_plan_or(const CalibrationPlan& fallback,
+                                       const std::filesystem::path& folder) {
+  auto found = read_guided_plan(folder);
+  if (!found && found.error().code == ErrorCode::kNotFound) return fallback;
+  return found;
+}
+
 Result<void> write_guided_plan(const std::filesystem::path& folder, const CalibrationPlan& plan) {
   if (auto made = create_folder(folder); !made) return made;
   nlohmann::ordered_json json = {{"format", kSessionFormat}, {"version", kSessionVersion}};

@@ -13,6 +13,11 @@ namespace flytri {
 /// @errors  kNotFound: the folder holds no session; kBadFormat; as CalibrationPlan::validate.
 [[nodiscard]] Result<CalibrationPlan> read_guided_plan(const std::filesystem::path& folder);
 
+/// What the folder says, where a calibration was begun there; else `fallback`.
+/// @errors  As read_guided_plan, but for kNotFound.
+[[nodiscard]] Result<CalibrationPlan> guided_plan_or(const CalibrationPlan& fallback,
+                                                     const std::filesystem::path& folder);
+
 /// Creates the folder where there is none.
 /// @errors  As create_folder and write_file.
 [[nodiscard]] Result<void> write_guided_plan(const std::filesystem::path& folder,
