@@ -118,7 +118,10 @@ Result<void> AtomicFile::write(std::string_view bytes) {
 Result<void> AtomicFile::commit() {
   // Some file systems find out that the disk is full only here.
   if (::fsync(descriptor_) != 0) return write_failure(path_, errno);
-  return commit_unsynced();
+  if (Result<void> renamed = commit_unsynced(); !renamed) return renamed;
+  // The new name is the folder's, which is flushed on its own.
+  const fs::path folder = path_.parent_path();
+  return sync_file(folder.empty() ? "." : folder);
 }
 
 Result<void> AtomicFile::commit_unsynced() {
@@ -141,7 +144,8 @@ Result<void> write_file(const fs::path& path, std::string_view bytes) {
 Result<void> sync_file(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return write_failure(path, errno);
-  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  // Some file systems keep folders in their own way and know no flushing of them.
+  const int error = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
   ::close(descriptor);
   if (error != 0) return write_failure(path, error);
   return {};
