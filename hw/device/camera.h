@@ -90,6 +90,7 @@ struct CameraStatus {
   std::int64_t restarted = 0;     ///< times that a stream which froze or broke was set up anew
   std::int64_t lost = 0;          ///< times that the camera went away
   std::int64_t returned = 0;      ///< times that it ran again after it was lost
+  bool operator==(const CameraStatus&) const = default;
 };
 
 /// A camera of the rig. start, stop and next are called from one thread at a time, all else from

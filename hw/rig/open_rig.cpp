@@ -1,6 +1,7 @@
 #include "hw/rig/open_rig.h"
 
 #include "core/interchange/calibration_file.h"
+#include "hw/device/camera_beside.h"
 #include "hw/gpio/gpio_light_switch.h"
 #include "hw/v4l2/v4l2_camera.h"
 
@@ -32,7 +33,8 @@ Result<RigDevices> open_devices(const RigSettings& rig) {
   if (rig.texture) {
     auto texture = V4l2Camera::create(rig.texture->match, rig.texture->settings);
     if (!texture) return tl::unexpected(texture.error());
-    devices.texture = *std::move(texture);
+    // What this camera takes to be set up anew must not cost frames of the other.
+    devices.texture = std::make_shared<CameraBeside>(*std::move(texture));
   }
   auto lights = GpioLightSwitch::create(rig.lights);
   if (!lights) return tl::unexpected(lights.error());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assets/sample_jaw/sample_jaw.h"
+#include "hw/device/camera_beside.h"
 #include "hw/recording/recorder_sensor.h"
 #include "hw/rig/rig_sensor.h"
 #include "hw/simulated/lit_scene.h"
@@ -100,7 +101,8 @@ std::shared_ptr<RigSensor> make_rig(bool has_texture) {
   RigDevices devices;
   devices.measurement = std::make_shared<ReadyCamera>(images_of(false), Channels::kGrey, lights);
   if (has_texture)
-    devices.texture = std::make_shared<ReadyCamera>(images_of(true), Channels::kRgb, lights);
+    devices.texture = std::make_shared<CameraBeside>(
+        std::make_unique<ReadyCamera>(images_of(true), Channels::kRgb, lights));
   devices.lights = lights;
   devices.clock = machine_clock();
   return RigSensor::create(devices, {}, nullptr).value();

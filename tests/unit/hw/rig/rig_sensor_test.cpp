@@ -167,6 +167,20 @@ TEST(RigSensor, SwappedProjectorsAreNamedAndFramesShowWhatTheySay) {
   EXPECT_NE(rig.sensor->status().message.find("swapped"), std::string::npos);
 }
 
+TEST(RigSensor, WhereAnImageDisagreesWithTheClockNoFrameIsTaken) {
+  const SimulatedRig rig = make_simulated_rig(usual());
+  ASSERT_TRUE(rig.sensor->start());
+  auto frames = run(rig, 3.0);
+  // Plugs that were exchanged in mid-scan: the clock stays sure.
+  rig.lights->set_faults({.is_swapped = true});
+  const auto after = run(rig, 4.0);
+  frames.insert(frames.end(), after.begin(), after.end());
+  expect_true(frames);
+  EXPECT_GT(rig.sensor->rig_status().measurement.labels.unknown +
+                rig.sensor->rig_status().measurement.labels.straddled,
+            20);
+}
+
 TEST(RigSensor, ASwitchThatBlocksAndDoesNothingNeverStallsCapture) {
   SimulatedRigOptions options = usual();
   options.lights.call_s = 4.0;
