@@ -7,6 +7,7 @@
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/evaluation/best_fit.h"
 #include "core/evaluation/surface_error.h"
+#include "core/interchange/frame_kind.h"
 #include "core/pipeline/reconstruct.h"
 #include "hw/recording/recorder_sensor.h"
 #include "hw/simulated/lit_scene.h"
@@ -89,25 +90,35 @@ void record(const SimulatedRig& rig, const std::filesystem::path& folder) {
 
 /// The middle of the exposure that a frame's learned time is near to.
 double exposed_s(const SimulatedRig& rig, const Frame& frame) {
-  const double period_s = 1.0 / rig.measurement->read_back().rate_hz;
-  const double since_s = kStart_s + frame.time_s - rig.measurement->exposure(0).middle_s;
-  return rig.measurement->exposure(std::llround(since_s / period_s)).middle_s;
+  const SimulatedCamera& camera =
+      frame.kind == FrameKind::kTexture ? *rig.texture : *rig.measurement;
+  const double period_s = 1.0 / camera.read_back().rate_hz;
+  const double since_s = kStart_s + frame.time_s - camera.exposure(0).middle_s;
+  return camera.exposure(std::llround(since_s / period_s)).middle_s;
 }
 
+/// As its light alone would have lit it.
+cv::Mat true_image(const Frame& frame, const SimulatedRig& rig, const Stage& stage) {
+  const double time_s = exposed_s(rig, frame);
+  if (frame.kind == FrameKind::kTexture) return stage.texture(Light::kFlash, time_s);
+  return stage.measurement(
+      frame.kind == FrameKind::kVertical ? Light::kVertical : Light::kHorizontal, time_s);
+}
+
+struct FrameCounts {
+  int measurement = 0, texture = 0;
+};
+
 /// That each frame is, bit for bit, what was lit by its light alone.
-/// @return  number of measurement frames
-int expect_true(const Recording& recording, const SimulatedRig& rig, const Stage& stage) {
-  int measurement = 0;
+FrameCounts expect_true(const Recording& recording, const SimulatedRig& rig, const Stage& stage) {
+  FrameCounts counts;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
     const Frame frame = load_frame(recording, FrameIndex(i)).value();
-    if (frame.kind == FrameKind::kTexture) continue;
-    ++measurement;
-    const Light light = frame.kind == FrameKind::kVertical ? Light::kVertical : Light::kHorizontal;
-    EXPECT_EQ(cv::norm(frame.image, stage.measurement(light, exposed_s(rig, frame)), cv::NORM_INF),
-              0.0)
-        << "frame " << i << " at " << frame.time_s << " s";
+    ++(frame.kind == FrameKind::kTexture ? counts.texture : counts.measurement);
+    EXPECT_EQ(cv::norm(frame.image, true_image(frame, rig, stage), cv::NORM_INF), 0.0)
+        << "frame " << i << ", " << to_string(frame.kind) << ", at " << frame.time_s << " s";
   }
-  return measurement;
+  return counts;
 }
 
 /// From the result's world, the frame of the first view, to the jaw.
@@ -127,7 +138,9 @@ TEST(RigScan, IsReconstructedAsExactlyAsTheSensorMeasures) {
   ASSERT_NO_FATAL_FAILURE(record(rig, folder / "scan"));
   const Recording recording = open_recording(folder / "scan").value();
   // Lights are off now and then, and a texture frame takes the place of some others.
-  EXPECT_GT(expect_true(recording, rig, stage), 30.0 * kScan_s * 0.85);
+  const FrameCounts counts = expect_true(recording, rig, stage);
+  EXPECT_GT(counts.measurement, 30.0 * kScan_s * 0.85);
+  EXPECT_GE(counts.texture, 2);
 
   const Calibration calibration = calibrate_virtual_sensor(intraoral_sensor(), workers, {}).value();
   const Reconstruction result = reconstruct(recording, calibration, {}, workers, {}).value();
@@ -145,6 +158,21 @@ TEST(RigScan, IsReconstructedAsExactlyAsTheSensorMeasures) {
   // The paper's figure for a whole jaw.
   EXPECT_LT(error.distance.rms_mm, 0.032);
   EXPECT_LT(fit.T_truth_result.translation().norm(), 0.1);
+}
+
+TEST(RigScan, FramesThatALightChangedInAreNotRecorded) {
+  const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
+  const Stage stage(jaw);
+  SimulatedRigOptions options = rig_of(stage);
+  // Nearly a whole period: there is no gap to switch in, so that every other frame is straddled.
+  options.measurement.exposure_s = 0.03;
+  const SimulatedRig rig = make_simulated_rig(options);
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(record(rig, folder / "scan"));
+  const Recording recording = open_recording(folder / "scan").value();
+  const FrameCounts counts = expect_true(recording, rig, stage);
+  EXPECT_GT(counts.measurement, 30.0 * kScan_s * 0.35);
+  EXPECT_GT(rig.sensor->rig_status().measurement.labels.straddled, 20);
 }
 
 }  // namespace
