@@ -80,11 +80,10 @@ Result<ControlChannel> ControlChannel::listen(const std::string& path) {
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   Descriptor server(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   unlink(path.c_str());
-  const mode_t former = umask(0177);
-  const int bound =
-      bind(server.number(), reinterpret_cast<const sockaddr*>(&address), sizeof(address));
-  umask(former);
-  if (bound != 0 || ::listen(server.number(), 1) != 0) {
+  // The file takes over the mode of the socket: nobody else ever may connect.
+  if (fchmod(server.number(), 0600) != 0 ||
+      bind(server.number(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0 ||
+      ::listen(server.number(), 1) != 0) {
     return fail(ErrorCode::kWriteFailed, "{}: socket cannot be made: {}", path,
                 std::strerror(errno));
   }
