@@ -7,6 +7,8 @@
 #include <memory>
 #include <tuple>
 
+#include "hw/device/c_text.h"
+
 namespace flytri {
 
 namespace {
@@ -20,20 +22,18 @@ using Udev = std::unique_ptr<udev, UdevCloser>;
 using UdevList = std::unique_ptr<udev_enumerate, UdevCloser>;
 using UdevDevice = std::unique_ptr<udev_device, UdevCloser>;
 
-std::string text(const char* value) { return value == nullptr ? std::string() : value; }
-
 // Attributes of the kernel's, not properties of udev's rules: they are there at once, whether or
 // not the rules have run.
 DeviceNode describe(udev_device* device) {
   DeviceNode node;
-  node.node = text(udev_device_get_devnode(device));
-  node.name = text(udev_device_get_sysattr_value(device, "name"));
-  node.index = std::atoi(text(udev_device_get_sysattr_value(device, "index")).c_str());
+  node.node = c_text(udev_device_get_devnode(device));
+  node.name = c_text(udev_device_get_sysattr_value(device, "name"));
+  node.index = std::atoi(c_text(udev_device_get_sysattr_value(device, "index")).c_str());
   // Parents belong to the device.
   udev_device* usb = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device");
   udev_device* parent = usb != nullptr ? usb : udev_device_get_parent(device);
-  if (usb != nullptr) node.serial = text(udev_device_get_sysattr_value(usb, "serial"));
-  if (parent != nullptr) node.bus_path = text(udev_device_get_sysname(parent));
+  if (usb != nullptr) node.serial = c_text(udev_device_get_sysattr_value(usb, "serial"));
+  if (parent != nullptr) node.bus_path = c_text(udev_device_get_sysname(parent));
   return node;
 }
 

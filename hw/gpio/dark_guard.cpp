@@ -113,7 +113,14 @@ Result<std::unique_ptr<DarkGuard>> DarkGuard::start(const DarkOrder& order) {
               std::generic_category().message(error));
 }
 
+DarkGuard::DarkGuard(int process, int pipe) : process_(process), pipe_(pipe) {
+  struct sigaction action {};
+  ignores_stop_ = sigaction(SIGTSTP, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
+  if (ignores_stop_) std::signal(SIGTSTP, SIG_IGN);
+}
+
 DarkGuard::~DarkGuard() {
+  if (ignores_stop_) std::signal(SIGTSTP, SIG_DFL);
   const char dismissed = 1;
   // A guard that is gone already needs no word, and the signal about that is of no use.
   sigset_t broken_pipe;

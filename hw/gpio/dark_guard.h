@@ -23,6 +23,10 @@ struct DarkOrder {
 /// listens to no signal but SIGKILL. It cannot help when it is killed itself, as by the end of a
 /// container, nor when chip, bus or power fail: that is for the electronics of the lights.
 ///
+/// Nor can it take lines from a program that is stopped but lives, and a stopped program would
+/// leave the light on. So Ctrl-Z (SIGTSTP) is ignored as long as there is a guard, where nothing
+/// else was wanted of it; against SIGSTOP there is no remedy.
+///
 /// The child is a fork that runs no code but a few system calls. It keeps the memory of this
 /// moment: what the program changes later is held twice, so that it is best started early.
 class DarkGuard {
@@ -35,9 +39,10 @@ class DarkGuard {
   DarkGuard& operator=(const DarkGuard&) = delete;
 
  private:
-  DarkGuard(int process, int pipe) : process_(process), pipe_(pipe) {}
+  DarkGuard(int process, int pipe);
   int process_;
   int pipe_;  // open to be written as long as this process lives
+  bool ignores_stop_ = false;
 };
 
 }  // namespace flytri

@@ -4,13 +4,12 @@
 #include <cerrno>
 #include <system_error>
 
+#include "hw/device/c_text.h"
 #include "hw/gpio/open_chip.h"
 
 namespace flytri {
 
 namespace {
-
-std::string text(const char* value) { return value == nullptr ? std::string() : value; }
 
 Error cannot_open(const DeviceNode& device, int error_number) {
   if (error_number == EACCES || error_number == EPERM)
@@ -30,13 +29,13 @@ GpioChip describe(const DeviceNode& device) {
     description.problems.push_back(cannot_open(device, errno));
     return description;
   }
-  description.label = text(gpiod_chip_label(chip.get()));
+  description.label = c_text(gpiod_chip_label(chip.get()));
   for (unsigned i = 0; i < gpiod_chip_num_lines(chip.get()); ++i) {
     gpiod_line* line = gpiod_chip_get_line(chip.get(), i);
     GpioLine& listed = description.lines.emplace_back();
     if (line == nullptr) continue;
-    listed.name = text(gpiod_line_name(line));
-    listed.consumer = text(gpiod_line_consumer(line));
+    listed.name = c_text(gpiod_line_name(line));
+    listed.consumer = c_text(gpiod_line_consumer(line));
     if (listed.consumer.empty() && gpiod_line_is_used(line)) listed.consumer = "the kernel";
   }
   return description;

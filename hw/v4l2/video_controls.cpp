@@ -3,6 +3,7 @@
 #include <linux/videodev2.h>
 
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 
@@ -58,6 +59,12 @@ Result<void> write(const OpenVideo& video, const v4l2_queryctrl& info, std::int3
   v4l2_control control{info.id, value};
   const int error = video.device.control(VIDIOC_S_CTRL, &control);
   if (error == 0) return {};
+  // The camera is open: this is no matter of the user's rights.
+  if (error == EACCES)
+    return fail(ErrorCode::kBadOption,
+                "camera {}: \"{}\" cannot be set to {}: an automatic mode that the camera does not "
+                "give up holds it; leave it out of the settings",
+                to_string(video.node), text_of(info), value);
   return tl::unexpected(
       video_failure(video.node, fmt::format("setting \"{}\" to {}", text_of(info), value), error));
 }

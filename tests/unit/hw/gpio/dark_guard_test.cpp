@@ -75,5 +75,25 @@ TEST_F(DarkGuardTest, HoldsNoFileOfTheProgram) {
   close(ends[0]);
 }
 
+TEST_F(DarkGuardTest, AProgramWithLightsIsNotStoppedFromTheKeyboard) {
+  const auto stop_action = [] {
+    struct sigaction action {};
+    sigaction(SIGTSTP, nullptr, &action);
+    return action.sa_handler;
+  };
+  ASSERT_EQ(stop_action(), SIG_DFL);
+  {
+    const auto guard = DarkGuard::start(order()).value();
+    EXPECT_EQ(stop_action(), SIG_IGN);
+  }
+  EXPECT_EQ(stop_action(), SIG_DFL);
+}
+
+TEST_F(DarkGuardTest, WhatTheProgramItselfDoesWhenItIsStoppedRemains) {
+  std::signal(SIGTSTP, [](int) {});
+  { const auto guard = DarkGuard::start(order()).value(); }
+  EXPECT_NE(std::signal(SIGTSTP, SIG_DFL), SIG_DFL);
+}
+
 }  // namespace
 }  // namespace flytri

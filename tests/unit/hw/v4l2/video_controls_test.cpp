@@ -72,6 +72,15 @@ TEST_F(VideoControlsTest, RefusesWhatTheCameraDoesNotHave) {
   EXPECT_EQ(set(settings).error().code, ErrorCode::kBadOption);
 }
 
+TEST_F(VideoControlsTest, AControlThatAnAutomaticModeHoldsIsNoMatterOfTheUsersRights) {
+  fake_->errors[VIDIOC_S_CTRL] = EACCES;
+  fake_->controls[V4L2_CID_AUTOGAIN].value = 0;
+  const auto failed = set({});
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().code, ErrorCode::kBadOption);
+  EXPECT_THAT(failed.error().message, HasSubstr("automatic mode"));
+}
+
 TEST_F(VideoControlsTest, NamesTheControlThatFails) {
   fake_->errors[VIDIOC_S_CTRL] = EIO;
   const auto failed = set({});
