@@ -17,7 +17,7 @@ constexpr int kMaxHalfWindow = kHalfWindows.back();
 constexpr double kAlone = 0.98;
 constexpr double kNearlyAlone = 0.9;
 
-// No combination is ever excluded: a dozen images bring it back when the latency jumps.
+// No possible combination is ever excluded: a dozen images bring it back when the latency jumps.
 constexpr double kLeast = 1e-12;
 
 /// From 0 where none of the light is a flash to 1 from where it outshines all else.
@@ -74,10 +74,7 @@ LatencyFilter::LatencyFilter(const LatencyOptions& options)
     : options_(options), step_s_(options.frame_period_s / kStepsPerPeriod) {
   const double periods = options.max_latency_periods - options.min_latency_periods;
   latency_count_ = static_cast<std::size_t>(std::lround(periods * kStepsPerPeriod)) + 1;
-  const std::size_t cells = 2 * kHalfWindows.size() * latency_count_;
-  probability_.assign(cells, 1.0);
-  for (std::size_t cell = 0; cell < cells; ++cell)
-    if (window_s(window_of(cell)) < options.min_window_s - step_s_) probability_[cell] = kLeast;
+  probability_.assign(2 * kHalfWindows.size() * latency_count_, 1.0);
   normalize();
 }
 
@@ -159,8 +156,13 @@ void LatencyFilter::learn(const LightHistory& history, double stamp_s,
 }
 
 void LatencyFilter::normalize() {
+  // What is impossible is so for good, however well it would explain the images.
+  const double shortest_s = std::min(options_.min_window_s, window_s(kHalfWindows.size() - 1));
+  for (std::size_t cell = 0; cell < probability_.size(); ++cell)
+    if (window_s(window_of(cell)) < shortest_s - step_s_) probability_[cell] = 0.0;
   const double sum = std::accumulate(probability_.begin(), probability_.end(), 0.0);
-  for (double& probability : probability_) probability = std::max(probability / sum, kLeast);
+  for (double& probability : probability_)
+    if (probability > 0.0) probability = std::max(probability / sum, kLeast);
 }
 
 void LatencyFilter::drift() {
