@@ -27,7 +27,7 @@ using testing::sample_pose;
 using testing::sample_texture;
 using testing::sample_view;
 
-constexpr ScanStage kStage = ScanStage::kUpper;
+constexpr ScanStage kDamagedStage = ScanStage::kUpper;
 constexpr int kViews = 40;
 
 /// Small views that share pages, and large ones that fill several.
@@ -43,15 +43,15 @@ std::string case_bytes(const fs::path& path, const std::string& passphrase = {})
     CaseFile file = CaseFile::create(path, {passphrase, false}).value();
     for (int i = 0; i < kViews; ++i) {
       const auto view = std::make_shared<const View>(view_of(i));
-      expect_done(file.append_view(kStage, *view));
-      expect_done(file.write_poses(kStage, std::array{AlignedView{view, sample_pose(i)}}));
+      expect_done(file.append_view(kDamagedStage, *view));
+      expect_done(file.write_poses(kDamagedStage, std::array{AlignedView{view, sample_pose(i)}}));
     }
-    expect_done(file.append_texture(kStage, sample_texture(kViews)));
+    expect_done(file.append_texture(kDamagedStage, sample_texture(kViews)));
     EditStack edits;
     for (int i = 0; i < 5; ++i) edits.push(sample_edit(i));
-    expect_done(file.write_edits(kStage, edits));
-    (void)file.add_measurement(kStage, {0, Vec3::Zero(), Vec3::Ones(), "a"}).value();
-    expect_done(file.write_result(kStage, {std::string(50000, 'x'), "{}"}));
+    expect_done(file.write_edits(kDamagedStage, edits));
+    (void)file.add_measurement(kDamagedStage, {0, Vec3::Zero(), Vec3::Ones(), "a"}).value();
+    expect_done(file.write_result(kDamagedStage, {std::string(50000, 'x'), "{}"}));
     expect_done(file.commit());
   }
   return read_file(path).value();
@@ -72,13 +72,13 @@ Salvage salvage(const fs::path& path, const CaseOptions& options = {}) {
     EXPECT_THAT(file.error().message, HasSubstr(path.string()));
     return {};
   }
-  const Result<StoredStage> stage = file->load_stage(kStage);
+  const Result<StoredStage> stage = file->load_stage(kDamagedStage);
   if (!stage) {
     EXPECT_THAT(stage.error().message, HasSubstr(path.string()));
     return {};
   }
   Salvage result{true, stage->views.size(), 0, false, file->damage().size() + stage->damage.size()};
-  if (!file->load_result(kStage)) ++result.damage;
+  if (!file->load_result(kDamagedStage)) ++result.damage;
   result.read_only = file->is_read_only();
   for (const StoredView& stored : stage->views) {
     const int frame = stored.view->frame.value;
@@ -90,7 +90,7 @@ Salvage salvage(const fs::path& path, const CaseOptions& options = {}) {
   for (const auto& edit : *stage->edits.all()) {
     EXPECT_EQ(edit->dabs.size(), 3U);
   }
-  (void)file->counts(kStage);
+  (void)file->counts(kDamagedStage);
   (void)file->fields();
   return result;
 }
@@ -272,24 +272,26 @@ TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
     const FileSizeLimit limit(1U << 20U);
     Result<void> written;
     for (; committed < 1000; ++committed) {
-      written =
-          file.append_view(kStage, view_of(committed)).and_then([&] { return file.commit(); });
+      written = file.append_view(kDamagedStage, view_of(committed)).and_then([&] {
+        return file.commit();
+      });
       if (!written) break;
     }
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code, ErrorCode::kWriteFailed);
     EXPECT_THAT(written.error().message, HasSubstr(path.string()));
     for (int i = 1; i < 4; ++i) {
-      EXPECT_FALSE(
-          file.append_view(kStage, view_of(committed + i)).and_then([&] { return file.commit(); }));
+      EXPECT_FALSE(file.append_view(kDamagedStage, view_of(committed + i)).and_then([&] {
+        return file.commit();
+      }));
     }
   }
   EXPECT_GT(committed, 20);
   // Nothing has to be written twice, and what came meanwhile is kept as well.
-  const Result<void> again = file.append_view(kStage, view_of(committed));
+  const Result<void> again = file.append_view(kDamagedStage, view_of(committed));
   EXPECT_EQ(again.error().code, ErrorCode::kInconsistent);
   ASSERT_TRUE(file.commit());
-  const StoredStage stage = file.load_stage(kStage).value();
+  const StoredStage stage = file.load_stage(kDamagedStage).value();
   EXPECT_EQ(stage.views.size(), static_cast<std::size_t>(committed) + 4);
   EXPECT_TRUE(stage.damage.empty());
   EXPECT_TRUE(same_bits(*stage.views.back().view, view_of(committed + 3)));
@@ -308,9 +310,9 @@ TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {
 [[noreturn]] void write_until_killed(const fs::path& path, int pipe) {
   Result<CaseFile> file = CaseFile::open(path);
   if (!file) ::_exit(1);
-  const int first = static_cast<int>(file->counts(kStage).value().views);
+  const int first = static_cast<int>(file->counts(kDamagedStage).value().views);
   for (std::int32_t i = first;; ++i) {
-    if (!file->append_view(kStage, view_of(i)) || !file->commit()) ::_exit(1);
+    if (!file->append_view(kDamagedStage, view_of(i)) || !file->commit()) ::_exit(1);
     if (::write(pipe, &i, sizeof(i)) != sizeof(i)) ::_exit(1);
   }
 }
@@ -334,7 +336,7 @@ TEST(CaseDamage, KilledInTheMiddleItKeepsAllThatWasCommitted) {
     ::close(ends[0]);
     CaseFile file = CaseFile::open(path).value();
     EXPECT_FALSE(file.is_read_only());
-    const StoredStage stage = file.load_stage(kStage).value();
+    const StoredStage stage = file.load_stage(kDamagedStage).value();
     EXPECT_TRUE(stage.damage.empty());
     // One more may have been committed than could be told.
     ASSERT_GE(static_cast<std::int32_t>(stage.views.size()), last_committed + 1);

@@ -20,7 +20,7 @@ using testing::SceneSensor;
 constexpr double kPeriod_s = 1.0 / 30.0;
 
 /// A slow loop of the hand over the scene.
-Isometry hand_pose(double time_s) {
+Isometry scan_pose(double time_s) {
   Twist twist;
   twist << 0.1 * std::sin(0.9 * time_s), 0.1 * std::cos(0.7 * time_s), 0.2 * std::sin(0.5 * time_s),
       6.0 * std::sin(0.55 * time_s), 5.0 * std::cos(0.8 * time_s), 0.5 * std::sin(1.1 * time_s);
@@ -43,7 +43,7 @@ class Scene {
     Random random(17, static_cast<std::uint64_t>(frame.index.value));
     measured.view =
         testing::measure_scene(testing::cusped_height, SceneSensor(), *pattern_of(frame.kind),
-                               hand_pose(frame.time_s), random);
+                               scan_pose(frame.time_s), random);
     measured.view.frame = frame.index;
     measured.view.time_s = frame.time_s;
     return measured;
@@ -88,11 +88,11 @@ void offer(LiveScan& scan, int begin, int end) {
 /// RMS over a view's radius of how far poses are from the truth, first view's gauge.
 double pose_rms_mm(const std::vector<AlignedView>& views) {
   const Isometry T_scene_world =
-      hand_pose(views.front().view->time_s) * views.front().T_world_sensor.inverse();
+      scan_pose(views.front().view->time_s) * views.front().T_world_sensor.inverse();
   double sum = 0.0;
   for (const AlignedView& view : views) {
     const double off_mm =
-        pose_distance_mm(T_scene_world * view.T_world_sensor, hand_pose(view.view->time_s), 7.0);
+        pose_distance_mm(T_scene_world * view.T_world_sensor, scan_pose(view.view->time_s), 7.0);
     sum += off_mm * off_mm;
   }
   return std::sqrt(sum / static_cast<double>(views.size()));
@@ -160,7 +160,7 @@ TEST(LiveScan, SurfelsLieOnTheSurfaceWithItsNormals) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 90);
-  const Isometry T_scene_world = hand_pose(0.0);
+  const Isometry T_scene_world = scan_pose(0.0);
   double sum2 = 0.0;
   std::vector<double> cosines;
   for (const auto& block : scan->snapshot()->model) {

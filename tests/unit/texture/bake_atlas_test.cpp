@@ -16,7 +16,7 @@ namespace flytri {
 namespace {
 
 /// A texture camera that looks along z: U = 320 + 20 x, V = 240 + 20 y.
-Calibration orthographic() {
+Calibration six_sided_calibration() {
   return testing::orthographic_calibration({20, 20, 20}, {640, 480}, 20.0);
 }
 
@@ -98,7 +98,7 @@ TEST(AtlasCharts, PackedChartsDoNotOverlap) {
 TEST(BakeAtlas, ColorsAreWhereTheCameraSawThem) {
   TriangleMesh mesh = wave(0.5F);
   const std::vector<TextureFrame> frames = {two_colors()};
-  const auto baked = bake_atlas(mesh, frames, orthographic(), {}, Workers(2));
+  const auto baked = bake_atlas(mesh, frames, six_sided_calibration(), {}, Workers(2));
   ASSERT_TRUE(baked.has_value());
   for (SurfacePoint& vertex : mesh.vertices) {
     vertex.color = vertex.position_mm.x() < 0.0F ? Rgb{200, 40, 40} : Rgb{40, 40, 200};
@@ -144,7 +144,7 @@ TEST(BakeAtlas, PatternOfASphereIsRecovered) {
                static_cast<std::uint8_t>(light.z())};
   };
   const auto baked =
-      bake_atlas(sphere, six_sides(radius_mm, color_of), orthographic(), {}, Workers(2));
+      bake_atlas(sphere, six_sides(radius_mm, color_of), six_sided_calibration(), {}, Workers(2));
   ASSERT_TRUE(baked.has_value());
   // Every direction is within 55 degrees of one camera's, far from grazing.
   EXPECT_EQ(baked->texels.untextured, 0U);
@@ -176,7 +176,8 @@ TEST(BakeAtlas, WhatLiesBehindAnotherFaceIsNotPainted) {
   for (const Triangle& t : front.triangles) {
     mesh.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
   }
-  const auto baked = bake_atlas(mesh, std::vector{two_colors()}, orthographic(), {}, Workers(2));
+  const auto baked =
+      bake_atlas(mesh, std::vector{two_colors()}, six_sided_calibration(), {}, Workers(2));
   ASSERT_TRUE(baked.has_value());
   std::size_t green = 0;
   for (std::size_t i = 0; i < baked->model.uv.size(); ++i) {
@@ -193,7 +194,7 @@ TEST(BakeAtlas, WhatLiesBehindAnotherFaceIsNotPainted) {
 TEST(BakeAtlas, WhatNoFrameSawKeepsTheColorOfItsVertices) {
   TriangleMesh mesh = wave(0.5F);
   for (SurfacePoint& vertex : mesh.vertices) vertex.color = {10, 200, 30};
-  const auto baked = bake_atlas(mesh, {}, orthographic(), {}, Workers(2));
+  const auto baked = bake_atlas(mesh, {}, six_sided_calibration(), {}, Workers(2));
   ASSERT_TRUE(baked.has_value());
   EXPECT_EQ(baked->texels.observed, 0U);
   EXPECT_LT(color_error(baked->model, mesh, 0.01, Workers(1)).percentile_95, 1e-6);
@@ -203,8 +204,8 @@ TEST(BakeAtlas, AnAtlasWithTooLittleRoomHasCoarserTexels) {
   const TriangleMesh mesh = wave(0.5F);
   AtlasOptions small;
   small.max_side_px = 64;
-  const auto coarse = bake_atlas(mesh, {}, orthographic(), small, Workers(1));
-  const auto fine = bake_atlas(mesh, {}, orthographic(), {}, Workers(1));
+  const auto coarse = bake_atlas(mesh, {}, six_sided_calibration(), small, Workers(1));
+  const auto fine = bake_atlas(mesh, {}, six_sided_calibration(), {}, Workers(1));
   ASSERT_TRUE(coarse && fine);
   EXPECT_LE(coarse->model.atlas.cols, 64);
   EXPECT_NEAR(fine->texel_mm, 1.0 / 20.0, 1e-9);
@@ -214,8 +215,8 @@ TEST(BakeAtlas, AnAtlasWithTooLittleRoomHasCoarserTexels) {
 TEST(BakeAtlas, SameBitsForAnyNumberOfThreads) {
   const TriangleMesh mesh = wave(2.0F);
   const std::vector<TextureFrame> frames = {two_colors()};
-  const auto one = bake_atlas(mesh, frames, orthographic(), {}, Workers(1));
-  const auto four = bake_atlas(mesh, frames, orthographic(), {}, Workers(4));
+  const auto one = bake_atlas(mesh, frames, six_sided_calibration(), {}, Workers(1));
+  const auto four = bake_atlas(mesh, frames, six_sided_calibration(), {}, Workers(4));
   ASSERT_TRUE(one && four);
   EXPECT_EQ(cv::norm(one->model.atlas, four->model.atlas, cv::NORM_INF), 0.0);
   EXPECT_EQ(one->model.uv, four->model.uv);
@@ -224,9 +225,9 @@ TEST(BakeAtlas, SameBitsForAnyNumberOfThreads) {
 TEST(BakeAtlas, BadInputIsRefused) {
   AtlasOptions options;
   options.max_side_px = 1000;
-  EXPECT_EQ(bake_atlas(wave(1.0F), {}, orthographic(), options, Workers(1)).error().code,
+  EXPECT_EQ(bake_atlas(wave(1.0F), {}, six_sided_calibration(), options, Workers(1)).error().code,
             ErrorCode::kBadOption);
-  EXPECT_EQ(bake_atlas({}, {}, orthographic(), {}, Workers(1)).error().code,
+  EXPECT_EQ(bake_atlas({}, {}, six_sided_calibration(), {}, Workers(1)).error().code,
             ErrorCode::kInsufficient);
 }
 

@@ -9,7 +9,7 @@
 namespace flytri {
 namespace {
 
-const RayScene& jaw() {
+const RayScene& jaw_scene() {
   static const RayScene scene(
       sample_jaw::make_sample_jaw({.tooth_cell_mm = 0.5, .gum_cell_mm = 0.8}, Workers(1)).value());
   return scene;
@@ -21,16 +21,16 @@ SensorPath short_path(double tremor = 1.0) {
   options.duration_s = 6.0;
   options.tremor_mm *= tremor;
   options.tremor_rad *= tremor;
-  return plan_path(jaw(), intraoral_sensor(), options).value();
+  return plan_path(jaw_scene(), intraoral_sensor(), options).value();
 }
 
 Hand make_hand(const HandOptions& options = {}) {
-  return Hand(jaw(), intraoral_sensor(), short_path(), options);
+  return Hand(jaw_scene(), intraoral_sensor(), short_path(), options);
 }
 
 // A place on the other side of the jaw, seen from above and a little from the side.
 HandAim far_aim() {
-  const auto hit = jaw().first_hit({Vec3(-20.0, 5.0, 60.0), -Vec3::UnitZ()});
+  const auto hit = jaw_scene().first_hit({Vec3(-20.0, 5.0, 60.0), -Vec3::UnitZ()});
   return {hit->point_mm, Vec3(0.3, 0.0, 1.0).normalized(), Vec3::UnitX()};
 }
 

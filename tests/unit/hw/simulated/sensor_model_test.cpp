@@ -9,7 +9,7 @@
 namespace flytri {
 namespace {
 
-class SensorModels : public testing::TestWithParam<SensorModel (*)()> {
+class SensorModels : public ::testing::TestWithParam<SensorModel (*)()> {
  protected:
   const SensorModel sensor = GetParam()();
 };
@@ -98,7 +98,7 @@ TEST_P(SensorModels, EveryLineHasAnAreaOfItsOwnInTheVolume) {
 
 TEST_P(SensorModels, AreValid) { EXPECT_TRUE(sensor.validate()); }
 
-INSTANTIATE_TEST_SUITE_P(Both, SensorModels, testing::Values(&intraoral_sensor, &face_sensor));
+INSTANTIATE_TEST_SUITE_P(Both, SensorModels, ::testing::Values(&intraoral_sensor, &face_sensor));
 
 TEST(SensorModel, NamesThePartThatCannotBe) {
   SensorModel sensor = intraoral_sensor();

@@ -8,12 +8,12 @@
 namespace flytri {
 namespace {
 
-constexpr double kPeriod_s = 1.0 / 30.0;
+constexpr double kCameraPeriod_s = 1.0 / 30.0;
 
 LabelTrialOptions usual() {
   LabelTrialOptions options;
   options.camera.noise = 0.004;
-  options.camera.latency_s = 1.3 * kPeriod_s;
+  options.camera.latency_s = 1.3 * kCameraPeriod_s;
   options.duration_s = 9.0;
   return options;
 }
@@ -37,11 +37,11 @@ TEST(FrameLabeler, LabelsAllWholeFramesWhateverTheLatency) {
   for (const double periods : {0.0, 0.37, 1.0, 1.5, 2.2, 3.0}) {
     SCOPED_TRACE(periods);
     LabelTrialOptions options = usual();
-    options.camera.latency_s = periods * kPeriod_s;
+    options.camera.latency_s = periods * kCameraPeriod_s;
     const LabelTrialResult result = run(options);
     expect_all_right(result, 4.0);
     // An eighth of a period is what the plan needs.
-    EXPECT_NEAR(result.latency_error_s, 0.0, kPeriod_s / 8.0);
+    EXPECT_NEAR(result.latency_error_s, 0.0, kCameraPeriod_s / 8.0);
     EXPECT_EQ(result.fault, LightFault::kNone);
   }
 }

@@ -7,7 +7,7 @@
 namespace flytri {
 namespace {
 
-constexpr double kPeriod_s = 1.0 / 30.0;
+constexpr double kFramePeriod_s = 1.0 / 30.0;
 constexpr double kLatency_s = 0.045;
 
 /// After 400 frames that collect light for `window_s`, while the patterns stay for random times.
@@ -18,8 +18,9 @@ LatencyEstimate learn(const LatencyOptions& options, double window_s) {
   double switched_s = 0.0;
   std::int64_t wish = 0;
   for (int i = 0; i < 400; ++i) {
-    const double middle_s = 1.0 + i * kPeriod_s;
-    for (; switched_s < middle_s + kLatency_s; switched_s += (1.2 + random.uniform()) * kPeriod_s) {
+    const double middle_s = 1.0 + i * kFramePeriod_s;
+    for (; switched_s < middle_s + kLatency_s;
+         switched_s += (1.2 + random.uniform()) * kFramePeriod_s) {
       const Light light = ++wish % 2 == 0 ? Light::kVertical : Light::kHorizontal;
       history.switched({wish, light, switched_s, switched_s, true});
     }
@@ -53,7 +54,7 @@ TEST(LatencyFilter, NoImageTalksItOutOfTheWindowThatIsTold) {
 TEST(LatencyFilter, AWindowBeyondAllThatAreThoughtPossibleIsTheLongestOfThem) {
   LatencyOptions options;
   options.min_window_s = 1.0;
-  EXPECT_NEAR(learn(options, 0.045).window_s, 1.5 * kPeriod_s, 1e-9);
+  EXPECT_NEAR(learn(options, 0.045).window_s, 1.5 * kFramePeriod_s, 1e-9);
 }
 
 }  // namespace
