@@ -58,6 +58,18 @@ void take_over_permissions(int descriptor, const fs::path& path) {
   if (::stat(path.c_str(), &former) == 0) (void)::fchmod(descriptor, former.st_mode & 07777U);
 }
 
+/// A file's new name is its folder's, which is flushed on its own: where it may be opened, and the
+/// file system knows of such a thing. Else the file is there all the same.
+Result<void> sync_folder_of(const fs::path& path) {
+  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return {};
+  const int error = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+  ::close(descriptor);
+  if (error != 0) return write_failure(path, error);
+  return {};
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path path, std::string temporary, int descriptor)
@@ -119,9 +131,7 @@ Result<void> AtomicFile::commit() {
   // Some file systems find out that the disk is full only here.
   if (::fsync(descriptor_) != 0) return write_failure(path_, errno);
   if (Result<void> renamed = commit_unsynced(); !renamed) return renamed;
-  // The new name is the folder's, which is flushed on its own.
-  const fs::path folder = path_.parent_path();
-  return sync_file(folder.empty() ? "." : folder);
+  return sync_folder_of(path_);
 }
 
 Result<void> AtomicFile::commit_unsynced() {
@@ -144,8 +154,7 @@ Result<void> write_file(const fs::path& path, std::string_view bytes) {
 Result<void> sync_file(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return write_failure(path, errno);
-  // Some file systems keep folders in their own way and know no flushing of them.
-  const int error = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
   ::close(descriptor);
   if (error != 0) return write_failure(path, error);
   return {};

@@ -44,7 +44,7 @@ class AtomicFile {
 /// @errors  As AtomicFile.
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Waits until the device has all bytes of a file, or all names in a folder.
+/// Waits until the device has all bytes of a file.
 /// @errors  kNotFound, kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> sync_file(const std::filesystem::path& path);
 

@@ -74,7 +74,13 @@ LatencyFilter::LatencyFilter(const LatencyOptions& options)
     : options_(options), step_s_(options.frame_period_s / kStepsPerPeriod) {
   const double periods = options.max_latency_periods - options.min_latency_periods;
   latency_count_ = static_cast<std::size_t>(std::lround(periods * kStepsPerPeriod)) + 1;
-  probability_.assign(2 * kHalfWindows.size() * latency_count_, 1.0);
+  // Where the camera's exposure is longer than all windows, the longest is left.
+  while (first_window_ + 1 < kHalfWindows.size() &&
+         window_s(first_window_) < options.min_window_s - step_s_)
+    ++first_window_;
+  probability_.assign(2 * kHalfWindows.size() * latency_count_, 0.0);
+  for (std::size_t cell = 0; cell < probability_.size(); ++cell)
+    if (is_possible(cell)) probability_[cell] = 1.0;
   normalize();
 }
 
@@ -156,13 +162,9 @@ void LatencyFilter::learn(const LightHistory& history, double stamp_s,
 }
 
 void LatencyFilter::normalize() {
-  // What is impossible is so for good, however well it would explain the images.
-  const double shortest_s = std::min(options_.min_window_s, window_s(kHalfWindows.size() - 1));
-  for (std::size_t cell = 0; cell < probability_.size(); ++cell)
-    if (window_s(window_of(cell)) < shortest_s - step_s_) probability_[cell] = 0.0;
   const double sum = std::accumulate(probability_.begin(), probability_.end(), 0.0);
-  for (double& probability : probability_)
-    if (probability > 0.0) probability = std::max(probability / sum, kLeast);
+  for (std::size_t cell = 0; cell < probability_.size(); ++cell)
+    if (is_possible(cell)) probability_[cell] = std::max(probability_[cell] / sum, kLeast);
 }
 
 void LatencyFilter::drift() {

@@ -77,12 +77,17 @@ class LatencyFilter {
   void drift();
   void normalize();
   [[nodiscard]] std::size_t window_of(std::size_t cell) const;
+  /// What is not has probability 0 for good, however well it would explain the images.
+  [[nodiscard]] bool is_possible(std::size_t cell) const {
+    return window_of(cell) >= first_window_;
+  }
   [[nodiscard]] double latency_s(std::size_t place) const;
   [[nodiscard]] double window_s(std::size_t window) const;
 
   LatencyOptions options_;
   double step_s_;
   std::size_t latency_count_;
+  std::size_t first_window_ = 0;     // shorter ones are not possible
   std::vector<double> probability_;  // [swapped][window][latency]
 };
 
