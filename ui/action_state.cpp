@@ -42,7 +42,7 @@ ActionState only_if(bool is_possible, const char* why) {
 
 ActionState scan_state(const Facts& facts) {
   if (facts.is(ScanPhase::kFinishing)) return disabled("finishing");
-  if (facts.is(ScanPhase::kFinished)) return enabled("finished; scanning can go on");
+  if (facts.is(ScanPhase::kFinished)) return enabled("finished");
   if (facts.view.file.is_read_only) return disabled("the case is read-only");
   if (facts.view.is_scanning) return {true, true, "scanning"};
   return enabled("paused");
@@ -177,7 +177,7 @@ std::string why_not_confirmed(const CalibrationState& calibration) {
       if (calibration.running->task != CalibrationTask::kCalibrate) return "done";
       return calibration.why_not_used;
     case CalibrationStep::kRefused:
-      return "choose what to take again";
+      return "choose a place";
     case CalibrationStep::kFailed:
       return "failed";
     default:
@@ -205,7 +205,7 @@ ActionState begin_state(Action action, const CalibrationState& calibration, cons
   if (action == Action::kCalibrate) return enabled();
   if (!calibration.has_calibration) return disabled("no calibration yet");
   if (action == Action::kCheckOnSphere && calibration.is_simulated)
-    return disabled("the virtual sensor sees a plane");
+    return disabled("only of a real sensor");
   const bool has_diameter = typed_length_mm(facts.state.calibration_form.sphere_diameter_mm) > 0.0;
   return only_if(action == Action::kCheckOnPlane || has_diameter, "type its diameter");
 }

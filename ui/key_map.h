@@ -93,11 +93,14 @@ struct KeyBinding {
 /// What a key does. Control and Shift count where a row of the table asks for them.
 [[nodiscard]] std::optional<Action> action_of(const KeyEvent& press);
 
+/// What fits the column of the keys' list.
+constexpr std::size_t kLongestStanding = 24;
+
 /// How an action stands.
 struct ActionState {
   bool is_enabled = true;
   bool is_on = false;  ///< a tool in hand, a mode chosen
-  std::string text;    ///< why it is disabled, or how it stands; may be empty
+  std::string text;    ///< why it is disabled, or how it stands; at most kLongestStanding
 };
 [[nodiscard]] ActionState action_state(Action action, const AppView& view,
                                        const WindowState& state);

@@ -10,6 +10,7 @@
 #include "core/calibrating/calibrate.h"
 #include "core/interchange/calibration_file.h"
 #include "core/interchange/calibration_set_file.h"
+#include "core/interchange/file_bytes.h"
 
 namespace flytri::cli {
 namespace {
@@ -24,13 +25,14 @@ struct CalibrateArguments {
 };
 
 Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& progress) {
+  const std::filesystem::path output =
+      arguments.output.empty() ? "calibration.json" : arguments.output;
+  if (auto checked = check_writable(output); !checked) return checked;
   const Result<CalibrationSet> set = read_calibration_set(arguments.set);
   if (!set) return tl::unexpected(set.error());
   const Result<Calibration> calibration =
       calibrate(*set, CalibrateOptions{}, Workers(arguments.of_live.thread_count), progress);
   if (!calibration) return tl::unexpected(calibration.error());
-  const std::filesystem::path output =
-      arguments.output.empty() ? "calibration.json" : arguments.output;
   if (auto written = write_calibration(output, *calibration); !written) return written;
   print_residuals(*calibration);
   fmt::print("wrote {}\n", output.string());

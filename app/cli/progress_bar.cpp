@@ -17,11 +17,11 @@ constexpr int kBarWidth = 28;
 constexpr double kMinFractionForEstimate = 0.03;
 
 // A signal handler can reach nothing but an object of static storage.
-std::atomic<bool> interrupted{false};
+std::atomic<bool> is_interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void on_signal(int signal) {
-  if (interrupted.exchange(true)) {
+  if (is_interrupted.exchange(true)) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -55,7 +55,7 @@ ProgressBar::~ProgressBar() {
 
 void ProgressBar::run() {
   while (!finished_) {
-    if (interrupted) progress_.cancel();
+    if (is_interrupted) progress_.cancel();
     show(progress_.snapshot());
     std::this_thread::sleep_for(kPeriod);
   }

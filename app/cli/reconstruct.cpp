@@ -9,6 +9,7 @@
 #include "app/cli/report.h"
 #include "core/interchange/calibration_file.h"
 #include "core/interchange/calibration_json.h"
+#include "core/interchange/file_bytes.h"
 #include "core/interchange/glb.h"
 #include "core/interchange/model.h"
 #include "core/interchange/ply.h"
@@ -46,6 +47,11 @@ Result<fs::path> calibration_path(const ReconstructArguments& arguments,
 Result<void> check_outputs(const ReconstructArguments& arguments) {
   for (const fs::path& output : arguments.outputs) {
     if (auto checked = check_model_path(output); !checked) return checked;
+    if (auto checked = check_writable(output); !checked) return checked;
+  }
+  for (const fs::path& beside : {arguments.points, arguments.report}) {
+    if (beside.empty()) continue;
+    if (auto checked = check_writable(beside); !checked) return checked;
   }
   return {};
 }

@@ -12,7 +12,7 @@ namespace flytri {
 
 /// The mean of a few neighboring points of a profile.
 struct HoldBlock {
-  Vec3 position_mm;   ///< sensor frame
+  Vec3 position_mm = Vec3::Zero();  ///< sensor frame
   double sign = 0.5;  ///< +1/2: vertical, -1/2: horizontal: a difference of the patterns is theirs
   double time = 0.0;  ///< -1..1 through the pose
   std::size_t line = 0;   ///< counts the profiles of all poses: what shares noise

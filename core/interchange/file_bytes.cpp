@@ -144,6 +144,10 @@ Result<void> AtomicFile::commit_unsynced() {
   return {};
 }
 
+Result<void> check_writable(const fs::path& path) {
+  return AtomicFile::create(path).map([](const AtomicFile&) {});
+}
+
 Result<void> write_file(const fs::path& path, std::string_view bytes) {
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return tl::unexpected(file.error());

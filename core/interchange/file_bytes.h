@@ -41,6 +41,10 @@ class AtomicFile {
   int descriptor_ = -1;  ///< -1: committed, moved from or discarded
 };
 
+/// Whether write_file() could begin now, for who has long work before it. Leaves nothing behind.
+/// @errors  As AtomicFile::create.
+[[nodiscard]] Result<void> check_writable(const std::filesystem::path& path);
+
 /// @errors  As AtomicFile.
 [[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 

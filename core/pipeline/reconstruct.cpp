@@ -59,8 +59,8 @@ void Run::reject(FrameIndex frame, std::string reason) {
   report.T_world_sensor.reset();
 }
 
-/// Measures frame i, or says in its report why not. A frame of the wrong size is an error: the
-/// calibration is that of another sensor.
+/// Measures frame i, or says in its report why not. A frame of the wrong size is an error: it is
+/// damaged, or the calibration is that of another sensor.
 Result<void> Run::measure_frame(const Recording& recording, const Calibration& calibration,
                                 std::size_t i) {
   const FrameIndex index(i);
@@ -103,8 +103,12 @@ Result<void> Run::measure_frames(const Recording& recording, const Calibration& 
       count, [&](std::size_t i) { outcomes[i] = measure_frame(recording, calibration, i); },
       progress_);
   if (!complete) return stopped();
-  for (const Result<void>& outcome : outcomes) {
-    if (!outcome) return outcome;
+  const bool is_of_this_sensor =
+      std::any_of(views_.begin(), views_.end(), [](const auto& view) { return view != nullptr; });
+  for (std::size_t i = 0; i < count; ++i) {
+    if (outcomes[i]) continue;
+    if (!is_of_this_sensor) return outcomes[i];
+    reject(FrameIndex(i), outcomes[i].error().message);
   }
   clock_.end_stage("image to view", count, "frames");
   return {};

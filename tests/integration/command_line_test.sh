@@ -93,7 +93,10 @@ expect 'NaN in calibration' 1 'nan\.json: .*flytri calibrate' \
 bad_copy bad
 small=$(find "$(dirname "$short_path")" -name 'small.png')
 cp "$small" bad/frames/000003.png
-expect 'wrong image size' 1 'bad/frames/000003\.png: .* pixels.*calibration' reconstruct bad
+expect 'one image of a wrong size' 0 'rejected: bad/frames/000003\.png: .* pixels' reconstruct bad
+rm -f out.ply
+for frame in bad/frames/*.png; do cp "$small" "$frame"; done
+expect 'wrong image size' 1 'bad/frames/000000\.png: .* pixels.*calibration' reconstruct bad
 expect 'not a calibration' 1 'scan/recording\.json: .*flytri calibrate' \
   "$flytri" reconstruct scan --calibration scan/recording.json -o out.ply
 absent 'bad calibrations' out.ply
@@ -107,6 +110,12 @@ expect 'below a file' 1 '1\.ply/out\.ply: .*folder' "$flytri" reconstruct scan \
   --calibration calibration.json -o 1.ply/out.ply
 expect 'no such folder' 1 'nowhere/out\.ply: .*folder' "$flytri" reconstruct scan \
   --calibration calibration.json -o nowhere/out.ply
+expect 'no folder for the report' 1 'nowhere/report\.json: .*folder' "$flytri" reconstruct scan \
+  --calibration calibration.json -o out.ply --report nowhere/report.json
+grep -q Measuring log && fail 'is found after the work'
+absent 'no folder for the report' out.ply
+expect 'no folder for the calibration' 1 'nowhere/c\.json: .*folder' \
+  "$flytri" calibrate set -o nowhere/c.json
 if [ "$(id -u)" = 0 ] && setpriv --reuid=65534 --clear-groups true 2> /dev/null; then
   chmod 755 "$work" && mkdir -m 755 locked
   expect 'no permission' 1 'locked/out\.ply: .*[Pp]ermission' \

@@ -7,6 +7,7 @@
 #include "core/interchange/png.h"
 #include "tests/ui/screen_reader.h"
 #include "tests/ui/window_driver.h"
+#include "ui/key_map.h"
 
 namespace flytri {
 namespace {
@@ -99,6 +100,22 @@ TEST_F(RealWindow, TheScreenHoldsAllThatWasDrawn) {
       largest = cv::norm(shown, drawn, cv::NORM_INF);
     }
     EXPECT_EQ(largest, 0.0) << change;
+  }
+}
+
+TEST_F(RealWindow, HowAKeyStandsFitsTheColumnOfTheList) {
+  for (const char* shown : {"ready", "preview", "scanning", "paused", "lost", "finishing",
+                            "finished", "failed", "no_sensor", "empty_case", "devices_wrong",
+                            "calibrating", "shot_refused", "set_refused", "calibrated"}) {
+    show(shown);
+    for (const char* dialog : {"cancel", "calibration"}) {
+      window().ask(std::string("do ") + dialog);
+      for (const auto& [id, action] : window().state()["actions"].items()) {
+        EXPECT_LE(action["text"].get<std::string>().size(), ui::kLongestStanding)
+            << id << ", " << shown << ": " << action["text"];
+      }
+    }
+    window().ask("do cancel");
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/interchange/png.h"
 #include "ui/perform.h"
+#include "ui/widgets/meter.h"
 
 namespace flytri::ui {
 namespace {
@@ -40,6 +41,11 @@ nlohmann::json frames_as_json(const AppView& view) {
           {"registered", counts.registered},     {"interpolated", counts.interpolated},
           {"textured", counts.textured},         {"skipped", counts.skipped},
           {"rejected", counts.rejected_count()}, {"pending", counts.pending}};
+}
+
+std::string time_left(const AppView& view) {
+  if (view.scan == nullptr || view.scan->phase != ScanPhase::kFinishing) return {};
+  return time_left_text(view.scan->finishing.remaining_s);
 }
 
 nlohmann::json camera_as_json(const CameraState& view) {
@@ -124,6 +130,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"snapshot", frame.view.scan == nullptr ? 0 : frame.view.scan->number},
       {"scanning", frame.view.is_scanning},
       {"knows_holes", frame.view.scan != nullptr && !frame.view.scan->holes.empty()},
+      {"time_left", time_left(frame.view)},
       {"frames", frames_as_json(frame.view)},
       {"dialog", to_string(state.dialog)},
       {"tool", to_string(state.tool)},

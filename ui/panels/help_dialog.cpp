@@ -11,7 +11,9 @@ namespace {
 
 constexpr float kHelpRow = 23.0F;
 constexpr float kHelpHeading = 30.0F;
-constexpr float kKey = 92.0F;
+constexpr float kKey = 84.0F;
+/// Room for the longest name, and for kLongestStanding characters.
+constexpr float kName = 136.0F, kStanding = 124.0F;
 /// The fullest column, in rows: looking and program, with their headings.
 constexpr float kMostHelpRows = 28.0F;
 
@@ -26,8 +28,13 @@ void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
   const Color ink = standing.is_enabled ? kText : with_opacity(kTextQuiet, 0.75F);
   draw_text(row.take_left(context.px(kKey), context.px(kGapS)), {theme.fonts.strong, ink},
             entry.key_text);
-  draw_text(row.take_left(row.width * 0.58F, context.px(kGapS)), {theme.fonts.body, ink},
-            entry.name);
+  // In a small window both have room only in small letters, and a long name moves its row's state.
+  const bool is_narrow = row.width < context.px(kName + kStanding);
+  ImFont* font = is_narrow ? theme.fonts.small : theme.fonts.body;
+  const float gap = context.px(kGapS);
+  const float name =
+      std::max(text_width(font, entry.name) + gap, row.width - context.px(kStanding));
+  draw_text(row.take_left(name), {font, ink}, entry.name);
   const Color mark = standing.is_on ? kNeutral : kTextQuiet;
   draw_text(row, {theme.fonts.small, mark, Align::kLeft}, standing.text);
 }
@@ -45,7 +52,7 @@ void draw_pointer(const PanelContext& context, Rect& column, float row_height_px
   constexpr std::array<std::array<const char*, 2>, 3> kRows = {
       {{"Drag", "turns the view, or uses the tool"},
        {"Right drag", "turns; with Shift it moves"},
-       {"Wheel", "nearer and farther; with a brush, its size"}}};
+       {"Wheel", "zooms; with a brush, its size"}}};
   draw_text(column.take_top(context.px(kHelpHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Pointer");
   for (const auto& [what, does] : kRows) {
