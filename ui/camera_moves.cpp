@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/meshing/coverage_holes.h"
 #include "ui/scene/box_corners.h"
 
 namespace flytri::ui {
@@ -90,10 +89,10 @@ void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state) 
 
 void show_hole(const AppView& view, std::size_t index, WindowState& state) {
   const BoundaryLoop& hole = view.scan->holes[index];
-  state.selected_hole = {index, hole.center_mm, hole_width_mm(hole)};
+  state.selected_hole = {index, hole.center_mm, hole.width_mm};
   state.view.follows_scan = false;
   const Vec3 up = state.view.camera.pose().q_world_eye * Vec3::UnitY();
-  const double height_mm = std::max(hole_width_mm(hole) / kHoleShare, view.volume_mm.y());
+  const double height_mm = std::max(hole.width_mm / kHoleShare, view.volume_mm.y());
   state.view.camera.fly_to(
       pose_facing(hole.center_mm.cast<double>(), hole.normal.cast<double>(), up, height_mm),
       kFlight_s);

@@ -2,8 +2,6 @@
 
 #include <charconv>
 
-#include "core/meshing/coverage_holes.h"
-
 namespace flytri::ui {
 
 std::string_view to_string(Tool tool) {
@@ -73,7 +71,7 @@ std::optional<SelectedHole> found_again(const SelectedHole& selected,
     const double away_mm = (holes[i].center_mm - selected.center_mm).norm();
     if (away_mm > nearest_mm) continue;
     nearest_mm = away_mm;
-    found = {i, holes[i].center_mm, hole_width_mm(holes[i])};
+    found = {i, holes[i].center_mm, holes[i].width_mm};
   }
   return found;
 }

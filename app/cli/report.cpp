@@ -63,7 +63,7 @@ Json stage_json(const StageTime& stage) {
 Json hole_json(const BoundaryLoop& loop) {
   return {{"perimeter_mm", loop.perimeter_mm},
           {"area_mm2", loop.area_mm2},
-          {"width_mm", hole_width_mm(loop)},
+          {"width_mm", loop.width_mm},
           {"center_mm", {loop.center_mm.x(), loop.center_mm.y(), loop.center_mm.z()}},
           {"normal", {loop.normal.x(), loop.normal.y(), loop.normal.z()}},
           {"is_outer_border", loop.is_outer}};

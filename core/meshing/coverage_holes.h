@@ -11,10 +11,6 @@ namespace flytri {
 /// close them.
 inline constexpr double kLeastHoleWidth_mm = 0.5;
 
-/// Diameter of the circle of the hole's area. Its rim may be so ragged that the perimeter tells
-/// nothing.
-[[nodiscard]] double hole_width_mm(const BoundaryLoop& hole);
-
 /// The holes that are worth a scan: at least kLeastHoleWidth_mm wide, no border of the scan, the
 /// widest first.
 [[nodiscard]] std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries);

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "core/geometry/mesh_normals.h"
 #include "core/meshing/half_edges.h"
+#include "core/meshing/widest_place.h"
 
 namespace flytri {
 namespace {
@@ -125,27 +127,75 @@ void drop_unused_vertices(TriangleMesh& mesh) {
   }
 }
 
+/// Mean normal of the vertices of a rim.
+Vec3 mean_normal(const TriangleMesh& mesh, const std::vector<std::uint32_t>& rim) {
+  Vec3 sum = Vec3::Zero();
+  for (const std::uint32_t v : rim) sum += mesh.vertices[v].normal.cast<double>();
+  return sum.normalized();
+}
+
+/// That of the part of a rim which is within reach of a place, or of all of it.
+Vec3 mean_normal_near(const TriangleMesh& mesh, const std::vector<std::uint32_t>& rim,
+                      const Vec3& place_mm, double reach_mm) {
+  std::vector<std::uint32_t> near;
+  std::copy_if(rim.begin(), rim.end(), std::back_inserter(near), [&](std::uint32_t v) {
+    return (mesh.vertices[v].position_mm.cast<double>() - place_mm).norm() <= reach_mm;
+  });
+  return mean_normal(mesh, near.empty() ? rim : near);
+}
+
+std::vector<Vec3> corners_mm(const TriangleMesh& mesh, const BoundaryLoop& loop) {
+  std::vector<Vec3> corners;
+  corners.reserve(loop.vertices.size());
+  for (const std::uint32_t v : loop.vertices)
+    corners.emplace_back(mesh.vertices[v].position_mm.cast<double>());
+  return corners;
+}
+
+/// Where the line is flat: as long as the area that it encloses, and normal to it.
+Vec3 enclosed_mm2(const std::vector<Vec3>& rim_mm) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < rim_mm.size(); ++i) {
+    const Vec3& next = rim_mm[(i + 1) % rim_mm.size()];
+    sum += (rim_mm[i] - rim_mm.front()).cross(next - rim_mm.front());
+  }
+  return 0.5 * sum;
+}
+
 void measure_loop(const TriangleMesh& mesh, BoundaryLoop& loop) {
-  Vec3 center = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();
-  const auto position = [&](std::size_t i) {
-    return Vec3(mesh.vertices[loop.vertices[i % loop.vertices.size()]].position_mm.cast<double>());
-  };
-  for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
-    const double length = (position(i + 1) - position(i)).norm();
-    loop.perimeter_mm += length;
-    center += 0.5 * length * (position(i) + position(i + 1));
-    normal += mesh.vertices[loop.vertices[i]].normal.cast<double>();
+  const std::vector<Vec3> rim_mm = corners_mm(mesh, loop);
+  for (std::size_t i = 0; i < rim_mm.size(); ++i)
+    loop.perimeter_mm += (rim_mm[(i + 1) % rim_mm.size()] - rim_mm[i]).norm();
+  loop.area_mm2 = std::abs(enclosed_mm2(rim_mm).dot(mean_normal(mesh, loop.vertices)));
+}
+
+/// Around a tooth that no line joins to the gum, the gum has a hole that the tooth fills: pieces
+/// within a hole, or a quarter of its size beside it, are its islands.
+void find_widest_places(const TriangleMesh& mesh, std::vector<BoundaryLoop>& loops) {
+  constexpr double kBeside = 0.25;
+  std::vector<std::vector<Vec3>> rims_mm;
+  std::vector<Eigen::AlignedBox3d> boxes_mm;
+  for (const BoundaryLoop& loop : loops) {
+    rims_mm.push_back(corners_mm(mesh, loop));
+    boxes_mm.emplace_back();
+    for (const Vec3& p : rims_mm.back()) boxes_mm.back().extend(p);
   }
-  if (loop.perimeter_mm > 0.0) center /= loop.perimeter_mm;
-  Vec3 area = Vec3::Zero();
-  for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
-    area += 0.5 * (position(i) - center).cross(position(i + 1) - center);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    BoundaryLoop& loop = loops[i];
+    const Vec3 beside = Vec3::Constant(kBeside * boxes_mm[i].diagonal().norm());
+    const Eigen::AlignedBox3d around(boxes_mm[i].min() - beside, boxes_mm[i].max() + beside);
+    std::vector<std::vector<Vec3>> islands_mm;
+    for (std::size_t j = i + 1; j < loops.size() && !loop.is_outer; ++j) {
+      if (loops[j].is_outer && around.contains(boxes_mm[j].center()))
+        islands_mm.push_back(rims_mm[j]);
+    }
+    const WidestPlace widest =
+        widest_place(rims_mm[i], islands_mm, enclosed_mm2(rims_mm[i]).normalized());
+    loop.width_mm = widest.width_mm;
+    loop.center_mm = widest.center_mm.cast<float>();
+    loop.normal =
+        mean_normal_near(mesh, loop.vertices, widest.center_mm, widest.width_mm).cast<float>();
   }
-  normal.normalize();
-  loop.area_mm2 = std::abs(area.dot(normal));
-  loop.center_mm = center.cast<float>();
-  loop.normal = normal.cast<float>();
 }
 
 /// By vertex: where the boundary goes on, or kNone. At a manifold vertex it is one place.
@@ -233,6 +283,7 @@ std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {
     return a.area_mm2 > b.area_mm2;
   });
   mark_outer(mesh, loops);
+  find_widest_places(mesh, loops);
   return loops;
 }
 

@@ -13,9 +13,10 @@ namespace flytri {
 struct BoundaryLoop {
   std::vector<std::uint32_t> vertices;  ///< in order, the surface to the right seen from outside
   double perimeter_mm = 0.0;
-  double area_mm2 = 0.0;            ///< estimate: area of the loop projected along `normal`
-  Vec3f center_mm = Vec3f::Zero();  ///< mean of the rim, weighted by edge length
-  Vec3f normal = Vec3f::UnitZ();    ///< unit, outwards: mean normal of the rim
+  double area_mm2 = 0.0;            ///< estimate: area of the loop projected along its mean normal
+  double width_mm = 0.0;            ///< of the widest place within, islands left out
+  Vec3f center_mm = Vec3f::Zero();  ///< of the widest place
+  Vec3f normal = Vec3f::UnitZ();    ///< unit, outwards: mean normal of the rim around there
   bool is_outer = false;            ///< the border of the scan, not a hole in it
 };
 

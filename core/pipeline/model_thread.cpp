@@ -28,11 +28,12 @@ void ModelThread::add(std::vector<AlignedView> views, std::vector<double> offere
     unpublished_offers_s_.insert(unpublished_offers_s_.end(), offered_at_s.begin(),
                                  offered_at_s.end());
     has_changed_ = has_grown_since_holes_ = true;
+    is_at_rest_ = false;
     publish_if_due(false);
     // The larger the surface, the longer it takes: at most a tenth of a core.
     constexpr double kRest = 9.0;
     const double rest_s = std::max(around_.holes_period_s, kRest * holes_took_s_);
-    if (around_.now_s() - holes_at_s_ > rest_s) search_holes();
+    if (around_.now_s() - holes_at_s_ > rest_s) search_holes_if_grown();
   });
 }
 
@@ -51,7 +52,9 @@ void ModelThread::restore(std::vector<AlignedView> views, std::vector<Frame> tex
     model_.apply_edits(edits, 0.0);
     model_.add(views);
     for (const Frame& frame : texture_frames) model_.add_texture(frame);
+    has_grown_since_holes_ = is_at_rest_ = true;
     publish();
+    search_holes_if_grown();
   });
 }
 
@@ -60,6 +63,7 @@ void ModelThread::edit(EditList edits, double now_s) {
     model_.apply_edits(edits, now_s);
     has_changed_ = has_grown_since_holes_ = true;
     publish_if_due(true);
+    if (is_at_rest_) search_holes_if_grown();
   });
 }
 
@@ -77,7 +81,10 @@ void ModelThread::follow(std::vector<AlignedView> views, EditList edits, double 
 }
 
 void ModelThread::look_for_holes() {
-  thread_.post([this] { search_holes(); });
+  thread_.post([this] {
+    is_at_rest_ = true;
+    search_holes_if_grown();
+  });
 }
 
 void ModelThread::with_textures(std::function<void(const std::vector<PlacedTexture>&)> use) {
@@ -96,8 +103,9 @@ void ModelThread::continue_rebuild() {
     thread_.post([this] { continue_rebuild(); });
     return publish_if_due(false);
   }
-  has_changed_ = true;
+  has_changed_ = has_grown_since_holes_ = true;
   publish_if_due(true);
+  if (is_at_rest_) search_holes_if_grown();
 }
 
 void ModelThread::publish_if_due(bool at_once) {
@@ -141,7 +149,7 @@ std::optional<LatencyStatistics> ModelThread::latency_with(
                            static_cast<std::int64_t>(sorted.size())};
 }
 
-void ModelThread::search_holes() {
+void ModelThread::search_holes_if_grown() {
   if (searches_holes_ || !has_grown_since_holes_) return;
   searches_holes_ = true;
   has_grown_since_holes_ = false;
@@ -159,17 +167,20 @@ void ModelThread::take_holes(Result<SurfaceMesh> mesh, double began_s) {
   searches_holes_ = false;
   holes_at_s_ = around_.now_s();
   holes_took_s_ = holes_at_s_ - began_s;
-  if (!mesh) return;  // too few points yet
-  std::vector<BoundaryLoop> holes = coverage_holes(std::move(mesh->boundaries));
+  std::vector<BoundaryLoop> holes;
+  // Else there are too few points for any.
+  if (mesh) holes = coverage_holes(std::move(mesh->boundaries));
   around_.board.update([&](ScanSnapshot& s) {
     if (s.phase == ScanPhase::kFinished) return;
     s.holes = std::move(holes);
     s.holes_are_current = !has_grown_since_holes_;
   });
+  if (is_at_rest_) search_holes_if_grown();
 }
 
 void ModelThread::show_holes(std::vector<BoundaryLoop> boundaries) {
   thread_.post([this, holes = coverage_holes(std::move(boundaries))]() mutable {
+    is_at_rest_ = false;
     around_.board.update([&](ScanSnapshot& s) {
       if (s.phase != ScanPhase::kFinished) return;
       s.holes = std::move(holes);

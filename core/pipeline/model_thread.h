@@ -40,6 +40,7 @@ class ModelThread {
   /// Builds anew only where the poses are off by more than `tolerated_cells`, see
   /// LiveModel::follow.
   void follow(std::vector<AlignedView> views, EditList edits, double tolerated_cells);
+  /// Now, and after every change until views are added.
   void look_for_holes();
   /// Shows the holes of a finished mesh, while its scan is finished.
   void show_holes(std::vector<BoundaryLoop> boundaries);
@@ -60,7 +61,7 @@ class ModelThread {
   void publish_if_due(bool at_once);
   void publish();
   std::optional<LatencyStatistics> latency_with(const std::vector<double>& shown_offers_s);
-  void search_holes();
+  void search_holes_if_grown();
   void take_holes(Result<SurfaceMesh> mesh, double began_s);
 
   const ModelSurroundings around_;
@@ -72,7 +73,8 @@ class ModelThread {
   double holes_at_s_ = 0.0, holes_took_s_ = 0.0;
   bool searches_holes_ = false;
   bool has_grown_since_holes_ = false;
-  TaskThread thread_;  ///< destroyed first
+  bool is_at_rest_ = false;  ///< nobody scans: holes are looked for after every change
+  TaskThread thread_;        ///< destroyed first
 };
 
 }  // namespace flytri

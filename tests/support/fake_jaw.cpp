@@ -135,8 +135,7 @@ std::vector<BoundaryLoop> FakeJaw::holes() const {
     BoundaryLoop hole;
     hole.center_mm = hit->point_mm.cast<float>();
     hole.normal = hit->normal.cast<float>();
-    hole.perimeter_mm = 2.0 * std::numbers::pi * kHoleRadius_mm;
-    hole.area_mm2 = std::numbers::pi * kHoleRadius_mm * kHoleRadius_mm;
+    hole.width_mm = 2.0 * kHoleRadius_mm;
     holes.push_back(hole);
   }
   return holes;

@@ -129,7 +129,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"phase", frame.view.scan == nullptr ? "none" : to_string(frame.view.scan->phase)},
       {"snapshot", frame.view.scan == nullptr ? 0 : frame.view.scan->number},
       {"scanning", frame.view.is_scanning},
-      {"knows_holes", frame.view.scan != nullptr && !frame.view.scan->holes.empty()},
+      {"knows_holes", frame.view.scan != nullptr && frame.view.scan->holes_are_current},
       {"time_left", time_left(frame.view)},
       {"frames", frames_as_json(frame.view)},
       {"dialog", to_string(state.dialog)},

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/meshing/coverage_holes.h"
 #include "ui/camera_moves.h"
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
@@ -34,7 +33,7 @@ void draw_heading(const PanelContext& context, Rect& rest, const std::string& te
 }
 
 std::string hole_text(const BoundaryLoop& hole) {
-  return fmt::format("{:.1f} mm wide", hole_width_mm(hole));
+  return fmt::format("{:.1f} mm wide", hole.width_mm);
 }
 
 void draw_holes(const PanelContext& context, Rect& rest) {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/meshing/coverage_holes.h"
-
 namespace flytri::ui {
 namespace {
 
@@ -114,7 +112,7 @@ void add_hole(Pen& pen, const BoundaryLoop& hole, const TriangleMesh* mesh, bool
   const double width_px = is_selected ? 4.0 : 2.5;
   const Color color = is_selected ? kCaution : faded(kBad, 0.9);
   if (mesh == nullptr || hole.vertices.empty()) {
-    pen.ring(hole.center_mm.cast<double>(), hole.normal.cast<double>(), hole_width_mm(hole) / 2.0,
+    pen.ring(hole.center_mm.cast<double>(), hole.normal.cast<double>(), hole.width_mm / 2.0,
              width_px, color);
     return;
   }

@@ -86,6 +86,7 @@ TEST(MeshSurface, LeavesAHoleOpenAndMeasuresIt) {
   const double radius_mm = kRadiusMm * std::sin(kHoleRad);
   // The rim follows the grid within about a spacing of the mesh.
   EXPECT_NEAR(std::sqrt(hole.area_mm2 / M_PI), radius_mm, 0.2);
+  EXPECT_NEAR(hole.width_mm, 2.0 * radius_mm, 0.4);
   EXPECT_GT(hole.normal.z(), 0.99F);
   EXPECT_NEAR(hole.center_mm.head<2>().norm(), 0.0, 0.1);
 }

@@ -285,6 +285,35 @@ TEST(LiveScan, TrimmedPlacesAreGoneAndComeBackWithUndo) {
   EXPECT_TRUE(scan->snapshot()->can_redo);
 }
 
+TEST(LiveScan, HolesOfAPausedScanAreThoseOfWhatIsShownWhateverIsEdited) {
+  const auto scan = make_scan(options_for({}));
+  const auto knows_holes_soon = [&scan] {
+    for (int tries = 0; tries < 3000 && !scan->snapshot()->holes_are_current; ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return scan->snapshot()->holes_are_current;
+  };
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->pause();
+  scan->wait_until_idle();
+  ASSERT_TRUE(knows_holes_soon());
+  const std::size_t before = scan->snapshot()->holes.size();
+  const auto full = scan->snapshot();
+  const Surfel middle = full->model[full->model.size() / 2]->surfels.front();
+  // The second comes while the holes after the first are looked for.
+  for (const float radius_mm : {1.0F, 3.0F}) {
+    scan->edit(EditKind::kTrim, {{middle.position_mm, middle.normal, radius_mm}});
+    scan->wait_until_idle();
+  }
+  ASSERT_TRUE(knows_holes_soon());
+  EXPECT_GT(scan->snapshot()->holes.size(), before);
+  scan->undo();
+  scan->undo();
+  scan->wait_until_idle();
+  ASSERT_TRUE(knows_holes_soon());
+  EXPECT_EQ(scan->snapshot()->holes.size(), before);
+}
+
 TEST(LiveScan, LoadCostsViewsAndNotTime) {
   Scene scene;
   LiveScanOptions options = options_for(scene);

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <vector>
 
 namespace flytri::ui {
@@ -11,7 +10,7 @@ namespace {
 BoundaryLoop hole_at(float x_mm, double width_mm) {
   BoundaryLoop hole;
   hole.center_mm = Vec3f(x_mm, 0.0F, 0.0F);
-  hole.area_mm2 = std::numbers::pi / 4.0 * width_mm * width_mm;
+  hole.width_mm = width_mm;
   return hole;
 }
 

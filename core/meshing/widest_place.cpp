@@ -1,0 +1,95 @@
+#include "core/meshing/widest_place.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+namespace flytri {
+namespace {
+
+constexpr double kFinestPixel_mm = 0.02;
+constexpr double kMostPixels = 1000.0;
+/// Around the line, so that all that is outside of it has somewhere to be.
+constexpr double kMargin_px = 2.0;
+/// OpenCV takes corners as whole numbers, with this many binary digits behind the point.
+constexpr int kDigits = 6;
+/// fillPoly also fills the pixels that the line passes, and the nearest pixel outside is one off.
+constexpr double kTooWide_px = 2.0;
+/// What is as little farther than the nearest is as near.
+constexpr double kNear_px = 2.0;
+
+/// An image of a line, seen along a direction: pixels are right and down of its corner.
+struct Sight {
+  Vec3 right, down;
+  Vec2 corner_mm;
+  double pixel_mm = 0.0;
+  Vec2 size_px;
+
+  [[nodiscard]] Vec2 px(const Vec3& p_mm) const {
+    return (Vec2(p_mm.dot(right), p_mm.dot(down)) - corner_mm) / pixel_mm;
+  }
+};
+
+Sight sight_of(std::span<const Vec3> rim_mm, const Vec3& direction) {
+  Sight sight;
+  sight.right = direction.unitOrthogonal();
+  sight.down = direction.cross(sight.right);
+  Eigen::AlignedBox2d box;
+  for (const Vec3& p : rim_mm) box.extend(Vec2(p.dot(sight.right), p.dot(sight.down)));
+  sight.pixel_mm = std::max(kFinestPixel_mm, box.sizes().maxCoeff() / kMostPixels);
+  sight.corner_mm = box.min() - Vec2::Constant(kMargin_px * sight.pixel_mm);
+  sight.size_px = box.sizes() / sight.pixel_mm + Vec2::Constant(2.0 * kMargin_px + 1.0);
+  return sight;
+}
+
+void fill(cv::Mat& image, const Sight& sight, std::span<const Vec3> line_mm, int value) {
+  constexpr double kUnit = 1 << kDigits;
+  std::vector<cv::Point> corners;
+  for (const Vec3& p_mm : line_mm) {
+    const Vec2 p = kUnit * sight.px(p_mm);
+    corners.emplace_back(static_cast<int>(std::lround(p.x())),
+                         static_cast<int>(std::lround(p.y())));
+  }
+  cv::fillPoly(image, std::vector<std::vector<cv::Point>>{corners}, value, cv::LINE_8, kDigits);
+}
+
+/// Mean height of the line along the direction where it is nearest to a pixel.
+double height_mm(const Sight& sight, std::span<const Vec3> line_mm, const Vec3& direction,
+                 const Vec2& from_px) {
+  double nearest_px = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : line_mm) nearest_px = std::min(nearest_px, (sight.px(p) - from_px).norm());
+  double sum_mm = 0.0;
+  int count = 0;
+  for (const Vec3& p : line_mm) {
+    if ((sight.px(p) - from_px).norm() > nearest_px + kNear_px) continue;
+    sum_mm += p.dot(direction);
+    ++count;
+  }
+  return sum_mm / count;
+}
+
+}  // namespace
+
+WidestPlace widest_place(std::span<const Vec3> rim_mm,
+                         std::span<const std::vector<Vec3>> islands_mm, const Vec3& direction) {
+  if (rim_mm.empty()) return {};
+  const Sight sight = sight_of(rim_mm, direction);
+  cv::Mat open = cv::Mat::zeros(static_cast<int>(sight.size_px.y()),
+                                static_cast<int>(sight.size_px.x()), CV_8U);
+  fill(open, sight, rim_mm, 255);
+  for (const std::vector<Vec3>& island : islands_mm) fill(open, sight, island, 0);
+  cv::Mat distances_px;
+  cv::distanceTransform(open, distances_px, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  double farthest_px = 0.0;
+  cv::Point at;
+  cv::minMaxLoc(distances_px, nullptr, &farthest_px, nullptr, &at);
+  const Vec2 center_px(at.x, at.y);
+  const Vec2 center_mm = sight.corner_mm + sight.pixel_mm * center_px;
+  return {std::max(0.0, 2.0 * farthest_px - kTooWide_px) * sight.pixel_mm,
+          center_mm.x() * sight.right + center_mm.y() * sight.down +
+              height_mm(sight, rim_mm, direction, center_px) * direction};
+}
+
+}  // namespace flytri
