@@ -75,6 +75,7 @@ double height_mm(const Sight& sight, std::span<const Vec3> line_mm, const Vec3& 
 WidestPlace widest_place(std::span<const Vec3> rim_mm,
                          std::span<const std::vector<Vec3>> islands_mm, const Vec3& direction) {
   if (rim_mm.empty()) return {};
+  if (direction.isZero(0.0)) return {0.0, rim_mm.front()};
   const Sight sight = sight_of(rim_mm, direction);
   cv::Mat open = cv::Mat::zeros(static_cast<int>(sight.size_px.y()),
                                 static_cast<int>(sight.size_px.x()), CV_8U);

@@ -19,7 +19,7 @@ struct WidestPlace {
 /// outside. The center lies as high along the direction as the line does where it is nearest.
 /// @param rim_mm     corners of the line, the last joined to the first
 /// @param islands_mm corners of lines around what does not belong to the place
-/// @param direction  unit
+/// @param direction  unit; zero where the line encloses nothing, seen from anywhere
 /// @source  distance to the rim: Felzenszwalb and Huttenlocher, "Distance transforms of sampled
 ///          functions", 2012, as in OpenCV.
 [[nodiscard]] WidestPlace widest_place(std::span<const Vec3> rim_mm,

@@ -63,5 +63,22 @@ TEST(FindBoundaries, AHoleAroundAPieceIsAsWideAsTheGapBetweenThem) {
   EXPECT_TRUE(loops[2].is_outer);
 }
 
+TEST(FindBoundaries, AHoleThatIsClosedButForItsTrianglesHasNoWidth) {
+  const auto is_in_cell = [](std::uint32_t column, std::uint32_t row) {
+    return column == 10 && row == 10;
+  };
+  TriangleMesh mesh = square_without(is_in_cell);
+  for (const std::uint32_t row : {10U, 11U}) {
+    const std::uint32_t left = row * (kCells + 1) + 10;
+    mesh.vertices[left + 1].position_mm = mesh.vertices[left].position_mm;
+  }
+  repair_manifold(mesh);
+  const std::vector<BoundaryLoop> loops = find_boundaries(mesh);
+  ASSERT_EQ(loops.size(), 2U);
+  EXPECT_EQ(loops[1].area_mm2, 0.0);
+  EXPECT_EQ(loops[1].width_mm, 0.0);
+  EXPECT_NEAR(loops[1].center_mm.x(), 10.0F, 1e-3F);
+}
+
 }  // namespace
 }  // namespace flytri

@@ -82,6 +82,7 @@ TEST(WidestPlace, OfALineThatEnclosesNothingIsNone) {
   EXPECT_LE(widest.width_mm, kPixel_mm);
   EXPECT_LT((widest.center_mm - placed(2.5, 0.0)).norm(), 2.6);
   EXPECT_EQ(widest_place({}, {}, up()).width_mm, 0.0);
+  EXPECT_EQ(widest_place(there_and_back, {}, Vec3::Zero()).width_mm, 0.0);
   const std::vector<Vec3> point(3, placed(1.0, 2.0));
   EXPECT_EQ(widest_place(point, {}, up()).width_mm, 0.0);
 }
