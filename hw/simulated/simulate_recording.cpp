@@ -55,14 +55,14 @@ std::vector<PlannedFrame> plan_frames(const RecordingOptions& options, const Sen
 
 // The path with the sensor drawn back along its view for a while.
 Result<SensorPath> with_absence(const SensorPath& path, const RecordingOptions& options) {
-  constexpr double kStep_s = 1.0 / 60.0;
+  constexpr double kSpacing_s = 1.0 / 60.0;
   const RecordingFaults& faults = options.faults;
   if (!(faults.away_duration_s > 0.0)) return path;
   const double begin_s = path.start_s() + faults.away_start_s;
   const double end_s = begin_s + faults.away_duration_s;
   std::vector<PathPose> poses;
-  for (int i = 0; path.start_s() + i * kStep_s <= path.end_s(); ++i) {
-    const double time_s = path.start_s() + i * kStep_s;
+  for (int i = 0; path.start_s() + i * kSpacing_s <= path.end_s(); ++i) {
+    const double time_s = path.start_s() + i * kSpacing_s;
     const double share =
         std::clamp(std::min(time_s - begin_s, end_s - time_s) / kAwayRamp_s, 0.0, 1.0);
     const double back_mm =
