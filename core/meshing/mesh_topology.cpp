@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "core/geometry/mesh_normals.h"
@@ -144,14 +145,6 @@ Vec3 mean_normal_near(const TriangleMesh& mesh, const std::vector<std::uint32_t>
   return mean_normal(mesh, near.empty() ? rim : near);
 }
 
-std::vector<Vec3> corners_mm(const TriangleMesh& mesh, const BoundaryLoop& loop) {
-  std::vector<Vec3> corners;
-  corners.reserve(loop.vertices.size());
-  for (const std::uint32_t v : loop.vertices)
-    corners.emplace_back(mesh.vertices[v].position_mm.cast<double>());
-  return corners;
-}
-
 /// Where the line is flat: as long as the area that it encloses, and normal to it.
 Vec3 enclosed_mm2(const std::vector<Vec3>& rim_mm) {
   Vec3 sum = Vec3::Zero();
@@ -162,40 +155,54 @@ Vec3 enclosed_mm2(const std::vector<Vec3>& rim_mm) {
   return 0.5 * sum;
 }
 
-void measure_loop(const TriangleMesh& mesh, BoundaryLoop& loop) {
-  const std::vector<Vec3> rim_mm = corners_mm(mesh, loop);
-  for (std::size_t i = 0; i < rim_mm.size(); ++i)
-    loop.perimeter_mm += (rim_mm[(i + 1) % rim_mm.size()] - rim_mm[i]).norm();
-  loop.area_mm2 = std::abs(enclosed_mm2(rim_mm).dot(mean_normal(mesh, loop.vertices)));
+/// A loop and the line that it is.
+struct Rim {
+  BoundaryLoop loop;
+  std::vector<Vec3> corners_mm;
+  Vec3 enclosed_mm2 = Vec3::Zero();
+  Eigen::AlignedBox3d box_mm;
+};
+
+Rim rim_of(const TriangleMesh& mesh, std::vector<std::uint32_t> vertices) {
+  Rim rim;
+  rim.corners_mm.reserve(vertices.size());
+  for (const std::uint32_t v : vertices)
+    rim.corners_mm.emplace_back(mesh.vertices[v].position_mm.cast<double>());
+  for (std::size_t i = 0; i < rim.corners_mm.size(); ++i) {
+    const Vec3& next = rim.corners_mm[(i + 1) % rim.corners_mm.size()];
+    rim.loop.perimeter_mm += (next - rim.corners_mm[i]).norm();
+    rim.box_mm.extend(next);
+  }
+  rim.enclosed_mm2 = enclosed_mm2(rim.corners_mm);
+  rim.loop.area_mm2 = std::abs(rim.enclosed_mm2.dot(mean_normal(mesh, vertices)));
+  rim.loop.vertices = std::move(vertices);
+  return rim;
 }
 
 /// Around a tooth that no line joins to the gum, the gum has a hole that the tooth fills: pieces
-/// within a hole, or a quarter of its size beside it, are its islands.
-void find_widest_places(const TriangleMesh& mesh, std::vector<BoundaryLoop>& loops) {
+/// within a hole, or a quarter of its size beside it, are its islands. A border has none.
+/// @param smaller  all rims that enclose less
+std::vector<std::span<const Vec3>> islands_mm(const Rim& hole, std::span<const Rim> smaller) {
   constexpr double kBeside = 0.25;
-  std::vector<std::vector<Vec3>> rims_mm;
-  std::vector<Eigen::AlignedBox3d> boxes_mm;
-  for (const BoundaryLoop& loop : loops) {
-    rims_mm.push_back(corners_mm(mesh, loop));
-    boxes_mm.emplace_back();
-    for (const Vec3& p : rims_mm.back()) boxes_mm.back().extend(p);
+  if (hole.loop.is_outer) return {};
+  const Vec3 beside = Vec3::Constant(kBeside * hole.box_mm.diagonal().norm());
+  const Eigen::AlignedBox3d around(hole.box_mm.min() - beside, hole.box_mm.max() + beside);
+  std::vector<std::span<const Vec3>> islands;
+  for (const Rim& rim : smaller) {
+    if (rim.loop.is_outer && around.contains(rim.box_mm.center()))
+      islands.emplace_back(rim.corners_mm);
   }
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    BoundaryLoop& loop = loops[i];
-    const Vec3 beside = Vec3::Constant(kBeside * boxes_mm[i].diagonal().norm());
-    const Eigen::AlignedBox3d around(boxes_mm[i].min() - beside, boxes_mm[i].max() + beside);
-    std::vector<std::vector<Vec3>> islands_mm;
-    for (std::size_t j = i + 1; j < loops.size() && !loop.is_outer; ++j) {
-      if (loops[j].is_outer && around.contains(boxes_mm[j].center()))
-        islands_mm.push_back(rims_mm[j]);
-    }
-    const WidestPlace widest =
-        widest_place(rims_mm[i], islands_mm, enclosed_mm2(rims_mm[i]).normalized());
-    loop.width_mm = widest.width_mm;
-    loop.center_mm = widest.center_mm.cast<float>();
-    loop.normal =
-        mean_normal_near(mesh, loop.vertices, widest.center_mm, widest.width_mm).cast<float>();
-  }
+  return islands;
+}
+
+void find_widest_place(const TriangleMesh& mesh, Rim& rim, std::span<const Rim> smaller) {
+  BoundaryLoop& loop = rim.loop;
+  const WidestPlace widest =
+      widest_place(rim.corners_mm, islands_mm(rim, smaller), rim.enclosed_mm2.normalized());
+  loop.width_mm = widest.width_mm;
+  loop.center_mm = widest.center_mm.cast<float>();
+  loop.normal =
+      mean_normal_near(mesh, loop.vertices, widest.center_mm, widest.width_mm).cast<float>();
 }
 
 /// By vertex: where the boundary goes on, or kNone. At a manifold vertex it is one place.
@@ -216,12 +223,12 @@ std::vector<std::uint32_t> boundary_successors(const TriangleMesh& mesh) {
 
 /// Of each piece the loop that encloses most, the first here: a ragged crack may have a longer rim
 /// than the border.
-void mark_outer(const TriangleMesh& mesh, std::vector<BoundaryLoop>& loops) {
+void mark_outer(const TriangleMesh& mesh, std::vector<Rim>& rims) {
   DisjointSets pieces = pieces_of(mesh);
   std::vector<char> has_border(mesh.vertices.size(), 0);
-  for (BoundaryLoop& loop : loops) {
-    char& has = has_border[pieces.find(loop.vertices.front())];
-    loop.is_outer = has == 0;
+  for (Rim& rim : rims) {
+    char& has = has_border[pieces.find(rim.loop.vertices.front())];
+    rim.loop.is_outer = has == 0;
     has = 1;
   }
 }
@@ -268,22 +275,25 @@ TriangleMesh welded(const TriangleMesh& cut) {
 
 std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> next = boundary_successors(mesh);
-  std::vector<BoundaryLoop> loops;
+  std::vector<Rim> rims;
   for (std::uint32_t start = 0; start < next.size(); ++start) {
     if (next[start] == kNone) continue;
-    BoundaryLoop loop;
+    std::vector<std::uint32_t> vertices;
     for (std::uint32_t v = start; next[v] != kNone;) {
-      loop.vertices.push_back(v);
+      vertices.push_back(v);
       v = std::exchange(next[v], kNone);
     }
-    measure_loop(mesh, loop);
-    loops.push_back(std::move(loop));
+    rims.push_back(rim_of(mesh, std::move(vertices)));
   }
-  std::stable_sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
-    return a.area_mm2 > b.area_mm2;
-  });
-  mark_outer(mesh, loops);
-  find_widest_places(mesh, loops);
+  std::stable_sort(rims.begin(), rims.end(),
+                   [](const Rim& a, const Rim& b) { return a.loop.area_mm2 > b.loop.area_mm2; });
+  mark_outer(mesh, rims);
+  std::vector<BoundaryLoop> loops;
+  loops.reserve(rims.size());
+  for (std::size_t i = 0; i < rims.size(); ++i) {
+    find_widest_place(mesh, rims[i], std::span(rims).subspan(i + 1));
+    loops.push_back(std::move(rims[i].loop));
+  }
   return loops;
 }
 

@@ -73,14 +73,14 @@ double height_mm(const Sight& sight, std::span<const Vec3> line_mm, const Vec3& 
 }  // namespace
 
 WidestPlace widest_place(std::span<const Vec3> rim_mm,
-                         std::span<const std::vector<Vec3>> islands_mm, const Vec3& direction) {
+                         std::span<const std::span<const Vec3>> islands_mm, const Vec3& direction) {
   if (rim_mm.empty()) return {};
   if (direction.isZero(0.0)) return {0.0, rim_mm.front()};
   const Sight sight = sight_of(rim_mm, direction);
   cv::Mat open = cv::Mat::zeros(static_cast<int>(sight.size_px.y()),
                                 static_cast<int>(sight.size_px.x()), CV_8U);
   fill(open, sight, rim_mm, 255);
-  for (const std::vector<Vec3>& island : islands_mm) fill(open, sight, island, 0);
+  for (const std::span<const Vec3> island : islands_mm) fill(open, sight, island, 0);
   cv::Mat distances_px;
   cv::distanceTransform(open, distances_px, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   double farthest_px = 0.0;

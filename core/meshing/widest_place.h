@@ -23,7 +23,7 @@ struct WidestPlace {
 /// @source  distance to the rim: Felzenszwalb and Huttenlocher, "Distance transforms of sampled
 ///          functions", 2012, as in OpenCV.
 [[nodiscard]] WidestPlace widest_place(std::span<const Vec3> rim_mm,
-                                       std::span<const std::vector<Vec3>> islands_mm,
+                                       std::span<const std::span<const Vec3>> islands_mm,
                                        const Vec3& direction);
 
 }  // namespace flytri

@@ -216,7 +216,7 @@ void GrowingScan::restore(const KeptScan& kept) {
   [[maybe_unused]] const ScanGrowth known = registrar_.take_growth();
   model_.restore(kept.views, kept.texture_frames, kept.edits.state());
   show_edits();
-  if (kept.result == nullptr) return;
+  if (kept.result == nullptr) return model_.look_for_holes();
   phase_ = ScanPhase::kFinished;
   board_.update([&](ScanSnapshot& s) {
     s.phase = phase_;
@@ -352,7 +352,8 @@ void GrowingScan::take_result(Result<FinishedScan> finished) {
   if (!finished) {
     const bool cancelled = finished.error().code == ErrorCode::kCancelled;
     board_.update([&](ScanSnapshot& s) { s.failure = cancelled ? "" : finished.error().message; });
-    return step(ScanEvent::kNoResult);
+    step(ScanEvent::kNoResult);
+    return model_.look_for_holes();
   }
   take_refined(finished->views);
   auto result = std::make_shared<const FinishedScan>(std::move(*finished));

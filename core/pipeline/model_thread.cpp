@@ -52,9 +52,8 @@ void ModelThread::restore(std::vector<AlignedView> views, std::vector<Frame> tex
     model_.apply_edits(edits, 0.0);
     model_.add(views);
     for (const Frame& frame : texture_frames) model_.add_texture(frame);
-    has_grown_since_holes_ = is_at_rest_ = true;
+    has_grown_since_holes_ = true;
     publish();
-    search_holes_if_grown();
   });
 }
 
@@ -125,7 +124,6 @@ void ModelThread::publish() {
     s.model = std::move(model);
     s.area_mm2 = surface.area_mm2();
     s.good_share = surface.good_share();
-    // Those of a finished scan are its mesh's, whatever happens to the surfels behind it.
     const bool is_finished = s.phase == ScanPhase::kFinished;
     s.holes_are_current = s.holes_are_current && (is_finished || !has_grown_since_holes_);
     if (!latency) return;
@@ -149,8 +147,13 @@ std::optional<LatencyStatistics> ModelThread::latency_with(
                            static_cast<std::int64_t>(sorted.size())};
 }
 
+/// Then the holes are its mesh's, whatever happens to the surfels behind it.
+bool ModelThread::is_finished() const {
+  return around_.board.snapshot()->phase == ScanPhase::kFinished;
+}
+
 void ModelThread::search_holes_if_grown() {
-  if (searches_holes_ || !has_grown_since_holes_) return;
+  if (searches_holes_ || !has_grown_since_holes_ || is_finished()) return;
   searches_holes_ = true;
   has_grown_since_holes_ = false;
   around_.background.post([this, points = model_.surface().points()] {
@@ -180,7 +183,8 @@ void ModelThread::take_holes(Result<SurfaceMesh> mesh, double began_s) {
 
 void ModelThread::show_holes(std::vector<BoundaryLoop> boundaries) {
   thread_.post([this, holes = coverage_holes(std::move(boundaries))]() mutable {
-    is_at_rest_ = false;
+    // Those of the surfels are to be looked for as soon as the scan is no longer finished.
+    has_grown_since_holes_ = is_at_rest_ = true;
     around_.board.update([&](ScanSnapshot& s) {
       if (s.phase != ScanPhase::kFinished) return;
       s.holes = std::move(holes);

@@ -32,7 +32,7 @@ class ModelThread {
   /// @param offered_at_s  when the frames came that made the scan grow so, for the latency
   void add(std::vector<AlignedView> views, std::vector<double> offered_at_s);
   void add_texture(const Frame& frame);
-  /// Everything of a scan that was kept, published at once.
+  /// Everything of a scan that was kept, published at once. Its holes are not looked for.
   void restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames, EditList edits);
   void edit(EditList edits, double now_s);
   /// @param is_other  the views are in another world frame than those before
@@ -40,7 +40,7 @@ class ModelThread {
   /// Builds anew only where the poses are off by more than `tolerated_cells`, see
   /// LiveModel::follow.
   void follow(std::vector<AlignedView> views, EditList edits, double tolerated_cells);
-  /// Now, and after every change until views are added.
+  /// Now, and after every change until views are added; not while the scan is finished.
   void look_for_holes();
   /// Shows the holes of a finished mesh, while its scan is finished.
   void show_holes(std::vector<BoundaryLoop> boundaries);
@@ -61,6 +61,7 @@ class ModelThread {
   void publish_if_due(bool at_once);
   void publish();
   std::optional<LatencyStatistics> latency_with(const std::vector<double>& shown_offers_s);
+  [[nodiscard]] bool is_finished() const;
   void search_holes_if_grown();
   void take_holes(Result<SurfaceMesh> mesh, double began_s);
 

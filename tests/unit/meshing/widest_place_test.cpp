@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace flytri {
@@ -70,8 +71,8 @@ TEST(WidestPlace, AroundAnIslandIsBesideIt) {
   std::vector<Vec3> tooth;
   for (const auto& [x, y] : {std::pair(-0.7, -0.4), {0.1, -0.4}, {0.1, 0.4}, {-0.7, 0.4}})
     tooth.push_back(placed(x, y, 0.5));
-  const WidestPlace widest =
-      widest_place(ragged_circle(1.0, 0.0, 0), std::vector<std::vector<Vec3>>{tooth}, up());
+  const std::vector<std::span<const Vec3>> islands = {tooth};
+  const WidestPlace widest = widest_place(ragged_circle(1.0, 0.0, 0), islands, up());
   EXPECT_NEAR(widest.width_mm, 0.9, 0.05);
   EXPECT_LT((widest.center_mm - placed(0.55, 0.0)).norm(), 0.05);
 }

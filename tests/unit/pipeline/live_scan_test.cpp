@@ -285,18 +285,20 @@ TEST(LiveScan, TrimmedPlacesAreGoneAndComeBackWithUndo) {
   EXPECT_TRUE(scan->snapshot()->can_redo);
 }
 
+/// Waits for the search of holes, which is beside the scan.
+bool knows_holes_soon(const LiveScan& scan) {
+  for (int tries = 0; tries < 3000 && !scan.snapshot()->holes_are_current; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return scan.snapshot()->holes_are_current;
+}
+
 TEST(LiveScan, HolesOfAPausedScanAreThoseOfWhatIsShownWhateverIsEdited) {
   const auto scan = make_scan(options_for({}));
-  const auto knows_holes_soon = [&scan] {
-    for (int tries = 0; tries < 3000 && !scan->snapshot()->holes_are_current; ++tries)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return scan->snapshot()->holes_are_current;
-  };
   scan->start();
   offer(*scan, 0, 60);
   scan->pause();
   scan->wait_until_idle();
-  ASSERT_TRUE(knows_holes_soon());
+  ASSERT_TRUE(knows_holes_soon(*scan));
   const std::size_t before = scan->snapshot()->holes.size();
   const auto full = scan->snapshot();
   const Surfel middle = full->model[full->model.size() / 2]->surfels.front();
@@ -305,13 +307,27 @@ TEST(LiveScan, HolesOfAPausedScanAreThoseOfWhatIsShownWhateverIsEdited) {
     scan->edit(EditKind::kTrim, {{middle.position_mm, middle.normal, radius_mm}});
     scan->wait_until_idle();
   }
-  ASSERT_TRUE(knows_holes_soon());
+  ASSERT_TRUE(knows_holes_soon(*scan));
   EXPECT_GT(scan->snapshot()->holes.size(), before);
   scan->undo();
   scan->undo();
   scan->wait_until_idle();
-  ASSERT_TRUE(knows_holes_soon());
+  ASSERT_TRUE(knows_holes_soon(*scan));
   EXPECT_EQ(scan->snapshot()->holes.size(), before);
+}
+
+TEST(LiveScan, HolesOfAFinishedScanThatIsEditedAreThoseOfWhatIsShown) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 60);
+  const auto done = finish(*scan);
+  ASSERT_NE(done->result, nullptr) << done->failure;
+  EXPECT_TRUE(done->holes_are_current);
+  const Surfel middle = done->model[done->model.size() / 2]->surfels.front();
+  scan->edit(EditKind::kTrim, {{middle.position_mm, middle.normal, 3.0F}});
+  scan->wait_until_idle();
+  ASSERT_TRUE(knows_holes_soon(*scan));
+  EXPECT_GT(scan->snapshot()->holes.size(), done->holes.size());
 }
 
 TEST(LiveScan, LoadCostsViewsAndNotTime) {
