@@ -20,7 +20,6 @@
 #include "ui/app_window.h"
 #include "ui/scene/frame_times.h"
 #include "ui/scene/sample_surfels.h"
-#include "ui/window/window.h"
 
 namespace flytri::cli {
 namespace {
@@ -192,10 +191,9 @@ void Bench::print() const {
   }
 }
 
-/// The scene at 1280x800 with the sample jaw in so many surfels, from few views to both jaws.
+/// The scene at 1280x800 with the sample jaw in so many surfels, from few views to both jaws; drawn
+/// beside a window, in its context.
 Result<std::vector<ui::FrameTimes>> scene_times() {
-  auto window = ui::Window::open({"flytri bench", {1280, 800}, false});
-  if (!window) return tl::unexpected(window.error());
   auto renderer = ui::SceneRenderer::create();
   if (!renderer) return tl::unexpected(renderer.error());
   const auto mesh = sample_jaw::make_sample_jaw({}, Workers());
@@ -233,16 +231,12 @@ void print(const std::vector<ui::FrameTimes>& all) {
   }
 }
 
-/// The scan with the window open; both are gone afterwards.
-Result<nlohmann::json> run_live(const BenchArguments& arguments) {
-  ui::AppWindowOptions window_options;
-  window_options.waits_for_screen = false;
-  auto window = ui::AppWindow::create(window_options);
-  if (!window) return tl::unexpected(window.error());
+/// The scan, which is gone afterwards.
+Result<nlohmann::json> run_live(const BenchArguments& arguments, ui::AppWindow& window) {
   SessionOptions options;
   options.source = arguments.source;
   Session session(options);
-  Bench bench(session, **window);
+  Bench bench(session, window);
   if (!bench.wait_for_source()) {
     return fail(ErrorCode::kInsufficient, "the source delivers nothing: {}",
                 session.view().source.message);
@@ -253,7 +247,13 @@ Result<nlohmann::json> run_live(const BenchArguments& arguments) {
 }
 
 Result<void> run(const BenchArguments& arguments) {
-  auto report = run_live(arguments);
+  ui::AppWindowOptions window_options;
+  window_options.waits_for_screen = false;
+  // One for all: a screen that is there for one program alone (Xvfb) begins anew when the last
+  // window is closed, and takes none for a moment.
+  auto window = ui::AppWindow::create(window_options);
+  if (!window) return tl::unexpected(window.error());
+  auto report = run_live(arguments, **window);
   if (!report) return tl::unexpected(report.error());
   if (arguments.scene) {
     const auto times = scene_times();
