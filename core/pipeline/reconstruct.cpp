@@ -1,5 +1,7 @@
 #include "core/pipeline/reconstruct.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -32,6 +34,7 @@ class Run {
   void accept_stage(const StoredStage& stage);
   FrameReport& report_of(FrameIndex frame);
   void reject(FrameIndex frame, std::string reason);
+  [[nodiscard]] std::string first_rejection() const;
   std::vector<Frame> load_texture_frames(const Recording& recording);
   Result<Reconstruction> finish(ScannedViews scanned);
 
@@ -144,8 +147,16 @@ Result<void> Run::register_views() {
   if (aligned_.size() >= 2) return {};
   return fail(ErrorCode::kInsufficient,
               "{}: of {} frames {} show lines inside the measurement volume, and no two of them "
-              "could be registered; both patterns must light the same surface in turn",
-              source_, result_.frames.size(), view_count);
+              "could be registered; both patterns must light the same surface in turn{}",
+              source_, result_.frames.size(), view_count, first_rejection());
+}
+
+/// For the end of a message; empty where nothing was rejected.
+std::string Run::first_rejection() const {
+  const auto first = std::find_if(result_.frames.begin(), result_.frames.end(),
+                                  [](const FrameReport& report) { return !report.reason.empty(); });
+  if (first == result_.frames.end()) return {};
+  return fmt::format("; frame {} was rejected: {}", first->frame.value, first->reason);
 }
 
 /// The texture frames that can be read; the others are rejected.

@@ -82,6 +82,8 @@ bad_copy bad && printf '{"format": "flytri.recording", "version": 1, "frames": [
 expect 'empty recording' 1 'bad/recording\.json: .*empty; record again' reconstruct bad
 bad_copy bad && sed -i 's/"horizontal"/"vertical"/' bad/recording.json
 expect 'one pattern only' 1 'bad: .*both patterns' reconstruct bad
+bad_copy bad && rm bad/frames/*
+expect 'no images' 1 'bad: .*frame 0 was rejected: bad/frames/000000\.png: .*[Nn]o such' reconstruct bad
 expect 'no recording' 1 'nowhere/recording\.json: .*[Nn]o such' reconstruct nowhere
 expect 'no calibration named' 1 'scan/recording\.json: .*--calibration' "$flytri" reconstruct scan -o out.ply
 absent 'bad recordings' out.ply
