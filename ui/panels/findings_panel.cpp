@@ -27,6 +27,14 @@ Rect plate_box(const PanelContext& context, float width, std::size_t rows) {
   return {picture.x + margin, picture.bottom() - margin - height, context.px(width), height};
 }
 
+/// As many rows as there is room for below the colors, one at least.
+std::size_t rows_that_fit(const PanelContext& context, std::size_t wanted) {
+  const float room = context.layout.picture.bottom() - colors_box(context).bottom() -
+                     context.px(kGapM + kGapXs + 2.0F * kGapS + kHeading);
+  const float fitting = std::max(1.0F, room / context.px(kRow + kGapXs));
+  return std::min(wanted, static_cast<std::size_t>(fitting));
+}
+
 void draw_heading(const PanelContext& context, Rect& rest, const std::string& text) {
   draw_text(rest.take_top(context.px(kHeading)), {context.theme.fonts.strong, kText, Align::kLeft},
             text);
@@ -36,15 +44,14 @@ std::string hole_text(const BoundaryLoop& hole) {
   return fmt::format("{:.1f} mm wide", hole.width_mm);
 }
 
-void draw_holes(const PanelContext& context, Rect& rest) {
+void draw_holes(const PanelContext& context, Rect& rest, std::size_t listed) {
   const ScanSnapshot& scan = *context.view.scan;
   const std::vector<BoundaryLoop>& holes = scan.holes;
   const auto& selected = context.state.selected_hole;
   draw_heading(context, rest,
                fmt::format("{} {}{}", holes.size(), holes.size() == 1 ? "hole" : "holes",
                            scan.holes_are_current ? "" : " so far"));
-  const std::size_t count = std::min(holes.size(), kMostRows);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < listed; ++i) {
     const std::string id = fmt::format("hole_{}", i + 1);
     ButtonLook look;
     look.id = id.c_str();
@@ -59,11 +66,10 @@ void draw_holes(const PanelContext& context, Rect& rest) {
                {icon::kNext, "Next hole"});
 }
 
-void draw_measurements(const PanelContext& context, Rect& rest) {
+void draw_measurements(const PanelContext& context, Rect& rest, std::size_t listed) {
   const auto& all = context.view.measurements;
   draw_heading(context, rest, "Distances");
-  const std::size_t first = all.size() > kMostRows ? all.size() - kMostRows : 0;
-  for (std::size_t i = first; i < all.size(); ++i) {
+  for (std::size_t i = all.size() - listed; i < all.size(); ++i) {
     Rect row = rest.take_top(context.px(kRow), context.px(kGapXs));
     const std::string id = fmt::format("remove_distance_{}", i + 1);
     ButtonLook look;
@@ -81,19 +87,21 @@ void draw_measurements(const PanelContext& context, Rect& rest) {
 }
 
 void draw_hole_plate(const PanelContext& context) {
-  const std::size_t rows = std::min(context.view.scan->holes.size(), kMostRows) + 1;
+  const std::size_t rows =
+      rows_that_fit(context, std::min(context.view.scan->holes.size(), kMostRows) + 1);
   const Rect box = plate_box(context, kHoleWidth, rows);
   const Plate plate("holes", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
-  draw_holes(context, rest);
+  draw_holes(context, rest, rows - 1);
 }
 
 void draw_measurement_plate(const PanelContext& context) {
-  const Rect box =
-      plate_box(context, kDistanceWidth, std::min(context.view.measurements.size(), kMostRows));
+  const std::size_t rows =
+      rows_that_fit(context, std::min(context.view.measurements.size(), kMostRows));
+  const Rect box = plate_box(context, kDistanceWidth, rows);
   const Plate plate("distances", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
-  draw_measurements(context, rest);
+  draw_measurements(context, rest, rows);
 }
 
 }  // namespace

@@ -71,11 +71,7 @@ float top_of(const PanelContext& context) {
 }
 
 void draw_colors(const PanelContext& context) {
-  const float height =
-      4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS + extra_height(context.state.color_mode);
-  const Rect& picture = context.layout.picture;
-  const float margin = context.px(kGapM);
-  const Rect box = {picture.x + margin, top_of(context), context.px(kWidth), context.px(height)};
+  const Rect box = colors_box(context);
   const Plate plate("colors", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
   draw_modes(context, rest);
@@ -104,6 +100,13 @@ void draw_sides(const PanelContext& context) {
 }
 
 }  // namespace
+
+Rect colors_box(const PanelContext& context) {
+  const float height =
+      4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS + extra_height(context.state.color_mode);
+  return {context.layout.picture.x + context.px(kGapM), top_of(context), context.px(kWidth),
+          context.px(height)};
+}
 
 void draw_look_panel(const PanelContext& context) {
   if (context.phase() == ScanPhase::kContinuation) return;

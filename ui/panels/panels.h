@@ -17,6 +17,8 @@ void draw_distance_labels(const PanelContext& context);
 // What lies over the scene, each where it has something to say.
 void draw_status_banner(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);
+/// Where the look panel has the colors and what they mean.
+[[nodiscard]] Rect colors_box(const PanelContext& context);
 void draw_findings_panel(const PanelContext& context);
 void draw_tool_strip(const PanelContext& context);
 void draw_finishing_card(const PanelContext& context);
