@@ -104,7 +104,7 @@ ActionState editing_state(Action action, const Facts& facts) {
     case Action::kMeasure:
       return tool_state(facts, Tool::kMeasure);
     case Action::kRemoveMeasurement:
-      return only_if(!facts.view.measurements.empty(), "nothing measured");
+      return only_if(!facts.view.measurements.empty(), "none yet");
     default:
       return only_if(has_brush(facts.state.tool), "no brush in hand");
   }
@@ -143,12 +143,12 @@ ActionState hand_state(Action action, const Facts& facts) {
     case Action::kRight:
     case Action::kUp:
     case Action::kDown:
-      return enabled(facts.steers() ? "moves the sensor" : "turns the view");
+      return enabled(facts.steers() ? "moves sensor" : "turns the view");
     case Action::kHandMode:
-      if (!has_hand) return disabled("simulated sensor");
+      if (!has_hand) return disabled("if simulated");
       return chosen(facts.steers(), "yours");
     case Action::kTakeAway:
-      if (!has_hand) return disabled("simulated sensor");
+      if (!has_hand) return disabled("if simulated");
       return chosen(facts.view.source.hand->is_taken_away, "away");
     default:
       return only_if(facts.steers(), "only by hand");
@@ -230,7 +230,7 @@ ActionState devices_state(Action action, const Facts& facts) {
   const auto& devices = facts.view.devices;
   if (!devices) return disabled("only with a rig");
   if (action == Action::kCheckDevices) return only_if(!devices->is_checking, "running");
-  return enabled(devices->problems.empty() ? "" : "something is wrong");
+  return enabled(devices->problems.empty() ? "" : "has problems");
 }
 
 ActionState program_state(Action action, const Facts& facts) {

@@ -7,6 +7,7 @@
 #include "ui/control/control_answers.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/toasts.h"
+#include "ui/widgets/draw_record.h"
 #include "ui/window/imgui_host.h"
 
 namespace flytri::ui {
@@ -31,6 +32,7 @@ struct AppWindow::Impl {
   Pictures pictures;
   WindowState state;
   ItemPlaces places;
+  DrawRecord record;
   std::vector<Rect> repainted;
   std::optional<ControlAnswers> control;
   double last_now_s = -1.0;
@@ -120,6 +122,7 @@ Result<void> AppWindow::Impl::open() {
   scene = std::move(*renderer);
   if (options.shows_case_dialog) state.dialog = Dialog::kCase;
   if (options.control_socket.empty()) return {};
+  record_drawing(record);
   auto channel = ControlChannel::listen(options.control_socket);
   if (!channel) return tl::unexpected(channel.error());
   control.emplace(std::move(*channel));
@@ -143,6 +146,7 @@ void AppWindow::Impl::draw(const AppView& view, const Theme& theme,
   state.frame_s = last_now_s < 0.0 ? 0.0 : std::clamp(view.now_s - last_now_s, 0.0, kLongestStep_s);
   last_now_s = view.now_s;
   places.clear();
+  record.clear();
   repainted.clear();
   draw_panels({view, state, commands, theme, layout, *scene, pictures, places, repainted});
 }
@@ -170,6 +174,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
     impl.control->answer({view,
                           impl.state,
                           impl.places,
+                          impl.record,
                           {commands.begin() + static_cast<std::ptrdiff_t>(first), commands.end()},
                           impl.host->canvas(),
                           size,

@@ -15,6 +15,9 @@ constexpr std::size_t kLatencyFrames = 300;
 /// The model is published at most this often while more is waiting to be added to it, s.
 constexpr double kPublishPeriod_s = 0.03;
 
+/// Then the holes are its mesh's, whatever happens to the surfels behind it.
+bool is_finished(const ScanSnapshot& scan) { return scan.phase == ScanPhase::kFinished; }
+
 }  // namespace
 
 ModelThread::ModelThread(LiveModel model, ModelSurroundings around)
@@ -124,8 +127,7 @@ void ModelThread::publish() {
     s.model = std::move(model);
     s.area_mm2 = surface.area_mm2();
     s.good_share = surface.good_share();
-    const bool is_finished = s.phase == ScanPhase::kFinished;
-    s.holes_are_current = s.holes_are_current && (is_finished || !has_grown_since_holes_);
+    s.holes_are_current = s.holes_are_current && (is_finished(s) || !has_grown_since_holes_);
     if (!latency) return;
     s.latency = *latency;
     s.model_offered_at_s = shown_offers_s.back();
@@ -147,13 +149,9 @@ std::optional<LatencyStatistics> ModelThread::latency_with(
                            static_cast<std::int64_t>(sorted.size())};
 }
 
-/// Then the holes are its mesh's, whatever happens to the surfels behind it.
-bool ModelThread::is_finished() const {
-  return around_.board.snapshot()->phase == ScanPhase::kFinished;
-}
-
 void ModelThread::search_holes_if_grown() {
-  if (searches_holes_ || !has_grown_since_holes_ || is_finished()) return;
+  if (searches_holes_ || !has_grown_since_holes_) return;
+  if (is_finished(*around_.board.snapshot())) return;
   searches_holes_ = true;
   has_grown_since_holes_ = false;
   around_.background.post([this, points = model_.surface().points()] {
@@ -174,7 +172,7 @@ void ModelThread::take_holes(Result<SurfaceMesh> mesh, double began_s) {
   // Else there are too few points for any.
   if (mesh) holes = coverage_holes(std::move(mesh->boundaries));
   around_.board.update([&](ScanSnapshot& s) {
-    if (s.phase == ScanPhase::kFinished) return;
+    if (is_finished(s)) return;
     s.holes = std::move(holes);
     s.holes_are_current = !has_grown_since_holes_;
   });
@@ -186,7 +184,7 @@ void ModelThread::show_holes(std::vector<BoundaryLoop> boundaries) {
     // Those of the surfels are to be looked for as soon as the scan is no longer finished.
     has_grown_since_holes_ = is_at_rest_ = true;
     around_.board.update([&](ScanSnapshot& s) {
-      if (s.phase != ScanPhase::kFinished) return;
+      if (!is_finished(s)) return;
       s.holes = std::move(holes);
       s.holes_are_current = true;
     });

@@ -61,7 +61,6 @@ class ModelThread {
   void publish_if_due(bool at_once);
   void publish();
   std::optional<LatencyStatistics> latency_with(const std::vector<double>& shown_offers_s);
-  [[nodiscard]] bool is_finished() const;
   void search_holes_if_grown();
   void take_holes(Result<SurfaceMesh> mesh, double began_s);
 

@@ -64,8 +64,11 @@ for command in '' simulate 'simulate recording' 'simulate calibration-set' calib
   expect "help: $command" 0 'Usage' "$flytri" $command --help
 done
 expect 'unknown option' 2 '--nonsense' "$flytri" reconstruct scan -o out.ply --nonsense
-expect 'unknown command' 2 . "$flytri" nonsense
+expect 'unknown command' 2 'no command nonsense' "$flytri" nonsense
+expect 'unknown study' 2 'no command nonsense' "$flytri" study nonsense
+expect 'no command' 2 'subcommand is required' "$flytri" study
 expect 'window without a screen' 1 'no window.*DISPLAY' env -u DISPLAY "$flytri"
+expect 'required option' 2 '--recording' "$flytri" evaluate nowhere
 expect 'missing argument' 2 'RECORDING' "$flytri" reconstruct -o out.ply
 expect 'unknown ending' 1 'out\.xyz.*\.glb, \.ply' "$flytri" reconstruct scan -o out.xyz
 
@@ -84,7 +87,7 @@ bad_copy bad && sed -i 's/"horizontal"/"vertical"/' bad/recording.json
 expect 'one pattern only' 1 'bad: .*both patterns' reconstruct bad
 bad_copy bad && rm bad/frames/*
 expect 'no images' 1 'bad: .*frame 0 was rejected: bad/frames/000000\.png: .*[Nn]o such' reconstruct bad
-expect 'no recording' 1 'nowhere/recording\.json: .*[Nn]o such' reconstruct nowhere
+expect 'no recording' 1 'nowhere/recording\.json: .*name the folder' reconstruct nowhere
 expect 'no calibration named' 1 'scan/recording\.json: .*--calibration' "$flytri" reconstruct scan -o out.ply
 absent 'bad recordings' out.ply
 

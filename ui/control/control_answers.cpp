@@ -59,6 +59,14 @@ nlohmann::json camera_as_json(const CameraState& view) {
       {"follows", view.follows_scan}};
 }
 
+nlohmann::json overlays_as_json(const DrawRecord& record) {
+  nlohmann::json overlays = nlohmann::json::array();
+  for (const auto& [id, box] : record.overlays) {
+    overlays.push_back({{"id", id}, {"box", {box.x, box.y, box.width, box.height}}});
+  }
+  return overlays;
+}
+
 /// Where actions stand, but for those that are enabled and off: that is the ordinary case.
 nlohmann::json actions_as_json(const AppView& view, const WindowState& state) {
   nlohmann::json actions = nlohmann::json::object();
@@ -139,6 +147,8 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"brush_share", state.brush.radius_share},
       {"camera", camera_as_json(state.view)},
       {"actions", actions_as_json(frame.view, state)},
+      {"overlays", overlays_as_json(frame.record)},
+      {"cut_texts", frame.record.cut_texts},
       {"commands", commands_}};
   if (const auto& calibration = frame.view.calibration; calibration && calibration->running) {
     const RunningCalibration& running = *calibration->running;

@@ -9,6 +9,7 @@
 #include "ui/app_view.h"
 #include "ui/command.h"
 #include "ui/control/control_channel.h"
+#include "ui/widgets/draw_record.h"
 #include "ui/widgets/item_places.h"
 #include "ui/window/canvas.h"
 #include "ui/window_state.h"
@@ -20,6 +21,7 @@ struct DrawnFrame {
   const AppView& view;
   const WindowState& state;
   const ItemPlaces& places;
+  const DrawRecord& record;
   std::vector<Command> commands;  ///< given in this frame
   const Canvas& canvas;
   ImageSize size;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "ui/camera_moves.h"
@@ -18,21 +19,24 @@ constexpr float kRow = 40.0F;
 constexpr float kHeading = 24.0F;
 constexpr std::size_t kMostRows = 3;
 
+/// Height of a plate with a heading and rows, in units.
+float plate_height(float rows) { return 2.0F * kGapS + kHeading + (kRow + kGapXs) * rows; }
+
 /// A plate at the lower left, grown upwards by its rows and a heading.
 Rect plate_box(const PanelContext& context, float width, std::size_t rows) {
-  const float height =
-      context.px(2.0F * kGapS + kHeading + (kRow + kGapXs) * static_cast<float>(rows));
+  const float height = context.px(plate_height(static_cast<float>(rows)));
   const Rect& picture = context.layout.picture;
   const float margin = context.px(kGapM);
   return {picture.x + margin, picture.bottom() - margin - height, context.px(width), height};
 }
 
-/// As many rows as there is room for below the colors, one at least.
-std::size_t rows_that_fit(const PanelContext& context, std::size_t wanted) {
+/// How many of the findings are listed: as many as there is room for below the colors, where so
+/// many other rows stand beneath them. The plate has one row at least, whatever the room.
+std::size_t listed_rows(const PanelContext& context, std::size_t findings, std::size_t others) {
   const float room = context.layout.picture.bottom() - colors_box(context).bottom() -
-                     context.px(kGapM + kGapXs + 2.0F * kGapS + kHeading);
-  const float fitting = std::max(1.0F, room / context.px(kRow + kGapXs));
-  return std::min(wanted, static_cast<std::size_t>(fitting));
+                     context.px(kGapM + kGapXs + plate_height(0.0F));
+  const auto fitting = static_cast<std::size_t>(std::max(1.0F, room / context.px(kRow + kGapXs)));
+  return std::min({findings, kMostRows, fitting - std::min(others, fitting)});
 }
 
 void draw_heading(const PanelContext& context, Rect& rest, const std::string& text) {
@@ -86,37 +90,58 @@ void draw_measurements(const PanelContext& context, Rect& rest, std::size_t list
   }
 }
 
-void draw_hole_plate(const PanelContext& context) {
-  const std::size_t rows =
-      rows_that_fit(context, std::min(context.view.scan->holes.size(), kMostRows) + 1);
-  const Rect box = plate_box(context, kHoleWidth, rows);
-  const Plate plate("holes", box, overlay(context.theme));
-  Rect rest = box.inset(context.px(kGapS));
-  draw_holes(context, rest, rows - 1);
+/// One kind at a time.
+enum class Findings { kNone, kHoles, kDistances };
+
+Findings findings_of(const PanelContext& context) {
+  const ScanPhase phase = context.phase();
+  if (phase == ScanPhase::kContinuation || phase == ScanPhase::kFinishing) return Findings::kNone;
+  const bool has_holes = context.view.scan != nullptr && !context.view.scan->holes.empty();
+  const bool has_distances = !context.view.measurements.empty();
+  // Distances while they are measured, or where there are no holes to close.
+  const bool measures = context.state.tool == Tool::kMeasure;
+  if (has_distances && (measures || !has_holes)) return Findings::kDistances;
+  return has_holes ? Findings::kHoles : Findings::kNone;
 }
 
-void draw_measurement_plate(const PanelContext& context) {
-  const std::size_t rows =
-      rows_that_fit(context, std::min(context.view.measurements.size(), kMostRows));
-  const Rect box = plate_box(context, kDistanceWidth, rows);
-  const Plate plate("distances", box, overlay(context.theme));
-  Rect rest = box.inset(context.px(kGapS));
-  draw_measurements(context, rest, rows);
+struct FindingsPlate {
+  const char* id;
+  Rect box;
+  std::size_t listed = 0;
+  void (*draw)(const PanelContext& context, Rect& rest, std::size_t listed);
+};
+
+std::optional<FindingsPlate> findings_plate(const PanelContext& context) {
+  switch (findings_of(context)) {
+    case Findings::kHoles: {
+      // The button to the next one stands below them.
+      const std::size_t listed = listed_rows(context, context.view.scan->holes.size(), 1);
+      return FindingsPlate{"holes", plate_box(context, kHoleWidth, listed + 1), listed, draw_holes};
+    }
+    case Findings::kDistances: {
+      const std::size_t listed = listed_rows(context, context.view.measurements.size(), 0);
+      return FindingsPlate{"distances", plate_box(context, kDistanceWidth, listed), listed,
+                           draw_measurements};
+    }
+    case Findings::kNone:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
+std::optional<Rect> findings_box(const PanelContext& context) {
+  const auto plate = findings_plate(context);
+  return plate ? std::optional(plate->box) : std::nullopt;
+}
+
 void draw_findings_panel(const PanelContext& context) {
-  const ScanPhase phase = context.phase();
-  if (phase == ScanPhase::kContinuation || phase == ScanPhase::kFinishing) return;
-  const bool measures = context.state.tool == Tool::kMeasure;
-  const bool has_holes = context.view.scan != nullptr && !context.view.scan->holes.empty();
-  // One at a time: distances while they are measured, or where there are no holes to close.
-  if (!context.view.measurements.empty() && (measures || !has_holes)) {
-    draw_measurement_plate(context);
-  } else if (has_holes) {
-    draw_hole_plate(context);
-  }
+  const auto findings = findings_plate(context);
+  if (!findings) return;
+  const Plate plate(findings->id, findings->box, overlay(context.theme));
+  Rect rest = findings->box.inset(context.px(kGapS));
+  findings->draw(context, rest, findings->listed);
 }
 
 }  // namespace flytri::ui

@@ -1,6 +1,9 @@
 /// @file  How far the finishing is, how long it takes, and the way out; why it failed.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/meter.h"
@@ -8,9 +11,24 @@
 namespace flytri::ui {
 namespace {
 
+/// As wide as it reads best, or as there is room between what stands at the sides of the scene.
+float card_width(const PanelContext& context) {
+  const float room = sides_box(context).x - colors_box(context).right() - 2.0F * context.px(kGapM);
+  return std::clamp(room, 0.0F, context.px(440.0F));
+}
+
+/// In the middle of the scene, where that leaves its sides free.
+Rect card_box(const PanelContext& context, float height) {
+  Rect box = context.layout.picture.centered(card_width(context), height);
+  const float left = colors_box(context).right() + context.px(kGapM);
+  const float right = sides_box(context).x - context.px(kGapM) - box.width;
+  box.x = std::round(std::max(std::min(box.x, right), left));
+  return box;
+}
+
 void draw_progress(const PanelContext& context) {
   const FinishingState& finishing = context.view.scan->finishing;
-  const Rect box = context.layout.picture.centered(context.px(440.0F), context.px(172.0F));
+  const Rect box = card_box(context, context.px(172.0F));
   const Plate plate("finishing", box, overlay(context.theme));
   const Theme& theme = context.theme;
   Rect rest = box.inset(context.px(kGapL));
@@ -30,11 +48,11 @@ void draw_progress(const PanelContext& context) {
 
 void draw_failure(const PanelContext& context) {
   const Theme& theme = context.theme;
-  const float width = context.px(440.0F), padding = context.px(kGapL);
+  const float width = card_width(context), padding = context.px(kGapL);
   const std::string& text = context.view.scan->failure;
   const float text_height = wrapped_height(theme.fonts.body, width - 2.0F * padding, text);
   const float height = text_height + context.px(28.0F + kGapM) + 2.0F * padding;
-  const Rect box = context.layout.picture.centered(width, height);
+  const Rect box = card_box(context, height);
   const Plate plate("failure", box, overlay(context.theme));
   Rect rest = box.inset(padding);
   draw_text(rest.take_top(context.px(28.0F), context.px(kGapM)),

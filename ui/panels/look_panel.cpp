@@ -50,6 +50,9 @@ void draw_sigma_legend(const PanelContext& context, Rect& rest) {
               {colors, "exact", length_text(max_sigma_mm(context.view))});
 }
 
+/// Height of a plate with four buttons, in units.
+constexpr float kButtonsHeight = 4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS;
+
 /// Height of what stands under the buttons, in units.
 float extra_height(ColorMode mode) {
   switch (mode) {
@@ -82,11 +85,7 @@ void draw_colors(const PanelContext& context) {
 }
 
 void draw_sides(const PanelContext& context) {
-  const float width = context.px(132.0F);
-  const float height = context.px(4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS);
-  const Rect& picture = context.layout.picture;
-  const float margin = context.px(kGapM);
-  const Rect box = {picture.right() - margin - width, top_of(context), width, height};
+  const Rect box = sides_box(context);
   const Plate plate("sides", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
   const std::array<std::pair<Action, const char*>, 4> sides = {{{Action::kOcclusal, "Occlusal"},
@@ -102,10 +101,15 @@ void draw_sides(const PanelContext& context) {
 }  // namespace
 
 Rect colors_box(const PanelContext& context) {
-  const float height =
-      4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS + extra_height(context.state.color_mode);
+  const float height = kButtonsHeight + extra_height(context.state.color_mode);
   return {context.layout.picture.x + context.px(kGapM), top_of(context), context.px(kWidth),
           context.px(height)};
+}
+
+Rect sides_box(const PanelContext& context) {
+  const float width = context.px(132.0F);
+  return {context.layout.picture.right() - context.px(kGapM) - width, top_of(context), width,
+          context.px(kButtonsHeight)};
 }
 
 void draw_look_panel(const PanelContext& context) {

@@ -1,5 +1,7 @@
 #include "ui/panels/panel.h"
 
+#include "ui/widgets/draw_record.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -59,6 +61,8 @@ Plate::Plate(const char* id, const Rect& box, const PlateLook& look) {
   ImGui::Begin(id, nullptr, kPlain | flags_of(look.layer));
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);
+  DrawRecord* record = draw_record();
+  if (record != nullptr && look.layer == Layer::kOver) record->overlays.push_back({id, box});
 }
 
 Plate::~Plate() { ImGui::End(); }

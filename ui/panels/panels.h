@@ -1,6 +1,8 @@
 /// @file  The parts of the window, each drawn by a file of its own name.
 #pragma once
 
+#include <optional>
+
 #include "ui/panels/panel.h"
 
 namespace flytri::ui {
@@ -17,9 +19,12 @@ void draw_distance_labels(const PanelContext& context);
 // What lies over the scene, each where it has something to say.
 void draw_status_banner(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);
-/// Where the look panel has the colors and what they mean.
+/// Where the look panel has the colors and what they mean, and the sides to look from.
 [[nodiscard]] Rect colors_box(const PanelContext& context);
+[[nodiscard]] Rect sides_box(const PanelContext& context);
 void draw_findings_panel(const PanelContext& context);
+/// Where the findings are listed; none while there are none.
+[[nodiscard]] std::optional<Rect> findings_box(const PanelContext& context);
 void draw_tool_strip(const PanelContext& context);
 void draw_finishing_card(const PanelContext& context);
 void draw_toasts(const PanelContext& context);

@@ -65,7 +65,7 @@ void draw_hand(const PanelContext& context, Rect row) {
   const float width = (row.width - context.px(kGapS)) / 2.0F;
   const bool is_away = context.view.source.hand->is_taken_away;
   small_action(context, row.take_left(width, context.px(kGapS)), Action::kHandMode,
-               {icon::kHand, "By hand"});
+               {nullptr, "By hand"});
   small_action(context, row, Action::kTakeAway,
                {nullptr, is_away ? "Put back" : "Take away", false, kCaution});
 }

@@ -12,22 +12,29 @@ namespace {
 
 constexpr float kHeight = 60.0F;
 constexpr float kToolButton = 44.0F;
-constexpr float kFindingsRoom = 232.0F + 2.0F * kGapM;
 
 const char* instruction(const WindowState& state) {
   switch (state.tool) {
     case Tool::kTrim:
       return "Paint over what is to go";
     case Tool::kLock:
-      return "Paint over what is to stay as it is";
+      return "Paint over what is to stay";
     case Tool::kUnlock:
-      return "Paint over what may change again";
+      return "Paint over what may change";
     case Tool::kMeasure:
       return state.measured_from_mm ? "Click the second point" : "Click the first point";
     case Tool::kNone:
       break;
   }
   return "";
+}
+
+/// In two lines where there is no room for one.
+void draw_instruction(const PanelContext& context, const Rect& box, const char* text) {
+  ImFont* font = context.theme.fonts.body;
+  const float height = wrapped_height(font, box.width, text);
+  draw_wrapped({box.x, std::round(box.center().y - height / 2.0F), box.width, height},
+               {font, kText}, text);
 }
 
 void draw_brush_size(const PanelContext& context, Rect& row) {
@@ -46,8 +53,9 @@ float strip_width(const PanelContext& context, const char* text) {
   const float brush = has_brush(context.state.tool)
                           ? context.px(2.0F * kToolButton + 76.0F + 2.0F * kGapXs + kGapM)
                           : 0.0F;
-  return text_width(context.theme.fonts.body, text) + brush + context.px(96.0F) +
-         3.0F * context.px(kGapM);
+  // Rounding must not send the last word to a line of its own.
+  const float line = std::ceil(text_width(context.theme.fonts.body, text)) + context.px(kGapXs);
+  return line + brush + context.px(96.0F) + 3.0F * context.px(kGapM);
 }
 
 }  // namespace
@@ -56,19 +64,21 @@ void draw_tool_strip(const PanelContext& context) {
   if (context.state.tool == Tool::kNone) return;
   const char* text = instruction(context.state);
   const Rect& picture = context.layout.picture;
+  const float margin = context.px(kGapM);
   // To the right of what was found, which stands at the left.
-  const float room = picture.width - context.px(kFindingsRoom) - context.px(kGapM);
-  const float width = std::round(std::min(strip_width(context, text), room));
+  const auto findings = findings_box(context);
+  const float left = (findings ? findings->right() : picture.x) + margin;
+  const float right = picture.right() - margin;
+  const float width = std::round(std::min(strip_width(context, text), right - left));
   const float height = context.px(kHeight);
   const float middle = std::round(picture.center().x - width / 2.0F);
-  const Rect box = {std::max(middle, picture.x + context.px(kFindingsRoom)),
-                    picture.bottom() - context.px(kGapM) - height, width, height};
+  const Rect box = {std::max(middle, left), picture.bottom() - margin - height, width, height};
   const Plate plate("tool", box, overlay(context.theme));
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
   small_action(context, row.take_right(context.px(96.0F), context.px(kGapM)), Action::kCancel,
                {nullptr, "Done"});
   if (has_brush(context.state.tool)) draw_brush_size(context, row);
-  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, text);
+  draw_instruction(context, row, text);
 }
 
 }  // namespace flytri::ui

@@ -1,6 +1,9 @@
 /// @file  The bar at the top: case, stage, time, views kept and lost, coverage, source.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/badge.h"
@@ -58,30 +61,47 @@ void draw_stages(const PanelContext& context, Rect row) {
 
 struct Figure {
   const char* label;
-  std::string value;
+  const char* widest;  ///< of the values that half an hour brings
 };
+constexpr std::array<Figure, 4> kFigures = {
+    {{"Time", "00:00"}, {"Views", "00000"}, {"Lost", "0000"}, {"Covered well", "100 %"}}};
+using FigureValues = std::array<std::string, kFigures.size()>;
 
-std::array<Figure, 4> figures(const AppView& view) {
-  if (view.scan == nullptr) {
-    return {{{"Time", "0:00"}, {"Views", "0"}, {"Lost", "0"}, {"Covered well", "\u2013"}}};
-  }
+FigureValues figure_values(const AppView& view) {
+  if (view.scan == nullptr) return {"0:00", "0", "0", "\u2013"};
   const ScanSnapshot& scan = *view.scan;
   const auto lost = scan.counts.rejected_count() + scan.counts.skipped;
   const bool has_surface = surfel_count(scan.model) > 0;
-  return {{{"Time", clock_text(scan.scanned_s)},
-           {"Views", fmt::format("{}", scan.counts.registered + scan.counts.interpolated)},
-           {"Lost", fmt::format("{}", lost)},
-           {"Covered well",
-            has_surface ? fmt::format("{:.0f} %", 100.0 * scan.good_share) : "\u2013"}}};
+  return {clock_text(scan.scanned_s),
+          fmt::format("{}", scan.counts.registered + scan.counts.interpolated),
+          fmt::format("{}", lost),
+          has_surface ? fmt::format("{:.0f} %", 100.0 * scan.good_share) : "\u2013"};
+}
+
+/// What a figure needs, the gap to its neighbors with it: the same whatever its value is now.
+float figure_width(const PanelContext& context, const Figure& figure) {
+  const Fonts& fonts = context.theme.fonts;
+  return std::ceil(std::max(text_width(fonts.small, figure.label),
+                            text_width(fonts.title, figure.widest))) +
+         2.0F * context.px(kGapXs);
+}
+
+float figures_width(const PanelContext& context) {
+  float width = 0.0F;
+  for (const Figure& figure : kFigures) width += figure_width(context, figure);
+  return width;
 }
 
 void draw_scan_figures(const PanelContext& context, Rect row) {
-  const auto all = figures(context.view);
-  const float width = row.width / static_cast<float>(all.size());
-  for (const Figure& figure : all) {
-    Rect cell = row.take_left(width).inset(context.px(kGapXs), context.px(4.0F));
+  const FigureValues values = figure_values(context.view);
+  const float spare =
+      std::max(row.width - figures_width(context), 0.0F) / static_cast<float>(kFigures.size());
+  for (std::size_t i = 0; i < kFigures.size(); ++i) {
+    const Figure& figure = kFigures[i];
+    Rect cell = row.take_left(figure_width(context, figure) + spare)
+                    .inset(context.px(kGapXs), context.px(4.0F));
     const Rect value = cell.take_top(cell.height * 0.56F);
-    draw_text(value, {context.theme.fonts.title, kText, Align::kCenter}, figure.value);
+    draw_text(value, {context.theme.fonts.title, kText, Align::kCenter}, values[i]);
     draw_text(cell, {context.theme.fonts.small, kTextQuiet, Align::kCenter}, figure.label);
   }
 }
@@ -114,9 +134,12 @@ void draw_top_bar(const PanelContext& context) {
   const Plate plate("top", context.layout.top);
   Rect row = context.layout.top.inset(context.px(kGapM), context.px(kGapS));
   const float gap = context.px(kGapM);
-  draw_case(context, row.take_left(context.px(232.0F), gap));
-  draw_stages(context, row.take_left(context.px(312.0F), gap).inset(0.0F, context.px(2.0F)));
   draw_program_buttons(context, row.take_right(program_buttons_width(context, row.height), gap));
+  const float stages = context.px(312.0F);
+  // A long name can be cut short, a figure cannot: where there is little room, the case gives way.
+  const float others = stages + figures_width(context) + 2.0F * gap;
+  draw_case(context, row.take_left(std::clamp(row.width - others, 0.0F, context.px(232.0F)), gap));
+  draw_stages(context, row.take_left(stages, gap).inset(0.0F, context.px(2.0F)));
   const float width = std::min(row.width, context.px(400.0F));
   draw_scan_figures(context, row.centered(width, row.height));
 }

@@ -4,6 +4,8 @@
 #include <cfloat>
 #include <cmath>
 
+#include "ui/widgets/draw_record.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -50,6 +52,8 @@ std::string elided(ImFont* font, float width, std::string_view text) {
 
 void draw_text(const Rect& box, const TextStyle& style, std::string_view text) {
   const std::string shown = elided(style.font, box.width, text);
+  DrawRecord* record = draw_record();
+  if (record != nullptr && shown != text) record->cut_texts.emplace_back(text);
   const float width = text_width(style.font, shown);
   const ImVec2 at = {left_of(box, style.align, width),
                      std::round(box.y + (box.height - style.font->FontSize) / 2.0F)};

@@ -1,0 +1,120 @@
+/// @file  In the smallest window, at several scales, everything has room: no text is cut short, and
+/// no plate over the scene lies on another.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/ui/window_driver.h"
+
+namespace flytri {
+namespace {
+
+using testing::WindowDriver;
+using Names = std::vector<std::string>;
+
+/// Paths of files can be of any length, and are cut where there is no room for them.
+bool may_be_cut(const std::string& text) { return text.find("/home/") != std::string::npos; }
+
+struct Overlay {
+  std::string id;
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+};
+
+std::vector<Overlay> overlays_of(const nlohmann::json& state) {
+  std::vector<Overlay> overlays;
+  for (const auto& plate : state["overlays"]) {
+    const auto& box = plate["box"];
+    overlays.push_back({plate["id"], box[0], box[1], box[2], box[3]});
+  }
+  return overlays;
+}
+
+/// Edges may share a pixel.
+bool overlap(const Overlay& a, const Overlay& b) {
+  constexpr double kEdge_px = 1.0;
+  return a.x + a.width > b.x + kEdge_px && b.x + b.width > a.x + kEdge_px &&
+         a.y + a.height > b.y + kEdge_px && b.y + b.height > a.y + kEdge_px;
+}
+
+/// Its window is as small as one can be before everything in it is drawn smaller.
+class SmallestWindow : public ::testing::TestWithParam<double> {
+ protected:
+  void SetUp() override {
+    const auto size = [](double units) { return std::to_string(std::lround(units * GetParam())); };
+    window_ = WindowDriver::start(
+        FLYTRI_FAKE_WINDOW,
+        {"--width", size(1024.0), "--height", size(640.0), "--scale", std::to_string(GetParam())});
+    if (window_ == nullptr)
+      GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
+    ASSERT_EQ(window_->state()["scale"], GetParam());
+  }
+
+  void show(const std::string& state) {
+    for (int i = 0; i < 3; ++i) window_->ask("do cancel");
+    window_->ask("tell " + state);
+    window_->ask("wait 2");
+  }
+  void check(const std::string& what) {
+    window_->ask("wait 2");
+    const nlohmann::json state = window_->state();
+    for (const std::string text : state["cut_texts"]) {
+      EXPECT_TRUE(may_be_cut(text)) << what << ": \"" << text << "\" is cut";
+    }
+    const std::vector<Overlay> overlays = overlays_of(state);
+    for (std::size_t i = 0; i < overlays.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        EXPECT_FALSE(overlap(overlays[i], overlays[k]))
+            << what << ": " << overlays[i].id << " lies on " << overlays[k].id;
+      }
+    }
+  }
+  void check_after(const std::string& action, const std::string& state) {
+    window_->ask("do " + action);
+    check(state + ", " + action);
+  }
+
+  static inline const Names kScanStates = {
+      "ready",    "preview", "scanning",  "near",       "paused",  "lost",         "finishing",
+      "finished", "failed",  "no_sensor", "empty_case", "devices", "devices_wrong"};
+  std::unique_ptr<WindowDriver> window_;
+};
+
+TEST_P(SmallestWindow, HasRoomInEachColorMode) {
+  for (const std::string& state : kScanStates) {
+    show(state);
+    for (const char* mode : {"texture", "coverage", "uncertainty", "shading"})
+      check_after(mode, state);
+  }
+}
+
+TEST_P(SmallestWindow, HasRoomForTheToolInHand) {
+  for (const std::string state : {"paused", "finished"}) {
+    show(state);
+    for (const char* mode : {"coverage", "shading"}) {
+      window_->ask(std::string("do ") + mode);
+      for (const char* tool : {"trim", "lock", "unlock", "measure"}) check_after(tool, state);
+      window_->ask("do cancel");
+    }
+  }
+}
+
+TEST_P(SmallestWindow, HasRoomInEachDialog) {
+  for (const std::string& state : kScanStates) {
+    for (const char* dialog : {"help", "export", "case", "settings", "devices", "calibration"}) {
+      show(state);
+      check_after(dialog, state);
+    }
+  }
+  for (const std::string state :
+       {"calibrating", "shot_refused", "set_refused", "calibrated", "check_broken"}) {
+    show(state);
+    check_after("calibration", state);
+    check_after("help", state);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AtScales, SmallestWindow, ::testing::Values(1.0, 1.125, 1.25, 1.5));
+
+}  // namespace
+}  // namespace flytri
