@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view remedy_of(int error) {
+std::string_view remedy_of_writing(int error) {
   switch (error) {
     case ENOSPC:
     case EDQUOT:
@@ -35,6 +35,21 @@ std::string_view remedy_of(int error) {
   }
 }
 
+std::string_view remedy_of_reading(int error) {
+  switch (error) {
+    case EACCES:
+    case EPERM:
+      return "; change the permissions";
+    case ENOENT:
+    case ENOTDIR:
+      return "; correct the path";
+    case EISDIR:
+      return "; name a file";
+    default:
+      return "";
+  }
+}
+
 ErrorCode code_of(int error, ErrorCode otherwise) {
   if (error == EACCES || error == EPERM || error == EROFS) return ErrorCode::kNotPermitted;
   if (error == ENOENT || error == ENOTDIR) return ErrorCode::kNotFound;
@@ -43,12 +58,12 @@ ErrorCode code_of(int error, ErrorCode otherwise) {
 
 tl::unexpected<Error> write_failure(const fs::path& path, int error) {
   return fail(code_of(error, ErrorCode::kWriteFailed), "{}: cannot be written: {}{}", path.string(),
-              std::generic_category().message(error), remedy_of(error));
+              std::generic_category().message(error), remedy_of_writing(error));
 }
 
 tl::unexpected<Error> read_failure(const fs::path& path, int error) {
-  return fail(code_of(error, ErrorCode::kBadFormat), "{}: cannot be read: {}", path.string(),
-              std::generic_category().message(error));
+  return fail(code_of(error, ErrorCode::kBadFormat), "{}: cannot be read: {}{}", path.string(),
+              std::generic_category().message(error), remedy_of_reading(error));
 }
 
 /// Those of the file that is replaced, if there is one; else they stay those of a new file.

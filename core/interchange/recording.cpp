@@ -80,11 +80,6 @@ Result<Recording> parse_recording(std::string_view text, const std::string& name
 
 Result<Recording> open_recording(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kRecordingFile;
-  std::error_code unknown;
-  if (!std::filesystem::exists(path, unknown) && !unknown) {
-    return fail(ErrorCode::kNotFound, "{}: is not there; name the folder of a recording",
-                path.string());
-  }
   Result<std::string> text = read_file(path);
   if (!text) return tl::unexpected(text.error());
   Result<Recording> recording = parse_recording(*text, path.string());

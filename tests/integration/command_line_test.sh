@@ -86,8 +86,8 @@ expect 'empty recording' 1 'bad/recording\.json: .*empty; record again' reconstr
 bad_copy bad && sed -i 's/"horizontal"/"vertical"/' bad/recording.json
 expect 'one pattern only' 1 'bad: .*both patterns' reconstruct bad
 bad_copy bad && rm bad/frames/*
-expect 'no images' 1 'bad: .*frame 0 was rejected: bad/frames/000000\.png: .*[Nn]o such' reconstruct bad
-expect 'no recording' 1 'nowhere/recording\.json: .*name the folder' reconstruct nowhere
+expect 'no images' 1 'bad: .*frame 0 was rejected: bad/frames/000000\.png: .*o such file.*; correct the path' reconstruct bad
+expect 'no recording' 1 'nowhere/recording\.json: .*o such file.*; correct the path' reconstruct nowhere
 expect 'no calibration named' 1 'scan/recording\.json: .*--calibration' "$flytri" reconstruct scan -o out.ply
 absent 'bad recordings' out.ply
 
@@ -104,6 +104,9 @@ for frame in bad/frames/*.png; do cp "$small" "$frame"; done
 expect 'wrong image size' 1 'bad/frames/000000\.png: .* pixels.*calibration' reconstruct bad
 expect 'not a calibration' 1 'scan/recording\.json: .*flytri calibrate' \
   "$flytri" reconstruct scan --calibration scan/recording.json -o out.ply
+mkdir empty
+expect 'no calibration set' 1 'empty/calibration-set\.json: .*o such file.*; correct the path' \
+  "$flytri" calibrate empty
 absent 'bad calibrations' out.ply
 
 # Truth.

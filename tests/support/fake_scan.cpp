@@ -13,11 +13,6 @@ namespace {
 
 using ui::AppView;
 
-constexpr std::array<std::string_view, 18> kStates = {
-    "ready",         "preview",     "scanning",     "near",        "paused",     "lost",
-    "finishing",     "finished",    "failed",       "no_sensor",   "empty_case", "devices",
-    "devices_wrong", "calibrating", "shot_refused", "set_refused", "calibrated", "check_broken"};
-
 /// What all states have in common: a case, a simulated sensor, two older cases.
 AppView ordinary_view() {
   AppView view;
@@ -229,11 +224,9 @@ struct FakeScan::Parts {
 FakeScan::FakeScan() : parts_(std::make_unique<Parts>()) {}
 FakeScan::~FakeScan() = default;
 
-std::span<const std::string_view> fake_states() { return kStates; }
-
 std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
   const Parts& parts = *parts_;
-  const std::array<std::function<AppView()>, kStates.size()> makers = {
+  const std::array<std::function<AppView()>, kFakeStates.size()> makers = {
       [] { return Parts::ready(); },
       [&] { return parts.preview(); },
       [&] { return parts.scanning(); },
@@ -252,9 +245,9 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
       [&] { return parts.calibrating(refused_set()); },
       [&] { return parts.calibrating(finished_calibration()); },
       [&] { return parts.calibrating(broken_check()); }};
-  const auto found = std::find(kStates.begin(), kStates.end(), state);
-  if (found == kStates.end()) return std::nullopt;
-  return makers[static_cast<std::size_t>(found - kStates.begin())]();
+  const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
+  if (found == kFakeStates.end()) return std::nullopt;
+  return makers[static_cast<std::size_t>(found - kFakeStates.begin())]();
 }
 
 }  // namespace flytri::testing

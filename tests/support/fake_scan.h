@@ -3,16 +3,13 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
+#include "tests/support/fake_states.h"
 #include "ui/app_view.h"
 
 namespace flytri::testing {
-
-/// The states by name.
-[[nodiscard]] std::span<const std::string_view> fake_states();
 
 /// A jaw, a sensor over it, and what a program would show of them. The same on every run.
 class FakeScan {
@@ -22,7 +19,7 @@ class FakeScan {
   FakeScan(const FakeScan&) = delete;
   FakeScan& operator=(const FakeScan&) = delete;
 
-  /// @return  none for a name that is not among fake_states()
+  /// @return  none for a name that is not among kFakeStates
   [[nodiscard]] std::optional<ui::AppView> view(std::string_view state) const;
 
  private:

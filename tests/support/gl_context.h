@@ -21,7 +21,4 @@ class GlContext {
   GLFWwindow* window_;
 };
 
-inline constexpr const char* kNoDisplay =
-    "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
-
 }  // namespace flytri::testing

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/random.h"
+#include "tests/support/no_display.h"
 
 namespace flytri::testing {
 

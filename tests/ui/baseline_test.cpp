@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "core/interchange/png.h"
+#include "tests/support/no_display.h"
 #include "tests/ui/window_driver.h"
 
 namespace flytri {
@@ -57,14 +58,10 @@ std::filesystem::path baseline_file(const std::string& state) {
 /// One window for all states: it takes seconds to come up.
 class Baseline : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    window_ =
-        testing::WindowDriver::start(FLYTRI_FAKE_WINDOW, {"--width", "1024", "--height", "640"});
-  }
+  static void SetUpTestSuite() { window_ = testing::WindowDriver::start(1024, 640); }
   static void TearDownTestSuite() { window_.reset(); }
   void SetUp() override {
-    if (window_ == nullptr)
-      GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
+    if (window_ == nullptr) GTEST_SKIP() << testing::kNoDisplay;
     // Where it rests on a button, a hint would show.
     window_->point(1.0, 1.0);
   }
@@ -73,9 +70,9 @@ class Baseline : public ::testing::Test {
   static cv::Mat picture_of(const std::string& state) {
     const TemporaryFolder folder;
     const std::filesystem::path shot = folder.path() / "shot.png";
+    window_->show(state);
     for (const std::string& request :
-         {"tell " + state, std::string("wait 2"), std::string("do show_all"),
-          std::string("wait 80"), "shot " + shot.string()}) {
+         {std::string("do show_all"), std::string("wait 80"), "shot " + shot.string()}) {
       window_->ask(request);
     }
     return reduced(read_png(shot).value());

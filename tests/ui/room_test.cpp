@@ -5,13 +5,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/fake_states.h"
+#include "tests/support/no_display.h"
 #include "tests/ui/window_driver.h"
 
 namespace flytri {
 namespace {
 
+using testing::kFakeStates;
 using testing::WindowDriver;
-using Names = std::vector<std::string>;
 
 /// Paths of files can be of any length, and are cut where there is no room for them.
 bool may_be_cut(const std::string& text) { return text.find("/home/") != std::string::npos; }
@@ -41,19 +43,15 @@ bool overlap(const Overlay& a, const Overlay& b) {
 class SmallestWindow : public ::testing::TestWithParam<double> {
  protected:
   void SetUp() override {
-    const auto size = [](double units) { return std::to_string(std::lround(units * GetParam())); };
-    window_ = WindowDriver::start(
-        FLYTRI_FAKE_WINDOW,
-        {"--width", size(1024.0), "--height", size(640.0), "--scale", std::to_string(GetParam())});
-    if (window_ == nullptr)
-      GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
+    const auto pixels = [](int units) { return static_cast<int>(std::lround(units * GetParam())); };
+    window_ = WindowDriver::start(pixels(1024), pixels(640), GetParam());
+    if (window_ == nullptr) GTEST_SKIP() << testing::kNoDisplay;
     ASSERT_EQ(window_->state()["scale"], GetParam());
   }
 
   void show(const std::string& state) {
-    for (int i = 0; i < 3; ++i) window_->ask("do cancel");
-    window_->ask("tell " + state);
-    window_->ask("wait 2");
+    window_->cancel_all();
+    window_->show(state);
   }
   void check(const std::string& what) {
     window_->ask("wait 2");
@@ -74,14 +72,11 @@ class SmallestWindow : public ::testing::TestWithParam<double> {
     check(state + ", " + action);
   }
 
-  static inline const Names kScanStates = {
-      "ready",    "preview", "scanning",  "near",       "paused",  "lost",         "finishing",
-      "finished", "failed",  "no_sensor", "empty_case", "devices", "devices_wrong"};
   std::unique_ptr<WindowDriver> window_;
 };
 
 TEST_P(SmallestWindow, HasRoomInEachColorMode) {
-  for (const std::string& state : kScanStates) {
+  for (const char* state : kFakeStates) {
     show(state);
     for (const char* mode : {"texture", "coverage", "uncertainty", "shading"})
       check_after(mode, state);
@@ -100,17 +95,11 @@ TEST_P(SmallestWindow, HasRoomForTheToolInHand) {
 }
 
 TEST_P(SmallestWindow, HasRoomInEachDialog) {
-  for (const std::string& state : kScanStates) {
+  for (const char* state : kFakeStates) {
     for (const char* dialog : {"help", "export", "case", "settings", "devices", "calibration"}) {
       show(state);
       check_after(dialog, state);
     }
-  }
-  for (const std::string state :
-       {"calibrating", "shot_refused", "set_refused", "calibrated", "check_broken"}) {
-    show(state);
-    check_after("calibration", state);
-    check_after("help", state);
   }
 }
 

@@ -37,14 +37,13 @@ void xdotool(std::vector<std::string> words) {
 
 }  // namespace
 
-std::unique_ptr<WindowDriver> WindowDriver::start(const std::string& program,
-                                                  std::vector<std::string> arguments) {
+std::unique_ptr<WindowDriver> WindowDriver::start(int width_px, int height_px, double scale) {
   if (std::getenv("DISPLAY") == nullptr) return nullptr;
   std::unique_ptr<WindowDriver> driver(new WindowDriver);
   const std::string socket = (driver->folder_.path() / "control").string();
-  arguments.insert(arguments.begin(), program);
-  arguments.insert(arguments.end(), {"--control", socket});
-  driver->process_ = spawn(arguments);
+  driver->process_ =
+      spawn({FLYTRI_FAKE_WINDOW, "--width", fmt::to_string(width_px), "--height",
+             fmt::to_string(height_px), "--scale", fmt::to_string(scale), "--control", socket});
   if (driver->process_ < 0) return nullptr;
   driver->client_ = ControlClient::connect(socket, kPatience_s);
   if (!driver->client_) return nullptr;
@@ -61,6 +60,16 @@ std::string WindowDriver::ask(const std::string& request) {
   const std::string answer = client_->ask(request);
   EXPECT_TRUE(answer.starts_with("ok")) << request << ": " << answer;
   return answer.size() > 3 ? answer.substr(3) : std::string();
+}
+
+void WindowDriver::cancel_all() {
+  // A question in a dialog over a tool in hand: each takes one.
+  for (int i = 0; i < 3; ++i) ask("do cancel");
+}
+
+void WindowDriver::show(const std::string& state) {
+  ask("tell " + state);
+  settle();
 }
 
 nlohmann::json WindowDriver::state() { return nlohmann::json::parse(ask("state"), nullptr, false); }

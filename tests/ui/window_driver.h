@@ -1,4 +1,5 @@
-/// @file  A window in a process of its own, driven by the X server's real keys and clicks.
+/// @file  The window on fake states, in a process of its own, driven by the X server's real keys
+/// and clicks.
 #pragma once
 
 #include <sys/types.h>
@@ -16,10 +17,11 @@ namespace flytri::testing {
 
 class WindowDriver {
  public:
-  /// Starts `program ARGUMENTS --control SOCKET` and waits until its window draws.
-  /// @return  none where there is no display (the program ends with 77) or it does not come up
-  [[nodiscard]] static std::unique_ptr<WindowDriver> start(const std::string& program,
-                                                           std::vector<std::string> arguments);
+  /// Starts fake_window and waits until it draws.
+  /// @param scale  of the content: a unit of the window is this many pixels
+  /// @return  none where there is no display: skip the test for kNoDisplay; or it does not come up
+  [[nodiscard]] static std::unique_ptr<WindowDriver> start(int width_px, int height_px,
+                                                           double scale = 1.0);
   WindowDriver(const WindowDriver&) = delete;
   WindowDriver& operator=(const WindowDriver&) = delete;
   /// Asks the window to close and waits for its end.
@@ -28,6 +30,10 @@ class WindowDriver {
   /// A request of the control channel. @return  what follows "ok "; empty, and a failure of the
   /// test, for an error
   std::string ask(const std::string& request);
+  /// Closes what is open, and lays down what is in hand.
+  void cancel_all();
+  /// Shows one of kFakeStates.
+  void show(const std::string& state);
   /// All that the window tells of itself.
   [[nodiscard]] nlohmann::json state();
   /// Names of the commands since they were last asked for.

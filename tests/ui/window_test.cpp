@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/interchange/png.h"
+#include "tests/support/fake_states.h"
+#include "tests/support/no_display.h"
 #include "tests/ui/screen_reader.h"
 #include "tests/ui/window_driver.h"
 #include "ui/key_map.h"
@@ -18,23 +20,19 @@ using Names = std::vector<std::string>;
 /// One window for all tests: it takes seconds to come up.
 class RealWindow : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    window_ = WindowDriver::start(FLYTRI_FAKE_WINDOW, {"--width", "1280", "--height", "800"});
-  }
+  static void SetUpTestSuite() { window_ = WindowDriver::start(1280, 800); }
   static void TearDownTestSuite() { window_.reset(); }
 
   void SetUp() override {
-    if (window_ == nullptr)
-      GTEST_SKIP() << "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
-    for (int i = 0; i < 3; ++i) window().ask("do cancel");
+    if (window_ == nullptr) GTEST_SKIP() << testing::kNoDisplay;
+    window().cancel_all();
     window().ask("do shading");
   }
 
   static WindowDriver& window() { return *window_; }
   /// Shows a fake state, and forgets the commands before.
   static void show(const std::string& state) {
-    window().ask("tell " + state);
-    window().ask("wait 2");
+    window().show(state);
     (void)window().commands();
   }
   static Names after_key(const std::string& key) {
@@ -104,9 +102,7 @@ TEST_F(RealWindow, TheScreenHoldsAllThatWasDrawn) {
 }
 
 TEST_F(RealWindow, HowAKeyStandsFitsTheColumnOfTheList) {
-  for (const char* shown : {"ready", "preview", "scanning", "paused", "lost", "finishing",
-                            "finished", "failed", "no_sensor", "empty_case", "devices_wrong",
-                            "calibrating", "shot_refused", "set_refused", "calibrated"}) {
+  for (const char* shown : testing::kFakeStates) {
     show(shown);
     for (const char* dialog : {"cancel", "calibration"}) {
       window().ask(std::string("do ") + dialog);

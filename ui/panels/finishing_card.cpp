@@ -11,18 +11,25 @@
 namespace flytri::ui {
 namespace {
 
-/// As wide as it reads best, or as there is room between what stands at the sides of the scene.
+/// Of the picture, what lies between the panels at the sides of the scene.
+Rect room_between_sides(const PanelContext& context) {
+  const float gap = context.px(kGapM);
+  Rect room = context.layout.picture;
+  room.x = colors_box(context).right() + gap;
+  room.width = std::max(sides_box(context).x - gap - room.x, 0.0F);
+  return room;
+}
+
+/// As wide as it reads best, or as there is room.
 float card_width(const PanelContext& context) {
-  const float room = sides_box(context).x - colors_box(context).right() - 2.0F * context.px(kGapM);
-  return std::clamp(room, 0.0F, context.px(440.0F));
+  return std::min(room_between_sides(context).width, context.px(440.0F));
 }
 
 /// In the middle of the scene, where that leaves its sides free.
 Rect card_box(const PanelContext& context, float height) {
+  const Rect room = room_between_sides(context);
   Rect box = context.layout.picture.centered(card_width(context), height);
-  const float left = colors_box(context).right() + context.px(kGapM);
-  const float right = sides_box(context).x - context.px(kGapM) - box.width;
-  box.x = std::round(std::max(std::min(box.x, right), left));
+  box.x = std::round(std::max(std::min(box.x, room.right() - box.width), room.x));
   return box;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/support/gl_context.h"
+#include "tests/support/no_display.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/gpu/asset_path.h"

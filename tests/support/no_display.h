@@ -1,0 +1,9 @@
+/// @file  Why tests of what is drawn are skipped.
+#pragma once
+
+namespace flytri::testing {
+
+inline constexpr const char* kNoDisplay =
+    "no display with OpenGL 3.3: set DISPLAY, for instance to an Xvfb";
+
+}  // namespace flytri::testing
