@@ -172,7 +172,7 @@ struct FakeScan::Parts {
     view.source.name = "Intra-oral rig 04";
     view.source.is_running = false;
     view.source.is_lost = true;
-    view.source.message = "Plug the camera in again";
+    view.source.message = "the switch of the lights has not answered for 2.0 s: plug it in again";
     return view;
   }
 

@@ -23,14 +23,16 @@ void draw_status_banner(const PanelContext& context) {
   const Plate plate("banner", box, {Layer::kOver, with_opacity(status.color, 0.0F), 0.0F});
   ImGui::GetWindowDrawList()->AddRectFilled(box.min(), box.max(), to_u32(status.color),
                                             context.px(12.0F), ImDrawFlags_RoundCornersBottom);
-  Rect row = box.inset(context.px(kGapL), 0.0F);
+  Rect row = box.inset(context.px(kGapL), context.px(kGapS));
   row.width += 2.0F;  // Rounding must not cut the hint short.
   const float icon_width = text_width(theme.fonts.status, status.icon);
   draw_text(row.take_left(icon_width, context.px(kGapS)), {theme.fonts.status, kTextOnColor},
             status.icon);
   const float word = text_width(theme.fonts.status, status.text) + 1.0F;
   draw_text(row.take_left(word, hint_gap), {theme.fonts.status, kTextOnColor}, status.text);
-  draw_text(row, {theme.fonts.title, kTextOnColor}, status.hint);
+  // Messages of devices can be long.
+  draw_fitted(row, {theme.fonts.title, theme.fonts.strong, theme.fonts.small}, kTextOnColor,
+              status.hint);
 }
 
 }  // namespace flytri::ui

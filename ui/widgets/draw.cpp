@@ -20,6 +20,23 @@ ImVec2 size_of(ImFont* font, std::string_view text, float wrap_width = 0.0F) {
 /// Bytes that follow the first of a UTF-8 character.
 bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
+/// The text, or as much of it as fits with dots after it.
+template <typename Fits>
+std::string shortened(std::string_view text, const Fits& fits) {
+  if (fits(text)) return std::string(text);
+  std::string shorter(text);
+  while (!shorter.empty() && !fits(shorter + std::string(kDots))) {
+    while (shorter.size() > 1 && goes_on(shorter.back())) shorter.pop_back();
+    shorter.pop_back();
+  }
+  return shorter + std::string(kDots);
+}
+
+void note_cut(std::string_view text, const std::string& shown) {
+  DrawRecord* record = draw_record();
+  if (record != nullptr && shown != text) record->cut_texts.emplace_back(text);
+}
+
 float left_of(const Rect& box, Align align, float width) {
   switch (align) {
     case Align::kCenter:
@@ -41,19 +58,12 @@ float wrapped_height(ImFont* font, float width, std::string_view text) {
 }
 
 std::string elided(ImFont* font, float width, std::string_view text) {
-  if (text_width(font, text) <= width) return std::string(text);
-  std::string shorter(text);
-  while (!shorter.empty() && text_width(font, shorter + std::string(kDots)) > width) {
-    while (shorter.size() > 1 && goes_on(shorter.back())) shorter.pop_back();
-    shorter.pop_back();
-  }
-  return shorter + std::string(kDots);
+  return shortened(text, [&](std::string_view part) { return text_width(font, part) <= width; });
 }
 
 void draw_text(const Rect& box, const TextStyle& style, std::string_view text) {
   const std::string shown = elided(style.font, box.width, text);
-  DrawRecord* record = draw_record();
-  if (record != nullptr && shown != text) record->cut_texts.emplace_back(text);
+  note_cut(text, shown);
   const float width = text_width(style.font, shown);
   const ImVec2 at = {left_of(box, style.align, width),
                      std::round(box.y + (box.height - style.font->FontSize) / 2.0F)};
@@ -65,6 +75,22 @@ float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view tex
   ImGui::GetWindowDrawList()->AddText(style.font, style.font->FontSize, box.min(),
                                       to_u32(style.color), text.data(), end_of(text), box.width);
   return wrapped_height(style.font, box.width, text);
+}
+
+void draw_fitted(const Rect& box, std::initializer_list<ImFont*> fonts, const Color& color,
+                 std::string_view text) {
+  const auto fits = [&](ImFont* font, std::string_view part) {
+    return wrapped_height(font, box.width, part) <= box.height;
+  };
+  const auto* chosen =
+      std::find_if(fonts.begin(), fonts.end() - 1, [&](ImFont* font) { return fits(font, text); });
+  const std::string shown =
+      shortened(text, [&](std::string_view part) { return fits(*chosen, part); });
+  note_cut(text, shown);
+  const float height = wrapped_height(*chosen, box.width, shown);
+  Rect lines = box;
+  lines.y = std::round(box.y + (box.height - height) / 2.0F);
+  draw_wrapped(lines, {*chosen, color}, shown);
 }
 
 std::string sentence(std::string message) {

@@ -1,6 +1,7 @@
 /// @file  Text and boxes as every widget draws them.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,10 @@ struct TextStyle {
 void draw_text(const Rect& box, const TextStyle& style, std::string_view text);
 /// Text that goes over several lines, from the top of `box`. @return  its height
 float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view text);
+/// Text in the vertical middle of `box`, over as many lines as it takes, in the first of the fonts
+/// in which it has room; where the last is too large for it, too, cut short with dots.
+void draw_fitted(const Rect& box, std::initializer_list<ImFont*> fonts, const Color& color,
+                 std::string_view text);
 [[nodiscard]] float text_width(ImFont* font, std::string_view text);
 [[nodiscard]] float wrapped_height(ImFont* font, float width, std::string_view text);
 /// The text, or as much of it as goes into the width with dots after it.
