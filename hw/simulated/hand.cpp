@@ -15,6 +15,8 @@ constexpr double kTurnAround_s = 0.4;
 constexpr double kAwayDepths = 3.0;
 // The distance to the surface follows within this time.
 constexpr double kDepthSmoothing_s = 0.25;
+// Who puts a sensor back where it was lost holds it there so long before going on.
+constexpr double kHold_s = 0.5;
 // No change of mode is quicker than this.
 constexpr double kMinFade_s = 0.2;
 
@@ -102,6 +104,7 @@ void Hand::change_mode(HandMode mode) {
       std::max({1.5 * T_goal_hand_.translation().norm() / (factor * speed_mm_s_),
                 1.5 * rotation_angle(T_goal_hand_) / (factor * options_.turn_rad_s), kMinFade_s});
   faded_s_ = 0.0;
+  hold_s_ = mode == HandMode::kPath && in_air ? fade_s_ + kHold_s : 0.0;
 }
 
 Isometry Hand::goal() const {
@@ -133,6 +136,10 @@ void Hand::step() {
 
 // Brakes in time to stand still at the end, then goes the other way.
 void Hand::step_path() {
+  if (hold_s_ > 0.0) {
+    hold_s_ -= kStep_s;
+    return;
+  }
   const double length_s = path_.end_s() - path_.start_s();
   const double remaining_s = forwards_ ? length_s - path_s_ : path_s_;
   const double braking_s = 0.5 * path_pace_ * path_pace_ * kTurnAround_s;

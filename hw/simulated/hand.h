@@ -23,7 +23,8 @@ struct HandOptions {
 
 /// Follows what it is told in steps of equal length, so that the same orders at the same times give
 /// the same poses. On the path it turns around at the ends and goes back the way it came: who looks
-/// on sees the model grow, then become denser. Every change of mode starts from where it is.
+/// on sees the model grow, then become denser. Every change of mode starts from where it is. From
+/// the air it comes back to where it left the path, and holds still there for a moment.
 class Hand {
  public:
   Hand(RayScene scene, SensorModel sensor, SensorPath path, const HandOptions& options);
@@ -61,6 +62,7 @@ class Hand {
   double path_s_ = 0.0;     // on the path, from its start
   double path_pace_ = 0.0;  // path seconds a second: 1 there, -1 back, in between at the ends
   bool forwards_ = true;
+  double hold_s_ = 0.0;  // for which it stays where it is on the path
 
   HandAim pointed_;                                   // what the pointer says
   Isometry T_model_follower_ = Isometry::Identity();  // runs after it

@@ -102,6 +102,24 @@ TEST(Hand, AwayThereIsNothingInTheVolume) {
   EXPECT_LT(moved.head<2>().norm(), 0.5);
 }
 
+TEST(Hand, ComesBackToWhereItLeftThePathAndHoldsStill) {
+  Hand hand = make_hand();
+  hand.advance(1.0);
+  const Isometry T_model_left = hand.T_model_sensor(1.0);
+  hand.take_away();
+  hand.advance(3.0);
+  hand.follow_path();
+  // It takes 0.56 s through the air, holds for half a second, and sets out from rest.
+  for (const double time_s : {3.7, 4.0}) {
+    hand.advance(time_s);
+    const Isometry off = T_model_left.inverse() * hand.T_model_sensor(time_s);
+    EXPECT_LT(off.translation().norm(), 0.3) << time_s;
+    EXPECT_LT(rotation_angle(off), 0.02) << time_s;
+  }
+  hand.advance(6.0);
+  EXPECT_GT((T_model_left.inverse() * hand.T_model_sensor(6.0)).translation().norm(), 5.0);
+}
+
 TEST(Hand, IsPutBackElsewhere) {
   Hand hand = make_hand();
   hand.advance(1.0);
