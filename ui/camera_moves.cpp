@@ -54,6 +54,11 @@ void follow(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Camera
   show_all(view, model_box_mm, state);
 }
 
+/// Each stage is a world of its own, and so is the scan of another case.
+bool is_another_scan(const AppView& view, bool has_model, const CameraState& state) {
+  return view.stage != state.seen_stage || (state.has_seen_model && !has_model);
+}
+
 void visit_reentry(const AppView& view, CameraState& state) {
   const ScanSnapshot& scan = *view.scan;
   if (scan.reentry.empty() || state.seen_reentry == scan.chosen_reentry) return;
@@ -77,6 +82,11 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
   fly_to_show(corners_of(is_tight ? model_box_mm : state.followed_box_mm),
               is_first ? first_sight() : state.camera.destination().q_world_eye,
               view.is_scanning ? kShortFlight_s : kFlight_s, state);
+}
+
+void look_anew(CameraState& state) {
+  state.follows_scan = true;
+  state.followed_box_mm.setEmpty();
 }
 
 void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state) {
@@ -111,6 +121,10 @@ void show_next_hole(const AppView& view, WindowState& state) {
 void move_by_itself(const AppView& view, const Eigen::AlignedBox3d& model_box_mm,
                     CameraState& state) {
   if (view.scan == nullptr) return;
+  const bool has_model = !model_box_mm.isEmpty();
+  if (is_another_scan(view, has_model, state)) look_anew(state);
+  state.seen_stage = view.stage;
+  state.has_seen_model = has_model;
   const ScanPhase phase = view.scan->phase;
   const bool was_lost = state.seen_phase == ScanPhase::kContinuation;
   if (phase == ScanPhase::kContinuation) {

@@ -12,6 +12,10 @@ namespace flytri::ui {
 /// @param model_box_mm  empty where there is no model: the camera looks at the sensor's volume
 void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state);
 
+/// Forgets where the camera looked: move_by_itself() flies to all of what there is, as the first
+/// view saw it.
+void look_anew(CameraState& state);
+
 /// Flies to a view of the whole jaw.
 void show_from(StandardView side, const ScanSnapshot& scan, CameraState& state);
 

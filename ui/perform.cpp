@@ -176,11 +176,6 @@ struct Performance {
     state.texture_blend = std::clamp(state.texture_blend + step, 0.0, 1.0);
   }
   void look_from(StandardView side) const { show_from(side, *view.scan, state.view); }
-  /// The model's box is not known here: forgetting the one followed makes the camera fly.
-  void look_at_all() const {
-    state.view.follows_scan = true;
-    state.view.followed_box_mm.setEmpty();
-  }
   void zoom(double factor) const {
     state.view.follows_scan = false;
     state.view.camera.zoom(factor);
@@ -211,7 +206,7 @@ struct Performance {
       case Action::kLingual:
         return look_from(StandardView::kLingual);
       case Action::kShowAll:
-        return look_at_all();
+        return look_anew(state.view);
       case Action::kZoomIn:
         return zoom(kZoomStep);
       default:

@@ -40,6 +40,8 @@ struct CameraState {
   Eigen::AlignedBox3d followed_box_mm;  ///< what the camera was last sent to show
   ScanPhase seen_phase = ScanPhase::kPreview;
   std::optional<std::size_t> seen_reentry;  ///< the place that the camera was last sent to
+  ScanStage seen_stage = ScanStage::kUpper;
+  bool has_seen_model = false;
 };
 
 /// The brush and the stroke that is being drawn.
