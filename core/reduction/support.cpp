@@ -6,7 +6,7 @@
 
 #include "core/geometry/point_grid.h"
 
-namespace flytri {
+namespace flytri::reduction {
 namespace {
 
 /// How far across the normal a sample is compared with others, in cell widths: some lines of every
@@ -227,4 +227,4 @@ Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples
   return support;
 }
 
-}  // namespace flytri
+}  // namespace flytri::reduction

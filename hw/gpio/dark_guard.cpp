@@ -15,7 +15,7 @@
 #include <ctime>
 #include <system_error>
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
@@ -137,4 +137,4 @@ DarkGuard::~DarkGuard() {
   }
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -10,18 +10,18 @@
 #include "hw/gpio/gpio_chips.h"
 #include "hw/gpio/open_chip.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
 struct WiredLight {
-  Light light;
+  device::Light light;
   unsigned line;
   bool active_low;
 };
 
 // As they are on the wire, whatever shines.
-std::vector<int> values_for(const std::vector<WiredLight>& lights, Light shining) {
+std::vector<int> values_for(const std::vector<WiredLight>& lights, device::Light shining) {
   std::vector<int> values;
   values.reserve(lights.size());
   for (const WiredLight& wired : lights)
@@ -42,7 +42,7 @@ class GpioLines final : public LightLines {
       : description_(std::move(chip)), lights_(std::move(lights)) {}
   ~GpioLines() override {
     // A chip that is gone cannot be told, and takes its lights along.
-    if (held_) (void)set(Light::kDark);
+    if (held_) (void)set(device::Light::kDark);
   }
 
   Result<void> hold() {
@@ -51,7 +51,7 @@ class GpioLines final : public LightLines {
     if (!chip_ || gpiod_chip_get_lines(chip_.get(), lines.data(),
                                        static_cast<unsigned>(lines.size()), &bulk_) != 0)
       return failed("opening it", errno);
-    const std::vector<int> dark = values_for(lights_, Light::kDark);
+    const std::vector<int> dark = values_for(lights_, device::Light::kDark);
     if (gpiod_line_request_bulk_output(&bulk_, "flytri", dark.data()) != 0)
       return failed("asking for its lines", errno);
     held_ = true;
@@ -62,7 +62,7 @@ class GpioLines final : public LightLines {
     return {};
   }
 
-  int set(Light light) override {
+  int set(device::Light light) override {
     const std::vector<int> values = values_for(lights_, light);
     return gpiod_line_set_value_bulk(&bulk_, values.data()) == 0 ? 0 : errno;
   }
@@ -89,9 +89,10 @@ Result<std::vector<WiredLight>> wire(const GpioChip& chip, const LightWiring& wi
   const auto lines = find_lines(chip, wiring);
   if (!lines) return tl::unexpected(lines.error());
   std::vector<WiredLight> lights = {
-      {Light::kVertical, (*lines)[0], wiring.vertical.active_low},
-      {Light::kHorizontal, (*lines)[1], wiring.horizontal.active_low}};
-  if (wiring.flash) lights.push_back({Light::kFlash, (*lines)[2], wiring.flash->active_low});
+      {device::Light::kVertical, (*lines)[0], wiring.vertical.active_low},
+      {device::Light::kHorizontal, (*lines)[1], wiring.horizontal.active_low}};
+  if (wiring.flash)
+    lights.push_back({device::Light::kFlash, (*lines)[2], wiring.flash->active_low});
   return lights;
 }
 
@@ -108,4 +109,4 @@ Result<std::unique_ptr<LightLines>> open_gpio_lines(const LightWiring& wiring) {
   return lines;
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace flytri {
+namespace flytri::gpio {
 
 struct ChipCloser {
   /// Its lines are let go with it.
@@ -19,4 +19,4 @@ using OpenChip = std::unique_ptr<gpiod_chip, ChipCloser>;
   return OpenChip(gpiod_chip_open(node.c_str()));
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio
