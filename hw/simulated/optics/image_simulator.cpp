@@ -134,7 +134,7 @@ cv::Mat ImageSimulator::Parts::ambient_light(const Isometry& T_model_sensor) con
 // The flash sits around the texture camera's pupil: it casts no shadow that the camera could see.
 cv::Vec3f ImageSimulator::Parts::flash_light(const Isometry& T_model_sensor,
                                              const RayHit& hit) const {
-  constexpr double kWhiteLevel = 0.8;  // a white surface in the middle of the volume
+  constexpr double kFlashWhiteLevel = 0.8;  // a white surface in the middle of the volume
   const Vec3 lamp = T_model_sensor * sensor.texture_camera.center();
   const Vec3 to_lamp = lamp - hit.point_mm;
   const double cosine = std::abs(smooth_normal_at(scene.mesh(), hit).dot(to_lamp)) / to_lamp.norm();
@@ -142,7 +142,7 @@ cv::Vec3f ImageSimulator::Parts::flash_light(const Isometry& T_model_sensor,
   const Triangle& corners = scene.mesh().triangles[hit.triangle];
   cv::Vec3f color(0.0F, 0.0F, 0.0F);
   for (int k = 0; k < 3; ++k) color += static_cast<float>(hit.weights[k]) * colors[corners[k]];
-  return color * static_cast<float>(kWhiteLevel * cosine * falloff);
+  return color * static_cast<float>(kFlashWhiteLevel * cosine * falloff);
 }
 
 // The light at the middle of each block of pixels.
