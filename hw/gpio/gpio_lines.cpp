@@ -59,9 +59,7 @@ class GpioLines final : public LightLines {
     return {};
   }
 
-  int set(Light light) override {
-    return held_->set(values_for(lights_, light));
-  }
+  int set(Light light) override { return held_->set(values_for(lights_, light)); }
 
   bool present() const override { return access(description_.device.node.c_str(), F_OK) == 0; }
 
