@@ -50,6 +50,21 @@ std::vector<ImDrawList*> reaching(const ImDrawData& data) {
   return lists;
 }
 
+/// Makes `part` draw these lists alone. Dear ImGui up to 1.89.7 keeps them in an array that it points
+/// to, later versions in a vector of their own.
+void set_lists(ImDrawData& part, std::vector<ImDrawList*>& lists) {
+  const auto set = [&]<typename Kept>(Kept& kept) {
+    if constexpr (std::is_pointer_v<Kept>) {
+      kept = lists.data();
+    } else {
+      kept.resize(static_cast<int>(lists.size()));
+      std::copy(lists.begin(), lists.end(), kept.begin());
+    }
+  };
+  set(part.CmdLists);
+  part.CmdListsCount = static_cast<int>(lists.size());
+}
+
 void clear(const PixelBox& box, const Color& color) {
   glEnable(GL_SCISSOR_TEST);
   const Eigen::Vector2i size = box.sizes() + Eigen::Vector2i::Ones();
@@ -75,8 +90,7 @@ void Canvas::draw(ImDrawData& data, const std::vector<Rect>& boxes, const Color&
     const Narrowed narrowed(data, box);
     std::vector<ImDrawList*> lists = reaching(data);
     ImDrawData part = data;
-    part.CmdLists = lists.data();
-    part.CmdListsCount = static_cast<int>(lists.size());
+    set_lists(part, lists);
     ImGui_ImplOpenGL3_RenderDrawData(&part);
   }
   Framebuffer::bind_window();
