@@ -2,6 +2,8 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
+#include <type_traits>
+
 #include "ui/widgets/pixel_rows.h"
 
 namespace flytri::ui {
@@ -50,8 +52,8 @@ std::vector<ImDrawList*> reaching(const ImDrawData& data) {
   return lists;
 }
 
-/// Makes `part` draw these lists alone. Dear ImGui up to 1.89.7 keeps them in an array that it points
-/// to, later versions in a vector of their own.
+/// Makes `part` draw these lists alone. Older versions of Dear ImGui (up to 1.89.7) point to an
+/// array of lists, later ones keep a vector.
 void set_lists(ImDrawData& part, std::vector<ImDrawList*>& lists) {
   const auto set = [&]<typename Kept>(Kept& kept) {
     if constexpr (std::is_pointer_v<Kept>) {
