@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2154  # The caller sets work and root.
 # Fresh Debian systems in a folder, for the checks beside this file, which source it.
 # Needs root, the network and debootstrap. The caller sets: work, a folder for all that is kept;
 # root, where the system goes.
