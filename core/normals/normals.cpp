@@ -44,7 +44,7 @@ std::vector<Vec3> tangents_of(const Profile& profile, double sigma_points) {
   std::vector<Vec3> tangents(profile.points.size());
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     // The slope of a weighted straight line, which at the ends leans to the side that is there.
-    double sum_w = 0.0, sum_k = 0.0, sum_kk = 0.0;
+    double sum_w = 0.0, sum_k = 0.0;
     Vec3 sum_p = Vec3::Zero(), sum_kp = Vec3::Zero();
     for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - reach);
          j <= std::min(count - 1, i + reach); ++j) {
@@ -53,7 +53,6 @@ std::vector<Vec3> tangents_of(const Profile& profile, double sigma_points) {
       const Vec3& p = profile.points[static_cast<std::size_t>(j)].position_mm;
       sum_w += w;
       sum_k += w * k;
-      sum_kk += w * k * k;
       sum_p += w * p;
       sum_kp += w * k * p;
     }
