@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "ui/app_view.h"
-#include "ui/command.h"
+#include "ui/state/app_view.h"
+#include "ui/state/command.h"
 
 namespace flytri::ui {
 

@@ -14,18 +14,18 @@ namespace flytri::cli {
 namespace {
 
 struct AppArguments {
-  SourceChoice source;
+  session::SourceChoice source;
   ui::AppWindowOptions window;
 };
 
 /// The scan was lost while it grew, or found again.
-void sound(const ui::AppView& view, ScanPhase& heard, ui::SoundPlayer& sounds) {
+void sound(const ui::AppView& view, scan::ScanPhase& heard, ui::SoundPlayer& sounds) {
   if (view.scan == nullptr) return;
   sounds.set_muted(view.settings.is_muted);
-  const ScanPhase before = std::exchange(heard, view.scan->phase);
-  if (before == ScanPhase::kMeasurement && heard == ScanPhase::kContinuation) {
+  const scan::ScanPhase before = std::exchange(heard, view.scan->phase);
+  if (before == scan::ScanPhase::kMeasurement && heard == scan::ScanPhase::kContinuation) {
     sounds.play(ui::Sound::kLost);
-  } else if (before == ScanPhase::kContinuation && heard == ScanPhase::kMeasurement) {
+  } else if (before == scan::ScanPhase::kContinuation && heard == scan::ScanPhase::kMeasurement) {
     sounds.play(ui::Sound::kReturn);
   }
 }
@@ -34,12 +34,12 @@ void sound(const ui::AppView& view, ScanPhase& heard, ui::SoundPlayer& sounds) {
 Result<void> run(const AppArguments& arguments, const Progress& progress) {
   auto window = ui::AppWindow::create(arguments.window);
   if (!window) return tl::unexpected(window.error());
-  SessionOptions options;
+  session::SessionOptions options;
   options.source = arguments.source;
-  Session session(options);
+  session::Session session(options);
   session.carry_out(ui::StartScan{});
   ui::SoundPlayer sounds;
-  ScanPhase heard = ScanPhase::kPreview;
+  scan::ScanPhase heard = scan::ScanPhase::kPreview;
   std::vector<ui::Command> commands;
   bool is_open = true;
   while (is_open && !session.is_closing() && !progress.cancelled()) {
@@ -49,7 +49,7 @@ Result<void> run(const AppArguments& arguments, const Progress& progress) {
     sound(view, heard, sounds);
     for (const ui::Command& command : commands) session.carry_out(command);
     commands.clear();
-    rest_after_frame(session.now_s() - began_s);
+    session::rest_after_frame(session.now_s() - began_s);
   }
   return {};
 }

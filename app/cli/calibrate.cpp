@@ -7,10 +7,10 @@
 #include "app/cli/calibrate_check.h"
 #include "app/cli/calibrate_live.h"
 #include "app/cli/commands.h"
-#include "core/calibrating/calibrate.h"
-#include "core/interchange/calibration_file.h"
-#include "core/interchange/calibration_set_file.h"
-#include "core/interchange/file_bytes.h"
+#include "core/calibration/fit/calibrate.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_set_file.h"
+#include "core/io/files/file_bytes.h"
 
 namespace flytri::cli {
 namespace {
@@ -27,13 +27,13 @@ struct CalibrateArguments {
 Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& progress) {
   const std::filesystem::path output =
       arguments.output.empty() ? "calibration.json" : arguments.output;
-  if (auto checked = check_writable(output); !checked) return checked;
-  const Result<CalibrationSet> set = read_calibration_set(arguments.set);
+  if (auto checked = io::check_writable(output); !checked) return checked;
+  const Result<calibration::CalibrationSet> set = io::read_calibration_set(arguments.set);
   if (!set) return tl::unexpected(set.error());
-  const Result<Calibration> calibration =
-      calibrate(*set, CalibrateOptions{}, Workers(arguments.of_live.thread_count), progress);
+  const Result<calibration::Calibration> calibration = calibration::calibrate(
+      *set, calibration::CalibrateOptions{}, Workers(arguments.of_live.thread_count), progress);
   if (!calibration) return tl::unexpected(calibration.error());
-  if (auto written = write_calibration(output, *calibration); !written) return written;
+  if (auto written = io::write_calibration(output, *calibration); !written) return written;
   print_residuals(*calibration);
   fmt::print("wrote {}\n", output.string());
   return {};
@@ -80,16 +80,16 @@ Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
 
 }  // namespace
 
-void print_residuals(const Calibration& calibration) {
+void print_residuals(const calibration::Calibration& calibration) {
   constexpr double kMicrons = 1e3;
   fmt::print("{:<14} {:>10} {:>10} {:>10}\n", "residual", "RMS", "maximum", "points");
-  const auto row = [](std::string_view name, const FitResidual& residual, double scale,
+  const auto row = [](std::string_view name, const calibration::FitResidual& residual, double scale,
                       std::string_view unit) {
     fmt::print("{:<14} {:>7.2f} {} {:>7.2f} {} {:>10}\n", name, scale * residual.rms, unit,
                scale * residual.max, unit, residual.count);
   };
   for (const Pattern pattern : kPatterns) {
-    const PatternCalibration& lines = calibration.of(pattern);
+    const calibration::PatternCalibration& lines = calibration.of(pattern);
     row(fmt::format("Z {}", to_string(pattern)), lines.depth_residual_mm, kMicrons, "um");
     row(fmt::format("w {}", to_string(pattern)), lines.width_residual_px, 1.0, "px");
   }

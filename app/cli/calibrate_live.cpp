@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "app/cli/chair_dialog.h"
-#include "core/interchange/guided_session_file.h"
-#include "hw/chair/open_shots.h"
-#include "hw/chair/simulated_shots.h"
+#include "app/cli/guide_dialog.h"
+#include "core/io/calibrations/guided_session_file.h"
+#include "hw/shots/open_shots.h"
+#include "hw/shots/simulated_shots.h"
 
 namespace flytri::cli {
 namespace {
@@ -19,36 +19,37 @@ bool says_anything(const PlanArguments& arguments) {
 }
 
 /// From the options; those that are not given are the sensor's.
-CalibrationPlan make_plan(const PlanArguments& arguments) {
-  SensorModel sensor = sensor_named(arguments.sensor);
+calibration::CalibrationPlan make_plan(const PlanArguments& arguments) {
+  simulated::SensorModel sensor = shots::sensor_named(arguments.sensor);
   if (const auto& size = arguments.volume_mm; !size.empty()) {
     sensor.volume.size_mm = Vec3(size[0], size[1], size[2]);
   }
   if (const auto& dots = arguments.dots_mm; !dots.empty())
     sensor.dots = {dots[0], dots[1], dots[2]};
-  CalibrationPlan plan = plan_of(sensor, arguments.planes > 0 ? arguments.planes : kUsualPlanes);
+  calibration::CalibrationPlan plan =
+      shots::plan_of(sensor, arguments.planes > 0 ? arguments.planes : shots::kUsualPlanes);
   if (const auto& lines = arguments.lines; !lines.empty()) plan.line_counts = {lines[0], lines[1]};
-  if (arguments.by_target) plan.order = PlacementOrder::kByTarget;
+  if (arguments.by_target) plan.order = calibration::PlacementOrder::kByTarget;
   return plan;
 }
 
 /// Who names nothing goes on with what the folder says.
-Result<CalibrationPlan> choose_plan(const CalibrateLiveArguments& arguments) {
-  const CalibrationPlan plan = make_plan(arguments.plan);
+Result<calibration::CalibrationPlan> choose_plan(const CalibrateLiveArguments& arguments) {
+  const calibration::CalibrationPlan plan = make_plan(arguments.plan);
   if (says_anything(arguments.plan)) return plan;
-  return guided_plan_or(plan, arguments.output);
+  return io::guided_plan_or(plan, arguments.output);
 }
 
-void print_planes(const std::vector<PlaneResidual>& planes) {
+void print_planes(const std::vector<calibration::PlaneResidual>& planes) {
   constexpr double kMicrons = 1e3;
   fmt::print("{:<14} {:>13} {:>13}\n", "plane", "vertical", "horizontal");
-  for (const PlaneResidual& plane : planes) {
+  for (const calibration::PlaneResidual& plane : planes) {
     fmt::print("z {:+8.2f} mm  {:>+10.2f} um {:>+10.2f} um\n", plane.z_mm,
                kMicrons * plane.offset_mm[0], kMicrons * plane.offset_mm[1]);
   }
 }
 
-void print_restored(const ChairSession& session) {
+void print_restored(const shots::GuidedSession& session) {
   if (session.restored() > 0) {
     fmt::print("{}: going on, {} of {} placements are done\n", session.folder().string(),
                session.restored(), session.guide().placements().size());
@@ -86,13 +87,13 @@ void add_plan_options(CLI::App& command, PlanArguments& plan) {
 Result<void> calibrate_live(const CalibrateLiveArguments& arguments, const Progress& progress) {
   const auto plan = choose_plan(arguments);
   if (!plan) return tl::unexpected(plan.error());
-  auto source = open_shots({arguments.simulated, arguments.plan.sensor, arguments.rig});
+  auto source = shots::open_shots({arguments.simulated, arguments.plan.sensor, arguments.rig});
   if (!source) return tl::unexpected(source.error());
-  auto session = ChairSession::open(arguments.output, *plan, *source);
+  auto session = shots::GuidedSession::open(arguments.output, *plan, *source);
   if (!session) return tl::unexpected(session.error());
   print_restored(*session);
   if (auto started = (*source)->start(); !started) return started;
-  const auto fit = run_chair_dialog(*session, Workers(arguments.thread_count), progress);
+  const auto fit = run_guide_dialog(*session, Workers(arguments.thread_count), progress);
   (*source)->stop();
   if (!fit) return tl::unexpected(fit.error());
   if (!*fit) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "core/calibrating/calibration_plan.h"
+#include "core/calibration/guide/calibration_plan.h"
 
 namespace flytri::cli {
 
@@ -34,6 +34,6 @@ void add_plan_options(CLI::App& command, PlanArguments& plan);
                                           const Progress& progress);
 
 /// RMS and maximum of what the fits left.
-void print_residuals(const Calibration& calibration);
+void print_residuals(const calibration::Calibration& calibration);
 
 }  // namespace flytri::cli

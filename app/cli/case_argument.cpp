@@ -6,7 +6,7 @@
 #include <optional>
 #include <system_error>
 
-#include "core/interchange/file_bytes.h"
+#include "core/io/files/file_bytes.h"
 
 namespace flytri::cli {
 namespace {
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 /// The first line of a file.
 Result<std::string> read_passphrase(const fs::path& path) {
-  return read_file(path).map(
+  return io::read_file(path).map(
       [](const std::string& text) { return text.substr(0, text.find_first_of("\r\n")); });
 }
 
@@ -25,8 +25,8 @@ Result<std::string> passphrase_of(const CaseArguments& arguments) {
   return std::string(variable == nullptr ? "" : variable);
 }
 
-std::optional<ScanStage> stage_named(const std::string& name) {
-  for (const ScanStage stage : kScanStages) {
+std::optional<io::ScanStage> stage_named(const std::string& name) {
+  for (const io::ScanStage stage : io::kScanStages) {
     if (to_string(stage) == name) return stage;
   }
   return std::nullopt;
@@ -49,10 +49,11 @@ bool names_case(const fs::path& path) {
   return fs::is_regular_file(path, ignored) || path.extension() == ".flytri";
 }
 
-Result<CaseFile> open_case(const fs::path& path, const CaseArguments& arguments, bool read_only) {
+Result<io::CaseFile> open_case(const fs::path& path, const CaseArguments& arguments,
+                               bool read_only) {
   const Result<std::string> passphrase = passphrase_of(arguments);
   if (!passphrase) return tl::unexpected(passphrase.error());
-  Result<CaseFile> file = CaseFile::open(path, {*passphrase, read_only});
+  Result<io::CaseFile> file = io::CaseFile::open(path, {*passphrase, read_only});
   if (file) print_damage(file->damage());
   if (file || file.error().code != ErrorCode::kInconsistent) return file;
   return fail(ErrorCode::kInconsistent,
@@ -65,21 +66,21 @@ void print_damage(const std::vector<std::string>& damage) {
   for (const std::string& what : damage) fmt::print(stderr, "flytri: lost: {}\n", what);
 }
 
-Result<ScanStage> choose_stage(CaseFile& file, const CaseArguments& arguments,
-                               const std::string& what,
-                               const std::function<bool(const StageCounts&)>& has) {
-  std::optional<ScanStage> chosen;
+Result<io::ScanStage> choose_stage(io::CaseFile& file, const CaseArguments& arguments,
+                                   const std::string& what,
+                                   const std::function<bool(const io::StageCounts&)>& has) {
+  std::optional<io::ScanStage> chosen;
   std::string candidates;
   int count = 0;
-  for (const ScanStage stage : kScanStages) {
-    const Result<StageCounts> counts = file.counts(stage);
+  for (const io::ScanStage stage : io::kScanStages) {
+    const Result<io::StageCounts> counts = file.counts(stage);
     if (!counts) return tl::unexpected(counts.error());
     if (!has(*counts)) continue;
     ++count;
     candidates += fmt::format("{}{}", candidates.empty() ? "" : ", ", to_string(stage));
     chosen = stage;
   }
-  const std::optional<ScanStage> asked = stage_named(arguments.stage);
+  const std::optional<io::ScanStage> asked = stage_named(arguments.stage);
   if (asked && (candidates.empty() || candidates.find(arguments.stage) == std::string::npos)) {
     return fail(ErrorCode::kInsufficient, "{}: the stage {} has no {}; stages that have: {}",
                 file.path().string(), arguments.stage, what,

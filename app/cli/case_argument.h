@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "core/interchange/case_file.h"
+#include "core/io/cases/case_file.h"
 
 namespace flytri::cli {
 
@@ -25,8 +25,8 @@ void add_case_options(CLI::App& command, CaseArguments& arguments);
 /// Opens a case with the passphrase of --passphrase-file, or else of the environment variable
 /// FLYTRI_PASSPHRASE. Damage is told on the terminal, and no failure.
 /// @errors  As CaseFile::open and read_file.
-[[nodiscard]] Result<CaseFile> open_case(const std::filesystem::path& path,
-                                         const CaseArguments& arguments, bool read_only);
+[[nodiscard]] Result<io::CaseFile> open_case(const std::filesystem::path& path,
+                                             const CaseArguments& arguments, bool read_only);
 
 /// Tells on the terminal what of a case could not be read.
 void print_damage(const std::vector<std::string>& damage);
@@ -34,8 +34,8 @@ void print_damage(const std::vector<std::string>& damage);
 /// The stage of --stage, or the only one that has something.
 /// @param what  what a stage must have, for messages: "views"
 /// @errors  kInsufficient: none has; kBadOption: several have.
-[[nodiscard]] Result<ScanStage> choose_stage(CaseFile& file, const CaseArguments& arguments,
-                                             const std::string& what,
-                                             const std::function<bool(const StageCounts&)>& has);
+[[nodiscard]] Result<io::ScanStage> choose_stage(
+    io::CaseFile& file, const CaseArguments& arguments, const std::string& what,
+    const std::function<bool(const io::StageCounts&)>& has);
 
 }  // namespace flytri::cli

@@ -8,15 +8,15 @@
 #include "app/cli/commands.h"
 #include "app/cli/report.h"
 #include "assets/sample_jaw/sample_jaw.h"
-#include "core/interchange/calibration_file.h"
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/model.h"
-#include "core/interchange/png.h"
-#include "core/interchange/recording.h"
-#include "core/pipeline/reconstruct.h"
-#include "hw/simulated/picture.h"
-#include "hw/simulated/sensor_calibration.h"
-#include "hw/simulated/simulate_recording.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/files/png.h"
+#include "core/io/models/model.h"
+#include "core/io/recordings/recording.h"
+#include "core/reconstruct/reconstruct.h"
+#include "hw/simulated/datasets/sensor_calibration.h"
+#include "hw/simulated/datasets/simulate_recording.h"
+#include "hw/simulated/optics/picture.h"
 
 namespace flytri::cli {
 namespace {
@@ -29,53 +29,57 @@ struct DemoArguments {
   int thread_count = 0;
 };
 
-Result<void> write_results(const fs::path& folder, const Reconstruction& reconstruction,
-                           const MeasurementVolume& volume, const Workers& workers) {
+Result<void> write_results(const fs::path& folder,
+                           const reconstruct::Reconstruction& reconstruction,
+                           const calibration::MeasurementVolume& volume, const Workers& workers) {
   for (const char* ending : {".glb", ".ply", ".stl", ".obj"}) {
     const fs::path file = folder / (std::string("jaw") + ending);
     if (auto written = write_result(file, reconstruction); !written) return written;
     fmt::print("wrote {}\n", file.string());
   }
-  PictureOptions options;
+  simulated::PictureOptions options;
   // The world is the first view's sensor frame: the sensor looks along +z, y runs down.
   options.from_direction = Vec3(0.0, 0.3, -1.0);
   options.up = -Vec3::UnitY();
-  const Result<cv::Mat> picture = draw_picture(reconstruction.model, options, workers);
+  const Result<cv::Mat> picture = simulated::draw_picture(reconstruction.model, options, workers);
   if (!picture) return tl::unexpected(picture.error());
   const fs::path file = folder / "jaw.png";
-  if (auto written = write_png(file, *picture); !written) return written;
+  if (auto written = io::write_png(file, *picture); !written) return written;
   fmt::print("wrote {}\n", file.string());
   return write_report(folder / "report.json", reconstruction, volume.size_mm);
 }
 
 /// The folder of an earlier demo's frames is taken for the new ones.
-Result<Recording> scan_jaw(const fs::path& folder, const SensorModel& sensor, double duration_s,
-                           const Workers& workers, const Progress& progress) {
+Result<io::Recording> scan_jaw(const fs::path& folder, const simulated::SensorModel& sensor,
+                               double duration_s, const Workers& workers,
+                               const Progress& progress) {
   const auto jaw = sample_jaw::make_sample_jaw({}, workers);
   if (!jaw) return tl::unexpected(jaw.error());
-  RecordingOptions options;
+  simulated::RecordingOptions options;
   options.sensor = sensor;
   options.path.duration_s = duration_s;
   options.calibration = "../calibration.json";
-  const auto counts = simulate_recording(*jaw, options, folder, workers, progress);
+  const auto counts = simulated::simulate_recording(*jaw, options, folder, workers, progress);
   if (!counts) return tl::unexpected(counts.error());
-  return open_recording(folder);
+  return io::open_recording(folder);
 }
 
 Result<void> run(const DemoArguments& arguments, const Progress& progress) {
   const Workers workers(arguments.thread_count);
-  const SensorModel sensor = intraoral_sensor();
-  if (auto made = create_folder(arguments.folder); !made) return made;
-  const auto calibration = calibrate_virtual_sensor(sensor, workers, progress);
+  const simulated::SensorModel sensor = simulated::intraoral_sensor();
+  if (auto made = io::create_folder(arguments.folder); !made) return made;
+  const auto calibration = simulated::calibrate_virtual_sensor(sensor, workers, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   const fs::path calibration_file = arguments.folder / "calibration.json";
-  if (auto written = write_calibration(calibration_file, *calibration); !written) return written;
+  if (auto written = io::write_calibration(calibration_file, *calibration); !written)
+    return written;
   const auto recording =
       scan_jaw(arguments.folder / "scan", sensor, arguments.duration_s, workers, progress);
   if (!recording) return tl::unexpected(recording.error());
-  ReconstructOptions options;
+  reconstruct::ReconstructOptions options;
   options.now_s = steady_seconds;
-  const auto reconstruction = reconstruct(*recording, *calibration, options, workers, progress);
+  const auto reconstruction =
+      reconstruct::reconstruct(*recording, *calibration, options, workers, progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
   return write_results(arguments.folder, *reconstruction, calibration->volume, workers);

@@ -39,25 +39,25 @@ void print_problems(const std::vector<Error>& problems) {
   for (const Error& problem : problems) fmt::print("    problem: {}\n", problem.message);
 }
 
-void print(const CameraDescription& camera) {
+void print(const device::CameraDescription& camera) {
   fmt::print("camera {} ({}, bus {})\n", with_serial(camera.name, camera.serial), camera.node,
              camera.bus_path);
-  for (const CameraMode& mode : camera.modes) {
+  for (const device::CameraMode& mode : camera.modes) {
     fmt::print("    {} {} x {}", mode.format, mode.size.width_px, mode.size.height_px);
     for (const double rate_hz : mode.rates_hz) fmt::print(" {:.4g}", rate_hz);
     fmt::print("{}\n", mode.rates_hz.empty() ? "" : " Hz");
   }
-  for (const CameraControl& control : camera.controls)
+  for (const device::CameraControl& control : camera.controls)
     fmt::print("    {}: {} of {} to {}\n", control.name, control.value, control.minimum,
                control.maximum);
   print_problems(camera.problems);
 }
 
-void print(const GpioChip& chip) {
+void print(const gpio::GpioChip& chip) {
   fmt::print("switch {} ({}, bus {}), {} lines\n", with_serial(chip.label, chip.device.serial),
              chip.device.node, chip.device.bus_path, chip.lines.size());
   for (std::size_t i = 0; i < chip.lines.size(); ++i) {
-    const GpioLine& line = chip.lines[i];
+    const gpio::GpioLine& line = chip.lines[i];
     if (line.name.empty() && line.consumer.empty()) continue;
     fmt::print("    line {} {}{}{}\n", i, line.name, line.consumer.empty() ? "" : " in use by ",
                line.consumer);
@@ -65,7 +65,7 @@ void print(const GpioChip& chip) {
   print_problems(chip.problems);
 }
 
-Json to_json(const CameraDescription& camera) {
+Json to_json(const device::CameraDescription& camera) {
   Json json = {{"name", camera.name},
                {"serial", camera.serial},
                {"node", camera.node},
@@ -73,11 +73,11 @@ Json to_json(const CameraDescription& camera) {
                {"modes", Json::array()},
                {"controls", Json::array()},
                {"problems", messages(camera.problems)}};
-  for (const CameraMode& mode : camera.modes)
+  for (const device::CameraMode& mode : camera.modes)
     json["modes"].push_back({{"format", mode.format},
                              {"size_px", {mode.size.width_px, mode.size.height_px}},
                              {"rates_hz", mode.rates_hz}});
-  for (const CameraControl& control : camera.controls)
+  for (const device::CameraControl& control : camera.controls)
     json["controls"].push_back({{"name", control.name},
                                 {"minimum", control.minimum},
                                 {"maximum", control.maximum},
@@ -86,40 +86,42 @@ Json to_json(const CameraDescription& camera) {
   return json;
 }
 
-Json to_json(const GpioChip& chip) {
+Json to_json(const gpio::GpioChip& chip) {
   Json json = {{"label", chip.label},      {"serial", chip.device.serial},
                {"node", chip.device.node}, {"bus_path", chip.device.bus_path},
                {"lines", Json::array()},   {"problems", messages(chip.problems)}};
-  for (const GpioLine& line : chip.lines)
+  for (const gpio::GpioLine& line : chip.lines)
     json["lines"].push_back({{"name", line.name}, {"consumer", line.consumer}});
   return json;
 }
 
-void print_all(const std::vector<CameraDescription>& cameras, const std::vector<GpioChip>& chips) {
-  for (const CameraDescription& camera : cameras) print(camera);
+void print_all(const std::vector<device::CameraDescription>& cameras,
+               const std::vector<gpio::GpioChip>& chips) {
+  for (const device::CameraDescription& camera : cameras) print(camera);
   if (cameras.empty())
     fmt::print("No camera is there. Plug one in; one that should be listed may lack its driver.\n");
-  for (const GpioChip& chip : chips) print(chip);
+  for (const gpio::GpioChip& chip : chips) print(chip);
   if (chips.empty()) fmt::print("No switch for the lights is there. Plug in its USB-GPIO chip.\n");
 }
 
 Result<void> run(const DevicesArguments& arguments) {
-  const auto system = kernel_video_system();
-  const auto cameras = list_cameras(*system);
-  const auto chips = list_chips();
+  const auto system = v4l2::kernel_video_system();
+  const auto cameras = v4l2::list_cameras(*system);
+  const auto chips = gpio::list_chips();
   std::optional<std::vector<Error>> faults;
   if (arguments.rig) {
-    const auto rig = read_rig(*arguments.rig);
+    const auto rig = rig::read_rig(*arguments.rig);
     if (!rig) return tl::unexpected(rig.error());
-    faults = check_rig(*rig, *system, chips);
+    faults = rig::check_rig(*rig, *system, chips);
   }
   if (arguments.as_json) {
     Json json = {{"format", "flytri.devices"},
                  {"version", 1},
                  {"cameras", Json::array()},
                  {"switches", Json::array()}};
-    for (const CameraDescription& camera : cameras) json["cameras"].push_back(to_json(camera));
-    for (const GpioChip& chip : chips) json["switches"].push_back(to_json(chip));
+    for (const device::CameraDescription& camera : cameras)
+      json["cameras"].push_back(to_json(camera));
+    for (const gpio::GpioChip& chip : chips) json["switches"].push_back(to_json(chip));
     if (faults) json["rig_problems"] = messages(*faults);
     fmt::print("{}\n", json.dump(1));
   } else {

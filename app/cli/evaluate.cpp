@@ -13,11 +13,11 @@
 #include "core/evaluation/color_error.h"
 #include "core/evaluation/pose_error.h"
 #include "core/evaluation/surface_error.h"
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/model.h"
-#include "core/interchange/ply.h"
-#include "core/interchange/recording.h"
-#include "core/interchange/truth.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/models/model.h"
+#include "core/io/models/ply.h"
+#include "core/io/recordings/recording.h"
+#include "core/io/recordings/truth.h"
 
 namespace flytri::cli {
 namespace {
@@ -35,7 +35,7 @@ struct EvaluateArguments {
   fs::path recording;
   fs::path report;
   fs::path output;
-  SurfaceErrorOptions surface;
+  evaluation::SurfaceErrorOptions surface;
   int thread_count = 0;
 
   [[nodiscard]] fs::path truth_file() const { return recording / "truth.json"; }
@@ -50,24 +50,24 @@ struct TrueSurface {
 /// What the result is compared with.
 struct Reference {
   TrueSurface surface;
-  Isometry T_model_world = Isometry::Identity();  ///< by the first registered view
-  std::vector<PosePair> registered;               ///< poses; empty without a report
-  std::vector<PosePair> interpolated;             ///< those of texture frames among them
-  std::optional<Vec3> volume_mm;                  ///< of the sensor, if the report tells
+  Isometry T_model_world = Isometry::Identity();   ///< by the first registered view
+  std::vector<evaluation::PosePair> registered;    ///< poses; empty without a report
+  std::vector<evaluation::PosePair> interpolated;  ///< those of texture frames among them
+  std::optional<Vec3> volume_mm;                   ///< of the sensor, if the report tells
 };
 
 struct Evaluation {
-  SurfaceError as_it_stands;
-  SurfaceError fitted;
-  BestFitOutcome outcome = BestFitOutcome::kStillMoving;
-  ColorError colors;
+  evaluation::SurfaceError as_it_stands;
+  evaluation::SurfaceError fitted;
+  evaluation::BestFitOutcome outcome = evaluation::BestFitOutcome::kStillMoving;
+  evaluation::ColorError colors;
   std::size_t registered_count = 0, interpolated_count = 0;  ///< poses
-  std::optional<PoseError> registered = std::nullopt;
+  std::optional<evaluation::PoseError> registered = std::nullopt;
   double interpolated_mm = 0.0;  ///< in the gauge of the first view
 };
 
 Result<TrueSurface> read_true_surface(const fs::path& path) {
-  auto ply = read_ply(path);
+  auto ply = io::read_ply(path);
   if (!ply) return tl::unexpected(ply.error());
   TrueSurface surface;
   if (const auto lit = ply->extra.find("lit"); lit != ply->extra.end()) {
@@ -77,10 +77,10 @@ Result<TrueSurface> read_true_surface(const fs::path& path) {
   return surface;
 }
 
-Result<Isometry> true_pose(const EvaluateArguments& arguments, const Truth& truth,
+Result<Isometry> true_pose(const EvaluateArguments& arguments, const io::Truth& truth,
                            FrameIndex frame) {
   const auto found = std::find_if(truth.poses.begin(), truth.poses.end(),
-                                  [&](const TruthPose& pose) { return pose.frame == frame; });
+                                  [&](const io::TruthPose& pose) { return pose.frame == frame; });
   if (found != truth.poses.end()) return found->T_model_sensor;
   return fail(ErrorCode::kInconsistent,
               "{}: poses: none of frame {}; evaluate against the recording that the result was "
@@ -88,10 +88,10 @@ Result<Isometry> true_pose(const EvaluateArguments& arguments, const Truth& trut
               arguments.truth_file().string(), frame.value);
 }
 
-Result<FrameIndex> first_measurement_frame(const Recording& recording) {
-  const auto found =
-      std::find_if(recording.frames.begin(), recording.frames.end(),
-                   [](const RecordedFrame& frame) { return frame.kind != FrameKind::kTexture; });
+Result<FrameIndex> first_measurement_frame(const io::Recording& recording) {
+  const auto found = std::find_if(
+      recording.frames.begin(), recording.frames.end(),
+      [](const io::RecordedFrame& frame) { return frame.kind != FrameKind::kTexture; });
   if (found != recording.frames.end()) {
     return FrameIndex(static_cast<int>(found - recording.frames.begin()));
   }
@@ -99,7 +99,7 @@ Result<FrameIndex> first_measurement_frame(const Recording& recording) {
               (recording.folder / "recording.json").string());
 }
 
-Result<void> pair_poses(const EvaluateArguments& arguments, const Truth& truth,
+Result<void> pair_poses(const EvaluateArguments& arguments, const io::Truth& truth,
                         const std::vector<ReportedPose>& reported, Reference& reference) {
   for (const ReportedPose& pose : reported) {
     const auto T_model_sensor = true_pose(arguments, truth, pose.frame);
@@ -111,9 +111,9 @@ Result<void> pair_poses(const EvaluateArguments& arguments, const Truth& truth,
 }
 
 /// Without a report the first measurement frame is taken for the first registered one.
-Result<void> guess_gauge(const EvaluateArguments& arguments, const Truth& truth,
+Result<void> guess_gauge(const EvaluateArguments& arguments, const io::Truth& truth,
                          Reference& reference) {
-  const auto recording = open_recording(arguments.recording);
+  const auto recording = io::open_recording(arguments.recording);
   if (!recording) return tl::unexpected(recording.error());
   const auto first = first_measurement_frame(*recording);
   if (!first) return tl::unexpected(first.error());
@@ -124,21 +124,21 @@ Result<void> guess_gauge(const EvaluateArguments& arguments, const Truth& truth,
 }
 
 /// Fills what poses tell: the gauge, and with a report the pairs of poses.
-Result<void> read_gauge(const EvaluateArguments& arguments, const Truth& truth,
+Result<void> read_gauge(const EvaluateArguments& arguments, const io::Truth& truth,
                         Reference& reference) {
   if (arguments.report.empty()) return guess_gauge(arguments, truth, reference);
   const auto report = read_report(arguments.report);
   if (!report) return tl::unexpected(report.error());
   if (auto paired = pair_poses(arguments, truth, report->poses, reference); !paired) return paired;
-  const PosePair& first = reference.registered.front();
+  const evaluation::PosePair& first = reference.registered.front();
   reference.T_model_world = first.T_model_sensor * first.T_world_sensor.inverse();
   reference.volume_mm = report->volume_mm;
   return {};
 }
 
 /// The truth is simulated; a recording of a real scanner has none.
-Result<Truth> read_truth_of(const EvaluateArguments& arguments) {
-  auto truth = read_truth(arguments.truth_file());
+Result<io::Truth> read_truth_of(const EvaluateArguments& arguments) {
+  auto truth = io::read_truth(arguments.truth_file());
   if (truth || truth.error().code != ErrorCode::kNotFound) return truth;
   return fail(ErrorCode::kNotFound,
               "{}: not found; only simulated recordings have a truth to compare with: name the "
@@ -164,34 +164,34 @@ Result<Evaluation> evaluate(const TexturedMesh& result, const Reference& referen
   const Workers workers(arguments.thread_count);
   const TrueSurface& truth = reference.surface;
   const auto error_of = [&](const TriangleMesh& mesh) {
-    return surface_error(mesh, truth.mesh, truth.selected, arguments.surface, workers);
+    return evaluation::surface_error(mesh, truth.mesh, truth.selected, arguments.surface, workers);
   };
   progress.begin_stage("Comparing", 3);
-  const TriangleMesh placed = transformed(result.mesh, reference.T_model_world);
+  const TriangleMesh placed = evaluation::transformed(result.mesh, reference.T_model_world);
   const auto as_it_stands = error_of(placed);
   if (!as_it_stands) return tl::unexpected(as_it_stands.error());
   progress.advance();
-  const auto fit = best_fit(placed, truth.mesh, {}, workers);
+  const auto fit = evaluation::best_fit(placed, truth.mesh, {}, workers);
   if (!fit) return tl::unexpected(fit.error());
   progress.advance();
-  const auto fitted = error_of(transformed(placed, fit->T_truth_result));
+  const auto fitted = error_of(evaluation::transformed(placed, fit->T_truth_result));
   if (!fitted) return tl::unexpected(fitted.error());
   progress.advance();
-  const ColorError colors =
-      color_error({placed, result.uv, result.atlas}, truth.mesh, kColorWithinMm, workers);
+  const evaluation::ColorError colors = evaluation::color_error(
+      {placed, result.uv, result.atlas}, truth.mesh, kColorWithinMm, workers);
   Evaluation evaluation{*as_it_stands, *fitted, fit->outcome, colors};
   evaluation.registered_count = reference.registered.size();
   evaluation.interpolated_count = reference.interpolated.size();
   if (reference.registered.empty() || !reference.volume_mm) return evaluation;
-  const std::vector<Vec3> corners = volume_corners(*reference.volume_mm);
-  evaluation.registered = pose_error(reference.registered, corners);
+  const std::vector<Vec3> corners = evaluation::volume_corners(*reference.volume_mm);
+  evaluation.registered = evaluation::pose_error(reference.registered, corners);
   evaluation.interpolated_mm =
-      pose_error_mm(reference.interpolated, reference.T_model_world, corners);
+      evaluation::pose_error_mm(reference.interpolated, reference.T_model_world, corners);
   return evaluation;
 }
 
-void print_row(std::string_view gauge, const SurfaceError& error) {
-  const DistanceStatistics& d = error.distance;
+void print_row(std::string_view gauge, const evaluation::SurfaceError& error) {
+  const evaluation::DistanceStatistics& d = error.distance;
   fmt::print("{:<14}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.0f}{:>9.3f}{:>10.2f}{:>10.2f}\n", gauge,
              kMicronsOfMm * d.rms_mm, kMicronsOfMm * d.mean_mm, kMicronsOfMm * d.median_mm,
              kMicronsOfMm * d.percentile_95_mm, kMicronsOfMm * d.max_mm, kPercent * error.far_share,
@@ -227,7 +227,7 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
              "95 %", "max", "%", "surf. %", "vert. %");
   print_row("as it stands", evaluation.as_it_stands);
   print_row("best fit", evaluation.fitted);
-  if (evaluation.outcome == BestFitOutcome::kStillMoving) {
+  if (evaluation.outcome == evaluation::BestFitOutcome::kStillMoving) {
     fmt::print("The best fit was still moving when it was stopped.\n");
   }
   fmt::print(
@@ -238,8 +238,8 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
   if (evaluation.registered_count > 0) print_poses(evaluation);
 }
 
-Json surface_json(const SurfaceError& error) {
-  const DistanceStatistics& d = error.distance;
+Json surface_json(const evaluation::SurfaceError& error) {
+  const evaluation::DistanceStatistics& d = error.distance;
   return {{"rms_mm", d.rms_mm},
           {"mean_mm", d.mean_mm},
           {"median_mm", d.median_mm},
@@ -259,7 +259,7 @@ Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
                {"complete_within_mm", arguments.surface.complete_within_mm},
                {"as_it_stands", surface_json(evaluation.as_it_stands)},
                {"best_fit", surface_json(evaluation.fitted)}};
-  json["best_fit"]["converged"] = evaluation.outcome == BestFitOutcome::kConverged;
+  json["best_fit"]["converged"] = evaluation.outcome == evaluation::BestFitOutcome::kConverged;
   json["color"] = {{"vertices", evaluation.colors.count},
                    {"median", evaluation.colors.median},
                    {"percentile_95", evaluation.colors.percentile_95},
@@ -276,7 +276,7 @@ Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
 }
 
 Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
-  const auto model = read_model(arguments.result);
+  const auto model = io::read_model(arguments.result);
   if (!model) return tl::unexpected(model.error());
   const auto reference = read_reference(arguments);
   if (!reference) return tl::unexpected(reference.error());
@@ -284,7 +284,7 @@ Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
   if (!evaluation) return tl::unexpected(evaluation.error());
   print_evaluation(*evaluation, arguments);
   if (arguments.output.empty()) return {};
-  auto written = write_file(arguments.output, to_json(*evaluation, arguments).dump(1) + "\n");
+  auto written = io::write_file(arguments.output, to_json(*evaluation, arguments).dump(1) + "\n");
   if (written) fmt::print("wrote {}\n", arguments.output.string());
   return written;
 }

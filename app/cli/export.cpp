@@ -8,9 +8,9 @@
 
 #include "app/cli/case_argument.h"
 #include "app/cli/commands.h"
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/glb.h"
-#include "core/interchange/model.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/models/glb.h"
+#include "core/io/models/model.h"
 #include "core/texture/vertex_colors.h"
 
 namespace flytri::cli {
@@ -26,26 +26,26 @@ struct ExportArguments {
 
 /// The bytes as they are kept, or the model in another format.
 Result<void> write_kept(const fs::path& output, const std::string& glb, const std::string& name) {
-  if (output.extension() == ".glb") return write_file(output, glb);
-  Result<TexturedMesh> model = parse_glb(glb, name);
+  if (output.extension() == ".glb") return io::write_file(output, glb);
+  Result<TexturedMesh> model = io::parse_glb(glb, name);
   if (!model) return tl::unexpected(model.error());
-  if (!carries_atlas(output)) color_vertices(*model);
-  return write_model(output, *model);
+  if (!io::carries_atlas(output)) texture::color_vertices(*model);
+  return io::write_model(output, *model);
 }
 
 Result<void> run(const ExportArguments& arguments) {
   for (const fs::path& output : arguments.outputs) {
-    if (auto checked = check_model_path(output); !checked) return checked;
+    if (auto checked = io::check_model_path(output); !checked) return checked;
   }
-  Result<CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
+  Result<io::CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
   if (!file) return tl::unexpected(file.error());
-  const Result<ScanStage> stage =
+  const Result<io::ScanStage> stage =
       choose_stage(*file, arguments.case_options, "a finished model",
-                   [](const StageCounts& counts) { return counts.has_result; });
+                   [](const io::StageCounts& counts) { return counts.has_result; });
   if (!stage) {
     return fail(stage.error().code, "{}; flytri reconstruct computes one", stage.error().message);
   }
-  const Result<StageResult> result = file->load_result(*stage);
+  const Result<io::StageResult> result = file->load_result(*stage);
   if (!result) {
     return fail(result.error().code, "{}; flytri reconstruct computes it again",
                 result.error().message);

@@ -7,14 +7,14 @@
 #include "app/cli/case_argument.h"
 #include "app/cli/commands.h"
 #include "app/cli/report.h"
-#include "core/interchange/calibration_file.h"
-#include "core/interchange/calibration_json.h"
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/glb.h"
-#include "core/interchange/model.h"
-#include "core/interchange/ply.h"
-#include "core/interchange/recording.h"
-#include "core/pipeline/reconstruct.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_json.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/models/glb.h"
+#include "core/io/models/model.h"
+#include "core/io/models/ply.h"
+#include "core/io/recordings/recording.h"
+#include "core/reconstruct/reconstruct.h"
 
 namespace flytri::cli {
 namespace {
@@ -34,7 +34,7 @@ struct ReconstructArguments {
 
 /// --calibration, or what the recording names.
 Result<fs::path> calibration_path(const ReconstructArguments& arguments,
-                                  const Recording& recording) {
+                                  const io::Recording& recording) {
   if (!arguments.calibration.empty()) return arguments.calibration;
   if (recording.calibration) return recording.folder / *recording.calibration;
   return fail(ErrorCode::kBadOption,
@@ -46,24 +46,25 @@ Result<fs::path> calibration_path(const ReconstructArguments& arguments,
 /// What cannot be written is better known before the work than after it.
 Result<void> check_outputs(const ReconstructArguments& arguments) {
   for (const fs::path& output : arguments.outputs) {
-    if (auto checked = check_model_path(output); !checked) return checked;
-    if (auto checked = check_writable(output); !checked) return checked;
+    if (auto checked = io::check_model_path(output); !checked) return checked;
+    if (auto checked = io::check_writable(output); !checked) return checked;
   }
   for (const fs::path& beside : {arguments.points, arguments.report}) {
     if (beside.empty()) continue;
-    if (auto checked = check_writable(beside); !checked) return checked;
+    if (auto checked = io::check_writable(beside); !checked) return checked;
   }
   return {};
 }
 
 Result<void> write_outputs(const ReconstructArguments& arguments,
-                           const Reconstruction& reconstruction, const MeasurementVolume& volume) {
+                           const reconstruct::Reconstruction& reconstruction,
+                           const calibration::MeasurementVolume& volume) {
   for (const fs::path& output : arguments.outputs) {
     if (auto written = write_result(output, reconstruction); !written) return written;
     fmt::print("wrote {}\n", output.string());
   }
   if (!arguments.points.empty()) {
-    auto written = write_point_cloud_ply(arguments.points, reconstruction.points);
+    auto written = io::write_point_cloud_ply(arguments.points, reconstruction.points);
     if (!written) return written;
     fmt::print("wrote {}\n", arguments.points.string());
   }
@@ -73,8 +74,8 @@ Result<void> write_outputs(const ReconstructArguments& arguments,
   return written;
 }
 
-ReconstructOptions timed_options() {
-  ReconstructOptions options;
+reconstruct::ReconstructOptions timed_options() {
+  reconstruct::ReconstructOptions options;
   options.now_s = steady_seconds;
   return options;
 }
@@ -84,13 +85,13 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
     return fail(ErrorCode::kBadOption, "--keep: {} is a recording, which holds no models",
                 arguments.input.string());
   }
-  const Result<Recording> recording = open_recording(arguments.input);
+  const Result<io::Recording> recording = io::open_recording(arguments.input);
   if (!recording) return tl::unexpected(recording.error());
   const Result<fs::path> calibration_file = calibration_path(arguments, *recording);
   if (!calibration_file) return tl::unexpected(calibration_file.error());
-  const Result<Calibration> calibration = read_calibration(*calibration_file);
+  const Result<calibration::Calibration> calibration = io::read_calibration(*calibration_file);
   if (!calibration) return tl::unexpected(calibration.error());
-  const Result<Reconstruction> reconstruction = reconstruct(
+  const Result<reconstruct::Reconstruction> reconstruction = reconstruct::reconstruct(
       *recording, *calibration, timed_options(), Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
@@ -98,36 +99,38 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
 }
 
 /// --calibration, or what the case holds.
-Result<Calibration> case_calibration(const ReconstructArguments& arguments, CaseFile& file) {
-  if (!arguments.calibration.empty()) return read_calibration(arguments.calibration);
+Result<calibration::Calibration> case_calibration(const ReconstructArguments& arguments,
+                                                  io::CaseFile& file) {
+  if (!arguments.calibration.empty()) return io::read_calibration(arguments.calibration);
   const Result<std::string> json = file.calibration();
-  if (json) return parse_calibration(*json, arguments.input.string());
+  if (json) return io::parse_calibration(*json, arguments.input.string());
   return fail(json.error().code, "{}; --calibration FILE overrides it", json.error().message);
 }
 
 /// Puts the model into the case, for flytri export.
-Result<void> keep_result(CaseFile& file, ScanStage stage, const Reconstruction& reconstruction,
-                         const MeasurementVolume& volume) {
-  const Result<std::string> glb = encode_glb(reconstruction.model, file.path().string());
+Result<void> keep_result(io::CaseFile& file, io::ScanStage stage,
+                         const reconstruct::Reconstruction& reconstruction,
+                         const calibration::MeasurementVolume& volume) {
+  const Result<std::string> glb = io::encode_glb(reconstruction.model, file.path().string());
   if (!glb) return tl::unexpected(glb.error());
   return file.write_result(stage, {*glb, report_text(reconstruction, volume.size_mm)})
       .and_then([&] { return file.commit(); });
 }
 
 Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& progress) {
-  Result<CaseFile> file = open_case(arguments.input, arguments.case_options, !arguments.keep);
+  Result<io::CaseFile> file = open_case(arguments.input, arguments.case_options, !arguments.keep);
   if (!file) return tl::unexpected(file.error());
-  const Result<ScanStage> stage =
+  const Result<io::ScanStage> stage =
       choose_stage(*file, arguments.case_options, "views",
-                   [](const StageCounts& counts) { return counts.views > 0; });
+                   [](const io::StageCounts& counts) { return counts.views > 0; });
   if (!stage) return tl::unexpected(stage.error());
-  const Result<Calibration> calibration = case_calibration(arguments, *file);
+  const Result<calibration::Calibration> calibration = case_calibration(arguments, *file);
   if (!calibration) return tl::unexpected(calibration.error());
-  Result<StoredStage> stored = file->load_stage(*stage);
+  Result<io::StoredStage> stored = file->load_stage(*stage);
   if (!stored) return tl::unexpected(stored.error());
   print_damage(stored->damage);
-  const NamedStage named{arguments.input.string(), *std::move(stored)};
-  const Result<Reconstruction> reconstruction = reconstruct_stage(
+  const reconstruct::NamedStage named{arguments.input.string(), *std::move(stored)};
+  const Result<reconstruct::Reconstruction> reconstruction = reconstruct::reconstruct_stage(
       named, *calibration, timed_options(), Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);

@@ -31,12 +31,12 @@ constexpr double kLinePeriod_s = 5.0;
 /// Shows how a recording goes: on a terminal one line that is drawn anew, else a line now and then.
 class RecordLine {
  public:
-  void show(double time_s, const RecorderStatus& recorder, const RigStatus& rig,
-            const SensorStatus& sensor) {
+  void show(double time_s, const recording::RecorderStatus& recorder, const rig::RigStatus& rig,
+            const device::SensorStatus& sensor) {
     if (!is_terminal_ && time_s < shown_s_ + kLinePeriod_s) return;
     shown_s_ = time_s;
     fmt::print(stderr, "{}{:6.1f} s  {} recorded; {}{}{}{}", is_terminal_ ? "\r\033[K" : "", time_s,
-               recorder.written, rig_summary(rig), sensor.message.empty() ? "" : "; ",
+               recorder.written, rig::rig_summary(rig), sensor.message.empty() ? "" : "; ",
                sensor.message, is_terminal_ ? "" : "\n");
     std::fflush(stderr);
   }
@@ -49,14 +49,14 @@ class RecordLine {
   double shown_s_ = -kLinePeriod_s;
 };
 
-bool is_over(SensorState state) {
-  return state == SensorState::kFailed || state == SensorState::kEnded;
+bool is_over(device::SensorState state) {
+  return state == device::SensorState::kFailed || state == device::SensorState::kEnded;
 }
 
 /// Until Ctrl-C, the end of the time, or a failure for good, of the rig or of the disk.
-void watch(const RecordArguments& arguments, const RecorderSensor& recorder, const RigSensor& rig,
-           const Progress& progress) {
-  const Clock clock = machine_clock();
+void watch(const RecordArguments& arguments, const recording::RecorderSensor& recorder,
+           const rig::RigSensor& rig, const Progress& progress) {
+  const device::Clock clock = device::machine_clock();
   const double start_s = clock.now_s();
   RecordLine line;
   while (!progress.cancelled() && !is_over(recorder.status().state) &&
@@ -69,7 +69,7 @@ void watch(const RecordArguments& arguments, const RecorderSensor& recorder, con
 }
 
 Result<void> run(const RecordArguments& arguments, const Progress& progress) {
-  auto settings = read_rig(arguments.rig);
+  auto settings = rig::read_rig(arguments.rig);
   if (!settings) {
     if (settings.error().code != ErrorCode::kNotFound) return tl::unexpected(settings.error());
     return fail(
@@ -78,21 +78,22 @@ Result<void> run(const RecordArguments& arguments, const Progress& progress) {
         "rig.json of it",
         settings.error().message);
   }
-  auto rig = open_rig(*settings);
+  auto rig = rig::open_rig(*settings);
   if (!rig) return tl::unexpected(rig.error());
-  auto recorder = RecorderSensor::create(*rig, arguments.output);
+  auto recorder = recording::RecorderSensor::create(*rig, arguments.output);
   if (!recorder) return tl::unexpected(recorder.error());
-  SensorStatus status;
+  device::SensorStatus status;
   {
-    CaptureLoop loop(*recorder, [](const Frame&) {});
+    device::CaptureLoop loop(*recorder, [](const Frame&) {});
     watch(arguments, **recorder, **rig, progress);
     status = loop.status();
     loop.stop();
   }
-  const RecorderStatus written = (*recorder)->recorder_status();
+  const recording::RecorderStatus written = (*recorder)->recorder_status();
   fmt::print("{}: {} frames recorded, {} lost to the disk; {}\n", arguments.output.string(),
-             written.written, written.lost, rig_summary((*rig)->rig_status()));
-  if (status.state == SensorState::kFailed) return fail(ErrorCode::kNotFound, "{}", status.message);
+             written.written, written.lost, rig::rig_summary((*rig)->rig_status()));
+  if (status.state == device::SensorState::kFailed)
+    return fail(ErrorCode::kNotFound, "{}", status.message);
   if (!written.message.empty()) return fail(ErrorCode::kWriteFailed, "{}", written.message);
   if (written.written == 0)
     return fail(ErrorCode::kInsufficient, "no frame was recorded. {}", status.message);

@@ -8,9 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/json_place.h"
-#include "core/interchange/model.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/files/json_place.h"
+#include "core/io/models/model.h"
 #include "core/meshing/coverage_holes.h"
 
 namespace flytri::cli {
@@ -22,16 +22,17 @@ constexpr std::string_view kFormat = "flytri.report";
 constexpr int kVersion = 1;
 constexpr const char* kVolumeKey = "measurement_volume_mm";
 
-std::size_t count_fate(const Reconstruction& reconstruction, FrameFate fate) {
+std::size_t count_fate(const reconstruct::Reconstruction& reconstruction,
+                       reconstruct::FrameFate fate) {
   return static_cast<std::size_t>(
       std::count_if(reconstruction.frames.begin(), reconstruction.frames.end(),
-                    [&](const FrameReport& frame) { return frame.fate == fate; }));
+                    [&](const reconstruct::FrameReport& frame) { return frame.fate == fate; }));
 }
 
-std::map<std::string, int> rejection_counts(const Reconstruction& reconstruction) {
+std::map<std::string, int> rejection_counts(const reconstruct::Reconstruction& reconstruction) {
   std::map<std::string, int> counts;
-  for (const FrameReport& frame : reconstruction.frames) {
-    if (frame.fate == FrameFate::kRejected) ++counts[frame.reason];
+  for (const reconstruct::FrameReport& frame : reconstruction.frames) {
+    if (frame.fate == reconstruct::FrameFate::kRejected) ++counts[frame.reason];
   }
   return counts;
 }
@@ -42,10 +43,10 @@ Json pose_json(const Isometry& T_world_sensor) {
   return {{"q_wxyz", {q.w(), q.x(), q.y(), q.z()}}, {"t_mm", {t.x(), t.y(), t.z()}}};
 }
 
-Json frame_json(const FrameReport& frame) {
+Json frame_json(const reconstruct::FrameReport& frame) {
   Json json = {
       {"frame", frame.frame.value}, {"fate", to_string(frame.fate)}, {"points", frame.point_count}};
-  if (frame.fate == FrameFate::kRejected) json["reason"] = frame.reason;
+  if (frame.fate == reconstruct::FrameFate::kRejected) json["reason"] = frame.reason;
   if (frame.T_world_sensor) json.update(pose_json(*frame.T_world_sensor));
   return json;
 }
@@ -60,7 +61,7 @@ Json stage_json(const StageTime& stage) {
           {"items_per_s", rate}};
 }
 
-Json hole_json(const BoundaryLoop& loop) {
+Json hole_json(const meshing::BoundaryLoop& loop) {
   return {{"perimeter_mm", loop.perimeter_mm},
           {"area_mm2", loop.area_mm2},
           {"width_mm", loop.width_mm},
@@ -69,23 +70,24 @@ Json hole_json(const BoundaryLoop& loop) {
           {"is_outer_border", loop.is_outer}};
 }
 
-Json to_json(const Reconstruction& reconstruction, const Vec3& volume_mm) {
+Json to_json(const reconstruct::Reconstruction& reconstruction, const Vec3& volume_mm) {
   Json json = {{"format", kFormat}, {"version", kVersion}};
   json[kVolumeKey] = {volume_mm.x(), volume_mm.y(), volume_mm.z()};
-  json["counts"] = {{"frames", reconstruction.frames.size()},
-                    {"registered", count_fate(reconstruction, FrameFate::kRegistered)},
-                    {"interpolated", count_fate(reconstruction, FrameFate::kInterpolated)},
-                    {"textured", count_fate(reconstruction, FrameFate::kTextured)},
-                    {"rejected", rejection_counts(reconstruction)},
-                    {"points", reconstruction.points.size()},
-                    {"vertices", reconstruction.surface.mesh.vertices.size()},
-                    {"triangles", reconstruction.surface.mesh.triangles.size()}};
+  json["counts"] = {
+      {"frames", reconstruction.frames.size()},
+      {"registered", count_fate(reconstruction, reconstruct::FrameFate::kRegistered)},
+      {"interpolated", count_fate(reconstruction, reconstruct::FrameFate::kInterpolated)},
+      {"textured", count_fate(reconstruction, reconstruct::FrameFate::kTextured)},
+      {"rejected", rejection_counts(reconstruction)},
+      {"points", reconstruction.points.size()},
+      {"vertices", reconstruction.surface.mesh.vertices.size()},
+      {"triangles", reconstruction.surface.mesh.triangles.size()}};
   for (const StageTime& stage : reconstruction.stages) json["stages"].push_back(stage_json(stage));
   json["frames"] = Json::array();
-  for (const FrameReport& frame : reconstruction.frames)
+  for (const reconstruct::FrameReport& frame : reconstruction.frames)
     json["frames"].push_back(frame_json(frame));
   json["boundaries"] = Json::array();
-  for (const BoundaryLoop& loop : reconstruction.surface.boundaries) {
+  for (const meshing::BoundaryLoop& loop : reconstruction.surface.boundaries) {
     json["boundaries"].push_back(hole_json(loop));
   }
   return json;
@@ -98,41 +100,45 @@ double steady_seconds() {
   return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-void print_summary(const Reconstruction& reconstruction) {
+void print_summary(const reconstruct::Reconstruction& reconstruction) {
   fmt::print("{} frames: {} registered, {} interpolated, {} for texture\n",
-             reconstruction.frames.size(), count_fate(reconstruction, FrameFate::kRegistered),
-             count_fate(reconstruction, FrameFate::kInterpolated),
-             count_fate(reconstruction, FrameFate::kTextured));
+             reconstruction.frames.size(),
+             count_fate(reconstruction, reconstruct::FrameFate::kRegistered),
+             count_fate(reconstruction, reconstruct::FrameFate::kInterpolated),
+             count_fate(reconstruction, reconstruct::FrameFate::kTextured));
   for (const auto& [reason, count] : rejection_counts(reconstruction)) {
     fmt::print("  {} rejected: {}\n", count, reason);
   }
   fmt::print("{} points, {} triangles, {} holes at least {} mm wide\n",
              reconstruction.points.size(), reconstruction.surface.mesh.triangles.size(),
-             coverage_holes(reconstruction.surface.boundaries).size(), kLeastHoleWidth_mm);
+             meshing::coverage_holes(reconstruction.surface.boundaries).size(),
+             meshing::kLeastHoleWidth_mm);
   for (const StageTime& stage : reconstruction.stages) {
     fmt::print("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,
                stage.item_name);
   }
 }
 
-Result<void> write_result(const std::filesystem::path& path, const Reconstruction& reconstruction) {
-  if (carries_atlas(path)) return write_model(path, reconstruction.model);
-  return write_model(path, TexturedMesh{reconstruction.surface.mesh, {}, {}});
+Result<void> write_result(const std::filesystem::path& path,
+                          const reconstruct::Reconstruction& reconstruction) {
+  if (io::carries_atlas(path)) return io::write_model(path, reconstruction.model);
+  return io::write_model(path, TexturedMesh{reconstruction.surface.mesh, {}, {}});
 }
 
-std::string report_text(const Reconstruction& reconstruction, const Vec3& volume_mm) {
+std::string report_text(const reconstruct::Reconstruction& reconstruction, const Vec3& volume_mm) {
   return to_json(reconstruction, volume_mm).dump(1) + "\n";
 }
 
-Result<void> write_report(const std::filesystem::path& path, const Reconstruction& reconstruction,
+Result<void> write_report(const std::filesystem::path& path,
+                          const reconstruct::Reconstruction& reconstruction,
                           const Vec3& volume_mm) {
-  return write_file(path, report_text(reconstruction, volume_mm));
+  return io::write_file(path, report_text(reconstruction, volume_mm));
 }
 
 Result<Report> read_report(const std::filesystem::path& path) {
-  const auto text = read_file(path);
+  const auto text = io::read_file(path);
   if (!text) return tl::unexpected(text.error());
-  const Result<JsonPlace> json = JsonPlace::parse(*text, path.string());
+  const Result<io::JsonPlace> json = io::JsonPlace::parse(*text, path.string());
   if (!json) return tl::unexpected(json.error());
   json->expect_format(kFormat, kVersion);
   Report report;
@@ -140,11 +146,11 @@ Result<Report> read_report(const std::filesystem::path& path) {
     const std::vector<double> size = json->at(kVolumeKey).numbers(3);
     report.volume_mm = Vec3(size[0], size[1], size[2]);
   }
-  for (const JsonPlace& frame : json->at("frames").elements()) {
+  for (const io::JsonPlace& frame : json->at("frames").elements()) {
     if (!frame.has("q_wxyz")) continue;
-    report.poses.push_back({FrameIndex(frame.at("frame").whole_number()),
-                            frame.at("fate").text() == to_string(FrameFate::kRegistered),
-                            frame.pose()});
+    report.poses.push_back(
+        {FrameIndex(frame.at("frame").whole_number()),
+         frame.at("fate").text() == to_string(reconstruct::FrameFate::kRegistered), frame.pose()});
   }
   if (auto outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
   const auto registered = [](const ReportedPose& pose) { return pose.registered; };

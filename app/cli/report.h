@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/pipeline/reconstruct.h"
+#include "core/reconstruct/reconstruct.h"
 
 namespace flytri::cli {
 
@@ -15,22 +15,23 @@ namespace flytri::cli {
 [[nodiscard]] double steady_seconds();
 
 /// Prints counts of frames, points, triangles and holes, and the time of each stage.
-void print_summary(const Reconstruction& reconstruction);
+void print_summary(const reconstruct::Reconstruction& reconstruction);
 
 /// Writes the model in the form that suits the ending: cut into charts with an atlas, or whole.
 /// @errors  as write_model.
 [[nodiscard]] Result<void> write_result(const std::filesystem::path& path,
-                                        const Reconstruction& reconstruction);
+                                        const reconstruct::Reconstruction& reconstruction);
 
 /// The text of report.json.
 /// @param volume_mm  edge lengths of the sensor's measurement volume
-[[nodiscard]] std::string report_text(const Reconstruction& reconstruction, const Vec3& volume_mm);
+[[nodiscard]] std::string report_text(const reconstruct::Reconstruction& reconstruction,
+                                      const Vec3& volume_mm);
 
 /// Writes report.json; its keys are documented in docs/formats.md.
 /// @param volume_mm  edge lengths of the sensor's measurement volume
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> write_report(const std::filesystem::path& path,
-                                        const Reconstruction& reconstruction,
+                                        const reconstruct::Reconstruction& reconstruction,
                                         const Vec3& volume_mm);
 
 /// A frame's pose in a report.

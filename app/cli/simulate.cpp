@@ -7,9 +7,9 @@
 
 #include "app/cli/commands.h"
 #include "assets/sample_jaw/sample_jaw.h"
-#include "core/interchange/ply.h"
-#include "hw/simulated/simulate_calibration_set.h"
-#include "hw/simulated/simulate_recording.h"
+#include "core/io/models/ply.h"
+#include "hw/simulated/datasets/simulate_calibration_set.h"
+#include "hw/simulated/datasets/simulate_recording.h"
 
 namespace flytri::cli {
 namespace {
@@ -31,13 +31,13 @@ struct SimulateArguments {
   int thread_count = 0;
 };
 
-SensorModel sensor_of(const SimulateArguments& arguments) {
-  return arguments.sensor == "face" ? face_sensor() : intraoral_sensor();
+simulated::SensorModel sensor_of(const SimulateArguments& arguments) {
+  return arguments.sensor == "face" ? simulated::face_sensor() : simulated::intraoral_sensor();
 }
 
 Result<TriangleMesh> load_mesh(const fs::path& file, const Workers& workers) {
   if (file.empty()) return sample_jaw::make_sample_jaw({}, workers);
-  auto read = read_ply(file);
+  auto read = io::read_ply(file);
   if (!read) return tl::unexpected(read.error());
   return std::move(read->mesh);
 }
@@ -46,7 +46,7 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   const Workers workers(arguments.thread_count);
   const auto mesh = load_mesh(arguments.mesh, workers);
   if (!mesh) return tl::unexpected(mesh.error());
-  RecordingOptions options;
+  simulated::RecordingOptions options;
   options.sensor = sensor_of(arguments);
   options.path.duration_s = arguments.duration_s;
   options.path.seed = arguments.seed;
@@ -57,15 +57,16 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   options.faults.away_start_s = arguments.away_s[0];
   options.faults.away_duration_s = arguments.away_s[1];
   if (arguments.path == "quadrant") {
-    options.path.kind = PathKind::kQuadrant;
+    options.path.kind = simulated::PathKind::kQuadrant;
   } else if (arguments.path == "arch") {
-    options.path.kind = PathKind::kArch;
+    options.path.kind = simulated::PathKind::kArch;
   } else if (arguments.path == "orbit") {
-    options.path.kind = PathKind::kOrbit;
+    options.path.kind = simulated::PathKind::kOrbit;
   } else {
     options.path_file = arguments.path;
   }
-  const auto counts = simulate_recording(*mesh, options, arguments.output, workers, progress);
+  const auto counts =
+      simulated::simulate_recording(*mesh, options, arguments.output, workers, progress);
   if (!counts) return tl::unexpected(counts.error());
   fmt::print("wrote {}: {} measurement frames, {} texture frames, {} dropped\n",
              arguments.output.string(), counts->measurement, counts->texture, counts->dropped);
@@ -73,11 +74,11 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
 }
 
 Result<void> run_calibration_set(const SimulateArguments& arguments, const Progress& progress) {
-  CalibrationSetOptions options;
+  simulated::CalibrationSetOptions options;
   options.sensor = sensor_of(arguments);
   options.seed = arguments.seed;
-  auto written = simulate_calibration_set(options, arguments.output,
-                                          Workers(arguments.thread_count), progress);
+  auto written = simulated::simulate_calibration_set(options, arguments.output,
+                                                     Workers(arguments.thread_count), progress);
   if (written) fmt::print("wrote {}\n", arguments.output.string());
   return written;
 }

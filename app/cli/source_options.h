@@ -6,7 +6,7 @@
 
 namespace flytri::cli {
 
-inline void add_source_options(CLI::App& command, SourceChoice& source) {
+inline void add_source_options(CLI::App& command, session::SourceChoice& source) {
   const auto recording = command.add_option("--recording", source.recording,
                                             "A recording to replay instead of the virtual sensor");
   const auto rig =

@@ -7,9 +7,9 @@
 
 #include "core/localization/localize.h"
 #include "core/localization/outline.h"
-#include "hw/chair/chair_session.h"
+#include "hw/shots/guided_session.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
@@ -18,15 +18,15 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kRest{30};
 
 /// What the window shows of an image: lines that are found are drawn over it.
-std::shared_ptr<const LiveFrame> shown_frame(cv::Mat image, ShotKind kind) {
-  auto shown = std::make_shared<LiveFrame>();
+std::shared_ptr<const scan::LiveFrame> shown_frame(cv::Mat image, calibration::ShotKind kind) {
+  auto shown = std::make_shared<scan::LiveFrame>();
   shown->frame.image = std::move(image);
-  if (kind != ShotKind::kVertical) return shown;
+  if (kind != calibration::ShotKind::kVertical) return shown;
   shown->frame.kind = FrameKind::kVertical;
-  const auto traces = localize_lines(shown->frame.image, Pattern::kVertical, {});
+  const auto traces = localization::localize_lines(shown->frame.image, Pattern::kVertical, {});
   if (!traces) return shown;
-  for (const LineTrace& trace : *traces) {
-    shown->lines.push_back(outline_of(trace, Pattern::kVertical));
+  for (const localization::LineTrace& trace : *traces) {
+    shown->lines.push_back(localization::outline_of(trace, Pattern::kVertical));
   }
   return shown;
 }
@@ -134,7 +134,7 @@ void CalibrationDesk::reopen(std::size_t place) {
 
 void CalibrationDesk::conclude() {
   auto outcome = work_->conclude(progress_);
-  if (!outcome && !is_refusal(outcome.error())) return fail(outcome.error());
+  if (!outcome && !shots::is_refusal(outcome.error())) return fail(outcome.error());
   if (outcome) source_->stop();
   change([&](ui::RunningCalibration& state) {
     state.shots.clear();
@@ -157,4 +157,4 @@ void CalibrationDesk::fail(const Error& error) {
   });
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -8,13 +8,14 @@
 #include "app/session/calibration_work.h"
 #include "core/base/task_thread.h"
 
-namespace flytri {
+namespace flytri::session {
 
 /// What a desk is made for.
 struct DeskJob {
   /// Called by the desk's thread, as are those below: devices take their time.
-  std::function<Result<std::shared_ptr<ShotSource>>()> open_source;
-  std::function<Result<std::unique_ptr<CalibrationWork>>(std::shared_ptr<ShotSource>)> begin_work;
+  std::function<Result<std::shared_ptr<shots::ShotSource>>()> open_source;
+  std::function<Result<std::unique_ptr<CalibrationWork>>(std::shared_ptr<shots::ShotSource>)>
+      begin_work;
   ui::CalibrationTask task = ui::CalibrationTask::kCalibrate;
   std::filesystem::path folder;  ///< of a calibration
 };
@@ -48,7 +49,7 @@ class CalibrationDesk {
 
   const DeskJob job_;
   const Progress progress_;
-  std::shared_ptr<ShotSource> source_;
+  std::shared_ptr<shots::ShotSource> source_;
   std::unique_ptr<CalibrationWork> work_;
 
   mutable std::mutex mutex_;
@@ -59,4 +60,4 @@ class CalibrationDesk {
   TaskThread thread_;  // ends first: its tasks use all of the above
 };
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -7,11 +7,11 @@
 #include <system_error>
 #include <vector>
 
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/guided_session_file.h"
+#include "core/io/calibrations/guided_session_file.h"
+#include "core/io/files/file_bytes.h"
 #include "hw/rig/rig_file.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 constexpr const char* kFile = "calibration.json";
@@ -22,28 +22,29 @@ std::string now_as_name() {
 
 bool is_begun(const std::filesystem::path& folder) {
   std::error_code unreadable;
-  return !std::filesystem::exists(folder / kFile, unreadable) && read_guided_plan(folder);
+  return !std::filesystem::exists(folder / kFile, unreadable) && io::read_guided_plan(folder);
 }
 
 /// The file that the rig is to read, named in rig.json from now on if it was not.
 Result<std::filesystem::path> place_in_rig(const std::filesystem::path& rig_file) {
-  auto rig = read_rig(rig_file);
+  auto rig = rig::read_rig(rig_file);
   if (!rig) return tl::unexpected(rig.error());
   if (rig->calibration) return *rig->calibration;
   rig->calibration = kFile;
-  if (auto written = write_rig(rig_file, *rig); !written) return tl::unexpected(written.error());
+  if (auto written = rig::write_rig(rig_file, *rig); !written)
+    return tl::unexpected(written.error());
   return rig_file.parent_path() / kFile;
 }
 
 /// Under a name that no other file has.
-Result<void> keep_beside(const std::filesystem::path& file) {
-  const auto bytes = read_file(file);
+Result<void> keep_in_background(const std::filesystem::path& file) {
+  const auto bytes = io::read_file(file);
   if (!bytes && bytes.error().code == ErrorCode::kNotFound) return {};
   if (!bytes) return tl::unexpected(bytes.error());
   const std::filesystem::path kept =
       file.parent_path() /
       fmt::format("{}-until-{}{}", file.stem().string(), now_as_name(), file.extension().string());
-  return write_file(kept, *bytes);
+  return io::write_file(kept, *bytes);
 }
 
 }  // namespace
@@ -60,14 +61,15 @@ std::filesystem::path propose_calibration_folder(const std::filesystem::path& ca
 
 Result<std::filesystem::path> adopt_calibration(const SourceChoice& choice,
                                                 const std::filesystem::path& calibration) {
-  const auto bytes = read_file(calibration);
+  const auto bytes = io::read_file(calibration);
   if (!bytes) return tl::unexpected(bytes.error());
   auto place = choice.calibration ? Result<std::filesystem::path>(*choice.calibration)
                                   : place_in_rig(*choice.rig);
   if (!place) return place;
-  if (auto kept = keep_beside(*place); !kept) return tl::unexpected(kept.error());
-  if (auto written = write_file(*place, *bytes); !written) return tl::unexpected(written.error());
+  if (auto kept = keep_in_background(*place); !kept) return tl::unexpected(kept.error());
+  if (auto written = io::write_file(*place, *bytes); !written)
+    return tl::unexpected(written.error());
   return place;
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -5,7 +5,7 @@
 
 #include "app/session/source.h"
 
-namespace flytri {
+namespace flytri::session {
 
 /// The latest of the folders in `calibrations` in which a calibration was begun and is not done, or
 /// else a new one, named by date and time. Nothing is created.
@@ -21,4 +21,4 @@ namespace flytri {
 [[nodiscard]] Result<std::filesystem::path> adopt_calibration(
     const SourceChoice& choice, const std::filesystem::path& calibration);
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -6,19 +6,19 @@
 #include <cmath>
 #include <utility>
 
-#include "core/calibrating/hold_check.h"
-#include "hw/chair/chair_session.h"
-#include "hw/chair/hold_shots.h"
+#include "core/calibration/verify/verify.h"
+#include "hw/shots/guided_session.h"
+#include "hw/shots/verification_shots.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 constexpr double kMicrons = 1e3;
 
-ui::JudgedShot judged(const ShotOutcome& outcome) {
-  const ShotVerdict& verdict = outcome.verdict;
+ui::JudgedShot judged(const shots::ShotOutcome& outcome) {
+  const calibration::ShotVerdict& verdict = outcome.verdict;
   ui::JudgedShot shot{std::string(to_string(outcome.shot.kind)), verdict.good(), verdict.finding,
-                      std::string(remedy_of(verdict.fault))};
+                      std::string(calibration::remedy_of(verdict.fault))};
   if (verdict.good() && verdict.figures.found > 0) {
     shot.finding = fmt::format("{} found, brightness {:.0f} %", verdict.figures.found,
                                100 * verdict.figures.brightness);
@@ -32,9 +32,9 @@ std::string depth_text(double z_mm, int digits) {
                                : fmt::format("{:+.{}f}", z_mm, digits);
 }
 
-double worst_offset_mm(const std::vector<PlaneResidual>& planes) {
+double worst_offset_mm(const std::vector<calibration::PlaneResidual>& planes) {
   double worst_mm = 0.0;
-  for (const PlaneResidual& plane : planes) {
+  for (const calibration::PlaneResidual& plane : planes) {
     for (const double offset_mm : plane.offset_mm) {
       worst_mm = std::max(worst_mm, std::abs(offset_mm));
     }
@@ -44,13 +44,13 @@ double worst_offset_mm(const std::vector<PlaneResidual>& planes) {
 
 class Calibrating final : public CalibrationWork {
  public:
-  explicit Calibrating(ChairSession session) : session_(std::move(session)) {}
+  explicit Calibrating(shots::GuidedSession session) : session_(std::move(session)) {}
 
   std::vector<ui::CalibrationPlace> places() const override {
-    const GuidedCalibration& guide = session_.guide();
+    const calibration::GuidedCalibration& guide = session_.guide();
     std::vector<ui::CalibrationPlace> places;
     for (std::size_t i = 0; i < guide.placements().size(); ++i) {
-      const Placement& placement = guide.placements()[i];
+      const calibration::Placement& placement = guide.placements()[i];
       const double z_mm = guide.plan().z_mm[placement.plane];
       places.push_back({std::string(to_string(placement.face)),
                         fmt::format("at z = {} mm", depth_text(z_mm, 2)), depth_text(z_mm, 1),
@@ -68,13 +68,13 @@ class Calibrating final : public CalibrationWork {
   Look look() const override {
     const auto shot = session_.guide().wanted();
     if (!shot) return {};
-    const bool is_white = shot->place.face == TargetFace::kWhitePlane;
-    return {is_white ? ShotKind::kVertical : ShotKind::kDots, shot->z_mm};
+    const bool is_white = shot->place.face == calibration::TargetFace::kWhitePlane;
+    return {is_white ? calibration::ShotKind::kVertical : calibration::ShotKind::kDots, shot->z_mm};
   }
 
   Result<void> take(const Tell& tell, const Progress& progress) override {
-    return session_.shoot_placement([&](const ShotOutcome& outcome) { tell(judged(outcome)); },
-                                    progress);
+    return session_.shoot_placement(
+        [&](const shots::ShotOutcome& outcome) { tell(judged(outcome)); }, progress);
   }
 
   Result<void> reopen(std::size_t place) override { return session_.reopen(place); }
@@ -87,7 +87,7 @@ class Calibrating final : public CalibrationWork {
     outcome.verdict = "The sensor is calibrated";
     outcome.planes = fit->planes;
     outcome.plane_limit_mm =
-        PlaneResidualOptions{}.max_offset_share * fit->calibration.volume.size_mm.z();
+        calibration::PlaneResidualOptions{}.max_offset_share * fit->calibration.volume.size_mm.z();
     const auto rms_um = [&](Pattern pattern) {
       return kMicrons * fit->calibration.of(pattern).depth_residual_mm.rms;
     };
@@ -101,24 +101,24 @@ class Calibrating final : public CalibrationWork {
   }
 
  private:
-  ChairSession session_;
+  shots::GuidedSession session_;
 };
 
 class Checking final : public CalibrationWork {
  public:
-  Checking(std::shared_ptr<const Calibration> calibration, std::optional<double> sphere_diameter_mm,
-           std::shared_ptr<ShotSource> source)
+  Checking(std::shared_ptr<const calibration::Calibration> calibration,
+           std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source)
       : calibration_(std::move(calibration)),
         sphere_diameter_mm_(sphere_diameter_mm),
         source_(std::move(source)),
-        poses_(hold_places().size()) {}
+        poses_(shots::verification_places().size()) {}
 
   std::vector<ui::CalibrationPlace> places() const override {
     std::vector<ui::CalibrationPlace> places;
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       places.push_back({sphere_diameter_mm_ ? "sphere" : "plane",
-                        std::string(hold_places()[i].words), fmt::format("{}", i + 1), i, 0,
-                        poses_[i].has_value()});
+                        std::string(shots::verification_places()[i].words),
+                        fmt::format("{}", i + 1), i, 0, poses_[i].has_value()});
     }
     return places;
   }
@@ -129,11 +129,13 @@ class Checking final : public CalibrationWork {
     return static_cast<std::size_t>(open - poses_.begin());
   }
 
-  Look look() const override { return {ShotKind::kVertical, depth_mm(wanted().value_or(0))}; }
+  Look look() const override {
+    return {calibration::ShotKind::kVertical, depth_mm(wanted().value_or(0))};
+  }
 
   Result<void> take(const Tell& tell, const Progress& progress) override {
     const std::size_t place = *wanted();
-    auto pose = take_hold_pose(*source_, depth_mm(place), *calibration_, progress);
+    auto pose = shots::take_verification_pose(*source_, depth_mm(place), *calibration_, progress);
     const std::string name = fmt::format("place {}", place + 1);
     if (pose) {
       poses_[place] = *std::move(pose);
@@ -151,25 +153,25 @@ class Checking final : public CalibrationWork {
   }
 
   Result<ui::CalibrationOutcome> conclude(const Progress& /*progress*/) override {
-    std::vector<HoldPose> poses;
+    std::vector<calibration::VerificationPose> poses;
     for (const auto& pose : poses_) poses.push_back(*pose);
-    const auto report = sphere_diameter_mm_
-                            ? check_on_sphere(poses, *sphere_diameter_mm_, *calibration_)
-                            : check_on_plane(poses, *calibration_);
+    const auto report = sphere_diameter_mm_ ? calibration::check_on_sphere(
+                                                  poses, *sphere_diameter_mm_, *calibration_)
+                                            : calibration::check_on_plane(poses, *calibration_);
     if (!report) return tl::unexpected(report.error());
     ui::CalibrationOutcome outcome;
-    outcome.is_good = report->outcome == HoldOutcome::kHolds;
+    outcome.is_good = report->outcome == calibration::VerificationOutcome::kValid;
     outcome.figures = report->figures;
     outcome.meanings = report->meanings;
     switch (report->outcome) {
-      case HoldOutcome::kHolds:
+      case calibration::VerificationOutcome::kValid:
         outcome.verdict = "The calibration holds";
         break;
-      case HoldOutcome::kBroken:
+      case calibration::VerificationOutcome::kBroken:
         outcome.verdict = "The calibration no longer holds";
         outcome.meanings.emplace_back("Calibrate the sensor anew.");
         break;
-      case HoldOutcome::kUnclear:
+      case calibration::VerificationOutcome::kUnclear:
         outcome.verdict = "No verdict";
         outcome.meanings = {report->reason};
     }
@@ -178,29 +180,29 @@ class Checking final : public CalibrationWork {
 
  private:
   double depth_mm(std::size_t place) const {
-    return hold_places()[place].depth_share * calibration_->volume.size_mm.z();
+    return shots::verification_places()[place].depth_share * calibration_->volume.size_mm.z();
   }
 
-  std::shared_ptr<const Calibration> calibration_;
+  std::shared_ptr<const calibration::Calibration> calibration_;
   std::optional<double> sphere_diameter_mm_;
-  std::shared_ptr<ShotSource> source_;
-  std::vector<std::optional<HoldPose>> poses_;  // by hold_places()
+  std::shared_ptr<shots::ShotSource> source_;
+  std::vector<std::optional<calibration::VerificationPose>> poses_;  // by verification_places()
 };
 
 }  // namespace
 
-Result<std::unique_ptr<CalibrationWork>> calibrate_at_chair(const std::filesystem::path& folder,
-                                                            const CalibrationPlan& plan,
-                                                            std::shared_ptr<ShotSource> source) {
-  auto session = ChairSession::open(folder, plan, std::move(source));
+Result<std::unique_ptr<CalibrationWork>> calibrate_guided(
+    const std::filesystem::path& folder, const calibration::CalibrationPlan& plan,
+    std::shared_ptr<shots::ShotSource> source) {
+  auto session = shots::GuidedSession::open(folder, plan, std::move(source));
   if (!session) return tl::unexpected(session.error());
   return std::make_unique<Calibrating>(*std::move(session));
 }
 
-std::unique_ptr<CalibrationWork> check_at_chair(std::shared_ptr<const Calibration> calibration,
-                                                std::optional<double> sphere_diameter_mm,
-                                                std::shared_ptr<ShotSource> source) {
+std::unique_ptr<CalibrationWork> check_guided(
+    std::shared_ptr<const calibration::Calibration> calibration,
+    std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source) {
   return std::make_unique<Checking>(std::move(calibration), sphere_diameter_mm, std::move(source));
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/calibrating/calibration_plan.h"
-#include "core/calibration/calibration.h"
-#include "hw/chair/shot_source.h"
-#include "ui/calibration_state.h"
+#include "core/calibration/guide/calibration_plan.h"
+#include "core/calibration/record/calibration.h"
+#include "hw/shots/shot_source.h"
+#include "ui/state/calibration_state.h"
 
-namespace flytri {
+namespace flytri::session {
 
 /// Used by one thread at a time.
 class CalibrationWork {
@@ -22,7 +22,7 @@ class CalibrationWork {
   using Tell = std::function<void(ui::JudgedShot)>;
   /// The image in which the user sees whether the target is in place.
   struct Look {
-    ShotKind kind = ShotKind::kVertical;
+    calibration::ShotKind kind = calibration::ShotKind::kVertical;
     double z_mm = 0.0;
   };
 
@@ -52,16 +52,16 @@ class CalibrationWork {
   CalibrationWork() = default;
 };
 
-/// Calibrates: goes on with what the folder holds, see ChairSession.
-/// @errors  As ChairSession::open.
-[[nodiscard]] Result<std::unique_ptr<CalibrationWork>> calibrate_at_chair(
-    const std::filesystem::path& folder, const CalibrationPlan& plan,
-    std::shared_ptr<ShotSource> source);
+/// Calibrates: goes on with what the folder holds, see GuidedSession.
+/// @errors  As GuidedSession::open.
+[[nodiscard]] Result<std::unique_ptr<CalibrationWork>> calibrate_guided(
+    const std::filesystem::path& folder, const calibration::CalibrationPlan& plan,
+    std::shared_ptr<shots::ShotSource> source);
 
 /// Checks on a plane, or on a sphere of that diameter.
 /// @param sphere_diameter_mm  > 0, or none for a plane
-[[nodiscard]] std::unique_ptr<CalibrationWork> check_at_chair(
-    std::shared_ptr<const Calibration> calibration, std::optional<double> sphere_diameter_mm,
-    std::shared_ptr<ShotSource> source);
+[[nodiscard]] std::unique_ptr<CalibrationWork> check_guided(
+    std::shared_ptr<const calibration::Calibration> calibration,
+    std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source);
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/interchange/calibration_json.h"
-#include "core/interchange/glb.h"
+#include "core/io/calibrations/calibration_json.h"
+#include "core/io/models/glb.h"
 
-namespace flytri {
+namespace flytri::session {
 
 namespace {
 
 /// What a result depends on: it is that of a stage in the same state. Edits are told by their
 /// times.
-nlohmann::json state_of(std::int64_t view_count, const EditList& edits) {
+nlohmann::json state_of(std::int64_t view_count, const editing::EditList& edits) {
   nlohmann::json edited_at_s = nlohmann::json::array();
   for (const auto& edit : *edits) edited_at_s.push_back(edit->made_at_s);
   return {{"view_count", view_count}, {"edited_at_s", std::move(edited_at_s)}};
@@ -23,9 +23,10 @@ nlohmann::json state_of(std::int64_t view_count, const EditList& edits) {
 
 /// The result that a stage was finished to; null where there is none, or the stage has changed
 /// since. One that cannot be read is told of in `damage`.
-std::shared_ptr<const FinishedScan> current_result(CaseFile& file, ScanStage stage,
-                                                   const StoredStage& stored,
-                                                   std::vector<std::string>& damage) {
+std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& file,
+                                                                io::ScanStage stage,
+                                                                const io::StoredStage& stored,
+                                                                std::vector<std::string>& damage) {
   const auto lost = [&](const Error& error) {
     damage.push_back(
         fmt::format("the finished model cannot be read ({}): finish again", error.message));
@@ -38,35 +39,36 @@ std::shared_ptr<const FinishedScan> current_result(CaseFile& file, ScanStage sta
   const auto summary = nlohmann::json::parse(result->summary_json, nullptr, false);
   if (!summary.is_object() || !summary.contains("made_of")) return nullptr;
   if (summary["made_of"] != state_of(counts->views, stored.edits.state())) return nullptr;
-  Result<TexturedMesh> model = parse_glb(result->glb, file.path().string());
+  Result<TexturedMesh> model = io::parse_glb(result->glb, file.path().string());
   if (!model) return lost(model.error());
-  return std::make_shared<const FinishedScan>(finished_scan_of(std::move(*model)));
+  return std::make_shared<const reconstruct::FinishedScan>(
+      reconstruct::finished_scan_of(std::move(*model)));
 }
 
 }  // namespace
 
 /// A stage's part of the store.
-class CaseStore::Journal final : public ScanJournal {
+class CaseStore::Journal final : public scan::ScanJournal {
  public:
-  Journal(std::shared_ptr<CaseStore> store, ScanStage stage)
+  Journal(std::shared_ptr<CaseStore> store, io::ScanStage stage)
       : store_(std::move(store)), stage_(stage) {}
 
   void keep_view(const View& view) override {
-    store_->write([&](CaseFile& file) { return file.append_view(stage_, view); });
+    store_->write([&](io::CaseFile& file) { return file.append_view(stage_, view); });
   }
   void keep_texture(const Frame& frame) override {
-    store_->write([&](CaseFile& file) { return file.append_texture(stage_, frame); });
+    store_->write([&](io::CaseFile& file) { return file.append_texture(stage_, frame); });
   }
   void keep_poses(std::span<const AlignedView> views) override {
-    store_->write([&](CaseFile& file) { return file.write_poses(stage_, views); });
+    store_->write([&](io::CaseFile& file) { return file.write_poses(stage_, views); });
   }
-  void keep_edits(const EditStack& edits) override {
+  void keep_edits(const editing::EditStack& edits) override {
     edits_ = edits.state();
-    store_->write([&](CaseFile& file) { return file.write_edits(stage_, edits); });
+    store_->write([&](io::CaseFile& file) { return file.write_edits(stage_, edits); });
   }
-  void keep_result(const FinishedScan& result) override {
-    store_->write([&](CaseFile& file) -> Result<void> {
-      auto glb = encode_glb(result.model, "jaw");
+  void keep_result(const reconstruct::FinishedScan& result) override {
+    store_->write([&](io::CaseFile& file) -> Result<void> {
+      auto glb = io::encode_glb(result.model, "jaw");
       if (!glb) return tl::unexpected(glb.error());
       const auto counts = file.counts(stage_);
       if (!counts) return tl::unexpected(counts.error());
@@ -78,30 +80,30 @@ class CaseStore::Journal final : public ScanJournal {
     });
   }
   void commit() override {
-    store_->write([](CaseFile& file) { return file.commit(); });
+    store_->write([](io::CaseFile& file) { return file.commit(); });
   }
 
  private:
   std::shared_ptr<CaseStore> store_;
-  ScanStage stage_;
-  EditList edits_ = EditStack().state();
+  io::ScanStage stage_;
+  editing::EditList edits_ = editing::EditStack().state();
 };
 
-void CaseStore::write(const std::function<Result<void>(CaseFile&)>& writing) {
+void CaseStore::write(const std::function<Result<void>(io::CaseFile&)>& writing) {
   const std::lock_guard lock(mutex_);
   if (auto written = writing(file_); !written) failure_ = written.error().message;
 }
 
-std::shared_ptr<ScanJournal> CaseStore::journal(ScanStage stage) {
+std::shared_ptr<scan::ScanJournal> CaseStore::journal(io::ScanStage stage) {
   return std::make_shared<Journal>(shared_from_this(), stage);
 }
 
-Result<OpenedStage> CaseStore::load(ScanStage stage) {
+Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
   const std::lock_guard lock(mutex_);
-  Result<StoredStage> stored = file_.load_stage(stage);
+  Result<io::StoredStage> stored = file_.load_stage(stage);
   if (!stored) return tl::unexpected(stored.error());
   OpenedStage opened;
-  for (StoredView& view : stored->views) {
+  for (io::StoredView& view : stored->views) {
     opened.last_frame = std::max(opened.last_frame, view.view->frame);
     opened.last_time_s = std::max(opened.last_time_s, view.view->time_s);
     if (view.T_world_sensor) opened.scan.views.push_back({view.view, *view.T_world_sensor});
@@ -118,34 +120,35 @@ Result<OpenedStage> CaseStore::load(ScanStage stage) {
   return opened;
 }
 
-Result<CaseFields> CaseStore::fields() {
+Result<io::CaseFields> CaseStore::fields() {
   const std::lock_guard lock(mutex_);
   return file_.fields();
 }
 
-Result<void> CaseStore::write_fields(const CaseFields& fields) {
+Result<void> CaseStore::write_fields(const io::CaseFields& fields) {
   const std::lock_guard lock(mutex_);
   if (auto written = file_.write_fields(fields); !written) return written;
   return file_.commit();
 }
 
-Result<void> CaseStore::write_calibration(const Calibration& calibration) {
+Result<void> CaseStore::write_calibration(const calibration::Calibration& calibration) {
   const std::lock_guard lock(mutex_);
-  if (auto written = file_.write_calibration(to_json(calibration)); !written) return written;
+  if (auto written = file_.write_calibration(io::to_json(calibration)); !written) return written;
   return file_.commit();
 }
 
-Result<std::optional<Calibration>> CaseStore::calibration() {
+Result<std::optional<calibration::Calibration>> CaseStore::calibration() {
   const std::lock_guard lock(mutex_);
   const Result<std::string> text = file_.calibration();
   if (!text && text.error().code == ErrorCode::kInsufficient) return std::nullopt;
   if (!text) return tl::unexpected(text.error());
-  Result<Calibration> calibration = parse_calibration(*text, file_.path().string());
+  Result<calibration::Calibration> calibration =
+      io::parse_calibration(*text, file_.path().string());
   if (!calibration) return tl::unexpected(calibration.error());
   return std::move(*calibration);
 }
 
-Result<std::int64_t> CaseStore::add_measurement(ScanStage stage, const Measurement& added) {
+Result<std::int64_t> CaseStore::add_measurement(io::ScanStage stage, const io::Measurement& added) {
   const std::lock_guard lock(mutex_);
   auto id = file_.add_measurement(stage, added);
   if (!id) return id;
@@ -159,7 +162,7 @@ Result<void> CaseStore::remove_measurement(std::int64_t id) {
   return file_.commit();
 }
 
-Result<bool> CaseStore::has_views(ScanStage stage) {
+Result<bool> CaseStore::has_views(io::ScanStage stage) {
   const std::lock_guard lock(mutex_);
   const auto counts = file_.counts(stage);
   if (!counts) return tl::unexpected(counts.error());
@@ -206,7 +209,7 @@ std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {
     ui::KnownCase entry;
     entry.path = item.path.string();
     entry.modified = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(item.modified));
-    auto file = CaseFile::open(item.path, {.passphrase = {}, .read_only = true});
+    auto file = io::CaseFile::open(item.path, {.passphrase = {}, .read_only = true});
     if (file) {
       if (const auto fields = file->fields()) entry.patient = fields->patient_name;
     } else {
@@ -217,4 +220,4 @@ std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {
   return known;
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "core/interchange/case_file.h"
-#include "core/pipeline/live_scan.h"
-#include "ui/app_view.h"
+#include "core/io/cases/case_file.h"
+#include "core/scan/live_scan.h"
+#include "ui/state/app_view.h"
 
-namespace flytri {
+namespace flytri::session {
 
 /// What a stage of a case holds, made ready for a scan to go on.
 struct OpenedStage {
-  KeptScan scan;
-  std::vector<Measurement> measurements;
+  scan::KeptScan scan;
+  std::vector<io::Measurement> measurements;
   std::vector<std::string> damage;  ///< what could not be read, a line each
   FrameIndex last_frame{-1};
   double last_time_s = 0.0;
@@ -25,19 +25,20 @@ struct OpenedStage {
 /// Thread-safe.
 class CaseStore : public std::enable_shared_from_this<CaseStore> {
  public:
-  explicit CaseStore(CaseFile file) : file_(std::move(file)) {}
+  explicit CaseStore(io::CaseFile file) : file_(std::move(file)) {}
 
   /// Keeps what a scan of this stage measures.
-  [[nodiscard]] std::shared_ptr<ScanJournal> journal(ScanStage stage);
-  [[nodiscard]] Result<OpenedStage> load(ScanStage stage);
-  [[nodiscard]] Result<CaseFields> fields();
-  [[nodiscard]] Result<void> write_fields(const CaseFields& fields);
-  [[nodiscard]] Result<void> write_calibration(const Calibration& calibration);
+  [[nodiscard]] std::shared_ptr<scan::ScanJournal> journal(io::ScanStage stage);
+  [[nodiscard]] Result<OpenedStage> load(io::ScanStage stage);
+  [[nodiscard]] Result<io::CaseFields> fields();
+  [[nodiscard]] Result<void> write_fields(const io::CaseFields& fields);
+  [[nodiscard]] Result<void> write_calibration(const calibration::Calibration& calibration);
   /// None: the case has none yet.
-  [[nodiscard]] Result<std::optional<Calibration>> calibration();
-  [[nodiscard]] Result<std::int64_t> add_measurement(ScanStage stage, const Measurement& added);
+  [[nodiscard]] Result<std::optional<calibration::Calibration>> calibration();
+  [[nodiscard]] Result<std::int64_t> add_measurement(io::ScanStage stage,
+                                                     const io::Measurement& added);
   [[nodiscard]] Result<void> remove_measurement(std::int64_t id);
-  [[nodiscard]] Result<bool> has_views(ScanStage stage);
+  [[nodiscard]] Result<bool> has_views(io::ScanStage stage);
 
   [[nodiscard]] std::string path() const;
   [[nodiscard]] bool is_read_only() const;
@@ -49,14 +50,14 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
  private:
   class Journal;
   /// Does something with the file; a failure is remembered.
-  void write(const std::function<Result<void>(CaseFile&)>& writing);
+  void write(const std::function<Result<void>(io::CaseFile&)>& writing);
 
   mutable std::mutex mutex_;
-  CaseFile file_;
+  io::CaseFile file_;
   std::string failure_;
 };
 
 /// The cases of a folder, the latest first. Those that cannot be read are left out.
 [[nodiscard]] std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder);
 
-}  // namespace flytri
+}  // namespace flytri::session

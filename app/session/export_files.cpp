@@ -1,10 +1,10 @@
 #include "app/session/export_files.h"
 
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/model.h"
-#include "core/interchange/ply.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/models/model.h"
+#include "core/io/models/ply.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,16 +21,17 @@ PointCloud points_of(const SurfelModel& model) {
   return points;
 }
 
-Result<void> write_mesh(const fs::path& file, const FinishedScan& result) {
-  if (carries_atlas(file)) return write_model(file, result.model);
+Result<void> write_mesh(const fs::path& file, const reconstruct::FinishedScan& result) {
+  if (io::carries_atlas(file)) return io::write_model(file, result.model);
   TexturedMesh uncut;
   uncut.mesh = result.surface.mesh;
-  return write_model(file, uncut);
+  return io::write_model(file, uncut);
 }
 
 }  // namespace
 
-std::optional<std::uint64_t> estimated_bytes(const ScanSnapshot& shown, ui::ExportFormat format) {
+std::optional<std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown,
+                                             ui::ExportFormat format) {
   // Bytes of a vertex, a triangle, and a texel, from what the writers put into the files.
   constexpr std::uint64_t kPlyVertex = 31, kPlyTriangle = 13, kStlTriangle = 50;
   constexpr std::uint64_t kGlbVertex = 36, kGlbTriangle = 12, kObjVertex = 95, kObjTriangle = 45;
@@ -56,12 +57,13 @@ std::optional<std::uint64_t> estimated_bytes(const ScanSnapshot& shown, ui::Expo
   return std::nullopt;
 }
 
-Result<std::vector<ui::ExportedFile>> export_files(const ScanSnapshot& shown, const fs::path& stem,
+Result<std::vector<ui::ExportedFile>> export_files(const scan::ScanSnapshot& shown,
+                                                   const fs::path& stem,
                                                    const std::vector<ui::ExportFormat>& formats) {
   if (shown.result == nullptr && shown.model.empty()) {
     return fail(ErrorCode::kInsufficient, "there is no surface to export yet; scan first");
   }
-  if (auto made = create_folder(stem.parent_path()); !made) return tl::unexpected(made.error());
+  if (auto made = io::create_folder(stem.parent_path()); !made) return tl::unexpected(made.error());
   std::vector<ui::ExportedFile> written;
   for (const ui::ExportFormat format : formats) {
     const fs::path file = stem.string() + std::string(ui::to_string(format));
@@ -70,8 +72,9 @@ Result<std::vector<ui::ExportedFile>> export_files(const ScanSnapshot& shown, co
                   "{}: before the scan is finished there are points alone, which only .ply holds",
                   file.string());
     }
-    const Result<void> done = shown.result ? write_mesh(file, *shown.result)
-                                           : write_point_cloud_ply(file, points_of(shown.model));
+    const Result<void> done = shown.result
+                                  ? write_mesh(file, *shown.result)
+                                  : io::write_point_cloud_ply(file, points_of(shown.model));
     if (!done) return tl::unexpected(done.error());
     std::error_code error;
     written.push_back({file.string(), fs::file_size(file, error)});
@@ -79,4 +82,4 @@ Result<std::vector<ui::ExportedFile>> export_files(const ScanSnapshot& shown, co
   return written;
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

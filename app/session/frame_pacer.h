@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-namespace flytri {
+namespace flytri::session {
 
 /// Waits until the next frame of the window is due: a sixtieth of a second after the last one
 /// began, so that a new view is soon seen, and not before drawing has rested for a part of the time
@@ -18,4 +18,4 @@ inline void rest_after_frame(double frame_s) {
   std::this_thread::sleep_for(std::chrono::duration<double>(rest_s));
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

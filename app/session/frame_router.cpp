@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 /// Between the last frame of one sensor and the first of the next: longer than any gap over which
@@ -12,7 +12,7 @@ constexpr double kBetweenSensors_s = 1.0;
 
 }  // namespace
 
-void FrameRouter::set_scan(std::shared_ptr<LiveScan> scan) {
+void FrameRouter::set_scan(std::shared_ptr<scan::LiveScan> scan) {
   // The former scan may end here, which takes a moment: not under the lock.
   const std::lock_guard lock(mutex_);
   scan_.swap(scan);
@@ -40,4 +40,4 @@ void FrameRouter::offer(Frame frame) {
   if (scan_) scan_->offer(std::move(frame));
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

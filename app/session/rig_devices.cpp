@@ -7,7 +7,7 @@
 #include "hw/rig/rig_file.h"
 #include "hw/v4l2/video_system.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 /// A switch that takes longer than this, a period at 30 Hz, is late for the gap between exposures.
@@ -27,31 +27,31 @@ std::string name_of(const Match& match, const std::string& name) {
   return match.serial.empty() ? match.bus_path : match.serial;
 }
 
-ui::DeviceHealth health_of(CameraState state) {
+ui::DeviceHealth health_of(device::CameraState state) {
   switch (state) {
-    case CameraState::kIdle:
+    case device::CameraState::kIdle:
       return ui::DeviceHealth::kUnknown;
-    case CameraState::kRunning:
+    case device::CameraState::kRunning:
       return ui::DeviceHealth::kFine;
     default:
       return ui::DeviceHealth::kBroken;
   }
 }
 
-ui::DeviceHealth health_of(LightSwitchState state) {
+ui::DeviceHealth health_of(device::LightSwitchState state) {
   switch (state) {
-    case LightSwitchState::kIdle:
+    case device::LightSwitchState::kIdle:
       return ui::DeviceHealth::kUnknown;
-    case LightSwitchState::kRunning:
+    case device::LightSwitchState::kRunning:
       return ui::DeviceHealth::kFine;
     default:
       return ui::DeviceHealth::kBroken;
   }
 }
 
-ui::DeviceState camera_state(std::string role, const RigCamera& camera,
-                             const RigCameraStatus& status) {
-  const CameraStatus& counts = status.camera;
+ui::DeviceState camera_state(std::string role, const rig::RigCamera& camera,
+                             const rig::RigCameraStatus& status) {
+  const device::CameraStatus& counts = status.camera;
   ui::DeviceState state;
   state.role = std::move(role);
   state.name = name_of(camera.match, camera.match.name);
@@ -70,15 +70,15 @@ ui::DeviceState camera_state(std::string role, const RigCamera& camera,
   return state;
 }
 
-ui::DeviceState lights_state(const LightWiring& wiring, const RigStatus& status) {
-  const LightSwitchStatus& counts = status.lights;
+ui::DeviceState lights_state(const gpio::LightWiring& wiring, const rig::RigStatus& status) {
+  const device::LightSwitchStatus& counts = status.lights;
   ui::DeviceState state;
   state.role = "Lights";
   state.name = name_of(wiring.chip, wiring.chip.label);
   state.state = to_string(counts.state);
   state.health = health_of(counts.state);
   // That the switch says it works proves nothing: the images tell.
-  const bool is_faulty = status.measurement.fault != LightFault::kNone;
+  const bool is_faulty = status.measurement.fault != sync::LightFault::kNone;
   if (is_faulty && state.health == ui::DeviceHealth::kFine)
     state.health = ui::DeviceHealth::kDoubtful;
   state.figures = {count("switched", counts.switched),
@@ -97,8 +97,8 @@ ui::DeviceState lights_state(const LightWiring& wiring, const RigStatus& status)
 
 }  // namespace
 
-Result<RigSettings> chosen_rig(const SourceChoice& choice) {
-  Result<RigSettings> rig = read_rig(*choice.rig);
+Result<rig::RigSettings> chosen_rig(const SourceChoice& choice) {
+  Result<rig::RigSettings> rig = rig::read_rig(*choice.rig);
   if (rig && choice.calibration) rig->calibration = choice.calibration;
   return rig;
 }
@@ -107,20 +107,22 @@ std::vector<std::string> check_chosen_rig(const SourceChoice& choice) {
   const auto rig = chosen_rig(choice);
   if (!rig) return {rig.error().message};
   std::vector<std::string> problems;
-  for (const Error& problem : check_rig(*rig, *kernel_video_system(), list_chips()))
+  for (const Error& problem :
+       rig::check_rig(*rig, *v4l2::kernel_video_system(), gpio::list_chips()))
     problems.push_back(problem.message);
   return problems;
 }
 
-std::vector<ui::DeviceState> device_states(const RigSettings& rig, const RigStatus& status) {
+std::vector<ui::DeviceState> device_states(const rig::RigSettings& rig,
+                                           const rig::RigStatus& status) {
   std::vector<ui::DeviceState> states = {
       camera_state("Measurement camera", rig.measurement, status.measurement)};
   if (rig.texture) {
-    states.push_back(
-        camera_state("Texture camera", *rig.texture, status.texture.value_or(RigCameraStatus{})));
+    states.push_back(camera_state("Texture camera", *rig.texture,
+                                  status.texture.value_or(rig::RigCameraStatus{})));
   }
   states.push_back(lights_state(rig.lights, status));
   return states;
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

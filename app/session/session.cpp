@@ -9,11 +9,11 @@
 #include "app/session/export_files.h"
 #include "app/session/settings_file.h"
 #include "app/session/user_folders.h"
-#include "core/interchange/calibration_json.h"
-#include "core/interchange/file_bytes.h"
+#include "core/io/calibrations/calibration_json.h"
+#include "core/io/files/file_bytes.h"
 #include "hw/device/clock.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 /// Notices that the window may still want to show.
@@ -26,7 +26,7 @@ std::filesystem::path cases_folder() { return data_folder() / "cases"; }
 
 Session::Session(SessionOptions options)
     : options_(std::move(options)), settings_(read_settings(settings_path())) {
-  options_.scan.now_s = machine_clock().now_s;
+  options_.scan.now_s = device::machine_clock().now_s;
   exports_.folder = documents_folder().string();
   exports_.name = "jaw";
   calibration_folder_ = propose_calibration_folder(data_folder() / "calibrations");
@@ -35,23 +35,23 @@ Session::Session(SessionOptions options)
 }
 
 Session::~Session() {
-  beside_.cancel();
+  background_.cancel();
   desk_.reset();
   capture_.reset();
   router_->set_scan(nullptr);
-  beside_thread_.stop();
+  background_thread_.stop();
 }
 
 double Session::now_s() const { return options_.scan.now_s(); }
 
-std::shared_ptr<LiveScan> Session::scan() const { return scans_[stage_]; }
+std::shared_ptr<scan::LiveScan> Session::scan() const { return scans_[stage_]; }
 
 void Session::carry_out(const ui::Command& command) {
   std::visit([this](const auto& given) { handle(given); }, command);
 }
 
-void Session::do_beside(std::function<std::function<void()>()> work) {
-  beside_thread_.post([this, work = std::move(work)] {
+void Session::do_in_background(std::function<std::function<void()>()> work) {
+  background_thread_.post([this, work = std::move(work)] {
     std::function<void()> settle = work();
     const std::lock_guard lock(done_mutex_);
     done_.push_back(std::move(settle));
@@ -59,8 +59,8 @@ void Session::do_beside(std::function<std::function<void()>()> work) {
 }
 
 void Session::open_chosen_source() {
-  do_beside([this] {
-    auto opened = std::make_shared<Result<Source>>(open_source(options_.source, beside_));
+  do_in_background([this] {
+    auto opened = std::make_shared<Result<Source>>(open_source(options_.source, background_));
     return [this, opened] {
       if (*opened) return use_source(std::move(**opened));
       source_failure_ = opened->error().message;
@@ -81,7 +81,7 @@ void Session::start_capture() {
   capture_.reset();
   if (desk_ != nullptr || is_desk_closing_) return;
   router_->begin_sensor();
-  capture_ = std::make_unique<CaptureLoop>(
+  capture_ = std::make_unique<device::CaptureLoop>(
       source_.sensor, [router = router_](Frame frame) { router->offer(std::move(frame)); });
 }
 
@@ -96,8 +96,8 @@ void Session::show_stage() {
   router_->set_scan(nullptr);
   if (case_ == nullptr) return use_stage(stage_, {});
   is_loading_[stage_] = true;
-  do_beside([this, stage = stage_, store = case_] {
-    auto opened = std::make_shared<Result<OpenedStage>>(store->load(kScanStages[stage]));
+  do_in_background([this, stage = stage_, store = case_] {
+    auto opened = std::make_shared<Result<OpenedStage>>(store->load(io::kScanStages[stage]));
     return [this, stage, store, opened] {
       is_loading_[stage] = false;
       if (store != case_) return;
@@ -108,12 +108,12 @@ void Session::show_stage() {
 }
 
 void Session::use_stage(std::size_t stage, const OpenedStage& opened) {
-  LiveScanOptions options = options_.scan;
+  scan::LiveScanOptions options = options_.scan;
   if (case_ != nullptr && !case_->is_read_only()) {
-    options.journal = case_->journal(kScanStages[stage]);
+    options.journal = case_->journal(io::kScanStages[stage]);
   }
-  Result<std::unique_ptr<LiveScan>> scan =
-      LiveScan::create(source_.calibration, options, opened.scan);
+  Result<std::unique_ptr<scan::LiveScan>> scan =
+      scan::LiveScan::create(source_.calibration, options, opened.scan);
   if (!scan) return notice(ui::Severity::kError, scan.error().message);
   router_->go_on_after(opened.last_frame, opened.last_time_s);
   for (const std::string& line : opened.damage) notice(ui::Severity::kWarning, line);
@@ -150,9 +150,9 @@ void Session::handle(const ui::EditSurface& command) {
 }
 
 void Session::handle(const ui::AddMeasurement& command) {
-  Measurement added = command.measurement;
+  io::Measurement added = command.measurement;
   if (case_ != nullptr) {
-    const auto id = case_->add_measurement(kScanStages[stage_], added);
+    const auto id = case_->add_measurement(io::kScanStages[stage_], added);
     if (!id) return notice(ui::Severity::kError, id.error().message);
     added.id = *id;
   }
@@ -196,7 +196,7 @@ void Session::handle(const ui::Export& command) {
   if (scan() == nullptr || exports_.is_running) return;
   exports_.is_running = true;
   exports_.failure.clear();
-  do_beside([this, command, shown = scan()->snapshot()] {
+  do_in_background([this, command, shown = scan()->snapshot()] {
     auto done = std::make_shared<Result<std::vector<ui::ExportedFile>>>(export_files(
         *shown, std::filesystem::path(command.folder) / command.name, command.formats));
     return [this, done] {
@@ -225,14 +225,14 @@ void Session::handle(const ui::NewCase& command) {
     case_state_.message = "a case holds its sensor's calibration: wait until the sensor is ready";
     return;
   }
-  CaseFields fields = command.fields;
+  io::CaseFields fields = command.fields;
   fields.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   const std::filesystem::path path = command.path;
-  if (auto made = create_folder(path.parent_path()); !made) {
+  if (auto made = io::create_folder(path.parent_path()); !made) {
     case_state_.message = made.error().message;
     return;
   }
-  auto file = CaseFile::create(path, {command.passphrase, false}, fields);
+  auto file = io::CaseFile::create(path, {command.passphrase, false}, fields);
   if (!file) {
     case_state_.message = file.error().message;
     return;
@@ -243,9 +243,9 @@ void Session::handle(const ui::NewCase& command) {
     return notice(ui::Severity::kError, kept.error().message);
   }
   for (std::size_t stage = 0; stage < scans_.size(); ++stage) {
-    if (scans_[stage] != nullptr) scans_[stage]->keep_in(store->journal(kScanStages[stage]));
-    for (Measurement& measurement : measurements_[stage]) {
-      measurement.id = store->add_measurement(kScanStages[stage], measurement).value_or(0);
+    if (scans_[stage] != nullptr) scans_[stage]->keep_in(store->journal(io::kScanStages[stage]));
+    for (io::Measurement& measurement : measurements_[stage]) {
+      measurement.id = store->add_measurement(io::kScanStages[stage], measurement).value_or(0);
     }
   }
   case_state_.is_encrypted = !command.passphrase.empty();
@@ -253,9 +253,9 @@ void Session::handle(const ui::NewCase& command) {
 }
 
 void Session::handle(const ui::OpenCase& command) {
-  do_beside([this, command] {
-    auto file = std::make_shared<Result<CaseFile>>(
-        CaseFile::open(command.path, {command.passphrase, false}));
+  do_in_background([this, command] {
+    auto file = std::make_shared<Result<io::CaseFile>>(
+        io::CaseFile::open(command.path, {command.passphrase, false}));
     return [this, command, file] {
       if (!*file) {
         case_state_.message = file->error().message;
@@ -275,7 +275,7 @@ void Session::use_case(std::shared_ptr<CaseStore> store) {
   case_ = std::move(store);
   case_state_.message.clear();
   case_state_.passphrase_is_asked = false;
-  case_state_.fields = case_->fields().value_or(CaseFields{});
+  case_state_.fields = case_->fields().value_or(io::CaseFields{});
   for (const std::string& line : case_->damage()) notice(ui::Severity::kWarning, line);
   if (case_->is_read_only()) case_state_.message = "opened read-only: nothing more is kept in it";
   if (scans_[stage_] == nullptr) {
@@ -289,7 +289,7 @@ void Session::use_case(std::shared_ptr<CaseStore> store) {
 void Session::warn_of_other_calibration() {
   if (source_.calibration == nullptr) return;
   const auto kept = case_->calibration();
-  if (!kept || !*kept || to_json(**kept) == to_json(*source_.calibration)) return;
+  if (!kept || !*kept || io::to_json(**kept) == io::to_json(*source_.calibration)) return;
   notice(ui::Severity::kWarning,
          "This case was scanned with another calibration. What is scanned now is measured with the "
          "sensor's own; for the texture of what was there, use flytri reconstruct " +
@@ -298,8 +298,8 @@ void Session::warn_of_other_calibration() {
 
 void Session::handle(const ui::SetCaseFields& command) {
   if (case_ == nullptr) return;
-  CaseFields fields = command.fields;
-  fields.created = case_->fields().value_or(CaseFields{}).created;
+  io::CaseFields fields = command.fields;
+  fields.created = case_->fields().value_or(io::CaseFields{}).created;
   if (auto written = case_->write_fields(fields); !written) {
     return notice(ui::Severity::kError, written.error().message);
   }
@@ -307,7 +307,7 @@ void Session::handle(const ui::SetCaseFields& command) {
 }
 
 void Session::list_cases() {
-  do_beside([this] {
+  do_in_background([this] {
     auto known = std::make_shared<std::vector<ui::KnownCase>>(known_cases(cases_folder()));
     return [this, known] { case_state_.known = std::move(*known); };
   });
@@ -327,7 +327,7 @@ ui::CaseState Session::case_state() const {
 void Session::handle(const ui::SteerHand& command) {
   if (source_.hand == nullptr) return;
   const Isometry T_model_sensor = source_.hand->T_model_sensor();
-  HandAim aim = source_.hand->aim();
+  device::HandAim aim = source_.hand->aim();
   aim.target_mm += T_model_sensor.linear() * command.move_mm;
   const double angle_rad = command.turn_rad.norm();
   if (angle_rad > 0.0) {
@@ -377,7 +377,7 @@ ui::SourceState Session::source_state() const {
   ui::SourceState state;
   state.kind = source_.kind;
   if (source_.sensor == nullptr) {
-    state.message = source_failure_.empty() ? beside_.snapshot().stage : source_failure_;
+    state.message = source_failure_.empty() ? background_.snapshot().stage : source_failure_;
     state.is_lost = !source_failure_.empty();
     return state;
   }
@@ -386,18 +386,20 @@ ui::SourceState Session::source_state() const {
     state.message = "The sensor is being calibrated";
     return state;
   }
-  const SensorStatus status = capture_->status();
-  state.is_running = status.state == SensorState::kRunning;
-  state.is_lost = status.state == SensorState::kLost || status.state == SensorState::kFailed;
+  const device::SensorStatus status = capture_->status();
+  state.is_running = status.state == device::SensorState::kRunning;
+  state.is_lost =
+      status.state == device::SensorState::kLost || status.state == device::SensorState::kFailed;
   state.message = status.message;
   if (source_.hand != nullptr) {
-    const HandMode mode = source_.hand->mode();
-    state.hand = ui::SimulatedHand{mode == HandMode::kPath, mode == HandMode::kAway};
+    const device::HandMode mode = source_.hand->mode();
+    state.hand =
+        ui::SimulatedHand{mode == device::HandMode::kPath, mode == device::HandMode::kAway};
   }
   return state;
 }
 
-ui::ExportState Session::export_state(const ScanSnapshot* shown) const {
+ui::ExportState Session::export_state(const scan::ScanSnapshot* shown) const {
   ui::ExportState state = exports_;
   for (const ui::ExportFormat format : ui::kExportFormats) {
     if (shown == nullptr) break;
@@ -418,7 +420,7 @@ ui::AppView Session::view() {
   if (scan()) view.scan = scan()->snapshot();
   view.is_scanning = is_started_;
   if (source_.calibration) view.volume_mm = source_.calibration->volume.size_mm;
-  view.stage = static_cast<ScanStage>(stage_);
+  view.stage = static_cast<io::ScanStage>(stage_);
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     view.stage_has_data[i] = scans_[i] != nullptr && !scans_[i]->snapshot()->model.empty();
   }
@@ -441,4 +443,4 @@ ui::AppView Session::view() {
   return view;
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -13,16 +13,16 @@
 #include "app/session/frame_router.h"
 #include "app/session/source.h"
 #include "core/base/task_thread.h"
-#include "core/pipeline/live_scan.h"
+#include "core/scan/live_scan.h"
 #include "hw/device/capture_loop.h"
-#include "ui/app_view.h"
-#include "ui/command.h"
+#include "ui/state/app_view.h"
+#include "ui/state/command.h"
 
-namespace flytri {
+namespace flytri::session {
 
 struct SessionOptions {
   SourceChoice source;
-  LiveScanOptions scan;  ///< now_s and journal are the session's own
+  scan::LiveScanOptions scan;  ///< now_s and journal are the session's own
 };
 
 /// Used by the window's thread alone; what takes time is done beside it.
@@ -40,7 +40,7 @@ class Session {
   /// The clock of the session and of its scans, monotonic.
   [[nodiscard]] double now_s() const;
   /// Of the current stage; null until the source is open.
-  [[nodiscard]] std::shared_ptr<LiveScan> scan() const;
+  [[nodiscard]] std::shared_ptr<scan::LiveScan> scan() const;
   [[nodiscard]] const Source& source() const { return source_; }
 
  private:
@@ -76,7 +76,7 @@ class Session {
   void handle(const ui::Quit&) { is_closing_ = true; }
 
   /// Work that takes time; what it returns is called by view().
-  void do_beside(std::function<std::function<void()>()> work);
+  void do_in_background(std::function<std::function<void()>()> work);
   void open_chosen_source();
   void use_source(Source source);
   void start_capture();
@@ -96,7 +96,7 @@ class Session {
   [[nodiscard]] std::optional<ui::CalibrationState> calibration_state() const;
   /// Why scans cannot be made with a new calibration now; empty: they can.
   [[nodiscard]] std::string why_calibration_is_not_used() const;
-  [[nodiscard]] ui::ExportState export_state(const ScanSnapshot* shown) const;
+  [[nodiscard]] ui::ExportState export_state(const scan::ScanSnapshot* shown) const;
   [[nodiscard]] ui::CaseState case_state() const;
 
   SessionOptions options_;
@@ -111,9 +111,9 @@ class Session {
   bool is_desk_closing_ = false;
   std::shared_ptr<FrameRouter> router_ = std::make_shared<FrameRouter>();
   std::size_t stage_ = 0;
-  std::array<std::shared_ptr<LiveScan>, kScanStages.size()> scans_;
-  std::array<std::vector<Measurement>, kScanStages.size()> measurements_;
-  std::array<bool, kScanStages.size()> is_loading_ = {};
+  std::array<std::shared_ptr<scan::LiveScan>, io::kScanStages.size()> scans_;
+  std::array<std::vector<io::Measurement>, io::kScanStages.size()> measurements_;
+  std::array<bool, io::kScanStages.size()> is_loading_ = {};
   std::shared_ptr<CaseStore> case_;  ///< null: nothing is kept
   ui::CaseState case_state_;         ///< all but what case_ itself says
   std::string noticed_case_failure_;
@@ -125,9 +125,9 @@ class Session {
 
   std::mutex done_mutex_;
   std::vector<std::function<void()>> done_;  ///< by view()
-  Progress beside_;                          ///< cancelled when the session ends
-  TaskThread beside_thread_;
-  std::unique_ptr<CaptureLoop> capture_;  ///< ends first: it uses the router
+  Progress background_;                      ///< cancelled when the session ends
+  TaskThread background_thread_;
+  std::unique_ptr<device::CaptureLoop> capture_;  ///< ends first: it uses the router
 };
 
-}  // namespace flytri
+}  // namespace flytri::session

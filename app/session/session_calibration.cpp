@@ -2,19 +2,19 @@
 #include "app/session/calibration_files.h"
 #include "app/session/session.h"
 #include "app/session/user_folders.h"
-#include "core/interchange/guided_session_file.h"
-#include "hw/chair/open_shots.h"
-#include "hw/chair/simulated_shots.h"
+#include "core/io/calibrations/guided_session_file.h"
+#include "hw/shots/open_shots.h"
+#include "hw/shots/simulated_shots.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 /// From what is known of the sensor. One that nothing is known of is taken for the intra-oral
 /// sensor of the paper.
-CalibrationPlan plan_for(const Calibration* known) {
-  SensorModel sensor = intraoral_sensor();
+calibration::CalibrationPlan plan_for(const calibration::Calibration* known) {
+  simulated::SensorModel sensor = simulated::intraoral_sensor();
   if (known != nullptr) sensor.volume = known->volume;
-  CalibrationPlan plan = plan_of(sensor);
+  calibration::CalibrationPlan plan = shots::plan_of(sensor);
   for (const Pattern pattern : kPatterns) {
     if (known == nullptr) break;
     plan.line_counts[static_cast<std::size_t>(pattern)] = known->of(pattern).line_count();
@@ -23,19 +23,20 @@ CalibrationPlan plan_for(const Calibration* known) {
 }
 
 Result<std::unique_ptr<CalibrationWork>> begin_work(
-    const ui::BeginCalibration& command, const std::shared_ptr<const Calibration>& calibration,
-    std::shared_ptr<ShotSource> source) {
+    const ui::BeginCalibration& command,
+    const std::shared_ptr<const calibration::Calibration>& calibration,
+    std::shared_ptr<shots::ShotSource> source) {
   switch (command.task) {
     case ui::CalibrationTask::kCheckOnPlane:
-      return check_at_chair(calibration, std::nullopt, std::move(source));
+      return check_guided(calibration, std::nullopt, std::move(source));
     case ui::CalibrationTask::kCheckOnSphere:
-      return check_at_chair(calibration, command.sphere_diameter_mm, std::move(source));
+      return check_guided(calibration, command.sphere_diameter_mm, std::move(source));
     case ui::CalibrationTask::kCalibrate:
       break;
   }
-  const auto plan = guided_plan_or(plan_for(calibration.get()), command.folder);
+  const auto plan = io::guided_plan_or(plan_for(calibration.get()), command.folder);
   if (!plan) return tl::unexpected(plan.error());
-  return calibrate_at_chair(command.folder, *plan, std::move(source));
+  return calibrate_guided(command.folder, *plan, std::move(source));
 }
 
 }  // namespace
@@ -50,12 +51,12 @@ void Session::handle(const ui::BeginCalibration& command) {
   DeskJob job;
   job.task = command.task;
   if (!checks) job.folder = command.folder;
-  ShotChoice shots;
+  shots::ShotChoice shots;
   shots.simulated = !options_.source.rig;
   if (options_.source.rig) shots.rig = *options_.source.rig;
-  job.open_source = [shots] { return open_shots(shots); };
+  job.open_source = [shots] { return shots::open_shots(shots); };
   job.begin_work = [command,
-                    calibration = source_.calibration](std::shared_ptr<ShotSource> source) {
+                    calibration = source_.calibration](std::shared_ptr<shots::ShotSource> source) {
     return begin_work(command, calibration, std::move(source));
   };
   desk_ = std::make_shared<CalibrationDesk>(std::move(job));
@@ -71,7 +72,7 @@ void Session::handle(const ui::RetakeCalibrationPlace& command) {
 
 void Session::close_desk(std::function<void()> then) {
   is_desk_closing_ = true;
-  do_beside([this, desk = std::move(desk_), then = std::move(then)]() mutable {
+  do_in_background([this, desk = std::move(desk_), then = std::move(then)]() mutable {
     desk.reset();
     return [this, then] {
       is_desk_closing_ = false;
@@ -120,4 +121,4 @@ std::optional<ui::CalibrationState> Session::calibration_state() const {
   return state;
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

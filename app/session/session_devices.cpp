@@ -2,25 +2,27 @@
 #include "app/session/rig_devices.h"
 #include "app/session/session.h"
 
-namespace flytri {
+namespace flytri::session {
 
 void Session::retry_source() {
   if (source_.sensor == nullptr) return open_chosen_source();
-  if (capture_ != nullptr && capture_->status().state == SensorState::kFailed) start_capture();
+  if (capture_ != nullptr && capture_->status().state == device::SensorState::kFailed)
+    start_capture();
 }
 
 /// While the devices run they say themselves what is wrong: a look at them from outside would only
 /// find them in use.
 void Session::handle(const ui::CheckDevices&) {
   if (!options_.source.rig || devices_check_.is_checking) return;
-  const bool is_running = capture_ != nullptr && capture_->status().state == SensorState::kRunning;
+  const bool is_running =
+      capture_ != nullptr && capture_->status().state == device::SensorState::kRunning;
   if (is_running) {
     devices_check_.problems.clear();
     devices_check_.is_checked = true;
     return;
   }
   devices_check_.is_checking = true;
-  do_beside([this, choice = options_.source] {
+  do_in_background([this, choice = options_.source] {
     auto problems = std::make_shared<std::vector<std::string>>(check_chosen_rig(choice));
     return [this, problems] {
       devices_check_.problems = *problems;
@@ -45,4 +47,4 @@ std::optional<ui::DevicesState> Session::devices_state(const ui::SourceState& so
   return state;
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/interchange/file_bytes.h"
+#include "core/io/files/file_bytes.h"
 
-namespace flytri {
+namespace flytri::session {
 
 ui::Settings read_settings(const std::filesystem::path& file) {
   ui::Settings settings;
-  const Result<std::string> text = read_file(file);
+  const Result<std::string> text = io::read_file(file);
   if (!text) return settings;
   const auto json = nlohmann::json::parse(*text, nullptr, false);
   if (!json.is_object()) return settings;
@@ -23,10 +23,10 @@ ui::Settings read_settings(const std::filesystem::path& file) {
 }
 
 Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
-  if (auto made = create_folder(file.parent_path()); !made) return made;
+  if (auto made = io::create_folder(file.parent_path()); !made) return made;
   const nlohmann::json json = {{"user_scale", settings.user_scale},
                                {"is_muted", settings.is_muted}};
-  return write_file(file, json.dump(2) + "\n");
+  return io::write_file(file, json.dump(2) + "\n");
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

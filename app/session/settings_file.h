@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "ui/app_view.h"
+#include "ui/state/app_view.h"
 
-namespace flytri {
+namespace flytri::session {
 
 /// A file that is missing or damaged gives the defaults: settings are never worth a failure.
 [[nodiscard]] ui::Settings read_settings(const std::filesystem::path& file);
@@ -15,4 +15,4 @@ namespace flytri {
 [[nodiscard]] Result<void> write_settings(const std::filesystem::path& file,
                                           const ui::Settings& settings);
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -4,15 +4,15 @@
 #include "app/session/user_folders.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/workers.h"
-#include "core/interchange/calibration_file.h"
-#include "core/interchange/model.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/models/model.h"
 #include "hw/recording/replay_sensor.h"
 #include "hw/rig/open_rig.h"
-#include "hw/simulated/faulty_sensor.h"
-#include "hw/simulated/live_sensor.h"
-#include "hw/simulated/sensor_calibration.h"
+#include "hw/simulated/datasets/sensor_calibration.h"
+#include "hw/simulated/devices/faulty_sensor.h"
+#include "hw/simulated/devices/live_sensor.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 /// Seconds that the simulated hand takes for its path over the jaw: a calm hand's pace.
@@ -20,7 +20,7 @@ constexpr double kPathDuration_s = 60.0;
 
 Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& workers) {
   if (!choice.mesh) return sample_jaw::make_sample_jaw({}, workers);
-  Result<TexturedMesh> model = read_model(*choice.mesh);
+  Result<TexturedMesh> model = io::read_model(*choice.mesh);
   if (!model) return tl::unexpected(model.error());
   return std::move(model->mesh);
 }
@@ -33,28 +33,28 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   const Workers workers;
   const Result<TriangleMesh> mesh = object_to_scan(choice, workers);
   if (!mesh) return tl::unexpected(mesh.error());
-  LiveSensorOptions options;
+  simulated::LiveSensorOptions options;
   options.path.duration_s = kPathDuration_s;
   // Each version of the program makes its own.
-  const Result<Calibration> calibration = kept_sensor_calibration(
+  const Result<calibration::Calibration> calibration = simulated::kept_sensor_calibration(
       options.sensor, cache_folder() / "calibration-" FLYTRI_VERSION, workers, progress);
   if (!calibration) return tl::unexpected(calibration.error());
-  const auto shared = std::make_shared<const Calibration>(*calibration);
-  Result<std::shared_ptr<LiveSensor>> sensor =
-      LiveSensor::create(*mesh, options, shared, machine_clock());
+  const auto shared = std::make_shared<const calibration::Calibration>(*calibration);
+  Result<std::shared_ptr<simulated::LiveSensor>> sensor =
+      simulated::LiveSensor::create(*mesh, options, shared, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
   return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt};
 }
 
 Result<Source> open_recording_source(const SourceChoice& choice) {
-  ReplayOptions options;
+  recording::ReplayOptions options;
   options.speed = choice.replay_speed;
   if (choice.calibration) {
-    Result<Calibration> calibration = read_calibration(*choice.calibration);
+    Result<calibration::Calibration> calibration = io::read_calibration(*choice.calibration);
     if (!calibration) return tl::unexpected(calibration.error());
-    options.calibration = std::make_shared<const Calibration>(std::move(*calibration));
+    options.calibration = std::make_shared<const calibration::Calibration>(std::move(*calibration));
   }
-  auto sensor = ReplaySensor::open(*choice.recording, options, machine_clock());
+  auto sensor = recording::ReplaySensor::open(*choice.recording, options, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
     return fail(ErrorCode::kBadOption,
@@ -67,9 +67,9 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
 }
 
 Result<Source> open_rig_source(const SourceChoice& choice) {
-  const Result<RigSettings> rig = chosen_rig(choice);
+  const Result<rig::RigSettings> rig = chosen_rig(choice);
   if (!rig) return tl::unexpected(rig.error());
-  auto sensor = open_rig(*rig);
+  auto sensor = rig::open_rig(*rig);
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
     return fail(ErrorCode::kBadOption,
@@ -88,14 +88,14 @@ Result<Source> open_source(const SourceChoice& choice, const Progress& progress)
                 : choice.rig     ? open_rig_source(choice)
                                  : open_virtual_sensor(choice, progress);
   if (!source || !choice.fault_seed) return source;
-  FaultOptions faults;
+  simulated::FaultOptions faults;
   faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;
   faults.lost_share = 0.01;
   faults.seed = *choice.fault_seed;
-  auto faulty = FaultySensor::create(source->sensor, faults, machine_clock());
+  auto faulty = simulated::FaultySensor::create(source->sensor, faults, device::machine_clock());
   if (!faulty) return tl::unexpected(faulty.error());
   source->sensor = *faulty;
   return source;
 }
 
-}  // namespace flytri
+}  // namespace flytri::session

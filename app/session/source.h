@@ -7,14 +7,14 @@
 #include <optional>
 
 #include "core/base/progress.h"
-#include "core/calibration/calibration.h"
+#include "core/calibration/record/calibration.h"
 #include "hw/device/sensor.h"
 #include "hw/device/steerable_hand.h"
 #include "hw/rig/rig_sensor.h"
 #include "hw/rig/rig_settings.h"
-#include "ui/app_view.h"
+#include "ui/state/app_view.h"
 
-namespace flytri {
+namespace flytri::session {
 
 /// What the user chose.
 struct SourceChoice {
@@ -29,15 +29,15 @@ struct SourceChoice {
 
 /// The rig behind a source of devices.
 struct RigSource {
-  std::shared_ptr<RigSensor> sensor;
-  RigSettings settings;
+  std::shared_ptr<rig::RigSensor> sensor;
+  rig::RigSettings settings;
 };
 
 struct Source {
   ui::SourceKind kind = ui::SourceKind::kSimulated;
-  std::shared_ptr<Sensor> sensor;
-  std::shared_ptr<SteerableHand> hand;  ///< of a simulated sensor; null otherwise
-  std::shared_ptr<const Calibration> calibration;
+  std::shared_ptr<device::Sensor> sensor;
+  std::shared_ptr<device::SteerableHand> hand;  ///< of a simulated sensor; null otherwise
+  std::shared_ptr<const calibration::Calibration> calibration;
   std::optional<RigSource> rig;
 };
 
@@ -45,4 +45,4 @@ struct Source {
 /// @errors  Of the recording, the rig, the calibration or the mesh; kCancelled.
 [[nodiscard]] Result<Source> open_source(const SourceChoice& choice, const Progress& progress);
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,4 +27,4 @@ fs::path cache_folder() { return base("XDG_CACHE_HOME", ".cache") / "flytri"; }
 fs::path data_folder() { return base("XDG_DATA_HOME", ".local/share") / "flytri"; }
 fs::path documents_folder() { return base("XDG_DOCUMENTS_DIR", "Documents"); }
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-namespace flytri {
+namespace flytri::session {
 
 [[nodiscard]] std::filesystem::path config_folder();     ///< settings
 [[nodiscard]] std::filesystem::path cache_folder();      ///< what can be made again
 [[nodiscard]] std::filesystem::path data_folder();       ///< cases
 [[nodiscard]] std::filesystem::path documents_folder();  ///< what the user takes elsewhere
 
-}  // namespace flytri
+}  // namespace flytri::session

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace flytri {
+namespace flytri::editing {
 namespace {
 
 bool reaches(const BrushDab& dab, const Vec3f& position_mm, const Vec3f& normal) {
@@ -76,4 +76,4 @@ bool EditFilter::keeps(const Vec3f& position_mm, const Vec3f& normal, double see
   return !kept_out_by_lock;
 }
 
-}  // namespace flytri
+}  // namespace flytri::editing

@@ -7,7 +7,7 @@
 
 #include "core/geometry/rigid.h"
 
-namespace flytri {
+namespace flytri::editing {
 
 /// One touch of the brush: a ball on the surface. It reaches what faces the user alone: samples
 /// whose normal is within 90 degrees of its own.
@@ -75,4 +75,4 @@ class EditFilter {
   std::vector<Stroke> strokes_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::editing

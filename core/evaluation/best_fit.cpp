@@ -6,7 +6,7 @@
 #include "core/base/median.h"
 #include "core/geometry/mesh_normals.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 namespace {
 
 constexpr std::size_t kFootGrain = 512;
@@ -131,4 +131,4 @@ Result<BestFit> best_fit(const TriangleMesh& result, const TriangleMesh& truth,
   return fit;
 }
 
-}  // namespace flytri
+}  // namespace flytri::evaluation

@@ -6,7 +6,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 
 struct BestFitOptions {
   int sample_count = 20000;  ///< >= 6. Vertices that take part, evenly through the list: the motion
@@ -35,4 +35,4 @@ struct BestFit {
 [[nodiscard]] Result<BestFit> best_fit(const TriangleMesh& result, const TriangleMesh& truth,
                                        const BestFitOptions& options, const Workers& workers);
 
-}  // namespace flytri
+}  // namespace flytri::evaluation

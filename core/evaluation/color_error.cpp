@@ -8,7 +8,7 @@
 #include "core/geometry/point_grid.h"
 #include "core/texture/srgb.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 namespace {
 
 Rgb color_of(const TexturedMesh& model, std::size_t vertex) {
@@ -30,8 +30,8 @@ double srgb_difference(const Rgb& a, const Rgb& b) {
 }
 
 Vec3f chromaticity(const Rgb& color) {
-  const Vec3f light(linear_from_srgb(color[0]), linear_from_srgb(color[1]),
-                    linear_from_srgb(color[2]));
+  const Vec3f light(texture::linear_from_srgb(color[0]), texture::linear_from_srgb(color[1]),
+                    texture::linear_from_srgb(color[2]));
   return light / std::max(light.sum(), 1e-6F);
 }
 
@@ -81,4 +81,4 @@ ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth, do
   return error;
 }
 
-}  // namespace flytri
+}  // namespace flytri::evaluation

@@ -5,7 +5,7 @@
 #include "core/base/workers.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 
 /// Differences of chromaticity: each channel's share of the linear light, 0..1, the worst channel.
 /// Brightness is left out: it depends on how the light fell.
@@ -25,4 +25,4 @@ struct ColorError {
 [[nodiscard]] ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth,
                                      double within_mm, const Workers& workers);
 
-}  // namespace flytri
+}  // namespace flytri::evaluation

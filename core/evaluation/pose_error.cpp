@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace flytri {
+namespace flytri::evaluation {
 namespace {
 
 /// Every n-th point of a profile tells its pose's error as well as all.
@@ -103,4 +103,4 @@ double point_error_mm(std::span<const AlignedView> estimated,
   return pairs.placed.empty() ? 0.0 : rms_at_best_fit(pairs);
 }
 
-}  // namespace flytri
+}  // namespace flytri::evaluation

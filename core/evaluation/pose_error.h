@@ -7,7 +7,7 @@
 #include "core/geometry/rigid.h"
 #include "core/geometry/view.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 
 /// One view's pose as it was found, and as it was.
 struct PosePair {
@@ -49,4 +49,4 @@ struct PoseError {
                                     std::span<const std::shared_ptr<const View>> ideal,
                                     std::span<const Isometry> T_model_sensor);
 
-}  // namespace flytri
+}  // namespace flytri::evaluation

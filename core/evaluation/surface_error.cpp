@@ -6,7 +6,7 @@
 #include "core/base/median.h"
 #include "core/geometry/mesh_distance.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 namespace {
 
 // A task of the parallel loops; a query takes about a microsecond.
@@ -122,4 +122,4 @@ TriangleMesh transformed(const TriangleMesh& mesh, const Isometry& T_to_from) {
   return moved;
 }
 
-}  // namespace flytri
+}  // namespace flytri::evaluation

@@ -8,7 +8,7 @@
 #include "core/base/workers.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 
 /// Statistics of unsigned distances, mm. All 0 when nothing was counted.
 struct DistanceStatistics {
@@ -57,4 +57,4 @@ struct SurfaceError {
 /// The mesh moved rigidly: positions and normals.
 [[nodiscard]] TriangleMesh transformed(const TriangleMesh& mesh, const Isometry& T_to_from);
 
-}  // namespace flytri
+}  // namespace flytri::evaluation

@@ -6,17 +6,17 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::indexing {
 namespace {
 
 /// The line whose unique area, grown by the margin, holds the sample. Grown areas that meet are
 /// told apart by the nearer area.
-std::optional<LineIndex> line_at(const PatternCalibration& pattern, const LineSample& sample,
-                                 double margin) {
+std::optional<LineIndex> line_at(const calibration::PatternCalibration& pattern,
+                                 const localization::LineSample& sample, double margin) {
   std::optional<LineIndex> best;
   double best_outside = 0.0;
   for (std::size_t n = 0; n < pattern.lines.size(); ++n) {
-    const LineRow& row = pattern.lines[n][static_cast<std::size_t>(sample.along_px)];
+    const calibration::LineRow& row = pattern.lines[n][static_cast<std::size_t>(sample.along_px)];
     if (!row.valid()) continue;
     const double across = sample.across_px;
     const double outside = std::max({row.area_min_px - across, across - row.area_max_px, 0.0});
@@ -30,11 +30,12 @@ std::optional<LineIndex> line_at(const PatternCalibration& pattern, const LineSa
 }
 
 /// Width of every sample by the width that its line has there.
-std::vector<double> width_ratios(const PatternCalibration& pattern, const IndexedTrace& segment) {
+std::vector<double> width_ratios(const calibration::PatternCalibration& pattern,
+                                 const IndexedTrace& segment) {
   std::vector<double> ratios;
   ratios.reserve(segment.samples.size());
-  for (const LineSample& sample : segment.samples) {
-    const LineRow& row =
+  for (const localization::LineSample& sample : segment.samples) {
+    const calibration::LineRow& row =
         pattern.lines[segment.line.at()][static_cast<std::size_t>(sample.along_px)];
     ratios.push_back(sample.width_px / row.width_px(sample.across_px));
   }
@@ -45,8 +46,8 @@ bool is_within(double ratio, double limit) { return ratio < limit && ratio > 1.0
 
 /// Samples around which, as far as the line is wide, most widths are off; and as far beyond, where
 /// the blur mixes both lines.
-std::vector<bool> find_foreign(const LineTrace& samples, const std::vector<double>& ratios,
-                               double limit) {
+std::vector<bool> find_foreign(const localization::LineTrace& samples,
+                               const std::vector<double>& ratios, double limit) {
   const std::size_t size = samples.size();
   std::vector<bool> foreign(size, false);
   std::vector<std::size_t> off_before(size + 1, 0);  // samples that are off, before each
@@ -76,17 +77,20 @@ std::vector<IndexedTrace> without(const IndexedTrace& segment, const std::vector
 }
 
 /// True if the sample lies in the line's own area: then it lies in no other's.
-bool is_in_area(const PatternCalibration& pattern, LineIndex line, const LineSample& sample) {
-  const LineRow& row = pattern.lines[line.at()][static_cast<std::size_t>(sample.along_px)];
+bool is_in_area(const calibration::PatternCalibration& pattern, LineIndex line,
+                const localization::LineSample& sample) {
+  const calibration::LineRow& row =
+      pattern.lines[line.at()][static_cast<std::size_t>(sample.along_px)];
   return row.valid() && sample.across_px >= row.area_min_px && sample.across_px <= row.area_max_px;
 }
 
 /// Maximal runs of samples of one trace with one index; the counts take those without.
-std::vector<IndexedTrace> cut(const LineTrace& trace, const PatternCalibration& pattern,
-                              double margin, IndexCounts& counts) {
+std::vector<IndexedTrace> cut(const localization::LineTrace& trace,
+                              const calibration::PatternCalibration& pattern, double margin,
+                              IndexCounts& counts) {
   std::vector<IndexedTrace> segments;
   std::optional<LineIndex> current;
-  for (const LineSample& sample : trace) {
+  for (const localization::LineSample& sample : trace) {
     // The neighbor's line is tried first: the others lie far away in memory.
     const auto line = current && is_in_area(pattern, *current, sample)
                           ? current
@@ -123,9 +127,10 @@ Result<void> IndexOptions::validate() const {
   return {};
 }
 
-IndexedLines index_lines(const std::vector<LineTrace>& traces, const Calibration& calibration,
-                         Pattern pattern, const IndexOptions& options) {
-  const PatternCalibration& lines = calibration.of(pattern);
+IndexedLines index_lines(const std::vector<localization::LineTrace>& traces,
+                         const calibration::Calibration& calibration, Pattern pattern,
+                         const IndexOptions& options) {
+  const calibration::PatternCalibration& lines = calibration.of(pattern);
   IndexedLines result;
   const auto judge = [&](const IndexedTrace& segment) {
     const int count = static_cast<int>(segment.samples.size());
@@ -149,7 +154,7 @@ IndexedLines index_lines(const std::vector<LineTrace>& traces, const Calibration
       result.traces.push_back(std::move(piece));
     }
   };
-  for (const LineTrace& trace : traces) {
+  for (const localization::LineTrace& trace : traces) {
     for (const IndexedTrace& segment : cut(trace, lines, options.area_margin, result.counts)) {
       judge(segment);
     }
@@ -157,4 +162,4 @@ IndexedLines index_lines(const std::vector<LineTrace>& traces, const Calibration
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::indexing

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "core/calibration/calibration.h"
+#include "core/calibration/record/calibration.h"
 #include "core/localization/line_trace.h"
 
-namespace flytri {
+namespace flytri::indexing {
 
 /// When a sample keeps its label.
 struct IndexOptions {
@@ -39,7 +39,7 @@ struct IndexCounts {
 /// Connected samples of one line.
 struct IndexedTrace {
   LineIndex line;
-  LineTrace samples;
+  localization::LineTrace samples;
 };
 
 struct IndexedLines {
@@ -50,8 +50,8 @@ struct IndexedLines {
 /// Cuts each trace where it leaves a unique area, and judges every segment by its normalized width.
 /// @source  Arold et al., "Line Indexing"; the width is judged segment by segment because a single
 ///          width is as noisy as the difference that it must tell.
-[[nodiscard]] IndexedLines index_lines(const std::vector<LineTrace>& traces,
-                                       const Calibration& calibration, Pattern pattern,
+[[nodiscard]] IndexedLines index_lines(const std::vector<localization::LineTrace>& traces,
+                                       const calibration::Calibration& calibration, Pattern pattern,
                                        const IndexOptions& options);
 
-}  // namespace flytri
+}  // namespace flytri::indexing

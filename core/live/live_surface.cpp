@@ -6,7 +6,7 @@
 
 #include "core/geometry/point_spacing.h"
 
-namespace flytri {
+namespace flytri::live {
 namespace {
 
 /// Wider than those of the finished scan: a screen shows no more, and it is drawn sooner.
@@ -85,7 +85,7 @@ LiveSurface::Key LiveSurface::key(const Vec3f& p_mm, int cells) const {
   return key;
 }
 
-double LiveSurface::add(const AlignedView& view, const EditFilter& filter) {
+double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filter) {
   if (cell_mm_ == 0.0) {
     cell_mm_ = options_.cell_mm > 0.0 ? options_.cell_mm
                                       : kCellSpacings * median_point_spacing_mm({&view, 1});
@@ -105,7 +105,7 @@ double LiveSurface::add(const AlignedView& view, const EditFilter& filter) {
 
 /// @return  points where enough views had been
 std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
-                                     const EditFilter& filter) {
+                                     const editing::EditFilter& filter) {
   const Eigen::Matrix3f R = view.T_world_sensor.linear().cast<float>();
   const Vec3f towards = -R.col(2);
   const Vec3 span_mm = profile.points.back().position_mm - profile.points.front().position_mm;
@@ -289,7 +289,7 @@ void LiveSurface::refresh_cell(std::uint32_t index) {
   blocks_[cell.block].changed = true;
 }
 
-void LiveSurface::cut(const EditFilter& filter, double now_s) {
+void LiveSurface::cut(const editing::EditFilter& filter, double now_s) {
   if (filter.empty()) return;
   for (std::uint32_t i = 0; i < cells_.size(); ++i) {
     Cell& cell = cells_[i];
@@ -302,14 +302,15 @@ void LiveSurface::cut(const EditFilter& filter, double now_s) {
   }
 }
 
-Result<void> LiveSurface::add_color(const TextureFrame& frame, const Calibration& calibration) {
+Result<void> LiveSurface::add_color(const texture::TextureFrame& frame,
+                                    const calibration::Calibration& calibration) {
   // No point of the measurement volume lies farther from its middle.
   const double reach_mm =
       (0.5 + options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
   const Vec3f middle_mm = frame.T_world_sensor.translation().cast<float>();
   std::vector<std::uint32_t> near;
   std::vector<SurfacePoint> points;
-  std::vector<ObservedColor> colors;
+  std::vector<texture::ObservedColor> colors;
   for (std::uint32_t i = 0; i < cells_.size(); ++i) {
     const Surfel& surfel = surfels_[i];
     if (!shown(cells_[i]) || (surfel.position_mm - middle_mm).norm() > reach_mm) continue;
@@ -317,7 +318,8 @@ Result<void> LiveSurface::add_color(const TextureFrame& frame, const Calibration
     points.push_back({surfel.position_mm, surfel.normal, {}, 0.0F});
     colors.push_back(cells_[i].color);
   }
-  if (auto seen = observe_points(points, colors, frame, calibration, options_.texture, Workers(1));
+  if (auto seen =
+          texture::observe_points(points, colors, frame, calibration, options_.texture, Workers(1));
       !seen) {
     return seen;
   }
@@ -368,4 +370,4 @@ PointCloud LiveSurface::points() const {
   return points;
 }
 
-}  // namespace flytri
+}  // namespace flytri::live

@@ -13,7 +13,7 @@
 #include "core/geometry/view.h"
 #include "core/texture/observe.h"
 
-namespace flytri {
+namespace flytri::live {
 
 /// How the growing surface is kept. Lengths are in cells, and a cell follows from the spacing of
 /// the points, so that the same values serve every sensor.
@@ -36,7 +36,7 @@ struct LiveSurfaceOptions {
   /// what the sensor's own errors are. A line passes a cube in one of several views, so that some
   /// hundred views are kept of each place.
   int enough_views = 16;
-  TextureOptions texture;
+  texture::TextureOptions texture;
 
   [[nodiscard]] Result<void> validate() const;
 };
@@ -53,12 +53,13 @@ class LiveSurface {
 
   /// Adds the points of a view that the edits keep.
   /// @return  share of the points that fell where enough views had been before, 0..1
-  double add(const AlignedView& view, const EditFilter& filter);
+  double add(const AlignedView& view, const editing::EditFilter& filter);
   /// Takes away what the edits do not keep, as seen at any time up to now.
-  void cut(const EditFilter& filter, double now_s);
+  void cut(const editing::EditFilter& filter, double now_s);
   /// Colors what the frame observes.
   /// @errors  as observe_points.
-  [[nodiscard]] Result<void> add_color(const TextureFrame& frame, const Calibration& calibration);
+  [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
+                                       const calibration::Calibration& calibration);
 
   /// The surface as it is now. Blocks that did not change are those of the last call.
   [[nodiscard]] SurfelModel publish();
@@ -85,7 +86,7 @@ class LiveSurface {
     int normal_of_views = -1;  ///< views of its cube when its normal was last looked up
     bool touched = false;
     bool in_block = false;  ///< from when it is shown first
-    ObservedColor color;
+    texture::ObservedColor color;
   };
   /// Where profiles make a normal.
   struct NormalCell {
@@ -115,7 +116,7 @@ class LiveSurface {
   explicit LiveSurface(const LiveSurfaceOptions& options) : options_(options) {}
 
   std::size_t add_profile(const Profile& profile, const AlignedView& view,
-                          const EditFilter& filter);
+                          const editing::EditFilter& filter);
   std::uint32_t cell_at(const Vec3f& p_mm);
   void attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm);
   void attach_to_block(std::uint32_t cell, const Vec3f& p_mm);
@@ -148,4 +149,4 @@ class LiveSurface {
   double area_mm2_ = 0.0, good_mm2_ = 0.0;
 };
 
-}  // namespace flytri
+}  // namespace flytri::live

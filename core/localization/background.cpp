@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 constexpr int kRowStep = 8;     // every eighth row and
@@ -120,4 +120,4 @@ Background::Background(const cv::Mat& image)
   for (Tile& tile : tiles_) tile.noise = std::hypot(tile.noise, rounding);
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace flytri {
+namespace flytri::localization {
 
 /// Background of an image, piecewise over tiles of kTileSize x kTileSize pixels.
 ///
@@ -38,4 +38,4 @@ class Background {
   std::vector<Tile> tiles_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::localization

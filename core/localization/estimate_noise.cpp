@@ -5,7 +5,7 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 constexpr float kMaxContrast = 0.5F;
@@ -90,4 +90,4 @@ float scatter_ratio(const std::vector<LineTrace>& traces) {
   return median_of(ratios) / kMedianOfSigma;
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

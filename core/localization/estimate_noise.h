@@ -8,7 +8,7 @@
 #include "core/localization/fit_line.h"
 #include "core/localization/line_trace.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 /// Reading noise from the unlit pixels, shot noise and speckle from what fits leave on the lines.
 /// @param fits, fit_rows  parallel: lines, and the rows of the image that they were fitted in.
@@ -21,4 +21,4 @@ namespace flytri {
 /// show. 1 where there are too few samples to tell.
 [[nodiscard]] float scatter_ratio(const std::vector<LineTrace>& traces);
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 /// Pixels that are computed side by side, and that are skipped together where nothing is bright.
@@ -201,4 +201,4 @@ PeakRows find_peaks(const cv::Mat& rows, const Background& background, const Pea
   return peaks;
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -7,7 +7,7 @@
 
 #include "core/localization/background.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 /// A peak of a smoothed row.
 struct Peak {
@@ -53,4 +53,4 @@ struct PeakOptions {
 [[nodiscard]] PeakRows find_peaks(const cv::Mat& rows, const Background& background,
                                   const PeakOptions& options);
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 /// Pixels that are computed side by side.
@@ -164,4 +164,4 @@ std::optional<FlankLevel> flank_level(std::span<const float> row, const LineFit&
   return FlankLevel{left_mean + slope * (line.center_px - left_center), slope};
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -6,7 +6,7 @@
 
 #include "core/localization/noise_model.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 /// A Gaussian line in one row.
 struct LineFit {
@@ -49,4 +49,4 @@ struct LineWindow {
 [[nodiscard]] std::optional<FlankLevel> flank_level(std::span<const float> row,
                                                     const LineFit& line);
 
-}  // namespace flytri
+}  // namespace flytri::localization

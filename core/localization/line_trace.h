@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace flytri {
+namespace flytri::localization {
 
 /// Where a line crosses one image row (vertical pattern) or column (horizontal pattern).
 struct LineSample {
@@ -18,4 +18,4 @@ struct LineSample {
 /// A connected run of samples by rising along_px; a line may give several.
 using LineTrace = std::vector<LineSample>;
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 constexpr int kMaxGap = 2;      // rows that a trace may miss: dust on the target, a dim speckle
@@ -123,4 +123,4 @@ std::vector<PeakTrace> link_traces(const PeakRows& peaks, double max_slope, int 
   return linker.finish(peaks.row_count());
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -5,7 +5,7 @@
 
 #include "core/localization/find_peaks.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 /// The peaks of one line by rising row.
 using PeakTrace = std::vector<Peak>;
@@ -16,4 +16,4 @@ using PeakTrace = std::vector<Peak>;
 [[nodiscard]] std::vector<PeakTrace> link_traces(const PeakRows& peaks, double max_slope,
                                                  int min_length);
 
-}  // namespace flytri
+}  // namespace flytri::localization

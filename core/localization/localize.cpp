@@ -4,7 +4,7 @@
 #include "core/localization/find_peaks.h"
 #include "core/localization/link_traces.h"
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 /// The image turned so that lines cross its rows.
@@ -54,4 +54,4 @@ Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern patt
   return trim_traces(samples, rows.rows, options.trim);
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

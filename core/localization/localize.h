@@ -10,7 +10,7 @@
 #include "core/localization/refine_traces.h"
 #include "core/localization/trim_traces.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 /// How lines are found. Lengths are in pixels because the sampling theorem speaks of pixels.
 struct LocalizeOptions {
@@ -39,4 +39,4 @@ struct LocalizeOptions {
 [[nodiscard]] Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern pattern,
                                                             const LocalizeOptions& options);
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -1,7 +1,7 @@
 /// @file  How uncertain a gray value is: reading, counting and speckle.
 #pragma once
 
-namespace flytri {
+namespace flytri::localization {
 
 /// Variance of a pixel that shows `signal` above the background.
 /// Reading noise (with the background's own shot noise) does not depend on the signal, shot noise
@@ -17,4 +17,4 @@ struct NoiseModel {
   }
 };
 
-}  // namespace flytri
+}  // namespace flytri::localization

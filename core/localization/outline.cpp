@@ -1,6 +1,6 @@
 #include "core/localization/outline.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 std::vector<Pixel> outline_of(const LineTrace& trace, Pattern pattern) {
   constexpr std::size_t kStep = 4;
@@ -12,4 +12,4 @@ std::vector<Pixel> outline_of(const LineTrace& trace, Pattern pattern) {
   return pixels;
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

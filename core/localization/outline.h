@@ -6,9 +6,9 @@
 #include "core/imaging/pattern.h"
 #include "core/localization/line_trace.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 /// Every few samples of a trace.
 [[nodiscard]] std::vector<Pixel> outline_of(const LineTrace& trace, Pattern pattern);
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -9,7 +9,7 @@
 #include "core/localization/estimate_noise.h"
 #include "core/localization/fit_line.h"
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 constexpr float kFwhmOfSigma = 2.3548F;
@@ -177,4 +177,4 @@ std::vector<LineTrace> refine_traces(const cv::Mat& rows, const Background& back
   return samples;
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -9,7 +9,7 @@
 #include "core/localization/line_trace.h"
 #include "core/localization/link_traces.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 /// How the position across the line is told.
 enum class LineEstimator {
@@ -34,4 +34,4 @@ struct RefineOptions {
                                                    const std::vector<PeakTrace>& traces,
                                                    const RefineOptions& options);
 
-}  // namespace flytri
+}  // namespace flytri::localization

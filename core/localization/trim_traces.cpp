@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <iterator>
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 /// What remains of a segment must be longer than wide to be a line and not a blot of light.
@@ -98,4 +98,4 @@ std::vector<LineTrace> trim_traces(const std::vector<LineTrace>& traces, int alo
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/localization/line_trace.h"
 
-namespace flytri {
+namespace flytri::localization {
 
 /// What is left of a trace.
 struct TrimOptions {
@@ -30,4 +30,4 @@ struct TrimOptions {
 [[nodiscard]] std::vector<LineTrace> trim_traces(const std::vector<LineTrace>& traces,
                                                  int along_count, const TrimOptions& options);
 
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace flytri {
+namespace flytri::meshing {
 
 std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries) {
   std::erase_if(boundaries, [](const BoundaryLoop& loop) {
@@ -14,4 +14,4 @@ std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries) {
   return boundaries;
 }
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -5,7 +5,7 @@
 
 #include "core/meshing/surface_mesh.h"
 
-namespace flytri {
+namespace flytri::meshing {
 
 /// Narrower holes tell nothing new: what lies around them shows their shape, and CAD programs
 /// close them.
@@ -15,4 +15,4 @@ inline constexpr double kLeastHoleWidth_mm = 0.5;
 /// widest first.
 [[nodiscard]] std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries);
 
-}  // namespace flytri
+}  // namespace flytri::meshing

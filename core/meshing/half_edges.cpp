@@ -4,7 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace flytri {
+namespace flytri::meshing {
 
 std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh) {
   // Into the place of their low vertex at once; the few that share it are then quickly sorted.
@@ -33,4 +33,4 @@ std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh) {
   return edges;
 }
 
-}  // namespace flytri
+}  // namespace flytri::meshing

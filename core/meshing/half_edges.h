@@ -6,7 +6,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-namespace flytri {
+namespace flytri::meshing {
 
 /// A directed edge of a triangle.
 struct HalfEdge {
@@ -24,4 +24,4 @@ struct HalfEdge {
 /// @param mesh  indices valid
 [[nodiscard]] std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh);
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 constexpr std::size_t kMinNeighbors = 3;
@@ -135,4 +135,4 @@ bool ImplicitSurface::in_smooth_gap(const Vec3f& place_mm, const Vec3f& normal) 
   return widest < kMaxEmptyAngle;
 }
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -7,7 +7,7 @@
 #include "core/geometry/point_cloud.h"
 #include "core/geometry/point_grid.h"
 
-namespace flytri {
+namespace flytri::meshing {
 
 /// What the points say at one place.
 struct SurfaceEstimate {
@@ -45,4 +45,4 @@ class ImplicitSurface {
   PointGrid grid_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::meshing

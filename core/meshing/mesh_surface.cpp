@@ -8,7 +8,7 @@
 #include "core/meshing/mesh_topology.h"
 #include "core/meshing/surface_nets.h"
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 constexpr double kSpacingOfPoints = 1.2;
@@ -88,4 +88,4 @@ Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& op
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -8,7 +8,7 @@
 #include "core/geometry/point_cloud.h"
 #include "core/meshing/surface_mesh.h"
 
-namespace flytri {
+namespace flytri::meshing {
 
 struct MeshOptions {
   /// >= 0. Spacing of the mesh's vertices, mm. 0: 1.2 times the spacing of the points.
@@ -42,4 +42,4 @@ struct MeshOptions {
                                                const Workers& workers,
                                                const Progress& progress = {});
 
-}  // namespace flytri
+}  // namespace flytri::meshing

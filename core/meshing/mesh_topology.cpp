@@ -12,7 +12,7 @@
 #include "core/meshing/half_edges.h"
 #include "core/meshing/widest_place.h"
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
@@ -183,9 +183,9 @@ Rim rim_of(const TriangleMesh& mesh, std::vector<std::uint32_t> vertices) {
 /// within a hole, or a quarter of its size beside it, are its islands. A border has none.
 /// @param smaller  all rims that enclose less
 std::vector<std::span<const Vec3>> islands_mm(const Rim& hole, std::span<const Rim> smaller) {
-  constexpr double kBeside = 0.25;
+  constexpr double kBackground = 0.25;
   if (hole.loop.is_outer) return {};
-  const Vec3 beside = Vec3::Constant(kBeside * hole.box_mm.diagonal().norm());
+  const Vec3 beside = Vec3::Constant(kBackground * hole.box_mm.diagonal().norm());
   const Eigen::AlignedBox3d around(hole.box_mm.min() - beside, hole.box_mm.max() + beside);
   std::vector<std::span<const Vec3>> islands;
   for (const Rim& rim : smaller) {
@@ -297,4 +297,4 @@ std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {
   return loops;
 }
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -5,7 +5,7 @@
 
 #include "core/meshing/surface_mesh.h"
 
-namespace flytri {
+namespace flytri::meshing {
 
 /// Drops degenerate triangles and those around an edge that more than two triangles share, or two
 /// in the same sense; then gives every fan of triangles at a vertex a vertex of its own. What is
@@ -22,4 +22,4 @@ void drop_islands(TriangleMesh& mesh, double min_area_mm2);
 /// that encloses the largest area is its outer border.
 [[nodiscard]] std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh);
 
-}  // namespace flytri
+}  // namespace flytri::meshing

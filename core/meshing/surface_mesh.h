@@ -6,7 +6,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-namespace flytri {
+namespace flytri::meshing {
 
 /// A closed chain of edges that have a triangle on one side only: the rim of a place that was not
 /// measured.
@@ -25,4 +25,4 @@ struct SurfaceMesh {
   std::vector<BoundaryLoop> boundaries;  ///< see find_boundaries()
 };
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
@@ -371,4 +371,4 @@ Result<TriangleMesh> extract_surface(const ImplicitSurface& surface, const Point
   return Extraction(surface, spacing_mm, workers, progress).run(points);
 }
 
-}  // namespace flytri
+}  // namespace flytri::meshing

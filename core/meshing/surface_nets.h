@@ -7,7 +7,7 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/meshing/implicit_surface.h"
 
-namespace flytri {
+namespace flytri::meshing {
 
 /// One vertex in every grid cell that the surface crosses and the points surround, moved onto the
 /// surface; one quadrilateral, as two triangles, across every crossed grid edge whose four cells
@@ -22,4 +22,4 @@ namespace flytri {
                                                    const Workers& workers,
                                                    const Progress& progress);
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -6,7 +6,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 constexpr double kFinestPixel_mm = 0.02;
@@ -93,4 +93,4 @@ WidestPlace widest_place(std::span<const Vec3> rim_mm,
               height_mm(sight, rim_mm, direction, center_px) * direction};
 }
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -6,7 +6,7 @@
 
 #include "core/geometry/rigid.h"
 
-namespace flytri {
+namespace flytri::meshing {
 
 /// The largest circle that fits into a closed line.
 struct WidestPlace {
@@ -26,4 +26,4 @@ struct WidestPlace {
                                        std::span<const std::span<const Vec3>> islands_mm,
                                        const Vec3& direction);
 
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -8,7 +8,7 @@
 
 #include "core/geometry/point_spacing.h"
 
-namespace flytri {
+namespace flytri::normals {
 namespace {
 
 constexpr double kTangentSpacings = 4.0;
@@ -337,4 +337,4 @@ std::vector<SurfaceSample> surface_samples(std::span<const AlignedView> views,
   return samples;
 }
 
-}  // namespace flytri
+}  // namespace flytri::normals

@@ -10,7 +10,7 @@
 #include "core/geometry/point_cloud.h"
 #include "core/geometry/view.h"
 
-namespace flytri {
+namespace flytri::normals {
 
 struct NormalOptions {
   /// >= 0. Reach along a profile from which its direction is taken: standard deviation of a
@@ -49,4 +49,4 @@ using ViewNormals = std::vector<std::vector<Vec3f>>;
 [[nodiscard]] std::vector<SurfaceSample> surface_samples(std::span<const AlignedView> views,
                                                          std::span<const ViewNormals> normals);
 
-}  // namespace flytri
+}  // namespace flytri::normals

@@ -6,7 +6,7 @@
 
 #include "core/geometry/point_grid.h"
 
-namespace flytri {
+namespace flytri::reduction {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -190,4 +190,4 @@ Result<Cells> divide_into_cells(std::span<const SurfaceSample> samples, const Ce
   return cells;
 }
 
-}  // namespace flytri
+}  // namespace flytri::reduction

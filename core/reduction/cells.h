@@ -10,7 +10,7 @@
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
 
-namespace flytri {
+namespace flytri::reduction {
 
 /// The shape of a cell.
 struct CellShape {
@@ -44,4 +44,4 @@ struct Cells {
                                               const CellShape& shape, const Workers& workers,
                                               const Progress& progress);
 
-}  // namespace flytri
+}  // namespace flytri::reduction

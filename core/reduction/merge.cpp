@@ -6,7 +6,7 @@
 
 #include "core/reduction/support.h"
 
-namespace flytri {
+namespace flytri::reduction {
 namespace {
 
 /// The samples of one view in a cell, as one measurement.
@@ -103,4 +103,4 @@ SurfacePoint merge_samples(std::span<const SurfaceSample> samples,
   return point;
 }
 
-}  // namespace flytri
+}  // namespace flytri::reduction

@@ -7,7 +7,7 @@
 
 #include "core/geometry/point_cloud.h"
 
-namespace flytri {
+namespace flytri::reduction {
 
 /// How far averaging over consecutive samples of a line helps. The noise of samples k apart is
 /// taken to correlate as exp(-(k / noise_length_samples)^2).
@@ -37,4 +37,4 @@ class MeanVariance {
                                          std::span<const std::uint32_t> members,
                                          const MeanVariance& mean_variance);
 
-}  // namespace flytri
+}  // namespace flytri::reduction

@@ -9,7 +9,7 @@
 #include "core/reduction/sample_order.h"
 #include "core/reduction/support.h"
 
-namespace flytri {
+namespace flytri::reduction {
 namespace {
 
 /// A cell is three camera pixels wide: half a line width of six, the middle of the paper's 4 to 9.
@@ -140,4 +140,4 @@ Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
   return reduction;
 }
 
-}  // namespace flytri
+}  // namespace flytri::reduction

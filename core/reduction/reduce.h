@@ -13,7 +13,7 @@
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
 
-namespace flytri {
+namespace flytri::reduction {
 
 struct ReduceOptions {
   /// >= 0. Width of a cell across the normal. 0: three times the spacing of samples along a line,
@@ -63,4 +63,4 @@ struct Reduction {
                                                const ReduceOptions& options, const Workers& workers,
                                                const Progress& progress = {});
 
-}  // namespace flytri
+}  // namespace flytri::reduction

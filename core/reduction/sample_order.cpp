@@ -10,7 +10,7 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::reduction {
 namespace {
 
 /// Spreads the low 21 bits to every third bit.
@@ -168,4 +168,4 @@ double sample_spacing_mm(std::span<const SurfaceSample> samples) {
   return median_of(spacings);
 }
 
-}  // namespace flytri
+}  // namespace flytri::reduction

@@ -10,7 +10,7 @@
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
 
-namespace flytri {
+namespace flytri::reduction {
 
 /// The usable samples (finite, with a unit normal) along a space-filling curve, so that neighbors
 /// in the list are near in space and any order of the input gives the same list.
@@ -25,4 +25,4 @@ namespace flytri {
 /// the noise: the footprint of a camera pixel on the object. 0 if no view has two samples.
 [[nodiscard]] double sample_spacing_mm(std::span<const SurfaceSample> samples);
 
-}  // namespace flytri
+}  // namespace flytri::reduction

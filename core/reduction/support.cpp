@@ -6,7 +6,7 @@
 
 #include "core/geometry/point_grid.h"
 
-namespace flytri {
+namespace flytri::reduction {
 namespace {
 
 /// How far across the normal a sample is compared with others, in cell widths: some lines of every
@@ -216,15 +216,15 @@ Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples
   std::transform(cells.members.begin(), cells.members.end(), members.begin(),
                  [&](std::uint32_t i) { return witness_of(samples[i].view, i); });
   std::vector<Support> support(samples.size(), Support::kSupported);
-  constexpr std::size_t kBlock = 512;
+  constexpr std::size_t kWitnessBlock = 512;
   const auto judge_block = [&](std::size_t block) {
     Jury jury(samples, cells, members, centers, rule);
-    const std::size_t end = std::min(cells.size(), (block + 1) * kBlock);
-    for (std::size_t c = block * kBlock; c < end; ++c) jury.judge(c, support);
+    const std::size_t end = std::min(cells.size(), (block + 1) * kWitnessBlock);
+    for (std::size_t c = block * kWitnessBlock; c < end; ++c) jury.judge(c, support);
   };
-  const std::size_t blocks = (cells.size() + kBlock - 1) / kBlock;
+  const std::size_t blocks = (cells.size() + kWitnessBlock - 1) / kWitnessBlock;
   if (!workers.for_each_unless_cancelled(blocks, judge_block, progress)) return stopped();
   return support;
 }
 
-}  // namespace flytri
+}  // namespace flytri::reduction

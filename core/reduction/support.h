@@ -11,7 +11,7 @@
 #include "core/geometry/point_cloud.h"
 #include "core/reduction/cells.h"
 
-namespace flytri {
+namespace flytri::reduction {
 
 enum class Support : std::uint8_t {
   kSupported,
@@ -39,4 +39,4 @@ struct SupportRule {
                                                         const Workers& workers,
                                                         const Progress& progress);
 
-}  // namespace flytri
+}  // namespace flytri::reduction

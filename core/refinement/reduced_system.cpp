@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flytri {
+namespace flytri::refinement {
 namespace {
 
 /// Stretches of views at the second level: enough to follow a bent path, few enough to be solved
@@ -183,4 +183,4 @@ Result<Eigen::VectorXd> ReducedSystem::solve(const Workers& workers,
   return x;
 }
 
-}  // namespace flytri
+}  // namespace flytri::refinement

@@ -10,7 +10,7 @@
 #include "core/base/workers.h"
 #include "core/geometry/rigid.h"
 
-namespace flytri {
+namespace flytri::refinement {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -72,4 +72,4 @@ class ReducedSystem {
   Eigen::LDLT<Eigen::MatrixXd> group_solver_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::refinement

@@ -11,7 +11,7 @@
 #include "core/geometry/view.h"
 #include "core/registration/align.h"
 
-namespace flytri {
+namespace flytri::refinement {
 
 struct JointRefineOptions {
   /// >= 0. Edge of the cells in which the surface is described by one quadric, mm. 0: 16 times the
@@ -78,7 +78,7 @@ struct Refinement {
 
 struct MetaviewRefineOptions {
   /// Of one view to its metaview. Guesses are near: the search begins narrow.
-  AlignOptions align;
+  registration::AlignOptions align;
   /// >= 1. Most rounds in which every view is registered once.
   int max_rounds = 20;
   /// > 0. Ends when a round moves the views by less than this share of a view's radius, RMS.
@@ -105,4 +105,4 @@ struct MetaviewRefinement {
                                                              const MetaviewRefineOptions& options,
                                                              const Progress& progress = {});
 
-}  // namespace flytri
+}  // namespace flytri::refinement

@@ -6,7 +6,7 @@
 #include "core/refinement/refine.h"
 #include "core/registration/overlap_grid.h"
 
-namespace flytri {
+namespace flytri::refinement {
 namespace {
 
 /// A scan whose views are registered one after the other.
@@ -40,29 +40,30 @@ class MetaviewRefiner {
   double prepare(const std::vector<AlignedView>& views) {
     for (const AlignedView& view : views) {
       poses_.push_back(view.T_world_sensor);
-      placed_.push_back(prepare_view(*view.view).moved(view.T_world_sensor));
+      placed_.push_back(registration::prepare_view(*view.view).moved(view.T_world_sensor));
       radius_mm_ = std::max(radius_mm_, placed_.back().radius_mm);
     }
     return radius_mm_;
   }
 
-  [[nodiscard]] ViewExtent extent(std::size_t v) const {
+  [[nodiscard]] registration::ViewExtent extent(std::size_t v) const {
     return {placed_[v].center_mm, placed_[v].line_direction, poses_[v].linear().col(2),
             placed_[v].radius_mm};
   }
 
   double register_view(std::size_t v) {
-    std::vector<const PreparedView*> metaview;
-    for (const Overlap& overlap : grid_.overlapping(extent(v))) {
+    std::vector<const registration::PreparedView*> metaview;
+    for (const registration::Overlap& overlap : grid_.overlapping(extent(v))) {
       if (overlap.view != v) metaview.push_back(&placed_[overlap.view]);
     }
     // The source is given in the world frame: what comes out is its correction.
     options_.align.seed = ++seed_;
     const auto found =
-        align_to_metaview(placed_[v], metaview, Isometry::Identity(), options_.align);
+        registration::align_to_metaview(placed_[v], metaview, Isometry::Identity(), options_.align);
     // A metaview that is blurred by drift agrees poorly with any pose; the fit leads on all the
     // same.
-    if (!found || (!found->aligned() && found->outcome != AlignOutcome::kPoorFit)) return 0.0;
+    if (!found || (!found->aligned() && found->outcome != registration::AlignOutcome::kPoorFit))
+      return 0.0;
     moved_any_ = true;
     const Isometry& T_world_was = found->T_target_source;
     poses_[v] = T_world_was * poses_[v];
@@ -73,11 +74,11 @@ class MetaviewRefiner {
 
   MetaviewRefineOptions options_;
   std::vector<Isometry> poses_;
-  std::vector<PreparedView> placed_;
+  std::vector<registration::PreparedView> placed_;
   double radius_mm_ = 1e-6;  ///< the largest of a view
   bool moved_any_ = false;
   std::uint64_t seed_ = 0;
-  OverlapGrid grid_;
+  registration::OverlapGrid grid_;
 };
 
 }  // namespace
@@ -121,4 +122,4 @@ Result<MetaviewRefinement> refine_by_metaviews(std::vector<AlignedView>& views,
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::refinement

@@ -7,7 +7,7 @@
 #include "core/refinement/refine.h"
 #include "core/refinement/surface_cells.h"
 
-namespace flytri {
+namespace flytri::refinement {
 namespace {
 
 /// Default edge of a cell in spacings of neighboring points.
@@ -378,4 +378,4 @@ Result<Refinement> refine_jointly(std::vector<AlignedView>& views,
   return JointRefiner(views, options, workers, progress).run();
 }
 
-}  // namespace flytri
+}  // namespace flytri::refinement

@@ -6,7 +6,7 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::refinement {
 namespace {
 
 /// Fewer data than this do not overdetermine a quadric.
@@ -215,4 +215,4 @@ SurfaceResidual residual_of(const SurfaceCell& cell, const Datum& datum,
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::refinement

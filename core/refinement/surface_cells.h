@@ -8,7 +8,7 @@
 #include "core/base/workers.h"
 #include "core/geometry/view.h"
 
-namespace flytri {
+namespace flytri::refinement {
 
 /// A few neighboring points of one profile taken as one: their mean. Neighbors share noise and
 /// stand for the same place, so little is lost and ten times less is computed.
@@ -61,4 +61,4 @@ void fit_surface(SurfaceCell& cell, std::span<const Datum> data,
 /// @source  Tukey's biweight; Beaton and Tukey, Technometrics 16, 1974.
 [[nodiscard]] double tukey_weight(double normalized_residual, double limit);
 
-}  // namespace flytri
+}  // namespace flytri::refinement

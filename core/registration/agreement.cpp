@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 constexpr double kAgreesIfRight = 0.95;
@@ -52,4 +52,4 @@ Agreement judge(std::span<const Crossing> crossings, const Isometry& T_world_sou
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::registration

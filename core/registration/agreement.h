@@ -5,7 +5,7 @@
 
 #include "core/registration/crossings.h"
 
-namespace flytri {
+namespace flytri::registration {
 
 /// Crossings, counted by places: cells of the source as its sensor sees it. Neighboring crossings
 /// share noise and shape, so that only places count as independent.
@@ -47,4 +47,4 @@ struct AgreementOptions {
 [[nodiscard]] Agreement judge(std::span<const Crossing> crossings, const Isometry& T_world_source,
                               double radius_mm, const AgreementOptions& options = {});
 
-}  // namespace flytri
+}  // namespace flytri::registration

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 /// Steps below this share of their standard uncertainty end a stage.
@@ -208,4 +208,4 @@ Result<Alignment> align_view(const PreparedView& source, const PreparedView& tar
   return align_to_metaview(source, metaview, T_target_source_guess, options);
 }
 
-}  // namespace flytri
+}  // namespace flytri::registration

@@ -8,7 +8,7 @@
 #include "core/registration/agreement.h"
 #include "core/registration/pose_solver.h"
 
-namespace flytri {
+namespace flytri::registration {
 
 /// How an alignment ended. Only kAligned gives a pose to rely on.
 enum class AlignOutcome {
@@ -86,4 +86,4 @@ struct Alignment {
                                                   const Isometry& T_world_source_guess,
                                                   const AlignOptions& options = {});
 
-}  // namespace flytri
+}  // namespace flytri::registration

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 /// Keeps the best pair; of equally close pairs the first by (k, l), whatever the order of search.
@@ -122,4 +122,4 @@ CurvePair refine_on_curves(const CubicCurve& first, const CubicCurve& second,
   }
 }
 
-}  // namespace flytri
+}  // namespace flytri::registration

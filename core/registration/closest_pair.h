@@ -5,7 +5,7 @@
 
 #include "core/registration/prepared_view.h"
 
-namespace flytri {
+namespace flytri::registration {
 
 /// The closest knots of two curves.
 struct KnotPair {
@@ -39,4 +39,4 @@ struct CurvePair {
 [[nodiscard]] CurvePair refine_on_curves(const CubicCurve& first, const CubicCurve& second,
                                          const Isometry& T_second_first, double x, double y);
 
-}  // namespace flytri
+}  // namespace flytri::registration

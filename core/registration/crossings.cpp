@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 /// Below this share of a view's median noise no point is trusted: a deviation that lies along the
@@ -140,4 +140,4 @@ std::vector<Crossing> follow_crossings(const PreparedView& source, Metaview meta
   return followed;
 }
 
-}  // namespace flytri
+}  // namespace flytri::registration

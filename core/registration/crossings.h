@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 #include "core/registration/closest_pair.h"
 
-namespace flytri {
+namespace flytri::registration {
 
 /// Views that behave like one rigid view, all in one frame (paper: metaview U).
 using Metaview = std::span<const PreparedView* const>;
@@ -69,4 +69,4 @@ void shuffle_front(std::vector<ProfilePair>& pairs, std::size_t count, Random& r
                                                      std::span<const Crossing> crossings,
                                                      const CrossingLimits& limits);
 
-}  // namespace flytri
+}  // namespace flytri::registration

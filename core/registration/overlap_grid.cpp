@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 /// Surfaces seen from directions farther apart than this cosine have little in common.
@@ -61,4 +61,4 @@ std::vector<Overlap> OverlapGrid::overlapping(const ViewExtent& around) const {
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::registration

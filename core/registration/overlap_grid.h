@@ -7,7 +7,7 @@
 
 #include "core/geometry/rigid.h"
 
-namespace flytri {
+namespace flytri::registration {
 
 /// What the grid keeps of a view, in the world frame (paper: position and basic orientation).
 struct ViewExtent {
@@ -52,4 +52,4 @@ class OverlapGrid {
   std::map<Cell, std::vector<std::size_t>> cells_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::registration

@@ -5,7 +5,7 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -137,4 +137,4 @@ Twist unknowns_of(const Isometry& T_moved, const StepFrame& frame) {
   return twist;
 }
 
-}  // namespace flytri
+}  // namespace flytri::registration

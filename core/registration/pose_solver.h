@@ -7,7 +7,7 @@
 
 #include "core/registration/crossings.h"
 
-namespace flytri {
+namespace flytri::registration {
 
 /// What the least squares makes small.
 enum class ResidualKind {
@@ -64,4 +64,4 @@ struct StepOptions {
 /// Inverse of motion_of().
 [[nodiscard]] Twist unknowns_of(const Isometry& T_moved, const StepFrame& frame);
 
-}  // namespace flytri
+}  // namespace flytri::registration

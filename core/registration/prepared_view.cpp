@@ -5,7 +5,7 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 double depth_variation(const Profile& profile) {
@@ -101,4 +101,4 @@ PreparedView prepare_view(const View& view, const SmoothingOptions& options) {
   return prepared;
 }
 
-}  // namespace flytri
+}  // namespace flytri::registration

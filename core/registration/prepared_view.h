@@ -9,7 +9,7 @@
 #include "core/geometry/spline.h"
 #include "core/geometry/view.h"
 
-namespace flytri {
+namespace flytri::registration {
 
 /// A shorter profile has no direction of its own above the noise.
 inline constexpr std::size_t kMinProfilePoints = 6;
@@ -42,4 +42,4 @@ struct PreparedView {
 /// Smooths every profile that has at least kMinProfilePoints points; shorter ones are left out.
 [[nodiscard]] PreparedView prepare_view(const View& view, const SmoothingOptions& options = {});
 
-}  // namespace flytri
+}  // namespace flytri::registration

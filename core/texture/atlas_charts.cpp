@@ -10,7 +10,7 @@
 #include "core/meshing/half_edges.h"
 #include "core/texture/texel_raster.h"
 
-namespace flytri {
+namespace flytri::texture {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -24,11 +24,11 @@ Vec3f area_normal(const TriangleMesh& mesh, const Triangle& t) {
 
 /// For each side of each triangle the triangle beyond it, or kNone.
 std::vector<std::array<std::uint32_t, 3>> find_neighbors(const TriangleMesh& mesh) {
-  const std::vector<HalfEdge> edges = half_edges_of(mesh);
+  const std::vector<meshing::HalfEdge> edges = meshing::half_edges_of(mesh);
   std::vector<std::array<std::uint32_t, 3>> neighbors(mesh.triangles.size(), {kNone, kNone, kNone});
   for (std::size_t i = 1; i < edges.size(); ++i) {
-    const HalfEdge& a = edges[i - 1];
-    const HalfEdge& b = edges[i];
+    const meshing::HalfEdge& a = edges[i - 1];
+    const meshing::HalfEdge& b = edges[i];
     if (!a.same_edge(b)) continue;
     neighbors[a.triangle()][a.corner % 3] = b.triangle();
     neighbors[b.triangle()][b.corner % 3] = a.triangle();
@@ -185,4 +185,4 @@ bool pack_charts(std::vector<Chart>& charts, int side_px) {
   return true;
 }
 
-}  // namespace flytri
+}  // namespace flytri::texture

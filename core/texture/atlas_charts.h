@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 
-namespace flytri {
+namespace flytri::texture {
 
 /// A connected piece of the mesh, projected along its mean normal. No texel center lies in two of
 /// its triangles.
@@ -55,4 +55,4 @@ struct ChartOptions {
 /// @source  shelves by falling height: Coffman et al., SIAM J. Computing 9, 1980.
 [[nodiscard]] bool pack_charts(std::vector<Chart>& charts, int side_px);
 
-}  // namespace flytri
+}  // namespace flytri::texture

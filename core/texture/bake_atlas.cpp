@@ -8,7 +8,7 @@
 #include "core/texture/atlas_charts.h"
 #include "core/texture/texel_raster.h"
 
-namespace flytri {
+namespace flytri::texture {
 namespace {
 
 /// Share of the atlas that charts fill when it is first tried.
@@ -24,7 +24,7 @@ constexpr double kLayoutShare = 0.4, kColorShare = 0.5, kPaintShare = 0.1;
 constexpr double kTryShare = 0.9;
 
 /// Edge of a pixel of the texture camera, in the middle of the volume.
-double pixel_mm(const Calibration& calibration) {
+double pixel_mm(const calibration::Calibration& calibration) {
   const Vec3 middle = Vec3::Zero();
   return 2.0 / (calibration.texture_u_px.gradient(middle).norm() +
                 calibration.texture_v_px.gradient(middle).norm());
@@ -235,8 +235,9 @@ Result<void> AtlasOptions::validate() const {
 }
 
 Result<BakedAtlas> bake_atlas(const TriangleMesh& mesh, std::span<const TextureFrame> frames,
-                              const Calibration& calibration, const AtlasOptions& options,
-                              const Workers& workers, const Progress& progress) {
+                              const calibration::Calibration& calibration,
+                              const AtlasOptions& options, const Workers& workers,
+                              const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (mesh.triangles.empty()) return fail(ErrorCode::kInsufficient, "the mesh has no triangles");
   const auto layout = lay_out(mesh, options.texel_px * pixel_mm(calibration), options.max_side_px,
@@ -260,4 +261,4 @@ Result<BakedAtlas> bake_atlas(const TriangleMesh& mesh, std::span<const TextureF
   return baked;
 }
 
-}  // namespace flytri
+}  // namespace flytri::texture

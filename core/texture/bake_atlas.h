@@ -4,7 +4,7 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/texture/color_points.h"
 
-namespace flytri {
+namespace flytri::texture {
 
 struct AtlasOptions {
   /// 16..16384, a power of two. Largest side of the atlas, texels.
@@ -33,8 +33,8 @@ struct BakedAtlas {
 ///          kCancelled; as color_points.
 [[nodiscard]] Result<BakedAtlas> bake_atlas(const TriangleMesh& mesh,
                                             std::span<const TextureFrame> frames,
-                                            const Calibration& calibration,
+                                            const calibration::Calibration& calibration,
                                             const AtlasOptions& options, const Workers& workers,
                                             const Progress& progress = {});
 
-}  // namespace flytri
+}  // namespace flytri::texture

@@ -6,7 +6,7 @@
 
 #include "core/geometry/point_grid.h"
 
-namespace flytri {
+namespace flytri::texture {
 namespace {
 
 /// Of looking through the frames in the time of all; the rest goes to what none of them saw.
@@ -65,8 +65,9 @@ Result<ColorCounts> spread_colors(std::span<SurfacePoint> points,
 
 Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                                  std::span<const TextureFrame> frames,
-                                 const Calibration& calibration, const TextureOptions& options,
-                                 const Workers& workers, const Progress& progress) {
+                                 const calibration::Calibration& calibration,
+                                 const TextureOptions& options, const Workers& workers,
+                                 const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   std::vector<ObservedColor> colors(points.size());
   for (const TextureFrame& frame : frames) {
@@ -80,4 +81,4 @@ Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                        workers, progress.part(1.0 - kFramesShare));
 }
 
-}  // namespace flytri
+}  // namespace flytri::texture

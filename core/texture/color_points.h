@@ -6,7 +6,7 @@
 
 #include "core/texture/observe.h"
 
-namespace flytri {
+namespace flytri::texture {
 
 /// Where the colors came from.
 struct ColorCounts {
@@ -22,9 +22,9 @@ struct ColorCounts {
 /// @errors  kBadOption, kCancelled; as observe_points.
 [[nodiscard]] Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                                                std::span<const TextureFrame> frames,
-                                               const Calibration& calibration,
+                                               const calibration::Calibration& calibration,
                                                const TextureOptions& options,
                                                const Workers& workers,
                                                const Progress& progress = {});
 
-}  // namespace flytri
+}  // namespace flytri::texture

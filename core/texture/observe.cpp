@@ -5,7 +5,7 @@
 
 #include "core/texture/srgb.h"
 
-namespace flytri {
+namespace flytri::texture {
 namespace {
 
 /// Points that are tested together; neighbors in the list mostly are neighbors in space.
@@ -19,7 +19,7 @@ struct Projection {
 };
 
 /// Unit ray of sight of the texture camera: along it neither U nor V changes.
-Vec3 ray_of_sight(const Calibration& calibration, const Vec3& p_sensor) {
+Vec3 ray_of_sight(const calibration::Calibration& calibration, const Vec3& p_sensor) {
   const Vec3 ray = calibration.texture_u_px.gradient(p_sensor)
                        .cross(calibration.texture_v_px.gradient(p_sensor))
                        .normalized();
@@ -68,13 +68,13 @@ Vec3f sample(const cv::Mat& image, float u_px, float v_px) {
   return sum;
 }
 
-double margin_mm(const Calibration& calibration, const TextureOptions& options) {
+double margin_mm(const calibration::Calibration& calibration, const TextureOptions& options) {
   return options.volume_margin_share * calibration.volume.size_mm.maxCoeff();
 }
 
 /// False if the ball around the points is outside of the measurement volume.
 bool may_reach_volume(std::span<const SurfacePoint> points, const Isometry& T_sensor_world,
-                      const Calibration& calibration, const TextureOptions& options) {
+                      const calibration::Calibration& calibration, const TextureOptions& options) {
   Vec3f low = points.front().position_mm;
   Vec3f high = low;
   for (const SurfacePoint& point : points) {
@@ -87,7 +87,7 @@ bool may_reach_volume(std::span<const SurfacePoint> points, const Isometry& T_se
 }
 
 Projection project(const SurfacePoint& point, const Isometry& T_sensor_world,
-                   const Calibration& calibration, const TextureOptions& options) {
+                   const calibration::Calibration& calibration, const TextureOptions& options) {
   const Vec3 p_sensor = T_sensor_world * point.position_mm.cast<double>();
   Projection projection;
   if (!calibration.volume.contains(p_sensor, margin_mm(calibration, options))) return projection;
@@ -124,7 +124,7 @@ Rgb ObservedColor::color() const {
 }
 
 Result<void> observe_points(std::span<const SurfacePoint> points, std::span<ObservedColor> colors,
-                            const TextureFrame& frame, const Calibration& calibration,
+                            const TextureFrame& frame, const calibration::Calibration& calibration,
                             const TextureOptions& options, const Workers& workers) {
   const ImageSize size{frame.image.cols, frame.image.rows};
   if (!(size == calibration.texture_size) || frame.image.type() != CV_8UC3) {
@@ -181,4 +181,4 @@ Result<void> TextureOptions::validate() const {
   return {};
 }
 
-}  // namespace flytri
+}  // namespace flytri::texture

@@ -7,10 +7,10 @@
 
 #include "core/base/result.h"
 #include "core/base/workers.h"
-#include "core/calibration/calibration.h"
+#include "core/calibration/record/calibration.h"
 #include "core/geometry/point_cloud.h"
 
-namespace flytri {
+namespace flytri::texture {
 
 /// A texture image and where the sensor was when it was taken.
 struct TextureFrame {
@@ -63,7 +63,8 @@ class ObservedColor {
 /// @errors  kInconsistent: the image has not the calibration's texture size.
 [[nodiscard]] Result<void> observe_points(std::span<const SurfacePoint> points,
                                           std::span<ObservedColor> colors,
-                                          const TextureFrame& frame, const Calibration& calibration,
+                                          const TextureFrame& frame,
+                                          const calibration::Calibration& calibration,
                                           const TextureOptions& options, const Workers& workers);
 
-}  // namespace flytri
+}  // namespace flytri::texture

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace flytri {
+namespace flytri::texture {
 
 /// Linear light 0..1 of an sRGB value 0..255.
 /// @source  IEC 61966-2-1.
@@ -21,4 +21,4 @@ namespace flytri {
   return static_cast<std::uint8_t>(std::lround(255.0F * v));
 }
 
-}  // namespace flytri
+}  // namespace flytri::texture

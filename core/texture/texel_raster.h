@@ -7,7 +7,7 @@
 
 #include "core/geometry/rigid.h"
 
-namespace flytri {
+namespace flytri::texture {
 
 /// Calls visit(x, y, weights) for every texel whose center (x + 0.5, y + 0.5) lies inside the
 /// triangle, with the barycentric weights of its corners. Centers on an edge are left out: they
@@ -34,4 +34,4 @@ void for_each_texel(const std::array<Eigen::Array2f, 3>& corners, const Visit& v
   }
 }
 
-}  // namespace flytri
+}  // namespace flytri::texture

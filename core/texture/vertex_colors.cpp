@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace flytri {
+namespace flytri::texture {
 
 void color_vertices(TexturedMesh& model) {
   if (model.atlas.empty()) return;
@@ -17,4 +17,4 @@ void color_vertices(TexturedMesh& model) {
   }
 }
 
-}  // namespace flytri
+}  // namespace flytri::texture

@@ -3,9 +3,9 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-namespace flytri {
+namespace flytri::texture {
 
 /// Gives each vertex the color of its place in the atlas. Does nothing where there is no atlas.
 void color_vertices(TexturedMesh& model);
 
-}  // namespace flytri
+}  // namespace flytri::texture

@@ -7,7 +7,7 @@
 #include "core/base/median.h"
 #include "core/base/random.h"
 
-namespace flytri {
+namespace flytri::trajectory {
 
 PathFit::PathFit(std::span<const TimedPose> poses, int degree) {
   assert(!poses.empty());
@@ -97,4 +97,4 @@ PathOutliers find_outliers(std::span<const TimedPose> poses, const OutlierOption
   return {PathFit(inliers, options.degree), std::move(outliers)};
 }
 
-}  // namespace flytri
+}  // namespace flytri::trajectory

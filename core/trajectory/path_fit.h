@@ -7,7 +7,7 @@
 
 #include "core/geometry/rigid.h"
 
-namespace flytri {
+namespace flytri::trajectory {
 
 /// Where the sensor was at a time.
 struct TimedPose {
@@ -60,4 +60,4 @@ struct PathOutliers {
 [[nodiscard]] PathOutliers find_outliers(std::span<const TimedPose> poses,
                                          const OutlierOptions& options);
 
-}  // namespace flytri
+}  // namespace flytri::trajectory

@@ -7,7 +7,7 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::trajectory {
 namespace {
 
 /// An extrapolation: a polynomial of `degree` through the last `window` poses.
@@ -50,7 +50,7 @@ double usual_step(std::span<const TimedPose> poses) {
   return median_of(steps);
 }
 
-PosePrior prior_of(double sigma_mm, double arm_mm) {
+registration::PosePrior prior_of(double sigma_mm, double arm_mm) {
   // Half of the squared distance is rotation, half translation; each has three directions.
   return {sigma_mm / arm_mm / std::sqrt(6.0), sigma_mm / std::sqrt(6.0)};
 }
@@ -141,4 +141,4 @@ std::vector<Isometry> Trajectory::guesses(double time_s) const {
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::trajectory

@@ -7,12 +7,12 @@
 #include "core/registration/pose_solver.h"
 #include "core/trajectory/path_fit.h"
 
-namespace flytri {
+namespace flytri::trajectory {
 
 /// A pose to start from, and how far it may be off.
 struct PosePrediction {
   Isometry T_world_sensor = Isometry::Identity();
-  PosePrior prior;
+  registration::PosePrior prior;
 };
 
 /// Poses by time. Everything goes by time: dropped frames leave gaps, not steps.
@@ -52,4 +52,4 @@ class Trajectory {
   std::map<double, Isometry> poses_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::trajectory

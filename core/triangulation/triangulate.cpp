@@ -2,18 +2,18 @@
 
 #include <cmath>
 
-namespace flytri {
+namespace flytri::triangulation {
 namespace {
 
 /// The profile points of one trace.
 class PointMaker {
  public:
-  PointMaker(const Calibration& calibration, Pattern pattern, LineIndex line)
+  PointMaker(const calibration::Calibration& calibration, Pattern pattern, LineIndex line)
       : calibration_(calibration), pattern_(pattern), line_(line) {}
 
-  ProfilePoint make(const LineSample& sample) {
+  ProfilePoint make(const localization::LineSample& sample) {
     const LinePixel pixel{double(sample.along_px), sample.across_px};
-    const LineRow& row =
+    const calibration::LineRow& row =
         calibration_.of(pattern_).lines[line_.at()][static_cast<std::size_t>(sample.along_px)];
     const Vec3 position = calibration_.locate(pattern_, line_, pixel);
     if (sample.along_px >= next_lateral_px_) {
@@ -40,7 +40,7 @@ class PointMaker {
     by_depth_ = {dx[2], dy[2]};
   }
 
-  const Calibration& calibration_;
+  const calibration::Calibration& calibration_;
   Pattern pattern_;
   LineIndex line_;
   int next_lateral_px_ = 0;
@@ -48,7 +48,8 @@ class PointMaker {
   Vec2 by_depth_ = Vec2::Zero();   ///< d(x, y) / d(z)
 };
 
-bool connected(const LineSample& a, const LineSample& b, const TriangulateOptions& options) {
+bool connected(const localization::LineSample& a, const localization::LineSample& b,
+               const TriangulateOptions& options) {
   const int rows = b.along_px - a.along_px;
   if (rows > options.max_gap_px + 1) return false;
   const double noise = 4.0 * std::hypot(a.sigma_px, b.sigma_px);
@@ -71,12 +72,13 @@ Result<void> TriangulateOptions::validate() const {
   return {};
 }
 
-Triangulation triangulate(const IndexedLines& lines, const Calibration& calibration,
-                          Pattern pattern, const TriangulateOptions& options) {
+Triangulation triangulate(const indexing::IndexedLines& lines,
+                          const calibration::Calibration& calibration, Pattern pattern,
+                          const TriangulateOptions& options) {
   Triangulation result;
   result.view.pattern = pattern;
   const auto& normals = calibration.of(pattern).sheet_normals;
-  for (const IndexedTrace& trace : lines.traces) {
+  for (const indexing::IndexedTrace& trace : lines.traces) {
     Profile profile{trace.line, normals[trace.line.at()], {}};
     const auto close = [&] {
       if (static_cast<int>(profile.points.size()) >= options.min_profile_length) {
@@ -96,4 +98,4 @@ Triangulation triangulate(const IndexedLines& lines, const Calibration& calibrat
   return result;
 }
 
-}  // namespace flytri
+}  // namespace flytri::triangulation

@@ -4,7 +4,7 @@
 #include "core/geometry/view.h"
 #include "core/indexing/index_lines.h"
 
-namespace flytri {
+namespace flytri::triangulation {
 
 /// Where a trace is cut into profiles.
 struct TriangulateOptions {
@@ -28,7 +28,8 @@ struct Triangulation {
 /// Looks positions up in the calibration; the deviation is the sample's uncertainty times the
 /// derivative of the position along the row or column.
 /// @source  Arold et al., equations (e_calib_z), (polynom_x), (polynom_y).
-[[nodiscard]] Triangulation triangulate(const IndexedLines& lines, const Calibration& calibration,
+[[nodiscard]] Triangulation triangulate(const indexing::IndexedLines& lines,
+                                        const calibration::Calibration& calibration,
                                         Pattern pattern, const TriangulateOptions& options);
 
-}  // namespace flytri
+}  // namespace flytri::triangulation

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace flytri {
+namespace flytri::device {
 
 /// @param text  may be null: nothing is told
 [[nodiscard]] inline std::string c_text(const char* text) { return text == nullptr ? "" : text; }
 
-}  // namespace flytri
+}  // namespace flytri::device

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace flytri {
+namespace flytri::device {
 
 namespace {
 
@@ -58,4 +58,4 @@ Result<void> CameraSettings::validate() const {
   return {};
 }
 
-}  // namespace flytri
+}  // namespace flytri::device

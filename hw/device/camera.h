@@ -20,7 +20,7 @@
 #include "core/base/result.h"
 #include "core/imaging/frame.h"
 
-namespace flytri {
+namespace flytri::device {
 
 /// How a camera sends its pixels. kGrey10, kGrey12: in the low bits of 16.
 enum class PixelFormat { kGrey8, kGrey10, kGrey12, kGrey16, kYuyv, kMjpeg };
@@ -157,4 +157,4 @@ struct CameraDescription {
   std::vector<Error> problems;  ///< what keeps it from being used, with the remedy; empty: nothing
 };
 
-}  // namespace flytri
+}  // namespace flytri::device

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-namespace flytri {
+namespace flytri::device {
 namespace {
 
 // The sensor is asked at least this often whether the loop is to stop.
@@ -20,7 +20,7 @@ struct CaptureLoop::Threads {
       : sensor(std::move(source)), sink(std::move(to)) {}
 
   void read_frames();
-  void work_beside() const;
+  void work_in_background() const;
   void stop();
 
   std::shared_ptr<Sensor> sensor;
@@ -47,10 +47,11 @@ void CaptureLoop::Threads::read_frames() {
   wake.wait(lock, [this] { return stopping.load(); });
 }
 
-void CaptureLoop::Threads::work_beside() const {
+void CaptureLoop::Threads::work_in_background() const {
   while (!stopping) {
     // Nothing to do and nothing to wait for, as before the start: the processor is left to others.
-    if (!sensor->work_beside(kTimeout_s)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (!sensor->work_in_background(kTimeout_s))
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 
@@ -67,8 +68,8 @@ void CaptureLoop::Threads::stop() {
 CaptureLoop::CaptureLoop(std::shared_ptr<Sensor> sensor, Sink sink)
     : threads_(std::make_unique<Threads>(std::move(sensor), std::move(sink))) {
   threads_->reader = std::thread([threads = threads_.get()] { threads->read_frames(); });
-  if (threads_->sensor->has_work_beside())
-    threads_->worker = std::thread([threads = threads_.get()] { threads->work_beside(); });
+  if (threads_->sensor->has_background_work())
+    threads_->worker = std::thread([threads = threads_.get()] { threads->work_in_background(); });
 }
 
 CaptureLoop::~CaptureLoop() { stop(); }
@@ -80,4 +81,4 @@ void CaptureLoop::stop() {
 
 SensorStatus CaptureLoop::status() const { return threads_->sensor->status(); }
 
-}  // namespace flytri
+}  // namespace flytri::device

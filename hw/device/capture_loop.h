@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "hw/device/sensor.h"
 
-namespace flytri {
+namespace flytri::device {
 
 /// Runs a sensor from construction to destruction. The sensor's state says how it goes: a sensor
 /// that is lost is asked on, one that ended or failed is let go, and the loop waits to be stopped.
@@ -32,4 +32,4 @@ class CaptureLoop {
   std::unique_ptr<Threads> threads_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::device

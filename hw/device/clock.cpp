@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-namespace flytri {
+namespace flytri::device {
 
 Clock machine_clock() {
   return {
@@ -17,4 +17,4 @@ Clock machine_clock() {
       }};
 }
 
-}  // namespace flytri
+}  // namespace flytri::device

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-namespace flytri {
+namespace flytri::device {
 
 /// Seconds that never run backwards, from an arbitrary zero, and a way to wait for them. Both
 /// functions may be called from any thread.
@@ -15,4 +15,4 @@ struct Clock {
 /// The machine's own clock.
 [[nodiscard]] Clock machine_clock();
 
-}  // namespace flytri
+}  // namespace flytri::device

@@ -9,7 +9,7 @@
 
 #include "hw/device/c_text.h"
 
-namespace flytri {
+namespace flytri::device {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::vector<DeviceNode> list_device_nodes(const char* subsystem) {
   return found;
 }
 
-}  // namespace flytri
+}  // namespace flytri::device

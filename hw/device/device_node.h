@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace flytri {
+namespace flytri::device {
 
 /// A device file, and the device that it belongs to.
 struct DeviceNode {
@@ -26,4 +26,4 @@ struct DeviceNode {
 /// @return  by bus path and index
 [[nodiscard]] std::vector<DeviceNode> list_device_nodes(const char* subsystem);
 
-}  // namespace flytri
+}  // namespace flytri::device

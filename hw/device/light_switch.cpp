@@ -1,6 +1,6 @@
 #include "hw/device/light_switch.h"
 
-namespace flytri {
+namespace flytri::device {
 
 std::string_view to_string(Light light) {
   switch (light) {
@@ -30,4 +30,4 @@ std::string_view to_string(LightSwitchState state) {
   return "failed";
 }
 
-}  // namespace flytri
+}  // namespace flytri::device

@@ -19,10 +19,10 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/calibration/calibration.h"
+#include "core/calibration/record/calibration.h"
 #include "core/imaging/frame.h"
 
-namespace flytri {
+namespace flytri::device {
 
 enum class SensorState { kIdle, kRunning, kLost, kEnded, kFailed };
 
@@ -62,17 +62,17 @@ class Sensor {
   /// capture loop calls it over and over from a second thread, until just before stop().
   /// @param timeout_s  waits at most that long for work to come
   /// @return  false: there is none now
-  virtual bool work_beside(double timeout_s) {
+  virtual bool work_in_background(double timeout_s) {
     (void)timeout_s;
     return false;
   }
-  /// Whether work_beside ever does anything: no thread is started for nothing.
-  [[nodiscard]] virtual bool has_work_beside() const { return false; }
+  /// Whether work_in_background ever does anything: no thread is started for nothing.
+  [[nodiscard]] virtual bool has_background_work() const { return false; }
 
   [[nodiscard]] virtual SensorStatus status() const = 0;
 
   /// Of the sensor that took the frames; null where the source has none to offer.
-  [[nodiscard]] virtual std::shared_ptr<const Calibration> calibration() const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const calibration::Calibration> calibration() const = 0;
 
   /// What a user calls it, e.g. "virtual sensor" or the folder of a recording.
   [[nodiscard]] virtual std::string name() const = 0;
@@ -81,4 +81,4 @@ class Sensor {
   Sensor() = default;
 };
 
-}  // namespace flytri
+}  // namespace flytri::device

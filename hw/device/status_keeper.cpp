@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace flytri {
+namespace flytri::device {
 
 std::string_view to_string(SensorState state) {
   switch (state) {
@@ -51,4 +51,4 @@ SensorState StatusKeeper::state() const {
   return status_.state;
 }
 
-}  // namespace flytri
+}  // namespace flytri::device

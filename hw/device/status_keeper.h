@@ -6,7 +6,7 @@
 
 #include "hw/device/sensor.h"
 
-namespace flytri {
+namespace flytri::device {
 
 /// All members are thread-safe.
 class StatusKeeper {
@@ -24,4 +24,4 @@ class StatusKeeper {
   SensorStatus status_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::device

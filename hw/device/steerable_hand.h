@@ -5,7 +5,7 @@
 
 #include "core/geometry/rigid.h"
 
-namespace flytri {
+namespace flytri::device {
 
 /// kPath: along a planned path over the object. kPointer: where the user points. kAway: lifted off,
 /// nothing in the measurement volume.
@@ -43,4 +43,4 @@ class SteerableHand {
   [[nodiscard]] virtual Isometry T_model_sensor() const = 0;
 };
 
-}  // namespace flytri
+}  // namespace flytri::device

@@ -15,7 +15,7 @@
 #include <ctime>
 #include <system_error>
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
@@ -142,4 +142,4 @@ DarkGuard::~DarkGuard() {
   }
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio

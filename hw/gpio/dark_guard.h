@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 /// What is to be done when the program is gone.
 struct DarkOrder {
@@ -45,4 +45,4 @@ class DarkGuard {
   bool ignores_stop_ = false;
 };
 
-}  // namespace flytri
+}  // namespace flytri::gpio

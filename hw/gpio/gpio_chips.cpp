@@ -6,11 +6,11 @@
 
 #include "hw/gpio/open_chip.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
-Error cannot_open(const DeviceNode& device, int error_number) {
+Error cannot_open(const device::DeviceNode& device, int error_number) {
   if (error_number == EACCES || error_number == EPERM)
     return {ErrorCode::kNotPermitted,
             fmt::format("GPIO chip {}: you may not use it; add yourself to the group \"gpio\" or "
@@ -21,7 +21,7 @@ Error cannot_open(const DeviceNode& device, int error_number) {
                       device.node, std::generic_category().message(error_number))};
 }
 
-GpioChip describe(const DeviceNode& device) {
+GpioChip describe(const device::DeviceNode& device) {
   GpioChip description{device, {}, {}, {}};
   const auto chip = open_chip(device.node);
   if (!chip) {
@@ -36,7 +36,7 @@ GpioChip describe(const DeviceNode& device) {
 // A chip that may not be opened does not tell its label: it may be the one.
 bool may_match(const GpioChip& chip, const ChipMatch& match) {
   return (match.label.empty() || chip.label.empty() || chip.label == match.label) &&
-         is_device(chip.device, match.serial, match.bus_path);
+         device::is_device(chip.device, match.serial, match.bus_path);
 }
 
 std::string names_of(const std::vector<GpioChip>& chips) {
@@ -49,7 +49,7 @@ std::string names_of(const std::vector<GpioChip>& chips) {
 }
 
 std::string text_of(const ChipMatch& match) {
-  return text_of_device(fmt::format("\"{}\"", match.label), match.serial, match.bus_path);
+  return device::text_of_device(fmt::format("\"{}\"", match.label), match.serial, match.bus_path);
 }
 
 Result<unsigned> number_of(const GpioChip& chip, const LineMatch& match) {
@@ -71,7 +71,8 @@ Result<unsigned> number_of(const GpioChip& chip, const LineMatch& match) {
 
 std::vector<GpioChip> list_chips() {
   std::vector<GpioChip> chips;
-  for (const DeviceNode& device : list_device_nodes("gpio")) chips.push_back(describe(device));
+  for (const device::DeviceNode& device : device::list_device_nodes("gpio"))
+    chips.push_back(describe(device));
   return chips;
 }
 
@@ -117,4 +118,4 @@ Result<std::vector<unsigned>> find_lines(const GpioChip& chip, const LightWiring
   return numbers;
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -8,7 +8,7 @@
 #include "hw/device/device_node.h"
 #include "hw/gpio/light_wiring.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 struct GpioLine {
   std::string name;      ///< empty where it has none
@@ -17,7 +17,7 @@ struct GpioLine {
 
 /// A chip as it is listed.
 struct GpioChip {
-  DeviceNode device;
+  device::DeviceNode device;
   std::string label;            ///< empty where it may not be opened
   std::vector<GpioLine> lines;  ///< by their numbers
   std::vector<Error> problems;  ///< what keeps it from being used, with the remedy; empty: nothing
@@ -40,4 +40,4 @@ struct GpioChip {
 [[nodiscard]] Result<std::vector<unsigned>> find_lines(const GpioChip& chip,
                                                        const LightWiring& wiring);
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "hw/device/clock.h"
-#include "hw/device/wish_queue.h"
+#include "hw/device/request_queue.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
@@ -43,24 +43,24 @@ struct GpioLightSwitch::Worker {
   void run();
   void search(std::unique_lock<std::mutex>& lock);
   void serve(std::unique_lock<std::mutex>& lock);
-  void carry_out(std::unique_lock<std::mutex>& lock, const NumberedWish& wish);
+  void carry_out(std::unique_lock<std::mutex>& lock, const device::NumberedRequest& request);
   void lose(std::unique_lock<std::mutex>& lock, std::string message);
   void note_duration(double call_s);
 
   const OpenLightLines open;
   const GpioLightSwitchOptions options;
-  const Clock clock = machine_clock();
+  const device::Clock clock = device::machine_clock();
   std::thread thread;
   std::unique_ptr<LightLines> lines;  // of the thread while it runs
 
   std::mutex mutex;  // of all below
   std::condition_variable changed;
   bool running = false;
-  WishQueue wishes;
-  std::deque<LightSwitching> done;
-  NumberedWish latest;                 // that was carried out, or tried
+  device::RequestQueue requests;
+  std::deque<device::LightSwitching> done;
+  device::NumberedRequest latest;      // that was carried out, or tried
   std::optional<double> call_began_s;  // of the call to the device that is in progress
-  LightSwitchStatus status;
+  device::LightSwitchStatus status;
 };
 
 void GpioLightSwitch::Worker::run() {
@@ -75,7 +75,7 @@ void GpioLightSwitch::Worker::run() {
   lines.reset();
 }
 
-// While it is lost, wishes that are due pass; the latest of them holds when it is back.
+// While it is lost, requests that are due pass; the latest of them holds when it is back.
 void GpioLightSwitch::Worker::search(std::unique_lock<std::mutex>& lock) {
   changed.wait_until(lock, time_point(clock.now_s() + options.search_period_s),
                      [&] { return !running; });
@@ -83,8 +83,8 @@ void GpioLightSwitch::Worker::search(std::unique_lock<std::mutex>& lock) {
   lock.unlock();
   auto opened = open();
   lock.lock();
-  if (const auto passed = wishes.take_due(clock.now_s())) {
-    latest = passed->wish;
+  if (const auto passed = requests.take_due(clock.now_s())) {
+    latest = passed->request;
     status.skipped += passed->skipped + 1;
   }
   if (!opened) {
@@ -94,42 +94,42 @@ void GpioLightSwitch::Worker::search(std::unique_lock<std::mutex>& lock) {
   lines = std::move(*opened);
   // Stopped meanwhile: nothing is turned on any more.
   if (!running) return;
-  status.state = LightSwitchState::kRunning;
+  status.state = device::LightSwitchState::kRunning;
   status.message.clear();
   ++status.returned;
   if (latest.number == 0) return;
   // It was counted as skipped, or failed; now it is carried out after all.
-  const NumberedWish again = latest;
+  const device::NumberedRequest again = latest;
   carry_out(lock, again);
 }
 
 void GpioLightSwitch::Worker::serve(std::unique_lock<std::mutex>& lock) {
   const double check_s = clock.now_s() + options.search_period_s;
-  const auto wake_s = [&] { return std::min(check_s, wishes.first_due_s().value_or(check_s)); };
-  while (running && !wishes.is_due(clock.now_s()) && clock.now_s() < check_s)
+  const auto wake_s = [&] { return std::min(check_s, requests.first_due_s().value_or(check_s)); };
+  while (running && !requests.is_due(clock.now_s()) && clock.now_s() < check_s)
     changed.wait_until(lock, time_point(wake_s()));
   if (!running) return;
-  if (const auto due = wishes.take_due(clock.now_s())) {
+  if (const auto due = requests.take_due(clock.now_s())) {
     status.skipped += due->skipped;
-    carry_out(lock, due->wish);
+    carry_out(lock, due->request);
   } else if (!lines->present()) {
     lose(lock, "the switch of the lights was unplugged: plug it in again");
   }
 }
 
 void GpioLightSwitch::Worker::carry_out(std::unique_lock<std::mutex>& lock,
-                                        const NumberedWish& wish) {
-  latest = wish;
+                                        const device::NumberedRequest& request) {
+  latest = request;
   const double before_s = clock.now_s();
   call_began_s = before_s;
   lock.unlock();
-  const int error = lines->set(wish.wish.light);
+  const int error = lines->set(request.request.light);
   const double after_s = clock.now_s();
   lock.lock();
   call_began_s.reset();
   note_duration(after_s - before_s);
   ++(error == 0 ? status.switched : status.refused);
-  done.push_back({wish.number, wish.wish.light, before_s, after_s, error == 0});
+  done.push_back({request.number, request.request.light, before_s, after_s, error == 0});
   if (done.size() > kMaxDone) done.pop_front();
   if (error != 0)
     lose(lock, fmt::format("the switch of the lights does not take orders ({}): plug it in again",
@@ -147,7 +147,7 @@ void GpioLightSwitch::Worker::note_duration(double call_s) {
 }
 
 void GpioLightSwitch::Worker::lose(std::unique_lock<std::mutex>& lock, std::string message) {
-  status.state = LightSwitchState::kLost;
+  status.state = device::LightSwitchState::kLost;
   status.message = std::move(message);
   ++status.lost;
   // Letting the lines go is a call to the device, too.
@@ -179,14 +179,14 @@ Result<void> GpioLightSwitch::start() {
   const std::lock_guard lock(worker_->mutex);
   worker_->status = {};
   if (!lines) {
-    worker_->status.state = LightSwitchState::kFailed;
+    worker_->status.state = device::LightSwitchState::kFailed;
     worker_->status.message = lines.error().message;
     return tl::unexpected(lines.error());
   }
   worker_->lines = std::move(*lines);
-  worker_->status.state = LightSwitchState::kRunning;
+  worker_->status.state = device::LightSwitchState::kRunning;
   worker_->running = true;
-  worker_->wishes.clear();
+  worker_->requests.clear();
   worker_->done.clear();
   worker_->latest = {};
   worker_->thread = std::thread([worker = worker_.get()] { worker->run(); });
@@ -202,31 +202,31 @@ void GpioLightSwitch::stop() {
   if (worker_->thread.joinable()) worker_->thread.join();
   // Only now: what the thread was doing may have gone well or badly meanwhile.
   const std::lock_guard lock(worker_->mutex);
-  worker_->status.state = LightSwitchState::kIdle;
+  worker_->status.state = device::LightSwitchState::kIdle;
   worker_->status.message.clear();
 }
 
-std::int64_t GpioLightSwitch::post(const LightWish& wish) {
+std::int64_t GpioLightSwitch::post(const device::LightRequest& request) {
   std::int64_t number = 0;
   {
     const std::lock_guard lock(worker_->mutex);
     if (!worker_->running) return 0;
-    number = worker_->wishes.post(wish);
+    number = worker_->requests.post(request);
   }
   worker_->changed.notify_all();
   return number;
 }
 
-std::vector<LightSwitching> GpioLightSwitch::take_done() {
+std::vector<device::LightSwitching> GpioLightSwitch::take_done() {
   const std::lock_guard lock(worker_->mutex);
-  std::vector<LightSwitching> done(worker_->done.begin(), worker_->done.end());
+  std::vector<device::LightSwitching> done(worker_->done.begin(), worker_->done.end());
   worker_->done.clear();
   return done;
 }
 
-LightSwitchStatus GpioLightSwitch::status() const {
+device::LightSwitchStatus GpioLightSwitch::status() const {
   const std::lock_guard lock(worker_->mutex);
-  LightSwitchStatus status = worker_->status;
+  device::LightSwitchStatus status = worker_->status;
   if (!worker_->call_began_s) return status;
   const double busy_s = worker_->clock.now_s() - *worker_->call_began_s;
   status.slowest_s = std::max(status.slowest_s, busy_s);
@@ -236,4 +236,4 @@ LightSwitchStatus GpioLightSwitch::status() const {
   return status;
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -1,4 +1,4 @@
-/// @file  The lights on GPIO lines: a thread of its own serves the wishes, so that a chip that
+/// @file  The lights on GPIO lines: a thread of its own serves the requests, so that a chip that
 /// blocks holds nobody up.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 #include "hw/gpio/gpio_lines.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 struct GpioLightSwitchOptions {
   /// > 0. So often a chip that is lost is looked for, and one that is idle is looked after.
@@ -16,7 +16,7 @@ struct GpioLightSwitchOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-class GpioLightSwitch final : public LightSwitch {
+class GpioLightSwitch final : public device::LightSwitch {
  public:
   /// Nothing is opened before start().
   /// @errors  kBadOption.
@@ -30,9 +30,9 @@ class GpioLightSwitch final : public LightSwitch {
 
   [[nodiscard]] Result<void> start() override;
   void stop() override;
-  std::int64_t post(const LightWish& wish) override;
-  [[nodiscard]] std::vector<LightSwitching> take_done() override;
-  [[nodiscard]] LightSwitchStatus status() const override;
+  std::int64_t post(const device::LightRequest& request) override;
+  [[nodiscard]] std::vector<device::LightSwitching> take_done() override;
+  [[nodiscard]] device::LightSwitchStatus status() const override;
 
  private:
   struct Worker;
@@ -40,4 +40,4 @@ class GpioLightSwitch final : public LightSwitch {
   std::unique_ptr<Worker> worker_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -10,18 +10,18 @@
 #include "hw/gpio/gpio_chips.h"
 #include "hw/gpio/open_chip.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
 struct WiredLight {
-  Light light;
+  device::Light light;
   unsigned line;
   bool active_low;
 };
 
 // As they are on the wire, whatever shines.
-std::vector<int> values_for(const std::vector<WiredLight>& lights, Light shining) {
+std::vector<int> values_for(const std::vector<WiredLight>& lights, device::Light shining) {
   std::vector<int> values;
   values.reserve(lights.size());
   for (const WiredLight& wired : lights)
@@ -42,14 +42,14 @@ class GpioLines final : public LightLines {
       : description_(std::move(chip)), lights_(std::move(lights)) {}
   ~GpioLines() override {
     // A chip that is gone cannot be told, and takes its lights along.
-    if (held_) (void)set(Light::kDark);
+    if (held_) (void)set(device::Light::kDark);
   }
 
   Result<void> hold() {
     chip_ = open_chip(description_.device.node);
     auto lines = lines_of(lights_);
     if (!chip_) return failed("opening it", errno);
-    const std::vector<int> dark = values_for(lights_, Light::kDark);
+    const std::vector<int> dark = values_for(lights_, device::Light::kDark);
     held_ = chip_->hold(lines, dark);
     if (!held_) return failed("asking for its lines", errno);
     auto guard =
@@ -59,7 +59,7 @@ class GpioLines final : public LightLines {
     return {};
   }
 
-  int set(Light light) override { return held_->set(values_for(lights_, light)); }
+  int set(device::Light light) override { return held_->set(values_for(lights_, light)); }
 
   bool present() const override { return access(description_.device.node.c_str(), F_OK) == 0; }
 
@@ -82,9 +82,10 @@ Result<std::vector<WiredLight>> wire(const GpioChip& chip, const LightWiring& wi
   const auto lines = find_lines(chip, wiring);
   if (!lines) return tl::unexpected(lines.error());
   std::vector<WiredLight> lights = {
-      {Light::kVertical, (*lines)[0], wiring.vertical.active_low},
-      {Light::kHorizontal, (*lines)[1], wiring.horizontal.active_low}};
-  if (wiring.flash) lights.push_back({Light::kFlash, (*lines)[2], wiring.flash->active_low});
+      {device::Light::kVertical, (*lines)[0], wiring.vertical.active_low},
+      {device::Light::kHorizontal, (*lines)[1], wiring.horizontal.active_low}};
+  if (wiring.flash)
+    lights.push_back({device::Light::kFlash, (*lines)[2], wiring.flash->active_low});
   return lights;
 }
 
@@ -101,4 +102,4 @@ Result<std::unique_ptr<LightLines>> open_gpio_lines(const LightWiring& wiring) {
   return lines;
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -7,7 +7,7 @@
 #include "hw/device/c_text.h"
 #include "hw/gpio/open_chip.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
@@ -32,14 +32,14 @@ class OpenChipV1 final : public OpenChip {
  public:
   explicit OpenChipV1(gpiod_chip* chip) : chip_(chip) {}
 
-  std::string label() const override { return c_text(gpiod_chip_label(chip_.get())); }
+  std::string label() const override { return device::c_text(gpiod_chip_label(chip_.get())); }
 
   std::vector<GpioLine> lines() const override {
     std::vector<GpioLine> lines(gpiod_chip_num_lines(chip_.get()));
     for (unsigned i = 0; i < lines.size(); ++i) {
       gpiod_line* line = gpiod_chip_get_line(chip_.get(), i);
       if (line == nullptr) continue;
-      lines[i] = {c_text(gpiod_line_name(line)), c_text(gpiod_line_consumer(line))};
+      lines[i] = {device::c_text(gpiod_line_name(line)), device::c_text(gpiod_line_consumer(line))};
       if (lines[i].consumer.empty() && gpiod_line_is_used(line)) lines[i].consumer = "the kernel";
     }
     return lines;
@@ -67,6 +67,6 @@ std::unique_ptr<OpenChip> open_chip(const std::string& node) {
   return chip == nullptr ? nullptr : std::make_unique<OpenChipV1>(chip);
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio
 
 #endif

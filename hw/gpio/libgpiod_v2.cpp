@@ -7,7 +7,7 @@
 #include "hw/device/c_text.h"
 #include "hw/gpio/open_chip.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
@@ -54,7 +54,7 @@ class OpenChipV2 final : public OpenChip {
 
   std::string label() const override {
     const Owned<gpiod_chip_info> info(gpiod_chip_get_info(chip_.get()));
-    return info ? c_text(gpiod_chip_info_get_label(info.get())) : std::string();
+    return info ? device::c_text(gpiod_chip_info_get_label(info.get())) : std::string();
   }
 
   std::vector<GpioLine> lines() const override {
@@ -63,8 +63,8 @@ class OpenChipV2 final : public OpenChip {
     for (unsigned i = 0; i < lines.size(); ++i) {
       const Owned<gpiod_line_info> line(gpiod_chip_get_line_info(chip_.get(), i));
       if (!line) continue;
-      lines[i] = {c_text(gpiod_line_info_get_name(line.get())),
-                  c_text(gpiod_line_info_get_consumer(line.get()))};
+      lines[i] = {device::c_text(gpiod_line_info_get_name(line.get())),
+                  device::c_text(gpiod_line_info_get_consumer(line.get()))};
       if (lines[i].consumer.empty() && gpiod_line_info_is_used(line.get()))
         lines[i].consumer = "the kernel";
     }
@@ -100,6 +100,6 @@ std::unique_ptr<OpenChip> open_chip(const std::string& node) {
   return chip == nullptr ? nullptr : std::make_unique<OpenChipV2>(chip);
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio
 
 #endif

@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "hw/device/light_switch.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 /// Held from construction to destruction; all lights are dark at both ends.
 class LightLines {
@@ -18,7 +18,7 @@ class LightLines {
 
   /// Turns one light on and the others off. May block for seconds where a chip does not answer.
   /// @return  0, which proves nothing, or the errno
-  [[nodiscard]] virtual int set(Light light) = 0;
+  [[nodiscard]] virtual int set(device::Light light) = 0;
 
   /// Whether the device is plugged in. Does not block.
   [[nodiscard]] virtual bool present() const = 0;
@@ -31,4 +31,4 @@ class LightLines {
 /// @errors  As LightSwitch::start.
 using OpenLightLines = std::function<Result<std::unique_ptr<LightLines>>()>;
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace flytri {
+namespace flytri::gpio {
 
 namespace {
 
@@ -35,4 +35,4 @@ Result<void> LightWiring::validate() const {
   return {};
 }
 
-}  // namespace flytri
+}  // namespace flytri::gpio

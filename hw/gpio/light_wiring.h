@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "hw/device/light_switch.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 /// Which chip is meant: what is given must all agree, and exactly one chip must be left.
 struct ChipMatch {
@@ -31,4 +31,4 @@ struct LightWiring {
   [[nodiscard]] Result<void> validate() const;
 };
 
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -8,7 +8,7 @@
 
 #include "hw/gpio/gpio_chips.h"
 
-namespace flytri {
+namespace flytri::gpio {
 
 /// Output lines that this program holds. Its end releases them.
 class HeldLines {
@@ -40,4 +40,4 @@ class OpenChip {
 /// @return  null: it cannot be opened; errno says why
 [[nodiscard]] std::unique_ptr<OpenChip> open_chip(const std::string& node);
 
-}  // namespace flytri
+}  // namespace flytri::gpio

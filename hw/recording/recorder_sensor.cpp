@@ -3,9 +3,9 @@
 #include <chrono>
 #include <utility>
 
-#include "core/interchange/calibration_file.h"
+#include "core/io/calibrations/calibration_file.h"
 
-namespace flytri {
+namespace flytri::recording {
 namespace {
 
 constexpr const char* kCalibrationName = "calibration.json";
@@ -20,21 +20,21 @@ Result<void> RecorderOptions::validate() const {
   return {};
 }
 
-Result<std::shared_ptr<RecorderSensor>> RecorderSensor::create(std::shared_ptr<Sensor> sensor,
-                                                               std::filesystem::path folder,
-                                                               const RecorderOptions& options) {
+Result<std::shared_ptr<RecorderSensor>> RecorderSensor::create(
+    std::shared_ptr<device::Sensor> sensor, std::filesystem::path folder,
+    const RecorderOptions& options) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   return std::shared_ptr<RecorderSensor>(
       new RecorderSensor(std::move(sensor), std::move(folder), options));
 }
 
-RecorderSensor::RecorderSensor(std::shared_ptr<Sensor> sensor, std::filesystem::path folder,
+RecorderSensor::RecorderSensor(std::shared_ptr<device::Sensor> sensor, std::filesystem::path folder,
                                const RecorderOptions& options)
     : sensor_(std::move(sensor)), folder_(std::move(folder)), options_(options) {}
 
 Result<void> RecorderSensor::start() {
-  const SensorState state = sensor_->status().state;
-  if (state == SensorState::kRunning || state == SensorState::kLost) return {};
+  const device::SensorState state = sensor_->status().state;
+  if (state == device::SensorState::kRunning || state == device::SensorState::kLost) return {};
   {
     const std::lock_guard lock(mutex_);
     queue_.clear();
@@ -53,7 +53,7 @@ Result<void> RecorderSensor::start() {
 
 Result<void> RecorderSensor::open() {
   const auto calibration = sensor_->calibration();
-  auto writer = RecordingWriter::create(folder_, calibration ? kCalibrationName : "");
+  auto writer = io::RecordingWriter::create(folder_, calibration ? kCalibrationName : "");
   if (!writer) return tl::unexpected(writer.error());
   writer_ = *std::move(writer);
   return {};
@@ -97,9 +97,9 @@ void RecorderSensor::pass(const Frame& frame) {
   arrived_.notify_one();
 }
 
-bool RecorderSensor::work_beside(double timeout_s) {
+bool RecorderSensor::work_in_background(double timeout_s) {
   // Neither kind of work waits while the other has some to do.
-  const bool more = sensor_->has_work_beside() && sensor_->work_beside(0.0);
+  const bool more = sensor_->has_background_work() && sensor_->work_in_background(0.0);
   return write_one(more ? 0.0 : timeout_s) || more;
 }
 
@@ -124,7 +124,7 @@ bool RecorderSensor::write_one(double timeout_s) {
 Result<void> RecorderSensor::write(const Frame& frame) {
   const auto calibration = sensor_->calibration();
   if (writer_->frames().empty() && calibration) {
-    auto written = write_calibration(folder_ / kCalibrationName, *calibration);
+    auto written = io::write_calibration(folder_ / kCalibrationName, *calibration);
     if (!written) return written;
   }
   if (auto appended = writer_->append(frame); !appended) return appended;
@@ -153,8 +153,8 @@ void RecorderSensor::stop() {
   writer_.reset();
 }
 
-SensorStatus RecorderSensor::status() const {
-  SensorStatus status = sensor_->status();
+device::SensorStatus RecorderSensor::status() const {
+  device::SensorStatus status = sensor_->status();
   const std::string message = recorder_status().message;
   if (!status.message.empty() && !message.empty()) status.message += " ";
   status.message += message;
@@ -168,4 +168,4 @@ RecorderStatus RecorderSensor::recorder_status() const {
   return status;
 }
 
-}  // namespace flytri
+}  // namespace flytri::recording

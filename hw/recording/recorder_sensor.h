@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "core/interchange/recording.h"
+#include "core/io/recordings/recording.h"
 #include "hw/device/sensor.h"
 
-namespace flytri {
+namespace flytri::recording {
 
 struct RecorderOptions {
   /// 1..10000, frames that may wait to be written: two seconds of one camera at 30 Hz, which is
@@ -35,24 +35,24 @@ struct RecorderStatus {
 /// A decorator: frames, states and errors are those of the sensor within, which is never held up.
 /// Writing goes on beside the stream. What cannot be written costs the recording, not the scan:
 /// the status' message says so. The calibration, where there is one, is written along.
-class RecorderSensor final : public Sensor {
+class RecorderSensor final : public device::Sensor {
  public:
   /// @param folder  of the recording; made at each start(). What it held is overwritten from the
   ///                first frame on; where none comes, it is left as it was
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::shared_ptr<RecorderSensor>> create(
-      std::shared_ptr<Sensor> sensor, std::filesystem::path folder,
+      std::shared_ptr<device::Sensor> sensor, std::filesystem::path folder,
       const RecorderOptions& options = {});
 
   [[nodiscard]] Result<void> start() override;
   /// Also writes what is waiting and closes the recording.
   void stop() override;
   [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
-  bool work_beside(double timeout_s) override;
-  [[nodiscard]] bool has_work_beside() const override { return true; }
+  bool work_in_background(double timeout_s) override;
+  [[nodiscard]] bool has_background_work() const override { return true; }
   /// That of the sensor within; the recorder's message is added to its own.
-  [[nodiscard]] SensorStatus status() const override;
-  [[nodiscard]] std::shared_ptr<const Calibration> calibration() const override {
+  [[nodiscard]] device::SensorStatus status() const override;
+  [[nodiscard]] std::shared_ptr<const calibration::Calibration> calibration() const override {
     return sensor_->calibration();
   }
   [[nodiscard]] std::string name() const override { return sensor_->name(); }
@@ -60,7 +60,7 @@ class RecorderSensor final : public Sensor {
   [[nodiscard]] RecorderStatus recorder_status() const;
 
  private:
-  RecorderSensor(std::shared_ptr<Sensor> sensor, std::filesystem::path folder,
+  RecorderSensor(std::shared_ptr<device::Sensor> sensor, std::filesystem::path folder,
                  const RecorderOptions& options);
 
   [[nodiscard]] Result<void> open();
@@ -70,12 +70,12 @@ class RecorderSensor final : public Sensor {
   [[nodiscard]] Result<void> list();
   void give_up(const Error& error);
 
-  const std::shared_ptr<Sensor> sensor_;
+  const std::shared_ptr<device::Sensor> sensor_;
   const std::filesystem::path folder_;
   const RecorderOptions options_;
 
   // Of whoever writes: the thread beside the stream, then stop().
-  std::optional<RecordingWriter> writer_;
+  std::optional<io::RecordingWriter> writer_;
   double listed_s_ = 0.0;    // time of the frame with which the list was written last
   std::int64_t listed_ = 0;  // frames in that list
 
@@ -86,4 +86,4 @@ class RecorderSensor final : public Sensor {
   RecorderStatus status_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::recording

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <utility>
 
-#include "core/interchange/calibration_file.h"
+#include "core/io/calibrations/calibration_file.h"
 
-namespace flytri {
+namespace flytri::recording {
 
 Result<void> ReplayOptions::validate() const {
   if (!(speed >= 0.0))
@@ -18,25 +18,26 @@ Result<void> ReplayOptions::validate() const {
 
 Result<std::shared_ptr<ReplaySensor>> ReplaySensor::open(const std::filesystem::path& folder,
                                                          const ReplayOptions& options,
-                                                         Clock clock) {
+                                                         device::Clock clock) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  auto recording = open_recording(folder);
+  auto recording = io::open_recording(folder);
   if (!recording) return tl::unexpected(recording.error());
   ReplayOptions complete = options;
   if (!complete.calibration && recording->calibration) {
-    auto calibration = read_calibration(*recording->calibration);
+    auto calibration = io::read_calibration(*recording->calibration);
     if (!calibration) return tl::unexpected(calibration.error());
-    complete.calibration = std::make_shared<const Calibration>(*std::move(calibration));
+    complete.calibration =
+        std::make_shared<const calibration::Calibration>(*std::move(calibration));
   }
   return std::shared_ptr<ReplaySensor>(
       new ReplaySensor(*std::move(recording), std::move(complete), std::move(clock)));
 }
 
-ReplaySensor::ReplaySensor(Recording recording, ReplayOptions options, Clock clock)
+ReplaySensor::ReplaySensor(io::Recording recording, ReplayOptions options, device::Clock clock)
     : recording_(std::move(recording)), options_(std::move(options)), clock_(std::move(clock)) {}
 
 Result<void> ReplaySensor::start() {
-  if (status_.state() == SensorState::kRunning) return {};
+  if (status_.state() == device::SensorState::kRunning) return {};
   {
     const std::lock_guard lock(mutex_);
     to_deliver_ = to_decode_ = 0;
@@ -48,18 +49,18 @@ Result<void> ReplaySensor::start() {
   return {};
 }
 
-void ReplaySensor::stop() { status_.set(SensorState::kIdle); }
+void ReplaySensor::stop() { status_.set(device::SensorState::kIdle); }
 
 Result<std::optional<Frame>> ReplaySensor::next(double timeout_s) {
-  const SensorState state = status_.state();
-  if (state == SensorState::kEnded) return std::nullopt;
-  if (state != SensorState::kRunning)
+  const device::SensorState state = status_.state();
+  if (state == device::SensorState::kEnded) return std::nullopt;
+  if (state != device::SensorState::kRunning)
     return fail(ErrorCode::kBadOption, "{}: start it first", name());
   if (!wait_until_due(timeout_s)) return std::nullopt;
   std::optional<Result<Frame>> frame = take(timeout_s);
   if (!frame) return std::nullopt;
   if (to_deliver_ == recording_.frames.size())
-    status_.set(SensorState::kEnded, status_.status().message);
+    status_.set(device::SensorState::kEnded, status_.status().message);
   if (!*frame) {
     status_.count_dropped(1);
     status_.set(status_.state(), frame->error().message);
@@ -85,7 +86,7 @@ std::optional<std::size_t> ReplaySensor::claim(std::size_t limit) {
 }
 
 void ReplaySensor::decode(std::size_t index) {
-  Result<Frame> frame = load_frame(recording_, FrameIndex(index));
+  Result<Frame> frame = io::load_frame(recording_, FrameIndex(index));
   {
     const std::lock_guard lock(mutex_);
     ready_.emplace(index, std::move(frame));
@@ -111,13 +112,13 @@ std::optional<Result<Frame>> ReplaySensor::take(double timeout_s) {
   return frame;
 }
 
-bool ReplaySensor::work_beside(double timeout_s) {
+bool ReplaySensor::work_in_background(double timeout_s) {
   std::unique_lock lock(mutex_);
   const auto limit = static_cast<std::size_t>(options_.ahead);
   const auto room = [&] {
     return to_decode_ < std::min(to_deliver_ + limit, recording_.frames.size());
   };
-  if (status_.state() != SensorState::kRunning) return false;
+  if (status_.state() != device::SensorState::kRunning) return false;
   if (!taken_.wait_for(lock, std::chrono::duration<double>(timeout_s), room)) return false;
   const std::size_t index = *claim(limit);
   lock.unlock();
@@ -125,4 +126,4 @@ bool ReplaySensor::work_beside(double timeout_s) {
   return true;
 }
 
-}  // namespace flytri
+}  // namespace flytri::recording

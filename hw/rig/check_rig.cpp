@@ -1,10 +1,10 @@
 #include "hw/rig/check_rig.h"
 
-#include "core/interchange/calibration_file.h"
+#include "core/io/calibrations/calibration_file.h"
 #include "hw/v4l2/find_camera.h"
 #include "hw/v4l2/video_failure.h"
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 void append(std::vector<Error>& problems, std::vector<Error> more) {
@@ -12,46 +12,47 @@ void append(std::vector<Error>& problems, std::vector<Error> more) {
 }
 
 // What the rig says of its cameras may fit one and the same.
-void check_distinct(std::vector<Error>& problems, const RigSettings& rig, VideoSystem& system) {
-  const auto measurement = find_camera(system, rig.measurement.match);
-  const auto texture = find_camera(system, rig.texture->match);
+void check_distinct(std::vector<Error>& problems, const RigSettings& rig,
+                    v4l2::VideoSystem& system) {
+  const auto measurement = v4l2::find_camera(system, rig.measurement.match);
+  const auto texture = v4l2::find_camera(system, rig.texture->match);
   if (!measurement || !texture || measurement->node != texture->node) return;
   problems.push_back({ErrorCode::kInconsistent,
                       fmt::format("camera {} is both the measurement and the texture camera: tell "
                                   "them apart by their serial numbers or bus paths",
-                                  to_string(*measurement))});
+                                  v4l2::to_string(*measurement))});
 }
 
-std::vector<Error> check_lines(const GpioChip& chip, const LightWiring& lights) {
+std::vector<Error> check_lines(const gpio::GpioChip& chip, const gpio::LightWiring& lights) {
   std::vector<Error> problems;
   const auto check = [&](const auto& found) {
     if (!found) problems.push_back(found.error());
   };
-  check(find_line(chip, lights.vertical));
-  check(find_line(chip, lights.horizontal));
-  if (lights.flash) check(find_line(chip, *lights.flash));
+  check(gpio::find_line(chip, lights.vertical));
+  check(gpio::find_line(chip, lights.horizontal));
+  if (lights.flash) check(gpio::find_line(chip, *lights.flash));
   // Each is well by itself: are they together?
-  if (problems.empty()) check(find_lines(chip, lights));
+  if (problems.empty()) check(gpio::find_lines(chip, lights));
   return problems;
 }
 
 }  // namespace
 
-std::vector<Error> check_rig(const RigSettings& rig, VideoSystem& system,
-                             const std::vector<GpioChip>& chips) {
+std::vector<Error> check_rig(const RigSettings& rig, v4l2::VideoSystem& system,
+                             const std::vector<gpio::GpioChip>& chips) {
   std::vector<Error> problems =
-      check_camera(system, rig.measurement.match, rig.measurement.settings);
+      v4l2::check_camera(system, rig.measurement.match, rig.measurement.settings);
   if (rig.texture) {
-    append(problems, check_camera(system, rig.texture->match, rig.texture->settings));
+    append(problems, v4l2::check_camera(system, rig.texture->match, rig.texture->settings));
     check_distinct(problems, rig, system);
   }
-  const auto chip = find_chip(chips, rig.lights.chip);
+  const auto chip = gpio::find_chip(chips, rig.lights.chip);
   append(problems, chip ? check_lines(*chip, rig.lights) : std::vector{chip.error()});
   if (rig.calibration) {
-    const auto calibration = read_calibration(*rig.calibration);
+    const auto calibration = io::read_calibration(*rig.calibration);
     if (!calibration) problems.push_back(calibration.error());
   }
   return problems;
 }
 
-}  // namespace flytri
+}  // namespace flytri::rig

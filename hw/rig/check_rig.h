@@ -8,11 +8,11 @@
 #include "hw/rig/rig_settings.h"
 #include "hw/v4l2/video_system.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 /// @param chips  those that there are
 /// @return  each problem with its remedy; empty: nothing that can be told
-[[nodiscard]] std::vector<Error> check_rig(const RigSettings& rig, VideoSystem& system,
-                                           const std::vector<GpioChip>& chips);
+[[nodiscard]] std::vector<Error> check_rig(const RigSettings& rig, v4l2::VideoSystem& system,
+                                           const std::vector<gpio::GpioChip>& chips);
 
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 /// Flashes that are remembered: those ahead and those whose frames are on their way.
@@ -24,8 +24,9 @@ void FrameMerger::add_pattern(Pattern pattern, const cv::Mat& image, double time
   patterns_.push_back({{FrameIndex(), kind, time_s, image}, now_s});
 }
 
-void FrameMerger::add_texture(const cv::Mat& image, const FrameLabel& label, double now_s) {
-  const bool is_other = label.outcome == LabelOutcome::kLabeled && label.light != Light::kFlash;
+void FrameMerger::add_texture(const cv::Mat& image, const sync::FrameLabel& label, double now_s) {
+  const bool is_other =
+      label.outcome == sync::LabelOutcome::kLabeled && label.light != device::Light::kFlash;
   if (label.evidence.is_flash && !is_other) {
     if (brightest_ && label.evidence.area <= kBrighter * brightest_area_) return;
     brightest_area_ = label.evidence.area;
@@ -72,4 +73,4 @@ std::optional<Frame> FrameMerger::numbered(Frame frame) {
   return frame;
 }
 
-}  // namespace flytri
+}  // namespace flytri::rig

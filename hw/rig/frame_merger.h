@@ -10,7 +10,7 @@
 #include "core/imaging/frame.h"
 #include "hw/sync/frame_labeler.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 struct FrameMergerOptions {
   double start_s = 0.0;      ///< what the times of the frames that come out count from
@@ -31,7 +31,7 @@ class FrameMerger {
   void add_pattern(Pattern pattern, const cv::Mat& image, double time_s, double now_s);
   /// Any frame of the texture camera. Of those that show one flash the brightest is taken, which
   /// was lit all the time; an image in which no flash is seen only tells that the flash is over.
-  void add_texture(const cv::Mat& image, const FrameLabel& label, double now_s);
+  void add_texture(const cv::Mat& image, const sync::FrameLabel& label, double now_s);
 
   /// The next frame of the stream, with its index.
   /// @param texture_comes  the texture camera is there and runs
@@ -60,4 +60,4 @@ class FrameMerger {
   std::int64_t late_ = 0;
 };
 
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -1,19 +1,19 @@
 #include "hw/rig/open_rig.h"
 
-#include "core/interchange/calibration_file.h"
-#include "hw/device/camera_beside.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "hw/device/threaded_camera.h"
 #include "hw/gpio/gpio_light_switch.h"
 #include "hw/v4l2/v4l2_camera.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 Result<std::shared_ptr<RigSensor>> assemble_rig(const RigSettings& rig, RigDevices devices) {
   if (auto valid = rig.validate(); !valid) return tl::unexpected(valid.error());
-  std::shared_ptr<const Calibration> calibration;
+  std::shared_ptr<const calibration::Calibration> calibration;
   if (rig.calibration) {
-    auto read = read_calibration(*rig.calibration);
+    auto read = io::read_calibration(*rig.calibration);
     if (!read) return tl::unexpected(read.error());
-    calibration = std::make_shared<const Calibration>(*std::move(read));
+    calibration = std::make_shared<const calibration::Calibration>(*std::move(read));
   }
   RigSensorOptions options;
   options.name = rig.name;
@@ -26,17 +26,17 @@ Result<std::shared_ptr<RigSensor>> assemble_rig(const RigSettings& rig, RigDevic
 Result<RigDevices> open_devices(const RigSettings& rig) {
   if (auto valid = rig.validate(); !valid) return tl::unexpected(valid.error());
   RigDevices devices;
-  devices.clock = machine_clock();
-  auto measurement = V4l2Camera::create(rig.measurement.match, rig.measurement.settings);
+  devices.clock = device::machine_clock();
+  auto measurement = v4l2::V4l2Camera::create(rig.measurement.match, rig.measurement.settings);
   if (!measurement) return tl::unexpected(measurement.error());
   devices.measurement = *std::move(measurement);
   if (rig.texture) {
-    auto texture = V4l2Camera::create(rig.texture->match, rig.texture->settings);
+    auto texture = v4l2::V4l2Camera::create(rig.texture->match, rig.texture->settings);
     if (!texture) return tl::unexpected(texture.error());
     // What this camera takes to be set up anew must not cost frames of the other.
-    devices.texture = std::make_shared<CameraBeside>(*std::move(texture));
+    devices.texture = std::make_shared<device::ThreadedCamera>(*std::move(texture));
   }
-  auto lights = GpioLightSwitch::create(rig.lights);
+  auto lights = gpio::GpioLightSwitch::create(rig.lights);
   if (!lights) return tl::unexpected(lights.error());
   devices.lights = *std::move(lights);
   return devices;
@@ -48,4 +48,4 @@ Result<std::shared_ptr<RigSensor>> open_rig(const RigSettings& rig) {
   return assemble_rig(rig, *std::move(devices));
 }
 
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -8,7 +8,7 @@
 #include "hw/rig/rig_sensor.h"
 #include "hw/rig/rig_settings.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 /// No device is opened before start().
 /// @errors  kBadOption; as read_calibration, where the rig names one.
@@ -23,4 +23,4 @@ namespace flytri {
 [[nodiscard]] Result<std::shared_ptr<RigSensor>> assemble_rig(const RigSettings& rig,
                                                               RigDevices devices);
 
-}  // namespace flytri
+}  // namespace flytri::rig

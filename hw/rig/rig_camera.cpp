@@ -2,15 +2,15 @@
 
 #include <utility>
 
-namespace flytri {
+namespace flytri::rig {
 
 Result<void> RigCameraReader::start() {
   if (auto started = camera_->start(); !started) return started;
-  const CameraSettings settings = camera_->read_back();
-  LabelerOptions options;
+  const device::CameraSettings settings = camera_->read_back();
+  sync::LabelerOptions options;
   options.clock.period_s = 1.0 / settings.rate_hz;
   options.latency.min_window_s = settings.exposure_s.value_or(0.0) + readout_s_;
-  auto labeler = FrameLabeler::create(options);
+  auto labeler = sync::FrameLabeler::create(options);
   if (!labeler) {
     camera_->stop();
     return tl::unexpected(labeler.error());
@@ -20,10 +20,10 @@ Result<void> RigCameraReader::start() {
   return {};
 }
 
-Result<std::optional<CameraFrame>> RigCameraReader::next(double timeout_s) {
+Result<std::optional<device::CameraFrame>> RigCameraReader::next(double timeout_s) {
   auto frame = camera_->next(timeout_s);
   if (!frame) return tl::unexpected(frame.error());
-  const CameraStatus status = camera_->status();
+  const device::CameraStatus status = camera_->status();
   const std::int64_t streams = status.returned + status.restarted;
   if (std::exchange(streams_, streams) != streams) labeler_->camera_returned();
   if (!*frame) return std::nullopt;
@@ -46,4 +46,4 @@ RigCameraStatus RigCameraReader::status() const {
   return status;
 }
 
-}  // namespace flytri
+}  // namespace flytri::rig

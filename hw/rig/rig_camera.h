@@ -7,23 +7,23 @@
 #include "hw/device/camera.h"
 #include "hw/sync/frame_labeler.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 /// What became of the frames of a camera, and what is known of its latency.
 struct RigCameraStatus {
-  CameraStatus camera;
-  LabelCounts labels;
+  device::CameraStatus camera;
+  sync::LabelCounts labels;
   std::int64_t damaged = 0;  ///< not looked at: the driver flagged them, or they are not whole
-  LatencyEstimate latency;
+  sync::LatencyEstimate latency;
   bool is_learned = false;  ///< the latency
-  LightFault fault = LightFault::kNone;
+  sync::LightFault fault = sync::LightFault::kNone;
 };
 
 /// start, stop and next are called from one thread, all else from that one, too.
 class RigCameraReader {
  public:
   /// @param readout_s  see RigCamera
-  RigCameraReader(std::shared_ptr<Camera> camera, double readout_s)
+  RigCameraReader(std::shared_ptr<device::Camera> camera, double readout_s)
       : camera_(std::move(camera)), readout_s_(readout_s) {}
 
   /// @errors  As Camera::start; kBadOption.
@@ -32,23 +32,23 @@ class RigCameraReader {
 
   /// The next frame that is whole; nothing: none yet, or a damaged one.
   /// @errors  As Camera::next.
-  [[nodiscard]] Result<std::optional<CameraFrame>> next(double timeout_s);
+  [[nodiscard]] Result<std::optional<device::CameraFrame>> next(double timeout_s);
   /// Once the labeler has heard of all that was switched before the frame came.
-  [[nodiscard]] FrameLabel label(const CameraFrame& frame) {
+  [[nodiscard]] sync::FrameLabel label(const device::CameraFrame& frame) {
     return labeler_->label(frame.image, frame.time_s);
   }
 
   /// Once started.
-  [[nodiscard]] FrameLabeler& labeler() { return *labeler_; }
+  [[nodiscard]] sync::FrameLabeler& labeler() { return *labeler_; }
   [[nodiscard]] RigCameraStatus status() const;
-  [[nodiscard]] CameraState state() const { return camera_->status().state; }
+  [[nodiscard]] device::CameraState state() const { return camera_->status().state; }
 
  private:
-  std::shared_ptr<Camera> camera_;
+  std::shared_ptr<device::Camera> camera_;
   double readout_s_;
-  std::optional<FrameLabeler> labeler_;
+  std::optional<sync::FrameLabeler> labeler_;
   std::int64_t damaged_ = 0;
   std::int64_t streams_ = 0;  // begun since the first one, as far as the labeler knows
 };
 
-}  // namespace flytri
+}  // namespace flytri::rig

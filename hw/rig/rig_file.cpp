@@ -1,9 +1,9 @@
 #include "hw/rig/rig_file.h"
 
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/json_place.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/files/json_place.h"
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -11,29 +11,30 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kFormat = "flytri.rig";
 constexpr int kVersion = 1;
 
-std::string text_or_nothing(const JsonPlace& place, std::string_view key) {
+std::string text_or_nothing(const io::JsonPlace& place, std::string_view key) {
   return place.has(key) ? place.at(key).text() : std::string();
 }
 
-std::optional<double> positive_or_nothing(const JsonPlace& place, std::string_view key) {
+std::optional<double> positive_or_nothing(const io::JsonPlace& place, std::string_view key) {
   if (!place.has(key)) return std::nullopt;
   return place.at(key).positive_number();
 }
 
-CameraMatch read_match(const JsonPlace& place) {
-  CameraMatch match{text_or_nothing(place, "name"), text_or_nothing(place, "serial"),
-                    text_or_nothing(place, "bus_path")};
-  if (match == CameraMatch{}) place.reject("\"name\", \"serial\" or \"bus_path\" of the camera");
+device::CameraMatch read_match(const io::JsonPlace& place) {
+  device::CameraMatch match{text_or_nothing(place, "name"), text_or_nothing(place, "serial"),
+                            text_or_nothing(place, "bus_path")};
+  if (match == device::CameraMatch{})
+    place.reject("\"name\", \"serial\" or \"bus_path\" of the camera");
   return match;
 }
 
-PixelFormat read_format(const JsonPlace& place) {
-  const auto format = pixel_format_of(place.text());
+device::PixelFormat read_format(const io::JsonPlace& place) {
+  const auto format = device::pixel_format_of(place.text());
   if (!format) place.reject("a pixel format: GREY, Y10, Y12, Y16, YUYV or MJPG");
-  return format.value_or(PixelFormat::kGrey8);
+  return format.value_or(device::PixelFormat::kGrey8);
 }
 
-ImageSize read_size(const JsonPlace& place) {
+ImageSize read_size(const io::JsonPlace& place) {
   const auto sides = place.elements();
   if (sides.size() != 2) {
     place.reject("width and height");
@@ -42,10 +43,10 @@ ImageSize read_size(const JsonPlace& place) {
   return {sides[0].whole_number(), sides[1].whole_number()};
 }
 
-RigCamera read_camera(const JsonPlace& place, Channels channels) {
+RigCamera read_camera(const io::JsonPlace& place, device::Channels channels) {
   RigCamera camera;
   camera.match = read_match(place.at("match"));
-  CameraSettings& settings = camera.settings;
+  device::CameraSettings& settings = camera.settings;
   settings.channels = channels;
   settings.format = read_format(place.at("format"));
   settings.size = read_size(place.at("size_px"));
@@ -58,8 +59,8 @@ RigCamera read_camera(const JsonPlace& place, Channels channels) {
   return camera;
 }
 
-LineMatch read_line(const JsonPlace& place) {
-  LineMatch line;
+gpio::LineMatch read_line(const io::JsonPlace& place) {
+  gpio::LineMatch line;
   if (place.has("line_name")) {
     line.name = place.at("line_name").text();
   } else {
@@ -73,9 +74,9 @@ LineMatch read_line(const JsonPlace& place) {
   return line;
 }
 
-LightWiring read_lights(const JsonPlace& place) {
-  LightWiring lights;
-  const JsonPlace chip = place.at("chip");
+gpio::LightWiring read_lights(const io::JsonPlace& place) {
+  gpio::LightWiring lights;
+  const io::JsonPlace chip = place.at("chip");
   lights.chip = {text_or_nothing(chip, "label"), text_or_nothing(chip, "serial"),
                  text_or_nothing(chip, "bus_path")};
   lights.vertical = read_line(place.at("vertical"));
@@ -97,7 +98,7 @@ Json to_json(const RigCamera& camera) {
   add_text(match, "name", camera.match.name);
   add_text(match, "serial", camera.match.serial);
   add_text(match, "bus_path", camera.match.bus_path);
-  const CameraSettings& settings = camera.settings;
+  const device::CameraSettings& settings = camera.settings;
   Json json = {{"match", match},
                {"format", to_string(settings.format)},
                {"size_px", {settings.size.width_px, settings.size.height_px}},
@@ -110,7 +111,7 @@ Json to_json(const RigCamera& camera) {
   return json;
 }
 
-Json to_json(const LineMatch& line) {
+Json to_json(const gpio::LineMatch& line) {
   Json json = Json::object();
   if (line.offset) {
     json["line"] = *line.offset;
@@ -121,7 +122,7 @@ Json to_json(const LineMatch& line) {
   return json;
 }
 
-Json to_json(const LightWiring& lights) {
+Json to_json(const gpio::LightWiring& lights) {
   Json chip = Json::object();
   add_text(chip, "label", lights.chip.label);
   add_text(chip, "serial", lights.chip.serial);
@@ -136,14 +137,14 @@ Json to_json(const LightWiring& lights) {
 }  // namespace
 
 Result<RigSettings> parse_rig(std::string_view text, const std::string& name) {
-  const Result<JsonPlace> json = JsonPlace::parse(text, name);
+  const Result<io::JsonPlace> json = io::JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
   json->expect_format(kFormat, kVersion);
   RigSettings rig;
   if (json->has("name")) rig.name = json->at("name").text();
-  rig.measurement = read_camera(json->at("measurement_camera"), Channels::kGrey);
+  rig.measurement = read_camera(json->at("measurement_camera"), device::Channels::kGrey);
   if (json->has("texture_camera"))
-    rig.texture = read_camera(json->at("texture_camera"), Channels::kRgb);
+    rig.texture = read_camera(json->at("texture_camera"), device::Channels::kRgb);
   rig.lights = read_lights(json->at("lights"));
   if (json->has("flash_period_s"))
     rig.flash_period_s = json->at("flash_period_s").positive_number();
@@ -155,7 +156,7 @@ Result<RigSettings> parse_rig(std::string_view text, const std::string& name) {
 }
 
 Result<RigSettings> read_rig(const std::filesystem::path& path) {
-  const Result<std::string> text = read_file(path);
+  const Result<std::string> text = io::read_file(path);
   if (!text) return tl::unexpected(text.error());
   Result<RigSettings> rig = parse_rig(*text, path.string());
   if (rig && rig->calibration) rig->calibration = path.parent_path() / *rig->calibration;
@@ -175,7 +176,7 @@ std::string rig_to_json(const RigSettings& rig) {
 }
 
 Result<void> write_rig(const std::filesystem::path& path, const RigSettings& rig) {
-  return write_file(path, rig_to_json(rig));
+  return io::write_file(path, rig_to_json(rig));
 }
 
-}  // namespace flytri
+}  // namespace flytri::rig

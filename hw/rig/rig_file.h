@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "hw/rig/rig_settings.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 /// @param name  of the file, for messages
 /// @errors  kBadFormat naming the file, the key and what was expected; kBadOption: RigSettings.
@@ -24,4 +24,4 @@ namespace flytri {
 /// @errors  As write_file.
 [[nodiscard]] Result<void> write_rig(const std::filesystem::path& path, const RigSettings& rig);
 
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -1,6 +1,6 @@
 #include "hw/rig/rig_message.h"
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 void add(std::string& message, const std::string& more) {
@@ -10,10 +10,10 @@ void add(std::string& message, const std::string& more) {
 }
 
 /// The flash is for the texture camera: where that one sees it, the other need not.
-LightFault fault_of(const RigStatus& status) {
-  const LightFault fault = status.measurement.fault;
-  const bool is_flash_seen = status.texture && status.texture->fault == LightFault::kNone;
-  return fault == LightFault::kNoFlash && is_flash_seen ? LightFault::kNone : fault;
+sync::LightFault fault_of(const RigStatus& status) {
+  const sync::LightFault fault = status.measurement.fault;
+  const bool is_flash_seen = status.texture && status.texture->fault == sync::LightFault::kNone;
+  return fault == sync::LightFault::kNoFlash && is_flash_seen ? sync::LightFault::kNone : fault;
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ std::string rig_message(const RigStatus& status, const std::string& texture_fail
   add(message, status.measurement.camera.message);
   add(message, status.lights.message);
   // A device that is away shows nothing: what the images say of the lights would mislead.
-  if (message.empty()) add(message, message_of(fault_of(status)));
+  if (message.empty()) add(message, sync::message_of(fault_of(status)));
   if (!texture_failure.empty())
     add(message, fmt::format("No texture: {}", texture_failure));
   else if (status.texture)
@@ -41,4 +41,4 @@ std::string rig_summary(const RigStatus& status) {
                      camera.camera.dropped, camera.damaged, latency);
 }
 
-}  // namespace flytri
+}  // namespace flytri::rig

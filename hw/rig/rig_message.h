@@ -5,7 +5,7 @@
 
 #include "hw/rig/rig_sensor.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 /// Empty where nothing is wrong.
 /// @param texture_failure  why the texture camera is gone for good; empty: it is not
@@ -14,4 +14,4 @@ namespace flytri {
 /// The counts in one line, for a progress line or a panel.
 [[nodiscard]] std::string rig_summary(const RigStatus& status);
 
-}  // namespace flytri
+}  // namespace flytri::rig

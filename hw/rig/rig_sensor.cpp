@@ -6,7 +6,7 @@
 
 #include "hw/rig/rig_message.h"
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 /// A camera whose exposure is not known may collect light for half of its period.
@@ -16,17 +16,18 @@ constexpr int kMaxFlashFrames = 10;
 constexpr int kMaxQueued = 16;
 
 /// Frames of the measurement camera in which a whole exposure of the texture camera fits.
-int flash_frames(const Camera& measurement, const Camera* texture, double readout_s) {
+int flash_frames(const device::Camera& measurement, const device::Camera* texture,
+                 double readout_s) {
   if (texture == nullptr) return 1;
-  const CameraSettings settings = texture->read_back();
+  const device::CameraSettings settings = texture->read_back();
   const double period_s = 1.0 / settings.rate_hz;
   const double window_s = settings.exposure_s.value_or(kUnknownExposure * period_s) + readout_s;
   const double frames = (period_s + window_s) * measurement.read_back().rate_hz;
   return std::clamp(static_cast<int>(std::ceil(frames)), 1, kMaxFlashFrames);
 }
 
-bool is_away(CameraState state) {
-  return state == CameraState::kLost || state == CameraState::kFrozen;
+bool is_away(device::CameraState state) {
+  return state == device::CameraState::kLost || state == device::CameraState::kFrozen;
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ Result<void> RigSensorOptions::validate() const {
 
 Result<std::shared_ptr<RigSensor>> RigSensor::create(
     RigDevices devices, const RigSensorOptions& options,
-    std::shared_ptr<const Calibration> calibration) {
+    std::shared_ptr<const calibration::Calibration> calibration) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (devices.measurement == nullptr || devices.lights == nullptr)
     return fail(ErrorCode::kBadOption, "a rig needs a measurement camera and lights");
@@ -54,7 +55,7 @@ Result<std::shared_ptr<RigSensor>> RigSensor::create(
 }
 
 RigSensor::RigSensor(RigDevices devices, const RigSensorOptions& options,
-                     std::shared_ptr<const Calibration> calibration)
+                     std::shared_ptr<const calibration::Calibration> calibration)
     : devices_(std::move(devices)),
       options_(options),
       calibration_(std::move(calibration)),
@@ -63,8 +64,8 @@ RigSensor::RigSensor(RigDevices devices, const RigSensorOptions& options,
 }
 
 Result<void> RigSensor::start() {
-  const SensorState state = status_.state();
-  if (state == SensorState::kRunning || state == SensorState::kLost) return {};
+  const device::SensorState state = status_.state();
+  if (state == device::SensorState::kRunning || state == device::SensorState::kLost) return {};
   failure_.reset();
   texture_failure_.clear();
   status_.restart();
@@ -75,11 +76,11 @@ Result<void> RigSensor::start() {
   merger_ = FrameMerger({.start_s = devices_.clock.now_s(),
                          .flash_s = frames / devices_.measurement->read_back().rate_hz,
                          .patience_s = options_.patience_s});
-  LightPlanOptions plan;
+  sync::LightPlanOptions plan;
   plan.has_flash = texture_.has_value();
   plan.flash_period_s = options_.flash_period_s;
   plan.flash_frames = frames;
-  plan_ = LightPlan(plan);
+  plan_ = sync::LightPlan(plan);
   note_status();
   return {};
 }
@@ -98,7 +99,7 @@ Result<void> RigSensor::start_devices() {
 
 Result<void> RigSensor::fail_for_good(const Error& error) {
   failure_ = error;
-  status_.set(SensorState::kFailed, error.message);
+  status_.set(device::SensorState::kFailed, error.message);
   return tl::unexpected(error);
 }
 
@@ -106,12 +107,12 @@ void RigSensor::stop() {
   devices_.lights->stop();
   measurement_.stop();
   if (texture_) texture_->stop();
-  status_.set(SensorState::kIdle);
+  status_.set(device::SensorState::kIdle);
 }
 
 Result<std::optional<Frame>> RigSensor::next(double timeout_s) {
   if (failure_) return tl::unexpected(*failure_);
-  if (status_.state() == SensorState::kIdle)
+  if (status_.state() == device::SensorState::kIdle)
     return fail(ErrorCode::kBadOption, "{}: start it first", options_.name);
   plan_lights();
   // What is there already need not wait for more.
@@ -132,18 +133,18 @@ void RigSensor::plan_lights() {
   hear_lights();
   if (is_away_) return;
   const double now_s = devices_.clock.now_s();
-  for (const LightWish& wish :
+  for (const device::LightRequest& request :
        plan_.plan(now_s, now_s + options_.ahead_s, measurement_.labeler().beat())) {
-    const std::int64_t number = devices_.lights->post(wish);
+    const std::int64_t number = devices_.lights->post(request);
     if (number == 0) continue;
-    measurement_.labeler().posted(number, wish.not_before_s);
-    if (texture_) texture_->labeler().posted(number, wish.not_before_s);
-    if (wish.light == Light::kFlash) merger_.flash_at(wish.not_before_s);
+    measurement_.labeler().posted(number, request.not_before_s);
+    if (texture_) texture_->labeler().posted(number, request.not_before_s);
+    if (request.light == device::Light::kFlash) merger_.flash_at(request.not_before_s);
   }
 }
 
 void RigSensor::hear_lights() {
-  for (const LightSwitching& done : devices_.lights->take_done()) {
+  for (const device::LightSwitching& done : devices_.lights->take_done()) {
     measurement_.labeler().switched(done);
     if (texture_) texture_->labeler().switched(done);
   }
@@ -152,20 +153,21 @@ void RigSensor::hear_lights() {
 Result<void> RigSensor::read_measurement(double timeout_s) {
   const auto frame = measurement_.next(timeout_s);
   if (!frame) return tl::unexpected(frame.error());
-  const LightSwitchStatus lights = devices_.lights->status();
-  if (lights.state == LightSwitchState::kFailed)
+  const device::LightSwitchStatus lights = devices_.lights->status();
+  if (lights.state == device::LightSwitchState::kFailed)
     return fail(ErrorCode::kNotFound, "{}", lights.message);
   const bool was_away = std::exchange(
-      is_away_, is_away(measurement_.state()) || lights.state == LightSwitchState::kLost);
-  if (is_away_ && !was_away) devices_.lights->post({Light::kDark, 0.0});
+      is_away_, is_away(measurement_.state()) || lights.state == device::LightSwitchState::kLost);
+  if (is_away_ && !was_away) devices_.lights->post({device::Light::kDark, 0.0});
   if (!*frame) return {};
   hear_lights();
-  const FrameLabel label = measurement_.label(**frame);
-  const bool is_pattern = label.light == Light::kVertical || label.light == Light::kHorizontal;
+  const sync::FrameLabel label = measurement_.label(**frame);
+  const bool is_pattern =
+      label.light == device::Light::kVertical || label.light == device::Light::kHorizontal;
   // Lights that are away may be dark by now: an image that shows nothing would not tell.
-  if (label.outcome != LabelOutcome::kLabeled || !is_pattern || is_away_) return {};
+  if (label.outcome != sync::LabelOutcome::kLabeled || !is_pattern || is_away_) return {};
   const Pattern pattern =
-      label.light == Light::kVertical ? Pattern::kVertical : Pattern::kHorizontal;
+      label.light == device::Light::kVertical ? Pattern::kVertical : Pattern::kHorizontal;
   merger_.add_pattern(pattern, (*frame)->image, label.time_s, devices_.clock.now_s());
   return {};
 }
@@ -200,14 +202,14 @@ void RigSensor::note_status() {
   status.frames_per_pattern = plan_.frames_per_pattern();
   status.keeps_step = plan_.in_step_since_s().has_value();
   status.late = merger_.late();
-  status_.set(is_away_ ? SensorState::kLost : SensorState::kRunning,
+  status_.set(is_away_ ? device::SensorState::kLost : device::SensorState::kRunning,
               rig_message(status, texture_failure_));
   const std::lock_guard lock(mutex_);
   rig_status_ = std::move(status);
 }
 
-SensorStatus RigSensor::status() const {
-  SensorStatus status = status_.status();
+device::SensorStatus RigSensor::status() const {
+  device::SensorStatus status = status_.status();
   const RigStatus rig = rig_status();
   status.dropped = rig.measurement.camera.dropped + rig.measurement.damaged + rig.late;
   return status;
@@ -218,4 +220,4 @@ RigStatus RigSensor::rig_status() const {
   return rig_status_;
 }
 
-}  // namespace flytri
+}  // namespace flytri::rig

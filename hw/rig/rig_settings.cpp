@@ -1,9 +1,9 @@
 #include "hw/rig/rig_settings.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 Result<void> RigCamera::validate() const {
-  if (match == CameraMatch{})
+  if (match == device::CameraMatch{})
     return fail(ErrorCode::kBadOption,
                 "a camera of the rig must be told by its name, serial number or bus path");
   if (!(readout_s >= 0.0))
@@ -13,7 +13,7 @@ Result<void> RigCamera::validate() const {
 
 Result<void> RigSettings::validate() const {
   if (auto valid = measurement.validate(); !valid) return valid;
-  if (measurement.settings.channels != Channels::kGrey)
+  if (measurement.settings.channels != device::Channels::kGrey)
     return fail(ErrorCode::kBadOption, "the measurement camera must deliver grey images");
   if (texture) {
     if (auto valid = texture->validate(); !valid) return valid;
@@ -25,4 +25,4 @@ Result<void> RigSettings::validate() const {
   return lights.validate();
 }
 
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -9,11 +9,11 @@
 #include "hw/device/camera.h"
 #include "hw/gpio/light_wiring.h"
 
-namespace flytri {
+namespace flytri::rig {
 
 struct RigCamera {
-  CameraMatch match;  ///< something of it must be given
-  CameraSettings settings;
+  device::CameraMatch match;  ///< something of it must be given
+  device::CameraSettings settings;
   /// >= 0, by which the last row of a rolling shutter is exposed later than the first; 0: global.
   double readout_s = 0.0;
   [[nodiscard]] Result<void> validate() const;
@@ -23,10 +23,10 @@ struct RigSettings {
   std::string name = "rig";          ///< what a user calls it
   RigCamera measurement;             ///< grey
   std::optional<RigCamera> texture;  ///< color; needs a flash
-  LightWiring lights;
+  gpio::LightWiring lights;
   double flash_period_s = 1.0;                       ///< > 0, about every second in the paper
   std::optional<std::filesystem::path> calibration;  ///< of this sensor
   [[nodiscard]] Result<void> validate() const;
 };
 
-}  // namespace flytri
+}  // namespace flytri::rig

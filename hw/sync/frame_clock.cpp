@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 // A slope over fewer frames is worse than what the camera promises.
@@ -85,4 +85,4 @@ double FrameClock::next_stamp_s(double time_s) const {
   return beat_s(static_cast<std::int64_t>(std::floor((time_s - origin_s_) / period_s_)) + 1);
 }
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 
-namespace flytri {
+namespace flytri::sync {
 
 struct FrameClockOptions {
   double period_s = 1.0 / 30.0;  ///< > 0, what the camera promises; learned from its stamps
@@ -49,4 +49,4 @@ class FrameClock {
   int misses_ = 0;         // stamps in a row that were off the beat
 };
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <numeric>
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 // Swapped beyond doubt: it is told to the user.
 constexpr double kSurelySwapped = 0.999;
 
-bool is_pattern(Light light) { return light == Light::kVertical || light == Light::kHorizontal; }
+bool is_pattern(device::Light light) {
+  return light == device::Light::kVertical || light == device::Light::kHorizontal;
+}
 
 /// Share of the lines' light that runs along a pattern.
-double share_along(Light pattern, const LightEvidence& evidence) {
-  return pattern == Light::kVertical ? evidence.column_share : 1.0 - evidence.column_share;
+double share_along(device::Light pattern, const LightEvidence& evidence) {
+  return pattern == device::Light::kVertical ? evidence.column_share : 1.0 - evidence.column_share;
 }
 
 }  // namespace
@@ -46,7 +48,7 @@ FrameLabeler::FrameLabeler(const LabelerOptions& options)
       watch_(options.watch),
       latency_(filter_.estimate()) {}
 
-void FrameLabeler::switched(const LightSwitching& done) {
+void FrameLabeler::switched(const device::LightSwitching& done) {
   history_.switched(done);
   if (!done.accepted || !is_pattern(done.light)) return;
   if (done.light != last_pattern_) ++switchings_;
@@ -56,23 +58,24 @@ void FrameLabeler::switched(const LightSwitching& done) {
 void FrameLabeler::camera_returned() { clock_ = FrameClock(options_.clock); }
 
 // The clock is sure, or it is nearly sure and the image shows that light and no other.
-std::optional<Light> FrameLabeler::expected(const LightPrediction& prediction,
-                                            const LightEvidence& evidence) const {
-  for (const Light light : {Light::kDark, Light::kVertical, Light::kHorizontal, Light::kFlash}) {
+std::optional<device::Light> FrameLabeler::expected(const LightPrediction& prediction,
+                                                    const LightEvidence& evidence) const {
+  for (const device::Light light : {device::Light::kDark, device::Light::kVertical,
+                                    device::Light::kHorizontal, device::Light::kFlash}) {
     if (prediction.alone[at(light)] >= options_.certainty) return light;
     const bool is_clear = is_pattern(light) ? evidence.has_lines && share_along(light, evidence) >=
                                                                         options_.clear_share
-                                            : light == Light::kFlash && evidence.is_flash;
+                                            : light == device::Light::kFlash && evidence.is_flash;
     if (is_clear && prediction.nearly_alone[at(light)] >= options_.certainty) return light;
   }
   return std::nullopt;
 }
 
-LabelOutcome FrameLabeler::judge(Light light, const LightEvidence& evidence) const {
+LabelOutcome FrameLabeler::judge(device::Light light, const LightEvidence& evidence) const {
   const auto labeled_if = [](bool agrees) {
     return agrees ? LabelOutcome::kLabeled : LabelOutcome::kUnknown;
   };
-  if (evidence.is_flash) return labeled_if(light == Light::kFlash);
+  if (evidence.is_flash) return labeled_if(light == device::Light::kFlash);
   if (!evidence.has_lines) return LabelOutcome::kLabeled;
   if (!is_pattern(light)) return LabelOutcome::kUnknown;
   const double share = share_along(light, evidence);
@@ -87,7 +90,7 @@ FrameLabel FrameLabeler::label(const cv::Mat& image, double stamp_s) {
   label.evidence = reader_.read(measure_image_light(image, options_.image));
   const double steady_s = clock_.add(stamp_s);
   const LightPrediction prediction = filter_.predict(history_, steady_s);
-  const std::optional<Light> light = expected(prediction, label.evidence);
+  const std::optional<device::Light> light = expected(prediction, label.evidence);
   if (light) {
     label.light = *light;
     label.outcome = judge(*light, label.evidence);
@@ -120,4 +123,4 @@ LightFault FrameLabeler::fault() const {
   return watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
 }
 
-}  // namespace flytri
+}  // namespace flytri::sync

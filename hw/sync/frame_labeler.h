@@ -21,7 +21,7 @@
 #include "hw/sync/light_plan.h"
 #include "hw/sync/light_watch.h"
 
-namespace flytri {
+namespace flytri::sync {
 
 struct LabelerOptions {
   FrameClockOptions clock;
@@ -44,8 +44,8 @@ enum class LabelOutcome { kLabeled, kStraddled, kUnknown };
 
 struct FrameLabel {
   LabelOutcome outcome = LabelOutcome::kUnknown;
-  Light light = Light::kDark;  ///< where it is labeled
-  double time_s = 0.0;         ///< middle of the exposure, on the clock of the switch times
+  device::Light light = device::Light::kDark;  ///< where it is labeled
+  double time_s = 0.0;  ///< middle of the exposure, on the clock of the switch times
   LightEvidence evidence;
 };
 
@@ -62,8 +62,8 @@ class FrameLabeler {
   /// @errors  kBadOption.
   [[nodiscard]] static Result<FrameLabeler> create(const LabelerOptions& options);
 
-  void posted(std::int64_t wish, double not_before_s) { history_.posted(wish, not_before_s); }
-  void switched(const LightSwitching& done);
+  void posted(std::int64_t request, double not_before_s) { history_.posted(request, not_before_s); }
+  void switched(const device::LightSwitching& done);
 
   /// Frames in the order of their stamps, with all that was switched before they arrived.
   [[nodiscard]] FrameLabel label(const cv::Mat& image, double stamp_s);
@@ -83,9 +83,9 @@ class FrameLabeler {
 
  private:
   explicit FrameLabeler(const LabelerOptions& options);
-  [[nodiscard]] std::optional<Light> expected(const LightPrediction& prediction,
-                                              const LightEvidence& evidence) const;
-  [[nodiscard]] LabelOutcome judge(Light light, const LightEvidence& evidence) const;
+  [[nodiscard]] std::optional<device::Light> expected(const LightPrediction& prediction,
+                                                      const LightEvidence& evidence) const;
+  [[nodiscard]] LabelOutcome judge(device::Light light, const LightEvidence& evidence) const;
   void count(LabelOutcome outcome);
 
   LabelerOptions options_;
@@ -97,8 +97,8 @@ class FrameLabeler {
   LatencyEstimate latency_;
   bool is_learned_ = false;
   LabelCounts counts_;
-  std::int64_t switchings_ = 0;        // between patterns
-  Light last_pattern_ = Light::kDark;  // that was switched on
+  std::int64_t switchings_ = 0;                        // between patterns
+  device::Light last_pattern_ = device::Light::kDark;  // that was switched on
 };
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -7,7 +7,7 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 /// Pixels across a line that are averaged: half of the narrowest line.
@@ -84,4 +84,4 @@ ImageLight measure_image_light(const cv::Mat& image, const ImageLightOptions& op
           columns.places + rows.places};
 }
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -11,7 +11,7 @@
 
 #include "core/base/result.h"
 
-namespace flytri {
+namespace flytri::sync {
 
 struct ImageLightOptions {
   /// 4..64. Strips over which is averaged: lines lean little over them, noise and speckle average
@@ -43,4 +43,4 @@ struct ImageLight {
 [[nodiscard]] ImageLight measure_image_light(const cv::Mat& image,
                                              const ImageLightOptions& options = {});
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 constexpr int kStepsPerPeriod = 32;
@@ -42,7 +42,7 @@ LightTimes difference(const LightTimes& end, const LightTimes& begin) {
 }
 
 void swap_patterns(LightTimes& times) {
-  std::swap(times.lit_s[at(Light::kVertical)], times.lit_s[at(Light::kHorizontal)]);
+  std::swap(times.lit_s[at(device::Light::kVertical)], times.lit_s[at(device::Light::kHorizontal)]);
 }
 
 }  // namespace
@@ -137,13 +137,13 @@ double LatencyFilter::likelihood(const LightTimes& times, double window_s,
   const double changing = share(times.changing_s);
   const double outlier = options_.outlier_share;
   // What shone during a call to the device may be either: the better one is assumed.
-  const double flash = share(times.lit(Light::kFlash));
+  const double flash = share(times.lit(device::Light::kFlash));
   if (evidence.is_flash) return outlier + (1.0 - outlier) * flash_visibility(flash + changing);
   // Nothing is in front of the sensor, whatever shines, or it is dark; a flash is seen farthest.
   if (!evidence.has_lines)
-    return 0.6 + 0.4 * share(times.lit(Light::kDark)) - 0.4 * flash_visibility(flash);
-  const double vertical = share(times.lit(Light::kVertical));
-  const double lines = vertical + share(times.lit(Light::kHorizontal)) + changing;
+    return 0.6 + 0.4 * share(times.lit(device::Light::kDark)) - 0.4 * flash_visibility(flash);
+  const double vertical = share(times.lit(device::Light::kVertical));
+  const double lines = vertical + share(times.lit(device::Light::kHorizontal)) + changing;
   if (lines < 0.1) return outlier;
   const double sigma =
       options_.share_sigma * (1.0 + options_.few_line_places / evidence.line_places);
@@ -208,4 +208,4 @@ bool LatencyFilter::is_learned() const {
   return is_sure && now.latency_sigma_s < options_.frame_period_s / 8.0;
 }
 
-}  // namespace flytri
+}  // namespace flytri::sync

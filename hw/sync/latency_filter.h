@@ -16,7 +16,7 @@
 #include "hw/sync/light_evidence.h"
 #include "hw/sync/light_history.h"
 
-namespace flytri {
+namespace flytri::sync {
 
 struct LatencyOptions {
   double frame_period_s = 1.0 / 30.0;  ///< > 0; the grid is a 32nd of it
@@ -91,4 +91,4 @@ class LatencyFilter {
   std::vector<double> probability_;  // [swapped][window][latency]
 };
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -5,7 +5,7 @@
 
 #include "core/base/median.h"
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 // Fewer images make no reference.
@@ -65,4 +65,4 @@ LightEvidence EvidenceReader::read(const ImageLight& light) {
   return evidence;
 }
 
-}  // namespace flytri
+}  // namespace flytri::sync

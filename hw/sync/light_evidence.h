@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "hw/sync/image_light.h"
 
-namespace flytri {
+namespace flytri::sync {
 
 struct EvidenceOptions {
   /// 5..1000. Images that are the reference for what is usual: a second at 30 Hz.
@@ -52,4 +52,4 @@ class EvidenceReader {
   std::deque<double> shares_;  // of light in columns, of the latest images with lines
 };
 
-}  // namespace flytri
+}  // namespace flytri::sync

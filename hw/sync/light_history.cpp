@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 constexpr std::size_t kChanging = kLightCount;
@@ -20,12 +20,12 @@ void add(LightTimes& times, std::size_t state, double duration_s) {
 
 }  // namespace
 
-void LightHistory::posted(std::int64_t wish, double not_before_s) {
-  pending_.push_back({wish, not_before_s});
+void LightHistory::posted(std::int64_t request, double not_before_s) {
+  pending_.push_back({request, not_before_s});
 }
 
-void LightHistory::switched(const LightSwitching& done) {
-  while (!pending_.empty() && pending_.front().wish <= done.wish) pending_.pop_front();
+void LightHistory::switched(const device::LightSwitching& done) {
+  while (!pending_.empty() && pending_.front().request <= done.request) pending_.pop_front();
   if (!done.accepted) return;
   const double call_s = std::max(0.0, done.after_s - done.before_s);
   call_s_ = stretches_.empty() ? call_s : call_s_ + kCallShare * (call_s - call_s_);
@@ -35,13 +35,13 @@ void LightHistory::switched(const LightSwitching& done) {
 }
 
 LightTimes LightHistory::times(double from_s, double to_s) const {
-  // What follows a wish that is due and not done is not known.
+  // What follows a request that is due and not done is not known.
   double known_until_s = to_s;
-  for (const Pending& wish : pending_)
-    known_until_s = std::min(known_until_s, std::max(from_s, wish.not_before_s));
+  for (const Pending& request : pending_)
+    known_until_s = std::min(known_until_s, std::max(from_s, request.not_before_s));
   LightTimes times;
   double begin_s = from_s;
-  std::size_t state = at(Light::kDark);
+  std::size_t state = at(device::Light::kDark);
   for (const Stretch& stretch : stretches_) {
     const double end_s = std::clamp(stretch.begin_s, begin_s, known_until_s);
     add(times, state, end_s - begin_s);
@@ -67,4 +67,4 @@ std::vector<LightTimes> LightHistory::running_times(double start_s, double step_
   return sums;
 }
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -8,27 +8,29 @@
 
 #include "hw/device/light_switch.h"
 
-namespace flytri {
+namespace flytri::sync {
 
 inline constexpr std::size_t kLightCount = 4;
 
-[[nodiscard]] constexpr std::size_t at(Light light) { return static_cast<std::size_t>(light); }
+[[nodiscard]] constexpr std::size_t at(device::Light light) {
+  return static_cast<std::size_t>(light);
+}
 
 /// How a stretch of time is shared out, in seconds.
 struct LightTimes {
   std::array<double, kLightCount> lit_s = {};  ///< by Light
   double changing_s = 0.0;                     ///< a call to the device was in progress
-  [[nodiscard]] double lit(Light light) const { return lit_s[at(light)]; }
+  [[nodiscard]] double lit(device::Light light) const { return lit_s[at(light)]; }
 };
 
 /// Dark at first. While a call to the device is in progress it is not known what shines; nor is it
-/// from when a wish was due until it is reported as done. A refused wish changes nothing.
+/// from when a request was due until it is reported as done. A refused request changes nothing.
 class LightHistory {
  public:
-  /// A wish was posted under this number.
-  void posted(std::int64_t wish, double not_before_s);
-  /// It was done, and with it all wishes before it.
-  void switched(const LightSwitching& done);
+  /// A request was posted under this number.
+  void posted(std::int64_t request, double not_before_s);
+  /// It was done, and with it all requests before it.
+  void switched(const device::LightSwitching& done);
 
   /// How long calls to the device take of late: a running mean, 0 before the first.
   [[nodiscard]] double call_s() const { return call_s_; }
@@ -45,7 +47,7 @@ class LightHistory {
     std::size_t state = 0;
   };
   struct Pending {
-    std::int64_t wish = 0;
+    std::int64_t request = 0;
     double not_before_s = 0.0;
   };
 
@@ -54,4 +56,4 @@ class LightHistory {
   std::deque<Pending> pending_;    // by rising number
 };
 
-}  // namespace flytri
+}  // namespace flytri::sync

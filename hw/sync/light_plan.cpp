@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 // While the latency is learned: dark frames at the start, then in each round of slots one of
@@ -13,8 +13,8 @@ constexpr double kLearningDark = 1.7;
 // Frames that a pattern stays for while the latency is learned: from the first to the sum.
 constexpr double kLearningShortest = 1.2, kLearningSpread = 1.0;
 
-Light light_of(Pattern pattern) {
-  return pattern == Pattern::kVertical ? Light::kVertical : Light::kHorizontal;
+device::Light light_of(Pattern pattern) {
+  return pattern == Pattern::kVertical ? device::Light::kVertical : device::Light::kHorizontal;
 }
 
 }  // namespace
@@ -31,18 +31,19 @@ Result<void> LightPlanOptions::validate() const {
 
 LightPlan::LightPlan(const LightPlanOptions& options) : options_(options), random_(options.seed) {}
 
-std::vector<LightWish> LightPlan::plan(double now_s, double until_s, const CameraBeat& beat) {
+std::vector<device::LightRequest> LightPlan::plan(double now_s, double until_s,
+                                                  const CameraBeat& beat) {
   if (!is_started_) {
     is_started_ = true;
     next_s_ = flash_s_ = now_s;
   }
-  std::vector<LightWish> wishes;
+  std::vector<device::LightRequest> requests;
   // What should have begun long ago begins now.
   next_s_ = std::max(next_s_, now_s);
   while (next_s_ < until_s) {
     choose_frames_per_pattern(beat);
     const Slot slot = next_slot(beat);
-    wishes.push_back({slot.light, next_s_});
+    requests.push_back({slot.light, next_s_});
     const double end_s = next_s_ + slot.duration_s;
     next_s_ = beat.is_learned ? into_gap(end_s, beat) : end_s;
     if (!beat.is_learned)
@@ -50,7 +51,7 @@ std::vector<LightWish> LightPlan::plan(double now_s, double until_s, const Camer
     else if (!in_step_since_s_)
       in_step_since_s_ = next_s_;
   }
-  return wishes;
+  return requests;
 }
 
 LightPlan::Slot LightPlan::next_slot(const CameraBeat& beat) {
@@ -58,24 +59,24 @@ LightPlan::Slot LightPlan::next_slot(const CameraBeat& beat) {
   if (!beat.is_learned) return learning_slot(period_s);
   if (next_s_ - flash_s_ >= options_.flash_period_s) {
     flash_s_ = next_s_;
-    if (options_.has_flash) return {Light::kFlash, options_.flash_frames * period_s};
-    return {Light::kDark, frames_per_pattern_ * period_s};
+    if (options_.has_flash) return {device::Light::kFlash, options_.flash_frames * period_s};
+    return {device::Light::kDark, frames_per_pattern_ * period_s};
   }
   return {next_pattern(), frames_per_pattern_ * period_s};
 }
 
 LightPlan::Slot LightPlan::learning_slot(double period_s) {
   const int slot = learning_slots_++;
-  if (slot == 0) return {Light::kDark, kDarkAtFirst * period_s};
-  if (slot % kRound == kDarkInRound) return {Light::kDark, kLearningDark * period_s};
+  if (slot == 0) return {device::Light::kDark, kDarkAtFirst * period_s};
+  if (slot % kRound == kDarkInRound) return {device::Light::kDark, kLearningDark * period_s};
   if (slot % kRound == kFlashInRound && options_.has_flash) {
     flash_s_ = next_s_;
-    return {Light::kFlash, options_.flash_frames * period_s};
+    return {device::Light::kFlash, options_.flash_frames * period_s};
   }
   return {next_pattern(), (kLearningShortest + kLearningSpread * random_.uniform()) * period_s};
 }
 
-Light LightPlan::next_pattern() {
+device::Light LightPlan::next_pattern() {
   pattern_ = other(pattern_);
   return light_of(pattern_);
 }
@@ -103,4 +104,4 @@ double LightPlan::into_gap(double time_s, const CameraBeat& beat) const {
   return beat.clock.next_stamp_s(time_s + shift_s - 0.5 * period_s) - shift_s;
 }
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -20,7 +20,7 @@
 #include "hw/sync/frame_clock.h"
 #include "hw/sync/latency_filter.h"
 
-namespace flytri {
+namespace flytri::sync {
 
 struct LightPlanOptions {
   bool has_flash = true;  ///< false: a dark slot takes its place, which keeps the sequence uneven
@@ -48,22 +48,23 @@ class LightPlan {
   /// @param options  valid ones
   explicit LightPlan(const LightPlanOptions& options = {});
 
-  /// The wishes that begin before `until_s` and were not returned yet.
-  [[nodiscard]] std::vector<LightWish> plan(double now_s, double until_s, const CameraBeat& beat);
+  /// The requests that begin before `until_s` and were not returned yet.
+  [[nodiscard]] std::vector<device::LightRequest> plan(double now_s, double until_s,
+                                                       const CameraBeat& beat);
 
-  /// From when on the lights keep step with the camera, as of the latest wish.
+  /// From when on the lights keep step with the camera, as of the latest request.
   [[nodiscard]] std::optional<double> in_step_since_s() const { return in_step_since_s_; }
-  /// Frames that each pattern stays for, as of the latest wish.
+  /// Frames that each pattern stays for, as of the latest request.
   [[nodiscard]] int frames_per_pattern() const { return frames_per_pattern_; }
 
  private:
   struct Slot {
-    Light light = Light::kDark;
+    device::Light light = device::Light::kDark;
     double duration_s = 0.0;
   };
   [[nodiscard]] Slot next_slot(const CameraBeat& beat);
   [[nodiscard]] Slot learning_slot(double period_s);
-  [[nodiscard]] Light next_pattern();
+  [[nodiscard]] device::Light next_pattern();
   void choose_frames_per_pattern(const CameraBeat& beat);
   [[nodiscard]] double into_gap(double time_s, const CameraBeat& beat) const;
 
@@ -78,4 +79,4 @@ class LightPlan {
   int frames_per_pattern_ = 1;
 };
 
-}  // namespace flytri
+}  // namespace flytri::sync

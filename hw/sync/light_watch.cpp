@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 // Switchings between patterns after which images that are all alike are no chance.
@@ -10,8 +10,8 @@ constexpr std::int64_t kSwitchingsToBeStuck = 10;
 // Flashes are rare: so many frames under one must show none.
 constexpr int kFlashesToMiss = 3;
 
-bool shows(const LightEvidence& evidence, Light light) {
-  return light == Light::kFlash ? evidence.is_flash : evidence.has_lines;
+bool shows(const LightEvidence& evidence, device::Light light) {
+  return light == device::Light::kFlash ? evidence.is_flash : evidence.has_lines;
 }
 
 }  // namespace
@@ -77,10 +77,10 @@ bool LightWatch::is_stuck() const {
          most - least < options_.alike;
 }
 
-bool LightWatch::is_missing(Light light) const {
+bool LightWatch::is_missing(device::Light light) const {
   int expected = 0, others = 0;
   for (const Seen& seen : seen_) {
-    if (!seen.expected || *seen.expected == Light::kDark) continue;
+    if (!seen.expected || *seen.expected == device::Light::kDark) continue;
     if (*seen.expected != light) {
       others += shows(seen.evidence, *seen.expected) ? 1 : 0;
     } else if (shows(seen.evidence, light)) {
@@ -89,17 +89,17 @@ bool LightWatch::is_missing(Light light) const {
       ++expected;
     }
   }
-  return expected >= (light == Light::kFlash ? kFlashesToMiss : options_.enough) &&
+  return expected >= (light == device::Light::kFlash ? kFlashesToMiss : options_.enough) &&
          others >= options_.enough;
 }
 
 LightFault LightWatch::fault(bool is_swapped) const {
   if (is_stuck()) return LightFault::kStuck;
   if (is_swapped) return LightFault::kSwapped;
-  if (is_missing(Light::kVertical)) return LightFault::kNoVertical;
-  if (is_missing(Light::kHorizontal)) return LightFault::kNoHorizontal;
-  if (is_missing(Light::kFlash)) return LightFault::kNoFlash;
+  if (is_missing(device::Light::kVertical)) return LightFault::kNoVertical;
+  if (is_missing(device::Light::kHorizontal)) return LightFault::kNoHorizontal;
+  if (is_missing(device::Light::kFlash)) return LightFault::kNoFlash;
   return !any_light_ && frames_ >= options_.memory ? LightFault::kNothingSeen : LightFault::kNone;
 }
 
-}  // namespace flytri
+}  // namespace flytri::sync

@@ -9,7 +9,7 @@
 #include "hw/sync/latency_filter.h"
 #include "hw/sync/light_evidence.h"
 
-namespace flytri {
+namespace flytri::sync {
 
 /// kSwapped: the vertical projector shines where the horizontal one was told to, and the reverse.
 /// kStuck: the switch reports success, but the image never changes. kNothingSeen: no image has
@@ -43,7 +43,7 @@ class LightWatch {
   explicit LightWatch(const WatchOptions& options = {}) : options_(options) {}
 
   struct Seen {
-    std::optional<Light> expected;  ///< by the clock; none where it is not sure
+    std::optional<device::Light> expected;  ///< by the clock; none where it is not sure
     LightEvidence evidence;
     std::int64_t switchings = 0;  ///< between patterns, that the switch has reported so far
   };
@@ -54,7 +54,7 @@ class LightWatch {
 
  private:
   [[nodiscard]] bool is_stuck() const;
-  [[nodiscard]] bool is_missing(Light light) const;
+  [[nodiscard]] bool is_missing(device::Light light) const;
 
   WatchOptions options_;
   std::deque<Seen> seen_;
@@ -62,4 +62,4 @@ class LightWatch {
   std::int64_t frames_ = 0;
 };
 
-}  // namespace flytri
+}  // namespace flytri::sync

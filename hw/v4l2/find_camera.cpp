@@ -9,13 +9,13 @@
 #include "hw/v4l2/video_failure.h"
 #include "hw/v4l2/video_modes.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 namespace {
 
-bool matches(const DeviceNode& node, const CameraMatch& match) {
+bool matches(const device::DeviceNode& node, const device::CameraMatch& match) {
   return node.name.find(match.name) != std::string::npos &&
-         is_device(node, match.serial, match.bus_path);
+         device::is_device(node, match.serial, match.bus_path);
 }
 
 bool gives_images(VideoDevice& device) {
@@ -26,28 +26,29 @@ bool gives_images(VideoDevice& device) {
 }
 
 // Of a device file that may not be opened its number among the camera's says what it is for.
-bool is_camera(VideoSystem& system, const DeviceNode& node) {
+bool is_camera(VideoSystem& system, const device::DeviceNode& node) {
   const auto device = system.open(node.node);
   return device ? gives_images(**device) : node.index == 0;
 }
 
-std::vector<DeviceNode> cameras(VideoSystem& system, const CameraMatch& match) {
-  std::vector<DeviceNode> found;
-  for (DeviceNode& node : system.nodes())
+std::vector<device::DeviceNode> cameras(VideoSystem& system, const device::CameraMatch& match) {
+  std::vector<device::DeviceNode> found;
+  for (device::DeviceNode& node : system.nodes())
     if (matches(node, match) && is_camera(system, node)) found.push_back(std::move(node));
   return found;
 }
 
-std::string names_of(const std::vector<DeviceNode>& nodes) {
+std::string names_of(const std::vector<device::DeviceNode>& nodes) {
   std::string names;
-  for (const DeviceNode& node : nodes)
+  for (const device::DeviceNode& node : nodes)
     names += fmt::format("{}{} at {}", names.empty() ? "" : ", ", to_string(node), node.bus_path);
   return names.empty() ? "none" : names;
 }
 
-std::string text_of(const CameraMatch& match) {
-  return text_of_device(match.name.empty() ? "any camera" : fmt::format("\"{}\"", match.name),
-                        match.serial, match.bus_path);
+std::string text_of(const device::CameraMatch& match) {
+  return device::text_of_device(
+      match.name.empty() ? "any camera" : fmt::format("\"{}\"", match.name), match.serial,
+      match.bus_path);
 }
 
 // Asking to have no buffers changes nothing, but is refused while someone else has some.
@@ -58,14 +59,15 @@ bool is_busy(VideoDevice& device) {
   return device.control(VIDIOC_REQBUFS, &request) == EBUSY;
 }
 
-bool any_known(const std::vector<CameraMode>& modes) {
-  return std::any_of(modes.begin(), modes.end(), [](const CameraMode& mode) {
-    return pixel_format_of(mode.format).has_value();
+bool any_known(const std::vector<device::CameraMode>& modes) {
+  return std::any_of(modes.begin(), modes.end(), [](const device::CameraMode& mode) {
+    return device::pixel_format_of(mode.format).has_value();
   });
 }
 
-CameraDescription describe(VideoSystem& system, const DeviceNode& node) {
-  CameraDescription description{node.name, node.serial, node.node, node.bus_path, {}, {}, {}};
+device::CameraDescription describe(VideoSystem& system, const device::DeviceNode& node) {
+  device::CameraDescription description{node.name, node.serial, node.node, node.bus_path,
+                                        {},        {},          {}};
   const auto device = system.open(node.node);
   if (!device) {
     description.problems.push_back(video_failure(node, "opening it", device.error()));
@@ -86,8 +88,8 @@ CameraDescription describe(VideoSystem& system, const DeviceNode& node) {
 
 }  // namespace
 
-Result<DeviceNode> find_camera(VideoSystem& system, const CameraMatch& match) {
-  const std::vector<DeviceNode> found = cameras(system, match);
+Result<device::DeviceNode> find_camera(VideoSystem& system, const device::CameraMatch& match) {
+  const std::vector<device::DeviceNode> found = cameras(system, match);
   if (found.size() == 1) return found.front();
   if (found.empty())
     return fail(ErrorCode::kNotFound, "there is no camera {}: plug it in; cameras here: {}",
@@ -97,14 +99,15 @@ Result<DeviceNode> find_camera(VideoSystem& system, const CameraMatch& match) {
               text_of(match), names_of(found));
 }
 
-std::vector<CameraDescription> list_cameras(VideoSystem& system) {
-  std::vector<CameraDescription> descriptions;
-  for (const DeviceNode& node : cameras(system, {})) descriptions.push_back(describe(system, node));
+std::vector<device::CameraDescription> list_cameras(VideoSystem& system) {
+  std::vector<device::CameraDescription> descriptions;
+  for (const device::DeviceNode& node : cameras(system, {}))
+    descriptions.push_back(describe(system, node));
   return descriptions;
 }
 
-std::vector<Error> check_camera(VideoSystem& system, const CameraMatch& match,
-                                const CameraSettings& settings) {
+std::vector<Error> check_camera(VideoSystem& system, const device::CameraMatch& match,
+                                const device::CameraSettings& settings) {
   const auto node = find_camera(system, match);
   if (!node) return {node.error()};
   const auto device = system.open(node->node);
@@ -116,4 +119,4 @@ std::vector<Error> check_camera(VideoSystem& system, const CameraMatch& match,
   return problems;
 }
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

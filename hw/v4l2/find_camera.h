@@ -6,17 +6,18 @@
 #include "hw/device/camera.h"
 #include "hw/v4l2/video_system.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 /// The device file that gives the images of the one camera that is meant.
 /// @errors  kNotFound with those that there are; kInconsistent: several match
-[[nodiscard]] Result<DeviceNode> find_camera(VideoSystem& system, const CameraMatch& match);
+[[nodiscard]] Result<device::DeviceNode> find_camera(VideoSystem& system,
+                                                     const device::CameraMatch& match);
 
 /// Every camera, those that cannot be used among them.
-[[nodiscard]] std::vector<CameraDescription> list_cameras(VideoSystem& system);
+[[nodiscard]] std::vector<device::CameraDescription> list_cameras(VideoSystem& system);
 
 /// What would keep the camera from running so; empty: nothing that can be told without starting it.
-[[nodiscard]] std::vector<Error> check_camera(VideoSystem& system, const CameraMatch& match,
-                                              const CameraSettings& settings);
+[[nodiscard]] std::vector<Error> check_camera(VideoSystem& system, const device::CameraMatch& match,
+                                              const device::CameraSettings& settings);
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

@@ -11,7 +11,7 @@
 
 #include "hw/v4l2/video_system.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 namespace {
 
@@ -52,7 +52,9 @@ class KernelVideoDevice final : public VideoDevice {
 
 class KernelVideoSystem final : public VideoSystem {
  public:
-  std::vector<DeviceNode> nodes() override { return list_device_nodes("video4linux"); }
+  std::vector<device::DeviceNode> nodes() override {
+    return device::list_device_nodes("video4linux");
+  }
 
   tl::expected<std::unique_ptr<VideoDevice>, int> open(const std::string& node) override {
     const int descriptor = ::open(node.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
@@ -65,4 +67,4 @@ class KernelVideoSystem final : public VideoSystem {
 
 std::shared_ptr<VideoSystem> kernel_video_system() { return std::make_shared<KernelVideoSystem>(); }
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

@@ -6,20 +6,22 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 namespace {
 
-bool is_grey(PixelFormat format) {
-  return format != PixelFormat::kYuyv && format != PixelFormat::kMjpeg;
+bool is_grey(device::PixelFormat format) {
+  return format != device::PixelFormat::kYuyv && format != device::PixelFormat::kMjpeg;
 }
 
-std::size_t bytes_per_pixel(PixelFormat format) { return format == PixelFormat::kGrey8 ? 1 : 2; }
+std::size_t bytes_per_pixel(device::PixelFormat format) {
+  return format == device::PixelFormat::kGrey8 ? 1 : 2;
+}
 
 // Zeros that bring the highest bit of a pixel to bit 15.
-int shift_to_full_scale(PixelFormat format) {
-  if (format == PixelFormat::kGrey10) return 6;
-  if (format == PixelFormat::kGrey12) return 4;
+int shift_to_full_scale(device::PixelFormat format) {
+  if (format == device::PixelFormat::kGrey10) return 6;
+  if (format == device::PixelFormat::kGrey12) return 4;
   return 0;
 }
 
@@ -27,11 +29,11 @@ std::size_t row_bytes(const BufferLayout& layout) {
   return static_cast<std::size_t>(layout.size.width_px) * bytes_per_pixel(layout.format);
 }
 
-cv::Mat black(const BufferLayout& layout, Channels channels) {
+cv::Mat black(const BufferLayout& layout, device::Channels channels) {
   int type = CV_8UC1;
   if (is_grey(layout.format))
-    type = layout.format == PixelFormat::kGrey8 ? CV_8UC1 : CV_16UC1;
-  else if (channels == Channels::kRgb)
+    type = layout.format == device::PixelFormat::kGrey8 ? CV_8UC1 : CV_16UC1;
+  else if (channels == device::Channels::kRgb)
     type = CV_8UC3;
   return cv::Mat::zeros(layout.size.height_px, layout.size.width_px, type);
 }
@@ -44,38 +46,38 @@ int whole_rows(std::size_t bytes, const BufferLayout& layout) {
 }
 
 // The samples of 16 bits are little-endian, as is every machine that this runs on.
-void convert_rows(const cv::Mat& packed, const BufferLayout& layout, Channels channels,
+void convert_rows(const cv::Mat& packed, const BufferLayout& layout, device::Channels channels,
                   cv::Mat target) {
   switch (layout.format) {
-    case PixelFormat::kGrey8:
-    case PixelFormat::kGrey16:
+    case device::PixelFormat::kGrey8:
+    case device::PixelFormat::kGrey16:
       packed.copyTo(target);
       break;
-    case PixelFormat::kGrey10:
-    case PixelFormat::kGrey12:
+    case device::PixelFormat::kGrey10:
+    case device::PixelFormat::kGrey12:
       packed.convertTo(target, CV_16U, 1 << shift_to_full_scale(layout.format));
       break;
-    case PixelFormat::kYuyv:
-      if (channels == Channels::kRgb)
+    case device::PixelFormat::kYuyv:
+      if (channels == device::Channels::kRgb)
         cv::cvtColor(packed, target, cv::COLOR_YUV2RGB_YUYV);
       else
         cv::extractChannel(packed, target, 0);
       break;
-    case PixelFormat::kMjpeg:
+    case device::PixelFormat::kMjpeg:
       break;
   }
 }
 
 ConvertedImage convert_uncompressed(std::span<const std::uint8_t> bytes, const BufferLayout& layout,
-                                    Channels channels) {
+                                    device::Channels channels) {
   ConvertedImage converted{black(layout, channels)};
   const int rows = whole_rows(bytes.size(), layout);
   if (rows < layout.size.height_px) converted.outcome = Conversion::kShort;
   if (rows == 0) return converted;
   int type = CV_8UC1;
-  if (layout.format == PixelFormat::kYuyv)
+  if (layout.format == device::PixelFormat::kYuyv)
     type = CV_8UC2;
-  else if (layout.format != PixelFormat::kGrey8)
+  else if (layout.format != device::PixelFormat::kGrey8)
     type = CV_16UC1;
   // The matrix only reads, but has no way to say so.
   const cv::Mat packed(rows, layout.size.width_px, type, const_cast<std::uint8_t*>(bytes.data()),
@@ -106,7 +108,7 @@ bool decode_into(std::span<const std::uint8_t> bytes, cv::Mat& image) {
 }
 
 ConvertedImage decode(std::span<const std::uint8_t> bytes, const BufferLayout& layout,
-                      Channels channels) {
+                      device::Channels channels) {
   ConvertedImage converted{black(layout, channels)};
   if (decode_into(bytes, converted.image)) return converted;
   return {black(layout, channels), Conversion::kUndecodable};
@@ -115,15 +117,15 @@ ConvertedImage decode(std::span<const std::uint8_t> bytes, const BufferLayout& l
 }  // namespace
 
 std::size_t bytes_needed(const BufferLayout& layout) {
-  if (layout.format == PixelFormat::kMjpeg) return 0;
+  if (layout.format == device::PixelFormat::kMjpeg) return 0;
   return static_cast<std::size_t>(layout.size.height_px - 1) * layout.bytes_per_line +
          row_bytes(layout);
 }
 
 ConvertedImage convert(std::span<const std::uint8_t> bytes, const BufferLayout& layout,
-                       Channels channels) {
-  if (layout.format == PixelFormat::kMjpeg) return decode(bytes, layout, channels);
+                       device::Channels channels) {
+  if (layout.format == device::PixelFormat::kMjpeg) return decode(bytes, layout, channels);
   return convert_uncompressed(bytes, layout, channels);
 }
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

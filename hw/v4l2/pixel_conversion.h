@@ -7,11 +7,11 @@
 
 #include "hw/device/camera.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 /// How the pixels lie in a buffer.
 struct BufferLayout {
-  PixelFormat format = PixelFormat::kGrey8;
+  device::PixelFormat format = device::PixelFormat::kGrey8;
   ImageSize size;
   std::size_t bytes_per_line = 0;  ///< at least what a row needs; nothing to kMjpeg
 };
@@ -33,6 +33,6 @@ struct ConvertedImage {
 /// Y10 and Y12 are shifted to the full scale of 16 bits. YUYV becomes RGB by BT.601 with limited
 /// range, as UVC devices send it, or its luminance as it is.
 [[nodiscard]] ConvertedImage convert(std::span<const std::uint8_t> bytes,
-                                     const BufferLayout& layout, Channels channels);
+                                     const BufferLayout& layout, device::Channels channels);
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

@@ -5,7 +5,7 @@
 
 #include "hw/v4l2/find_camera.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 Result<void> V4l2CameraOptions::validate() const {
   if (buffers < 2 || buffers > 32)
@@ -20,7 +20,7 @@ Result<void> V4l2CameraOptions::validate() const {
   return {};
 }
 
-V4l2Camera::V4l2Camera(CameraMatch match, const CameraSettings& settings,
+V4l2Camera::V4l2Camera(device::CameraMatch match, const device::CameraSettings& settings,
                        const V4l2CameraOptions& options, VideoMeans means)
     : match_(std::move(match)),
       asked_(settings),
@@ -29,8 +29,8 @@ V4l2Camera::V4l2Camera(CameraMatch match, const CameraSettings& settings,
       read_back_(settings),
       name_(match_.name) {}
 
-Result<std::unique_ptr<V4l2Camera>> V4l2Camera::create(CameraMatch match,
-                                                       const CameraSettings& settings,
+Result<std::unique_ptr<V4l2Camera>> V4l2Camera::create(device::CameraMatch match,
+                                                       const device::CameraSettings& settings,
                                                        const V4l2CameraOptions& options,
                                                        VideoMeans means) {
   if (const auto valid = settings.validate(); !valid) return tl::unexpected(valid.error());
@@ -39,12 +39,12 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::create(CameraMatch match,
       new V4l2Camera(std::move(match), settings, options, std::move(means)));
 }
 
-CameraStatus V4l2Camera::status() const {
+device::CameraStatus V4l2Camera::status() const {
   const std::lock_guard lock(mutex_);
   return status_;
 }
 
-CameraSettings V4l2Camera::read_back() const {
+device::CameraSettings V4l2Camera::read_back() const {
   const std::lock_guard lock(mutex_);
   return read_back_;
 }
@@ -60,7 +60,7 @@ Result<void> V4l2Camera::open() {
   auto stream = VideoStream::open(*means_.system, *node, asked_, options_.buffers);
   if (!stream) return tl::unexpected(stream.error());
   stream_ = std::move(*stream);
-  ledger_.begin_stream(1.0 / stream_->read_back().rate_hz);
+  frame_counter_.begin_stream(1.0 / stream_->read_back().rate_hz);
   last_arrival_s_ = means_.clock.now_s();
   const std::lock_guard lock(mutex_);
   read_back_ = stream_->read_back();
@@ -69,14 +69,14 @@ Result<void> V4l2Camera::open() {
 }
 
 Result<void> V4l2Camera::start() {
-  const CameraState state = status().state;
-  if (state != CameraState::kIdle && state != CameraState::kFailed) return {};
-  ledger_ = {};
+  const device::CameraState state = status().state;
+  if (state != device::CameraState::kIdle && state != device::CameraState::kFailed) return {};
+  frame_counter_ = {};
   away_ = false;
   auto opened = open();
   const std::lock_guard lock(mutex_);
   status_ = {};
-  status_.state = opened ? CameraState::kRunning : CameraState::kFailed;
+  status_.state = opened ? device::CameraState::kRunning : device::CameraState::kFailed;
   if (!opened) status_.message = opened.error().message;
   return opened;
 }
@@ -84,15 +84,15 @@ Result<void> V4l2Camera::start() {
 void V4l2Camera::stop() {
   stream_.reset();
   const std::lock_guard lock(mutex_);
-  status_.state = CameraState::kIdle;
+  status_.state = device::CameraState::kIdle;
   status_.message.clear();
 }
 
-Result<std::optional<CameraFrame>> V4l2Camera::next(double timeout_s) {
-  const CameraStatus before = status();
-  if (before.state == CameraState::kIdle)
+Result<std::optional<device::CameraFrame>> V4l2Camera::next(double timeout_s) {
+  const device::CameraStatus before = status();
+  if (before.state == device::CameraState::kIdle)
     return fail(ErrorCode::kBadOption, "the camera was not started");
-  if (before.state == CameraState::kFailed)
+  if (before.state == device::CameraState::kFailed)
     return fail(ErrorCode::kBadOption, "the camera did not start: {}", before.message);
   if (!stream_) {
     search(timeout_s);
@@ -110,19 +110,19 @@ Result<std::optional<CameraFrame>> V4l2Camera::next(double timeout_s) {
   return enter(**taken);
 }
 
-CameraFrame V4l2Camera::enter(const StreamedImage& image) {
+device::CameraFrame V4l2Camera::enter(const StreamedImage& image) {
   last_arrival_s_ = means_.clock.now_s();
   const std::lock_guard lock(mutex_);
-  status_.state = CameraState::kRunning;
+  status_.state = device::CameraState::kRunning;
   status_.message.clear();
-  return ledger_.enter(image, last_arrival_s_, status_);
+  return frame_counter_.enter(image, last_arrival_s_, status_);
 }
 
 void V4l2Camera::ended(const StreamEnd& end) {
   stream_.reset();
   next_search_s_ = means_.clock.now_s();
   const std::lock_guard lock(mutex_);
-  status_.state = CameraState::kLost;
+  status_.state = device::CameraState::kLost;
   status_.message = end.error.message;
   if (end.gone && !std::exchange(away_, true)) ++status_.lost;
 }
@@ -138,8 +138,8 @@ void V4l2Camera::watch_for_frames(double now_s) {
   }
   // It counts as frozen until a frame comes, however often it is set up anew.
   const std::lock_guard lock(mutex_);
-  if (status_.state == CameraState::kFrozen) return;
-  status_.state = CameraState::kFrozen;
+  if (status_.state == device::CameraState::kFrozen) return;
+  status_.state = device::CameraState::kFrozen;
   status_.message = "the camera sends no frames; unplug it and plug it in again if that lasts";
   ++status_.frozen;
 }
@@ -155,7 +155,7 @@ void V4l2Camera::search(double timeout_s) {
     return;
   }
   const std::lock_guard lock(mutex_);
-  status_.state = CameraState::kLost;
+  status_.state = device::CameraState::kLost;
   status_.message = opened.error().message;
   // What looked like a broken stream was the camera going away.
   if (opened.error().code == ErrorCode::kNotFound && !std::exchange(away_, true)) ++status_.lost;
@@ -163,11 +163,11 @@ void V4l2Camera::search(double timeout_s) {
 
 void V4l2Camera::reopened() {
   const std::lock_guard lock(mutex_);
-  if (status_.state != CameraState::kFrozen) {
-    status_.state = CameraState::kRunning;
+  if (status_.state != device::CameraState::kFrozen) {
+    status_.state = device::CameraState::kRunning;
     status_.message.clear();
   }
   ++(std::exchange(away_, false) ? status_.returned : status_.restarted);
 }
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

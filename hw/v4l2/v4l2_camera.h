@@ -6,11 +6,11 @@
 
 #include "hw/device/camera.h"
 #include "hw/device/clock.h"
-#include "hw/v4l2/frame_ledger.h"
+#include "hw/v4l2/frame_counter.h"
 #include "hw/v4l2/video_stream.h"
 #include "hw/v4l2/video_system.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 struct V4l2CameraOptions {
   /// 2..32 frames that the driver holds while the reader is busy: a quarter of a second at 30 Hz.
@@ -27,51 +27,51 @@ struct V4l2CameraOptions {
 /// What a camera runs on; tests put their own in its place.
 struct VideoMeans {
   std::shared_ptr<VideoSystem> system = kernel_video_system();
-  Clock clock = machine_clock();
+  device::Clock clock = device::machine_clock();
 };
 
-class V4l2Camera final : public Camera {
+class V4l2Camera final : public device::Camera {
  public:
   /// Nothing is opened before start().
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::unique_ptr<V4l2Camera>> create(
-      CameraMatch match, const CameraSettings& settings, const V4l2CameraOptions& options = {},
-      VideoMeans means = {});
+      device::CameraMatch match, const device::CameraSettings& settings,
+      const V4l2CameraOptions& options = {}, VideoMeans means = {});
 
   [[nodiscard]] Result<void> start() override;
   void stop() override;
-  [[nodiscard]] Result<std::optional<CameraFrame>> next(double timeout_s) override;
-  [[nodiscard]] CameraStatus status() const override;
-  [[nodiscard]] CameraSettings asked() const override { return asked_; }
-  [[nodiscard]] CameraSettings read_back() const override;
+  [[nodiscard]] Result<std::optional<device::CameraFrame>> next(double timeout_s) override;
+  [[nodiscard]] device::CameraStatus status() const override;
+  [[nodiscard]] device::CameraSettings asked() const override { return asked_; }
+  [[nodiscard]] device::CameraSettings read_back() const override;
   [[nodiscard]] std::string name() const override;
 
  private:
-  V4l2Camera(CameraMatch match, const CameraSettings& settings, const V4l2CameraOptions& options,
-             VideoMeans means);
+  V4l2Camera(device::CameraMatch match, const device::CameraSettings& settings,
+             const V4l2CameraOptions& options, VideoMeans means);
   [[nodiscard]] Result<void> open();
   void search(double timeout_s);
   void reopened();
   void ended(const StreamEnd& end);
   void watch_for_frames(double now_s);
-  [[nodiscard]] CameraFrame enter(const StreamedImage& image);
+  [[nodiscard]] device::CameraFrame enter(const StreamedImage& image);
 
-  const CameraMatch match_;
-  const CameraSettings asked_;
+  const device::CameraMatch match_;
+  const device::CameraSettings asked_;
   const V4l2CameraOptions options_;
   const VideoMeans means_;
 
   // Of the thread that reads.
   std::unique_ptr<VideoStream> stream_;
-  FrameLedger ledger_;
+  FrameCounter frame_counter_;
   double last_arrival_s_ = 0.0;  // of a frame, or since the stream began
   double next_search_s_ = 0.0;
   bool away_ = false;  // the device, not just its stream
 
   mutable std::mutex mutex_;  // of all below
-  CameraStatus status_;
-  CameraSettings read_back_;
+  device::CameraStatus status_;
+  device::CameraSettings read_back_;
   std::string name_;
 };
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

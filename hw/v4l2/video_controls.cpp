@@ -9,7 +9,7 @@
 
 #include "hw/v4l2/video_failure.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 namespace {
 
@@ -18,15 +18,16 @@ struct ManualControl {
   std::uint32_t id;
   std::string_view name;
   double unit;  // value in our unit = steps * unit
-  std::optional<double> CameraSettings::*field;
+  std::optional<double> device::CameraSettings::*field;
 };
 
 constexpr std::array kManualControls = {
-    ManualControl{V4L2_CID_EXPOSURE_ABSOLUTE, "exposure_s", 100e-6, &CameraSettings::exposure_s},
-    ManualControl{V4L2_CID_GAIN, "gain", 1.0, &CameraSettings::gain},
+    ManualControl{V4L2_CID_EXPOSURE_ABSOLUTE, "exposure_s", 100e-6,
+                  &device::CameraSettings::exposure_s},
+    ManualControl{V4L2_CID_GAIN, "gain", 1.0, &device::CameraSettings::gain},
     ManualControl{V4L2_CID_WHITE_BALANCE_TEMPERATURE, "white_balance_k", 1.0,
-                  &CameraSettings::white_balance_k},
-    ManualControl{V4L2_CID_FOCUS_ABSOLUTE, "focus", 1.0, &CameraSettings::focus}};
+                  &device::CameraSettings::white_balance_k},
+    ManualControl{V4L2_CID_FOCUS_ABSOLUTE, "focus", 1.0, &device::CameraSettings::focus}};
 
 // Switches that are off where the camera has them. The last one would lower the rate for a long
 // exposure.
@@ -103,8 +104,8 @@ Result<void> set_by_hand(const OpenVideo& video, const ManualControl& control, d
 
 }  // namespace
 
-std::vector<CameraControl> list_controls(VideoDevice& device) {
-  std::vector<CameraControl> controls;
+std::vector<device::CameraControl> list_controls(VideoDevice& device) {
+  std::vector<device::CameraControl> controls;
   std::uint32_t last = 0;
   while (const auto info = query(device, last | V4L2_CTRL_FLAG_NEXT_CTRL)) {
     if (info->id <= last) break;  // a driver that goes round in circles
@@ -120,9 +121,10 @@ std::vector<CameraControl> list_controls(VideoDevice& device) {
   return controls;
 }
 
-Result<CameraSettings> set_controls(const OpenVideo& video, const CameraSettings& settings) {
+Result<device::CameraSettings> set_controls(const OpenVideo& video,
+                                            const device::CameraSettings& settings) {
   if (const auto done = turn_automatics_off(video); !done) return tl::unexpected(done.error());
-  CameraSettings read_back = settings;
+  device::CameraSettings read_back = settings;
   for (const ManualControl& control : kManualControls) {
     if (const auto wanted = settings.*control.field) {
       const auto done = set_by_hand(video, control, *wanted);
@@ -135,4 +137,4 @@ Result<CameraSettings> set_controls(const OpenVideo& video, const CameraSettings
   return read_back;
 }
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

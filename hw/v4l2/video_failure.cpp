@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 namespace {
 
@@ -50,15 +50,15 @@ Cause cause_of(int error_number) {
 
 }  // namespace
 
-std::string to_string(const DeviceNode& node) {
+std::string to_string(const device::DeviceNode& node) {
   if (node.serial.empty()) return fmt::format("{} ({})", node.name, node.node);
   return fmt::format("{} (serial {}, {})", node.name, node.serial, node.node);
 }
 
-Error video_failure(const DeviceNode& node, std::string_view doing, int error_number) {
+Error video_failure(const device::DeviceNode& node, std::string_view doing, int error_number) {
   const auto [code, text] = cause_of(error_number);
   return {code, fmt::format("camera {}: {} failed ({}): {}", to_string(node), doing,
                             std::generic_category().message(error_number), text)};
 }
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

@@ -9,7 +9,7 @@
 
 #include "hw/v4l2/video_failure.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 namespace {
 
@@ -17,19 +17,19 @@ constexpr auto kCapture = V4L2_BUF_TYPE_VIDEO_CAPTURE;
 // Drivers that never end their list are not listened to for ever.
 constexpr std::uint32_t kMaxEntries = 256;
 
-std::uint32_t fourcc_of(PixelFormat format) {
+std::uint32_t fourcc_of(device::PixelFormat format) {
   switch (format) {
-    case PixelFormat::kGrey8:
+    case device::PixelFormat::kGrey8:
       return V4L2_PIX_FMT_GREY;
-    case PixelFormat::kGrey10:
+    case device::PixelFormat::kGrey10:
       return V4L2_PIX_FMT_Y10;
-    case PixelFormat::kGrey12:
+    case device::PixelFormat::kGrey12:
       return V4L2_PIX_FMT_Y12;
-    case PixelFormat::kGrey16:
+    case device::PixelFormat::kGrey16:
       return V4L2_PIX_FMT_Y16;
-    case PixelFormat::kYuyv:
+    case device::PixelFormat::kYuyv:
       return V4L2_PIX_FMT_YUYV;
-    case PixelFormat::kMjpeg:
+    case device::PixelFormat::kMjpeg:
       break;
   }
   return V4L2_PIX_FMT_MJPEG;
@@ -74,7 +74,7 @@ ImageSize size_of(std::uint32_t width, std::uint32_t height) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-void list_sizes(VideoDevice& device, std::uint32_t fourcc, std::vector<CameraMode>& modes) {
+void list_sizes(VideoDevice& device, std::uint32_t fourcc, std::vector<device::CameraMode>& modes) {
   const auto add = [&](const ImageSize& size) {
     modes.push_back({letters_of(fourcc), size, list_rates(device, fourcc, size)});
   };
@@ -94,7 +94,7 @@ void list_sizes(VideoDevice& device, std::uint32_t fourcc, std::vector<CameraMod
 }
 
 // At most eight: a message is to be read.
-std::string names_of(const std::vector<CameraMode>& modes) {
+std::string names_of(const std::vector<device::CameraMode>& modes) {
   std::string names;
   for (std::size_t i = 0; i < std::min<std::size_t>(modes.size(), 8); ++i)
     names += fmt::format("{}{} {} x {}", i == 0 ? "" : ", ", modes[i].format,
@@ -119,7 +119,7 @@ Result<double> set_rate(const OpenVideo& video, double rate_hz) {
 }
 
 // request: VIDIOC_S_FMT or VIDIOC_TRY_FMT.
-Result<v4l2_pix_format> agree(const OpenVideo& video, const CameraSettings& settings,
+Result<v4l2_pix_format> agree(const OpenVideo& video, const device::CameraSettings& settings,
                               unsigned long request) {
   v4l2_format format{};
   format.type = kCapture;
@@ -142,8 +142,8 @@ Result<v4l2_pix_format> agree(const OpenVideo& video, const CameraSettings& sett
 
 }  // namespace
 
-std::vector<CameraMode> list_modes(VideoDevice& device) {
-  std::vector<CameraMode> modes;
+std::vector<device::CameraMode> list_modes(VideoDevice& device) {
+  std::vector<device::CameraMode> modes;
   for (std::uint32_t i = 0; i < kMaxEntries; ++i) {
     v4l2_fmtdesc entry{};
     entry.index = i;
@@ -154,13 +154,13 @@ std::vector<CameraMode> list_modes(VideoDevice& device) {
   return modes;
 }
 
-Result<void> check_mode(const OpenVideo& video, const CameraSettings& settings) {
+Result<void> check_mode(const OpenVideo& video, const device::CameraSettings& settings) {
   const auto pixels = agree(video, settings, VIDIOC_TRY_FMT);
   if (!pixels) return tl::unexpected(pixels.error());
   return {};
 }
 
-Result<AgreedMode> set_mode(const OpenVideo& video, const CameraSettings& settings) {
+Result<AgreedMode> set_mode(const OpenVideo& video, const device::CameraSettings& settings) {
   const auto pixels = agree(video, settings, VIDIOC_S_FMT);
   if (!pixels) return tl::unexpected(pixels.error());
   const auto rate = set_rate(video, settings.rate_hz);
@@ -171,4 +171,4 @@ Result<AgreedMode> set_mode(const OpenVideo& video, const CameraSettings& settin
   return AgreedMode{{settings.format, settings.size, bytes_per_line}, *rate};
 }
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

@@ -7,16 +7,16 @@
 #include "hw/v4l2/pixel_conversion.h"
 #include "hw/v4l2/video_system.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 /// An open device file and its name in messages. Owned by someone else.
 struct OpenVideo {
   VideoDevice& device;
-  const DeviceNode& node;
+  const device::DeviceNode& node;
 };
 
 /// All that it offers. Of a range of sizes or rates its ends stand for all.
-[[nodiscard]] std::vector<CameraMode> list_modes(VideoDevice& device);
+[[nodiscard]] std::vector<device::CameraMode> list_modes(VideoDevice& device);
 
 /// What the driver agreed to.
 struct AgreedMode {
@@ -26,10 +26,12 @@ struct AgreedMode {
 
 /// Sets format, size and rate.
 /// @errors  kBadOption: no such format or size, with those that there are; else as video_failure
-[[nodiscard]] Result<AgreedMode> set_mode(const OpenVideo& video, const CameraSettings& settings);
+[[nodiscard]] Result<AgreedMode> set_mode(const OpenVideo& video,
+                                          const device::CameraSettings& settings);
 
 /// Whether it would take format and size; nothing is set.
 /// @errors  As set_mode.
-[[nodiscard]] Result<void> check_mode(const OpenVideo& video, const CameraSettings& settings);
+[[nodiscard]] Result<void> check_mode(const OpenVideo& video,
+                                      const device::CameraSettings& settings);
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

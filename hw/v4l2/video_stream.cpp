@@ -9,7 +9,7 @@
 #include "hw/v4l2/video_failure.h"
 #include "hw/v4l2/video_modes.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 namespace {
 
@@ -27,12 +27,13 @@ void read_stamp(const v4l2_buffer& buffer, StreamedImage& image) {
                    1e-6 * static_cast<double>(buffer.timestamp.tv_usec);
   const bool at_start =
       (buffer.flags & V4L2_BUF_FLAG_TSTAMP_SRC_MASK) == V4L2_BUF_FLAG_TSTAMP_SRC_SOE;
-  image.stamp = at_start ? StampMeaning::kStartOfExposure : StampMeaning::kEndOfReadout;
+  image.stamp =
+      at_start ? device::StampMeaning::kStartOfExposure : device::StampMeaning::kEndOfReadout;
 }
 
 }  // namespace
 
-VideoStream::VideoStream(std::unique_ptr<VideoDevice> device, DeviceNode node)
+VideoStream::VideoStream(std::unique_ptr<VideoDevice> device, device::DeviceNode node)
     : device_(std::move(device)), node_(std::move(node)) {}
 
 VideoStream::~VideoStream() {
@@ -41,8 +42,9 @@ VideoStream::~VideoStream() {
   if (streaming_) (void)device_->control(VIDIOC_STREAMOFF, &type);
 }
 
-Result<std::unique_ptr<VideoStream>> VideoStream::open(VideoSystem& system, const DeviceNode& node,
-                                                       const CameraSettings& settings,
+Result<std::unique_ptr<VideoStream>> VideoStream::open(VideoSystem& system,
+                                                       const device::DeviceNode& node,
+                                                       const device::CameraSettings& settings,
                                                        int buffers) {
   auto device = system.open(node.node);
   if (!device) return tl::unexpected(video_failure(node, "opening it", device.error()));
@@ -52,7 +54,7 @@ Result<std::unique_ptr<VideoStream>> VideoStream::open(VideoSystem& system, cons
   return stream;
 }
 
-Result<void> VideoStream::set_up(const CameraSettings& settings) {
+Result<void> VideoStream::set_up(const device::CameraSettings& settings) {
   const OpenVideo video{*device_, node_};
   const auto mode = set_mode(video, settings);
   if (!mode) return tl::unexpected(mode.error());
@@ -114,4 +116,4 @@ tl::expected<std::optional<StreamedImage>, StreamEnd> VideoStream::take(double t
   return image;
 }
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

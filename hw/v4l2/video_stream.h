@@ -9,7 +9,7 @@
 #include "hw/v4l2/pixel_conversion.h"
 #include "hw/v4l2/video_system.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 /// A filled buffer, converted, before anything is made of the numbers in it.
 struct StreamedImage {
@@ -18,7 +18,7 @@ struct StreamedImage {
   std::uint32_t sequence = 0;  ///< the driver's: from 0 since the stream began, and around
   /// By the driver, on the monotonic clock; nothing: it uses another clock.
   std::optional<double> time_s;
-  StampMeaning stamp = StampMeaning::kStartOfExposure;
+  device::StampMeaning stamp = device::StampMeaning::kStartOfExposure;
 };
 
 /// What ended a stream.
@@ -31,10 +31,9 @@ class VideoStream {
  public:
   /// Sets mode and controls, maps the buffers and starts the stream.
   /// @errors  As Camera::start.
-  [[nodiscard]] static Result<std::unique_ptr<VideoStream>> open(VideoSystem& system,
-                                                                 const DeviceNode& node,
-                                                                 const CameraSettings& settings,
-                                                                 int buffers);
+  [[nodiscard]] static Result<std::unique_ptr<VideoStream>> open(
+      VideoSystem& system, const device::DeviceNode& node, const device::CameraSettings& settings,
+      int buffers);
   ~VideoStream();
   VideoStream(const VideoStream&) = delete;
   VideoStream& operator=(const VideoStream&) = delete;
@@ -42,20 +41,20 @@ class VideoStream {
   /// The next image; nothing: none within the time. After an error the stream is of no use.
   [[nodiscard]] tl::expected<std::optional<StreamedImage>, StreamEnd> take(double timeout_s);
 
-  [[nodiscard]] const CameraSettings& read_back() const { return read_back_; }
+  [[nodiscard]] const device::CameraSettings& read_back() const { return read_back_; }
 
  private:
-  VideoStream(std::unique_ptr<VideoDevice> device, DeviceNode node);
-  [[nodiscard]] Result<void> set_up(const CameraSettings& settings);
+  VideoStream(std::unique_ptr<VideoDevice> device, device::DeviceNode node);
+  [[nodiscard]] Result<void> set_up(const device::CameraSettings& settings);
   [[nodiscard]] Result<void> begin(int buffers);
   [[nodiscard]] StreamEnd ended(std::string_view doing, int error_number) const;
 
   std::unique_ptr<VideoDevice> device_;
-  const DeviceNode node_;
-  CameraSettings read_back_;
+  const device::DeviceNode node_;
+  device::CameraSettings read_back_;
   BufferLayout layout_;
   std::vector<std::span<const std::uint8_t>> buffers_;
   bool streaming_ = false;
 };
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

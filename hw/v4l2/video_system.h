@@ -10,7 +10,7 @@
 
 #include "hw/device/device_node.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 
 /// A device file that is open; it is closed, and what was mapped let go, on destruction.
 class VideoDevice {
@@ -43,7 +43,7 @@ class VideoSystem {
 
   /// All that are there now, as list_device_nodes() gives them. A camera may have several: images,
   /// with the index 0, and what describes them.
-  [[nodiscard]] virtual std::vector<DeviceNode> nodes() = 0;
+  [[nodiscard]] virtual std::vector<device::DeviceNode> nodes() = 0;
 
   /// @return  or the errno
   [[nodiscard]] virtual tl::expected<std::unique_ptr<VideoDevice>, int> open(
@@ -56,4 +56,4 @@ class VideoSystem {
 /// The machine's own: V4L2 and udev.
 [[nodiscard]] std::shared_ptr<VideoSystem> kernel_video_system();
 
-}  // namespace flytri
+}  // namespace flytri::v4l2

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/interchange/case_file.h"
-#include "core/interchange/view_codec.h"
+#include "core/io/cases/case_file.h"
+#include "core/io/cases/view_codec.h"
 #include "tests/support/case_samples.h"
 #include "tests/support/temporary_folder.h"
 
@@ -16,7 +16,7 @@ namespace {
 using testing::sample_pose;
 using testing::sample_view;
 
-constexpr ScanStage kStage = ScanStage::kUpper;
+constexpr io::ScanStage kStage = io::ScanStage::kUpper;
 constexpr int kViewsPerCommit = 30;
 
 /// Some views, taken in turn under rising numbers.
@@ -36,12 +36,12 @@ class Views {
   int count_ = 0;
 };
 
-CaseOptions options_of(const benchmark::State& state) {
+io::CaseOptions options_of(const benchmark::State& state) {
   return {state.range(0) != 0 ? "passphrase" : "", false};
 }
 
 /// Thirty views and the commit that keeps them.
-bool append_second(CaseFile& file, Views& views) {
+bool append_second(io::CaseFile& file, Views& views) {
   for (int i = 0; i < kViewsPerCommit; ++i) {
     if (!file.append_view(kStage, views.next())) return false;
   }
@@ -54,7 +54,7 @@ void append_views(benchmark::State& state) {
   Views views;
   std::int64_t kept = 0;
   {
-    auto file = CaseFile::create(path, options_of(state));
+    auto file = io::CaseFile::create(path, options_of(state));
     for (auto _ : state) {
       if (!file || !append_second(*file, views)) state.SkipWithError("cannot be written");
       kept += kViewsPerCommit;
@@ -69,7 +69,7 @@ BENCHMARK(append_views)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::k
 /// The poses of a minute of scanning, as after an optimization of all of them.
 void write_poses(benchmark::State& state) {
   const TemporaryFolder folder;
-  auto file = CaseFile::create(folder / "a.flytri", options_of(state));
+  auto file = io::CaseFile::create(folder / "a.flytri", options_of(state));
   std::vector<AlignedView> placed;
   for (int i = 0; i < 1800; ++i) {
     View view;
@@ -90,10 +90,10 @@ void load_stage(benchmark::State& state) {
   const auto path = folder / "a.flytri";
   {
     Views views;
-    auto file = CaseFile::create(path, options_of(state));
+    auto file = io::CaseFile::create(path, options_of(state));
     for (int second = 0; second < 10; ++second) (void)append_second(*file, views);
   }
-  auto file = CaseFile::open(path, options_of(state));
+  auto file = io::CaseFile::open(path, options_of(state));
   std::int64_t count = 0;
   for (auto _ : state) count += static_cast<std::int64_t>(file->load_stage(kStage)->views.size());
   state.SetItemsProcessed(count);
@@ -104,9 +104,9 @@ BENCHMARK(load_stage)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMi
 void open_case(benchmark::State& state) {
   const TemporaryFolder folder;
   const auto path = folder / "a.flytri";
-  (void)CaseFile::create(path, options_of(state));
+  (void)io::CaseFile::create(path, options_of(state));
   for (auto _ : state) {
-    if (!CaseFile::open(path, options_of(state))) state.SkipWithError("cannot be opened");
+    if (!io::CaseFile::open(path, options_of(state))) state.SkipWithError("cannot be opened");
   }
 }
 BENCHMARK(open_case)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
@@ -115,7 +115,7 @@ void code_view(benchmark::State& state) {
   const View view = sample_view(0);
   std::string bytes;
   for (auto _ : state) {
-    bytes = encode_view(view);
+    bytes = io::encode_view(view);
     benchmark::DoNotOptimize(bytes);
   }
   state.counters["bytes/view"] = static_cast<double>(bytes.size());

@@ -23,7 +23,7 @@ void refine(benchmark::State& state) {
   const auto drifted = testing::with_drift(scan.views, 0.1, 4);
   for (auto _ : state) {
     auto views = drifted;
-    benchmark::DoNotOptimize(refine_jointly(views, {}, Workers(1), {}));
+    benchmark::DoNotOptimize(refinement::refine_jointly(views, {}, Workers(1), {}));
   }
   state.SetItemsProcessed(state.iterations() * kViewCount);
 }
@@ -31,7 +31,8 @@ BENCHMARK(refine)->Name("refine_jointly")->Unit(benchmark::kMillisecond);
 
 void normals(benchmark::State& state) {
   const auto scan = testing::scan_cusps(kViewCount, {}, 3);
-  for (auto _ : state) benchmark::DoNotOptimize(crossing_normals(scan.views, {}, Workers(1)));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(normals::crossing_normals(scan.views, {}, Workers(1)));
   state.SetItemsProcessed(state.iterations() * point_count(scan.views));
 }
 BENCHMARK(normals)->Name("crossing_normals")->Unit(benchmark::kMillisecond);
@@ -44,12 +45,12 @@ void color(benchmark::State& state) {
     point.normal = -Vec3f::UnitZ();
     points.push_back(point);
   }
-  const std::vector<TextureFrame> frames(
+  const std::vector<texture::TextureFrame> frames(
       6, {cv::Mat(768, 1024, CV_8UC3, cv::Scalar(200, 150, 100)), Isometry::Identity()});
-  const Calibration calibration =
+  const calibration::Calibration calibration =
       testing::orthographic_calibration({20, 15, 15}, {1024, 768}, 50.0);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(color_points(points, frames, calibration, {}, Workers(1)));
+    benchmark::DoNotOptimize(texture::color_points(points, frames, calibration, {}, Workers(1)));
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }

@@ -2,32 +2,34 @@
 #include <benchmark/benchmark.h>
 
 #include "assets/sample_jaw/sample_jaw.h"
-#include "core/interchange/png.h"
-#include "hw/simulated/image_simulator.h"
+#include "core/io/files/png.h"
+#include "hw/simulated/optics/image_simulator.h"
 
 namespace flytri {
 namespace {
 
 /// A sensor over the sample jaw, and a hand that moves it.
 struct LiveScene {
-  ImageSimulator simulator;
-  SensorPath path;
+  simulated::ImageSimulator simulator;
+  simulated::SensorPath path;
 };
 
-LiveScene make_scene(Tracing tracing) {
+LiveScene make_scene(simulated::Tracing tracing) {
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
-  ImageSimulator simulator =
-      ImageSimulator::create(jaw, intraoral_sensor(), {.tracing = tracing}).value();
-  PathOptions options;
-  options.kind = PathKind::kQuadrant;
-  SensorPath path = plan_path(simulator.scene(), simulator.sensor(), options).value();
+  simulated::ImageSimulator simulator =
+      simulated::ImageSimulator::create(jaw, simulated::intraoral_sensor(), {.tracing = tracing})
+          .value();
+  simulated::PathOptions options;
+  options.kind = simulated::PathKind::kQuadrant;
+  simulated::SensorPath path =
+      simulated::plan_path(simulator.scene(), simulator.sensor(), options).value();
   return {std::move(simulator), std::move(path)};
 }
 
 /// Places all over the path, so that easy and hard images are met as in a scan.
 double place_s(int i) { return 0.37 * (i % 90); }
 
-void live_measurement_image(benchmark::State& state, Tracing tracing) {
+void live_measurement_image(benchmark::State& state, simulated::Tracing tracing) {
   const LiveScene scene = make_scene(tracing);
   int i = 0;
   for (auto _ : state) {
@@ -36,11 +38,12 @@ void live_measurement_image(benchmark::State& state, Tracing tracing) {
     ++i;
   }
 }
-BENCHMARK_CAPTURE(live_measurement_image, every_pixel, Tracing::kEveryPixel)
+BENCHMARK_CAPTURE(live_measurement_image, every_pixel, simulated::Tracing::kEveryPixel)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(live_measurement_image, grid, Tracing::kGrid)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(live_measurement_image, grid, simulated::Tracing::kGrid)
+    ->Unit(benchmark::kMillisecond);
 
-void live_texture_image(benchmark::State& state, Tracing tracing) {
+void live_texture_image(benchmark::State& state, simulated::Tracing tracing) {
   const LiveScene scene = make_scene(tracing);
   int i = 0;
   for (auto _ : state) {
@@ -49,24 +52,25 @@ void live_texture_image(benchmark::State& state, Tracing tracing) {
     ++i;
   }
 }
-BENCHMARK_CAPTURE(live_texture_image, every_pixel, Tracing::kEveryPixel)
+BENCHMARK_CAPTURE(live_texture_image, every_pixel, simulated::Tracing::kEveryPixel)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(live_texture_image, grid, Tracing::kGrid)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(live_texture_image, grid, simulated::Tracing::kGrid)
+    ->Unit(benchmark::kMillisecond);
 
 cv::Mat frame_image() {
-  const LiveScene scene = make_scene(Tracing::kGrid);
+  const LiveScene scene = make_scene(simulated::Tracing::kGrid);
   return scene.simulator.measurement_image(Pattern::kVertical, scene.path, 5.0, 0);
 }
 
 void encode_frame(benchmark::State& state) {
   const cv::Mat image = frame_image();
-  for (auto _ : state) benchmark::DoNotOptimize(encode_camera_png(image).value());
+  for (auto _ : state) benchmark::DoNotOptimize(io::encode_camera_png(image).value());
 }
 BENCHMARK(encode_frame)->Unit(benchmark::kMillisecond);
 
 void decode_frame(benchmark::State& state) {
-  const std::string bytes = encode_camera_png(frame_image()).value();
-  for (auto _ : state) benchmark::DoNotOptimize(decode_png(bytes, "frame").value());
+  const std::string bytes = io::encode_camera_png(frame_image()).value();
+  for (auto _ : state) benchmark::DoNotOptimize(io::decode_png(bytes, "frame").value());
 }
 BENCHMARK(decode_frame)->Unit(benchmark::kMillisecond);
 

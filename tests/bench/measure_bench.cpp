@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/pipeline/measure_view.h"
+#include "core/measurement/measure_view.h"
 #include "tests/support/line_image.h"
 
 namespace flytri {
@@ -31,34 +31,34 @@ cv::Mat frame_image(Pattern pattern) {
   return draw(image, lines, pattern);
 }
 
-void localize(benchmark::State& state, LineEstimator estimator) {
+void localize(benchmark::State& state, localization::LineEstimator estimator) {
   const auto pattern = static_cast<Pattern>(state.range(0));
   const cv::Mat image = frame_image(pattern);
-  LocalizeOptions options;
+  localization::LocalizeOptions options;
   options.estimator = estimator;
   std::size_t samples = 0;
   for (auto _ : state) {
-    const auto traces = localize_lines(image, pattern, options);
+    const auto traces = localization::localize_lines(image, pattern, options);
     samples = 0;
-    for (const LineTrace& trace : *traces) samples += trace.size();
+    for (const localization::LineTrace& trace : *traces) samples += trace.size();
   }
   state.counters["samples"] = static_cast<double>(samples);
 }
-BENCHMARK_CAPTURE(localize, weighted_fit, LineEstimator::kWeightedFit)
+BENCHMARK_CAPTURE(localize, weighted_fit, localization::LineEstimator::kWeightedFit)
     ->Arg(0)
     ->Arg(1)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(localize, three_point, LineEstimator::kThreePoint)
+BENCHMARK_CAPTURE(localize, three_point, localization::LineEstimator::kThreePoint)
     ->Arg(0)
     ->Arg(1)
     ->Unit(benchmark::kMillisecond);
 
 /// A calibration whose areas hold the lines of frame_image; its numbers do not matter for speed.
-Calibration frame_calibration() {
-  Calibration calibration;
+calibration::Calibration frame_calibration() {
+  calibration::Calibration calibration;
   calibration.volume.size_mm = {20, 15, 15};
   calibration.measurement_size = {1024, 768};
-  for (TrivariateCubic* cubic : {&calibration.x_mm, &calibration.y_mm}) {
+  for (calibration::TrivariateCubic* cubic : {&calibration.x_mm, &calibration.y_mm}) {
     cubic->half_range = {512, 384, 8};
     for (int i = 0; i < 20; ++i) cubic->coefficients[static_cast<std::size_t>(i)] = 1.0 / (1 + i);
   }
@@ -67,14 +67,14 @@ Calibration frame_calibration() {
     const int count = vertical ? 10 : 7, across = vertical ? 1024 : 768;
     auto& lines = calibration.of(pattern);
     lines.lines.assign(static_cast<std::size_t>(count),
-                       std::vector<LineRow>(vertical ? 768U : 1024U));
+                       std::vector<calibration::LineRow>(vertical ? 768U : 1024U));
     lines.sheet_normals.assign(static_cast<std::size_t>(count), Vec3::UnitX());
     for (int n = 0; n < count; ++n) {
       const double middle = 60.0 + (across - 120.0) * n / (count - 1.0);
-      const LineRow row{{middle, 40.0, {0, 7, 0.1, 0.01}},
-                        {middle, 40.0, {4.2, 0, 0}},
-                        middle - 40.0,
-                        middle + 40.0};
+      const calibration::LineRow row{{middle, 40.0, {0, 7, 0.1, 0.01}},
+                                     {middle, 40.0, {4.2, 0, 0}},
+                                     middle - 40.0,
+                                     middle + 40.0};
       std::fill(lines.lines[static_cast<std::size_t>(n)].begin(),
                 lines.lines[static_cast<std::size_t>(n)].end(), row);
     }
@@ -84,18 +84,20 @@ Calibration frame_calibration() {
 
 void index(benchmark::State& state) {
   const auto pattern = static_cast<Pattern>(state.range(0));
-  const auto traces = localize_lines(frame_image(pattern), pattern, {});
-  const Calibration calibration = frame_calibration();
-  for (auto _ : state) benchmark::DoNotOptimize(index_lines(*traces, calibration, pattern, {}));
+  const auto traces = localization::localize_lines(frame_image(pattern), pattern, {});
+  const calibration::Calibration calibration = frame_calibration();
+  for (auto _ : state)
+    benchmark::DoNotOptimize(indexing::index_lines(*traces, calibration, pattern, {}));
 }
 BENCHMARK(index)->Name("index_lines")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 void triangulate_lines(benchmark::State& state) {
   const auto pattern = static_cast<Pattern>(state.range(0));
-  const auto traces = localize_lines(frame_image(pattern), pattern, {});
-  const Calibration calibration = frame_calibration();
-  const IndexedLines lines = index_lines(*traces, calibration, pattern, {});
-  for (auto _ : state) benchmark::DoNotOptimize(triangulate(lines, calibration, pattern, {}));
+  const auto traces = localization::localize_lines(frame_image(pattern), pattern, {});
+  const calibration::Calibration calibration = frame_calibration();
+  const indexing::IndexedLines lines = indexing::index_lines(*traces, calibration, pattern, {});
+  for (auto _ : state)
+    benchmark::DoNotOptimize(triangulation::triangulate(lines, calibration, pattern, {}));
 }
 BENCHMARK(triangulate_lines)->Name("triangulate")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
@@ -117,9 +119,9 @@ void measure(benchmark::State& state) {
   const Frame frame{FrameIndex(0),
                     pattern == Pattern::kVertical ? FrameKind::kVertical : FrameKind::kHorizontal,
                     0.0, frame_image(pattern)};
-  const Calibration calibration = frame_calibration();
+  const calibration::Calibration calibration = frame_calibration();
   int points = 0;
-  for (auto _ : state) points = measure_view(frame, calibration, {})->counts.points;
+  for (auto _ : state) points = measurement::measure_view(frame, calibration, {})->counts.points;
   state.counters["points"] = points;
 }
 BENCHMARK(measure)->Name("measure_view")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);

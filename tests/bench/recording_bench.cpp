@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "assets/sample_jaw/sample_jaw.h"
-#include "core/interchange/recording.h"
-#include "hw/simulated/lit_scene.h"
+#include "core/io/recordings/recording.h"
+#include "hw/simulated/devices/lit_scene.h"
 #include "hw/sync/frame_labeler.h"
 #include "tests/support/temporary_folder.h"
 
@@ -13,20 +13,22 @@ namespace {
 
 /// A place of the jaw under a light, 1024x768: grey lines, or the same scene in color under the
 /// flash.
-cv::Mat image_of(Light light, bool is_color) {
+cv::Mat image_of(device::Light light, bool is_color) {
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
-  SensorModel sensor = intraoral_sensor();
+  simulated::SensorModel sensor = simulated::intraoral_sensor();
   sensor.texture_camera.size = sensor.camera.size;
-  const LitScene scene = LitScene::create(jaw, sensor, {}, {.tracing = Tracing::kGrid}).value();
+  const simulated::LitScene scene =
+      simulated::LitScene::create(jaw, sensor, {}, {.tracing = simulated::Tracing::kGrid}).value();
   return is_color ? scene.texture_image(light, 5.0) : scene.measurement_image(light, 5.0);
 }
 
 /// Bytes of pixels a second; at 30 Hz a grey camera of this size has 24 MB/s and a color one 71.
 void record(benchmark::State& state, FrameKind kind) {
   const bool is_color = kind == FrameKind::kTexture;
-  const cv::Mat image = image_of(is_color ? Light::kFlash : Light::kVertical, is_color);
+  const cv::Mat image =
+      image_of(is_color ? device::Light::kFlash : device::Light::kVertical, is_color);
   const TemporaryFolder folder;
-  auto writer = RecordingWriter::create(folder / "scan").value();
+  auto writer = io::RecordingWriter::create(folder / "scan").value();
   double time_s = 0.0;
   for (auto _ : state) {
     time_s += 1.0;
@@ -40,8 +42,8 @@ BENCHMARK_CAPTURE(record, color, FrameKind::kTexture)->Unit(benchmark::kMillisec
 
 /// What labeling adds to a frame of the capture thread.
 void label_frame(benchmark::State& state) {
-  const cv::Mat image = image_of(Light::kVertical, false);
-  auto labeler = FrameLabeler::create({}).value();
+  const cv::Mat image = image_of(device::Light::kVertical, false);
+  auto labeler = sync::FrameLabeler::create({}).value();
   double stamp_s = 0.0;
   for (auto _ : state) {
     stamp_s += 1.0 / 30.0;

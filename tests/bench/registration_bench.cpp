@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/pipeline/registrar.h"
+#include "core/tracking/registrar.h"
 #include "tests/support/wavy_scene.h"
 
 namespace flytri {
@@ -30,48 +30,53 @@ std::shared_ptr<const View> scene_view(int frame) {
 
 void prepare(benchmark::State& state) {
   const auto view = scene_view(0);
-  for (auto _ : state) benchmark::DoNotOptimize(prepare_view(*view));
+  for (auto _ : state) benchmark::DoNotOptimize(registration::prepare_view(*view));
 }
 BENCHMARK(prepare)->Unit(benchmark::kMicrosecond);
 
 void closest_pair_brute_force(benchmark::State& state) {
-  const PreparedView first = prepare_view(*scene_view(0)), second = prepare_view(*scene_view(1));
+  const registration::PreparedView first = registration::prepare_view(*scene_view(0)),
+                                   second = registration::prepare_view(*scene_view(1));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        closest_knots_brute_force(first.profiles[4].curve, second.profiles[3].curve, 1.0));
+    benchmark::DoNotOptimize(registration::closest_knots_brute_force(
+        first.profiles[4].curve, second.profiles[3].curve, 1.0));
   }
 }
 BENCHMARK(closest_pair_brute_force)->Unit(benchmark::kMicrosecond);
 
 void closest_pair_hierarchical(benchmark::State& state) {
-  const PreparedView first = prepare_view(*scene_view(0)), second = prepare_view(*scene_view(1));
+  const registration::PreparedView first = registration::prepare_view(*scene_view(0)),
+                                   second = registration::prepare_view(*scene_view(1));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(closest_knots(first.profiles[4], second.profiles[3], 1.0));
+    benchmark::DoNotOptimize(
+        registration::closest_knots(first.profiles[4], second.profiles[3], 1.0));
   }
 }
 BENCHMARK(closest_pair_hierarchical)->Unit(benchmark::kMicrosecond);
 
 void align_to_one_view(benchmark::State& state) {
-  const PreparedView target = prepare_view(*scene_view(0)), source = prepare_view(*scene_view(1));
+  const registration::PreparedView target = registration::prepare_view(*scene_view(0)),
+                                   source = registration::prepare_view(*scene_view(1));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(align_view(source, target, Isometry::Identity()));
+    benchmark::DoNotOptimize(registration::align_view(source, target, Isometry::Identity()));
   }
 }
 BENCHMARK(align_to_one_view)->Unit(benchmark::kMillisecond);
 
 void align_to_many_views(benchmark::State& state) {
   const Isometry T_world_first = hand_pose(0.0).inverse();
-  std::vector<PreparedView> placed;
+  std::vector<registration::PreparedView> placed;
   const auto count = static_cast<int>(state.range(0));
   for (int i = 0; i < count; ++i) {
-    placed.push_back(prepare_view(*scene_view(i)).moved(T_world_first * hand_pose(i / 30.0)));
+    placed.push_back(
+        registration::prepare_view(*scene_view(i)).moved(T_world_first * hand_pose(i / 30.0)));
   }
-  std::vector<const PreparedView*> metaview;
-  for (const PreparedView& view : placed) metaview.push_back(&view);
-  const PreparedView source = prepare_view(*scene_view(count));
+  std::vector<const registration::PreparedView*> metaview;
+  for (const registration::PreparedView& view : placed) metaview.push_back(&view);
+  const registration::PreparedView source = registration::prepare_view(*scene_view(count));
   const Isometry T_world_guess = T_world_first * hand_pose((count - 1) / 30.0);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(align_to_metaview(source, metaview, T_world_guess));
+    benchmark::DoNotOptimize(registration::align_to_metaview(source, metaview, T_world_guess));
   }
 }
 BENCHMARK(align_to_many_views)->Arg(10)->Arg(25)->Arg(100)->Unit(benchmark::kMillisecond);
@@ -81,7 +86,7 @@ void registrar(benchmark::State& state) {
   std::vector<std::shared_ptr<const View>> views;
   for (int i = 0; i < state.range(0); ++i) views.push_back(scene_view(i));
   for (auto _ : state) {
-    Registrar scan = Registrar::create().value();
+    tracking::Registrar scan = tracking::Registrar::create().value();
     for (const auto& view : views) benchmark::DoNotOptimize(scan.add(view));
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));

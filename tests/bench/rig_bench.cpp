@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "assets/sample_jaw/sample_jaw.h"
-#include "hw/device/camera_beside.h"
+#include "hw/device/threaded_camera.h"
 #include "hw/recording/recorder_sensor.h"
 #include "hw/rig/rig_sensor.h"
-#include "hw/simulated/lit_scene.h"
-#include "hw/simulated/simulated_camera.h"
+#include "hw/simulated/devices/lit_scene.h"
+#include "hw/simulated/devices/simulated_camera.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri {
@@ -26,55 +26,58 @@ constexpr double kLearning_s = 2.0;
 constexpr double kCamera_s = 0.04;
 
 /// One place of the jaw under each light, 1024x768.
-std::array<cv::Mat, kLightCount> images_of(bool is_color) {
+std::array<cv::Mat, sync::kLightCount> images_of(bool is_color) {
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
-  SensorModel sensor = intraoral_sensor();
+  simulated::SensorModel sensor = simulated::intraoral_sensor();
   sensor.texture_camera.size = sensor.camera.size;
-  const LitScene scene = LitScene::create(jaw, sensor, {}, {.tracing = Tracing::kGrid}).value();
-  std::array<cv::Mat, kLightCount> images;
-  for (const Light light : {Light::kDark, Light::kVertical, Light::kHorizontal, Light::kFlash})
-    images[at(light)] =
+  const simulated::LitScene scene =
+      simulated::LitScene::create(jaw, sensor, {}, {.tracing = simulated::Tracing::kGrid}).value();
+  std::array<cv::Mat, sync::kLightCount> images;
+  for (const device::Light light : {device::Light::kDark, device::Light::kVertical,
+                                    device::Light::kHorizontal, device::Light::kFlash})
+    images[sync::at(light)] =
         is_color ? scene.texture_image(light, 5.0) : scene.measurement_image(light, 5.0);
   return images;
 }
 
 /// Shows images that are ready: frames cost no more than to be handed over, as a driver's do.
-class ReadyCamera final : public Camera {
+class ReadyCamera final : public device::Camera {
  public:
-  ReadyCamera(std::array<cv::Mat, kLightCount> images, Channels channels,
-              std::shared_ptr<SimulatedLights> lights)
-      : images_(std::move(images)), lights_(std::move(lights)), clock_(machine_clock()) {
+  ReadyCamera(std::array<cv::Mat, sync::kLightCount> images, device::Channels channels,
+              std::shared_ptr<simulated::SimulatedLights> lights)
+      : images_(std::move(images)), lights_(std::move(lights)), clock_(device::machine_clock()) {
     settings_.channels = channels;
     settings_.exposure_s = 0.01;
   }
   Result<void> start() override {
     start_s_ = clock_.now_s();
-    status_.state = CameraState::kRunning;
+    status_.state = device::CameraState::kRunning;
     return {};
   }
-  void stop() override { status_.state = CameraState::kIdle; }
-  Result<std::optional<CameraFrame>> next(double timeout_s) override {
+  void stop() override { status_.state = device::CameraState::kIdle; }
+  Result<std::optional<device::CameraFrame>> next(double timeout_s) override {
     const double middle_s = start_s_ + static_cast<double>(sequence_) / settings_.rate_hz;
     clock_.sleep_s(std::min(middle_s + kCamera_s - clock_.now_s(), timeout_s));
     if (clock_.now_s() < middle_s + kCamera_s) return std::nullopt;
     const double half_s = 0.5 * *settings_.exposure_s;
-    const LightTimes times = lights_->truth(middle_s - half_s, middle_s + half_s);
+    const sync::LightTimes times = lights_->truth(middle_s - half_s, middle_s + half_s);
     const auto most = std::max_element(times.lit_s.begin(), times.lit_s.end());
     ++status_.delivered;
-    return CameraFrame{images_[static_cast<std::size_t>(most - times.lit_s.begin())].clone(),
-                       middle_s + kCamera_s, StampMeaning::kEndOfReadout, sequence_++, false};
+    return device::CameraFrame{
+        images_[static_cast<std::size_t>(most - times.lit_s.begin())].clone(), middle_s + kCamera_s,
+        device::StampMeaning::kEndOfReadout, sequence_++, false};
   }
-  [[nodiscard]] CameraStatus status() const override { return status_; }
-  [[nodiscard]] CameraSettings asked() const override { return settings_; }
-  [[nodiscard]] CameraSettings read_back() const override { return settings_; }
+  [[nodiscard]] device::CameraStatus status() const override { return status_; }
+  [[nodiscard]] device::CameraSettings asked() const override { return settings_; }
+  [[nodiscard]] device::CameraSettings read_back() const override { return settings_; }
   [[nodiscard]] std::string name() const override { return "ready"; }
 
  private:
-  const std::array<cv::Mat, kLightCount> images_;
-  const std::shared_ptr<SimulatedLights> lights_;
-  const Clock clock_;
-  CameraSettings settings_;
-  CameraStatus status_;
+  const std::array<cv::Mat, sync::kLightCount> images_;
+  const std::shared_ptr<simulated::SimulatedLights> lights_;
+  const device::Clock clock_;
+  device::CameraSettings settings_;
+  device::CameraStatus status_;
   double start_s_ = 0.0;
   std::int64_t sequence_ = 0;
 };
@@ -96,22 +99,24 @@ double at_share(std::vector<double>& values, double share) {
   return *place;
 }
 
-std::shared_ptr<RigSensor> make_rig(bool has_texture) {
-  const auto lights = std::make_shared<SimulatedLights>(SimulatedLightsOptions{}, machine_clock());
-  RigDevices devices;
-  devices.measurement = std::make_shared<ReadyCamera>(images_of(false), Channels::kGrey, lights);
+std::shared_ptr<rig::RigSensor> make_rig(bool has_texture) {
+  const auto lights = std::make_shared<simulated::SimulatedLights>(
+      simulated::SimulatedLightsOptions{}, device::machine_clock());
+  rig::RigDevices devices;
+  devices.measurement =
+      std::make_shared<ReadyCamera>(images_of(false), device::Channels::kGrey, lights);
   if (has_texture)
-    devices.texture = std::make_shared<CameraBeside>(
-        std::make_unique<ReadyCamera>(images_of(true), Channels::kRgb, lights));
+    devices.texture = std::make_shared<device::ThreadedCamera>(
+        std::make_unique<ReadyCamera>(images_of(true), device::Channels::kRgb, lights));
   devices.lights = lights;
-  devices.clock = machine_clock();
-  return RigSensor::create(devices, {}, nullptr).value();
+  devices.clock = device::machine_clock();
+  return rig::RigSensor::create(devices, {}, nullptr).value();
 }
 
 /// @param sensor  started
 /// @return  of each frame, from the camera to here, s
-std::vector<double> read_frames(Sensor& sensor, double start_s) {
-  const Clock clock = machine_clock();
+std::vector<double> read_frames(device::Sensor& sensor, double start_s) {
+  const device::Clock clock = device::machine_clock();
   std::vector<double> latencies_s;
   while (clock.now_s() < start_s + kDuration_s) {
     const auto frame = sensor.next(0.05).value();
@@ -125,15 +130,16 @@ std::vector<double> read_frames(Sensor& sensor, double start_s) {
 void rig(benchmark::State& state, bool is_recorded) {
   for (auto _ : state) {
     const TemporaryFolder folder;
-    std::shared_ptr<Sensor> sensor = make_rig(state.range(0) == 2);
-    std::shared_ptr<RecorderSensor> recorder;
-    if (is_recorded) sensor = recorder = RecorderSensor::create(sensor, folder / "scan").value();
+    std::shared_ptr<device::Sensor> sensor = make_rig(state.range(0) == 2);
+    std::shared_ptr<recording::RecorderSensor> recorder;
+    if (is_recorded)
+      sensor = recorder = recording::RecorderSensor::create(sensor, folder / "scan").value();
     if (!sensor->start()) return state.SkipWithError("does not start");
-    const double start_s = machine_clock().now_s();
+    const double start_s = device::machine_clock().now_s();
     const double before_s = processor_s();
     std::atomic<bool> is_over = false;
     std::thread writer([&] {
-      while (!is_over && recorder) recorder->work_beside(0.05);
+      while (!is_over && recorder) recorder->work_in_background(0.05);
     });
     std::vector<double> latencies_s = read_frames(*sensor, start_s);
     is_over = true;

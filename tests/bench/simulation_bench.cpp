@@ -2,8 +2,8 @@
 
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/geometry/mesh_distance.h"
-#include "hw/simulated/sensor_path.h"
-#include "hw/simulated/view_simulator.h"
+#include "hw/simulated/optics/sensor_path.h"
+#include "hw/simulated/optics/view_simulator.h"
 
 namespace flytri {
 namespace {
@@ -20,8 +20,10 @@ void make_jaw(benchmark::State& state) {
 BENCHMARK(make_jaw)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 void trace_view(benchmark::State& state) {
-  const auto simulator = ViewSimulator::create(jaw(), intraoral_sensor()).value();
-  const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), {}).value();
+  const auto simulator =
+      simulated::ViewSimulator::create(jaw(), simulated::intraoral_sensor()).value();
+  const simulated::SensorPath path =
+      simulated::plan_path(simulator.scene(), simulator.sensor(), {}).value();
   int i = 0;
   for (auto _ : state)
     benchmark::DoNotOptimize(

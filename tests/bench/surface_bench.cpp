@@ -32,14 +32,15 @@ std::vector<SurfaceSample> wavy_scan(int view_count) {
 
 void reduction(benchmark::State& state) {
   const std::vector<SurfaceSample> samples = wavy_scan(static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(reduce_samples(samples, {}, Workers(1)));
+  for (auto _ : state) benchmark::DoNotOptimize(reduction::reduce_samples(samples, {}, Workers(1)));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(samples.size()));
 }
 BENCHMARK(reduction)->Arg(50)->Arg(200)->Unit(benchmark::kMillisecond);
 
 void mesh_points(benchmark::State& state) {
-  const auto reduced = reduce_samples(wavy_scan(200), {}, Workers(1));
-  for (auto _ : state) benchmark::DoNotOptimize(mesh_surface(reduced->points, {}, Workers(1)));
+  const auto reduced = reduction::reduce_samples(wavy_scan(200), {}, Workers(1));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(meshing::mesh_surface(reduced->points, {}, Workers(1)));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(reduced->points.size()));
 }
 BENCHMARK(mesh_points)->Unit(benchmark::kMillisecond);

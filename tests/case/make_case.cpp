@@ -7,69 +7,73 @@
 #include <string>
 #include <vector>
 
-#include "core/interchange/calibration_file.h"
-#include "core/interchange/calibration_json.h"
-#include "core/interchange/case_file.h"
-#include "core/interchange/recording.h"
-#include "core/pipeline/measure_view.h"
-#include "core/pipeline/registrar.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_json.h"
+#include "core/io/cases/case_file.h"
+#include "core/io/recordings/recording.h"
+#include "core/measurement/measure_view.h"
+#include "core/tracking/registrar.h"
 
 namespace flytri {
 namespace {
 
-struct Wish {
+struct Request {
   std::filesystem::path recording, calibration, case_file;
-  ScanStage stage;
+  io::ScanStage stage;
   bool is_placed;
 };
 
-Result<CaseFile> open_or_create(const std::filesystem::path& path) {
+Result<io::CaseFile> open_or_create(const std::filesystem::path& path) {
   const char* const passphrase = std::getenv("FLYTRI_PASSPHRASE");
-  const CaseOptions options{passphrase == nullptr ? "" : passphrase, false};
-  if (std::filesystem::exists(path)) return CaseFile::open(path, options);
-  CaseFields fields;
+  const io::CaseOptions options{passphrase == nullptr ? "" : passphrase, false};
+  if (std::filesystem::exists(path)) return io::CaseFile::open(path, options);
+  io::CaseFields fields;
   fields.patient_name = "Ada Lovelace";
-  return CaseFile::create(path, options, fields);
+  return io::CaseFile::create(path, options, fields);
 }
 
 /// Appends what a frame became, if it became anything.
-Result<void> keep_frame(CaseFile& file, ScanStage stage, const Frame& frame,
-                        const Calibration& calibration, Registrar& registrar) {
+Result<void> keep_frame(io::CaseFile& file, io::ScanStage stage, const Frame& frame,
+                        const calibration::Calibration& calibration,
+                        tracking::Registrar& registrar) {
   if (frame.kind == FrameKind::kTexture) return file.append_texture(stage, frame);
-  Result<MeasuredView> measured = measure_view(frame, calibration, {});
+  Result<measurement::MeasuredView> measured = measurement::measure_view(frame, calibration, {});
   if (!measured) return tl::unexpected(measured.error());
-  if (measured->outcome != MeasureOutcome::kMeasured) return {};
+  if (measured->outcome != measurement::MeasureOutcome::kMeasured) return {};
   const auto view = std::make_shared<const View>(std::move(measured->view));
   registrar.add(view);
   return file.append_view(stage, *view);
 }
 
-Result<void> place(CaseFile& file, ScanStage stage, Registrar& registrar) {
+Result<void> place(io::CaseFile& file, io::ScanStage stage, tracking::Registrar& registrar) {
   std::vector<AlignedView> placed;
-  for (const RegisteredView& view : registrar.finish()) {
-    if (view.fate != ViewFate::kRejected) placed.push_back({view.view, view.T_world_sensor});
+  for (const tracking::RegisteredView& view : registrar.finish()) {
+    if (view.fate != tracking::ViewFate::kRejected)
+      placed.push_back({view.view, view.T_world_sensor});
   }
   return file.write_poses(stage, placed);
 }
 
-Result<void> make_case(const Wish& wish) {
-  const Result<Recording> recording = open_recording(wish.recording);
+Result<void> make_case(const Request& request) {
+  const Result<io::Recording> recording = io::open_recording(request.recording);
   if (!recording) return tl::unexpected(recording.error());
-  const Result<Calibration> calibration = read_calibration(wish.calibration);
+  const Result<calibration::Calibration> calibration = io::read_calibration(request.calibration);
   if (!calibration) return tl::unexpected(calibration.error());
-  Result<CaseFile> file = open_or_create(wish.case_file);
+  Result<io::CaseFile> file = open_or_create(request.case_file);
   if (!file) return tl::unexpected(file.error());
-  Registrar registrar = Registrar::create().value();
+  tracking::Registrar registrar = tracking::Registrar::create().value();
   for (std::size_t i = 0; i < recording->frames.size(); ++i) {
-    const auto kept = load_frame(*recording, FrameIndex(i)).and_then([&](const Frame& frame) {
-      return keep_frame(*file, wish.stage, frame, *calibration, registrar);
+    const auto kept = io::load_frame(*recording, FrameIndex(i)).and_then([&](const Frame& frame) {
+      return keep_frame(*file, request.stage, frame, *calibration, registrar);
     });
     if (!kept) return kept;
   }
-  if (wish.is_placed) {
-    if (auto placed = place(*file, wish.stage, registrar); !placed) return placed;
+  if (request.is_placed) {
+    if (auto placed = place(*file, request.stage, registrar); !placed) return placed;
   }
-  return file->write_calibration(to_json(*calibration)).and_then([&] { return file->commit(); });
+  return file->write_calibration(io::to_json(*calibration)).and_then([&] {
+    return file->commit();
+  });
 }
 
 }  // namespace
@@ -78,8 +82,8 @@ Result<void> make_case(const Wish& wish) {
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv, argv + argc);
   if (words.size() != 6) return 2;
-  const flytri::ScanStage stage =
-      words[4] == "upper" ? flytri::ScanStage::kUpper : flytri::ScanStage::kLower;
+  const flytri::io::ScanStage stage =
+      words[4] == "upper" ? flytri::io::ScanStage::kUpper : flytri::io::ScanStage::kLower;
   const auto made = flytri::make_case({words[1], words[2], words[3], stage, words[5] == "placed"});
   fmt::print("{}\n", made ? "made " + words[3] : made.error().message);
   return made ? 0 : 1;

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/interchange/calibration_json.h"
+#include "core/io/calibrations/calibration_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  (void)flytri::parse_calibration(bytes, "fuzz");
+  (void)flytri::io::parse_calibration(bytes, "fuzz");
   return 0;
 }

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/interchange/calibration_set_file.h"
+#include "core/io/calibrations/calibration_set_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  (void)flytri::parse_calibration_set(bytes, "fuzz");
+  (void)flytri::io::parse_calibration_set(bytes, "fuzz");
   return 0;
 }

@@ -9,15 +9,15 @@
 #include <string>
 #include <string_view>
 
-#include "core/interchange/byte_stream.h"
-#include "core/interchange/case_file.h"
-#include "core/interchange/file_bytes.h"
+#include "core/io/cases/case_file.h"
+#include "core/io/files/byte_stream.h"
+#include "core/io/files/file_bytes.h"
 
 namespace flytri {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr ScanStage kStage = ScanStage::kUpper;
+constexpr io::ScanStage kStage = io::ScanStage::kUpper;
 
 /// A folder of this process, in memory where the system has such, gone at the end.
 class Scratch {
@@ -39,9 +39,9 @@ class Scratch {
   fs::path folder_;
 };
 
-bool fill(CaseFile& file) {
-  EditStack edits;
-  edits.push({EditKind::kTrim, 1.0, {BrushDab{}}});
+bool fill(io::CaseFile& file) {
+  editing::EditStack edits;
+  edits.push({editing::EditKind::kTrim, 1.0, {editing::BrushDab{}}});
   bool done = file.write_edits(kStage, edits) && file.write_calibration("{}") &&
               file.write_result(kStage, {"glb", "{}"}) && file.add_measurement(kStage, {});
   for (int i = 0; i < 40; ++i) {
@@ -55,14 +55,14 @@ bool fill(CaseFile& file) {
 
 std::string whole_case(const fs::path& path) {
   {
-    auto file = CaseFile::create(path, {});
+    auto file = io::CaseFile::create(path, {});
     if (!file || !fill(*file)) std::abort();
   }
-  return read_file(path).value();
+  return io::read_file(path).value();
 }
 
 std::string changed(std::string bytes, std::string_view changes) {
-  ByteReader reader(changes);
+  io::ByteReader reader(changes);
   const auto size = reader.number<std::uint32_t>();
   if (size && *size != 0) bytes.resize(*size % bytes.size());
   while (!bytes.empty()) {
@@ -75,11 +75,11 @@ std::string changed(std::string bytes, std::string_view changes) {
 }
 
 void read_all(const fs::path& path) {
-  auto file = CaseFile::open(path);
+  auto file = io::CaseFile::open(path);
   if (!file) return;
   (void)file->fields();
   (void)file->calibration();
-  for (const ScanStage stage : kScanStages) {
+  for (const io::ScanStage stage : io::kScanStages) {
     (void)file->counts(stage);
     (void)file->load_stage(stage);
     (void)file->load_result(stage);
@@ -93,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const flytri::Scratch kScratch;
   static const std::string kWhole = flytri::whole_case(kScratch.file());
   const std::string_view changes(reinterpret_cast<const char*>(data), size);
-  if (!flytri::write_file(kScratch.file(), flytri::changed(kWhole, changes))) std::abort();
+  if (!flytri::io::write_file(kScratch.file(), flytri::changed(kWhole, changes))) std::abort();
   flytri::read_all(kScratch.file());
   return 0;
 }

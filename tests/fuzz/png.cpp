@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/interchange/png.h"
+#include "core/io/files/png.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  (void)flytri::decode_png(bytes, "fuzz");
+  (void)flytri::io::decode_png(bytes, "fuzz");
   return 0;
 }

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/interchange/recording.h"
+#include "core/io/recordings/recording.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  (void)flytri::parse_recording(bytes, "fuzz");
+  (void)flytri::io::parse_recording(bytes, "fuzz");
   return 0;
 }

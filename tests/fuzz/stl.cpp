@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/interchange/stl.h"
+#include "core/io/models/stl.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  (void)flytri::parse_stl(bytes, "fuzz");
+  (void)flytri::io::parse_stl(bytes, "fuzz");
   return 0;
 }

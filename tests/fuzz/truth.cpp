@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/interchange/truth.h"
+#include "core/io/recordings/truth.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  (void)flytri::parse_truth(bytes, "fuzz");
+  (void)flytri::io::parse_truth(bytes, "fuzz");
   return 0;
 }

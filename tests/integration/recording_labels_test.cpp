@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
-#include "core/calibrating/calibrate.h"
+#include "core/calibration/fit/calibrate.h"
 #include "core/geometry/mesh_distance.h"
-#include "core/interchange/calibration_set_file.h"
-#include "core/interchange/model.h"
-#include "core/interchange/recording.h"
-#include "core/interchange/truth.h"
-#include "core/pipeline/measure_view.h"
+#include "core/io/calibrations/calibration_set_file.h"
+#include "core/io/models/model.h"
+#include "core/io/recordings/recording.h"
+#include "core/io/recordings/truth.h"
+#include "core/measurement/measure_view.h"
 #include "tests/support/places.h"
 
 namespace flytri {
@@ -22,16 +22,18 @@ constexpr double kWrong_mm = 0.5;
 TEST(RecordingLabels, HardlyAPointOfARealScanIsFarFromTheSurface) {
   const std::filesystem::path folder = kData / "recording-quadrant";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "needs " << folder;
-  const auto set = read_calibration_set(kData / "calibration-intraoral").value();
-  const Calibration calibration = calibrate(set, {}, Workers(2), {}).value();
-  const Recording recording = open_recording(folder).value();
-  const Truth truth = read_truth(folder / "truth.json").value();
-  const MeshDistance surface(read_model(truth.mesh).value().mesh);
+  const auto set = io::read_calibration_set(kData / "calibration-intraoral").value();
+  const calibration::Calibration calibration =
+      calibration::calibrate(set, {}, Workers(2), {}).value();
+  const io::Recording recording = io::open_recording(folder).value();
+  const io::Truth truth = io::read_truth(folder / "truth.json").value();
+  const MeshDistance surface(io::read_model(truth.mesh).value().mesh);
   int localized = 0, points = 0, wrong = 0;
   for (std::size_t i = 0; i < recording.frames.size(); i += 9) {
-    const Frame frame = load_frame(recording, FrameIndex(i)).value();
+    const Frame frame = io::load_frame(recording, FrameIndex(i)).value();
     if (frame.kind == FrameKind::kTexture) continue;
-    const MeasuredView measured = measure_view(frame, calibration, {}).value();
+    const measurement::MeasuredView measured =
+        measurement::measure_view(frame, calibration, {}).value();
     localized += measured.counts.localized;
     points += measured.counts.points;
     for (const Profile& profile : measured.view.profiles) {

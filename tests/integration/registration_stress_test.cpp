@@ -19,22 +19,22 @@ class RegistrationStress : public ::testing::Test {
     coarse.tooth_cell_mm = 0.3;
     coarse.gum_cell_mm = 0.6;
     const TriangleMesh jaw = sample_jaw::make_sample_jaw(coarse, Workers(2)).value();
-    simulator_ =
-        std::make_unique<ViewSimulator>(ViewSimulator::create(jaw, intraoral_sensor()).value());
+    simulator_ = std::make_unique<simulated::ViewSimulator>(
+        simulated::ViewSimulator::create(jaw, simulated::intraoral_sensor()).value());
   }
   static void TearDownTestSuite() { simulator_.reset(); }
 
   static StressVerdict run(const StressCase& by) {
     const testing::StressScan scan = take_stress_scan(*simulator_, by);
-    Registrar registrar = Registrar::create().value();
+    tracking::Registrar registrar = tracking::Registrar::create().value();
     for (const auto& view : scan.views) registrar.add(view);
     return judge_scan(registrar.finish(), scan);
   }
 
-  static std::unique_ptr<ViewSimulator> simulator_;
+  static std::unique_ptr<simulated::ViewSimulator> simulator_;
 };
 
-std::unique_ptr<ViewSimulator> RegistrationStress::simulator_;
+std::unique_ptr<simulated::ViewSimulator> RegistrationStress::simulator_;
 
 /// 120 frames in a mood that a test then changes.
 StressCase usual() {

@@ -7,11 +7,11 @@
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/evaluation/best_fit.h"
 #include "core/evaluation/surface_error.h"
-#include "core/interchange/frame_kind.h"
-#include "core/pipeline/reconstruct.h"
+#include "core/io/recordings/frame_kind.h"
+#include "core/reconstruct/reconstruct.h"
 #include "hw/recording/recorder_sensor.h"
-#include "hw/simulated/lit_scene.h"
-#include "hw/simulated/sensor_calibration.h"
+#include "hw/simulated/datasets/sensor_calibration.h"
+#include "hw/simulated/devices/lit_scene.h"
 #include "tests/support/simulated_rig.h"
 #include "tests/support/temporary_folder.h"
 
@@ -32,17 +32,18 @@ constexpr double kStart_s = 100.0;
 class Stage {
  public:
   explicit Stage(const TriangleMesh& jaw)
-      : scene_(LitScene::create(jaw, intraoral_sensor(),
-                                {.kind = PathKind::kQuadrant, .duration_s = 10.0},
-                                {.tracing = Tracing::kGrid})
+      : scene_(simulated::LitScene::create(
+                   jaw, simulated::intraoral_sensor(),
+                   {.kind = simulated::PathKind::kQuadrant, .duration_s = 10.0},
+                   {.tracing = simulated::Tracing::kGrid})
                    .value()),
-        dark_(scene_.measurement_image(Light::kDark, 0.0)) {}
+        dark_(scene_.measurement_image(device::Light::kDark, 0.0)) {}
 
   /// As a perfect rig would see it.
-  [[nodiscard]] cv::Mat measurement(Light light, double time_s) const {
-    return light == Light::kDark ? dark_ : scene_.measurement_image(light, path_s(time_s));
+  [[nodiscard]] cv::Mat measurement(device::Light light, double time_s) const {
+    return light == device::Light::kDark ? dark_ : scene_.measurement_image(light, path_s(time_s));
   }
-  [[nodiscard]] cv::Mat texture(Light light, double time_s) const {
+  [[nodiscard]] cv::Mat texture(device::Light light, double time_s) const {
     return scene_.texture_image(light, path_s(time_s));
   }
   [[nodiscard]] Isometry T_model_sensor(double time_s) const {
@@ -52,36 +53,36 @@ class Stage {
  private:
   static double path_s(double time_s) { return time_s - kStart_s - kRest_s; }
 
-  LitScene scene_;
+  simulated::LitScene scene_;
   cv::Mat dark_;  // the same at all times: nobody looks at it for long
 };
 
 SimulatedRigOptions rig_of(const Stage& stage) {
-  const SensorModel sensor = intraoral_sensor();
+  const simulated::SensorModel sensor = simulated::intraoral_sensor();
   SimulatedRigOptions options;
   options.measurement.settings.size = sensor.camera.size;
   options.measurement.exposure_s = sensor.exposure_s;
   options.measurement.latency_s = 0.05;
   options.measurement.jitter_s = 0.002;
   options.texture.settings.size = sensor.texture_camera.size;
-  options.texture.settings.channels = Channels::kRgb;
+  options.texture.settings.channels = device::Channels::kRgb;
   options.texture.latency_s = 0.07;
   options.texture.phase_s = 0.011;
-  options.measurement_scene = [&stage](Light light, double time_s) {
+  options.measurement_scene = [&stage](device::Light light, double time_s) {
     return stage.measurement(light, time_s);
   };
-  options.texture_scene = [&stage](Light light, double time_s) {
+  options.texture_scene = [&stage](device::Light light, double time_s) {
     return stage.texture(light, time_s);
   };
   return options;
 }
 
 void record(const SimulatedRig& rig, const std::filesystem::path& folder) {
-  const auto recorder = RecorderSensor::create(rig.sensor, folder).value();
+  const auto recorder = recording::RecorderSensor::create(rig.sensor, folder).value();
   ASSERT_TRUE(recorder->start());
   while (rig.clock.now_s() < kStart_s + kRest_s + kScan_s) {
     ASSERT_TRUE(recorder->next(0.05));
-    while (recorder->work_beside(0.0)) {
+    while (recorder->work_in_background(0.0)) {
     }
   }
   recorder->stop();
@@ -90,7 +91,7 @@ void record(const SimulatedRig& rig, const std::filesystem::path& folder) {
 
 /// The middle of the exposure that a frame's learned time is near to.
 double exposed_s(const SimulatedRig& rig, const Frame& frame) {
-  const SimulatedCamera& camera =
+  const simulated::SimulatedCamera& camera =
       frame.kind == FrameKind::kTexture ? *rig.texture : *rig.measurement;
   const double period_s = 1.0 / camera.read_back().rate_hz;
   const double since_s = kStart_s + frame.time_s - camera.exposure(0).middle_s;
@@ -100,9 +101,10 @@ double exposed_s(const SimulatedRig& rig, const Frame& frame) {
 /// As its light alone would have lit it.
 cv::Mat true_image(const Frame& frame, const SimulatedRig& rig, const Stage& stage) {
   const double time_s = exposed_s(rig, frame);
-  if (frame.kind == FrameKind::kTexture) return stage.texture(Light::kFlash, time_s);
+  if (frame.kind == FrameKind::kTexture) return stage.texture(device::Light::kFlash, time_s);
   return stage.measurement(
-      frame.kind == FrameKind::kVertical ? Light::kVertical : Light::kHorizontal, time_s);
+      frame.kind == FrameKind::kVertical ? device::Light::kVertical : device::Light::kHorizontal,
+      time_s);
 }
 
 struct FrameCounts {
@@ -110,10 +112,11 @@ struct FrameCounts {
 };
 
 /// That each frame is, bit for bit, what was lit by its light alone.
-FrameCounts expect_true(const Recording& recording, const SimulatedRig& rig, const Stage& stage) {
+FrameCounts expect_true(const io::Recording& recording, const SimulatedRig& rig,
+                        const Stage& stage) {
   FrameCounts counts;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
-    const Frame frame = load_frame(recording, FrameIndex(i)).value();
+    const Frame frame = io::load_frame(recording, FrameIndex(i)).value();
     ++(frame.kind == FrameKind::kTexture ? counts.texture : counts.measurement);
     EXPECT_EQ(cv::norm(frame.image, true_image(frame, rig, stage), cv::NORM_INF), 0.0)
         << "frame " << i << ", " << to_string(frame.kind) << ", at " << frame.time_s << " s";
@@ -122,9 +125,9 @@ FrameCounts expect_true(const Recording& recording, const SimulatedRig& rig, con
 }
 
 /// From the result's world, the frame of the first view, to the jaw.
-Isometry first_pose(const Recording& recording, const SimulatedRig& rig, const Stage& stage) {
+Isometry first_pose(const io::Recording& recording, const SimulatedRig& rig, const Stage& stage) {
   for (std::size_t i = 0;; ++i) {
-    const Frame frame = load_frame(recording, FrameIndex(i)).value();
+    const Frame frame = io::load_frame(recording, FrameIndex(i)).value();
     if (pattern_of(frame.kind)) return stage.T_model_sensor(exposed_s(rig, frame));
   }
 }
@@ -136,25 +139,30 @@ TEST(RigScan, IsReconstructedAsExactlyAsTheSensorMeasures) {
   const SimulatedRig rig = make_simulated_rig(rig_of(stage));
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(record(rig, folder / "scan"));
-  const Recording recording = open_recording(folder / "scan").value();
+  const io::Recording recording = io::open_recording(folder / "scan").value();
   // Lights are off now and then, and a texture frame takes the place of some others.
   const FrameCounts counts = expect_true(recording, rig, stage);
   EXPECT_GT(counts.measurement, 30.0 * kScan_s * 0.85);
   EXPECT_GE(counts.texture, 2);
 
-  const Calibration calibration = calibrate_virtual_sensor(intraoral_sensor(), workers, {}).value();
-  const Reconstruction result = reconstruct(recording, calibration, {}, workers, {}).value();
+  const calibration::Calibration calibration =
+      simulated::calibrate_virtual_sensor(simulated::intraoral_sensor(), workers, {}).value();
+  const reconstruct::Reconstruction result =
+      reconstruct::reconstruct(recording, calibration, {}, workers, {}).value();
   int textured = 0, rejected = 0;
-  for (const FrameReport& report : result.frames) {
-    textured += report.fate == FrameFate::kTextured ? 1 : 0;
-    rejected += report.fate == FrameFate::kRejected ? 1 : 0;
+  for (const reconstruct::FrameReport& report : result.frames) {
+    textured += report.fate == reconstruct::FrameFate::kTextured ? 1 : 0;
+    rejected += report.fate == reconstruct::FrameFate::kRejected ? 1 : 0;
   }
   EXPECT_GE(textured, 2);
   EXPECT_EQ(rejected, 0);
-  const TriangleMesh placed = transformed(result.surface.mesh, first_pose(recording, rig, stage));
-  const BestFit fit = best_fit(placed, jaw, {}, workers).value();
-  const SurfaceError error =
-      surface_error(transformed(placed, fit.T_truth_result), jaw, {}, {}, workers).value();
+  const TriangleMesh placed =
+      evaluation::transformed(result.surface.mesh, first_pose(recording, rig, stage));
+  const evaluation::BestFit fit = evaluation::best_fit(placed, jaw, {}, workers).value();
+  const evaluation::SurfaceError error =
+      evaluation::surface_error(evaluation::transformed(placed, fit.T_truth_result), jaw, {}, {},
+                                workers)
+          .value();
   // The paper's figure for a whole jaw.
   EXPECT_LT(error.distance.rms_mm, 0.032);
   EXPECT_LT(fit.T_truth_result.translation().norm(), 0.1);
@@ -169,7 +177,7 @@ TEST(RigScan, FramesThatALightChangedInAreNotRecorded) {
   const SimulatedRig rig = make_simulated_rig(options);
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(record(rig, folder / "scan"));
-  const Recording recording = open_recording(folder / "scan").value();
+  const io::Recording recording = io::open_recording(folder / "scan").value();
   const FrameCounts counts = expect_true(recording, rig, stage);
   EXPECT_GT(counts.measurement, 30.0 * kScan_s * 0.35);
   EXPECT_GT(rig.sensor->rig_status().measurement.labels.straddled, 20);

@@ -1,14 +1,14 @@
 /// @file  The calibration of the analytic sensor, made once for the tests that only use it.
 #pragma once
 
-#include "core/calibrating/calibrate.h"
+#include "core/calibration/fit/calibrate.h"
 #include "tests/support/analytic_sensor.h"
 
 namespace flytri::testing {
 
-inline const Calibration& analytic_calibration() {
-  static const Calibration kCalibration =
-      calibrate(draw_set(AnalyticSensor{}, 9), {}, Workers(2), {}).value();
+inline const calibration::Calibration& analytic_calibration() {
+  static const calibration::Calibration kCalibration =
+      calibration::calibrate(draw_set(AnalyticSensor{}, 9), {}, Workers(2), {}).value();
   return kCalibration;
 }
 

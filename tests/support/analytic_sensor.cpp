@@ -67,7 +67,7 @@ cv::Mat draw_lines(const AnalyticSensor& sensor, Pattern pattern, double z_mm, s
   return draw(image, lines, pattern);
 }
 
-cv::Mat draw_dots(const AnalyticSensor& sensor, const DotTarget& dots, double z_mm) {
+cv::Mat draw_dots(const AnalyticSensor& sensor, const calibration::DotTarget& dots, double z_mm) {
   cv::Mat image(sensor.size.height_px, sensor.size.width_px, CV_8UC1);
   const double blur_mm = 0.06;
   for (int v = 0; v < image.rows; ++v) {
@@ -85,13 +85,13 @@ cv::Mat draw_dots(const AnalyticSensor& sensor, const DotTarget& dots, double z_
   return image;
 }
 
-CalibrationSet draw_set(const AnalyticSensor& sensor, int plane_count) {
-  CalibrationSet set;
+calibration::CalibrationSet draw_set(const AnalyticSensor& sensor, int plane_count) {
+  calibration::CalibrationSet set;
   set.volume.size_mm = sensor.volume_mm;
   set.line_counts = sensor.line_counts;
   set.dots = {1.0, 0.5, 0.8};
   for (int i = 0; i < plane_count; ++i) {
-    CalibrationPlane plane;
+    calibration::CalibrationPlane plane;
     plane.z_mm = sensor.volume_mm.z() * (static_cast<double>(i) / (plane_count - 1) - 0.5);
     const auto seed = static_cast<std::uint64_t>(2 * i + 1);
     plane.vertical = draw_lines(sensor, Pattern::kVertical, plane.z_mm, seed);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "core/calibrating/calibration_set.h"
+#include "core/calibration/record/calibration_set.h"
 #include "core/imaging/frame.h"
 
 namespace flytri::testing {
@@ -44,8 +44,9 @@ struct AnalyticSensor {
 [[nodiscard]] cv::Mat draw_lines(const AnalyticSensor& sensor, Pattern pattern, double z_mm,
                                  std::uint64_t seed);
 /// The dot target at z = z_mm.
-[[nodiscard]] cv::Mat draw_dots(const AnalyticSensor& sensor, const DotTarget& dots, double z_mm);
+[[nodiscard]] cv::Mat draw_dots(const AnalyticSensor& sensor, const calibration::DotTarget& dots,
+                                double z_mm);
 /// A whole set, the texture camera being the same camera in color. Names are "z0_v.png" and so on.
-[[nodiscard]] CalibrationSet draw_set(const AnalyticSensor& sensor, int plane_count);
+[[nodiscard]] calibration::CalibrationSet draw_set(const AnalyticSensor& sensor, int plane_count);
 
 }  // namespace flytri::testing

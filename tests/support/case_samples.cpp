@@ -81,8 +81,8 @@ Isometry sample_pose(int number) {
   return exp_twist(twist);
 }
 
-Edit sample_edit(int number) {
-  Edit edit{static_cast<EditKind>(number % 3), number / 7.0, {}};
+editing::Edit sample_edit(int number) {
+  editing::Edit edit{static_cast<editing::EditKind>(number % 3), number / 7.0, {}};
   for (int i = 0; i < 3; ++i) {
     const auto x = static_cast<float>(std::sqrt(number + i + 2.0));
     edit.dabs.push_back({Vec3f(x, -x, 0.5F), Vec3f(0.6F, 0.0F, 0.8F), 0.3F * x});
@@ -104,9 +104,9 @@ bool same_bits(const Isometry& a, const Isometry& b) {
   return std::memcmp(a.data(), b.data(), 16 * sizeof(double)) == 0;
 }
 
-bool same_bits(const Edit& a, const Edit& b) {
+bool same_bits(const editing::Edit& a, const editing::Edit& b) {
   return a.kind == b.kind && same_bits_of(a.made_at_s, b.made_at_s) &&
-         all_same(a.dabs, b.dabs, [](const BrushDab& x, const BrushDab& y) {
+         all_same(a.dabs, b.dabs, [](const editing::BrushDab& x, const editing::BrushDab& y) {
            return same_bits_of(x.center_mm, y.center_mm) && same_bits_of(x.normal, y.normal) &&
                   same_bits_of(x.radius_mm, y.radius_mm);
          });

@@ -19,12 +19,12 @@ namespace flytri::testing {
 [[nodiscard]] Isometry sample_pose(int number);
 
 /// A stroke of three dabs.
-[[nodiscard]] Edit sample_edit(int number);
+[[nodiscard]] editing::Edit sample_edit(int number);
 
 // Bit for bit: a NaN equals itself, and -0 is not 0.
 [[nodiscard]] bool same_bits(const View& a, const View& b);
 [[nodiscard]] bool same_bits(const Isometry& a, const Isometry& b);
-[[nodiscard]] bool same_bits(const Edit& a, const Edit& b);
+[[nodiscard]] bool same_bits(const editing::Edit& a, const editing::Edit& b);
 [[nodiscard]] bool same_bits(const Frame& a, const Frame& b);
 
 }  // namespace flytri::testing

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "core/calibrating/shot_verdict.h"
+#include "core/calibration/guide/shot_verdict.h"
 #include "core/localization/localize.h"
 #include "core/localization/outline.h"
-#include "hw/chair/hold_shots.h"
-#include "hw/chair/simulated_shots.h"
+#include "hw/shots/simulated_shots.h"
+#include "hw/shots/verification_shots.h"
 
 namespace flytri::testing {
 namespace {
@@ -17,26 +17,27 @@ using ui::CalibrationPlace;
 using ui::CalibrationStep;
 using ui::RunningCalibration;
 
-std::shared_ptr<const LiveFrame> seen_plane(ShotKind kind, double z_mm) {
-  const auto shots = SimulatedShots::create(intraoral_sensor()).value();
-  auto seen = std::make_shared<LiveFrame>();
+std::shared_ptr<const scan::LiveFrame> seen_plane(calibration::ShotKind kind, double z_mm) {
+  const auto shots = shots::SimulatedShots::create(simulated::intraoral_sensor()).value();
+  auto seen = std::make_shared<scan::LiveFrame>();
   seen->frame.image = shots->take(kind, z_mm, {}).value();
-  if (kind != ShotKind::kVertical) return seen;
+  if (kind != calibration::ShotKind::kVertical) return seen;
   seen->frame.kind = FrameKind::kVertical;
-  const auto traces = localize_lines(seen->frame.image, Pattern::kVertical, {}).value();
-  for (const LineTrace& trace : traces) {
-    seen->lines.push_back(outline_of(trace, Pattern::kVertical));
+  const auto traces =
+      localization::localize_lines(seen->frame.image, Pattern::kVertical, {}).value();
+  for (const localization::LineTrace& trace : traces) {
+    seen->lines.push_back(localization::outline_of(trace, Pattern::kVertical));
   }
   return seen;
 }
 
 /// Both targets at one depth, then the next depth.
 RunningCalibration calibration_until(std::size_t wanted) {
-  const CalibrationPlan plan = plan_of(intraoral_sensor());
+  const calibration::CalibrationPlan plan = shots::plan_of(simulated::intraoral_sensor());
   RunningCalibration running;
   running.folder = "/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214";
   running.step = CalibrationStep::kTarget;
-  for (const Placement& placement : placements_of(plan)) {
+  for (const calibration::Placement& placement : calibration::placements_of(plan)) {
     const double z_mm = plan.z_mm[placement.plane];
     running.places.push_back({std::string(to_string(placement.face)),
                               fmt::format("at z = {:+.2f} mm", z_mm), fmt::format("{:+.1f}", z_mm),
@@ -51,7 +52,7 @@ RunningCalibration calibration_until(std::size_t wanted) {
 
 RunningCalibration waiting_calibration() {
   RunningCalibration running = calibration_until(17);
-  running.image = seen_plane(ShotKind::kDots, 0.0);
+  running.image = seen_plane(calibration::ShotKind::kDots, 0.0);
   running.shots = {{"dark", true, "", ""},
                    {"vertical lines", true, "9 found, brightness 41 %", ""},
                    {"horizontal lines", true, "7 found, brightness 43 %", ""},
@@ -61,18 +62,18 @@ RunningCalibration waiting_calibration() {
 
 RunningCalibration refused_shot() {
   RunningCalibration running = calibration_until(8);
-  running.image = seen_plane(ShotKind::kVertical, -4.0);
+  running.image = seen_plane(calibration::ShotKind::kVertical, -4.0);
   running.shots = {
       {"dark", true, "", ""},
       {"vertical lines", false, "the plane seems to be 0.41 mm farther than z = -4.00 mm",
-       std::string(remedy_of(ShotFault::kWrongDepth))}};
+       std::string(calibration::remedy_of(calibration::ShotFault::kWrongDepth))}};
   return running;
 }
 
 RunningCalibration refused_set() {
   RunningCalibration running = calibration_until(34);
   running.step = CalibrationStep::kRefused;
-  running.image = seen_plane(ShotKind::kDots, 8.0);
+  running.image = seen_plane(calibration::ShotKind::kDots, 8.0);
   running.message =
       "plane 12 (z +3.00 mm) does not fit the others: it is 62 um off under both patterns; it did "
       "not stand there. Take it again";
@@ -85,7 +86,7 @@ RunningCalibration finished_calibration() {
   running.outcome.is_good = true;
   running.outcome.verdict = "The sensor is calibrated";
   running.outcome.plane_limit_mm = 0.015;
-  for (const double z_mm : plan_of(intraoral_sensor()).z_mm) {
+  for (const double z_mm : shots::plan_of(simulated::intraoral_sensor()).z_mm) {
     running.outcome.planes.push_back({z_mm,
                                       {0.004 * std::sin(1.3 * z_mm), 0.003 * std::cos(1.9 * z_mm)},
                                       {0.02, 0.02},
@@ -102,17 +103,21 @@ RunningCalibration broken_check() {
   RunningCalibration running;
   running.task = ui::CalibrationTask::kCheckOnPlane;
   running.step = CalibrationStep::kDone;
-  for (std::size_t i = 0; i < hold_places().size(); ++i) {
-    running.places.push_back(
-        {"plane", std::string(hold_places()[i].words), fmt::format("{}", i + 1), i, 0, true});
+  for (std::size_t i = 0; i < shots::verification_places().size(); ++i) {
+    running.places.push_back({"plane", std::string(shots::verification_places()[i].words),
+                              fmt::format("{}", i + 1), i, 0, true});
   }
   running.outcome.verdict = "The calibration no longer holds";
   running.outcome.figures = {
-      {HoldSymptom::kOffset, "vertical less horizontal", 0.0412, 0.001, 0.0211},
-      {HoldSymptom::kOffsetInDepth, "... from near to far", 0.0034, 0.001, 0.0208},
-      {HoldSymptom::kTiltAlongX, "... from left to right", -0.0021, 0.001, 0.0203},
-      {HoldSymptom::kTiltAlongY, "... from top to bottom", 0.0107, 0.001, 0.0203},
-      {HoldSymptom::kBend, "both bend", -0.0042, 0.001, 0.0194}};
+      {calibration::VerificationSymptom::kOffset, "vertical less horizontal", 0.0412, 0.001,
+       0.0211},
+      {calibration::VerificationSymptom::kOffsetInDepth, "... from near to far", 0.0034, 0.001,
+       0.0208},
+      {calibration::VerificationSymptom::kTiltAlongX, "... from left to right", -0.0021, 0.001,
+       0.0203},
+      {calibration::VerificationSymptom::kTiltAlongY, "... from top to bottom", 0.0107, 0.001,
+       0.0203},
+      {calibration::VerificationSymptom::kBend, "both bend", -0.0042, 0.001, 0.0194}};
   running.outcome.meanings = {"A projector or the camera turned or moved across its lines.",
                               "Calibrate the sensor anew."};
   return running;

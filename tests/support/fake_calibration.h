@@ -1,7 +1,7 @@
 /// @file  Calibrations at the chair as the window shows them, without a sensor.
 #pragma once
 
-#include "ui/calibration_state.h"
+#include "ui/state/calibration_state.h"
 
 namespace flytri::testing {
 

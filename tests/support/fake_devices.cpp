@@ -69,8 +69,8 @@ ui::DevicesState faulty_devices() {
   return state;
 }
 
-std::shared_ptr<const LiveFrame> exposed(const LiveFrame& frame, double factor) {
-  auto longer = std::make_shared<LiveFrame>(frame);
+std::shared_ptr<const scan::LiveFrame> exposed(const scan::LiveFrame& frame, double factor) {
+  auto longer = std::make_shared<scan::LiveFrame>(frame);
   frame.frame.image.convertTo(longer->frame.image, -1, factor);
   return longer;
 }

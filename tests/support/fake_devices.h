@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "core/pipeline/scan_snapshot.h"
-#include "ui/devices_state.h"
+#include "core/scan/scan_snapshot.h"
+#include "ui/state/devices_state.h"
 
 namespace flytri::testing {
 
@@ -14,6 +14,7 @@ namespace flytri::testing {
 [[nodiscard]] ui::DevicesState faulty_devices();
 
 /// The same frame, exposed so many times as long.
-[[nodiscard]] std::shared_ptr<const LiveFrame> exposed(const LiveFrame& frame, double factor);
+[[nodiscard]] std::shared_ptr<const scan::LiveFrame> exposed(const scan::LiveFrame& frame,
+                                                             double factor);
 
 }  // namespace flytri::testing

@@ -25,15 +25,16 @@ Isometry T_world_jaw() { return Isometry(Eigen::AngleAxisd(std::numbers::pi, Vec
 TriangleMesh jaw_in_world() {
   const auto mesh =
       sample_jaw::make_sample_jaw({.tooth_cell_mm = 0.3, .gum_cell_mm = 0.5}, Workers(1));
-  return transformed(mesh.value(), T_world_jaw());
+  return evaluation::transformed(mesh.value(), T_world_jaw());
 }
 
-SensorPath path_over(const RayScene& scene, const SensorModel& sensor) {
-  PathOptions options;
+simulated::SensorPath path_over(const simulated::RayScene& scene,
+                                const simulated::SensorModel& sensor) {
+  simulated::PathOptions options;
   options.duration_s = kDuration_s;
   options.up = -Vec3::UnitZ();
   options.front = -Vec3::UnitY();
-  return plan_path(scene, sensor, options).value();
+  return simulated::plan_path(scene, sensor, options).value();
 }
 
 bool is_seen(const Surfel& surfel, const Isometry& T_sensor_world, const Vec3& volume_mm) {
@@ -46,10 +47,10 @@ bool is_seen(const Surfel& surfel, const Isometry& T_sensor_world, const Vec3& v
 
 FakeJaw::FakeJaw()
     : mesh_(jaw_in_world()),
-      images_(std::make_unique<ImageSimulator>(
-          ImageSimulator::create(mesh_, intraoral_sensor()).value())),
-      views_(std::make_unique<ViewSimulator>(
-          ViewSimulator::create(mesh_, intraoral_sensor()).value())),
+      images_(std::make_unique<simulated::ImageSimulator>(
+          simulated::ImageSimulator::create(mesh_, simulated::intraoral_sensor()).value())),
+      views_(std::make_unique<simulated::ViewSimulator>(
+          simulated::ViewSimulator::create(mesh_, simulated::intraoral_sensor()).value())),
       path_(path_over(views_->scene(), views_->sensor())) {
   for (const Pattern pattern : kPatterns) {
     frames_[static_cast<std::size_t>(pattern)] = frame_at(pattern, kLiveShare);
@@ -66,9 +67,9 @@ Isometry FakeJaw::sensor_at(double share) const {
 
 Isometry FakeJaw::T_world_sensor() const { return sensor_at(kLiveShare); }
 
-std::shared_ptr<const LiveFrame> FakeJaw::frame_at(Pattern pattern, double share) const {
+std::shared_ptr<const scan::LiveFrame> FakeJaw::frame_at(Pattern pattern, double share) const {
   const double time_s = path_.start_s() + share * (path_.end_s() - path_.start_s());
-  auto frame = std::make_shared<LiveFrame>();
+  auto frame = std::make_shared<scan::LiveFrame>();
   frame->frame.kind = pattern == Pattern::kVertical ? FrameKind::kVertical : FrameKind::kHorizontal;
   frame->frame.time_s = time_s + (pattern == Pattern::kVertical ? 0.03 : 0.0);
   frame->frame.image = images_->measurement_image(pattern, path_, time_s, 1);
@@ -85,12 +86,12 @@ std::shared_ptr<const LiveFrame> FakeJaw::frame_at(Pattern pattern, double share
   return frame;
 }
 
-std::shared_ptr<const LiveFrame> FakeJaw::live_frame(Pattern pattern) const {
+std::shared_ptr<const scan::LiveFrame> FakeJaw::live_frame(Pattern pattern) const {
   return frames_[static_cast<std::size_t>(pattern)];
 }
 
-std::shared_ptr<const LiveFrame> FakeJaw::flash_frame() const {
-  auto frame = std::make_shared<LiveFrame>();
+std::shared_ptr<const scan::LiveFrame> FakeJaw::flash_frame() const {
+  auto frame = std::make_shared<scan::LiveFrame>();
   frame->frame.kind = FrameKind::kTexture;
   frame->frame.image = images_->texture_image(T_world_sensor(), 1);
   return frame;
@@ -102,9 +103,9 @@ SurfelModel FakeJaw::seen_until(double share) const {
   for (int i = 0; i < static_cast<int>(share * kPoses); ++i) {
     T_sensor_world.push_back(sensor_at(i / static_cast<double>(kPoses)).inverse());
   }
-  const std::vector<BoundaryLoop> left_out = holes();
+  const std::vector<meshing::BoundaryLoop> left_out = holes();
   const auto in_hole = [&](const Surfel& surfel) {
-    return std::any_of(left_out.begin(), left_out.end(), [&](const BoundaryLoop& hole) {
+    return std::any_of(left_out.begin(), left_out.end(), [&](const meshing::BoundaryLoop& hole) {
       return (surfel.position_mm - hole.center_mm).norm() < kHoleRadius_mm;
     });
   };
@@ -125,14 +126,14 @@ SurfelModel FakeJaw::seen_until(double share) const {
   return seen;
 }
 
-std::vector<BoundaryLoop> FakeJaw::holes() const {
-  std::vector<BoundaryLoop> holes;
+std::vector<meshing::BoundaryLoop> FakeJaw::holes() const {
+  std::vector<meshing::BoundaryLoop> holes;
   for (const double share : kHoleShares) {
     const Isometry T = sensor_at(share);
-    const Ray ray{T * Vec3(0.0, 0.0, -30.0), T.linear().col(2)};
+    const simulated::Ray ray{T * Vec3(0.0, 0.0, -30.0), T.linear().col(2)};
     const auto hit = views_->scene().first_hit(ray);
     if (!hit) continue;
-    BoundaryLoop hole;
+    meshing::BoundaryLoop hole;
     hole.center_mm = hit->point_mm.cast<float>();
     hole.normal = hit->normal.cast<float>();
     hole.width_mm = 2.0 * kHoleRadius_mm;
@@ -141,10 +142,10 @@ std::vector<BoundaryLoop> FakeJaw::holes() const {
   return holes;
 }
 
-std::vector<ReentryPlace> FakeJaw::find_places() const {
-  std::vector<ReentryPlace> places;
+std::vector<scan::ReentryPlace> FakeJaw::find_places() const {
+  std::vector<scan::ReentryPlace> places;
   for (const double share : kReentryShares) {
-    ReentryPlace place;
+    scan::ReentryPlace place;
     place.image = frame_at(Pattern::kVertical, share);
     place.first = {place.image->view, sensor_at(share)};
     place.second = {frame_at(Pattern::kHorizontal, share)->view, sensor_at(share)};
@@ -154,16 +155,16 @@ std::vector<ReentryPlace> FakeJaw::find_places() const {
   return places;
 }
 
-std::shared_ptr<const FinishedScan> FakeJaw::finish() const {
-  auto result = std::make_shared<FinishedScan>();
+std::shared_ptr<const reconstruct::FinishedScan> FakeJaw::finish() const {
+  auto result = std::make_shared<reconstruct::FinishedScan>();
   result->surface.mesh = mesh_;
   result->surface.boundaries = holes();
   result->model.mesh = mesh_;
   return result;
 }
 
-Measurement FakeJaw::measurement() const {
-  const std::vector<BoundaryLoop> at = holes();
+io::Measurement FakeJaw::measurement() const {
+  const std::vector<meshing::BoundaryLoop> at = holes();
   return {0, at.front().center_mm.cast<double>(), at.back().center_mm.cast<double>(), {}};
 }
 

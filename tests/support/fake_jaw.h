@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/pipeline/scan_snapshot.h"
-#include "hw/simulated/image_simulator.h"
-#include "hw/simulated/view_simulator.h"
-#include "ui/app_view.h"
+#include "core/scan/scan_snapshot.h"
+#include "hw/simulated/optics/image_simulator.h"
+#include "hw/simulated/optics/view_simulator.h"
+#include "ui/state/app_view.h"
 
 namespace flytri::testing {
 
@@ -20,35 +20,36 @@ class FakeJaw {
   /// What was seen of the arch, most of it.
   [[nodiscard]] const SurfelModel& surfels() const { return surfels_; }
   /// Places left out of the surfels.
-  [[nodiscard]] std::vector<BoundaryLoop> holes() const;
-  [[nodiscard]] std::shared_ptr<const LiveFrame> live_frame(Pattern pattern) const;
+  [[nodiscard]] std::vector<meshing::BoundaryLoop> holes() const;
+  [[nodiscard]] std::shared_ptr<const scan::LiveFrame> live_frame(Pattern pattern) const;
   /// From the same place as the live frames, by the flash.
-  [[nodiscard]] std::shared_ptr<const LiveFrame> flash_frame() const;
+  [[nodiscard]] std::shared_ptr<const scan::LiveFrame> flash_frame() const;
   /// From another place, as after a loss.
-  [[nodiscard]] std::shared_ptr<const LiveFrame> other_frame() const { return other_; }
+  [[nodiscard]] std::shared_ptr<const scan::LiveFrame> other_frame() const { return other_; }
   [[nodiscard]] Isometry T_world_sensor() const;
-  [[nodiscard]] const std::vector<ReentryPlace>& reentry_places() const { return places_; }
-  [[nodiscard]] std::shared_ptr<const FinishedScan> result() const { return result_; }
-  [[nodiscard]] Measurement measurement() const;
+  [[nodiscard]] const std::vector<scan::ReentryPlace>& reentry_places() const { return places_; }
+  [[nodiscard]] std::shared_ptr<const reconstruct::FinishedScan> result() const { return result_; }
+  [[nodiscard]] io::Measurement measurement() const;
 
  private:
   /// By the share of the path: 0..1.
   [[nodiscard]] Isometry sensor_at(double share) const;
-  [[nodiscard]] std::shared_ptr<const LiveFrame> frame_at(Pattern pattern, double share) const;
+  [[nodiscard]] std::shared_ptr<const scan::LiveFrame> frame_at(Pattern pattern,
+                                                                double share) const;
 
   [[nodiscard]] SurfelModel seen_until(double share) const;
-  [[nodiscard]] std::vector<ReentryPlace> find_places() const;
-  [[nodiscard]] std::shared_ptr<const FinishedScan> finish() const;
+  [[nodiscard]] std::vector<scan::ReentryPlace> find_places() const;
+  [[nodiscard]] std::shared_ptr<const reconstruct::FinishedScan> finish() const;
 
   TriangleMesh mesh_;  ///< world frame
-  std::unique_ptr<ImageSimulator> images_;
-  std::unique_ptr<ViewSimulator> views_;
-  SensorPath path_;  ///< over the arch, three times
-  std::array<std::shared_ptr<const LiveFrame>, 2> frames_;
-  std::shared_ptr<const LiveFrame> other_;
+  std::unique_ptr<simulated::ImageSimulator> images_;
+  std::unique_ptr<simulated::ViewSimulator> views_;
+  simulated::SensorPath path_;  ///< over the arch, three times
+  std::array<std::shared_ptr<const scan::LiveFrame>, 2> frames_;
+  std::shared_ptr<const scan::LiveFrame> other_;
   SurfelModel surfels_;
-  std::vector<ReentryPlace> places_;
-  std::shared_ptr<const FinishedScan> result_;
+  std::vector<scan::ReentryPlace> places_;
+  std::shared_ptr<const reconstruct::FinishedScan> result_;
 };
 
 }  // namespace flytri::testing

@@ -36,10 +36,10 @@ AppView ordinary_view() {
   return view;
 }
 
-ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
-  ScanSnapshot scan;
+scan::ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
+  scan::ScanSnapshot scan;
   scan.number = 1;
-  scan.phase = ScanPhase::kMeasurement;
+  scan.phase = scan::ScanPhase::kMeasurement;
   scan.time_s = 84.0;
   scan.scanned_s = 84.0;
   scan.counts = {.offered = 2520,
@@ -52,7 +52,7 @@ ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
                  .rejected = {{"too few points", 8}, {"no overlap", 2}}};
   scan.latency = {0.046, 0.081, 300};
   scan.latest = {jaw.live_frame(Pattern::kVertical), jaw.live_frame(Pattern::kHorizontal)};
-  scan.distance = SensorDistance{0.12, 0.9};
+  scan.distance = scan::SensorDistance{0.12, 0.9};
   scan.residual_mm = 0.021;
   scan.T_world_sensor = jaw.T_world_sensor();
   scan.model = jaw.surfels();
@@ -70,8 +70,8 @@ void add_sizes(AppView& view, bool is_finished) {
   if (is_finished) view.exports.estimated_bytes = {9'800'000, 12'400'000, 21'300'000, 27'900'000};
 }
 
-void set_scan(AppView& view, ScanSnapshot scan) {
-  view.scan = std::make_shared<const ScanSnapshot>(std::move(scan));
+void set_scan(AppView& view, scan::ScanSnapshot scan) {
+  view.scan = std::make_shared<const scan::ScanSnapshot>(std::move(scan));
 }
 
 }  // namespace
@@ -81,9 +81,9 @@ struct FakeScan::Parts {
 
   [[nodiscard]] AppView preview() const {
     AppView view = ordinary_view();
-    ScanSnapshot scan = ordinary_scan(jaw);
+    scan::ScanSnapshot scan = ordinary_scan(jaw);
     scan.model.clear();
-    scan.phase = ScanPhase::kPreview;
+    scan.phase = scan::ScanPhase::kPreview;
     scan.scanned_s = 0.0;
     scan.counts = {};
     scan.counts.offered = scan.counts.previewed = 40;
@@ -108,8 +108,8 @@ struct FakeScan::Parts {
 
   [[nodiscard]] AppView too_near() const {
     AppView view = scanning();
-    ScanSnapshot scan = *view.scan;
-    scan.distance = SensorDistance{-0.8, 0.5};
+    scan::ScanSnapshot scan = *view.scan;
+    scan.distance = scan::SensorDistance{-0.8, 0.5};
     set_scan(view, std::move(scan));
     return view;
   }
@@ -124,8 +124,8 @@ struct FakeScan::Parts {
 
   [[nodiscard]] AppView lost() const {
     AppView view = scanning();
-    ScanSnapshot scan = *view.scan;
-    scan.phase = ScanPhase::kContinuation;
+    scan::ScanSnapshot scan = *view.scan;
+    scan.phase = scan::ScanPhase::kContinuation;
     scan.distance.reset();
     scan.latest = {jaw.other_frame(), nullptr};
     scan.reentry = jaw.reentry_places();
@@ -137,8 +137,8 @@ struct FakeScan::Parts {
 
   [[nodiscard]] AppView finishing() const {
     AppView view = paused();
-    ScanSnapshot scan = *view.scan;
-    scan.phase = ScanPhase::kFinishing;
+    scan::ScanSnapshot scan = *view.scan;
+    scan.phase = scan::ScanPhase::kFinishing;
     scan.finishing = {{"Refining all views together", 0.37}, 48.0};
     set_scan(view, std::move(scan));
     return view;
@@ -146,8 +146,8 @@ struct FakeScan::Parts {
 
   [[nodiscard]] AppView finished() const {
     AppView view = paused();
-    ScanSnapshot scan = *view.scan;
-    scan.phase = ScanPhase::kFinished;
+    scan::ScanSnapshot scan = *view.scan;
+    scan.phase = scan::ScanPhase::kFinished;
     scan.result = jaw.result();
     set_scan(view, std::move(scan));
     add_sizes(view, true);
@@ -157,7 +157,7 @@ struct FakeScan::Parts {
 
   [[nodiscard]] AppView failed() const {
     AppView view = paused();
-    ScanSnapshot scan = *view.scan;
+    scan::ScanSnapshot scan = *view.scan;
     scan.failure = "The disk is full. Make room on it, then press Finish again; the scan is kept.";
     set_scan(view, std::move(scan));
     view.notices = {{1, ui::Severity::kWarning, "The case could not be saved for 3 s: disk full"},
@@ -182,7 +182,7 @@ struct FakeScan::Parts {
     view.source.kind = ui::SourceKind::kDevices;
     view.source.name = "Intra-oral rig 04";
     view.devices = std::move(devices);
-    ScanSnapshot scan = *view.scan;
+    scan::ScanSnapshot scan = *view.scan;
     scan.latest_texture = jaw.flash_frame();
     set_scan(view, std::move(scan));
     return view;
@@ -191,7 +191,7 @@ struct FakeScan::Parts {
   /// The vertical lines are overexposed, the horizontal ones and the flash too weak.
   [[nodiscard]] AppView with_faulty_devices() const {
     AppView view = with_devices(faulty_devices());
-    ScanSnapshot scan = *view.scan;
+    scan::ScanSnapshot scan = *view.scan;
     scan.latest = {exposed(*scan.latest[0], 4.0), exposed(*scan.latest[1], 0.15)};
     scan.latest_texture = exposed(*scan.latest_texture, 0.2);
     set_scan(view, std::move(scan));

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "tests/support/fake_states.h"
-#include "ui/app_view.h"
+#include "ui/state/app_view.h"
 
 namespace flytri::testing {
 

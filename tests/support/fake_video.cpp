@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t kBufferBytes = 65536;
 
-class FakeVideoDevice final : public VideoDevice {
+class FakeVideoDevice final : public v4l2::VideoDevice {
  public:
-  FakeVideoDevice(std::shared_ptr<FakeCamera> camera, Clock clock)
+  FakeVideoDevice(std::shared_ptr<FakeCamera> camera, device::Clock clock)
       : camera_(std::move(camera)), clock_(std::move(clock)) {
     ++camera_->opened;
   }
@@ -151,7 +151,7 @@ class FakeVideoDevice final : public VideoDevice {
   }
 
   std::shared_ptr<FakeCamera> camera_;
-  Clock clock_;
+  device::Clock clock_;
   std::vector<std::vector<std::uint8_t>> memory_;
   std::deque<std::uint32_t> queued_;
   bool streaming_ = false;
@@ -164,14 +164,15 @@ std::shared_ptr<FakeCamera> FakeVideoSystem::add() {
   return cameras_.back();
 }
 
-std::vector<DeviceNode> FakeVideoSystem::nodes() {
-  std::vector<DeviceNode> nodes;
+std::vector<device::DeviceNode> FakeVideoSystem::nodes() {
+  std::vector<device::DeviceNode> nodes;
   for (const auto& camera : cameras_)
     if (camera->present) nodes.push_back(camera->node);
   return nodes;
 }
 
-tl::expected<std::unique_ptr<VideoDevice>, int> FakeVideoSystem::open(const std::string& node) {
+tl::expected<std::unique_ptr<v4l2::VideoDevice>, int> FakeVideoSystem::open(
+    const std::string& node) {
   for (const auto& camera : cameras_) {
     if (camera->node.node != node || !camera->present) continue;
     if (camera->open_error != 0) return tl::unexpected(camera->open_error);

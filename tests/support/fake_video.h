@@ -30,7 +30,7 @@ struct FakeBuffer {
 
 /// A camera of one format and size. Everything may be changed while it runs.
 struct FakeCamera {
-  DeviceNode node{"/dev/video0", "Fake Camera", "F1", "1-1", 0};
+  device::DeviceNode node{"/dev/video0", "Fake Camera", "F1", "1-1", 0};
   std::uint32_t fourcc = 0;
   std::uint32_t width = 4;
   std::uint32_t height = 2;
@@ -45,15 +45,15 @@ struct FakeCamera {
 };
 
 /// A machine with such cameras.
-class FakeVideoSystem final : public VideoSystem {
+class FakeVideoSystem final : public v4l2::VideoSystem {
  public:
-  explicit FakeVideoSystem(Clock clock) : clock_(std::move(clock)) {}
+  explicit FakeVideoSystem(device::Clock clock) : clock_(std::move(clock)) {}
   std::shared_ptr<FakeCamera> add();
-  std::vector<DeviceNode> nodes() override;
-  tl::expected<std::unique_ptr<VideoDevice>, int> open(const std::string& node) override;
+  std::vector<device::DeviceNode> nodes() override;
+  tl::expected<std::unique_ptr<v4l2::VideoDevice>, int> open(const std::string& node) override;
 
  private:
-  Clock clock_;
+  device::Clock clock_;
   std::vector<std::shared_ptr<FakeCamera>> cameras_;
 };
 

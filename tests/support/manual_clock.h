@@ -20,7 +20,7 @@ class ManualClock {
   [[nodiscard]] double now_s() const { return now_s_->load(); }
 
   /// Whoever sleeps on it turns it.
-  [[nodiscard]] Clock clock() const {
+  [[nodiscard]] device::Clock clock() const {
     return {[self = *this] { return self.now_s(); },
             [self = *this](double duration_s) {
               if (duration_s > 0.0) self.turn(duration_s);

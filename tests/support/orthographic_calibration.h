@@ -1,14 +1,14 @@
 /// @file  A texture camera without perspective, for tests and benchmarks of the texture.
 #pragma once
 
-#include "core/calibration/calibration.h"
+#include "core/calibration/record/calibration.h"
 
 namespace flytri::testing {
 
 /// Looks along z: x = y = 0 is the middle of the image, and a millimeter has `px_per_mm` pixels.
-inline Calibration orthographic_calibration(const Vec3& volume_mm, ImageSize size,
-                                            double px_per_mm) {
-  Calibration calibration;
+inline calibration::Calibration orthographic_calibration(const Vec3& volume_mm, ImageSize size,
+                                                         double px_per_mm) {
+  calibration::Calibration calibration;
   calibration.volume.size_mm = volume_mm;
   calibration.texture_size = size;
   // Terms in the order of kExponents: 1, a, b, c, ...

@@ -4,25 +4,25 @@
 #include <memory>
 
 #include "hw/rig/rig_sensor.h"
-#include "hw/simulated/simulated_camera.h"
-#include "hw/simulated/simulated_lights.h"
+#include "hw/simulated/devices/simulated_camera.h"
+#include "hw/simulated/devices/simulated_lights.h"
 #include "tests/support/manual_clock.h"
 
 namespace flytri::testing {
 
 /// The measurement camera's scene under one light: a small image of lines, an area, or nothing.
-[[nodiscard]] inline cv::Mat striped_scene(Light light, double /*time_s*/) {
+[[nodiscard]] inline cv::Mat striped_scene(device::Light light, double /*time_s*/) {
   cv::Mat image(192, 256, CV_8UC1, cv::Scalar(8));
-  if (light == Light::kFlash) image(cv::Rect(30, 20, 180, 150)).setTo(140);
-  for (int at_px = 12; light == Light::kVertical && at_px < image.cols; at_px += 32)
+  if (light == device::Light::kFlash) image(cv::Rect(30, 20, 180, 150)).setTo(140);
+  for (int at_px = 12; light == device::Light::kVertical && at_px < image.cols; at_px += 32)
     image.colRange(at_px, at_px + 4).setTo(120);
-  for (int at_px = 12; light == Light::kHorizontal && at_px < image.rows; at_px += 32)
+  for (int at_px = 12; light == device::Light::kHorizontal && at_px < image.rows; at_px += 32)
     image.rowRange(at_px, at_px + 4).setTo(120);
   return image;
 }
 
 /// The texture camera's: the same in color.
-[[nodiscard]] inline cv::Mat colored_scene(Light light, double time_s) {
+[[nodiscard]] inline cv::Mat colored_scene(device::Light light, double time_s) {
   const cv::Mat gray = striped_scene(light, time_s);
   cv::Mat color;
   cv::merge(std::vector<cv::Mat>{gray, gray, gray}, color);
@@ -32,32 +32,32 @@ namespace flytri::testing {
 /// Devices that a test can reach into, and the sensor made of them.
 struct SimulatedRig {
   ManualClock clock;
-  std::shared_ptr<SimulatedLights> lights;
-  std::shared_ptr<SimulatedCamera> measurement, texture;
-  std::shared_ptr<RigSensor> sensor;
+  std::shared_ptr<simulated::SimulatedLights> lights;
+  std::shared_ptr<simulated::SimulatedCamera> measurement, texture;
+  std::shared_ptr<rig::RigSensor> sensor;
 };
 
 struct SimulatedRigOptions {
-  SimulatedLightsOptions lights;
-  SimulatedCameraOptions measurement;
-  SimulatedCameraOptions texture;
-  SimulatedCamera::Scene measurement_scene = striped_scene;
-  SimulatedCamera::Scene texture_scene = colored_scene;
+  simulated::SimulatedLightsOptions lights;
+  simulated::SimulatedCameraOptions measurement;
+  simulated::SimulatedCameraOptions texture;
+  simulated::SimulatedCamera::Scene measurement_scene = striped_scene;
+  simulated::SimulatedCamera::Scene texture_scene = colored_scene;
   bool has_texture = true;
-  std::shared_ptr<const Calibration> calibration;
-  RigSensorOptions sensor;
+  std::shared_ptr<const calibration::Calibration> calibration;
+  rig::RigSensorOptions sensor;
 };
 
 [[nodiscard]] inline SimulatedRig make_simulated_rig(const SimulatedRigOptions& options) {
   SimulatedRig rig;
-  rig.lights = std::make_shared<SimulatedLights>(options.lights, rig.clock.clock());
-  rig.measurement = std::make_shared<SimulatedCamera>(
+  rig.lights = std::make_shared<simulated::SimulatedLights>(options.lights, rig.clock.clock());
+  rig.measurement = std::make_shared<simulated::SimulatedCamera>(
       options.measurement, options.measurement_scene, rig.lights, rig.clock.clock());
   if (options.has_texture)
-    rig.texture = std::make_shared<SimulatedCamera>(options.texture, options.texture_scene,
-                                                    rig.lights, rig.clock.clock());
-  rig.sensor = RigSensor::create({rig.measurement, rig.texture, rig.lights, rig.clock.clock()},
-                                 options.sensor, options.calibration)
+    rig.texture = std::make_shared<simulated::SimulatedCamera>(
+        options.texture, options.texture_scene, rig.lights, rig.clock.clock());
+  rig.sensor = rig::RigSensor::create({rig.measurement, rig.texture, rig.lights, rig.clock.clock()},
+                                      options.sensor, options.calibration)
                    .value();
   return rig;
 }

@@ -11,7 +11,8 @@ constexpr double kArm_mm = 7.0;
 /// Frames of the whole arch at speed 1.
 constexpr double kArchFrames = 1000.0;
 
-Isometry pose_at(const SensorPath& path, const StressCase& by, int frame, double period_s) {
+Isometry pose_at(const simulated::SensorPath& path, const StressCase& by, int frame,
+                 double period_s) {
   const bool jumped = frame >= by.jump_frame;
   const int place = jumped ? frame + by.jump_by : frame;
   Isometry T_model_sensor = path.T_model_sensor(path.start_s() + place * period_s);
@@ -43,7 +44,7 @@ struct PosePair {
 
   /// RMS over points at the arm, as pose_distance_mm.
   [[nodiscard]] double error_mm(const Isometry& T_model_world) const {
-    return pose_distance_mm(T_model_sensor, T_model_world * T_world_sensor, kArm_mm);
+    return trajectory::pose_distance_mm(T_model_sensor, T_model_world * T_world_sensor, kArm_mm);
   }
 };
 
@@ -87,11 +88,12 @@ Isometry consensus(const std::vector<PosePair>& pairs, double tolerance_mm) {
 
 }  // namespace
 
-StressScan take_stress_scan(const ViewSimulator& simulator, const StressCase& by) {
+StressScan take_stress_scan(const simulated::ViewSimulator& simulator, const StressCase& by) {
   const double period_s = simulator.sensor().frame_period_s;
-  PathOptions path_options = by.path;
+  simulated::PathOptions path_options = by.path;
   path_options.duration_s = kArchFrames / by.speed * period_s;
-  const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), path_options).value();
+  const simulated::SensorPath path =
+      simulated::plan_path(simulator.scene(), simulator.sensor(), path_options).value();
   StressScan scan;
   for (int frame = 0; frame < by.frame_count; ++frame) {
     const Pattern pattern = frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal;
@@ -100,7 +102,7 @@ StressScan take_stress_scan(const ViewSimulator& simulator, const StressCase& by
     if (random.uniform() < by.missing_share) continue;
     const Isometry T_model_sensor = pose_at(path, by, frame, period_s);
     View view = simulator.trace(pattern, T_model_sensor);
-    view = add_noise(view, by.noise, static_cast<std::uint64_t>(frame));
+    view = simulated::add_noise(view, by.noise, static_cast<std::uint64_t>(frame));
     mislabel(view, by.outlier_share, random);
     view.frame = FrameIndex(frame);
     view.time_s = frame * period_s;
@@ -110,11 +112,11 @@ StressScan take_stress_scan(const ViewSimulator& simulator, const StressCase& by
   return scan;
 }
 
-StressVerdict judge_scan(const std::vector<RegisteredView>& views, const StressScan& truth,
-                         double tolerance_mm) {
+StressVerdict judge_scan(const std::vector<tracking::RegisteredView>& views,
+                         const StressScan& truth, double tolerance_mm) {
   std::vector<PosePair> pairs;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (views[i].fate == ViewFate::kRejected) continue;
+    if (views[i].fate == tracking::ViewFate::kRejected) continue;
     pairs.push_back({views[i].T_world_sensor, truth.T_model_sensor[i]});
   }
   const Isometry T_model_world = consensus(pairs, tolerance_mm);

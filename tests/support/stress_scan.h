@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/pipeline/registrar.h"
-#include "hw/simulated/sensor_path.h"
-#include "hw/simulated/view_simulator.h"
+#include "core/tracking/registrar.h"
+#include "hw/simulated/optics/sensor_path.h"
+#include "hw/simulated/optics/view_simulator.h"
 
 namespace flytri::testing {
 
@@ -21,9 +21,9 @@ struct FrameRange {
 struct StressCase {
   std::string name;
   int frame_count = 200;
-  double speed = 1.0;  ///< 1: the whole arch in the paper's 1000 views
-  PathOptions path;    ///< its duration is set by the speed
-  ViewNoise noise;
+  double speed = 1.0;           ///< 1: the whole arch in the paper's 1000 views
+  simulated::PathOptions path;  ///< its duration is set by the speed
+  simulated::ViewNoise noise;
   double outlier_share = 0.0;  ///< of the profiles, each off by millimeters as if labelled wrongly
   double missing_share = 0.0;  ///< of the frames, at random
   FrameRange one_pattern;      ///< frames here are lost unless vertical
@@ -39,7 +39,8 @@ struct StressScan {
   std::vector<Isometry> T_model_sensor;
 };
 
-[[nodiscard]] StressScan take_stress_scan(const ViewSimulator& simulator, const StressCase& by);
+[[nodiscard]] StressScan take_stress_scan(const simulated::ViewSimulator& simulator,
+                                          const StressCase& by);
 
 /// A view is right if it lies within `tolerance_mm` of its true place, RMS over a radius of 7 mm,
 /// after the scan was laid onto the truth by the largest group of views that agree on how.
@@ -48,7 +49,7 @@ struct StressVerdict {
   double worst_right_mm = 0.0;
 };
 
-[[nodiscard]] StressVerdict judge_scan(const std::vector<RegisteredView>& views,
+[[nodiscard]] StressVerdict judge_scan(const std::vector<tracking::RegisteredView>& views,
                                        const StressScan& truth, double tolerance_mm = 0.2);
 
 }  // namespace flytri::testing

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/interchange/png.h"
+#include "core/io/files/png.h"
 #include "tests/support/no_display.h"
 #include "tests/ui/window_driver.h"
 
@@ -75,7 +75,7 @@ class Baseline : public ::testing::Test {
          {std::string("do show_all"), std::string("wait 80"), "shot " + shot.string()}) {
       window_->ask(request);
     }
-    return reduced(read_png(shot).value());
+    return reduced(io::read_png(shot).value());
   }
 
  private:
@@ -87,9 +87,9 @@ TEST_F(Baseline, StatesLookAsTheyDid) {
     const cv::Mat picture = picture_of(state);
     const std::filesystem::path file = baseline_file(state);
     if (std::getenv("FLYTRI_RENEW_BASELINES") != nullptr) {
-      ASSERT_TRUE(write_png(file, picture).has_value());
+      ASSERT_TRUE(io::write_png(file, picture).has_value());
     }
-    const auto baseline = read_png(file);
+    const auto baseline = io::read_png(file);
     ASSERT_TRUE(baseline.has_value()) << baseline.error().message;
     ASSERT_EQ(baseline->size(), picture.size());
     EXPECT_LT(differing_share(*baseline, picture), kTolerance) << state;

@@ -4,12 +4,12 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "core/interchange/png.h"
+#include "core/io/files/png.h"
 #include "tests/support/fake_states.h"
 #include "tests/support/no_display.h"
 #include "tests/ui/screen_reader.h"
 #include "tests/ui/window_driver.h"
-#include "ui/key_map.h"
+#include "ui/actions/key_map.h"
 
 namespace flytri {
 namespace {
@@ -92,7 +92,7 @@ TEST_F(RealWindow, TheScreenHoldsAllThatWasDrawn) {
     for (int tries = 0; tries < 50 && largest != 0.0; ++tries) {
       window().ask("wait 20");
       window().ask("shot " + shot.string());
-      const cv::Mat drawn = read_png(shot).value();
+      const cv::Mat drawn = io::read_png(shot).value();
       const cv::Mat shown = testing::read_screen(drawn.cols, drawn.rows);
       ASSERT_EQ(shown.size(), drawn.size()) << "a screen of 24 bits, as large as the window?";
       largest = cv::norm(shown, drawn, cv::NORM_INF);

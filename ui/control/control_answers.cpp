@@ -6,8 +6,8 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "core/interchange/png.h"
-#include "ui/perform.h"
+#include "core/io/files/png.h"
+#include "ui/actions/perform.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
@@ -31,12 +31,12 @@ std::string answer_where(const ItemPlaces& places, const std::string& id) {
 }
 
 std::string answer_shot(const Canvas& canvas, const std::string& path) {
-  const auto saved = write_png(path, canvas.picture().read());
+  const auto saved = io::write_png(path, canvas.picture().read());
   return saved ? "ok" : "error " + saved.error().message;
 }
 
 nlohmann::json frames_as_json(const AppView& view) {
-  const FrameCounts counts = view.scan == nullptr ? FrameCounts{} : view.scan->counts;
+  const scan::FrameCounts counts = view.scan == nullptr ? scan::FrameCounts{} : view.scan->counts;
   return {{"offered", counts.offered},           {"previewed", counts.previewed},
           {"registered", counts.registered},     {"interpolated", counts.interpolated},
           {"textured", counts.textured},         {"skipped", counts.skipped},
@@ -44,7 +44,7 @@ nlohmann::json frames_as_json(const AppView& view) {
 }
 
 std::string time_left(const AppView& view) {
-  if (view.scan == nullptr || view.scan->phase != ScanPhase::kFinishing) return {};
+  if (view.scan == nullptr || view.scan->phase != scan::ScanPhase::kFinishing) return {};
   return time_left_text(view.scan->finishing.remaining_s);
 }
 
@@ -71,9 +71,9 @@ nlohmann::json overlays_as_json(const DrawRecord& record) {
 nlohmann::json actions_as_json(const AppView& view, const WindowState& state) {
   nlohmann::json actions = nlohmann::json::object();
   for (const KeyBinding& row : key_map()) {
-    const ActionState standing = action_state(row.action, view, state);
+    const ActionState current = action_state(row.action, view, state);
     actions[row.id] = {
-        {"enabled", standing.is_enabled}, {"on", standing.is_on}, {"text", standing.text}};
+        {"enabled", current.is_enabled}, {"on", current.is_on}, {"text", current.text}};
   }
   return actions;
 }

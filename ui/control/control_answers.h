@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "core/imaging/frame.h"
-#include "ui/app_view.h"
-#include "ui/command.h"
 #include "ui/control/control_channel.h"
+#include "ui/state/app_view.h"
+#include "ui/state/command.h"
+#include "ui/state/window_state.h"
 #include "ui/widgets/draw_record.h"
 #include "ui/widgets/item_places.h"
 #include "ui/window/canvas.h"
-#include "ui/window_state.h"
 
 namespace flytri::ui {
 

@@ -14,7 +14,7 @@ struct Entry {
 
 /// What the main button does now.
 ActionLook scan_look(const PanelContext& context) {
-  if (context.phase() == ScanPhase::kFinished) {
+  if (context.phase() == scan::ScanPhase::kFinished) {
     return {icon::kResume, "Scan on", false, kGood};
   }
   if (context.view.is_scanning) return {icon::kPause, "Pause", true, kNeutral};
@@ -22,7 +22,7 @@ ActionLook scan_look(const PanelContext& context) {
 }
 
 std::array<Entry, 9> entries(const PanelContext& context) {
-  const bool exports_next = context.phase() == ScanPhase::kFinished;
+  const bool exports_next = context.phase() == scan::ScanPhase::kFinished;
   return {{{Action::kUndo, {icon::kUndo, "Undo"}},
            {Action::kRedo, {icon::kRedo, "Redo"}},
            {Action::kTrim, {icon::kTrim, "Trim", false, kCaution}},

@@ -83,7 +83,7 @@ void draw_judgement(const PanelContext& context, Rect& rest, const JudgedShot& s
 /// The largest offset that the chart must hold.
 double chart_range_mm(const CalibrationOutcome& outcome) {
   double range_mm = outcome.plane_limit_mm;
-  for (const PlaneResidual& plane : outcome.planes) {
+  for (const calibration::PlaneResidual& plane : outcome.planes) {
     for (const double offset_mm : plane.offset_mm) {
       range_mm = std::max(range_mm, std::abs(offset_mm));
     }
@@ -113,15 +113,15 @@ void draw_level(const PanelContext& context, const Chart& chart, double offset_m
 }
 
 void draw_offsets(const PanelContext& context, const Chart& chart,
-                  const std::vector<PlaneResidual>& planes) {
+                  const std::vector<calibration::PlaneResidual>& planes) {
   constexpr std::array<Color, 2> kInk = {kVerticalProfile, kHorizontalProfile};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (std::size_t pattern = 0; pattern < kInk.size(); ++pattern) {
-    for (const PlaneResidual& plane : planes) {
+    for (const calibration::PlaneResidual& plane : planes) {
       list.PathLineTo(chart.at(plane.z_mm, plane.offset_mm[pattern]));
     }
     list.PathStroke(to_u32(with_opacity(kInk[pattern], 0.6F)), 0, context.px(1.5F));
-    for (const PlaneResidual& plane : planes) {
+    for (const calibration::PlaneResidual& plane : planes) {
       list.AddCircleFilled(chart.at(plane.z_mm, plane.offset_mm[pattern]), context.px(3.5F),
                            to_u32(kInk[pattern]));
     }
@@ -155,7 +155,8 @@ void draw_planes(const PanelContext& context, Rect box, const CalibrationOutcome
   legend(context.theme, below, lines);
 }
 
-void draw_figure(const PanelContext& context, Rect row, const HoldFigure& figure) {
+void draw_figure(const PanelContext& context, Rect row,
+                 const calibration::VerificationFigure& figure) {
   const Fonts& fonts = context.theme.fonts;
   const Color ink = figure.good() ? kGood : kBad;
   Rect words = row.take_top(context.px(kShotRow));
@@ -211,7 +212,7 @@ void draw_outcome(const PanelContext& context, Rect box, const CalibrationOutcom
             "Deviations at the border of the volume");
   const auto count = static_cast<float>(std::max<std::size_t>(outcome.figures.size(), 1));
   const float row = std::min(context.px(kTableRow), box.height / count);
-  for (const HoldFigure& figure : outcome.figures) {
+  for (const calibration::VerificationFigure& figure : outcome.figures) {
     draw_figure(context, box.take_top(row), figure);
   }
 }

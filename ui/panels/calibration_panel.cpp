@@ -47,9 +47,9 @@ void draw_choice(const PanelContext& context, Rect row, const Choice& choice) {
   const Rect button = row.take_left(context.px(kChoiceButton), context.px(kGapM));
   small_action(context, button.centered(button.width, context.px(56.0F)), choice.action,
                {choice.icon, choice.label});
-  const ActionState standing = action_state(choice.action, context.view, context.state);
+  const ActionState current = action_state(choice.action, context.view, context.state);
   const std::string text =
-      standing.is_enabled ? choice.purpose : fmt::format("Not possible: {}.", standing.text);
+      current.is_enabled ? choice.purpose : fmt::format("Not possible: {}.", current.text);
   const float height = wrapped_height(context.theme.fonts.body, row.width, text);
   draw_wrapped(row.centered(row.width, height), {context.theme.fonts.body, kTextQuiet}, text);
 }

@@ -45,7 +45,7 @@ void draw_tabs(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
   }
 }
 
-void draw_fields(const PanelContext& context, DialogPlate& dialog, CaseFields& fields) {
+void draw_fields(const PanelContext& context, DialogPlate& dialog, io::CaseFields& fields) {
   const float height = context.px(kFieldRow), gap = context.px(kGapM);
   text_field(context, dialog.rest.take_top(height), {"patient", "Patient"}, fields.patient_name);
   Rect row = dialog.rest.take_top(height);
@@ -57,7 +57,7 @@ void draw_fields(const PanelContext& context, DialogPlate& dialog, CaseFields& f
 }
 
 /// A file name of the patient's name: what file systems may not like becomes a dash.
-std::string proposed_path(const AppView& view, const CaseFields& fields) {
+std::string proposed_path(const AppView& view, const io::CaseFields& fields) {
   std::string name = fields.patient_name.empty() ? "case" : fields.patient_name;
   if (!fields.patient_id.empty()) name += "-" + fields.patient_id;
   std::replace_if(

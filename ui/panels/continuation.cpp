@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostPlaces = 5;
 constexpr float kCaption = 18.0F;
 
-const ReentryPlace* chosen_place(const ScanSnapshot& scan) {
+const scan::ReentryPlace* chosen_place(const scan::ScanSnapshot& scan) {
   return scan.chosen_reentry < scan.reentry.size() ? &scan.reentry[scan.chosen_reentry] : nullptr;
 }
 
@@ -35,7 +35,7 @@ void draw_match(const PanelContext& context, Rect box) {
 
 /// The ranked places, to be picked by a finger.
 void draw_places(const PanelContext& context, Rect row) {
-  const ScanSnapshot& scan = *context.view.scan;
+  const scan::ScanSnapshot& scan = *context.view.scan;
   const std::size_t count = std::min(scan.reentry.size(), kMostPlaces);
   if (count < 2) return;
   const float gap = context.px(kGapXs);
@@ -56,7 +56,7 @@ void draw_places(const PanelContext& context, Rect row) {
 }  // namespace
 
 void draw_continuation(const PanelContext& context, const Rect& box) {
-  const ReentryPlace* place = chosen_place(*context.view.scan);
+  const scan::ReentryPlace* place = chosen_place(*context.view.scan);
   context.pictures.stored.show(place == nullptr ? nullptr : place->image);
   Rect rest = box;
   const float gap = context.px(kGapM);

@@ -30,7 +30,7 @@ constexpr std::array<Column, 3> kColumns = {
      {"Horizontal lines", FrameKind::kHorizontal, "no image yet"},
      {"Flash", FrameKind::kTexture, "no flash yet"}}};
 
-std::shared_ptr<const LiveFrame> latest_of(const AppView& view, FrameKind kind) {
+std::shared_ptr<const scan::LiveFrame> latest_of(const AppView& view, FrameKind kind) {
   if (view.scan == nullptr) return nullptr;
   if (const auto pattern = pattern_of(kind))
     return view.scan->latest[static_cast<std::size_t>(*pattern)];

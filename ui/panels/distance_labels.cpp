@@ -37,7 +37,7 @@ void draw_label(const PanelContext& context, const ImVec2& middle, const std::st
 
 void draw_distance_labels(const PanelContext& context) {
   const Rect& picture = context.layout.picture;
-  for (const Measurement& measured : context.view.measurements) {
+  for (const io::Measurement& measured : context.view.measurements) {
     const auto middle =
         place_in_window(context.state.view, picture, 0.5 * (measured.from_mm + measured.to_mm));
     if (!middle || !picture.contains(*middle)) continue;

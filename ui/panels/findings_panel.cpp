@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/camera_moves.h"
 #include "ui/panels/panels.h"
+#include "ui/state/camera_moves.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/meter.h"
 
@@ -44,13 +44,13 @@ void draw_heading(const PanelContext& context, Rect& rest, const std::string& te
             text);
 }
 
-std::string hole_text(const BoundaryLoop& hole) {
+std::string hole_text(const meshing::BoundaryLoop& hole) {
   return fmt::format("{:.1f} mm wide", hole.width_mm);
 }
 
 void draw_holes(const PanelContext& context, Rect& rest, std::size_t listed) {
-  const ScanSnapshot& scan = *context.view.scan;
-  const std::vector<BoundaryLoop>& holes = scan.holes;
+  const scan::ScanSnapshot& scan = *context.view.scan;
+  const std::vector<meshing::BoundaryLoop>& holes = scan.holes;
   const auto& selected = context.state.selected_hole;
   draw_heading(context, rest,
                fmt::format("{} {}{}", holes.size(), holes.size() == 1 ? "hole" : "holes",
@@ -94,8 +94,9 @@ void draw_measurements(const PanelContext& context, Rect& rest, std::size_t list
 enum class Findings { kNone, kHoles, kDistances };
 
 Findings findings_of(const PanelContext& context) {
-  const ScanPhase phase = context.phase();
-  if (phase == ScanPhase::kContinuation || phase == ScanPhase::kFinishing) return Findings::kNone;
+  const scan::ScanPhase phase = context.phase();
+  if (phase == scan::ScanPhase::kContinuation || phase == scan::ScanPhase::kFinishing)
+    return Findings::kNone;
   const bool has_holes = context.view.scan != nullptr && !context.view.scan->holes.empty();
   const bool has_distances = !context.view.measurements.empty();
   // Distances while they are measured, or where there are no holes to close.

@@ -34,7 +34,7 @@ Rect card_box(const PanelContext& context, float height) {
 }
 
 void draw_progress(const PanelContext& context) {
-  const FinishingState& finishing = context.view.scan->finishing;
+  const scan::FinishingState& finishing = context.view.scan->finishing;
   const Rect box = card_box(context, context.px(172.0F));
   const Plate plate("finishing", box, overlay(context.theme));
   const Theme& theme = context.theme;
@@ -71,7 +71,7 @@ void draw_failure(const PanelContext& context) {
 
 void draw_finishing_card(const PanelContext& context) {
   if (context.view.scan == nullptr) return;
-  if (context.phase() == ScanPhase::kFinishing) {
+  if (context.phase() == scan::ScanPhase::kFinishing) {
     draw_progress(context);
   } else if (!context.view.scan->failure.empty() && !context.view.is_scanning) {
     draw_failure(context);

@@ -24,8 +24,8 @@ float row_height(const PanelContext& context, float height) {
 
 void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
   const Theme& theme = context.theme;
-  const ActionState standing = action_state(entry.action, context.view, context.state);
-  const Color ink = standing.is_enabled ? kText : with_opacity(kTextQuiet, 0.75F);
+  const ActionState current = action_state(entry.action, context.view, context.state);
+  const Color ink = current.is_enabled ? kText : with_opacity(kTextQuiet, 0.75F);
   draw_text(row.take_left(context.px(kKey), context.px(kGapS)), {theme.fonts.strong, ink},
             entry.key_text);
   // In a small window both have room only in small letters, and a long name moves its row's state.
@@ -35,8 +35,8 @@ void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
   const float name =
       std::max(text_width(font, entry.name) + gap, row.width - context.px(kStanding));
   draw_text(row.take_left(name), {font, ink}, entry.name);
-  const Color mark = standing.is_on ? kNeutral : kTextQuiet;
-  draw_text(row, {theme.fonts.small, mark, Align::kLeft}, standing.text);
+  const Color mark = current.is_on ? kNeutral : kTextQuiet;
+  draw_text(row, {theme.fonts.small, mark, Align::kLeft}, current.text);
 }
 
 void draw_group(const PanelContext& context, Rect& column, float row, ActionGroup group) {

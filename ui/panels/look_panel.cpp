@@ -113,7 +113,7 @@ Rect sides_box(const PanelContext& context) {
 }
 
 void draw_look_panel(const PanelContext& context) {
-  if (context.phase() == ScanPhase::kContinuation) return;
+  if (context.phase() == scan::ScanPhase::kContinuation) return;
   draw_colors(context);
   draw_sides(context);
 }

@@ -6,25 +6,25 @@ namespace flytri::ui {
 namespace {
 
 /// Why it is disabled, or what it is: where the pointer rests.
-std::string hint_of(const KeyBinding& row, const ActionState& standing) {
+std::string hint_of(const KeyBinding& row, const ActionState& current) {
   std::string hint = std::string(row.name) + " (" + row.key_text + ")";
-  if (!standing.text.empty()) hint += ": " + standing.text;
+  if (!current.text.empty()) hint += ": " + current.text;
   return hint;
 }
 
 ButtonLook look_of(const PanelContext& context, Action action, const ActionLook& look) {
   const KeyBinding& row = binding(action);
-  const ActionState standing = action_state(action, context.view, context.state);
+  const ActionState current = action_state(action, context.view, context.state);
   ButtonLook button;
   button.id = row.id;
   button.icon = look.icon;
   button.label = look.label == nullptr ? row.name : look.label;
   if (look.shows_key) button.key = row.key_text;
-  button.is_enabled = standing.is_enabled;
-  button.is_on = standing.is_on;
+  button.is_enabled = current.is_enabled;
+  button.is_on = current.is_on;
   button.is_main = look.is_main;
   button.color = look.color;
-  button.hint = hint_of(row, standing);
+  button.hint = hint_of(row, current);
   return button;
 }
 

@@ -4,10 +4,10 @@
 #include <array>
 #include <vector>
 
-#include "ui/key_map.h"
+#include "ui/actions/key_map.h"
+#include "ui/actions/perform.h"
 #include "ui/panels/layout.h"
 #include "ui/panels/scene_image.h"
-#include "ui/perform.h"
 #include "ui/scene/scene_renderer.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/camera_image.h"
@@ -37,8 +37,8 @@ struct PanelContext {
   std::vector<Rect>& repainted;  ///< where textures on the screen hold another picture than before
 
   [[nodiscard]] float px(float units) const { return theme.px(units); }
-  [[nodiscard]] ScanPhase phase() const {
-    return view.scan == nullptr ? ScanPhase::kPreview : view.scan->phase;
+  [[nodiscard]] scan::ScanPhase phase() const {
+    return view.scan == nullptr ? scan::ScanPhase::kPreview : view.scan->phase;
   }
 };
 

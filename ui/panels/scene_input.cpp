@@ -32,13 +32,13 @@ void find_under_pointer(const PanelContext& context) {
   const std::optional<Pick> pick = context.scene.pick(at.x(), at.y());
   if (!pick) return;
   const double radius_mm = brush.radius_share * context.view.volume_mm.x();
-  brush.under_pointer = BrushDab{pick->p_world_mm.cast<float>(), pick->normal.cast<float>(),
-                                 static_cast<float>(radius_mm)};
+  brush.under_pointer = editing::BrushDab{
+      pick->p_world_mm.cast<float>(), pick->normal.cast<float>(), static_cast<float>(radius_mm)};
 }
 
 void add_dab(BrushState& brush) {
   if (!brush.under_pointer) return;
-  const BrushDab& dab = *brush.under_pointer;
+  const editing::BrushDab& dab = *brush.under_pointer;
   const bool is_far =
       brush.stroke.empty() ||
       (dab.center_mm - brush.stroke.back().center_mm).norm() > kDabStep * dab.radius_mm;

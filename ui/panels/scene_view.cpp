@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "ui/camera_moves.h"
+#include "ui/state/camera_moves.h"
 
 namespace flytri::ui {
 namespace {
 
 void add_reentry(const PanelContext& context, SceneContent& content) {
-  const ScanSnapshot& scan = *context.view.scan;
+  const scan::ScanSnapshot& scan = *context.view.scan;
   content.is_dimmed = true;
   if (scan.chosen_reentry >= scan.reentry.size()) return;
-  const ReentryPlace& place = scan.reentry[scan.chosen_reentry];
+  const scan::ReentryPlace& place = scan.reentry[scan.chosen_reentry];
   content.highlighted = {place.first, place.second};
   content.sensors.push_back({place.first.T_world_sensor, context.view.volume_mm, true});
 }
@@ -27,31 +27,31 @@ void add_preview(const PanelContext& context, SceneContent& content) {
 }
 
 void add_phase(const PanelContext& context, SceneContent& content) {
-  const ScanSnapshot& scan = *context.view.scan;
+  const scan::ScanSnapshot& scan = *context.view.scan;
   const bool is_empty = surfel_count(scan.model) == 0;
   switch (scan.phase) {
-    case ScanPhase::kPreview:
+    case scan::ScanPhase::kPreview:
       if (is_empty) add_preview(context, content);
       break;
-    case ScanPhase::kMeasurement:
+    case scan::ScanPhase::kMeasurement:
       if (scan.T_world_sensor && context.view.is_scanning) {
         content.sensors.push_back({*scan.T_world_sensor, context.view.volume_mm, false});
       }
       break;
-    case ScanPhase::kContinuation:
+    case scan::ScanPhase::kContinuation:
       add_reentry(context, content);
       break;
-    case ScanPhase::kFinishing:
+    case scan::ScanPhase::kFinishing:
       content.is_dimmed = true;
       break;
-    case ScanPhase::kFinished:
+    case scan::ScanPhase::kFinished:
       break;
   }
 }
 
-void add_surface(const ScanSnapshot& scan, SceneContent& content) {
+void add_surface(const scan::ScanSnapshot& scan, SceneContent& content) {
   content.model = &scan.model;
-  if (scan.phase == ScanPhase::kFinished && scan.result != nullptr) {
+  if (scan.phase == scan::ScanPhase::kFinished && scan.result != nullptr) {
     content.mesh = &scan.result->model;
     // Results are immutable: another one is another object, alive as long as it shows.
     content.mesh_number =
@@ -62,35 +62,36 @@ void add_surface(const ScanSnapshot& scan, SceneContent& content) {
 
 /// Holes show where they are looked for: in the colors of coverage, or when one is selected.
 void add_holes(const PanelContext& context, SceneContent& content) {
-  const std::vector<BoundaryLoop>& holes = context.view.scan->holes;
+  const std::vector<meshing::BoundaryLoop>& holes = context.view.scan->holes;
   auto& selected = context.state.selected_hole;
   if (selected) selected = found_again(*selected, holes);
   if (selected) content.selected_hole = selected->index;
-  const bool is_lost = context.phase() == ScanPhase::kContinuation;
+  const bool is_lost = context.phase() == scan::ScanPhase::kContinuation;
   if (is_lost) return;
   if (selected || context.state.color_mode == ColorMode::kCoverage) content.holes = &holes;
 }
 
 /// An unlocking stroke frees what it reaches.
-void free_locked(const Edit& unlocking, std::vector<BrushDab>& locked) {
-  std::erase_if(locked, [&](const BrushDab& dab) {
-    return std::any_of(unlocking.dabs.begin(), unlocking.dabs.end(), [&](const BrushDab& by) {
-      return (dab.center_mm - by.center_mm).norm() < by.radius_mm;
-    });
+void free_locked(const editing::Edit& unlocking, std::vector<editing::BrushDab>& locked) {
+  std::erase_if(locked, [&](const editing::BrushDab& dab) {
+    return std::any_of(unlocking.dabs.begin(), unlocking.dabs.end(),
+                       [&](const editing::BrushDab& by) {
+                         return (dab.center_mm - by.center_mm).norm() < by.radius_mm;
+                       });
   });
 }
 
-void add_locked(const ScanSnapshot& scan, SceneContent& content) {
+void add_locked(const scan::ScanSnapshot& scan, SceneContent& content) {
   if (scan.edits == nullptr) return;
   for (const auto& edit : *scan.edits) {
-    if (edit->kind == EditKind::kUnlock) free_locked(*edit, content.locked);
-    if (edit->kind != EditKind::kLock) continue;
+    if (edit->kind == editing::EditKind::kUnlock) free_locked(*edit, content.locked);
+    if (edit->kind != editing::EditKind::kLock) continue;
     content.locked.insert(content.locked.end(), edit->dabs.begin(), edit->dabs.end());
   }
 }
 
 void add_tools(const PanelContext& context, SceneContent& content) {
-  for (const Measurement& measured : context.view.measurements) {
+  for (const io::Measurement& measured : context.view.measurements) {
     content.measurements.push_back({measured.from_mm, measured.to_mm, false});
   }
   const WindowState& state = context.state;

@@ -14,7 +14,7 @@ constexpr float kSideCaption = 18.0F;
 constexpr float kPictureRatio = 0.75F;
 
 /// The later of the two measurement frames.
-std::shared_ptr<const LiveFrame> latest_frame(const AppView& view) {
+std::shared_ptr<const scan::LiveFrame> latest_frame(const AppView& view) {
   if (view.scan == nullptr) return nullptr;
   const auto& [vertical, horizontal] = view.scan->latest;
   if (vertical == nullptr) return horizontal;
@@ -110,7 +110,7 @@ void draw_ordinary(const PanelContext& context, Rect rest) {
 void draw_side_panel(const PanelContext& context) {
   const Plate plate("side", context.layout.side);
   const Rect inner = context.layout.side.inset(context.px(kGapM));
-  if (context.phase() == ScanPhase::kContinuation) {
+  if (context.phase() == scan::ScanPhase::kContinuation) {
     context.pictures.live.show(latest_frame(context.view));
     draw_continuation(context, inner);
   } else {

@@ -13,9 +13,9 @@ Status waiting_status(const AppView& view) {
 
 Status scanning_status(const AppView& view) {
   switch (view.scan->phase) {
-    case ScanPhase::kMeasurement:
+    case scan::ScanPhase::kMeasurement:
       return {kGood, icon::kScan, "Scanning", ""};
-    case ScanPhase::kContinuation:
+    case scan::ScanPhase::kContinuation:
       return {kBad, icon::kWarning, "Lost", "Go back to the marked place"};
     default:
       return {kNeutral, icon::kDevice, "Preview", "Hold the sensor over the teeth"};
@@ -25,11 +25,11 @@ Status scanning_status(const AppView& view) {
 }  // namespace
 
 Status status_of(const AppView& view) {
-  if (view.scan != nullptr && view.scan->phase == ScanPhase::kFinishing) {
+  if (view.scan != nullptr && view.scan->phase == scan::ScanPhase::kFinishing) {
     return {kCaution, icon::kResume, "Finishing", "The sensor can be put away"};
   }
   if (view.source.is_lost) return {kBad, icon::kWarning, "No sensor", view.source.message};
-  if (view.scan != nullptr && view.scan->phase == ScanPhase::kFinished) {
+  if (view.scan != nullptr && view.scan->phase == scan::ScanPhase::kFinished) {
     return {kGood, icon::kSaved, "Finished", "Export it, or go on scanning"};
   }
   if (view.scan == nullptr && view.is_scanning) {

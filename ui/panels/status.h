@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ui/app_view.h"
+#include "ui/state/app_view.h"
 #include "ui/theme/status_colors.h"
 
 namespace flytri::ui {

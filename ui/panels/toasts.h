@@ -1,8 +1,8 @@
 /// @file  Which notices show, and for how long.
 #pragma once
 
-#include "ui/app_view.h"
-#include "ui/window_state.h"
+#include "ui/state/app_view.h"
+#include "ui/state/window_state.h"
 
 namespace flytri::ui {
 

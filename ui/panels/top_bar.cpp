@@ -69,7 +69,7 @@ using FigureValues = std::array<std::string, kFigures.size()>;
 
 FigureValues figure_values(const AppView& view) {
   if (view.scan == nullptr) return {"0:00", "0", "0", "\u2013"};
-  const ScanSnapshot& scan = *view.scan;
+  const scan::ScanSnapshot& scan = *view.scan;
   const auto lost = scan.counts.rejected_count() + scan.counts.skipped;
   const bool has_surface = surfel_count(scan.model) > 0;
   return {clock_text(scan.scanned_s),

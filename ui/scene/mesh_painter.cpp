@@ -27,7 +27,7 @@ std::array<Attribute, 5> mesh_attributes() {
 }
 
 std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-                                    const std::vector<BrushDab>& locked) {
+                                    const std::vector<editing::BrushDab>& locked) {
   std::vector<MeshVertex> vertices;
   vertices.reserve(mesh.mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
@@ -59,7 +59,7 @@ MeshPainter::MeshPainter(ShaderProgram program)
 }
 
 void MeshPainter::take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-                       const std::vector<BrushDab>& locked) {
+                       const std::vector<editing::BrushDab>& locked) {
   const std::vector<MeshVertex> vertices = vertices_of(mesh, coverage, locked);
   buffer_.assign(std::as_bytes(std::span(vertices)));
   indices_.assign(std::as_bytes(std::span(mesh.mesh.triangles)));

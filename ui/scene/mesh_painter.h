@@ -23,7 +23,7 @@ class MeshPainter {
   /// @param coverage  by vertex
   /// @param locked    strokes whose vertices are tinted
   void take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-            const std::vector<BrushDab>& locked);
+            const std::vector<editing::BrushDab>& locked);
   /// Into the bound framebuffer. Triangles seen from behind are left out.
   void paint(const Eye& eye, const SceneOptions& options) const;
 

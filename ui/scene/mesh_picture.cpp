@@ -9,7 +9,7 @@
 namespace flytri::ui {
 
 void MeshPicture::take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
-                       const std::vector<BrushDab>& locked) {
+                       const std::vector<editing::BrushDab>& locked) {
   const bool is_known = &mesh == mesh_ && number == number_;
   if (is_known && are_same(locked, locked_)) return;
   if (!is_known) coverage_ = coverage_of(mesh.mesh, scanned);

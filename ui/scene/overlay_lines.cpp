@@ -108,7 +108,8 @@ void add_preview(Pen& pen, const PreviewContent& preview, double step_mm) {
   }
 }
 
-void add_hole(Pen& pen, const BoundaryLoop& hole, const TriangleMesh* mesh, bool is_selected) {
+void add_hole(Pen& pen, const meshing::BoundaryLoop& hole, const TriangleMesh* mesh,
+              bool is_selected) {
   const double width_px = is_selected ? 4.0 : 2.5;
   const Color color = is_selected ? kCaution : faded(kBad, 0.9);
   if (mesh == nullptr || hole.vertices.empty()) {
@@ -151,9 +152,9 @@ void add_measurement(Pen& pen, const MeasuredSegment& segment, const Eye& eye) {
 }
 
 void add_brush(Pen& pen, const BrushCursor& brush) {
-  const Color color = brush.kind == EditKind::kTrim   ? kBad
-                      : brush.kind == EditKind::kLock ? kLock
-                                                      : kNeutral;
+  const Color color = brush.kind == editing::EditKind::kTrim   ? kBad
+                      : brush.kind == editing::EditKind::kLock ? kLock
+                                                               : kNeutral;
   const Vec3 center = brush.dab.center_mm.cast<double>(), normal = brush.dab.normal.cast<double>();
   pen.ring(center, normal, brush.dab.radius_mm, 5.0, kCasing);
   pen.ring(center, normal, brush.dab.radius_mm, 3.0, color);

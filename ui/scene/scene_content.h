@@ -36,8 +36,8 @@ struct MeasuredSegment {
 
 /// The brush on the surface under the pointer.
 struct BrushCursor {
-  BrushDab dab;
-  EditKind kind = EditKind::kTrim;
+  editing::BrushDab dab;
+  editing::EditKind kind = editing::EditKind::kTrim;
 };
 
 /// Everything is read during draw() alone; what it points to must live as long.
@@ -52,14 +52,14 @@ struct SceneContent {
   std::vector<SensorGhost> sensors;
   std::optional<PreviewContent> preview;
 
-  const std::vector<BoundaryLoop>* holes = nullptr;  ///< the outer border is not drawn
+  const std::vector<meshing::BoundaryLoop>* holes = nullptr;  ///< the outer border is not drawn
   const TriangleMesh* rim_mesh = nullptr;  ///< whose vertices the holes name; without, a hole is a
                                            ///< circle of its perimeter
   std::optional<std::size_t> selected_hole;
 
   std::vector<MeasuredSegment> measurements;
   std::optional<BrushCursor> brush;
-  std::vector<BrushDab> locked;  ///< tinted on the model
+  std::vector<editing::BrushDab> locked;  ///< tinted on the model
 };
 
 }  // namespace flytri::ui

@@ -29,7 +29,7 @@ std::array<Attribute, 4> splat_attributes() {
 }
 
 /// @param locked  strokes near it
-SplatVertex vertex_of(const Surfel& surfel, const std::vector<BrushDab>& locked) {
+SplatVertex vertex_of(const Surfel& surfel, const std::vector<editing::BrushDab>& locked) {
   unsigned flags = 0;
   if (surfel.textured) flags |= kTexturedFlag;
   if (surfel.coverage == Coverage::kGood) flags |= kGoodFlag;
@@ -61,11 +61,13 @@ FreshBlock difference(const SurfelBlock* before, const SurfelBlock& now) {
 }
 
 /// The strokes that reach into a box.
-std::vector<BrushDab> within(const std::vector<BrushDab>& dabs, const Eigen::AlignedBox3f& box) {
-  std::vector<BrushDab> near;
-  std::copy_if(dabs.begin(), dabs.end(), std::back_inserter(near), [&](const BrushDab& dab) {
-    return box.squaredExteriorDistance(dab.center_mm) <= dab.radius_mm * dab.radius_mm;
-  });
+std::vector<editing::BrushDab> within(const std::vector<editing::BrushDab>& dabs,
+                                      const Eigen::AlignedBox3f& box) {
+  std::vector<editing::BrushDab> near;
+  std::copy_if(dabs.begin(), dabs.end(), std::back_inserter(near),
+               [&](const editing::BrushDab& dab) {
+                 return box.squaredExteriorDistance(dab.center_mm) <= dab.radius_mm * dab.radius_mm;
+               });
   return near;
 }
 
@@ -78,7 +80,8 @@ SplatStore::SplatStore()
   vertices_.attach(buffer_, sizeof(SplatVertex), splat_attributes());
 }
 
-StoreChanges SplatStore::update(const SurfelModel& model, const std::vector<BrushDab>& locked) {
+StoreChanges SplatStore::update(const SurfelModel& model,
+                                const std::vector<editing::BrushDab>& locked) {
   StoreChanges changes;
   drop_missing(model, changes);
   if (!are_same(locked, locked_)) retint(locked, changes);
@@ -119,8 +122,8 @@ void SplatStore::drop_missing(const SurfelModel& model, StoreChanges& changes) {
   }
 }
 
-void SplatStore::retint(const std::vector<BrushDab>& locked, StoreChanges& changes) {
-  const std::vector<BrushDab> before = std::exchange(locked_, locked);
+void SplatStore::retint(const std::vector<editing::BrushDab>& locked, StoreChanges& changes) {
+  const std::vector<editing::BrushDab> before = std::exchange(locked_, locked);
   for (const auto& [place, stored] : blocks_) {
     if (are_same(within(before, stored.box_mm), within(locked_, stored.box_mm))) continue;
     upload(stored, changes);
@@ -161,7 +164,7 @@ PlaceRange SplatStore::place_for(std::size_t count) {
 }
 
 void SplatStore::upload(const StoredBlock& stored, StoreChanges& changes) {
-  const std::vector<BrushDab> dabs = within(locked_, stored.box_mm);
+  const std::vector<editing::BrushDab> dabs = within(locked_, stored.box_mm);
   std::vector<SplatVertex> vertices;
   vertices.reserve(stored.block->surfels.size());
   for (const Surfel& s : stored.block->surfels) {
@@ -173,7 +176,7 @@ void SplatStore::upload(const StoredBlock& stored, StoreChanges& changes) {
 
 void SplatStore::upload_some(const StoredBlock& stored, const std::vector<std::uint32_t>& surfels,
                              StoreChanges& changes) {
-  const std::vector<BrushDab> dabs = within(locked_, stored.box_mm);
+  const std::vector<editing::BrushDab> dabs = within(locked_, stored.box_mm);
   for (const std::uint32_t i : surfels) {
     const SplatVertex vertex = vertex_of(stored.block->surfels[i], dabs);
     buffer_.write((stored.range.first + i) * sizeof(SplatVertex),

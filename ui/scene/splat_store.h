@@ -39,7 +39,8 @@ class SplatStore {
   SplatStore();
   /// Takes over a model.
   /// @param locked  strokes whose surfels are tinted
-  [[nodiscard]] StoreChanges update(const SurfelModel& model, const std::vector<BrushDab>& locked);
+  [[nodiscard]] StoreChanges update(const SurfelModel& model,
+                                    const std::vector<editing::BrushDab>& locked);
 
   /// By place.
   [[nodiscard]] const std::map<std::uint64_t, StoredBlock>& blocks() const { return blocks_; }
@@ -55,7 +56,7 @@ class SplatStore {
  private:
   void store(const std::shared_ptr<const SurfelBlock>& block, StoreChanges& changes);
   void drop_missing(const SurfelModel& model, StoreChanges& changes);
-  void retint(const std::vector<BrushDab>& locked, StoreChanges& changes);
+  void retint(const std::vector<editing::BrushDab>& locked, StoreChanges& changes);
   [[nodiscard]] PlaceRange place_for(std::size_t count);
   void sum_up();
   void upload(const StoredBlock& stored, StoreChanges& changes);
@@ -66,7 +67,7 @@ class SplatStore {
   VertexArray vertices_;
   RangeAllocator allocator_;
   std::map<std::uint64_t, StoredBlock> blocks_;
-  std::vector<BrushDab> locked_;
+  std::vector<editing::BrushDab> locked_;
   std::size_t surfel_count_ = 0;
   float radius_mm_ = 0.0F;
   Eigen::AlignedBox3d box_mm_;

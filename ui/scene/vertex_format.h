@@ -22,9 +22,10 @@ inline constexpr std::uint8_t kLockedFlag = 4;
 [[nodiscard]] std::uint32_t packed_color(const Rgb& color, std::uint8_t flags);
 
 /// Whether one of the brush's touches reaches a place.
-[[nodiscard]] bool reaches(const std::vector<BrushDab>& dabs, const Vec3f& position_mm,
+[[nodiscard]] bool reaches(const std::vector<editing::BrushDab>& dabs, const Vec3f& position_mm,
                            const Vec3f& normal);
 
-[[nodiscard]] bool are_same(const std::vector<BrushDab>& a, const std::vector<BrushDab>& b);
+[[nodiscard]] bool are_same(const std::vector<editing::BrushDab>& a,
+                            const std::vector<editing::BrushDab>& b);
 
 }  // namespace flytri::ui

@@ -2,16 +2,16 @@
 
 namespace flytri::ui {
 
-Color status_color(ScanPhase phase) {
+Color status_color(scan::ScanPhase phase) {
   switch (phase) {
-    case ScanPhase::kMeasurement:
-    case ScanPhase::kFinished:
+    case scan::ScanPhase::kMeasurement:
+    case scan::ScanPhase::kFinished:
       return kGood;
-    case ScanPhase::kContinuation:
+    case scan::ScanPhase::kContinuation:
       return kBad;
-    case ScanPhase::kFinishing:
+    case scan::ScanPhase::kFinishing:
       return kCaution;
-    case ScanPhase::kPreview:
+    case scan::ScanPhase::kPreview:
       break;
   }
   return kNeutral;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/pipeline/scan_snapshot.h"
+#include "core/scan/scan_snapshot.h"
 
 namespace flytri::ui {
 
@@ -21,6 +21,6 @@ inline constexpr Color kVerticalProfile = {1.00F, 0.84F, 0.20F, 1.0F};    ///< a
 inline constexpr Color kHorizontalProfile = {0.35F, 0.88F, 1.00F, 1.0F};  ///< cyan
 
 /// What surrounds the view: readable from two meters.
-[[nodiscard]] Color status_color(ScanPhase phase);
+[[nodiscard]] Color status_color(scan::ScanPhase phase);
 
 }  // namespace flytri::ui

@@ -59,7 +59,7 @@ cv::Mat screen_image(const Frame& frame) {
   return encoded;
 }
 
-void CameraPicture::show(const std::shared_ptr<const LiveFrame>& latest) {
+void CameraPicture::show(const std::shared_ptr<const scan::LiveFrame>& latest) {
   is_new = latest != frame;
   if (!is_new) return;
   frame = latest;

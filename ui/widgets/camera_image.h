@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/pipeline/scan_snapshot.h"
+#include "core/scan/scan_snapshot.h"
 #include "ui/gpu/texture.h"
 #include "ui/widgets/draw.h"
 
@@ -12,12 +12,12 @@ namespace flytri::ui {
 /// The image of the latest frame in graphics memory; loaded anew only when the frame is another.
 struct CameraPicture {
   Texture texture;
-  std::shared_ptr<const LiveFrame> frame;
+  std::shared_ptr<const scan::LiveFrame> frame;
 
   bool is_new = false;      ///< another image than at the show() before
   bool shows_lines = true;  ///< those that were found, over the image
 
-  void show(const std::shared_ptr<const LiveFrame>& latest);
+  void show(const std::shared_ptr<const scan::LiveFrame>& latest);
 };
 
 /// A frame's image as a screen shows it: of moderate size, CV_8UC1 or CV_8UC3.

@@ -29,7 +29,7 @@ void draw_marker(const Theme& theme, const Rect& bar, double depth_share) {
 }
 
 void draw_verdict(const Theme& theme, const Rect& row,
-                  const std::optional<SensorDistance>& distance) {
+                  const std::optional<scan::SensorDistance>& distance) {
   draw_text(row, {theme.fonts.body, kTextQuiet, Align::kLeft}, "Distance");
   const TextStyle value = {theme.fonts.strong, distance ? kText : kTextQuiet, Align::kRight};
   draw_text(row, value,
@@ -62,7 +62,7 @@ std::string_view to_string(DistanceVerdict verdict) {
 }
 
 void distance_bar(const Theme& theme, const Rect& box,
-                  const std::optional<SensorDistance>& distance) {
+                  const std::optional<scan::SensorDistance>& distance) {
   Rect rest = box;
   draw_verdict(theme, rest.take_top(theme.px(20.0F), theme.px(10.0F)), distance);
   const Rect bar = rest.take_top(theme.px(16.0F), theme.px(kGapS));

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/pipeline/scan_snapshot.h"
+#include "core/scan/scan_snapshot.h"
 #include "ui/widgets/draw.h"
 
 namespace flytri::ui {
@@ -19,6 +19,6 @@ inline constexpr double kGoodDepthShare = 0.5;
 
 /// Three zones with a marker, the verdict in words above. No distance: an empty bar.
 void distance_bar(const Theme& theme, const Rect& box,
-                  const std::optional<SensorDistance>& distance);
+                  const std::optional<scan::SensorDistance>& distance);
 
 }  // namespace flytri::ui

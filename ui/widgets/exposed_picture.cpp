@@ -39,7 +39,7 @@ cv::Mat marked_image(const Frame& frame, const cv::Mat& marks) {
   return image;
 }
 
-void ExposedPicture::show(const std::shared_ptr<const LiveFrame>& latest) {
+void ExposedPicture::show(const std::shared_ptr<const scan::LiveFrame>& latest) {
   picture.shows_lines = false;
   picture.is_new = latest != picture.frame;
   if (!picture.is_new) return;

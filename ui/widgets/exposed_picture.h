@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "ui/exposure.h"
+#include "ui/state/exposure.h"
 #include "ui/theme/status_colors.h"
 #include "ui/widgets/camera_image.h"
 
@@ -17,7 +17,7 @@ struct ExposedPicture {
   CameraPicture picture;
   Exposure exposure;
 
-  void show(const std::shared_ptr<const LiveFrame>& latest);
+  void show(const std::shared_ptr<const scan::LiveFrame>& latest);
 };
 
 /// The image for the screen, RGB, with its marks in the colors above; marks stay seen however much

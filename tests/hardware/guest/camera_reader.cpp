@@ -2,8 +2,9 @@
 
 namespace flytri::testing {
 
-CameraReader::CameraReader(const CameraMatch& match, const CameraSettings& settings) {
-  auto camera = V4l2Camera::create(match, settings);
+CameraReader::CameraReader(const device::CameraMatch& match,
+                           const device::CameraSettings& settings) {
+  auto camera = v4l2::V4l2Camera::create(match, settings);
   if (!camera) throw std::runtime_error(camera.error().message);
   camera_ = std::move(*camera);
 }
@@ -23,12 +24,12 @@ void CameraReader::read_one() {
 
 void CameraReader::read(int frames, double limit_s) {
   const std::size_t goal = frames_.size() + frames;
-  read_until([&](const CameraStatus&) { return frames_.size() >= goal; }, limit_s);
+  read_until([&](const device::CameraStatus&) { return frames_.size() >= goal; }, limit_s);
 }
 
-void CameraReader::read_until(const std::function<bool(const CameraStatus&)>& wanted,
+void CameraReader::read_until(const std::function<bool(const device::CameraStatus&)>& wanted,
                               double limit_s) {
-  const Clock clock = machine_clock();
+  const device::Clock clock = device::machine_clock();
   const double end_s = clock.now_s() + limit_s;
   while (!wanted(camera_->status())) {
     ASSERT_LT(clock.now_s(), end_s)

@@ -20,15 +20,16 @@ struct ReadFrame {
 
 class CameraReader {
  public:
-  CameraReader(const CameraMatch& match, const CameraSettings& settings);
+  CameraReader(const device::CameraMatch& match, const device::CameraSettings& settings);
 
-  [[nodiscard]] V4l2Camera& camera() { return *camera_; }
+  [[nodiscard]] v4l2::V4l2Camera& camera() { return *camera_; }
   void start();
 
   /// Reads until so many frames more have come. Fails the test after `limit_s`.
   void read(int frames, double limit_s = 20.0);
   /// Reads until the status is as wanted, with or without frames. Fails the test after `limit_s`.
-  void read_until(const std::function<bool(const CameraStatus&)>& wanted, double limit_s = 20.0);
+  void read_until(const std::function<bool(const device::CameraStatus&)>& wanted,
+                  double limit_s = 20.0);
 
   [[nodiscard]] const std::vector<ReadFrame>& frames() const { return frames_; }
   [[nodiscard]] const cv::Mat& last_image() const { return last_image_; }
@@ -38,7 +39,7 @@ class CameraReader {
  private:
   void read_one();
 
-  std::unique_ptr<V4l2Camera> camera_;
+  std::unique_ptr<v4l2::V4l2Camera> camera_;
   std::vector<ReadFrame> frames_;
   cv::Mat last_image_;
 };

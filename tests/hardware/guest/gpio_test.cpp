@@ -33,12 +33,12 @@ constexpr unsigned kFlashPins = 4;
 const char* const kFtdi = "ftdi-cbus";
 const char* const kMcp = "mcp2221_gpio";
 
-LightWiring wiring(const char* label) {
-  return {{label, "", ""}, {"", 0}, {"", 1}, LineMatch{"", 2}};
+gpio::LightWiring wiring(const char* label) {
+  return {{label, "", ""}, {"", 0}, {"", 1}, gpio::LineMatch{"", 2}};
 }
 
-std::unique_ptr<GpioLightSwitch> make_switch(const LightWiring& wiring) {
-  return std::move(*GpioLightSwitch::create(wiring));
+std::unique_ptr<gpio::GpioLightSwitch> make_switch(const gpio::LightWiring& wiring) {
+  return std::move(*gpio::GpioLightSwitch::create(wiring));
 }
 
 class GpioTest : public ::testing::Test {
@@ -46,7 +46,7 @@ class GpioTest : public ::testing::Test {
   GpioTest() { testing::mend_all(); }
 
   // Wants a light and waits until the device was told.
-  static void turn_on(GpioLightSwitch& lights, Light light) {
+  static void turn_on(gpio::GpioLightSwitch& lights, device::Light light) {
     const auto before = lights.status().switched;
     ASSERT_GT(lights.post({light, 0.0}), 0);
     wait_until([&] { return lights.status().switched > before; });
@@ -61,9 +61,10 @@ TEST_F(GpioTest, EachLightShinesAloneOnBothChips) {
     ASSERT_TRUE(started) << started.error().message;
     EXPECT_EQ(shining(), kDarkPins);
     for (const auto& [light, pins] :
-         {std::pair{Light::kVertical, kVerticalPins},
-          std::pair{Light::kHorizontal, kHorizontalPins}, std::pair{Light::kFlash, kFlashPins},
-          std::pair{Light::kDark, kDarkPins}, std::pair{Light::kVertical, kVerticalPins}}) {
+         {std::pair{device::Light::kVertical, kVerticalPins},
+          std::pair{device::Light::kHorizontal, kHorizontalPins},
+          std::pair{device::Light::kFlash, kFlashPins}, std::pair{device::Light::kDark, kDarkPins},
+          std::pair{device::Light::kVertical, kVerticalPins}}) {
       ASSERT_NO_FATAL_FAILURE(turn_on(*lights, light));
       EXPECT_EQ(shining(), pins);
     }
@@ -73,15 +74,15 @@ TEST_F(GpioTest, EachLightShinesAloneOnBothChips) {
 }
 
 TEST_F(GpioTest, PolarityIsTurned) {
-  LightWiring inverted = wiring(kFtdi);
+  gpio::LightWiring inverted = wiring(kFtdi);
   inverted.vertical.active_low = true;
   inverted.flash.reset();
   const auto lights = make_switch(inverted);
   ASSERT_TRUE(lights->start());
   EXPECT_EQ(shining(), kVerticalPins);  // which is dark
-  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kVertical));
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kVertical));
   EXPECT_EQ(shining(), kDarkPins);
-  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kHorizontal));
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kHorizontal));
   EXPECT_EQ(shining(), kVerticalPins | kHorizontalPins);
   lights->stop();
   EXPECT_EQ(shining(), kVerticalPins);
@@ -110,25 +111,25 @@ TEST_F(GpioTest, WrongPermissionsAreNamed) {
 TEST_F(GpioTest, UnpluggedInMidScanGoesOnWithItsLightUnderAnotherNumber) {
   const auto lights = make_switch(wiring(kFtdi));
   ASSERT_TRUE(lights->start());
-  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kVertical));
-  const std::string node_before = find_chip(list_chips(), {kFtdi, "", ""})->device.node;
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kVertical));
+  const std::string node_before = gpio::find_chip(gpio::list_chips(), {kFtdi, "", ""})->device.node;
   order("unplug ftdi");
-  wait_until([&] { return lights->status().state == LightSwitchState::kLost; });
+  wait_until([&] { return lights->status().state == device::LightSwitchState::kLost; });
   EXPECT_EQ(shining(), kDarkPins);
-  lights->post({Light::kHorizontal, 0.0});
+  lights->post({device::Light::kHorizontal, 0.0});
   // The other chip takes its number.
   order("unplug mcp");
-  wait_until([] { return list_device_nodes("gpio").empty(); });
+  wait_until([] { return device::list_device_nodes("gpio").empty(); });
   order("plug mcp");
-  wait_until([] { return list_device_nodes("gpio").size() == 1; }, testing::kPlugging_s);
+  wait_until([] { return device::list_device_nodes("gpio").size() == 1; }, testing::kPlugging_s);
   order("plug ftdi");
   wait_until([&] { return lights->status().returned == 1; });
   wait_until([] { return shining() == kHorizontalPins; });
-  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kFlash));
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kFlash));
   EXPECT_EQ(shining(), kFlashPins);
-  EXPECT_NE(find_chip(list_chips(), {kFtdi, "", ""})->device.node, node_before);
+  EXPECT_NE(gpio::find_chip(gpio::list_chips(), {kFtdi, "", ""})->device.node, node_before);
   EXPECT_EQ(lights->status().lost, 1);
-  EXPECT_EQ(lights->status().state, LightSwitchState::kRunning);
+  EXPECT_EQ(lights->status().state, device::LightSwitchState::kRunning);
 }
 
 // What a scan does: with each frame the other light is wanted. A chip that blocks for twelve
@@ -136,18 +137,18 @@ TEST_F(GpioTest, UnpluggedInMidScanGoesOnWithItsLightUnderAnotherNumber) {
 TEST_F(GpioTest, MuteChipHoldsNeitherTheCallerNorTheCameraUp) {
   const auto lights = make_switch(wiring(kMcp));
   ASSERT_TRUE(lights->start());
-  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kVertical));
-  CameraSettings settings;
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kVertical));
+  device::CameraSettings settings;
   settings.size = {320, 240};
   settings.rate_hz = 25.0;
   testing::CameraReader reader({"", "M0001", ""}, settings);
   ASSERT_NO_FATAL_FAILURE(reader.start());
   order("mute mcp");
-  const Clock clock = machine_clock();
+  const device::Clock clock = device::machine_clock();
   double slowest_post_s = 0.0;
   for (int i = 0; i < 50; ++i) {
     const double before_s = clock.now_s();
-    lights->post({i % 2 == 0 ? Light::kHorizontal : Light::kVertical, 0.0});
+    lights->post({i % 2 == 0 ? device::Light::kHorizontal : device::Light::kVertical, 0.0});
     slowest_post_s = std::max(slowest_post_s, clock.now_s() - before_s);
     ASSERT_NO_FATAL_FAILURE(reader.read(1));
   }
@@ -155,7 +156,7 @@ TEST_F(GpioTest, MuteChipHoldsNeitherTheCallerNorTheCameraUp) {
   EXPECT_EQ(reader.camera().status().dropped, 0);
   EXPECT_THAT(lights->status().message, HasSubstr("has not answered"));
   order("unmute mcp");
-  // The last wish is served when the chip is through with what it did not answer.
+  // The last request is served when the chip is through with what it did not answer.
   wait_until([&] { return lights->status().switched == 3; }, 60.0);
   EXPECT_EQ(shining(), kVerticalPins);
   EXPECT_GT(lights->status().slowest_s, 4.0);
@@ -183,7 +184,7 @@ class LitPictures {
 
 // A frame that began after a light was told to shine, and before the next, shows that light alone.
 TEST_F(GpioTest, FramesShowTheLightThatShoneWhileTheyExposed) {
-  CameraSettings settings;
+  device::CameraSettings settings;
   settings.size = {320, 240};
   settings.rate_hz = 25.0;
   settings.exposure_s = 0.01;
@@ -194,7 +195,8 @@ TEST_F(GpioTest, FramesShowTheLightThatShoneWhileTheyExposed) {
   ASSERT_TRUE(lights->start());
   for (int i = 0; i < 20; ++i) {
     const bool vertical = i % 2 == 0;
-    ASSERT_NO_FATAL_FAILURE(turn_on(*lights, vertical ? Light::kVertical : Light::kHorizontal));
+    ASSERT_NO_FATAL_FAILURE(
+        turn_on(*lights, vertical ? device::Light::kVertical : device::Light::kHorizontal));
     // The first may have been exposed before, or have seen both.
     ASSERT_NO_FATAL_FAILURE(reader.read(2));
     EXPECT_EQ(reader.last_image().at<std::uint8_t>(120, 160),
@@ -210,7 +212,7 @@ void end_with_light_on(const char* label, const std::function<void()>& end) {
     setpgid(0, 0);
     const auto lights = make_switch(wiring(label));
     if (!lights->start()) std::_Exit(1);
-    lights->post({Light::kVertical, 0.0});
+    lights->post({device::Light::kVertical, 0.0});
     wait_until([&] { return lights->status().switched == 1; });
     end();
   }
@@ -239,12 +241,12 @@ TEST_F(GpioTest, LightsGoDarkHoweverTheProgramEnds) {
 TEST_F(GpioTest, GuardIsDismissedByAnOrderlyEnd) {
   const auto lights = make_switch(wiring(kFtdi));
   ASSERT_TRUE(lights->start());
-  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, Light::kVertical));
+  ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kVertical));
   lights->stop();
   EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no child is left
   // Nobody holds the lines any more.
-  for (const GpioChip& chip : list_chips())
-    for (const GpioLine& line : chip.lines) EXPECT_EQ(line.consumer, "");
+  for (const gpio::GpioChip& chip : gpio::list_chips())
+    for (const gpio::GpioLine& line : chip.lines) EXPECT_EQ(line.consumer, "");
 }
 
 }  // namespace

@@ -13,12 +13,13 @@ namespace flytri::testing {
 namespace {
 
 bool all_are_there() {
-  const auto cameras = list_device_nodes("video4linux");
+  const auto cameras = device::list_device_nodes("video4linux");
   const auto has_camera = [&](const char* serial) {
     return std::any_of(cameras.begin(), cameras.end(),
-                       [&](const DeviceNode& camera) { return camera.serial == serial; });
+                       [&](const device::DeviceNode& camera) { return camera.serial == serial; });
   };
-  return has_camera("M0001") && has_camera("C0002") && list_device_nodes("gpio").size() == 2;
+  return has_camera("M0001") && has_camera("C0002") &&
+         device::list_device_nodes("gpio").size() == 2;
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ unsigned shining() {
 }
 
 void wait_until(const std::function<bool()>& reached, double limit_s) {
-  const Clock clock = machine_clock();
+  const device::Clock clock = device::machine_clock();
   const double end_s = clock.now_s() + limit_s;
   while (!reached()) {
     ASSERT_LT(clock.now_s(), end_s);

@@ -15,12 +15,12 @@ namespace {
 using testing::CameraReader;
 using testing::order;
 
-const CameraMatch kMono{"", "M0001", ""};   // in bulk
-const CameraMatch kColor{"", "C0002", ""};  // isochronous
+const device::CameraMatch kMono{"", "M0001", ""};   // in bulk
+const device::CameraMatch kColor{"", "C0002", ""};  // isochronous
 constexpr double kRate_hz = 25.0;
 
-CameraSettings settings(PixelFormat format = PixelFormat::kGrey8) {
-  CameraSettings settings;
+device::CameraSettings settings(device::PixelFormat format = device::PixelFormat::kGrey8) {
+  device::CameraSettings settings;
   settings.format = format;
   settings.size = {320, 240};
   settings.rate_hz = kRate_hz;
@@ -35,13 +35,13 @@ class UvcTest : public ::testing::Test {
   static void hand_on_damaged(bool wanted) {
     std::ofstream("/sys/module/uvcvideo/parameters/nodrop") << (wanted ? 1 : 0);
     order("unplug camera");
-    testing::wait_until([] { return !find_camera(*kernel_video_system(), kMono); });
+    testing::wait_until([] { return !v4l2::find_camera(*v4l2::kernel_video_system(), kMono); });
     testing::mend_all();
   }
 };
 
 TEST_F(UvcTest, StreamsAtItsRateWithoutLoss) {
-  for (const CameraMatch& match : {kMono, kColor}) {
+  for (const device::CameraMatch& match : {kMono, kColor}) {
     SCOPED_TRACE(match.serial);
     CameraReader reader(match, settings());
     ASSERT_NO_FATAL_FAILURE(reader.start());
@@ -49,7 +49,7 @@ TEST_F(UvcTest, StreamsAtItsRateWithoutLoss) {
     reader.expect_order();
     const auto& frames = reader.frames();
     EXPECT_NEAR(29.0 / (frames.back().time_s - frames.front().time_s), kRate_hz, 1.0);
-    const CameraStatus status = reader.camera().status();
+    const device::CameraStatus status = reader.camera().status();
     EXPECT_EQ(status.dropped, 0);
     EXPECT_EQ(status.restamped, 0);
     EXPECT_EQ(status.flagged + status.short_frames + status.undecodable, 0);
@@ -58,15 +58,17 @@ TEST_F(UvcTest, StreamsAtItsRateWithoutLoss) {
 
 // The dim ground of the picture is even: 16 to 47 in each format.
 TEST_F(UvcTest, EveryFormatShowsThePicture) {
-  for (const PixelFormat format : {PixelFormat::kGrey8, PixelFormat::kYuyv, PixelFormat::kMjpeg}) {
-    for (const Channels channels : {Channels::kGrey, Channels::kRgb}) {
+  for (const device::PixelFormat format :
+       {device::PixelFormat::kGrey8, device::PixelFormat::kYuyv, device::PixelFormat::kMjpeg}) {
+    for (const device::Channels channels : {device::Channels::kGrey, device::Channels::kRgb}) {
       SCOPED_TRACE(to_string(format));
-      CameraSettings wanted = settings(format);
+      device::CameraSettings wanted = settings(format);
       wanted.channels = channels;
       CameraReader reader(kMono, wanted);
       ASSERT_NO_FATAL_FAILURE(reader.start());
       ASSERT_NO_FATAL_FAILURE(reader.read(2));
-      const bool color = format != PixelFormat::kGrey8 && channels == Channels::kRgb;
+      const bool color =
+          format != device::PixelFormat::kGrey8 && channels == device::Channels::kRgb;
       ASSERT_EQ(reader.last_image().type(), color ? CV_8UC3 : CV_8UC1);
       double darkest = 0.0;
       double brightest = 0.0;
@@ -80,22 +82,22 @@ TEST_F(UvcTest, EveryFormatShowsThePicture) {
 }
 
 TEST_F(UvcTest, IsSetByHandAndReadBack) {
-  CameraSettings wanted = settings();
+  device::CameraSettings wanted = settings();
   wanted.exposure_s = 0.005;
   wanted.gain = 20.0;
   wanted.white_balance_k = 5000.0;
   wanted.focus = 100.0;
   CameraReader reader(kMono, wanted);
   ASSERT_NO_FATAL_FAILURE(reader.start());
-  const CameraSettings read_back = reader.camera().read_back();
+  const device::CameraSettings read_back = reader.camera().read_back();
   EXPECT_DOUBLE_EQ(*read_back.exposure_s, 0.005);
   EXPECT_EQ(read_back.gain, 20.0);
   EXPECT_EQ(read_back.white_balance_k, 5000.0);
   EXPECT_EQ(read_back.focus, 100.0);
   int automatics = 0;
-  for (const CameraDescription& camera : list_cameras(*kernel_video_system())) {
+  for (const device::CameraDescription& camera : v4l2::list_cameras(*v4l2::kernel_video_system())) {
     if (camera.serial != kMono.serial) continue;
-    for (const CameraControl& control : camera.controls) {
+    for (const device::CameraControl& control : camera.controls) {
       if (control.name.find("Auto") == std::string::npos) continue;
       ++automatics;
       EXPECT_EQ(control.value, control.name == "Auto Exposure" ? 1.0 : 0.0) << control.name;
@@ -123,13 +125,13 @@ TEST_F(UvcTest, DamagedImagesThatTheDriverHandsOnAreMarkedAndCounted) {
   ASSERT_NO_FATAL_FAILURE(reader.start());
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
   order("short camera");
-  reader.read_until([](const CameraStatus& status) { return status.short_frames == 1; });
+  reader.read_until([](const device::CameraStatus& status) { return status.short_frames == 1; });
   EXPECT_TRUE(reader.frames().back().damaged);
   // The lower half is missing.
   EXPECT_EQ(reader.last_image().at<std::uint8_t>(239, 0), 0);
   EXPECT_GT(reader.last_image().at<std::uint8_t>(0, 0), 0);
   order("error camera");
-  reader.read_until([](const CameraStatus& status) { return status.flagged == 2; });
+  reader.read_until([](const device::CameraStatus& status) { return status.flagged == 2; });
   EXPECT_TRUE(reader.frames().back().damaged);
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
   EXPECT_FALSE(reader.frames().back().damaged);
@@ -143,13 +145,15 @@ TEST_F(UvcTest, FrozenCameraIsNoticedAndGoesOn) {
   ASSERT_NO_FATAL_FAILURE(reader.start());
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
   order("freeze camera");
-  reader.read_until([](const CameraStatus& s) { return s.state == CameraState::kFrozen; });
+  reader.read_until(
+      [](const device::CameraStatus& s) { return s.state == device::CameraState::kFrozen; });
   order("thaw camera");
-  reader.read_until([](const CameraStatus& s) { return s.state == CameraState::kRunning; });
+  reader.read_until(
+      [](const device::CameraStatus& s) { return s.state == device::CameraState::kRunning; });
   EXPECT_EQ(reader.camera().status().restarted, 0);
   // For so long that it is set up anew.
   order("freeze camera");
-  reader.read_until([](const CameraStatus& status) { return status.restarted == 1; });
+  reader.read_until([](const device::CameraStatus& status) { return status.restarted == 1; });
   order("thaw camera");
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
   reader.expect_order();
@@ -160,16 +164,16 @@ TEST_F(UvcTest, FrozenCameraIsNoticedAndGoesOn) {
 TEST_F(UvcTest, UnpluggedInMidStreamGoesOnAsItWasWhenItIsBack) {
   for (const auto& [name, match] : {std::pair{"camera", kMono}, std::pair{"camera2", kColor}}) {
     SCOPED_TRACE(name);
-    CameraSettings wanted = settings();
+    device::CameraSettings wanted = settings();
     wanted.exposure_s = 0.007;
     CameraReader reader(match, wanted);
     ASSERT_NO_FATAL_FAILURE(reader.start());
     ASSERT_NO_FATAL_FAILURE(reader.read(10));
     order(std::string("unplug ") + name);
-    reader.read_until([](const CameraStatus& s) { return s.lost == 1; });
-    EXPECT_EQ(reader.camera().status().state, CameraState::kLost);
+    reader.read_until([](const device::CameraStatus& s) { return s.lost == 1; });
+    EXPECT_EQ(reader.camera().status().state, device::CameraState::kLost);
     order(std::string("plug ") + name);
-    reader.read_until([](const CameraStatus& s) { return s.returned == 1; });
+    reader.read_until([](const device::CameraStatus& s) { return s.returned == 1; });
     ASSERT_NO_FATAL_FAILURE(reader.read(10));
     reader.expect_order();
     EXPECT_EQ(reader.frames().size(), 20U);
@@ -180,8 +184,8 @@ TEST_F(UvcTest, UnpluggedInMidStreamGoesOnAsItWasWhenItIsBack) {
 }
 
 TEST_F(UvcTest, OneOfTwoIsUnpluggedAndTheOtherLosesNothing) {
-  CameraSettings wanted = settings(PixelFormat::kMjpeg);
-  wanted.channels = Channels::kRgb;
+  device::CameraSettings wanted = settings(device::PixelFormat::kMjpeg);
+  wanted.channels = device::Channels::kRgb;
   CameraReader mono(kMono, settings());
   CameraReader color(kColor, wanted);
   ASSERT_NO_FATAL_FAILURE(mono.start());
@@ -189,7 +193,7 @@ TEST_F(UvcTest, OneOfTwoIsUnpluggedAndTheOtherLosesNothing) {
   std::thread other([&] {
     color.read(5);
     order("unplug camera2");
-    color.read_until([](const CameraStatus& status) { return status.lost == 1; });
+    color.read_until([](const device::CameraStatus& status) { return status.lost == 1; });
     order("plug camera2");
     color.read(10);
   });

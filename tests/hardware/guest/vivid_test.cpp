@@ -20,8 +20,8 @@ namespace {
 using testing::CameraReader;
 using ::testing::HasSubstr;
 
-const CameraMatch kFirst{"vivid-000-vid-cap", "", ""};
-const CameraMatch kSecond{"vivid-001-vid-cap", "", ""};
+const device::CameraMatch kFirst{"vivid-000-vid-cap", "", ""};
+const device::CameraMatch kSecond{"vivid-001-vid-cap", "", ""};
 
 // The driver's own controls that make it fail.
 enum class Fault : std::uint32_t {
@@ -43,16 +43,16 @@ void inject(Fault fault, int value = 1) {
   ASSERT_EQ(failed, 0);
 }
 
-CameraSettings settings(PixelFormat format = PixelFormat::kGrey8) {
-  CameraSettings settings;
+device::CameraSettings settings(device::PixelFormat format = device::PixelFormat::kGrey8) {
+  device::CameraSettings settings;
   settings.format = format;
   settings.size = {320, 180};
   settings.rate_hz = 50.0;
   return settings;
 }
 
-CameraDescription listed(const std::string& name) {
-  for (CameraDescription& camera : list_cameras(*kernel_video_system()))
+device::CameraDescription listed(const std::string& name) {
+  for (device::CameraDescription& camera : v4l2::list_cameras(*v4l2::kernel_video_system()))
     if (camera.name == name) return std::move(camera);
   return {};
 }
@@ -67,7 +67,7 @@ TEST(Vivid, StreamsAtItsRateWithoutLoss) {
   ASSERT_NO_FATAL_FAILURE(reader.read(50));
   reader.expect_order();
   EXPECT_NEAR(mean_rate_hz(reader.frames()), 50.0, 1.0);
-  const CameraStatus status = reader.camera().status();
+  const device::CameraStatus status = reader.camera().status();
   EXPECT_EQ(status.delivered, 50);
   EXPECT_EQ(status.dropped, 0);
   EXPECT_EQ(status.restamped, 0);
@@ -78,19 +78,19 @@ TEST(Vivid, StreamsAtItsRateWithoutLoss) {
 // within 16 to 235.
 TEST(Vivid, EveryFormatGivesTheSamePicture) {
   const struct {
-    PixelFormat format;
-    Channels channels;
+    device::PixelFormat format;
+    device::Channels channels;
     int type;
     double full_scale;
-  } cases[] = {{PixelFormat::kGrey8, Channels::kGrey, CV_8UC1, 255.0},
-               {PixelFormat::kGrey10, Channels::kGrey, CV_16UC1, 65535.0},
-               {PixelFormat::kGrey12, Channels::kGrey, CV_16UC1, 65535.0},
-               {PixelFormat::kGrey16, Channels::kGrey, CV_16UC1, 65535.0},
-               {PixelFormat::kYuyv, Channels::kGrey, CV_8UC1, 255.0},
-               {PixelFormat::kYuyv, Channels::kRgb, CV_8UC3, 255.0}};
+  } cases[] = {{device::PixelFormat::kGrey8, device::Channels::kGrey, CV_8UC1, 255.0},
+               {device::PixelFormat::kGrey10, device::Channels::kGrey, CV_16UC1, 65535.0},
+               {device::PixelFormat::kGrey12, device::Channels::kGrey, CV_16UC1, 65535.0},
+               {device::PixelFormat::kGrey16, device::Channels::kGrey, CV_16UC1, 65535.0},
+               {device::PixelFormat::kYuyv, device::Channels::kGrey, CV_8UC1, 255.0},
+               {device::PixelFormat::kYuyv, device::Channels::kRgb, CV_8UC3, 255.0}};
   for (const auto& [format, channels, type, full_scale] : cases) {
     SCOPED_TRACE(to_string(format));
-    CameraSettings wanted = settings(format);
+    device::CameraSettings wanted = settings(format);
     wanted.channels = channels;
     CameraReader reader(kFirst, wanted);
     ASSERT_NO_FATAL_FAILURE(reader.start());
@@ -106,23 +106,23 @@ TEST(Vivid, EveryFormatGivesTheSamePicture) {
 }
 
 TEST(Vivid, GainIsSetAndReadBackAndItsAutomaticTurnedOff) {
-  CameraSettings wanted = settings();
+  device::CameraSettings wanted = settings();
   wanted.gain = 77.0;
   CameraReader reader(kFirst, wanted);
   ASSERT_NO_FATAL_FAILURE(reader.start());
   EXPECT_EQ(reader.camera().read_back().gain, 77.0);
-  for (const CameraControl& control : listed(kFirst.name).controls)
+  for (const device::CameraControl& control : listed(kFirst.name).controls)
     if (control.name == "Gain, Automatic") {
       EXPECT_EQ(control.value, 0.0);
     }
 }
 
 TEST(Vivid, RefusesWhatItDoesNotHave) {
-  CameraSettings wanted = settings();
+  device::CameraSettings wanted = settings();
   wanted.size = {333, 111};
   CameraReader size(kFirst, wanted);
   EXPECT_THAT(size.camera().start().error().message, HasSubstr("it has"));
-  wanted = settings(PixelFormat::kMjpeg);
+  wanted = settings(device::PixelFormat::kMjpeg);
   CameraReader format(kFirst, wanted);
   EXPECT_EQ(format.camera().start().error().code, ErrorCode::kBadOption);
   wanted = settings();
@@ -132,13 +132,13 @@ TEST(Vivid, RefusesWhatItDoesNotHave) {
 }
 
 TEST(Vivid, IsListedAndSaysThatItIsBusy) {
-  const CameraDescription idle = listed(kFirst.name);
+  const device::CameraDescription idle = listed(kFirst.name);
   EXPECT_EQ(idle.node, "/dev/video10");
   EXPECT_TRUE(idle.problems.empty());
   EXPECT_FALSE(idle.modes.empty());
   CameraReader reader(kFirst, settings());
   ASSERT_NO_FATAL_FAILURE(reader.start());
-  const CameraDescription busy = listed(kFirst.name);
+  const device::CameraDescription busy = listed(kFirst.name);
   ASSERT_EQ(busy.problems.size(), 1U);
   EXPECT_THAT(busy.problems[0].message, HasSubstr("another program uses it"));
   CameraReader second(kFirst, settings());
@@ -148,7 +148,7 @@ TEST(Vivid, IsListedAndSaysThatItIsBusy) {
 
 TEST(Vivid, TwoRunAtOnce) {
   CameraReader first(kFirst, settings());
-  CameraReader second(kSecond, settings(PixelFormat::kYuyv));
+  CameraReader second(kSecond, settings(device::PixelFormat::kYuyv));
   ASSERT_NO_FATAL_FAILURE(first.start());
   ASSERT_NO_FATAL_FAILURE(second.start());
   std::thread other([&] { second.read(40); });
@@ -191,7 +191,7 @@ TEST(VividFault, RefusedStartSaysWhyAndTheNextOneWorks) {
     inject(fault);
     const auto refused = reader.camera().start();
     ASSERT_FALSE(refused);
-    EXPECT_EQ(reader.camera().status().state, CameraState::kFailed);
+    EXPECT_EQ(reader.camera().status().state, device::CameraState::kFailed);
     EXPECT_THAT(refused.error().message, HasSubstr("vivid-000"));
     ASSERT_NO_FATAL_FAILURE(reader.start());
     ASSERT_NO_FATAL_FAILURE(reader.read(3));
@@ -204,7 +204,7 @@ TEST(VividFault, BrokenStreamIsStartedAgain) {
     ASSERT_NO_FATAL_FAILURE(reader.start());
     ASSERT_NO_FATAL_FAILURE(reader.read(5));
     inject(fault);
-    reader.read_until([](const CameraStatus& status) { return status.restarted == 1; });
+    reader.read_until([](const device::CameraStatus& status) { return status.restarted == 1; });
     ASSERT_NO_FATAL_FAILURE(reader.read(5));
     reader.expect_order();
     EXPECT_EQ(reader.camera().status().lost, 0);
@@ -214,7 +214,7 @@ TEST(VividFault, BrokenStreamIsStartedAgain) {
 TEST(VividFault, WrongPermissionsAreNamed) {
   const auto check = [] {
     if (setuid(65534) != 0) std::_Exit(2);
-    const CameraDescription denied = listed(kFirst.name);
+    const device::CameraDescription denied = listed(kFirst.name);
     CameraReader reader(kFirst, settings());
     const auto refused = reader.camera().start();
     const bool named = denied.problems.size() == 1 &&
@@ -232,17 +232,17 @@ TEST(VividFault, DisconnectedCameraIsLostAndGoesOnWhenItIsBack) {
   ASSERT_NO_FATAL_FAILURE(reader.start());
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
   inject(Fault::kDisconnect);
-  reader.read_until([](const CameraStatus& status) { return status.lost == 1; });
-  EXPECT_EQ(reader.camera().status().state, CameraState::kLost);
+  reader.read_until([](const device::CameraStatus& status) { return status.lost == 1; });
+  EXPECT_EQ(reader.camera().status().state, device::CameraState::kLost);
   ASSERT_EQ(std::system("rmmod vivid"), 0);
   // Under other numbers.
   ASSERT_EQ(std::system("insmod /modules/vivid.ko n_devs=2 node_types=0x1,0x1 num_inputs=1,1 "
                         "input_types=0,0 vid_cap_nr=20,21"),
             0);
-  reader.read_until([](const CameraStatus& status) { return status.returned == 1; });
+  reader.read_until([](const device::CameraStatus& status) { return status.returned == 1; });
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
   reader.expect_order();
-  EXPECT_EQ(reader.camera().status().state, CameraState::kRunning);
+  EXPECT_EQ(reader.camera().status().state, device::CameraState::kRunning);
   EXPECT_EQ(reader.camera().status().restarted, 0);
 }
 

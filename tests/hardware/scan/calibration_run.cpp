@@ -6,11 +6,11 @@
 #include <string_view>
 
 #include "core/base/workers.h"
-#include "core/interchange/calibration_file.h"
-#include "core/interchange/file_bytes.h"
-#include "hw/chair/rig_shots.h"
-#include "hw/chair/simulated_shots.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/files/file_bytes.h"
 #include "hw/rig/rig_file.h"
+#include "hw/shots/rig_shots.h"
+#include "hw/shots/simulated_shots.h"
 #include "tests/hardware/scan/vm_rig.h"
 #include "tests/hardware/usb/jpeg.h"
 
@@ -23,18 +23,18 @@ namespace fs = std::filesystem;
 /// compressed.
 constexpr double kAsGood = 1.2;
 
-std::string_view file_of(ShotKind kind) {
+std::string_view file_of(calibration::ShotKind kind) {
   switch (kind) {
-    case ShotKind::kDark:
+    case calibration::ShotKind::kDark:
       return "dark.grey";
-    case ShotKind::kVertical:
-    case ShotKind::kVerticalAgain:
+    case calibration::ShotKind::kVertical:
+    case calibration::ShotKind::kVerticalAgain:
       return "vertical.grey";
-    case ShotKind::kHorizontal:
+    case calibration::ShotKind::kHorizontal:
       return "horizontal.grey";
-    case ShotKind::kDots:
+    case calibration::ShotKind::kDots:
       return "flash.grey";
-    case ShotKind::kDotsTexture:
+    case calibration::ShotKind::kDotsTexture:
       break;
   }
   return "flash.jpg";
@@ -43,22 +43,22 @@ std::string_view file_of(ShotKind kind) {
 Result<void> write_picture(const fs::path& file, const cv::Mat& image) {
   const std::size_t bytes = image.total() * image.elemSize();
   if (image.channels() == 1)
-    return write_file(file, {reinterpret_cast<const char*>(image.data), bytes});
+    return io::write_file(file, {reinterpret_cast<const char*>(image.data), bytes});
   const usb::Bytes jpeg = usb::encode_jpeg(
       {image.data, bytes},
       {static_cast<std::uint32_t>(image.cols), static_cast<std::uint32_t>(image.rows)});
-  return write_file(file, {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
+  return io::write_file(file, {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
 }
 
 /// What the cameras see of one target at one depth.
-Result<void> write_placement(const fs::path& folder, const CalibrationCamera& camera,
-                             TargetFace face, double z_mm) {
-  if (auto made = create_folder(folder); !made) return made;
+Result<void> write_placement(const fs::path& folder, const simulated::CalibrationCamera& camera,
+                             calibration::TargetFace face, double z_mm) {
+  if (auto made = io::create_folder(folder); !made) return made;
   std::uint64_t stream = 0;
-  for (const ShotKind kind : shots_of(face)) {
+  for (const calibration::ShotKind kind : calibration::shots_of(face)) {
     // The cameras go on with the pictures of the first shot under that light.
-    if (kind == ShotKind::kVerticalAgain) continue;
-    for (int i = 0; i < RigShotOptions().exposures; ++i) {
+    if (kind == calibration::ShotKind::kVerticalAgain) continue;
+    for (int i = 0; i < shots::RigShotOptions().exposures; ++i) {
       const auto file = folder / fmt::format("{}_{}", i, file_of(kind));
       auto written = write_picture(file, camera.take(kind, z_mm, stream++));
       if (!written) return written;
@@ -73,7 +73,7 @@ struct Residual {
   double rms;
 };
 
-std::array<Residual, 6> residuals_of(const Calibration& calibration) {
+std::array<Residual, 6> residuals_of(const calibration::Calibration& calibration) {
   constexpr double kMicrons = 1e3;
   const auto depth = [&](Pattern pattern) {
     return kMicrons * calibration.of(pattern).depth_residual_mm.rms;
@@ -89,19 +89,19 @@ std::array<Residual, 6> residuals_of(const Calibration& calibration) {
 }  // namespace
 
 Result<void> write_targets(const fs::path& folder) {
-  const auto shots = SimulatedShots::create(intraoral_sensor());
+  const auto shots = shots::SimulatedShots::create(simulated::intraoral_sensor());
   if (!shots) return tl::unexpected(shots.error());
-  if (auto made = create_folder(folder); !made) return made;
-  auto written = write_rig(folder / "rig.json", vm_rig((*shots)->sensor(), {}));
-  if (written) written = write_file(folder / "planes", fmt::format("{}\n", kPlanes));
+  if (auto made = io::create_folder(folder); !made) return made;
+  auto written = rig::write_rig(folder / "rig.json", vm_rig((*shots)->sensor(), {}));
+  if (written) written = io::write_file(folder / "planes", fmt::format("{}\n", kPlanes));
   if (!written) return written;
-  const CalibrationPlan plan = plan_of((*shots)->sensor(), kPlanes);
-  const std::vector<Placement> placements = placements_of(plan);
+  const calibration::CalibrationPlan plan = shots::plan_of((*shots)->sensor(), kPlanes);
+  const std::vector<calibration::Placement> placements = calibration::placements_of(plan);
   std::vector<Result<void>> done(placements.size());
   Workers().for_each(placements.size(), [&](std::size_t i) {
     // The seed tells the noise of the placements apart.
-    const auto camera =
-        CalibrationCamera::create((*shots)->sensor(), {.exposures = 1, .bits = 8, .seed = i + 1});
+    const auto camera = simulated::CalibrationCamera::create(
+        (*shots)->sensor(), {.exposures = 1, .bits = 8, .seed = i + 1});
     done[i] = camera ? write_placement(folder / "pictures" / std::to_string(i + 1), *camera,
                                        placements[i].face, plan.z_mm[placements[i].plane])
                      : tl::unexpected(camera.error());
@@ -112,9 +112,9 @@ Result<void> write_targets(const fs::path& folder) {
 }
 
 Result<void> check_fits(const fs::path& folder) {
-  const auto recorded = read_calibration(folder / "recorded" / "calibration.json");
+  const auto recorded = io::read_calibration(folder / "recorded" / "calibration.json");
   if (!recorded) return tl::unexpected(recorded.error());
-  const auto simulated = read_calibration(folder / "simulated" / "calibration.json");
+  const auto simulated = io::read_calibration(folder / "simulated" / "calibration.json");
   if (!simulated) return tl::unexpected(simulated.error());
   const auto is = residuals_of(*recorded);
   const auto should = residuals_of(*simulated);

@@ -19,11 +19,11 @@
 #include <optional>
 #include <string_view>
 
-#include "core/interchange/calibration_file.h"
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/recording.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/recordings/recording.h"
 #include "hw/rig/rig_file.h"
-#include "hw/simulated/sensor_calibration.h"
+#include "hw/simulated/datasets/sensor_calibration.h"
 #include "tests/hardware/scan/calibration_run.h"
 #include "tests/hardware/scan/picture_finder.h"
 #include "tests/hardware/scan/vm_rig.h"
@@ -62,7 +62,7 @@ std::optional<FrameKind> kind_of(std::size_t number) {
 
 Result<void> write_simulated(const fs::path& folder, const ScanOptions& options,
                              const ScanPictures& pictures, const Workers& workers) {
-  auto writer = RecordingWriter::create(folder, "../calibration.json");
+  auto writer = io::RecordingWriter::create(folder, "../calibration.json");
   if (!writer) return tl::unexpected(writer.error());
   std::vector<Shown> shown;
   for (auto i = static_cast<std::size_t>(options.resting); i < pictures.moments().size(); ++i) {
@@ -80,14 +80,15 @@ Result<void> write_simulated(const fs::path& folder, const ScanOptions& options,
 Result<void> take(const fs::path& folder) {
   const Workers workers;
   const ScanOptions options;
-  if (auto made = create_folder(folder); !made) return made;
-  const auto calibration = kept_sensor_calibration(options.sensor, folder, workers, {});
+  if (auto made = io::create_folder(folder); !made) return made;
+  const auto calibration = simulated::kept_sensor_calibration(options.sensor, folder, workers, {});
   if (!calibration) return tl::unexpected(calibration.error());
-  auto written = write_calibration(folder / "calibration.json", *calibration);
-  if (written) written = write_rig(folder / "rig.json", vm_rig(options.sensor, "calibration.json"));
+  auto written = io::write_calibration(folder / "calibration.json", *calibration);
+  if (written)
+    written = rig::write_rig(folder / "rig.json", vm_rig(options.sensor, "calibration.json"));
   // The pictures are shown over and over: the recording ends before they begin anew.
   const double duration_s = (options.resting + options.moving - 1) / kRate_hz;
-  if (written) written = write_file(folder / "duration", fmt::format("{}\n", duration_s));
+  if (written) written = io::write_file(folder / "duration", fmt::format("{}\n", duration_s));
   if (!written) return written;
   const auto pictures = ScanPictures::create(options, workers);
   if (!pictures) return tl::unexpected(pictures.error());
@@ -110,10 +111,10 @@ bool is_backward(const Shown& before, const Shown& shown) {
   return shown.number < before.number || (is_same_camera && shown.number == before.number);
 }
 
-Result<Labels> read_labels(const Recording& recording, const PictureFinder& finder) {
+Result<Labels> read_labels(const io::Recording& recording, const PictureFinder& finder) {
   Labels labels;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
-    const auto frame = load_frame(recording, FrameIndex(i));
+    const auto frame = io::load_frame(recording, FrameIndex(i));
     if (!frame) return tl::unexpected(frame.error());
     const auto shown = finder.find(frame->image);
     labels.mixed += !shown ? 1 : 0;
@@ -178,17 +179,17 @@ Result<void> judge(const Labels& labels, const ScanOptions& options) {
 /// speed the gaps are judged that a pose may be interpolated over.
 Result<void> set_pace(const fs::path& recording, double pace) {
   const fs::path file = recording / "recording.json";
-  const auto text = read_file(file);
+  const auto text = io::read_file(file);
   if (!text) return tl::unexpected(text.error());
   auto list = nlohmann::ordered_json::parse(*text);
   for (auto& frame : list.at("frames")) frame["time_s"] = pace * frame.at("time_s").get<double>();
-  return write_file(file, list.dump(1) + "\n");
+  return io::write_file(file, list.dump(1) + "\n");
 }
 
 Result<void> check(const fs::path& folder) {
   const Workers workers;
   const ScanOptions options;
-  const auto recording = open_recording(folder / "recorded");
+  const auto recording = io::open_recording(folder / "recorded");
   if (!recording) return tl::unexpected(recording.error());
   const auto count = static_cast<std::size_t>(options.resting + options.moving);
   const auto finder =
@@ -205,7 +206,7 @@ Result<void> check(const fs::path& folder) {
 }
 
 Result<nlohmann::json> read_evaluation(const fs::path& file) {
-  const auto text = read_file(file);
+  const auto text = io::read_file(file);
   if (!text) return tl::unexpected(text.error());
   return nlohmann::json::parse(*text);
 }

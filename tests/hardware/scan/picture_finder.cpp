@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "core/interchange/file_bytes.h"
+#include "core/io/files/file_bytes.h"
 #include "hw/device/light_switch.h"
 #include "hw/v4l2/pixel_conversion.h"
 
@@ -21,16 +21,17 @@ std::string_view pixels_of(const cv::Mat& image) {
 
 Result<std::string> PictureFinder::read_picture(const Shown& shown) const {
   if (shown.kind != FrameKind::kTexture) {
-    const Light light = shown.kind == FrameKind::kVertical ? Light::kVertical : Light::kHorizontal;
-    return read_file(folder_ / fmt::format("{}_{}.grey", shown.number, to_string(light)));
+    const device::Light light =
+        shown.kind == FrameKind::kVertical ? device::Light::kVertical : device::Light::kHorizontal;
+    return io::read_file(folder_ / fmt::format("{}_{}.grey", shown.number, to_string(light)));
   }
   const auto file = folder_ / fmt::format("{}_flash.jpg", shown.number);
-  const auto jpeg = read_file(file);
+  const auto jpeg = io::read_file(file);
   if (!jpeg) return jpeg;
-  const ConvertedImage decoded =
-      convert({reinterpret_cast<const std::uint8_t*>(jpeg->data()), jpeg->size()},
-              {PixelFormat::kMjpeg, color_}, Channels::kRgb);
-  if (decoded.outcome == Conversion::kDone) return std::string(pixels_of(decoded.image));
+  const v4l2::ConvertedImage decoded =
+      v4l2::convert({reinterpret_cast<const std::uint8_t*>(jpeg->data()), jpeg->size()},
+                    {device::PixelFormat::kMjpeg, color_}, device::Channels::kRgb);
+  if (decoded.outcome == v4l2::Conversion::kDone) return std::string(pixels_of(decoded.image));
   return fail(ErrorCode::kBadFormat, "{} cannot be decoded", file.string());
 }
 

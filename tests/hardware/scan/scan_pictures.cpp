@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include "assets/sample_jaw/sample_jaw.h"
-#include "core/interchange/file_bytes.h"
+#include "core/io/files/file_bytes.h"
 #include "tests/hardware/usb/jpeg.h"
 
 namespace flytri::scan {
 namespace {
 
-std::vector<Moment> moments_of(const ScanOptions& options, const SensorPath& path) {
+std::vector<Moment> moments_of(const ScanOptions& options, const simulated::SensorPath& path) {
   std::vector<Moment> moments;
   for (int i = 0; i < options.resting + options.moving; ++i) {
     // Before its start the path rests.
@@ -28,7 +28,8 @@ std::string_view bytes_of(const cv::Mat& image) {
 Result<ScanPictures> ScanPictures::create(const ScanOptions& options, const Workers& workers) {
   auto mesh = sample_jaw::make_sample_jaw({}, workers);
   if (!mesh) return tl::unexpected(mesh.error());
-  auto scene = LitScene::create(*mesh, options.sensor, options.path, {.tracing = Tracing::kGrid});
+  auto scene = simulated::LitScene::create(*mesh, options.sensor, options.path,
+                                           {.tracing = simulated::Tracing::kGrid});
   if (!scene) return tl::unexpected(scene.error());
   std::vector<Moment> moments = moments_of(options, scene->path());
   return ScanPictures(*std::move(mesh), *std::move(scene), std::move(moments));
@@ -36,28 +37,29 @@ Result<ScanPictures> ScanPictures::create(const ScanOptions& options, const Work
 
 cv::Mat ScanPictures::picture(std::size_t number, FrameKind kind) const {
   const double time_s = moments_.at(number).time_s;
-  if (kind == FrameKind::kTexture) return scene_.texture_image(Light::kFlash, time_s);
+  if (kind == FrameKind::kTexture) return scene_.texture_image(device::Light::kFlash, time_s);
   return scene_.measurement_image(
-      kind == FrameKind::kVertical ? Light::kVertical : Light::kHorizontal, time_s);
+      kind == FrameKind::kVertical ? device::Light::kVertical : device::Light::kHorizontal, time_s);
 }
 
 Result<void> ScanPictures::write(const std::filesystem::path& folder, std::size_t number) const {
-  for (const Light light : {Light::kVertical, Light::kHorizontal, Light::kFlash}) {
+  for (const device::Light light :
+       {device::Light::kVertical, device::Light::kHorizontal, device::Light::kFlash}) {
     const cv::Mat image = scene_.measurement_image(light, moments_.at(number).time_s);
     const auto file = folder / fmt::format("{}_{}.grey", number, to_string(light));
-    if (auto written = write_file(file, bytes_of(image)); !written) return written;
+    if (auto written = io::write_file(file, bytes_of(image)); !written) return written;
   }
   const cv::Mat color = picture(number, FrameKind::kTexture);
   const usb::Bytes jpeg = usb::encode_jpeg(
       {color.data, color.total() * color.elemSize()},
       {static_cast<std::uint32_t>(color.cols), static_cast<std::uint32_t>(color.rows)});
-  return write_file(folder / fmt::format("{}_flash.jpg", number),
-                    {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
+  return io::write_file(folder / fmt::format("{}_flash.jpg", number),
+                        {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
 }
 
 Result<void> ScanPictures::write(const std::filesystem::path& folder,
                                  const Workers& workers) const {
-  if (auto made = create_folder(folder); !made) return made;
+  if (auto made = io::create_folder(folder); !made) return made;
   std::vector<Result<void>> written(moments_.size());
   workers.for_each(moments_.size(),
                    [&](std::size_t number) { written[number] = write(folder, number); });

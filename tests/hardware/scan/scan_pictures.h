@@ -8,7 +8,7 @@
 #include "core/base/workers.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/imaging/frame.h"
-#include "hw/simulated/lit_scene.h"
+#include "hw/simulated/devices/lit_scene.h"
 
 namespace flytri::scan {
 
@@ -19,11 +19,11 @@ struct Moment {
 };
 
 struct ScanOptions {
-  SensorModel sensor = intraoral_sensor();
+  simulated::SensorModel sensor = simulated::intraoral_sensor();
   /// >= 0. Moments at which the hand rests where it will begin: the rig learns its latency.
   int resting = 40;
   int moving = 100;  ///< > 0
-  PathOptions path = {.kind = PathKind::kQuadrant, .duration_s = 10.0};
+  simulated::PathOptions path = {.kind = simulated::PathKind::kQuadrant, .duration_s = 10.0};
 };
 
 /// The moments of a scan, and what is seen at them.
@@ -48,11 +48,11 @@ class ScanPictures {
  private:
   [[nodiscard]] Result<void> write(const std::filesystem::path& folder, std::size_t number) const;
 
-  ScanPictures(TriangleMesh mesh, LitScene scene, std::vector<Moment> moments)
+  ScanPictures(TriangleMesh mesh, simulated::LitScene scene, std::vector<Moment> moments)
       : mesh_(std::move(mesh)), scene_(std::move(scene)), moments_(std::move(moments)) {}
 
   TriangleMesh mesh_;
-  LitScene scene_;
+  simulated::LitScene scene_;
   std::vector<Moment> moments_;
 };
 

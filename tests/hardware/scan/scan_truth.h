@@ -20,7 +20,8 @@ struct Shown {
 /// @param shown  by frame of the recording
 /// @errors  As open_recording, write_truth and write_ply.
 [[nodiscard]] Result<void> write_scan_truth(const std::filesystem::path& recording,
-                                            const ScanPictures& pictures, const SensorModel& sensor,
+                                            const ScanPictures& pictures,
+                                            const simulated::SensorModel& sensor,
                                             const std::vector<Shown>& shown,
                                             const Workers& workers);
 

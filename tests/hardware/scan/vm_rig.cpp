@@ -2,18 +2,18 @@
 
 namespace flytri::scan {
 
-RigSettings vm_rig(const SensorModel& sensor,
-                   const std::optional<std::filesystem::path>& calibration) {
-  RigSettings rig;
+rig::RigSettings vm_rig(const simulated::SensorModel& sensor,
+                        const std::optional<std::filesystem::path>& calibration) {
+  rig::RigSettings rig;
   rig.name = "virtual machine";
   rig.measurement.match.serial = "M0001";
   rig.measurement.settings.size = sensor.camera.size;
   rig.measurement.settings.rate_hz = kRate_hz;
   rig.measurement.settings.exposure_s = sensor.exposure_s;
-  RigCamera texture;
+  rig::RigCamera texture;
   texture.match.serial = "C0002";
-  texture.settings.format = PixelFormat::kMjpeg;
-  texture.settings.channels = Channels::kRgb;
+  texture.settings.format = device::PixelFormat::kMjpeg;
+  texture.settings.channels = device::Channels::kRgb;
   texture.settings.size = sensor.texture_camera.size;
   texture.settings.rate_hz = kRate_hz;
   texture.settings.exposure_s = sensor.exposure_s;

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "hw/rig/rig_settings.h"
-#include "hw/simulated/sensor_model.h"
+#include "hw/simulated/optics/sensor_model.h"
 
 namespace flytri::scan {
 
@@ -13,7 +13,7 @@ namespace flytri::scan {
 inline constexpr double kRate_hz = 5.0;
 inline constexpr double kFlashPeriod_s = 4.0;
 
-[[nodiscard]] RigSettings vm_rig(const SensorModel& sensor,
-                                 const std::optional<std::filesystem::path>& calibration);
+[[nodiscard]] rig::RigSettings vm_rig(const simulated::SensorModel& sensor,
+                                      const std::optional<std::filesystem::path>& calibration);
 
 }  // namespace flytri::scan

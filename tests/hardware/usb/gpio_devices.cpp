@@ -8,7 +8,7 @@ namespace flytri::usb {
 
 namespace {
 
-double now_s() { return machine_clock().now_s(); }
+double now_s() { return device::machine_clock().now_s(); }
 
 Bytes interface(std::uint8_t endpoints, const Bytes& device_class) {
   Bytes content = {4, 0, 0, endpoints};
@@ -19,7 +19,7 @@ Bytes interface(std::uint8_t endpoints, const Bytes& device_class) {
 
 Bytes endpoint(std::uint8_t address, std::uint8_t kind, std::uint16_t size, std::uint8_t interval) {
   Bytes content = {5, address, kind};
-  append_number(content, size, 2);
+  io::append_number(content, size, 2);
   content.push_back(interval);
   return descriptor(content);
 }

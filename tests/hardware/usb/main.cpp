@@ -78,7 +78,7 @@ int timeout_ms(const Devices& devices, double now_s) {
 }
 
 [[noreturn]] void run(int fifo, Devices& devices) {
-  const Clock clock = machine_clock();
+  const device::Clock clock = device::machine_clock();
   std::string orders;
   for (;;) {
     std::vector<pollfd> waiting = {{fifo, POLLIN, 0}};

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace flytri {
+namespace flytri::editing {
 namespace {
 
 Edit stroke(EditKind kind, double made_at_s, float x_mm = 0.0F) {
@@ -92,4 +92,4 @@ TEST(EditStack, NothingToUndoOrRedoIsNoChange) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::editing

@@ -8,7 +8,7 @@
 #include "core/evaluation/surface_error.h"
 #include "tests/support/sample_meshes.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 namespace {
 
 TriangleMesh waves() {
@@ -74,4 +74,4 @@ TEST(BestFit, RefusesWhatCannotBeFitted) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::evaluation

@@ -7,7 +7,7 @@
 #include "tests/support/sample_meshes.h"
 #include "tests/support/scan_scene.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 namespace {
 
 using testing::scan_cusps;
@@ -118,4 +118,4 @@ TEST(PointError, IsTheNoiseWhereThePosesAreRight) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::evaluation

@@ -8,7 +8,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "tests/support/sample_meshes.h"
 
-namespace flytri {
+namespace flytri::evaluation {
 namespace {
 
 TriangleMesh plane() {
@@ -121,4 +121,4 @@ TEST(SurfaceError, RefusesWhatCannotBeCompared) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::evaluation

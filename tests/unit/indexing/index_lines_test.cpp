@@ -4,7 +4,7 @@
 
 #include "tests/support/analytic_calibration.h"
 
-namespace flytri {
+namespace flytri::indexing {
 namespace {
 
 using testing::analytic_calibration;
@@ -12,9 +12,9 @@ using testing::AnalyticSensor;
 
 /// The trace of line n on a surface z(along), as a perfect localization would give it.
 template <typename Depth>
-LineTrace trace_of(Pattern pattern, int n, Depth depth) {
+localization::LineTrace trace_of(Pattern pattern, int n, Depth depth) {
   const AnalyticSensor sensor;
-  LineTrace trace;
+  localization::LineTrace trace;
   for (int along = 40; along < 280; ++along) {
     const double z = depth(along);
     trace.push_back({along, static_cast<float>(sensor.across_px(pattern, n, along, z)),
@@ -45,7 +45,7 @@ TEST(IndexLines, ATraceThatLeavesTheVolumeIsCutThere) {
   options.area_margin = 0.0;
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, options);
   ASSERT_GE(indexed.traces.size(), 1U);
-  const LineTrace& kept = indexed.traces[0].samples;
+  const localization::LineTrace& kept = indexed.traces[0].samples;
   EXPECT_NEAR(kept.back().along_px, 200, 3);  // there z is 5, the end of the volume
   EXPECT_GT(indexed.counts.outside_areas, 20);
 }
@@ -63,8 +63,9 @@ TEST(IndexLines, WidthGivesAwayALineFromBehindTheVolume) {
     return -1;
   };
   while (labeled_at(z) == 2 || labeled_at(z) == -1) z += 0.25;
-  LineTrace trace = trace_of(Pattern::kVertical, 2, [z](int) { return z + 1.0; });
-  for (LineSample& sample : trace) sample.width_px *= 1.5F;  // defocus grows faster out there
+  localization::LineTrace trace = trace_of(Pattern::kVertical, 2, [z](int) { return z + 1.0; });
+  for (localization::LineSample& sample : trace)
+    sample.width_px *= 1.5F;  // defocus grows faster out there
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
   EXPECT_TRUE(indexed.traces.empty());
   EXPECT_GT(indexed.counts.wrong_width, 0);
@@ -73,14 +74,14 @@ TEST(IndexLines, WidthGivesAwayALineFromBehindTheVolume) {
 
 TEST(IndexLines, ALineThatGoesOnAsAFarOneIsCutAtTheStep) {
   // Behind the depth step another line, far away, comes out where this one ended.
-  LineTrace trace = trace_of(Pattern::kVertical, 2, [](int) { return 1.0; });
+  localization::LineTrace trace = trace_of(Pattern::kVertical, 2, [](int) { return 1.0; });
   constexpr int kStep_px = 190;
-  for (LineSample& sample : trace) {
+  for (localization::LineSample& sample : trace) {
     if (sample.along_px >= kStep_px) sample.width_px *= 2.2F;
   }
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
   ASSERT_EQ(indexed.traces.size(), 1U);
-  const LineTrace& kept = indexed.traces[0].samples;
+  const localization::LineTrace& kept = indexed.traces[0].samples;
   const float width_px = kept.front().width_px;
   EXPECT_LT(kept.back().along_px, kStep_px);
   EXPECT_GT(kept.back().along_px, kStep_px - 3.0F * width_px);
@@ -89,14 +90,14 @@ TEST(IndexLines, ALineThatGoesOnAsAFarOneIsCutAtTheStep) {
 }
 
 TEST(IndexLines, SingleWidthsThatAreOffCostNothing) {
-  LineTrace trace = trace_of(Pattern::kVertical, 2, [](int) { return 1.0; });
+  localization::LineTrace trace = trace_of(Pattern::kVertical, 2, [](int) { return 1.0; });
   for (std::size_t i = 0; i < trace.size(); i += 7) trace[i].width_px *= 2.0F;
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
   EXPECT_EQ(indexed.counts.indexed, static_cast<int>(trace.size()));
 }
 
 TEST(IndexLines, FewSamplesAreCountedAsShort) {
-  LineTrace trace = trace_of(Pattern::kVertical, 1, [](int) { return 0.0; });
+  localization::LineTrace trace = trace_of(Pattern::kVertical, 1, [](int) { return 0.0; });
   trace.resize(3);
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
   EXPECT_EQ(indexed.counts.short_segments, 3);
@@ -111,4 +112,4 @@ TEST(IndexLines, OptionsAreChecked) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::indexing

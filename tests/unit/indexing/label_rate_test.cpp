@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "core/calibrating/calibrate.h"
-#include "core/pipeline/measure_view.h"
+#include "core/calibration/fit/calibrate.h"
+#include "core/measurement/measure_view.h"
 #include "tests/support/analytic_sensor.h"
 
-namespace flytri {
+namespace flytri::indexing {
 namespace {
 
 using testing::AnalyticSensor;
@@ -28,15 +28,15 @@ struct Labels {
   [[nodiscard]] double share(int count) const { return double(count) / localized; }
 };
 
-Labels label_planes(const AnalyticSensor& sensor, const Calibration& calibration, double first_mm,
-                    double last_mm) {
+Labels label_planes(const AnalyticSensor& sensor, const calibration::Calibration& calibration,
+                    double first_mm, double last_mm) {
   Labels labels;
   for (double z = first_mm; z <= last_mm; z += 0.31) {
     for (const Pattern pattern : kPatterns) {
       const FrameKind kind =
           pattern == Pattern::kVertical ? FrameKind::kVertical : FrameKind::kHorizontal;
       const Frame frame{FrameIndex(0), kind, 0.0, testing::draw_lines(sensor, pattern, z, 3)};
-      const auto measured = measure_view(frame, calibration, {});
+      const auto measured = measurement::measure_view(frame, calibration, {});
       labels.localized += measured->counts.localized;
       for (const Profile& profile : measured->view.profiles) {
         for (const ProfilePoint& point : profile.points) {
@@ -51,7 +51,7 @@ Labels label_planes(const AnalyticSensor& sensor, const Calibration& calibration
 
 TEST(LabelRate, InsideTheVolumeNothingIsLostOutsideLittleIsWrong) {
   const AnalyticSensor sensor = tight_sensor();
-  const auto calibration = calibrate(testing::draw_set(sensor, 9), {}, Workers(2), {});
+  const auto calibration = calibration::calibrate(testing::draw_set(sensor, 9), {}, Workers(2), {});
   ASSERT_TRUE(calibration.has_value()) << calibration.error().message;
   const Labels inside = label_planes(sensor, *calibration, -4.95, 4.95);
   const Labels before = label_planes(sensor, *calibration, -9.0, -5.2);
@@ -69,4 +69,4 @@ TEST(LabelRate, InsideTheVolumeNothingIsLostOutsideLittleIsWrong) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::indexing

@@ -6,7 +6,7 @@
 
 #include "tests/support/orthographic_calibration.h"
 
-namespace flytri {
+namespace flytri::live {
 namespace {
 
 constexpr double kSpacing_mm = 0.05;
@@ -33,8 +33,8 @@ AlignedView plane_view(Pattern pattern, double time_s, double line_offset_mm = 0
   return {view, T_world_sensor};
 }
 
-const EditFilter& no_edits() {
-  static const EditFilter filter(EditStack().state());
+const editing::EditFilter& no_edits() {
+  static const editing::EditFilter filter(editing::EditStack().state());
   return filter;
 }
 
@@ -165,9 +165,9 @@ TEST(LiveSurface, AnyPrefixOfABlockIsSpreadOverIt) {
 }
 
 TEST(LiveSurface, WhatTheEditsDoNotKeepIsNeitherAddedNorLeft) {
-  EditStack edits;
-  edits.push({EditKind::kTrim, 100.0, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 2.0F}}});
-  const EditFilter filter(edits.state());
+  editing::EditStack edits;
+  edits.push({editing::EditKind::kTrim, 100.0, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 2.0F}}});
+  const editing::EditFilter filter(edits.state());
   const auto in_reach = [](const Surfel& surfel) {
     return (surfel.position_mm - Vec3f(5, 5, 0)).norm() < 1.7F;
   };
@@ -185,9 +185,10 @@ TEST(LiveSurface, WhatTheEditsDoNotKeepIsNeitherAddedNorLeft) {
 TEST(LiveSurface, TakesTheColorThatATextureFrameSees) {
   LiveSurface surface = scanned_plane();
   (void)surface.publish();
-  const Calibration calibration = testing::orthographic_calibration({20, 20, 20}, {640, 480}, 20.0);
-  TextureFrame frame{cv::Mat(480, 640, CV_8UC3, cv::Scalar(200, 100, 50)),
-                     plane_view(Pattern::kVertical, 0.0).T_world_sensor};
+  const calibration::Calibration calibration =
+      testing::orthographic_calibration({20, 20, 20}, {640, 480}, 20.0);
+  texture::TextureFrame frame{cv::Mat(480, 640, CV_8UC3, cv::Scalar(200, 100, 50)),
+                              plane_view(Pattern::kVertical, 0.0).T_world_sensor};
   frame.T_world_sensor.translation() = Vec3(5, 5, 0);
   ASSERT_TRUE(surface.add_color(frame, calibration));
   const std::vector<Surfel> surfels = surfels_of(surface.publish());
@@ -221,4 +222,4 @@ TEST(LiveSurface, NamesTheOptionThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::live

@@ -6,7 +6,7 @@
 
 #include "tests/support/line_image.h"
 
-namespace flytri {
+namespace flytri::localization {
 namespace {
 
 using testing::draw;
@@ -259,4 +259,4 @@ TEST(Localize, TinyImagesAreSurvived) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::localization

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 BoundaryLoop rim(double width_mm) {
@@ -24,4 +24,4 @@ TEST(CoverageHoles, AreThoseWideEnoughTheWidestFirstWithoutTheBorder) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -7,7 +7,7 @@
 
 #include "core/base/random.h"
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 TEST(HalfEdges, AreThoseOfTheTrianglesInOrder) {
@@ -39,4 +39,4 @@ TEST(HalfEdges, AreThoseOfTheTrianglesInOrder) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::meshing

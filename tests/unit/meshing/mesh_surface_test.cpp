@@ -8,7 +8,7 @@
 
 #include "core/base/random.h"
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 /// Points on the upper half of a sphere, evenly, without those that `leave_out` names.
@@ -127,4 +127,4 @@ TEST(MeshSurface, TooFewPointsAreAnError) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::meshing

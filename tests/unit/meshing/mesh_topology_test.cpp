@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 constexpr std::uint32_t kCells = 20;
@@ -81,4 +81,4 @@ TEST(FindBoundaries, AHoleThatIsClosedButForItsTrianglesHasNoWidth) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::meshing

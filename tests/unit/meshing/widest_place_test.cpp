@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace flytri {
+namespace flytri::meshing {
 namespace {
 
 constexpr double kPixel_mm = 0.02;
@@ -89,4 +89,4 @@ TEST(WidestPlace, OfALineThatEnclosesNothingIsNone) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::meshing

@@ -6,7 +6,7 @@
 
 #include "tests/support/scan_scene.h"
 
-namespace flytri {
+namespace flytri::normals {
 namespace {
 
 using testing::scan_cusps;
@@ -99,4 +99,4 @@ TEST(SurfaceSamples, AreAllPointsInTheWorldFrame) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::normals

@@ -10,7 +10,7 @@
 #include "core/base/random.h"
 #include "core/reduction/merge.h"
 
-namespace flytri {
+namespace flytri::reduction {
 namespace {
 
 constexpr double kSpacing = 0.02;  // of samples along a line, mm
@@ -139,4 +139,4 @@ TEST(MeanVarianceShare, IsWhatCorrelatedNoiseShows) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::reduction

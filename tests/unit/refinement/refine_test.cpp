@@ -5,7 +5,7 @@
 #include "core/refinement/reduced_system.h"
 #include "tests/support/scan_scene.h"
 
-namespace flytri {
+namespace flytri::refinement {
 namespace {
 
 using testing::displacement_rms_mm;
@@ -169,4 +169,4 @@ TEST(RefineByMetaviews, CanBeStoppedAndThenChangesNothing) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::refinement

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 constexpr double kRadiusMm = 10.0;
@@ -71,4 +71,4 @@ TEST(Agreement, OptionsOutOfRangeAreNamed) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::registration

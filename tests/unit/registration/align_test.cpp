@@ -6,7 +6,7 @@
 
 #include "tests/support/wavy_scene.h"
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 using testing::SceneSensor;
@@ -121,4 +121,4 @@ TEST(Align, BadOptionsAreRefused) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::registration

@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 /// A random walk through space: curls back on itself, so that the search has many minima.
@@ -90,4 +90,4 @@ TEST(ClosestPair, EndsAreNotCrossings) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::registration

@@ -5,7 +5,7 @@
 #include "core/registration/prepared_view.h"
 #include "tests/support/wavy_scene.h"
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 PreparedView view_at(double x_mm, Pattern pattern) {
@@ -28,4 +28,4 @@ TEST(Crossings, CurvesInLikeLightSheetsAreNone) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::registration

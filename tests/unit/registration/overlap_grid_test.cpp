@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 
-namespace flytri {
+namespace flytri::registration {
 namespace {
 
 ViewExtent extent_at(const Vec3& center_mm, const Vec3& direction) {
@@ -53,4 +53,4 @@ TEST(OverlapGrid, FollowsAMovedView) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::registration

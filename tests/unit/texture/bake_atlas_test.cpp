@@ -12,11 +12,11 @@
 #include "tests/support/colored_sphere.h"
 #include "tests/support/orthographic_calibration.h"
 
-namespace flytri {
+namespace flytri::texture {
 namespace {
 
 /// A texture camera that looks along z: U = 320 + 20 x, V = 240 + 20 y.
-Calibration six_sided_calibration() {
+calibration::Calibration six_sided_calibration() {
   return testing::orthographic_calibration({20, 20, 20}, {640, 480}, 20.0);
 }
 
@@ -103,7 +103,8 @@ TEST(BakeAtlas, ColorsAreWhereTheCameraSawThem) {
   for (SurfacePoint& vertex : mesh.vertices) {
     vertex.color = vertex.position_mm.x() < 0.0F ? Rgb{200, 40, 40} : Rgb{40, 40, 200};
   }
-  const ColorError error = color_error(baked->model, mesh, 0.01, Workers(2));
+  const evaluation::ColorError error =
+      evaluation::color_error(baked->model, mesh, 0.01, Workers(2));
   EXPECT_EQ(error.count, static_cast<std::int64_t>(baked->model.mesh.vertices.size()));
   EXPECT_LT(error.percentile_95, 0.01);
   EXPECT_GT(error.median_by_chance, 0.1);
@@ -197,7 +198,7 @@ TEST(BakeAtlas, WhatNoFrameSawKeepsTheColorOfItsVertices) {
   const auto baked = bake_atlas(mesh, {}, six_sided_calibration(), {}, Workers(2));
   ASSERT_TRUE(baked.has_value());
   EXPECT_EQ(baked->texels.observed, 0U);
-  EXPECT_LT(color_error(baked->model, mesh, 0.01, Workers(1)).percentile_95, 1e-6);
+  EXPECT_LT(evaluation::color_error(baked->model, mesh, 0.01, Workers(1)).percentile_95, 1e-6);
 }
 
 TEST(BakeAtlas, AnAtlasWithTooLittleRoomHasCoarserTexels) {
@@ -232,4 +233,4 @@ TEST(BakeAtlas, BadInputIsRefused) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::texture

@@ -4,11 +4,11 @@
 
 #include "tests/support/orthographic_calibration.h"
 
-namespace flytri {
+namespace flytri::texture {
 namespace {
 
 /// A texture camera that looks along z: U = 320 + 20 x, V = 240 + 20 y.
-Calibration orthographic() {
+calibration::Calibration orthographic() {
   return testing::orthographic_calibration({20, 15, 15}, {640, 480}, 20.0);
 }
 
@@ -81,4 +81,4 @@ TEST(ColorPoints, AnImageOfAnotherCameraIsRefused) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::texture

@@ -6,7 +6,7 @@
 
 #include "core/base/random.h"
 
-namespace flytri {
+namespace flytri::trajectory {
 namespace {
 
 constexpr double kArm_mm = 10.0;
@@ -104,4 +104,4 @@ TEST(PathFit, RansacFindsThePlantedOutliersAndNoOthers) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::trajectory

@@ -4,21 +4,21 @@
 
 #include "tests/support/analytic_calibration.h"
 
-namespace flytri {
+namespace flytri::triangulation {
 namespace {
 
 using testing::analytic_calibration;
 using testing::AnalyticSensor;
 
-IndexedLines one_trace(LineTrace samples) {
-  IndexedLines lines;
+indexing::IndexedLines one_trace(localization::LineTrace samples) {
+  indexing::IndexedLines lines;
   lines.traces.push_back({LineIndex(3), std::move(samples)});
   return lines;
 }
 
-LineTrace straight_trace(int first, int last, double z_mm) {
+localization::LineTrace straight_trace(int first, int last, double z_mm) {
   const AnalyticSensor sensor;
-  LineTrace trace;
+  localization::LineTrace trace;
   for (int along = first; along < last; ++along) {
     const double across = sensor.across_px(Pattern::kVertical, 3, along, z_mm);
     trace.push_back({along, static_cast<float>(across), 4.0F, 100.0F, 0.06F, false});
@@ -41,9 +41,9 @@ TEST(Triangulate, PointsLieOnTheSurface) {
 }
 
 TEST(Triangulate, DeviationIsWhatOneSigmaMoves) {
-  const LineTrace trace = straight_trace(40, 280, 2.0);
-  LineTrace moved = trace;
-  for (LineSample& sample : moved) sample.across_px += sample.sigma_px;
+  const localization::LineTrace trace = straight_trace(40, 280, 2.0);
+  localization::LineTrace moved = trace;
+  for (localization::LineSample& sample : moved) sample.across_px += sample.sigma_px;
   const auto at = triangulate(one_trace(trace), analytic_calibration(), Pattern::kVertical, {});
   const auto by = triangulate(one_trace(moved), analytic_calibration(), Pattern::kVertical, {});
   for (std::size_t i = 0; i < trace.size(); ++i) {
@@ -55,9 +55,9 @@ TEST(Triangulate, DeviationIsWhatOneSigmaMoves) {
 }
 
 TEST(Triangulate, GapsAndJumpsSeparateProfiles) {
-  LineTrace trace = straight_trace(40, 100, 2.0);
-  const LineTrace after_gap = straight_trace(104, 150, 2.0),
-                  after_jump = straight_trace(150, 200, 0.0);
+  localization::LineTrace trace = straight_trace(40, 100, 2.0);
+  const localization::LineTrace after_gap = straight_trace(104, 150, 2.0),
+                                after_jump = straight_trace(150, 200, 0.0);
   trace.insert(trace.end(), after_gap.begin(), after_gap.end());
   trace.insert(trace.end(), after_jump.begin(), after_jump.end());
   const auto result = triangulate(one_trace(trace), analytic_calibration(), Pattern::kVertical, {});
@@ -67,11 +67,11 @@ TEST(Triangulate, GapsAndJumpsSeparateProfiles) {
 }
 
 TEST(Triangulate, PiecesTooShortAreCounted) {
-  LineTrace trace = straight_trace(40, 42, 2.0);
+  localization::LineTrace trace = straight_trace(40, 42, 2.0);
   const auto result = triangulate(one_trace(trace), analytic_calibration(), Pattern::kVertical, {});
   EXPECT_TRUE(result.view.profiles.empty());
   EXPECT_EQ(result.short_profiles, 2);
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::triangulation

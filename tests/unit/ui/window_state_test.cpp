@@ -1,4 +1,4 @@
-#include "ui/window_state.h"
+#include "ui/state/window_state.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 namespace flytri::ui {
 namespace {
 
-BoundaryLoop hole_at(float x_mm, double width_mm) {
-  BoundaryLoop hole;
+meshing::BoundaryLoop hole_at(float x_mm, double width_mm) {
+  meshing::BoundaryLoop hole;
   hole.center_mm = Vec3f(x_mm, 0.0F, 0.0F);
   hole.width_mm = width_mm;
   return hole;
@@ -17,7 +17,7 @@ BoundaryLoop hole_at(float x_mm, double width_mm) {
 const SelectedHole kSelected{2, Vec3f::Zero(), 2.0};
 
 TEST(SelectedHole, IsFollowedWhereItMovesInTheList) {
-  const std::vector<BoundaryLoop> holes = {hole_at(20.0F, 3.0), hole_at(0.4F, 1.0)};
+  const std::vector<meshing::BoundaryLoop> holes = {hole_at(20.0F, 3.0), hole_at(0.4F, 1.0)};
   const auto found = found_again(kSelected, holes);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->index, 1U);
@@ -25,12 +25,12 @@ TEST(SelectedHole, IsFollowedWhereItMovesInTheList) {
 }
 
 TEST(SelectedHole, OfThePartsThatItFallsIntoTheNearestStays) {
-  const std::vector<BoundaryLoop> holes = {hole_at(0.8F, 0.9), hole_at(-0.5F, 0.6)};
+  const std::vector<meshing::BoundaryLoop> holes = {hole_at(0.8F, 0.9), hole_at(-0.5F, 0.6)};
   EXPECT_EQ(found_again(kSelected, holes)->index, 1U);
 }
 
 TEST(SelectedHole, IsNoneOnceItIsClosed) {
-  EXPECT_FALSE(found_again(kSelected, std::vector<BoundaryLoop>{hole_at(1.1F, 5.0)}));
+  EXPECT_FALSE(found_again(kSelected, std::vector<meshing::BoundaryLoop>{hole_at(1.1F, 5.0)}));
   EXPECT_FALSE(found_again(kSelected, {}));
 }
 

@@ -6,12 +6,12 @@
 #include <chrono>
 #include <thread>
 
-#include "core/interchange/calibration_file.h"
-#include "hw/chair/simulated_shots.h"
-#include "hw/simulated/sensor_calibration.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "hw/shots/simulated_shots.h"
+#include "hw/simulated/datasets/sensor_calibration.h"
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 using ::testing::HasSubstr;
@@ -19,19 +19,19 @@ using ui::CalibrationStep;
 
 constexpr int kPlanes = 5;
 
-std::shared_ptr<SimulatedShots> make_shots() {
-  return SimulatedShots::create(intraoral_sensor()).value();
+std::shared_ptr<shots::SimulatedShots> make_shots() {
+  return shots::SimulatedShots::create(simulated::intraoral_sensor()).value();
 }
 
 /// Devices that are gone when they are asked for an image.
-class GoneShots final : public ShotSource {
+class GoneShots final : public shots::ShotSource {
  public:
   Result<void> start() override { return {}; }
   void stop() override { stops = true; }
-  Result<cv::Mat> take(ShotKind, double, const Progress&) override {
+  Result<cv::Mat> take(calibration::ShotKind, double, const Progress&) override {
     return flytri::fail(ErrorCode::kNotFound, "the camera is gone; plug it in again");
   }
-  Result<cv::Mat> look(ShotKind kind, double z_mm, const Progress& progress) override {
+  Result<cv::Mat> look(calibration::ShotKind kind, double z_mm, const Progress& progress) override {
     return take(kind, z_mm, progress);
   }
   std::string name() const override { return "gone"; }
@@ -39,12 +39,14 @@ class GoneShots final : public ShotSource {
   std::atomic<bool> stops = false;
 };
 
-DeskJob calibration_job(const std::filesystem::path& folder, std::shared_ptr<ShotSource> shots) {
+DeskJob calibration_job(const std::filesystem::path& folder,
+                        std::shared_ptr<shots::ShotSource> shots) {
   DeskJob job;
   job.folder = folder;
-  job.open_source = [shots] { return Result<std::shared_ptr<ShotSource>>(shots); };
-  job.begin_work = [folder](std::shared_ptr<ShotSource> source) {
-    return calibrate_at_chair(folder, plan_of(intraoral_sensor(), kPlanes), std::move(source));
+  job.open_source = [shots] { return Result<std::shared_ptr<shots::ShotSource>>(shots); };
+  job.begin_work = [folder](std::shared_ptr<shots::ShotSource> source) {
+    return calibrate_guided(folder, shots::plan_of(simulated::intraoral_sensor(), kPlanes),
+                            std::move(source));
   };
   return job;
 }
@@ -82,7 +84,7 @@ TEST(CalibrationDesk, GuidesThroughAllPlacesToACalibration) {
   ASSERT_EQ(state.step, CalibrationStep::kDone) << state.message;
   EXPECT_TRUE(state.outcome.is_good);
   EXPECT_EQ(state.outcome.planes.size(), std::size_t(kPlanes));
-  EXPECT_TRUE(read_calibration(folder.path() / "calibration.json").has_value());
+  EXPECT_TRUE(io::read_calibration(folder.path() / "calibration.json").has_value());
 }
 
 TEST(CalibrationDesk, ShowsWhatTheCameraSeesWithItsLines) {
@@ -99,7 +101,7 @@ TEST(CalibrationDesk, ShowsWhatTheCameraSeesWithItsLines) {
 TEST(CalibrationDesk, ARefusedShotIsToldAndItsPlaceStaysWanted) {
   const TemporaryFolder folder;
   const auto shots = make_shots();
-  SimulatedMishap mishap;
+  shots::SimulatedMishap mishap;
   mishap.lights_swapped = true;
   ASSERT_TRUE(shots->set_mishap(mishap));
   CalibrationDesk desk(calibration_job(folder.path(), shots));
@@ -145,15 +147,17 @@ TEST(CalibrationDesk, DevicesThatGoAreToldWithTheirRemedyAndLetGo) {
 
 TEST(CalibrationDesk, ACheckOnAPlaneHoldsWithTheSensorsOwnCalibration) {
   const TemporaryFolder folder;
-  const auto calibration = std::make_shared<const Calibration>(
-      kept_sensor_calibration(intraoral_sensor(), folder.path(), Workers(), {}).value());
+  const auto calibration = std::make_shared<const calibration::Calibration>(
+      simulated::kept_sensor_calibration(simulated::intraoral_sensor(), folder.path(), Workers(),
+                                         {})
+          .value());
   DeskJob job;
   job.task = ui::CalibrationTask::kCheckOnPlane;
-  job.open_source = [] { return Result<std::shared_ptr<ShotSource>>(make_shots()); };
+  job.open_source = [] { return Result<std::shared_ptr<shots::ShotSource>>(make_shots()); };
   job.begin_work =
       [calibration](
-          std::shared_ptr<ShotSource> source) -> Result<std::unique_ptr<CalibrationWork>> {
-    return check_at_chair(calibration, std::nullopt, std::move(source));
+          std::shared_ptr<shots::ShotSource> source) -> Result<std::unique_ptr<CalibrationWork>> {
+    return check_guided(calibration, std::nullopt, std::move(source));
   };
   CalibrationDesk desk(std::move(job));
   take_all(desk);
@@ -164,4 +168,4 @@ TEST(CalibrationDesk, ACheckOnAPlaneHoldsWithTheSensorsOwnCalibration) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::session

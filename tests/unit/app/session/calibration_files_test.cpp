@@ -2,19 +2,19 @@
 
 #include <gmock/gmock.h>
 
-#include "core/interchange/file_bytes.h"
-#include "core/interchange/guided_session_file.h"
-#include "hw/chair/simulated_shots.h"
+#include "core/io/calibrations/guided_session_file.h"
+#include "core/io/files/file_bytes.h"
 #include "hw/rig/rig_file.h"
+#include "hw/shots/simulated_shots.h"
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 namespace fs = std::filesystem;
 
-RigSettings small_rig() {
-  RigSettings rig;
+rig::RigSettings small_rig() {
+  rig::RigSettings rig;
   rig.measurement.match.name = "Mono";
   rig.lights.chip.label = "ftdi-cbus";
   rig.lights.vertical.name = "CBUS0";
@@ -37,52 +37,52 @@ TEST(CalibrationFiles, WhatWasBegunIsProposedUntilItIsDone) {
   const fs::path fresh = propose_calibration_folder(folder.path());
   EXPECT_FALSE(fs::exists(fresh));
   const fs::path begun = folder.path() / "2031-01-01-080000";
-  ASSERT_TRUE(write_guided_plan(begun, plan_of(intraoral_sensor())));
+  ASSERT_TRUE(io::write_guided_plan(begun, shots::plan_of(simulated::intraoral_sensor())));
   EXPECT_EQ(propose_calibration_folder(folder.path()), begun);
-  ASSERT_TRUE(write_file(begun / "calibration.json", "{}"));
+  ASSERT_TRUE(io::write_file(begun / "calibration.json", "{}"));
   EXPECT_NE(propose_calibration_folder(folder.path()), begun);
 }
 
 TEST(CalibrationFiles, TheRigNamesTheFirstCalibrationItGets) {
   const TemporaryFolder folder;
   const fs::path made = folder.path() / "made.json", rig = folder.path() / "rig.json";
-  ASSERT_TRUE(write_file(made, "new"));
-  ASSERT_TRUE(write_rig(rig, small_rig()));
+  ASSERT_TRUE(io::write_file(made, "new"));
+  ASSERT_TRUE(rig::write_rig(rig, small_rig()));
   SourceChoice choice;
   choice.rig = rig;
   const auto adopted = adopt_calibration(choice, made);
   ASSERT_TRUE(adopted.has_value()) << adopted.error().message;
   EXPECT_EQ(*adopted, folder.path() / "calibration.json");
-  EXPECT_EQ(*read_rig(rig)->calibration, folder.path() / "calibration.json");
-  EXPECT_EQ(read_file(*adopted).value(), "new");
+  EXPECT_EQ(*rig::read_rig(rig)->calibration, folder.path() / "calibration.json");
+  EXPECT_EQ(io::read_file(*adopted).value(), "new");
 }
 
 TEST(CalibrationFiles, TheOneBeforeIsKept) {
   const TemporaryFolder folder;
   const fs::path made = folder.path() / "made.json", named = folder.path() / "named.json";
-  ASSERT_TRUE(write_file(made, "new"));
-  ASSERT_TRUE(write_file(named, "old"));
+  ASSERT_TRUE(io::write_file(made, "new"));
+  ASSERT_TRUE(io::write_file(named, "old"));
   SourceChoice choice;
   choice.rig = folder.path() / "rig.json";
   choice.calibration = named;
   ASSERT_TRUE(adopt_calibration(choice, made).has_value());
-  EXPECT_EQ(read_file(named).value(), "new");
+  EXPECT_EQ(io::read_file(named).value(), "new");
   const auto kept = files_like(folder.path(), "named-until-");
   ASSERT_EQ(kept.size(), 1U);
-  EXPECT_EQ(read_file(kept.front()).value(), "old");
+  EXPECT_EQ(io::read_file(kept.front()).value(), "old");
 }
 
 TEST(CalibrationFiles, ARigThatCannotBeReadStaysAsItIs) {
   const TemporaryFolder folder;
   const fs::path made = folder.path() / "made.json", rig = folder.path() / "rig.json";
-  ASSERT_TRUE(write_file(made, "new"));
-  ASSERT_TRUE(write_file(rig, "{"));
+  ASSERT_TRUE(io::write_file(made, "new"));
+  ASSERT_TRUE(io::write_file(rig, "{"));
   SourceChoice choice;
   choice.rig = rig;
   EXPECT_FALSE(adopt_calibration(choice, made).has_value());
-  EXPECT_EQ(read_file(rig).value(), "{");
+  EXPECT_EQ(io::read_file(rig).value(), "{");
   EXPECT_FALSE(fs::exists(folder.path() / "calibration.json"));
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::session

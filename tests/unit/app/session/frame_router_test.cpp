@@ -6,25 +6,26 @@
 
 #include "tests/support/orthographic_calibration.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
-std::shared_ptr<LiveScan> make_scan() {
-  LiveScanOptions options;
+std::shared_ptr<scan::LiveScan> make_scan() {
+  scan::LiveScanOptions options;
   options.now_s = [] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
   };
   options.max_frames_underway = 100;
   options.measure_frame = [](const Frame& frame) {
-    MeasuredView measured;
+    measurement::MeasuredView measured;
     measured.view.frame = frame.index;
     return measured;
   };
-  return std::move(LiveScan::create(std::make_shared<Calibration>(testing::orthographic_calibration(
-                                        {20, 15, 15}, {64, 48}, 3.0)),
-                                    options)
-                       .value());
+  return std::move(
+      scan::LiveScan::create(std::make_shared<calibration::Calibration>(
+                                 testing::orthographic_calibration({20, 15, 15}, {64, 48}, 3.0)),
+                             options)
+          .value());
 }
 
 Frame frame_at(double time_s) {
@@ -36,7 +37,7 @@ Frame frame_at(double time_s) {
 }
 
 /// The frame that the scan saw last.
-Frame last_frame(const LiveScan& scan) {
+Frame last_frame(const scan::LiveScan& scan) {
   scan.wait_until_idle();
   return scan.snapshot()->latest[0]->frame;
 }
@@ -79,4 +80,4 @@ TEST(FrameRouter, WithoutAScanFramesAreLetGo) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::session

@@ -7,27 +7,27 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-RigSettings rig_with_texture() {
-  RigSettings rig;
+rig::RigSettings rig_with_texture() {
+  rig::RigSettings rig;
   rig.measurement.match.name = "Mono";
   rig.texture.emplace().match.serial = "42";
   rig.lights.chip.label = "ftdi-cbus";
   return rig;
 }
 
-RigStatus running() {
-  RigStatus status;
-  status.measurement.camera.state = CameraState::kRunning;
+rig::RigStatus running() {
+  rig::RigStatus status;
+  status.measurement.camera.state = device::CameraState::kRunning;
   status.measurement.labels.labeled = 300;
-  status.texture.emplace().camera.state = CameraState::kRunning;
-  status.lights.state = LightSwitchState::kRunning;
+  status.texture.emplace().camera.state = device::CameraState::kRunning;
+  status.lights.state = device::LightSwitchState::kRunning;
   return status;
 }
 
@@ -52,7 +52,7 @@ TEST(DeviceStates, NameEveryDeviceAsTheRigDoes) {
 }
 
 TEST(DeviceStates, WorryAboutWhatIsLostAlone) {
-  RigStatus status = running();
+  rig::RigStatus status = running();
   status.measurement.labels.straddled = 5;
   status.measurement.camera.dropped = 2;
   const auto devices = device_states(rig_with_texture(), status);
@@ -62,8 +62,8 @@ TEST(DeviceStates, WorryAboutWhatIsLostAlone) {
 }
 
 TEST(DeviceStates, TellTheLatencyOnceItIsKnown) {
-  RigStatus status = running();
-  const RigSettings rig = rig_with_texture();
+  rig::RigStatus status = running();
+  const rig::RigSettings rig = rig_with_texture();
   EXPECT_EQ(figure(device_states(rig, status)[0], "latency").value, "learning");
   status.measurement.is_learned = true;
   status.measurement.latency.latency_s = 0.0214;
@@ -71,10 +71,10 @@ TEST(DeviceStates, TellTheLatencyOnceItIsKnown) {
 }
 
 TEST(DeviceStates, BelieveTheImagesMoreThanTheSwitch) {
-  RigStatus status = running();
-  status.measurement.fault = LightFault::kSwapped;
+  rig::RigStatus status = running();
+  status.measurement.fault = sync::LightFault::kSwapped;
   EXPECT_EQ(device_states(rig_with_texture(), status)[2].health, ui::DeviceHealth::kDoubtful);
-  status.lights.state = LightSwitchState::kLost;
+  status.lights.state = device::LightSwitchState::kLost;
   EXPECT_EQ(device_states(rig_with_texture(), status)[2].health, ui::DeviceHealth::kBroken);
 }
 
@@ -95,4 +95,4 @@ TEST(OpenSource, RefusesACalibrationForTheVirtualSensor) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::session

@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <thread>
 
-#include "core/calibrating/calibrate.h"
-#include "core/interchange/calibration_file.h"
-#include "core/interchange/calibration_set_file.h"
+#include "core/calibration/fit/calibrate.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_set_file.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,9 +46,9 @@ class SessionOnARecording : public ::testing::Test {
     }
     setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
     setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
-    const auto set = read_calibration_set(testing::shared_data() / "calibration-intraoral");
-    const auto calibrated = calibrate(*set, {}, Workers(), Progress());
-    ASSERT_TRUE(write_calibration(folder_.path() / "calibration.json", *calibrated));
+    const auto set = io::read_calibration_set(testing::shared_data() / "calibration-intraoral");
+    const auto calibrated = calibration::calibrate(*set, {}, Workers(), Progress());
+    ASSERT_TRUE(io::write_calibration(folder_.path() / "calibration.json", *calibrated));
     options_.source.recording = testing::shared_data() / "recording-quadrant";
     options_.source.calibration = folder_.path() / "calibration.json";
   }
@@ -65,7 +65,7 @@ TEST_F(SessionOnARecording, WhatIsScannedIntoACaseIsThereWhenItIsOpenedAgain) {
     session.carry_out(ui::StartScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
     // What was scanned before there was a case goes into it.
-    CaseFields fields;
+    io::CaseFields fields;
     fields.patient_name = "Smith";
     session.carry_out(ui::NewCase{path, "", fields});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
@@ -82,7 +82,7 @@ TEST_F(SessionOnARecording, WhatIsScannedIntoACaseIsThereWhenItIsOpenedAgain) {
   }));
   EXPECT_EQ(session.view().measurements.size(), 1U);
   EXPECT_FALSE(warns_of_other_calibration(session.view()));
-  auto stored = CaseFile::open(path, {.passphrase = {}, .read_only = true});
+  auto stored = io::CaseFile::open(path, {.passphrase = {}, .read_only = true});
   ASSERT_FALSE(stored) << "one program at a time has a case open for writing";
   EXPECT_GT(scanned, 60);
 }
@@ -111,7 +111,7 @@ TEST_F(SessionOnARecording, AFinishedCaseIsFinishedWhenItIsOpenedAgain) {
     ASSERT_TRUE(wait_for(session, has_result));
     session.scan()->wait_until_idle();
     const auto scan = session.view().scan;
-    EXPECT_EQ(scan->phase, ScanPhase::kFinished);
+    EXPECT_EQ(scan->phase, scan::ScanPhase::kFinished);
     EXPECT_EQ(scan->result->surface.mesh.triangles.size(), triangles);
     EXPECT_EQ(scan->holes.size(), holes);
     EXPECT_GT(scan->result->surface.mesh.vertices.front().sigma_mm, 0.0F);
@@ -135,9 +135,9 @@ TEST_F(SessionOnARecording, ACaseOfAnotherCalibrationIsTold) {
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
     session.carry_out(ui::NewCase{path, "", {}});
   }
-  auto other = read_calibration(*options_.source.calibration).value();
+  auto other = io::read_calibration(*options_.source.calibration).value();
   other.volume.size_mm.x() *= 1.01;
-  ASSERT_TRUE(write_calibration(*options_.source.calibration, other));
+  ASSERT_TRUE(io::write_calibration(*options_.source.calibration, other));
   Session session(options_);
   session.carry_out(ui::OpenCase{path, ""});
   EXPECT_TRUE(wait_for(session, warns_of_other_calibration));
@@ -165,4 +165,4 @@ TEST_F(SessionOnARecording, ASourceThatCannotBeOpenedIsSaid) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::session

@@ -8,7 +8,7 @@
 
 #include "tests/support/scripted_sensor.h"
 
-namespace flytri {
+namespace flytri::device {
 namespace {
 
 using testing::ScriptedSensor;
@@ -68,4 +68,4 @@ TEST(CaptureLoop, StopsInTheMiddleOfAnEndlessStream) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::device

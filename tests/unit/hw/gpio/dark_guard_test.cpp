@@ -13,7 +13,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::gpio {
 namespace {
 
 // A file in the place of the chip, which tells when it is opened. It takes no order: a guard that
@@ -96,4 +96,4 @@ TEST_F(DarkGuardTest, WhatTheProgramItselfDoesWhenItIsStoppedRemains) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::gpio

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace flytri {
+namespace flytri::gpio {
 namespace {
 
 using ::testing::HasSubstr;
@@ -46,4 +46,4 @@ TEST(FindLine, FindsByNameOrNumberAndNamesTheHolder) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::gpio

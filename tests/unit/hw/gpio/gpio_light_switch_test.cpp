@@ -10,7 +10,7 @@
 
 #include "hw/device/clock.h"
 
-namespace flytri {
+namespace flytri::gpio {
 namespace {
 
 using ::testing::ElementsAre;
@@ -28,7 +28,7 @@ class FakeChip {
     std::unique_lock lock(mutex_);
     released_.wait(lock, [&] { return !mute_; });
   }
-  void set(Light light) {
+  void set(device::Light light) {
     std::unique_lock lock(mutex_);
     released_.wait(lock, [&] { return !mute_; });
     lights_.push_back(light);
@@ -44,7 +44,7 @@ class FakeChip {
     }
     released_.notify_all();
   }
-  std::vector<Light> lights() {
+  std::vector<device::Light> lights() {
     const std::lock_guard lock(mutex_);
     return lights_;
   }
@@ -53,16 +53,16 @@ class FakeChip {
   std::mutex mutex_;
   std::condition_variable released_;
   bool mute_ = false;
-  std::vector<Light> lights_;
+  std::vector<device::Light> lights_;
 };
 
 class FakeLines final : public LightLines {
  public:
   explicit FakeLines(std::shared_ptr<FakeChip> chip) : chip_(std::move(chip)) {}
   ~FakeLines() override {
-    if (chip_->plugged) chip_->set(Light::kDark);
+    if (chip_->plugged) chip_->set(device::Light::kDark);
   }
-  int set(Light light) override {
+  int set(device::Light light) override {
     if (!chip_->plugged) return ENODEV;
     if (chip_->error != 0) return chip_->error;
     chip_->set(light);
@@ -87,8 +87,8 @@ class GpioLightSwitchTest : public ::testing::Test {
   }
 
   // The switch works on a thread of its own; a minute is for machines that stand still.
-  void wait_until(const std::function<bool(const LightSwitchStatus&)>& reached) {
-    const Clock clock = machine_clock();
+  void wait_until(const std::function<bool(const device::LightSwitchStatus&)>& reached) {
+    const device::Clock clock = device::machine_clock();
     const double end_s = clock.now_s() + 60.0;
     while (!reached(switch_->status())) {
       ASSERT_LT(clock.now_s(), end_s);
@@ -96,25 +96,25 @@ class GpioLightSwitchTest : public ::testing::Test {
     }
   }
 
-  void post_and_wait(Light light) {
+  void post_and_wait(device::Light light) {
     const auto before = switch_->status().switched;
     switch_->post({light, 0.0});
-    wait_until([&](const LightSwitchStatus& status) { return status.switched > before; });
+    wait_until([&](const device::LightSwitchStatus& status) { return status.switched > before; });
   }
 
   std::shared_ptr<FakeChip> chip_ = std::make_shared<FakeChip>();
   std::unique_ptr<GpioLightSwitch> switch_;
 };
 
-TEST_F(GpioLightSwitchTest, CarriesOutWishesAndTellsWhen) {
+TEST_F(GpioLightSwitchTest, CarriesOutRequestsAndReportsWhen) {
   ASSERT_TRUE(switch_->start());
-  const double before_s = machine_clock().now_s();
-  post_and_wait(Light::kVertical);
-  post_and_wait(Light::kFlash);
+  const double before_s = device::machine_clock().now_s();
+  post_and_wait(device::Light::kVertical);
+  post_and_wait(device::Light::kFlash);
   const auto done = switch_->take_done();
   ASSERT_EQ(done.size(), 2U);
-  EXPECT_EQ(done[0].wish, 1);
-  EXPECT_EQ(done[0].light, Light::kVertical);
+  EXPECT_EQ(done[0].request, 1);
+  EXPECT_EQ(done[0].light, device::Light::kVertical);
   EXPECT_TRUE(done[0].accepted);
   EXPECT_LE(before_s, done[0].before_s);
   EXPECT_LE(done[0].before_s, done[0].after_s);
@@ -122,81 +122,87 @@ TEST_F(GpioLightSwitchTest, CarriesOutWishesAndTellsWhen) {
   EXPECT_TRUE(switch_->take_done().empty());
 }
 
-TEST_F(GpioLightSwitchTest, WaitsForTheTimeOfAWish) {
+TEST_F(GpioLightSwitchTest, WaitsForTheTimeOfARequest) {
   ASSERT_TRUE(switch_->start());
-  const double due_s = machine_clock().now_s() + 0.02;
-  switch_->post({Light::kVertical, due_s});
-  wait_until([](const LightSwitchStatus& status) { return status.switched == 1; });
+  const double due_s = device::machine_clock().now_s() + 0.02;
+  switch_->post({device::Light::kVertical, due_s});
+  wait_until([](const device::LightSwitchStatus& status) { return status.switched == 1; });
   EXPECT_GE(switch_->take_done()[0].before_s, due_s);
 }
 
-TEST_F(GpioLightSwitchTest, AllIsDarkAfterStopAndWishesAreRefused) {
+TEST_F(GpioLightSwitchTest, AllIsDarkAfterStopAndRequestsAreRefused) {
   ASSERT_TRUE(switch_->start());
-  post_and_wait(Light::kHorizontal);
+  post_and_wait(device::Light::kHorizontal);
   switch_->stop();
-  EXPECT_THAT(chip_->lights(), ElementsAre(Light::kHorizontal, Light::kDark));
-  EXPECT_EQ(switch_->post({Light::kVertical, 0.0}), 0);
-  EXPECT_EQ(switch_->status().state, LightSwitchState::kIdle);
+  EXPECT_THAT(chip_->lights(), ElementsAre(device::Light::kHorizontal, device::Light::kDark));
+  EXPECT_EQ(switch_->post({device::Light::kVertical, 0.0}), 0);
+  EXPECT_EQ(switch_->status().state, device::LightSwitchState::kIdle);
   ASSERT_TRUE(switch_->start());
-  EXPECT_EQ(switch_->post({Light::kVertical, 0.0}), 1);
+  EXPECT_EQ(switch_->post({device::Light::kVertical, 0.0}), 1);
 }
 
-TEST_F(GpioLightSwitchTest, BlockedChipHoldsNobodyUpAndOnlyTheLastWishIsCarriedOut) {
+TEST_F(GpioLightSwitchTest, ABlockedChipDelaysNobodyAndOnlyTheLastRequestIsCarriedOut) {
   ASSERT_TRUE(switch_->start());
   chip_->mute();
-  switch_->post({Light::kVertical, 0.0});
-  wait_until([](const LightSwitchStatus& status) { return status.slowest_s > 0.02; });
+  switch_->post({device::Light::kVertical, 0.0});
+  wait_until([](const device::LightSwitchStatus& status) { return status.slowest_s > 0.02; });
   EXPECT_THAT(switch_->status().message, HasSubstr("has not answered"));
-  switch_->post({Light::kHorizontal, 0.0});
-  switch_->post({Light::kFlash, 0.0});
-  switch_->post({Light::kVertical, 0.0});
+  switch_->post({device::Light::kHorizontal, 0.0});
+  switch_->post({device::Light::kFlash, 0.0});
+  switch_->post({device::Light::kVertical, 0.0});
   chip_->answer();
-  wait_until([](const LightSwitchStatus& status) { return status.switched == 2; });
-  EXPECT_THAT(chip_->lights(), ElementsAre(Light::kVertical, Light::kVertical));
+  wait_until([](const device::LightSwitchStatus& status) { return status.switched == 2; });
+  EXPECT_THAT(chip_->lights(), ElementsAre(device::Light::kVertical, device::Light::kVertical));
   EXPECT_EQ(switch_->status().skipped, 2);
   const auto done = switch_->take_done();
   ASSERT_EQ(done.size(), 2U);
-  EXPECT_EQ(done[1].wish, 4);
+  EXPECT_EQ(done[1].request, 4);
   EXPECT_GT(done[0].after_s - done[0].before_s, 0.02);
 }
 
 TEST_F(GpioLightSwitchTest, UnpluggedWhileIdleIsNoticedAndTheLightComesBack) {
   ASSERT_TRUE(switch_->start());
-  post_and_wait(Light::kVertical);
+  post_and_wait(device::Light::kVertical);
   chip_->plugged = false;
-  wait_until([](const LightSwitchStatus& s) { return s.state == LightSwitchState::kLost; });
+  wait_until([](const device::LightSwitchStatus& s) {
+    return s.state == device::LightSwitchState::kLost;
+  });
   EXPECT_EQ(switch_->status().lost, 1);
-  switch_->post({Light::kHorizontal, 0.0});
-  wait_until([](const LightSwitchStatus& status) { return status.skipped == 1; });
+  switch_->post({device::Light::kHorizontal, 0.0});
+  wait_until([](const device::LightSwitchStatus& status) { return status.skipped == 1; });
   chip_->plugged = true;
-  wait_until([](const LightSwitchStatus& status) { return status.switched == 2; });
+  wait_until([](const device::LightSwitchStatus& status) { return status.switched == 2; });
   EXPECT_EQ(switch_->status().returned, 1);
-  EXPECT_EQ(switch_->status().state, LightSwitchState::kRunning);
-  EXPECT_THAT(chip_->lights(), ElementsAre(Light::kVertical, Light::kHorizontal));
+  EXPECT_EQ(switch_->status().state, device::LightSwitchState::kRunning);
+  EXPECT_THAT(chip_->lights(), ElementsAre(device::Light::kVertical, device::Light::kHorizontal));
 }
 
 TEST_F(GpioLightSwitchTest, NoLightComesOnWhereTheChipIsBackOnlyAfterStop) {
   ASSERT_TRUE(switch_->start());
-  post_and_wait(Light::kVertical);
+  post_and_wait(device::Light::kVertical);
   chip_->plugged = false;
-  wait_until([](const LightSwitchStatus& s) { return s.state == LightSwitchState::kLost; });
+  wait_until([](const device::LightSwitchStatus& s) {
+    return s.state == device::LightSwitchState::kLost;
+  });
   chip_->mute();
   chip_->plugged = true;
-  wait_until([&](const LightSwitchStatus&) { return chip_->opened == 2; });
+  wait_until([&](const device::LightSwitchStatus&) { return chip_->opened == 2; });
   std::thread stopping([&] { switch_->stop(); });
-  wait_until([&](const LightSwitchStatus&) { return switch_->post({Light::kVertical, 0.0}) == 0; });
+  wait_until([&](const device::LightSwitchStatus&) {
+    return switch_->post({device::Light::kVertical, 0.0}) == 0;
+  });
   chip_->answer();
   stopping.join();
-  EXPECT_THAT(chip_->lights(), ElementsAre(Light::kVertical, Light::kDark));
+  EXPECT_THAT(chip_->lights(), ElementsAre(device::Light::kVertical, device::Light::kDark));
 }
 
-TEST_F(GpioLightSwitchTest, RefusedWishIsToldAndTheChipOpenedAgain) {
+TEST_F(GpioLightSwitchTest, ReportsARefusedRequestAndOpensTheChipAgain) {
   ASSERT_TRUE(switch_->start());
   chip_->error = EIO;
-  switch_->post({Light::kVertical, 0.0});
-  wait_until([](const LightSwitchStatus& status) { return status.refused >= 1; });
+  switch_->post({device::Light::kVertical, 0.0});
+  wait_until([](const device::LightSwitchStatus& status) { return status.refused >= 1; });
   chip_->error = 0;
-  wait_until([](const LightSwitchStatus& status) { return status.switched == 1; });
+  wait_until([](const device::LightSwitchStatus& status) { return status.switched == 1; });
   EXPECT_FALSE(switch_->take_done()[0].accepted);
 }
 
@@ -204,9 +210,9 @@ TEST_F(GpioLightSwitchTest, SaysWhyItDoesNotStart) {
   chip_->plugged = false;
   const auto started = switch_->start();
   ASSERT_FALSE(started);
-  EXPECT_EQ(switch_->status().state, LightSwitchState::kFailed);
+  EXPECT_EQ(switch_->status().state, device::LightSwitchState::kFailed);
   EXPECT_EQ(switch_->status().message, "no chip: plug it in");
-  EXPECT_EQ(switch_->post({Light::kVertical, 0.0}), 0);
+  EXPECT_EQ(switch_->post({device::Light::kVertical, 0.0}), 0);
 }
 
 TEST(LightWiring, NamesWhatIsWrong) {
@@ -222,4 +228,4 @@ TEST(LightWiring, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::gpio

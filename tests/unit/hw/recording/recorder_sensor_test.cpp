@@ -17,7 +17,7 @@
 #include "tests/support/scripted_sensor.h"
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::recording {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,12 +32,12 @@ std::deque<ScriptedSensor::Step> frames(int count) {
 }
 
 // All frames of a sensor, and the work beside it in between.
-std::vector<Frame> run(Sensor& sensor, bool work = true) {
+std::vector<Frame> run(device::Sensor& sensor, bool work = true) {
   EXPECT_TRUE(sensor.start());
   std::vector<Frame> taken;
-  while (sensor.status().state == SensorState::kRunning) {
+  while (sensor.status().state == device::SensorState::kRunning) {
     if (auto frame = sensor.next(1.0).value()) taken.push_back(*std::move(frame));
-    if (work) sensor.work_beside(0.0);
+    if (work) sensor.work_in_background(0.0);
   }
   return taken;
 }
@@ -72,7 +72,7 @@ TEST(RecorderSensor, WhatIsReplayedIsBitForBitWhatWasLive) {
                                  : std::array{FrameKind::kVertical, FrameKind::kHorizontal,
                                               FrameKind::kUnknown}[i % 3];
     // Times that no short decimal number is.
-    script.push_back([=](StatusKeeper&) -> Result<std::optional<Frame>> {
+    script.push_back([=](device::StatusKeeper&) -> Result<std::optional<Frame>> {
       return Frame{FrameIndex(i), kind, i / 30.0 + 1.0 / 7.0, image};
     });
   }
@@ -91,8 +91,8 @@ TEST(RecorderSensor, WritesBesideTheStreamInTheCaptureLoop) {
       RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(50)), folder / "scan").value();
   std::vector<Frame> live;
   {
-    CaptureLoop loop(recorder, [&](Frame frame) { live.push_back(std::move(frame)); });
-    while (loop.status().state != SensorState::kEnded) std::this_thread::yield();
+    device::CaptureLoop loop(recorder, [&](Frame frame) { live.push_back(std::move(frame)); });
+    while (loop.status().state != device::SensorState::kEnded) std::this_thread::yield();
   }
   EXPECT_EQ(live.size(), 50U);
   EXPECT_EQ(recorder->recorder_status().written, 50);
@@ -133,7 +133,7 @@ TEST(RecorderSensor, ADiskThatFailsInTheMiddleEndsTheRecordingAlone) {
   for (int i = 0; i < 8; ++i) {
     EXPECT_TRUE(recorder->next(1.0).value());
     if (i == 3) fs::remove_all(folder / "scan" / "frames");
-    recorder->work_beside(0.0);
+    recorder->work_in_background(0.0);
   }
   // The images went with the folder, and nothing was listed yet.
   EXPECT_EQ(recorder->recorder_status().written, 0);
@@ -147,7 +147,7 @@ TEST(RecorderSensor, AFullDiskKeepsWhatWasWrittenAndTellsHowMuch) {
   std::deque<ScriptedSensor::Step> script = frames(5);
   cv::Mat noise(256, 256, CV_8UC1);
   cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 256);
-  script[3] = [=](StatusKeeper&) -> Result<std::optional<Frame>> {
+  script[3] = [=](device::StatusKeeper&) -> Result<std::optional<Frame>> {
     return Frame{FrameIndex(3), FrameKind::kHorizontal, 3 / 30.0, noise};
   };
   const auto recorder =
@@ -167,11 +167,11 @@ TEST(RecorderSensor, AFullDiskKeepsWhatWasWrittenAndTellsHowMuch) {
 TEST(RecorderSensor, StartingALostSensorAgainLeavesTheRecordingAlone) {
   const TemporaryFolder folder;
   std::deque<ScriptedSensor::Step> script = frames(2);
-  script.push_back(ScriptedSensor::nothing(SensorState::kLost));
+  script.push_back(ScriptedSensor::nothing(device::SensorState::kLost));
   const auto recorder =
       RecorderSensor::create(std::make_shared<ScriptedSensor>(script), folder / "scan").value();
   run(*recorder);
-  ASSERT_EQ(recorder->status().state, SensorState::kLost);
+  ASSERT_EQ(recorder->status().state, device::SensorState::kLost);
   EXPECT_TRUE(recorder->start());
   EXPECT_EQ(recorder->recorder_status().written, 2);
   recorder->stop();
@@ -197,7 +197,7 @@ TEST(RecorderSensor, ACrashLeavesARecordingOfAllButTheLastSeconds) {
   if (!recorder->start()) _exit(1);
   for (int number = 0;; ++number) {
     if (!recorder->next(1.0).value()) _exit(1);
-    recorder->work_beside(0.0);
+    recorder->work_in_background(0.0);
     if (write(pipe, &number, sizeof number) != sizeof number) _exit(1);
   }
 }
@@ -218,7 +218,7 @@ TEST(RecorderSensor, KilledItHasAllButTheLastSecond) {
     // Each image that is listed is whole, and the list goes up to the last second at 30 Hz.
     const std::vector<Frame> kept = replay(folder / "scan");
     EXPECT_GE(static_cast<int>(kept.size()), last + 1 - 30);
-    EXPECT_EQ(kept.size(), open_recording(folder / "scan")->frames.size());
+    EXPECT_EQ(kept.size(), io::open_recording(folder / "scan")->frames.size());
   }
 }
 
@@ -247,4 +247,4 @@ TEST(RecorderSensor, WithoutAFrameTheFolderIsAsItWas) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::recording

@@ -9,7 +9,7 @@
 #include "tests/support/manual_clock.h"
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::recording {
 namespace {
 
 using testing::ManualClock;
@@ -18,7 +18,7 @@ using testing::ManualClock;
 class ReplayTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    RecordingWriter writer = RecordingWriter::create(folder_.path()).value();
+    io::RecordingWriter writer = io::RecordingWriter::create(folder_.path()).value();
     for (int i = 0; i < 10; ++i) {
       const cv::Mat image(24, 32, CV_8UC1, cv::Scalar(i));
       ASSERT_TRUE(writer.append({FrameIndex(i), FrameKind::kVertical, 3.0 + 0.1 * i, image}));
@@ -44,7 +44,7 @@ TEST_F(ReplayTest, GoesAtItsOwnSpeedTimesAFactor) {
     EXPECT_DOUBLE_EQ(frame->time_s, 3.0 + 0.1 * i);
     EXPECT_NEAR(clock_.now_s() - start_s, 0.05 * i, 1e-6);
   }
-  EXPECT_EQ(sensor->status().state, SensorState::kEnded);
+  EXPECT_EQ(sensor->status().state, device::SensorState::kEnded);
   EXPECT_FALSE(sensor->next(1.0).value());
 }
 
@@ -62,7 +62,7 @@ TEST_F(ReplayTest, ADamagedFrameCostsItselfAndIsNamed) {
   const auto sensor = open(0.0);
   ASSERT_TRUE(sensor->start());
   std::vector<int> indices;
-  while (sensor->status().state == SensorState::kRunning)
+  while (sensor->status().state == device::SensorState::kRunning)
     if (const auto frame = sensor->next(1.0).value()) indices.push_back(frame->index.value);
   EXPECT_EQ(indices, (std::vector{0, 1, 2, 3, 5, 6, 8, 9}));
   EXPECT_EQ(sensor->status().dropped, 2);
@@ -72,8 +72,9 @@ TEST_F(ReplayTest, ADamagedFrameCostsItselfAndIsNamed) {
 TEST_F(ReplayTest, DecodesAheadAndDeliversInOrder) {
   const auto sensor = open(0.0);
   std::vector<int> indices;
-  CaptureLoop loop(sensor, [&](const Frame& frame) { indices.push_back(frame.index.value); });
-  while (loop.status().state != SensorState::kEnded) std::this_thread::yield();
+  device::CaptureLoop loop(sensor,
+                           [&](const Frame& frame) { indices.push_back(frame.index.value); });
+  while (loop.status().state != device::SensorState::kEnded) std::this_thread::yield();
   loop.stop();
   EXPECT_EQ(indices, (std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
@@ -81,12 +82,12 @@ TEST_F(ReplayTest, DecodesAheadAndDeliversInOrder) {
 // Who has other work to do beside it, as a recorder, would else ask over and over.
 TEST_F(ReplayTest, SaysWhereNothingIsLeftToDecodeAhead) {
   const auto sensor = open(1.0);
-  EXPECT_FALSE(sensor->work_beside(0.0));
+  EXPECT_FALSE(sensor->work_in_background(0.0));
   ASSERT_TRUE(sensor->start());
-  for (int i = 0; i < ReplayOptions().ahead; ++i) EXPECT_TRUE(sensor->work_beside(0.0));
-  EXPECT_FALSE(sensor->work_beside(0.0));
+  for (int i = 0; i < ReplayOptions().ahead; ++i) EXPECT_TRUE(sensor->work_in_background(0.0));
+  EXPECT_FALSE(sensor->work_in_background(0.0));
   EXPECT_TRUE(sensor->next(1.0).value());
-  EXPECT_TRUE(sensor->work_beside(0.0));
+  EXPECT_TRUE(sensor->work_in_background(0.0));
 }
 
 TEST_F(ReplayTest, BeginsAnewAfterItsEnd) {
@@ -94,7 +95,7 @@ TEST_F(ReplayTest, BeginsAnewAfterItsEnd) {
   for (int round = 0; round < 2; ++round) {
     ASSERT_TRUE(sensor->start());
     EXPECT_EQ(sensor->next(1.0).value()->index.value, 0);
-    while (sensor->status().state == SensorState::kRunning) (void)sensor->next(1.0);
+    while (sensor->status().state == device::SensorState::kRunning) (void)sensor->next(1.0);
     EXPECT_EQ(sensor->status().delivered, 10);
   }
 }
@@ -107,4 +108,4 @@ TEST_F(ReplayTest, NamesWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::recording

@@ -8,7 +8,7 @@
 #include "tests/support/fake_video.h"
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 using ::testing::ElementsAre;
@@ -29,9 +29,9 @@ class CheckRigTest : public ::testing::Test {
     rig_.measurement.settings.size = {4, 2};
     rig_.texture.emplace();
     rig_.texture->match.name = "Color";
-    rig_.texture->settings.format = PixelFormat::kYuyv;
+    rig_.texture->settings.format = device::PixelFormat::kYuyv;
     rig_.texture->settings.size = {4, 2};
-    rig_.lights = {{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, LineMatch{"", 2}};
+    rig_.lights = {{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, gpio::LineMatch{"", 2}};
   }
 
   std::vector<std::string> problems() {
@@ -41,10 +41,10 @@ class CheckRigTest : public ::testing::Test {
     return messages;
   }
 
-  FakeVideoSystem system_{machine_clock()};
+  FakeVideoSystem system_{device::machine_clock()};
   std::shared_ptr<FakeCamera> measurement_ = system_.add();
   std::shared_ptr<FakeCamera> texture_ = system_.add();
-  std::vector<GpioChip> chips_ = {
+  std::vector<gpio::GpioChip> chips_ = {
       {{"/dev/gpiochip0", "", "1", "1-3", 0}, "ftdi-cbus", {{}, {}, {}, {}}, {}}};
   RigSettings rig_;
 };
@@ -75,7 +75,7 @@ TEST_F(CheckRigTest, NamesALineThatTwoLightsHave) {
 TEST_F(CheckRigTest, OneCameraCannotBeBoth) {
   texture_->present = false;
   rig_.texture->match = {"", "M1", ""};
-  rig_.texture->settings.format = PixelFormat::kGrey8;
+  rig_.texture->settings.format = device::PixelFormat::kGrey8;
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("both the measurement and the texture camera")));
 }
 
@@ -87,4 +87,4 @@ TEST_F(CheckRigTest, WithoutTextureNeedsNeitherItsCameraNorAFlash) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -5,23 +5,23 @@
 #include <utility>
 #include <vector>
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 constexpr double kPatience_s = 0.25;
 
 cv::Mat image(int value) { return {2, 2, CV_8UC1, cv::Scalar(value)}; }
 
-FrameLabel dark_at(double time_s) {
-  FrameLabel label;
-  label.outcome = LabelOutcome::kLabeled;
+sync::FrameLabel dark_at(double time_s) {
+  sync::FrameLabel label;
+  label.outcome = sync::LabelOutcome::kLabeled;
   label.time_s = time_s;
   return label;
 }
 
-FrameLabel flash_of(double time_s, double area) {
-  FrameLabel label = dark_at(time_s);
-  label.light = Light::kFlash;
+sync::FrameLabel flash_of(double time_s, double area) {
+  sync::FrameLabel label = dark_at(time_s);
+  label.light = device::Light::kFlash;
   label.evidence.is_flash = true;
   label.evidence.area = area;
   return label;
@@ -96,4 +96,4 @@ TEST_F(FrameMergerTest, WhatComesAfterALaterOneIsGivenUpAndCounted) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::rig

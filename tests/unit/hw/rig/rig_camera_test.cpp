@@ -2,38 +2,38 @@
 
 #include <gtest/gtest.h>
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 // A camera at 10 Hz whose faults are those that a test writes into its status.
-class FaultyCamera final : public Camera {
+class FaultyCamera final : public device::Camera {
  public:
   Result<void> start() override {
     status_ = {};
     return {};
   }
   void stop() override {}
-  Result<std::optional<CameraFrame>> next(double /*timeout_s*/) override {
-    CameraFrame frame;
+  Result<std::optional<device::CameraFrame>> next(double /*timeout_s*/) override {
+    device::CameraFrame frame;
     frame.image = cv::Mat(64, 64, CV_8UC1, cv::Scalar(10));
     frame.time_s = 100.0 + 0.1 * static_cast<double>(taken_++);
     frame.damaged = is_damaged;
     return frame;
   }
-  [[nodiscard]] CameraStatus status() const override { return status_; }
-  [[nodiscard]] CameraSettings asked() const override { return read_back(); }
-  [[nodiscard]] CameraSettings read_back() const override {
-    CameraSettings settings;
+  [[nodiscard]] device::CameraStatus status() const override { return status_; }
+  [[nodiscard]] device::CameraSettings asked() const override { return read_back(); }
+  [[nodiscard]] device::CameraSettings read_back() const override {
+    device::CameraSettings settings;
     settings.rate_hz = 10.0;
     return settings;
   }
   [[nodiscard]] std::string name() const override { return "faulty camera"; }
 
-  CameraStatus& faults() { return status_; }
+  device::CameraStatus& faults() { return status_; }
   bool is_damaged = false;
 
  private:
-  CameraStatus status_;
+  device::CameraStatus status_;
   std::int64_t taken_ = 0;
 };
 
@@ -64,7 +64,8 @@ TEST_F(RigCameraReaderTest, DamagedFramesAreCountedAndKeptBack) {
 
 // Its exposures then begin at other times than before.
 TEST_F(RigCameraReaderTest, TheBeatBeginsAnewWithEachStream) {
-  for (std::int64_t CameraStatus::*count : {&CameraStatus::returned, &CameraStatus::restarted}) {
+  for (std::int64_t device::CameraStatus::*count :
+       {&device::CameraStatus::returned, &device::CameraStatus::restarted}) {
     label_some();
     EXPECT_TRUE(knows_beat());
     ++(camera_->faults().*count);
@@ -76,4 +77,4 @@ TEST_F(RigCameraReaderTest, TheBeatBeginsAnewWithEachStream) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/interchange/file_bytes.h"
+#include "core/io/files/file_bytes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 using ::testing::AllOf;
@@ -36,13 +36,13 @@ TEST(RigFile, ReadsEveryKeyAndIgnoresUnknownOnes) {
   EXPECT_EQ(rig.name, "chair 2");
   EXPECT_EQ(rig.measurement.match.name, "mono");
   EXPECT_EQ(rig.measurement.match.serial, "17");
-  EXPECT_EQ(rig.measurement.settings.format, PixelFormat::kGrey12);
-  EXPECT_EQ(rig.measurement.settings.channels, Channels::kGrey);
+  EXPECT_EQ(rig.measurement.settings.format, device::PixelFormat::kGrey12);
+  EXPECT_EQ(rig.measurement.settings.channels, device::Channels::kGrey);
   EXPECT_EQ(rig.measurement.settings.exposure_s, 0.01);
   EXPECT_EQ(rig.measurement.settings.gain, 4.0);
   EXPECT_EQ(rig.measurement.readout_s, 0.02);
   ASSERT_TRUE(rig.texture);
-  EXPECT_EQ(rig.texture->settings.channels, Channels::kRgb);
+  EXPECT_EQ(rig.texture->settings.channels, device::Channels::kRgb);
   EXPECT_EQ(rig.texture->settings.size, (ImageSize{1280, 960}));
   EXPECT_EQ(rig.texture->settings.white_balance_k, 5000.0);
   EXPECT_FALSE(rig.texture->settings.exposure_s);
@@ -75,11 +75,11 @@ TEST(RigFile, AMissingOrMalformedKeyNamesFileKeyAndWhatWasExpected) {
 
 TEST(RigFile, TheCalibrationLiesBesideTheFile) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(write_file(folder.path() / "rig.json", kRig));
+  ASSERT_TRUE(io::write_file(folder.path() / "rig.json", kRig));
   const RigSettings rig = read_rig(folder.path() / "rig.json").value();
   EXPECT_EQ(*rig.calibration, folder.path() / "calibration.json");
   EXPECT_FALSE(read_rig(folder.path() / "none.json"));
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 using ::testing::AllOf;
@@ -18,7 +18,7 @@ TEST(RigMessage, IsEmptyWhereNothingIsWrong) {
 
 TEST(RigMessage, WhatTheImagesSayOfTheLightsIsNotToldOfDevicesThatAreAway) {
   RigStatus status;
-  status.measurement.fault = LightFault::kNoVertical;
+  status.measurement.fault = sync::LightFault::kNoVertical;
   EXPECT_THAT(rig_message(status, ""), HasSubstr("vertical lines never show"));
   status.lights.message = "the switch of the lights was unplugged";
   EXPECT_THAT(rig_message(status, ""), AllOf(HasSubstr("unplugged"), Not(HasSubstr("never show"))));
@@ -26,11 +26,11 @@ TEST(RigMessage, WhatTheImagesSayOfTheLightsIsNotToldOfDevicesThatAreAway) {
 
 TEST(RigMessage, AFlashThatTheTextureCameraSeesIsNotMissing) {
   RigStatus status;
-  status.measurement.fault = LightFault::kNoFlash;
+  status.measurement.fault = sync::LightFault::kNoFlash;
   EXPECT_THAT(rig_message(status, ""), HasSubstr("flash never shows"));
   status.texture.emplace();
   EXPECT_EQ(rig_message(status, ""), "");
-  status.texture->fault = LightFault::kNoFlash;
+  status.texture->fault = sync::LightFault::kNoFlash;
   EXPECT_THAT(rig_message(status, ""), HasSubstr("flash never shows"));
 }
 
@@ -44,4 +44,4 @@ TEST(RigMessage, TellsOfBothCameras) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -7,7 +7,7 @@
 #include "hw/sync/image_light.h"
 #include "tests/support/simulated_rig.h"
 
-namespace flytri {
+namespace flytri::rig {
 namespace {
 
 using testing::make_simulated_rig;
@@ -20,7 +20,7 @@ SimulatedRigOptions usual() {
   options.measurement.latency_s = 0.045;
   options.texture.latency_s = 0.07;
   options.texture.phase_s = 0.011;
-  options.texture.settings.channels = Channels::kRgb;
+  options.texture.settings.channels = device::Channels::kRgb;
   return options;
 }
 
@@ -49,7 +49,7 @@ void expect_true(const std::vector<Frame>& frames) {
     EXPECT_GT(frame.time_s, before_s);
     before_s = frame.time_s;
     EXPECT_EQ(frame.index.at(), index++);
-    const ImageLight light = measure_image_light(frame.image);
+    const sync::ImageLight light = sync::measure_image_light(frame.image);
     if (frame.kind == FrameKind::kTexture) {
       EXPECT_EQ(frame.image.type(), CV_8UC3);
       EXPECT_GT(light.area, 0.1);
@@ -77,7 +77,7 @@ TEST(RigSensor, RunsTheSequenceOfThePaper) {
   const RigStatus status = rig.sensor->rig_status();
   EXPECT_TRUE(status.keeps_step);
   EXPECT_NEAR(status.measurement.latency.latency_s, 0.045, 0.004);
-  EXPECT_EQ(rig.sensor->status().state, SensorState::kRunning);
+  EXPECT_EQ(rig.sensor->status().state, device::SensorState::kRunning);
   EXPECT_EQ(rig.sensor->status().message, "");
   EXPECT_EQ(rig.sensor->status().delivered, static_cast<std::int64_t>(frames.size()));
 }
@@ -102,10 +102,10 @@ TEST(RigSensor, IsDarkAfterStopAndStartsAgain) {
   ASSERT_TRUE(rig.sensor->start());
   run(rig, 2.0);
   rig.sensor->stop();
-  EXPECT_EQ(rig.sensor->status().state, SensorState::kIdle);
+  EXPECT_EQ(rig.sensor->status().state, device::SensorState::kIdle);
   rig.clock.turn(1.0);
   const double now_s = rig.clock.now_s();
-  EXPECT_NEAR(rig.lights->truth(now_s - 0.5, now_s).lit(Light::kDark), 0.5, 1e-9);
+  EXPECT_NEAR(rig.lights->truth(now_s - 0.5, now_s).lit(device::Light::kDark), 0.5, 1e-9);
   EXPECT_FALSE(rig.sensor->next(0.01));
   ASSERT_TRUE(rig.sensor->start());
   const auto frames = run(rig, 4.0);
@@ -119,11 +119,11 @@ TEST(RigSensor, AnUnpluggedCameraIsLostAndComesBack) {
   run(rig, 3.0);
   rig.measurement->set_plugged(false);
   run(rig, 1.0);
-  EXPECT_EQ(rig.sensor->status().state, SensorState::kLost);
+  EXPECT_EQ(rig.sensor->status().state, device::SensorState::kLost);
   EXPECT_NE(rig.sensor->status().message, "");
   rig.measurement->set_plugged(true);
   const auto frames = run(rig, 4.0);
-  EXPECT_EQ(rig.sensor->status().state, SensorState::kRunning);
+  EXPECT_EQ(rig.sensor->status().state, device::SensorState::kRunning);
   EXPECT_EQ(rig.sensor->status().message, "");
   EXPECT_GT(frames.size(), 90U);
 }
@@ -134,11 +134,11 @@ TEST(RigSensor, LightsThatAreUnpluggedLoseTheSensorButNoFrameIsWronglyNamed) {
   auto frames = run(rig, 3.0);
   rig.lights->set_plugged(false);
   const auto without = run(rig, 2.0);
-  EXPECT_EQ(rig.sensor->status().state, SensorState::kLost);
+  EXPECT_EQ(rig.sensor->status().state, device::SensorState::kLost);
   EXPECT_LT(without.size(), 10U);
   rig.lights->set_plugged(true);
   const auto after = run(rig, 4.0);
-  EXPECT_EQ(rig.sensor->status().state, SensorState::kRunning);
+  EXPECT_EQ(rig.sensor->status().state, device::SensorState::kRunning);
   EXPECT_GT(after.size(), 80U);
   for (const auto* part : {&without, &after})
     frames.insert(frames.end(), part->begin(), part->end());
@@ -152,7 +152,7 @@ TEST(RigSensor, GoesOnWithoutItsTextureCameraAndSaysSo) {
   rig.texture->set_plugged(false);
   const auto frames = run(rig, 3.0);
   EXPECT_GT(frames.size(), 70U);
-  EXPECT_EQ(rig.sensor->status().state, SensorState::kRunning);
+  EXPECT_EQ(rig.sensor->status().state, device::SensorState::kRunning);
   EXPECT_NE(rig.sensor->status().message, "");
 }
 
@@ -207,4 +207,4 @@ TEST(RigSensor, RunsWithoutTexture) {
 TEST(RigSensor, NeedsACameraAndLights) { EXPECT_FALSE(RigSensor::create({}, {}, nullptr)); }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::rig

@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 constexpr double kPeriod_s = 0.04;
@@ -69,4 +69,4 @@ TEST(FrameClock, NamesABadOption) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::sync

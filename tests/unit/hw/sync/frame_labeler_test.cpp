@@ -2,28 +2,29 @@
 
 #include <gtest/gtest.h>
 
-#include "hw/simulated/label_trial.h"
+#include "app/lab/label_trial.h"
 #include "tests/support/simulated_rig.h"
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 constexpr double kCameraPeriod_s = 1.0 / 30.0;
 
-LabelTrialOptions usual() {
-  LabelTrialOptions options;
+lab::LabelTrialOptions usual() {
+  lab::LabelTrialOptions options;
   options.camera.noise = 0.004;
   options.camera.latency_s = 1.3 * kCameraPeriod_s;
   options.duration_s = 9.0;
   return options;
 }
 
-LabelTrialResult run(const LabelTrialOptions& options,
-                     const SimulatedCamera::Scene& of_light = testing::striped_scene) {
-  return run_label_trial(options, of_light).value();
+lab::LabelTrialResult run(
+    const lab::LabelTrialOptions& options,
+    const simulated::SimulatedCamera::Scene& of_light = testing::striped_scene) {
+  return lab::run_label_trial(options, of_light).value();
 }
 
-void expect_all_right(const LabelTrialResult& result, double in_step_within_s) {
+void expect_all_right(const lab::LabelTrialResult& result, double in_step_within_s) {
   ASSERT_TRUE(result.in_step_after_s);
   EXPECT_LT(*result.in_step_after_s, in_step_within_s);
   EXPECT_EQ(result.wrong, 0);
@@ -36,9 +37,9 @@ void expect_all_right(const LabelTrialResult& result, double in_step_within_s) {
 TEST(FrameLabeler, LabelsAllWholeFramesWhateverTheLatency) {
   for (const double periods : {0.0, 0.37, 1.0, 1.5, 2.2, 3.0}) {
     SCOPED_TRACE(periods);
-    LabelTrialOptions options = usual();
+    lab::LabelTrialOptions options = usual();
     options.camera.latency_s = periods * kCameraPeriod_s;
-    const LabelTrialResult result = run(options);
+    const lab::LabelTrialResult result = run(options);
     expect_all_right(result, 4.0);
     // An eighth of a period is what the plan needs.
     EXPECT_NEAR(result.latency_error_s, 0.0, kCameraPeriod_s / 8.0);
@@ -47,52 +48,53 @@ TEST(FrameLabeler, LabelsAllWholeFramesWhateverTheLatency) {
 }
 
 TEST(FrameLabeler, JitterAndDroppedFramesCostNothing) {
-  LabelTrialOptions options = usual();
+  lab::LabelTrialOptions options = usual();
   options.camera.jitter_s = 0.006;
   options.camera.dropped_share = 0.1;
   expect_all_right(run(options), 4.0);
 }
 
 TEST(FrameLabeler, ARollingShutterGetsTwoFramesAPattern) {
-  LabelTrialOptions options = usual();
+  lab::LabelTrialOptions options = usual();
   options.camera.exposure_s = 0.01;
   options.camera.readout_s = 0.02;
-  const LabelTrialResult result = run(options);
+  const lab::LabelTrialResult result = run(options);
   expect_all_right(result, 6.0);
   EXPECT_GT(result.whole, result.straddled / 2);
 }
 
 TEST(FrameLabeler, WhileNothingIsInFrontOfItTheClockDecides) {
-  LabelTrialOptions options = usual();
-  const LabelTrialResult result = run(options, [](Light light, double time_s) {
-    return testing::striped_scene(time_s > 104.0 && time_s < 109.0 ? Light::kDark : light, time_s);
+  lab::LabelTrialOptions options = usual();
+  const lab::LabelTrialResult result = run(options, [](device::Light light, double time_s) {
+    return testing::striped_scene(time_s > 104.0 && time_s < 109.0 ? device::Light::kDark : light,
+                                  time_s);
   });
   expect_all_right(result, 4.0);
 }
 
 TEST(FrameLabeler, ASwappedCableIsNamedAndFramesKeepTheNameOfWhatTheyShow) {
-  LabelTrialOptions options = usual();
+  lab::LabelTrialOptions options = usual();
   options.lights.faults.is_swapped = true;
-  const LabelTrialResult result = run(options);
+  const lab::LabelTrialResult result = run(options);
   expect_all_right(result, 4.0);
   EXPECT_EQ(result.fault, LightFault::kSwapped);
 }
 
 TEST(FrameLabeler, ASwitchThatDoesNotActIsNamed) {
-  LabelTrialOptions options = usual();
+  lab::LabelTrialOptions options = usual();
   options.lights.faults.is_mute = true;
-  const LabelTrialResult nothing = run(options);
+  const lab::LabelTrialResult nothing = run(options);
   EXPECT_EQ(nothing.fault, LightFault::kNothingSeen);
   EXPECT_EQ(nothing.wrong, 0);
   // It stopped acting while a pattern was lit.
-  const LabelTrialResult stuck = run(options, [](Light, double time_s) {
-    return testing::striped_scene(Light::kVertical, time_s);
+  const lab::LabelTrialResult stuck = run(options, [](device::Light, double time_s) {
+    return testing::striped_scene(device::Light::kVertical, time_s);
   });
   EXPECT_EQ(stuck.fault, LightFault::kStuck);
 }
 
 TEST(FrameLabeler, AProjectorThatNeverShinesIsNamed) {
-  LabelTrialOptions options = usual();
+  lab::LabelTrialOptions options = usual();
   options.lights.faults.no_horizontal = true;
   EXPECT_EQ(run(options).fault, LightFault::kNoHorizontal);
   options.lights.faults = {.no_vertical = true};
@@ -103,7 +105,7 @@ TEST(FrameLabeler, AProjectorThatNeverShinesIsNamed) {
 
 TEST(FrameLabeler, FollowsALatencyThatDrifts) {
   // The camera's clock runs off by a third of a percent: its period is learned, not believed.
-  LabelTrialOptions options = usual();
+  lab::LabelTrialOptions options = usual();
   options.camera.settings.rate_hz = 30.1;
   expect_all_right(run(options), 4.0);
 }
@@ -125,4 +127,4 @@ TEST(FrameLabeler, RefusesBadOptions) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::sync

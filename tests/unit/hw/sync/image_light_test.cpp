@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "assets/sample_jaw/sample_jaw.h"
-#include "core/interchange/recording.h"
-#include "hw/simulated/image_simulator.h"
+#include "core/io/recordings/recording.h"
+#include "hw/simulated/optics/image_simulator.h"
 #include "tests/support/places.h"
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 /// Lines 6 px wide, 80 px apart, over a patch of the image.
@@ -77,9 +77,12 @@ TEST(ImageLight, TellsFramesOfTheVirtualSensorApart) {
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
   for (const int bits : {8, 16}) {
     const auto simulator =
-        ImageSimulator::create(jaw, intraoral_sensor(), {.bits = bits, .tracing = Tracing::kGrid})
+        simulated::ImageSimulator::create(jaw, simulated::intraoral_sensor(),
+                                          {.bits = bits, .tracing = simulated::Tracing::kGrid})
             .value();
-    const SensorPath path = plan_path(simulator.scene(), simulator.sensor(), PathOptions{}).value();
+    const simulated::SensorPath path =
+        simulated::plan_path(simulator.scene(), simulator.sensor(), simulated::PathOptions{})
+            .value();
     for (const double time_s : {1.0, 3.0, 5.0}) {
       const auto share = [&](Pattern pattern) {
         return measure_image_light(simulator.measurement_image(pattern, path, time_s, 1))
@@ -93,10 +96,10 @@ TEST(ImageLight, TellsFramesOfTheVirtualSensorApart) {
 
 TEST(ImageLight, TellsFramesOfAnIndependentRendererApart) {
   const auto folder = testing::shared_data() / "recording-quadrant";
-  const auto recording = open_recording(folder);
+  const auto recording = io::open_recording(folder);
   if (!recording) GTEST_SKIP() << "needs " << folder;
   for (std::size_t i = 0; i < recording->frames.size(); i += 10) {
-    const Frame frame = load_frame(*recording, FrameIndex(i)).value();
+    const Frame frame = io::load_frame(*recording, FrameIndex(i)).value();
     const auto pattern = pattern_of(frame.kind);
     if (!pattern) continue;
     const double share = measure_image_light(frame.image).column_share();
@@ -105,4 +108,4 @@ TEST(ImageLight, TellsFramesOfAnIndependentRendererApart) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::sync

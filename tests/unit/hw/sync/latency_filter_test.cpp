@@ -4,7 +4,7 @@
 
 #include "core/base/random.h"
 
-namespace flytri {
+namespace flytri::sync {
 namespace {
 
 constexpr double kFramePeriod_s = 1.0 / 30.0;
@@ -16,19 +16,20 @@ LatencyEstimate learn(const LatencyOptions& options, double window_s) {
   LightHistory history;
   Random random(1);
   double switched_s = 0.0;
-  std::int64_t wish = 0;
+  std::int64_t request = 0;
   for (int i = 0; i < 400; ++i) {
     const double middle_s = 1.0 + i * kFramePeriod_s;
     for (; switched_s < middle_s + kLatency_s;
          switched_s += (1.2 + random.uniform()) * kFramePeriod_s) {
-      const Light light = ++wish % 2 == 0 ? Light::kVertical : Light::kHorizontal;
-      history.switched({wish, light, switched_s, switched_s, true});
+      const device::Light light =
+          ++request % 2 == 0 ? device::Light::kVertical : device::Light::kHorizontal;
+      history.switched({request, light, switched_s, switched_s, true});
     }
     const LightTimes lit = history.times(middle_s - 0.5 * window_s, middle_s + 0.5 * window_s);
     LightEvidence evidence;
     evidence.has_lines = true;
     evidence.line_places = 5000;
-    evidence.column_share = lit.lit(Light::kVertical) / window_s;
+    evidence.column_share = lit.lit(device::Light::kVertical) / window_s;
     filter.learn(history, middle_s + kLatency_s, evidence);
   }
   return filter.estimate();
@@ -58,4 +59,4 @@ TEST(LatencyFilter, AWindowBeyondAllThatAreThoughtPossibleIsTheLongestOfThem) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::sync

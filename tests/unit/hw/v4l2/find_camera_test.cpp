@@ -8,7 +8,7 @@
 #include "hw/device/clock.h"
 #include "tests/support/fake_video.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 namespace {
 
 using testing::FakeCamera;
@@ -26,7 +26,7 @@ class FindCameraTest : public ::testing::Test {
     add({"/dev/video3", "Color Camera", "", "1-3", 0});
   }
 
-  std::shared_ptr<FakeCamera> add(DeviceNode node) {
+  std::shared_ptr<FakeCamera> add(device::DeviceNode node) {
     auto camera = system_.add();
     camera->node = std::move(node);
     camera->fourcc = V4L2_PIX_FMT_GREY;
@@ -34,7 +34,7 @@ class FindCameraTest : public ::testing::Test {
     return camera;
   }
 
-  FakeVideoSystem system_{machine_clock()};
+  FakeVideoSystem system_{device::machine_clock()};
   std::vector<std::shared_ptr<FakeCamera>> cameras_;
 };
 
@@ -77,7 +77,7 @@ TEST_F(FindCameraTest, ListsEveryCameraWithWhatIsWrongWithIt) {
 }
 
 TEST_F(FindCameraTest, ChecksSettingsWithoutStarting) {
-  CameraSettings settings;
+  device::CameraSettings settings;
   settings.size = {4, 2};
   EXPECT_TRUE(check_camera(system_, {"Color", "", ""}, settings).empty());
   settings.size = {8, 2};
@@ -89,4 +89,4 @@ TEST_F(FindCameraTest, ChecksSettingsWithoutStarting) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::v4l2

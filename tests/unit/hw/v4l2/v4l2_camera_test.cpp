@@ -8,7 +8,7 @@
 #include "tests/support/fake_video.h"
 #include "tests/support/manual_clock.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 namespace {
 
 using testing::FakeBuffer;
@@ -28,7 +28,7 @@ class V4l2CameraTest : public ::testing::Test {
     settings_.rate_hz = 1.0 / kPeriod_s;
   }
 
-  void make_camera(const CameraMatch& match = {}) {
+  void make_camera(const device::CameraMatch& match = {}) {
     auto camera = V4l2Camera::create(match, settings_, {}, {system_, clock_.clock()});
     ASSERT_TRUE(camera) << camera.error().message;
     camera_ = std::move(*camera);
@@ -47,10 +47,10 @@ class V4l2CameraTest : public ::testing::Test {
     return fake_->frames.back();
   }
 
-  CameraFrame take() {
+  device::CameraFrame take() {
     const auto next = camera_->next(0.0);
     EXPECT_TRUE(next && *next);
-    return next && *next ? **next : CameraFrame{};
+    return next && *next ? **next : device::CameraFrame{};
   }
 
   void expect_none(double timeout_s) {
@@ -62,22 +62,22 @@ class V4l2CameraTest : public ::testing::Test {
   ManualClock clock_;
   std::shared_ptr<FakeVideoSystem> system_ = std::make_shared<FakeVideoSystem>(clock_.clock());
   std::shared_ptr<FakeCamera> fake_ = system_->add();
-  CameraSettings settings_;
+  device::CameraSettings settings_;
   std::unique_ptr<V4l2Camera> camera_;
 };
 
 TEST_F(V4l2CameraTest, DeliversImagesWithTheDriversTimeAndNumber) {
   start();
   deliver(0).bytes = {1, 2, 3, 4, 5, 6, 7, 8};
-  const CameraFrame frame = take();
+  const device::CameraFrame frame = take();
   EXPECT_EQ(frame.image.at<std::uint8_t>(1, 3), 8);
   // The driver's times are whole microseconds.
   EXPECT_NEAR(frame.time_s, clock_.now_s() - 0.01, 1e-6);
-  EXPECT_EQ(frame.stamp, StampMeaning::kEndOfReadout);
+  EXPECT_EQ(frame.stamp, device::StampMeaning::kEndOfReadout);
   EXPECT_EQ(frame.sequence, 0);
   EXPECT_FALSE(frame.damaged);
   deliver(1).flags = V4L2_BUF_FLAG_TSTAMP_SRC_SOE;
-  EXPECT_EQ(take().stamp, StampMeaning::kStartOfExposure);
+  EXPECT_EQ(take().stamp, device::StampMeaning::kStartOfExposure);
   EXPECT_EQ(camera_->status().delivered, 2);
 }
 
@@ -126,14 +126,14 @@ TEST_F(V4l2CameraTest, GoesOnAfterItWasUnpluggedUnderAnotherNode) {
   const std::int64_t before = take().sequence;
   fake_->present = false;
   expect_none(0.0);
-  EXPECT_EQ(camera_->status().state, CameraState::kLost);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kLost);
   for (int i = 0; i < 5; ++i) expect_none(1.0);
   EXPECT_EQ(camera_->status().lost, 1);
   EXPECT_THAT(camera_->status().message, HasSubstr("plug it in"));
   fake_->present = true;
   fake_->node.node = "/dev/video7";
   expect_none(1.0);
-  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kRunning);
   EXPECT_EQ(camera_->status().returned, 1);
   deliver(0);
   EXPECT_GE(take().sequence, before + 2);
@@ -144,9 +144,9 @@ TEST_F(V4l2CameraTest, StartsABrokenStreamAgain) {
   start();
   deliver(0).error = EIO;
   expect_none(0.0);
-  EXPECT_EQ(camera_->status().state, CameraState::kLost);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kLost);
   expect_none(0.0);
-  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kRunning);
   EXPECT_EQ(camera_->status().restarted, 1);
   EXPECT_EQ(camera_->status().lost, 0);
   EXPECT_EQ(fake_->streaming, 1);
@@ -159,26 +159,26 @@ TEST_F(V4l2CameraTest, FrozenCountsOnceAndIsSetUpAnewUntilFramesCome) {
   deliver(0);
   take();
   expect_none(4.0 * kPeriod_s);
-  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kRunning);
   expect_none(2.0 * kPeriod_s);
-  EXPECT_EQ(camera_->status().state, CameraState::kFrozen);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kFrozen);
   for (int i = 0; i < 60; ++i) expect_none(kPeriod_s);
-  EXPECT_EQ(camera_->status().state, CameraState::kFrozen);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kFrozen);
   EXPECT_EQ(camera_->status().frozen, 1);
   EXPECT_GE(camera_->status().restarted, 2);
   deliver(0);
   take();
-  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kRunning);
   EXPECT_EQ(camera_->status().message, "");
 }
 
 TEST_F(V4l2CameraTest, OneLongWaitWithoutAFrameIsFrozenToo) {
   start();
   expect_none(3.0);
-  EXPECT_EQ(camera_->status().state, CameraState::kFrozen);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kFrozen);
   EXPECT_EQ(camera_->status().frozen, 1);
   expect_none(0.0);
-  EXPECT_EQ(camera_->status().state, CameraState::kFrozen);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kFrozen);
   EXPECT_EQ(camera_->status().restarted, 1);
 }
 
@@ -201,7 +201,7 @@ TEST_F(V4l2CameraTest, StopLetsTheCameraGo) {
   EXPECT_EQ(fake_->streaming, 0);
   EXPECT_EQ(camera_->next(0.0).error().code, ErrorCode::kBadOption);
   ASSERT_TRUE(camera_->start());
-  EXPECT_EQ(camera_->status().state, CameraState::kRunning);
+  EXPECT_EQ(camera_->status().state, device::CameraState::kRunning);
 }
 
 TEST_F(V4l2CameraTest, SaysWhyItDoesNotStart) {
@@ -211,7 +211,7 @@ TEST_F(V4l2CameraTest, SaysWhyItDoesNotStart) {
     ASSERT_FALSE(started);
     EXPECT_EQ(started.error().code, code);
     EXPECT_THAT(started.error().message, HasSubstr(remedy));
-    EXPECT_EQ(camera_->status().state, CameraState::kFailed);
+    EXPECT_EQ(camera_->status().state, device::CameraState::kFailed);
     EXPECT_EQ(camera_->status().message, started.error().message);
   };
   fake_->open_error = EACCES;
@@ -223,7 +223,7 @@ TEST_F(V4l2CameraTest, SaysWhyItDoesNotStart) {
   fake_->errors[VIDIOC_STREAMON] = ENOSPC;
   expect_failure(ErrorCode::kBadOption, "USB bus is too slow");
   fake_->errors.clear();
-  settings_.format = PixelFormat::kGrey12;
+  settings_.format = device::PixelFormat::kGrey12;
   expect_failure(ErrorCode::kBadOption, "it has GREY 4 x 2");
   fake_->present = false;
   expect_failure(ErrorCode::kNotFound, "plug it in");
@@ -237,4 +237,4 @@ TEST_F(V4l2CameraTest, RefusesOptionsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::v4l2

@@ -9,7 +9,7 @@
 #include "hw/device/clock.h"
 #include "tests/support/fake_video.h"
 
-namespace flytri {
+namespace flytri::v4l2 {
 namespace {
 
 using testing::FakeVideoSystem;
@@ -26,13 +26,13 @@ class VideoControlsTest : public ::testing::Test {
     device_ = std::move(*system_.open(fake_->node.node));
   }
 
-  Result<CameraSettings> set(const CameraSettings& settings) {
+  Result<device::CameraSettings> set(const device::CameraSettings& settings) {
     return set_controls({*device_, fake_->node}, settings);
   }
 
   std::int32_t value(std::uint32_t id) { return fake_->controls.at(id).value; }
 
-  FakeVideoSystem system_{machine_clock()};
+  FakeVideoSystem system_{device::machine_clock()};
   std::shared_ptr<testing::FakeCamera> fake_ = system_.add();
   std::unique_ptr<VideoDevice> device_;
 };
@@ -49,7 +49,7 @@ TEST_F(VideoControlsTest, AutomaticModesAreOffEvenWhereNothingElseIsAsked) {
 }
 
 TEST_F(VideoControlsTest, WhatIsAskedIsSetInTheCamerasStepsAndReadBack) {
-  CameraSettings settings;
+  device::CameraSettings settings;
   settings.exposure_s = 0.00333;
   settings.gain = 20.4;
   const auto read_back = set(settings);
@@ -60,7 +60,7 @@ TEST_F(VideoControlsTest, WhatIsAskedIsSetInTheCamerasStepsAndReadBack) {
 }
 
 TEST_F(VideoControlsTest, RefusesWhatTheCameraDoesNotHave) {
-  CameraSettings settings;
+  device::CameraSettings settings;
   settings.exposure_s = 1.0;
   EXPECT_THAT(set(settings).error().message, HasSubstr("exposure_s is 1, it takes 0.0001 to 0.5"));
   settings.exposure_s.reset();
@@ -90,4 +90,4 @@ TEST_F(VideoControlsTest, NamesTheControlThatFails) {
 }
 
 }  // namespace
-}  // namespace flytri
+}  // namespace flytri::v4l2

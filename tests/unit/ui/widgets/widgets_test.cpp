@@ -85,8 +85,8 @@ TEST(Toasts, OnlyTheLatestFewStay) {
 
 TEST(Status, LossIsTheWarningColorAndSaysWhatToDo) {
   AppView view;
-  auto scan = std::make_shared<ScanSnapshot>();
-  scan->phase = ScanPhase::kContinuation;
+  auto scan = std::make_shared<scan::ScanSnapshot>();
+  scan->phase = scan::ScanPhase::kContinuation;
   view.scan = scan;
   view.is_scanning = true;
   const Status lost = status_of(view);

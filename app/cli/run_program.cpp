@@ -1,0 +1,88 @@
+#include "app/cli/run_program.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "app/cli/progress_bar.h"
+
+namespace flytri::cli {
+namespace {
+
+enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2 };
+
+/// CLI11 says only that a command is missing; this names the misspelled one.
+std::string usage_message(const CLI::App* app, const CLI::Error& error) {
+  const CLI::App* named = app;
+  while (!named->get_subcommands().empty()) named = named->get_subcommands().front();
+  const std::vector<std::string> unknown = named->remaining();
+  const bool wants_command = named->get_require_subcommand_min() > 0;
+  if (!wants_command || unknown.empty() || unknown.front().starts_with('-')) {
+    return CLI::FailureMessage::simple(app, error);
+  }
+  return fmt::format("There is no command {}\nRun with --help for a list of commands.\n",
+                     unknown.front());
+}
+
+int run(const CLI::App& program, const Job& job) {
+  const Progress progress;
+  const Result<void> result = [&] {
+    const ProgressBar bar(progress);
+    return job(progress);
+  }();
+  if (result) return kDone;
+  fmt::print(stderr, "{}: {}\n", program.get_name(), result.error().message);
+  return kFailed;
+}
+
+int parse_and_run(int argc, char** argv, SetUpCommandLine set_up, const char* default_command) {
+  CLI::App program;
+  Invocation invocation;
+  program.require_subcommand(1);
+  program.failure_message(usage_message);
+  program.set_version_flag("--version", FLYTRI_VERSION);
+  set_up(program, invocation);
+  try {
+    if (argc > 1 || default_command == nullptr) {
+      program.parse(argc, argv);
+    } else {
+      program.parse(default_command);
+    }
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kDone : kUsage;
+  }
+  return run(program, invocation.job);
+}
+
+/// False on a processor older than the instruction set that the program was built for.
+bool processor_is_new_enough() {
+#ifdef __AVX2__
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+#else
+  return true;
+#endif
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, SetUpCommandLine set_up, const char* default_command) {
+  if (!processor_is_new_enough()) {
+    std::fputs(
+        "flytri: this processor lacks AVX2. Build for it with: cmake --preset release "
+        "-DFLYTRI_MARCH=x86-64\n",
+        stderr);
+    return kFailed;
+  }
+  try {
+    return parse_and_run(argc, argv, set_up, default_command);
+  } catch (const std::exception& error) {
+    // Memory is exhausted, or the program has a defect.
+    fmt::print(stderr, "flytri: internal error: {}\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace flytri::cli

@@ -1,0 +1,51 @@
+/// @file  A scan by the virtual sensor, view by view: what the demo and the studies begin with.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/workers.h"
+#include "core/geometry/triangle_mesh.h"
+#include "core/geometry/view.h"
+#include "hw/simulated/optics/sensor_path.h"
+#include "hw/simulated/optics/view_simulator.h"
+
+namespace flytri::lab {
+
+struct SimulatedScanOptions {
+  int view_count = 300;         ///< >= 2
+  simulated::PathOptions path;  ///< its duration is set by view_count at the sensor's frame rate
+  /// How the hand holds the sensor off that path, in the frame of the path's sensor.
+  Isometry T_path_sensor = Isometry::Identity();
+  simulated::ViewNoise noise;
+};
+
+/// Views with noise, the same points without, and where the sensor truly was.
+struct SimulatedScan {
+  std::vector<std::shared_ptr<const View>> views;
+  std::vector<std::shared_ptr<const View>> ideal_views;
+  std::vector<Isometry> T_model_sensor;
+};
+
+/// Scans a mesh, patterns in turn.
+/// @errors  as ViewSimulator::create and plan_path; kCancelled.
+[[nodiscard]] Result<SimulatedScan> simulate_scan(const TriangleMesh& mesh,
+                                                  const simulated::SensorModel& sensor,
+                                                  const SimulatedScanOptions& options,
+                                                  const Workers& workers, const Progress& progress);
+
+/// The truth of those views that were registered.
+struct RegisteredTruth {
+  std::vector<AlignedView> aligned;
+  std::vector<std::shared_ptr<const View>> ideal;
+  std::vector<Isometry> T_model_sensor;
+};
+
+/// Registers the views of a scan, without the joint refinement.
+/// @errors  kInsufficient: no two views could be registered; kCancelled.
+[[nodiscard]] Result<RegisteredTruth> register_scan(const SimulatedScan& scan,
+                                                    const Progress& progress);
+
+}  // namespace flytri::lab

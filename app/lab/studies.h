@@ -1,0 +1,19 @@
+/// @file  Commands of flytri-lab, one function and one file each: the figures in docs/ come from
+/// them.
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace flytri::lab {
+
+inline constexpr double kMicrons = 1e3;  ///< of a millimeter
+
+void add_table2_study(CLI::App& lab, cli::Invocation& invocation);
+void add_refinement_study(CLI::App& lab, cli::Invocation& invocation);
+void add_tracking_study(CLI::App& lab, cli::Invocation& invocation);
+void add_continuation_study(CLI::App& lab, cli::Invocation& invocation);
+void add_growth_study(CLI::App& lab, cli::Invocation& invocation);
+void add_synchronization_study(CLI::App& lab, cli::Invocation& invocation);
+void add_live_command(CLI::App& lab, cli::Invocation& invocation);
+
+}  // namespace flytri::lab

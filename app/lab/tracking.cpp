@@ -1,0 +1,186 @@
+/// @file  flytri-lab tracking: how fast and how interrupted a scan may be, and whether any view
+/// is put where it does not belong.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "app/lab/simulated_scan.h"
+#include "app/lab/studies.h"
+#include "assets/sample_jaw/sample_jaw.h"
+#include "core/tracking/registrar.h"
+
+namespace flytri::lab {
+namespace {
+
+/// Views of the arch at the paper's pace.
+constexpr int kViewsAtPace = 1000;
+/// A view further than this from where most others say it is, is wrong: several times the drift
+/// over a whole arch.
+constexpr double kWrongMm = 0.5;
+/// Every n-th point of a view tells where it is.
+constexpr std::size_t kStride = 50;
+
+struct TrackingArguments {
+  int seed_count = 2;
+  int thread_count = 0;
+};
+
+/// What is done to the scan.
+struct Scenario {
+  std::string name;
+  double pace = 1.0;  ///< of the hand, in units of the paper's
+  simulated::ViewNoise noise;
+  int gap_every = 0;  ///< views from one interruption to the next; 0: none
+  int gap_views = 0;  ///< views that see nothing, in each
+};
+
+struct Counts {
+  int views = 0, right = 0, rejected = 0, wrong = 0;
+  double pace_mm_s = 0.0;
+};
+
+/// A registered view and the frame of the model as its own pose suggests it.
+struct Placed {
+  std::vector<Vec3> points_mm;  ///< world frame
+  Isometry T_model_world;
+};
+
+/// RMS distance of the view's points from where another view's gauge puts them.
+double distance_mm(const Placed& view, const Placed& other) {
+  double sum = 0.0;
+  for (const Vec3& p : view.points_mm) {
+    sum += (view.T_model_world * p - other.T_model_world * p).squaredNorm();
+  }
+  return std::sqrt(sum / std::max<double>(1.0, static_cast<double>(view.points_mm.size())));
+}
+
+/// Views in agreement with the one that most agree with.
+int count_right(const std::vector<Placed>& placed) {
+  int most = 0;
+  for (const Placed& gauge : placed) {
+    const auto agree = std::count_if(placed.begin(), placed.end(), [&](const Placed& view) {
+      return distance_mm(view, gauge) < kWrongMm;
+    });
+    most = std::max(most, static_cast<int>(agree));
+  }
+  return most;
+}
+
+bool sees_nothing(const Scenario& scenario, std::size_t i) {
+  if (scenario.gap_every == 0) return false;
+  return static_cast<int>(i) % scenario.gap_every >= scenario.gap_every - scenario.gap_views;
+}
+
+double mean_pace_mm_s(const SimulatedScan& scan) {
+  double length_mm = 0.0;
+  for (std::size_t i = 1; i < scan.T_model_sensor.size(); ++i) {
+    length_mm +=
+        (scan.T_model_sensor[i].translation() - scan.T_model_sensor[i - 1].translation()).norm();
+  }
+  return length_mm / (scan.views.back()->time_s - scan.views.front()->time_s);
+}
+
+Placed placed_at(const tracking::RegisteredView& view, const Isometry& T_model_sensor) {
+  Placed placed{{}, T_model_sensor * view.T_world_sensor.inverse()};
+  for (const Profile& profile : view.view->profiles) {
+    for (std::size_t k = 0; k < profile.points.size(); k += kStride) {
+      placed.points_mm.push_back(view.T_world_sensor * profile.points[k].position_mm);
+    }
+  }
+  return placed;
+}
+
+Result<Counts> track(const TriangleMesh& jaw, const Scenario& scenario, int seed,
+                     const Workers& workers, const Progress& progress) {
+  SimulatedScanOptions options;
+  options.view_count = static_cast<int>(std::lround(kViewsAtPace / scenario.pace));
+  options.noise = scenario.noise;
+  options.noise.seed = static_cast<std::uint64_t>(seed);
+  options.path.seed = static_cast<std::uint64_t>(seed);
+  const auto scan = simulate_scan(jaw, simulated::intraoral_sensor(), options, workers, progress);
+  if (!scan) return tl::unexpected(scan.error());
+  auto registrar = tracking::Registrar::create();
+  if (!registrar) return tl::unexpected(registrar.error());
+  Counts counts;
+  counts.pace_mm_s = mean_pace_mm_s(*scan);
+  progress.begin_stage("Registering views", scan->views.size());
+  for (std::size_t i = 0; i < scan->views.size(); ++i) {
+    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped while registering");
+    progress.advance();
+    if (sees_nothing(scenario, i)) continue;
+    registrar->add(scan->views[i]);
+    ++counts.views;
+  }
+  std::vector<Placed> placed;
+  for (const tracking::RegisteredView& view : registrar->finish()) {
+    if (view.fate == tracking::ViewFate::kRejected) {
+      ++counts.rejected;
+    } else {
+      placed.push_back(placed_at(view, scan->T_model_sensor[view.view->frame.at()]));
+    }
+  }
+  counts.right = count_right(placed);
+  counts.wrong = static_cast<int>(placed.size()) - counts.right;
+  return counts;
+}
+
+std::vector<Scenario> scenarios() {
+  const simulated::ViewNoise white{0.03};
+  simulated::ViewNoise correlated{0.03};
+  correlated.correlation_samples = 1.5;
+  simulated::ViewNoise none{1e-6};
+  std::vector<Scenario> list;
+  for (const double pace : {1.0, 2.0, 3.0, 4.0, 6.0, 10.0}) {
+    list.push_back({fmt::format("{:g} x the pace, white noise", pace), pace, white});
+    list.push_back({fmt::format("{:g} x the pace, correlated noise", pace), pace, correlated});
+  }
+  list.push_back({"ideal data, 2.5 x the pace", 2.5, none});
+  list.push_back({"every 5 s 0.3 s of nothing", 1.0, correlated, 150, 10});
+  list.push_back({"every 5 s 2 s of nothing", 1.0, correlated, 150, 60});
+  return list;
+}
+
+Result<void> run(const TrackingArguments& arguments, const Progress& progress) {
+  const Workers workers(arguments.thread_count);
+  const auto jaw = sample_jaw::make_sample_jaw({}, workers);
+  if (!jaw) return tl::unexpected(jaw.error());
+  std::vector<std::string> rows;
+  for (const Scenario& scenario : scenarios()) {
+    Counts sum;
+    for (int seed = 1; seed <= arguments.seed_count; ++seed) {
+      const auto counts = track(*jaw, scenario, seed, workers, progress);
+      if (!counts) return tl::unexpected(counts.error());
+      sum.views += counts->views;
+      sum.right += counts->right;
+      sum.rejected += counts->rejected;
+      sum.wrong += counts->wrong;
+      sum.pace_mm_s += counts->pace_mm_s / arguments.seed_count;
+    }
+    rows.push_back(fmt::format("{:<38} {:>6.0f} {:>6} {:>6} {:>9} {:>6}", scenario.name,
+                               sum.pace_mm_s, sum.views, sum.right, sum.rejected, sum.wrong));
+  }
+  fmt::print("\n{:<38} {:>6} {:>6} {:>6} {:>9} {:>6}\n", "scan of the arch", "mm/s", "views",
+             "right", "rejected", "wrong");
+  for (const std::string& row : rows) fmt::print("{}\n", row);
+  return {};
+}
+
+}  // namespace
+
+void add_tracking_study(CLI::App& study, cli::Invocation& invocation) {
+  const auto arguments = std::make_shared<TrackingArguments>();
+  CLI::App* command = study.add_subcommand(
+      "tracking", "Views placed right, rejected and placed wrong: fast hands, interruptions");
+  command->add_option("--seeds", arguments->seed_count, "Scans of each kind, each by another hand")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  cli::add_threads_option(*command, arguments->thread_count);
+  command->footer("Example: flytri-lab tracking --seeds 2");
+  command->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
+  });
+}
+
+}  // namespace flytri::lab

@@ -1,0 +1,110 @@
+#include "core/calibration/fit/check_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flytri::calibration {
+namespace {
+
+/// Z has four coefficients; one plane more tells whether they fit.
+constexpr std::size_t kMinPlanes = 5;
+
+Result<void> check_image(const cv::Mat& image, const std::string& name, const cv::Mat& first,
+                         const std::string& first_name) {
+  if (image.empty()) return fail(ErrorCode::kBadFormat, "{}: the image is empty", name);
+  if (image.size() != first.size()) {
+    return fail(ErrorCode::kInconsistent, "{} has {} x {} pixels, {} has {} x {}", name, image.cols,
+                image.rows, first_name, first.cols, first.rows);
+  }
+  return {};
+}
+
+Result<void> check_gray(const cv::Mat& image, const std::string& name) {
+  if (image.type() == CV_8UC1 || image.type() == CV_16UC1) return {};
+  return fail(ErrorCode::kBadFormat,
+              "{}: images of the measurement camera must be 8- or 16-bit gray", name);
+}
+
+Result<void> check_plane(const CalibrationPlane& plane, const CalibrationPlane& first) {
+  const auto first_error = [](std::initializer_list<Result<void>> results) -> Result<void> {
+    for (const auto& result : results) {
+      if (!result) return result;
+    }
+    return {};
+  };
+  if (plane.dots_texture.type() != CV_8UC3) {
+    return fail(ErrorCode::kBadFormat, "{}: texture images must be 8-bit RGB",
+                plane.dots_texture_name);
+  }
+  return first_error({
+      check_image(plane.vertical, plane.vertical_name, first.vertical, first.vertical_name),
+      check_image(plane.horizontal, plane.horizontal_name, first.vertical, first.vertical_name),
+      check_image(plane.dots, plane.dots_name, first.vertical, first.vertical_name),
+      check_image(plane.dots_texture, plane.dots_texture_name, first.dots_texture,
+                  first.dots_texture_name),
+      check_gray(plane.vertical, plane.vertical_name),
+      check_gray(plane.horizontal, plane.horizontal_name),
+      check_gray(plane.dots, plane.dots_name),
+  });
+}
+
+Result<void> check_scene(const CalibrationSet& set) {
+  if (!(set.volume.size_mm.minCoeff() > 0) || !set.volume.size_mm.allFinite()) {
+    return fail(ErrorCode::kInconsistent, "the measurement volume must be larger than nothing");
+  }
+  if (*std::min_element(set.line_counts.begin(), set.line_counts.end()) < 1) {
+    return fail(ErrorCode::kInconsistent, "each pattern must have at least one line");
+  }
+  const DotTarget& dots = set.dots;
+  const bool ordered = dots.diameter_mm > 0 && dots.marker_diameter_mm > dots.diameter_mm &&
+                       dots.pitch_mm > dots.marker_diameter_mm;
+  if (!ordered) {
+    return fail(ErrorCode::kInconsistent,
+                "dots must have 0 < diameter < marker diameter < pitch, not {}, {}, {} mm",
+                dots.diameter_mm, dots.marker_diameter_mm, dots.pitch_mm);
+  }
+  return {};
+}
+
+Result<void> check_depths(const std::vector<double>& z_mm, double depth_mm) {
+  if (z_mm.size() < kMinPlanes) {
+    return fail(ErrorCode::kInsufficient, "{} planes, a calibration needs at least {}", z_mm.size(),
+                kMinPlanes);
+  }
+  for (std::size_t i = 0; i < z_mm.size(); ++i) {
+    if (!std::isfinite(z_mm[i])) {
+      return fail(ErrorCode::kInconsistent, "plane {} has no finite z", i);
+    }
+    if (i > 0 && !(z_mm[i] > z_mm[i - 1])) {
+      return fail(ErrorCode::kInconsistent,
+                  "planes must be given by rising z; {} mm after {} mm is out of order", z_mm[i],
+                  z_mm[i - 1]);
+    }
+  }
+  const double span_mm = z_mm.back() - z_mm.front();
+  if (span_mm < 0.8 * depth_mm) {
+    return fail(ErrorCode::kInsufficient,
+                "the planes span {} mm of a volume {} mm deep; calibrate from end to end", span_mm,
+                depth_mm);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_numbers(const CalibrationSet& set, const std::vector<double>& z_mm) {
+  if (auto scene = check_scene(set); !scene) return scene;
+  return check_depths(z_mm, set.volume.size_mm.z());
+}
+
+Result<void> check_set(const CalibrationSet& set) {
+  std::vector<double> z_mm;
+  for (const CalibrationPlane& plane : set.planes) z_mm.push_back(plane.z_mm);
+  if (auto numbers = check_numbers(set, z_mm); !numbers) return numbers;
+  for (const CalibrationPlane& plane : set.planes) {
+    if (auto good = check_plane(plane, set.planes.front()); !good) return good;
+  }
+  return {};
+}
+
+}  // namespace flytri::calibration

@@ -1,0 +1,20 @@
+/// @file  X, Y of the measurement camera and U, V of the texture camera, from images of the dots.
+#pragma once
+
+#include "core/base/workers.h"
+#include "core/calibration/record/calibration_set.h"
+
+namespace flytri::calibration {
+
+/// The four cubics of a calibration.
+struct LateralCalibration {
+  TrivariateCubic x_mm, y_mm;
+  TrivariateCubic texture_u_px, texture_v_px;
+};
+
+/// @source  Arold et al., "xy-Calibration" and "Inverse Lateral Calibration".
+/// @errors  kInsufficient or kInconsistent, naming the image.
+[[nodiscard]] Result<LateralCalibration> fit_lateral(const CalibrationSet& set,
+                                                     const Workers& workers);
+
+}  // namespace flytri::calibration

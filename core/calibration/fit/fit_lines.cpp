@@ -1,0 +1,211 @@
+#include "core/calibration/fit/fit_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/calibration/fit/least_squares.h"
+
+namespace flytri::calibration {
+namespace {
+
+constexpr int kDepthTerms = 4;
+constexpr int kWidthTerms = 3;
+/// A row is calibrated if the line was seen near it on this many planes: as many as Z has terms.
+constexpr int kMinPlanesOfRow = kDepthTerms;
+/// Rows beside a row that count as near: ends of traces are trimmed by about a line width.
+constexpr int kNearRows = 24;
+
+struct SurfaceData {
+  std::vector<SurfaceDatum> depth, width;
+};
+
+SurfaceData data_of(const std::vector<LineOnPlane>& line) {
+  SurfaceData data;
+  for (const LineOnPlane& plane : line) {
+    for (const localization::LineSample& sample : plane.samples) {
+      if (sample.saturated) continue;
+      data.depth.push_back({sample.across_px, double(sample.along_px), plane.z_mm});
+      data.width.push_back({sample.across_px, double(sample.along_px), sample.width_px});
+    }
+  }
+  return data;
+}
+
+/// In each row, on how many planes the line was seen nearby.
+std::vector<int> planes_seen(const std::vector<LineOnPlane>& line, int along_count) {
+  std::vector<int> count(static_cast<std::size_t>(along_count), 0);
+  for (const LineOnPlane& plane : line) {
+    std::vector<bool> near(count.size(), false);
+    for (const localization::LineSample& sample : plane.samples) {
+      const int first = std::max(sample.along_px - kNearRows, 0);
+      const int last = std::min(sample.along_px + kNearRows, along_count - 1);
+      std::fill(near.begin() + first, near.begin() + last + 1, true);
+    }
+    for (std::size_t i = 0; i < count.size(); ++i) count[i] += near[i] ? 1 : 0;
+  }
+  return count;
+}
+
+template <int kTerms>
+Polynomial<kTerms> row_polynomial(const LineSurface& surface, int along) {
+  Polynomial<kTerms> polynomial{surface.across_center, surface.across_half_range, {}};
+  const Eigen::VectorXd coefficients = surface.row(along);
+  for (int i = 0; i < kTerms; ++i) polynomial.coefficients[std::size_t(i)] = coefficients[i];
+  return polynomial;
+}
+
+/// Where Z reaches `z_mm` between `low` and `high`, where it is monotonic; the nearer end if it
+/// does not reach it there.
+double across_at(const Polynomial<kDepthTerms>& depth_mm, double z_mm, double low, double high) {
+  const bool rising = depth_mm(high) > depth_mm(low);
+  const auto below = [&](double across) { return (depth_mm(across) < z_mm) == rising; };
+  if (!below(low)) return low;
+  if (below(high)) return high;
+  for (int i = 0; i < 40; ++i) {  // halving 1000 px forty times leaves 1e-9 px
+    const double middle = 0.5 * (low + high);
+    (below(middle) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// True if Z rises or falls all through [low, high].
+bool monotonic(const Polynomial<kDepthTerms>& depth_mm, double low, double high) {
+  constexpr int kChecks = 16;
+  const bool rising = depth_mm.derivative(low) > 0;
+  for (int i = 0; i <= kChecks; ++i) {
+    const double slope = depth_mm.derivative(low + (high - low) * i / kChecks);
+    if (slope == 0.0 || (slope > 0) != rising) return false;
+  }
+  return true;
+}
+
+/// The interval that the line sweeps through in one row inside the depth of the volume.
+void cut_area(LineRow& row, double half_depth_mm, double low, double high) {
+  const double a = across_at(row.depth_mm, -half_depth_mm, low, high);
+  const double b = across_at(row.depth_mm, half_depth_mm, low, high);
+  row.area_min_px = std::min(a, b);
+  row.area_max_px = std::max(a, b);
+}
+
+Result<std::vector<LineRow>> fit_line(const std::vector<LineOnPlane>& line,
+                                      const MeasurementVolume& volume, int along_count,
+                                      int across_count, const LineFitOptions& options,
+                                      PatternCalibration& residuals) {
+  const SurfaceData data = data_of(line);
+  const auto depth = fit_surface(data.depth, kDepthTerms - 1, options.depth_along_degree);
+  if (!depth) return tl::unexpected(depth.error());
+  const auto width = fit_surface(data.width, kWidthTerms - 1, options.width_along_degree);
+  if (!width) return tl::unexpected(width.error());
+
+  // The planes may end a little inside the volume: the polynomial goes on for a tenth of its range.
+  const double reach = 1.1 * depth->across_half_range;
+  const double low = std::max(depth->across_center - reach, 0.0);
+  const double high = std::min(depth->across_center + reach, across_count - 1.0);
+  const std::vector<int> seen = planes_seen(line, along_count);
+  std::vector<LineRow> rows(static_cast<std::size_t>(along_count));
+  for (int along = 0; along < along_count; ++along) {
+    LineRow& row = rows[static_cast<std::size_t>(along)];
+    if (seen[static_cast<std::size_t>(along)] < kMinPlanesOfRow) continue;
+    row.depth_mm = row_polynomial<kDepthTerms>(*depth, along);
+    row.width_px = row_polynomial<kWidthTerms>(*width, along);
+    if (!monotonic(row.depth_mm, low, high)) {
+      return fail(ErrorCode::kInconsistent, "depth is not a function of the position in row {}",
+                  along);
+    }
+    cut_area(row, 0.5 * volume.size_mm.z(), low, high);
+  }
+  const auto add = [](FitResidual& sum, const FitResidual& part) {
+    const double squares = sum.rms * sum.rms * static_cast<double>(sum.count) +
+                           part.rms * part.rms * static_cast<double>(part.count);
+    sum.count += part.count;
+    sum.rms = std::sqrt(squares / static_cast<double>(sum.count));
+    sum.max = std::max(sum.max, part.max);
+  };
+  add(residuals.depth_residual_mm, depth->residual);
+  add(residuals.width_residual_px, width->residual);
+  return rows;
+}
+
+/// Areas of neighboring lines must not share a position: what they share belongs to neither.
+Result<void> separate_areas(PatternCalibration& pattern, std::size_t along) {
+  for (std::size_t n = 0; n + 1 < pattern.lines.size(); ++n) {
+    LineRow& left = pattern.lines[n][along];
+    LineRow& right = pattern.lines[n + 1][along];
+    if (!left.valid() || !right.valid() || left.area_max_px < right.area_min_px) continue;
+    const double shared = left.area_max_px - right.area_min_px;
+    if (shared > 0.1 * (left.area_max_px - left.area_min_px)) {
+      return fail(ErrorCode::kInconsistent,
+                  "lines {} and {} share {:.1f} px of their image areas at position {} along the "
+                  "line: the volume is too deep for this many lines",
+                  n, n + 1, shared, along);
+    }
+    const double left_end = right.area_min_px;
+    right.area_min_px = std::nextafter(left.area_max_px, right.area_max_px);
+    left.area_max_px = std::nextafter(left_end, left.area_min_px);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> LineFitOptions::validate() const {
+  const auto check = [](const char* name, int degree) -> Result<void> {
+    if (degree >= 0 && degree <= 8) return {};
+    return fail(ErrorCode::kBadOption, "{} is {}, must be 0..8", name, degree);
+  };
+  if (auto valid = check("depth_along_degree", depth_along_degree); !valid) return valid;
+  return check("width_along_degree", width_along_degree);
+}
+
+Result<PatternCalibration> fit_lines(const NumberedLines& lines, Pattern pattern,
+                                     const MeasurementVolume& volume, ImageSize image_size,
+                                     const LineFitOptions& options) {
+  const bool vertical = pattern == Pattern::kVertical;
+  const int along_count = vertical ? image_size.height_px : image_size.width_px;
+  const int across_count = vertical ? image_size.width_px : image_size.height_px;
+  PatternCalibration result;
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    auto rows = fit_line(lines[n], volume, along_count, across_count, options, result);
+    if (!rows) {
+      return fail(rows.error().code, "{} line {}: {}", to_string(pattern), n, rows.error().message);
+    }
+    result.lines.push_back(std::move(*rows));
+  }
+  for (int along = 0; along < along_count; ++along) {
+    const auto separated = separate_areas(result, static_cast<std::size_t>(along));
+    if (!separated) return tl::unexpected(separated.error());
+  }
+  return result;
+}
+
+std::vector<Vec3> sheet_normals(const Calibration& calibration, Pattern pattern) {
+  constexpr int kAlongStep = 16;  // a plane needs few points
+  constexpr int kAcrossSteps = 8;
+  std::vector<Vec3> normals;
+  const auto& lines = calibration.of(pattern).lines;
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    std::vector<Vec3> points;
+    for (std::size_t along = 0; along < lines[n].size(); along += kAlongStep) {
+      const LineRow& row = lines[n][along];
+      if (!row.valid()) continue;
+      for (int i = 0; i <= kAcrossSteps; ++i) {
+        const double across =
+            row.area_min_px + (row.area_max_px - row.area_min_px) * i / kAcrossSteps;
+        points.push_back(
+            calibration.locate(pattern, LineIndex(n), {static_cast<double>(along), across}));
+      }
+    }
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& point : points) mean += point / static_cast<double>(points.size());
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Vec3& point : points) scatter += (point - mean) * (point - mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(scatter);
+    const Vec3 normal = axes.eigenvectors().col(0);
+    const int main_axis = pattern == Pattern::kVertical ? 0 : 1;
+    normals.push_back(normal[main_axis] < 0 ? Vec3(-normal) : normal);
+  }
+  return normals;
+}
+
+}  // namespace flytri::calibration

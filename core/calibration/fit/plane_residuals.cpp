@@ -1,0 +1,97 @@
+#include "core/calibration/fit/plane_residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/calibration/fit/number_lines.h"
+
+namespace flytri::calibration {
+namespace {
+
+struct DepthSum {
+  double first = 0.0, second = 0.0;
+  std::int64_t count = 0;
+};
+
+/// Depth of all samples of a line on a plane, less the plane's own.
+DepthSum sum_of(const LineOnPlane& plane, const std::vector<LineRow>& rows) {
+  DepthSum sum;
+  for (const localization::LineSample& sample : plane.samples) {
+    const LineRow& row = rows[static_cast<std::size_t>(sample.along_px)];
+    if (!row.valid() || sample.saturated) continue;
+    const double off_mm = row.depth_mm(sample.across_px) - plane.z_mm;
+    sum.first += off_mm;
+    sum.second += off_mm * off_mm;
+    sum.count += 1;
+  }
+  return sum;
+}
+
+/// The larger offset of the two patterns, where the plane was seen under both.
+double worst_mm(const PlaneResidual& plane) {
+  return std::max(std::abs(plane.offset_mm[0]), std::abs(plane.offset_mm[1]));
+}
+
+}  // namespace
+
+Result<void> PlaneResidualOptions::validate() const {
+  if (max_offset_share > 0) return {};
+  return fail(ErrorCode::kBadOption, "max_offset_share is {}, must be > 0", max_offset_share);
+}
+
+Result<std::vector<PlaneResidual>> plane_residuals(const CalibrationSet& set,
+                                                   const Calibration& calibration,
+                                                   const localization::LocalizeOptions& options,
+                                                   const Workers& workers) {
+  std::vector<PlaneResidual> planes(set.planes.size());
+  std::map<double, std::size_t> index_of;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    planes[i].z_mm = set.planes[i].z_mm;
+    index_of[planes[i].z_mm] = i;
+  }
+  for (const Pattern pattern : kPatterns) {
+    const auto p = static_cast<std::size_t>(pattern);
+    const auto numbered = number_lines(set, pattern, options, workers);
+    if (!numbered) return tl::unexpected(numbered.error());
+    std::vector<DepthSum> sums(planes.size());
+    for (std::size_t n = 0; n < numbered->size(); ++n) {
+      for (const LineOnPlane& plane : (*numbered)[n]) {
+        const DepthSum part = sum_of(plane, calibration.of(pattern).lines[n]);
+        DepthSum& sum = sums[index_of.at(plane.z_mm)];
+        sum.first += part.first;
+        sum.second += part.second;
+        sum.count += part.count;
+      }
+    }
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      planes[i].count[p] = sums[i].count;
+      if (sums[i].count == 0) continue;
+      const double n = static_cast<double>(sums[i].count);
+      planes[i].offset_mm[p] = sums[i].first / n;
+      planes[i].rms_mm[p] =
+          std::sqrt(std::max(sums[i].second / n - std::pow(planes[i].offset_mm[p], 2), 0.0));
+    }
+  }
+  return planes;
+}
+
+Result<void> check_plane_residuals(const std::vector<PlaneResidual>& planes,
+                                   const MeasurementVolume& volume,
+                                   const PlaneResidualOptions& options) {
+  const double limit_mm = options.max_offset_share * volume.size_mm.z();
+  const auto worst =
+      std::max_element(planes.begin(), planes.end(),
+                       [](const auto& a, const auto& b) { return worst_mm(a) < worst_mm(b); });
+  if (worst == planes.end() || worst_mm(*worst) <= limit_mm) return {};
+  constexpr double kMicrons = 1e3;
+  const bool parted = std::abs(worst->offset_mm[0] - worst->offset_mm[1]) > limit_mm;
+  return fail(ErrorCode::kInconsistent,
+              "the plane at z = {:.2f} mm does not fit the others: its vertical lines lie {:+.0f} "
+              "um, its horizontal ones {:+.0f} um from it, more than {:.0f}; {}; take it again",
+              worst->z_mm, kMicrons * worst->offset_mm[0], kMicrons * worst->offset_mm[1],
+              kMicrons * limit_mm,
+              parted ? "it moved between its shots" : "it did not stand at that depth");
+}
+
+}  // namespace flytri::calibration

@@ -1,0 +1,63 @@
+#include "core/calibration/record/calibration.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace flytri::calibration {
+namespace {
+
+constexpr std::array<std::array<int, 3>, TrivariateCubic::kTerms> make_exponents() {
+  std::array<std::array<int, 3>, TrivariateCubic::kTerms> exponents{};
+  int next = 0;
+  for (int degree = 0; degree <= 3; ++degree) {
+    for (int i = degree; i >= 0; --i) {
+      for (int j = degree - i; j >= 0; --j) exponents[next++] = {i, j, degree - i - j};
+    }
+  }
+  return exponents;
+}
+
+}  // namespace
+
+const std::array<std::array<int, 3>, TrivariateCubic::kTerms> TrivariateCubic::kExponents =
+    make_exponents();
+
+double TrivariateCubic::operator()(const Vec3& p) const {
+  const Vec3 t = (p - center).cwiseQuotient(half_range);
+  const double x = t[0], y = t[1], z = t[2];
+  const auto& c = coefficients;  // in the order of kExponents, nested to save products
+  const double by_x = c[1] + x * (c[4] + x * c[10] + y * c[11] + z * c[12]) +
+                      y * (c[5] + y * c[13] + z * c[14]) + z * (c[6] + z * c[15]);
+  const double by_y = c[2] + y * (c[7] + y * c[16] + z * c[17]) + z * (c[8] + z * c[18]);
+  const double by_z = c[3] + z * (c[9] + z * c[19]);
+  return c[0] + x * by_x + y * by_y + z * by_z;
+}
+
+Vec3 TrivariateCubic::gradient(const Vec3& p) const {
+  const Vec3 t = (p - center).cwiseQuotient(half_range);
+  const double x = t[0], y = t[1], z = t[2];
+  const auto& c = coefficients;  // as above
+  const double by_x = c[1] + x * (2 * c[4] + 3 * x * c[10] + 2 * (y * c[11] + z * c[12])) +
+                      y * (c[5] + y * c[13] + z * c[14]) + z * (c[6] + z * c[15]);
+  const double by_y = c[2] + x * (c[5] + x * c[11] + 2 * y * c[13] + z * c[14]) +
+                      y * (2 * c[7] + 3 * y * c[16] + 2 * z * c[17]) + z * (c[8] + z * c[18]);
+  const double by_z = c[3] + x * (c[6] + x * c[12] + y * c[14] + 2 * z * c[15]) +
+                      y * (c[8] + y * c[17] + 2 * z * c[18]) + z * (2 * c[9] + 3 * z * c[19]);
+  return Vec3(by_x, by_y, by_z).cwiseQuotient(half_range);
+}
+
+Vec3 Calibration::locate(Pattern pattern, LineIndex n, const LinePixel& pixel) const {
+  const auto& rows = of(pattern).lines[n.at()];
+  const LineRow& row = rows[static_cast<std::size_t>(std::lround(pixel.along_px))];
+  assert(row.valid());
+  const double z = row.depth_mm(pixel.across_px);
+  const Pixel at = to_pixel(pattern, pixel);
+  const Vec3 uvz(at.u_px, at.v_px, z);
+  return {x_mm(uvz), y_mm(uvz), z};
+}
+
+Pixel Calibration::project_to_texture(const Vec3& p_sensor) const {
+  return {texture_u_px(p_sensor), texture_v_px(p_sensor)};
+}
+
+}  // namespace flytri::calibration

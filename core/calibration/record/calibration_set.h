@@ -1,0 +1,40 @@
+/// @file  The target images that a calibration is fitted to, in memory.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "core/calibration/record/calibration.h"
+
+namespace flytri::calibration {
+
+/// The square grid of bright dots: dot (i, j) at x = i * pitch, y = j * pitch; the dots (0, 0),
+/// (1, 0) and (0, 2) are larger.
+struct DotTarget {
+  double pitch_mm = 0.0;
+  double diameter_mm = 0.0;
+  double marker_diameter_mm = 0.0;
+};
+
+/// The plane z = z_mm under each light. Names are for messages.
+struct CalibrationPlane {
+  double z_mm = 0.0;
+  cv::Mat vertical, horizontal;  ///< CV_8UC1 or CV_16UC1, linear in light
+  cv::Mat dots;                  ///< measurement camera, CV_8UC1 or CV_16UC1
+  cv::Mat dots_texture;          ///< texture camera, CV_8UC3 in R, G, B order, sRGB
+  std::string vertical_name, horizontal_name, dots_name, dots_texture_name;
+};
+
+/// A calibration set, see docs/formats.md.
+struct CalibrationSet {
+  MeasurementVolume volume;
+  std::array<int, 2> line_counts{};  ///< by Pattern
+  DotTarget dots;
+  std::vector<CalibrationPlane> planes;  ///< by rising z
+};
+
+/// Gives the images of plane `index` the names that they have in files: z00_v.png and so on.
+void name_images(CalibrationPlane& plane, std::size_t index);
+
+}  // namespace flytri::calibration

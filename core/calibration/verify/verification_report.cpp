@@ -1,0 +1,117 @@
+#include "core/calibration/verify/verification_report.h"
+
+#include <algorithm>
+
+namespace flytri::calibration {
+namespace {
+
+bool shows(const VerificationReport& report, VerificationSymptom symptom) {
+  return std::any_of(report.figures.begin(), report.figures.end(),
+                     [&](const VerificationFigure& figure) {
+                       return figure.symptom == symptom && !figure.good();
+                     });
+}
+
+/// Turned lines lie wrong along themselves: vertical ones from top to bottom, horizontal ones from
+/// left to right; a camera that rolled turns both.
+std::string meaning_of_tilt(bool along_x, bool along_y) {
+  if (along_x && along_y) {
+    return "The patterns disagree from left to right and from top to bottom: the camera has rolled "
+           "about its axis, or both projectors have.";
+  }
+  return along_y ? "The patterns disagree from top to bottom: the vertical projector has rolled "
+                   "about its axis, or the horizontal one has moved along its own."
+                 : "The patterns disagree from left to right: the horizontal projector has rolled "
+                   "about its axis, or the vertical one has moved along its own.";
+}
+
+std::vector<std::string> meanings_of(const VerificationReport& report) {
+  using enum VerificationSymptom;
+  std::vector<std::string> meanings;
+  if (shows(report, kOffset) || shows(report, kOffsetInDepth)) {
+    meanings.emplace_back(
+        "Vertical and horizontal lines measure different depths: a projector or the camera has "
+        "turned or moved across its lines.");
+  }
+  const bool along_x = shows(report, kTiltAlongX), along_y = shows(report, kTiltAlongY);
+  if (along_x || along_y) meanings.push_back(meaning_of_tilt(along_x, along_y));
+  if (shows(report, kMagnification)) {
+    meanings.emplace_back(
+        "The image has another scale: the camera has moved along its axis, or its lens was "
+        "refocused.");
+  }
+  if (shows(report, kOwnBend)) {
+    meanings.emplace_back(
+        "One pattern bends against the other: a projector's lens was moved or refocused.");
+  }
+  if (shows(report, kBend)) {
+    meanings.emplace_back(
+        "What is flat comes out bent: the camera's lens was moved or refocused, or the camera has "
+        "moved.");
+  }
+  if (shows(report, kDiameter)) {
+    meanings.emplace_back(
+        "Sizes are off: the camera has moved along its axis, or its lens was refocused.");
+  }
+  if (shows(report, kForm)) {
+    meanings.emplace_back(
+        "Points scatter more than noise explains: lenses are dirty or out of focus, or the object "
+        "is not as smooth as it should be.");
+  }
+  return meanings;
+}
+
+}  // namespace
+
+Result<void> VerificationOptions::validate() const {
+  if (!(residual_factor > 0.0 && noise_factor > 0.0)) {
+    return fail(ErrorCode::kBadOption,
+                "residual_factor and noise_factor must be above 0, not {} and {}", residual_factor,
+                noise_factor);
+  }
+  for (const double share : {min_extent_share, min_share_on_object, max_limit_share}) {
+    if (share >= 0.0 && share <= 1.0) continue;
+    return fail(
+        ErrorCode::kBadOption,
+        "min_extent_share, min_share_on_object and max_limit_share must be 0..1, not {}, {} "
+        "and {}",
+        min_extent_share, min_share_on_object, max_limit_share);
+  }
+  return {};
+}
+
+std::string_view to_string(VerificationOutcome outcome) {
+  switch (outcome) {
+    case VerificationOutcome::kValid:
+      return "holds";
+    case VerificationOutcome::kBroken:
+      return "no longer holds";
+    case VerificationOutcome::kUnclear:
+      return "unclear";
+  }
+  return "";
+}
+
+void judge(VerificationReport& report, const MeasurementVolume& volume,
+           const VerificationOptions& options) {
+  const double max_limit_mm = options.max_limit_share * volume.size_mm.z();
+  const bool is_broken =
+      std::any_of(report.figures.begin(), report.figures.end(),
+                  [](const VerificationFigure& figure) { return !figure.good(); });
+  if (is_broken) {
+    report.outcome = VerificationOutcome::kBroken;
+    report.meanings = meanings_of(report);
+    return;
+  }
+  for (const VerificationFigure& figure : report.figures) {
+    if (figure.uncertainty_mm == 0.0 || figure.limit_mm <= max_limit_mm) continue;
+    report.outcome = VerificationOutcome::kUnclear;
+    report.reason = fmt::format(
+        "{} is known to {:.0f} um only; show the object at more places, or move it slower",
+        figure.name, 1e3 * figure.uncertainty_mm);
+    return;
+  }
+  report.outcome = VerificationOutcome::kValid;
+}
+
+}  // namespace flytri::calibration

@@ -1,0 +1,39 @@
+/// @file  The calibration as JSON text, and back.
+///
+/// Keys of `flytri.calibration`, version 1 (polynomial coefficients rise with the power; a variable
+/// is normalized as (x - center) / half_range before it enters):
+///
+///     { "format": "flytri.calibration", "version": 1,
+///       "measurement_volume_mm": [x, y, z],
+///       "measurement_size_px": [width, height], "texture_size_px": [width, height],
+///       "x_mm":  {cubic of u, v, z}, "y_mm": {...},
+///       "texture_u_px": {cubic of x, y, z}, "texture_v_px": {...},
+///       "vertical": {pattern}, "horizontal": {pattern} }
+///
+///     cubic   = { "center": [3], "half_range": [3], "coefficients": [20], "residual": {residual} }
+///               terms in the order of TrivariateCubic::kExponents: 1, a, b, c, aa, ab, ac, bb, ...
+///     residual = { "rms", "max", "count" }
+///     pattern = { "depth_residual_mm": {residual}, "width_residual_px": {residual},
+///                 "lines": [ {line}, ... ] }             by line index n
+///     line    = { "sheet_normal": [3],
+///                 "center_px", "half_range_px": of the position across, for depth and width alike,
+///                 "first_row": number, "rows": [ [row], ... ] }   consecutive rows or columns
+///     row     = [ area_min_px, area_max_px, Z0..Z3 (mm), W0..W2 (px) ]; [] is not calibrated
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/calibration/record/calibration.h"
+
+namespace flytri::io {
+
+/// Numbers keep ten digits: below a nanometre over the volume.
+[[nodiscard]] std::string to_json(const calibration::Calibration& calibration);
+
+/// @param name  the file, for messages.
+/// @errors  kBadFormat naming the file and the key that is missing, malformed or out of range.
+[[nodiscard]] Result<calibration::Calibration> parse_calibration(std::string_view text,
+                                                                 const std::string& name);
+
+}  // namespace flytri::io

@@ -1,0 +1,183 @@
+#include "core/io/cases/case_codec.h"
+
+#include <array>
+#include <utility>
+
+#include "core/io/files/byte_stream.h"
+#include "core/io/files/json_place.h"
+#include "core/io/files/png.h"
+#include "core/io/recordings/frame_kind.h"
+
+namespace flytri::io {
+namespace {
+
+/// The fields of a case by their keys.
+constexpr std::array<std::pair<const char*, std::string CaseFields::*>, 6> kFieldKeys = {{
+    {"patient_name", &CaseFields::patient_name},
+    {"patient_id", &CaseFields::patient_id},
+    {"birth_date", &CaseFields::birth_date},
+    {"clinician", &CaseFields::clinician},
+    {"notes", &CaseFields::notes},
+    {"created", &CaseFields::created},
+}};
+
+/// Names a record in the messages of JSON, which are put behind the record's own name.
+constexpr const char* kRecord = "damaged";
+
+/// What is no UTF-8 is replaced, as no reason to lose the rest.
+std::string json_text(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// A key that is left out where its text is empty.
+void put_text(nlohmann::json& json, const char* key, const std::string& text) {
+  if (!text.empty()) json[key] = text;
+}
+std::string take_text(const JsonPlace& json, const char* key) {
+  return json.has(key) ? json.at(key).text() : std::string();
+}
+
+Vec3 take_point(const JsonPlace& place) {
+  const std::vector<double> numbers = place.numbers(3);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+tl::unexpected<Error> bad_size(std::size_t size) {
+  return fail(ErrorCode::kBadFormat, "damaged: {} bytes do not fit", size);
+}
+
+constexpr std::size_t kDabSize = 7 * sizeof(float);
+
+void put_dab(std::string& bytes, const editing::BrushDab& dab) {
+  for (const float part : dab.center_mm) append_number(bytes, part);
+  for (const float part : dab.normal) append_number(bytes, part);
+  append_number(bytes, dab.radius_mm);
+}
+
+/// The bytes are known to be there.
+editing::BrushDab take_dab(ByteReader& reader) {
+  editing::BrushDab dab;
+  for (float& part : dab.center_mm) part = reader.number<float>().value_or(0.0F);
+  for (float& part : dab.normal) part = reader.number<float>().value_or(0.0F);
+  dab.radius_mm = reader.number<float>().value_or(0.0F);
+  return dab;
+}
+
+}  // namespace
+
+std::string encode_fields(const CaseFields& fields) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [key, field] : kFieldKeys) put_text(json, key, fields.*field);
+  return json_text(json);
+}
+
+Result<CaseFields> decode_fields(std::string_view bytes) {
+  const Result<JsonPlace> json = JsonPlace::parse(bytes, kRecord);
+  if (!json) return tl::unexpected(json.error());
+  CaseFields fields;
+  for (const auto& [key, field] : kFieldKeys) fields.*field = take_text(*json, key);
+  return json->outcome().map([&] { return fields; });
+}
+
+std::string encode_frame(const StoredFrame& frame) {
+  nlohmann::json json = {{"time_s", frame.time_s}, {"kind", to_string(frame.kind)}};
+  put_text(json, "fate", frame.fate);
+  put_text(json, "reason", frame.reason);
+  return json_text(json);
+}
+
+Result<StoredFrame> decode_frame(std::string_view bytes, FrameIndex index) {
+  const Result<JsonPlace> json = JsonPlace::parse(bytes, kRecord);
+  if (!json) return tl::unexpected(json.error());
+  StoredFrame frame{index, json->at("time_s").number(), read_frame_kind(json->at("kind")),
+                    take_text(*json, "fate"), take_text(*json, "reason")};
+  return json->outcome().map([&] { return frame; });
+}
+
+std::string encode_measurement(const Measurement& measurement) {
+  const Vec3 &a = measurement.from_mm, &b = measurement.to_mm;
+  nlohmann::json json = {{"from_mm", {a.x(), a.y(), a.z()}}, {"to_mm", {b.x(), b.y(), b.z()}}};
+  put_text(json, "label", measurement.label);
+  return json_text(json);
+}
+
+Result<Measurement> decode_measurement(std::string_view bytes, std::int64_t id) {
+  const Result<JsonPlace> json = JsonPlace::parse(bytes, kRecord);
+  if (!json) return tl::unexpected(json.error());
+  Measurement measurement{id, take_point(json->at("from_mm")), take_point(json->at("to_mm")),
+                          take_text(*json, "label")};
+  return json->outcome().map([&] { return measurement; });
+}
+
+std::string encode_pose(const Isometry& T_world_sensor) {
+  std::string bytes;
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < 4; ++column) {
+      append_number(bytes, T_world_sensor(row, column));
+    }
+  }
+  return bytes;
+}
+
+Result<Isometry> decode_pose(std::string_view bytes) {
+  if (bytes.size() != 12 * sizeof(double)) return bad_size(bytes.size());
+  ByteReader reader(bytes);
+  Isometry T_world_sensor = Isometry::Identity();
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < 4; ++column) {
+      T_world_sensor(row, column) = reader.number<double>().value_or(0.0);
+    }
+  }
+  return T_world_sensor;
+}
+
+std::string encode_edit(const editing::Edit& edit) {
+  std::string bytes;
+  append_number(bytes, static_cast<std::uint8_t>(edit.kind));
+  append_number(bytes, edit.made_at_s);
+  for (const editing::BrushDab& dab : edit.dabs) put_dab(bytes, dab);
+  return bytes;
+}
+
+Result<editing::Edit> decode_edit(std::string_view bytes) {
+  ByteReader reader(bytes);
+  const auto kind = reader.number<std::uint8_t>();
+  const auto made_at_s = reader.number<double>();
+  if (!made_at_s || *kind > static_cast<std::uint8_t>(editing::EditKind::kUnlock) ||
+      reader.rest().size() % kDabSize != 0) {
+    return bad_size(bytes.size());
+  }
+  editing::Edit edit{static_cast<editing::EditKind>(*kind), *made_at_s, {}};
+  while (!reader.rest().empty()) edit.dabs.push_back(take_dab(reader));
+  return edit;
+}
+
+std::string encode_count(std::size_t count) {
+  std::string bytes;
+  append_number(bytes, static_cast<std::uint32_t>(count));
+  return bytes;
+}
+
+Result<std::size_t> decode_count(std::string_view bytes) {
+  if (bytes.size() != sizeof(std::uint32_t)) return bad_size(bytes.size());
+  return ByteReader(bytes).number<std::uint32_t>().value_or(0);
+}
+
+Result<std::string> encode_texture(const Frame& frame) {
+  return encode_png(frame.image).map([&](const std::string& png) {
+    std::string bytes;
+    append_number(bytes, frame.time_s);
+    return bytes + png;
+  });
+}
+
+Result<Frame> decode_texture(std::string_view bytes, FrameIndex index) {
+  ByteReader reader(bytes);
+  const auto time_s = reader.number<double>();
+  if (!time_s) return bad_size(bytes.size());
+  return decode_png(reader.rest(), kRecord).map([&](cv::Mat&& image) {
+    return Frame{index, FrameKind::kTexture, *time_s, std::move(image)};
+  });
+}
+
+}  // namespace flytri::io

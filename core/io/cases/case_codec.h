@@ -1,0 +1,44 @@
+/// @file  What the records of a case hold, as bytes, and back: all but views, which have a file of
+/// their own.
+///
+/// For the sources of core/interchange only. Numbers in bytes are little-endian.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/io/cases/case_file.h"
+
+namespace flytri::io {
+
+/// JSON object, a key a field.
+[[nodiscard]] std::string encode_fields(const CaseFields& fields);
+[[nodiscard]] Result<CaseFields> decode_fields(std::string_view bytes);
+
+/// JSON: time_s, kind, fate, reason. The index is the record's number.
+[[nodiscard]] std::string encode_frame(const StoredFrame& frame);
+[[nodiscard]] Result<StoredFrame> decode_frame(std::string_view bytes, FrameIndex index);
+
+/// JSON: from_mm, to_mm, label. The id is the record's.
+[[nodiscard]] std::string encode_measurement(const Measurement& measurement);
+[[nodiscard]] Result<Measurement> decode_measurement(std::string_view bytes, std::int64_t id);
+
+/// f64[12]: the upper three rows of the matrix, row by row.
+[[nodiscard]] std::string encode_pose(const Isometry& T_world_sensor);
+[[nodiscard]] Result<Isometry> decode_pose(std::string_view bytes);
+
+/// u8 kind (0 trim, 1 lock, 2 unlock), f64 made_at_s, then a dab f32[7]: center, normal, radius.
+[[nodiscard]] std::string encode_edit(const editing::Edit& edit);
+[[nodiscard]] Result<editing::Edit> decode_edit(std::string_view bytes);
+
+/// u32: how many of the edits hold.
+[[nodiscard]] std::string encode_count(std::size_t count);
+[[nodiscard]] Result<std::size_t> decode_count(std::string_view bytes);
+
+/// f64 time_s, then a PNG.
+/// @errors  As encode_png.
+[[nodiscard]] Result<std::string> encode_texture(const Frame& frame);
+[[nodiscard]] Result<Frame> decode_texture(std::string_view bytes, FrameIndex index);
+
+}  // namespace flytri::io

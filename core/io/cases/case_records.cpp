@@ -1,0 +1,284 @@
+#include "core/io/cases/case_records.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace flytri::io {
+namespace {
+
+constexpr int kNumberBits = 32;
+
+/// Of the number, too, so that a record that strayed to another place is seen.
+std::int64_t record_checksum(std::int64_t id, std::string_view data) {
+  const uLong head = crc32_z(0, reinterpret_cast<const Bytef*>(&id), sizeof(id));
+  return static_cast<std::int64_t>(
+      crc32_z(head, reinterpret_cast<const Bytef*>(data.data()), data.size()));
+}
+
+/// A record for the user: "views: upper 17".
+std::string name_of_record(CaseTable table, std::int64_t id) {
+  if (id <= kOnlyRecord) return std::string(name_of(table));
+  const auto stage = static_cast<std::size_t>(id >> kNumberBits) - 1;
+  if (stage >= kScanStages.size()) return fmt::format("{}: record {}", name_of(table), id);
+  return fmt::format("{}: {} {}", name_of(table), to_string(kScanStages[stage]), number_of(id));
+}
+
+bool is_damage(const Error& error) { return error.code == ErrorCode::kBadFormat; }
+
+/// A number out of the first row; none: there is no row.
+Result<std::optional<std::int64_t>> first_integer(SqliteDatabase& database, CaseTable table,
+                                                  const RecordRange& range, std::string_view what) {
+  auto statement = database.prepare(
+      fmt::format("SELECT {} FROM {} WHERE id BETWEEN ? AND ? LIMIT 1", what, name_of(table)));
+  if (!statement) return tl::unexpected(statement.error());
+  const Result<bool> row = statement->bind(1, range.first).bind(2, range.last).step();
+  if (!row) return tl::unexpected(row.error());
+  return *row ? std::optional(statement->integer(0)) : std::nullopt;
+}
+
+/// The walk over a range, which goes on behind what is broken.
+class RecordWalk {
+ public:
+  RecordWalk(SqliteDatabase& database, CaseTable table, const RecordRange& range,
+             const CaseRecords::Visit& visit)
+      : database_(database), table_(table), next_(range.first), last_(range.last), visit_(visit) {}
+
+  Result<std::vector<std::string>> run() {
+    while (next_ <= last_) {
+      const Result<void> walked = read_on();
+      if (walked) break;
+      if (!is_damage(walked.error())) return tl::unexpected(walked.error());
+      if (Result<void> skipped = skip(); !skipped) return tl::unexpected(skipped.error());
+    }
+    return std::move(damage_);
+  }
+
+ private:
+  /// Visits from next_ to the end, or to the first record that cannot be read.
+  Result<void> read_on() {
+    auto statement = database_.prepare(fmt::format(
+        "SELECT id, checksum, data FROM {} WHERE id BETWEEN ? AND ? ORDER BY id", name_of(table_)));
+    if (!statement) return tl::unexpected(statement.error());
+    statement->bind(1, next_).bind(2, last_);
+    for (;;) {
+      const Result<bool> row = statement->step();
+      if (!row) return tl::unexpected(row.error());
+      const std::int64_t id = *row ? statement->integer(0) : last_;
+      // Out of order is what only a broken tree gives.
+      if (!*row || id < next_ || id > last_) return {};
+      take(id, statement->integer(1), statement->bytes(2));
+      next_ = id + 1;
+    }
+  }
+
+  void take(std::int64_t id, std::int64_t checksum, std::string_view data) {
+    if (checksum != record_checksum(id, data)) {
+      damage_.push_back(name_of_record(table_, id) + ": wrong checksum");
+    } else if (const Result<void> taken = visit_(id, data); !taken) {
+      damage_.push_back(name_of_record(table_, id) + ": " + taken.error().message);
+    }
+  }
+
+  /// Notes what is broken at next_, and goes on behind it.
+  Result<void> skip() {
+    const Result<std::optional<std::int64_t>> broken = next_id(next_);
+    if (!broken && !is_damage(broken.error())) return tl::unexpected(broken.error());
+    if (broken) {
+      const std::int64_t id = broken->value_or(last_);
+      damage_.push_back(name_of_record(table_, id) + ": cannot be read");
+      next_ = id + 1;
+      return {};
+    }
+    return skip_gap();
+  }
+
+  /// Not even the number can be read. What is broken is a page, and with it a run of numbers: its
+  /// end lies between the last step of a growing stride that fails and the first that does not.
+  Result<void> skip_gap() {
+    const std::int64_t first = next_;
+    std::int64_t failing = next_, stride = 1, good = last_ + 1;
+    while (failing + stride < good) {
+      const auto found = next_id(failing + stride);
+      if (!found && !is_damage(found.error())) return tl::unexpected(found.error());
+      if (found) {
+        good = failing + stride;
+        stride = 1;
+      } else {
+        failing += stride;
+        stride *= 2;
+      }
+    }
+    damage_.push_back(
+        fmt::format("{} and what follows: cannot be read", name_of_record(table_, first)));
+    next_ = good;
+    return {};
+  }
+
+  /// Smallest number from `from` on: records lie by rising number.
+  Result<std::optional<std::int64_t>> next_id(std::int64_t from) {
+    return first_integer(database_, table_, {from, last_}, "id");
+  }
+
+  SqliteDatabase& database_;
+  CaseTable table_;
+  std::int64_t next_, last_;
+  const CaseRecords::Visit& visit_;
+  std::vector<std::string> damage_;
+};
+
+}  // namespace
+
+std::int64_t record_id(ScanStage stage, int number) {
+  return ((static_cast<std::int64_t>(stage) + 1) << kNumberBits) + number;
+}
+
+RecordRange records_of(ScanStage stage) {
+  return {record_id(stage), record_id(stage, std::numeric_limits<int>::max())};
+}
+
+int number_of(std::int64_t id) {
+  return static_cast<int>(id & ((std::int64_t{1} << kNumberBits) - 1));
+}
+
+CaseRecords::CaseRecords(CaseDatabase opened)
+    : database_(std::move(opened.sqlite)),
+      is_read_only_(opened.is_read_only),
+      is_damaged_(!opened.damage.empty()),
+      damage_(std::move(opened.damage)) {}
+
+Result<CaseRecords> CaseRecords::create(const std::filesystem::path& path,
+                                        const std::string& passphrase) {
+  return create_case_database(path, passphrase).map([](CaseDatabase&& database) {
+    return CaseRecords(std::move(database));
+  });
+}
+
+Result<CaseRecords> CaseRecords::open(const std::filesystem::path& path,
+                                      const CaseOptions& options) {
+  return open_case_database(path, options).map([](CaseDatabase&& database) {
+    return CaseRecords(std::move(database));
+  });
+}
+
+Result<void> CaseRecords::begin() {
+  if (is_read_only()) {
+    return fail(ErrorCode::kNotPermitted, "{}: is open for reading only{}", database_.name(),
+                !is_damaged_ ? "" : ", as it is damaged; start a new case");
+  }
+  if (is_writing_) return {};
+  if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) return begun;
+  is_writing_ = true;
+  for (const PendingWrite& pending : pending_) {
+    if (Result<void> done = carry_out(pending); !done) return postponed(done.error());
+  }
+  return {};
+}
+
+tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
+  // Some failures end the transaction by themselves: then this fails, and says nothing new.
+  (void)database_.run("ROLLBACK");
+  is_writing_ = false;
+  return tl::unexpected(error);
+}
+
+Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
+  auto statement = database_.prepare(
+      fmt::format(fmt::runtime(pending.data ? "INSERT OR REPLACE INTO {} VALUES (?, ?, ?)"
+                                            : "DELETE FROM {} WHERE id BETWEEN ? AND ?"),
+                  name_of(pending.table)));
+  if (!statement) return tl::unexpected(statement.error());
+  statement->bind(1, pending.range.first);
+  if (pending.data) {
+    statement->bind(2, record_checksum(pending.range.first, *pending.data));
+    statement->bind_blob(3, *pending.data);
+  } else {
+    statement->bind(2, pending.range.last);
+  }
+  return statement->step().map([](bool) {});
+}
+
+Result<void> CaseRecords::write(PendingWrite pending) {
+  if (Result<void> begun = begin(); !begun) {
+    // It comes after those that failed before it.
+    if (!is_read_only()) pending_.push_back(std::move(pending));
+    return begun;
+  }
+  pending_.push_back(std::move(pending));
+  if (Result<void> done = carry_out(pending_.back()); !done) return postponed(done.error());
+  return {};
+}
+
+Result<void> CaseRecords::add(CaseTable table, std::int64_t id, std::string_view data) {
+  const auto there = first_integer(database_, table, {id, id}, "id");
+  const bool is_pending =
+      !is_writing_ && std::any_of(pending_.begin(), pending_.end(), [&](const PendingWrite& write) {
+        return write.data && write.table == table && write.range.first == id;
+      });
+  if ((there && *there) || is_pending) {
+    return fail(ErrorCode::kInconsistent, "{}: {} is there already", database_.name(),
+                name_of_record(table, id));
+  }
+  return replace(table, id, data);
+}
+
+Result<void> CaseRecords::replace(CaseTable table, std::int64_t id, std::string_view data) {
+  return write({table, {id, id}, std::string(data)});
+}
+
+Result<void> CaseRecords::erase(CaseTable table, const RecordRange& range) {
+  return write({table, range, std::nullopt});
+}
+
+Result<void> CaseRecords::commit() {
+  if (!is_writing_ && pending_.empty()) return {};
+  if (Result<void> begun = begin(); !begun) return begun;
+  if (Result<void> committed = database_.run("COMMIT"); !committed) {
+    return postponed(committed.error());
+  }
+  is_writing_ = false;
+  pending_.clear();
+  return {};
+}
+
+Result<std::optional<std::string>> CaseRecords::find(CaseTable table, std::int64_t id) {
+  std::optional<std::string> found;
+  const auto damage = walk(table, {id, id}, [&](std::int64_t, std::string_view data) {
+    found = std::string(data);
+    return Result<void>();
+  });
+  if (!damage) return tl::unexpected(damage.error());
+  if (damage->empty()) return found;
+  return fail(ErrorCode::kBadFormat, "{}: damaged: {}", database_.name(), damage->front());
+}
+
+Result<std::vector<std::string>> CaseRecords::walk(CaseTable table, const RecordRange& range,
+                                                   const Visit& visit) {
+  auto damage = RecordWalk(database_, table, range, visit).run();
+  if (damage && !damage->empty()) is_damaged_ = true;
+  return damage;
+}
+
+Result<std::int64_t> CaseRecords::count(CaseTable table, const RecordRange& range) {
+  const auto counted = first_integer(database_, table, range, "count(*)");
+  if (counted) return counted->value_or(0);
+  if (!is_damage(counted.error())) return tl::unexpected(counted.error());
+  std::int64_t readable = 0;
+  const auto damage = walk(table, range, [&](std::int64_t, std::string_view) {
+    ++readable;
+    return Result<void>();
+  });
+  if (!damage) return tl::unexpected(damage.error());
+  return readable;
+}
+
+Result<std::optional<std::int64_t>> CaseRecords::last(CaseTable table, const RecordRange& range) {
+  return first_integer(database_, table, range, "max(id)").map([](const auto& largest) {
+    // That of nothing is null, which reads as 0; no record has that number.
+    return largest == 0 ? std::nullopt : largest;
+  });
+}
+
+}  // namespace flytri::io

@@ -1,0 +1,208 @@
+#include "core/io/cases/case_schema.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "core/io/files/file_bytes.h"
+
+namespace flytri::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "flyt": tells a case from other SQLite databases.
+constexpr std::int64_t kApplicationId = 0x666c7974;
+constexpr std::int64_t kCaseVersion = 1;
+
+// The numbers that are the library's defaults in one release or another are given, so that a case
+// opens with all of them. Compatibility is a request that older ones do not know, and pass over.
+constexpr const char* kCipherSetup =
+    "PRAGMA cipher_compatibility = 3; PRAGMA cipher_page_size = 8192; PRAGMA kdf_iter = 256000;";
+constexpr const char* kPageSetup = "PRAGMA page_size = 8192;";
+/// What comes from a file is not trusted.
+constexpr const char* kReadSetup = "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0;";
+/// Two programs that write would mix their scans up.
+constexpr const char* kLockSetup = "PRAGMA locking_mode = EXCLUSIVE;";
+// In WAL mode each commit is in the hands of the system when it returns, which a killed process
+// does not take back. NORMAL asks the device to keep it at a checkpoint only, each 1024 pages: a
+// power failure costs what came after it, but leaves no half transaction.
+constexpr const char* kLogSetup =
+    "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 1024;";
+/// Makes the library overlook a file that is shorter than it says.
+constexpr const char* kSalvageSetup = "PRAGMA writable_schema = ON;";
+
+std::string table_sql(CaseTable table) {
+  return fmt::format(
+      "CREATE TABLE {} (id INTEGER PRIMARY KEY, checksum INTEGER NOT NULL, data NOT NULL)",
+      name_of(table));
+}
+
+/// The tables are those of this version, and nothing else is there: no view, no trigger.
+Result<void> check_tables(SqliteDatabase& database) {
+  auto statement = database.prepare("SELECT sql FROM sqlite_master");
+  if (!statement) return tl::unexpected(statement.error());
+  std::vector<std::string> found, wanted;
+  for (const CaseTable table : kCaseTables) wanted.push_back(table_sql(table));
+  for (;;) {
+    const Result<bool> row = statement->step();
+    if (!row) return tl::unexpected(row.error());
+    if (!*row) break;
+    found.emplace_back(statement->bytes(0));
+  }
+  std::sort(found.begin(), found.end());
+  std::sort(wanted.begin(), wanted.end());
+  if (found == wanted) return {};
+  return fail(ErrorCode::kBadFormat,
+              "{}: damaged: its tables are not those of a case; restore it from a backup",
+              database.name());
+}
+
+Result<void> check_version(SqliteDatabase& database) {
+  const auto application = database.integer("PRAGMA application_id");
+  if (!application) return tl::unexpected(application.error());
+  const auto version = database.integer("PRAGMA user_version");
+  if (!version) return tl::unexpected(version.error());
+  if (*application != kApplicationId) {
+    return fail(ErrorCode::kBadFormat, "{}: is a database, but no case of flytri", database.name());
+  }
+  if (*version > kCaseVersion) {
+    return fail(
+        ErrorCode::kBadFormat,
+        "{}: is a case of version {}, but this program knows versions up to {}; use a newer "
+        "flytri",
+        database.name(), *version, kCaseVersion);
+  }
+  if (*version == kCaseVersion) return {};
+  return fail(ErrorCode::kBadFormat, "{}: damaged: says that it is a case of version {}",
+              database.name(), *version);
+}
+
+Result<void> set_up(SqliteDatabase& database, const std::string& passphrase) {
+  if (passphrase.empty()) return database.run(kReadSetup);
+  return database.set_key(passphrase)
+      .and_then([&] { return database.run(kCipherSetup); })
+      .and_then([&] { return database.run(kReadSetup); });
+}
+
+/// Opens a file that exists and looks into it.
+Result<SqliteDatabase> try_open(const fs::path& path, const std::string& passphrase,
+                                SqliteAccess access, const char* more_setup) {
+  Result<SqliteDatabase> database = SqliteDatabase::open(path, access);
+  if (!database) return database;
+  Result<void> usable = set_up(*database, passphrase)
+                            .and_then([&] { return database->run(more_setup); })
+                            .and_then([&] { return check_version(*database); })
+                            .and_then([&] { return check_tables(*database); });
+  if (!usable) return tl::unexpected(usable.error());
+  return database;
+}
+
+Result<CaseDatabase> open_to_write(const fs::path& path, const std::string& passphrase) {
+  Result<SqliteDatabase> database =
+      try_open(path, passphrase, SqliteAccess::kReadWrite, kLockSetup);
+  if (!database) return tl::unexpected(database.error());
+  // Only now, as it changes the file: it is a case.
+  if (Result<void> logging = database->run(kLogSetup); !logging) {
+    return tl::unexpected(logging.error());
+  }
+  return CaseDatabase{std::move(*database), false, {}};
+}
+
+/// Without a log beside it the file alone is the case, and nothing needs to be locked or made.
+SqliteAccess reading_access(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path.string() + "-wal", ignored) ? SqliteAccess::kReadOnly
+                                                     : SqliteAccess::kImmutable;
+}
+
+/// As asked for; if the file is damaged, read-only and with whatever can be had.
+Result<CaseDatabase> open_with(const fs::path& path, const std::string& passphrase,
+                               bool read_only) {
+  const auto open_to_read = [&](const char* more_setup) {
+    return try_open(path, passphrase, reading_access(path), more_setup)
+        .map([](SqliteDatabase&& database) {
+          return CaseDatabase{std::move(database), true, {}};
+        });
+  };
+  Result<CaseDatabase> opened = read_only ? open_to_read("") : open_to_write(path, passphrase);
+  if (opened || opened.error().code != ErrorCode::kBadFormat) return opened;
+  Result<CaseDatabase> salvaged = open_to_read(kSalvageSetup);
+  if (salvaged) salvaged->damage.push_back(opened.error().message);
+  return salvaged;
+}
+
+Result<void> check_file(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) {
+    return fail(ErrorCode::kNotFound, "{}: there is no such case; correct the path", path.string());
+  }
+  if (error) {
+    return fail(ErrorCode::kNotPermitted, "{}: cannot be read: {}", path.string(), error.message());
+  }
+  if (!fs::is_regular_file(status)) {
+    return fail(ErrorCode::kBadFormat, "{}: is no file, and so no case", path.string());
+  }
+  if (fs::file_size(path, error) == 0) {
+    return fail(ErrorCode::kBadFormat, "{}: is empty: no case", path.string());
+  }
+  return {};
+}
+
+/// The tables into an empty file.
+Result<CaseDatabase> fill_new(const fs::path& path, const std::string& passphrase) {
+  Result<SqliteDatabase> database = SqliteDatabase::open(path, SqliteAccess::kReadWrite);
+  if (!database) return tl::unexpected(database.error());
+  std::string sql = "BEGIN;";
+  for (const CaseTable table : kCaseTables) sql += table_sql(table) + ";";
+  sql += fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;",
+                     kApplicationId, kCaseVersion);
+  Result<void> filled = set_up(*database, passphrase)
+                            .and_then([&] { return database->run(kPageSetup); })
+                            .and_then([&] { return database->run(kLockSetup); })
+                            .and_then([&] { return database->run(kLogSetup); })
+                            .and_then([&] { return database->run(sql); });
+  if (!filled) return tl::unexpected(filled.error());
+  return CaseDatabase{std::move(*database), false, {}};
+}
+
+}  // namespace
+
+std::string_view name_of(CaseTable table) {
+  constexpr std::array<std::string_view, kCaseTables.size()> kNames = {
+      "fields", "calibration",  "views",        "textures", "frames",   "poses",
+      "edits",  "edit_cursors", "measurements", "models",   "summaries"};
+  return kNames[static_cast<std::size_t>(table)];
+}
+
+void remove_case_files(const fs::path& path) {
+  std::error_code ignored;
+  for (const char* ending : {"", "-wal", "-shm"}) fs::remove(path.string() + ending, ignored);
+}
+
+Result<CaseDatabase> create_case_database(const fs::path& path, const std::string& passphrase) {
+  if (Result<void> created = create_private_file(path); !created) {
+    return tl::unexpected(created.error());
+  }
+  Result<CaseDatabase> database = fill_new(path, passphrase);
+  if (!database) remove_case_files(path);
+  return database;
+}
+
+Result<CaseDatabase> open_case_database(const fs::path& path, const CaseOptions& options) {
+  if (Result<void> there = check_file(path); !there) return tl::unexpected(there.error());
+  Result<CaseDatabase> database = open_with(path, options.passphrase, options.read_only);
+  if (database || database.error().code != ErrorCode::kInconsistent) return database;
+  if (options.passphrase.empty()) {
+    return fail(ErrorCode::kInconsistent,
+                "{}: is encrypted, or no case at all: give its passphrase", path.string());
+  }
+  database = open_with(path, {}, options.read_only);
+  if (database || database.error().code != ErrorCode::kInconsistent) return database;
+  return fail(ErrorCode::kInconsistent,
+              "{}: the passphrase is wrong, or the beginning of the file is damaged",
+              path.string());
+}
+
+}  // namespace flytri::io

@@ -1,0 +1,164 @@
+#include "core/io/cases/sqlite.h"
+
+#define SQLITE_HAS_CODEC  // NOLINT(readability-identifier-naming): the header's switch for keys
+#include <sqlcipher/sqlite3.h>
+
+#include <system_error>
+#include <utility>
+
+namespace flytri::io {
+namespace {
+
+/// What a failing call means to the user, and what helps.
+/// @errors  kWriteFailed (disk full, failing device), kNotPermitted (no permission, or another
+///          program has it open), kBadFormat (damaged), kInconsistent (no database, wrong key).
+tl::unexpected<Error> sqlite_failure(int code, const std::string& name) {
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+      return fail(ErrorCode::kWriteFailed,
+                  "{}: cannot be written: no space left; free some space or choose another folder",
+                  name);
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return fail(ErrorCode::kNotPermitted, "{}: is open in another program; close it there first",
+                  name);
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_AUTH:
+    case SQLITE_CANTOPEN:
+      return fail(ErrorCode::kNotPermitted,
+                  "{}: cannot be opened or written: change the permissions of the file and its "
+                  "folder, or choose another folder",
+                  name);
+    case SQLITE_NOTADB:
+      return fail(ErrorCode::kInconsistent, "{}: no database, or encrypted with another passphrase",
+                  name);
+    case SQLITE_IOERR:
+      if (code != SQLITE_IOERR_READ && code != SQLITE_IOERR_SHORT_READ) {
+        return fail(ErrorCode::kWriteFailed, "{}: cannot be written: the device fails", name);
+      }
+      [[fallthrough]];
+    default:
+      return fail(ErrorCode::kBadFormat, "{}: damaged: {}", name, sqlite3_errstr(code));
+  }
+}
+
+/// The path as the library wants it where there are parameters: no character may be taken for one.
+std::string sqlite_uri(const std::filesystem::path& path, SqliteAccess access) {
+  std::string uri = "file:";
+  std::error_code ignored;
+  for (const char letter : std::filesystem::absolute(path, ignored).string()) {
+    if (letter == '%' || letter == '?' || letter == '#') {
+      uri += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+    } else {
+      uri += letter;
+    }
+  }
+  return access == SqliteAccess::kImmutable ? uri + "?immutable=1" : uri;
+}
+
+}  // namespace
+
+void SqliteStatement::Finalize::operator()(sqlite3_stmt* statement) const {
+  sqlite3_finalize(statement);
+}
+
+SqliteStatement& SqliteStatement::bind(int parameter, std::int64_t value) {
+  sqlite3_bind_int64(statement_.get(), parameter, value);
+  return *this;
+}
+
+SqliteStatement& SqliteStatement::bind_blob(int parameter, std::string_view bytes) {
+  // An empty blob is not the same as none, which a null pointer would be.
+  sqlite3_bind_blob64(statement_.get(), parameter, bytes.empty() ? "" : bytes.data(), bytes.size(),
+                      SQLITE_STATIC);
+  return *this;
+}
+
+SqliteStatement& SqliteStatement::bind_text(int parameter, std::string_view text) {
+  sqlite3_bind_text64(statement_.get(), parameter, text.empty() ? "" : text.data(), text.size(),
+                      SQLITE_STATIC, SQLITE_UTF8);
+  return *this;
+}
+
+Result<bool> SqliteStatement::step() {
+  const int code = sqlite3_step(statement_.get());
+  if (code == SQLITE_ROW) return true;
+  const int failure = sqlite3_extended_errcode(sqlite3_db_handle(statement_.get()));
+  reset();
+  if (code == SQLITE_DONE) return false;
+  return sqlite_failure(failure, name_);
+}
+
+void SqliteStatement::reset() { sqlite3_reset(statement_.get()); }
+
+std::int64_t SqliteStatement::integer(int column) const {
+  return sqlite3_column_int64(statement_.get(), column);
+}
+
+std::string_view SqliteStatement::bytes(int column) const {
+  const void* const data = sqlite3_column_blob(statement_.get(), column);
+  const int size = sqlite3_column_bytes(statement_.get(), column);
+  return {static_cast<const char*>(data), static_cast<std::size_t>(data == nullptr ? 0 : size)};
+}
+
+void SqliteDatabase::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+
+Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
+                                            SqliteAccess access) {
+  const int flags =
+      access == SqliteAccess::kReadWrite ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY;
+  sqlite3* opened = nullptr;
+  const int code =
+      sqlite3_open_v2(sqlite_uri(path, access).c_str(), &opened, flags | SQLITE_OPEN_URI, nullptr);
+  SqliteDatabase database(opened, path.string());
+  if (code != SQLITE_OK) return sqlite_failure(code, path.string());
+  sqlite3_extended_result_codes(opened, 1);
+  // Where writing is not permitted, the library goes on reading without a word.
+  if (access == SqliteAccess::kReadWrite && sqlite3_db_readonly(opened, "main") == 1) {
+    return sqlite_failure(SQLITE_READONLY, path.string());
+  }
+  return database;
+}
+
+Result<void> SqliteDatabase::set_key(std::string_view passphrase) {
+  const int code =
+      sqlite3_key(database_.get(), passphrase.data(), static_cast<int>(passphrase.size()));
+  if (code != SQLITE_OK) return sqlite_failure(code, name_);
+  // A plain SQLite in the place of SQLCipher would take the key and write everything in the open.
+  if (!prepare("PRAGMA cipher_version")
+           .and_then([](SqliteStatement statement) { return statement.step(); })
+           .value_or(false)) {
+    return fail(ErrorCode::kInconsistent,
+                "{}: cannot be encrypted: the program runs with a library without encryption; "
+                "install SQLCipher",
+                name_);
+  }
+  return {};
+}
+
+Result<void> SqliteDatabase::run(const std::string& sql) {
+  if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return {};
+  return sqlite_failure(sqlite3_extended_errcode(database_.get()), name_);
+}
+
+Result<SqliteStatement> SqliteDatabase::prepare(const std::string& sql) {
+  sqlite3_stmt* statement = nullptr;
+  const int code = sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()),
+                                      &statement, nullptr);
+  if (code != SQLITE_OK) {
+    return sqlite_failure(sqlite3_extended_errcode(database_.get()), name_);
+  }
+  return SqliteStatement(statement, name_);
+}
+
+Result<std::int64_t> SqliteDatabase::integer(const std::string& sql) {
+  Result<SqliteStatement> statement = prepare(sql);
+  if (!statement) return tl::unexpected(statement.error());
+  const Result<bool> row = statement->step();
+  if (!row) return tl::unexpected(row.error());
+  if (!*row) return fail(ErrorCode::kBadFormat, "{}: damaged: no answer to {}", name_, sql);
+  return statement->integer(0);
+}
+
+}  // namespace flytri::io

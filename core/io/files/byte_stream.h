@@ -1,0 +1,76 @@
+/// @file  Little-endian numbers into files and memory, and out of memory.
+#pragma once
+
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/io/files/file_bytes.h"
+
+namespace flytri::io {
+
+static_assert(std::endian::native == std::endian::little, "the formats here are little-endian");
+
+/// Puts a number behind some bytes.
+template <typename T>
+void append_number(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+/// Collects small pieces for an AtomicFile. The first failure is kept and told by commit().
+class ByteWriter {
+ public:
+  [[nodiscard]] static Result<ByteWriter> create(const std::filesystem::path& path) {
+    return AtomicFile::create(path).map(
+        [](AtomicFile&& file) { return ByteWriter(std::move(file)); });
+  }
+  void text(std::string_view bytes) {
+    buffer_.append(bytes);
+    if (buffer_.size() >= kBlock) flush();
+  }
+  template <typename T>
+  void number(T value) {
+    text({reinterpret_cast<const char*>(&value), sizeof(T)});
+  }
+  [[nodiscard]] Result<void> commit() {
+    flush();
+    return outcome_ ? file_.commit() : outcome_;
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 1U << 20U;
+
+  explicit ByteWriter(AtomicFile&& file) : file_(std::move(file)) {}
+  void flush() {
+    if (outcome_) outcome_ = file_.write(buffer_);
+    buffer_.clear();
+  }
+
+  AtomicFile file_;
+  std::string buffer_;
+  Result<void> outcome_;
+};
+
+/// Takes numbers off the front of some bytes.
+class ByteReader {
+ public:
+  explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
+  template <typename T>
+  [[nodiscard]] std::optional<T> number() {
+    if (rest_.size() < sizeof(T)) return std::nullopt;
+    T value;
+    std::memcpy(&value, rest_.data(), sizeof(T));
+    rest_.remove_prefix(sizeof(T));
+    return value;
+  }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+};
+
+}  // namespace flytri::io

@@ -1,0 +1,233 @@
+#include "core/io/files/png.h"
+
+#include <libdeflate.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/io/files/deflate_limit.h"
+#include "core/io/files/file_bytes.h"
+
+namespace flytri::io {
+namespace {
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+/// Length, type and checksum of a chunk.
+constexpr std::size_t kChunkFrame = 12;
+constexpr int kGrey = 0, kRgb = 2;  // color types of the PNG header
+
+struct Header {
+  std::uint32_t width = 0, height = 0;
+  int bit_depth = 0, color_type = 0;
+
+  [[nodiscard]] std::optional<int> matrix_type() const {
+    if (color_type == kGrey && bit_depth == 8) return CV_8UC1;
+    if (color_type == kGrey && bit_depth == 16) return CV_16UC1;
+    if (color_type == kRgb && bit_depth == 8) return CV_8UC3;
+    return std::nullopt;
+  }
+};
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+/// Walks all chunks up to IEND and verifies their checksums.
+Result<void> check_chunks(std::string_view bytes, const std::string& name) {
+  std::size_t at = kSignature.size();
+  while (at + kChunkFrame <= bytes.size()) {
+    const std::size_t length = big_endian(bytes, at);
+    if (length > bytes.size() - at - kChunkFrame) break;
+    const std::string_view body = bytes.substr(at + 4, length + 4);
+    const auto checksum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
+    if (checksum != big_endian(bytes, at + 8 + length)) {
+      return fail(ErrorCode::kBadFormat,
+                  "{}: damaged PNG: wrong checksum at byte {}; copy it again", name, at);
+    }
+    if (body.starts_with("IEND")) return {};
+    at += length + kChunkFrame;
+  }
+  return fail(ErrorCode::kBadFormat,
+              "{}: truncated PNG: ends at byte {} of an image; copy it again", name, bytes.size());
+}
+
+Result<Header> parse_header(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t kHeaderEnd = 33;  // signature, then one chunk of 13 bytes
+  if (!bytes.starts_with(kSignature)) {
+    return fail(ErrorCode::kBadFormat, "{}: not a PNG image", name);
+  }
+  if (Result<void> whole = check_chunks(bytes, name); !whole) return tl::unexpected(whole.error());
+  if (bytes.size() < kHeaderEnd || bytes.substr(12, 4) != "IHDR" || big_endian(bytes, 8) != 13) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: does not begin with its header", name);
+  }
+  return Header{big_endian(bytes, 16), big_endian(bytes, 20), bytes[24], bytes[25]};
+}
+
+Result<void> check_header(const Header& header, std::size_t byte_count, const std::string& name) {
+  const std::optional<int> type = header.matrix_type();
+  if (!type) {
+    return fail(ErrorCode::kBadFormat,
+                "{}: a PNG of color type {} with {} bits; expected 8- or 16-bit grey or 8-bit RGB "
+                "without transparency",
+                name, header.color_type, header.bit_depth);
+  }
+  constexpr std::uint32_t kMaxSide = 1U << 16U;
+  const std::uint64_t pixel_bytes =
+      std::uint64_t{header.width} * header.height * CV_ELEM_SIZE(*type);
+  if (header.width == 0 || header.height == 0 || header.width > kMaxSide ||
+      header.height > kMaxSide || pixel_bytes > kMaxDeflateRatio * byte_count) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: a size of {} x {} pixels in {} bytes",
+                name, header.width, header.height, byte_count);
+  }
+  return {};
+}
+
+bool is_storable(const cv::Mat& image) {
+  const int type = image.type();
+  return !image.empty() && (type == CV_8UC1 || type == CV_16UC1 || type == CV_8UC3);
+}
+
+tl::unexpected<Error> not_storable() {
+  return fail(ErrorCode::kBadOption,
+              "an image to be saved as PNG must have pixels, 8- or 16-bit grey or 8-bit RGB");
+}
+
+void append_big_endian(std::string& bytes, std::uint32_t value) {
+  for (const unsigned shift : {24U, 16U, 8U, 0U})
+    bytes.push_back(static_cast<char>(value >> shift));
+}
+
+/// @param body  type and content
+void append_chunk(std::string& bytes, std::string_view body) {
+  append_big_endian(bytes, static_cast<std::uint32_t>(body.size() - 4));
+  bytes += body;
+  append_big_endian(bytes, static_cast<std::uint32_t>(crc32_z(
+                               0, reinterpret_cast<const Bytef*>(body.data()), body.size())));
+}
+
+std::string png_header(const cv::Mat& image) {
+  std::string body = "IHDR";
+  append_big_endian(body, static_cast<std::uint32_t>(image.cols));
+  append_big_endian(body, static_cast<std::uint32_t>(image.rows));
+  body.push_back(image.depth() == CV_16U ? 16 : 8);
+  body.push_back(static_cast<char>(image.channels() == 3 ? kRgb : kGrey));
+  // The only packing, the only set of filters, not interlaced.
+  return body + std::string(3, '\0');
+}
+
+/// A row as PNG has it: of 16 bits the higher ones first.
+void copy_row(const cv::Mat& image, int row, std::vector<std::uint8_t>& to) {
+  const std::uint8_t* from = image.ptr(row);
+  if (image.depth() != CV_16U) {
+    std::copy_n(from, to.size(), to.begin());
+    return;
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i ^ 1U];
+}
+
+/// Every pixel less the one before it: what is left of a smooth image is its noise.
+std::vector<std::uint8_t> filtered_rows(const cv::Mat& image) {
+  constexpr std::uint8_t kSub = 1;
+  const std::size_t step = image.elemSize();
+  const std::size_t width = static_cast<std::size_t>(image.cols) * step;
+  std::vector<std::uint8_t> rows;
+  rows.reserve((width + 1) * static_cast<std::size_t>(image.rows));
+  std::vector<std::uint8_t> row(width), difference(width);
+  for (int i = 0; i < image.rows; ++i) {
+    copy_row(image, i, row);
+    std::copy_n(row.begin(), step, difference.begin());
+    for (std::size_t k = step; k < width; ++k)
+      difference[k] = static_cast<std::uint8_t>(row[k] - row[k - step]);
+    rows.push_back(kSub);
+    rows.insert(rows.end(), difference.begin(), difference.end());
+  }
+  return rows;
+}
+
+/// As quickly as can be: images of cameras are mostly noise, and a longer search for what repeats
+/// saves next to nothing.
+std::string packed(const std::vector<std::uint8_t>& bytes) {
+  constexpr int kQuickest = 1;
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(kQuickest), libdeflate_free_compressor);
+  std::string result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+  result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(),
+                                         result.data(), result.size()));
+  return result;
+}
+
+void swap_red_and_blue(cv::Mat& image) {
+  for (cv::Vec3b& pixel : cv::Mat_<cv::Vec3b>(image)) std::swap(pixel[0], pixel[2]);
+}
+
+}  // namespace
+
+Result<cv::Mat> decode_png(std::string_view bytes, const std::string& name) {
+  const Result<Header> header = parse_header(bytes, name);
+  if (!header) return tl::unexpected(header.error());
+  if (Result<void> fine = check_header(*header, bytes.size(), name); !fine) {
+    return tl::unexpected(fine.error());
+  }
+  cv::Mat image;
+  try {
+    const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
+    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  if (image.empty()) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: its pixels cannot be unpacked", name);
+  }
+  if (image.type() != *header->matrix_type()) {
+    return fail(ErrorCode::kBadFormat, "{}: a PNG with transparency; save it without", name);
+  }
+  if (image.channels() == 3) swap_red_and_blue(image);
+  return image;
+}
+
+Result<cv::Mat> read_png(const std::filesystem::path& path) {
+  return read_file(path).and_then(
+      [&](const std::string& bytes) { return decode_png(bytes, path.string()); });
+}
+
+Result<std::string> encode_png(const cv::Mat& image) {
+  if (!is_storable(image)) return not_storable();
+  cv::Mat stored = image;
+  if (image.channels() == 3) {
+    stored = image.clone();
+    swap_red_and_blue(stored);
+  }
+  try {
+    std::vector<std::uint8_t> buffer;
+    if (cv::imencode(".png", stored, buffer)) return std::string(buffer.begin(), buffer.end());
+  } catch (const cv::Exception&) {
+    // Falls through: the same failure as a false return.
+  }
+  return fail(ErrorCode::kBadOption, "an image of {} x {} pixels cannot be saved as PNG",
+              image.cols, image.rows);
+}
+
+Result<std::string> encode_camera_png(const cv::Mat& image) {
+  if (!is_storable(image)) return not_storable();
+  std::string bytes(kSignature);
+  append_chunk(bytes, png_header(image));
+  append_chunk(bytes, "IDAT" + packed(filtered_rows(image)));
+  append_chunk(bytes, "IEND");
+  return bytes;
+}
+
+Result<void> write_png(const std::filesystem::path& path, const cv::Mat& image) {
+  return encode_png(image).and_then(
+      [&](const std::string& bytes) { return write_file(path, bytes); });
+}
+
+}  // namespace flytri::io

@@ -1,0 +1,33 @@
+/// @file  Lossless images: PNG bytes to a matrix and back, anything doubtful refused.
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace flytri::io {
+
+/// Decodes 8- or 16-bit grey (CV_8UC1, CV_16UC1) or 8-bit RGB (CV_8UC3 in R, G, B order).
+/// Every chunk's checksum is verified first, so a truncated or damaged file never gives an image.
+/// @param name  for messages
+/// @errors  kBadFormat.
+[[nodiscard]] Result<cv::Mat> decode_png(std::string_view bytes, const std::string& name);
+
+/// @errors  As read_file and decode_png.
+[[nodiscard]] Result<cv::Mat> read_png(const std::filesystem::path& path);
+
+/// Inverse of decode_png, for the same three kinds of image.
+/// @errors  kBadOption: another type, or no pixels.
+[[nodiscard]] Result<std::string> encode_png(const cv::Mat& image);
+
+/// The same for images of cameras: in less than half the time, and a little larger, drawings more.
+/// @errors  As encode_png.
+[[nodiscard]] Result<std::string> encode_camera_png(const cv::Mat& image);
+
+/// @errors  As encode_png and write_file.
+[[nodiscard]] Result<void> write_png(const std::filesystem::path& path, const cv::Mat& image);
+
+}  // namespace flytri::io

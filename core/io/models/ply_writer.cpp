@@ -1,0 +1,71 @@
+#include <algorithm>
+
+#include "core/io/files/byte_stream.h"
+#include "core/io/models/ply.h"
+
+namespace flytri::io {
+namespace {
+
+std::string header_of(std::size_t vertex_count) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment flytri, millimeters, sRGB\nelement vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float sigma\n",
+      vertex_count);
+}
+
+std::string header_of(const VertexProperties& extra) {
+  std::string text;
+  for (const auto& [name, values] : extra) text += fmt::format("property float {}\n", name);
+  return text;
+}
+
+void put_points(ByteWriter& out, const std::vector<SurfacePoint>& points,
+                const VertexProperties& extra = {}) {
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const SurfacePoint& point = points[v];
+    for (int i = 0; i < 3; ++i) out.number(point.position_mm[i]);
+    for (int i = 0; i < 3; ++i) out.number(point.normal[i]);
+    for (const std::uint8_t channel : point.color) out.number(channel);
+    out.number(point.sigma_mm);
+    for (const auto& [name, values] : extra) out.number(static_cast<float>(values[v]));
+  }
+}
+
+void put_triangles(ByteWriter& out, const std::vector<Triangle>& triangles) {
+  for (const Triangle& triangle : triangles) {
+    out.number(std::uint8_t{3});
+    for (const std::uint32_t vertex : triangle) out.number(static_cast<std::int32_t>(vertex));
+  }
+}
+
+}  // namespace
+
+Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
+                       const VertexProperties& extra) {
+  for (const auto& [name, values] : extra) {
+    if (values.size() == mesh.vertices.size()) continue;
+    return fail(ErrorCode::kInconsistent, "{}: property {} has {} values for {} vertices",
+                path.string(), name, values.size(), mesh.vertices.size());
+  }
+  Result<ByteWriter> out = ByteWriter::create(path);
+  if (!out) return tl::unexpected(out.error());
+  out->text(header_of(mesh.vertices.size()) + header_of(extra));
+  out->text(fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                        mesh.triangles.size()));
+  put_points(*out, mesh.vertices, extra);
+  put_triangles(*out, mesh.triangles);
+  return out->commit();
+}
+
+Result<void> write_point_cloud_ply(const std::filesystem::path& path, const PointCloud& points) {
+  Result<ByteWriter> out = ByteWriter::create(path);
+  if (!out) return tl::unexpected(out.error());
+  out->text(header_of(points.size()));
+  out->text("end_header\n");
+  put_points(*out, points);
+  return out->commit();
+}
+
+}  // namespace flytri::io

@@ -1,0 +1,173 @@
+#include "core/reconstruct/finish_scan.h"
+
+#include <array>
+#include <span>
+#include <utility>
+
+#include "core/meshing/mesh_topology.h"
+#include "core/texture/vertex_colors.h"
+#include "core/trajectory/trajectory.h"
+
+namespace flytri::reconstruct {
+namespace {
+
+/// The steps of the finishing, as the user sees them.
+constexpr auto kRefining = "Refining all views together", kNormals = "Calculating normals",
+               kThinning = "Thinning points", kMeshing = "Meshing", kTexturing = "Texturing";
+
+/// Of coloring the points, and as much the vertices, in the time of texturing.
+constexpr double kColoringShare = 0.15;
+
+/// One run: holds what the stages hand to each other.
+class Finisher {
+ public:
+  Finisher(ScannedViews scanned, const FinishOptions& options, const Workers& workers,
+           const Progress& progress, StageClock& clock)
+      : scanned_(std::move(scanned)),
+        options_(options),
+        workers_(workers),
+        progress_(progress),
+        clock_(clock) {}
+
+  Result<FinishedScan> run();
+
+ private:
+  Result<void> refine_views();
+  void place_texture_frames();
+  Result<std::vector<SurfaceSample>> find_samples();
+  Result<void> make_points();
+  Result<void> make_surface();
+  Result<void> apply_texture();
+
+  ScannedViews scanned_;
+  const FinishOptions& options_;
+  const Workers& workers_;
+  const Progress& progress_;
+  StageClock& clock_;
+  FinishedScan result_;
+};
+
+Result<void> Finisher::refine_views() {
+  std::vector<AlignedView>& views = scanned_.views;
+  progress_.begin_stage(kRefining);
+  const Result<refinement::Refinement> refined =
+      refinement::refine_jointly(views, options_.refinement, workers_, progress_);
+  if (!refined) return tl::unexpected(refined.error());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (refined->contradicts(i, options_.refinement)) {
+      result_.contradicting.push_back(views[i].view->frame);
+    } else {
+      result_.views.push_back(views[i]);
+    }
+  }
+  clock_.end_stage("joint refinement", views.size(), "views");
+  return {};
+}
+
+void Finisher::place_texture_frames() {
+  if (scanned_.texture_frames.empty()) return;
+  trajectory::Trajectory trajectory(0.5 * scanned_.calibration->volume.size_mm.norm());
+  for (const AlignedView& view : result_.views) {
+    trajectory.set(view.view->time_s, view.T_world_sensor);
+  }
+  for (const Frame& frame : scanned_.texture_frames) {
+    result_.T_world_texture.push_back(trajectory.interpolate(frame.time_s, options_.max_gap_s));
+  }
+}
+
+/// All measured points that the edits keep, with their normals.
+Result<std::vector<SurfaceSample>> Finisher::find_samples() {
+  progress_.begin_stage(kNormals);
+  const auto normals =
+      normals::crossing_normals(result_.views, options_.normals, workers_, progress_);
+  if (!normals) return tl::unexpected(normals.error());
+  std::vector<SurfaceSample> samples = normals::surface_samples(result_.views, *normals);
+  clock_.end_stage("normals", samples.size(), "points");
+  if (const editing::EditFilter filter(scanned_.edits); !filter.empty()) {
+    std::erase_if(samples, [&](const SurfaceSample& sample) {
+      const double seen_at_s = result_.views[sample.view.at()].view->time_s;
+      return !filter.keeps(sample.position_mm, sample.normal, seen_at_s);
+    });
+  }
+  return samples;
+}
+
+Result<void> Finisher::make_points() {
+  const auto samples = find_samples();
+  if (!samples) return tl::unexpected(samples.error());
+  progress_.begin_stage(kThinning);
+  Result<reduction::Reduction> reduction =
+      reduction::reduce_samples(*samples, options_.reduction, workers_, progress_);
+  if (!reduction) return tl::unexpected(reduction.error());
+  result_.points = std::move(reduction->points);
+  clock_.end_stage("reduction", samples->size(), "points");
+  return {};
+}
+
+Result<void> Finisher::make_surface() {
+  progress_.begin_stage(kMeshing);
+  Result<meshing::SurfaceMesh> surface =
+      meshing::mesh_surface(result_.points, options_.meshing, workers_, progress_);
+  if (!surface) return tl::unexpected(surface.error());
+  result_.surface = std::move(*surface);
+  clock_.end_stage("meshing", result_.points.size(), "points");
+  result_.model.mesh = result_.surface.mesh;
+  return {};
+}
+
+/// Colors points and mesh from the texture frames that have a pose.
+Result<void> Finisher::apply_texture() {
+  std::vector<texture::TextureFrame> frames;
+  for (std::size_t i = 0; i < scanned_.texture_frames.size(); ++i) {
+    if (!result_.T_world_texture[i]) continue;
+    frames.push_back({scanned_.texture_frames[i].image, *result_.T_world_texture[i]});
+  }
+  if (frames.empty()) return {};
+  const calibration::Calibration& calibration = *scanned_.calibration;
+  progress_.begin_stage(kTexturing);
+  const std::array<std::span<SurfacePoint>, 2> surfaces = {result_.points,
+                                                           result_.surface.mesh.vertices};
+  for (const std::span<SurfacePoint> points : surfaces) {
+    const auto counts = texture::color_points(points, frames, calibration, options_.atlas.coloring,
+                                              workers_, progress_.part(kColoringShare));
+    if (!counts) return tl::unexpected(counts.error());
+  }
+  Result<texture::BakedAtlas> baked =
+      texture::bake_atlas(result_.surface.mesh, frames, calibration, options_.atlas, workers_,
+                          progress_.part(1.0 - 2.0 * kColoringShare));
+  if (!baked) return tl::unexpected(baked.error());
+  result_.model = std::move(baked->model);
+  clock_.end_stage("texture", frames.size(), "frames");
+  return {};
+}
+
+Result<FinishedScan> Finisher::run() {
+  if (auto ok = refine_views(); !ok) return tl::unexpected(ok.error());
+  place_texture_frames();
+  if (auto ok = make_points(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = make_surface(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = apply_texture(); !ok) return tl::unexpected(ok.error());
+  // Cancelled after the last check, it is cancelled all the same.
+  if (progress_.cancelled()) return stopped();
+  return std::move(result_);
+}
+
+}  // namespace
+
+FinishedScan finished_scan_of(TexturedMesh model) {
+  FinishedScan finished;
+  finished.model = std::move(model);
+  texture::color_vertices(finished.model);
+  finished.surface.mesh = meshing::welded(finished.model.mesh);
+  meshing::repair_manifold(finished.surface.mesh);
+  finished.surface.boundaries = meshing::find_boundaries(finished.surface.mesh);
+  return finished;
+}
+
+Result<FinishedScan> finish_scan(ScannedViews scanned, const FinishOptions& options,
+                                 const Workers& workers, const Progress& progress,
+                                 StageClock& clock) {
+  return Finisher(std::move(scanned), options, workers, progress, clock).run();
+}
+
+}  // namespace flytri::reconstruct

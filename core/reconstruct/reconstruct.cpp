@@ -1,0 +1,306 @@
+#include "core/reconstruct/reconstruct.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace flytri::reconstruct {
+namespace {
+
+/// One run: holds what the stages hand to each other.
+class Run {
+ public:
+  /// @param source  what is reconstructed, for messages
+  Run(std::string source, const ReconstructOptions& options, const Workers& workers,
+      const Progress& progress)
+      : source_(std::move(source)),
+        options_(options),
+        workers_(workers),
+        progress_(progress),
+        clock_(options.now_s) {}
+
+  Result<Reconstruction> from_recording(const io::Recording& recording,
+                                        const calibration::Calibration& calibration);
+  Result<Reconstruction> from_stage(const io::StoredStage& stage,
+                                    const calibration::Calibration& calibration);
+  Result<Reconstruction> from_views(std::vector<std::shared_ptr<const View>> views);
+
+ private:
+  Result<void> measure_frames(const io::Recording& recording,
+                              const calibration::Calibration& calibration);
+  Result<void> measure_frame(const io::Recording& recording,
+                             const calibration::Calibration& calibration, std::size_t i);
+  void accept_frames(std::size_t count);
+  Result<void> register_views();
+  void accept_stage(const io::StoredStage& stage);
+  FrameReport& report_of(FrameIndex frame);
+  void reject(FrameIndex frame, std::string reason);
+  [[nodiscard]] std::string first_rejection() const;
+  std::vector<Frame> load_texture_frames(const io::Recording& recording);
+  Result<Reconstruction> finish(ScannedViews scanned);
+
+  std::string source_;
+  const ReconstructOptions& options_;
+  const Workers& workers_;
+  const Progress& progress_;
+  StageClock clock_;
+  std::vector<std::shared_ptr<const View>> views_;  ///< by frame; null: not measured
+  std::vector<AlignedView> aligned_;                ///< what was registered, by time
+  Reconstruction result_;
+};
+
+FrameReport& Run::report_of(FrameIndex frame) {
+  std::vector<FrameReport>& frames = result_.frames;
+  return *std::lower_bound(
+      frames.begin(), frames.end(), frame,
+      [](const FrameReport& report, FrameIndex wanted) { return report.frame < wanted; });
+}
+
+void Run::reject(FrameIndex frame, std::string reason) {
+  FrameReport& report = report_of(frame);
+  report.fate = FrameFate::kRejected;
+  report.reason = std::move(reason);
+  report.T_world_sensor.reset();
+}
+
+/// Measures frame i, or says in its report why not. A frame of the wrong size is an error: it is
+/// damaged, or the calibration is that of another sensor.
+Result<void> Run::measure_frame(const io::Recording& recording,
+                                const calibration::Calibration& calibration, std::size_t i) {
+  const FrameIndex index(i);
+  if (recording.frames[i].kind == FrameKind::kTexture) return {};
+  const Result<Frame> frame = io::load_frame(recording, index);
+  if (!frame) {
+    reject(index, frame.error().message);
+    return {};
+  }
+  Result<measurement::MeasuredView> measured =
+      measurement::measure_view(*frame, calibration, options_.measure);
+  if (!measured && measured.error().code == ErrorCode::kInconsistent) {
+    const auto path = recording.folder / recording.frames[i].file;
+    return fail(ErrorCode::kInconsistent, "{}: {}", path.string(), measured.error().message);
+  }
+  if (!measured) {
+    reject(index, measured.error().message);
+  } else if (measured->outcome != measurement::MeasureOutcome::kMeasured) {
+    reject(index, std::string(to_string(measured->outcome)));
+  } else {
+    measured->view.frame = index;
+    measured->view.time_s = recording.frames[i].time_s;
+    result_.frames[i].point_count = measured->view.point_count();
+    views_[i] = std::make_shared<const View>(std::move(measured->view));
+  }
+  return {};
+}
+
+void Run::accept_frames(std::size_t count) {
+  result_.frames.resize(count);
+  views_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) result_.frames[i].frame = FrameIndex(i);
+}
+
+Result<void> Run::measure_frames(const io::Recording& recording,
+                                 const calibration::Calibration& calibration) {
+  const std::size_t count = recording.frames.size();
+  accept_frames(count);
+  progress_.begin_stage("Measuring lines");
+  std::vector<Result<void>> outcomes(count);
+  const bool complete = workers_.for_each_unless_cancelled(
+      count, [&](std::size_t i) { outcomes[i] = measure_frame(recording, calibration, i); },
+      progress_);
+  if (!complete) return stopped();
+  const bool is_of_this_sensor =
+      std::any_of(views_.begin(), views_.end(), [](const auto& view) { return view != nullptr; });
+  for (std::size_t i = 0; i < count; ++i) {
+    if (outcomes[i]) continue;
+    if (!is_of_this_sensor) return outcomes[i];
+    reject(FrameIndex(i), outcomes[i].error().message);
+  }
+  clock_.end_stage("image to view", count, "frames");
+  return {};
+}
+
+Result<void> Run::register_views() {
+  Result<tracking::Registrar> registrar = tracking::Registrar::create(options_.registration);
+  if (!registrar) return tl::unexpected(registrar.error());
+  progress_.begin_stage("Registering views", views_.size());
+  std::size_t view_count = 0;
+  for (const auto& view : views_) {
+    if (progress_.cancelled()) return stopped();
+    progress_.advance();
+    if (view == nullptr) continue;
+    registrar->add(view);
+    ++view_count;
+  }
+  progress_.begin_stage("Registering what was lost");
+  const std::vector<tracking::RegisteredView> settled =
+      registrar->finish(tracking::Registrar::World::kFirstView, progress_);
+  if (progress_.cancelled()) return stopped();
+  for (const tracking::RegisteredView& registered : settled) {
+    const FrameIndex frame = registered.view->frame;
+    if (registered.fate == tracking::ViewFate::kRejected) {
+      reject(frame, std::string(to_string(registered.reason)));
+      continue;
+    }
+    report_of(frame).fate = registered.fate == tracking::ViewFate::kRegistered
+                                ? FrameFate::kRegistered
+                                : FrameFate::kInterpolated;
+    aligned_.push_back({registered.view, registered.T_world_sensor});
+  }
+  clock_.end_stage("registration", view_count, "views");
+  if (aligned_.size() >= 2) return {};
+  return fail(ErrorCode::kInsufficient,
+              "{}: of {} frames {} show lines inside the measurement volume, and no two of them "
+              "could be registered; both patterns must light the same surface in turn{}",
+              source_, result_.frames.size(), view_count, first_rejection());
+}
+
+/// For the end of a message; empty where nothing was rejected.
+std::string Run::first_rejection() const {
+  const auto first = std::find_if(result_.frames.begin(), result_.frames.end(),
+                                  [](const FrameReport& report) { return !report.reason.empty(); });
+  if (first == result_.frames.end()) return {};
+  return fmt::format("; frame {} was rejected: {}", first->frame.value, first->reason);
+}
+
+/// The texture frames that can be read; the others are rejected.
+std::vector<Frame> Run::load_texture_frames(const io::Recording& recording) {
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < recording.frames.size(); ++i) {
+    if (recording.frames[i].kind != FrameKind::kTexture) continue;
+    Result<Frame> frame = io::load_frame(recording, FrameIndex(i));
+    if (!frame) {
+      reject(FrameIndex(i), frame.error().message);
+    } else {
+      frames.push_back(std::move(*frame));
+    }
+  }
+  return frames;
+}
+
+/// Finishes the scan and settles the fates that this decides.
+Result<Reconstruction> Run::finish(ScannedViews scanned) {
+  const std::vector<Frame> texture_frames = scanned.texture_frames;  // images are shared
+  Result<FinishedScan> finished =
+      finish_scan(std::move(scanned), options_.finish, workers_, progress_, clock_);
+  if (!finished) return tl::unexpected(finished.error());
+  for (const AlignedView& view : finished->views) {
+    report_of(view.view->frame).T_world_sensor = view.T_world_sensor;
+  }
+  for (const FrameIndex frame : finished->contradicting)
+    reject(frame, "contradicts the other views");
+  for (std::size_t i = 0; i < texture_frames.size(); ++i) {
+    const FrameIndex frame = texture_frames[i].index;
+    if (!finished->T_world_texture[i]) {
+      reject(frame, "no registered view before and after it");
+    } else {
+      report_of(frame).fate = FrameFate::kTextured;
+      report_of(frame).T_world_sensor = finished->T_world_texture[i];
+    }
+  }
+  result_.points = std::move(finished->points);
+  result_.surface = std::move(finished->surface);
+  result_.model = std::move(finished->model);
+  result_.stages = clock_.stages();
+  return std::move(result_);
+}
+
+Result<Reconstruction> Run::from_recording(const io::Recording& recording,
+                                           const calibration::Calibration& calibration) {
+  if (auto done = measure_frames(recording, calibration); !done) {
+    return tl::unexpected(done.error());
+  }
+  if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  return finish(
+      {aligned_, load_texture_frames(recording), editing::EditStack().state(), &calibration});
+}
+
+/// A report for each frame that the case knows of.
+void Run::accept_stage(const io::StoredStage& stage) {
+  std::map<FrameIndex, FrameReport> reports;
+  for (const io::StoredFrame& frame : stage.frames) {
+    reports[frame.frame].reason = frame.reason.empty() ? "nothing of it is kept" : frame.reason;
+  }
+  for (const io::StoredView& stored : stage.views) {
+    FrameReport& report = reports[stored.view->frame];
+    report.reason.clear();
+    report.point_count = stored.view->point_count();
+    views_.push_back(stored.view);
+  }
+  for (const Frame& frame : stage.texture_frames) reports[frame.index].reason.clear();
+  for (auto& [frame, report] : reports) {
+    report.frame = frame;
+    result_.frames.push_back(std::move(report));
+  }
+}
+
+Result<Reconstruction> Run::from_stage(const io::StoredStage& stage,
+                                       const calibration::Calibration& calibration) {
+  accept_stage(stage);
+  for (const io::StoredView& stored : stage.views) {
+    if (!stored.T_world_sensor) continue;
+    aligned_.push_back({stored.view, *stored.T_world_sensor});
+    report_of(stored.view->frame).fate = FrameFate::kRegistered;
+  }
+  if (aligned_.empty()) {
+    if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  } else {
+    for (const io::StoredView& stored : stage.views) {
+      if (!stored.T_world_sensor) reject(stored.view->frame, "was not registered");
+    }
+  }
+  return finish({aligned_, stage.texture_frames, stage.edits.state(), &calibration});
+}
+
+Result<Reconstruction> Run::from_views(std::vector<std::shared_ptr<const View>> views) {
+  accept_frames(views.size());
+  views_ = std::move(views);
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    result_.frames[i].point_count = views_[i]->point_count();
+  }
+  if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  ScannedViews scanned;
+  scanned.views = aligned_;
+  return finish(std::move(scanned));
+}
+
+}  // namespace
+
+std::string_view to_string(FrameFate fate) {
+  switch (fate) {
+    case FrameFate::kRegistered:
+      return "registered";
+    case FrameFate::kInterpolated:
+      return "interpolated";
+    case FrameFate::kTextured:
+      return "textured";
+    case FrameFate::kRejected:
+      return "rejected";
+  }
+  return "";
+}
+
+Result<Reconstruction> reconstruct(const io::Recording& recording,
+                                   const calibration::Calibration& calibration,
+                                   const ReconstructOptions& options, const Workers& workers,
+                                   const Progress& progress) {
+  return Run(recording.folder.string(), options, workers, progress)
+      .from_recording(recording, calibration);
+}
+
+Result<Reconstruction> reconstruct_stage(const NamedStage& stored,
+                                         const calibration::Calibration& calibration,
+                                         const ReconstructOptions& options, const Workers& workers,
+                                         const Progress& progress) {
+  return Run(stored.name, options, workers, progress).from_stage(stored.stage, calibration);
+}
+
+Result<Reconstruction> reconstruct_views(std::vector<std::shared_ptr<const View>> views,
+                                         const ReconstructOptions& options, const Workers& workers,
+                                         const Progress& progress) {
+  return Run("the views", options, workers, progress).from_views(std::move(views));
+}
+
+}  // namespace flytri::reconstruct

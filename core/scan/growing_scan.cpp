@@ -1,0 +1,395 @@
+#include "core/scan/growing_scan.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flytri::scan {
+namespace {
+
+/// Re-entry places that are offered.
+constexpr std::size_t kReentryPlaces = 5;
+/// Pictures of re-entry places are this far apart, as a share of the volume's half diagonal.
+constexpr double kPictureShare = 0.25;
+/// Tasks that may wait for the model before further views are handed over together.
+constexpr std::size_t kModelTasks = 4;
+/// While the hand scans, better poses wait until they move the surface by so much of a cell: to
+/// build it anew takes as long as to build it once, and less is not seen.
+constexpr double kToleratedCells = 0.2;
+
+double half_diagonal_mm(const calibration::Calibration& calibration) {
+  return 0.5 * calibration.volume.size_mm.norm();
+}
+
+}  // namespace
+
+GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibration,
+                         const LiveScanOptions& options, tracking::Registrar registrar,
+                         LiveModel model, const KeptScan& kept, Ask ask)
+    : calibration_(std::move(calibration)),
+      options_(options),
+      ask_(std::move(ask)),
+      registrar_(std::move(registrar)),
+      pictures_(kPictureShare * half_diagonal_mm(*calibration_), half_diagonal_mm(*calibration_)),
+      distance_(calibration_->volume.size_mm.z()),
+      journal_(options.journal, options.now_s),
+      refinement_({options.finish.refinement, options.refine_growth, options.min_refine_views},
+                  background_thread_, ask_,
+                  [this](const std::vector<AlignedView>& refined) {
+                    if (phase_ != ScanPhase::kFinishing) take_refined(refined);
+                  }),
+      model_(std::move(model), {board_, background_thread_, options.now_s,
+                                [this](std::vector<double> times_s) {
+                                  ask_([this, times_s = std::move(times_s)] {
+                                    redundant_s_.insert(redundant_s_.end(), times_s.begin(),
+                                                        times_s.end());
+                                  });
+                                },
+                                options.holes_period_s, options.finish.meshing}),
+      finishing_(options.finish, options.now_s) {
+  restore(kept);
+}
+
+std::size_t GrowingScan::pending() const {
+  return model_.pending() + background_thread_.pending() + finishing_.pending() +
+         journal_.pending();
+}
+
+void GrowingScan::cancel_all() const {
+  cancel_finish();
+  refinement_.cancel();
+}
+
+void GrowingScan::stop() {
+  journal_.wait_until_idle();
+  // Stopped before any is destroyed: they post to each other.
+  journal_.stop();
+  model_.stop();
+  background_thread_.stop();
+  finishing_.stop();
+}
+
+void GrowingScan::take(const IntakeResult& result, const Arrivals& arrivals) {
+  offered_ = arrivals.offered;
+  if (is_scanning(phase_)) scanned_s_ += std::max(0.0, result.frame.time_s - last_time_s_);
+  last_time_s_ = result.frame.time_s;
+  if (result.frame.kind == FrameKind::kTexture) {
+    take_texture(result.frame);
+  } else if (result.skipped) {
+    frame_counter_.skipped();
+  } else {
+    take_view(result, arrivals.is_late);
+  }
+  board_.update([&](ScanSnapshot& s) {
+    s.counts = frame_counter_.counts(offered_);
+    s.time_s = last_time_s_;
+    s.scanned_s = scanned_s_;
+  });
+}
+
+void GrowingScan::take_texture(const Frame& frame) {
+  const ImageSize size{frame.image.cols, frame.image.rows};
+  if (!(size == calibration_->texture_size) || frame.image.type() != CV_8UC3) {
+    return frame_counter_.rejected(frame.time_s,
+                                   "texture frame of another size than the calibration's");
+  }
+  frame_counter_.textured();
+  auto shown = std::make_shared<LiveFrame>();
+  shown->frame = frame;
+  board_.update([&](ScanSnapshot& s) { s.latest_texture = std::move(shown); });
+  if (!is_scanning(phase_)) return;
+  journal([frame](ScanJournal& journal) { journal.keep_texture(frame); });
+  model_.add_texture(frame);
+}
+
+/// A frame that was measured, whatever came of it.
+void GrowingScan::take_view(const IntakeResult& result, bool is_late) {
+  const double time_s = result.frame.time_s;
+  if (!result.measured || result.measured->outcome != measurement::MeasureOutcome::kMeasured) {
+    show_frame(result, nullptr);
+    if (!is_scanning(phase_)) return frame_counter_.previewed();
+    board_.update([](ScanSnapshot& s) { s.match_share = 0.0; });
+    return missed(time_s, result.measured ? std::string(to_string(result.measured->outcome))
+                                          : result.measured.error().message);
+  }
+  auto view = std::make_shared<const View>(result.measured->view);
+  show_frame(result, view);
+  if (!is_scanning(phase_)) return frame_counter_.previewed();
+  journal([view](ScanJournal& journal) { journal.keep_view(*view); });
+  register_view(result, view, is_late);
+}
+
+void GrowingScan::register_view(const IntakeResult& result, const std::shared_ptr<const View>& view,
+                                bool is_late) {
+  const tracking::RegisteredView registered =
+      is_late ? registrar_.skip(view) : registrar_.add(view);
+  switch (registered.fate) {
+    case tracking::ViewFate::kRegistered:
+      missed_in_a_row_ = 0;
+      frame_counter_.registered();
+      pictures_.add(result.frame, registered.T_world_sensor);
+      board_.update([&](ScanSnapshot& s) {
+        s.T_world_sensor = registered.T_world_sensor;
+        if (registered.rms_mm > 0.0) s.residual_mm = registered.rms_mm;
+      });
+      step(ScanEvent::kRegistered);
+      break;
+    case tracking::ViewFate::kInterpolated:
+      frame_counter_.interpolated();
+      break;
+    case tracking::ViewFate::kRejected:
+      missed(view->time_s, std::string(to_string(registered.reason)));
+      break;
+  }
+  board_.update([&](ScanSnapshot& s) { s.match_share = registrar_.entry_share(); });
+  hand_over_growth(result.offered_at_s);
+}
+
+void GrowingScan::missed(double time_s, const std::string& reason) {
+  frame_counter_.rejected(time_s, reason);
+  if (++missed_in_a_row_ > options_.registration.patience_views) step(ScanEvent::kLost);
+}
+
+void GrowingScan::show_frame(const IntakeResult& result, std::shared_ptr<const View> view) {
+  auto shown = std::make_shared<LiveFrame>();
+  shown->frame = result.frame;
+  if (result.measured) shown->lines = result.measured->lines;
+  std::optional<SensorDistance> distance;
+  if (view != nullptr) distance = distance_.measure(*view);
+  const Pattern pattern =
+      view != nullptr ? view->pattern : pattern_of(result.frame.kind).value_or(Pattern::kVertical);
+  shown->view = std::move(view);
+  board_.update([&](ScanSnapshot& s) {
+    s.latest[static_cast<std::size_t>(pattern)] = std::move(shown);
+    s.distance = distance;
+  });
+}
+
+void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
+  const tracking::ScanGrowth growth = registrar_.take_growth();
+  for (const AlignedView& view : growth.added) frame_counter_.found(view.view->time_s);
+  known_views_ = growth.is_all ? growth.added.size() : known_views_ + growth.added.size();
+  if (growth.is_all) {
+    rebuild(true);
+  } else if (!growth.added.empty()) {
+    waiting_.views.insert(waiting_.views.end(), growth.added.begin(), growth.added.end());
+    if (offered_at_s) waiting_.offered_at_s.push_back(*offered_at_s);
+  }
+  if (!growth.added.empty()) {
+    journal([views = growth.added](ScanJournal& journal) { journal.keep_poses(views); });
+  }
+  if (waiting_.views.empty()) return;
+  if (model_.pending() > kModelTasks) return hand_over_later();
+  hand_over_waiting();
+  refinement_.run_if_grown(known_views_, [this] { return aligned_views(); });
+  retire_past();
+}
+
+void GrowingScan::hand_over_waiting() {
+  if (waiting_.views.empty()) return;
+  Waiting waiting = std::exchange(waiting_, {});
+  model_.add(std::move(waiting.views), std::move(waiting.offered_at_s));
+}
+
+/// As soon as the model has done what it was given: no further view may come.
+void GrowingScan::hand_over_later() {
+  if (std::exchange(is_model_asked_, true)) return;
+  model_.when_done([this] {
+    ask_([this] {
+      is_model_asked_ = false;
+      hand_over_waiting();
+    });
+  });
+}
+
+/// Lets go of views that told nothing new, some at a time, and not before the hand has left them.
+void GrowingScan::retire_past() {
+  constexpr double kPast_s = 3.0;
+  constexpr std::size_t kAtOnce = 100;
+  if (redundant_s_.size() < kAtOnce || redundant_s_[kAtOnce - 1] > last_time_s_ - kPast_s) return;
+  registrar_.retire(std::span(redundant_s_).first(kAtOnce));
+  redundant_s_.erase(redundant_s_.begin(), redundant_s_.begin() + kAtOnce);
+}
+
+void GrowingScan::restore(const KeptScan& kept) {
+  registrar_.restore(kept.views);
+  edits_ = kept.edits;
+  known_views_ = kept.views.size();
+  if (!kept.views.empty()) last_time_s_ = kept.views.back().view->time_s;
+  [[maybe_unused]] const tracking::ScanGrowth known = registrar_.take_growth();
+  model_.restore(kept.views, kept.texture_frames, kept.edits.state());
+  show_edits();
+  if (kept.result == nullptr) return model_.look_for_holes();
+  phase_ = ScanPhase::kFinished;
+  board_.update([&](ScanSnapshot& s) {
+    s.phase = phase_;
+    s.result = kept.result;
+  });
+  model_.show_holes(kept.result->surface.boundaries);
+}
+
+void GrowingScan::step(ScanEvent event) {
+  const ScanPhase next = next_phase(phase_, event, has_model());
+  if (next == phase_) return;
+  const ScanPhase before = std::exchange(phase_, next);
+  missed_in_a_row_ = 0;
+  if (next == ScanPhase::kContinuation) show_reentry();
+  board_.update([&](ScanSnapshot& s) {
+    s.phase = next;
+    if (before == ScanPhase::kFinished) s.result = nullptr;
+    if (next != ScanPhase::kContinuation) {
+      s.reentry.clear();
+      s.chosen_reentry = 0;
+    }
+  });
+  if (next != ScanPhase::kContinuation) registrar_.expect_entry_at(std::nullopt);
+}
+
+void GrowingScan::show_reentry() {
+  std::vector<ReentryPlace> places;
+  for (const tracking::ReentryProposal& proposal : registrar_.proposals(kReentryPlaces)) {
+    places.push_back({proposal.first, proposal.second, proposal.point_count,
+                      pictures_.nearest(proposal.second.T_world_sensor)});
+  }
+  board_.update([&](ScanSnapshot& s) {
+    s.reentry = std::move(places);
+    s.chosen_reentry = 0;
+    s.match_share = 0.0;
+  });
+}
+
+void GrowingScan::choose_reentry(std::size_t index) {
+  const auto now = board_.snapshot();
+  if (phase_ != ScanPhase::kContinuation || index >= now->reentry.size()) return;
+  registrar_.expect_entry_at(now->reentry[index].second.T_world_sensor);
+  board_.update([&](ScanSnapshot& s) { s.chosen_reentry = index; });
+}
+
+void GrowingScan::pause() {
+  step(ScanEvent::kPause);
+  hand_over_waiting();
+  refinement_.run_if_new(known_views_, [this] { return aligned_views(); });
+  // What was tolerated while the hand scanned is not where it rests. An optimization ends with
+  // that, too.
+  if (!refinement_.is_running()) model_.follow(aligned_views(), edits_.state(), 0.0);
+  model_.look_for_holes();
+}
+
+void GrowingScan::edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs) {
+  if (phase_ == ScanPhase::kFinishing || dabs.empty()) return;
+  edits_.push({kind, last_time_s_, std::move(dabs)});
+  step(ScanEvent::kEdit);
+  show_edits();
+  model_.edit(edits_.state(), last_time_s_);
+}
+
+void GrowingScan::change_edits(void (editing::EditStack::*change)()) {
+  if (phase_ == ScanPhase::kFinishing) return;
+  const editing::EditList before = edits_.state();
+  (edits_.*change)();
+  if (edits_.state() == before) return;
+  step(ScanEvent::kEdit);
+  show_edits();
+  rebuild(false);
+}
+
+void GrowingScan::show_edits() {
+  board_.update([&](ScanSnapshot& s) {
+    s.edits = edits_.state();
+    s.can_undo = edits_.can_undo();
+    s.can_redo = edits_.can_redo();
+  });
+  journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
+}
+
+/// Makes the model anew from all views, those that waited for it among them.
+void GrowingScan::rebuild(bool is_other) {
+  waiting_ = {};
+  model_.build_anew(aligned_views(), edits_.state(), is_other);
+}
+
+void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
+  // A model that is built anew has all views: one that came later would be in it twice.
+  hand_over_waiting();
+  registrar_.apply(refined);
+  const std::vector<AlignedView> views = aligned_views();
+  journal([views](ScanJournal& journal) { journal.keep_poses(views); });
+  model_.follow(views, edits_.state(), is_scanning(phase_) ? kToleratedCells : 0.0);
+}
+
+void GrowingScan::finish() {
+  if (next_phase(phase_, ScanEvent::kFinish, has_model()) != ScanPhase::kFinishing) return;
+  finishing_.expect_run();
+  step(ScanEvent::kFinish);
+  board_.update([](ScanSnapshot& s) { s.failure.clear(); });
+  model_.with_textures([this](const std::vector<PlacedTexture>& placed) {
+    std::vector<Frame> textures;
+    textures.reserve(placed.size());
+    for (const PlacedTexture& texture : placed) textures.push_back(texture.frame);
+    finishing_.run(
+        [this, textures](const Progress& progress) { return collect(textures, progress); },
+        [this](Result<reconstruct::FinishedScan> finished) {
+          auto result = std::make_shared<Result<reconstruct::FinishedScan>>(std::move(finished));
+          ask_([this, result] { take_result(std::move(*result)); });
+        });
+  });
+}
+
+reconstruct::ScannedViews GrowingScan::collect(std::vector<Frame> textures,
+                                               const Progress& progress) {
+  reconstruct::ScannedViews scanned;
+  progress.begin_stage("Registering what was lost");
+  for (const tracking::RegisteredView& view :
+       registrar_.finish(tracking::Registrar::World::kUnchanged, progress)) {
+    if (view.fate == tracking::ViewFate::kRejected || view.view->profiles.empty()) continue;
+    scanned.views.push_back({view.view, view.T_world_sensor});
+  }
+  scanned.texture_frames = std::move(textures);
+  scanned.edits = edits_.state();
+  scanned.calibration = calibration_.get();
+  return scanned;
+}
+
+void GrowingScan::take_result(Result<reconstruct::FinishedScan> finished) {
+  hand_over_growth(std::nullopt);
+  // Pieces that were on their own have joined.
+  board_.update([&](ScanSnapshot& s) { s.counts = frame_counter_.counts(offered_); });
+  if (!finished) {
+    const bool cancelled = finished.error().code == ErrorCode::kCancelled;
+    board_.update([&](ScanSnapshot& s) { s.failure = cancelled ? "" : finished.error().message; });
+    step(ScanEvent::kNoResult);
+    return model_.look_for_holes();
+  }
+  take_refined(finished->views);
+  auto result = std::make_shared<const reconstruct::FinishedScan>(std::move(*finished));
+  journal([result](ScanJournal& journal) { journal.keep_result(*result); });
+  board_.update([&](ScanSnapshot& s) { s.result = result; });
+  step(ScanEvent::kResult);
+  model_.show_holes(result->surface.boundaries);
+}
+
+void GrowingScan::keep_in(std::shared_ptr<ScanJournal> to) {
+  journal_.change(std::move(to));
+  const std::vector<AlignedView> views = aligned_views();
+  for (const AlignedView& view : views) {
+    journal([view](ScanJournal& journal) { journal.keep_view(*view.view); });
+  }
+  journal([views](ScanJournal& journal) { journal.keep_poses(views); });
+  journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
+  if (const auto result = board_.snapshot()->result) {
+    journal([result](ScanJournal& journal) { journal.keep_result(*result); });
+  }
+  model_.with_textures([this](const std::vector<PlacedTexture>& all) {
+    for (const PlacedTexture& placed : all) {
+      journal([frame = placed.frame](ScanJournal& journal) { journal.keep_texture(frame); });
+    }
+  });
+}
+
+std::shared_ptr<const ScanSnapshot> GrowingScan::snapshot() {
+  auto now = board_.snapshot();
+  if (now->phase != ScanPhase::kFinishing) return now;
+  board_.update([&](ScanSnapshot& s) { s.finishing = finishing_.state(); });
+  return board_.snapshot();
+}
+
+}  // namespace flytri::scan

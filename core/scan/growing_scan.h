@@ -1,0 +1,115 @@
+/// @file  A scan that grows: what becomes of each frame, the phases, edits, and the finish. One
+/// thread owns it; what takes long is done beside that by threads of its own.
+#pragma once
+
+#include "core/base/task_thread.h"
+#include "core/scan/background_refinement.h"
+#include "core/scan/distance_gauge.h"
+#include "core/scan/finishing_thread.h"
+#include "core/scan/frame_counter.h"
+#include "core/scan/frame_intake.h"
+#include "core/scan/journal_thread.h"
+#include "core/scan/live_model.h"
+#include "core/scan/live_scan.h"
+#include "core/scan/model_thread.h"
+#include "core/scan/reentry_images.h"
+#include "core/scan/snapshot_board.h"
+
+namespace flytri::scan {
+
+/// Of the thread that owns it, but for what is said to be for any thread.
+class GrowingScan {
+ public:
+  /// Has the owner's thread do something; may be called from any thread.
+  using Ask = std::function<void(std::function<void()>)>;
+
+  GrowingScan(std::shared_ptr<const calibration::Calibration> calibration,
+              const LiveScanOptions& options, tracking::Registrar registrar, LiveModel model,
+              const KeptScan& kept, Ask ask);
+
+  /// What the sensor has done since.
+  struct Arrivals {
+    std::int64_t offered = 0;  ///< frames so far
+    bool is_late = false;      ///< views wait: this one is not worth a registration
+  };
+  void take(const IntakeResult& result, const Arrivals& arrivals);
+
+  void start() { step(ScanEvent::kStart); }
+  void pause();
+  void edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs);
+  void change_edits(void (editing::EditStack::*change)());
+  void choose_reentry(std::size_t index);
+  void keep_in(std::shared_ptr<ScanJournal> journal);
+  void finish();
+
+  // For any thread.
+  [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot();
+  void cancel_finish() const { finishing_.cancel(); }
+  /// Tasks of its threads that wait or run.
+  [[nodiscard]] std::size_t pending() const;
+  /// Has what takes long end soon.
+  void cancel_all() const;
+  /// Ends its threads; what the journal was given is written. The owner's thread has ended.
+  void stop();
+
+ private:
+  /// What the model is to be given once it has less to do.
+  struct Waiting {
+    std::vector<AlignedView> views;
+    std::vector<double> offered_at_s;  ///< when the frames came that made the scan grow so
+  };
+  void take_texture(const Frame& frame);
+  void take_view(const IntakeResult& result, bool is_late);
+  void register_view(const IntakeResult& result, const std::shared_ptr<const View>& view,
+                     bool is_late);
+  void missed(double time_s, const std::string& reason);
+  void show_frame(const IntakeResult& result, std::shared_ptr<const View> view);
+  void hand_over_growth(std::optional<double> offered_at_s);
+  void hand_over_waiting();
+  void hand_over_later();
+  void restore(const KeptScan& kept);
+  void step(ScanEvent event);
+  void show_reentry();
+  void show_edits();
+  void take_refined(const std::vector<AlignedView>& refined);
+  void retire_past();
+  void take_result(Result<reconstruct::FinishedScan> finished);
+  void rebuild(bool is_other);
+  void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }
+  [[nodiscard]] bool has_model() const { return known_views_ > 0; }
+  [[nodiscard]] std::vector<AlignedView> aligned_views() const {
+    return registrar_.aligned_views();
+  }
+
+  // Finishing thread, which has the registrar to itself while it finishes.
+  [[nodiscard]] reconstruct::ScannedViews collect(std::vector<Frame> textures,
+                                                  const Progress& progress);
+
+  const std::shared_ptr<const calibration::Calibration> calibration_;
+  const LiveScanOptions options_;
+  const Ask ask_;
+  SnapshotBoard board_;
+
+  tracking::Registrar registrar_;  ///< while finishing, the finishing thread's
+  ScanPhase phase_ = ScanPhase::kPreview;
+  FrameCounter frame_counter_;
+  editing::EditStack edits_;
+  ReentryImages pictures_;
+  Waiting waiting_;
+  bool is_model_asked_ = false;      ///< to say when it has done what it was given
+  std::vector<double> redundant_s_;  ///< times of views that are to be let go
+  std::size_t known_views_ = 0;      ///< registered
+  int missed_in_a_row_ = 0;
+  std::int64_t offered_ = 0;
+  double last_time_s_ = 0.0, scanned_s_ = 0.0;
+  DistanceGauge distance_;
+
+  // Destroyed first: nothing of the above is used by a thread that has ended.
+  JournalThread journal_;
+  TaskThread background_thread_{TaskThread::Priority::kBackground};
+  BackgroundRefinement refinement_;
+  ModelThread model_;
+  FinishingThread finishing_;
+};
+
+}  // namespace flytri::scan

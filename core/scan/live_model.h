@@ -1,0 +1,81 @@
+/// @file  What the live scan shows of its surface: kept up with views, texture frames, edits and
+/// better poses. Belongs to one thread.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/calibration/record/calibration.h"
+#include "core/imaging/frame.h"
+#include "core/live/live_surface.h"
+#include "core/trajectory/trajectory.h"
+
+namespace flytri::scan {
+
+/// A texture frame and where the sensor was.
+struct PlacedTexture {
+  Frame frame;
+  Isometry T_world_sensor = Isometry::Identity();
+};
+
+class LiveModel {
+ public:
+  /// @param calibration  must outlive the model
+  /// @param max_gap_s  longest gap over which the pose of a texture frame is interpolated
+  /// @errors  as LiveSurface.
+  [[nodiscard]] static Result<LiveModel> create(const live::LiveSurfaceOptions& options,
+                                                const calibration::Calibration& calibration,
+                                                double max_gap_s);
+
+  void add(std::span<const AlignedView> views);
+  /// Colors the surface as soon as views before and after the frame are known.
+  void add_texture(const Frame& frame);
+  /// Takes away what new edits trim. What undone edits took comes back by rebuilding.
+  void apply_edits(const editing::EditList& edits, double now_s);
+
+  /// Texture frames to come are placed by these poses of the views.
+  /// @return  how far the surface lies off by them, mm: the largest displacement of a view since
+  ///          it was added, within the measurement volume
+  double follow(std::span<const AlignedView> views);
+  /// Begins anew with all views and their present poses, beside what is shown meanwhile.
+  /// @param is_other  in another world frame: what is shown does not grow any more
+  void begin_rebuild(std::vector<AlignedView> views, bool is_other);
+  /// Does a submap of that; false when there is nothing left to do.
+  bool continue_rebuild();
+
+  /// Times of views added since the last call that told nothing new: they may be let go.
+  [[nodiscard]] std::vector<double> take_redundant() { return std::exchange(redundant_s_, {}); }
+  [[nodiscard]] live::LiveSurface& surface() { return surface_; }
+  /// Those that color the surface: of frames from nearly the same place the first is kept.
+  [[nodiscard]] const std::vector<PlacedTexture>& textures() const { return textures_; }
+
+ private:
+  struct Rebuild {
+    live::LiveSurface surface;
+    std::vector<AlignedView> views;
+    bool is_other = false;
+    std::size_t views_done = 0, textures_done = 0;
+  };
+
+  LiveModel(live::LiveSurface surface, const live::LiveSurfaceOptions& options,
+            const calibration::Calibration& calibration, double max_gap_s);
+  void place_waiting_textures();
+  void keep_texture(const Frame& frame, const Isometry& T_world_sensor);
+
+  live::LiveSurfaceOptions options_;
+  const calibration::Calibration* calibration_;
+  double max_gap_s_;
+  live::LiveSurface surface_;
+  editing::EditFilter filter_;
+  trajectory::Trajectory trajectory_;
+  std::map<double, Isometry> added_at_;  ///< T_world_sensor by the view's time
+  std::vector<Frame> waiting_;           ///< texture frames whose pose is not known yet
+  std::vector<PlacedTexture> textures_;
+  std::optional<Rebuild> rebuild_;
+  std::vector<double> redundant_s_;
+};
+
+}  // namespace flytri::scan

@@ -1,0 +1,197 @@
+#include "core/scan/live_scan.h"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/scan/frame_intake.h"
+#include "core/scan/growing_scan.h"
+
+namespace flytri::scan {
+
+/// Frames to the measuring threads, what they measured and the user's requests to the thread that
+/// owns the scan.
+class LiveScan::Impl {
+ public:
+  Impl(std::shared_ptr<const calibration::Calibration> calibration, const LiveScanOptions& options,
+       tracking::Registrar registrar, LiveModel model, const KeptScan& kept);
+  ~Impl();
+
+  void offer(Frame frame);
+  /// Has the owning thread do something with the scan.
+  void ask(std::function<void()> request);
+  [[nodiscard]] GrowingScan& scan() { return scan_; }
+  void wait_until_idle();
+
+ private:
+  void measure_frames();
+  [[nodiscard]] Result<measurement::MeasuredView> measure(const Frame& frame) const;
+  void run_scan();
+  bool do_requests();
+  [[nodiscard]] bool is_busy();
+
+  const std::shared_ptr<const calibration::Calibration> calibration_;
+  const LiveScanOptions options_;
+  FrameIntake intake_;
+  std::atomic<std::int64_t> offered_{0};
+  std::atomic<bool> is_at_work_{false};  ///< the owning thread
+  std::atomic<bool> stopping_{false};
+  std::mutex requests_mutex_;
+  std::vector<std::function<void()>> requests_;  ///< for the owning thread
+  GrowingScan scan_;
+  std::vector<std::thread> measuring_threads_;
+  std::thread owning_thread_;
+};
+
+LiveScan::Impl::Impl(std::shared_ptr<const calibration::Calibration> calibration,
+                     const LiveScanOptions& options, tracking::Registrar registrar, LiveModel model,
+                     const KeptScan& kept)
+    : calibration_(std::move(calibration)),
+      options_(options),
+      intake_(static_cast<std::size_t>(options.max_frames_underway)),
+      scan_(calibration_, options, std::move(registrar), std::move(model), kept,
+            [this](std::function<void()> request) { ask(std::move(request)); }) {
+  for (int i = 0; i < options_.measure_threads; ++i) {
+    measuring_threads_.emplace_back([this] { measure_frames(); });
+  }
+  owning_thread_ = std::thread([this] { run_scan(); });
+}
+
+LiveScan::Impl::~Impl() {
+  stopping_ = true;
+  scan_.cancel_all();
+  intake_.close();
+  owning_thread_.join();
+  for (std::thread& thread : measuring_threads_) thread.join();
+  scan_.stop();
+}
+
+void LiveScan::Impl::offer(Frame frame) {
+  ++offered_;
+  intake_.offer(std::move(frame), options_.now_s());
+}
+
+void LiveScan::Impl::ask(std::function<void()> request) {
+  {
+    const std::lock_guard lock(requests_mutex_);
+    requests_.push_back(std::move(request));
+  }
+  intake_.wake();
+}
+
+Result<measurement::MeasuredView> LiveScan::Impl::measure(const Frame& frame) const {
+  if (frame.kind == FrameKind::kTexture) return measurement::MeasuredView{};
+  if (options_.measure_frame) return options_.measure_frame(frame);
+  return measurement::measure_view(frame, *calibration_, options_.measure);
+}
+
+void LiveScan::Impl::measure_frames() {
+  while (std::optional<FrameIntake::Task> task = intake_.take()) {
+    intake_.deliver(task->number, measure(task->frame));
+  }
+}
+
+void LiveScan::Impl::run_scan() {
+  const auto patience = static_cast<std::size_t>(options_.max_views_waiting);
+  while (!stopping_) {
+    const std::optional<IntakeResult> result = intake_.next();
+    is_at_work_ = true;
+    while (do_requests()) {
+    }
+    if (result) scan_.take(*result, {offered_, intake_.backlog() > patience});
+    is_at_work_ = false;
+  }
+}
+
+bool LiveScan::Impl::do_requests() {
+  std::vector<std::function<void()>> requests;
+  {
+    const std::lock_guard lock(requests_mutex_);
+    requests.swap(requests_);
+  }
+  for (const auto& request : requests) request();
+  return !requests.empty();
+}
+
+bool LiveScan::Impl::is_busy() {
+  {
+    const std::lock_guard lock(requests_mutex_);
+    if (!requests_.empty()) return true;
+  }
+  const FrameCounts counts = scan_.snapshot()->counts;
+  return is_at_work_ || counts.pending > 0 || counts.offered < offered_ || scan_.pending() > 0;
+}
+
+void LiveScan::Impl::wait_until_idle() {
+  // Work moves from thread to thread: idle is what stays idle.
+  for (int quiet = 0; quiet < 3; quiet = is_busy() ? 0 : quiet + 1) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+}
+
+Result<void> LiveScanOptions::validate() const {
+  if (auto valid = measure.validate(); !valid) return valid;
+  if (auto valid = registration.validate(); !valid) return valid;
+  if (auto valid = surface.validate(); !valid) return valid;
+  const auto bad = [](std::string_view name, std::string_view range) {
+    return fail(ErrorCode::kBadOption, "LiveScanOptions::{} must be {}", name, range);
+  };
+  if (measure_threads < 1) return bad("measure_threads", ">= 1");
+  if (max_frames_underway < 2) return bad("max_frames_underway", ">= 2");
+  if (max_views_waiting < 1) return bad("max_views_waiting", ">= 1");
+  if (!(refine_growth > 1.0)) return bad("refine_growth", "> 1");
+  if (min_refine_views < 2) return bad("min_refine_views", ">= 2");
+  if (!(holes_period_s > 0.0)) return bad("holes_period_s", "> 0");
+  if (!now_s) return bad("now_s", "set");
+  return {};
+}
+
+LiveScan::LiveScan(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LiveScan::~LiveScan() = default;
+
+Result<std::unique_ptr<LiveScan>> LiveScan::create(
+    std::shared_ptr<const calibration::Calibration> calibration, const LiveScanOptions& options,
+    const KeptScan& kept) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  Result<tracking::Registrar> registrar = tracking::Registrar::create(options.registration);
+  if (!registrar) return tl::unexpected(registrar.error());
+  Result<LiveModel> model =
+      LiveModel::create(options.surface, *calibration, options.finish.max_gap_s);
+  if (!model) return tl::unexpected(model.error());
+  return std::unique_ptr<LiveScan>(new LiveScan(std::make_unique<Impl>(
+      std::move(calibration), options, std::move(*registrar), std::move(*model), kept)));
+}
+
+void LiveScan::offer(Frame frame) { impl_->offer(std::move(frame)); }
+void LiveScan::start() {
+  impl_->ask([this] { impl_->scan().start(); });
+}
+void LiveScan::pause() {
+  impl_->ask([this] { impl_->scan().pause(); });
+}
+void LiveScan::edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs) {
+  impl_->ask([this, kind, dabs = std::move(dabs)] { impl_->scan().edit(kind, dabs); });
+}
+void LiveScan::undo() {
+  impl_->ask([this] { impl_->scan().change_edits(&editing::EditStack::undo); });
+}
+void LiveScan::redo() {
+  impl_->ask([this] { impl_->scan().change_edits(&editing::EditStack::redo); });
+}
+void LiveScan::choose_reentry(std::size_t index) {
+  impl_->ask([this, index] { impl_->scan().choose_reentry(index); });
+}
+void LiveScan::finish() {
+  impl_->ask([this] { impl_->scan().finish(); });
+}
+void LiveScan::keep_in(std::shared_ptr<ScanJournal> journal) {
+  impl_->ask([this, journal = std::move(journal)] { impl_->scan().keep_in(journal); });
+}
+void LiveScan::cancel_finish() { impl_->scan().cancel_finish(); }
+std::shared_ptr<const ScanSnapshot> LiveScan::snapshot() const { return impl_->scan().snapshot(); }
+void LiveScan::wait_until_idle() const { impl_->wait_until_idle(); }
+
+}  // namespace flytri::scan

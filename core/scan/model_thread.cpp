@@ -1,0 +1,196 @@
+#include "core/scan/model_thread.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/free_memory.h"
+#include "core/base/median.h"
+#include "core/meshing/coverage_holes.h"
+
+namespace flytri::scan {
+namespace {
+
+/// Latest frames of which the latency is told.
+constexpr std::size_t kLatencyFrames = 300;
+/// The model is published at most this often while more is waiting to be added to it, s.
+constexpr double kPublishPeriod_s = 0.03;
+
+/// Then the holes are its mesh's, whatever happens to the surfels behind it.
+bool is_finished(const ScanSnapshot& scan) { return scan.phase == ScanPhase::kFinished; }
+
+}  // namespace
+
+ModelThread::ModelThread(LiveModel model, ModelSurroundings around)
+    : around_(std::move(around)), model_(std::move(model)) {}
+
+void ModelThread::add(std::vector<AlignedView> views, std::vector<double> offered_at_s) {
+  thread_.post([this, views = std::move(views), offered_at_s = std::move(offered_at_s)] {
+    model_.add(views);
+    std::vector<double> redundant_s = model_.take_redundant();
+    if (!redundant_s.empty()) around_.tell_redundant(std::move(redundant_s));
+    unpublished_offers_s_.insert(unpublished_offers_s_.end(), offered_at_s.begin(),
+                                 offered_at_s.end());
+    has_changed_ = has_grown_since_holes_ = true;
+    is_at_rest_ = false;
+    publish_if_due(false);
+    // The larger the surface, the longer it takes: at most a tenth of a core.
+    constexpr double kRest = 9.0;
+    const double rest_s = std::max(around_.holes_period_s, kRest * holes_took_s_);
+    if (around_.now_s() - holes_at_s_ > rest_s) search_holes_if_grown();
+  });
+}
+
+void ModelThread::add_texture(const Frame& frame) {
+  thread_.post([this, frame] {
+    model_.add_texture(frame);
+    has_changed_ = true;
+    publish_if_due(false);
+  });
+}
+
+void ModelThread::restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames,
+                          editing::EditList edits) {
+  thread_.post([this, views = std::move(views), texture_frames = std::move(texture_frames),
+                edits = std::move(edits)] {
+    model_.apply_edits(edits, 0.0);
+    model_.add(views);
+    for (const Frame& frame : texture_frames) model_.add_texture(frame);
+    has_grown_since_holes_ = true;
+    publish();
+  });
+}
+
+void ModelThread::edit(editing::EditList edits, double now_s) {
+  thread_.post([this, edits = std::move(edits), now_s] {
+    model_.apply_edits(edits, now_s);
+    has_changed_ = has_grown_since_holes_ = true;
+    publish_if_due(true);
+    if (is_at_rest_) search_holes_if_grown();
+  });
+}
+
+void ModelThread::build_anew(std::vector<AlignedView> views, editing::EditList edits,
+                             bool is_other) {
+  thread_.post([this, views = std::move(views), edits = std::move(edits), is_other] {
+    begin_rebuild(views, edits, is_other);
+  });
+}
+
+void ModelThread::follow(std::vector<AlignedView> views, editing::EditList edits,
+                         double tolerated_cells) {
+  thread_.post([this, views = std::move(views), edits = std::move(edits), tolerated_cells] {
+    const double off_mm = model_.follow(views);
+    if (off_mm > tolerated_cells * model_.surface().cell_mm()) begin_rebuild(views, edits, false);
+  });
+}
+
+void ModelThread::look_for_holes() {
+  thread_.post([this] {
+    is_at_rest_ = true;
+    search_holes_if_grown();
+  });
+}
+
+void ModelThread::with_textures(std::function<void(const std::vector<PlacedTexture>&)> use) {
+  thread_.post([this, use = std::move(use)] { use(model_.textures()); });
+}
+
+void ModelThread::begin_rebuild(std::vector<AlignedView> views, const editing::EditList& edits,
+                                bool is_other) {
+  model_.apply_edits(edits, 0.0);
+  model_.begin_rebuild(std::move(views), is_other);
+  thread_.post([this] { continue_rebuild(); });
+}
+
+void ModelThread::continue_rebuild() {
+  if (model_.continue_rebuild()) {
+    thread_.post([this] { continue_rebuild(); });
+    return publish_if_due(false);
+  }
+  has_changed_ = has_grown_since_holes_ = true;
+  publish_if_due(true);
+  if (is_at_rest_) search_holes_if_grown();
+}
+
+void ModelThread::publish_if_due(bool at_once) {
+  if (!has_changed_) return;
+  const bool is_last = thread_.pending() <= 1;
+  if (at_once || is_last || around_.now_s() - published_at_s_ > kPublishPeriod_s) publish();
+}
+
+void ModelThread::publish() {
+  live::LiveSurface& surface = model_.surface();
+  SurfelModel model = surface.publish();
+  published_at_s_ = around_.now_s();
+  has_changed_ = false;
+  const std::vector<double> shown_offers_s = std::exchange(unpublished_offers_s_, {});
+  const std::optional<LatencyStatistics> latency = latency_with(shown_offers_s);
+  around_.board.update([&](ScanSnapshot& s) {
+    s.model = std::move(model);
+    s.area_mm2 = surface.area_mm2();
+    s.good_share = surface.good_share();
+    s.holes_are_current = s.holes_are_current && (is_finished(s) || !has_grown_since_holes_);
+    if (!latency) return;
+    s.latency = *latency;
+    s.model_offered_at_s = shown_offers_s.back();
+  });
+}
+
+/// Of the latest frames, with those that came at these times and are shown now; none: nothing new.
+std::optional<LatencyStatistics> ModelThread::latency_with(
+    const std::vector<double>& shown_offers_s) {
+  if (shown_offers_s.empty()) return std::nullopt;
+  for (const double offered_s : shown_offers_s) latencies_s_.push_back(published_at_s_ - offered_s);
+  if (latencies_s_.size() > kLatencyFrames) {
+    latencies_s_.erase(latencies_s_.begin(),
+                       latencies_s_.end() - static_cast<std::ptrdiff_t>(kLatencyFrames));
+  }
+  std::vector<double> sorted = latencies_s_;
+  std::sort(sorted.begin(), sorted.end());
+  return LatencyStatistics{quantile_of(sorted, 0.5), quantile_of(sorted, 0.95),
+                           static_cast<std::int64_t>(sorted.size())};
+}
+
+void ModelThread::search_holes_if_grown() {
+  if (searches_holes_ || !has_grown_since_holes_) return;
+  if (is_finished(*around_.board.snapshot())) return;
+  searches_holes_ = true;
+  has_grown_since_holes_ = false;
+  around_.background.post([this, points = model_.surface().points()] {
+    const double began_s = around_.now_s();
+    Result<meshing::SurfaceMesh> mesh = meshing::mesh_surface(points, around_.meshing, Workers(1));
+    release_free_memory();
+    thread_.post([this, began_s, mesh = std::move(mesh)]() mutable {
+      take_holes(std::move(mesh), began_s);
+    });
+  });
+}
+
+void ModelThread::take_holes(Result<meshing::SurfaceMesh> mesh, double began_s) {
+  searches_holes_ = false;
+  holes_at_s_ = around_.now_s();
+  holes_took_s_ = holes_at_s_ - began_s;
+  std::vector<meshing::BoundaryLoop> holes;
+  // Else there are too few points for any.
+  if (mesh) holes = meshing::coverage_holes(std::move(mesh->boundaries));
+  around_.board.update([&](ScanSnapshot& s) {
+    if (is_finished(s)) return;
+    s.holes = std::move(holes);
+    s.holes_are_current = !has_grown_since_holes_;
+  });
+  if (is_at_rest_) search_holes_if_grown();
+}
+
+void ModelThread::show_holes(std::vector<meshing::BoundaryLoop> boundaries) {
+  thread_.post([this, holes = meshing::coverage_holes(std::move(boundaries))]() mutable {
+    // Those of the surfels are to be looked for as soon as the scan is no longer finished.
+    has_grown_since_holes_ = is_at_rest_ = true;
+    around_.board.update([&](ScanSnapshot& s) {
+      if (!is_finished(s)) return;
+      s.holes = std::move(holes);
+      s.holes_are_current = true;
+    });
+  });
+}
+
+}  // namespace flytri::scan

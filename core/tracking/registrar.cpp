@@ -1,0 +1,443 @@
+#include "core/tracking/registrar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace flytri::tracking {
+namespace {
+
+/// Views in a row that may fail before other places are searched: motion blur lasts that long.
+constexpr int kPassedOver = 2;
+
+RejectReason reason_of(registration::AlignOutcome outcome) {
+  switch (outcome) {
+    case registration::AlignOutcome::kAligned:
+      return RejectReason::kNone;
+    case registration::AlignOutcome::kTooFewCrossings:
+      return RejectReason::kTooFewCrossings;
+    case registration::AlignOutcome::kUndetermined:
+      return RejectReason::kUndetermined;
+    case registration::AlignOutcome::kPoorFit:
+      return RejectReason::kPoorFit;
+    case registration::AlignOutcome::kNotConverged:
+      return RejectReason::kNotConverged;
+  }
+  return RejectReason::kPoorFit;
+}
+
+/// Share of its way to what the latest view tells that the meter of nearness goes: it shows the
+/// mean of about the latest five, as each tries other places.
+constexpr double kMeterPace = 0.2;
+
+/// True for reasons that no later view can cure.
+bool is_final(RejectReason reason) {
+  return reason == RejectReason::kTooFewPoints || reason == RejectReason::kTimeNotRising;
+}
+
+Result<void> check_range(int value, int low, int high, std::string_view name) {
+  if (value >= low && value <= high) return {};
+  return fail(ErrorCode::kBadOption, "{} is {}, must be in [{}, {}]", name, value, low, high);
+}
+
+}  // namespace
+
+std::string_view to_string(ViewFate fate) {
+  switch (fate) {
+    case ViewFate::kRegistered:
+      return "registered";
+    case ViewFate::kInterpolated:
+      return "interpolated";
+    case ViewFate::kRejected:
+      return "rejected";
+  }
+  return "unknown";
+}
+
+std::string_view to_string(RejectReason reason) {
+  switch (reason) {
+    case RejectReason::kNone:
+      return "none";
+    case RejectReason::kTooFewPoints:
+      return "too few points";
+    case RejectReason::kTooFewCrossings:
+      return "too few crossings with other views";
+    case RejectReason::kUndetermined:
+      return "surface does not determine the pose";
+    case RejectReason::kPoorFit:
+      return "does not fit the other views";
+    case RejectReason::kNotConverged:
+      return "registration did not converge";
+    case RejectReason::kTimeNotRising:
+      return "time does not come after that of the view before";
+    case RejectReason::kNotConnected:
+      return "not connected to the rest of the scan";
+  }
+  return "unknown";
+}
+
+Result<void> RegistrarOptions::validate() const {
+  if (auto ok = track.validate(); !ok) return ok;
+  if (auto ok = check_range(patience_views, 1, 1000, "patience_views"); !ok) return ok;
+  if (auto ok = check_range(proposal_pairs, 1, 1000, "proposal_pairs"); !ok) return ok;
+  if (auto ok = check_range(starts_per_view, 1, 1000, "starts_per_view"); !ok) return ok;
+  if (auto ok = check_range(retry_starts, 1, 100000, "retry_starts"); !ok) return ok;
+  if (!(min_entry_evidence >= 0.0 && min_entry_evidence <= 1000.0)) {
+    return fail(ErrorCode::kBadOption, "min_entry_evidence is {}, must be in [0, 1000]",
+                min_entry_evidence);
+  }
+  if (auto ok = check_range(settled_views, 1, 1000000, "settled_views"); !ok) return ok;
+  if (auto ok = check_range(register_every, 1, 1000, "register_every"); !ok) return ok;
+  if (!(max_gap_s > 0.0)) {
+    return fail(ErrorCode::kBadOption, "max_gap_s is {}, must be above 0", max_gap_s);
+  }
+  return {};
+}
+
+Result<Registrar> Registrar::create(const RegistrarOptions& options) {
+  if (auto ok = options.validate(); !ok) return tl::unexpected(ok.error());
+  return Registrar(options);
+}
+
+RegisteredView Registrar::add(const std::shared_ptr<const View>& view) { return take(view, true); }
+
+RegisteredView Registrar::skip(const std::shared_ptr<const View>& view) {
+  return take(view, false);
+}
+
+RegisteredView Registrar::take(const std::shared_ptr<const View>& view, bool may_register) {
+  Added added{view, RejectReason::kNone, false};
+  // Counted by pattern: the views that are left still alternate.
+  int& number = pattern_counts_[static_cast<std::size_t>(view->pattern)];
+  const bool due = number++ % options_.register_every == 0;
+  latest_rms_mm_ = 0.0;
+  if (!(view->time_s > last_time_s_)) {
+    added.reason = RejectReason::kTimeNotRising;
+  } else if (view->point_count() < static_cast<std::size_t>(options_.track.min_points)) {
+    added.reason = RejectReason::kTooFewPoints;
+  } else if (!may_register || (!due && lost_views_ == 0)) {
+    added.skipped = true;
+  } else {
+    added.reason =
+        register_view({view, registration::prepare_view(*view, options_.track.smoothing)});
+  }
+  if (added.reason != RejectReason::kTimeNotRising) last_time_s_ = view->time_s;
+  added_.push_back(added);
+  RegisteredView result{view, ViewFate::kRejected, added.reason, Isometry::Identity()};
+  if (added.skipped) {
+    result.fate = ViewFate::kInterpolated;
+    if (!submaps_.empty())
+      result.T_world_sensor = trajectory().predict(view->time_s).T_world_sensor;
+  } else if (added.reason == RejectReason::kNone) {
+    result.fate = ViewFate::kRegistered;
+    result.T_world_sensor = submaps_[scan_]->views().back().aligned.T_world_sensor;
+    result.rms_mm = latest_rms_mm_;
+  }
+  return result;
+}
+
+void Registrar::restore(std::span<const AlignedView> views) {
+  for (const AlignedView& aligned : views) {
+    IncomingView incoming{aligned.view,
+                          registration::prepare_view(*aligned.view, options_.track.smoothing)};
+    if (incoming.prepared.profiles.empty()) continue;
+    if (submaps_.empty()) {
+      radius_mm_ = incoming.prepared.radius_mm;
+      submaps_.push_back(std::make_unique<TrackedScan>(options_.track, radius_mm_));
+    }
+    submaps_[scan_]->add(std::move(incoming), aligned.T_world_sensor);
+    added_.push_back({aligned.view, RejectReason::kNone, false});
+    last_time_s_ = aligned.view->time_s;
+  }
+}
+
+void Registrar::start_submap(IncomingView incoming) {
+  if (radius_mm_ == 0.0) radius_mm_ = incoming.prepared.radius_mm;
+  side_ = submaps_.size();
+  submaps_.push_back(std::make_unique<TrackedScan>(options_.track, radius_mm_));
+  submaps_.back()->add(std::move(incoming), Isometry::Identity());
+}
+
+RejectReason Registrar::register_view(IncomingView incoming) {
+  if (incoming.prepared.profiles.empty()) return RejectReason::kTooFewPoints;
+  if (submaps_.empty()) {
+    start_submap(std::move(incoming));
+    return RejectReason::kNone;
+  }
+  TrackedScan& scan = *submaps_[scan_];
+  // After a longer loss a single view is no proof of where the sensor is.
+  const bool continues = scan.continues(incoming.view->time_s);
+  const registration::Alignment tracked =
+      continues ? scan.track(incoming) : registration::Alignment{};
+  if (!tracked.aligned()) {
+    if (++lost_views_ == 1) entry_share_ = 0.0;
+    // A single bad view is passed over; the search for another place starts when more are lost.
+    const bool search = !continues || lost_views_ > kPassedOver;
+    return track_lost(std::move(incoming), reason_of(tracked.outcome), search);
+  }
+  lost_views_ = 0;
+  side_ = scan_;
+  claim_.reset();
+  latest_rms_mm_ = tracked.rms_mm;
+  scan.add(std::move(incoming), tracked);
+  if (options_.track.check_path) scan.check_path();
+  return RejectReason::kNone;
+}
+
+RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason, bool search) {
+  bool tracked = false;
+  if (side_ != scan_) {
+    const registration::Alignment alignment = submaps_[side_]->track(incoming);
+    tracked = alignment.aligned();
+    if (tracked) submaps_[side_]->add(incoming, alignment);
+  }
+  if (!tracked) start_submap(std::move(incoming));
+  if (search && try_to_join(side_, submaps_[side_]->size() - 1, false)) return RejectReason::kNone;
+  const std::size_t scan_size = submaps_[scan_]->size();
+  if (scan_size < static_cast<std::size_t>(options_.settled_views) &&
+      submaps_[side_]->size() > scan_size) {
+    scan_ = side_;  // What was, may join it.
+    lost_views_ = 0;
+    claim_.reset();
+    return RejectReason::kNone;
+  }
+  return reason;
+}
+
+bool Registrar::convincing(const registration::Alignment& alignment) const {
+  return alignment.aligned() && alignment.agreement.evidence >= options_.min_entry_evidence &&
+         alignment.rms_mm <= submaps_[scan_]->usual_rms_mm();
+}
+
+void Registrar::show_nearness(double proof) {
+  const double share = std::clamp(proof / std::max(options_.min_entry_evidence, 1e-9), 0.0, 1.0);
+  entry_share_ += kMeterPace * (share - entry_share_);
+}
+
+/// The next view confirms a claim where its own registration says the same. Where the two are too
+/// far apart to be one submap, it has to be found near the other.
+bool Registrar::confirm_claim(std::size_t submap, const IncomingView& incoming,
+                              const Isometry& T_submap_sensor) {
+  const Claim claim = *std::exchange(claim_, std::nullopt);
+  const bool is_same = claim.submap == submap;
+  const Isometry T_scan_start =
+      is_same ? claim.T_scan_submap * T_submap_sensor : claim.T_scan_sensor;
+  const double allowed_mm = (is_same ? 0.1 : 0.5) * radius_mm_;
+  const registration::Alignment found = submaps_[scan_]->locate(incoming, T_scan_start);
+  if (!convincing(found) || found.moved_mm >= allowed_mm) return false;
+  join(submap, found.T_target_source * T_submap_sensor.inverse());
+  if (!is_same) join(claim.submap, claim.T_scan_submap);
+  return true;
+}
+
+bool Registrar::try_to_join(std::size_t submap, std::size_t i, bool all_starts) {
+  const TrackedScan& scan = *submaps_[scan_];
+  const IncomingView incoming = submaps_[submap]->incoming(i);
+  const Isometry T_submap_sensor = submaps_[submap]->views()[i].aligned.T_world_sensor;
+  if (claim_ && confirm_claim(submap, incoming, T_submap_sensor)) return true;
+  double most_proof = 0.0;
+  const EntryStarts starts = entry_starts();
+  const double time_s = incoming.view->time_s;
+  for (const Isometry& T_scan_start :
+       all_starts ? starts.all(time_s, static_cast<std::size_t>(options_.retry_starts))
+                  : starts.few(time_s, static_cast<std::size_t>(options_.starts_per_view),
+                               static_cast<std::size_t>(lost_views_))) {
+    const registration::Alignment found =
+        scan.locate(incoming, starts.at_its_depth(T_scan_start, incoming));
+    most_proof = std::max(most_proof, found.agreement.proof);
+    if (!convincing(found)) continue;
+    claim_ = {submap, found.T_target_source * T_submap_sensor.inverse(), found.T_target_source};
+    break;
+  }
+  show_nearness(most_proof);
+  return false;
+}
+
+void Registrar::join(std::size_t submap, const Isometry& T_scan_submap) {
+  TrackedScan& scan = *submaps_[scan_];
+  for (std::size_t i = 0; i < submaps_[submap]->size(); ++i) {
+    scan.add(submaps_[submap]->incoming(i),
+             T_scan_submap * submaps_[submap]->views()[i].aligned.T_world_sensor);
+  }
+  // Emptied submaps stay as placeholders: the numbers of the others do not change.
+  submaps_[submap] = std::make_unique<TrackedScan>(options_.track, radius_mm_);
+  lost_views_ = 0;
+  side_ = scan_;
+  claim_.reset();
+}
+
+std::optional<ReentryProposal> Registrar::proposal() const {
+  if (submaps_.empty()) return std::nullopt;
+  return propose_reentry(*submaps_[scan_], options_.proposal_pairs);
+}
+
+std::vector<ReentryProposal> Registrar::proposals(std::size_t count) const {
+  if (submaps_.empty()) return {};
+  return propose_reentries(*submaps_[scan_], options_.proposal_pairs, count, radius_mm_);
+}
+
+EntryStarts Registrar::entry_starts() {
+  const TrackedScan& scan = *submaps_[scan_];
+  if (stops_.submap != scan_ || stops_.views != scan.size()) {
+    stops_ = {scan_, scan.size(), path_stops(scan, radius_mm_)};
+  }
+  const auto proposed = proposal();
+  return {scan,
+          stops_.poses,
+          radius_mm_,
+          {asked_entry_, proposed ? std::optional(proposed->second.T_world_sensor) : std::nullopt,
+           options_.max_gap_s}};
+}
+
+ScanGrowth Registrar::take_growth() {
+  ScanGrowth growth;
+  if (submaps_.empty()) return growth;
+  const std::vector<TrackedView>& views = submaps_[scan_]->views();
+  growth.is_all = told_submap_ != scan_ || told_views_ > views.size();
+  for (std::size_t i = growth.is_all ? 0 : told_views_; i < views.size(); ++i) {
+    growth.added.push_back(views[i].aligned);
+  }
+  told_submap_ = scan_;
+  told_views_ = views.size();
+  return growth;
+}
+
+void Registrar::retire(std::span<const double> times_s) {
+  if (submaps_.empty()) return;
+  TrackedScan& scan = *submaps_[scan_];
+  const std::set<double> retired(times_s.begin(), times_s.end());
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const View& view = *scan.views()[i].aligned.view;
+    if (!view.profiles.empty() && retired.contains(view.time_s)) scan.retire(i);
+  }
+  for (Added& added : added_) {
+    if (retired.contains(added.view->time_s)) added.view = without_points(*added.view);
+  }
+}
+
+void Registrar::apply(std::span<const AlignedView> refined) {
+  if (submaps_.empty()) return;
+  TrackedScan& scan = *submaps_[scan_];
+  std::map<double, const AlignedView*> by_time;
+  for (const AlignedView& view : refined) by_time[view.view->time_s] = &view;
+  stops_ = {};
+  // Below this nothing that registers to a view could tell.
+  const double negligible_mm = 1e-4 * radius_mm_;
+  Isometry T_new_world = Isometry::Identity();  // of the last view that is known
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const AlignedView& view = scan.views()[i].aligned;
+    const auto found = by_time.find(view.view->time_s);
+    if (found != by_time.end()) {
+      T_new_world = found->second->T_world_sensor * view.T_world_sensor.inverse();
+    }
+    const Isometry T_new_sensor = T_new_world * view.T_world_sensor;
+    if (trajectory::pose_distance_mm(view.T_world_sensor, T_new_sensor, radius_mm_) >
+        negligible_mm) {
+      scan.move(i, T_new_sensor);
+    }
+  }
+}
+
+std::vector<AlignedView> Registrar::aligned_views() const {
+  std::vector<AlignedView> result;
+  if (submaps_.empty()) return result;
+  for (const TrackedView& view : submaps_[scan_]->views()) {
+    if (!view.aligned.view->profiles.empty()) result.push_back(view.aligned);
+  }
+  std::sort(result.begin(), result.end(), [](const AlignedView& a, const AlignedView& b) {
+    return a.view->time_s < b.view->time_s;
+  });
+  return result;
+}
+
+void Registrar::retry_submaps(const Progress& progress) {
+  for (std::size_t submap = 0; submap < submaps_.size() && !progress.cancelled(); ++submap) {
+    if (submap != scan_) retry_submap(submap);
+    progress.advance(1.0 / static_cast<double>(submaps_.size()));
+  }
+}
+
+/// A few views spread over a submap stand for it: each asks all starts, its neighbor confirms.
+void Registrar::retry_submap(std::size_t submap) {
+  constexpr std::size_t kAttempts = 4;
+  claim_.reset();
+  const std::size_t count = submaps_[submap]->size();
+  for (std::size_t attempt = 0; count >= 2 && attempt < kAttempts; ++attempt) {
+    const std::size_t i = attempt * (count - 2) / (kAttempts - 1);
+    if (try_to_join(submap, i, true)) break;
+    if (claim_ && try_to_join(submap, i + 1, false)) break;
+  }
+}
+
+/// What did not join is left out: the less, the better.
+void Registrar::choose_largest_piece(const Progress& progress) {
+  const auto largest =
+      std::max_element(submaps_.begin(), submaps_.end(),
+                       [](const auto& a, const auto& b) { return a->size() < b->size(); });
+  if ((*largest)->size() <= submaps_[scan_]->size()) return;
+  scan_ = static_cast<std::size_t>(largest - submaps_.begin());
+  retry_submaps(progress);
+}
+
+void Registrar::retry_rejected(const Progress& progress) {
+  for (Added& added : added_) {
+    if (progress.cancelled()) return;
+    retry_rejected(added);
+    progress.advance(1.0 / static_cast<double>(added_.size()));
+  }
+}
+
+void Registrar::retry_rejected(const Added& added) {
+  if (added.reason == RejectReason::kNone || added.reason == RejectReason::kTooFewPoints) return;
+  TrackedScan& scan = *submaps_[scan_];
+  if (scan.registered_pose(added.view->time_s)) return;
+  const auto T_world_start = trajectory().interpolate(added.view->time_s, options_.max_gap_s);
+  if (!T_world_start) return;
+  IncomingView incoming{added.view,
+                        registration::prepare_view(*added.view, options_.track.smoothing)};
+  const registration::Alignment found = scan.locate(incoming, *T_world_start);
+  if (!convincing(found) || found.moved_mm > 0.3 * radius_mm_) return;
+  scan.add(std::move(incoming), found.T_target_source);
+}
+
+RegisteredView Registrar::settle(const Added& added) const {
+  RegisteredView result{added.view, ViewFate::kRejected, added.reason, Isometry::Identity()};
+  if (is_final(added.reason) || submaps_.empty()) return result;
+  const double time_s = added.view->time_s;
+  if (const auto T_world_sensor = submaps_[scan_]->registered_pose(time_s)) {
+    return {added.view, ViewFate::kRegistered, RejectReason::kNone, *T_world_sensor};
+  }
+  if (added.skipped) {
+    if (const auto T_world_sensor = trajectory().interpolate(time_s, options_.max_gap_s)) {
+      return {added.view, ViewFate::kInterpolated, RejectReason::kNone, *T_world_sensor};
+    }
+  }
+  const bool elsewhere = std::any_of(submaps_.begin(), submaps_.end(), [&](const auto& submap) {
+    return submap->size() >= 2 && submap->registered_pose(time_s).has_value();
+  });
+  if (elsewhere || result.reason == RejectReason::kNone) {
+    result.reason = RejectReason::kNotConnected;
+  }
+  return result;
+}
+
+std::vector<RegisteredView> Registrar::finish(World world, const Progress& progress) {
+  if (!submaps_.empty()) {
+    const Progress third = progress.part(1.0 / 3.0);
+    retry_submaps(third);
+    if (world == World::kFirstView) choose_largest_piece(third);
+    retry_rejected(third);
+  }
+  if (!submaps_.empty() && world == World::kFirstView) {
+    const Isometry T_world_scan = aligned_views().front().T_world_sensor.inverse();
+    submaps_[scan_]->change_frame(T_world_scan);
+  }
+  std::vector<RegisteredView> result;
+  for (const Added& added : added_) result.push_back(settle(added));
+  return result;
+}
+
+}  // namespace flytri::tracking

@@ -1,0 +1,286 @@
+#include "core/tracking/tracked_scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/median.h"
+
+namespace flytri::tracking {
+namespace {
+
+/// Window of the path check: a hand's motion over it is smooth.
+constexpr double kPathWindow_s = 0.4;
+constexpr std::size_t kMinPathPoses = 8;
+/// Aligned views from which is learnt how well views fit.
+constexpr std::size_t kExperience = 8;
+/// Spread of the fits of good views about their median, and what is always allowed: on ideal data
+/// the median is next to nothing.
+constexpr double kUsualSpread = 2.0;
+constexpr double kLeastRmsShare = 0.001;
+/// Guesses of the next pose are different from this distance on: nearer ones lead to the same fit.
+constexpr double kOtherGuessShare = 0.05;
+/// Steps of time after which a hand may be anywhere.
+constexpr double kPredictableSteps = 5.5;
+
+registration::ViewExtent extent_of(const registration::PreparedView& placed,
+                                   const Isometry& T_world_sensor) {
+  return {placed.center_mm, placed.line_direction, T_world_sensor.linear().col(2),
+          placed.radius_mm};
+}
+
+/// The `count` overlaps with the highest keys u^(1/worth): a random choice by worth that spreads
+/// over the whole scan.
+/// @source  Efraimidis and Spirakis, "Weighted random sampling with a reservoir", 2006.
+std::vector<std::size_t> draw_by_worth(const std::vector<registration::Overlap>& overlaps,
+                                       std::size_t count, std::uint64_t seed) {
+  std::vector<std::pair<double, std::size_t>> keys;
+  for (const registration::Overlap& overlap : overlaps) {
+    Random random(seed, overlap.view);
+    keys.emplace_back(std::log(1.0 - random.uniform()) / overlap.worth, overlap.view);
+  }
+  count = std::min(count, keys.size());
+  std::partial_sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(count), keys.end(),
+                    std::greater<>());
+  std::vector<std::size_t> views;
+  for (std::size_t i = 0; i < count; ++i) views.push_back(keys[i].second);
+  std::sort(views.begin(), views.end());
+  return views;
+}
+
+}  // namespace
+
+Result<void> TrackOptions::validate() const {
+  if (auto ok = align.validate(); !ok) return ok;
+  if (auto ok = smoothing.validate(); !ok) return ok;
+  if (locate_pairs < 20) {
+    return fail(ErrorCode::kBadOption, "locate_pairs is {}, must be at least 20", locate_pairs);
+  }
+  if (single_views < 1 || metaview_views < 1 || min_points < 6) {
+    return fail(ErrorCode::kBadOption,
+                "single_views is {}, metaview_views {}, min_points {}: must be at least 1, 1, 6",
+                single_views, metaview_views, min_points);
+  }
+  if (!(max_surprise_share > 0.0 && max_surprise_share <= 5.0)) {
+    return fail(ErrorCode::kBadOption, "max_surprise_share is {}, must be in (0, 5]",
+                max_surprise_share);
+  }
+  return {};
+}
+
+TrackedScan::TrackedScan(const TrackOptions& options, double radius_mm)
+    : options_(options),
+      radius_mm_(std::max(radius_mm, 1e-6)),
+      grid_(radius_mm_),
+      trajectory_(radius_mm_) {}
+
+IncomingView TrackedScan::incoming(std::size_t i) const {
+  const AlignedView& aligned = views_[i].aligned;
+  return {aligned.view, views_[i].placed.moved(aligned.T_world_sensor.inverse())};
+}
+
+void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor) {
+  TrackedView view{
+      {std::move(incoming.view), T_world_sensor}, incoming.prepared.moved(T_world_sensor), false};
+  grid_.add(extent_of(view.placed, T_world_sensor));
+  trajectory_.set(view.aligned.view->time_s, T_world_sensor);
+  views_.push_back(std::move(view));
+}
+
+void TrackedScan::add(IncomingView incoming, const registration::Alignment& alignment) {
+  add(std::move(incoming), alignment.T_target_source);
+  rms_mm_.push_back(alignment.rms_mm);
+}
+
+double TrackedScan::usual_rms_mm() const {
+  if (rms_mm_.size() < kExperience) return std::numeric_limits<double>::infinity();
+  const std::size_t count = std::min(rms_mm_.size(), 4 * kExperience);
+  std::vector<double> latest(rms_mm_.end() - static_cast<std::ptrdiff_t>(count), rms_mm_.end());
+  return kUsualSpread * median_of(latest) + kLeastRmsShare * radius_mm_;
+}
+
+bool TrackedScan::continues(double time_s) const {
+  const std::vector<trajectory::TimedPose> latest = trajectory_.before(time_s, 12);
+  if (latest.empty()) return false;
+  if (latest.size() < 3) return true;
+  const double mean_step_s =
+      (latest.back().time_s - latest.front().time_s) / static_cast<double>(latest.size() - 1);
+  return time_s - latest.back().time_s < kPredictableSteps * mean_step_s;
+}
+
+std::optional<Isometry> TrackedScan::registered_pose(double time_s) const {
+  const std::vector<trajectory::TimedPose> found = trajectory_.between(time_s, time_s);
+  return found.empty() ? std::nullopt : std::optional(found.front().T_world_sensor);
+}
+
+void TrackedScan::change_frame(const Isometry& T_new_world) {
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    move(i, T_new_world * views_[i].aligned.T_world_sensor);
+  }
+}
+
+void TrackedScan::move(std::size_t i, const Isometry& T_world_sensor) {
+  TrackedView& view = views_[i];
+  if (!view.aligned.view->profiles.empty()) {
+    view.placed = view.placed.moved(T_world_sensor * view.aligned.T_world_sensor.inverse());
+    grid_.move(i, extent_of(view.placed, T_world_sensor));
+  }
+  view.aligned.T_world_sensor = T_world_sensor;
+  trajectory_.set(view.aligned.view->time_s, T_world_sensor);
+}
+
+void TrackedScan::retire(std::size_t i) {
+  TrackedView& view = views_[i];
+  view.aligned.view = without_points(*view.aligned.view);
+  view.placed = registration::PreparedView{};
+  grid_.remove(i);
+}
+
+std::vector<const registration::PreparedView*> TrackedScan::latest_views() const {
+  std::vector<const registration::PreparedView*> result;
+  const auto count = std::min(views_.size(), static_cast<std::size_t>(options_.single_views));
+  for (std::size_t i = views_.size() - count; i < views_.size(); ++i) {
+    result.push_back(&views_[i].placed);
+  }
+  return result;
+}
+
+std::vector<const registration::PreparedView*> TrackedScan::metaview(const IncomingView& incoming,
+                                                                     const Isometry& T_world_sensor,
+                                                                     std::size_t skip_view) const {
+  registration::ViewExtent around = extent_of(incoming.prepared, T_world_sensor);
+  around.center_mm = T_world_sensor * around.center_mm;
+  around.line_direction = T_world_sensor.linear() * around.line_direction;
+  std::vector<registration::Overlap> overlaps = grid_.overlapping(around);
+  std::erase_if(overlaps,
+                [&](const registration::Overlap& overlap) { return overlap.view == skip_view; });
+  const std::uint64_t seed = options_.align.seed + views_.size();
+  std::vector<const registration::PreparedView*> result;
+  for (const std::size_t i :
+       draw_by_worth(overlaps, static_cast<std::size_t>(options_.metaview_views), seed)) {
+    result.push_back(&views_[i].placed);
+  }
+  return result;
+}
+
+registration::Alignment TrackedScan::align(
+    const IncomingView& incoming, const std::vector<const registration::PreparedView*>& metaview,
+    const Isometry& T_world_guess, const registration::AlignOptions& options) const {
+  // The options were validated when the scan began.
+  return registration::align_to_metaview(incoming.prepared, metaview, T_world_guess, options)
+      .value_or(registration::Alignment{});
+}
+
+registration::Alignment TrackedScan::track(const IncomingView& incoming) const {
+  const trajectory::PosePrediction prediction = trajectory_.predict(incoming.view->time_s);
+  registration::Alignment result = track_from(incoming, prediction);
+  // The hand did something else than it usually does.
+  std::vector<Isometry> tried = {prediction.T_world_sensor};
+  for (const Isometry& T_world_guess : trajectory_.guesses(incoming.view->time_s)) {
+    if (result.aligned()) break;
+    const bool known = std::any_of(tried.begin(), tried.end(), [&](const Isometry& T) {
+      return trajectory::pose_distance_mm(T, T_world_guess, radius_mm_) <
+             kOtherGuessShare * radius_mm_;
+    });
+    if (known) continue;
+    tried.push_back(T_world_guess);
+    const registration::Alignment other = track_from(incoming, {T_world_guess, prediction.prior});
+    if (other.aligned()) result = other;
+  }
+  return result;
+}
+
+registration::Alignment TrackedScan::track_from(
+    const IncomingView& incoming, const trajectory::PosePrediction& prediction) const {
+  registration::AlignOptions single = options_.align;
+  single.prior = prediction.prior;
+  single.fine_pairs = single.coarse_pairs;
+  single.coarse_pairs = 0;  // one stage: this is but the start of the next
+  registration::Alignment first =
+      align(incoming, latest_views(), prediction.T_world_sensor, single);
+
+  registration::AlignOptions multi = options_.align;
+  multi.prior = prediction.prior;
+  const Isometry T_world_guess =
+      first.aligned() ? first.T_target_source : prediction.T_world_sensor;
+  if (first.aligned()) {
+    multi.start_distance_share =
+        std::max(multi.final_distance_share, 0.5 * multi.start_distance_share);
+    multi.coarse_pairs = 0;
+  }
+  registration::Alignment second =
+      align(incoming, metaview(incoming, T_world_guess, kSkipNone), T_world_guess, multi);
+  const registration::Alignment& better = second.aligned() || !first.aligned() ? second : first;
+  registration::Alignment result = better;
+  result.moved_mm =
+      trajectory::pose_distance_mm(prediction.T_world_sensor, result.T_target_source, radius_mm_);
+  const double allowed_mm =
+      options_.max_surprise_share * radius_mm_ + 3.0 * prediction.prior.translation_mm;
+  if (result.aligned() && (result.moved_mm > allowed_mm || result.rms_mm > 1.5 * usual_rms_mm())) {
+    result.outcome = registration::AlignOutcome::kPoorFit;
+  }
+  return result;
+}
+
+registration::Alignment TrackedScan::locate(const IncomingView& incoming,
+                                            const Isometry& T_world_start) const {
+  registration::AlignOptions wide = options_.align;
+  wide.coarse_pairs = options_.locate_pairs;
+  wide.fine_pairs = std::max(wide.fine_pairs, wide.coarse_pairs);
+  registration::Alignment coarse =
+      align(incoming, metaview(incoming, T_world_start, kSkipNone), T_world_start, wide);
+  if (!coarse.aligned()) return coarse;
+  registration::Alignment fine =
+      align(incoming, metaview(incoming, coarse.T_target_source, kSkipNone), coarse.T_target_source,
+            options_.align);
+  fine.moved_mm = trajectory::pose_distance_mm(T_world_start, fine.T_target_source, radius_mm_);
+  return fine;
+}
+
+void TrackedScan::check_path() {
+  if (views_.empty()) return;
+  const double now_s = trajectory_.last_time_s();
+  const std::vector<trajectory::TimedPose> window =
+      trajectory_.between(now_s - kPathWindow_s, now_s);
+  if (window.size() < kMinPathPoses) return;
+  trajectory::OutlierOptions ransac;
+  ransac.arm_mm = radius_mm_;
+  ransac.min_deviation_mm = 0.05 * radius_mm_;
+  ransac.seed = options_.align.seed;
+  const trajectory::PathOutliers found = trajectory::find_outliers(window, ransac);
+  for (const std::size_t outlier : found.outliers) {
+    const double time_s = window[outlier].time_s;
+    const auto view = std::find_if(views_.rbegin(), views_.rend(), [&](const TrackedView& v) {
+      return v.aligned.view->time_s == time_s;
+    });
+    if (view == views_.rend() || view->confirmed) continue;
+    reregister(static_cast<std::size_t>(views_.rend() - view) - 1, found.curve.at(time_s));
+  }
+}
+
+void TrackedScan::reregister(std::size_t i, const Isometry& T_world_curve) {
+  const IncomingView again = incoming(i);
+  const Isometry& T_world_sensor = views_[i].aligned.T_world_sensor;
+  const auto fit_from = [&](const Isometry& T_world_start,
+                            const registration::AlignOptions& options) {
+    return align(again, metaview(again, T_world_start, i), T_world_start, options);
+  };
+  const auto fits = [&](const registration::Alignment& alignment) {
+    return alignment.aligned() && alignment.rms_mm <= usual_rms_mm();
+  };
+  // A hand may turn sharply: a view that fits where it stands is no outlier, however the path
+  // bends, and a fit nearer to the curve may be there by chance.
+  registration::AlignOptions at_rest = options_.align;
+  at_rest.start_distance_share = 0.5 * at_rest.start_distance_share;
+  at_rest.coarse_pairs = 0;
+  views_[i].confirmed = fits(fit_from(T_world_sensor, at_rest));
+  if (views_[i].confirmed) return;
+  const registration::Alignment anew = fit_from(T_world_curve, options_.align);
+  if (!fits(anew)) return;
+  const double before_mm = trajectory::pose_distance_mm(T_world_curve, T_world_sensor, radius_mm_);
+  const double after_mm =
+      trajectory::pose_distance_mm(T_world_curve, anew.T_target_source, radius_mm_);
+  if (after_mm < before_mm) move(i, anew.T_target_source);
+}
+
+}  // namespace flytri::tracking

@@ -1,0 +1,28 @@
+#include "hw/shots/open_shots.h"
+
+#include <utility>
+
+#include "hw/rig/rig_file.h"
+#include "hw/shots/rig_shots.h"
+#include "hw/shots/simulated_shots.h"
+
+namespace flytri::shots {
+
+simulated::SensorModel sensor_named(const std::string& name) {
+  return name == "face" ? simulated::face_sensor() : simulated::intraoral_sensor();
+}
+
+Result<std::shared_ptr<ShotSource>> open_shots(const ShotChoice& choice) {
+  if (choice.simulated) {
+    auto shots = SimulatedShots::create(sensor_named(choice.sensor));
+    if (!shots) return tl::unexpected(shots.error());
+    return std::shared_ptr<ShotSource>(*std::move(shots));
+  }
+  const auto rig = rig::read_rig(choice.rig);
+  if (!rig) return tl::unexpected(rig.error());
+  auto shots = open_rig_shots(*rig);
+  if (!shots) return tl::unexpected(shots.error());
+  return std::shared_ptr<ShotSource>(*std::move(shots));
+}
+
+}  // namespace flytri::shots

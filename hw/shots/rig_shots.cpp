@@ -1,0 +1,153 @@
+#include "hw/shots/rig_shots.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "hw/rig/open_rig.h"
+
+namespace flytri::shots {
+namespace {
+
+constexpr double kLook_s = 0.05;  // between two looks at the switch of the lights
+
+device::Light light_of(calibration::ShotKind kind) {
+  switch (kind) {
+    case calibration::ShotKind::kDark:
+      return device::Light::kDark;
+    case calibration::ShotKind::kVertical:
+    case calibration::ShotKind::kVerticalAgain:
+      return device::Light::kVertical;
+    case calibration::ShotKind::kHorizontal:
+      return device::Light::kHorizontal;
+    case calibration::ShotKind::kDots:
+    case calibration::ShotKind::kDotsTexture:
+      break;
+  }
+  return device::Light::kFlash;
+}
+
+/// The mean of images as the set holds them: grey in 16 bits, color in 8.
+cv::Mat mean_of(const cv::Mat& sum, int count, int depth) {
+  constexpr double kTo16Bits = 257.0;  // 255 becomes 65535
+  const bool is_gray = sum.channels() == 1;
+  const double scale = is_gray && depth == CV_8U ? kTo16Bits : 1.0;
+  cv::Mat mean;
+  sum.convertTo(mean, is_gray ? CV_16U : CV_8U, scale / count);
+  return mean;
+}
+
+}  // namespace
+
+Result<void> RigShotOptions::validate() const {
+  if (exposures < 1 || exposures > 256) {
+    return fail(ErrorCode::kBadOption, "exposures is {}, must be 1..256", exposures);
+  }
+  if (!(settle_s > 0.0 && patience_s > 0.0)) {
+    return fail(ErrorCode::kBadOption, "settle_s and patience_s must be above 0, not {} and {}",
+                settle_s, patience_s);
+  }
+  return {};
+}
+
+Result<std::unique_ptr<RigShots>> RigShots::create(rig::RigDevices devices, const std::string& name,
+                                                   const RigShotOptions& options) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (devices.texture == nullptr) {
+    return fail(ErrorCode::kBadOption,
+                "{} has no texture camera; a calibration needs one, name it in rig.json", name);
+  }
+  return std::unique_ptr<RigShots>(new RigShots(std::move(devices), name, options));
+}
+
+RigShots::RigShots(rig::RigDevices devices, const std::string& name, const RigShotOptions& options)
+    : devices_(std::move(devices)), name_(name), options_(options) {}
+
+RigShots::~RigShots() { stop(); }
+
+Result<void> RigShots::start() {
+  shines_ = device::Light::kDark;
+  if (auto started = devices_.lights->start(); !started) return started;
+  for (const auto& camera : {devices_.measurement, devices_.texture}) {
+    if (auto started = camera->start(); !started) {
+      stop();
+      return started;
+    }
+  }
+  steady_s_ = devices_.clock.now_s() + options_.settle_s;
+  return {};
+}
+
+void RigShots::stop() {
+  devices_.lights->stop();
+  devices_.measurement->stop();
+  devices_.texture->stop();
+}
+
+Result<void> RigShots::light(device::Light light, const Progress& progress) {
+  if (light == shines_) return {};
+  const std::int64_t request = devices_.lights->post({light, 0.0});
+  const double given_up_s = devices_.clock.now_s() + options_.patience_s;
+  while (!progress.cancelled()) {
+    for (const device::LightSwitching& done : devices_.lights->take_done()) {
+      if (done.request != request || !done.accepted) continue;
+      shines_ = light;
+      steady_s_ = done.after_s + options_.settle_s;
+      return {};
+    }
+    if (devices_.clock.now_s() > given_up_s) {
+      const std::string message = devices_.lights->status().message;
+      return fail(ErrorCode::kNotFound, "{}",
+                  message.empty() ? "the lights do not answer; plug their chip in again" : message);
+    }
+    devices_.clock.sleep_s(kLook_s);
+  }
+  return stopped();
+}
+
+Result<cv::Mat> RigShots::average(device::Camera& camera, int exposures, const Progress& progress) {
+  cv::Mat sum;
+  int count = 0, depth = CV_8U;
+  double given_up_s = devices_.clock.now_s() + options_.patience_s;
+  while (count < exposures) {
+    if (progress.cancelled()) return stopped();
+    auto frame = camera.next(kLook_s);
+    if (!frame) return tl::unexpected(frame.error());
+    if (!*frame || (*frame)->damaged || (*frame)->time_s < steady_s_) {
+      if (devices_.clock.now_s() < given_up_s) continue;
+      const std::string message = camera.status().message;
+      return fail(ErrorCode::kNotFound, "{}: {}", camera.name(),
+                  message.empty() ? "it sends no images; plug it in again" : message);
+    }
+    const cv::Mat& image = (*frame)->image;
+    given_up_s = devices_.clock.now_s() + options_.patience_s;
+    depth = image.depth();
+    if (sum.empty()) sum = cv::Mat::zeros(image.size(), CV_MAKETYPE(CV_64F, image.channels()));
+    cv::add(sum, image, sum, cv::noArray(), CV_64F);
+    ++count;
+  }
+  return mean_of(sum, count, depth);
+}
+
+Result<cv::Mat> RigShots::take(calibration::ShotKind kind, double /*z_mm*/,
+                               const Progress& progress) {
+  if (auto lit = light(light_of(kind), progress); !lit) return tl::unexpected(lit.error());
+  device::Camera& camera =
+      kind == calibration::ShotKind::kDotsTexture ? *devices_.texture : *devices_.measurement;
+  return average(camera, options_.exposures, progress);
+}
+
+Result<cv::Mat> RigShots::look(calibration::ShotKind kind, double /*z_mm*/,
+                               const Progress& progress) {
+  if (auto lit = light(light_of(kind), progress); !lit) return tl::unexpected(lit.error());
+  device::Camera& camera =
+      kind == calibration::ShotKind::kDotsTexture ? *devices_.texture : *devices_.measurement;
+  return average(camera, 1, progress);
+}
+
+Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig) {
+  auto devices = rig::open_devices(rig);
+  if (!devices) return tl::unexpected(devices.error());
+  return RigShots::create(*std::move(devices), rig.name);
+}
+
+}  // namespace flytri::shots

@@ -1,0 +1,77 @@
+#include "hw/shots/simulated_shots.h"
+
+#include <utility>
+
+namespace flytri::shots {
+namespace {
+
+/// Lines are twice as bright at the near end of the volume as in its middle.
+constexpr double kShorterExposure = 0.5;
+/// A little beyond the volume, so that fits do not end where they are used.
+constexpr double kDepthShare = 16.0 / 15.0;
+
+simulated::SensorModel with_shorter_exposure(simulated::SensorModel sensor) {
+  sensor.chip.line_level *= kShorterExposure;
+  sensor.chip.ambient_level *= kShorterExposure;
+  return sensor;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SimulatedShots>> SimulatedShots::create(
+    const simulated::SensorModel& sensor, const simulated::CalibrationCamera::Options& options) {
+  const simulated::SensorModel exposed = with_shorter_exposure(sensor);
+  auto camera = simulated::CalibrationCamera::create(exposed, options);
+  if (!camera) return tl::unexpected(camera.error());
+  return std::unique_ptr<SimulatedShots>(new SimulatedShots(exposed, options, *std::move(camera)));
+}
+
+SimulatedShots::SimulatedShots(const simulated::SensorModel& sensor,
+                               const simulated::CalibrationCamera::Options& options,
+                               simulated::CalibrationCamera camera)
+    : sensor_(sensor), options_(options), camera_(std::move(camera)) {}
+
+Result<void> SimulatedShots::set_mishap(const SimulatedMishap& mishap) {
+  auto camera = simulated::CalibrationCamera::create(mishap.sensor.value_or(sensor_), options_);
+  if (!camera) return tl::unexpected(camera.error());
+  camera_ = *std::move(camera);
+  mishap_ = mishap;
+  return {};
+}
+
+cv::Mat SimulatedShots::shoot(calibration::ShotKind kind, double z_mm) {
+  if (mishap_.lights_stay_on && kind == calibration::ShotKind::kDark)
+    kind = calibration::ShotKind::kVertical;
+  if (mishap_.lights_swapped && kind == calibration::ShotKind::kVertical) {
+    kind = calibration::ShotKind::kHorizontal;
+  } else if (mishap_.lights_swapped && kind == calibration::ShotKind::kHorizontal) {
+    kind = calibration::ShotKind::kVertical;
+  }
+  cv::Mat image = camera_.take(kind, z_mm + mishap_.depth_error_mm, stream_++);
+  image(mishap_.covered & cv::Rect(0, 0, image.cols, image.rows)).setTo(cv::Scalar::all(0));
+  return image;
+}
+
+Result<cv::Mat> SimulatedShots::take(calibration::ShotKind kind, double z_mm,
+                                     const Progress& progress) {
+  if (progress.cancelled()) return stopped();
+  return shoot(kind, z_mm);
+}
+
+Result<cv::Mat> SimulatedShots::look(calibration::ShotKind kind, double z_mm,
+                                     const Progress& progress) {
+  return take(kind, z_mm, progress);
+}
+
+calibration::CalibrationPlan plan_of(const simulated::SensorModel& sensor, int plane_count) {
+  calibration::CalibrationPlan plan;
+  plan.volume = sensor.volume;
+  for (const Pattern pattern : kPatterns) {
+    plan.line_counts[static_cast<std::size_t>(pattern)] = sensor.projector(pattern).line_count();
+  }
+  plan.dots = sensor.dots;
+  plan.z_mm = calibration::even_depths_mm(sensor.volume, plane_count, kDepthShare);
+  return plan;
+}
+
+}  // namespace flytri::shots

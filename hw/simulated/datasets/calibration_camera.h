@@ -1,0 +1,44 @@
+/// @file  The two cameras of a virtual sensor in front of its calibration targets.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+
+#include "core/base/result.h"
+#include "core/calibration/guide/calibration_plan.h"
+#include "hw/simulated/optics/chip.h"
+#include "hw/simulated/optics/dot_image.h"
+#include "hw/simulated/optics/image_simulator.h"
+
+namespace flytri::simulated {
+
+/// Immutable and thread-safe; an image depends on its arguments alone.
+class CalibrationCamera {
+ public:
+  struct Options {
+    int exposures = 16;  ///< 1..1000, averaged into each image
+    int bits = 16;       ///< 8 or 16, of the measurement camera's images
+    bool noise = true;
+    std::uint64_t seed = 1;
+  };
+  /// @errors  As ImageSimulator::create.
+  [[nodiscard]] static Result<CalibrationCamera> create(const SensorModel& sensor,
+                                                        const Options& options);
+
+  /// @param stream  numbers the noise
+  /// @return  as GuidedCalibration::take asks for it
+  [[nodiscard]] cv::Mat take(calibration::ShotKind kind, double z_mm, std::uint64_t stream) const;
+
+ private:
+  CalibrationCamera(const SensorModel& sensor, const Options& options, ImageSimulator simulator);
+  [[nodiscard]] cv::Mat lines(Pattern pattern, double z_mm, std::uint64_t stream) const;
+  [[nodiscard]] cv::Mat evenly_lit(const cv::Mat& light, std::uint64_t stream) const;
+
+  SensorModel sensor_;
+  Options options_;
+  ImageSimulator simulator_;
+  Chip chip_;
+  DotImage dots_, texture_dots_;
+};
+
+}  // namespace flytri::simulated

@@ -1,0 +1,38 @@
+#include "hw/simulated/datasets/sensor_calibration.h"
+
+#include <fmt/format.h>
+
+#include "core/calibration/fit/calibrate.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/files/file_bytes.h"
+#include "hw/simulated/datasets/simulate_calibration_set.h"
+#include "hw/simulated/optics/sensor_fingerprint.h"
+
+namespace flytri::simulated {
+
+Result<calibration::Calibration> calibrate_virtual_sensor(const SensorModel& sensor,
+                                                          const Workers& workers,
+                                                          const Progress& progress) {
+  CalibrationSetOptions options;
+  options.sensor = sensor;
+  const auto set = take_calibration_set(options, workers, progress);
+  if (!set) return tl::unexpected(set.error());
+  return calibration::calibrate(*set, {}, workers, progress);
+}
+
+Result<calibration::Calibration> kept_sensor_calibration(const SensorModel& sensor,
+                                                         const std::filesystem::path& folder,
+                                                         const Workers& workers,
+                                                         const Progress& progress) {
+  const auto file = folder / fmt::format("virtual-sensor-{:016x}.json", fingerprint(sensor));
+  if (auto kept = io::read_calibration(file)) return kept;
+  auto calibration = calibrate_virtual_sensor(sensor, workers, progress);
+  if (!calibration) return calibration;
+  // What cannot be kept costs but the time the next time.
+  if (io::create_folder(folder)) {
+    [[maybe_unused]] const auto written = io::write_calibration(file, *calibration);
+  }
+  return calibration;
+}
+
+}  // namespace flytri::simulated

@@ -1,0 +1,67 @@
+#include "hw/simulated/datasets/simulate_calibration_set.h"
+
+#include "core/io/calibrations/calibration_set_file.h"
+#include "hw/simulated/datasets/calibration_camera.h"
+
+namespace flytri::simulated {
+namespace {
+
+calibration::CalibrationPlane take_plane(const CalibrationCamera& camera, std::size_t index,
+                                         double z_mm) {
+  const std::uint64_t stream = 4 * index;
+  calibration::CalibrationPlane plane;
+  plane.z_mm = z_mm;
+  plane.vertical = camera.take(calibration::ShotKind::kVertical, z_mm, stream);
+  plane.horizontal = camera.take(calibration::ShotKind::kHorizontal, z_mm, stream + 1);
+  plane.dots = camera.take(calibration::ShotKind::kDots, z_mm, stream + 2);
+  plane.dots_texture = camera.take(calibration::ShotKind::kDotsTexture, z_mm, stream + 3);
+  return plane;
+}
+
+}  // namespace
+
+Result<void> CalibrationSetOptions::validate() const {
+  if (auto valid = sensor.validate(); !valid) return valid;
+  if (plane_count < 5 || plane_count > 100)
+    return fail(ErrorCode::kBadOption, "plane_count must be in 5..100, not {}", plane_count);
+  if (!(depth_share >= 1.0 && depth_share <= 1.5))
+    return fail(ErrorCode::kBadOption, "depth_share must be in 1..1.5, not {}", depth_share);
+  return ImageOptions{.bits = bits, .exposures = exposures}.validate();
+}
+
+Result<calibration::CalibrationSet> take_calibration_set(const CalibrationSetOptions& options,
+                                                         const Workers& workers,
+                                                         const Progress& progress) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  const SensorModel& sensor = options.sensor;
+  const auto camera = CalibrationCamera::create(
+      sensor, {options.exposures, options.bits, options.noise, options.seed});
+  if (!camera) return tl::unexpected(camera.error());
+
+  calibration::CalibrationSet set;
+  set.volume = sensor.volume;
+  for (const Pattern pattern : kPatterns)
+    set.line_counts[static_cast<std::size_t>(pattern)] = sensor.projector(pattern).line_count();
+  set.dots = sensor.dots;
+  set.planes.resize(static_cast<std::size_t>(options.plane_count));
+  const std::vector<double> z_mm =
+      calibration::even_depths_mm(sensor.volume, options.plane_count, options.depth_share);
+  progress.begin_stage("Taking calibration images", set.planes.size());
+  workers.for_each(set.planes.size(), [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    set.planes[i] = take_plane(*camera, i, z_mm[i]);
+    progress.advance();
+  });
+  if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before the set was whole");
+  return set;
+}
+
+Result<void> simulate_calibration_set(const CalibrationSetOptions& options,
+                                      const std::filesystem::path& folder, const Workers& workers,
+                                      const Progress& progress) {
+  const Result<calibration::CalibrationSet> set = take_calibration_set(options, workers, progress);
+  if (!set) return tl::unexpected(set.error());
+  return io::write_calibration_set(folder, *set);
+}
+
+}  // namespace flytri::simulated

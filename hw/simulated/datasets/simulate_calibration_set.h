@@ -1,0 +1,40 @@
+/// @file  Takes the calibration images of a virtual sensor.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/workers.h"
+#include "core/calibration/record/calibration_set.h"
+#include "hw/simulated/optics/sensor_model.h"
+
+namespace flytri::simulated {
+
+struct CalibrationSetOptions {
+  SensorModel sensor = intraoral_sensor();
+  int plane_count = 17;  ///< 5..100, at equal distances
+  /// 1..1.5, depth that the planes span by the volume's: a little more, so that fits do not end
+  /// where they are used. For the intra-oral sensor -8 to 8 mm.
+  double depth_share = 16.0 / 15.0;
+  int exposures = 16;  ///< 1..1000, averaged into each image
+  int bits = 16;       ///< 8 or 16, of the measurement camera's images
+  bool noise = true;
+  std::uint64_t seed = 1;
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// The images of all planes, in memory.
+/// @errors  kBadOption, kCancelled.
+[[nodiscard]] Result<calibration::CalibrationSet> take_calibration_set(
+    const CalibrationSetOptions& options, const Workers& workers, const Progress& progress);
+
+/// The same, written to a folder as docs/formats.md says.
+/// @errors  As take_calibration_set and write_calibration_set.
+[[nodiscard]] Result<void> simulate_calibration_set(const CalibrationSetOptions& options,
+                                                    const std::filesystem::path& folder,
+                                                    const Workers& workers,
+                                                    const Progress& progress);
+
+}  // namespace flytri::simulated

@@ -1,0 +1,98 @@
+/// @file  The virtual sensor in real time: a hand moves it over a mesh, images come as they are
+/// due.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/geometry/triangle_mesh.h"
+#include "hw/device/clock.h"
+#include "hw/device/sensor.h"
+#include "hw/device/status_keeper.h"
+#include "hw/device/steerable_hand.h"
+#include "hw/simulated/hand/hand.h"
+#include "hw/simulated/optics/image_simulator.h"
+
+namespace flytri::simulated {
+
+struct LiveSensorOptions {
+  SensorModel sensor = intraoral_sensor();
+  PathOptions path;  ///< where the hand goes by itself; turns around at the ends
+  HandOptions hand;
+  ImageOptions image = {.tracing = Tracing::kGrid};
+  double texture_period_s = 1.0;  ///< >= 0; 0: no texture frames
+  [[nodiscard]] Result<void> validate() const;
+};
+
+/// Exposures are due at equal times, sensor.frame_period_s apart. One that is due while the image
+/// before is still being computed is never taken: it counts as dropped, and times stay true. The
+/// patterns alternate over the exposures that are taken, so a machine that is too slow by half
+/// still sees both; a texture exposure takes the place of a measurement every `texture_period_s`.
+class LiveSensor final : public device::Sensor, public device::SteerableHand {
+ public:
+  /// @param mesh  the object, model frame, mm
+  /// @param calibration  of this sensor model, see sensor_calibration.h
+  /// @errors  kBadOption; as ImageSimulator::create and plan_path.
+  [[nodiscard]] static Result<std::shared_ptr<LiveSensor>> create(
+      const TriangleMesh& mesh, const LiveSensorOptions& options,
+      std::shared_ptr<const calibration::Calibration> calibration, device::Clock clock);
+
+  [[nodiscard]] Result<void> start() override;
+  void stop() override;
+  [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
+  [[nodiscard]] device::SensorStatus status() const override { return status_.status(); }
+  [[nodiscard]] std::shared_ptr<const calibration::Calibration> calibration() const override {
+    return calibration_;
+  }
+  [[nodiscard]] std::string name() const override { return "virtual sensor"; }
+
+  void follow_path() override;
+  void follow_pointer(const device::HandAim& aim) override;
+  void take_away() override;
+  [[nodiscard]] device::HandMode mode() const override;
+  [[nodiscard]] device::HandAim aim() const override;
+  [[nodiscard]] std::optional<Vec3> pick(const Vec3& origin_mm,
+                                         const Vec3& direction) const override;
+  [[nodiscard]] Isometry T_model_sensor() const override;
+
+  /// T_model_sensor at the time of each frame delivered since start(), in their order.
+  [[nodiscard]] std::vector<PathPose> truth() const;
+
+ private:
+  struct Order {
+    device::HandMode mode = device::HandMode::kPath;
+    device::HandAim aim;
+  };
+  LiveSensor(ImageSimulator simulator, SensorPath path, LiveSensorOptions options,
+             std::shared_ptr<const calibration::Calibration> calibration, device::Clock clock);
+
+  [[nodiscard]] double due_s(std::int64_t slot) const;
+  [[nodiscard]] bool is_texture(std::int64_t slot) const;
+  void obey();
+  [[nodiscard]] Frame take(std::int64_t slot);
+
+  ImageSimulator simulator_;
+  SensorPath path_;
+  LiveSensorOptions options_;
+  std::shared_ptr<const calibration::Calibration> calibration_;
+  device::Clock clock_;
+  device::StatusKeeper status_;
+
+  // Of the thread that calls next().
+  double start_s_ = 0.0;
+  std::int64_t slot_ = 0;  // the next exposure to come
+  Pattern pattern_ = Pattern::kVertical;
+  std::int64_t texture_round_ = 0;  // texture exposures are due once a round
+  int taken_ = 0;
+  std::unique_ptr<Hand> hand_;
+
+  mutable std::mutex mutex_;  // of all below
+  std::optional<Order> order_;
+  device::HandMode mode_ = device::HandMode::kPath;
+  device::HandAim aim_;
+  std::vector<PathPose> truth_;
+};
+
+}  // namespace flytri::simulated

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/base/random.h"
+#include "hw/simulated/hand/aimed_pose.h"
+#include "hw/simulated/hand/arch_line.h"
+#include "hw/simulated/optics/sensor_path.h"
+
+namespace flytri::simulated {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kKeyRate_hz = 60.0;
+// The distance to the surface follows within this time, as a hand's does.
+constexpr double kPathSmoothing_s = 0.5;
+
+// Smooth random movement: a sum of swings between 0.3 and 9 Hz, the fast ones small.
+class Wander {
+ public:
+  explicit Wander(Random& random) {
+    double energy = 0.0;
+    for (Swing& swing : swings_) {
+      swing.frequency_hz = 0.3 * std::pow(30.0, random.uniform());
+      swing.phase_rad = random.uniform(0.0, 2.0 * kPi);
+      swing.amplitude = 1.0 / (1.0 + swing.frequency_hz * swing.frequency_hz);
+      energy += 0.5 * swing.amplitude * swing.amplitude;
+    }
+    for (Swing& swing : swings_) swing.amplitude /= std::sqrt(energy);
+  }
+  // Mean square 1 over a long time.
+  double operator()(double time_s) const {
+    double sum = 0.0;
+    for (const Swing& s : swings_)
+      sum += s.amplitude * std::sin(2.0 * kPi * s.frequency_hz * time_s + s.phase_rad);
+    return sum;
+  }
+
+ private:
+  struct Swing {
+    double frequency_hz, phase_rad, amplitude;
+  };
+  std::array<Swing, 8> swings_{};
+};
+
+// Share of the way done at a share of the time: rises always, at a speed that swells and ebbs.
+double uneven_progress(double time, double variation, const std::array<double, 3>& phases) {
+  double progress = time;
+  for (int k = 0; k < 3; ++k) {
+    const double frequency = 2.0 * kPi * (2 * k + 3);
+    progress += variation / 3.0 / frequency *
+                (std::sin(frequency * time + phases[k]) - std::sin(phases[k]));
+  }
+  return progress;
+}
+
+double eased(double t) {
+  const double s = std::clamp(t, 0.0, 1.0);
+  return s * s * (3.0 - 2.0 * s);
+}
+
+// There straight, back tilted outwards, there again tilted inwards, turning at the ends.
+class ArchAims {
+ public:
+  ArchAims(std::vector<Vec3> line, const JawAxes& axes, double tilt_rad)
+      : line_(std::move(line)), axes_(axes), tilt_rad_(tilt_rad) {}
+
+  device::HandAim operator()(double progress) const {
+    // Three passes of 0.28 each; the hand tilts the sensor in 0.06 and in 0.10 between them.
+    constexpr double kPass = 0.28;
+    constexpr double kFirstTurn = 0.06;
+    constexpr double kSecondTurn = 0.10;
+    constexpr double kSecond = kPass + kFirstTurn;
+    constexpr double kThird = kSecond + kPass + kSecondTurn;
+    double share = std::clamp(progress / kPass, 0.0, 1.0);
+    if (progress > kSecond) share = 1.0 - std::clamp((progress - kSecond) / kPass, 0.0, 1.0);
+    if (progress > kThird) share = std::clamp((progress - kThird) / kPass, 0.0, 1.0);
+    const double tilt_rad = tilt_rad_ * (eased((progress - kPass) / kFirstTurn) -
+                                         2.0 * eased((progress - kSecond - kPass) / kSecondTurn));
+    return aim_at(share, tilt_rad);
+  }
+
+ private:
+  Vec3 point(double share) const {
+    const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(line_.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(place), line_.size() - 2);
+    const double t = place - static_cast<double>(i);
+    return (1.0 - t) * line_[i] + t * line_[i + 1];
+  }
+
+  device::HandAim aim_at(double share, double tilt_rad) const {
+    // A hand does not follow each bend of the arch: the direction is that of a longer chord.
+    constexpr double kChord = 0.08;
+    Vec3 along = point(share + kChord) - point(share - kChord);
+    along = (along - along.dot(axes_.up) * axes_.up).normalized();
+    const Vec3 outward = axes_.up.cross(along);
+    const Vec3 towards = std::cos(tilt_rad) * axes_.up + std::sin(tilt_rad) * outward;
+    return {point(share), towards, along};
+  }
+
+  std::vector<Vec3> line_;
+  JawAxes axes_;
+  double tilt_rad_;
+};
+
+// Once around the axis through the middle, looking inwards, up and down in between.
+class OrbitAims {
+ public:
+  OrbitAims(const RayScene& scene, const JawAxes& axes) : axes_(axes) {
+    Eigen::AlignedBox3f box;
+    for (const SurfacePoint& vertex : scene.mesh().vertices) box.extend(vertex.position_mm);
+    center_ = box.center().cast<double>();
+    half_height_ = 0.5 * std::abs(box.sizes().cast<double>().dot(axes.up.cwiseAbs()));
+  }
+  device::HandAim operator()(double progress) const {
+    const double around = 2.0 * kPi * progress;
+    const double rise = std::sin(3.0 * around);
+    const Vec3 level = std::cos(around) * axes_.front + std::sin(around) * axes_.right;
+    const Vec3 towards = (level + 0.5 * rise * axes_.up).normalized();
+    return {center_ + 0.35 * half_height_ * rise * axes_.up, towards, axes_.up.cross(level)};
+  }
+
+ private:
+  JawAxes axes_;
+  Vec3 center_;
+  double half_height_ = 0.0;
+};
+
+std::vector<double> running_mean(const std::vector<double>& values, int reach) {
+  std::vector<double> mean(values.size());
+  const int count = static_cast<int>(values.size());
+  for (int i = 0; i < count; ++i) {
+    const int begin = std::max(i - reach, 0);
+    const int end = std::min(i + reach + 1, count);
+    double sum = 0.0;
+    for (int k = begin; k < end; ++k) sum += values[k];
+    mean[i] = sum / (end - begin);
+  }
+  return mean;
+}
+
+// Moves each pose along its view so that the surface lies in the middle of the volume.
+Result<void> follow_surface(const RayScene& scene, const SensorModel& sensor,
+                            std::vector<PathPose>& poses) {
+  std::vector<double> depths(poses.size(), 0.0);
+  bool found = false;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto depth = surface_depth(scene, sensor, poses[i].T_model_sensor);
+    depths[i] = depth.value_or(i > 0 ? depths[i - 1] : 0.0);
+    found = found || depth.has_value();
+  }
+  if (!found)
+    return fail(ErrorCode::kInsufficient, "the path meets no surface: check up and front");
+  const auto smooth =
+      running_mean(depths, static_cast<int>(std::lround(0.5 * kPathSmoothing_s * kKeyRate_hz)));
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    poses[i].T_model_sensor.translate(smooth[i] * Vec3::UnitZ());
+  return {};
+}
+
+void add_tremor(const PathOptions& options, double scale, Random& random,
+                std::vector<PathPose>& poses) {
+  std::vector<Wander> wanders;
+  wanders.reserve(6);
+  for (int i = 0; i < 6; ++i) wanders.emplace_back(random);
+  for (PathPose& pose : poses) {
+    Twist twist;
+    for (int i = 0; i < 6; ++i)
+      twist[i] = wanders[i](pose.time_s) * (i < 3 ? options.tremor_rad : scale * options.tremor_mm);
+    pose.T_model_sensor = pose.T_model_sensor * exp_twist(twist);
+  }
+}
+
+template <typename Aims>
+std::vector<PathPose> aimed_poses(const Aims& aims, const PathOptions& options, Random& random) {
+  const std::array<double, 3> phases = {random.uniform(0.0, 2.0 * kPi),
+                                        random.uniform(0.0, 2.0 * kPi),
+                                        random.uniform(0.0, 2.0 * kPi)};
+  const int count = static_cast<int>(std::ceil(options.duration_s * kKeyRate_hz)) + 1;
+  const double end = uneven_progress(1.0, options.speed_variation, phases);
+  std::vector<PathPose> poses;
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    const double progress = uneven_progress(share, options.speed_variation, phases) / end;
+    poses.push_back({share * options.duration_s, aimed_pose(aims(progress))});
+  }
+  return poses;
+}
+
+JawAxes axes_of(const PathOptions& options) {
+  JawAxes axes;
+  axes.up = options.up.normalized();
+  axes.front = (options.front - options.front.dot(axes.up) * axes.up).normalized();
+  axes.right = axes.front.cross(axes.up);
+  return axes;
+}
+
+}  // namespace
+
+Result<void> PathOptions::validate() const {
+  if (!(duration_s > 0.0 && duration_s <= 3600.0))
+    return fail(ErrorCode::kBadOption, "duration_s must be in 0..3600, not {}", duration_s);
+  if (!(up.cross(front).norm() > 1e-6))
+    return fail(ErrorCode::kBadOption, "front must not lie along up, nor either be zero");
+  if (!(tilt_rad >= 0.0 && tilt_rad <= 1.2))
+    return fail(ErrorCode::kBadOption, "tilt_rad must be in 0..1.2, not {}", tilt_rad);
+  if (!(speed_variation >= 0.0 && speed_variation <= 0.9))
+    return fail(ErrorCode::kBadOption, "speed_variation must be in 0..0.9, not {}",
+                speed_variation);
+  if (!(tremor_mm >= 0.0) || !(tremor_rad >= 0.0))
+    return fail(ErrorCode::kBadOption, "tremor_mm and tremor_rad must be at least 0");
+  return {};
+}
+
+Result<SensorPath> plan_path(const RayScene& scene, const SensorModel& sensor,
+                             const PathOptions& options) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  const JawAxes axes = axes_of(options);
+  Random random(options.seed);
+  std::vector<PathPose> poses;
+  if (options.kind == PathKind::kOrbit) {
+    poses = aimed_poses(OrbitAims(scene, axes), options, random);
+  } else {
+    Result<std::vector<Vec3>> line = find_arch_line(scene, axes);
+    if (!line) return tl::unexpected(line.error());
+    if (options.kind == PathKind::kQuadrant) line->resize(line->size() / 2);
+    poses = aimed_poses(ArchAims(std::move(*line), axes, options.tilt_rad), options, random);
+  }
+  if (auto followed = follow_surface(scene, sensor, poses); !followed)
+    return tl::unexpected(followed.error());
+  // A hand farther from its object moves in a larger volume: the tremor grows along.
+  add_tremor(options, sensor.volume.size_mm.z() / 15.0, random, poses);
+  return SensorPath::from_poses(std::move(poses));
+}
+
+}  // namespace flytri::simulated

@@ -1,0 +1,29 @@
+/// @file  The calibration target's dots as a camera sees them.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "hw/simulated/optics/sensor_model.h"
+
+namespace flytri::simulated {
+
+/// A camera in front of the target: bright dots on black under even light. Immutable.
+class DotImage {
+ public:
+  DotImage(const CameraModel& camera, const calibration::DotTarget& target);
+
+  /// The target at z = `z_mm`.
+  /// @return  CV_32FC1, share of full scale, without noise
+  [[nodiscard]] cv::Mat light(double z_mm) const;
+
+ private:
+  [[nodiscard]] std::vector<Vec2> places_on_plane(double z_mm) const;
+  [[nodiscard]] double bright_share(const Vec2& place, const Vec2& right, const Vec2& down) const;
+
+  CameraModel camera_;
+  calibration::DotTarget target_;
+  std::vector<Vec3> directions_;  // by pixel
+};
+
+}  // namespace flytri::simulated

@@ -1,0 +1,81 @@
+#include "hw/simulated/optics/sensor_fingerprint.h"
+
+#include <bit>
+
+namespace flytri::simulated {
+namespace {
+
+// The structured bindings below stop compiling when a model gains a member: none is forgotten.
+class Fingerprint {
+ public:
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+  void add(double number) {
+    auto bits = std::bit_cast<std::uint64_t>(number);
+    for (int byte = 0; byte < 8; ++byte, bits >>= 8)
+      value_ = (value_ ^ (bits & 0xff)) * 0x100000001b3ULL;
+  }
+  void add(const ImageSize& size) {
+    const auto& [width_px, height_px] = size;
+    add_all(width_px, height_px);
+  }
+  void add(const Isometry& T) { add_range(T.matrix().reshaped()); }
+  void add(const ThinLens& lens) {
+    const auto& [aperture_radius_mm, focus_mm] = lens;
+    add_all(aperture_radius_mm, focus_mm);
+  }
+  void add(const LensDistortion& distortion) {
+    const auto& [k1, k2, p1, p2] = distortion;
+    add_all(k1, k2, p1, p2);
+  }
+  void add(const CameraModel& camera) {
+    const auto& [size, T_sensor_camera, focal_px, principal_px, distortion, lens, sigma_px] =
+        camera;
+    add_all(size, T_sensor_camera, focal_px, principal_px.x(), principal_px.y(), distortion, lens,
+            sigma_px);
+  }
+  void add(const ProjectorModel& projector) {
+    const auto& [pattern, T_sensor_projector, line_across, half_width, half_length, distortion,
+                 lens, sigma] = projector;
+    add_all(static_cast<int>(pattern), T_sensor_projector, line_across.size());
+    add_range(line_across);
+    add_all(half_width, half_length, distortion, lens, sigma);
+  }
+  void add(const ChipModel& chip) {
+    const auto& [well_e, read_e, black, contrast, size_px, line, ambient] = chip;
+    add_all(well_e, read_e, black, contrast, size_px, line, ambient);
+  }
+  void add(const calibration::DotTarget& dots) {
+    const auto& [pitch_mm, diameter_mm, marker_mm] = dots;
+    add_all(pitch_mm, diameter_mm, marker_mm);
+  }
+  void add(const SensorModel& sensor) {
+    const auto& [volume, camera, texture_camera, projectors, chip, dots, exposure_s, period_s,
+                 depth_sigma_mm] = sensor;
+    add_range(volume.size_mm);
+    add_all(camera, texture_camera, projectors[0], projectors[1], chip, dots, exposure_s, period_s,
+            depth_sigma_mm);
+  }
+
+ private:
+  template <typename... Parts>
+  void add_all(const Parts&... parts) {
+    (add(parts), ...);
+  }
+  template <typename Numbers>
+  void add_range(const Numbers& numbers) {
+    for (const double number : numbers) add(number);
+  }
+
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+}  // namespace
+
+std::uint64_t fingerprint(const SensorModel& sensor) {
+  Fingerprint print;
+  print.add(sensor);
+  return print.value();
+}
+
+}  // namespace flytri::simulated

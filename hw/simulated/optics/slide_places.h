@@ -1,0 +1,42 @@
+/// @file  From eight points that a camera sees to the places on a projector's slide that light
+/// them.
+#pragma once
+
+#include <vector>
+
+#include "hw/simulated/optics/ray_packet.h"
+#include "hw/simulated/optics/sensor_model.h"
+
+namespace flytri::simulated {
+
+/// What SlideLight::point says of one point, in single precision for eight. Immutable.
+class SlidePlaces {
+ public:
+  using Numbers = RayPacket::Numbers;
+
+  /// @param camera_center_mm  where the rays come from, sensor frame
+  SlidePlaces(const ProjectorModel& projector, const Vec3& camera_center_mm);
+
+  /// Tangents on the slide, as everywhere.
+  struct Places {
+    Numbers across;
+    Numbers blur;    ///< radius of the projector's defocus
+    Numbers offset;  ///< from the nearest line
+    Numbers before;  ///< the number of lines that lie before it
+    Numbers facing;  ///< cosine between the surface's normal and the line of sight
+    Eigen::Array<bool, RayPacket::kSize, 1> seen;  ///< as SlideLight::point returns a point
+  };
+  /// @param packet  answered, sensor frame
+  [[nodiscard]] Places find(const RayPacket& packet) const;
+
+ private:
+  [[nodiscard]] std::array<Numbers, 2> undistort(const Numbers& x, const Numbers& y) const;
+
+  Eigen::Matrix3f R_projector_sensor_;
+  Vec3f camera_in_projector_mm_;
+  float k1_, k2_, p1_, p2_;
+  float aperture_radius_mm_, focus_mm_, half_length_along_;
+  std::vector<float> lines_;
+};
+
+}  // namespace flytri::simulated

@@ -1,0 +1,58 @@
+#include <cmath>
+#include <vector>
+
+#include "core/base/random.h"
+#include "hw/simulated/optics/view_simulator.h"
+
+namespace flytri::simulated {
+namespace {
+
+// A Gaussian whose squares sum to one: it keeps the variance of white noise.
+std::vector<double> unit_energy_gaussian(double sigma) {
+  const int radius = static_cast<int>(std::ceil(4.0 * sigma));
+  std::vector<double> kernel;
+  double energy = 0.0;
+  for (int i = -radius; i <= radius; ++i) {
+    kernel.push_back(sigma > 0.0 ? std::exp(-0.5 * i * i / (sigma * sigma)) : 1.0);
+    energy += kernel.back() * kernel.back();
+  }
+  for (double& weight : kernel) weight /= std::sqrt(energy);
+  return kernel;
+}
+
+std::vector<double> correlated_normals(std::size_t count, const std::vector<double>& kernel,
+                                       Random& random) {
+  std::vector<double> white(count + kernel.size() - 1);
+  for (double& value : white) value = random.normal();
+  std::vector<double> smooth(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < kernel.size(); ++k) smooth[i] += kernel[k] * white[i + k];
+  return smooth;
+}
+
+}  // namespace
+
+Result<void> ViewNoise::validate() const {
+  if (!(sigma_mm >= 0.0))
+    return fail(ErrorCode::kBadOption, "sigma_mm must be at least 0, not {}", sigma_mm);
+  if (!(correlation_samples >= 0.0 && correlation_samples <= 1000.0))
+    return fail(ErrorCode::kBadOption, "correlation_samples must be in 0..1000, not {}",
+                correlation_samples);
+  return {};
+}
+
+View add_noise(const View& ideal, const ViewNoise& noise, std::uint64_t stream) {
+  const std::vector<double> kernel = unit_energy_gaussian(noise.correlation_samples);
+  Random random(noise.seed, stream);
+  View noisy = ideal;
+  for (Profile& profile : noisy.profiles) {
+    const std::vector<double> normals = correlated_normals(profile.points.size(), kernel, random);
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      profile.points[i].position_mm.z() += noise.sigma_mm * normals[i];
+      profile.points[i].deviation_mm = Vec3f(0.0F, 0.0F, static_cast<float>(noise.sigma_mm));
+    }
+  }
+  return noisy;
+}
+
+}  // namespace flytri::simulated

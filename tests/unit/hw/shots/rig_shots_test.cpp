@@ -1,0 +1,104 @@
+#include "hw/shots/rig_shots.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/simulated_rig.h"
+
+namespace flytri::shots {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::make_simulated_rig;
+using testing::SimulatedRig;
+using testing::striped_scene;
+
+constexpr double kNoise = 0.02;
+
+SimulatedRig make_rig() {
+  testing::SimulatedRigOptions options;
+  options.measurement.latency_s = 0.1;  // three frames: what arrives after a switch is older
+  options.texture.latency_s = 0.1;
+  options.measurement.noise = kNoise;
+  return make_simulated_rig(options);
+}
+
+std::unique_ptr<RigShots> make_shots(const SimulatedRig& rig) {
+  return RigShots::create({rig.measurement, rig.texture, rig.lights, rig.clock.clock()}, "rig")
+      .value();
+}
+
+/// Mean absolute difference, share of full scale.
+double difference(const cv::Mat& image, const cv::Mat& scene) {
+  cv::Mat expected;
+  scene.convertTo(expected, image.type(), image.depth() == CV_16U ? 257.0 : 1.0);
+  const double scale = image.depth() == CV_16U ? 65535.0 : 255.0;
+  return cv::norm(image, expected, cv::NORM_L1) / scale / static_cast<double>(image.total());
+}
+
+TEST(RigShots, EachShotShowsItsLightAlone) {
+  const SimulatedRig rig = make_rig();
+  const auto shots = make_shots(rig);
+  ASSERT_TRUE(shots->start().has_value());
+  using enum ShotKind;
+  for (const auto& [kind, light] :
+       std::initializer_list<std::pair<calibration::ShotKind, device::Light>>{
+           {kDark, device::Light::kDark},
+           {kVertical, device::Light::kVertical},
+           {kHorizontal, device::Light::kHorizontal},
+           {kVerticalAgain, device::Light::kVertical},
+           {kDots, device::Light::kFlash}}) {
+    const auto image = shots->take(kind, 0.0, {});
+    ASSERT_TRUE(image.has_value()) << image.error().message;
+    EXPECT_EQ(image->type(), CV_16UC1);
+    // Sixteen exposures leave a quarter of the noise; another light differs by a tenth.
+    EXPECT_LT(difference(*image, striped_scene(light, 0.0)), 0.3 * kNoise) << to_string(kind);
+  }
+  const auto color = shots->take(kDotsTexture, 0.0, {});
+  ASSERT_TRUE(color.has_value());
+  EXPECT_EQ(color->type(), CV_8UC3);
+  EXPECT_LT(difference(*color, testing::colored_scene(device::Light::kFlash, 0.0)), 0.01);
+}
+
+TEST(RigShots, LightsAreDarkAfterwards) {
+  SimulatedRig rig = make_rig();
+  {
+    const auto shots = make_shots(rig);
+    ASSERT_TRUE(shots->start().has_value());
+    ASSERT_TRUE(shots->take(calibration::ShotKind::kVertical, 0.0, {}).has_value());
+  }
+  EXPECT_EQ(rig.lights->status().state, device::LightSwitchState::kIdle);
+}
+
+TEST(RigShots, ACameraThatIsUnpluggedIsNamed) {
+  const SimulatedRig rig = make_rig();
+  const auto shots = make_shots(rig);
+  ASSERT_TRUE(shots->start().has_value());
+  rig.measurement->set_plugged(false);
+  const auto image = shots->take(calibration::ShotKind::kVertical, 0.0, {});
+  ASSERT_FALSE(image.has_value());
+  EXPECT_THAT(image.error().message, HasSubstr("plug it in again"));
+  rig.measurement->set_plugged(true);
+  EXPECT_TRUE(shots->take(calibration::ShotKind::kVertical, 0.0, {}).has_value());
+}
+
+TEST(RigShots, LightsThatAreUnpluggedAreNamed) {
+  const SimulatedRig rig = make_rig();
+  const auto shots = make_shots(rig);
+  ASSERT_TRUE(shots->start().has_value());
+  rig.lights->set_plugged(false);
+  const auto image = shots->take(calibration::ShotKind::kVertical, 0.0, {});
+  ASSERT_FALSE(image.has_value());
+  EXPECT_EQ(image.error().code, ErrorCode::kNotFound);
+}
+
+TEST(RigShots, ARigWithoutTextureCameraIsRefused) {
+  SimulatedRig rig = make_rig();
+  const auto shots =
+      RigShots::create({rig.measurement, nullptr, rig.lights, rig.clock.clock()}, "rig");
+  ASSERT_FALSE(shots.has_value());
+  EXPECT_EQ(shots.error().code, ErrorCode::kBadOption);
+}
+
+}  // namespace
+}  // namespace flytri::shots

@@ -1,0 +1,323 @@
+#include "core/io/cases/case_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "core/io/files/file_bytes.h"
+#include "tests/support/case_samples.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri::io {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::same_bits;
+using testing::sample_edit;
+using testing::sample_pose;
+using testing::sample_texture;
+using testing::sample_view;
+
+const CaseFields kFields{"Ada Lovelace", "A-1815", "1815-12-10", "Dr. Bäbbage", "", "2026-11-21"};
+constexpr ScanStage kStage = ScanStage::kLower;
+
+/// Fails the test with the message of what failed.
+template <typename T>
+void expect_done(const Result<T>& result) {
+  EXPECT_TRUE(result) << result.error().message;
+}
+
+CaseFile new_case(const fs::path& path, const std::string& passphrase = {}) {
+  Result<CaseFile> file = CaseFile::create(path, {passphrase, false}, kFields);
+  if (!file) throw std::runtime_error(file.error().message);
+  return *std::move(file);
+}
+
+CaseFile opened(const fs::path& path, const CaseOptions& options = {}) {
+  Result<CaseFile> file = CaseFile::open(path, options);
+  if (!file) throw std::runtime_error(file.error().message);
+  return *std::move(file);
+}
+
+/// Ten small views, of which all but the last are placed, and a texture frame.
+void fill(CaseFile& file) {
+  std::vector<AlignedView> placed;
+  for (int i = 0; i < 10; ++i) {
+    const auto view = std::make_shared<const View>(sample_view(i, 2, 20));
+    expect_done(file.append_view(kStage, *view));
+    if (i < 9) placed.push_back({view, sample_pose(i)});
+  }
+  expect_done(file.write_poses(kStage, placed));
+  expect_done(file.append_texture(kStage, sample_texture(10)));
+  expect_done(file.commit());
+}
+
+StoredStage loaded(CaseFile& file, ScanStage stage = kStage) {
+  Result<StoredStage> stored = file.load_stage(stage);
+  expect_done(stored);
+  return stored ? *std::move(stored) : StoredStage{};
+}
+
+void expect_filled(const StoredStage& stage) {
+  ASSERT_EQ(stage.views.size(), 10U);
+  for (int i = 0; i < 10; ++i) {
+    const StoredView& stored = stage.views[static_cast<std::size_t>(i)];
+    EXPECT_TRUE(same_bits(*stored.view, sample_view(i, 2, 20)));
+    ASSERT_EQ(stored.T_world_sensor.has_value(), i < 9);
+    if (i < 9) {
+      EXPECT_TRUE(same_bits(*stored.T_world_sensor, sample_pose(i)));
+    }
+  }
+  ASSERT_EQ(stage.texture_frames.size(), 1U);
+  EXPECT_TRUE(same_bits(stage.texture_frames[0], sample_texture(10)));
+  EXPECT_TRUE(stage.damage.empty());
+}
+
+TEST(CaseFile, WhatIsWrittenIsReadBitForBit) {
+  const TemporaryFolder folder;
+  {
+    CaseFile file = new_case(folder / "a.flytri");
+    fill(file);
+  }
+  CaseFile file = opened(folder / "a.flytri");
+  EXPECT_FALSE(file.is_read_only());
+  EXPECT_EQ(file.fields().value_or(CaseFields{}), kFields);
+  expect_filled(loaded(file));
+  EXPECT_TRUE(loaded(file, ScanStage::kUpper).views.empty());
+  const StageCounts counts = file.counts(kStage).value_or(StageCounts{});
+  EXPECT_EQ(counts.views, 10);
+  EXPECT_EQ(counts.texture_frames, 1);
+  EXPECT_FALSE(counts.has_result);
+}
+
+TEST(CaseFile, GoesOnWhereItStopped) {
+  const TemporaryFolder folder;
+  {
+    CaseFile file = new_case(folder / "a.flytri");
+    fill(file);
+  }
+  CaseFile file = opened(folder / "a.flytri");
+  const auto view = std::make_shared<const View>(sample_view(11, 2, 20));
+  expect_done(file.append_view(kStage, *view));
+  const AlignedView moved{loaded(file).views[0].view, sample_pose(40)};
+  expect_done(file.write_poses(kStage, std::array{moved, AlignedView{view, sample_pose(11)}}));
+  const std::array contradicting = {FrameIndex(3)};
+  expect_done(file.erase_poses(kStage, contradicting));
+  const StoredStage stage = loaded(file);
+  ASSERT_EQ(stage.views.size(), 11U);
+  EXPECT_TRUE(same_bits(*stage.views[0].T_world_sensor, sample_pose(40)));
+  EXPECT_FALSE(stage.views[3].T_world_sensor);
+  EXPECT_TRUE(same_bits(*stage.views[10].T_world_sensor, sample_pose(11)));
+}
+
+TEST(CaseFile, RefusesTwoViewsOfOneFrame) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  expect_done(file.append_view(kStage, sample_view(3, 2, 20)));
+  const Result<void> again = file.append_view(kStage, sample_view(3, 1, 5));
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().code, ErrorCode::kInconsistent);
+  EXPECT_THAT(again.error().message, HasSubstr("views: lower 3"));
+  expect_done(file.append_view(ScanStage::kBite, sample_view(3, 1, 5)));
+  EXPECT_TRUE(same_bits(*loaded(file).views.at(0).view, sample_view(3, 2, 20)));
+}
+
+TEST(CaseFile, WhatWasNotCommittedIsDropped) {
+  const TemporaryFolder folder;
+  {
+    CaseFile file = new_case(folder / "a.flytri");
+    fill(file);
+    expect_done(file.append_view(kStage, sample_view(20, 2, 20)));
+  }
+  CaseFile file = opened(folder / "a.flytri");
+  expect_filled(loaded(file));
+}
+
+TEST(CaseFile, KeepsEveryFramesFate) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  const std::array frames = {
+      StoredFrame{FrameIndex(0), 0.1 / 3.0, FrameKind::kVertical, "registered", ""},
+      StoredFrame{FrameIndex(1), 0.2 / 3.0, FrameKind::kUnknown, "rejected", "too few points"},
+      StoredFrame{FrameIndex(2), 0.3 / 3.0, FrameKind::kTexture, "", ""}};
+  expect_done(file.write_frames(kStage, frames));
+  EXPECT_THAT(loaded(file).frames, ::testing::ElementsAreArray(frames));
+  const std::array later = {
+      StoredFrame{FrameIndex(2), 0.3 / 3.0, FrameKind::kTexture, "textured", ""}};
+  expect_done(file.write_frames(kStage, later));
+  EXPECT_EQ(loaded(file).frames.at(2), later[0]);
+}
+
+TEST(CaseFile, KeepsAllStatesOfTheEdits) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  editing::EditStack edits;
+  for (int i = 0; i < 5; ++i) edits.push(sample_edit(i));
+  edits.undo();
+  edits.undo();
+  expect_done(file.write_edits(kStage, edits));
+  editing::EditStack back = loaded(file).edits;
+  ASSERT_EQ(back.state()->size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(same_bits(*(*back.state())[i], *(*edits.state())[i]));
+  }
+  back.redo();
+  back.redo();
+  EXPECT_FALSE(back.can_redo());
+  EXPECT_TRUE(same_bits(*back.state()->at(4), sample_edit(4)));
+  while (back.can_undo()) back.undo();
+  EXPECT_TRUE(back.state()->empty());
+}
+
+TEST(CaseFile, EditsThatWereForgottenDoNotComeBack) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  editing::EditStack edits;
+  for (int i = 0; i < 3; ++i) edits.push(sample_edit(i));
+  expect_done(file.write_edits(kStage, edits));
+  edits.undo();
+  edits.undo();
+  edits.push(sample_edit(7));
+  expect_done(file.write_edits(kStage, edits));
+  const editing::EditStack back = loaded(file).edits;
+  ASSERT_EQ(back.all()->size(), 2U);
+  EXPECT_TRUE(same_bits(*back.state()->at(1), sample_edit(7)));
+}
+
+TEST(CaseFile, KeepsMeasurements) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  const Measurement wanted{0, Vec3(1.0 / 3.0, -2e-17, 3), Vec3(4, 5, 0.1), "46–47, \"mesial\""};
+  const auto first = file.add_measurement(kStage, wanted);
+  const auto second = file.add_measurement(kStage, {0, Vec3::Zero(), Vec3::Ones(), ""});
+  const auto bite = file.add_measurement(ScanStage::kBite, wanted);
+  ASSERT_TRUE(first && second && bite);
+  expect_done(file.remove_measurement(*second));
+  const std::vector<Measurement> kept = loaded(file).measurements;
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(kept[0].id, *first);
+  EXPECT_EQ(kept[0].from_mm, wanted.from_mm);
+  EXPECT_EQ(kept[0].to_mm, wanted.to_mm);
+  EXPECT_EQ(kept[0].label, wanted.label);
+  EXPECT_FALSE(file.add_measurement(kStage, {0, Vec3::Constant(NAN), Vec3::Zero(), ""}));
+}
+
+TEST(CaseFile, KeepsCalibrationAndResult) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  EXPECT_EQ(file.calibration().error().code, ErrorCode::kInsufficient);
+  EXPECT_EQ(file.load_result(kStage).error().code, ErrorCode::kInsufficient);
+  expect_done(file.write_calibration("{\"a\": 1}"));
+  const std::string glb("glTF\0\x02 and so on", 16);
+  expect_done(file.write_result(kStage, {"first", ""}));
+  expect_done(file.write_result(kStage, {glb, "{}"}));
+  EXPECT_EQ(file.calibration().value_or(""), "{\"a\": 1}");
+  EXPECT_EQ(file.load_result(kStage).value_or(StageResult{}).glb, glb);
+  EXPECT_EQ(file.load_result(kStage).value_or(StageResult{}).summary_json, "{}");
+  EXPECT_TRUE(file.counts(kStage).value_or(StageCounts{}).has_result);
+}
+
+TEST(CaseFile, AStageCanBeScannedAnew) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  fill(file);
+  expect_done(file.append_view(ScanStage::kUpper, sample_view(3, 2, 20)));
+  expect_done(file.clear_stage(kStage));
+  EXPECT_TRUE(loaded(file).views.empty());
+  EXPECT_EQ(loaded(file, ScanStage::kUpper).views.size(), 1U);
+  EXPECT_EQ(file.fields().value_or(CaseFields{}), kFields);
+}
+
+/// What is in the file and in all that lies beside it.
+std::string all_bytes(const fs::path& folder) {
+  std::string bytes;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    bytes += read_file(entry.path()).value_or("");
+  }
+  return bytes;
+}
+
+TEST(CaseFile, WithAPassphraseNothingIsReadable) {
+  const TemporaryFolder plain, encrypted;
+  {
+    CaseFile a = new_case(plain / "a.flytri");
+    CaseFile b = new_case(encrypted / "b.flytri", "o∴p&'\"");
+    fill(a);
+    fill(b);
+    EXPECT_THAT(all_bytes(plain.path()), HasSubstr(kFields.patient_name));
+    EXPECT_THAT(all_bytes(encrypted.path()), Not(HasSubstr(kFields.patient_name)));
+    EXPECT_THAT(all_bytes(encrypted.path()), Not(HasSubstr("PNG")));
+  }
+  EXPECT_THAT(all_bytes(encrypted.path()), Not(HasSubstr(kFields.patient_name)));
+  CaseFile file = opened(encrypted / "b.flytri", {"o∴p&'\"", true});
+  expect_filled(loaded(file));
+}
+
+TEST(CaseFile, TellsOfAPassphraseThatIsMissingOrWrong) {
+  const TemporaryFolder folder;
+  { CaseFile file = new_case(folder / "a.flytri", "right"); }
+  const Result<CaseFile> without = CaseFile::open(folder / "a.flytri");
+  ASSERT_FALSE(without);
+  EXPECT_EQ(without.error().code, ErrorCode::kInconsistent);
+  EXPECT_THAT(without.error().message, HasSubstr("give its passphrase"));
+  const Result<CaseFile> wrong = CaseFile::open(folder / "a.flytri", {"wrong", false});
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().code, ErrorCode::kInconsistent);
+  EXPECT_THAT(wrong.error().message, HasSubstr("passphrase is wrong"));
+  EXPECT_TRUE(CaseFile::open(folder / "a.flytri", {"right", false}));
+}
+
+TEST(CaseFile, IsItsOwnersAlone) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  fill(file);
+  int count = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.path())) {
+    EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write)
+        << entry.path();
+    ++count;
+  }
+  EXPECT_EQ(count, 2) << "the case and its log";
+}
+
+TEST(CaseFile, LeavesNothingBesideTheFile) {
+  const TemporaryFolder folder;
+  {
+    CaseFile file = new_case(folder / "a.flytri");
+    fill(file);
+  }
+  { CaseFile file = opened(folder / "a.flytri", {{}, true}); }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+}
+
+TEST(CaseFile, OneProgramAtATimeWrites) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  for (const bool read_only : {false, true}) {
+    const Result<CaseFile> second = CaseFile::open(folder / "a.flytri", {{}, read_only});
+    ASSERT_FALSE(second);
+    EXPECT_EQ(second.error().code, ErrorCode::kNotPermitted);
+    EXPECT_THAT(second.error().message, HasSubstr("open in another program"));
+  }
+}
+
+TEST(CaseFile, ReadOnlyChangesNothing) {
+  const TemporaryFolder folder;
+  {
+    CaseFile file = new_case(folder / "a.flytri");
+    fill(file);
+  }
+  const std::string before = all_bytes(folder.path());
+  CaseFile file = opened(folder / "a.flytri", {{}, true});
+  EXPECT_TRUE(file.is_read_only());
+  expect_filled(loaded(file));
+  const Result<void> written = file.append_view(kStage, sample_view(30));
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::kNotPermitted);
+  EXPECT_EQ(all_bytes(folder.path()), before);
+}
+
+}  // namespace
+}  // namespace flytri::io

@@ -1,0 +1,114 @@
+#include "core/io/files/file_bytes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <iterator>
+#include <thread>
+#include <vector>
+
+#include "tests/support/full_disk.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::size_t entries_in(const std::filesystem::path& folder) {
+  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder),
+                                                std::filesystem::directory_iterator()));
+}
+
+TEST(AtomicFile, ReplacesAtOnceOrNotAtAll) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "a.bin";
+  ASSERT_TRUE(write_file(path, "old"));
+  {
+    Result<AtomicFile> file = AtomicFile::create(path);
+    ASSERT_TRUE(file);
+    ASSERT_TRUE(file->write("new"));
+    EXPECT_EQ(*read_file(path), "old");
+  }
+  EXPECT_EQ(*read_file(path), "old");
+  EXPECT_EQ(entries_in(folder.path()), 1U);
+  ASSERT_TRUE(write_file(path, "new"));
+  EXPECT_EQ(*read_file(path), "new");
+}
+
+TEST(AtomicFile, FullDiskKeepsTheOldFile) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder / "a.bin", "old"));
+  Result<void> written;
+  {
+    const FullDisk disk(1000);
+    written = write_file(folder / "a.bin", std::string(5000, 'x'));
+  }
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::kWriteFailed);
+  EXPECT_THAT(written.error().message, HasSubstr("a.bin: cannot be written"));
+  EXPECT_EQ(*read_file(folder / "a.bin"), "old");
+  EXPECT_EQ(entries_in(folder.path()), 1U);
+}
+
+// The recorder and the case write at the same time.
+TEST(AtomicFile, PermissionsAreThoseOfTheProcessWhateverOtherThreadsWrite) {
+  const TemporaryFolder folder;
+  const mode_t former = ::umask(027);
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&, thread] {
+      for (int i = 0; i < 500; ++i) {
+        Result<AtomicFile> file = AtomicFile::create(folder / fmt::format("{}-{}", thread, i));
+        ASSERT_TRUE(file && file->commit_unsynced());
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(::umask(former), 027U);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    ASSERT_EQ(entry.status().permissions(), static_cast<std::filesystem::perms>(0640))
+        << entry.path();
+  }
+}
+
+TEST(AtomicFile, SaysWhatToDoAboutAMissingFolder) {
+  const TemporaryFolder folder;
+  const Result<void> written = write_file(folder / "none/a.bin", "x");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(written.error().message, HasSubstr("create the folder first"));
+}
+
+TEST(AtomicFile, FoldersWithoutPermissionAreRefused) {
+  const TemporaryFolder folder;
+  std::filesystem::permissions(
+      folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  // Root may write anywhere, so the test steps down for this one call.
+  const bool is_root = ::geteuid() == 0;
+  constexpr uid_t kNobody = 65534;
+  if (is_root) {
+    ASSERT_EQ(::chown(folder.path().c_str(), kNobody, static_cast<gid_t>(-1)), 0);
+    ASSERT_EQ(::seteuid(kNobody), 0);
+  }
+  const Result<void> written = write_file(folder / "a.bin", "x");
+  if (is_root) {
+    ASSERT_EQ(::seteuid(0), 0);
+  }
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::kNotPermitted);
+  EXPECT_THAT(written.error().message, HasSubstr("change the permissions"));
+}
+
+TEST(ReadFile, NamesWhatCannotBeRead) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_file(folder / "none").error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(read_file(folder.path()).error().code, ErrorCode::kBadFormat);
+  EXPECT_EQ(read_file("/dev/zero").error().code, ErrorCode::kBadFormat);
+}
+
+}  // namespace
+}  // namespace flytri::io

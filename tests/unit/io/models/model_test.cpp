@@ -1,0 +1,179 @@
+#include "core/io/models/model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/io/files/file_bytes.h"
+#include "core/io/models/glb.h"
+#include "core/io/models/obj.h"
+#include "core/io/models/stl.h"
+#include "tests/support/colored_sphere.h"
+#include "tests/support/full_disk.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri::io {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Calls `compare(index in a, index in b)` for the corners of all triangles in their order: formats
+/// may leave out unused vertices and number the others anew.
+template <typename Compare>
+void for_each_corner(const TexturedMesh& a, const TexturedMesh& b, const Compare& compare) {
+  ASSERT_EQ(a.mesh.triangles.size(), b.mesh.triangles.size());
+  for (std::size_t i = 0; i < a.mesh.triangles.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) compare(a.mesh.triangles[i][c], b.mesh.triangles[i][c]);
+  }
+}
+
+void expect_same_surface(const TexturedMesh& a, const TexturedMesh& b) {
+  for_each_corner(a, b, [&](std::uint32_t i, std::uint32_t j) {
+    ASSERT_EQ(a.mesh.vertices[i].position_mm, b.mesh.vertices[j].position_mm);
+    // Normals are normalized once more where a format requires it: a rounding error.
+    ASSERT_LT((a.mesh.vertices[i].normal - b.mesh.vertices[j].normal).norm(), 1e-6F);
+  });
+}
+
+void expect_same_colors(const TexturedMesh& a, const TexturedMesh& b) {
+  for_each_corner(a, b, [&](std::uint32_t i, std::uint32_t j) {
+    ASSERT_EQ(a.mesh.vertices[i].color, b.mesh.vertices[j].color);
+  });
+}
+
+void expect_same_texture(const TexturedMesh& a, const TexturedMesh& b) {
+  ASSERT_EQ(b.uv.size(), b.mesh.vertices.size());
+  for_each_corner(a, b, [&](std::uint32_t i, std::uint32_t j) {
+    // OBJ turns v over and back: a rounding error of numbers up to 1.
+    ASSERT_LT((a.uv[i] - b.uv[j]).norm(), 1e-6F);
+  });
+  ASSERT_EQ(a.atlas.size(), b.atlas.size());
+  EXPECT_EQ(cv::norm(a.atlas, b.atlas, cv::NORM_INF), 0.0);
+}
+
+Result<TexturedMesh> there_and_back(const TexturedMesh& model, const std::string& name) {
+  const TemporaryFolder folder;
+  return write_model(folder / name, model).and_then([&] { return read_model(folder / name); });
+}
+
+TEST(Model, GlbKeepsShapeAndTexture) {
+  const TexturedMesh model = textured_sphere();
+  const Result<TexturedMesh> back = there_and_back(model, "jaw scan.glb");
+  ASSERT_TRUE(back) << back.error().message;
+  expect_same_surface(model, *back);
+  expect_same_texture(model, *back);
+}
+
+TEST(Model, GlbKeepsVertexColorsExactly) {
+  const TexturedMesh model = colored_sphere();
+  const Result<TexturedMesh> back = there_and_back(model, "a.GLB");
+  ASSERT_TRUE(back) << back.error().message;
+  expect_same_surface(model, *back);
+  expect_same_colors(model, *back);
+  EXPECT_TRUE(back->atlas.empty());
+}
+
+TEST(Model, PlyKeepsShapeColorsAndUncertainty) {
+  const TexturedMesh model = colored_sphere();
+  const Result<TexturedMesh> back = there_and_back(model, "a.ply");
+  ASSERT_TRUE(back) << back.error().message;
+  expect_same_surface(model, *back);
+  expect_same_colors(model, *back);
+  EXPECT_EQ(back->mesh.vertices[5].sigma_mm, model.mesh.vertices[5].sigma_mm);
+}
+
+TEST(Model, ObjKeepsShapeAndTexture) {
+  const TexturedMesh model = textured_sphere();
+  const Result<TexturedMesh> back = there_and_back(model, "jaw scan.obj");
+  ASSERT_TRUE(back) << back.error().message;
+  expect_same_surface(model, *back);
+  expect_same_texture(model, *back);
+}
+
+TEST(Model, ObjWithoutAtlasKeepsColors) {
+  const TexturedMesh model = colored_sphere();
+  const Result<TexturedMesh> back = there_and_back(model, "a.obj");
+  ASSERT_TRUE(back) << back.error().message;
+  expect_same_surface(model, *back);
+  expect_same_colors(model, *back);
+}
+
+TEST(Model, StlKeepsTriangles) {
+  const TexturedMesh model = colored_sphere();
+  const Result<TexturedMesh> back = there_and_back(model, "a.stl");
+  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_EQ(back->mesh.triangles.size(), model.mesh.triangles.size());
+  for (std::size_t i = 0; i < model.mesh.triangles.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      ASSERT_EQ(back->mesh.vertices[back->mesh.triangles[i][c]].position_mm,
+                model.mesh.vertices[model.mesh.triangles[i][c]].position_mm);
+    }
+  }
+  // Computed normals of a sphere point along its radius, as well as facets of 0.2 rad let them.
+  for (const SurfacePoint& point : back->mesh.vertices) {
+    EXPECT_GT(point.normal.dot(point.position_mm.normalized()), 0.98F);
+  }
+}
+
+TEST(Model, UnknownEndingListsTheKnownOnes) {
+  const Result<void> written = write_model("a.xyz", colored_sphere());
+  ASSERT_FALSE(written);
+  EXPECT_THAT(written.error().message, HasSubstr(".glb, .ply, .stl or .obj"));
+  EXPECT_FALSE(check_model_path("noending"));
+  EXPECT_FALSE(read_model("a.xyz"));
+}
+
+TEST(Model, DamagedModelsAreNotWritten) {
+  const TemporaryFolder folder;
+  const auto code_of = [&](const TexturedMesh& model) {
+    return write_model(folder / "a.glb", model).error().code;
+  };
+  EXPECT_EQ(code_of({}), ErrorCode::kInsufficient);
+  TexturedMesh model = colored_sphere();
+  model.mesh.triangles[3][1] = static_cast<std::uint32_t>(model.mesh.vertices.size());
+  EXPECT_EQ(code_of(model), ErrorCode::kInconsistent);
+  model = colored_sphere();
+  model.mesh.vertices[3].position_mm.y() = std::nanf("");
+  EXPECT_EQ(code_of(model), ErrorCode::kInconsistent);
+  model = textured_sphere();
+  model.uv.pop_back();
+  EXPECT_EQ(code_of(model), ErrorCode::kInconsistent);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.glb"));
+}
+
+TEST(Model, FullDiskLeavesNothingHalfWritten) {
+  const TemporaryFolder folder;
+  const TexturedMesh model = textured_sphere();
+  for (const char* name : {"a.glb", "a.ply", "a.stl", "a.obj"}) {
+    const FullDisk disk(3000);
+    const Result<void> written = write_model(folder / name, model);
+    ASSERT_FALSE(written) << name;
+    EXPECT_EQ(written.error().code, ErrorCode::kWriteFailed);
+    EXPECT_THAT(written.error().message, HasSubstr(name));
+    EXPECT_FALSE(std::filesystem::exists(folder / name));
+  }
+}
+
+TEST(Model, TruncatedFilesAreRefused) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.glb", "a.ply", "a.stl"}) {
+    ASSERT_TRUE(write_model(folder / name, colored_sphere()));
+    const std::string bytes = *read_file(folder / name);
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 37) {
+      ASSERT_TRUE(write_file(folder / name, std::string_view(bytes).substr(0, size)));
+      const Result<TexturedMesh> back = read_model(folder / name);
+      ASSERT_FALSE(back) << name << " cut to " << size;
+      EXPECT_THAT(back.error().message, HasSubstr(name));
+    }
+  }
+}
+
+TEST(Obj, DamageIsNamedByLine) {
+  const Result<ObjText> obj = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "a.obj");
+  ASSERT_FALSE(obj);
+  EXPECT_EQ(obj.error().message, "a.obj: line 4 is damaged, or names what does not exist");
+}
+
+}  // namespace
+}  // namespace flytri::io

@@ -1,0 +1,85 @@
+#include "core/reconstruct/finish_scan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/orthographic_calibration.h"
+#include "tests/support/scan_scene.h"
+
+namespace flytri::reconstruct {
+namespace {
+
+const std::vector<std::string> kSteps = {"Refining all views together", "Calculating normals",
+                                         "Thinning points", "Meshing", "Texturing"};
+
+/// A small scan with texture; its sensor looks along z, and so does the texture camera.
+class FinishScan : public ::testing::Test {
+ protected:
+  static constexpr int kViews = 16;
+
+  Result<FinishedScan> finish(const Progress& progress) const {
+    ScannedViews scanned;
+    scanned.views = scan_.views;
+    scanned.calibration = &calibration_;
+    Frame frame;
+    frame.index = FrameIndex(kViews);
+    frame.time_s = 0.5 * kViews / 30.0;
+    frame.image = cv::Mat(480, 640, CV_8UC3, cv::Scalar(200, 150, 100));
+    scanned.texture_frames = {frame, frame};
+    FinishOptions options;
+    options.atlas.max_side_px = 512;
+    StageClock clock({});
+    return finish_scan(std::move(scanned), options, Workers(1), progress, clock);
+  }
+
+  const testing::TrueScan scan_ = testing::scan_cusps(kViews, {.points_per_line = 150}, 1);
+  const calibration::Calibration calibration_ =
+      testing::orthographic_calibration({20, 15, 15}, {640, 480}, 25.0);
+};
+
+TEST_F(FinishScan, TellsOfEveryStepAndNeverFallsBack) {
+  std::vector<Progress::Snapshot> told;
+  const auto finished = finish(Progress([&](const auto& step) { told.push_back(step); }));
+  ASSERT_TRUE(finished.has_value()) << finished.error().message;
+  std::vector<std::string> steps;
+  double last = 0.0;
+  for (const Progress::Snapshot& now : told) {
+    EXPECT_GE(now.fraction, 0.0);
+    EXPECT_LE(now.fraction, 1.0);
+    if (steps.empty() || now.stage != steps.back()) {
+      EXPECT_TRUE(steps.empty() || last > 0.99) << steps.back() << " ends at " << last;
+      steps.push_back(now.stage);
+      last = 0.0;
+    }
+    EXPECT_GE(now.fraction, last) << now.stage;
+    // No single advance is most of a step: the bar moves.
+    EXPECT_LT(now.fraction - last, 0.75) << now.stage;
+    last = now.fraction;
+  }
+  EXPECT_GT(last, 0.99);
+  EXPECT_EQ(steps, kSteps);
+}
+
+TEST_F(FinishScan, CancelledInAnyStepItStopsThere) {
+  for (const std::string& step : kSteps) {
+    for (const double fraction : {0.0, 0.3, 0.8}) {
+      Progress progress;
+      std::vector<std::string> told_after;
+      const Progress watched([&](const Progress::Snapshot& told) {
+        if (progress.cancelled()) told_after.push_back(told.stage);
+        if (told.stage == step && told.fraction >= fraction) progress.cancel();
+      });
+      progress = watched;
+      const auto finished = finish(progress);
+      ASSERT_FALSE(finished.has_value()) << step;
+      EXPECT_EQ(finished.error().code, ErrorCode::kCancelled);
+      // One thread: what had begun ends, nothing else begins.
+      EXPECT_LE(told_after.size(), 2U) << step << " at " << fraction;
+      for (const std::string& stage : told_after) EXPECT_EQ(stage, step);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace flytri::reconstruct

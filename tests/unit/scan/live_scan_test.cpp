@@ -1,0 +1,400 @@
+#include "core/scan/live_scan.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <mutex>
+#include <thread>
+
+#include "core/base/median.h"
+#include "tests/support/orthographic_calibration.h"
+#include "tests/support/wavy_scene.h"
+
+namespace flytri::scan {
+namespace {
+
+using testing::SceneSensor;
+
+constexpr double kPeriod_s = 1.0 / 30.0;
+
+/// A slow loop of the hand over the scene.
+Isometry scan_pose(double time_s) {
+  Twist twist;
+  twist << 0.1 * std::sin(0.9 * time_s), 0.1 * std::cos(0.7 * time_s), 0.2 * std::sin(0.5 * time_s),
+      6.0 * std::sin(0.55 * time_s), 5.0 * std::cos(0.8 * time_s), 0.5 * std::sin(1.1 * time_s);
+  return exp_twist(twist);
+}
+
+double steady_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What the sensor would measure: nothing while it is away.
+class Scene {
+ public:
+  [[nodiscard]] Result<measurement::MeasuredView> measure(const Frame& frame) const {
+    measurement::MeasuredView measured;
+    if (is_away(frame.time_s)) {
+      measured.outcome = measurement::MeasureOutcome::kTooFewPoints;
+      return measured;
+    }
+    Random random(17, static_cast<std::uint64_t>(frame.index.value));
+    measured.view =
+        testing::measure_scene(testing::cusped_height, SceneSensor(), *pattern_of(frame.kind),
+                               scan_pose(frame.time_s), random);
+    measured.view.frame = frame.index;
+    measured.view.time_s = frame.time_s;
+    return measured;
+  }
+  double away_from_s = 1e9, away_to_s = 1e9;
+
+ private:
+  [[nodiscard]] bool is_away(double time_s) const {
+    return time_s >= away_from_s && time_s < away_to_s;
+  }
+};
+
+Frame frame_at(int index) {
+  Frame frame;
+  frame.index = FrameIndex(index);
+  frame.time_s = index * kPeriod_s;
+  frame.kind = index % 2 == 0 ? FrameKind::kVertical : FrameKind::kHorizontal;
+  frame.image = cv::Mat::zeros(48, 64, CV_8UC1);
+  return frame;
+}
+
+LiveScanOptions options_for(const Scene& scene) {
+  LiveScanOptions options;
+  options.now_s = steady_s;
+  options.measure_frame = [scene](const Frame& frame) { return scene.measure(frame); };
+  options.max_frames_underway = 1000;  // nothing is to be lost to a busy machine
+  options.max_views_waiting = 1000;
+  return options;
+}
+
+std::unique_ptr<LiveScan> make_scan(const LiveScanOptions& options, const KeptScan& kept = {}) {
+  auto calibration = std::make_shared<calibration::Calibration>(
+      testing::orthographic_calibration({20, 15, 15}, {64, 48}, 3.0));
+  return std::move(LiveScan::create(calibration, options, kept).value());
+}
+
+void offer(LiveScan& scan, int begin, int end) {
+  for (int i = begin; i < end; ++i) scan.offer(frame_at(i));
+  scan.wait_until_idle();
+}
+
+/// RMS over a view's radius of how far poses are from the truth, first view's gauge.
+double pose_rms_mm(const std::vector<AlignedView>& views) {
+  const Isometry T_scene_world =
+      scan_pose(views.front().view->time_s) * views.front().T_world_sensor.inverse();
+  double sum = 0.0;
+  for (const AlignedView& view : views) {
+    const double off_mm = trajectory::pose_distance_mm(T_scene_world * view.T_world_sensor,
+                                                       scan_pose(view.view->time_s), 7.0);
+    sum += off_mm * off_mm;
+  }
+  return std::sqrt(sum / static_cast<double>(views.size()));
+}
+
+/// Waits for the finishing, which is begun by a request.
+std::shared_ptr<const ScanSnapshot> finish(LiveScan& scan) {
+  scan.finish();
+  scan.wait_until_idle();
+  return scan.snapshot();
+}
+
+TEST(LiveScan, BeforeItIsStartedItMeasuresAndKeepsNothing) {
+  const auto scan = make_scan(options_for({}));
+  offer(*scan, 0, 6);
+  const auto now = scan->snapshot();
+  EXPECT_EQ(now->phase, ScanPhase::kPreview);
+  EXPECT_EQ(now->counts.previewed, 6);
+  EXPECT_TRUE(now->model.empty());
+  ASSERT_NE(now->latest[0], nullptr);
+  ASSERT_NE(now->latest[1], nullptr);
+  EXPECT_EQ(now->latest[1]->frame.index, FrameIndex(5));
+  ASSERT_TRUE(now->distance);
+  EXPECT_LT(std::abs(now->distance->depth_share), 0.5);
+}
+
+TEST(LiveScan, AScanGrowsAndEveryFrameIsCountedOnce) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 90);
+  const auto now = scan->snapshot();
+  EXPECT_EQ(now->phase, ScanPhase::kMeasurement);
+  EXPECT_EQ(now->counts.offered, 90);
+  EXPECT_EQ(now->counts.registered, 90);
+  EXPECT_EQ(now->counts.pending, 0);
+  EXPECT_GT(surfel_count(now->model), 5000U);
+  // Seen are about 20 x 15 mm, the way of the hand beside it, and the flanks of the waves.
+  EXPECT_GT(now->area_mm2, 300.0);
+  EXPECT_LT(now->area_mm2, 900.0);
+  EXPECT_GT(now->good_share, 0.5);
+  // Views that a busy machine shows together count one by one, and the last do not wait for more.
+  EXPECT_EQ(now->latency.count, 90);
+}
+
+TEST(LiveScan, ViewsThatWaitForABusyModelAreShownThoughNoOtherComes) {
+  LiveScanOptions options = options_for({});
+  std::promise<void> gate;
+  // The model's thread asks for the time before it publishes: there it is held up.
+  options.now_s = [opened = gate.get_future().share(), test = std::this_thread::get_id()] {
+    if (std::this_thread::get_id() != test) opened.wait();
+    return steady_s();
+  };
+  const auto scan = make_scan(options);
+  scan->start();
+  for (int i = 0; i < 30; ++i) scan->offer(frame_at(i));
+  const double end_s = steady_s() + 60.0;
+  while (scan->snapshot()->counts.registered < 30 && steady_s() < end_s) std::this_thread::yield();
+  gate.set_value();
+  scan->wait_until_idle();
+  EXPECT_EQ(scan->snapshot()->counts.registered, 30);
+  EXPECT_EQ(scan->snapshot()->latency.count, 30);
+}
+
+TEST(LiveScan, SurfelsLieOnTheSurfaceWithItsNormals) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 90);
+  const Isometry T_scene_world = scan_pose(0.0);
+  double sum2 = 0.0;
+  std::vector<double> cosines;
+  for (const auto& block : scan->snapshot()->model) {
+    for (const Surfel& surfel : block->surfels) {
+      const Vec3 p = T_scene_world * surfel.position_mm.cast<double>();
+      constexpr double kStep_mm = 0.01;
+      const auto height = testing::cusped_height;
+      const Vec3 normal =
+          Vec3((height(p.x() + kStep_mm, p.y()) - height(p.x() - kStep_mm, p.y())),
+               (height(p.x(), p.y() + kStep_mm) - height(p.x(), p.y() - kStep_mm)), -2.0 * kStep_mm)
+              .normalized();
+      const double off_mm = (p.z() - height(p.x(), p.y())) * normal.z();
+      sum2 += off_mm * off_mm;
+      cosines.push_back(normal.dot(T_scene_world.linear() * surfel.normal.cast<double>()));
+    }
+  }
+  // Points have 30 um of noise each; cells hold several.
+  EXPECT_LT(std::sqrt(sum2 / static_cast<double>(cosines.size())), 0.03);
+  // Within a normal's cube the waves turn by up to 20 degrees.
+  EXPECT_GT(median_of(cosines), 0.98);
+}
+
+TEST(LiveScan, GoesOnByItselfAfterTheSensorWasAway) {
+  Scene scene;
+  scene.away_from_s = 60 * kPeriod_s;
+  scene.away_to_s = 90 * kPeriod_s;
+  const auto scan = make_scan(options_for(scene));
+  scan->start();
+  offer(*scan, 0, 90);
+  const auto lost = scan->snapshot();
+  EXPECT_EQ(lost->phase, ScanPhase::kContinuation);
+  ASSERT_FALSE(lost->reentry.empty());
+  EXPECT_NE(lost->reentry.front().image, nullptr);
+  EXPECT_EQ(lost->match_share, 0.0);
+  EXPECT_EQ(lost->counts.rejected.at("too few points inside the measurement volume"), 30);
+  offer(*scan, 90, 150);
+  const auto back = scan->snapshot();
+  EXPECT_EQ(back->phase, ScanPhase::kMeasurement);
+  EXPECT_TRUE(back->reentry.empty());
+  EXPECT_GE(back->counts.registered, 110);
+  EXPECT_EQ(back->counts.pending, 0);
+}
+
+TEST(LiveScan, AnInterruptedScanIsAsExactAsOneInOneGo) {
+  Scene whole, interrupted;
+  interrupted.away_from_s = 60 * kPeriod_s;
+  interrupted.away_to_s = 90 * kPeriod_s;
+  double rms_mm[2];
+  for (const int i : {0, 1}) {
+    const auto scan = make_scan(options_for(i == 0 ? whole : interrupted));
+    scan->start();
+    offer(*scan, 0, 180);
+    const auto done = finish(*scan);
+    ASSERT_NE(done->result, nullptr) << done->failure;
+    rms_mm[i] = pose_rms_mm(done->result->views);
+  }
+  // A sixth of the views is missing; more than twice the error would be a view in a wrong place.
+  EXPECT_LT(rms_mm[1], 2.0 * rms_mm[0]);
+  EXPECT_LT(rms_mm[0], 0.03);
+}
+
+TEST(LiveScan, PausedItKeepsTheModelAndGoesOnWhereItIsFound) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->pause();
+  offer(*scan, 60, 80);
+  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
+  EXPECT_EQ(scan->snapshot()->counts.previewed, 20);
+  const std::size_t before = surfel_count(scan->snapshot()->model);
+  scan->start();
+  offer(*scan, 80, 120);
+  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
+  EXPECT_GE(surfel_count(scan->snapshot()->model), before);
+}
+
+TEST(LiveScan, FinishesToAMeshAndScansOn) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 90);
+  const auto done = finish(*scan);
+  EXPECT_EQ(done->phase, ScanPhase::kFinished);
+  ASSERT_NE(done->result, nullptr) << done->failure;
+  EXPECT_GT(done->result->surface.mesh.triangles.size(), 5000U);
+  scan->start();
+  offer(*scan, 90, 120);
+  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
+  EXPECT_EQ(scan->snapshot()->result, nullptr);
+}
+
+TEST(LiveScan, ACancelledFinishingLeavesTheScan) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->finish();
+  while (scan->snapshot()->phase == ScanPhase::kMeasurement) std::this_thread::yield();
+  scan->cancel_finish();
+  scan->wait_until_idle();
+  // Fast machines may be done before the cancel arrives.
+  if (scan->snapshot()->phase == ScanPhase::kFinished) GTEST_SKIP() << "finished before the cancel";
+  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
+  EXPECT_EQ(scan->snapshot()->failure, "");
+  EXPECT_FALSE(scan->snapshot()->model.empty());
+}
+
+TEST(LiveScan, TrimmedPlacesAreGoneAndComeBackWithUndo) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->pause();
+  scan->wait_until_idle();
+  const auto full = scan->snapshot();
+  const Surfel middle = full->model[full->model.size() / 2]->surfels.front();
+  scan->edit(editing::EditKind::kTrim, {{middle.position_mm, middle.normal, 3.0F}});
+  scan->wait_until_idle();
+  const auto trimmed = scan->snapshot();
+  EXPECT_TRUE(trimmed->can_undo);
+  EXPECT_LT(surfel_count(trimmed->model), surfel_count(full->model) - 100);
+  scan->undo();
+  scan->wait_until_idle();
+  EXPECT_EQ(surfel_count(scan->snapshot()->model), surfel_count(full->model));
+  EXPECT_TRUE(scan->snapshot()->can_redo);
+}
+
+/// Waits for the search of holes, which is beside the scan.
+bool knows_holes_soon(const LiveScan& scan) {
+  for (int tries = 0; tries < 3000 && !scan.snapshot()->holes_are_current; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return scan.snapshot()->holes_are_current;
+}
+
+TEST(LiveScan, HolesOfAPausedScanAreThoseOfWhatIsShownWhateverIsEdited) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->pause();
+  scan->wait_until_idle();
+  ASSERT_TRUE(knows_holes_soon(*scan));
+  const std::size_t before = scan->snapshot()->holes.size();
+  const auto full = scan->snapshot();
+  const Surfel middle = full->model[full->model.size() / 2]->surfels.front();
+  // The second comes while the holes after the first are looked for.
+  for (const float radius_mm : {1.0F, 3.0F}) {
+    scan->edit(editing::EditKind::kTrim, {{middle.position_mm, middle.normal, radius_mm}});
+    scan->wait_until_idle();
+  }
+  ASSERT_TRUE(knows_holes_soon(*scan));
+  EXPECT_GT(scan->snapshot()->holes.size(), before);
+  scan->undo();
+  scan->undo();
+  scan->wait_until_idle();
+  ASSERT_TRUE(knows_holes_soon(*scan));
+  EXPECT_EQ(scan->snapshot()->holes.size(), before);
+}
+
+TEST(LiveScan, HolesOfAFinishedScanThatIsEditedAreThoseOfWhatIsShown) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 60);
+  const auto done = finish(*scan);
+  ASSERT_NE(done->result, nullptr) << done->failure;
+  EXPECT_TRUE(done->holes_are_current);
+  const Surfel middle = done->model[done->model.size() / 2]->surfels.front();
+  scan->edit(editing::EditKind::kTrim, {{middle.position_mm, middle.normal, 3.0F}});
+  scan->wait_until_idle();
+  ASSERT_TRUE(knows_holes_soon(*scan));
+  EXPECT_GT(scan->snapshot()->holes.size(), done->holes.size());
+}
+
+TEST(LiveScan, LoadCostsViewsAndNotTime) {
+  Scene scene;
+  LiveScanOptions options = options_for(scene);
+  options.max_frames_underway = 4;
+  options.measure_frame = [scene](const Frame& frame) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return scene.measure(frame);
+  };
+  const auto scan = make_scan(options);
+  scan->start();
+  offer(*scan, 0, 300);  // at once
+  const FrameCounts counts = scan->snapshot()->counts;
+  EXPECT_GT(counts.skipped, 100);
+  EXPECT_EQ(counts.offered, 300);
+  EXPECT_EQ(counts.pending, 0);
+}
+
+/// What a journal was told.
+class Notes final : public ScanJournal {
+ public:
+  void keep_view(const View& view) override { views.push_back(std::make_shared<const View>(view)); }
+  void keep_texture(const Frame&) override { ++textures; }
+  void keep_poses(std::span<const AlignedView> placed) override {
+    for (const AlignedView& view : placed) poses[view.view->frame.value] = view.T_world_sensor;
+  }
+  void keep_edits(const editing::EditStack&) override {}
+  void keep_result(const reconstruct::FinishedScan&) override { ++results; }
+  void commit() override { ++commits; }
+
+  std::vector<std::shared_ptr<const View>> views;
+  std::map<int, Isometry> poses;
+  int textures = 0, results = 0, commits = 0;
+};
+
+TEST(LiveScan, TheJournalHoldsWhatAScanNeedsToGoOn) {
+  const auto notes = std::make_shared<Notes>();
+  LiveScanOptions options = options_for({});
+  options.journal = notes;
+  {
+    const auto scan = make_scan(options);
+    scan->start();
+    offer(*scan, 0, 90);
+  }
+  EXPECT_EQ(notes->views.size(), 90U);
+  EXPECT_EQ(notes->poses.size(), 90U);
+  EXPECT_GT(notes->commits, 0);
+  KeptScan kept;
+  for (const auto& view : notes->views) {
+    kept.views.push_back({view, notes->poses.at(view->frame.value)});
+  }
+  const auto scan = make_scan(options_for({}), kept);
+  scan->wait_until_idle();
+  EXPECT_GT(surfel_count(scan->snapshot()->model), 5000U);
+  scan->start();
+  offer(*scan, 95, 130);
+  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
+  EXPECT_GE(scan->snapshot()->counts.registered, 25);
+}
+
+TEST(LiveScan, NamesTheOptionThatIsWrong) {
+  LiveScanOptions options;
+  const auto scan = LiveScan::create(std::make_shared<calibration::Calibration>(), options);
+  ASSERT_FALSE(scan);
+  EXPECT_THAT(scan.error().message, ::testing::HasSubstr("now_s"));
+}
+
+}  // namespace
+}  // namespace flytri::scan

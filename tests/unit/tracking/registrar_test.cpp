@@ -1,0 +1,380 @@
+#include "core/tracking/registrar.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "tests/support/wavy_scene.h"
+
+namespace flytri::tracking {
+namespace {
+
+using testing::SceneSensor;
+
+/// A hand over the scene: two slow loops with tremor, at t in s.
+Isometry hand_pose(double t) {
+  Twist twist;
+  twist << 0.15 * std::sin(0.9 * t), 0.12 * std::cos(0.7 * t), 0.4 * std::sin(0.5 * t),
+      6.0 * std::sin(0.55 * t), 5.0 * std::cos(0.8 * t), 0.5 * std::sin(1.1 * t);
+  twist += 0.004 * Twist::Ones() * std::sin(40.0 * t) + 0.06 * Twist::Unit(3) * std::sin(47.0 * t);
+  return exp_twist(twist);
+}
+
+std::shared_ptr<const View> scene_view(int frame, const Isometry& T_world_sensor,
+                                       const SceneSensor& sensor) {
+  Random random(17, static_cast<std::uint64_t>(frame));
+  const Pattern pattern = frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal;
+  auto view = std::make_shared<View>(
+      testing::measure_scene(testing::cusped_height, sensor, pattern, T_world_sensor, random));
+  view->frame = FrameIndex(frame);
+  view->time_s = frame / 30.0;
+  return view;
+}
+
+struct Errors {
+  double rms_mm = 0, worst_mm = 0;
+  int registered = 0;
+};
+
+/// Errors in the first-view gauge, over registered views.
+Errors errors_of(const std::vector<RegisteredView>& views,
+                 const std::function<Isometry(double)>& T_scene_sensor) {
+  Errors errors;
+  std::optional<Isometry> T_scene_world;
+  for (const RegisteredView& view : views) {
+    if (view.fate != ViewFate::kRegistered) continue;
+    const Isometry T_scene_true = T_scene_sensor(view.view->time_s);
+    if (!T_scene_world) T_scene_world = T_scene_true * view.T_world_sensor.inverse();
+    const double error =
+        trajectory::pose_distance_mm(T_scene_true, *T_scene_world * view.T_world_sensor, 7.0);
+    errors.rms_mm += error * error;
+    errors.worst_mm = std::max(errors.worst_mm, error);
+    ++errors.registered;
+  }
+  errors.rms_mm = std::sqrt(errors.rms_mm / std::max(1, errors.registered));
+  return errors;
+}
+
+TEST(Registrar, KeepsTrackOfAHand) {
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 150; ++frame) {
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+  }
+  const Errors errors = errors_of(registrar.finish(), hand_pose);
+  EXPECT_EQ(errors.registered, 150);
+  EXPECT_LT(errors.rms_mm, 0.03);
+}
+
+TEST(Registrar, FindsBackAfterALoss) {
+  Registrar registrar = Registrar::create().value();
+  // 1 s of nothing, then the sensor is back where it was at 1 s, a little off.
+  const auto pose = [](double t) {
+    return t < 2.5 ? hand_pose(t) : exp_twist(Twist::Constant(0.03)) * hand_pose(t - 2.5);
+  };
+  std::vector<RegisteredView> added;
+  for (int frame = 0; frame < 120; ++frame) {
+    const double t = frame / 30.0;
+    SceneSensor sensor;
+    if (t > 1.5 && t < 2.5) sensor.volume_mm.z() = 0.01;
+    registrar.add(scene_view(frame, pose(t), sensor));
+  }
+  const Errors errors = errors_of(registrar.finish(), pose);
+  EXPECT_GE(errors.registered, 85);
+  EXPECT_LT(errors.worst_mm, 0.1);
+}
+
+TEST(Registrar, SameBitsFromRunToRun) {
+  const auto run = [] {
+    Registrar registrar = Registrar::create().value();
+    for (int frame = 0; frame < 30; ++frame) {
+      registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+    }
+    return registrar.finish();
+  };
+  const auto first = run(), second = run();
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_TRUE(first[i].T_world_sensor.matrix() == second[i].T_world_sensor.matrix());
+  }
+}
+
+TEST(Registrar, NeverEntersAtAPlaceItHasNotSeen) {
+  const testing::HeightField elsewhere = [](double x, double y) {
+    return testing::cusped_height(y + 41.0, 23.0 - x);
+  };
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 40; ++frame) {
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+  }
+  Random random(5);
+  for (int frame = 60; frame < 72; ++frame) {
+    const Pattern pattern = frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal;
+    auto view = std::make_shared<View>(
+        testing::measure_scene(elsewhere, {}, pattern, hand_pose(frame / 30.0), random));
+    view->time_s = frame / 30.0;
+    registrar.add(view);
+  }
+  const std::vector<RegisteredView> views = registrar.finish();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(views[i].fate, i < 40 ? ViewFate::kRegistered : ViewFate::kRejected) << i;
+    EXPECT_EQ(views[i].reason == RejectReason::kNone, i < 40) << i;
+  }
+}
+
+TEST(Registrar, StartsAtTheFirstUsableView) {
+  Registrar registrar = Registrar::create().value();
+  SceneSensor blind;
+  blind.volume_mm.z() = 0.01;
+  for (int frame = 0; frame < 25; ++frame) {
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), frame < 5 ? blind : SceneSensor{}));
+  }
+  const std::vector<RegisteredView> views = registrar.finish();
+  EXPECT_EQ(views[4].reason, RejectReason::kTooFewPoints);
+  ASSERT_EQ(views[5].fate, ViewFate::kRegistered);
+  EXPECT_TRUE(views[5].T_world_sensor.isApprox(Isometry::Identity(), 1e-12));
+  EXPECT_EQ(errors_of(views, hand_pose).registered, 20);
+}
+
+TEST(Registrar, ProposesTheRichestPairOnceInterrupted) {
+  RegistrarOptions options;
+  options.patience_views = 3;
+  Registrar registrar = Registrar::create(options).value();
+  for (int frame = 0; frame < 12; ++frame) {
+    SceneSensor sensor;
+    if (frame == 6 || frame == 7) sensor.points_per_line = 600;
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), sensor));
+  }
+  EXPECT_FALSE(registrar.interrupted());
+  const testing::HeightField plane = [](double, double) { return 0.0; };
+  Random random(5);
+  for (int frame = 12; frame < 18; ++frame) {
+    auto view = std::make_shared<View>(testing::measure_scene(
+        plane, {}, frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal,
+        hand_pose(frame / 30.0), random));
+    view->time_s = frame / 30.0;
+    registrar.add(view);
+  }
+  EXPECT_TRUE(registrar.interrupted());
+  const auto proposal = registrar.proposal();
+  ASSERT_TRUE(proposal);
+  EXPECT_EQ(proposal->first.view->frame, FrameIndex(6));
+  EXPECT_EQ(proposal->second.view->frame, FrameIndex(7));
+}
+
+TEST(Registrar, ViewsOfAFastHandAreRightOrRejected) {
+  // Each view overlaps the one before by half: little evidence, and lines that run alike invite
+  // a view to stay where the former one was.
+  for (const double haste : {4.0, 8.0, 16.0}) {
+    const auto path = [&](double t) { return hand_pose(haste * t); };
+    Registrar registrar = Registrar::create().value();
+    for (int frame = 0; frame < 60; ++frame) {
+      registrar.add(scene_view(frame, path(frame / 30.0), {}));
+    }
+    // Well below the relief and the spacing of the lines, the size of wrong places.
+    EXPECT_LT(errors_of(registrar.finish(), path).worst_mm, 0.3) << haste;
+  }
+}
+
+TEST(Registrar, GoesOnAfterAHandWasInterrupted) {
+  Registrar registrar = Registrar::create().value();
+  int seen = 0;
+  for (int frame = 0; frame < 130; ++frame) {
+    if (frame >= 60 && frame < 72) continue;
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+    ++seen;
+  }
+  const Errors errors = errors_of(registrar.finish(), hand_pose);
+  EXPECT_EQ(errors.registered, seen);
+  EXPECT_LT(errors.worst_mm, 0.1);
+}
+
+TEST(Registrar, ASettledScanStaysTheScanUntilTheEnd) {
+  constexpr int kBefore = 20, kAfter = 40;
+  const auto elsewhere = [](double t) {
+    return make_isometry(Eigen::Quaterniond::Identity(), Vec3(150.0, 60.0, 0.0)) * hand_pose(t);
+  };
+  for (const int settled_views : {kBefore / 2, 2 * kBefore}) {
+    RegistrarOptions options;
+    options.settled_views = settled_views;
+    options.retry_starts = 10;
+    Registrar registrar = Registrar::create(options).value();
+    for (int frame = 0; frame < kBefore + kAfter; ++frame) {
+      const double t = frame / 30.0;
+      registrar.add(scene_view(frame, frame < kBefore ? hand_pose(t) : elsewhere(t), {}));
+    }
+    const bool is_settled = settled_views <= kBefore;
+    EXPECT_EQ(registrar.interrupted(), is_settled);
+    EXPECT_EQ(registrar.aligned_views().size(), is_settled ? kBefore : kAfter);
+    // The world of a scan that is finished for good is free.
+    int registered = 0;
+    for (const RegisteredView& view : registrar.finish()) {
+      registered += view.fate == ViewFate::kRegistered ? 1 : 0;
+    }
+    EXPECT_EQ(registered, kAfter);
+  }
+}
+
+TEST(Registrar, SkippedViewsAreInterpolated) {
+  RegistrarOptions options;
+  options.register_every = 2;
+  Registrar registrar = Registrar::create(options).value();
+  for (int frame = 0; frame < 61; ++frame) {
+    registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+  }
+  int interpolated = 0;
+  for (const RegisteredView& view : registrar.finish()) {
+    if (view.fate == ViewFate::kInterpolated) ++interpolated;
+  }
+  EXPECT_GE(interpolated, 28);
+}
+
+TEST(Registrar, ViewsWhoseTimeDoesNotRiseAreRejectedAlone) {
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 12; ++frame) {
+    auto view = std::make_shared<View>(*scene_view(frame, hand_pose(frame / 30.0), {}));
+    if (frame == 7) view->time_s = 6 / 30.0;
+    if (frame == 9) view->time_s = std::numeric_limits<double>::quiet_NaN();
+    registrar.add(view);
+  }
+  const std::vector<RegisteredView> views = registrar.finish();
+  EXPECT_EQ(views[7].reason, RejectReason::kTimeNotRising);
+  EXPECT_EQ(views[9].reason, RejectReason::kTimeNotRising);
+  EXPECT_EQ(errors_of(views, hand_pose).registered, 10);
+}
+
+TEST(Registrar, ASkippedViewIsInterpolated) {
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 60; ++frame) {
+    const auto view = scene_view(frame, hand_pose(frame / 30.0), SceneSensor());
+    const RegisteredView taken = frame == 40 ? registrar.skip(view) : registrar.add(view);
+    EXPECT_EQ(taken.fate, frame == 40 ? ViewFate::kInterpolated : ViewFate::kRegistered);
+  }
+  const std::vector<RegisteredView> views = registrar.finish();
+  EXPECT_EQ(views[40].fate, ViewFate::kInterpolated);
+  EXPECT_EQ(views[41].fate, ViewFate::kRegistered);
+}
+
+TEST(Registrar, RetiredViewsKeepTheirPlaceAndLetGoOfTheirPoints) {
+  Registrar registrar = Registrar::create().value();
+  const auto add = [&](int begin, int end) {
+    for (int frame = begin; frame < end; ++frame) {
+      (void)registrar.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
+    }
+  };
+  add(0, 90);
+  std::vector<double> times_s;
+  for (int frame = 20; frame < 50; ++frame) times_s.push_back(frame / 30.0);
+  registrar.retire(times_s);
+  EXPECT_EQ(registrar.aligned_views().size(), 60U);
+  add(90, 120);
+  const std::vector<RegisteredView> views = registrar.finish();
+  ASSERT_EQ(views.size(), 120U);
+  for (const RegisteredView& view : views) EXPECT_EQ(view.fate, ViewFate::kRegistered);
+  EXPECT_EQ(views[30].view->point_count(), 0U);
+}
+
+TEST(Registrar, TellsEachViewOfItsGrowthOnce) {
+  Registrar registrar = Registrar::create().value();
+  std::size_t told = 0;
+  for (int frame = 0; frame < 40; ++frame) {
+    (void)registrar.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
+    const ScanGrowth growth = registrar.take_growth();
+    EXPECT_FALSE(growth.is_all);
+    told += growth.added.size();
+  }
+  EXPECT_EQ(told, 40U);
+  EXPECT_TRUE(registrar.take_growth().added.empty());
+}
+
+TEST(Registrar, TakesOverBetterPosesAndCarriesLaterViewsAlong) {
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 30; ++frame) {
+    (void)registrar.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
+  }
+  std::vector<AlignedView> better = registrar.aligned_views();
+  const std::vector<AlignedView> before = better;
+  better.resize(20);
+  const Isometry T_new_world(Eigen::Translation3d(0.1, 0.0, 0.0));
+  for (AlignedView& view : better) view.T_world_sensor = T_new_world * view.T_world_sensor;
+  registrar.apply(better);
+  const std::vector<AlignedView> after = registrar.aligned_views();
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_TRUE(after[i].T_world_sensor.isApprox(T_new_world * before[i].T_world_sensor, 1e-9));
+  }
+}
+
+TEST(Registrar, GoesOnFromViewsThatWereKept) {
+  Registrar first = Registrar::create().value();
+  for (int frame = 0; frame < 60; ++frame) {
+    (void)first.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
+  }
+  Registrar second = Registrar::create().value();
+  second.restore(first.aligned_views());
+  int registered = 0;
+  for (int frame = 60; frame < 90; ++frame) {
+    const auto view = scene_view(frame, hand_pose(frame / 30.0), SceneSensor());
+    registered += second.add(view).fate == ViewFate::kRegistered ? 1 : 0;
+  }
+  EXPECT_EQ(registered, 30);
+}
+
+/// A hand that goes 10 mm/s along x, from x = 0 at 0 s.
+Isometry straight_pose(double t) {
+  const double tremor_mm = 0.06 * std::sin(47.0 * t);
+  return Isometry(Eigen::Translation3d(10.0 * t, tremor_mm, 0.0));
+}
+
+TEST(Registrar, FindsBackWhereItWasNotAskedTo) {
+  // Scanned are 25 mm, the last of them are proposed; the hand comes back near the first, turned,
+  // and nearer to the surface than it was.
+  const Isometry T_straight_held = exp_twist((Twist() << 0, 0, 0.15, 0.5, 0.5, 1.5).finished());
+  Registrar registrar = Registrar::create().value();
+  for (int frame = 0; frame < 75; ++frame) {
+    (void)registrar.add(scene_view(frame, straight_pose(frame / 30.0), {}));
+  }
+  RegisteredView back;
+  // A second: longer no user holds still.
+  for (int frame = 105; frame < 135 && back.fate != ViewFate::kRegistered; ++frame) {
+    const Isometry T_world_sensor = straight_pose((frame - 105) / 30.0) * T_straight_held;
+    back = registrar.add(scene_view(frame, T_world_sensor, {}));
+    if (back.fate != ViewFate::kRegistered) continue;
+    const Isometry T_scene_world = straight_pose(0.0);
+    EXPECT_LT(
+        trajectory::pose_distance_mm(T_scene_world * back.T_world_sensor, T_world_sensor, 7.0),
+        0.1);
+  }
+  EXPECT_EQ(back.fate, ViewFate::kRegistered);
+}
+
+TEST(Registrar, TellsHowNearALostViewIs) {
+  Registrar registrar = Registrar::create().value();
+  EXPECT_EQ(registrar.entry_share(), 1.0);
+  for (int frame = 0; frame < 60; ++frame) {
+    (void)registrar.add(scene_view(frame, straight_pose(frame / 30.0), {}));
+  }
+  // Back from 40 mm beyond the end of what was scanned.
+  std::vector<double> shares;
+  for (int frame = 90; frame < 270; ++frame) {
+    const Isometry T_world_sensor = straight_pose(6.0 - (frame - 90) / 30.0);
+    const RegisteredView view = registrar.add(scene_view(frame, T_world_sensor, {}));
+    if (view.fate == ViewFate::kRegistered) break;
+    shares.push_back(registrar.entry_share());
+  }
+  EXPECT_EQ(registrar.entry_share(), 1.0);
+  ASSERT_GT(shares.size(), 60U);
+  ASSERT_LT(shares.size(), 179U);
+  const auto mean = [&](std::size_t begin, std::size_t end) {
+    return std::accumulate(shares.begin() + static_cast<std::ptrdiff_t>(begin),
+                           shares.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+           static_cast<double>(end - begin);
+  };
+  const std::size_t count = shares.size();
+  // These waves are alike everywhere, so that much fits at a wrong place, too.
+  EXPECT_GT(mean(count - 10, count), mean(0, count / 2) + 0.05);
+  EXPECT_LT(*std::max_element(shares.begin(), shares.end()), 1.0);
+}
+
+}  // namespace
+}  // namespace flytri::tracking

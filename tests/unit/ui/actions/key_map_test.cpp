@@ -1,0 +1,164 @@
+#include "ui/actions/key_map.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "ui/actions/perform.h"
+
+namespace flytri::ui {
+namespace {
+
+std::shared_ptr<const scan::ScanSnapshot> scan_in(scan::ScanPhase phase) {
+  auto scan = std::make_shared<scan::ScanSnapshot>();
+  scan->phase = phase;
+  scan->model = {std::make_shared<SurfelBlock>(SurfelBlock{0, {Surfel{}}})};
+  return scan;
+}
+
+std::vector<std::string_view> names_after(Action action, const AppView& view, WindowState& state) {
+  std::vector<Command> commands;
+  perform(action, view, state, commands);
+  std::vector<std::string_view> names;
+  for (const Command& command : commands) names.push_back(name_of(command));
+  return names;
+}
+
+using Names = std::vector<std::string_view>;
+
+TEST(KeyMap, EveryActionHasOneRowAndNoKeyServesTwo) {
+  std::set<Action> actions;
+  std::set<std::string> ids;
+  std::set<std::pair<int, int>> keys;
+  for (const KeyBinding& row : key_map()) {
+    EXPECT_TRUE(actions.insert(row.action).second) << row.id;
+    EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+    EXPECT_TRUE(keys.insert({row.key, row.modifiers}).second) << row.key_text;
+  }
+  EXPECT_EQ(actions.size(), static_cast<std::size_t>(Action::kQuit) + 1);
+}
+
+TEST(KeyMap, ControlAndShiftMatterWhereARowAsksForThem) {
+  EXPECT_EQ(action_of({GLFW_KEY_Z, 0, true, false}), Action::kUndo);
+  EXPECT_EQ(action_of({GLFW_KEY_Z, GLFW_MOD_CONTROL, true, false}), Action::kUndo);
+  EXPECT_EQ(action_of({GLFW_KEY_EQUAL, 0, true, false}), Action::kZoomIn);
+  EXPECT_EQ(action_of({GLFW_KEY_EQUAL, GLFW_MOD_CONTROL, true, false}), Action::kLarger);
+  EXPECT_EQ(action_of({GLFW_KEY_LEFT, GLFW_MOD_SHIFT, true, false}), Action::kTiltLeft);
+  EXPECT_EQ(action_of({GLFW_KEY_T, GLFW_MOD_CAPS_LOCK, true, false}), Action::kTrim);
+  EXPECT_EQ(action_of({GLFW_KEY_F12, 0, true, false}), std::nullopt);
+}
+
+TEST(KeyMap, HeldKeysRepeatWhatMovesAndNothingElse) {
+  EXPECT_EQ(action_of({GLFW_KEY_LEFT, 0, true, true}), Action::kLeft);
+  EXPECT_EQ(action_of({GLFW_KEY_SPACE, 0, true, true}), std::nullopt);
+}
+
+TEST(KeyMap, ScanKeyStartsPausesAndResumes) {
+  AppView view;
+  WindowState state;
+  EXPECT_EQ(names_after(Action::kScan, view, state), Names{"StartScan"});
+  view.scan = scan_in(scan::ScanPhase::kMeasurement);
+  view.is_scanning = true;
+  EXPECT_EQ(names_after(Action::kScan, view, state), Names{"PauseScan"});
+  view.scan = scan_in(scan::ScanPhase::kFinished);
+  EXPECT_EQ(names_after(Action::kScan, view, state), Names{"ResumeScan"});
+  view.scan = scan_in(scan::ScanPhase::kFinishing);
+  EXPECT_EQ(names_after(Action::kScan, view, state), Names{});
+}
+
+TEST(KeyMap, NothingIsDoneThatTheStateDoesNotAllow) {
+  const AppView view;
+  WindowState state;
+  for (const KeyBinding& row : key_map()) {
+    if (action_state(row.action, view, state).is_enabled) continue;
+    EXPECT_EQ(names_after(row.action, view, state), Names{}) << row.id;
+  }
+}
+
+TEST(KeyMap, CancelClosesOneThingAtATime) {
+  AppView view;
+  view.scan = scan_in(scan::ScanPhase::kFinishing);
+  WindowState state;
+  state.dialog = Dialog::kHelp;
+  state.tool = Tool::kMeasure;
+  EXPECT_EQ(names_after(Action::kCancel, view, state), Names{});
+  EXPECT_EQ(state.dialog, Dialog::kNone);
+  EXPECT_EQ(names_after(Action::kCancel, view, state), Names{});
+  EXPECT_EQ(state.tool, Tool::kNone);
+  EXPECT_EQ(names_after(Action::kCancel, view, state), Names{"CancelFinish"});
+}
+
+TEST(KeyMap, ArrowsTurnTheViewOrMoveTheHand) {
+  AppView view;
+  WindowState state;
+  const Eigen::Quaterniond before = state.view.camera.pose().q_world_eye;
+  state.view.picture = {800, 600};
+  EXPECT_EQ(names_after(Action::kLeft, view, state), Names{});
+  EXPECT_GT(before.angularDistance(state.view.camera.pose().q_world_eye), 0.01);
+  view.source.hand = SimulatedHand{.follows_path = false};
+  std::vector<Command> commands;
+  perform(Action::kLeft, view, state, commands);
+  ASSERT_EQ(commands.size(), 1U);
+  // As the live image shows it: left is against x.
+  EXPECT_LT(std::get<SteerHand>(commands.front()).move_mm.x(), 0.0);
+  EXPECT_EQ(std::get<SteerHand>(commands.front()).turn_rad, Vec3(Vec3::Zero()));
+}
+
+TEST(KeyMap, BehindADialogOnlyItsOwnKeysWork) {
+  AppView view;
+  view.scan = scan_in(scan::ScanPhase::kMeasurement);
+  WindowState state;
+  state.dialog = Dialog::kExport;
+  EXPECT_FALSE(action_state(Action::kTrim, view, state).is_enabled);
+  EXPECT_FALSE(action_state(Action::kCase, view, state).is_enabled);
+  EXPECT_TRUE(action_state(Action::kExport, view, state).is_enabled);
+  EXPECT_TRUE(action_state(Action::kCancel, view, state).is_enabled);
+}
+
+TEST(KeyMap, ConfirmExportsWhatIsTicked) {
+  AppView view;
+  view.scan = scan_in(scan::ScanPhase::kFinished);
+  WindowState state;
+  state.dialog = Dialog::kExport;
+  state.export_form = {"/tmp", "jaw", {true, false, true, false}, true};
+  std::vector<Command> commands;
+  perform(Action::kConfirm, view, state, commands);
+  ASSERT_EQ(commands.size(), 1U);
+  const auto& command = std::get<Export>(commands.front());
+  EXPECT_EQ(command.folder, "/tmp");
+  EXPECT_EQ(command.name, "jaw");
+  EXPECT_EQ(command.formats, (std::vector{ExportFormat::kGlb, ExportFormat::kStl}));
+  state.export_form.is_chosen = {};
+  EXPECT_FALSE(action_state(Action::kConfirm, view, state).is_enabled);
+}
+
+TEST(KeyMap, CaseDialogStaysUntilTheCaseIsOpen) {
+  const AppView view;
+  WindowState state;
+  state.dialog = Dialog::kCase;
+  state.case_form.path = "/tmp/a.flytri";
+  state.case_form.passphrase = "secret";
+  std::vector<Command> commands;
+  perform(Action::kConfirm, view, state, commands);
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(std::get<NewCase>(commands.front()).passphrase, "secret");
+  EXPECT_EQ(state.dialog, Dialog::kCase);
+  EXPECT_TRUE(state.case_form.passphrase.empty()) << "kept no longer than needed";
+}
+
+TEST(KeyMap, NextPlaceGoesRound) {
+  AppView view;
+  auto scan = std::make_shared<scan::ScanSnapshot>(*scan_in(scan::ScanPhase::kContinuation));
+  scan->reentry.resize(3);
+  scan->chosen_reentry = 2;
+  view.scan = scan;
+  WindowState state;
+  std::vector<Command> commands;
+  perform(Action::kNextPlace, view, state, commands);
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(std::get<ChooseReentry>(commands.front()).index, 0U);
+}
+
+}  // namespace
+}  // namespace flytri::ui

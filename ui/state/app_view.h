@@ -1,0 +1,117 @@
+/// @file  Everything that the window shows, at one moment; the program makes one for every frame.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/cases/case_file.h"
+#include "core/scan/scan_snapshot.h"
+#include "ui/state/calibration_state.h"
+#include "ui/state/devices_state.h"
+
+namespace flytri::ui {
+
+/// A case that can be opened, as the list at the start shows it.
+struct KnownCase {
+  std::string path;
+  std::string patient;   ///< empty where the case is encrypted or has none
+  std::string modified;  ///< date and time in the user's words
+  bool is_encrypted = false;
+};
+
+/// The case that is open. Scanning works without one.
+struct CaseState {
+  std::string path;  ///< empty: no case is open, nothing is kept
+  io::CaseFields fields;
+  bool is_saved = true;  ///< all that was scanned is on the disk, but for the last second
+  bool is_encrypted = false;
+  bool is_read_only = false;         ///< damaged or opened elsewhere; `message` says which
+  std::string message;               ///< why the latest opening failed, or what was saved of it
+  bool passphrase_is_asked = false;  ///< the case named by `path_asked` needs one
+  std::string path_asked;
+  std::vector<KnownCase> known;  ///< the latest first
+  std::string folder;            ///< where new cases go
+};
+
+enum class SourceKind { kSimulated, kRecording, kDevices };
+
+/// The hand that moves the simulated sensor.
+struct SimulatedHand {
+  bool follows_path = true;  ///< false: it follows the pointer and the arrow keys
+  bool is_taken_away = false;
+};
+
+/// Where the frames come from.
+struct SourceState {
+  SourceKind kind = SourceKind::kSimulated;
+  std::string name;         ///< of the device, the recording or the simulated sensor
+  bool is_running = false;  ///< frames are coming
+  bool is_lost = false;     ///< a device is gone; `message` says which and what to do
+  std::string message;
+  std::optional<SimulatedHand> hand;   ///< of a simulated source
+  std::optional<double> played_share;  ///< of a recording: 0..1
+};
+
+enum class ExportFormat { kGlb, kPly, kStl, kObj };
+inline constexpr std::array kExportFormats = {ExportFormat::kGlb, ExportFormat::kPly,
+                                              ExportFormat::kStl, ExportFormat::kObj};
+/// The ending of its files: ".glb".
+[[nodiscard]] std::string_view to_string(ExportFormat format);
+
+struct ExportedFile {
+  std::string path;
+  std::uint64_t bytes = 0;
+};
+
+/// What can be exported, and what was.
+struct ExportState {
+  std::string folder;  ///< proposed
+  std::string name;    ///< proposed, without ending
+  /// Size of the files to come, by ExportFormat; empty: what is shown cannot be written so.
+  std::array<std::optional<std::uint64_t>, kExportFormats.size()> estimated_bytes;
+  bool is_running = false;
+  std::vector<ExportedFile> written;  ///< by the latest export
+  std::string failure;                ///< of the latest export
+};
+
+/// What the user likes, kept from run to run.
+struct Settings {
+  double user_scale = 1.0;  ///< 0.75..2; of all sizes, on top of the screen's own
+  bool is_muted = false;
+  bool operator==(const Settings&) const = default;
+};
+
+enum class Severity { kInformation, kWarning, kError };
+
+/// A short message that shows for a few seconds.
+struct Notice {
+  std::uint64_t number = 0;  ///< rises from notice to notice
+  Severity severity = Severity::kInformation;
+  std::string text;
+};
+
+/// Immutable. Texts are UTF-8.
+struct AppView {
+  double now_s = 0.0;  ///< monotonic; drives all that moves in the window
+  std::shared_ptr<const scan::ScanSnapshot> scan;  ///< of the current stage; null: nothing yet
+  bool is_scanning = false;                        ///< started and not paused
+  Vec3 volume_mm = {20.0, 15.0, 15.0};             ///< the sensor's measurement volume
+
+  CaseState file;
+  io::ScanStage stage = io::ScanStage::kUpper;
+  std::array<bool, io::kScanStages.size()> stage_has_data = {};
+  SourceState source;
+  ExportState exports;
+  std::vector<io::Measurement> measurements;  ///< of the current stage
+  Settings settings;
+  std::vector<Notice> notices;                  ///< the latest last
+  std::optional<DevicesState> devices;          ///< of a rig; none: the frames come from elsewhere
+  std::optional<CalibrationState> calibration;  ///< none: of a recording, whose sensor is not here
+};
+
+}  // namespace flytri::ui

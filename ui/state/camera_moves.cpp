@@ -1,0 +1,141 @@
+#include "ui/state/camera_moves.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "ui/scene/box_corners.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr double kFlight_s = 0.7;
+/// To follow the scan: the whole picture is drawn anew meanwhile.
+constexpr double kShortFlight_s = 0.35;
+/// The followed box is larger than the model by this part of the sensor's volume, so that the
+/// camera rests for a while.
+constexpr double kRoomToGrow = 1.2;
+/// With what lies around it a place of re-entry is found by eye.
+constexpr double kReentryRoom = 1.5;
+/// The parts of the picture's width and height that no plate covers.
+constexpr double kFreeWidth = 0.62, kFreeHeight = 0.88;
+/// A hole fills this part of the picture's height.
+constexpr double kHoleShare = 0.35;
+
+/// As the first view saw the surface: along z of the world, with y down.
+Eigen::Quaterniond first_sight() {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX()));
+}
+
+Eigen::AlignedBox3d volume_box(const Vec3& volume_mm) {
+  return Eigen::AlignedBox3d(Vec3(-volume_mm / 2.0), Vec3(volume_mm / 2.0));
+}
+
+Eigen::AlignedBox3d grown(const Eigen::AlignedBox3d& box, const Vec3& volume_mm) {
+  const Vec3 margin = kRoomToGrow * volume_mm;
+  return Eigen::AlignedBox3d(Vec3(box.min() - margin / 2.0), Vec3(box.max() + margin / 2.0));
+}
+
+void fly_to_show(std::span<const Vec3> points_mm, const Eigen::Quaterniond& q_world_eye,
+                 double flight_s, CameraState& state) {
+  const PictureSize free = {std::max(static_cast<int>(state.picture.width_px * kFreeWidth), 1),
+                            std::max(static_cast<int>(state.picture.height_px * kFreeHeight), 1)};
+  CameraPose pose = state.camera.fitting(points_mm, q_world_eye, free);
+  pose.height_mm /= kFreeHeight;
+  state.camera.fly_to(pose, flight_s);
+}
+
+void follow(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state) {
+  if (!state.follows_scan) return;
+  // Without a model, the first time: the sensor's volume.
+  if (!state.followed_box_mm.isEmpty() &&
+      (model_box_mm.isEmpty() || state.followed_box_mm.contains(model_box_mm))) {
+    return;
+  }
+  show_all(view, model_box_mm, state);
+}
+
+/// Each stage is a world of its own, and so is the scan of another case.
+bool is_another_scan(const AppView& view, bool has_model, const CameraState& state) {
+  return view.stage != state.seen_stage || (state.has_seen_model && !has_model);
+}
+
+void visit_reentry(const AppView& view, CameraState& state) {
+  const scan::ScanSnapshot& scan = *view.scan;
+  if (scan.reentry.empty() || state.seen_reentry == scan.chosen_reentry) return;
+  state.seen_reentry = scan.chosen_reentry;
+  const std::size_t index = std::min(scan.chosen_reentry, scan.reentry.size() - 1);
+  CameraPose pose = pose_through_sensor(scan.reentry[index].first.T_world_sensor, view.volume_mm);
+  pose.height_mm *= kReentryRoom;
+  state.camera.fly_to(pose, kFlight_s);
+}
+
+}  // namespace
+
+void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state) {
+  const bool is_first = state.followed_box_mm.isEmpty();
+  state.follows_scan = true;
+  state.followed_box_mm =
+      model_box_mm.isEmpty() ? volume_box(view.volume_mm) : grown(model_box_mm, view.volume_mm);
+  // Room to grow is of use only where something grows.
+  const bool is_tight = !view.is_scanning && !model_box_mm.isEmpty();
+  // A flight that is under way keeps the direction that it was to end in.
+  fly_to_show(corners_of(is_tight ? model_box_mm : state.followed_box_mm),
+              is_first ? first_sight() : state.camera.destination().q_world_eye,
+              view.is_scanning ? kShortFlight_s : kFlight_s, state);
+}
+
+void look_anew(CameraState& state) {
+  state.follows_scan = true;
+  state.followed_box_mm.setEmpty();
+}
+
+void show_from(StandardView side, const scan::ScanSnapshot& scan, CameraState& state) {
+  const JawAxes axes =
+      scan.result != nullptr ? jaw_axes(scan.result->surface.mesh) : jaw_axes(scan.model);
+  if (axes.corners_mm.empty()) return;
+  state.follows_scan = false;
+  fly_to_show(axes.corners_mm, orientation(axes, side), kFlight_s, state);
+}
+
+void show_hole(const AppView& view, std::size_t index, WindowState& state) {
+  const meshing::BoundaryLoop& hole = view.scan->holes[index];
+  state.selected_hole = {index, hole.center_mm, hole.width_mm};
+  state.view.follows_scan = false;
+  const Vec3 up = state.view.camera.pose().q_world_eye * Vec3::UnitY();
+  const double height_mm = std::max(hole.width_mm / kHoleShare, view.volume_mm.y());
+  state.view.camera.fly_to(
+      pose_facing(hole.center_mm.cast<double>(), hole.normal.cast<double>(), up, height_mm),
+      kFlight_s);
+}
+
+void show_next_hole(const AppView& view, WindowState& state) {
+  const std::vector<meshing::BoundaryLoop>& holes = view.scan->holes;
+  if (holes.empty()) {
+    state.selected_hole.reset();
+    return;
+  }
+  const std::size_t next = state.selected_hole ? state.selected_hole->index + 1 : 0;
+  show_hole(view, next % holes.size(), state);
+}
+
+void move_by_itself(const AppView& view, const Eigen::AlignedBox3d& model_box_mm,
+                    CameraState& state) {
+  if (view.scan == nullptr) return;
+  const bool has_model = !model_box_mm.isEmpty();
+  if (is_another_scan(view, has_model, state)) look_anew(state);
+  state.seen_stage = view.stage;
+  state.has_seen_model = has_model;
+  const scan::ScanPhase phase = view.scan->phase;
+  const bool was_lost = state.seen_phase == scan::ScanPhase::kContinuation;
+  if (phase == scan::ScanPhase::kContinuation) {
+    if (!was_lost) state.seen_reentry.reset();
+    visit_reentry(view, state);
+  } else if (was_lost) {
+    show_all(view, model_box_mm, state);
+  } else {
+    follow(view, model_box_mm, state);
+  }
+  state.seen_phase = phase;
+}
+
+}  // namespace flytri::ui

@@ -1,0 +1,42 @@
+#include "ui/state/command.h"
+
+#include <array>
+
+namespace flytri::ui {
+
+std::string_view name_of(const Command& command) {
+  // In the order of the variant.
+  static constexpr std::array<std::string_view, std::variant_size_v<Command>> kNames = {
+      "StartScan",
+      "PauseScan",
+      "Undo",
+      "Redo",
+      "EditSurface",
+      "AddMeasurement",
+      "RemoveMeasurement",
+      "Finish",
+      "CancelFinish",
+      "ResumeScan",
+      "ChooseReentry",
+      "SelectStage",
+      "Export",
+      "NewCase",
+      "OpenCase",
+      "SetCaseFields",
+      "SteerHand",
+      "FollowPath",
+      "TakeSensorAway",
+      "PointHand",
+      "ChangeSettings",
+      "CheckDevices",
+      "BeginCalibration",
+      "TakeCalibrationImages",
+      "RetakeCalibrationPlace",
+      "UseCalibration",
+      "EndCalibration",
+      "Tell",
+      "Quit"};
+  return kNames[command.index()];
+}
+
+}  // namespace flytri::ui
