@@ -74,7 +74,7 @@ TEST_P(PointGridRadius, FindsWhatBruteForceFinds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(reduction::Cells, PointGridRadius, ::testing::Values(0.4F, 1.0F, 3.7F));
+INSTANTIATE_TEST_SUITE_P(Cells, PointGridRadius, ::testing::Values(0.4F, 1.0F, 3.7F));
 
 TEST(PointGrid, EqualPointsAreAllFoundAndTheFirstIsTheNearest) {
   const std::vector<Vec3f> points(3, Vec3f(1, 2, 3));

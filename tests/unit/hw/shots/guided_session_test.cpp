@@ -110,7 +110,7 @@ struct Mishap {
 };
 
 const std::vector<Mishap>& mishaps() {
-  using enum ShotKind;
+  using enum calibration::ShotKind;
   static const std::vector<Mishap> kMishaps = {
       {"Defocused", 1, kVertical,
        [](SimulatedMishap& mishap, simulated::SensorModel sensor) {

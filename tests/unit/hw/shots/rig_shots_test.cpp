@@ -40,7 +40,7 @@ TEST(RigShots, EachShotShowsItsLightAlone) {
   const SimulatedRig rig = make_rig();
   const auto shots = make_shots(rig);
   ASSERT_TRUE(shots->start().has_value());
-  using enum ShotKind;
+  using enum calibration::ShotKind;
   for (const auto& [kind, light] :
        std::initializer_list<std::pair<calibration::ShotKind, device::Light>>{
            {kDark, device::Light::kDark},
