@@ -23,7 +23,7 @@ namespace {
 struct PreparedOrder {
   std::array<char, PATH_MAX> node{};
   std::array<char, GPIO_MAX_NAME_SIZE> label{};
-  gpiohandle_request request{};
+  gpio_v2_line_request request{};
   int file_limit = 0;  // no descriptor is that large
 };
 
@@ -36,14 +36,19 @@ PreparedOrder prepare(const DarkOrder& order) {
   PreparedOrder prepared;
   copy_text(order.node, prepared.node);
   copy_text(order.label, prepared.label);
-  gpiohandle_request& request = prepared.request;
-  copy_text("flytri: dark", request.consumer_label);
-  request.flags = GPIOHANDLE_REQUEST_OUTPUT;
-  request.lines = static_cast<std::uint32_t>(
-      std::min<std::size_t>(order.lines.size(), std::size(request.lineoffsets)));
-  for (std::uint32_t i = 0; i < request.lines; ++i) {
-    request.lineoffsets[i] = order.lines[i];
-    request.default_values[i] = static_cast<std::uint8_t>(order.dark_values[i]);
+  // The second version of the kernel's interface: kernels of Debian after 13 lack the first.
+  gpio_v2_line_request& request = prepared.request;
+  copy_text("flytri: dark", request.consumer);
+  request.num_lines = static_cast<std::uint32_t>(
+      std::min<std::size_t>(order.lines.size(), std::size(request.offsets)));
+  request.config.flags = GPIO_V2_LINE_FLAG_OUTPUT;
+  request.config.num_attrs = 1;
+  gpio_v2_line_config_attribute& values = request.config.attrs[0];
+  values.attr.id = GPIO_V2_LINE_ATTR_ID_OUTPUT_VALUES;
+  for (std::uint32_t i = 0; i < request.num_lines; ++i) {
+    request.offsets[i] = order.lines[i];
+    values.mask |= std::uint64_t{1} << i;
+    if (order.dark_values[i] != 0) values.attr.values |= std::uint64_t{1} << i;
   }
   prepared.file_limit = static_cast<int>(sysconf(_SC_OPEN_MAX));
   return prepared;
@@ -59,7 +64,7 @@ bool turn_dark(PreparedOrder& order) {
   const bool is_chip = ioctl(chip, GPIO_GET_CHIPINFO_IOCTL, &info) == 0 &&
                        std::strncmp(info.label, order.label.data(), sizeof info.label) == 0;
   // Asking for the lines sets them; letting them go leaves them so.
-  const bool done = is_chip && ioctl(chip, GPIO_GET_LINEHANDLE_IOCTL, &order.request) == 0;
+  const bool done = is_chip && ioctl(chip, GPIO_V2_GET_LINE_IOCTL, &order.request) == 0;
   if (done) close(order.request.fd);
   close(chip);
   return done;
