@@ -14,9 +14,9 @@
 namespace flytri {
 namespace {
 
-/// What a loop needs is written before it begins, and what it writes is read after it ended. The
-/// thread sanitizer has to be told, as TBB and this file are built without it. Tasks are not
-/// ordered among each other: a race between two of them is found.
+/// Tells the thread sanitizer that a loop's input is written before it begins and its output is
+/// read after it ends: TBB and this file are built without that sanitizer. Tasks are not ordered
+/// among each other, so races between two tasks are still found.
 class Handover {
  public:
   Handover() { release(before_); }
@@ -35,7 +35,8 @@ class Handover {
   char before_ = 0, after_ = 0;
 };
 
-/// A loop cut into pieces; before each it may be cancelled, after each it reports.
+/// A loop cut into pieces. Cancellation is checked before each piece, progress is reported after
+/// it.
 class PiecewiseLoop {
  public:
   PiecewiseLoop(std::size_t count, const std::function<void(std::size_t)>& body,
@@ -46,7 +47,7 @@ class PiecewiseLoop {
 
   [[nodiscard]] std::size_t piece_count() const { return (count_ + grain_ - 1) / grain_; }
 
-  /// @returns false: cancelled, and the piece left out
+  /// @returns false if the loop was canceled and the piece skipped
   [[nodiscard]] bool run_piece(std::size_t piece) const {
     if (progress_.cancelled()) return false;
     const std::size_t begin = piece * grain_;

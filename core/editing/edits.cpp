@@ -67,7 +67,7 @@ bool EditFilter::keeps(const Vec3f& position_mm, const Vec3f& normal, double see
         (seen_before ? kept_by_lock : kept_out_by_lock) = true;
         break;
       case EditKind::kUnlock:
-        // What came while the lock held was refused, and stays so.
+        // Points added under the lock were rejected, and stay rejected.
         if (kept_out_by_lock && seen_before) return false;
         kept_by_lock = kept_out_by_lock = false;
         break;

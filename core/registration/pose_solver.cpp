@@ -11,13 +11,13 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Matrix63 = Eigen::Matrix<double, 6, 3>;
 
-/// Uncertainty of a profile's direction, see SmoothingOptions::max_direction_noise_rad: the
-/// directions come from twice that window.
+/// Uncertainty of a profile's direction. Smaller than SmoothingOptions::max_direction_noise_rad,
+/// because directions use a window twice as wide.
 constexpr double kNormalNoise_rad = 0.03;
-/// Residuals of this many robust sigmas weigh a quarter.
+/// A residual of this many robust sigmas has a quarter of the weight.
 constexpr double kRobustWidth = 3.0;
 
-/// Robust size of the residuals in units of their expected uncertainty, at least 1.
+/// Robust standard deviation of the residuals divided by their expected uncertainty, at least 1.
 double noise_scale(std::span<const Crossing> crossings) {
   std::vector<double> ratios;
   ratios.reserve(crossings.size());
@@ -25,7 +25,7 @@ double noise_scale(std::span<const Crossing> crossings) {
   return std::max(1.0, median_of(ratios) / 0.6745);
 }
 
-/// How the point p of the source moves with the unknowns.
+/// Derivative of the source point p with respect to the unknowns.
 Matrix63 motion_jacobian(const Vec3& p_mm, const StepFrame& frame) {
   const Vec3 arm = (p_mm - frame.center_mm) / frame.radius_mm;
   Matrix63 J;
@@ -42,7 +42,7 @@ double robust_weight(const Crossing& c, double scale) {
 /// Normal equations of all crossings, in units of the noise.
 struct Equations {
   Matrix6 H = Matrix6::Zero();
-  Matrix6 pretended = Matrix6::Zero();  ///< part of H that noise of the normals brings in
+  Matrix6 pretended = Matrix6::Zero();  ///< part of H that is caused only by noise of the normals
   Twist g = Twist::Zero();
 
   void add(const Crossing& c, double weight, const StepFrame& frame, ResidualKind kind) {
