@@ -40,8 +40,8 @@ void TaskThread::wait_until_idle() const {
 void TaskThread::run(Priority priority) {
   // On Linux this sets the priority of the calling thread only. If the system refuses, the thread
   // keeps its priority.
-  constexpr int kNicest = 19;
-  if (priority == Priority::kBackground) setpriority(PRIO_PROCESS, 0, kNicest);
+  constexpr int kLowestPriority = 19;
+  if (priority == Priority::kBackground) setpriority(PRIO_PROCESS, 0, kLowestPriority);
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || !tasks_.empty(); });

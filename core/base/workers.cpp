@@ -17,9 +17,9 @@ namespace {
 /// Tells the thread sanitizer that a loop's input is written before it begins and its output is
 /// read after it ends: TBB and this file are built without that sanitizer. Tasks are not ordered
 /// among each other, so races between two tasks are still found.
-class Handover {
+class SanitizerOrder {
  public:
-  Handover() { release(before_); }
+  SanitizerOrder() { release(before_); }
   void begin_task() { acquire(before_); }
   void end_task() { release(after_); }
   void end_loop() { acquire(after_); }
@@ -83,15 +83,15 @@ void Workers::for_each(std::size_t count, const std::function<void(std::size_t)>
   };
   if (thread_count() == 1 || count <= grain) return run_range(0, count);
   using Range = tbb::blocked_range<std::size_t>;
-  Handover handover;
+  SanitizerOrder order;
   arena_->arena.execute([&] {
     tbb::parallel_for(Range(0, count, std::max<std::size_t>(grain, 1)), [&](const Range& range) {
-      handover.begin_task();
+      order.begin_task();
       run_range(range.begin(), range.end());
-      handover.end_task();
+      order.end_task();
     });
   });
-  handover.end_loop();
+  order.end_loop();
 }
 
 bool Workers::for_each_unless_cancelled(std::size_t count,

@@ -19,12 +19,12 @@ bool reaches(const Edit& edit, const Vec3f& position_mm, const Vec3f& normal) {
 
 EditStack::EditStack() : states_{std::make_shared<const EditSequence>()} {}
 
-EditStack::EditStack(EditSequence all, std::size_t held) : EditStack() {
+EditStack::EditStack(EditSequence all, std::size_t active_count) : EditStack() {
   for (std::size_t i = 1; i <= all.size(); ++i) {
     states_.push_back(std::make_shared<const EditSequence>(
         all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i)));
   }
-  at_ = std::min(held, all.size());
+  at_ = std::min(active_count, all.size());
 }
 
 void EditStack::push(Edit edit) {

@@ -39,9 +39,9 @@ using EditList = std::shared_ptr<const EditSequence>;
 class EditStack {
  public:
   EditStack();
-  /// Restores a stack. `all` holds the edits; the first `held` of them are in effect, the others
-  /// can be redone.
-  EditStack(EditSequence all, std::size_t held);
+  /// Restores a stack. `all` holds the edits; the first `active_count` of them are in effect, the
+  /// others can be redone.
+  EditStack(EditSequence all, std::size_t active_count);
 
   /// Adds an edit. Undone edits are discarded.
   void push(Edit edit);

@@ -27,7 +27,7 @@ struct TrimOptions {
 };
 
 /// @param along_count  rows of the image. No samples are removed at its border, where the line is
-///          cut off but not mixed.
+///                     cut off but not mixed.
 [[nodiscard]] std::vector<LineTrace> trim_traces(const std::vector<LineTrace>& traces,
                                                  int along_count, const TrimOptions& options);
 

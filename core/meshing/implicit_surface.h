@@ -23,7 +23,7 @@ class ImplicitSurface {
   /// @param sigma_mm  > 0, standard deviation of the Gaussian weight
   /// @param reach_mm  > 0, radius of the points used
   /// @param gap_mm    >= reach_mm, larger radius, used where fewer than three points are within
-  ///          reach_mm
+  ///                  reach_mm
   ImplicitSurface(const PointCloud& points, float sigma_mm, float reach_mm, float gap_mm);
 
   /// The estimate at a place; nullopt if fewer than three points are near. Far from points the

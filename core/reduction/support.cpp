@@ -58,11 +58,11 @@ std::uint32_t view_of(Witness w) { return static_cast<std::uint32_t>(w >> 32U); 
 std::uint32_t sample_of(Witness w) { return static_cast<std::uint32_t>(w); }
 
 /// Judges the samples of one cell after another and reuses its buffers.
-class Jury {
+class SupportVoting {
  public:
   /// @param members  Cells::members as witnesses, in the same order
-  Jury(std::span<const SurfaceSample> samples, const Cells& cells, std::span<const Witness> members,
-       const PointGrid& centers, const SupportRule& rule)
+  SupportVoting(std::span<const SurfaceSample> samples, const Cells& cells,
+                std::span<const Witness> members, const PointGrid& centers, const SupportRule& rule)
       : samples_(samples),
         cells_(cells),
         members_(members),
@@ -91,24 +91,24 @@ class Jury {
       const auto members = members_.subspan(cells_.starts[n.index], cells_.of(n.index).size());
       witnesses_.insert(witnesses_.end(), members.begin(), members.end());
     }
-    excuse_surplus_views();
+    limit_views();
     std::sort(witnesses_.begin(), witnesses_.end());
     normal_ = mean_normal(center);
   }
 
   /// If there are too many witnesses, keeps those of every second, third, ... view.
-  void excuse_surplus_views() {
+  void limit_views() {
     const std::size_t step = witnesses_.size() / kMaxWitnesses + 1;
     if (step == 1) return;
     views_.clear();
     for (const Witness w : witnesses_) {
-      if (view_of(w) >= is_heard_.size()) is_heard_.resize(view_of(w) + 1, 0);
-      if (std::exchange(is_heard_[view_of(w)], 1) == 0) views_.push_back(view_of(w));
+      if (view_of(w) >= is_used_.size()) is_used_.resize(view_of(w) + 1, 0);
+      if (std::exchange(is_used_[view_of(w)], 1) == 0) views_.push_back(view_of(w));
     }
     std::sort(views_.begin(), views_.end());
-    for (std::size_t i = 0; i < views_.size(); ++i) is_heard_[views_[i]] = i % step == 0 ? 1 : 0;
-    std::erase_if(witnesses_, [&](Witness w) { return is_heard_[view_of(w)] == 0; });
-    for (const std::uint32_t view : views_) is_heard_[view] = 0;
+    for (std::size_t i = 0; i < views_.size(); ++i) is_used_[views_[i]] = i % step == 0 ? 1 : 0;
+    std::erase_if(witnesses_, [&](Witness w) { return is_used_[view_of(w)] == 0; });
+    for (const std::uint32_t view : views_) is_used_[view] = 0;
   }
 
   /// Fills the table with the witnesses on the cell's surface.
@@ -126,7 +126,7 @@ class Jury {
 
   /// Fills statements_: whether each witness of the table is near the sample and agrees with its
   /// height.
-  void question(const SurfaceSample& sample) {
+  void compare(const SurfaceSample& sample) {
     const Vec3f p = sample.position_mm - center_mm_;
     const float height = normal_.dot(p), variance = square(sigma_across_mm(sample, normal_));
     const float sigmas2 = square(rule_.outlier_sigmas);
@@ -144,20 +144,20 @@ class Jury {
   }
 
   [[nodiscard]] Votes vote(const SurfaceSample& sample) {
-    question(sample);
+    compare(sample);
     Votes votes;
-    heard_.assign(table_.views.size(), kFar);
+    view_statements_.assign(table_.views.size(), kFar);
     for (std::size_t w = 0; w < statements_.size(); ++w) {
-      heard_[table_.slots[w]] |= statements_[w];
+      view_statements_[table_.slots[w]] |= statements_[w];
       votes.agreeing_samples += statements_[w] / kAgrees;
     }
     const auto own = std::lower_bound(table_.views.begin(), table_.views.end(), sample.view);
     if (own != table_.views.end() && *own == sample.view) {
-      heard_[static_cast<std::size_t>(own - table_.views.begin())] = kFar;
+      view_statements_[static_cast<std::size_t>(own - table_.views.begin())] = kFar;
     }
-    for (const std::uint8_t heard : heard_) {
-      votes.agreeing_views += heard / kAgrees;
-      votes.opposing_views += heard == kNear ? 1 : 0;
+    for (const std::uint8_t statement : view_statements_) {
+      votes.agreeing_views += statement / kAgrees;
+      votes.opposing_views += statement == kNear ? 1 : 0;
     }
     return votes;
   }
@@ -190,13 +190,13 @@ class Jury {
   std::vector<Neighbor> near_cells_;
   std::vector<Witness> witnesses_;    ///< samples around the cell, by view
   std::vector<std::uint32_t> views_;  ///< views of the witnesses, rising
-  std::vector<char> is_heard_;        ///< by view; all 0 between cells
+  std::vector<char> is_used_;         ///< by view; all 0 between cells
   Vec3f normal_ = Vec3f::UnitZ();     ///< of the surface in the cell
   Vec3f center_mm_ = Vec3f::Zero();
-  WitnessTable table_;                    ///< witnesses on the surface of the cell
-  std::vector<std::uint8_t> statements_;  ///< of each witness of the table on one sample
-  std::vector<std::uint8_t> heard_;       ///< of each view of the table, all its statements
-                                          ///< combined
+  WitnessTable table_;                         ///< witnesses on the surface of the cell
+  std::vector<std::uint8_t> statements_;       ///< of each witness of the table on one sample
+  std::vector<std::uint8_t> view_statements_;  ///< of each view of the table, all its statements
+                                               ///< combined
 };
 
 }  // namespace
@@ -220,9 +220,9 @@ Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples
   std::vector<Support> support(samples.size(), Support::kSupported);
   constexpr std::size_t kWitnessBlock = 512;
   const auto judge_block = [&](std::size_t block) {
-    Jury jury(samples, cells, members, centers, rule);
+    SupportVoting voting(samples, cells, members, centers, rule);
     const std::size_t end = std::min(cells.size(), (block + 1) * kWitnessBlock);
-    for (std::size_t c = block * kWitnessBlock; c < end; ++c) jury.judge(c, support);
+    for (std::size_t c = block * kWitnessBlock; c < end; ++c) voting.judge(c, support);
   };
   const std::size_t blocks = (cells.size() + kWitnessBlock - 1) / kWitnessBlock;
   if (!workers.for_each_unless_cancelled(blocks, judge_block, progress)) return stopped();

@@ -42,7 +42,7 @@ struct AgreementOptions {
 ///            = (agreeing - 6) ln(0.95 / 0.5) - (places - agreeing) ln(0.5 / 0.05)
 ///
 /// @param crossings  all crossings of the search, including those that a robust fit ignores, with
-///          their distances at the final pose.
+///                   their distances at the final pose.
 /// @param T_world_source  of that pose: crossings are in the metaview's frame.
 /// @param radius_mm  of the source.
 /// @source  Wald, "Sequential tests of statistical hypotheses", 1945.

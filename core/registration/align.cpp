@@ -36,7 +36,7 @@ class Stage {
     shuffle_front(pairs, count, random);
     pairs.resize(std::min(count, pairs.size()));
     found_ = find_crossings(placed_, metaview_, pairs, search_limits_);
-    crossings_ = near_ones(found_);
+    crossings_ = within_limits(found_);
     const StepFrame frame{placed_.center_mm, placed_.radius_mm};
     const Isometry T_searched_guess = T_world_guess_ * result.T_target_source.inverse();
     T_moved_ = Isometry::Identity();
@@ -77,7 +77,7 @@ class Stage {
     return crossings_.size() >= static_cast<std::size_t>(options_.min_crossings);
   }
 
-  [[nodiscard]] std::vector<Crossing> near_ones(std::vector<Crossing> crossings) const {
+  [[nodiscard]] std::vector<Crossing> within_limits(std::vector<Crossing> crossings) const {
     std::erase_if(crossings, [&](const Crossing& c) {
       return (c.p_mm - c.q_mm).norm() > limits_.max_distance_mm;
     });

@@ -64,10 +64,10 @@ Result<Layout> lay_out(const TriangleMesh& mesh, double finest_mm, int max_side_
     progress.advance(rest);
     return layout;
   }
-  return fail(ErrorCode::kInsufficient,
-              "{} triangles fall into more charts than an atlas of {} x {} texels can hold; allow "
-              "a larger one",
-              mesh.triangles.size(), max_side_px, max_side_px);
+  return fail(
+      ErrorCode::kInsufficient,
+      "the charts of {} triangles do not fit into an atlas of {} x {} texels; increase max_side_px",
+      mesh.triangles.size(), max_side_px, max_side_px);
 }
 
 /// Copies the mesh with one copy of a vertex for each of its charts, and sets the texture

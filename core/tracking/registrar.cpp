@@ -11,7 +11,7 @@ namespace flytri::tracking {
 namespace {
 
 /// So many views in a row may fail before other places are searched: a short motion blur.
-constexpr int kPassedOver = 2;
+constexpr int kIgnoredViews = 2;
 
 RejectReason reason_of(registration::AlignOutcome outcome) {
   switch (outcome) {
@@ -31,7 +31,7 @@ RejectReason reason_of(registration::AlignOutcome outcome) {
 
 /// Weight of the latest view in entry_share(): about the mean of the latest five views, because
 /// each view tries other places.
-constexpr double kMeterPace = 0.2;
+constexpr double kEntryShareWeight = 0.2;
 
 /// True for rejections that later views cannot change.
 bool is_final(RejectReason reason) {
@@ -175,7 +175,7 @@ RejectReason Registrar::register_view(IncomingView incoming) {
   if (!tracked.aligned()) {
     if (++lost_views_ == 1) entry_share_ = 0.0;
     // A single bad view is ignored. The search for another place starts after several lost views.
-    const bool search = !continues || lost_views_ > kPassedOver;
+    const bool search = !continues || lost_views_ > kIgnoredViews;
     return track_lost(std::move(incoming), reason_of(tracked.outcome), search);
   }
   lost_views_ = 0;
@@ -212,9 +212,9 @@ bool Registrar::convincing(const registration::Alignment& alignment) const {
          alignment.rms_mm <= submaps_[scan_]->usual_rms_mm();
 }
 
-void Registrar::show_nearness(double proof) {
+void Registrar::update_entry_share(double proof) {
   const double share = std::clamp(proof / std::max(options_.min_entry_evidence, 1e-9), 0.0, 1.0);
-  entry_share_ += kMeterPace * (share - entry_share_);
+  entry_share_ += kEntryShareWeight * (share - entry_share_);
 }
 
 /// The next view confirms a claim if its own registration gives the same pose. If the two views are
@@ -252,7 +252,7 @@ bool Registrar::try_to_join(std::size_t submap, std::size_t i, bool all_starts) 
     claim_ = {submap, found.T_target_source * T_submap_sensor.inverse(), found.T_target_source};
     break;
   }
-  show_nearness(most_proof);
+  update_entry_share(most_proof);
   return false;
 }
 
@@ -296,12 +296,12 @@ ScanGrowth Registrar::take_growth() {
   ScanGrowth growth;
   if (submaps_.empty()) return growth;
   const std::vector<TrackedView>& views = submaps_[scan_]->views();
-  growth.is_all = told_submap_ != scan_ || told_views_ > views.size();
-  for (std::size_t i = growth.is_all ? 0 : told_views_; i < views.size(); ++i) {
+  growth.is_all = returned_submap_ != scan_ || returned_views_ > views.size();
+  for (std::size_t i = growth.is_all ? 0 : returned_views_; i < views.size(); ++i) {
     growth.added.push_back(views[i].aligned);
   }
-  told_submap_ = scan_;
-  told_views_ = views.size();
+  returned_submap_ = scan_;
+  returned_views_ = views.size();
   return growth;
 }
 
@@ -374,7 +374,7 @@ void Registrar::retry_submap(std::size_t submap) {
 }
 
 /// Submaps that do not join are lost, so the largest becomes the scan.
-void Registrar::choose_largest_piece(const Progress& progress) {
+void Registrar::choose_largest_submap(const Progress& progress) {
   const auto largest =
       std::max_element(submaps_.begin(), submaps_.end(),
                        [](const auto& a, const auto& b) { return a->size() < b->size(); });
@@ -404,7 +404,7 @@ void Registrar::retry_rejected(const Added& added) {
   scan.add(std::move(incoming), found.T_target_source);
 }
 
-RegisteredView Registrar::settle(const Added& added) const {
+RegisteredView Registrar::final_fate(const Added& added) const {
   RegisteredView result{added.view, ViewFate::kRejected, added.reason, Isometry::Identity()};
   if (is_final(added.reason) || submaps_.empty()) return result;
   const double time_s = added.view->time_s;
@@ -429,7 +429,7 @@ std::vector<RegisteredView> Registrar::finish(World world, const Progress& progr
   if (!submaps_.empty()) {
     const Progress third = progress.part(1.0 / 3.0);
     retry_submaps(third);
-    if (world == World::kFirstView) choose_largest_piece(third);
+    if (world == World::kFirstView) choose_largest_submap(third);
     retry_rejected(third);
   }
   if (!submaps_.empty() && world == World::kFirstView) {
@@ -437,7 +437,7 @@ std::vector<RegisteredView> Registrar::finish(World world, const Progress& progr
     submaps_[scan_]->change_frame(T_world_scan);
   }
   std::vector<RegisteredView> result;
-  for (const Added& added : added_) result.push_back(settle(added));
+  for (const Added& added : added_) result.push_back(final_fate(added));
   return result;
 }
 

@@ -137,7 +137,7 @@ class Registrar {
   /// final fate of every view, in the order of add(). The sensor frame of the first view becomes
   /// the world frame, unless kUnchanged keeps it for edits and measurements.
   /// @param progress  advances by at most one step. After a cancellation, views that were not tried
-  ///          again keep their fate
+  ///                  again keep their fate
   enum class World { kFirstView, kUnchanged };
   [[nodiscard]] std::vector<RegisteredView> finish(World world = World::kFirstView,
                                                    const Progress& progress = {});
@@ -167,13 +167,13 @@ class Registrar {
   void start_submap(IncomingView incoming);
   [[nodiscard]] EntryStarts entry_starts();
   [[nodiscard]] bool convincing(const registration::Alignment& alignment) const;
-  void show_nearness(double proof);
+  void update_entry_share(double proof);
   void retry_submaps(const Progress& progress);
   void retry_submap(std::size_t submap);
-  void choose_largest_piece(const Progress& progress);
+  void choose_largest_submap(const Progress& progress);
   void retry_rejected(const Progress& progress);
   void retry_rejected(const Added& added);
-  [[nodiscard]] RegisteredView settle(const Added& added) const;
+  [[nodiscard]] RegisteredView final_fate(const Added& added) const;
 
   RegistrarOptions options_;
   std::vector<Added> added_;
@@ -193,8 +193,9 @@ class Registrar {
   };
   KnownStops stops_;
   double entry_share_ = 0.0;
-  double latest_rms_mm_ = 0.0;                    ///< of the latest registered view
-  std::size_t told_submap_ = 0, told_views_ = 0;  ///< what take_growth() has already returned
+  double latest_rms_mm_ = 0.0;  ///< of the latest registered view
+  std::size_t returned_submap_ = 0,
+              returned_views_ = 0;  ///< what take_growth() has already returned
 };
 
 }  // namespace flytri::tracking

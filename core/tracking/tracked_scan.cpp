@@ -13,7 +13,7 @@ namespace {
 constexpr double kPathWindow_s = 0.4;
 constexpr std::size_t kMinPathPoses = 8;
 /// Aligned views needed to know the usual fit.
-constexpr std::size_t kExperience = 8;
+constexpr std::size_t kMinAlignedViews = 8;
 /// Limit of a usual fit: this many times the median RMS, plus a minimum as a share of the radius,
 /// because the median of ideal data is almost zero.
 constexpr double kUsualSpread = 2.0;
@@ -93,8 +93,8 @@ void TrackedScan::add(IncomingView incoming, const registration::Alignment& alig
 }
 
 double TrackedScan::usual_rms_mm() const {
-  if (rms_mm_.size() < kExperience) return std::numeric_limits<double>::infinity();
-  const std::size_t count = std::min(rms_mm_.size(), 4 * kExperience);
+  if (rms_mm_.size() < kMinAlignedViews) return std::numeric_limits<double>::infinity();
+  const std::size_t count = std::min(rms_mm_.size(), 4 * kMinAlignedViews);
   std::vector<double> latest(rms_mm_.end() - static_cast<std::ptrdiff_t>(count), rms_mm_.end());
   return kUsualSpread * median_of(latest) + kLeastRmsShare * radius_mm_;
 }

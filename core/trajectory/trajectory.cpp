@@ -23,7 +23,7 @@ constexpr std::size_t kLongestWindow = 12;
 /// a large uncertainty.
 constexpr double kLongestGap = 30.0;
 /// Number of latest poses for which the prediction is tested.
-constexpr std::size_t kRehearsals = 8;
+constexpr std::size_t kTestedPoses = 8;
 
 Isometry extrapolate(std::span<const TimedPose> poses, const Extrapolation& by, double time_s) {
   const std::size_t count = std::min(by.window, poses.size());
@@ -31,13 +31,13 @@ Isometry extrapolate(std::span<const TimedPose> poses, const Extrapolation& by, 
 }
 
 /// RMS error of an extrapolation that predicts the last poses `gap` steps ahead.
-double rehearse(std::span<const TimedPose> poses, const Extrapolation& by, std::size_t gap,
-                double arm_mm) {
+double prediction_error_mm(std::span<const TimedPose> poses, const Extrapolation& by,
+                           std::size_t gap, double arm_mm) {
   double squares = 0.0;
   std::size_t count = 0;
-  for (std::size_t i = poses.size(); i-- > gap && count < kRehearsals; ++count) {
-    const Isometry T_world_foretold = extrapolate(poses.first(i - gap + 1), by, poses[i].time_s);
-    squares += std::pow(pose_distance_mm(T_world_foretold, poses[i].T_world_sensor, arm_mm), 2);
+  for (std::size_t i = poses.size(); i-- > gap && count < kTestedPoses; ++count) {
+    const Isometry T_world_predicted = extrapolate(poses.first(i - gap + 1), by, poses[i].time_s);
+    squares += std::pow(pose_distance_mm(T_world_predicted, poses[i].T_world_sensor, arm_mm), 2);
   }
   return std::sqrt(squares / std::max<double>(1.0, static_cast<double>(count)));
 }
@@ -112,7 +112,7 @@ PosePrediction Trajectory::predict(double time_s) const {
   const double unknown_mm = 0.15 * arm_mm_;
   const double least_mm = 0.02 * arm_mm_;
   const std::vector<TimedPose> poses =
-      before(time_s, kRehearsals + kLongestWindow + static_cast<std::size_t>(kLongestGap));
+      before(time_s, kTestedPoses + kLongestWindow + static_cast<std::size_t>(kLongestGap));
   PosePrediction rest = {poses.back().T_world_sensor, prior_of(unknown_mm, arm_mm_)};
   if (poses.size() < 4) return rest;
   const double steps = std::max(1.0, (time_s - poses.back().time_s) / usual_step(poses));
@@ -124,7 +124,7 @@ PosePrediction Trajectory::predict(double time_s) const {
   const Extrapolation* best = nullptr;
   double best_mm = 1e300;
   for (const Extrapolation& candidate : kExtrapolations) {
-    const double error_mm = rehearse(poses, candidate, gap, arm_mm_);
+    const double error_mm = prediction_error_mm(poses, candidate, gap, arm_mm_);
     if (error_mm >= best_mm) continue;
     best_mm = error_mm;
     best = &candidate;
