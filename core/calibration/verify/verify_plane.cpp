@@ -133,8 +133,7 @@ std::string reason_unclear(const PlaneData& data, const Vec3& size_mm,
   }
   if (static_cast<double>(data.kept) < options.min_share_on_object * double(data.found)) {
     return fmt::format(
-        "{:.0f} % of the measured points are not on one plane; keep everything else out of view: "
-        "nothing else may be visible",
+        "{:.0f} % of the measured points are not on one plane; nothing else may be in view",
         100.0 - 100.0 * double(data.kept) / double(data.found));
   }
   const Vec3 extent = (data.high - data.low).cwiseQuotient(size_mm);

@@ -152,8 +152,7 @@ Result<VerificationReport> check_on_sphere(const std::vector<VerificationPose>& 
   const SphereData data = gather_spheres(poses, radius_mm);
   VerificationReport report;
   if (static_cast<double>(data.kept) < options.min_share_on_object * double(data.found)) {
-    report.reason =
-        "too many measured points are not on the sphere; keep everything else out of view";
+    report.reason = "too many measured points are not on the sphere; nothing else may be in view";
     return report;
   }
   const auto solution = solve_spheres(data, poses, radius_mm, false);
