@@ -133,12 +133,15 @@ class Registrar {
     return submaps_[scan_]->trajectory();
   }
 
+  /// The world frame of the finished scan.
+  enum class World {
+    kFirstView,  ///< the sensor frame of the first view
+    kUnchanged   ///< as before: edits and measurements refer to it
+  };
   /// After the scan: tries submaps and rejected views again with the whole model, then returns the
-  /// final fate of every view, in the order of add(). The sensor frame of the first view becomes
-  /// the world frame, unless kUnchanged keeps it for edits and measurements.
+  /// final fate of every view, in the order of add().
   /// @param progress  advances by at most one step. After a cancellation, views that were not tried
   ///                  again keep their fate
-  enum class World { kFirstView, kUnchanged };
   [[nodiscard]] std::vector<RegisteredView> finish(World world = World::kFirstView,
                                                    const Progress& progress = {});
 
@@ -193,9 +196,9 @@ class Registrar {
   };
   KnownStops stops_;
   double entry_share_ = 0.0;
-  double latest_rms_mm_ = 0.0;  ///< of the latest registered view
-  std::size_t returned_submap_ = 0,
-              returned_views_ = 0;  ///< what take_growth() has already returned
+  double latest_rms_mm_ = 0.0;       ///< of the latest registered view
+  std::size_t returned_submap_ = 0;  ///< the scan at the last call of take_growth()
+  std::size_t returned_views_ = 0;   ///< its views that take_growth() has already returned
 };
 
 }  // namespace flytri::tracking
