@@ -50,10 +50,9 @@ struct StepOptions {
   PosePrior prior;
 };
 
+/// Computes one step. Only the prior decides in directions that the crossings do not determine:
+/// without this rule, noisy normals would seem to determine how a flat surface slides along itself.
 /// @param moved_mm  motion since the guess, in the same unknowns. The prior pulls it towards zero.
-///                  Only the prior decides in directions that the crossings do not determine.
-///                  Without this rule, noisy normals would seem to determine how a flat surface
-///                  slides along itself.
 /// @source  Arold et al., "Single Registration"; robust weights: Geman and McClure, 1987.
 [[nodiscard]] PoseStep solve_step(std::span<const Crossing> crossings, const StepFrame& frame,
                                   const Twist& moved_mm, const StepOptions& options);
