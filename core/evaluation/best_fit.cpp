@@ -10,14 +10,15 @@ namespace flytri::evaluation {
 namespace {
 
 constexpr std::size_t kFootGrain = 512;
-// Converged when no point moves by more than this share of the result's radius: 10 nm of 10 mm.
-// Much below it, the rounding of float positions keeps the motion alive.
+// Converged when no point moves by more than this share of the result's radius: 10 nm of 10 mm. A
+// much smaller limit is never reached, because float positions are rounded.
 constexpr double kSmallMotion = 1e-6;
-// Directions weaker than this share of the strongest one are free: rounding, not shape.
+// Directions with a smaller eigenvalue than this share of the largest are not determined by the
+// shape; they are not changed.
 constexpr double kFreeDirection = 1e-9;
 
-// Vertices that take part, about their center and in units of their radius, so that rotation and
-// translation weigh alike.
+// The vertices used. Center and radius normalize the unknowns, so that rotation and translation
+// have similar weights.
 struct Samples {
   std::vector<Vec3> points_mm;
   Vec3 center_mm = Vec3::Zero();
@@ -38,7 +39,7 @@ Samples draw_samples(const TriangleMesh& result, int sample_count) {
   return samples;
 }
 
-// Where a moved sample meets the true surface.
+// The closest point of the true surface to a moved sample.
 struct Foot {
   Vec3 point_mm = Vec3::Zero();  ///< the moved sample
   Vec3 normal = Vec3::Zero();    ///< of the triangle; zero if that is degenerate
@@ -110,7 +111,7 @@ Result<BestFit> best_fit(const TriangleMesh& result, const TriangleMesh& truth,
                          const BestFitOptions& options, const Workers& workers) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (result.vertices.empty() || truth.triangles.empty())
-    return fail(ErrorCode::kInsufficient, "the {} has no surface to fit",
+    return fail(ErrorCode::kInsufficient, "the {} is empty: no surface to fit",
                 result.vertices.empty() ? "result" : "true mesh");
   const MeshDistance to_truth(truth);
   const Samples samples = draw_samples(result, options.sample_count);

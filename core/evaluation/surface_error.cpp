@@ -9,10 +9,10 @@
 namespace flytri::evaluation {
 namespace {
 
-// A task of the parallel loops; a query takes about a microsecond.
+// Queries per task of the parallel loops; a query takes about 1 µs.
 constexpr std::size_t kQueryGrain = 1024;
 
-// Each vertex as a triangle without extent, so that one search serves surfaces and points.
+// Each vertex as a degenerate triangle, so that MeshDistance also works for points.
 TriangleMesh vertices_alone(const TriangleMesh& mesh) {
   TriangleMesh points;
   points.vertices = mesh.vertices;
@@ -86,10 +86,11 @@ Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMes
                                    const SurfaceErrorOptions& options, const Workers& workers) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (result.vertices.empty() || truth.triangles.empty())
-    return fail(ErrorCode::kInsufficient, "the {} has no surface to compare",
+    return fail(ErrorCode::kInsufficient, "the {} is empty: no surface to compare",
                 result.vertices.empty() ? "result" : "true mesh");
   if (!selected.empty() && selected.size() != truth.vertices.size())
-    return fail(ErrorCode::kInconsistent, "{} selected flags do not fit {} true vertices",
+    return fail(ErrorCode::kInconsistent,
+                "{} selected flags for {} true vertices; the numbers must be equal",
                 selected.size(), truth.vertices.size());
   const MeshDistance to_truth(truth);
   std::vector<double> distances_mm(result.vertices.size());

@@ -97,7 +97,7 @@ void PointGrid::visit_within(const Vec3f& center_mm, float radius_mm, const Visi
     const float gap_z2 = square(gap_to_cell(center_mm.z(), iz, cell_mm_));
     for (std::int32_t iy = cell_of(center_mm.y() - radius_mm); iy <= y_end; ++iy) {
       const float gap2 = gap_z2 + square(gap_to_cell(center_mm.y(), iy, cell_mm_));
-      // The cell's bounds are rounded: a little slack keeps points that lie on them.
+      // The bounds of the cell are rounded: the margin keeps points on the bounds.
       const float rest2 = limit2 * 1.0001F - gap2;
       if (rest2 < 0.0F) continue;
       const Row* row = find_row(row_key(iy, iz));
@@ -126,7 +126,7 @@ void PointGrid::within(const Vec3f& center_mm, float radius_mm,
 
 std::optional<Neighbor> PointGrid::nearest(const Vec3f& center_mm, float max_distance_mm) const {
   std::optional<Neighbor> best;
-  // Small balls first: most searches end in the first one.
+  // Small radius first: most searches end there.
   for (float radius = std::min(cell_mm_, max_distance_mm); !best; radius *= 2.0F) {
     radius = std::min(radius, max_distance_mm);
     visit_within(center_mm, radius, [&](const Entry& entry, float distance2) {

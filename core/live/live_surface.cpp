@@ -9,14 +9,15 @@
 namespace flytri::live {
 namespace {
 
-/// Wider than those of the finished scan: a screen shows no more, and it is drawn sooner.
+/// Larger than the cells of the finished scan: the screen shows no finer detail, and drawing is
+/// faster.
 constexpr double kCellSpacings = 4.5;
-/// Radius of a surfel in cells: neighbors overlap wherever in their cells their centers lie.
+/// Radius of a surfel in cells. Neighbors overlap wherever the centers lie in their cells.
 constexpr float kRadiusCells = 0.85F;
-/// Below this share of the largest, the second eigenvalue says that all profiles run one way.
+/// If the second eigenvalue is below this share of the largest, all profiles run in one direction.
 constexpr float kCrossingShare = 0.05F;
 
-/// Direction of a profile at point i, from points to both sides; zero where they coincide.
+/// Direction of a profile at point i, from points on both sides; zero if they coincide.
 Vec3f tangent(const Profile& profile, std::size_t i, std::size_t reach) {
   const std::size_t from = i > reach ? i - reach : 0;
   const std::size_t to = std::min(i + reach, profile.points.size() - 1);
@@ -24,8 +25,8 @@ Vec3f tangent(const Profile& profile, std::size_t i, std::size_t reach) {
   return step.normalized().cast<float>();
 }
 
-/// The direction least along all profiles, on the side of the sensor. Where they all run one way:
-/// the direction across them that faces the sensor most.
+/// The direction most perpendicular to all profiles, towards the sensor. If all profiles run in one
+/// direction: the perpendicular direction that faces the sensor most.
 Vec3f normal_of(const Eigen::Matrix3f& tangents, const Vec3f& towards) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(tangents);
@@ -37,7 +38,8 @@ Vec3f normal_of(const Eigen::Matrix3f& tangents, const Vec3f& towards) {
   return normal.dot(towards) < 0.0F ? Vec3f(-normal) : normal;
 }
 
-/// Whether a surfel needs not be shown anew: each point moves those that are there by little.
+/// Whether a changed surfel still looks the same and need not be published: each new point moves a
+/// surfel only slightly.
 bool look_same(const Surfel& now, const Surfel& shown, double cell_mm) {
   constexpr float kMove = 0.05F, kTurn = 0.998F, kSigma = 0.15F;
   return (now.position_mm - shown.position_mm).norm() <= kMove * static_cast<float>(cell_mm) &&
@@ -47,7 +49,7 @@ bool look_same(const Surfel& now, const Surfel& shown, double cell_mm) {
          now.textured == shown.textured && now.coverage == shown.coverage;
 }
 
-/// Area of a plane in one cell, if it lies in as many cells as it crosses.
+/// Average area of a plane in each of the cells that it crosses.
 double area_per_cell_mm2(const Vec3f& normal, double cell_mm) {
   return cell_mm * cell_mm / static_cast<double>(normal.lpNorm<1>());
 }
@@ -103,7 +105,7 @@ double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filt
   return count > 0 ? static_cast<double>(enough) / static_cast<double>(count) : 0.0;
 }
 
-/// @return  points where enough views had been
+/// @return  number of points at places that enough views had seen before
 std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
                                      const editing::EditFilter& filter) {
   const Eigen::Matrix3f R = view.T_world_sensor.linear().cast<float>();
@@ -184,13 +186,13 @@ void LiveSurface::begin_normal_cell(std::uint32_t index, const Vec3f& p_mm) {
     ++near.around;
     begun.well_seen_around += near.well_seen ? 1 : 0;
   });
-  // Itself was counted as its own neighbor; the others are its neighbors as it is theirs.
+  // The loop above already counted the cube itself as its own neighbor.
   for_each_around(begun.center_mm, [&](const NormalCell& near) {
     if (&near != &normal_cells_[index]) ++begun.around;
   });
 }
 
-/// What is shown of the cubes around follows.
+/// Also updates the surfels of the cubes around.
 void LiveSurface::see_well(NormalCell& seen) {
   seen.well_seen = true;
   for_each_around(seen.center_mm, [&](NormalCell& near) {
@@ -214,7 +216,7 @@ void LiveSurface::join_block(std::uint32_t index) {
   Cell& cell = cells_[index];
   if (cell.in_block) return;
   cell.in_block = true;
-  // Inserted at a random place, so that the order stays random.
+  // Insert at a random position to keep the order random.
   std::vector<std::uint32_t>& cells = blocks_[cell.block].cells;
   cells.push_back(index);
   std::swap(cells.back(), cells[random_.below(cells.size())]);
@@ -228,7 +230,7 @@ void LiveSurface::refresh_normals() {
     const bool well_seen =
         around.views[0] >= options_.good_views && around.views[1] >= options_.good_views;
     if (well_seen && !around.well_seen) see_well(around);
-    // What the neighbors show follows too, each time as much is known again.
+    // The other cells of the cube are refreshed too, each time the number of views has doubled.
     const int views = around.views[0] + around.views[1];
     if (views < 2 * around.refreshed_at) continue;
     around.refreshed_at = views;
@@ -241,7 +243,7 @@ Vec3f LiveSurface::position_mm(const Cell& cell) const {
   return cell.first_mm + cell.sum / std::max(cell.point_count, 1.0F);
 }
 
-/// The normals of the cubes around a point, weighted by how near their centers are.
+/// The average normal of the cubes around a point, weighted by the distance of their centers.
 Vec3f LiveSurface::normal_at(const Vec3f& p_mm, const NormalCell& own) const {
   const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
   const Vec3f place = p_mm / edge_mm - Vec3f::Constant(0.5F);
@@ -259,7 +261,7 @@ Vec3f LiveSurface::normal_at(const Vec3f& p_mm, const NormalCell& own) const {
     const auto found = normal_index_.find(key(center * edge_mm, options_.normal_cells));
     if (found == normal_index_.end()) continue;
     const Vec3f& normal = normal_cells_[found->second].normal;
-    // The far side of a thin edge has no say.
+    // Skip the far side of a thin edge.
     if (normal.dot(own.normal) > 0.0F) sum += weight * normal;
   }
   return sum.squaredNorm() > 0.0F ? Vec3f(sum.normalized()) : own.normal;
@@ -304,7 +306,7 @@ void LiveSurface::cut(const editing::EditFilter& filter, double now_s) {
 
 Result<void> LiveSurface::add_color(const texture::TextureFrame& frame,
                                     const calibration::Calibration& calibration) {
-  // No point of the measurement volume lies farther from its middle.
+  // No point of the measurement volume is farther from its center.
   const double reach_mm =
       (0.5 + options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
   const Vec3f middle_mm = frame.T_world_sensor.translation().cast<float>();

@@ -1,4 +1,4 @@
-/// @file  The surface while it grows: aligned views go in, surfels to be drawn come out.
+/// @file  The surface during the scan: takes aligned views, gives surfels to draw.
 #pragma once
 
 #include <array>
@@ -15,56 +15,54 @@
 
 namespace flytri::live {
 
-/// How the growing surface is kept. Lengths are in cells, and a cell follows from the spacing of
-/// the points, so that the same values serve every sensor.
+/// Lengths are in cells, and the cell size follows from the spacing of the points, so the same
+/// values work for every sensor.
 struct LiveSurfaceOptions {
   /// >= 0. Edge of the cubic cells in which points are merged, mm. 0: 4.5 times the spacing of
   /// the points of the first view, about the width of a projected line.
   double cell_mm = 0.0;
-  /// 1..16. Edge of the cubes in which the surface has one normal: a few lines of either pattern
-  /// cross each.
+  /// 1..16. Edge of the cubes that have one normal each: a few lines of each pattern cross a cube.
   int normal_cells = 4;
-  /// 4..256. Edge of a block of surfels, the unit that is replaced when it changes.
+  /// 4..256. Edge of a block of surfels. A block is replaced as a whole when it changes.
   int block_cells = 16;
-  /// >= 1. Points that a cell needs to be shown: fewer may be a speck.
+  /// >= 1. Points that a cell needs to be shown: fewer may be noise.
   int min_points = 2;
-  /// >= 1. Views of each pattern that a normal's cube needs to be well seen. The surface is covered
-  /// well where most of the cubes around are: a line may miss a cube of many that it passes.
+  /// >= 1. Views of each pattern that a cube needs to count as well seen. The surface is well
+  /// covered where most cubes around are well seen: a line may miss a few cubes.
   int good_views = 2;
-  /// >= good_views. Views of each pattern after which further ones tell nothing new of a place: in
-  /// a cube of normal_cells the noise of both averages to a sixth of one view's, which is below
-  /// what the sensor's own errors are. A line passes a cube in one of several views, so that some
-  /// hundred views are kept of each place.
+  /// >= good_views. Views of each pattern after which more views add nothing new at a place: in a
+  /// cube of normal_cells the noise is averaged to a sixth of that of one view, which is less than
+  /// the calibration error. A line passes a cube only in one of several views, so about a hundred
+  /// views are kept of each place.
   int enough_views = 16;
   texture::TextureOptions texture;
 
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Merges points cell by cell as they come: position and uncertainty are averages, the normal is
-/// the direction least along all profiles nearby, as in crossing_normals.
-/// @source  Arold et al., "Data Reduction" and "Calculation of Normals", which leave doing so
-/// during
-///          the scan open.
+/// Merges points cell by cell as they arrive. Position and uncertainty are averages; the normal is
+/// the direction most perpendicular to all profiles nearby, as in crossing_normals.
+/// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
+///          reduction during the scan to future work.
 class LiveSurface {
  public:
   /// @errors  kBadOption.
   [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {});
 
   /// Adds the points of a view that the edits keep.
-  /// @return  share of the points that fell where enough views had been before, 0..1
+  /// @return  share of the points at places that enough views had seen before, 0..1
   double add(const AlignedView& view, const editing::EditFilter& filter);
-  /// Takes away what the edits do not keep, as seen at any time up to now.
+  /// Removes everything seen up to now that the edits do not keep.
   void cut(const editing::EditFilter& filter, double now_s);
-  /// Colors what the frame observes.
+  /// Colors the surfels that the texture frame shows.
   /// @errors  as observe_points.
   [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
                                        const calibration::Calibration& calibration);
 
-  /// The surface as it is now. Blocks that did not change are those of the last call.
+  /// The present surface. Unchanged blocks are the same objects as in the last call.
   [[nodiscard]] SurfelModel publish();
 
-  /// What is shown, as points.
+  /// The shown surface as points.
   [[nodiscard]] PointCloud points() const;
   [[nodiscard]] double area_mm2() const { return area_mm2_; }
   /// Share of the area that is covered well.
@@ -75,7 +73,7 @@ class LiveSurface {
  private:
   using Key = std::uint64_t;
 
-  /// Where points are merged.
+  /// A cell in which points are merged.
   struct Cell {
     Vec3f sum = Vec3f::Zero();  ///< of positions, relative to the first point
     Vec3f first_mm = Vec3f::Zero();
@@ -83,33 +81,34 @@ class LiveSurface {
     float information = 0.0F;  ///< sum of 1 / sigma^2 of the points, 1/mm^2
     std::uint32_t normal_cell = 0;
     std::uint32_t block = 0;
-    int normal_of_views = -1;  ///< views of its cube when its normal was last looked up
+    int normal_of_views = -1;  ///< number of views of its cube when its normal was last computed
     bool touched = false;
-    bool in_block = false;  ///< from when it is shown first
+    bool in_block = false;  ///< set when the cell is shown for the first time
     texture::ObservedColor color;
   };
-  /// Where profiles make a normal.
+  /// A cube in which the profiles give one normal.
   struct NormalCell {
     Eigen::Matrix3f tangents = Eigen::Matrix3f::Zero();  ///< sum of o o^T
     Vec3f towards = Vec3f::Zero();                       ///< sum of directions to the sensor
     Vec3f normal = Vec3f::UnitZ();
     Vec3f center_mm = Vec3f::Zero();
-    int around = 0;            ///< of this cube and its 26 neighbors, those that hold points
-    int well_seen_around = 0;  ///< of these
+    int around = 0;            ///< cubes with points among this cube and its 26 neighbors
+    int well_seen_around = 0;  ///< of these cubes, those well seen
     bool well_seen = false;
-    std::array<int, 2> views{};                     ///< that saw it, by Pattern
-    std::array<double, 2> latest_s = {-1.0, -1.0};  ///< the latest of them
-    int refreshed_at = 0;                           ///< views when its cells were last refreshed
+    std::array<int, 2> views{};                     ///< number of views that saw it, by Pattern
+    std::array<double, 2> latest_s = {-1.0, -1.0};  ///< time of the latest of them
+    int refreshed_at = 0;                           ///< number of views when its cells were last
+                                                    ///< refreshed
     std::vector<std::uint32_t> cells;
     bool touched = false;
   };
   struct Block {
     Key place = 0;
-    /// In random order. Only cells that were shown once, so that those which are not yet do not
-    /// move the others' places when they come.
+    /// In random order. Only cells that were shown at least once: a cell that is not shown yet must
+    /// not change the positions of the others.
     std::vector<std::uint32_t> cells;
     bool changed = false;
-    double area_mm2 = 0.0, good_mm2 = 0.0;  ///< of what is published
+    double area_mm2 = 0.0, good_mm2 = 0.0;  ///< of the published surfels
     std::shared_ptr<const SurfelBlock> published;
   };
 
@@ -121,7 +120,7 @@ class LiveSurface {
   void attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm);
   void attach_to_block(std::uint32_t cell, const Vec3f& p_mm);
   void join_block(std::uint32_t index);
-  /// Calls `change` for a cube and for each neighbor that it has.
+  /// Calls `change` for a cube and each existing neighbor.
   template <typename Change>
   void for_each_around(const Vec3f& center_mm, const Change& change);
   void begin_normal_cell(std::uint32_t index, const Vec3f& p_mm);
@@ -145,7 +144,7 @@ class LiveSurface {
   std::vector<Surfel> surfels_;  ///< parallel to cells_
   std::vector<NormalCell> normal_cells_;
   std::vector<Block> blocks_;
-  std::vector<std::uint32_t> touched_normals_, touched_cells_;  ///< by the view being added
+  std::vector<std::uint32_t> touched_normals_, touched_cells_;  ///< by the view that is being added
   double area_mm2_ = 0.0, good_mm2_ = 0.0;
 };
 

@@ -36,7 +36,8 @@ Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern patt
                                               const LocalizeOptions& options) {
   if (const auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_16UC1)) {
-    return fail(ErrorCode::kBadFormat, "a measurement image must be 8- or 16-bit gray");
+    return fail(ErrorCode::kBadFormat,
+                "the image has a wrong type; a measurement image must be 8- or 16-bit gray");
   }
   const cv::Mat grays = rows_across_lines(image, pattern);
   const Background background(grays);

@@ -8,13 +8,13 @@
 namespace flytri::localization {
 namespace {
 
-/// What remains of a segment must be longer than wide to be a line and not a blot of light.
+/// A segment must be this many times longer than wide; otherwise it is a spot of light, not a line.
 constexpr float kMinLengthWidths = 3.0F;
 
 /// True if the line breaks between two neighbors: a step that neither the slope before nor the
 /// slope after explains.
 bool breaks(const LineTrace& trace, std::size_t i, double max_step_widths) {
-  constexpr std::size_t kReach = 4;  // samples that tell a slope
+  constexpr std::size_t kReach = 4;  // samples used for a slope
   const LineSample &a = trace[i - 1], &b = trace[i];
   const auto slope = [&](const LineSample& from, const LineSample& to) {
     return (to.across_px - from.across_px) / static_cast<float>(to.along_px - from.along_px);
@@ -35,7 +35,7 @@ bool breaks(const LineTrace& trace, std::size_t i, double max_step_widths) {
   return least > limit;
 }
 
-/// How many samples to take from the end that `begin` points to. Works in both directions.
+/// Number of samples to remove from the end at `begin`. Works for forward and reverse iterators.
 template <typename It>
 std::ptrdiff_t mixed_count(It begin, It end, int along_count, const TrimOptions& options) {
   const int border = std::min(begin->along_px, along_count - 1 - begin->along_px);

@@ -29,7 +29,7 @@ Result<MeasuredView> measure_pattern(const Frame& frame, Pattern pattern,
   return measured;
 }
 
-/// Points of a view that is rejected are not handed on.
+/// A rejected view has no points.
 MeasuredView rejected(MeasuredView measured, MeasureOutcome outcome) {
   measured.outcome = outcome;
   measured.view.profiles.clear();
@@ -72,7 +72,7 @@ std::string_view to_string(MeasureOutcome outcome) {
     case MeasureOutcome::kTooFewPoints:
       return "too few points inside the measurement volume";
     case MeasureOutcome::kAmbiguousPattern:
-      return "pattern cannot be told from the image";
+      return "cannot recognize the pattern in the image";
   }
   return "";
 }
@@ -83,13 +83,16 @@ Result<MeasuredView> measure_view(const Frame& frame, const calibration::Calibra
   const ImageSize size{frame.image.cols, frame.image.rows};
   if (!(size == calibration.measurement_size)) {
     return fail(ErrorCode::kInconsistent,
-                "frame {} has {} x {} pixels, the calibration is for {} x {}", frame.index.value,
-                size.width_px, size.height_px, calibration.measurement_size.width_px,
-                calibration.measurement_size.height_px);
+                "frame {} has {} x {} pixels, but the calibration is for {} x {}; use the "
+                "calibration of this sensor",
+                frame.index.value, size.width_px, size.height_px,
+                calibration.measurement_size.width_px, calibration.measurement_size.height_px);
   }
   if (frame.kind == FrameKind::kTexture) {
-    return fail(ErrorCode::kBadOption, "frame {} is a texture frame, it shows no lines",
-                frame.index.value);
+    return fail(
+        ErrorCode::kBadOption,
+        "frame {} is a texture frame and shows no lines; measure frames of a line pattern only",
+        frame.index.value);
   }
   const auto pattern = pattern_of(frame.kind);
   auto measured = pattern ? measure_pattern(frame, *pattern, calibration, options)

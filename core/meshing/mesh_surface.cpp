@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kSpacingOfPoints = 1.2;
 constexpr std::size_t kMinPoints = 10;
-/// Points whose distance to the next is looked up for the typical spacing.
+/// Number of points used to measure the typical spacing.
 constexpr std::size_t kSpacingSamples = 2000;
-/// Of the extraction in the time of all; the rest goes to the topology.
+/// Share of the total time for the extraction; the rest is for the topology.
 constexpr double kExtractionShare = 0.9;
 
 /// Median distance of a point to its nearest neighbor.
@@ -29,7 +29,7 @@ double point_spacing_mm(const PointCloud& points) {
     high = high.cwiseMax(point.position_mm);
   }
   const float extent_mm = std::max((high - low).norm(), 1e-6F);
-  // As if the points filled a square of that diagonal: the right order for the grid's cells.
+  // Cell size as if the points filled a square with this diagonal: the right order of magnitude.
   const PointGrid grid(positions, extent_mm / std::sqrt(static_cast<float>(points.size())));
   std::vector<float> distances2;
   std::vector<Neighbor> found;

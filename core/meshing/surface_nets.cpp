@@ -11,17 +11,18 @@ namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-/// Cells below the lowest point: farther than the surface goes beyond the points.
+/// Cells below the lowest point: more than the surface extends beyond the points.
 constexpr int kMargin = 64;
-/// Steps that move a vertex onto the surface; the second is already far below the noise.
+/// Steps that move a vertex onto the surface; after the second step, the error is far below the
+/// noise.
 constexpr int kProjections = 3;
 constexpr std::size_t kGrain = 256;
 
-/// Shares in the time: of all waves; of a wave in what is left (how many follow is not known, but
-/// the first does most); of the corners in a wave.
+/// Shares of time: of all waves; of a wave in the remaining time (the number of waves is unknown,
+/// but the first takes most of the time); of the corners in a wave.
 constexpr double kWavesShare = 0.9, kWaveShare = 0.75, kCornerShare = 0.5;
 
-/// A grid place as one number that sorts by z, then y, then x.
+/// A grid position as one number that sorts by z, then y, then x.
 using Key = std::uint64_t;
 constexpr int kBits = 21;
 constexpr Key kMask = (Key{1} << kBits) - 1;
@@ -38,7 +39,7 @@ Place place_of(Key key) {
           static_cast<std::int32_t>(key >> (2 * kBits))};
 }
 
-/// One place further along an axis.
+/// One step along an axis.
 constexpr Key step_along(int axis) { return Key{1} << (axis * kBits); }
 
 void sort_unique(std::vector<Key>& keys) {
@@ -46,8 +47,8 @@ void sort_unique(std::vector<Key>& keys) {
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
-/// The places `low` to `high` steps along an axis from those given; sorted, as those given are.
-/// Shifting keeps the order, so merging takes the place of sorting all of them again.
+/// The keys shifted by `low` to `high` steps along an axis. Input and output are sorted. Shifting
+/// keeps the order, so merging is enough.
 std::vector<Key> dilated(const std::vector<Key>& keys, int axis, int low, int high) {
   const Key step = step_along(axis);
   std::vector<Key> result, shifted(keys.size()), merged;
@@ -62,8 +63,8 @@ std::vector<Key> dilated(const std::vector<Key>& keys, int axis, int low, int hi
   return result;
 }
 
-/// Looks up rising keys in a sorted list: each search begins where the last one ended, so that
-/// near ones cost little.
+/// Looks up rising keys in a sorted list. Each search starts at the previous result, so near keys
+/// are found fast.
 class Cursor {
  public:
   explicit Cursor(const std::vector<Key>& keys) : keys_(keys) {}
@@ -88,7 +89,7 @@ class Cursor {
   std::size_t at_ = 0;
 };
 
-/// Puts new keys with their values among those that are there; both are sorted, none is in both.
+/// Merges new keys and values into the existing ones. Both lists are sorted and have no common key.
 template <typename Value>
 void merge(const std::vector<Key>& new_keys, std::vector<Value> new_values, std::vector<Key>& keys,
            std::vector<Value>& values) {
@@ -105,20 +106,20 @@ void merge(const std::vector<Key>& new_keys, std::vector<Value> new_values, std:
   values.swap(all_values);
 }
 
-/// Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2).
+/// Corner k of a cell is at (k & 1, k >> 1 & 1, k >> 2).
 Place corner_of(const Place& cell, int k) {
   return {cell.x + (k & 1), cell.y + (k >> 1 & 1), cell.z + (k >> 2)};
 }
 
-/// Reads the values at the corners of rising cells, all of which are there.
+/// Reads the values at the corners of cells in rising order. All corners must exist.
 class CornerReader {
  public:
-  /// Both are kept by reference.
+  /// Keeps references to both.
   CornerReader(const std::vector<Key>& corners, const std::vector<float>& values)
       : rows_{Cursor(corners), Cursor(corners), Cursor(corners), Cursor(corners)},
         values_(values) {}
 
-  /// By corner of the cell, see corner_of.
+  /// The values by corner of the cell, see corner_of.
   std::array<float, 8> around(Key cell) {
     std::array<float, 8> values{};
     for (std::size_t row = 0; row < 4; ++row) {
@@ -132,21 +133,21 @@ class CornerReader {
   }
 
  private:
-  std::array<Cursor, 4> rows_;  ///< along x, by y and z
+  std::array<Cursor, 4> rows_;  ///< one per edge along x
   const std::vector<float>& values_;
 };
 
-/// Finds what is around the edges that begin in rising corners, by axis.
+/// Finds end corners and cells of the edges at a corner, by axis, for corners in rising order.
 struct EdgeCursors {
   EdgeCursors(const std::vector<Key>& corners, const std::vector<Key>& grid_cells)
       : end(3, Cursor(corners)), cells(3, std::vector(4, Cursor(grid_cells))) {}
 
-  std::vector<Cursor> end;                 ///< among the corners
-  std::vector<std::vector<Cursor>> cells;  ///< each of the four around the edge
+  std::vector<Cursor> end;                 ///< end corner of the edge
+  std::vector<std::vector<Cursor>> cells;  ///< the four cells around the edge
 };
 
-/// One run: the grid, its values, its vertices. The grid begins where the points are and grows
-/// along the surface as long as points surround it.
+/// One run: the grid, its values and vertices. The grid starts at the points and grows along the
+/// surface as long as points surround it.
 class Extraction {
  public:
   Extraction(const ImplicitSurface& surface, float spacing_mm, const Workers& workers,
@@ -213,7 +214,7 @@ std::vector<Key> Extraction::cells_with_points(const PointCloud& points) {
   return cells;
 }
 
-/// @returns false if that was cancelled
+/// @returns false if canceled
 bool Extraction::evaluate_corners(const std::vector<Key>& new_cells, const Progress& progress) {
   std::vector<Key> around = new_cells;
   for (int axis = 0; axis < 3; ++axis) around = dilated(around, axis, 0, 1);
@@ -233,7 +234,7 @@ bool Extraction::evaluate_corners(const std::vector<Key>& new_cells, const Progr
   return true;
 }
 
-/// The neighbors of a cell across those faces that the surface crosses.
+/// Adds the neighbors of a cell at the faces that the surface crosses.
 void add_crossed_neighbors(Key cell, const std::array<float, 8>& value,
                            std::vector<Key>& neighbors) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -248,7 +249,7 @@ void add_crossed_neighbors(Key cell, const std::array<float, 8>& value,
   }
 }
 
-/// @returns the cells into which the surface goes on, that are not there yet.
+/// @returns the new cells into which the surface continues.
 Result<std::vector<Key>> Extraction::place_vertices(const std::vector<Key>& new_cells,
                                                     const Progress& progress) {
   std::vector<std::optional<SurfacePoint>> vertices(new_cells.size());
@@ -302,7 +303,7 @@ std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell,
     if (!estimate) return std::nullopt;
     place -= estimate->distance_mm * estimate->mean.normal;
   }
-  // A vertex that leaves its cell's neighborhood follows another sheet.
+  // A vertex far away from its cell belongs to another sheet of the surface.
   if ((place - sum / count).norm() > spacing_mm_) return std::nullopt;
   if (!surface_.surrounded(place, estimate->mean.normal)) return std::nullopt;
   SurfacePoint vertex = estimate->mean;
@@ -338,7 +339,7 @@ void Extraction::connect_edge(std::size_t corner, int axis, EdgeCursors& cursors
     if (at == kNoVertex || vertex_of_cell_[at] == kNoVertex) return;
     ring[i] = vertex_of_cell_[at];
   }
-  // Outwards is where the value rises.
+  // The value rises outwards.
   if (a_outside) std::swap(ring[1], ring[3]);
   const auto length2 = [&](int i, int j) {
     return (mesh_.vertices[ring[i]].position_mm - mesh_.vertices[ring[j]].position_mm)
@@ -354,7 +355,7 @@ void Extraction::connect_edge(std::size_t corner, int axis, EdgeCursors& cursors
   }
 }
 
-/// @returns false if that was cancelled
+/// @returns false if canceled
 bool Extraction::connect(const Progress& progress) {
   EdgeCursors cursors(corners_, cells_);
   const auto connect_corner = [&](std::size_t i) {

@@ -9,10 +9,10 @@
 namespace flytri::reconstruct {
 namespace {
 
-/// One run: holds what the stages hand to each other.
+/// One run: keeps the data passed from stage to stage.
 class Run {
  public:
-  /// @param source  what is reconstructed, for messages
+  /// @param source  name of the input, for messages
   Run(std::string source, const ReconstructOptions& options, const Workers& workers,
       const Progress& progress)
       : source_(std::move(source)),
@@ -47,7 +47,7 @@ class Run {
   const Progress& progress_;
   StageClock clock_;
   std::vector<std::shared_ptr<const View>> views_;  ///< by frame; null: not measured
-  std::vector<AlignedView> aligned_;                ///< what was registered, by time
+  std::vector<AlignedView> aligned_;                ///< registered views by time
   Reconstruction result_;
 };
 
@@ -65,8 +65,8 @@ void Run::reject(FrameIndex frame, std::string reason) {
   report.T_world_sensor.reset();
 }
 
-/// Measures frame i, or says in its report why not. A frame of the wrong size is an error: it is
-/// damaged, or the calibration is that of another sensor.
+/// Measures frame i, or writes into its report why not. A frame of the wrong size is an error: it
+/// is damaged, or the calibration belongs to another sensor.
 Result<void> Run::measure_frame(const io::Recording& recording,
                                 const calibration::Calibration& calibration, std::size_t i) {
   const FrameIndex index(i);
@@ -157,7 +157,7 @@ Result<void> Run::register_views() {
               source_, result_.frames.size(), view_count, first_rejection());
 }
 
-/// For the end of a message; empty where nothing was rejected.
+/// The end of a message; empty if no frame was rejected.
 std::string Run::first_rejection() const {
   const auto first = std::find_if(result_.frames.begin(), result_.frames.end(),
                                   [](const FrameReport& report) { return !report.reason.empty(); });
@@ -165,7 +165,7 @@ std::string Run::first_rejection() const {
   return fmt::format("; frame {} was rejected: {}", first->frame.value, first->reason);
 }
 
-/// The texture frames that can be read; the others are rejected.
+/// Loads the texture frames; rejects those that cannot be read.
 std::vector<Frame> Run::load_texture_frames(const io::Recording& recording) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
@@ -180,7 +180,7 @@ std::vector<Frame> Run::load_texture_frames(const io::Recording& recording) {
   return frames;
 }
 
-/// Finishes the scan and settles the fates that this decides.
+/// Finishes the scan and completes the frame reports.
 Result<Reconstruction> Run::finish(ScannedViews scanned) {
   const std::vector<Frame> texture_frames = scanned.texture_frames;  // images are shared
   Result<FinishedScan> finished =
@@ -217,11 +217,12 @@ Result<Reconstruction> Run::from_recording(const io::Recording& recording,
       {aligned_, load_texture_frames(recording), editing::EditStack().state(), &calibration});
 }
 
-/// A report for each frame that the case knows of.
+/// Creates a report for each frame of the stage.
 void Run::accept_stage(const io::StoredStage& stage) {
   std::map<FrameIndex, FrameReport> reports;
   for (const io::StoredFrame& frame : stage.frames) {
-    reports[frame.frame].reason = frame.reason.empty() ? "nothing of it is kept" : frame.reason;
+    reports[frame.frame].reason =
+        frame.reason.empty() ? "the case has no data of this frame" : frame.reason;
   }
   for (const io::StoredView& stored : stage.views) {
     FrameReport& report = reports[stored.view->frame];

@@ -9,15 +9,15 @@
 
 namespace flytri::reduction {
 
-/// How far averaging over consecutive samples of a line helps. The noise of samples k apart is
-/// taken to correlate as exp(-(k / noise_length_samples)^2).
+/// How much averaging over consecutive samples of a line reduces the variance. The noise of samples
+/// at distance k is assumed to correlate as exp(-(k / noise_length_samples)^2).
 class MeanVariance {
  public:
   /// @param noise_length_samples  > 0
   explicit MeanVariance(double noise_length_samples);
 
-  /// Variance of the mean of `count` samples as a share of one sample's: 1 for noise that is the
-  /// same along the line, 1 / count for white noise.
+  /// Variance of the mean of `count` samples divided by the variance of one sample: 1 for fully
+  /// correlated noise, 1 / count for white noise.
   [[nodiscard]] double share(std::size_t count) const {
     return count < usual_.size() ? usual_[count] : compute(count);
   }
@@ -26,13 +26,13 @@ class MeanVariance {
   [[nodiscard]] double compute(std::size_t count) const;
 
   double noise_length_samples_;
-  std::vector<double> usual_;  ///< by count: asked for again and again
+  std::vector<double> usual_;  ///< by count: cached, because small counts are frequent
 };
 
 /// Merges samples of one surface, grouped by view: the noise of a view's samples is correlated,
-/// that of different views is not. The uncertainty grows where the views disagree more than their
-/// noise explains (Birge ratio).
-/// @param members  indices into samples, at least one; those of a view in any order
+/// that of different views is not. The uncertainty is increased where the views differ by more than
+/// their noise (Birge ratio).
+/// @param members  indices into samples, at least one, in any order
 [[nodiscard]] SurfacePoint merge_samples(std::span<const SurfaceSample> samples,
                                          std::span<const std::uint32_t> members,
                                          const MeanVariance& mean_variance);

@@ -12,16 +12,17 @@
 namespace flytri::reduction {
 namespace {
 
-/// A cell is three camera pixels wide: half a line width of six, the middle of the paper's 4 to 9.
+/// A cell is three camera pixels wide: half of a typical line width of six pixels (4 to 9 in the
+/// paper, section "Physical Optimization").
 constexpr double kCellSpacings = 3.0;
-/// A cell reaches six standard uncertainties to either side of its center, which is itself a noisy
-/// sample.
+/// A cell extends at least six standard uncertainties to each side of its center, which is a noisy
+/// sample itself.
 constexpr double kHalfLengthSigmas = 6.0;
 
-/// The parts' shares of the time.
+/// Share of the total time of each part.
 constexpr double kOrderShare = 0.2, kCellShare = 0.3, kSupportShare = 0.4, kMergeShare = 0.1;
 
-/// Median size of the samples' deviation.
+/// Median length of the samples' deviations.
 double median_sigma_mm(std::span<const SurfaceSample> samples) {
   std::vector<float> sigmas;
   sigmas.reserve(samples.size());
@@ -39,7 +40,7 @@ CellShape shape_of_cells(std::span<const SurfaceSample> samples, double cell_mm,
   return shape;
 }
 
-/// Keeps the members that are supported; a cell may become empty.
+/// Keeps the supported samples; a cell may become empty.
 Cells keep_supported(const Cells& cells, const std::vector<Support>& support) {
   Cells kept;
   kept.shape = cells.shape;
@@ -76,7 +77,7 @@ Result<PointCloud> merge_cells(std::span<const SurfaceSample> samples, const Cel
   return points;
 }
 
-/// Reduces samples in spatial order, and adds what becomes of them to `reduction`.
+/// Reduces samples in spatial order; writes points and counts to `reduction`.
 Result<void> reduce_ordered(std::span<const SurfaceSample> samples, const ReduceOptions& options,
                             const Workers& workers, const Progress& progress,
                             Reduction& reduction) {
@@ -126,9 +127,10 @@ Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
       options.cell_mm > 0.0 ? options.cell_mm : kCellSpacings * sample_spacing_mm(samples);
   if (samples.empty()) return reduction;
   if (!(reduction.cell_mm > 0.0)) {
-    return fail(ErrorCode::kInsufficient,
-                "no view has two of the {} samples, so their spacing is unknown: set cell_mm",
-                samples.size());
+    return fail(
+        ErrorCode::kInsufficient,
+        "no view has two of the {} samples, so their spacing is unknown; set the option cell_mm",
+        samples.size());
   }
   const auto ordered =
       spatially_ordered(samples, reduction.cell_mm, workers, progress.part(kOrderShare));

@@ -13,7 +13,7 @@
 namespace flytri::reduction {
 namespace {
 
-/// Spreads the low 21 bits to every third bit.
+/// Moves the low 21 bits to every third bit.
 std::uint64_t spread(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffULL;
@@ -23,7 +23,7 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249ULL;
 }
 
-/// Place along a Morton curve through cubes of the given size.
+/// Position along a Morton curve through cubes of the given size.
 std::uint64_t morton(const Vec3f& p_mm, double cell_mm) {
   std::uint64_t code = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -44,7 +44,7 @@ bool is_usable(const SurfaceSample& s) {
          std::abs(s.normal.squaredNorm() - 1.0F) < 0.01F;
 }
 
-/// Squared distance of two samples, less what points along the noise of `a`.
+/// Squared distance of two samples, without the part along the noise direction of `a`.
 float distance2_across_noise(const SurfaceSample& a, const SurfaceSample& b) {
   const Vec3f d = b.position_mm - a.position_mm;
   const float noise2 = a.deviation_mm.squaredNorm();
@@ -53,7 +53,7 @@ float distance2_across_noise(const SurfaceSample& a, const SurfaceSample& b) {
   return d.squaredNorm() - along * along / noise2;
 }
 
-/// The usable samples of some evenly chosen views, by view: a median needs no more.
+/// The usable samples of some evenly chosen views, sorted by view: enough for a median.
 std::vector<SurfaceSample> probe_views(std::span<const SurfaceSample> samples) {
   constexpr std::size_t kProbeViews = 16;
   std::vector<ViewIndex> views;
@@ -77,19 +77,19 @@ std::vector<SurfaceSample> probe_views(std::span<const SurfaceSample> samples) {
   return chosen;
 }
 
-/// A sample and its place on the curve.
+/// A sample and its position on the curve.
 struct Keyed {
   std::uint64_t key = 0;
   std::uint32_t index = 0;
 };
-/// No place on the curve.
+/// Key of a sample that is not usable.
 constexpr std::uint64_t kUnusable = std::numeric_limits<std::uint64_t>::max();
 constexpr std::size_t kGrain = 1024, kBucketGrain = 64;
-/// Of finding the keys in the time of sorting.
+/// Share of the sorting time for computing the keys.
 constexpr double kKeyShare = 0.2;
 
-/// Sorts by the leading bits of the key in one pass, so that the rest can be sorted side by side.
-/// @returns where each stretch of equal bits begins, and the end
+/// Sorts by the leading bits of the key in one pass, so that the buckets can be sorted in parallel.
+/// @returns start of each bucket, and the end
 std::vector<std::size_t> sort_roughly(std::vector<Keyed>& order) {
   constexpr int kLeadingBits = 18;
   if (order.empty()) return {0};

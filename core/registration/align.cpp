@@ -6,12 +6,12 @@
 namespace flytri::registration {
 namespace {
 
-/// Steps below this share of their standard uncertainty end a stage.
+/// A stage ends when a step is below this share of its standard uncertainty,
 constexpr double kInsignificant = 0.1;
-/// So do steps below this share of the radius: the resolution of single precision.
+/// or below this share of the radius, the resolution of single precision.
 constexpr double kResolution = 1e-6;
 
-/// A stage of the iteration: from where the crossings were searched to where it came to rest.
+/// One stage: searches the crossings once, then iterates until the pose converges.
 class Stage {
  public:
   Stage(const PreparedView& source, Metaview metaview, const AlignOptions& options,
@@ -36,7 +36,7 @@ class Stage {
     shuffle_front(pairs, count, random);
     pairs.resize(std::min(count, pairs.size()));
     found_ = find_crossings(placed_, metaview_, pairs, search_limits_);
-    crossings_ = near_ones(found_);
+    crossings_ = within_limits(found_);
     const StepFrame frame{placed_.center_mm, placed_.radius_mm};
     const Isometry T_searched_guess = T_world_guess_ * result.T_target_source.inverse();
     T_moved_ = Isometry::Identity();
@@ -64,7 +64,7 @@ class Stage {
     result.rms_mm = step_.rms_mm;
     result.uncertainty_mm = step_.sigma_mm.maxCoeff();
     result.covered_share = covered_share();
-    // What the iteration dropped on its way speaks against the pose as much as the rest for it.
+    // Crossings that the iteration dropped count too: they are evidence against the pose.
     result.agreement = judge(follow_crossings(placed_, metaview_, T_moved_, found_, search_limits_),
                              result.T_target_source, source_.radius_mm, options_.agreement);
     const StepFrame frame{T_world_guess_ * source_.center_mm, source_.radius_mm};
@@ -77,14 +77,15 @@ class Stage {
     return crossings_.size() >= static_cast<std::size_t>(options_.min_crossings);
   }
 
-  [[nodiscard]] std::vector<Crossing> near_ones(std::vector<Crossing> crossings) const {
+  [[nodiscard]] std::vector<Crossing> within_limits(std::vector<Crossing> crossings) const {
     std::erase_if(crossings, [&](const Crossing& c) {
       return (c.p_mm - c.q_mm).norm() > limits_.max_distance_mm;
     });
     return crossings;
   }
 
-  /// Dynamic threshold of the paper: six robust sigmas of the present residuals.
+  /// Dynamic threshold of the paper (section "Single Registration"): six robust sigmas of the
+  /// present residuals.
   void shrink_threshold() {
     double sigma_mm = 0.0;
     for (const Crossing& c : crossings_) sigma_mm += c.sigma_mm;
@@ -120,11 +121,11 @@ class Stage {
   const AlignOptions& options_;
   Isometry T_world_guess_;
   StepOptions step_options_;
-  CrossingLimits search_limits_;             ///< d_max of the first iteration
+  CrossingLimits search_limits_;             ///< d_max of the search
   CrossingLimits limits_;                    ///< d_max at present
-  PreparedView placed_;                      ///< the source where crossings were searched
-  std::vector<Crossing> found_;              ///< by that search
-  std::vector<Crossing> crossings_;          ///< of these, what lies within the limits since
+  PreparedView placed_;                      ///< the source at the pose of the search
+  std::vector<Crossing> found_;              ///< crossings found by the search
+  std::vector<Crossing> crossings_;          ///< of these, the ones still within the limits
   Isometry T_moved_ = Isometry::Identity();  ///< since the search
   PoseStep step_;
   bool converged_ = false;

@@ -6,7 +6,7 @@
 namespace flytri::registration {
 namespace {
 
-/// Surfaces seen from directions farther apart than this cosine have little in common.
+/// Views whose sight directions have a smaller cosine than this show little common surface.
 constexpr double kMinSightCosine = 0.2;
 
 double worth(const ViewExtent& a, const ViewExtent& b) {
@@ -46,7 +46,7 @@ std::vector<Overlap> OverlapGrid::overlapping(const ViewExtent& around) const {
   std::vector<Overlap> result;
   for (int x = low[0]; x <= high[0]; ++x) {
     for (int y = low[1]; y <= high[1]; ++y) {
-      // The cells of a column stand next to each other in the map.
+      // The cells of a column are neighbors in the map.
       const auto end = cells_.upper_bound({x, y, high[2]});
       for (auto cell = cells_.lower_bound({x, y, low[2]}); cell != end; ++cell) {
         for (const std::size_t view : cell->second) {

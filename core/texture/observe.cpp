@@ -8,17 +8,17 @@
 namespace flytri::texture {
 namespace {
 
-/// Points that are tested together; neighbors in the list mostly are neighbors in space.
+/// Points tested together: neighbors in the list are usually neighbors in space.
 constexpr std::size_t kBlock = 256;
 
-/// A point as one texture frame may see it.
+/// Projection of a point into a texture frame.
 struct Projection {
   float u_px = 0.0F, v_px = 0.0F;
-  float depth_mm = std::numeric_limits<float>::infinity();  ///< infinite: outside of the image
+  float depth_mm = std::numeric_limits<float>::infinity();  ///< infinite: outside the image
   bool facing = false;
 };
 
-/// Unit ray of sight of the texture camera: along it neither U nor V changes.
+/// Unit vector of the texture camera's ray of sight: U and V do not change along it.
 Vec3 ray_of_sight(const calibration::Calibration& calibration, const Vec3& p_sensor) {
   const Vec3 ray = calibration.texture_u_px.gradient(p_sensor)
                        .cross(calibration.texture_v_px.gradient(p_sensor))
@@ -51,7 +51,7 @@ class DepthBuffer {
   std::vector<float> depths_mm_;
 };
 
-/// sRGB values around a place, bilinear. The place is inside the image.
+/// Bilinear interpolation of sRGB values. The position must be inside the image.
 Vec3f sample(const cv::Mat& image, float u_px, float v_px) {
   const int u = std::min(static_cast<int>(u_px), image.cols - 2);
   const int v = std::min(static_cast<int>(v_px), image.rows - 2);
@@ -72,7 +72,7 @@ double margin_mm(const calibration::Calibration& calibration, const TextureOptio
   return options.volume_margin_share * calibration.volume.size_mm.maxCoeff();
 }
 
-/// False if the ball around the points is outside of the measurement volume.
+/// False if the bounding sphere of the points is outside the measurement volume.
 bool may_reach_volume(std::span<const SurfacePoint> points, const Isometry& T_sensor_world,
                       const calibration::Calibration& calibration, const TextureOptions& options) {
   Vec3f low = points.front().position_mm;
@@ -129,12 +129,13 @@ Result<void> observe_points(std::span<const SurfacePoint> points, std::span<Obse
   const ImageSize size{frame.image.cols, frame.image.rows};
   if (!(size == calibration.texture_size) || frame.image.type() != CV_8UC3) {
     return fail(ErrorCode::kInconsistent,
-                "a texture frame of {} x {} px does not suit a calibration for {} x {} px",
+                "a texture frame has {} x {} px, but the calibration is for {} x {} px; use the "
+                "calibration of this sensor",
                 size.width_px, size.height_px, calibration.texture_size.width_px,
                 calibration.texture_size.height_px);
   }
   const Isometry T_sensor_world = frame.T_world_sensor.inverse();
-  // By block of points; empty where the frame sees none of them.
+  // By block of points; empty if the frame sees none of them.
   std::vector<std::vector<Projection>> blocks((points.size() + kBlock - 1) / kBlock);
   workers.for_each(blocks.size(), [&](std::size_t b) {
     const auto block = points.subspan(b * kBlock, std::min(kBlock, points.size() - b * kBlock));

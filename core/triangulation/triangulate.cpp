@@ -21,7 +21,7 @@ class PointMaker {
       update_lateral({at.u_px, at.v_px, position.z()});
       next_lateral_px_ = sample.along_px + kLateralStep;
     }
-    // Z is a function of across alone, X and Y of u, v and z.
+    // z depends only on `across`; x and y depend on u, v and z.
     const double slope = row.depth_mm.derivative(sample.across_px);
     const Vec3 per_px(by_across_.x() + by_depth_.x() * slope,
                       by_across_.y() + by_depth_.y() * slope, slope);
@@ -30,7 +30,8 @@ class PointMaker {
   }
 
  private:
-  /// Rows between two evaluations of the lateral derivatives: they change by a thousandth.
+  /// Rows between two evaluations of the lateral derivatives, which change by only 0.1 % over this
+  /// distance.
   static constexpr int kLateralStep = 16;
 
   void update_lateral(const Vec3& uvz) {

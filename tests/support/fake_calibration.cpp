@@ -109,7 +109,7 @@ RunningCalibration broken_check() {
   }
   running.outcome.verdict = "The calibration no longer holds";
   running.outcome.figures = {
-      {calibration::VerificationSymptom::kOffset, "vertical less horizontal", 0.0412, 0.001,
+      {calibration::VerificationSymptom::kOffset, "vertical minus horizontal", 0.0412, 0.001,
        0.0211},
       {calibration::VerificationSymptom::kOffsetInDepth, "... from near to far", 0.0034, 0.001,
        0.0208},

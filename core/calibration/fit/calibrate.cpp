@@ -10,8 +10,8 @@ namespace {
 Result<void> check_residual(const char* name, double rms, double limit, const char* unit) {
   if (rms <= limit) return {};
   return fail(ErrorCode::kInconsistent,
-              "the fit of {} leaves {:.4f} {} RMS, more than {:.4f}: are the planes where the set "
-              "says, and the images of one sensor?",
+              "the fit of {} has an RMS residual of {:.4f} {}, more than {:.4f}; check that the "
+              "depths of the planes are right and all images come from one sensor",
               name, rms, unit, limit);
 }
 
@@ -84,7 +84,7 @@ Result<Calibration> calibrate(const CalibrationSet& set, const CalibrateOptions&
   progress.advance();
 
   for (const Pattern pattern : kPatterns) {
-    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "calibration stopped");
+    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the calibration was stopped");
     auto lines = calibrate_pattern(set, pattern, options, workers);
     if (!lines) return tl::unexpected(lines.error());
     calibration.of(pattern) = std::move(*lines);

@@ -75,7 +75,7 @@ std::vector<ShotKind> GuidedCalibration::kept_shots(TargetFace face) {
 
 void GuidedCalibration::finish_placement() {
   const Placement& place = placements_[current_->placement];
-  current_->images.resize(kept_shots(place.face).size());  // what only proves rest comes last
+  current_->images.resize(kept_shots(place.face).size());  // kVerticalAgain is last and is dropped
   images_[current_->placement] = std::move(current_->images);
   current_.reset();
 }
@@ -115,16 +115,17 @@ ShotVerdict GuidedCalibration::check_type(ShotKind kind, const cv::Mat& image) c
       is_texture ? image.type() == CV_8UC3 : image.type() == CV_8UC1 || image.type() == CV_16UC1;
   if (image.empty() || !typed) {
     return {ShotFault::kWrongImage,
-            fmt::format("the image has {}; {} is needed", size_of(image),
-                        is_texture ? "8-bit color" : "grey of 8 or 16 bits"),
+            fmt::format("the image has {}, but {} is needed", size_of(image),
+                        is_texture ? "8-bit color" : "8- or 16-bit gray"),
             {}};
   }
   const cv::Mat* before = first_image(is_texture);
   if (before == nullptr || (before->size() == image.size() && before->type() == image.type()))
     return {};
-  return {ShotFault::kWrongImage,
-          fmt::format("the image has {}, those before {}", size_of(image), size_of(*before)),
-          {}};
+  return {
+      ShotFault::kWrongImage,
+      fmt::format("the image has {}, but earlier images have {}", size_of(image), size_of(*before)),
+      {}};
 }
 
 const cv::Mat* GuidedCalibration::first_image(bool is_texture) const {

@@ -47,11 +47,12 @@ ShotVerdict judge_light(const ShotWords& words, const ShotFigures& figures, doub
                   figures);
   }
   if (figures.brightness < options.min_brightness) {
-    return refuse(ShotFault::kTooDark,
-                  fmt::format("the {} stand {:.1f} % of full scale above the rest, less than "
-                              "{:.0f} %",
-                              words.things, 100 * figures.brightness, 100 * options.min_brightness),
-                  figures);
+    return refuse(
+        ShotFault::kTooDark,
+        fmt::format(
+            "the {} are only {:.1f} % of full scale above the background, less than {:.0f} %",
+            words.things, 100 * figures.brightness, 100 * options.min_brightness),
+        figures);
   }
   return {ShotFault::kNone, "", figures};
 }

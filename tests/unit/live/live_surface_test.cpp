@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSpacing_mm = 0.05;
 
-/// Lines over the plane z = 0 of 10 x 10 mm, seen by a sensor that looks along -z of the world.
+/// Lines on the plane z = 0 of 10 x 10 mm, seen by a sensor that looks along -z of the world.
 AlignedView plane_view(Pattern pattern, double time_s, double line_offset_mm = 0.0) {
   auto view = std::make_shared<View>();
   view->pattern = pattern;
@@ -20,7 +20,7 @@ AlignedView plane_view(Pattern pattern, double time_s, double line_offset_mm = 0
     Profile profile{LineIndex(0), Vec3::UnitX(), {}};
     for (double along = 0.0; along < 10.0; along += kSpacing_mm) {
       ProfilePoint point;
-      // The sensor's y and z point against those of the world.
+      // The sensor's y and z axes are opposite to those of the world.
       point.position_mm =
           pattern == Pattern::kVertical ? Vec3(across, -along, 0.0) : Vec3(along, -across, 0.0);
       point.deviation_mm = Vec3f(0, 0, 0.03F);
@@ -38,7 +38,7 @@ const editing::EditFilter& no_edits() {
   return filter;
 }
 
-/// Both patterns at `rounds` places, until the lines lie as close as the cells.
+/// Both patterns at `rounds` places, so that the line spacing is as small as the cells.
 LiveSurface scanned_plane(int rounds = 5) {
   LiveSurface surface = LiveSurface::create().value();
   double time_s = 0.0;
@@ -69,15 +69,15 @@ TEST(LiveSurface, APlaneBecomesSurfelsThatFaceTheSensor) {
   }
 }
 
-TEST(LiveSurface, TheAreaIsThatOfThePlane) {
+TEST(LiveSurface, AreaEqualsThatOfThePlane) {
   LiveSurface surface = scanned_plane();
   (void)surface.publish();
-  // Cells of 0.22 mm stick out over the border.
+  // Cells of 0.22 mm extend over the border.
   EXPECT_NEAR(surface.area_mm2(), 100.0, 8.0);
   EXPECT_GT(surface.good_share(), 0.9);
 }
 
-TEST(LiveSurface, LinesOfOnePatternAloneCoverThinly) {
+TEST(LiveSurface, LinesOfOnlyOnePatternGiveThinCoverage) {
   LiveSurface surface = LiveSurface::create().value();
   for (int i = 0; i < 10; ++i) {
     surface.add(plane_view(Pattern::kVertical, 0.1 * i, 0.1 * i), no_edits());
@@ -88,7 +88,7 @@ TEST(LiveSurface, LinesOfOnePatternAloneCoverThinly) {
   EXPECT_EQ(surface.good_share(), 0.0);
 }
 
-/// A scanned plane where no horizontal line has crossed a band around y = 4.95 mm.
+/// A scanned plane; no horizontal line crosses a band around y = 4.95 mm.
 LiveSurface plane_with_band(double width_mm) {
   LiveSurface surface = LiveSurface::create().value();
   double time_s = 0.0;
@@ -114,8 +114,8 @@ Coverage coverage_at(LiveSurface& surface, const Vec3f& p_mm) {
       ->coverage;
 }
 
-TEST(LiveSurface, ACubeThatLinesMissedIsCoveredAsMostAroundItAre) {
-  // The world's y points against the sensor's; cubes have edges of 0.9 mm.
+TEST(LiveSurface, ACubeWithoutLinesHasTheCoverageOfItsNeighbors) {
+  // The world's y axis is opposite to the sensor's; cubes have edges of 0.9 mm.
   const Vec3f middle(5.0F, 4.95F, 0.0F);
   LiveSurface missed_one = plane_with_band(0.95);
   EXPECT_EQ(coverage_at(missed_one, middle), Coverage::kGood);
@@ -131,7 +131,7 @@ TEST(LiveSurface, OneViewHasNormalsAcrossItsLines) {
   }
 }
 
-TEST(LiveSurface, BlocksThatDoNotChangeStayTheSameObjects) {
+TEST(LiveSurface, UnchangedBlocksStayTheSameObjects) {
   LiveSurface surface = scanned_plane();
   const SurfelModel before = surface.publish();
   EXPECT_EQ(surface.publish(), before);
@@ -147,7 +147,7 @@ TEST(LiveSurface, BlocksThatDoNotChangeStayTheSameObjects) {
   }
 }
 
-TEST(LiveSurface, AnyPrefixOfABlockIsSpreadOverIt) {
+TEST(LiveSurface, TheFirstSurfelsOfABlockCoverItEvenly) {
   LiveSurface surface = scanned_plane();
   for (const auto& block : surface.publish()) {
     if (block->surfels.size() < 100) continue;
@@ -159,12 +159,12 @@ TEST(LiveSurface, AnyPrefixOfABlockIsSpreadOverIt) {
     };
     const Vec3f all = mean(block->surfels.begin(), block->surfels.end());
     const Vec3f some = mean(block->surfels.begin(), block->surfels.begin() + half);
-    // A block is 3.6 mm wide: the mean of 25 random places is within 3 x 1 mm / 5 of the middle.
+    // A block is 3.6 mm wide: the mean of 25 random places is within 3 x 1 mm / 5 of the center.
     EXPECT_LT((all - some).norm(), 0.7F);
   }
 }
 
-TEST(LiveSurface, WhatTheEditsDoNotKeepIsNeitherAddedNorLeft) {
+TEST(LiveSurface, EditsRemoveSurfaceAndRejectNewSurface) {
   editing::EditStack edits;
   edits.push({editing::EditKind::kTrim, 100.0, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 2.0F}}});
   const editing::EditFilter filter(edits.state());
@@ -182,7 +182,7 @@ TEST(LiveSurface, WhatTheEditsDoNotKeepIsNeitherAddedNorLeft) {
   }
 }
 
-TEST(LiveSurface, TakesTheColorThatATextureFrameSees) {
+TEST(LiveSurface, TakesTheColorOfATextureFrame) {
   LiveSurface surface = scanned_plane();
   (void)surface.publish();
   const calibration::Calibration calibration =
@@ -199,7 +199,7 @@ TEST(LiveSurface, TakesTheColorThatATextureFrameSees) {
   }
 }
 
-TEST(LiveSurface, SaysWhenAViewTellsNothingNew) {
+TEST(LiveSurface, ReportsAViewThatAddsNothingNew) {
   LiveSurfaceOptions options;
   options.enough_views = 5;
   LiveSurface surface = LiveSurface::create(options).value();
@@ -213,7 +213,7 @@ TEST(LiveSurface, SaysWhenAViewTellsNothingNew) {
   EXPECT_EQ(share, 1.0);
 }
 
-TEST(LiveSurface, NamesTheOptionThatIsWrong) {
+TEST(LiveSurface, NamesTheBadOption) {
   LiveSurfaceOptions options;
   options.normal_cells = 0;
   const auto surface = LiveSurface::create(options);
