@@ -53,6 +53,50 @@ TEST(AtomicFile, FullDiskKeepsTheOldFile) {
   EXPECT_EQ(entries_in(folder.path()), 1U);
 }
 
+AtomicFile prepared(const std::filesystem::path& path, std::string_view bytes) {
+  AtomicFile file = AtomicFile::create(path).value();
+  EXPECT_TRUE(file.write(bytes));
+  return file;
+}
+
+std::vector<AtomicFile> two_files(const TemporaryFolder& folder) {
+  std::vector<AtomicFile> files;
+  files.push_back(prepared(folder / "a.bin", "new a"));
+  files.push_back(prepared(folder / "b.bin", "new b"));
+  return files;
+}
+
+TEST(CommitTogether, ReplacesAllFiles) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder / "a.bin", "old a"));
+  ASSERT_TRUE(commit_together(two_files(folder)));
+  EXPECT_EQ(*read_file(folder / "a.bin"), "new a");
+  EXPECT_EQ(*read_file(folder / "b.bin"), "new b");
+  EXPECT_EQ(entries_in(folder.path()), 2U);
+}
+
+// A folder that takes the second name in the meantime makes the second rename fail.
+TEST(CommitTogether, PutsTheFirstFileBackWhereTheSecondFails) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder / "a.bin", "old a"));
+  std::vector<AtomicFile> files = two_files(folder);
+  ASSERT_TRUE(create_folder(folder / "b.bin"));
+  const Result<void> committed = commit_together(std::move(files));
+  ASSERT_FALSE(committed);
+  EXPECT_THAT(committed.error().message, HasSubstr("b.bin: cannot be written"));
+  EXPECT_EQ(*read_file(folder / "a.bin"), "old a");
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "b.bin"));
+  EXPECT_EQ(entries_in(folder.path()), 2U);
+}
+
+TEST(CommitTogether, RemovesTheFirstFileWhereTheSecondFails) {
+  const TemporaryFolder folder;
+  std::vector<AtomicFile> files = two_files(folder);
+  ASSERT_TRUE(create_folder(folder / "b.bin"));
+  EXPECT_FALSE(commit_together(std::move(files)));
+  EXPECT_EQ(entries_in(folder.path()), 1U);
+}
+
 // The recorder and the case write at the same time.
 TEST(AtomicFile, PermissionsAreThoseOfTheProcessWhateverOtherThreadsWrite) {
   const TemporaryFolder folder;

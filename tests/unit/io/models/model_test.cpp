@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
+#include "core/io/models/model_formats.h"
 #include "core/io/models/obj.h"
 #include "core/io/models/stl.h"
 #include "tests/support/colored_sphere.h"
@@ -116,10 +119,11 @@ TEST(Model, StlKeepsTriangles) {
   }
 }
 
-TEST(Model, UnknownEndingListsTheKnownOnes) {
+TEST(Model, UnknownExtensionListsTheKnownOnes) {
   const Result<void> written = write_model("a.xyz", colored_sphere());
   ASSERT_FALSE(written);
-  EXPECT_THAT(written.error().message, HasSubstr(".glb, .ply, .stl or .obj"));
+  EXPECT_EQ(written.error().message, "a.xyz: unknown model format; the name must end in " +
+                                         extension_list(FormatUse::kWrite));
   EXPECT_FALSE(check_model_path("noending"));
   EXPECT_FALSE(read_model("a.xyz"));
 }
@@ -142,16 +146,94 @@ TEST(Model, DamagedModelsAreNotWritten) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.glb"));
 }
 
-TEST(Model, FullDiskLeavesNothingHalfWritten) {
-  const TemporaryFolder folder;
+/// Names in a folder with the bytes of each file; subfolders count as empty files.
+std::map<std::string, std::string> contents_of(const TemporaryFolder& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    contents[entry.path().filename().string()] =
+        entry.is_directory() ? "" : read_file(entry.path()).value();
+  }
+  return contents;
+}
+
+TEST(Model, FullDiskLeavesTheFolderAsItWas) {
   const TexturedMesh model = textured_sphere();
-  for (const char* name : {"a.glb", "a.ply", "a.stl", "a.obj"}) {
-    const FullDisk disk(3000);
-    const Result<void> written = write_model(folder / name, model);
+  for (const ModelFormat& format : model_formats()) {
+    const TemporaryFolder folder;
+    const std::string name = "a" + std::string(format.extension);
+    for (const std::filesystem::path& file : files_of_model(folder / name)) {
+      ASSERT_TRUE(write_file(file, "former"));
+    }
+    const auto before = contents_of(folder);
+    Result<void> written;
+    {
+      const FullDisk disk(3000);
+      written = write_model(folder / name, model);
+    }
     ASSERT_FALSE(written) << name;
     EXPECT_EQ(written.error().code, ErrorCode::kWriteFailed);
-    EXPECT_THAT(written.error().message, HasSubstr(name));
-    EXPECT_FALSE(std::filesystem::exists(folder / name));
+    EXPECT_THAT(written.error().message, HasSubstr((folder / "a.").string()));
+    EXPECT_EQ(contents_of(folder), before) << name;
+  }
+}
+
+// The texture would fit on the disk, the surface does not.
+TEST(Model, ObjLeavesNoTextureWithoutItsSurface) {
+  const TexturedMesh model = textured_sphere();
+  const TemporaryFolder trial;
+  ASSERT_TRUE(write_model(trial / "a.obj", model));
+  const auto size_of = [&](const char* name) { return std::filesystem::file_size(trial / name); };
+  ASSERT_LT(size_of("a.png"), size_of("a.obj") - 1);
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder / "a.png", "former"));
+  const auto before = contents_of(folder);
+  {
+    const FullDisk disk(size_of("a.obj") - 1);
+    EXPECT_FALSE(write_model(folder / "a.obj", model));
+  }
+  EXPECT_EQ(contents_of(folder), before);
+}
+
+TEST(Model, ObjIsNotWrittenWhereItsMaterialCannotBe) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(create_folder(folder / "a.mtl"));
+  ASSERT_TRUE(write_file(folder / "a.png", "former"));
+  const auto before = contents_of(folder);
+  EXPECT_FALSE(write_model(folder / "a.obj", textured_sphere()));
+  EXPECT_EQ(contents_of(folder), before);
+}
+
+TEST(ModelFormats, NoTwoFormatsWriteTheSameFile) {
+  std::set<std::filesystem::path> files;
+  for (const ModelFormat& format : model_formats()) {
+    for (const auto& file : files_of_model("jaw" + std::string(format.extension))) {
+      EXPECT_TRUE(files.insert(file).second) << file;
+    }
+  }
+}
+
+TEST(ModelFormats, WriteExactlyTheFilesInTheTable) {
+  for (const ModelFormat& format : model_formats()) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / ("jaw" + std::string(format.extension));
+    ASSERT_TRUE(write_model(path, textured_sphere()));
+    EXPECT_EQ(contents_of(folder).size(), 1 + format.companions.size()) << path;
+    for (const std::filesystem::path& file : files_of_model(path)) {
+      EXPECT_TRUE(std::filesystem::exists(file)) << file;
+    }
+  }
+}
+
+TEST(ModelFormats, KeepWhatTheTableSays) {
+  TexturedMesh model = textured_sphere();
+  for (SurfacePoint& point : model.mesh.vertices) point.sigma_mm = 0.5F;
+  for (const ModelFormat& format : model_formats()) {
+    if (format.read == nullptr) continue;
+    const Result<TexturedMesh> back = there_and_back(model, "a" + std::string(format.extension));
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(!back->atlas.empty(), format.holds_texture) << format.extension;
+    EXPECT_EQ(back->mesh.vertices[0].sigma_mm == 0.5F, format.holds_uncertainty)
+        << format.extension;
   }
 }
 
@@ -172,7 +254,8 @@ TEST(Model, TruncatedFilesAreRefused) {
 TEST(Obj, DamageIsNamedByLine) {
   const Result<ObjText> obj = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "a.obj");
   ASSERT_FALSE(obj);
-  EXPECT_EQ(obj.error().message, "a.obj: line 4 is damaged, or names what does not exist");
+  EXPECT_EQ(obj.error().message,
+            "a.obj: line 4 is damaged or refers to a missing vertex, normal or texture coordinate");
 }
 
 }  // namespace
