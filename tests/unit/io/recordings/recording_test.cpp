@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"{\n \"version\": NaN }", "not valid JSON at line 2"},
         BadText{R"({"version":1,"frames":[]})", "\"format\": expected this key"},
         BadText{R"({"format":"flytri.recording","version":2,"frames":[]})",
-                "\"version\": expected 1; this program reads no other version"},
+                "\"version\": expected 1; this version of flytri reads no other"},
         BadText{R"({"format":"flytri.recording","version":1})", "\"frames\": expected this key"},
         BadText{R"({"format":"flytri.recording","version":1,"frames":[]})", "is empty"},
         BadText{
