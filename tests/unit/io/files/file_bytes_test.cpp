@@ -22,7 +22,7 @@ std::size_t entries_in(const std::filesystem::path& folder) {
                                                 std::filesystem::directory_iterator()));
 }
 
-TEST(AtomicFile, ReplacesAtOnceOrNotAtAll) {
+TEST(AtomicFile, ReplacesCompletelyOrNotAtAll) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "a.bin";
   ASSERT_TRUE(write_file(path, "old"));
@@ -75,8 +75,8 @@ TEST(CommitTogether, ReplacesAllFiles) {
   EXPECT_EQ(entries_in(folder.path()), 2U);
 }
 
-// A folder that takes the second name in the meantime makes the second rename fail.
-TEST(CommitTogether, PutsTheFirstFileBackWhereTheSecondFails) {
+// A folder gets the name of the second file before its rename, which therefore fails.
+TEST(CommitTogether, RestoresTheFirstFileIfTheSecondFails) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_file(folder / "a.bin", "old a"));
   std::vector<AtomicFile> files = two_files(folder);
@@ -89,7 +89,7 @@ TEST(CommitTogether, PutsTheFirstFileBackWhereTheSecondFails) {
   EXPECT_EQ(entries_in(folder.path()), 2U);
 }
 
-TEST(CommitTogether, RemovesTheFirstFileWhereTheSecondFails) {
+TEST(CommitTogether, RemovesTheFirstFileIfTheSecondFails) {
   const TemporaryFolder folder;
   std::vector<AtomicFile> files = two_files(folder);
   ASSERT_TRUE(create_folder(folder / "b.bin"));
@@ -97,8 +97,8 @@ TEST(CommitTogether, RemovesTheFirstFileWhereTheSecondFails) {
   EXPECT_EQ(entries_in(folder.path()), 1U);
 }
 
-// The recorder and the case write at the same time.
-TEST(AtomicFile, PermissionsAreThoseOfTheProcessWhateverOtherThreadsWrite) {
+// The recorder and the case write at the same time, each on its own thread.
+TEST(AtomicFile, PermissionsFollowTheUmaskWhileOtherThreadsWrite) {
   const TemporaryFolder folder;
   const mode_t former = ::umask(027);
   std::vector<std::thread> threads;
@@ -118,7 +118,7 @@ TEST(AtomicFile, PermissionsAreThoseOfTheProcessWhateverOtherThreadsWrite) {
   }
 }
 
-TEST(AtomicFile, SaysWhatToDoAboutAMissingFolder) {
+TEST(AtomicFile, MissingFolderIsReportedWithARemedy) {
   const TemporaryFolder folder;
   const Result<void> written = write_file(folder / "none/a.bin", "x");
   ASSERT_FALSE(written);
@@ -130,7 +130,7 @@ TEST(AtomicFile, FoldersWithoutPermissionAreRefused) {
   const TemporaryFolder folder;
   std::filesystem::permissions(
       folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  // Root may write anywhere, so the test steps down for this one call.
+  // Root may write anywhere: for this call the test becomes another user.
   const bool is_root = ::geteuid() == 0;
   constexpr uid_t kNobody = 65534;
   if (is_root) {
@@ -147,7 +147,7 @@ TEST(AtomicFile, FoldersWithoutPermissionAreRefused) {
   EXPECT_THAT(written.error().message, HasSubstr("change the permissions"));
 }
 
-TEST(ReadFile, NamesWhatCannotBeRead) {
+TEST(ReadFile, RefusesMissingFilesFoldersAndDevices) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_file(folder / "none").error().code, ErrorCode::kNotFound);
   EXPECT_EQ(read_file(folder.path()).error().code, ErrorCode::kBadFormat);

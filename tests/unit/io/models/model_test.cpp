@@ -21,8 +21,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Calls `compare(index in a, index in b)` for the corners of all triangles in their order: formats
-/// may leave out unused vertices and number the others anew.
+/// Calls `compare(index in a, index in b)` for the corners of all triangles in order: a format may
+/// omit unused vertices and change indices.
 template <typename Compare>
 void for_each_corner(const TexturedMesh& a, const TexturedMesh& b, const Compare& compare) {
   ASSERT_EQ(a.mesh.triangles.size(), b.mesh.triangles.size());
@@ -34,7 +34,7 @@ void for_each_corner(const TexturedMesh& a, const TexturedMesh& b, const Compare
 void expect_same_surface(const TexturedMesh& a, const TexturedMesh& b) {
   for_each_corner(a, b, [&](std::uint32_t i, std::uint32_t j) {
     ASSERT_EQ(a.mesh.vertices[i].position_mm, b.mesh.vertices[j].position_mm);
-    // Normals are normalized once more where a format requires it: a rounding error.
+    // Some formats require normalized normals: a rounding error.
     ASSERT_LT((a.mesh.vertices[i].normal - b.mesh.vertices[j].normal).norm(), 1e-6F);
   });
 }
@@ -48,7 +48,7 @@ void expect_same_colors(const TexturedMesh& a, const TexturedMesh& b) {
 void expect_same_texture(const TexturedMesh& a, const TexturedMesh& b) {
   ASSERT_EQ(b.uv.size(), b.mesh.vertices.size());
   for_each_corner(a, b, [&](std::uint32_t i, std::uint32_t j) {
-    // OBJ turns v over and back: a rounding error of numbers up to 1.
+    // OBJ stores 1 - v: a rounding error of numbers up to 1.
     ASSERT_LT((a.uv[i] - b.uv[j]).norm(), 1e-6F);
   });
   ASSERT_EQ(a.atlas.size(), b.atlas.size());
@@ -113,7 +113,8 @@ TEST(Model, StlKeepsTriangles) {
                 model.mesh.vertices[model.mesh.triangles[i][c]].position_mm);
     }
   }
-  // Computed normals of a sphere point along its radius, as well as facets of 0.2 rad let them.
+  // The computed normals of a sphere point along the radius, within the accuracy of facets of 0.2
+  // rad.
   for (const SurfacePoint& point : back->mesh.vertices) {
     EXPECT_GT(point.normal.dot(point.position_mm.normalized()), 0.98F);
   }
@@ -194,7 +195,7 @@ TEST(Model, ObjLeavesNoTextureWithoutItsSurface) {
   EXPECT_EQ(contents_of(folder), before);
 }
 
-TEST(Model, ObjIsNotWrittenWhereItsMaterialCannotBe) {
+TEST(Model, ObjIsNotWrittenWithoutItsMaterial) {
   const TemporaryFolder folder;
   ASSERT_TRUE(create_folder(folder / "a.mtl"));
   ASSERT_TRUE(write_file(folder / "a.png", "former"));
@@ -251,7 +252,7 @@ TEST(Model, TruncatedFilesAreRefused) {
   }
 }
 
-TEST(Obj, DamageIsNamedByLine) {
+TEST(Obj, DamageIsReportedWithItsLine) {
   const Result<ObjText> obj = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "a.obj");
   ASSERT_FALSE(obj);
   EXPECT_EQ(obj.error().message,

@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TEST(Ply, ReadsTextInAnyOrderWithExtras) {
+TEST(Ply, ReadsTextWithPropertiesInAnyOrder) {
   const Result<PlyMesh> ply = parse_ply(
       "ply\r\nformat ascii 1.0\ncomment hand made\nelement vertex 4\nproperty int lit\n"
       "property double z\nproperty float y\nproperty float x\nproperty list uchar int rings\n"
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Ply, ReadsTheTruthOfTheRealRecording) {
   const std::filesystem::path path = testing::shared_data() / "recording-quadrant/jaw.ply";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no recordings beside the checkout";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the shared recordings are missing";
   const Result<PlyMesh> jaw = read_ply(path);
   ASSERT_TRUE(jaw) << jaw.error().message;
   EXPECT_EQ(jaw->mesh.vertices.size(), 50643U);
