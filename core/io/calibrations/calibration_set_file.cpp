@@ -56,7 +56,7 @@ Result<cv::Mat> load_image(const std::filesystem::path& path, bool color, cv::Si
   Result<cv::Mat> image = read_png(path);
   if (!image) return image;
   if ((image->channels() == 3) != color) {
-    return fail(ErrorCode::kBadFormat, "{}: must be {}; save it so", path.string(),
+    return fail(ErrorCode::kBadFormat, "{}: must be {}; convert the image", path.string(),
                 color ? "8-bit RGB" : "8- or 16-bit grey");
   }
   if (size.empty()) size = image->size();
