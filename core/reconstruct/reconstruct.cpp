@@ -34,6 +34,7 @@ class Run {
                              const calibration::Calibration& calibration, std::size_t i);
   void accept_frames(std::size_t count);
   Result<void> register_views();
+  [[nodiscard]] Error nothing_registered() const;
   void accept_stage(const io::StoredStage& stage);
   FrameReport& report_of(FrameIndex frame);
   void reject(FrameIndex frame, std::string reason);
@@ -151,10 +152,31 @@ Result<void> Run::register_views() {
   }
   clock_.end_stage("registration", view_count, "views");
   if (aligned_.size() >= 2) return {};
-  return fail(ErrorCode::kInsufficient,
-              "{}: of {} frames {} show lines inside the measurement volume, and no two of them "
-              "could be registered; both patterns must light the same surface in turn{}",
-              source_, result_.frames.size(), view_count, first_rejection());
+  return tl::unexpected(nothing_registered());
+}
+
+/// Says which pattern is missing, as that is often the cause.
+Error Run::nothing_registered() const {
+  const auto count = [&](Pattern pattern) {
+    return std::count_if(views_.begin(), views_.end(), [&](const auto& view) {
+      return view != nullptr && view->pattern == pattern;
+    });
+  };
+  const auto vertical = count(Pattern::kVertical), horizontal = count(Pattern::kHorizontal);
+  std::string cause =
+      "no two of them could be registered; light the same surface with both "
+      "patterns in turn, and move the sensor slowly";
+  if (vertical == 0 && horizontal == 0) {
+    cause = "check the distance to the surface, the lights and the calibration";
+  } else if (vertical == 0 || horizontal == 0) {
+    cause = fmt::format("the {} pattern is missing; check its light, and \"kind\" of the frames",
+                        to_string(vertical == 0 ? Pattern::kVertical : Pattern::kHorizontal));
+  }
+  return {
+      ErrorCode::kInsufficient,
+      fmt::format("{}: of {} frames {} show vertical and {} show horizontal lines in the "
+                  "measurement volume: {}{}",
+                  source_, result_.frames.size(), vertical, horizontal, cause, first_rejection())};
 }
 
 /// The end of a message; empty if no frame was rejected.
