@@ -23,7 +23,7 @@ Result<void> V4l2CameraOptions::validate() const {
 V4l2Camera::V4l2Camera(device::CameraMatch match, const device::CameraSettings& settings,
                        const V4l2CameraOptions& options, VideoMeans means)
     : match_(std::move(match)),
-      asked_(settings),
+      requested_(settings),
       options_(options),
       means_(std::move(means)),
       read_back_(settings),
@@ -57,7 +57,7 @@ std::string V4l2Camera::name() const {
 Result<void> V4l2Camera::open() {
   const auto node = find_camera(*means_.system, match_);
   if (!node) return tl::unexpected(node.error());
-  auto stream = VideoStream::open(*means_.system, *node, asked_, options_.buffers);
+  auto stream = VideoStream::open(*means_.system, *node, requested_, options_.buffers);
   if (!stream) return tl::unexpected(stream.error());
   stream_ = std::move(*stream);
   frame_counter_.begin_stream(1.0 / stream_->read_back().rate_hz);

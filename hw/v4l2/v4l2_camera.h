@@ -42,7 +42,7 @@ class V4l2Camera final : public device::Camera {
   void stop() override;
   [[nodiscard]] Result<std::optional<device::CameraFrame>> next(double timeout_s) override;
   [[nodiscard]] device::CameraStatus status() const override;
-  [[nodiscard]] device::CameraSettings asked() const override { return asked_; }
+  [[nodiscard]] device::CameraSettings requested() const override { return requested_; }
   [[nodiscard]] device::CameraSettings read_back() const override;
   [[nodiscard]] std::string name() const override;
 
@@ -57,7 +57,7 @@ class V4l2Camera final : public device::Camera {
   [[nodiscard]] device::CameraFrame enter(const StreamedImage& image);
 
   const device::CameraMatch match_;
-  const device::CameraSettings asked_;
+  const device::CameraSettings requested_;
   const V4l2CameraOptions options_;
   const VideoMeans means_;
 

@@ -68,7 +68,7 @@ class ReadyCamera final : public device::Camera {
         device::StampMeaning::kEndOfReadout, sequence_++, false};
   }
   [[nodiscard]] device::CameraStatus status() const override { return status_; }
-  [[nodiscard]] device::CameraSettings asked() const override { return settings_; }
+  [[nodiscard]] device::CameraSettings requested() const override { return settings_; }
   [[nodiscard]] device::CameraSettings read_back() const override { return settings_; }
   [[nodiscard]] std::string name() const override { return "ready"; }
 

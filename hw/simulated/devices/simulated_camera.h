@@ -51,7 +51,7 @@ class SimulatedCamera final : public device::Camera {
   void stop() override;
   [[nodiscard]] Result<std::optional<device::CameraFrame>> next(double timeout_s) override;
   [[nodiscard]] device::CameraStatus status() const override;
-  [[nodiscard]] device::CameraSettings asked() const override { return options_.settings; }
+  [[nodiscard]] device::CameraSettings requested() const override { return options_.settings; }
   [[nodiscard]] device::CameraSettings read_back() const override { return options_.settings; }
   [[nodiscard]] std::string name() const override { return options_.name; }
 

@@ -101,9 +101,9 @@ TEST(CalibrationDesk, ShowsWhatTheCameraSeesWithItsLines) {
 TEST(CalibrationDesk, ARefusedShotIsToldAndItsPlaceStaysWanted) {
   const TemporaryFolder folder;
   const auto shots = make_shots();
-  shots::SimulatedMishap mishap;
-  mishap.lights_swapped = true;
-  ASSERT_TRUE(shots->set_mishap(mishap));
+  shots::ShotFaults faults;
+  faults.lights_swapped = true;
+  ASSERT_TRUE(shots->set_faults(faults));
   CalibrationDesk desk(calibration_job(folder.path(), shots));
   ASSERT_TRUE(wait_until_it_waits(desk));
   desk.take();

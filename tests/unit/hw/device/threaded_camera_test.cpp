@@ -55,7 +55,7 @@ class ScriptedCamera final : public Camera {
     const std::lock_guard lock(mutex_);
     return status_;
   }
-  CameraSettings asked() const override { return {}; }
+  CameraSettings requested() const override { return {}; }
   CameraSettings read_back() const override { return {}; }
   std::string name() const override { return "scripted"; }
 

@@ -26,7 +26,7 @@ class DarkGuardTest : public ::testing::Test {
   }
   ~DarkGuardTest() override { close(opened_); }
 
-  [[nodiscard]] DarkOrder order() const { return {chip_.string(), "label", {0, 1}, {0, 1}}; }
+  [[nodiscard]] DarkRequest order() const { return {chip_.string(), "label", {0, 1}, {0, 1}}; }
   // Whether somebody opens the chip within the time.
   [[nodiscard]] bool is_opened(int timeout_ms) const {
     pollfd waiting{opened_, POLLIN, 0};

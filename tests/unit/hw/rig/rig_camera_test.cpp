@@ -21,7 +21,7 @@ class FaultyCamera final : public device::Camera {
     return frame;
   }
   [[nodiscard]] device::CameraStatus status() const override { return status_; }
-  [[nodiscard]] device::CameraSettings asked() const override { return read_back(); }
+  [[nodiscard]] device::CameraSettings requested() const override { return read_back(); }
   [[nodiscard]] device::CameraSettings read_back() const override {
     device::CameraSettings settings;
     settings.rate_hz = 10.0;

@@ -46,7 +46,7 @@ TEST(GuidedSession, IsInterruptedGoesOnAndGivesWhatTheOfflineCommandGives) {
   }
   auto session = GuidedSession::open(folder.path(), small_plan(), shots).value();
   EXPECT_EQ(session.restored(), 5);  // both targets of two planes, the white plane of the third
-  EXPECT_TRUE(session.complaints().empty());
+  EXPECT_TRUE(session.problems().empty());
   EXPECT_EQ(session.guide().wanted()->kind, calibration::ShotKind::kDots);
   ASSERT_NO_FATAL_FAILURE(take_until(session, kPlanes, calibration::ShotKind::kDark));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "calibration-set.json"));
@@ -76,8 +76,8 @@ TEST(GuidedSession, ADamagedImageIsTakenAgain) {
   }
   ASSERT_TRUE(io::write_file(folder.path() / "z00_h.png", "no image").has_value());
   const auto session = GuidedSession::open(folder.path(), small_plan(), make_shots()).value();
-  ASSERT_EQ(session.complaints().size(), 1U);
-  EXPECT_THAT(session.complaints().front(), HasSubstr("z00_h.png"));
+  ASSERT_EQ(session.problems().size(), 1U);
+  EXPECT_THAT(session.problems().front(), HasSubstr("z00_h.png"));
   EXPECT_EQ(session.guide().wanted()->placement, 0U);
   EXPECT_TRUE(session.guide().is_done(1));
 }
@@ -105,7 +105,7 @@ struct Mishap {
   const char* name;
   std::size_t plane;
   calibration::ShotKind kind;
-  std::function<void(SimulatedMishap&, simulated::SensorModel)> cause;
+  std::function<void(ShotFaults&, simulated::SensorModel)> cause;
   calibration::ShotFault fault;
 };
 
@@ -113,45 +113,45 @@ const std::vector<Mishap>& mishaps() {
   using enum ShotKind;
   static const std::vector<Mishap> kMishaps = {
       {"Defocused", 1, kVertical,
-       [](SimulatedMishap& mishap, simulated::SensorModel sensor) {
+       [](ShotFaults& faults, simulated::SensorModel sensor) {
          sensor.camera.lens.aperture_radius_mm *= 3.0;
-         mishap.sensor = sensor;
+         faults.sensor = sensor;
        },
        calibration::ShotFault::kDefocused},
       {"TooDark", 0, kVertical,
-       [](SimulatedMishap& mishap, simulated::SensorModel sensor) {
+       [](ShotFaults& faults, simulated::SensorModel sensor) {
          sensor.chip.line_level *= 0.05;
-         mishap.sensor = sensor;
+         faults.sensor = sensor;
        },
        calibration::ShotFault::kTooDark},
       {"Saturated", 0, kVertical,
-       [](SimulatedMishap& mishap, simulated::SensorModel sensor) {
+       [](ShotFaults& faults, simulated::SensorModel sensor) {
          sensor.chip.line_level *= 3.0;
-         mishap.sensor = sensor;
+         faults.sensor = sensor;
        },
        calibration::ShotFault::kSaturated},
       {"StrayLight", 0, kDark,
-       [](SimulatedMishap& mishap, simulated::SensorModel sensor) {
+       [](ShotFaults& faults, simulated::SensorModel sensor) {
          sensor.chip.ambient_level = 0.4;
-         mishap.sensor = sensor;
+         faults.sensor = sensor;
        },
        calibration::ShotFault::kStrayLight},
       {"PlaneMoved", 1, kVerticalAgain,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) { mishap.depth_error_mm = 0.05; },
+       [](ShotFaults& faults, const simulated::SensorModel&) { faults.depth_error_mm = 0.05; },
        calibration::ShotFault::kPlaneMoved},
       {"WrongDepth", 3, kVertical,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) { mishap.depth_error_mm = 0.3; },
+       [](ShotFaults& faults, const simulated::SensorModel&) { faults.depth_error_mm = 0.3; },
        calibration::ShotFault::kWrongDepth},
       {"DotsCovered", 0, kDots,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) {
-         mishap.covered = {440, 320, 160, 160};
+       [](ShotFaults& faults, const simulated::SensorModel&) {
+         faults.covered = {440, 320, 160, 160};
        },
        calibration::ShotFault::kMarkersHidden},
       {"LightsSwapped", 0, kVertical,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) { mishap.lights_swapped = true; },
+       [](ShotFaults& faults, const simulated::SensorModel&) { faults.lights_swapped = true; },
        calibration::ShotFault::kOtherPattern},
       {"LightStaysOn", 0, kDark,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) { mishap.lights_stay_on = true; },
+       [](ShotFaults& faults, const simulated::SensorModel&) { faults.lights_stay_on = true; },
        calibration::ShotFault::kLightStaysOn}};
   return kMishaps;
 }
@@ -165,17 +165,17 @@ TEST(GuidedSession, EachMishapIsRefusedForItsOwnReasonAndTheSessionGoesOn) {
   std::stable_sort(in_order.begin(), in_order.end(), [](const Mishap& a, const Mishap& b) {
     return std::pair(a.plane, a.kind) < std::pair(b.plane, b.kind);
   });
-  for (const Mishap& mishap : in_order) {
-    SCOPED_TRACE(mishap.name);
-    ASSERT_NO_FATAL_FAILURE(take_until(session, mishap.plane, mishap.kind));
-    SimulatedMishap cause;
-    mishap.cause(cause, shots->sensor());
-    ASSERT_TRUE(shots->set_mishap(cause).has_value());
+  for (const Mishap& faults : in_order) {
+    SCOPED_TRACE(faults.name);
+    ASSERT_NO_FATAL_FAILURE(take_until(session, faults.plane, faults.kind));
+    ShotFaults cause;
+    faults.cause(cause, shots->sensor());
+    ASSERT_TRUE(shots->set_faults(cause).has_value());
     const auto outcome = session.shoot({});
     ASSERT_TRUE(outcome.has_value());
-    EXPECT_EQ(outcome->verdict.fault, mishap.fault) << outcome->verdict.finding;
+    EXPECT_EQ(outcome->verdict.fault, faults.fault) << outcome->verdict.finding;
     EXPECT_TRUE(session.guide().wanted()->begins_placement);
-    ASSERT_TRUE(shots->set_mishap({}).has_value());
+    ASSERT_TRUE(shots->set_faults({}).has_value());
   }
   ASSERT_NO_FATAL_FAILURE(take_until(session, kPlanes, calibration::ShotKind::kDark));
   EXPECT_TRUE(session.finish(Workers(2), {}).has_value());

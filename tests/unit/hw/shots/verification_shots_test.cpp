@@ -50,10 +50,10 @@ TEST(HoldShots, TheVirtualSensorHoldsItsCalibrationWhateverTheNoise) {
 
 TEST(HoldShots, AProjectorTurnedByAFifthOfAMilliradianIsFound) {
   const auto shots = SimulatedShots::create(simulated::intraoral_sensor()).value();
-  SimulatedMishap mishap;
-  mishap.sensor = shots->sensor();
-  mishap.sensor->projectors[0].T_sensor_projector.rotate(Eigen::AngleAxisd(0.2e-3, Vec3::UnitY()));
-  ASSERT_TRUE(shots->set_mishap(mishap).has_value());
+  ShotFaults faults;
+  faults.sensor = shots->sensor();
+  faults.sensor->projectors[0].T_sensor_projector.rotate(Eigen::AngleAxisd(0.2e-3, Vec3::UnitY()));
+  ASSERT_TRUE(shots->set_faults(faults).has_value());
   const calibration::VerificationReport report = look_at_plane(*shots);
   EXPECT_EQ(report.outcome, calibration::VerificationOutcome::kBroken);
   // 0.2 mrad at 80 mm are 16 um across the lines, at 7 degrees of triangulation 130 um in depth.
@@ -63,10 +63,10 @@ TEST(HoldShots, AProjectorTurnedByAFifthOfAMilliradianIsFound) {
 
 TEST(HoldShots, ACameraThatMovedByTwentyMicrometresIsFound) {
   const auto shots = SimulatedShots::create(simulated::intraoral_sensor()).value();
-  SimulatedMishap mishap;
-  mishap.sensor = shots->sensor();
-  mishap.sensor->camera.T_sensor_camera.pretranslate(Vec3(0.02, 0.0, 0.0));
-  ASSERT_TRUE(shots->set_mishap(mishap).has_value());
+  ShotFaults faults;
+  faults.sensor = shots->sensor();
+  faults.sensor->camera.T_sensor_camera.pretranslate(Vec3(0.02, 0.0, 0.0));
+  ASSERT_TRUE(shots->set_faults(faults).has_value());
   EXPECT_EQ(look_at_plane(*shots).outcome, calibration::VerificationOutcome::kBroken);
 }
 
