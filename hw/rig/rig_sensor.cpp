@@ -135,7 +135,7 @@ void RigSensor::plan_lights() {
   if (is_away_) return;
   const double now_s = devices_.clock.now_s();
   for (const device::LightRequest& request :
-       plan_.plan(now_s, now_s + options_.ahead_s, measurement_.labeler().beat())) {
+       plan_.plan(now_s, now_s + options_.ahead_s, measurement_.labeler().timing())) {
     const std::int64_t number = devices_.lights->post(request);
     if (number == 0) continue;
     measurement_.labeler().posted(number, request.not_before_s);

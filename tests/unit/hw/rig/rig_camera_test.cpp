@@ -44,7 +44,7 @@ class RigCameraReaderTest : public ::testing::Test {
   // Whether stamps tell of a beat by now.
   [[nodiscard]] bool knows_beat() {
     constexpr double kTime_s = 200.03;
-    return reader_.labeler().beat().clock.next_stamp_s(kTime_s) != kTime_s;
+    return reader_.labeler().timing().clock.next_stamp_s(kTime_s) != kTime_s;
   }
   void label_some() {
     for (int i = 0; i < 10; ++i) (void)reader_.label(*reader_.next(0.0).value());
