@@ -148,8 +148,8 @@ TEST(CalibrationDesk, DevicesThatGoAreToldWithTheirRemedyAndLetGo) {
 TEST(CalibrationDesk, ACheckOnAPlaneHoldsWithTheSensorsOwnCalibration) {
   const TemporaryFolder folder;
   const auto calibration = std::make_shared<const calibration::Calibration>(
-      simulated::kept_sensor_calibration(simulated::intraoral_sensor(), folder.path(), Workers(),
-                                         {})
+      simulated::cached_sensor_calibration(simulated::intraoral_sensor(), folder.path(), Workers(),
+                                           {})
           .value());
   DeskJob job;
   job.task = ui::CalibrationTask::kCheckOnPlane;

@@ -58,7 +58,7 @@ TEST(SensorCalibration, IsKeptAndMadeAgainWhereTheFileIsDamaged) {
   const TemporaryFolder folder;
   const SensorModel sensor = intraoral_sensor();
   const fs::path cache = folder.path() / "cache";
-  const auto ask = [&] { return kept_sensor_calibration(sensor, cache, Workers(), {}).value(); };
+  const auto ask = [&] { return cached_sensor_calibration(sensor, cache, Workers(), {}).value(); };
 
   const calibration::Calibration made = ask();
   for (const Pattern pattern : kPatterns)
