@@ -20,7 +20,7 @@ float distance_mm(float depth) { return depth_to_mm.y / (2.0 * depth - 1.0 + dep
 
 float depth_at(vec2 at_px) { return texture(model_depth, at_px / size_px).r; }
 
-// How much deeper a pixel is than the current one; 0 outside the model.
+// How much deeper the current pixel is than another one; 0 if that one is outside the model.
 float rise_mm(vec2 at_px, float here_mm) {
   float depth = depth_at(at_px);
   return depth < 1.0 ? here_mm - distance_mm(depth) : 0.0;
@@ -35,15 +35,15 @@ float groove_light(vec2 at_px, float facing) {
   // Whole pixels, because half pixels would be rounded either way.
   vec2 step_px = round(reach_px * vec2(0.9, 0.43));
   float slope = sqrt(1.0 - facing * facing) / max(facing, 0.2);
-  float doubt_mm = 2.0 * splat_radius_mm * min(slope, 2.0);
-  float limit_mm = groove_mm + doubt_mm;
+  float depth_error_mm = 2.0 * splat_radius_mm * min(slope, 2.0);
+  float limit_mm = groove_mm + depth_error_mm;
   float here_mm = distance_mm(depth_at(at_px));
   // The sum of both sides is zero on a plain slope.
   float a = rise_mm(at_px + step_px, here_mm) + rise_mm(at_px - step_px, here_mm);
   step_px = vec2(-step_px.y, step_px.x);
   float b = rise_mm(at_px + step_px, here_mm) + rise_mm(at_px - step_px, here_mm);
   float mean_mm = 0.5 * (clamp(a, -limit_mm, limit_mm) + clamp(b, -limit_mm, limit_mm));
-  float depth = sign(mean_mm) * max(abs(mean_mm) - doubt_mm, 0.0) / groove_mm;
+  float depth = sign(mean_mm) * max(abs(mean_mm) - depth_error_mm, 0.0) / groove_mm;
   return depth > 0.0 ? 1.0 - 0.45 * depth : 1.0 - 0.22 * depth;
 }
 

@@ -9,7 +9,7 @@
 namespace flytri::simulated {
 namespace {
 
-// Largest deviation from straight, over two steps, of a surface that counts as flat.
+// Largest deviation from straight within a coarse step, for a surface that counts as flat.
 constexpr double kFlat_px = 0.02;
 // Largest slope between nodes of the same surface (change of depth per distance).
 constexpr double kMaxSlope = 5.0;
