@@ -13,7 +13,7 @@ namespace {
 
 using ui::AppView;
 
-/// What all states have in common: a case, a simulated sensor, two older cases.
+/// Common part of all states: a case, a simulated sensor, older cases.
 AppView ordinary_view() {
   AppView view;
   view.file.path = "/home/clinic/cases/Rivera-2031.flytri";
@@ -64,7 +64,7 @@ scan::ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
   return scan;
 }
 
-/// The sizes of what is exported, as rough as the program's own guess.
+/// Adds estimated export sizes, as rough as the program's own estimate.
 void add_sizes(AppView& view, bool is_finished) {
   view.exports.estimated_bytes[1] = 12'400'000;
   if (is_finished) view.exports.estimated_bytes = {9'800'000, 12'400'000, 21'300'000, 27'900'000};
@@ -172,7 +172,8 @@ struct FakeScan::Parts {
     view.source.name = "Intra-oral rig 04";
     view.source.is_running = false;
     view.source.is_lost = true;
-    view.source.message = "the switch of the lights has not answered for 2.0 s: plug it in again";
+    view.source.message =
+        "the light switch (GPIO chip) has not answered for 2.0 s: unplug it and plug it in again";
     return view;
   }
 
