@@ -78,10 +78,10 @@ std::array<Residual, 6> residuals_of(const calibration::Calibration& calibration
   const auto depth = [&](Pattern pattern) {
     return kMicrons * calibration.of(pattern).depth_residual_mm.rms;
   };
-  return {Residual{"Z vertical", "um", depth(Pattern::kVertical)},
-          Residual{"Z horizontal", "um", depth(Pattern::kHorizontal)},
-          Residual{"X", "um", kMicrons * calibration.x_mm.residual.rms},
-          Residual{"Y", "um", kMicrons * calibration.y_mm.residual.rms},
+  return {Residual{"Z vertical", "µm", depth(Pattern::kVertical)},
+          Residual{"Z horizontal", "µm", depth(Pattern::kHorizontal)},
+          Residual{"X", "µm", kMicrons * calibration.x_mm.residual.rms},
+          Residual{"Y", "µm", kMicrons * calibration.y_mm.residual.rms},
           Residual{"U", "px", calibration.texture_u_px.residual.rms},
           Residual{"V", "px", calibration.texture_v_px.residual.rms}};
 }

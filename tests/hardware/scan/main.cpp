@@ -229,7 +229,7 @@ Result<void> compare(const fs::path& folder) {
     const auto value = [&](const nlohmann::json& of, const char* key) {
       return of.at(key).get<double>();
     };
-    fmt::print("{}: RMS {:.1f} um recorded, {:.1f} simulated; complete {:.2f} %, {:.2f} %\n", gauge,
+    fmt::print("{}: RMS {:.1f} µm recorded, {:.1f} simulated; complete {:.2f} %, {:.2f} %\n", gauge,
                1e3 * value(is, "rms_mm"), 1e3 * value(should, "rms_mm"),
                100.0 * value(is, "complete_surface_share"),
                100.0 * value(should, "complete_surface_share"));
