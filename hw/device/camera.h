@@ -6,6 +6,7 @@
 ///       └─▶ failed    │ └──────▶ frozen         no frames arrive; the next frame ends this state
 ///                     ▼
 ///     idle ◀── stop, from every state
+///
 /// failed: start() did not succeed; the message says what to do.
 #pragma once
 

@@ -8,6 +8,7 @@
 ///                 │  └─────────▶ ended           the recording has no more frames
 ///                 ▼
 ///     idle ◀── stop, from every state
+///
 /// start() leads from idle, ended and failed to running, and resets times and counts.
 #pragma once
 

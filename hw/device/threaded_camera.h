@@ -9,9 +9,11 @@ namespace flytri::device {
 
 /// Wraps a camera and reads it on its own thread. Setting up a camera takes some tenths of a
 /// second, decoding an image some milliseconds. With this class, a caller that reads two cameras
-/// loses no frame of the other one meanwhile. Frames and states come in their original order: the
-/// status belongs to the frame that next() returned last. If the caller is slow, frames stay in the
-/// driver; frames that find no free buffer there are counted as dropped.
+/// loses no frame of the other one meanwhile.
+///
+/// Frames and states come in their original order: the status belongs to the frame that next()
+/// returned last. If the caller is slow, frames stay in the driver; frames that find no free buffer
+/// there are counted as dropped.
 class ThreadedCamera final : public Camera {
  public:
   explicit ThreadedCamera(std::unique_ptr<Camera> camera);

@@ -21,12 +21,14 @@ struct DarkRequest {
 /// stays on. So a child process waits until this program ends, for any reason (return from main,
 /// abort, a signal, SIGKILL), and then sets the lines dark. The child ignores every signal except
 /// SIGKILL. It cannot act when it is killed itself, for example with its container, or when the
-/// chip, the bus or the power fails: the electronics of the lights must handle these cases. The
-/// child cannot take lines from a suspended program, which would leave the light on. So the program
-/// ignores Ctrl-Z (SIGTSTP) while a guard exists, unless the program has its own handler. SIGSTOP
-/// cannot be ignored. The child is a fork that only makes a few system calls. It shares the
-/// program's memory of this moment; memory that the program changes later exists twice. So start
-/// the guard early.
+/// chip, the bus or the power fails: the electronics of the lights must handle these cases.
+///
+/// The child cannot take lines from a suspended program, which would leave the light on. So the
+/// program ignores Ctrl-Z (SIGTSTP) while a guard exists, unless the program has its own handler.
+/// SIGSTOP cannot be ignored.
+///
+/// The child is a fork that only makes a few system calls. It shares the program's memory of this
+/// moment; memory that the program changes later exists twice. So start the guard early.
 class DarkGuard {
  public:
   /// @errors  kInconsistent: the process cannot be started.

@@ -1,6 +1,7 @@
-/// @file  Merges the labeled frames of two cameras into one stream sorted by time. Pattern frames
-/// come from one camera and texture frames from the other, possibly later. So a pattern frame taken
-/// after a flash waits for the image of that flash.
+/// @file  Merges the labeled frames of two cameras into one stream sorted by time.
+///
+/// Pattern frames come from one camera and texture frames from the other, possibly later. So a
+/// pattern frame taken after a flash waits for the image of that flash.
 #pragma once
 
 #include <deque>

@@ -1,9 +1,11 @@
 /// @file  Determines which light lit each frame, from switch times and images; learns the latency.
+///
 ///     stamp ─▶ frame clock ─┐
 ///     switch times ─────────┼─▶ prediction by time  ─┐
 ///                 latency ──┘                        ├─▶ label, straddled or unknown
 ///     image ─▶ evidence ─────────────────────────────┘
 ///                 └─▶ latency, faults of the lights
+///
 /// A frame gets a label only if the prediction is certain for every latency that is still likely,
 /// and the image does not contradict it. An image without visible light contradicts nothing.
 #pragma once

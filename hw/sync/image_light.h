@@ -1,5 +1,7 @@
 /// @file  Measures in an image how much light is in vertical lines, in horizontal lines and in
-/// areas. The image is averaged over strips of rows, which keeps lines along columns and smooths
+/// areas.
+///
+/// The image is averaged over strips of rows, which keeps lines along columns and smooths
 /// everything else; and over strips of columns for lines along rows. In a strip, structures
 /// narrower than a line spacing count as lines, the rest as areas (top-hat by a morphological
 /// opening). The triangulation angle is small, so lines stay nearly parallel to an image axis and

@@ -1,9 +1,10 @@
-/// @file  Learns a camera's latency (exposure to time stamp) and exposure window. There are three
-/// unknowns. The latency is the time from the middle of the exposure to the stamp; it includes the
-/// delays of switch, projector and bus, and the meaning of the stamp. The window is the time in
-/// which light reaches a frame; with a rolling shutter it is longer than the exposure of a row. The
-/// third unknown is whether the patterns are swapped. The filter keeps the probability of each
-/// combination on a grid and updates it by how well it explains each image.
+/// @file  Learns a camera's latency (exposure to time stamp) and exposure window.
+///
+/// There are three unknowns. The latency is the time from the middle of the exposure to the stamp;
+/// it includes the delays of switch, projector and bus, and the meaning of the stamp. The window is
+/// the time in which light reaches a frame; with a rolling shutter it is longer than the exposure
+/// of a row. The third unknown is whether the patterns are swapped. The filter keeps the
+/// probability of each combination on a grid and updates it by how well it explains each image.
 /// @source  Bayes' rule on a grid, e.g. Thrun, Burgard, Fox, "Probabilistic Robotics", 2005,
 /// ch. 4.1.
 #pragma once

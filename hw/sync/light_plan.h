@@ -1,4 +1,5 @@
 /// @file  Plans when each light is on: the sequence of the paper, synchronized with the camera.
+///
 /// Until the latency is known, the patterns alternate after random times, because a periodic
 /// sequence is ambiguous: shifted by one period it looks the same, shifted by half a period it
 /// looks like swapped patterns. Once the latency is known, the light changes in the gaps between
@@ -22,8 +23,8 @@
 namespace flytri::sync {
 
 struct LightPlanOptions {
-  bool has_flash =
-      true;  ///< false: a dark slot replaces the flash, so that the sequence stays aperiodic
+  /// False: a dark slot replaces the flash, so that the sequence stays aperiodic.
+  bool has_flash = true;
   /// > 0. Time between two flashes.
   double flash_period_s = 1.0;
   /// 1..10. Duration of a flash in frames of the measurement camera; a whole exposure of the

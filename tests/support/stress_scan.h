@@ -24,14 +24,14 @@ struct StressCase {
   double speed = 1.0;           ///< 1: the whole arch in 1000 views, as in the paper
   simulated::PathOptions path;  ///< its duration is set from `speed`
   simulated::ViewNoise noise;
-  double outlier_share =
-      0.0;  ///< share of profiles that are millimeters off, as with a wrong line index
+  /// Share of profiles that are millimeters off, as with a wrong line index.
+  double outlier_share = 0.0;
   double missing_share = 0.0;  ///< share of frames that are missing at random
   FrameRange one_pattern;      ///< in this range, horizontal frames are missing
   FrameRange away;  ///< in this range the sensor is lifted off; little or nothing is in the volume
   double lift_mm = 40.0;  ///< lift height
-  int jump_frame =
-      1 << 30;  ///< from this frame on, the hand is `jump_by` frames farther on the path
+  /// From this frame on, the hand is `jump_by` frames farther on the path.
+  int jump_frame = 1 << 30;
   int jump_by = 0;
   Twist jump_off = Twist::Zero();  ///< additional offset after the jump, in the sensor frame
 };

@@ -61,8 +61,8 @@ class Hand {
   std::deque<PathPose> recent_;
 
   double path_s_ = 0.0;  // position on the path, as time from its start
-  double path_pace_ =
-      0.0;  // path seconds per second: 1 forwards, -1 backwards, in between at the ends
+  // Path seconds per second: 1 forwards, -1 backwards, in between at the ends.
+  double path_pace_ = 0.0;
   bool forwards_ = true;
   double hold_s_ = 0.0;  // remaining time of holding still
 

@@ -1,5 +1,6 @@
-/// @file  Computes the light of one line pattern on the chip, traced on a grid and interpolated. A
-/// fast approximation of LineLight. Traces a ray for every eighth pixel; near a line for every
+/// @file  Computes the light of one line pattern on the chip, traced on a grid and interpolated.
+///
+/// A fast approximation of LineLight. Traces a ray for every eighth pixel; near a line for every
 /// fourth, unless the surface is flat there. Between the rays, slowly varying values (place on the
 /// slide, brightness, defocus, motion) are interpolated, so that each pixel needs only two look-ups
 /// of the line profile. At silhouettes, every pixel is traced as in LineLight. Limits: surface

@@ -1,7 +1,8 @@
-/// @file  Simulates the images that a real sensor would take of a mesh. Simulates thin lenses with
-/// finite apertures (defocus of lines and image, penumbras), Lambertian surfaces, motion during the
-/// exposure, room light, speckle, shot and read noise. It does not use the polynomials of the
-/// calibration.
+/// @file  Simulates the images that a real sensor would take of a mesh.
+///
+/// Simulates thin lenses with finite apertures (defocus of lines and image, penumbras), Lambertian
+/// surfaces, motion during the exposure, room light, speckle, shot and read noise. It does not use
+/// the polynomials of the calibration.
 /// @source  Arold et al., "Physical Optimization" and "Texture Acquisition and Mapping".
 #pragma once
 

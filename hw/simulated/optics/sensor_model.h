@@ -1,6 +1,7 @@
-/// @file  Model of a virtual sensor: two cameras and two line projectors with real lenses. Cameras
-/// and projectors are thin lenses with distortion and slight mounting errors. The model does not
-/// use the polynomials of the calibration.
+/// @file  Model of a virtual sensor: two cameras and two line projectors with real lenses.
+///
+/// Cameras and projectors are thin lenses with distortion and slight mounting errors. The model
+/// does not use the polynomials of the calibration.
 /// @source  Arold et al., "Sensor Setup" and "Physical Optimization".
 #pragma once
 
@@ -87,8 +88,8 @@ struct ChipModel {
   double black_level = 0.02;       ///< 0..0.5, of full scale
   double speckle_contrast = 0.07;  ///< 0..1, standard deviation divided by the mean
   double speckle_size_px = 1.5;    ///< > 0, correlation length of the speckle
-  double line_level =
-      0.6;  ///< > 0, share of full scale: white surface under a line in the middle of the volume
+  /// > 0, share of full scale: white surface under a line in the middle of the volume.
+  double line_level = 0.6;
   double ambient_level = 0.02;  ///< >= 0, share of full scale: the same surface under room light
 };
 

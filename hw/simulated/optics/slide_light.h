@@ -20,8 +20,8 @@ struct LineExposure {
                                      ///< unused by GridLight
   const LensBlur& camera_blur;
   Isometry T_model_sensor;  ///< at the middle of the exposure
-  std::vector<Isometry>
-      T_then_middle;  ///< at equal time steps: from the sensor frame of the middle to theirs
+  /// At equal time steps: from the sensor frame of the middle to theirs.
+  std::vector<Isometry> T_then_middle;
 };
 
 /// A point that the camera sees, in front of the projector; sensor frame.

@@ -23,8 +23,8 @@ class SlidePlaces {
     Numbers offset;  ///< from the nearest line
     Numbers before;  ///< number of lines before the place
     Numbers facing;  ///< cosine between the surface's normal and the line of sight
-    Eigen::Array<bool, RayPacket::kSize, 1>
-        seen;  ///< whether SlideLight::point would return a point
+    /// Whether SlideLight::point would return a point.
+    Eigen::Array<bool, RayPacket::kSize, 1> seen;
   };
   /// @param packet  traced rays, sensor frame
   [[nodiscard]] Places find(const RayPacket& packet) const;

@@ -56,8 +56,8 @@ class ViewSimulator {
 
 /// Noise of single points, as in the paper's simulation toolbox.
 struct ViewNoise {
-  double sigma_mm =
-      0.03;  ///< >= 0, standard deviation along z; default: the paper's intra-oral sensor
+  /// >= 0, standard deviation along z; default: the paper's intra-oral sensor.
+  double sigma_mm = 0.03;
   /// >= 0. Correlation of the noise along a line: white noise is smoothed by a Gaussian with this
   /// standard deviation in samples, then scaled to `sigma_mm`. 0: white noise.
   double correlation_samples = 0.0;
