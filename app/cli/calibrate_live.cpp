@@ -54,7 +54,7 @@ void print_restored(const shots::GuidedSession& session) {
     fmt::print("{}: continuing, {} of {} placements are done\n", session.folder().string(),
                session.restored(), session.guide().placements().size());
   }
-  for (const std::string& complaint : session.complaints()) {
+  for (const std::string& complaint : session.problems()) {
     fmt::print("not taken over: {}\n", complaint);
   }
 }

@@ -46,7 +46,7 @@ class Trial {
 
 void Trial::post_requests() {
   const double now_s = clock_.now_s();
-  for (const device::LightRequest& request : plan_.plan(now_s, now_s + kAhead_s, labeler_.beat()))
+  for (const device::LightRequest& request : plan_.plan(now_s, now_s + kAhead_s, labeler_.timing()))
     labeler_.posted(lights_->post(request), request.not_before_s);
 }
 

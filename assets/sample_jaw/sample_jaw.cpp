@@ -13,7 +13,7 @@
 namespace flytri::sample_jaw {
 namespace {
 
-// Surface this deep inside another part can be seen by nobody.
+// Surface this deep inside another part is invisible and is removed.
 constexpr double kHidden_mm = 0.35;
 
 Rgb to_rgb(const Vec3& color) {
@@ -23,7 +23,7 @@ Rgb to_rgb(const Vec3& color) {
   return rgb;
 }
 
-// Without the triangles of which `keep` rejects a vertex, and without vertices nobody uses.
+// Removes triangles with a vertex that `keep` rejects, and unused vertices.
 TriangleMesh cut(const TriangleMesh& mesh, const std::function<bool(const Vec3&)>& keep) {
   constexpr auto kDropped = std::numeric_limits<std::uint32_t>::max();
   std::vector<bool> kept(mesh.vertices.size());
@@ -45,8 +45,8 @@ TriangleMesh cut(const TriangleMesh& mesh, const std::function<bool(const Vec3&)
   return rest;
 }
 
-// The dentist has been here: a gray filling in one molar, a white one in the next tooth, and a
-// brown stain at a canine's neck.
+// Adds treatments: a gray filling in one molar, a white one in the next tooth, and a brown stain at
+// the neck of a canine.
 Vec3 treated(const Dentition& dentition, std::size_t index, const Vec3& p_tooth, Vec3 color) {
   const Tooth& tooth = dentition.teeth[index].tooth;
   const double from_top = tooth.form().height_mm - p_tooth.z();
@@ -125,7 +125,7 @@ Result<TriangleMesh> make_sample_jaw(const SampleJawOptions& options, const Work
   const NetBox gum_box{{-40.0, -8.0, -14.0}, {40.0, 56.0, 8.0}, options.gum_cell_mm};
   std::vector<TriangleMesh> parts(dentition.teeth.size() + 1);
   workers.for_each(parts.size(), [&](std::size_t i) {
-    // The gum takes longest: first.
+    // Start with the gum, which takes longest.
     parts[i] = i == 0 ? make_gum_strip(dentition, gum, gum_box)
                       : make_tooth(dentition, i - 1, gum, options.tooth_cell_mm);
   });

@@ -12,11 +12,11 @@ namespace {
 
 using Cell = Eigen::Vector3i;
 
-// Cells of a block: a block far from the surface is skipped as a whole, one that is not is halved
-// down to the finest.
+// Block sizes in cells. A block far from the surface is skipped; others are halved until the
+// smallest size.
 constexpr int kBlock = 16;
 constexpr int kFinestBlock = 2;
-// A shape may grow faster than distance where it is squeezed.
+// Largest gradient of a shape function; it may exceed 1.
 constexpr double kMaxGrowth = 1.4;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
@@ -77,7 +77,7 @@ class Net {
         }
   }
 
-  // All corners are known, and on both sides of the surface.
+  // Whether all corners are known and the surface passes between them.
   bool crossed(const Cell& cell) const {
     int below = 0;
     for (int corner = 0; corner < 8; ++corner) {

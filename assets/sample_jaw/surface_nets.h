@@ -1,7 +1,8 @@
-/// @file  Turns an implicit shape into triangles.
+/// @file  Converts an implicit shape to a triangle mesh.
 ///
-/// @source  Gibson, "Constrained elastic surface nets", MICCAI 1998, in its naive form: one vertex
-///          in each cell that the surface passes, at the mean of its edge crossings.
+/// @source  Gibson, "Constrained elastic surface nets", MICCAI 1998, in its simple form ("naive
+/// surface nets"): one vertex in each cell that the surface crosses, at the mean of its edge
+/// crossings.
 #pragma once
 
 #include <functional>
@@ -10,7 +11,7 @@
 
 namespace flytri::sample_jaw {
 
-/// Negative inside, positive outside, in mm; grows by at most 1.4 mm a mm.
+/// Negative inside, positive outside, in mm; its gradient is at most 1.4.
 using ImplicitShape = std::function<double(const Vec3&)>;
 
 struct NetBox {
@@ -18,7 +19,7 @@ struct NetBox {
   double cell_mm = 0.15;
 };
 
-/// The surface of `shape` inside the box, open where it leaves it. Positions and normals are set.
+/// The surface of `shape` inside the box, open at the box's sides. Sets positions and normals.
 [[nodiscard]] TriangleMesh surface_nets(const ImplicitShape& shape, const NetBox& box);
 
 }  // namespace flytri::sample_jaw

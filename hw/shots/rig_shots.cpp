@@ -8,7 +8,7 @@
 namespace flytri::shots {
 namespace {
 
-constexpr double kLook_s = 0.05;  // between two looks at the switch of the lights
+constexpr double kLook_s = 0.05;  // interval at which the light switch is polled
 
 device::Light light_of(calibration::ShotKind kind) {
   switch (kind) {
@@ -26,7 +26,7 @@ device::Light light_of(calibration::ShotKind kind) {
   return device::Light::kFlash;
 }
 
-/// The mean of images as the set holds them: grey in 16 bits, color in 8.
+/// The mean image in the format of the calibration set: grey in 16 bits, color in 8.
 cv::Mat mean_of(const cv::Mat& sum, int count, int depth) {
   constexpr double kTo16Bits = 257.0;  // 255 becomes 65535
   const bool is_gray = sum.channels() == 1;
@@ -54,7 +54,7 @@ Result<std::unique_ptr<RigShots>> RigShots::create(rig::RigDevices devices, cons
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (devices.texture == nullptr) {
     return fail(ErrorCode::kBadOption,
-                "{} has no texture camera; a calibration needs one, name it in rig.json", name);
+                "{} has no texture camera, but a calibration needs one: add it to rig.json", name);
   }
   return std::unique_ptr<RigShots>(new RigShots(std::move(devices), name, options));
 }
@@ -96,8 +96,11 @@ Result<void> RigShots::light(device::Light light, const Progress& progress) {
     }
     if (devices_.clock.now_s() > given_up_s) {
       const std::string message = devices_.lights->status().message;
-      return fail(ErrorCode::kNotFound, "{}",
-                  message.empty() ? "the lights do not answer; plug their chip in again" : message);
+      return fail(
+          ErrorCode::kNotFound, "{}",
+          message.empty()
+              ? "the light switch (GPIO chip) does not answer: unplug it and plug it in again"
+              : message);
     }
     devices_.clock.sleep_s(kLook_s);
   }
@@ -116,7 +119,7 @@ Result<cv::Mat> RigShots::average(device::Camera& camera, int exposures, const P
       if (devices_.clock.now_s() < given_up_s) continue;
       const std::string message = camera.status().message;
       return fail(ErrorCode::kNotFound, "{}: {}", camera.name(),
-                  message.empty() ? "it sends no images; plug it in again" : message);
+                  message.empty() ? "it sends no images: unplug it and plug it in again" : message);
     }
     const cv::Mat& image = (*frame)->image;
     given_up_s = devices_.clock.now_s() + options_.patience_s;

@@ -8,11 +8,11 @@
 namespace flytri::sync {
 namespace {
 
-// Fewer images make no reference.
+// Least number of images for a reference.
 constexpr std::size_t kFewestImages = 5;
 constexpr std::size_t kFewestShares = 10;
-// A pattern lights at least twice this share of the images alone, also while the latency is
-// learned.
+// Quantile for the extremes. Each pattern alone lights at least twice this share of the images,
+// even while the latency is learned.
 constexpr double kExtreme = 0.15;
 
 }  // namespace
@@ -47,7 +47,7 @@ double EvidenceReader::stretched(double column_share) {
   std::vector<double> sorted(shares_.begin(), shares_.end());
   std::sort(sorted.begin(), sorted.end());
   const double low = quantile_of(sorted, kExtreme), high = quantile_of(sorted, 1.0 - kExtreme);
-  // Both patterns must have been seen.
+  // Do not stretch before both patterns have been seen.
   if (shares_.size() < kFewestShares || low > 0.25 || high < 0.75) return column_share;
   return std::clamp((column_share - low) / (high - low), 0.0, 1.0);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using ui::AppView;
 
-/// What all states have in common: a case, a simulated sensor, two older cases.
+/// Common part of all states: a case, a simulated sensor, older cases.
 AppView ordinary_view() {
   AppView view;
   view.file.path = "/home/clinic/cases/Rivera-2031.flytri";
@@ -179,7 +179,8 @@ struct FakeScan::Parts {
     view.source.name = "Intra-oral rig 04";
     view.source.is_running = false;
     view.source.is_lost = true;
-    view.source.message = "the switch of the lights has not answered for 2.0 s: plug it in again";
+    view.source.message =
+        "the light switch (GPIO chip) has not answered for 2.0 s: unplug it and plug it in again";
     return view;
   }
 

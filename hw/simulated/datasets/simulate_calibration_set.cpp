@@ -52,7 +52,8 @@ Result<calibration::CalibrationSet> take_calibration_set(const CalibrationSetOpt
     set.planes[i] = take_plane(*camera, i, z_mm[i]);
     progress.advance();
   });
-  if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before the set was whole");
+  if (progress.cancelled())
+    return fail(ErrorCode::kCancelled, "stopped before all calibration images were taken");
   return set;
 }
 

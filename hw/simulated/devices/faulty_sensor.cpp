@@ -8,8 +8,9 @@
 namespace flytri::simulated {
 namespace {
 
-constexpr const char* kLost = "The sensor does not answer; it is plugged in again in a moment.";
-constexpr const char* kFailed = "The sensor is broken; start it again.";
+constexpr const char* kLost =
+    "The simulated sensor is unplugged; it will be plugged in again soon.";
+constexpr const char* kFailed = "The simulated sensor failed: start it again.";
 
 }  // namespace
 
@@ -65,7 +66,7 @@ Result<std::optional<Frame>> FaultySensor::next(double timeout_s) {
   return passed;
 }
 
-// The late frame once its time has come.
+// The delayed frame, when it is due.
 std::optional<Frame> FaultySensor::release(double timeout_s) {
   clock_.sleep_s(std::min(release_s_ - clock_.now_s(), timeout_s));
   if (clock_.now_s() < release_s_) return std::nullopt;
@@ -99,7 +100,7 @@ device::SensorStatus FaultySensor::status() const {
   const device::SensorStatus within = sensor_->status();
   device::SensorStatus status = status_.status();
   status.dropped += within.dropped;
-  // What goes wrong within shows unless something was made to go wrong.
+  // Pass on the wrapped sensor's state, unless this class simulates a fault.
   if (status.state != device::SensorState::kRunning) return status;
   status.state = within.state;
   status.message = within.message;

@@ -10,13 +10,13 @@
 namespace flytri::simulated {
 namespace {
 
-// Of the light, what comes from everywhere and what comes from the lamp beside the eye.
+// Shares of ambient light and of the lamp beside the viewer.
 constexpr double kSkyShare = 0.55;
 constexpr double kLampShare = 0.45;
-// Crevices are darkened by what is within this share of the mesh's radius.
+// Range of the darkening of crevices, as a share of the mesh's radius.
 constexpr double kOcclusionReach = 0.12;
 
-// Draws one mesh; immutable, so that rows may be drawn at once.
+// Draws one mesh. Immutable, so that rows can be drawn in parallel.
 class Painter {
  public:
   Painter(const TexturedMesh& textured, const PictureOptions& options)
@@ -68,7 +68,7 @@ class Painter {
     return std::min(sky + direct, 1.0) * albedo(*hit);
   }
 
-  // Share of the sky that is seen from a place, cosine weighted.
+  // Visible share of the sky at a place, weighted by the cosine (ambient occlusion).
   double openness(const RayHit& hit, const Vec3& normal, double u, double v) const {
     if (options_.occlusion_rays == 0) return 1.0;
     Random random(static_cast<std::uint64_t>(std::lround(u * 64.0)),

@@ -18,7 +18,7 @@ Vec2 LensDistortion::distort(const Vec2& ideal) const {
 }
 
 Vec2 LensDistortion::undistort(const Vec2& distorted) const {
-  // Newton's steps double the digits: after one this small all of them are right.
+  // Newton's method converges quadratically: after a step this small, the result is exact.
   constexpr int kMaxSteps = 8;
   constexpr double kExactEnough = 1e-7;
   Vec2 ideal = distorted;

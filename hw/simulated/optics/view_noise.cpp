@@ -7,7 +7,7 @@
 namespace flytri::simulated {
 namespace {
 
-// A Gaussian whose squares sum to one: it keeps the variance of white noise.
+// A Gaussian kernel whose squares sum to one, so that it keeps the variance of white noise.
 std::vector<double> unit_energy_gaussian(double sigma) {
   const int radius = static_cast<int>(std::ceil(4.0 * sigma));
   std::vector<double> kernel;
