@@ -28,10 +28,12 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
                      unknown.front());
 }
 
-std::string indented(const std::string& text) {
-  std::istringstream lines(text);
+/// The help of a command, with its usage as a paragraph of its own and each line indented.
+std::string indented_help(const CLI::App& command, const std::string& parent_name) {
+  std::istringstream lines(command.help(parent_name));
   std::string result;
   for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("Usage:")) result += "\n";
     result += line.empty() ? "\n" : "  " + line + "\n";
   }
   return result;
@@ -45,7 +47,7 @@ void print_help_of_commands(CLI::App& parent, const std::string& parent_name) {
     if (command->get_subcommands([](const CLI::App*) { return true; }).empty()) {
       // All have --help; it is enough to say so once.
       command->set_help_flag();
-      fmt::print("\n{}:\n{}", name, indented(command->help(parent_name)));
+      fmt::print("\n{}:\n{}", name, indented_help(*command, parent_name));
     } else {
       print_help_of_commands(*command, name);
     }
