@@ -44,7 +44,7 @@ function(add_manual_page program)
   add_made_file(${program}.help2man
     COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${FLYTRI_RELEASE_EPOCH} TZ=UTC LC_ALL=C.UTF-8
             ${HELP2MAN} --no-info --locale=C.UTF-8 --help-option=--help-all "--source=flytri ${PROJECT_VERSION}"
-            --include=manual/${program}.man --opt-include=manual/exit_status.man $<TARGET_FILE:${program}>
+            --include=manual/exit_status.man --opt-include=manual/${program}.man $<TARGET_FILE:${program}>
     DEPENDS ${program} manual/${program}.man manual/exit_status.man)
   add_made_file(${program}.1 COMMAND sed -f manual/option_names.sed ${made}/${program}.help2man
                 DEPENDS manual/option_names.sed ${made}/${program}.help2man)
@@ -79,7 +79,7 @@ install(FILES udev/70-flytri.rules DESTINATION lib/udev/rules.d)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME dev)
 set(documents share/doc/libflytri-dev)
 install(FILES ${PROJECT_SOURCE_DIR}/docs/using-core.md DESTINATION ${documents})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/example DESTINATION ${documents}/examples)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/example/ DESTINATION ${documents}/examples/reconstruct_recording)
 
 # What Debian asks of each package.
 foreach(component program dev)
