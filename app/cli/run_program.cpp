@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,32 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
                      unknown.front());
 }
 
+/// The help of a command, with its usage as a paragraph of its own and each line indented.
+std::string indented_help(const CLI::App& command, const std::string& parent_name) {
+  std::istringstream lines(command.help(parent_name));
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("Usage:")) result += "\n";
+    result += line.empty() ? "\n" : "  " + line + "\n";
+  }
+  return result;
+}
+
+/// Prints the help of every command below `parent`, each under its full name. The form is one that
+/// help2man understands: the manual pages are made from it.
+void print_help_of_commands(CLI::App& parent, const std::string& parent_name) {
+  for (CLI::App* command : parent.get_subcommands([](const CLI::App*) { return true; })) {
+    const std::string name = parent_name + " " + command->get_name();
+    if (command->get_subcommands([](const CLI::App*) { return true; }).empty()) {
+      // All have --help; it is enough to say so once.
+      command->set_help_flag();
+      fmt::print("\n{}:\n{}", name, indented_help(*command, parent_name));
+    } else {
+      print_help_of_commands(*command, name);
+    }
+  }
+}
+
 int run(const CLI::App& program, const Job& job) {
   const Progress progress;
   const Result<void> result = [&] {
@@ -45,12 +72,18 @@ int parse_and_run(int argc, char** argv, SetUpCommandLine set_up, const char* de
   program.failure_message(usage_message);
   program.set_version_flag("--version", FLYTRI_VERSION);
   set_up(program, invocation);
+  // Last, so that no command inherits the flag.
+  program.set_help_all_flag("--help-all", "Print the help of every command and exit");
   try {
     if (argc > 1 || default_command == nullptr) {
       program.parse(argc, argv);
     } else {
       program.parse(default_command);
     }
+  } catch (const CLI::CallForAllHelp&) {
+    fmt::print("{}", program.help());
+    print_help_of_commands(program, program.get_name());
+    return kDone;
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kDone : kUsage;
   }

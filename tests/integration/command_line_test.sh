@@ -63,6 +63,8 @@ for command in '' simulate 'simulate recording' 'simulate calibration-set' calib
   # shellcheck disable=SC2086  # the words of a command
   expect "help: $command" 0 'Usage' "$flytri" $command --help
 done
+# The manual pages are made from it.
+expect 'help of every command' 0 '^flytri simulate recording:$' "$flytri" --help-all
 expect 'unknown option' 2 '--nonsense' "$flytri" reconstruct scan -o out.ply --nonsense
 expect 'unknown command' 2 'no command nonsense' "$flytri" nonsense
 expect 'unknown second command' 2 'no command nonsense' "$flytri" simulate nonsense

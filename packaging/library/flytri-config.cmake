@@ -1,0 +1,33 @@
+# find_package(flytri) gives flytri::core: everything from camera frames to a textured model.
+include(CMakeFindDependencyMacro)
+foreach(package Eigen3 fmt nlohmann_json TBB ZLIB)
+  find_dependency(${package})
+endforeach()
+
+# These libraries have no CMake package, or one that needs more of OpenCV than is used here.
+find_path(FLYTRI_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4)
+mark_as_advanced(FLYTRI_OPENCV_INCLUDE)
+set(missing)
+if(NOT FLYTRI_OPENCV_INCLUDE)
+  list(APPEND missing opencv2/core.hpp)
+endif()
+foreach(library deflate opencv_core opencv_imgcodecs opencv_imgproc sqlcipher tinygltf)
+  find_library(FLYTRI_LIBRARY_${library} ${library})
+  mark_as_advanced(FLYTRI_LIBRARY_${library})
+  if(NOT FLYTRI_LIBRARY_${library})
+    list(APPEND missing ${library})
+  elseif(NOT TARGET flytri::${library})
+    add_library(flytri::${library} UNKNOWN IMPORTED)
+    set_target_properties(flytri::${library} PROPERTIES IMPORTED_LOCATION "${FLYTRI_LIBRARY_${library}}")
+  endif()
+endforeach()
+if(missing)
+  list(JOIN missing ", " missing)
+  set(flytri_FOUND FALSE)
+  set(flytri_NOT_FOUND_MESSAGE "flytri uses libraries that were not found: ${missing}. Install them.")
+  return()
+endif()
+
+set_target_properties(flytri::opencv_core PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${FLYTRI_OPENCV_INCLUDE}")
+
+include(${CMAKE_CURRENT_LIST_DIR}/flytri-targets.cmake)
