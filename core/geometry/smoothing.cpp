@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri {
@@ -144,15 +145,10 @@ SmoothedPoint smooth_point(std::span<const ProfilePoint> points, std::size_t i, 
 }  // namespace
 
 Result<void> SmoothingOptions::validate() const {
-  if (!(max_direction_noise_rad > 0.0 && max_direction_noise_rad <= 1.0)) {
-    return fail(ErrorCode::kBadOption, "max_direction_noise_rad is {}, must be in (0, 1]",
-                max_direction_noise_rad);
-  }
-  if (!(max_sigma_samples >= 0.5 && max_sigma_samples <= 100.0)) {
-    return fail(ErrorCode::kBadOption, "max_sigma_samples is {}, must be in [0.5, 100]",
-                max_sigma_samples);
-  }
-  return {};
+  return OptionCheck("SmoothingOptions")
+      .positive_up_to("max_direction_noise_rad", max_direction_noise_rad, 1.0)
+      .in_range("max_sigma_samples", max_sigma_samples, 0.5, 100.0)
+      .result();
 }
 
 double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOptions& options) {

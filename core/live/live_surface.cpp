@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/geometry/point_spacing.h"
 
 namespace flytri::live {
@@ -55,16 +56,15 @@ double area_per_cell_mm2(const Vec3f& normal, double cell_mm) {
 }  // namespace
 
 Result<void> LiveSurfaceOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "LiveSurfaceOptions::{} must be {}", name, range);
-  };
-  if (!(cell_mm >= 0.0 && std::isfinite(cell_mm))) return bad("cell_mm", ">= 0");
-  if (normal_cells < 1 || normal_cells > 16) return bad("normal_cells", "in [1, 16]");
-  if (block_cells < 4 || block_cells > 256) return bad("block_cells", "in [4, 256]");
-  if (min_points < 1) return bad("min_points", ">= 1");
-  if (good_views < 1) return bad("good_views", ">= 1");
-  if (enough_views < good_views) return bad("enough_views", ">= good_views");
-  return texture.validate();
+  return OptionCheck("LiveSurfaceOptions")
+      .must("cell_mm", cell_mm, cell_mm >= 0.0 && std::isfinite(cell_mm), "at least 0 and finite")
+      .in_range("normal_cells", normal_cells, 1, 16)
+      .in_range("block_cells", block_cells, 4, 256)
+      .at_least("min_points", min_points, 1)
+      .at_least("good_views", good_views, 1)
+      .must("enough_views", enough_views, enough_views >= good_views, "at least good_views")
+      .nested(texture)
+      .result();
 }
 
 Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options) {

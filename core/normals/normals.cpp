@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "core/geometry/point_spacing.h"
 
 namespace flytri::normals {
@@ -275,15 +276,12 @@ ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
 }  // namespace
 
 Result<void> NormalOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "NormalOptions::{} must be {}", name, range);
-  };
-  if (!(tangent_sigma_mm >= 0.0)) return bad("tangent_sigma_mm", ">= 0");
-  if (!(cell_mm >= 0.0)) return bad("cell_mm", ">= 0");
-  if (!(min_crossing_sine > 0.0 && min_crossing_sine < 1.0)) {
-    return bad("min_crossing_sine", "in (0, 1)");
-  }
-  return {};
+  return OptionCheck("NormalOptions")
+      .not_negative("tangent_sigma_mm", tangent_sigma_mm)
+      .not_negative("cell_mm", cell_mm)
+      .must("min_crossing_sine", min_crossing_sine,
+            min_crossing_sine > 0.0 && min_crossing_sine < 1.0, "above 0 and below 1")
+      .result();
 }
 
 Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> views,

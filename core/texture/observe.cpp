@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/check_options.h"
 #include "core/texture/srgb.h"
 
 namespace flytri::texture {
@@ -167,18 +168,14 @@ Result<void> observe_points(std::span<const SurfacePoint> points, std::span<Obse
 }
 
 Result<void> TextureOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "TextureOptions::{} must be {}", name, range);
-  };
-  if (!(min_facing_cosine >= 0.0 && min_facing_cosine <= 1.0)) {
-    return bad("min_facing_cosine", "in [0, 1]");
-  }
-  if (depth_cell_px < 1) return bad("depth_cell_px", ">= 1");
-  if (!(depth_tolerance_share > 0.0)) return bad("depth_tolerance_share", "> 0");
-  if (!(volume_margin_share >= 0.0)) return bad("volume_margin_share", ">= 0");
-  if (max_channel < 1 || max_channel > 255) return bad("max_channel", "in [1, 255]");
-  if (!(extend_share >= 0.0)) return bad("extend_share", ">= 0");
-  return {};
+  return OptionCheck("TextureOptions")
+      .in_range("min_facing_cosine", min_facing_cosine, 0.0, 1.0)
+      .at_least("depth_cell_px", depth_cell_px, 1)
+      .positive("depth_tolerance_share", depth_tolerance_share)
+      .not_negative("volume_margin_share", volume_margin_share)
+      .in_range("max_channel", max_channel, 1, 255)
+      .not_negative("extend_share", extend_share)
+      .result();
 }
 
 }  // namespace flytri::texture

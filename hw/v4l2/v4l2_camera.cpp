@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/v4l2/find_camera.h"
 
 namespace flytri::v4l2 {
 
 Result<void> V4l2CameraOptions::validate() const {
-  if (buffers < 2 || buffers > 32)
-    return fail(ErrorCode::kBadOption, "buffers {}: must be 2 to 32", buffers);
-  if (!(frozen_after_periods > 1.0))
-    return fail(ErrorCode::kBadOption, "frozen_after_periods {}: must be above 1",
-                frozen_after_periods);
-  if (!(restart_after_s > 0.0))
-    return fail(ErrorCode::kBadOption, "restart_after_s {}: must be above 0", restart_after_s);
-  if (!(search_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "search_period_s {}: must be above 0", search_period_s);
-  return {};
+  return OptionCheck("V4l2CameraOptions")
+      .in_range("buffers", buffers, 2, 32)
+      .above("frozen_after_periods", frozen_after_periods, 1.0)
+      .positive("restart_after_s", restart_after_s)
+      .positive("search_period_s", search_period_s)
+      .result();
 }
 
 V4l2Camera::V4l2Camera(device::CameraMatch match, const device::CameraSettings& settings,
