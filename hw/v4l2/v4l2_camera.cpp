@@ -57,7 +57,7 @@ Result<void> V4l2Camera::open() {
   auto stream = VideoStream::open(*means_.system, *node, asked_, options_.buffers);
   if (!stream) return tl::unexpected(stream.error());
   stream_ = std::move(*stream);
-  frame_counter_.begin_stream(1.0 / stream_->read_back().rate_hz);
+  frame_stamper_.begin_stream(1.0 / stream_->read_back().rate_hz);
   last_arrival_s_ = means_.clock.now_s();
   const std::lock_guard lock(mutex_);
   read_back_ = stream_->read_back();
@@ -68,7 +68,7 @@ Result<void> V4l2Camera::open() {
 Result<void> V4l2Camera::start() {
   const device::CameraState state = status().state;
   if (state != device::CameraState::kIdle && state != device::CameraState::kFailed) return {};
-  frame_counter_ = {};
+  frame_stamper_ = {};
   away_ = false;
   auto opened = open();
   const std::lock_guard lock(mutex_);
@@ -112,7 +112,7 @@ device::CameraFrame V4l2Camera::enter(const StreamedImage& image) {
   const std::lock_guard lock(mutex_);
   status_.state = device::CameraState::kRunning;
   status_.message.clear();
-  return frame_counter_.enter(image, last_arrival_s_, status_);
+  return frame_stamper_.enter(image, last_arrival_s_, status_);
 }
 
 void V4l2Camera::ended(const StreamEnd& end) {

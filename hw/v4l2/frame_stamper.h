@@ -7,7 +7,7 @@
 
 namespace flytri::v4l2 {
 
-class FrameCounter {
+class FrameStamper {
  public:
   /// The driver counts from 0 again; what was missed in between is one gap.
   /// @param period_s  > 0, of frames
