@@ -72,17 +72,8 @@ Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options) {
   return LiveSurface(options);
 }
 
-LiveSurface::Key LiveSurface::key(const Vec3f& p_mm, int cells) const {
-  constexpr int kBits = 21;
-  constexpr double kMiddle = 1 << (kBits - 1);
-  constexpr Key kMask = (Key{1} << kBits) - 1;
-  Key key = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double place = std::floor(static_cast<double>(p_mm[axis]) / (cell_mm_ * cells));
-    const double bounded = std::clamp(place + kMiddle, 0.0, 2.0 * kMiddle - 1.0);
-    key = (key << kBits) | (static_cast<Key>(bounded) & kMask);
-  }
-  return key;
+CellKey LiveSurface::key(const Vec3f& p_mm, int cells) const {
+  return CellKey::at(p_mm, cell_mm_ * cells);
 }
 
 double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filter) {
@@ -200,12 +191,12 @@ void LiveSurface::see_well(NormalCell& seen) {
 }
 
 void LiveSurface::attach_to_block(std::uint32_t cell, const Vec3f& p_mm) {
-  const Key place = key(p_mm, options_.block_cells);
+  const CellKey place = key(p_mm, options_.block_cells);
   const auto [entry, is_new] =
       block_index_.try_emplace(place, static_cast<std::uint32_t>(blocks_.size()));
   if (is_new) {
     blocks_.emplace_back();
-    blocks_.back().place = place;
+    blocks_.back().place = place.packed();
   }
   cells_[cell].block = entry->second;
 }

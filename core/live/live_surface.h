@@ -9,6 +9,7 @@
 
 #include "core/base/random.h"
 #include "core/editing/edits.h"
+#include "core/geometry/cell_key.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/view.h"
 #include "core/texture/observe.h"
@@ -73,8 +74,6 @@ class LiveSurface {
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
 
  private:
-  using Key = std::uint64_t;
-
   /// Where points are merged.
   struct Cell {
     Vec3f sum = Vec3f::Zero();  ///< of positions, relative to the first point
@@ -104,7 +103,7 @@ class LiveSurface {
     bool touched = false;
   };
   struct Block {
-    Key place = 0;
+    std::uint64_t place = 0;  ///< see SurfelBlock
     /// In random order. Only cells that were shown once, so that those which are not yet do not
     /// move the others' places when they come.
     std::vector<std::uint32_t> cells;
@@ -130,7 +129,7 @@ class LiveSurface {
   void refresh_cell(std::uint32_t cell);
   [[nodiscard]] Vec3f position_mm(const Cell& cell) const;
   [[nodiscard]] Vec3f normal_at(const Vec3f& p_mm, const NormalCell& own) const;
-  [[nodiscard]] Key key(const Vec3f& p_mm, int cells) const;
+  [[nodiscard]] CellKey key(const Vec3f& p_mm, int cells) const;
   [[nodiscard]] bool shown(const Cell& cell) const {
     return cell.point_count >= static_cast<float>(options_.min_points);
   }
@@ -140,7 +139,7 @@ class LiveSurface {
   LiveSurfaceOptions options_;
   double cell_mm_ = 0.0;
   Random random_{1};
-  std::unordered_map<Key, std::uint32_t> cell_index_, normal_index_, block_index_;
+  std::unordered_map<CellKey, std::uint32_t> cell_index_, normal_index_, block_index_;
   std::vector<Cell> cells_;
   std::vector<Surfel> surfels_;  ///< parallel to cells_
   std::vector<NormalCell> normal_cells_;
