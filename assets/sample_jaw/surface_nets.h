@@ -1,7 +1,5 @@
-/// @file  Turns an implicit shape into triangles.
-///
-/// @source  Gibson, "Constrained elastic surface nets", MICCAI 1998, in its naive form: one vertex
-///          in each cell that the surface passes, at the mean of its edge crossings.
+/// @file  Turns an implicit shape into triangles: a surface net (core/geometry/surface_net.h) with
+/// each vertex at the mean of its cell's crossed edges.
 #pragma once
 
 #include <functional>
