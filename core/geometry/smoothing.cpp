@@ -165,8 +165,8 @@ double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOpti
     steps.push_back((after - before).norm() / (2.0 * kLag));
     bends.push_back((after + before - 2.0 * p).norm());
   }
-  // White noise of 1 gives second differences of sqrt(6); 0.6745 turns a median into a deviation.
-  const double shown_mm = median_of(bends) / (0.6745 * std::sqrt(6.0));
+  // White noise of 1 gives second differences of sqrt(6).
+  const double shown_mm = median_of(bends) / (kMedianOfSigma * std::sqrt(6.0));
   const double noise_mm = std::clamp(median_of(stated), shown_mm, 2.0 * shown_mm);
   const double ratio = noise_mm / std::max(median_of(steps), 1e-9);
   // Slope of a Gaussian-weighted line fit over sigma samples: variance = ratio² / (4 sqrt(pi)
