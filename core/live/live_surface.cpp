@@ -63,6 +63,7 @@ Result<void> LiveSurfaceOptions::validate() const {
       .at_least("min_points", min_points, 1)
       .at_least("good_views", good_views, 1)
       .must("enough_views", enough_views, enough_views >= good_views, "at least good_views")
+      .positive("noise_length_samples", noise_length_samples)
       .nested(texture)
       .result();
 }
@@ -85,6 +86,7 @@ double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filt
       return 0.0;
     }
   }
+  ++view_count_;
   std::size_t enough = 0;
   for (const Profile& profile : view.view->profiles) enough += add_profile(profile, view, filter);
   refresh_normals();
@@ -110,10 +112,7 @@ std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& 
     if (!filter.empty() && !filter.keeps(p_mm, towards, view.view->time_s)) continue;
     const std::uint32_t index = cell_at(p_mm);
     Cell& cell = cells_[index];
-    if (cell.point_count == 0.0F) cell.first_mm = p_mm;
-    cell.sum += p_mm - cell.first_mm;
-    cell.point_count += 1.0F;
-    cell.information += 1.0F / std::max(point.deviation_mm.squaredNorm(), 1e-12F);
+    add_point(cell, p_mm, R * point.deviation_mm);
     touch(index);
     NormalCell& around = normal_cells_[cell.normal_cell];
     const Vec3f o = R * tangent(profile, i, static_cast<std::size_t>(std::clamp(reach, 1.0, 64.0)));
@@ -128,6 +127,17 @@ std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& 
     around.touched = true;
   }
   return enough;
+}
+
+void LiveSurface::add_point(Cell& cell, const Vec3f& p_mm, const Vec3f& deviation_mm) const {
+  if (cell.point_count == 0.0F) cell.first_mm = p_mm;
+  cell.sum += p_mm - cell.first_mm;
+  cell.point_count += 1.0F;
+  if (cell.of_view != view_count_) cell.points_of_view = 0;
+  cell.of_view = view_count_;
+  ++cell.points_of_view;
+  const auto added = static_cast<float>(mean_variance_.added_to_sum(cell.points_of_view));
+  cell.covariance_mm2 += added * deviation_mm * deviation_mm.transpose();
 }
 
 void LiveSurface::touch(std::uint32_t cell) {
@@ -267,7 +277,8 @@ void LiveSurface::refresh_cell(std::uint32_t index) {
     surfel.normal = normal_at(surfel.position_mm, around);
   }
   surfel.radius_mm = kRadiusCells * static_cast<float>(cell_mm_);
-  surfel.sigma_mm = cell.information > 0.0F ? 1.0F / std::sqrt(cell.information) : 0.0F;
+  surfel.sigma_mm = std::sqrt(reduction::variance_across_mm2(cell.covariance_mm2, surfel.normal)) /
+                    std::max(cell.point_count, 1.0F);
   const bool good = 2 * around.well_seen_around > around.around;
   surfel.coverage = good ? Coverage::kGood : Coverage::kThin;
   surfel.textured = cell.color.observed();
@@ -287,7 +298,9 @@ void LiveSurface::cut(const editing::EditFilter& filter, double now_s) {
     if (cell.point_count == 0.0F) continue;
     if (filter.keeps(surfels_[i].position_mm, surfels_[i].normal, now_s)) continue;
     cell.sum = Vec3f::Zero();
-    cell.point_count = cell.information = 0.0F;
+    cell.point_count = 0.0F;
+    cell.covariance_mm2.setZero();
+    cell.of_view = 0;
     cell.color = {};
     blocks_[cell.block].changed = true;
   }

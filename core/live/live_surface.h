@@ -12,6 +12,7 @@
 #include "core/geometry/cell_key.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/view.h"
+#include "core/reduction/sample_noise.h"
 #include "core/texture/observe.h"
 
 namespace flytri::live {
@@ -37,13 +38,17 @@ struct LiveSurfaceOptions {
   /// what the sensor's own errors are. A line passes a cube in one of several views, so that some
   /// hundred views are kept of each place.
   int enough_views = 16;
+  /// > 0. As ReduceOptions::noise_length_samples.
+  double noise_length_samples = reduction::kNoiseLengthSamples;
   texture::TextureOptions texture;
 
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Merges points cell by cell as they come: position and uncertainty are averages, the normal is
-/// the direction least along all profiles nearby, as in crossing_normals.
+/// Merges points cell by cell as they come: the position is their mean, the uncertainty that of
+/// this mean along the normal. The noise of a view's points in a cell is correlated, that of
+/// different views is not, as in the reduction; how far the views disagree is left to that. The
+/// normal is the direction least along all profiles nearby, as in crossing_normals.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals", which leave doing so
 /// during
 ///          the scan open.
@@ -79,7 +84,10 @@ class LiveSurface {
     Vec3f sum = Vec3f::Zero();  ///< of positions, relative to the first point
     Vec3f first_mm = Vec3f::Zero();
     float point_count = 0.0F;
-    float information = 0.0F;  ///< sum of 1 / sigma^2 of the points, 1/mm^2
+    /// Covariance of the sum of all points, world frame.
+    Eigen::Matrix3f covariance_mm2 = Eigen::Matrix3f::Zero();
+    std::uint32_t of_view = 0;         ///< number of the view that added the latest point
+    std::uint32_t points_of_view = 0;  ///< that it added
     std::uint32_t normal_cell = 0;
     std::uint32_t block = 0;
     int normal_of_views = -1;  ///< views of its cube when its normal was last looked up
@@ -112,7 +120,8 @@ class LiveSurface {
     std::shared_ptr<const SurfelBlock> published;
   };
 
-  explicit LiveSurface(const LiveSurfaceOptions& options) : options_(options) {}
+  explicit LiveSurface(const LiveSurfaceOptions& options)
+      : options_(options), mean_variance_(options.noise_length_samples) {}
 
   std::size_t add_profile(const Profile& profile, const AlignedView& view,
                           const editing::EditFilter& filter);
@@ -127,6 +136,7 @@ class LiveSurface {
   void see_well(NormalCell& seen);
   void refresh_normals();
   void refresh_cell(std::uint32_t cell);
+  void add_point(Cell& cell, const Vec3f& p_mm, const Vec3f& deviation_mm) const;
   [[nodiscard]] Vec3f position_mm(const Cell& cell) const;
   [[nodiscard]] Vec3f normal_at(const Vec3f& p_mm, const NormalCell& own) const;
   [[nodiscard]] CellKey key(const Vec3f& p_mm, int cells) const;
@@ -137,6 +147,8 @@ class LiveSurface {
   void touch(std::uint32_t cell);
 
   LiveSurfaceOptions options_;
+  reduction::MeanVariance mean_variance_;
+  std::uint32_t view_count_ = 0;
   double cell_mm_ = 0.0;
   Random random_{1};
   std::unordered_map<CellKey, std::uint32_t> cell_index_, normal_index_, block_index_;

@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
+#include "core/reduction/sample_noise.h"
 
 namespace flytri::reduction {
 
@@ -31,9 +32,8 @@ struct ReduceOptions {
   /// >= 1. Samples that must support each other, itself included, where a single view saw the
   /// surface. Fewer are dropped: ghosts and specks.
   int min_support = 5;
-  /// > 0. Samples over which the noise along a line is alike (speckle is, over 1.5 px); such
-  /// samples do not average out.
-  double noise_length_samples = 1.5;
+  /// > 0. Samples over which the noise along a line is alike; such samples do not average out.
+  double noise_length_samples = kNoiseLengthSamples;
 
   [[nodiscard]] Result<void> validate() const;
 };

@@ -24,12 +24,6 @@ struct SupportRule {
   int min_support = 5;          ///< samples, itself included, that must agree
 };
 
-/// Standard uncertainty of a sample across a surface of the given normal, in mm.
-///
-/// A sample moves along its deviation, so the part of it along the normal counts. A tenth of the
-/// rest is added: at grazing incidence the normal itself is not known better.
-[[nodiscard]] float sigma_across_mm(const SurfaceSample& sample, const Vec3f& normal);
-
 /// Lets the views vote on every sample. Views count, not samples: the samples of one line err
 /// together.
 /// @param progress  advanced by one step
