@@ -66,6 +66,14 @@ class LiveSurface {
   /// @errors  as observe_points.
   [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
                                        const calibration::Calibration& calibration);
+  /// Forgets the colors around a place, and takes them from these frames.
+  /// @errors  as observe_points.
+  [[nodiscard]] Result<void> recolor(const Isometry& T_world_sensor,
+                                     std::span<const texture::TextureFrame> frames,
+                                     const calibration::Calibration& calibration);
+  /// How many pixels of a texture frame from this place fall on the surface.
+  [[nodiscard]] double texture_pixels(const Isometry& T_world_sensor,
+                                      const calibration::Calibration& calibration) const;
 
   /// The surface as it is now. Blocks that did not change are those of the last call.
   [[nodiscard]] SurfelModel publish();
@@ -104,9 +112,9 @@ class LiveSurface {
     int around = 0;            ///< of this cube and its 26 neighbors, those that hold points
     int well_seen_around = 0;  ///< of these
     bool well_seen = false;
-    std::array<int, 2> views{};                     ///< that saw it, by Pattern
-    std::array<double, 2> latest_s = {-1.0, -1.0};  ///< the latest of them
-    int refreshed_at = 0;                           ///< views when its cells were last refreshed
+    std::array<int, 2> views{};                  ///< that saw it, by Pattern
+    std::array<std::uint32_t, 2> latest_view{};  ///< number of the latest of them
+    int refreshed_at = 0;                        ///< views when its cells were last refreshed
     std::vector<std::uint32_t> cells;
     bool touched = false;
   };
@@ -143,12 +151,21 @@ class LiveSurface {
   [[nodiscard]] bool shown(const Cell& cell) const {
     return cell.point_count >= static_cast<float>(options_.min_points);
   }
+  /// The shown cells that may lie in the volume of a sensor at this place.
+  [[nodiscard]] std::vector<std::uint32_t> cells_around(
+      const Isometry& T_world_sensor, const calibration::Calibration& calibration) const;
+  /// Adds what the frame sees to the colors of those cells around it that `wanted` chooses.
+  /// @return  all cells around it
+  template <typename Wanted>
+  Result<std::vector<std::uint32_t>> observe(const texture::TextureFrame& frame,
+                                             const calibration::Calibration& calibration,
+                                             const Wanted& wanted);
   void publish_block(Block& block) const;
   void touch(std::uint32_t cell);
 
   LiveSurfaceOptions options_;
   reduction::MeanVariance mean_variance_;
-  std::uint32_t view_count_ = 0;
+  std::uint32_t view_count_ = 0;  ///< also the number of the view being added
   double cell_mm_ = 0.0;
   Random random_{1};
   std::unordered_map<CellKey, std::uint32_t> cell_index_, normal_index_, block_index_;

@@ -19,11 +19,16 @@ struct Projection {
   bool facing = false;
 };
 
-/// Unit ray of sight of the texture camera: along it neither U nor V changes.
+/// Along the ray of sight of the texture camera, where neither U nor V changes. As long as a
+/// square millimeter across the ray has pixels.
+Vec3 pixels_along_ray(const calibration::Calibration& calibration, const Vec3& p_sensor) {
+  return calibration.texture_u_px.gradient(p_sensor).cross(
+      calibration.texture_v_px.gradient(p_sensor));
+}
+
+/// Unit ray of sight.
 Vec3 ray_of_sight(const calibration::Calibration& calibration, const Vec3& p_sensor) {
-  const Vec3 ray = calibration.texture_u_px.gradient(p_sensor)
-                       .cross(calibration.texture_v_px.gradient(p_sensor))
-                       .normalized();
+  const Vec3 ray = pixels_along_ray(calibration, p_sensor).normalized();
   return ray.z() < 0.0 ? Vec3(-ray) : ray;
 }
 
@@ -122,6 +127,14 @@ Rgb ObservedColor::color() const {
   Rgb color;
   for (int c = 0; c < 3; ++c) color[c] = srgb_from_linear(light[c]);
   return color;
+}
+
+double pixels_per_mm2(const SurfacePoint& point, const Isometry& T_sensor_world,
+                      const calibration::Calibration& calibration, const TextureOptions& options) {
+  if (!project(point, T_sensor_world, calibration, options).facing) return 0.0;
+  const Vec3 p_sensor = T_sensor_world * point.position_mm.cast<double>();
+  const Vec3 normal = T_sensor_world.linear() * point.normal.cast<double>();
+  return std::abs(pixels_along_ray(calibration, p_sensor).dot(normal));
 }
 
 Result<void> observe_points(std::span<const SurfacePoint> points, std::span<ObservedColor> colors,
