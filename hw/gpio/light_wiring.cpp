@@ -26,7 +26,7 @@ Result<void> LightWiring::validate() const {
              "a label, serial number or bus path");
   check_line(vertical, "vertical", check);
   check_line(horizontal, "horizontal", check);
-  check.must("horizontal", "the line of the vertical light", !same(vertical, horizontal),
+  check.must("horizontal", "the same line as another light", !same(vertical, horizontal),
              "a line of its own");
   if (flash) {
     check_line(*flash, "flash", check);
