@@ -314,16 +314,16 @@ void Registrar::retire(std::span<const double> times_s) {
 void Registrar::apply(std::span<const AlignedView> refined) {
   if (submaps_.empty()) return;
   TrackedScan& scan = *submaps_[scan_];
-  std::map<double, const AlignedView*> by_time;
-  for (const AlignedView& view : refined) by_time[view.view->time_s] = &view;
+  std::map<FrameIndex, const AlignedView*> by_frame;
+  for (const AlignedView& view : refined) by_frame[view.view->frame] = &view;
   stops_ = {};
   // Below this nothing that registers to a view could tell.
   const double negligible_mm = 1e-4 * radius_mm_;
   Isometry T_new_world = Isometry::Identity();  // of the last view that is known
   for (std::size_t i = 0; i < scan.size(); ++i) {
     const AlignedView& view = scan.views()[i].aligned;
-    const auto found = by_time.find(view.view->time_s);
-    if (found != by_time.end()) {
+    const auto found = by_frame.find(view.view->frame);
+    if (found != by_frame.end()) {
       T_new_world = found->second->T_world_sensor * view.T_world_sensor.inverse();
     }
     const Isometry T_new_sensor = T_new_world * view.T_world_sensor;
