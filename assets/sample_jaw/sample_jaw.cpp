@@ -9,6 +9,7 @@
 #include "assets/sample_jaw/gum.h"
 #include "assets/sample_jaw/smooth.h"
 #include "assets/sample_jaw/surface_nets.h"
+#include "core/base/check_options.h"
 
 namespace flytri::sample_jaw {
 namespace {
@@ -111,11 +112,10 @@ void append(TriangleMesh& whole, const TriangleMesh& part) {
 }  // namespace
 
 Result<void> SampleJawOptions::validate() const {
-  for (const auto& [name, cell_mm] :
-       {std::pair{"tooth_cell_mm", tooth_cell_mm}, std::pair{"gum_cell_mm", gum_cell_mm}})
-    if (!(cell_mm >= 0.05 && cell_mm <= 2.0))
-      return fail(ErrorCode::kBadOption, "{} must be in 0.05..2 mm, not {}", name, cell_mm);
-  return {};
+  return OptionCheck("SampleJawOptions")
+      .in_range("tooth_cell_mm", tooth_cell_mm, 0.05, 2.0)
+      .in_range("gum_cell_mm", gum_cell_mm, 0.05, 2.0)
+      .result();
 }
 
 Result<TriangleMesh> make_sample_jaw(const SampleJawOptions& options, const Workers& workers) {

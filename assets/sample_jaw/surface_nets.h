@@ -1,8 +1,5 @@
-/// @file  Converts an implicit shape to a triangle mesh.
-///
-/// @source  Gibson, "Constrained elastic surface nets", MICCAI 1998, in its simple form ("naive
-/// surface nets"): one vertex in each cell that the surface crosses, at the mean of its edge
-/// crossings.
+/// @file  Turns an implicit shape into triangles: a surface net (core/geometry/surface_net.h) with
+/// each vertex at the mean of its cell's crossed edges.
 #pragma once
 
 #include <functional>

@@ -8,7 +8,9 @@
 
 namespace flytri {
 
-/// Standard deviation of a normal distribution divided by its median absolute deviation.
+/// Median absolute deviation of a normal distribution, in standard deviations.
+inline constexpr double kMedianOfSigma = 0.6745;
+/// Its standard deviation, in median absolute deviations: 1 / kMedianOfSigma.
 inline constexpr double kSigmaOfMedian = 1.4826;
 
 /// The middle value; the upper one of the two if their number is even. Reorders the values. Needs

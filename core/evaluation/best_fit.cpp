@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/mesh_normals.h"
 
@@ -98,13 +99,11 @@ Isometry motion_about(const Vec3& center_mm, Twist step, double radius_mm) {
 }  // namespace
 
 Result<void> BestFitOptions::validate() const {
-  if (sample_count < 6)
-    return fail(ErrorCode::kBadOption, "sample_count must be at least 6, not {}", sample_count);
-  if (max_iterations < 1)
-    return fail(ErrorCode::kBadOption, "max_iterations must be at least 1, not {}", max_iterations);
-  if (!(outlier_sigmas > 1.0))
-    return fail(ErrorCode::kBadOption, "outlier_sigmas must be above 1, not {}", outlier_sigmas);
-  return {};
+  return OptionCheck("BestFitOptions")
+      .at_least("sample_count", sample_count, 6)
+      .at_least("max_iterations", max_iterations, 1)
+      .above("outlier_sigmas", outlier_sigmas, 1.0)
+      .result();
 }
 
 Result<BestFit> best_fit(const TriangleMesh& result, const TriangleMesh& truth,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/mesh_distance.h"
 
@@ -73,12 +74,10 @@ DistanceStatistics distance_statistics(std::vector<double> distances_mm) {
 }
 
 Result<void> SurfaceErrorOptions::validate() const {
-  if (!(complete_within_mm > 0.0))
-    return fail(ErrorCode::kBadOption, "complete_within_mm must be above 0, not {}",
-                complete_within_mm);
-  if (!(far_above_mm > 0.0))
-    return fail(ErrorCode::kBadOption, "far_above_mm must be above 0, not {}", far_above_mm);
-  return {};
+  return OptionCheck("SurfaceErrorOptions")
+      .positive("complete_within_mm", complete_within_mm)
+      .positive("far_above_mm", far_above_mm)
+      .result();
 }
 
 Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMesh& truth,

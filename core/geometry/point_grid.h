@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/rigid.h"
+#include "core/geometry/cell_key.h"
 
 namespace flytri {
 
@@ -48,13 +48,13 @@ class PointGrid {
   };
   /// Consecutive entries of one row.
   struct Row {
-    std::uint64_t key;
+    CellKey key;  ///< of its cell with x = 0
     std::uint32_t begin, end;
   };
 
   [[nodiscard]] std::int32_t cell_of(float coordinate_mm) const;
-  void build_rows(const std::vector<std::uint64_t>& entry_keys);
-  [[nodiscard]] const Row* find_row(std::uint64_t key) const;
+  void build_rows(const std::vector<CellKey>& entry_keys);
+  [[nodiscard]] const Row* find_row(CellKey key) const;
   /// Calls visit(entry, squared distance) for entries within the radius; visit returns the squared
   /// radius for the rest of the search.
   template <typename Visit>

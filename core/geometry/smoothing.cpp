@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri {
@@ -143,15 +144,10 @@ SmoothedPoint smooth_point(std::span<const ProfilePoint> points, std::size_t i, 
 }  // namespace
 
 Result<void> SmoothingOptions::validate() const {
-  if (!(max_direction_noise_rad > 0.0 && max_direction_noise_rad <= 1.0)) {
-    return fail(ErrorCode::kBadOption, "max_direction_noise_rad is {}, must be in (0, 1]",
-                max_direction_noise_rad);
-  }
-  if (!(max_sigma_samples >= 0.5 && max_sigma_samples <= 100.0)) {
-    return fail(ErrorCode::kBadOption, "max_sigma_samples is {}, must be in [0.5, 100]",
-                max_sigma_samples);
-  }
-  return {};
+  return OptionCheck("SmoothingOptions")
+      .positive_up_to("max_direction_noise_rad", max_direction_noise_rad, 1.0)
+      .in_range("max_sigma_samples", max_sigma_samples, 0.5, 100.0)
+      .result();
 }
 
 double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOptions& options) {
@@ -168,8 +164,8 @@ double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOpti
     steps.push_back((after - before).norm() / (2.0 * kLag));
     bends.push_back((after + before - 2.0 * p).norm());
   }
-  // White noise of 1 gives second differences of sqrt(6); 0.6745 turns a median into a deviation.
-  const double shown_mm = median_of(bends) / (0.6745 * std::sqrt(6.0));
+  // White noise of 1 gives second differences of sqrt(6).
+  const double shown_mm = median_of(bends) / (kMedianOfSigma * std::sqrt(6.0));
   const double noise_mm = std::clamp(median_of(stated), shown_mm, 2.0 * shown_mm);
   const double ratio = noise_mm / std::max(median_of(steps), 1e-9);
   // Slope of a Gaussian-weighted line fit over sigma samples: variance = ratio² / (4 sqrt(pi)

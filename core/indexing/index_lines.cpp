@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri::indexing {
@@ -112,21 +113,13 @@ std::vector<IndexedTrace> cut(const localization::LineTrace& trace,
 }  // namespace
 
 Result<void> IndexOptions::validate() const {
-  if (!(area_margin >= 0.0 && area_margin <= 0.3)) {
-    return fail(ErrorCode::kBadOption, "area_margin is {}, must be 0..0.3", area_margin);
-  }
-  if (!(max_width_ratio > 1.0)) {
-    return fail(ErrorCode::kBadOption, "max_width_ratio is {}, must be > 1", max_width_ratio);
-  }
-  if (!(max_local_width_ratio >= max_width_ratio)) {
-    return fail(ErrorCode::kBadOption, "max_local_width_ratio is {}, must be >= max_width_ratio",
-                max_local_width_ratio);
-  }
-  if (min_segment_length < 2) {
-    return fail(ErrorCode::kBadOption, "min_segment_length is {}, must be >= 2",
-                min_segment_length);
-  }
-  return {};
+  return OptionCheck("IndexOptions")
+      .in_range("area_margin", area_margin, 0.0, 0.3)
+      .above("max_width_ratio", max_width_ratio, 1.0)
+      .must("max_local_width_ratio", max_local_width_ratio,
+            max_local_width_ratio >= max_width_ratio, "at least max_width_ratio")
+      .at_least("min_segment_length", min_segment_length, 2)
+      .result();
 }
 
 IndexedLines index_lines(const std::vector<localization::LineTrace>& traces,

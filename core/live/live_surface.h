@@ -9,8 +9,10 @@
 
 #include "core/base/random.h"
 #include "core/editing/edits.h"
+#include "core/geometry/cell_key.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/view.h"
+#include "core/reduction/sample_noise.h"
 #include "core/texture/observe.h"
 
 namespace flytri::live {
@@ -35,15 +37,20 @@ struct LiveSurfaceOptions {
   /// the calibration error. A line passes a cube only in one of several views, so about a hundred
   /// views are kept of each place.
   int enough_views = 16;
+  /// > 0. As ReduceOptions::noise_length_samples.
+  double noise_length_samples = reduction::kNoiseLengthSamples;
   texture::TextureOptions texture;
 
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Merges points cell by cell as they arrive. Position and uncertainty are averages; the normal is
-/// the direction most perpendicular to all profiles nearby, as in crossing_normals.
-/// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
-///          reduction during the scan to future work.
+/// Merges points cell by cell as they come: the position is their mean, the uncertainty that of
+/// this mean along the normal. The noise of a view's points in a cell is correlated, that of
+/// different views is not, as in the reduction; how far the views disagree is left to that. The
+/// normal is the direction least along all profiles nearby, as in crossing_normals.
+/// @source  Arold et al., "Data Reduction" and "Calculation of Normals", which leave doing so
+/// during
+///          the scan open.
 class LiveSurface {
  public:
   /// @errors  kBadOption.
@@ -58,6 +65,14 @@ class LiveSurface {
   /// @errors  as observe_points.
   [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
                                        const calibration::Calibration& calibration);
+  /// Forgets the colors around a place, and takes them from these frames.
+  /// @errors  as observe_points.
+  [[nodiscard]] Result<void> recolor(const Isometry& T_world_sensor,
+                                     std::span<const texture::TextureFrame> frames,
+                                     const calibration::Calibration& calibration);
+  /// How many pixels of a texture frame from this place fall on the surface.
+  [[nodiscard]] double texture_pixels(const Isometry& T_world_sensor,
+                                      const calibration::Calibration& calibration) const;
 
   /// The present surface. Unchanged blocks are the same objects as in the last call.
   [[nodiscard]] SurfelModel publish();
@@ -71,14 +86,15 @@ class LiveSurface {
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
 
  private:
-  using Key = std::uint64_t;
-
-  /// A cell in which points are merged.
+  /// Where points are merged.
   struct Cell {
     Vec3f sum = Vec3f::Zero();  ///< of positions, relative to the first point
     Vec3f first_mm = Vec3f::Zero();
     float point_count = 0.0F;
-    float information = 0.0F;  ///< sum of 1 / sigma^2 of the points, 1/mm^2
+    /// Covariance of the sum of all points, world frame.
+    Eigen::Matrix3f covariance_mm2 = Eigen::Matrix3f::Zero();
+    std::uint32_t of_view = 0;         ///< number of the view that added the latest point
+    std::uint32_t points_of_view = 0;  ///< that it added
     std::uint32_t normal_cell = 0;
     std::uint32_t block = 0;
     int normal_of_views = -1;  ///< number of views of its cube when its normal was last computed
@@ -95,24 +111,24 @@ class LiveSurface {
     int around = 0;            ///< cubes with points among this cube and its 26 neighbors
     int well_seen_around = 0;  ///< of these cubes, those well seen
     bool well_seen = false;
-    std::array<int, 2> views{};                     ///< number of views that saw it, by Pattern
-    std::array<double, 2> latest_s = {-1.0, -1.0};  ///< time of the latest of them
-    int refreshed_at = 0;                           ///< number of views when its cells were last
-                                                    ///< refreshed
+    std::array<int, 2> views{};                  ///< that saw it, by Pattern
+    std::array<std::uint32_t, 2> latest_view{};  ///< number of the latest of them
+    int refreshed_at = 0;                        ///< views when its cells were last refreshed
     std::vector<std::uint32_t> cells;
     bool touched = false;
   };
   struct Block {
-    Key place = 0;
-    /// In random order. Only cells that were shown at least once: a cell that is not shown yet must
-    /// not change the positions of the others.
+    std::uint64_t place = 0;  ///< see SurfelBlock
+    /// In random order. Only cells that were shown once, so that those which are not yet do not
+    /// move the others' places when they come.
     std::vector<std::uint32_t> cells;
     bool changed = false;
     double area_mm2 = 0.0, good_mm2 = 0.0;  ///< of the published surfels
     std::shared_ptr<const SurfelBlock> published;
   };
 
-  explicit LiveSurface(const LiveSurfaceOptions& options) : options_(options) {}
+  explicit LiveSurface(const LiveSurfaceOptions& options)
+      : options_(options), mean_variance_(options.noise_length_samples) {}
 
   std::size_t add_profile(const Profile& profile, const AlignedView& view,
                           const editing::EditFilter& filter);
@@ -127,19 +143,31 @@ class LiveSurface {
   void see_well(NormalCell& seen);
   void refresh_normals();
   void refresh_cell(std::uint32_t cell);
+  void add_point(Cell& cell, const Vec3f& p_mm, const Vec3f& deviation_mm) const;
   [[nodiscard]] Vec3f position_mm(const Cell& cell) const;
   [[nodiscard]] Vec3f normal_at(const Vec3f& p_mm, const NormalCell& own) const;
-  [[nodiscard]] Key key(const Vec3f& p_mm, int cells) const;
+  [[nodiscard]] CellKey key(const Vec3f& p_mm, int cells) const;
   [[nodiscard]] bool shown(const Cell& cell) const {
     return cell.point_count >= static_cast<float>(options_.min_points);
   }
+  /// The shown cells that may lie in the volume of a sensor at this place.
+  [[nodiscard]] std::vector<std::uint32_t> cells_around(
+      const Isometry& T_world_sensor, const calibration::Calibration& calibration) const;
+  /// Adds what the frame sees to the colors of those cells around it that `wanted` chooses.
+  /// @return  all cells around it
+  template <typename Wanted>
+  Result<std::vector<std::uint32_t>> observe(const texture::TextureFrame& frame,
+                                             const calibration::Calibration& calibration,
+                                             const Wanted& wanted);
   void publish_block(Block& block) const;
   void touch(std::uint32_t cell);
 
   LiveSurfaceOptions options_;
+  reduction::MeanVariance mean_variance_;
+  std::uint32_t view_count_ = 0;  ///< also the number of the view being added
   double cell_mm_ = 0.0;
   Random random_{1};
-  std::unordered_map<Key, std::uint32_t> cell_index_, normal_index_, block_index_;
+  std::unordered_map<CellKey, std::uint32_t> cell_index_, normal_index_, block_index_;
   std::vector<Cell> cells_;
   std::vector<Surfel> surfels_;  ///< parallel to cells_
   std::vector<NormalCell> normal_cells_;

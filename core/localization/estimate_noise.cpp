@@ -9,7 +9,6 @@ namespace flytri::localization {
 namespace {
 
 constexpr float kMaxContrast = 0.5F;
-constexpr float kMedianOfSigma = 0.6745F;  // median of |x| of a Gaussian, in sigmas
 
 /// Median background noise of the tiles that the lines cross.
 float read_variance(const Background& background, const std::vector<LineFit>& fits,
@@ -87,7 +86,7 @@ float scatter_ratio(const std::vector<LineTrace>& traces) {
     }
   }
   if (ratios.size() < kMinCount) return 1.0F;
-  return median_of(ratios) / kMedianOfSigma;
+  return median_of(ratios) / static_cast<float>(kMedianOfSigma);
 }
 
 }  // namespace flytri::localization

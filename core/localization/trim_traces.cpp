@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "core/base/check_options.h"
+
 namespace flytri::localization {
 namespace {
 
@@ -66,19 +68,12 @@ void add_trimmed(const LineTrace& segment, int along_count, const TrimOptions& o
 }  // namespace
 
 Result<void> TrimOptions::validate() const {
-  if (!(end_widths >= 0.0 && end_widths <= 5.0)) {
-    return fail(ErrorCode::kBadOption, "end_widths is {}, must be 0..5", end_widths);
-  }
-  if (!(min_end_amplitude >= 0.0 && min_end_amplitude <= 1.0)) {
-    return fail(ErrorCode::kBadOption, "min_end_amplitude is {}, must be 0..1", min_end_amplitude);
-  }
-  if (!(max_step_widths > 0.0)) {
-    return fail(ErrorCode::kBadOption, "max_step_widths is {}, must be > 0", max_step_widths);
-  }
-  if (min_length < 3) {
-    return fail(ErrorCode::kBadOption, "min_length is {}, must be >= 3", min_length);
-  }
-  return {};
+  return OptionCheck("TrimOptions")
+      .in_range("end_widths", end_widths, 0.0, 5.0)
+      .in_range("min_end_amplitude", min_end_amplitude, 0.0, 1.0)
+      .positive("max_step_widths", max_step_widths)
+      .at_least("min_length", min_length, 3)
+      .result();
 }
 
 std::vector<LineTrace> trim_traces(const std::vector<LineTrace>& traces, int along_count,

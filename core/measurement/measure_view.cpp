@@ -1,5 +1,6 @@
 #include "core/measurement/measure_view.h"
 
+#include "core/base/check_options.h"
 #include "core/localization/outline.h"
 
 namespace flytri::measurement {
@@ -53,16 +54,13 @@ Result<MeasuredView> measure_unknown(const Frame& frame,
 }  // namespace
 
 Result<void> MeasureOptions::validate() const {
-  if (auto valid = localize.validate(); !valid) return valid;
-  if (auto valid = index.validate(); !valid) return valid;
-  if (auto valid = triangulate.validate(); !valid) return valid;
-  if (!(min_pattern_ratio > 1.0)) {
-    return fail(ErrorCode::kBadOption, "min_pattern_ratio is {}, must be > 1", min_pattern_ratio);
-  }
-  if (min_points < 1) {
-    return fail(ErrorCode::kBadOption, "min_points is {}, must be >= 1", min_points);
-  }
-  return {};
+  return OptionCheck("MeasureOptions")
+      .nested(localize)
+      .nested(index)
+      .nested(triangulate)
+      .above("min_pattern_ratio", min_pattern_ratio, 1.0)
+      .at_least("min_points", min_points, 1)
+      .result();
 }
 
 std::string_view to_string(MeasureOutcome outcome) {

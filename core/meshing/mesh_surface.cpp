@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/point_grid.h"
 #include "core/meshing/implicit_surface.h"
@@ -45,15 +46,14 @@ double point_spacing_mm(const PointCloud& points) {
 }  // namespace
 
 Result<void> MeshOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "MeshOptions::{} must be {}", name, range);
-  };
-  if (!(spacing_mm >= 0.0)) return bad("spacing_mm", ">= 0");
-  if (!(smoothing_spacings > 0.0)) return bad("smoothing_spacings", "> 0");
-  if (!(support_spacings > 0.0)) return bad("support_spacings", "> 0");
-  if (!(gap_spacings >= support_spacings)) return bad("gap_spacings", ">= support_spacings");
-  if (!(min_island_spacings2 >= 0.0)) return bad("min_island_spacings2", ">= 0");
-  return {};
+  return OptionCheck("MeshOptions")
+      .not_negative("spacing_mm", spacing_mm)
+      .positive("smoothing_spacings", smoothing_spacings)
+      .positive("support_spacings", support_spacings)
+      .must("gap_spacings", gap_spacings, gap_spacings >= support_spacings,
+            "at least support_spacings")
+      .not_negative("min_island_spacings2", min_island_spacings2)
+      .result();
 }
 
 Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& options,

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/check_options.h"
+#include "core/geometry/cell_key.h"
 #include "core/geometry/point_spacing.h"
 
 namespace flytri::normals {
@@ -27,8 +29,6 @@ constexpr std::size_t kCellGrain = 256;
 /// Share of the total time of each part.
 constexpr double kTangentShare = 0.4, kGatherShare = 0.35, kCrossingShare = 0.1,
                  kExtensionShare = 0.05, kPointShare = 0.1;
-
-using CellKey = std::array<std::int32_t, 3>;
 
 /// o of every point of a view, sensor frame, unit; by profile, by point.
 using ViewTangents = std::vector<std::vector<Vec3>>;
@@ -74,18 +74,12 @@ ViewTangents tangents_of(const View& view, double sigma_mm) {
 
 /// Sums over all profile points in one cell: o o^T, and the directions to the sensors.
 struct TangentCell {
-  CellKey key{};
+  CellKey key;
   Eigen::Matrix3d oo = Eigen::Matrix3d::Zero();
   Vec3 towards_sensor = Vec3::Zero();
   std::array<double, 2> weight{};  ///< points by pattern
   Vec3 normal = Vec3::Zero();      ///< zero: profiles do not cross here
 };
-
-CellKey key_of(const Vec3& p, double cell_mm) {
-  return {static_cast<std::int32_t>(std::floor(p.x() / cell_mm)),
-          static_cast<std::int32_t>(std::floor(p.y() / cell_mm)),
-          static_cast<std::int32_t>(std::floor(p.z() / cell_mm))};
-}
 
 const TangentCell* find_cell(std::span<const TangentCell> cells, const CellKey& key) {
   const auto it = std::lower_bound(
@@ -124,7 +118,7 @@ std::vector<TangentCell> gather_cells(const AlignedView& aligned, const ViewTang
   for (std::size_t k = 0; k < tangents.size(); ++k) {
     for (std::size_t i = 0; i < tangents[k].size(); ++i) {
       const Vec3& p_sensor = aligned.view->profiles[k].points[i].position_mm;
-      keyed.emplace_back(key_of(T_world_sensor * p_sensor, cell_mm),
+      keyed.emplace_back(CellKey::at(Vec3(T_world_sensor * p_sensor), cell_mm),
                          static_cast<std::uint32_t>(keyed.size()));
       directions.emplace_back(T_world_sensor.linear() * tangents[k][i]);
     }
@@ -168,7 +162,7 @@ void for_neighbors(std::span<const TangentCell> cells, const CellKey& key, const
   for (int i = -1; i <= 1; ++i) {
     for (int j = -1; j <= 1; ++j) {
       for (int k = -1; k <= 1; ++k) {
-        const TangentCell* cell = find_cell(cells, {key[0] + i, key[1] + j, key[2] + k});
+        const TangentCell* cell = find_cell(cells, key.neighbor(i, j, k));
         if (cell != nullptr) visit(*cell, kWeights[std::abs(i) + std::abs(j) + std::abs(k)]);
       }
     }
@@ -260,7 +254,7 @@ ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
   for (std::size_t k = 0; k < normals.size(); ++k) {
     const auto& points = aligned.view->profiles[k].points;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const CellKey key = key_of(T_world_sensor * points[i].position_mm, cell_mm);
+      const CellKey key = CellKey::at(Vec3(T_world_sensor * points[i].position_mm), cell_mm);
       const TangentCell* cell = find_cell(cells, key);
       const Vec3 o = T_world_sensor.linear() * tangents[k][i];
       Vec3 normal = perpendicular(cell->normal, o);
@@ -277,15 +271,12 @@ ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
 }  // namespace
 
 Result<void> NormalOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "NormalOptions::{} must be {}", name, range);
-  };
-  if (!(tangent_sigma_mm >= 0.0)) return bad("tangent_sigma_mm", ">= 0");
-  if (!(cell_mm >= 0.0)) return bad("cell_mm", ">= 0");
-  if (!(min_crossing_sine > 0.0 && min_crossing_sine < 1.0)) {
-    return bad("min_crossing_sine", "in (0, 1)");
-  }
-  return {};
+  return OptionCheck("NormalOptions")
+      .not_negative("tangent_sigma_mm", tangent_sigma_mm)
+      .not_negative("cell_mm", cell_mm)
+      .must("min_crossing_sine", min_crossing_sine,
+            min_crossing_sine > 0.0 && min_crossing_sine < 1.0, "above 0 and below 1")
+      .result();
 }
 
 Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> views,

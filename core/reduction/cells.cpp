@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/geometry/cell_key.h"
 #include "core/geometry/point_grid.h"
 
 namespace flytri::reduction {
@@ -39,16 +40,16 @@ class GrowingCenters {
   /// Makes sample i a center unless it lies in an existing cell.
   void offer(std::uint32_t i) {
     if (!centers_.empty() && holds(last_, i)) return;
-    const auto [x, y, z] = cube_of(samples_[i].position_mm);
-    for (int cz = z - 1; cz <= z + 1; ++cz) {
-      for (int cy = y - 1; cy <= y + 1; ++cy) {
-        for (int cx = x - 1; cx <= x + 1; ++cx) {
-          if (find_in_cube({cx, cy, cz}, i)) return;
+    const CellKey cube = CellKey::at(samples_[i].position_mm, cube_mm_);
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          if (find_in_cube(cube.neighbor(dx, dy, dz), i)) return;
         }
       }
     }
     last_ = static_cast<std::uint32_t>(centers_.size());
-    std::uint32_t& head = heads_[slot_of({x, y, z})];
+    std::uint32_t& head = heads_[slot_of(cube)];
     next_.push_back(head);
     centers_.push_back(i);
     head = last_;
@@ -57,26 +58,12 @@ class GrowingCenters {
   std::vector<std::uint32_t> take() { return std::move(centers_); }
 
  private:
-  using Cube = std::array<int, 3>;
-
-  Cube cube_of(const Vec3f& p) const {
-    Cube cube;
-    for (int axis = 0; axis < 3; ++axis) {
-      cube[axis] = static_cast<int>(std::floor(p[axis] / cube_mm_));
-    }
-    return cube;
-  }
-  /// Cubes may share a slot, because the centers found there are tested anyway.
-  std::size_t slot_of(const Cube& c) const {
-    const std::uint64_t h = static_cast<std::uint32_t>(c[0]) * 0x9e3779b97f4a7c15ULL ^
-                            static_cast<std::uint32_t>(c[1]) * 0xc2b2ae3d27d4eb4fULL ^
-                            static_cast<std::uint32_t>(c[2]) * 0x165667b19e3779f9ULL;
-    return static_cast<std::size_t>((h ^ (h >> 31)) & (heads_.size() - 1));
-  }
+  /// Cubes may share a slot: what is found there is tested anyway.
+  std::size_t slot_of(CellKey cube) const { return hash_of(cube) & (heads_.size() - 1); }
   bool holds(std::uint32_t cell, std::uint32_t i) const {
     return std::isfinite(distance2_from_axis(samples_[centers_[cell]], samples_[i], shape_));
   }
-  bool find_in_cube(const Cube& cube, std::uint32_t i) {
+  bool find_in_cube(CellKey cube, std::uint32_t i) {
     for (std::uint32_t cell = heads_[slot_of(cube)]; cell != kNone; cell = next_[cell]) {
       if (!holds(cell, i)) continue;
       last_ = cell;  // the next sample is near and most likely in the same cell

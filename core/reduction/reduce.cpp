@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/reduction/cells.h"
 #include "core/reduction/merge.h"
@@ -101,20 +102,16 @@ Result<void> reduce_ordered(std::span<const SurfaceSample> samples, const Reduce
 }  // namespace
 
 Result<void> ReduceOptions::validate() const {
-  const auto bad = [](const char* name, double value, const char* range) {
-    return fail(ErrorCode::kBadOption, "reduction option {} is {}, must be {}", name, value, range);
-  };
-  if (!(cell_mm >= 0.0)) return bad("cell_mm", cell_mm, ">= 0 (0: from the data)");
-  if (!(half_length_cells > 0.0)) return bad("half_length_cells", half_length_cells, "> 0");
-  if (!(max_normal_angle_rad > 0.0 && max_normal_angle_rad < 1.57)) {
-    return bad("max_normal_angle_rad", max_normal_angle_rad, "above 0 and below a right angle");
-  }
-  if (!(outlier_sigmas > 0.0)) return bad("outlier_sigmas", outlier_sigmas, "> 0");
-  if (min_support < 1) return bad("min_support", min_support, ">= 1");
-  if (!(noise_length_samples > 0.0)) {
-    return bad("noise_length_samples", noise_length_samples, "> 0");
-  }
-  return {};
+  return OptionCheck("ReduceOptions")
+      .not_negative("cell_mm", cell_mm)
+      .positive("half_length_cells", half_length_cells)
+      .must("max_normal_angle_rad", max_normal_angle_rad,
+            max_normal_angle_rad > 0.0 && max_normal_angle_rad < 1.57,
+            "above 0 and below a right angle, 1.57")
+      .positive("outlier_sigmas", outlier_sigmas)
+      .at_least("min_support", min_support, 1)
+      .positive("noise_length_samples", noise_length_samples)
+      .result();
 }
 
 Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,

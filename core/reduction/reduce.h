@@ -12,6 +12,7 @@
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/point_cloud.h"
+#include "core/reduction/sample_noise.h"
 
 namespace flytri::reduction {
 
@@ -31,9 +32,8 @@ struct ReduceOptions {
   /// >= 1. Samples that must agree, including the sample itself. Otherwise the sample is dropped:
   /// it is a reflection or noise.
   int min_support = 5;
-  /// > 0. Correlation length of the noise along a line, in samples (speckle: 1.5 px). Averaging
-  /// over correlated samples reduces the noise less.
-  double noise_length_samples = 1.5;
+  /// > 0. Samples over which the noise along a line is alike; such samples do not average out.
+  double noise_length_samples = kNoiseLengthSamples;
 
   [[nodiscard]] Result<void> validate() const;
 };

@@ -9,29 +9,10 @@
 #include <tuple>
 
 #include "core/base/median.h"
+#include "core/geometry/cell_key.h"
 
 namespace flytri::reduction {
 namespace {
-
-/// Moves the low 21 bits to every third bit.
-std::uint64_t spread(std::uint64_t x) {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffffULL;
-  x = (x | x << 16) & 0x1f0000ff0000ffULL;
-  x = (x | x << 8) & 0x100f00f00f00f00fULL;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
-  return (x | x << 2) & 0x1249249249249249ULL;
-}
-
-/// Position along a Morton curve through cubes of the given size.
-std::uint64_t morton(const Vec3f& p_mm, double cell_mm) {
-  std::uint64_t code = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double i = std::floor(p_mm[axis] / cell_mm) + (1 << 20);
-    code |= spread(static_cast<std::uint64_t>(std::clamp(i, 0.0, 2097151.0))) << axis;
-  }
-  return code;
-}
 
 auto all_fields(const SurfaceSample& s) {
   return std::tuple(s.position_mm.x(), s.position_mm.y(), s.position_mm.z(), s.view.value,
@@ -117,7 +98,8 @@ Result<std::vector<SurfaceSample>> spatially_ordered(std::span<const SurfaceSamp
                                                      const Progress& progress) {
   std::vector<Keyed> order(samples.size());
   const auto key = [&](std::size_t i) {
-    order[i] = {is_usable(samples[i]) ? morton(samples[i].position_mm, cell_mm) : kUnusable,
+    order[i] = {is_usable(samples[i]) ? morton_code(CellKey::at(samples[i].position_mm, cell_mm))
+                                      : kUnusable,
                 static_cast<std::uint32_t>(i)};
   };
   if (!workers.for_each_unless_cancelled(samples.size(), key, progress.part(kKeyShare), kGrain)) {

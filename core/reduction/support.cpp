@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/geometry/point_grid.h"
+#include "core/reduction/sample_noise.h"
 
 namespace flytri::reduction {
 namespace {
@@ -200,11 +201,6 @@ class SupportVoting {
 };
 
 }  // namespace
-
-float sigma_across_mm(const SurfaceSample& sample, const Vec3f& normal) {
-  const float along = sample.deviation_mm.dot(normal);
-  return std::sqrt(along * along + 0.01F * sample.deviation_mm.squaredNorm());
-}
 
 Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples,
                                           const Cells& cells, const SupportRule& rule,

@@ -25,14 +25,8 @@ struct SupportRule {
   int min_support = 5;          ///< number of samples, including itself, that must agree
 };
 
-/// Standard uncertainty of a sample across a surface of the given normal, in mm.
-///
-/// Noise moves a sample along its deviation, so its part along the normal counts. A tenth of the
-/// deviation is added, because at grazing incidence the normal is inaccurate.
-[[nodiscard]] float sigma_across_mm(const SurfaceSample& sample, const Vec3f& normal);
-
-/// Lets the views vote on every sample. A view has one vote, because the samples of one line share
-/// their errors.
+/// Lets the views vote on every sample. Views count, not samples: the samples of one line err
+/// together.
 /// @param progress  advanced by one step
 /// @errors  kCancelled.
 [[nodiscard]] Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples,

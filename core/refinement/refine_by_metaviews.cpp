@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "core/refinement/refine.h"
 #include "core/registration/overlap_grid.h"
@@ -83,14 +84,11 @@ class MetaviewRefiner {
 }  // namespace
 
 Result<void> MetaviewRefineOptions::validate() const {
-  if (auto valid = align.validate(); !valid) return valid;
-  if (max_rounds < 1) {
-    return fail(ErrorCode::kBadOption, "MetaviewRefineOptions::max_rounds must be >= 1");
-  }
-  if (!(convergence_share > 0.0)) {
-    return fail(ErrorCode::kBadOption, "MetaviewRefineOptions::convergence_share must be > 0");
-  }
-  return {};
+  return OptionCheck("MetaviewRefineOptions")
+      .nested(align)
+      .at_least("max_rounds", max_rounds, 1)
+      .positive("convergence_share", convergence_share)
+      .result();
 }
 
 Result<MetaviewRefinement> refine_by_metaviews(std::vector<AlignedView>& views,

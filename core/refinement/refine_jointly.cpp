@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/point_spacing.h"
 #include "core/refinement/reduced_system.h"
@@ -347,18 +348,14 @@ Result<Refinement> JointRefiner::run() {
 }  // namespace
 
 Result<void> JointRefineOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "JointRefineOptions::{} must be {}", name, range);
-  };
-  if (!(cell_mm >= 0.0)) return bad("cell_mm", ">= 0");
-  if (!(step_share > 0.0)) return bad("step_share", "> 0");
-  if (max_steps < 1) return bad("max_steps", ">= 1");
-  if (!(convergence_share > 0.0)) return bad("convergence_share", "> 0");
-  if (!(tukey_sigmas > 0.0)) return bad("tukey_sigmas", "> 0");
-  if (!(min_inlier_share > 0.0 && min_inlier_share <= 1.0)) {
-    return bad("min_inlier_share", "in (0, 1]");
-  }
-  return {};
+  return OptionCheck("JointRefineOptions")
+      .not_negative("cell_mm", cell_mm)
+      .positive("step_share", step_share)
+      .at_least("max_steps", max_steps, 1)
+      .positive("convergence_share", convergence_share)
+      .positive("tukey_sigmas", tukey_sigmas)
+      .positive_up_to("min_inlier_share", min_inlier_share, 1.0)
+      .result();
 }
 
 std::string_view to_string(RefineOutcome outcome) {

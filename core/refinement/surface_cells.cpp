@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/median.h"
+#include "core/geometry/cell_key.h"
 
 namespace flytri::refinement {
 namespace {
@@ -32,21 +33,6 @@ struct LocalDatum {
   double h_mm;
   double sigma_mm;
 };
-
-/// A cube of space as one number, which sorts by x, then y, then z. Cubes more than a million cubes
-/// away from the origin are not distinguished.
-using CellKey = std::uint64_t;
-
-CellKey key_of(const Vec3& p_world, double cell_mm) {
-  constexpr int kBits = 21;
-  constexpr double kMiddle = 1 << (kBits - 1);
-  CellKey key = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double place = std::clamp(std::floor(p_world[axis] / cell_mm), -kMiddle, kMiddle - 1.0);
-    key = (key << kBits) | static_cast<CellKey>(place + kMiddle);
-  }
-  return key;
-}
 
 bool seen_by_two_views(const SurfaceCell& cell, std::span<const Datum> data) {
   // Data are sorted by view, so the first and the last differ if any two differ.
@@ -145,7 +131,8 @@ std::vector<SurfaceCell> divide_space(std::span<const Datum> data,
                                       std::span<const Isometry> T_world_sensor, double cell_mm) {
   std::vector<std::pair<CellKey, std::uint32_t>> keys(data.size());
   for (std::uint32_t i = 0; i < data.size(); ++i) {
-    keys[i] = {key_of(T_world_sensor[data[i].view.at()] * data[i].position_mm, cell_mm), i};
+    const Vec3 p_world = T_world_sensor[data[i].view.at()] * data[i].position_mm;
+    keys[i] = {CellKey::at(p_world, cell_mm), i};
   }
   std::sort(keys.begin(), keys.end());
   std::vector<SurfaceCell> cells;

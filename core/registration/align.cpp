@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
+
 namespace flytri::registration {
 namespace {
 
@@ -131,11 +133,6 @@ class Stage {
   bool converged_ = false;
 };
 
-Result<void> check(bool good, std::string_view what) {
-  if (good) return {};
-  return fail(ErrorCode::kBadOption, "{}", what);
-}
-
 }  // namespace
 
 std::string_view to_string(AlignOutcome outcome) {
@@ -155,36 +152,22 @@ std::string_view to_string(AlignOutcome outcome) {
 }
 
 Result<void> AlignOptions::validate() const {
-  const auto share = [](double value, double high) { return value > 0.0 && value <= high; };
-  if (auto ok = check(share(start_distance_share, 2.0), "start_distance_share must be in (0, 2]");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = check(share(final_distance_share, start_distance_share),
-                      "final_distance_share must be in (0, start_distance_share]");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = check((coarse_pairs == 0 || coarse_pairs >= 20) && fine_pairs >= 20 &&
-                          fine_pairs >= coarse_pairs,
-                      "coarse_pairs must be 0 or at least 20, fine_pairs at least 20 and not below "
-                      "coarse_pairs");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = check(max_iterations >= 2 && min_crossings >= 6,
-                      "max_iterations must be at least 2, min_crossings at least 6");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = agreement.validate(); !ok) return ok;
-  if (auto ok =
-          check(min_evidence >= 0.0 && min_evidence <= 1000.0, "min_evidence must be in [0, 1000]");
-      !ok) {
-    return ok;
-  }
-  return check(share(max_uncertainty_share, 1.0) && share(min_crossing_sine, 1.0),
-               "max_uncertainty_share and min_crossing_sine must be in (0, 1]");
+  return OptionCheck("AlignOptions")
+      .positive_up_to("start_distance_share", start_distance_share, 2.0)
+      .must("final_distance_share", final_distance_share,
+            final_distance_share > 0.0 && final_distance_share <= start_distance_share,
+            "above 0 and at most start_distance_share")
+      .must("coarse_pairs", coarse_pairs, coarse_pairs == 0 || coarse_pairs >= 20,
+            "0 or at least 20")
+      .at_least("fine_pairs", fine_pairs, 20)
+      .must("fine_pairs", fine_pairs, fine_pairs >= coarse_pairs, "at least coarse_pairs")
+      .at_least("max_iterations", max_iterations, 2)
+      .at_least("min_crossings", min_crossings, 6)
+      .nested(agreement)
+      .in_range("min_evidence", min_evidence, 0.0, 1000.0)
+      .positive_up_to("max_uncertainty_share", max_uncertainty_share, 1.0)
+      .positive_up_to("min_crossing_sine", min_crossing_sine, 1.0)
+      .result();
 }
 
 Result<Alignment> align_to_metaview(const PreparedView& source, Metaview metaview,

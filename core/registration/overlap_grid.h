@@ -1,11 +1,10 @@
 /// @file  Finds registered views that overlap a given view, with a fixed grid of view centers.
 #pragma once
 
-#include <array>
 #include <map>
 #include <vector>
 
-#include "core/geometry/rigid.h"
+#include "core/geometry/cell_key.h"
 
 namespace flytri::registration {
 
@@ -45,12 +44,11 @@ class OverlapGrid {
   [[nodiscard]] std::vector<Overlap> overlapping(const ViewExtent& around) const;
 
  private:
-  using Cell = std::array<int, 3>;
-  [[nodiscard]] Cell cell_of(const Vec3& p_mm) const;
+  [[nodiscard]] CellKey cell_of(const Vec3& p_mm) const { return CellKey::at(p_mm, cell_mm_); }
 
   double cell_mm_;
   std::vector<ViewExtent> extents_;
-  std::map<Cell, std::vector<std::size_t>> cells_;
+  std::map<CellKey, std::vector<std::size_t>> cells_;
 };
 
 }  // namespace flytri::registration

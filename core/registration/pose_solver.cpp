@@ -22,7 +22,7 @@ double noise_scale(std::span<const Crossing> crossings) {
   std::vector<double> ratios;
   ratios.reserve(crossings.size());
   for (const Crossing& c : crossings) ratios.push_back(std::abs(c.distance_mm) / c.sigma_mm);
-  return std::max(1.0, median_of(ratios) / 0.6745);
+  return std::max(1.0, median_of(ratios) / kMedianOfSigma);
 }
 
 /// Derivative of the source point p with respect to the unknowns.

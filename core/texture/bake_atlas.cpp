@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/base/check_options.h"
 #include "core/geometry/mesh_normals.h"
 #include "core/texture/atlas_charts.h"
 #include "core/texture/texel_raster.h"
@@ -226,15 +227,13 @@ Result<cv::Mat> paint(const Texels& texels, int side_px, const Workers& workers,
 }  // namespace
 
 Result<void> AtlasOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "AtlasOptions::{} must be {}", name, range);
-  };
-  if (max_side_px < kMinSide || max_side_px > 16384 ||
-      !std::has_single_bit(static_cast<unsigned>(max_side_px))) {
-    return bad("max_side_px", "a power of two in [16, 16384]");
-  }
-  if (!(texel_px > 0.0 && texel_px <= 10.0)) return bad("texel_px", "in (0, 10]");
-  return coloring.validate();
+  return OptionCheck("AtlasOptions")
+      .in_range("max_side_px", max_side_px, kMinSide, 16384)
+      .must("max_side_px", max_side_px, std::has_single_bit(static_cast<unsigned>(max_side_px)),
+            "a power of two")
+      .positive_up_to("texel_px", texel_px, 10.0)
+      .nested(coloring)
+      .result();
 }
 
 Result<BakedAtlas> bake_atlas(const TriangleMesh& mesh, std::span<const TextureFrame> frames,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/check_options.h"
 #include "core/texture/srgb.h"
 
 namespace flytri::texture {
@@ -18,11 +19,16 @@ struct Projection {
   bool facing = false;
 };
 
-/// Unit vector of the texture camera's ray of sight: U and V do not change along it.
+/// Along the ray of sight of the texture camera, where neither U nor V changes. As long as a
+/// square millimeter across the ray has pixels.
+Vec3 pixels_along_ray(const calibration::Calibration& calibration, const Vec3& p_sensor) {
+  return calibration.texture_u_px.gradient(p_sensor).cross(
+      calibration.texture_v_px.gradient(p_sensor));
+}
+
+/// Unit ray of sight.
 Vec3 ray_of_sight(const calibration::Calibration& calibration, const Vec3& p_sensor) {
-  const Vec3 ray = calibration.texture_u_px.gradient(p_sensor)
-                       .cross(calibration.texture_v_px.gradient(p_sensor))
-                       .normalized();
+  const Vec3 ray = pixels_along_ray(calibration, p_sensor).normalized();
   return ray.z() < 0.0 ? Vec3(-ray) : ray;
 }
 
@@ -123,6 +129,14 @@ Rgb ObservedColor::color() const {
   return color;
 }
 
+double pixels_per_mm2(const SurfacePoint& point, const Isometry& T_sensor_world,
+                      const calibration::Calibration& calibration, const TextureOptions& options) {
+  if (!project(point, T_sensor_world, calibration, options).facing) return 0.0;
+  const Vec3 p_sensor = T_sensor_world * point.position_mm.cast<double>();
+  const Vec3 normal = T_sensor_world.linear() * point.normal.cast<double>();
+  return std::abs(pixels_along_ray(calibration, p_sensor).dot(normal));
+}
+
 Result<void> observe_points(std::span<const SurfacePoint> points, std::span<ObservedColor> colors,
                             const TextureFrame& frame, const calibration::Calibration& calibration,
                             const TextureOptions& options, const Workers& workers) {
@@ -168,18 +182,14 @@ Result<void> observe_points(std::span<const SurfacePoint> points, std::span<Obse
 }
 
 Result<void> TextureOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "TextureOptions::{} must be {}", name, range);
-  };
-  if (!(min_facing_cosine >= 0.0 && min_facing_cosine <= 1.0)) {
-    return bad("min_facing_cosine", "in [0, 1]");
-  }
-  if (depth_cell_px < 1) return bad("depth_cell_px", ">= 1");
-  if (!(depth_tolerance_share > 0.0)) return bad("depth_tolerance_share", "> 0");
-  if (!(volume_margin_share >= 0.0)) return bad("volume_margin_share", ">= 0");
-  if (max_channel < 1 || max_channel > 255) return bad("max_channel", "in [1, 255]");
-  if (!(extend_share >= 0.0)) return bad("extend_share", ">= 0");
-  return {};
+  return OptionCheck("TextureOptions")
+      .in_range("min_facing_cosine", min_facing_cosine, 0.0, 1.0)
+      .at_least("depth_cell_px", depth_cell_px, 1)
+      .positive("depth_tolerance_share", depth_tolerance_share)
+      .not_negative("volume_margin_share", volume_margin_share)
+      .in_range("max_channel", max_channel, 1, 255)
+      .not_negative("extend_share", extend_share)
+      .result();
 }
 
 }  // namespace flytri::texture

@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::tracking {
 namespace {
 
@@ -36,11 +38,6 @@ constexpr double kEntryShareWeight = 0.2;
 /// True for rejections that later views cannot change.
 bool is_final(RejectReason reason) {
   return reason == RejectReason::kTooFewPoints || reason == RejectReason::kTimeNotRising;
-}
-
-Result<void> check_range(int value, int low, int high, std::string_view name) {
-  if (value >= low && value <= high) return {};
-  return fail(ErrorCode::kBadOption, "{} is {}, must be in [{}, {}]", name, value, low, high);
 }
 
 }  // namespace
@@ -80,21 +77,17 @@ std::string_view to_string(RejectReason reason) {
 }
 
 Result<void> RegistrarOptions::validate() const {
-  if (auto ok = track.validate(); !ok) return ok;
-  if (auto ok = check_range(patience_views, 1, 1000, "patience_views"); !ok) return ok;
-  if (auto ok = check_range(proposal_pairs, 1, 1000, "proposal_pairs"); !ok) return ok;
-  if (auto ok = check_range(starts_per_view, 1, 1000, "starts_per_view"); !ok) return ok;
-  if (auto ok = check_range(retry_starts, 1, 100000, "retry_starts"); !ok) return ok;
-  if (!(min_entry_evidence >= 0.0 && min_entry_evidence <= 1000.0)) {
-    return fail(ErrorCode::kBadOption, "min_entry_evidence is {}, must be in [0, 1000]",
-                min_entry_evidence);
-  }
-  if (auto ok = check_range(settled_views, 1, 1000000, "settled_views"); !ok) return ok;
-  if (auto ok = check_range(register_every, 1, 1000, "register_every"); !ok) return ok;
-  if (!(max_gap_s > 0.0)) {
-    return fail(ErrorCode::kBadOption, "max_gap_s is {}, must be above 0", max_gap_s);
-  }
-  return {};
+  return OptionCheck("RegistrarOptions")
+      .nested(track)
+      .in_range("patience_views", patience_views, 1, 1000)
+      .in_range("proposal_pairs", proposal_pairs, 1, 1000)
+      .in_range("starts_per_view", starts_per_view, 1, 1000)
+      .in_range("retry_starts", retry_starts, 1, 100000)
+      .in_range("min_entry_evidence", min_entry_evidence, 0.0, 1000.0)
+      .in_range("settled_views", settled_views, 1, 1000000)
+      .in_range("register_every", register_every, 1, 1000)
+      .positive("max_gap_s", max_gap_s)
+      .result();
 }
 
 Result<Registrar> Registrar::create(const RegistrarOptions& options) {
@@ -321,16 +314,16 @@ void Registrar::retire(std::span<const double> times_s) {
 void Registrar::apply(std::span<const AlignedView> refined) {
   if (submaps_.empty()) return;
   TrackedScan& scan = *submaps_[scan_];
-  std::map<double, const AlignedView*> by_time;
-  for (const AlignedView& view : refined) by_time[view.view->time_s] = &view;
+  std::map<FrameIndex, const AlignedView*> by_frame;
+  for (const AlignedView& view : refined) by_frame[view.view->frame] = &view;
   stops_ = {};
   // Smaller changes have no effect on views that register to it.
   const double negligible_mm = 1e-4 * radius_mm_;
   Isometry T_new_world = Isometry::Identity();  // of the last view in `refined`
   for (std::size_t i = 0; i < scan.size(); ++i) {
     const AlignedView& view = scan.views()[i].aligned;
-    const auto found = by_time.find(view.view->time_s);
-    if (found != by_time.end()) {
+    const auto found = by_frame.find(view.view->frame);
+    if (found != by_frame.end()) {
       T_new_world = found->second->T_world_sensor * view.T_world_sensor.inverse();
     }
     const Isometry T_new_sensor = T_new_world * view.T_world_sensor;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri::tracking {
@@ -51,21 +52,15 @@ std::vector<std::size_t> draw_by_worth(const std::vector<registration::Overlap>&
 }  // namespace
 
 Result<void> TrackOptions::validate() const {
-  if (auto ok = align.validate(); !ok) return ok;
-  if (auto ok = smoothing.validate(); !ok) return ok;
-  if (locate_pairs < 20) {
-    return fail(ErrorCode::kBadOption, "locate_pairs is {}, must be at least 20", locate_pairs);
-  }
-  if (single_views < 1 || metaview_views < 1 || min_points < 6) {
-    return fail(ErrorCode::kBadOption,
-                "single_views is {}, metaview_views {}, min_points {}: must be at least 1, 1, 6",
-                single_views, metaview_views, min_points);
-  }
-  if (!(max_surprise_share > 0.0 && max_surprise_share <= 5.0)) {
-    return fail(ErrorCode::kBadOption, "max_surprise_share is {}, must be in (0, 5]",
-                max_surprise_share);
-  }
-  return {};
+  return OptionCheck("TrackOptions")
+      .nested(align)
+      .nested(smoothing)
+      .at_least("locate_pairs", locate_pairs, 20)
+      .at_least("single_views", single_views, 1)
+      .at_least("metaview_views", metaview_views, 1)
+      .at_least("min_points", min_points, 6)
+      .positive_up_to("max_surprise_share", max_surprise_share, 5.0)
+      .result();
 }
 
 TrackedScan::TrackedScan(const TrackOptions& options, double radius_mm)

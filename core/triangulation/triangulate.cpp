@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/check_options.h"
+
 namespace flytri::triangulation {
 namespace {
 
@@ -60,17 +62,11 @@ bool connected(const localization::LineSample& a, const localization::LineSample
 }  // namespace
 
 Result<void> TriangulateOptions::validate() const {
-  if (max_gap_px < 1) {
-    return fail(ErrorCode::kBadOption, "max_gap_px is {}, must be >= 1", max_gap_px);
-  }
-  if (!(max_jump_px > 0)) {
-    return fail(ErrorCode::kBadOption, "max_jump_px is {}, must be > 0", max_jump_px);
-  }
-  if (min_profile_length < 2) {
-    return fail(ErrorCode::kBadOption, "min_profile_length is {}, must be >= 2",
-                min_profile_length);
-  }
-  return {};
+  return OptionCheck("TriangulateOptions")
+      .at_least("max_gap_px", max_gap_px, 1)
+      .positive("max_jump_px", max_jump_px)
+      .at_least("min_profile_length", min_profile_length, 2)
+      .result();
 }
 
 Triangulation triangulate(const indexing::IndexedLines& lines,

@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/device/clock.h"
 #include "hw/device/request_queue.h"
 
@@ -28,11 +29,10 @@ std::chrono::steady_clock::time_point time_point(double time_s) {
 }  // namespace
 
 Result<void> GpioLightSwitchOptions::validate() const {
-  if (!(search_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "search_period_s {}: must be above 0", search_period_s);
-  if (!(slow_call_s > 0.0))
-    return fail(ErrorCode::kBadOption, "slow_call_s {}: must be above 0", slow_call_s);
-  return {};
+  return OptionCheck("GpioLightSwitchOptions")
+      .positive("search_period_s", search_period_s)
+      .positive("slow_call_s", slow_call_s)
+      .result();
 }
 
 // State shared by the thread and its callers. The device is only accessed without the lock.

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "core/io/calibrations/calibration_file.h"
 
 namespace flytri::recording {
@@ -13,11 +14,10 @@ constexpr const char* kCalibrationName = "calibration.json";
 }  // namespace
 
 Result<void> RecorderOptions::validate() const {
-  if (queue_frames < 1 || queue_frames > 10000)
-    return fail(ErrorCode::kBadOption, "queue_frames must be in 1..10000, not {}", queue_frames);
-  if (!(list_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "list_period_s must be above 0, not {}", list_period_s);
-  return {};
+  return OptionCheck("RecorderOptions")
+      .in_range("queue_frames", queue_frames, 1, 10000)
+      .positive("list_period_s", list_period_s)
+      .result();
 }
 
 Result<std::shared_ptr<RecorderSensor>> RecorderSensor::create(

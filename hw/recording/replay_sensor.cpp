@@ -4,16 +4,16 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "core/io/calibrations/calibration_file.h"
 
 namespace flytri::recording {
 
 Result<void> ReplayOptions::validate() const {
-  if (!(speed >= 0.0))
-    return fail(ErrorCode::kBadOption, "speed must be at least 0, not {}", speed);
-  if (ahead < 1 || ahead > 256)
-    return fail(ErrorCode::kBadOption, "ahead must be in 1..256, not {}", ahead);
-  return {};
+  return OptionCheck("ReplayOptions")
+      .not_negative("speed", speed)
+      .in_range("ahead", ahead, 1, 256)
+      .result();
 }
 
 Result<std::shared_ptr<ReplaySensor>> ReplaySensor::open(const std::filesystem::path& folder,

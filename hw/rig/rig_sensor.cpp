@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/rig/rig_message.h"
 
 namespace flytri::rig {
@@ -34,15 +35,13 @@ bool is_away(device::CameraState state) {
 }  // namespace
 
 Result<void> RigSensorOptions::validate() const {
-  if (!(flash_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "flash_period_s must be above 0, not {}", flash_period_s);
-  for (const double value : {measurement_readout_s, texture_readout_s, patience_s})
-    if (!(value >= 0.0))
-      return fail(ErrorCode::kBadOption, "readouts and patience must be at least 0 s, not {}",
-                  value);
-  if (!(ahead_s >= 0.05 && ahead_s <= 1.0))
-    return fail(ErrorCode::kBadOption, "ahead_s must be in 0.05..1, not {}", ahead_s);
-  return {};
+  return OptionCheck("RigSensorOptions")
+      .positive("flash_period_s", flash_period_s)
+      .not_negative("measurement_readout_s", measurement_readout_s)
+      .not_negative("texture_readout_s", texture_readout_s)
+      .not_negative("patience_s", patience_s)
+      .in_range("ahead_s", ahead_s, 0.05, 1.0)
+      .result();
 }
 
 Result<std::shared_ptr<RigSensor>> RigSensor::create(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/rig/open_rig.h"
 
 namespace flytri::shots {
@@ -39,14 +40,11 @@ cv::Mat mean_of(const cv::Mat& sum, int count, int depth) {
 }  // namespace
 
 Result<void> RigShotOptions::validate() const {
-  if (exposures < 1 || exposures > 256) {
-    return fail(ErrorCode::kBadOption, "exposures is {}, must be 1..256", exposures);
-  }
-  if (!(settle_s > 0.0 && patience_s > 0.0)) {
-    return fail(ErrorCode::kBadOption, "settle_s and patience_s must be above 0, not {} and {}",
-                settle_s, patience_s);
-  }
-  return {};
+  return OptionCheck("RigShotOptions")
+      .in_range("exposures", exposures, 1, 256)
+      .positive("settle_s", settle_s)
+      .positive("patience_s", patience_s)
+      .result();
 }
 
 Result<std::unique_ptr<RigShots>> RigShots::create(rig::RigDevices devices, const std::string& name,

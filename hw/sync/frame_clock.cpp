@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
@@ -16,13 +18,11 @@ constexpr double kLongestGap = 60.0;
 }  // namespace
 
 Result<void> FrameClockOptions::validate() const {
-  if (!(period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "period_s must be above 0, not {}", period_s);
-  if (memory < static_cast<int>(kFewestForPeriod) || memory > 1000)
-    return fail(ErrorCode::kBadOption, "memory must be in 8..1000, not {}", memory);
-  if (!(max_correction >= 0.0 && max_correction <= 0.5))
-    return fail(ErrorCode::kBadOption, "max_correction must be in 0..0.5, not {}", max_correction);
-  return {};
+  return OptionCheck("FrameClockOptions")
+      .positive("period_s", period_s)
+      .in_range("memory", memory, static_cast<double>(kFewestForPeriod), 1000)
+      .in_range("max_correction", max_correction, 0.0, 0.5)
+      .result();
 }
 
 FrameClock::FrameClock(const FrameClockOptions& options)

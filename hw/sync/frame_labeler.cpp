@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
@@ -21,16 +23,17 @@ double share_along(device::Light pattern, const LightEvidence& evidence) {
 }  // namespace
 
 Result<void> LabelerOptions::validate() const {
-  for (const Result<void>& part : {clock.validate(), latency.validate(), image.validate(),
-                                   evidence.validate(), watch.validate()})
-    if (!part) return part;
-  if (!(certainty >= 0.5 && certainty <= 1.0))
-    return fail(ErrorCode::kBadOption, "certainty must be in 0.5..1, not {}", certainty);
-  if (!(pure_share >= 0.5 && pure_share <= 1.0))
-    return fail(ErrorCode::kBadOption, "pure_share must be in 0.5..1, not {}", pure_share);
-  if (!(clear_share >= pure_share && clear_share <= 1.0))
-    return fail(ErrorCode::kBadOption, "clear_share must be in pure_share..1, not {}", clear_share);
-  return {};
+  return OptionCheck("LabelerOptions")
+      .nested(clock)
+      .nested(latency)
+      .nested(image)
+      .nested(evidence)
+      .nested(watch)
+      .in_range("certainty", certainty, 0.5, 1.0)
+      .in_range("pure_share", pure_share, 0.5, 1.0)
+      .must("clear_share", clear_share, clear_share >= pure_share && clear_share <= 1.0,
+            "from pure_share to 1")
+      .result();
 }
 
 Result<FrameLabeler> FrameLabeler::create(const LabelerOptions& options) {

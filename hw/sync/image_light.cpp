@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri::sync {
@@ -56,14 +57,11 @@ StripLight measure_strips(const cv::Mat& strips, const ImageLightOptions& option
 }  // namespace
 
 Result<void> ImageLightOptions::validate() const {
-  if (strip_px < 4 || strip_px > 64)
-    return fail(ErrorCode::kBadOption, "strip_px must be in 4..64, not {}", strip_px);
-  if (!(line_width_share >= 0.01 && line_width_share <= 0.2))
-    return fail(ErrorCode::kBadOption, "line_width_share must be in 0.01..0.2, not {}",
-                line_width_share);
-  if (!(threshold > 1.0))
-    return fail(ErrorCode::kBadOption, "threshold must be above 1, not {}", threshold);
-  return {};
+  return OptionCheck("ImageLightOptions")
+      .in_range("strip_px", strip_px, 4, 64)
+      .in_range("line_width_share", line_width_share, 0.01, 0.2)
+      .above("threshold", threshold, 1.0)
+      .result();
 }
 
 ImageLight measure_image_light(const cv::Mat& image, const ImageLightOptions& options) {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
@@ -49,26 +51,16 @@ void swap_patterns(LightTimes& times) {
 }  // namespace
 
 Result<void> LatencyOptions::validate() const {
-  if (!(frame_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "frame_period_s must be above 0, not {}", frame_period_s);
-  if (!(min_latency_periods >= -4.0 && min_latency_periods <= 0.0))
-    return fail(ErrorCode::kBadOption, "min_latency_periods must be in -4..0, not {}",
-                min_latency_periods);
-  if (!(max_latency_periods >= 1.0 && max_latency_periods <= 16.0))
-    return fail(ErrorCode::kBadOption, "max_latency_periods must be in 1..16, not {}",
-                max_latency_periods);
-  if (!(min_window_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "min_window_s must be at least 0, not {}", min_window_s);
-  if (!(outlier_share >= 0.0 && outlier_share <= 0.5))
-    return fail(ErrorCode::kBadOption, "outlier_share must be in 0..0.5, not {}", outlier_share);
-  if (!(share_sigma > 0.0))
-    return fail(ErrorCode::kBadOption, "share_sigma must be above 0, not {}", share_sigma);
-  if (!(few_line_places >= 0.0))
-    return fail(ErrorCode::kBadOption, "few_line_places must be at least 0, not {}",
-                few_line_places);
-  if (!(drift >= 0.0 && drift <= 0.1))
-    return fail(ErrorCode::kBadOption, "drift must be in 0..0.1, not {}", drift);
-  return {};
+  return OptionCheck("LatencyOptions")
+      .positive("frame_period_s", frame_period_s)
+      .in_range("min_latency_periods", min_latency_periods, -4.0, 0.0)
+      .in_range("max_latency_periods", max_latency_periods, 1.0, 16.0)
+      .not_negative("min_window_s", min_window_s)
+      .in_range("outlier_share", outlier_share, 0.0, 0.5)
+      .positive("share_sigma", share_sigma)
+      .not_negative("few_line_places", few_line_places)
+      .in_range("drift", drift, 0.0, 0.1)
+      .result();
 }
 
 LatencyFilter::LatencyFilter(const LatencyOptions& options)

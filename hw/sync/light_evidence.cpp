@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri::sync {
@@ -18,18 +19,13 @@ constexpr double kExtreme = 0.15;
 }  // namespace
 
 Result<void> EvidenceOptions::validate() const {
-  if (reference_images < static_cast<int>(kFewestImages) || reference_images > 1000)
-    return fail(ErrorCode::kBadOption, "reference_images must be in 5..1000, not {}",
-                reference_images);
-  if (!(flash_ratio > 1.0))
-    return fail(ErrorCode::kBadOption, "flash_ratio must be above 1, not {}", flash_ratio);
-  for (const double share : {flash_step, flash_line_share})
-    if (!(share >= 0.0 && share <= 1.0))
-      return fail(ErrorCode::kBadOption, "shares of a flash must be in 0..1, not {}", share);
-  if (min_line_places < 1)
-    return fail(ErrorCode::kBadOption, "min_line_places must be at least 1, not {}",
-                min_line_places);
-  return {};
+  return OptionCheck("EvidenceOptions")
+      .in_range("reference_images", reference_images, static_cast<double>(kFewestImages), 1000)
+      .above("flash_ratio", flash_ratio, 1.0)
+      .in_range("flash_step", flash_step, 0.0, 1.0)
+      .in_range("flash_line_share", flash_line_share, 0.0, 1.0)
+      .at_least("min_line_places", min_line_places, 1)
+      .result();
 }
 
 bool EvidenceReader::is_flash(const ImageLight& light) const {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
@@ -21,13 +23,11 @@ device::Light light_of(Pattern pattern) {
 }  // namespace
 
 Result<void> LightPlanOptions::validate() const {
-  if (!(flash_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "flash_period_s must be above 0, not {}", flash_period_s);
-  if (flash_frames < 1 || flash_frames > 10)
-    return fail(ErrorCode::kBadOption, "flash_frames must be in 1..10, not {}", flash_frames);
-  if (!(margin >= 0.0 && margin <= 0.5))
-    return fail(ErrorCode::kBadOption, "margin must be in 0..0.5, not {}", margin);
-  return {};
+  return OptionCheck("LightPlanOptions")
+      .positive("flash_period_s", flash_period_s)
+      .in_range("flash_frames", flash_frames, 1, 10)
+      .in_range("margin", margin, 0.0, 0.5)
+      .result();
 }
 
 LightPlan::LightPlan(const LightPlanOptions& options) : options_(options), random_(options.seed) {}

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
@@ -44,13 +46,12 @@ std::string message_of(LightFault fault) {
 }
 
 Result<void> WatchOptions::validate() const {
-  if (memory < 20 || memory > 10000)
-    return fail(ErrorCode::kBadOption, "memory must be in 20..10000, not {}", memory);
-  if (enough < 5 || enough > memory)
-    return fail(ErrorCode::kBadOption, "enough must be in 5..memory, not {}", enough);
-  if (!(alike >= 0.0 && alike <= 1.0))
-    return fail(ErrorCode::kBadOption, "alike must be in 0..1, not {}", alike);
-  return {};
+  return OptionCheck("WatchOptions")
+      .in_range("memory", memory, 20, 10000)
+      .at_least("enough", enough, 5)
+      .must("enough", enough, enough <= memory, "at most memory")
+      .in_range("alike", alike, 0.0, 1.0)
+      .result();
 }
 
 void LightWatch::add(const Seen& seen) {

@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/v4l2/find_camera.h"
 
 namespace flytri::v4l2 {
 
 Result<void> V4l2CameraOptions::validate() const {
-  if (buffers < 2 || buffers > 32)
-    return fail(ErrorCode::kBadOption, "buffers {}: must be 2 to 32", buffers);
-  if (!(frozen_after_periods > 1.0))
-    return fail(ErrorCode::kBadOption, "frozen_after_periods {}: must be above 1",
-                frozen_after_periods);
-  if (!(restart_after_s > 0.0))
-    return fail(ErrorCode::kBadOption, "restart_after_s {}: must be above 0", restart_after_s);
-  if (!(search_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "search_period_s {}: must be above 0", search_period_s);
-  return {};
+  return OptionCheck("V4l2CameraOptions")
+      .in_range("buffers", buffers, 2, 32)
+      .above("frozen_after_periods", frozen_after_periods, 1.0)
+      .positive("restart_after_s", restart_after_s)
+      .positive("search_period_s", search_period_s)
+      .result();
 }
 
 V4l2Camera::V4l2Camera(device::CameraMatch match, const device::CameraSettings& settings,
@@ -60,8 +57,8 @@ Result<void> V4l2Camera::open() {
   auto stream = VideoStream::open(*environment_.system, *node, requested_, options_.buffers);
   if (!stream) return tl::unexpected(stream.error());
   stream_ = std::move(*stream);
-  frame_counter_.begin_stream(1.0 / stream_->read_back().rate_hz);
-  last_arrival_s_ = environment_.clock.now_s();
+  frame_stamper_.begin_stream(1.0 / stream_->read_back().rate_hz);
+  last_arrival_s_ = means_.clock.now_s();
   const std::lock_guard lock(mutex_);
   read_back_ = stream_->read_back();
   name_ = node->name;
@@ -71,7 +68,7 @@ Result<void> V4l2Camera::open() {
 Result<void> V4l2Camera::start() {
   const device::CameraState state = status().state;
   if (state != device::CameraState::kIdle && state != device::CameraState::kFailed) return {};
-  frame_counter_ = {};
+  frame_stamper_ = {};
   away_ = false;
   auto opened = open();
   const std::lock_guard lock(mutex_);
@@ -115,7 +112,7 @@ device::CameraFrame V4l2Camera::enter(const StreamedImage& image) {
   const std::lock_guard lock(mutex_);
   status_.state = device::CameraState::kRunning;
   status_.message.clear();
-  return frame_counter_.enter(image, last_arrival_s_, status_);
+  return frame_stamper_.enter(image, last_arrival_s_, status_);
 }
 
 void V4l2Camera::ended(const StreamEnd& end) {

@@ -7,7 +7,7 @@
 
 #include "hw/device/camera.h"
 #include "hw/device/clock.h"
-#include "hw/v4l2/frame_counter.h"
+#include "hw/v4l2/frame_stamper.h"
 #include "hw/v4l2/video_stream.h"
 #include "hw/v4l2/video_system.h"
 
@@ -65,8 +65,8 @@ class V4l2Camera final : public device::Camera {
 
   // Used only by the reading thread.
   std::unique_ptr<VideoStream> stream_;
-  FrameCounter frame_counter_;
-  double last_arrival_s_ = 0.0;  // of the latest frame, or begin of the stream
+  FrameStamper frame_stamper_;
+  double last_arrival_s_ = 0.0;  // of a frame, or since the stream began
   double next_search_s_ = 0.0;
   bool away_ = false;  // the device is unplugged, not only its stream broken
 

@@ -1,5 +1,6 @@
 #include "core/calibration/fit/calibrate.h"
 
+#include "core/base/check_options.h"
 #include "core/calibration/fit/check_set.h"
 #include "core/calibration/fit/fit_lateral.h"
 #include "core/calibration/fit/number_lines.h"
@@ -52,16 +53,12 @@ Result<PatternCalibration> calibrate_pattern(const CalibrationSet& set, Pattern 
 }  // namespace
 
 Result<void> CalibrateOptions::validate() const {
-  if (auto valid = localize.validate(); !valid) return valid;
-  if (auto valid = lines.validate(); !valid) return valid;
-  if (!(max_residual_share > 0)) {
-    return fail(ErrorCode::kBadOption, "max_residual_share is {}, must be > 0", max_residual_share);
-  }
-  if (!(max_texture_residual_share > 0)) {
-    return fail(ErrorCode::kBadOption, "max_texture_residual_share is {}, must be > 0",
-                max_texture_residual_share);
-  }
-  return {};
+  return OptionCheck("CalibrateOptions")
+      .nested(localize)
+      .nested(lines)
+      .positive("max_residual_share", max_residual_share)
+      .positive("max_texture_residual_share", max_texture_residual_share)
+      .result();
 }
 
 Result<Calibration> calibrate(const CalibrationSet& set, const CalibrateOptions& options,

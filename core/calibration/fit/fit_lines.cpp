@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/check_options.h"
 #include "core/calibration/fit/least_squares.h"
 
 namespace flytri::calibration {
@@ -154,12 +155,10 @@ Result<void> separate_areas(PatternCalibration& pattern, std::size_t along) {
 }  // namespace
 
 Result<void> LineFitOptions::validate() const {
-  const auto check = [](const char* name, int degree) -> Result<void> {
-    if (degree >= 0 && degree <= 8) return {};
-    return fail(ErrorCode::kBadOption, "{} is {}, must be 0..8", name, degree);
-  };
-  if (auto valid = check("depth_along_degree", depth_along_degree); !valid) return valid;
-  return check("width_along_degree", width_along_degree);
+  return OptionCheck("LineFitOptions")
+      .in_range("depth_along_degree", depth_along_degree, 0, 8)
+      .in_range("width_along_degree", width_along_degree, 0, 8)
+      .result();
 }
 
 Result<PatternCalibration> fit_lines(const NumberedLines& lines, Pattern pattern,

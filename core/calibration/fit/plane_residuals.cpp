@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/check_options.h"
 #include "core/calibration/fit/number_lines.h"
 
 namespace flytri::calibration {
@@ -36,8 +37,9 @@ double worst_mm(const PlaneResidual& plane) {
 }  // namespace
 
 Result<void> PlaneResidualOptions::validate() const {
-  if (max_offset_share > 0) return {};
-  return fail(ErrorCode::kBadOption, "max_offset_share is {}, must be > 0", max_offset_share);
+  return OptionCheck("PlaneResidualOptions")
+      .positive("max_offset_share", max_offset_share)
+      .result();
 }
 
 Result<std::vector<PlaneResidual>> plane_residuals(const CalibrationSet& set,

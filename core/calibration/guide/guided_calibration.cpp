@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::calibration {
 namespace {
 
@@ -19,9 +21,7 @@ Pattern pattern_of(ShotKind kind) {
 }  // namespace
 
 Result<void> GuidedOptions::validate() const {
-  if (auto valid = shots.validate(); !valid) return valid;
-  if (auto valid = fit.validate(); !valid) return valid;
-  return planes.validate();
+  return OptionCheck("GuidedOptions").nested(shots).nested(fit).nested(planes).result();
 }
 
 Result<GuidedCalibration> GuidedCalibration::create(const CalibrationPlan& plan,

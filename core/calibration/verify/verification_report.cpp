@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
+
 namespace flytri::calibration {
 namespace {
 
@@ -68,20 +70,13 @@ std::vector<std::string> meanings_of(const VerificationReport& report) {
 }  // namespace
 
 Result<void> VerificationOptions::validate() const {
-  if (!(residual_factor > 0.0 && noise_factor > 0.0)) {
-    return fail(ErrorCode::kBadOption,
-                "residual_factor and noise_factor must be above 0, not {} and {}", residual_factor,
-                noise_factor);
-  }
-  for (const double share : {min_extent_share, min_share_on_object, max_limit_share}) {
-    if (share >= 0.0 && share <= 1.0) continue;
-    return fail(
-        ErrorCode::kBadOption,
-        "min_extent_share, min_share_on_object and max_limit_share must be 0..1, not {}, {} "
-        "and {}",
-        min_extent_share, min_share_on_object, max_limit_share);
-  }
-  return {};
+  return OptionCheck("VerificationOptions")
+      .positive("residual_factor", residual_factor)
+      .positive("noise_factor", noise_factor)
+      .in_range("min_extent_share", min_extent_share, 0.0, 1.0)
+      .in_range("min_share_on_object", min_share_on_object, 0.0, 1.0)
+      .in_range("max_limit_share", max_limit_share, 0.0, 1.0)
+      .result();
 }
 
 std::string_view to_string(VerificationOutcome outcome) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
@@ -144,21 +145,21 @@ Result<void> write_poses(const std::filesystem::path& folder, const SensorPath& 
 }  // namespace
 
 Result<void> RecordingFaults::validate() const {
-  if (!(dropped_share >= 0.0 && dropped_share <= 0.9))
-    return fail(ErrorCode::kBadOption, "dropped_share must be in 0..0.9, not {}", dropped_share);
-  if (!(away_start_s >= 0.0) || !(away_duration_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "away_start_s and away_duration_s must be at least 0");
-  return {};
+  return OptionCheck("RecordingFaults")
+      .in_range("dropped_share", dropped_share, 0.0, 0.9)
+      .not_negative("away_start_s", away_start_s)
+      .not_negative("away_duration_s", away_duration_s)
+      .result();
 }
 
 Result<void> RecordingOptions::validate() const {
-  if (auto valid = sensor.validate(); !valid) return valid;
-  if (auto valid = path.validate(); !valid) return valid;
-  if (auto valid = image.validate(); !valid) return valid;
-  if (!(texture_period_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "texture_period_s must be at least 0, not {}",
-                texture_period_s);
-  return faults.validate();
+  return OptionCheck("RecordingOptions")
+      .nested(sensor)
+      .nested(path)
+      .nested(image)
+      .not_negative("texture_period_s", texture_period_s)
+      .nested(faults)
+      .result();
 }
 
 Result<RecordingCounts> simulate_recording(const TriangleMesh& mesh,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 
 namespace flytri::simulated {
@@ -15,15 +16,14 @@ constexpr const char* kFailed = "The simulated sensor failed: start it again.";
 }  // namespace
 
 Result<void> FaultOptions::validate() const {
-  for (const double share : {dropped_share, delayed_share, unknown_share, lost_share})
-    if (!(share >= 0.0 && share <= 1.0))
-      return fail(ErrorCode::kBadOption, "shares of faults must be in 0..1, not {}", share);
-  if (!(max_delay_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "max_delay_s must be at least 0, not {}", max_delay_s);
-  if (max_lost_frames < 1)
-    return fail(ErrorCode::kBadOption, "max_lost_frames must be at least 1, not {}",
-                max_lost_frames);
-  return {};
+  return OptionCheck("FaultOptions")
+      .in_range("dropped_share", dropped_share, 0.0, 1.0)
+      .in_range("delayed_share", delayed_share, 0.0, 1.0)
+      .in_range("unknown_share", unknown_share, 0.0, 1.0)
+      .in_range("lost_share", lost_share, 0.0, 1.0)
+      .not_negative("max_delay_s", max_delay_s)
+      .at_least("max_lost_frames", max_lost_frames, 1)
+      .result();
 }
 
 Result<std::shared_ptr<FaultySensor>> FaultySensor::create(std::shared_ptr<device::Sensor> sensor,

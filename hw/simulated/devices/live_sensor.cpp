@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 namespace {
 
@@ -13,14 +15,13 @@ constexpr double kRounding_s = 1e-6;
 }  // namespace
 
 Result<void> LiveSensorOptions::validate() const {
-  if (auto valid = sensor.validate(); !valid) return valid;
-  if (auto valid = path.validate(); !valid) return valid;
-  if (auto valid = hand.validate(); !valid) return valid;
-  if (auto valid = image.validate(); !valid) return valid;
-  if (!(texture_period_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "texture_period_s must be at least 0, not {}",
-                texture_period_s);
-  return {};
+  return OptionCheck("LiveSensorOptions")
+      .nested(sensor)
+      .nested(path)
+      .nested(hand)
+      .nested(image)
+      .not_negative("texture_period_s", texture_period_s)
+      .result();
 }
 
 Result<std::shared_ptr<LiveSensor>> LiveSensor::create(

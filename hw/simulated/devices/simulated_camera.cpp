@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 namespace {
 
@@ -27,16 +29,14 @@ void add_noise(cv::Mat& image, double sigma, std::uint64_t seed) {
 }  // namespace
 
 Result<void> SimulatedCameraOptions::validate() const {
-  if (auto valid = settings.validate(); !valid) return valid;
-  if (!(exposure_s > 0.0))
-    return fail(ErrorCode::kBadOption, "exposure_s must be above 0, not {}", exposure_s);
-  if (!(dropped_share >= 0.0 && dropped_share <= 1.0))
-    return fail(ErrorCode::kBadOption, "dropped_share must be in 0..1, not {}", dropped_share);
-  for (const double value : {readout_s, jitter_s, noise})
-    if (!(value >= 0.0))
-      return fail(ErrorCode::kBadOption, "readout_s, jitter_s and noise must be at least 0, not {}",
-                  value);
-  return {};
+  return OptionCheck("SimulatedCameraOptions")
+      .nested(settings)
+      .positive("exposure_s", exposure_s)
+      .in_range("dropped_share", dropped_share, 0.0, 1.0)
+      .not_negative("readout_s", readout_s)
+      .not_negative("jitter_s", jitter_s)
+      .not_negative("noise", noise)
+      .result();
 }
 
 SimulatedCamera::SimulatedCamera(const SimulatedCameraOptions& options, Scene scene,

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 
 Result<void> SimulatedLightsOptions::validate() const {
-  if (!(call_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "call_s must be at least 0, not {}", call_s);
-  if (!(act_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "act_s must be at least 0, not {}", act_s);
-  return {};
+  return OptionCheck("SimulatedLightsOptions")
+      .not_negative("call_s", call_s)
+      .not_negative("act_s", act_s)
+      .result();
 }
 
 SimulatedLights::SimulatedLights(const SimulatedLightsOptions& options, device::Clock clock)

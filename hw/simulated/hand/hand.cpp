@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 namespace {
 
@@ -45,12 +47,12 @@ Eigen::Matrix3d rotation_of(const Vec3& vector_rad) {
 }  // namespace
 
 Result<void> HandOptions::validate() const {
-  if (!(speed_widths_s > 0.0) || !(turn_rad_s > 0.0) || !(air_factor > 0.0))
-    return fail(ErrorCode::kBadOption,
-                "speed_widths_s, turn_rad_s and air_factor of the hand must be above 0");
-  if (!(eagerness_hz >= 1.0 && eagerness_hz <= 20.0))
-    return fail(ErrorCode::kBadOption, "eagerness_hz must be in 1..20, not {}", eagerness_hz);
-  return {};
+  return OptionCheck("HandOptions")
+      .positive("speed_widths_s", speed_widths_s)
+      .positive("turn_rad_s", turn_rad_s)
+      .positive("air_factor", air_factor)
+      .in_range("eagerness_hz", eagerness_hz, 1.0, 20.0)
+      .result();
 }
 
 Hand::Hand(RayScene scene, SensorModel sensor, SensorPath path, const HandOptions& options)

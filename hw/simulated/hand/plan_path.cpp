@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "hw/simulated/hand/aimed_pose.h"
 #include "hw/simulated/hand/arch_line.h"
@@ -201,18 +202,14 @@ JawAxes axes_of(const PathOptions& options) {
 }  // namespace
 
 Result<void> PathOptions::validate() const {
-  if (!(duration_s > 0.0 && duration_s <= 3600.0))
-    return fail(ErrorCode::kBadOption, "duration_s must be in 0..3600, not {}", duration_s);
-  if (!(up.cross(front).norm() > 1e-6))
-    return fail(ErrorCode::kBadOption, "front must not lie along up, nor either be zero");
-  if (!(tilt_rad >= 0.0 && tilt_rad <= 1.2))
-    return fail(ErrorCode::kBadOption, "tilt_rad must be in 0..1.2, not {}", tilt_rad);
-  if (!(speed_variation >= 0.0 && speed_variation <= 0.9))
-    return fail(ErrorCode::kBadOption, "speed_variation must be in 0..0.9, not {}",
-                speed_variation);
-  if (!(tremor_mm >= 0.0) || !(tremor_rad >= 0.0))
-    return fail(ErrorCode::kBadOption, "tremor_mm and tremor_rad must be at least 0");
-  return {};
+  return OptionCheck("PathOptions")
+      .positive_up_to("duration_s", duration_s, 3600.0)
+      .must("front", "along up", up.cross(front).norm() > 1e-6, "across up")
+      .in_range("tilt_rad", tilt_rad, 0.0, 1.2)
+      .in_range("speed_variation", speed_variation, 0.0, 0.9)
+      .not_negative("tremor_mm", tremor_mm)
+      .not_negative("tremor_rad", tremor_rad)
+      .result();
 }
 
 Result<SensorPath> plan_path(const RayScene& scene, const SensorModel& sensor,

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/imaging/srgb.h"
 #include "hw/simulated/optics/chip.h"
 #include "hw/simulated/optics/grid_light.h"
@@ -162,11 +163,10 @@ cv::Mat ImageSimulator::Parts::flash_image(const Isometry& T_model_sensor) const
 }
 
 Result<void> ImageOptions::validate() const {
-  if (bits != 8 && bits != 16)
-    return fail(ErrorCode::kBadOption, "bits must be 8 or 16, not {}", bits);
-  if (exposures < 1 || exposures > 1000)
-    return fail(ErrorCode::kBadOption, "exposures must be in 1..1000, not {}", exposures);
-  return {};
+  return OptionCheck("ImageOptions")
+      .must("bits", bits, bits == 8 || bits == 16, "8 or 16")
+      .in_range("exposures", exposures, 1, 1000)
+      .result();
 }
 
 Result<ImageSimulator> ImageSimulator::create(const TriangleMesh& mesh, const SensorModel& sensor,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "hw/simulated/optics/ray_scene.h"
 
@@ -114,18 +115,15 @@ class Painter {
 }  // namespace
 
 Result<void> PictureOptions::validate() const {
-  if (size.width_px < 1 || size.height_px < 1)
-    return fail(ErrorCode::kBadOption, "size must be at least 1 x 1, not {} x {}", size.width_px,
-                size.height_px);
-  if (!(from_direction.cross(up).norm() > 1e-9))
-    return fail(ErrorCode::kBadOption, "up must not lie along from_direction");
-  if (!(zoom > 0.0)) return fail(ErrorCode::kBadOption, "zoom must be above 0, not {}", zoom);
-  if (samples_per_axis < 1 || samples_per_axis > 8)
-    return fail(ErrorCode::kBadOption, "samples_per_axis must be in 1..8, not {}",
-                samples_per_axis);
-  if (occlusion_rays < 0 || occlusion_rays > 256)
-    return fail(ErrorCode::kBadOption, "occlusion_rays must be in 0..256, not {}", occlusion_rays);
-  return {};
+  return OptionCheck("PictureOptions")
+      .at_least("size.width_px", size.width_px, 1)
+      .at_least("size.height_px", size.height_px, 1)
+      .must("up", "along from_direction", from_direction.cross(up).norm() > 1e-9,
+            "across from_direction")
+      .positive("zoom", zoom)
+      .in_range("samples_per_axis", samples_per_axis, 1, 8)
+      .in_range("occlusion_rays", occlusion_rays, 0, 256)
+      .result();
 }
 
 Result<cv::Mat> draw_picture(const TexturedMesh& mesh, const PictureOptions& options,

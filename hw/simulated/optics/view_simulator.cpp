@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 namespace {
 
@@ -150,17 +152,13 @@ class SheetTracer {
 }  // namespace
 
 Result<void> ViewOptions::validate() const {
-  if (!(min_cosine >= 0.0 && min_cosine < 1.0))
-    return fail(ErrorCode::kBadOption, "min_cosine must be in 0..1, not {}", min_cosine);
-  if (!(max_stretch > 1.0))
-    return fail(ErrorCode::kBadOption, "max_stretch must be above 1, not {}", max_stretch);
-  if (min_profile_points < 2)
-    return fail(ErrorCode::kBadOption, "min_profile_points must be at least 2, not {}",
-                min_profile_points);
-  if (!(volume_margin_mm >= 0.0))
-    return fail(ErrorCode::kBadOption, "volume_margin_mm must be at least 0, not {}",
-                volume_margin_mm);
-  return {};
+  return OptionCheck("ViewOptions")
+      .must("min_cosine", min_cosine, min_cosine >= 0.0 && min_cosine < 1.0,
+            "at least 0 and below 1")
+      .above("max_stretch", max_stretch, 1.0)
+      .at_least("min_profile_points", min_profile_points, 2)
+      .not_negative("volume_margin_mm", volume_margin_mm)
+      .result();
 }
 
 Result<ViewSimulator> ViewSimulator::create(const TriangleMesh& mesh, const SensorModel& sensor,

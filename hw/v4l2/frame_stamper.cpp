@@ -1,15 +1,15 @@
-#include "hw/v4l2/frame_counter.h"
+#include "hw/v4l2/frame_stamper.h"
 
 #include <algorithm>
 
 namespace flytri::v4l2 {
 
-void FrameCounter::begin_stream(double period_s) {
+void FrameStamper::begin_stream(double period_s) {
   first_of_stream_ = true;
   period_s_ = period_s;
 }
 
-std::int64_t FrameCounter::next_sequence(std::uint32_t driver_sequence,
+std::int64_t FrameStamper::next_sequence(std::uint32_t driver_sequence,
                                          device::CameraStatus& status) {
   std::int64_t step = 2;
   if (!first_of_stream_) {
@@ -29,7 +29,7 @@ std::int64_t FrameCounter::next_sequence(std::uint32_t driver_sequence,
   return sequence_ + step;
 }
 
-double FrameCounter::next_time_s(const StreamedImage& image, double arrival_s,
+double FrameStamper::next_time_s(const StreamedImage& image, double arrival_s,
                                  device::CameraStatus& status) {
   // Some drivers give the planned end of the exposure, up to one period in the future.
   const double latest_s = arrival_s + period_s_;
@@ -40,7 +40,7 @@ double FrameCounter::next_time_s(const StreamedImage& image, double arrival_s,
   return std::max(arrival_s, time_s_ + kLeastStep);
 }
 
-device::CameraFrame FrameCounter::enter(const StreamedImage& image, double arrival_s,
+device::CameraFrame FrameStamper::enter(const StreamedImage& image, double arrival_s,
                                         device::CameraStatus& status) {
   device::CameraFrame frame;
   frame.image = image.converted.image;

@@ -6,7 +6,7 @@
 
 namespace flytri::v4l2 {
 
-class FrameCounter {
+class FrameStamper {
  public:
   /// Call when a stream starts: the driver counts from 0 again. Frames missed since the last stream
   /// count as one gap.
