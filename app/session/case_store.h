@@ -44,17 +44,19 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] bool is_read_only() const;
   /// What was found damaged, a line each.
   [[nodiscard]] std::vector<std::string> damage() const;
-  /// Why the latest writing failed; empty: all is kept.
+  /// Why something is not saved; empty: everything is. A failure is over as soon as all that waited
+  /// is saved. It stays if something is lost for good, see CaseFile.
   [[nodiscard]] std::string failure() const;
 
  private:
   class Journal;
-  /// Does something with the file; a failure is remembered.
+  /// Calls `writing` and remembers a failure.
   void write(const std::function<Result<void>(io::CaseFile&)>& writing);
 
   mutable std::mutex mutex_;
   io::CaseFile file_;
-  std::string failure_;
+  std::string waiting_failure_;  ///< of records that will be written again
+  std::string loss_;             ///< of records that will not
 };
 
 /// The cases of a folder, the latest first. Those that cannot be read are left out.

@@ -1,6 +1,8 @@
-/// @file  A scan that grows: what becomes of each frame, the phases, edits, and the finish. One
-/// thread owns it; what takes long is done beside that by threads of its own.
+/// @file  A growing scan: the fate of each frame, the phases, the edits and the finishing. One
+/// thread owns it; long work runs on threads of its own.
 #pragma once
+
+#include <set>
 
 #include "core/base/task_thread.h"
 #include "core/scan/background_refinement.h"
@@ -73,24 +75,26 @@ class GrowingScan {
   void show_edits();
   void take_refined(const std::vector<AlignedView>& refined);
   void retire_past();
+  void take_output(FinishingOutput output);
   void take_result(Result<reconstruct::FinishedScan> finished);
   void rebuild(bool is_other);
   void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }
+  void journal_view(const std::shared_ptr<const View>& view);
   [[nodiscard]] bool has_model() const { return known_views_ > 0; }
+  /// While finishing: as they were when it began.
   [[nodiscard]] std::vector<AlignedView> aligned_views() const {
-    return registrar_.aligned_views();
+    return registrar_ != nullptr ? registrar_->aligned_views() : views_before_finishing_;
   }
-
-  // Finishing thread, which has the registrar to itself while it finishes.
-  [[nodiscard]] reconstruct::ScannedViews collect(std::vector<Frame> textures,
-                                                  const Progress& progress);
 
   const std::shared_ptr<const calibration::Calibration> calibration_;
   const LiveScanOptions options_;
   const Ask ask_;
   SnapshotBoard board_;
 
-  tracking::Registrar registrar_;  ///< while finishing, the finishing thread's
+  /// Null while finishing: the finishing thread has it then.
+  std::unique_ptr<tracking::Registrar> registrar_;
+  std::vector<AlignedView> views_before_finishing_;
+  std::set<FrameIndex> journaled_;  ///< frames whose views the present journal has
   ScanPhase phase_ = ScanPhase::kPreview;
   FrameCounter frame_counter_;
   editing::EditStack edits_;

@@ -7,11 +7,11 @@ namespace flytri::scan {
 
 /// @source  Arold et al., "Preview and Continuation Mode".
 enum class ScanPhase {
-  kPreview,       ///< frames are measured and shown, not registered
-  kMeasurement,   ///< the surface grows
-  kContinuation,  ///< the scan was lost: the model waits, a place to re-enter is proposed
-  kFinishing,     ///< everything is optimized together, meshed and textured
-  kFinished       ///< the result is there; scanning may go on
+  kPreview,       ///< frames are measured and shown, but not registered
+  kMeasurement,   ///< views are registered, and the surface grows
+  kContinuation,  ///< tracking was lost: the program proposes places to re-enter
+  kFinishing,     ///< all poses are optimized together, then meshed and textured
+  kFinished       ///< the result is there; the user may continue scanning
 };
 [[nodiscard]] std::string_view to_string(ScanPhase phase);
 
@@ -26,7 +26,7 @@ enum class ScanEvent {
   kEdit         ///< the surface was edited
 };
 
-/// An event that means nothing in a phase leaves it as it is.
+/// The phase after an event. An event that does not fit the phase leaves the phase unchanged.
 ///
 ///     preview ──start──▶ measurement ──lost──▶ continuation
 ///        ▲  (on a model: continuation)  ◀──registered──┘
@@ -35,10 +35,18 @@ enum class ScanEvent {
 ///        ├──finish──▶ finishing ──result──▶ finished ──start──▶ continuation
 ///        └─no result──────┘                    └──edit──▶ preview
 ///
-/// @param has_model  a surface is there, which scanning again has to find first
+/// @param has_model  there is a surface; scanning again starts by finding the place on it
 [[nodiscard]] ScanPhase next_phase(ScanPhase phase, ScanEvent event, bool has_model);
 
-/// True where views are registered.
+/// True if the event fits the phase. The scan refuses what this rule refuses, and the window
+/// enables its buttons by the same rule.
+[[nodiscard]] bool accepts(ScanPhase phase, ScanEvent event, bool has_model);
+
+/// True if the user may turn to another stage, case or calibration. While a scan is finishing, the
+/// only choice is to wait or to cancel.
+[[nodiscard]] constexpr bool may_leave(ScanPhase phase) { return phase != ScanPhase::kFinishing; }
+
+/// True in the phases in which views are registered.
 [[nodiscard]] constexpr bool is_scanning(ScanPhase phase) {
   return phase == ScanPhase::kMeasurement || phase == ScanPhase::kContinuation;
 }

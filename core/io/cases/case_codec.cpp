@@ -163,6 +163,26 @@ Result<std::size_t> decode_count(std::string_view bytes) {
   return ByteReader(bytes).number<std::uint32_t>().value_or(0);
 }
 
+std::string encode_summary(const std::string& summary_json,
+                           const std::optional<ResultBasis>& made_of) {
+  if (!made_of) return summary_json;
+  nlohmann::json json = nlohmann::json::parse(summary_json, nullptr, false);
+  if (!json.is_object()) json = nlohmann::json::object();
+  json["made_of"] = {{"view_count", made_of->view_count}, {"edited_at_s", made_of->edited_at_s}};
+  return json_text(json);
+}
+
+std::optional<ResultBasis> decode_made_of(std::string_view summary_json) {
+  const Result<JsonPlace> json = JsonPlace::parse(summary_json, kRecord);
+  if (!json || !json->has("made_of")) return std::nullopt;
+  const JsonPlace made_of = json->at("made_of");
+  ResultBasis basis{made_of.at("view_count").whole_number(), {}};
+  for (const JsonPlace& time : made_of.at("edited_at_s").elements()) {
+    basis.edited_at_s.push_back(time.number());
+  }
+  return json->outcome() ? std::optional(std::move(basis)) : std::nullopt;
+}
+
 Result<std::string> encode_texture(const Frame& frame) {
   return encode_png(frame.image).map([&](const std::string& png) {
     std::string bytes;

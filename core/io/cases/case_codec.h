@@ -36,6 +36,12 @@ namespace flytri::io {
 [[nodiscard]] std::string encode_count(std::size_t count);
 [[nodiscard]] Result<std::size_t> decode_count(std::string_view bytes);
 
+/// The summary, a JSON object or empty, with the basis under "made_of": view_count, edited_at_s.
+[[nodiscard]] std::string encode_summary(const std::string& summary_json,
+                                         const std::optional<ResultBasis>& made_of);
+/// None: the summary does not say what the model was made of.
+[[nodiscard]] std::optional<ResultBasis> decode_made_of(std::string_view summary_json);
+
 /// f64 time_s, then a PNG.
 /// @errors  As encode_png.
 [[nodiscard]] Result<std::string> encode_texture(const Frame& frame);

@@ -62,10 +62,21 @@ struct StoredView {
   std::optional<Isometry> T_world_sensor;
 };
 
+/// The state of a stage that a model was made from. A model is current while the stage is still in
+/// that state.
+struct ResultBasis {
+  std::int64_t view_count = 0;
+  std::vector<double> edited_at_s;  ///< times of the edits that apply
+  bool operator==(const ResultBasis&) const = default;
+};
+
 /// A finished model.
 struct StageResult {
   std::string glb;           ///< the bytes of a .glb, see encode_glb
-  std::string summary_json;  ///< what is worth knowing about it; may be empty
+  std::string summary_json;  ///< a JSON object about the model, or empty
+  /// Kept in the summary under "made_of". None: the model is not known to be current, and the
+  /// window does not show it.
+  std::optional<ResultBasis> made_of;
 };
 
 /// All of a stage that a scan needs to go on, and a reconstruction to start.
@@ -86,32 +97,43 @@ struct StageCounts {
   bool has_result = false;
 };
 
+/// The basis of a model that is made of a stage now.
+[[nodiscard]] ResultBasis basis_of(const StageCounts& counts, const editing::EditList& edits);
+
 struct CaseOptions {
   /// Empty: not encrypted. A case that is not encrypted opens with any passphrase.
   std::string passphrase;
-  /// Nothing in the file or beside it is changed.
+  /// Neither the file nor its folder is changed.
   bool read_only = false;
+  /// Default 256 MiB, about two minutes of views. Bound on the records that wait in memory because
+  /// they could not be written.
+  std::size_t max_waiting_bytes = std::size_t{256} << 20U;
 };
 
 class CaseRecords;
 
-/// An open case. One thread at a time may use it. One program at a time may have it open for
-/// writing: it keeps others out meanwhile.
+/// An open case. Use it from one thread at a time. While a program has it open for writing, no
+/// other program can open it.
 ///
-/// Writing collects in a transaction that commit() ends; destroyed before that, it is dropped.
-/// After kWriteFailed all since the last commit() is dropped, too: make room, and write it again.
+/// Writes collect in a transaction until commit(). Without a commit() they are dropped when the
+/// object is destroyed. A write that fails is not dropped: the record waits in memory, and the next
+/// write or commit() tries it again. So after a full disk nothing needs to be written twice; free
+/// some space and call commit(). If more records wait than CaseOptions::max_waiting_bytes allow,
+/// further writes are refused with kInsufficient, and these records are lost.
 /// A case that turns out to be damaged is read-only from then on.
-/// @errors  Of all that writes: kWriteFailed (disk full, failing device), kNotPermitted
-/// (read-only).
-/// @errors  Of all that reads: kBadFormat (nothing there can be read).
+/// @errors  All functions that write: kWriteFailed (disk full, failing device; the record waits),
+///          kNotPermitted (read-only, or locked by another program), kInsufficient (too many
+///          records wait).
+/// @errors  All functions that read: kBadFormat (nothing there can be read).
 class CaseFile {
  public:
-  /// Makes a case that did not exist; the file is its owner's alone. On failure none is left
-  /// behind.
-  /// @errors  As write_file; kBadOption: there is a file of that name, or it is to be read-only.
+  /// Creates a case; only its owner may read the file. On failure no file is left.
+  /// @param calibration_json  see write_calibration(); empty: the case gets none yet
+  /// @errors  As write_file; kBadOption: the file exists already, or the options say read-only.
   [[nodiscard]] static Result<CaseFile> create(const std::filesystem::path& path,
                                                const CaseOptions& options,
-                                               const CaseFields& fields = {});
+                                               const CaseFields& fields = {},
+                                               std::string_view calibration_json = {});
   /// Opens a case. A damaged one is opened read-only, see damage().
   /// @errors  kNotFound; kNotPermitted (permissions, or another program has it open); kInconsistent
   ///          (encrypted, and the passphrase is wrong or missing); kBadFormat (no case, of a newer
@@ -124,6 +146,8 @@ class CaseFile {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] bool is_read_only() const;
+  /// True if records wait in memory because they could not be written.
+  [[nodiscard]] bool has_waiting() const;
   /// What was found damaged when the case was opened; each stage has a list of its own.
   [[nodiscard]] const std::vector<std::string>& damage() const;
 
@@ -157,8 +181,9 @@ class CaseFile {
   [[nodiscard]] Result<void> write_result(ScanStage stage, const StageResult& result);
   /// Forgets all of a stage but the case's fields: it is to be scanned anew.
   [[nodiscard]] Result<void> clear_stage(ScanStage stage);
-  /// Makes what was written since the last commit survive the process. A power failure may cost
-  /// more, back to the last checkpoint of the log (each 8 MiB), but leaves the case consistent.
+  /// Saves all writes since the last commit, so that they survive the end of the process. A power
+  /// failure may cost more, back to the last checkpoint of the log (every 8 MiB), but the case stays
+  /// consistent.
   [[nodiscard]] Result<void> commit();
 
   [[nodiscard]] Result<StageCounts> counts(ScanStage stage);

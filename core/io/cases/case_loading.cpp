@@ -156,7 +156,9 @@ Result<StageResult> CaseFile::load_result(ScanStage stage) {
   }
   // The model is worth having without what is said about it.
   const auto summary = records_->find(CaseTable::kSummaries, record_id(stage));
-  return StageResult{**std::move(glb), summary ? summary->value_or("") : ""};
+  StageResult result{**std::move(glb), summary ? summary->value_or("") : "", std::nullopt};
+  result.made_of = decode_made_of(result.summary_json);
+  return result;
 }
 
 }  // namespace flytri::io

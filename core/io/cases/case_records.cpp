@@ -143,23 +143,24 @@ int number_of(std::int64_t id) {
   return static_cast<int>(id & ((std::int64_t{1} << kNumberBits) - 1));
 }
 
-CaseRecords::CaseRecords(CaseDatabase opened)
+CaseRecords::CaseRecords(CaseDatabase opened, const CaseOptions& options)
     : database_(std::move(opened.sqlite)),
       is_read_only_(opened.is_read_only),
       is_damaged_(!opened.damage.empty()),
+      max_waiting_bytes_(options.max_waiting_bytes),
       damage_(std::move(opened.damage)) {}
 
 Result<CaseRecords> CaseRecords::create(const std::filesystem::path& path,
-                                        const std::string& passphrase) {
-  return create_case_database(path, passphrase).map([](CaseDatabase&& database) {
-    return CaseRecords(std::move(database));
+                                        const CaseOptions& options) {
+  return create_case_database(path, options.passphrase).map([&](CaseDatabase&& database) {
+    return CaseRecords(std::move(database), options);
   });
 }
 
 Result<CaseRecords> CaseRecords::open(const std::filesystem::path& path,
                                       const CaseOptions& options) {
-  return open_case_database(path, options).map([](CaseDatabase&& database) {
-    return CaseRecords(std::move(database));
+  return open_case_database(path, options).map([&](CaseDatabase&& database) {
+    return CaseRecords(std::move(database), options);
   });
 }
 
@@ -169,7 +170,10 @@ Result<void> CaseRecords::begin() {
                 !is_damaged_ ? "" : ", as it is damaged; start a new case");
   }
   if (is_writing_) return {};
-  if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) return begun;
+  if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) {
+    is_failing_ = true;
+    return begun;
+  }
   is_writing_ = true;
   for (const PendingWrite& pending : pending_) {
     if (Result<void> done = carry_out(pending); !done) return postponed(done.error());
@@ -181,6 +185,7 @@ tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
   // Some failures end the transaction by themselves: then this fails, and says nothing new.
   (void)database_.run("ROLLBACK");
   is_writing_ = false;
+  is_failing_ = true;
   return tl::unexpected(error);
 }
 
@@ -201,12 +206,19 @@ Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
 }
 
 Result<void> CaseRecords::write(PendingWrite pending) {
-  if (Result<void> begun = begin(); !begun) {
-    // It comes after those that failed before it.
-    if (!is_read_only()) pending_.push_back(std::move(pending));
-    return begun;
+  const std::size_t bytes = pending.data ? pending.data->size() : 0;
+  if (is_failing_ && pending_bytes_ + bytes > max_waiting_bytes_) {
+    return fail(ErrorCode::kInsufficient,
+                "{}: cannot be written for so long that some of what came since is lost; free some "
+                "space or choose another folder",
+                database_.name());
   }
+  Result<void> begun = begin();
+  if (!begun && is_read_only()) return begun;
   pending_.push_back(std::move(pending));
+  pending_bytes_ += bytes;
+  // Those that failed before it come first.
+  if (!begun) return begun;
   if (Result<void> done = carry_out(pending_.back()); !done) return postponed(done.error());
   return {};
 }
@@ -238,8 +250,9 @@ Result<void> CaseRecords::commit() {
   if (Result<void> committed = database_.run("COMMIT"); !committed) {
     return postponed(committed.error());
   }
-  is_writing_ = false;
+  is_writing_ = is_failing_ = false;
   pending_.clear();
+  pending_bytes_ = 0;
   return {};
 }
 

@@ -31,19 +31,21 @@ struct RecordRange {
 /// The only record of the tables that have one.
 inline constexpr std::int64_t kOnlyRecord = 1;
 
-/// An open database of these tables. Writing opens a transaction if there is none. What fails is
-/// kept in memory, and tried again with the next write or commit: a full disk costs nothing once
-/// there is room again.
+/// An open database of these tables. Writing opens a transaction if there is none. A write that
+/// fails waits in memory and is tried again with the next write or commit; CaseFile says what
+/// follows from that for its callers.
 class CaseRecords {
  public:
   /// Makes the tables in an empty file.
   [[nodiscard]] static Result<CaseRecords> create(const std::filesystem::path& path,
-                                                  const std::string& passphrase);
+                                                  const CaseOptions& options);
   /// @errors  As CaseFile::open.
   [[nodiscard]] static Result<CaseRecords> open(const std::filesystem::path& path,
                                                 const CaseOptions& options);
 
   [[nodiscard]] bool is_read_only() const { return is_read_only_ || is_damaged_; }
+  /// True if writes wait because they failed.
+  [[nodiscard]] bool has_waiting() const { return is_failing_ && !pending_.empty(); }
   [[nodiscard]] const std::vector<std::string>& damage() const { return damage_; }
 
   /// @errors  Also kInconsistent: there is a record of that number.
@@ -67,7 +69,7 @@ class CaseRecords {
   [[nodiscard]] Result<std::optional<std::int64_t>> last(CaseTable table, const RecordRange& range);
 
  private:
-  explicit CaseRecords(CaseDatabase opened);
+  CaseRecords(CaseDatabase opened, const CaseOptions& options);
   /// A write that is not committed yet.
   struct PendingWrite {
     CaseTable table;
@@ -77,14 +79,17 @@ class CaseRecords {
   [[nodiscard]] Result<void> begin();
   [[nodiscard]] Result<void> write(PendingWrite pending);
   [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);
-  /// Takes the transaction back, to be begun anew, and passes the failure on.
+  /// Rolls the transaction back, so that the next one repeats it, and returns the failure.
   [[nodiscard]] tl::unexpected<Error> postponed(const Error& error);
 
   SqliteDatabase database_;
   bool is_read_only_ = false;
   bool is_damaged_ = false;            ///< found so: nothing is written any more
+  std::size_t max_waiting_bytes_;
   bool is_writing_ = false;            ///< a transaction is open
+  bool is_failing_ = false;            ///< a write has failed since the last successful commit
   std::vector<PendingWrite> pending_;  ///< since the last commit
+  std::size_t pending_bytes_ = 0;
   std::vector<std::string> damage_;
 };
 

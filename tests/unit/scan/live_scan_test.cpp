@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <future>
@@ -43,14 +44,23 @@ class Scene {
     Random random(17, static_cast<std::uint64_t>(frame.index.value));
     measured.view =
         testing::measure_scene(testing::cusped_height, SceneSensor(), *pattern_of(frame.kind),
-                               scan_pose(frame.time_s), random);
+                               shifted(scan_pose(frame.time_s), frame.time_s), random);
     measured.view.frame = frame.index;
     measured.view.time_s = frame.time_s;
     return measured;
   }
   double away_from_s = 1e9, away_to_s = 1e9;
+  /// After it was away, the sensor comes back so far beside the scanned place, and then returns
+  /// there slowly.
+  double comes_back_beside_mm = 0.0;
 
  private:
+  [[nodiscard]] Isometry shifted(const Isometry& T_scene_sensor, double time_s) const {
+    constexpr double kSpeed_mm_s = 10.0;
+    if (time_s < away_to_s) return T_scene_sensor;
+    const double beside_mm = comes_back_beside_mm - kSpeed_mm_s * (time_s - away_to_s);
+    return Eigen::Translation3d(std::max(0.0, beside_mm), 0.0, 0.0) * T_scene_sensor;
+  }
   [[nodiscard]] bool is_away(double time_s) const {
     return time_s >= away_from_s && time_s < away_to_s;
   }
@@ -351,6 +361,14 @@ TEST(LiveScan, LoadCostsViewsAndNotTime) {
 class Notes final : public ScanJournal {
  public:
   void keep_view(const View& view) override { views.push_back(std::make_shared<const View>(view)); }
+  /// True if each view with a pose is there exactly once.
+  [[nodiscard]] bool has_each_placed_view_once() const {
+    std::map<int, int> counts;
+    for (const auto& view : views) ++counts[view->frame.value];
+    return std::all_of(poses.begin(), poses.end(), [&](const auto& pose) {
+      return counts.count(pose.first) == 1 && counts.at(pose.first) == 1;
+    });
+  }
   void keep_texture(const Frame&) override { ++textures; }
   void keep_poses(std::span<const AlignedView> placed) override {
     for (const AlignedView& view : placed) poses[view.view->frame.value] = view.T_world_sensor;
@@ -387,6 +405,71 @@ TEST(LiveScan, TheJournalHoldsWhatAScanNeedsToGoOn) {
   offer(*scan, 95, 130);
   EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
   EXPECT_GE(scan->snapshot()->counts.registered, 25);
+}
+
+TEST(LiveScan, TwoPressesOfFinishMakeOneRun) {
+  const auto notes = std::make_shared<Notes>();
+  LiveScanOptions options = options_for({});
+  options.journal = notes;
+  const auto scan = make_scan(options);
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->finish();
+  const auto done = finish(*scan);
+  EXPECT_EQ(done->phase, ScanPhase::kFinished);
+  EXPECT_EQ(notes->results, 1);
+}
+
+/// Waits until the scan is in this phase; false after a minute.
+bool reaches(const LiveScan& scan, ScanPhase phase) {
+  for (int tries = 0; tries < 60'000 && scan.snapshot()->phase != phase; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return scan.snapshot()->phase == phase;
+}
+
+TEST(LiveScan, CommandsWhileFinishingNeitherDisturbItNorReadWhatItChanges) {
+  Scene scene;
+  scene.away_from_s = 30 * kPeriod_s;
+  scene.away_to_s = 55 * kPeriod_s;
+  const auto first = std::make_shared<Notes>(), second = std::make_shared<Notes>();
+  LiveScanOptions options = options_for(scene);
+  options.journal = first;
+  const auto scan = make_scan(options);
+  scan->start();
+  offer(*scan, 0, 120);
+  scan->finish();
+  ASSERT_TRUE(reaches(*scan, ScanPhase::kFinishing));
+  for (int i = 0; i < 20; ++i) {
+    scan->pause();
+    scan->start();
+    scan->choose_reentry(0);
+    scan->undo();
+  }
+  scan->keep_in(second);
+  scan->wait_until_idle();
+  const auto done = scan->snapshot();
+  EXPECT_EQ(done->phase, ScanPhase::kFinished);
+  ASSERT_NE(done->result, nullptr) << done->failure;
+  EXPECT_EQ(second->results, 1);
+  EXPECT_GE(second->poses.size(), done->result->views.size());
+  EXPECT_TRUE(second->has_each_placed_view_once());
+}
+
+TEST(LiveScan, AJournalThatComesLaterGetsViewsThatJoinAfterwards) {
+  Scene scene;
+  scene.away_from_s = 30 * kPeriod_s;
+  scene.away_to_s = 60 * kPeriod_s;
+  // The views there overlap with no other, until the sensor has returned.
+  scene.comes_back_beside_mm = 40.0;
+  const auto scan = make_scan(options_for(scene));
+  scan->start();
+  offer(*scan, 0, 75);
+  ASSERT_EQ(scan->snapshot()->phase, ScanPhase::kContinuation);
+  const auto notes = std::make_shared<Notes>();
+  scan->keep_in(notes);
+  offer(*scan, 75, 240);
+  EXPECT_EQ(notes->poses.count(65), 1U) << "the views from beside have not joined";
+  EXPECT_TRUE(notes->has_each_placed_view_once());
 }
 
 TEST(LiveScan, NamesTheOptionThatIsWrong) {

@@ -46,6 +46,26 @@ TEST(ScanState, FinishingIsLeftByItsOwnEventsAlone) {
   }
 }
 
+TEST(ScanState, WhileFinishingEveryCommandIsRefused) {
+  for (const ScanEvent event :
+       {ScanEvent::kStart, ScanEvent::kPause, ScanEvent::kFinish, ScanEvent::kEdit}) {
+    EXPECT_FALSE(accepts(ScanPhase::kFinishing, event, true));
+  }
+  EXPECT_FALSE(may_leave(ScanPhase::kFinishing));
+}
+
+TEST(ScanState, AcceptsTheCommandsThatFitThePhase) {
+  EXPECT_TRUE(accepts(ScanPhase::kPreview, ScanEvent::kStart, false));
+  EXPECT_TRUE(accepts(ScanPhase::kFinished, ScanEvent::kStart, true));
+  EXPECT_FALSE(accepts(ScanPhase::kMeasurement, ScanEvent::kStart, true));
+  EXPECT_TRUE(accepts(ScanPhase::kContinuation, ScanEvent::kPause, true));
+  EXPECT_FALSE(accepts(ScanPhase::kPreview, ScanEvent::kPause, true));
+  EXPECT_TRUE(accepts(ScanPhase::kMeasurement, ScanEvent::kFinish, true));
+  EXPECT_FALSE(accepts(ScanPhase::kPreview, ScanEvent::kFinish, false));
+  EXPECT_FALSE(accepts(ScanPhase::kFinished, ScanEvent::kFinish, true));
+  EXPECT_TRUE(accepts(ScanPhase::kPreview, ScanEvent::kEdit, true));
+}
+
 TEST(ScanState, LosingAndFindingMeanNothingOutsideOfAScan) {
   for (const ScanPhase phase : {ScanPhase::kPreview, ScanPhase::kFinishing, ScanPhase::kFinished}) {
     EXPECT_EQ(next_phase(phase, ScanEvent::kLost, true), phase);

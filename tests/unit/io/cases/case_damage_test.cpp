@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +13,7 @@
 #include "core/io/cases/sqlite.h"
 #include "core/io/files/file_bytes.h"
 #include "tests/support/case_samples.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::io {
@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using testing::FileSizeLimit;
 using testing::same_bits;
 using testing::sample_edit;
 using testing::sample_pose;
@@ -246,23 +247,6 @@ TEST(CaseDamage, CreatingSaysWhyItCannot) {
   EXPECT_EQ(CaseFile::create(folder / "no" / "a.flytri", {}).error().code, ErrorCode::kNotFound);
 }
 
-/// Files cannot grow beyond a size while it lives, as on a full disk.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    ::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &former_);
-    const rlimit limit{bytes, former_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-  ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &former_); }
-
- private:
-  rlimit former_{};
-};
-
 TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
@@ -295,6 +279,61 @@ TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
   EXPECT_EQ(stage.views.size(), static_cast<std::size_t>(committed) + 4);
   EXPECT_TRUE(stage.damage.empty());
   EXPECT_TRUE(same_bits(*stage.views.back().view, view_of(committed + 3)));
+}
+
+TEST(CaseDamage, AFullDiskCostsNoPartOfAList) {
+  const TemporaryFolder folder;
+  constexpr int kCount = 400;
+  CaseFile file = CaseFile::create(folder / "a.flytri", {}).value();
+  std::vector<AlignedView> placed;
+  editing::EditStack edits;
+  for (int i = 0; i < kCount; ++i) {
+    placed.push_back({std::make_shared<const View>(view_of(i)), sample_pose(i)});
+    edits.push(sample_edit(i));
+    expect_done(file.append_view(kDamagedStage, *placed.back().view));
+  }
+  expect_done(file.commit());
+  {
+    const FileSizeLimit limit(1);
+    // The failure shows in the middle of a list, too: what comes after it must wait as well.
+    EXPECT_FALSE(file.write_poses(kDamagedStage, std::span(placed).first(1)).and_then([&] {
+      return file.commit();
+    }));
+    EXPECT_TRUE(file.has_waiting());
+    (void)file.write_poses(kDamagedStage, placed);
+    (void)file.write_edits(kDamagedStage, edits);
+    (void)file.write_result(kDamagedStage, {std::string(50000, 'x'), "{\"a\": 1}", {}});
+    EXPECT_FALSE(file.commit());
+  }
+  expect_done(file.commit());
+  EXPECT_FALSE(file.has_waiting());
+  const StoredStage stage = file.load_stage(kDamagedStage).value();
+  for (const StoredView& view : stage.views) EXPECT_TRUE(view.T_world_sensor);
+  EXPECT_EQ(stage.edits.all()->size(), static_cast<std::size_t>(kCount));
+  EXPECT_EQ(file.load_result(kDamagedStage).value().summary_json, "{\"a\": 1}");
+}
+
+TEST(CaseDamage, RecordsThatWaitForAFullDiskAreBoundedAndTheRefusalIsReported) {
+  const TemporaryFolder folder;
+  CaseOptions options;
+  options.max_waiting_bytes = 1U << 20U;
+  CaseFile file = CaseFile::create(folder / "a.flytri", options).value();
+  std::size_t waiting = 0;
+  {
+    const FileSizeLimit limit(1);
+    Result<void> written;
+    for (int i = 0; i < 1000; ++i) {
+      written = file.append_view(kDamagedStage, sample_view(i, 2, 300));
+      if (!written && written.error().code == ErrorCode::kInsufficient) break;
+      ++waiting;
+      (void)file.commit();
+    }
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().code, ErrorCode::kInsufficient);
+    EXPECT_THAT(written.error().message, HasSubstr("is lost"));
+  }
+  expect_done(file.commit());
+  EXPECT_EQ(file.load_stage(kDamagedStage).value().views.size(), waiting);
 }
 
 TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {

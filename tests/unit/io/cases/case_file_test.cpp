@@ -219,6 +219,18 @@ TEST(CaseFile, KeepsCalibrationAndResult) {
   EXPECT_TRUE(file.counts(kStage).value_or(StageCounts{}).has_result);
 }
 
+TEST(CaseFile, AModelSaysWhatItWasMadeOf) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  const ResultBasis basis{17, {0.5, 1.0 / 3.0}};
+  expect_done(file.write_result(kStage, {"glb", R"({"views": 3})", basis}));
+  const StageResult result = file.load_result(kStage).value_or(StageResult{});
+  EXPECT_EQ(result.made_of, basis);
+  EXPECT_THAT(result.summary_json, HasSubstr("\"views\":3"));
+  expect_done(file.write_result(kStage, {"glb", R"({"made_of": {"view_count": -1}})", {}}));
+  EXPECT_FALSE(file.load_result(kStage).value_or(StageResult{}).made_of);
+}
+
 TEST(CaseFile, AStageCanBeScannedAnew) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");

@@ -10,9 +10,9 @@
 
 namespace flytri::session {
 
-/// What a desk is made for.
-struct DeskJob {
-  /// Called by the desk's thread, as are those below: devices take their time.
+/// What a run is made for.
+struct CalibrationJob {
+  /// Called by the run's thread, as are those below: devices take their time.
   std::function<Result<std::shared_ptr<shots::ShotSource>>()> open_source;
   std::function<Result<std::unique_ptr<CalibrationWork>>(std::shared_ptr<shots::ShotSource>)>
       begin_work;
@@ -22,12 +22,12 @@ struct DeskJob {
 
 /// Goes to work at once. Destroyed, it stops what it is doing; then the lights are dark and the
 /// devices free. What does not suit the moment is not done.
-class CalibrationDesk {
+class CalibrationRun {
  public:
-  explicit CalibrationDesk(DeskJob job);
-  ~CalibrationDesk();
-  CalibrationDesk(const CalibrationDesk&) = delete;
-  CalibrationDesk& operator=(const CalibrationDesk&) = delete;
+  explicit CalibrationRun(CalibrationJob job);
+  ~CalibrationRun();
+  CalibrationRun(const CalibrationRun&) = delete;
+  CalibrationRun& operator=(const CalibrationRun&) = delete;
 
   /// Takes the images of the place that is wanted.
   void take();
@@ -37,7 +37,7 @@ class CalibrationDesk {
   [[nodiscard]] ui::RunningCalibration state() const;
 
  private:
-  // All by the desk's thread.
+  // All by the run's thread.
   void open();
   void look();
   void take_images();
@@ -47,7 +47,7 @@ class CalibrationDesk {
   void fail(const Error& error);
   void change(const std::function<void(ui::RunningCalibration&)>& change);
 
-  const DeskJob job_;
+  const CalibrationJob job_;
   const Progress progress_;
   std::shared_ptr<shots::ShotSource> source_;
   std::unique_ptr<CalibrationWork> work_;
