@@ -14,10 +14,10 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-/// Between two looks: the thread rests as long as a look took, and at least so long.
+/// Shortest rest between two live images. After a slow one, the thread rests as long as it took.
 constexpr std::chrono::milliseconds kRest{30};
 
-/// What the window shows of an image: lines that are found are drawn over it.
+/// Prepares an image for the window, with the lines found in it.
 std::shared_ptr<const scan::LiveFrame> shown_frame(cv::Mat image, calibration::ShotKind kind) {
   auto shown = std::make_shared<scan::LiveFrame>();
   shown->frame.image = std::move(image);
@@ -98,7 +98,7 @@ void CalibrationRun::go_on() {
   if (!work_->wanted()) conclude();
 }
 
-/// Shows what the camera sees while somebody puts the target into place, again and again.
+/// Shows the camera's image again and again, while the user puts the target into place.
 void CalibrationRun::look() {
   if (progress_.cancelled()) return;
   const ui::CalibrationStep step = state().step;

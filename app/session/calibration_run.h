@@ -1,4 +1,4 @@
-/// @file  A thread beside the window that carries out one calibration, or one check.
+/// @file  Carries out one calibration, or one check of a calibration, on its own thread.
 #pragma once
 
 #include <functional>
@@ -10,18 +10,18 @@
 
 namespace flytri::session {
 
-/// What a run is made for.
+/// What a run does.
 struct CalibrationJob {
-  /// Called by the run's thread, as are those below: devices take their time.
+  /// Both functions are called on the run's thread, because devices can be slow.
   std::function<Result<std::shared_ptr<shots::ShotSource>>()> open_source;
   std::function<Result<std::unique_ptr<CalibrationWork>>(std::shared_ptr<shots::ShotSource>)>
       begin_work;
   ui::CalibrationTask task = ui::CalibrationTask::kCalibrate;
-  std::filesystem::path folder;  ///< of a calibration
+  std::filesystem::path folder;  ///< where a calibration is saved; empty for a check
 };
 
-/// Goes to work at once. Destroyed, it stops what it is doing; then the lights are dark and the
-/// devices free. What does not suit the moment is not done.
+/// Starts at once. The destructor stops it; after that the lights are off and the devices free.
+/// A command that does not fit the present step does nothing.
 class CalibrationRun {
  public:
   explicit CalibrationRun(CalibrationJob job);
@@ -29,21 +29,21 @@ class CalibrationRun {
   CalibrationRun(const CalibrationRun&) = delete;
   CalibrationRun& operator=(const CalibrationRun&) = delete;
 
-  /// Takes the images of the place that is wanted.
+  /// Takes the images at the place that comes next.
   void take();
-  /// The place is wanted again.
+  /// Makes this place the next one again.
   void retake(std::size_t place);
 
   [[nodiscard]] ui::RunningCalibration state() const;
 
  private:
-  // All by the run's thread.
+  // On the run's thread.
   void open();
   void look();
   void take_images();
   void reopen(std::size_t place);
   void conclude();
-  void go_on();  ///< to the next place, or to the result
+  void go_on();  ///< goes to the next place, or to the result
   void fail(const Error& error);
   void change(const std::function<void(ui::RunningCalibration&)>& change);
 
@@ -54,10 +54,10 @@ class CalibrationRun {
 
   mutable std::mutex mutex_;
   ui::RunningCalibration state_;
-  /// Nothing is posted twice, so that the thread's queue stays short.
+  /// A command is waiting. Further ones are ignored, so that the queue stays short.
   bool is_asked_ = false;
 
-  TaskThread thread_;  // ends first: its tasks use all of the above
+  TaskThread thread_;  ///< destroyed first: its tasks use the members above
 };
 
 }  // namespace flytri::session

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The surfels that are drawn, as points.
+/// The surfels of the model as points.
 PointCloud points_of(const SurfelModel& model) {
   PointCloud points;
   points.reserve(surfel_count(model));
@@ -32,7 +32,7 @@ Result<void> write_mesh(const fs::path& file, const reconstruct::FinishedScan& r
 
 std::optional<std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown,
                                              ui::ExportFormat format) {
-  // Bytes of a vertex, a triangle, and a texel, from what the writers put into the files.
+  // Bytes for each vertex and triangle that the writers put into the files.
   constexpr std::uint64_t kPlyVertex = 31, kPlyTriangle = 13, kStlTriangle = 50;
   constexpr std::uint64_t kGlbVertex = 36, kGlbTriangle = 12, kObjVertex = 95, kObjTriangle = 45;
   if (shown.result == nullptr) {
@@ -69,7 +69,7 @@ Result<std::vector<ui::ExportedFile>> export_files(const scan::ScanSnapshot& sho
     const fs::path file = stem.string() + std::string(ui::to_string(format));
     if (shown.result == nullptr && format != ui::ExportFormat::kPly) {
       return fail(ErrorCode::kInsufficient,
-                  "{}: before the scan is finished there are points alone, which only .ply holds",
+                  "{}: an unfinished scan has only points; finish it first, or export as .ply",
                   file.string());
     }
     const Result<void> done = shown.result

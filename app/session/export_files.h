@@ -1,4 +1,4 @@
-/// @file  Writes what the window shows to files.
+/// @file  Exports what the window shows.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +12,12 @@
 
 namespace flytri::session {
 
-/// About what a file will weigh; none: what is shown cannot be written so. A finished scan is
-/// written as its mesh, one that is under way as its points, which is .ply alone.
+/// Approximate size of a file. None: what is shown cannot be written in this format. A finished scan
+/// is written as a mesh. An unfinished scan is written as points, which only .ply can store.
 [[nodiscard]] std::optional<std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown,
                                                            ui::ExportFormat format);
 
-/// @param stem  path of the files without their ending
+/// @param stem  path of the files without the ending
 /// @errors  As write_model and write_point_cloud_ply; kInsufficient: there is nothing to write.
 [[nodiscard]] Result<std::vector<ui::ExportedFile>> export_files(
     const scan::ScanSnapshot& shown, const std::filesystem::path& stem,

@@ -55,7 +55,7 @@ class StageController {
   [[nodiscard]] bool may_leave() const;
   /// True if a scan would be lost by forget().
   [[nodiscard]] bool has_unsaved() const;
-  /// Adds what the window shows of the stages, and reports a finishing that has failed.
+  /// Adds what the window shows of the stages, and reports a failed finishing.
   void show_in(ui::AppView& view);
 
  private:

@@ -6,14 +6,14 @@
 namespace flytri::scan {
 namespace {
 
-/// Re-entry places that are offered.
+/// Number of re-entry places to propose.
 constexpr std::size_t kReentryPlaces = 5;
-/// Pictures of re-entry places are this far apart, as a share of the volume's half diagonal.
+/// Distance between the pictures of re-entry places, as a share of the volume's half diagonal.
 constexpr double kPictureShare = 0.25;
-/// Tasks that may wait for the model before further views are handed over together.
+/// With more tasks waiting for the model, further views are handed over together.
 constexpr std::size_t kModelTasks = 4;
-/// While the hand scans, better poses wait until they move the surface by so much of a cell: to
-/// build it anew takes as long as to build it once, and less is not seen.
+/// During a scan the model is rebuilt with better poses only if these move the surface by more than
+/// this share of a cell. Less is not visible, and a rebuild takes as long as the first build.
 constexpr double kToleratedCells = 0.2;
 
 double half_diagonal_mm(const calibration::Calibration& calibration) {
@@ -90,7 +90,7 @@ void GrowingScan::take_texture(const Frame& frame) {
   const ImageSize size{frame.image.cols, frame.image.rows};
   if (!(size == calibration_->texture_size) || frame.image.type() != CV_8UC3) {
     return frame_counter_.rejected(frame.time_s,
-                                   "texture frame of another size than the calibration's");
+                                   "texture frame and calibration have different image sizes");
   }
   frame_counter_.textured();
   auto shown = std::make_shared<LiveFrame>();
@@ -101,7 +101,6 @@ void GrowingScan::take_texture(const Frame& frame) {
   model_.add_texture(frame);
 }
 
-/// A frame that was measured, whatever came of it.
 void GrowingScan::take_view(const IntakeResult& result, bool is_late) {
   const double time_s = result.frame.time_s;
   if (!result.measured || result.measured->outcome != measurement::MeasureOutcome::kMeasured) {
@@ -175,7 +174,7 @@ void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
     if (offered_at_s) waiting_.offered_at_s.push_back(*offered_at_s);
   }
   if (!growth.added.empty()) {
-    // A journal that came later has not got the views that were lost at that time.
+  // A journal that was set later has not got the views that were lost at that time.
     for (const AlignedView& view : growth.added) journal_view(view.view);
     journal([views = growth.added](ScanJournal& journal) { journal.keep_poses(views); });
   }
@@ -192,7 +191,7 @@ void GrowingScan::hand_over_waiting() {
   model_.add(std::move(waiting.views), std::move(waiting.offered_at_s));
 }
 
-/// As soon as the model has done what it was given: no further view may come.
+/// Hands over when the model's thread is done, in case no further view comes.
 void GrowingScan::hand_over_later() {
   if (std::exchange(is_model_asked_, true)) return;
   model_.when_done([this] {
@@ -203,7 +202,7 @@ void GrowingScan::hand_over_later() {
   });
 }
 
-/// Lets go of views that told nothing new, some at a time, and not before the hand has left them.
+/// Retires redundant views, many at a time, once the hand has moved on.
 void GrowingScan::retire_past() {
   constexpr double kPast_s = 3.0;
   constexpr std::size_t kAtOnce = 100;
@@ -277,8 +276,7 @@ void GrowingScan::pause() {
   step(ScanEvent::kPause);
   hand_over_waiting();
   refinement_.run_if_new(known_views_, [this] { return aligned_views(); });
-  // What was tolerated while the hand scanned is not where it rests. An optimization ends with
-  // that, too.
+  // A paused model shows the best poses. A running optimization will do the same at its end.
   if (!refinement_.is_running()) model_.follow(aligned_views(), edits_.state(), 0.0);
   model_.look_for_holes();
 }
@@ -310,14 +308,14 @@ void GrowingScan::show_edits() {
   journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
 }
 
-/// Makes the model anew from all views, those that waited for it among them.
+/// Rebuilds the model from all views, including those that were waiting for it.
 void GrowingScan::rebuild(bool is_other) {
   waiting_ = {};
   model_.build_anew(aligned_views(), edits_.state(), is_other);
 }
 
 void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
-  // A model that is built anew has all views: one that came later would be in it twice.
+  // A rebuilt model contains all views: views handed over after it would be in it twice.
   hand_over_waiting();
   registrar_->apply(refined);
   const std::vector<AlignedView> views = aligned_views();

@@ -6,12 +6,12 @@
 namespace flytri::scan {
 namespace {
 
-/// Views of a rebuild that are added in one go: a few milliseconds, so that new views do not wait.
+/// Views that a rebuild adds at once: a few milliseconds, so that new views need not wait.
 constexpr std::size_t kViewsAtOnce = 4;
-/// Closer to a kept one than this share of the volume, a texture frame shows nothing new.
+/// A texture frame closer than this share of the volume to a stored one shows nothing new.
 constexpr double kSamePlaceShare = 0.25;
-/// Of a view's points, from which it tells nothing new: at the rims of what is scanned some always
-/// do.
+/// A view with more than this share of known points shows nothing new. At the rim of the scanned
+/// surface some points are always new.
 constexpr double kRedundantShare = 0.9;
 
 }  // namespace
@@ -69,7 +69,7 @@ void LiveModel::keep_texture(const Frame& frame, const Isometry& T_world_sensor)
                kSamePlaceShare * arm_mm;
       });
   if (same_place) return;
-  // A frame that does not suit the calibration was refused before it came here.
+  // Frames that do not fit the calibration have been rejected before.
   if (surface_.add_color({frame.image, T_world_sensor}, *calibration_)) {
     textures_.push_back({frame, T_world_sensor});
   }
@@ -104,9 +104,9 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
     const auto T = trajectory_.interpolate(texture.frame.time_s, max_gap_s_);
     if (T) texture.T_world_sensor = *T;
   }
-  // One that was under way for another world is taken over by this one.
+  // This rebuild replaces one for another world that is still running.
   is_other = is_other || (rebuild_ && rebuild_->is_other);
-  // The options were validated when the model was made.
+  // The options were validated when the model was created.
   rebuild_.emplace(Rebuild{*live::LiveSurface::create(options_), std::move(views), is_other});
 }
 

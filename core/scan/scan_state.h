@@ -1,4 +1,4 @@
-/// @file  The state machine of a scan: which phase follows from which event.
+/// @file  The state machine of a scan: its phases, and the events that lead from one to the next.
 #pragma once
 
 #include <string_view>
@@ -16,11 +16,11 @@ enum class ScanPhase {
 [[nodiscard]] std::string_view to_string(ScanPhase phase);
 
 enum class ScanEvent {
-  kStart,       ///< the user wants to scan
-  kPause,       ///< the user wants to stop
-  kRegistered,  ///< a view has found its place in the model
-  kLost,        ///< too many views in a row have not
-  kFinish,      ///< the user wants the result
+  kStart,       ///< the user starts to scan
+  kPause,       ///< the user pauses
+  kRegistered,  ///< a view was registered
+  kLost,        ///< too many views in a row were not registered
+  kFinish,      ///< the user asks for the result
   kResult,      ///< the result is there
   kNoResult,    ///< the finishing failed or was cancelled
   kEdit         ///< the surface was edited

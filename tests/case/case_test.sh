@@ -70,7 +70,7 @@ same direct.glb lower.glb
 # Damage and misuse.
 expect 'no such case' 1 'absent\.flytri: there is no such case' \
   "$flytri" reconstruct absent.flytri -o no.glb
-expect 'no case' 1 'c\.json: .*no case at all' "$flytri" reconstruct c.json -o no.glb
+expect 'not a case' 1 'c\.json: .*or not a case' "$flytri" reconstruct c.json -o no.glb
 expect 'keep of a recording' 1 '--keep' "$flytri" reconstruct scan --keep -o no.glb
 head -c $(($(stat -c %s untouched.flytri)  / 4)) untouched.flytri > cut.flytri
 expect 'truncated case' 0 'lost: views: upper' \

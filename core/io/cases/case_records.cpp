@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kNumberBits = 32;
 
-/// Of the number, too, so that a record that strayed to another place is seen.
+/// Includes the id, so that a record in the wrong place is noticed.
 std::int64_t record_checksum(std::int64_t id, std::string_view data) {
   const uLong head = crc32_z(0, reinterpret_cast<const Bytef*>(&id), sizeof(id));
   return static_cast<std::int64_t>(
       crc32_z(head, reinterpret_cast<const Bytef*>(data.data()), data.size()));
 }
 
-/// A record for the user: "views: upper 17".
+/// Names a record for the user: "views: upper 17".
 std::string name_of_record(CaseTable table, std::int64_t id) {
   if (id <= kOnlyRecord) return std::string(name_of(table));
   const auto stage = static_cast<std::size_t>(id >> kNumberBits) - 1;
@@ -28,7 +28,7 @@ std::string name_of_record(CaseTable table, std::int64_t id) {
 
 bool is_damage(const Error& error) { return error.code == ErrorCode::kBadFormat; }
 
-/// A number out of the first row; none: there is no row.
+/// The number in the first row. None: there is no row.
 Result<std::optional<std::int64_t>> first_integer(SqliteDatabase& database, CaseTable table,
                                                   const RecordRange& range, std::string_view what) {
   auto statement = database.prepare(
@@ -39,7 +39,7 @@ Result<std::optional<std::int64_t>> first_integer(SqliteDatabase& database, Case
   return *row ? std::optional(statement->integer(0)) : std::nullopt;
 }
 
-/// The walk over a range, which goes on behind what is broken.
+/// Reads a range of records, and continues after damaged places.
 class RecordWalk {
  public:
   RecordWalk(SqliteDatabase& database, CaseTable table, const RecordRange& range,
@@ -57,7 +57,7 @@ class RecordWalk {
   }
 
  private:
-  /// Visits from next_ to the end, or to the first record that cannot be read.
+  /// Visits the records from next_ to the end, or up to the first that cannot be read.
   Result<void> read_on() {
     auto statement = database_.prepare(fmt::format(
         "SELECT id, checksum, data FROM {} WHERE id BETWEEN ? AND ? ORDER BY id", name_of(table_)));
@@ -67,7 +67,7 @@ class RecordWalk {
       const Result<bool> row = statement->step();
       if (!row) return tl::unexpected(row.error());
       const std::int64_t id = *row ? statement->integer(0) : last_;
-      // Out of order is what only a broken tree gives.
+      // Only a damaged tree returns ids out of order.
       if (!*row || id < next_ || id > last_) return {};
       take(id, statement->integer(1), statement->bytes(2));
       next_ = id + 1;
@@ -82,7 +82,7 @@ class RecordWalk {
     }
   }
 
-  /// Notes what is broken at next_, and goes on behind it.
+  /// Notes the damage at next_, and moves past it.
   Result<void> skip() {
     const Result<std::optional<std::int64_t>> broken = next_id(next_);
     if (!broken && !is_damage(broken.error())) return tl::unexpected(broken.error());
@@ -95,8 +95,8 @@ class RecordWalk {
     return skip_gap();
   }
 
-  /// Not even the number can be read. What is broken is a page, and with it a run of numbers: its
-  /// end lies between the last step of a growing stride that fails and the first that does not.
+  /// Not even the id can be read: a page is damaged, and with it a run of ids. Searches for its end
+  /// with growing steps.
   Result<void> skip_gap() {
     const std::int64_t first = next_;
     std::int64_t failing = next_, stride = 1, good = last_ + 1;
@@ -112,12 +112,12 @@ class RecordWalk {
       }
     }
     damage_.push_back(
-        fmt::format("{} and what follows: cannot be read", name_of_record(table_, first)));
+        fmt::format("{} and the following records: cannot be read", name_of_record(table_, first)));
     next_ = good;
     return {};
   }
 
-  /// Smallest number from `from` on: records lie by rising number.
+  /// The smallest id >= `from`.
   Result<std::optional<std::int64_t>> next_id(std::int64_t from) {
     return first_integer(database_, table_, {from, last_}, "id");
   }
@@ -166,8 +166,8 @@ Result<CaseRecords> CaseRecords::open(const std::filesystem::path& path,
 
 Result<void> CaseRecords::begin() {
   if (is_read_only()) {
-    return fail(ErrorCode::kNotPermitted, "{}: is open for reading only{}", database_.name(),
-                !is_damaged_ ? "" : ", as it is damaged; start a new case");
+    return fail(ErrorCode::kNotPermitted, "{}: is open read-only{}", database_.name(),
+                !is_damaged_ ? "" : " because it is damaged; create a new case");
   }
   if (is_writing_) return {};
   if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) {
@@ -182,7 +182,7 @@ Result<void> CaseRecords::begin() {
 }
 
 tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
-  // Some failures end the transaction by themselves: then this fails, and says nothing new.
+  // After some failures the transaction has ended already; then this fails, too.
   (void)database_.run("ROLLBACK");
   is_writing_ = false;
   is_failing_ = true;
@@ -209,15 +209,15 @@ Result<void> CaseRecords::write(PendingWrite pending) {
   const std::size_t bytes = pending.data ? pending.data->size() : 0;
   if (is_failing_ && pending_bytes_ + bytes > max_waiting_bytes_) {
     return fail(ErrorCode::kInsufficient,
-                "{}: cannot be written for so long that some of what came since is lost; free some "
-                "space or choose another folder",
+                "{}: too much is waiting to be written, and new data are lost; free some space, or "
+                "save in a new case in another folder",
                 database_.name());
   }
   Result<void> begun = begin();
   if (!begun && is_read_only()) return begun;
   pending_.push_back(std::move(pending));
   pending_bytes_ += bytes;
-  // Those that failed before it come first.
+  // Earlier writes come first.
   if (!begun) return begun;
   if (Result<void> done = carry_out(pending_.back()); !done) return postponed(done.error());
   return {};
@@ -230,7 +230,7 @@ Result<void> CaseRecords::add(CaseTable table, std::int64_t id, std::string_view
         return write.data && write.table == table && write.range.first == id;
       });
   if ((there && *there) || is_pending) {
-    return fail(ErrorCode::kInconsistent, "{}: {} is there already", database_.name(),
+    return fail(ErrorCode::kInconsistent, "{}: {} exists already", database_.name(),
                 name_of_record(table, id));
   }
   return replace(table, id, data);
@@ -289,7 +289,7 @@ Result<std::int64_t> CaseRecords::count(CaseTable table, const RecordRange& rang
 
 Result<std::optional<std::int64_t>> CaseRecords::last(CaseTable table, const RecordRange& range) {
   return first_integer(database_, table, range, "max(id)").map([](const auto& largest) {
-    // That of nothing is null, which reads as 0; no record has that number.
+    // The maximum of nothing is null, which reads as 0. No record has this id.
     return largest == 0 ? std::nullopt : largest;
   });
 }

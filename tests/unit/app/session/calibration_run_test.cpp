@@ -23,7 +23,7 @@ std::shared_ptr<shots::SimulatedShots> make_shots() {
   return shots::SimulatedShots::create(simulated::intraoral_sensor()).value();
 }
 
-/// Devices that are gone when they are asked for an image.
+/// Devices that are gone when an image is taken.
 class GoneShots final : public shots::ShotSource {
  public:
   Result<void> start() override { return {}; }
@@ -51,7 +51,7 @@ CalibrationJob calibration_job(const std::filesystem::path& folder,
   return job;
 }
 
-/// Until the run waits for the user; false after minutes, as sanitizers slow the fit.
+/// Waits until the run needs the user. False after minutes: sanitizers slow the fit down.
 bool wait_until_it_waits(const CalibrationRun& run) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
   while (std::chrono::steady_clock::now() < end) {
@@ -64,7 +64,7 @@ bool wait_until_it_waits(const CalibrationRun& run) {
   return false;
 }
 
-/// Takes places until the run wants no more.
+/// Takes the images at all places.
 void take_all(CalibrationRun& run) {
   ASSERT_TRUE(wait_until_it_waits(run));
   for (std::size_t i = 0; i < 100 && run.state().step == CalibrationStep::kTarget; ++i) {
@@ -87,7 +87,7 @@ TEST(CalibrationRun, GuidesThroughAllPlacesToACalibration) {
   EXPECT_TRUE(io::read_calibration(folder.path() / "calibration.json").has_value());
 }
 
-TEST(CalibrationRun, ShowsWhatTheCameraSeesWithItsLines) {
+TEST(CalibrationRun, ShowsTheCameraImageWithItsLines) {
   const TemporaryFolder folder;
   const CalibrationRun run(calibration_job(folder.path(), make_shots()));
   ASSERT_TRUE(wait_until_it_waits(run));
@@ -98,7 +98,7 @@ TEST(CalibrationRun, ShowsWhatTheCameraSeesWithItsLines) {
   EXPECT_GT(image->lines.size(), 5U);
 }
 
-TEST(CalibrationRun, ARefusedShotIsToldAndItsPlaceStaysWanted) {
+TEST(CalibrationRun, ReportsARefusedImageAndRepeatsItsPlace) {
   const TemporaryFolder folder;
   const auto shots = make_shots();
   shots::SimulatedMishap mishap;
@@ -117,7 +117,7 @@ TEST(CalibrationRun, ARefusedShotIsToldAndItsPlaceStaysWanted) {
   EXPECT_FALSE(state.shots[1].remedy.empty());
 }
 
-TEST(CalibrationRun, APlaceIsTakenAgainWhereTheUserWantsIt) {
+TEST(CalibrationRun, TheUserMayRepeatAPlace) {
   const TemporaryFolder folder;
   CalibrationRun run(calibration_job(folder.path(), make_shots()));
   ASSERT_TRUE(wait_until_it_waits(run));
@@ -134,7 +134,7 @@ TEST(CalibrationRun, APlaceIsTakenAgainWhereTheUserWantsIt) {
   EXPECT_TRUE(run.state().places[2].is_done);
 }
 
-TEST(CalibrationRun, DevicesThatGoAreToldWithTheirRemedyAndLetGo) {
+TEST(CalibrationRun, ReportsLostDevicesAndReleasesThem) {
   const TemporaryFolder folder;
   const auto shots = std::make_shared<GoneShots>();
   const CalibrationRun run(calibration_job(folder.path(), shots));
@@ -145,7 +145,7 @@ TEST(CalibrationRun, DevicesThatGoAreToldWithTheirRemedyAndLetGo) {
   EXPECT_TRUE(shots->stops) << "the lights are dark";
 }
 
-TEST(CalibrationRun, ACheckOnAPlaneHoldsWithTheSensorsOwnCalibration) {
+TEST(CalibrationRun, ACheckOnAPlanePassesWithTheRightCalibration) {
   const TemporaryFolder folder;
   const auto calibration = std::make_shared<const calibration::Calibration>(
       simulated::kept_sensor_calibration(simulated::intraoral_sensor(), folder.path(), Workers(),

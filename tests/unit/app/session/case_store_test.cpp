@@ -83,7 +83,7 @@ TEST(CaseStore, AFailureStaysIfSomethingIsLost) {
   journal->keep_view(testing::sample_view(0, 2, 300));
   journal->keep_view(testing::sample_view(0, 2, 200));  // the case has a view of this frame
   journal->commit();
-  EXPECT_THAT(store->failure(), HasSubstr("is there already"));
+  EXPECT_THAT(store->failure(), HasSubstr("exists already"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Shows what the session says until that holds; false after a minute.
+/// Waits until the condition holds; false after a minute.
 template <typename Condition>
 bool wait_for(Session& session, const Condition& holds) {
   for (const double end_s = session.now_s() + 60.0; session.now_s() < end_s;) {
@@ -65,7 +65,7 @@ TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
     Session session(options_);
     session.carry_out(ui::StartScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
-    // What was scanned before there was a case goes into it.
+    // What was scanned before is saved in the new case.
     io::CaseFields fields;
     fields.patient_name = "Smith";
     session.carry_out(ui::NewCase{path, "", fields});
@@ -116,7 +116,7 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
     EXPECT_EQ(scan->result->surface.mesh.triangles.size(), triangles);
     EXPECT_EQ(scan->holes.size(), holes);
     EXPECT_GT(scan->result->surface.mesh.vertices.front().sigma_mm, 0.0F);
-    // A scan that goes on has no result any more.
+    // A scan that continues has no result any more.
     session.carry_out(ui::ResumeScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 10; }));
     session.carry_out(ui::PauseScan{});
@@ -129,7 +129,7 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
   EXPECT_EQ(session.view().scan->result, nullptr);
 }
 
-TEST_F(SessionOnARecording, ScansOnIfANewCaseCannotBeCreated) {
+TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
   Session session(options_);
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
   const auto path_of = [&](rlim_t size) {

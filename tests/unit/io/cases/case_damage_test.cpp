@@ -1,4 +1,4 @@
-/// @file  Cases that are damaged, cut off, foreign, or whose writer was killed.
+/// @file  Cases that are damaged or truncated, files that are not cases, and killed writers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -31,14 +31,14 @@ using testing::sample_view;
 constexpr ScanStage kDamagedStage = ScanStage::kUpper;
 constexpr int kViews = 40;
 
-/// Small views that share pages, and large ones that fill several.
+/// Small views that share a page, and large views that fill several pages.
 View view_of(int frame) { return sample_view(frame, 2, frame % 4 == 0 ? 300 : 10); }
 
 void expect_done(const Result<void>& result) {
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
 }
 
-/// Writes a case with something in every table, and gives back the bytes of its file.
+/// Writes a case with records in every table, and returns the bytes of its file.
 std::string case_bytes(const fs::path& path, const std::string& passphrase = {}) {
   {
     CaseFile file = CaseFile::create(path, {passphrase, false}).value();
@@ -58,7 +58,7 @@ std::string case_bytes(const fs::path& path, const std::string& passphrase = {})
   return read_file(path).value();
 }
 
-/// What came out of a spoiled case.
+/// What could be read from a damaged case.
 struct Salvage {
   bool opened = false;
   std::size_t views = 0, poses = 0;
@@ -66,7 +66,7 @@ struct Salvage {
   std::size_t damage = 0;
 };
 
-/// Opens and loads. Whatever is given back must be what was written, and a failure must say why.
+/// Opens and loads a case. All that is read must be correct, and a failure must name the file.
 Salvage salvage(const fs::path& path, const CaseOptions& options = {}) {
   Result<CaseFile> file = CaseFile::open(path, options);
   if (!file) {
@@ -101,7 +101,7 @@ void spoil(const fs::path& path, const std::string& bytes) {
   ASSERT_TRUE(write_file(path, bytes));
 }
 
-TEST(CaseDamage, ATruncatedCaseOpensWithWhatIsLeft) {
+TEST(CaseDamage, OpensATruncatedCase) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri");
   const fs::path path = folder / "cut.flytri";
@@ -115,12 +115,12 @@ TEST(CaseDamage, ATruncatedCaseOpensWithWhatIsLeft) {
     ++opened_count;
     most = std::max(most, left.views);
   }
-  // All but the pages with the tables' roots can be missing.
+  // Only the pages with the roots of the tables are needed.
   EXPECT_GT(opened_count, 20U);
   EXPECT_GE(most, kViews - 1U);
 }
 
-TEST(CaseDamage, ATruncatedCaseKeepsItsBytes) {
+TEST(CaseDamage, LeavesATruncatedCaseUnchanged) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri");
   const fs::path path = folder / "cut.flytri";
@@ -130,7 +130,7 @@ TEST(CaseDamage, ATruncatedCaseKeepsItsBytes) {
   EXPECT_EQ(read_file(path).value_or(""), cut);
 }
 
-TEST(CaseDamage, FlippedBytesCostTheirRecordsAlone) {
+TEST(CaseDamage, AFlippedByteCostsOneRecord) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri");
   const fs::path path = folder / "flipped.flytri";
@@ -145,12 +145,12 @@ TEST(CaseDamage, FlippedBytesCostTheirRecordsAlone) {
     opened_count += left.opened ? 1 : 0;
     view_count += left.views;
   }
-  // Of a file of some 30 pages one holds the list of tables, and one each the roots.
+  // Of about 30 pages, one contains the list of tables, and one for each table its root.
   EXPECT_GT(opened_count, kTries * 9 / 10);
   EXPECT_GT(view_count, opened_count * kViews * 9 / 10);
 }
 
-TEST(CaseDamage, ManyFlippedBytesDoNoHarm) {
+TEST(CaseDamage, SurvivesManyFlippedBytes) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri");
   const fs::path path = folder / "flipped.flytri";
@@ -164,7 +164,7 @@ TEST(CaseDamage, ManyFlippedBytesDoNoHarm) {
   }
 }
 
-TEST(CaseDamage, AnEncryptedCaseIsSalvagedAlike) {
+TEST(CaseDamage, OpensADamagedEncryptedCase) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri", "key");
   const fs::path path = folder / "flipped.flytri";
@@ -182,7 +182,7 @@ TEST(CaseDamage, AnEncryptedCaseIsSalvagedAlike) {
   EXPECT_GT(view_count, opened_count * kViews * 3 / 4);
 }
 
-TEST(CaseDamage, ANewerVersionIsRefused) {
+TEST(CaseDamage, RefusesANewerVersion) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   (void)case_bytes(path);
@@ -197,7 +197,7 @@ TEST(CaseDamage, ANewerVersionIsRefused) {
   EXPECT_THAT(file.error().message, HasSubstr("use a newer flytri"));
 }
 
-TEST(CaseDamage, OtherDatabasesAreRefusedAndLeftAlone) {
+TEST(CaseDamage, RefusesOtherDatabasesAndLeavesThemUnchanged) {
   const TemporaryFolder folder;
   const fs::path path = folder / "other.sqlite";
   ASSERT_TRUE(create_private_file(path));
@@ -208,11 +208,11 @@ TEST(CaseDamage, OtherDatabasesAreRefusedAndLeftAlone) {
   const std::string before = read_file(path).value();
   const Result<CaseFile> file = CaseFile::open(path);
   ASSERT_FALSE(file);
-  EXPECT_THAT(file.error().message, HasSubstr("no case of flytri"));
+  EXPECT_THAT(file.error().message, HasSubstr("not a flytri case"));
   EXPECT_EQ(read_file(path).value(), before);
 }
 
-TEST(CaseDamage, TablesThatAreNotOursAreNotUsed) {
+TEST(CaseDamage, RefusesOtherTablesAndTriggers) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   (void)case_bytes(path);
@@ -226,17 +226,17 @@ TEST(CaseDamage, TablesThatAreNotOursAreNotUsed) {
   EXPECT_THAT(file.error().message, HasSubstr("tables are not those of a case"));
 }
 
-TEST(CaseDamage, WhatIsNoCaseIsRefused) {
+TEST(CaseDamage, RefusesFilesThatAreNotCases) {
   const TemporaryFolder folder;
   EXPECT_EQ(CaseFile::open(folder / "absent.flytri").error().code, ErrorCode::kNotFound);
   EXPECT_EQ(CaseFile::open(folder.path()).error().code, ErrorCode::kBadFormat);
   ASSERT_TRUE(write_file(folder / "empty.flytri", ""));
   EXPECT_THAT(CaseFile::open(folder / "empty.flytri").error().message, HasSubstr("is empty"));
   ASSERT_TRUE(write_file(folder / "text.flytri", std::string(5000, 'a')));
-  EXPECT_THAT(CaseFile::open(folder / "text.flytri").error().message, HasSubstr("no case at all"));
+  EXPECT_THAT(CaseFile::open(folder / "text.flytri").error().message, HasSubstr("or not a case"));
 }
 
-TEST(CaseDamage, CreatingSaysWhyItCannot) {
+TEST(CaseDamage, SaysWhyACaseCannotBeCreated) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_file(folder / "there.flytri", "mine"));
   const Result<CaseFile> there = CaseFile::create(folder / "there.flytri", {});
@@ -247,7 +247,7 @@ TEST(CaseDamage, CreatingSaysWhyItCannot) {
   EXPECT_EQ(CaseFile::create(folder / "no" / "a.flytri", {}).error().code, ErrorCode::kNotFound);
 }
 
-TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
+TEST(CaseDamage, AfterAFullDiskNothingIsLost) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   CaseFile file = CaseFile::create(path, {}).value();
@@ -271,7 +271,7 @@ TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
     }
   }
   EXPECT_GT(committed, 20);
-  // Nothing has to be written twice, and what came meanwhile is kept as well.
+  // Nothing needs to be written again, and what came meanwhile is saved as well.
   const Result<void> again = file.append_view(kDamagedStage, view_of(committed));
   EXPECT_EQ(again.error().code, ErrorCode::kInconsistent);
   ASSERT_TRUE(file.commit());
@@ -281,7 +281,7 @@ TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
   EXPECT_TRUE(same_bits(*stage.views.back().view, view_of(committed + 3)));
 }
 
-TEST(CaseDamage, AFullDiskCostsNoPartOfAList) {
+TEST(CaseDamage, AfterAFullDiskAllRecordsOfAListAreSaved) {
   const TemporaryFolder folder;
   constexpr int kCount = 400;
   CaseFile file = CaseFile::create(folder / "a.flytri", {}).value();
@@ -295,15 +295,12 @@ TEST(CaseDamage, AFullDiskCostsNoPartOfAList) {
   expect_done(file.commit());
   {
     const FileSizeLimit limit(1);
-    // The failure shows in the middle of a list, too: what comes after it must wait as well.
-    EXPECT_FALSE(file.write_poses(kDamagedStage, std::span(placed).first(1)).and_then([&] {
-      return file.commit();
-    }));
+    // More than the database keeps in memory: it fails at once, and so does each further write.
+    const std::string model(std::size_t{8} << 20U, 'x');
+    EXPECT_FALSE(file.write_result(kDamagedStage, {model, "{\"a\": 1}", {}}));
+    EXPECT_FALSE(file.write_poses(kDamagedStage, placed));
+    EXPECT_FALSE(file.write_edits(kDamagedStage, edits));
     EXPECT_TRUE(file.has_waiting());
-    (void)file.write_poses(kDamagedStage, placed);
-    (void)file.write_edits(kDamagedStage, edits);
-    (void)file.write_result(kDamagedStage, {std::string(50000, 'x'), "{\"a\": 1}", {}});
-    EXPECT_FALSE(file.commit());
   }
   expect_done(file.commit());
   EXPECT_FALSE(file.has_waiting());
@@ -313,7 +310,7 @@ TEST(CaseDamage, AFullDiskCostsNoPartOfAList) {
   EXPECT_EQ(file.load_result(kDamagedStage).value().summary_json, "{\"a\": 1}");
 }
 
-TEST(CaseDamage, RecordsThatWaitForAFullDiskAreBoundedAndTheRefusalIsReported) {
+TEST(CaseDamage, LimitsTheRecordsThatWaitForAFullDisk) {
   const TemporaryFolder folder;
   CaseOptions options;
   options.max_waiting_bytes = 1U << 20U;
@@ -336,7 +333,7 @@ TEST(CaseDamage, RecordsThatWaitForAFullDiskAreBoundedAndTheRefusalIsReported) {
   EXPECT_EQ(file.load_stage(kDamagedStage).value().views.size(), waiting);
 }
 
-TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {
+TEST(CaseDamage, IfACaseCannotBeCreatedNoFileIsLeft) {
   const TemporaryFolder folder;
   {
     const FileSizeLimit limit(20000);
@@ -345,7 +342,7 @@ TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-/// In another process: appends views, and tells of each through the pipe once it is committed.
+/// In another process: appends views, and reports each through the pipe after its commit.
 [[noreturn]] void write_until_killed(const fs::path& path, int pipe) {
   Result<CaseFile> file = CaseFile::open(path);
   if (!file) ::_exit(1);
@@ -356,7 +353,7 @@ TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {
   }
 }
 
-TEST(CaseDamage, KilledInTheMiddleItKeepsAllThatWasCommitted) {
+TEST(CaseDamage, AfterAKillAllCommitsAreThere) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   { CaseFile file = CaseFile::create(path, {}).value(); }
@@ -377,7 +374,7 @@ TEST(CaseDamage, KilledInTheMiddleItKeepsAllThatWasCommitted) {
     EXPECT_FALSE(file.is_read_only());
     const StoredStage stage = file.load_stage(kDamagedStage).value();
     EXPECT_TRUE(stage.damage.empty());
-    // One more may have been committed than could be told.
+    // The last commit may not have been reported.
     ASSERT_GE(static_cast<std::int32_t>(stage.views.size()), last_committed + 1);
     ASSERT_LE(static_cast<std::int32_t>(stage.views.size()), last_committed + 2);
     for (const StoredView& stored : stage.views) {
