@@ -69,6 +69,10 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
                                                 WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+# Of the machine that the package is built for; CPack takes the one that it is built on.
+execute_process(COMMAND dpkg-architecture -t ${CMAKE_LIBRARY_ARCHITECTURE} -q DEB_HOST_ARCH
+                OUTPUT_VARIABLE CPACK_DEBIAN_PACKAGE_ARCHITECTURE OUTPUT_STRIP_TRAILING_WHITESPACE
+                ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
 set(CPACK_DEBIAN_PACKAGE_RELEASE ${revision})
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${maintainer}")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -88,7 +92,10 @@ the views while the hand moves, optimizes them all together, thins the\n\
 points, meshes and textures them, and writes models for dental CAD.\n\
 \n\
 It scans with USB cameras and projectors that hang on USB GPIO chips, or\n\
-with a virtual sensor to try it. The processor must know AVX2.")
+with a virtual sensor to try it.")
+if(FLYTRI_MARCH STREQUAL x86-64-v3)
+  string(APPEND CPACK_PACKAGE_DESCRIPTION " The processor must know AVX2.")
+endif()
 configure_file(cpack_project.cmake.in ${CMAKE_BINARY_DIR}/cpack_project.cmake @ONLY)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_BINARY_DIR}/cpack_project.cmake)
 include(CPack)

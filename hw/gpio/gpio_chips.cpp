@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "hw/device/c_text.h"
 #include "hw/gpio/open_chip.h"
 
 namespace flytri::gpio {
@@ -24,20 +23,13 @@ Error cannot_open(const device::DeviceNode& device, int error_number) {
 
 GpioChip describe(const device::DeviceNode& device) {
   GpioChip description{device, {}, {}, {}};
-  const OpenChip chip = open_chip(device.node);
+  const auto chip = open_chip(device.node);
   if (!chip) {
     description.problems.push_back(cannot_open(device, errno));
     return description;
   }
-  description.label = device::c_text(gpiod_chip_label(chip.get()));
-  for (unsigned i = 0; i < gpiod_chip_num_lines(chip.get()); ++i) {
-    gpiod_line* line = gpiod_chip_get_line(chip.get(), i);
-    GpioLine& listed = description.lines.emplace_back();
-    if (line == nullptr) continue;
-    listed.name = device::c_text(gpiod_line_name(line));
-    listed.consumer = device::c_text(gpiod_line_consumer(line));
-    if (listed.consumer.empty() && gpiod_line_is_used(line)) listed.consumer = "the kernel";
-  }
+  description.label = chip->label();
+  description.lines = chip->lines();
   return description;
 }
 

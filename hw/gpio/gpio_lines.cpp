@@ -48,13 +48,10 @@ class GpioLines final : public LightLines {
   Result<void> hold() {
     chip_ = open_chip(description_.device.node);
     auto lines = lines_of(lights_);
-    if (!chip_ || gpiod_chip_get_lines(chip_.get(), lines.data(),
-                                       static_cast<unsigned>(lines.size()), &bulk_) != 0)
-      return failed("opening it", errno);
+    if (!chip_) return failed("opening it", errno);
     const std::vector<int> dark = values_for(lights_, device::Light::kDark);
-    if (gpiod_line_request_bulk_output(&bulk_, "flytri", dark.data()) != 0)
-      return failed("asking for its lines", errno);
-    held_ = true;
+    held_ = chip_->hold(lines, dark);
+    if (!held_) return failed("asking for its lines", errno);
     auto guard =
         DarkGuard::start({description_.device.node, description_.label, std::move(lines), dark});
     if (!guard) return tl::unexpected(guard.error());
@@ -62,10 +59,7 @@ class GpioLines final : public LightLines {
     return {};
   }
 
-  int set(device::Light light) override {
-    const std::vector<int> values = values_for(lights_, light);
-    return gpiod_line_set_value_bulk(&bulk_, values.data()) == 0 ? 0 : errno;
-  }
+  int set(device::Light light) override { return held_->set(values_for(lights_, light)); }
 
   bool present() const override { return access(description_.device.node.c_str(), F_OK) == 0; }
 
@@ -80,9 +74,8 @@ class GpioLines final : public LightLines {
   const GpioChip description_;
   const std::vector<WiredLight> lights_;
   std::unique_ptr<DarkGuard> guard_;  // dismissed last, when the lines are dark and let go
-  OpenChip chip_;
-  gpiod_line_bulk bulk_{};
-  bool held_ = false;
+  std::unique_ptr<OpenChip> chip_;
+  std::unique_ptr<HeldLines> held_;
 };
 
 Result<std::vector<WiredLight>> wire(const GpioChip& chip, const LightWiring& wiring) {

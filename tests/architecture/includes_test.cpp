@@ -83,7 +83,7 @@ TEST(Architecture, CoreIncludesOnlyFoldersAboveItInTheList) {
 
 TEST(Architecture, CoreKnowsNothingOfTheOutside) {
   const std::regex outside(
-      "^(hw|ui|app|assets|tests)/.*|^(GLFW|epoxy|GL|embree3|linux|libudev|gpiod|CLI)[/"
+      "^(hw|ui|app|assets|tests)/.*|^(GLFW|epoxy|GL|embree[34]|linux|libudev|gpiod|CLI)[/"
       ".].*|^imgui.*");
   for_each_include("core", [&](const std::string& source, const std::string& include) {
     EXPECT_FALSE(std::regex_match(include, outside)) << source << " includes " << include;

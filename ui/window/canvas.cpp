@@ -2,6 +2,8 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
+#include <type_traits>
+
 #include "ui/widgets/pixel_rows.h"
 
 namespace flytri::ui {
@@ -50,6 +52,21 @@ std::vector<ImDrawList*> reaching(const ImDrawData& data) {
   return lists;
 }
 
+/// Makes `part` draw these lists alone. Older versions of Dear ImGui (up to 1.89.7) point to an
+/// array of lists, later ones keep a vector.
+void set_lists(ImDrawData& part, std::vector<ImDrawList*>& lists) {
+  const auto set = [&]<typename Kept>(Kept& kept) {
+    if constexpr (std::is_pointer_v<Kept>) {
+      kept = lists.data();
+    } else {
+      kept.resize(static_cast<int>(lists.size()));
+      std::copy(lists.begin(), lists.end(), kept.begin());
+    }
+  };
+  set(part.CmdLists);
+  part.CmdListsCount = static_cast<int>(lists.size());
+}
+
 void clear(const PixelBox& box, const Color& color) {
   glEnable(GL_SCISSOR_TEST);
   const Eigen::Vector2i size = box.sizes() + Eigen::Vector2i::Ones();
@@ -75,8 +92,7 @@ void Canvas::draw(ImDrawData& data, const std::vector<Rect>& boxes, const Color&
     const Narrowed narrowed(data, box);
     std::vector<ImDrawList*> lists = reaching(data);
     ImDrawData part = data;
-    part.CmdLists = lists.data();
-    part.CmdListsCount = static_cast<int>(lists.size());
+    set_lists(part, lists);
     ImGui_ImplOpenGL3_RenderDrawData(&part);
   }
   Framebuffer::bind_window();

@@ -1,11 +1,11 @@
 #include "hw/simulated/optics/ray_scene.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <limits>
+
+#include "hw/simulated/optics/embree.h"
 
 namespace flytri::simulated {
 namespace {
@@ -61,13 +61,6 @@ RayHit make_hit(const TriangleMesh& mesh, std::uint32_t triangle, double u, doub
   return hit;
 }
 
-RTCIntersectContext coherent_context() {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  return context;
-}
-
 }  // namespace
 
 struct RayScene::Embree {
@@ -92,8 +85,6 @@ RayScene::RayScene(const TriangleMesh& mesh) {
 const TriangleMesh& RayScene::mesh() const { return embree_->mesh; }
 
 std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit query{};
   const Vec3f origin = ray.origin_mm.cast<float>();
   const Vec3f direction = ray.direction.cast<float>();
@@ -101,14 +92,13 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray) const {
       origin.x(), origin.y(), origin.z(), 0.0F, direction.x(), direction.y(), direction.z(), 0.0F,
       kFar,       ~0U,        0,          0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(embree_->scene.get(), &context, &query);
+  find_hit(embree_->scene.get(), query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return make_hit(embree_->mesh, query.hit.primID, query.hit.u, query.hit.v);
 }
 
 void RayScene::first_hits(std::span<const Ray> rays, std::span<std::optional<RayHit>> hits) const {
   assert(rays.size() == hits.size());
-  RTCIntersectContext context = coherent_context();
   for (std::size_t begin = 0; begin < rays.size(); begin += kPacket) {
     const std::size_t count = std::min(kPacket, rays.size() - begin);
     alignas(32) std::array<int, kPacket> valid{};
@@ -126,7 +116,7 @@ void RayScene::first_hits(std::span<const Ray> rays, std::span<std::optional<Ray
       query.ray.mask[i] = ~0U;
       query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect8(valid.data(), embree_->scene.get(), &context, &query);
+    find_hits(valid.data(), embree_->scene.get(), query, RayOrder::kCoherent);
     for (std::size_t i = 0; i < count; ++i) {
       hits[begin + i].reset();
       if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
@@ -140,8 +130,6 @@ void RayScene::first_hits(const Isometry& T_model_sensor, const Vec3& origin_mm,
                           RayPacket& packet) const {
   using Numbers = RayPacket::Numbers;
   static_assert(RayPacket::kSize == kPacket);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   const Eigen::Matrix3f R_model_sensor = T_model_sensor.linear().cast<float>();
   const Vec3f origin = (T_model_sensor * origin_mm).cast<float>();
   const RayPacket::Vectors directions = rotated(R_model_sensor, packet.directions);
@@ -158,7 +146,7 @@ void RayScene::first_hits(const Isometry& T_model_sensor, const Vec3& origin_mm,
   numbers(query.ray.tfar) = kFar;
   std::fill_n(query.ray.mask, kPacket, ~0U);
   std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
-  rtcIntersect8(valid.data(), embree_->scene.get(), &context, &query);
+  find_hits(valid.data(), embree_->scene.get(), query, RayOrder::kAny);
   packet.distances_mm = numbers(query.ray.tfar);
   packet.normals =
       rotated(R_model_sensor.transpose(),
@@ -174,8 +162,6 @@ void RayScene::first_hits(const Isometry& T_model_sensor, const Vec3& origin_mm,
 }
 
 bool RayScene::blocked(const Vec3& point_mm, const Vec3& normal, const Vec3& to_mm) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   const double side = normal.dot(to_mm - point_mm) >= 0.0 ? 1.0 : -1.0;
   const Vec3 start = point_mm + side * embree_->lift_mm * normal;
   const Vec3f origin = start.cast<float>();
@@ -183,12 +169,11 @@ bool RayScene::blocked(const Vec3& point_mm, const Vec3& normal, const Vec3& to_
   RTCRay query{
       origin.x(), origin.y(), origin.z(), 0.0F, direction.x(), direction.y(), direction.z(), 0.0F,
       1.0F,       ~0U,        0,          0};
-  rtcOccluded1(embree_->scene.get(), &context, &query);
+  find_blocker(embree_->scene.get(), query);
   return query.tfar < 0.0F;
 }
 
 void RayScene::cast_shadows(std::span<Shadow> shadows, const Vec3& to_mm) const {
-  RTCIntersectContext context = coherent_context();
   for (std::size_t begin = 0; begin < shadows.size(); begin += kPacket) {
     const std::size_t count = std::min(kPacket, shadows.size() - begin);
     alignas(32) std::array<int, kPacket> valid{};
@@ -208,7 +193,7 @@ void RayScene::cast_shadows(std::span<Shadow> shadows, const Vec3& to_mm) const 
       query.tfar[i] = 1.0F;
       query.mask[i] = ~0U;
     }
-    rtcOccluded8(valid.data(), embree_->scene.get(), &context, &query);
+    find_blockers(valid.data(), embree_->scene.get(), query, RayOrder::kCoherent);
     for (std::size_t i = 0; i < count; ++i) shadows[begin + i].blocked = query.tfar[i] < 0.0F;
   }
 }
