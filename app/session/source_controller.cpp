@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "app/session/rig_devices.h"
-#include "hw/device/clock.h"
 
 namespace flytri::session {
 

@@ -76,7 +76,7 @@ struct StageResult {
   std::string summary_json;  ///< a JSON object about the model, or empty
   /// Kept in the summary under "made_of". None: the model is not known to be current, and the
   /// window does not show it.
-  std::optional<ResultBasis> made_of;
+  std::optional<ResultBasis> made_of = std::nullopt;
 };
 
 /// All of a stage that is needed to continue its scan or to reconstruct it.
@@ -116,9 +116,9 @@ class CaseRecords;
 /// other program can open it.
 ///
 /// Writes collect in a transaction until commit(). Without a commit() they are dropped when the
-/// object is destroyed. A write that fails is not dropped: the record waits in memory, and the next
-/// write or commit() tries it again. So after a full disk nothing needs to be written twice; free
-/// some space and call commit(). If more records wait than CaseOptions::max_waiting_bytes allow,
+/// object is destroyed. A write that fails is not dropped: its record waits in memory, and so do all
+/// later ones, until a commit() succeeds. So after a full disk nothing needs to be written twice;
+/// free some space and call commit(). If more records wait than CaseOptions::max_waiting_bytes allow,
 /// further writes are refused with kInsufficient, and these records are lost.
 /// A case that turns out to be damaged is read-only from then on.
 /// @errors  All functions that write: kWriteFailed (disk full, failing device; the record waits),

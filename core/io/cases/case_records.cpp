@@ -171,7 +171,7 @@ Result<void> CaseRecords::begin() {
   }
   if (is_writing_) return {};
   if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) {
-    is_failing_ = true;
+    failure_ = begun.error();
     return begun;
   }
   is_writing_ = true;
@@ -185,7 +185,7 @@ tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
   // After some failures the transaction has ended already; then this fails, too.
   (void)database_.run("ROLLBACK");
   is_writing_ = false;
-  is_failing_ = true;
+  failure_ = error;
   return tl::unexpected(error);
 }
 
@@ -207,17 +207,18 @@ Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
 
 Result<void> CaseRecords::write(PendingWrite pending) {
   const std::size_t bytes = pending.data ? pending.data->size() : 0;
-  if (is_failing_ && pending_bytes_ + bytes > max_waiting_bytes_) {
+  if (failure_ && pending_bytes_ + bytes > max_waiting_bytes_) {
     return fail(ErrorCode::kInsufficient,
                 "{}: too much is waiting to be written, and new data are lost; free some space, or "
                 "save in a new case in another folder",
                 database_.name());
   }
-  Result<void> begun = begin();
+  // Only commit() tries again: what waits may be much.
+  const Result<void> begun =
+      failure_ && !is_read_only() ? Result<void>(tl::unexpected(*failure_)) : begin();
   if (!begun && is_read_only()) return begun;
   pending_.push_back(std::move(pending));
   pending_bytes_ += bytes;
-  // Earlier writes come first.
   if (!begun) return begun;
   if (Result<void> done = carry_out(pending_.back()); !done) return postponed(done.error());
   return {};
@@ -250,7 +251,8 @@ Result<void> CaseRecords::commit() {
   if (Result<void> committed = database_.run("COMMIT"); !committed) {
     return postponed(committed.error());
   }
-  is_writing_ = is_failing_ = false;
+  is_writing_ = false;
+  failure_.reset();
   pending_.clear();
   pending_bytes_ = 0;
   return {};

@@ -32,8 +32,7 @@ struct RecordRange {
 inline constexpr std::int64_t kOnlyRecord = 1;
 
 /// An open database of these tables. Writing opens a transaction if there is none. A write that
-/// fails waits in memory and is tried again with the next write or commit; CaseFile says what
-/// follows from that for its callers.
+/// fails waits in memory, and so do all later ones, until a commit succeeds; see CaseFile.
 class CaseRecords {
  public:
   /// Makes the tables in an empty file.
@@ -45,7 +44,7 @@ class CaseRecords {
 
   [[nodiscard]] bool is_read_only() const { return is_read_only_ || is_damaged_; }
   /// True if writes wait because they failed.
-  [[nodiscard]] bool has_waiting() const { return is_failing_ && !pending_.empty(); }
+  [[nodiscard]] bool has_waiting() const { return failure_ && !pending_.empty(); }
   [[nodiscard]] const std::vector<std::string>& damage() const { return damage_; }
 
   /// @errors  Also kInconsistent: there is a record with this id.
@@ -87,7 +86,7 @@ class CaseRecords {
   bool is_damaged_ = false;            ///< damage was found: nothing is written any more
   std::size_t max_waiting_bytes_;
   bool is_writing_ = false;            ///< a transaction is open
-  bool is_failing_ = false;            ///< a write has failed since the last successful commit
+  std::optional<Error> failure_;       ///< of the latest write or commit; none: it succeeded
   std::vector<PendingWrite> pending_;  ///< since the last commit
   std::size_t pending_bytes_ = 0;
   std::vector<std::string> damage_;

@@ -295,7 +295,7 @@ TEST(CaseDamage, AfterAFullDiskAllRecordsOfAListAreSaved) {
   expect_done(file.commit());
   {
     const FileSizeLimit limit(1);
-    // More than the database keeps in memory: it fails at once, and so does each further write.
+    // More than the database keeps in memory: this fails at once, and so does each later write.
     const std::string model(std::size_t{8} << 20U, 'x');
     EXPECT_FALSE(file.write_result(kDamagedStage, {model, "{\"a\": 1}", {}}));
     EXPECT_FALSE(file.write_poses(kDamagedStage, placed));
