@@ -174,7 +174,7 @@ void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
     if (offered_at_s) waiting_.offered_at_s.push_back(*offered_at_s);
   }
   if (!growth.added.empty()) {
-  // A journal that was set later has not got the views that were lost at that time.
+    // A journal that came later lacks the views that were lost at that time.
     for (const AlignedView& view : growth.added) journal_view(view.view);
     journal([views = growth.added](ScanJournal& journal) { journal.keep_poses(views); });
   }
