@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <vector>
 
 #include "app/cli/case_argument.h"
 #include "app/cli/commands.h"
@@ -93,13 +95,35 @@ Result<calibration::Calibration> case_calibration(const ReconstructArguments& ar
   return fail(json.error().code, "{}; --calibration FILE overrides it", json.error().message);
 }
 
-/// Puts the model into the case, for flytri export.
-Result<void> keep_result(io::CaseFile& file, io::ScanStage stage,
+/// The views that a reconstruction placed. Empty if the stage had poses: these stay.
+std::vector<AlignedView> newly_placed(const io::StoredStage& stored,
+                                      const reconstruct::Reconstruction& reconstruction) {
+  std::map<FrameIndex, Isometry> poses;
+  for (const reconstruct::FrameReport& report : reconstruction.frames) {
+    if (report.T_world_sensor) poses[report.frame] = *report.T_world_sensor;
+  }
+  std::vector<AlignedView> placed;
+  for (const io::StoredView& view : stored.views) {
+    if (view.T_world_sensor) return {};
+    const auto pose = poses.find(view.view->frame);
+    if (pose != poses.end()) placed.push_back({view.view, pose->second});
+  }
+  return placed;
+}
+
+/// Saves the model in the case, for flytri export and for the window. New poses are saved with it,
+/// so that the model and the stage share one world frame.
+Result<void> keep_result(io::CaseFile& file, io::ScanStage stage, const io::StoredStage& stored,
                          const reconstruct::Reconstruction& reconstruction,
                          const calibration::MeasurementVolume& volume) {
   const Result<std::string> glb = io::encode_glb(reconstruction.model, file.path().string());
   if (!glb) return tl::unexpected(glb.error());
-  return file.write_result(stage, {*glb, report_text(reconstruction, volume.size_mm)})
+  const Result<io::StageCounts> counts = file.counts(stage);
+  if (!counts) return tl::unexpected(counts.error());
+  const io::StageResult result{*glb, report_text(reconstruction, volume.size_mm),
+                               io::basis_of(*counts, stored.edits.state())};
+  return file.write_poses(stage, newly_placed(stored, reconstruction))
+      .and_then([&] { return file.write_result(stage, result); })
       .and_then([&] { return file.commit(); });
 }
 
@@ -121,7 +145,7 @@ Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& 
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
   if (arguments.keep) {
-    auto kept = keep_result(*file, *stage, *reconstruction, calibration->volume);
+    auto kept = keep_result(*file, *stage, named.stage, *reconstruction, calibration->volume);
     if (!kept) return kept;
   }
   return write_outputs(arguments, *reconstruction, calibration->volume);
@@ -152,7 +176,7 @@ void add_reconstruct_command(CLI::App& app, Invocation& invocation) {
                       "Also write counts, poses, rates and times as .json");
   add_case_options(*command, arguments->case_options);
   command->add_flag("--keep", arguments->keep,
-                    "Also keep the model in the case, for flytri export");
+                    "Also save the model in the case, for flytri export and the window");
   add_threads_option(*command, arguments->thread_count);
   command->footer(
       "Example: flytri reconstruct scans/upper --calibration calibration.json -o upper.glb "

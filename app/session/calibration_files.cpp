@@ -25,7 +25,7 @@ bool is_begun(const std::filesystem::path& folder) {
   return !std::filesystem::exists(folder / kFile, unreadable) && io::read_guided_plan(folder);
 }
 
-/// The file that the rig is to read, named in rig.json from now on if it was not.
+/// The calibration file of the rig. If rig.json names none, adds one.
 Result<std::filesystem::path> place_in_rig(const std::filesystem::path& rig_file) {
   auto rig = rig::read_rig(rig_file);
   if (!rig) return tl::unexpected(rig.error());
@@ -36,8 +36,8 @@ Result<std::filesystem::path> place_in_rig(const std::filesystem::path& rig_file
   return rig_file.parent_path() / kFile;
 }
 
-/// Under a name that no other file has.
-Result<void> keep_in_background(const std::filesystem::path& file) {
+/// Copies the file to a new name with date and time.
+Result<void> keep_former(const std::filesystem::path& file) {
   const auto bytes = io::read_file(file);
   if (!bytes && bytes.error().code == ErrorCode::kNotFound) return {};
   if (!bytes) return tl::unexpected(bytes.error());
@@ -66,7 +66,7 @@ Result<std::filesystem::path> adopt_calibration(const SourceChoice& choice,
   auto place = choice.calibration ? Result<std::filesystem::path>(*choice.calibration)
                                   : place_in_rig(*choice.rig);
   if (!place) return place;
-  if (auto kept = keep_in_background(*place); !kept) return tl::unexpected(kept.error());
+  if (auto kept = keep_former(*place); !kept) return tl::unexpected(kept.error());
   if (auto written = io::write_file(*place, *bytes); !written)
     return tl::unexpected(written.error());
   return place;

@@ -1,4 +1,4 @@
-/// @file  Where the window keeps calibrations, and how one of them is taken into use.
+/// @file  Finds the folders of calibrations, and takes a calibration into use.
 #pragma once
 
 #include <filesystem>
@@ -7,15 +7,15 @@
 
 namespace flytri::session {
 
-/// The latest of the folders in `calibrations` in which a calibration was begun and is not done, or
-/// else a new one, named by date and time. Nothing is created.
+/// The latest folder in `calibrations` with an unfinished calibration. If there is none, the name of
+/// a new folder, with date and time. Creates nothing.
 [[nodiscard]] std::filesystem::path propose_calibration_folder(
     const std::filesystem::path& calibrations);
 
-/// From now on the rig measures with the calibration: it takes the place of the one that the user
-/// or rig.json names; where none is named, rig.json is made to name it. The one before stays beside
-/// it, the time in its name.
-/// @param choice  of a rig
+/// Lets the rig measure with this calibration. It replaces the file that the user or rig.json names.
+/// If there is no such file, it is created and named in rig.json. The earlier calibration is kept in
+/// the same folder under a name with date and time.
+/// @param choice  a source with a rig
 /// @return  the file that is in use now
 /// @errors  As read_file, parse_rig, write_file.
 [[nodiscard]] Result<std::filesystem::path> adopt_calibration(

@@ -26,7 +26,7 @@ ui::JudgedShot judged(const shots::ShotOutcome& outcome) {
   return shot;
 }
 
-/// A depth without a sign where it is none.
+/// A depth with its sign, except for zero.
 std::string depth_text(double z_mm, int digits) {
   return std::abs(z_mm) < 1e-9 ? fmt::format("{:.{}f}", 0.0, digits)
                                : fmt::format("{:+.{}f}", z_mm, digits);
@@ -169,7 +169,7 @@ class Checking final : public CalibrationWork {
         break;
       case calibration::VerificationOutcome::kBroken:
         outcome.verdict = "The calibration no longer holds";
-        outcome.meanings.emplace_back("Calibrate the sensor anew.");
+        outcome.meanings.emplace_back("Calibrate the sensor again.");
         break;
       case calibration::VerificationOutcome::kUnclear:
         outcome.verdict = "No verdict";

@@ -1,5 +1,4 @@
-/// @file  What is done with a sensor that is handed to the calibration: calibrating it, or checking
-/// its calibration.
+/// @file  The two jobs of a calibration run: to calibrate a sensor, and to check its calibration.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +19,7 @@ namespace flytri::session {
 class CalibrationWork {
  public:
   using Tell = std::function<void(ui::JudgedShot)>;
-  /// The image in which the user sees whether the target is in place.
+  /// The live image in which the user sees whether the target is in place.
   struct Look {
     calibration::ShotKind kind = calibration::ShotKind::kVertical;
     double z_mm = 0.0;
@@ -30,36 +29,37 @@ class CalibrationWork {
   CalibrationWork(const CalibrationWork&) = delete;
   CalibrationWork& operator=(const CalibrationWork&) = delete;
 
-  /// All that the user is to do, in order.
+  /// All places at which the user puts the target, in order.
   [[nodiscard]] virtual std::vector<ui::CalibrationPlace> places() const = 0;
-  /// Index of the next of them; none: all are done.
+  /// Index of the next place. None: all are done.
   [[nodiscard]] virtual std::optional<std::size_t> wanted() const = 0;
-  /// Of the place that is wanted.
+  /// The live image for the next place.
   [[nodiscard]] virtual Look look() const = 0;
 
-  /// Takes the images of the place that is wanted. It stays wanted if one of them is refused.
-  /// @param tell  hears of each image
-  /// @errors  Of devices and disk; kCancelled.
+  /// Takes the images at the next place. If one of them is refused, the place stays the next one.
+  /// @param tell  called with the verdict on each image
+  /// @errors  As the devices and the disk; kCancelled.
   [[nodiscard]] virtual Result<void> take(const Tell& tell, const Progress& progress) = 0;
-  /// @errors  Of the disk.
+  /// Makes this place the next one again.
+  /// @errors  As the disk.
   [[nodiscard]] virtual Result<void> reopen(std::size_t place) = 0;
-  /// What comes of them once all are done.
-  /// @errors  kInconsistent, kInsufficient: the images do not fit together, and which do not; of
-  ///          the disk; kCancelled.
+  /// Computes the result, once all places are done.
+  /// @errors  kInconsistent, kInsufficient: the images do not fit together; the message names those
+  ///          that do not. As the disk; kCancelled.
   [[nodiscard]] virtual Result<ui::CalibrationOutcome> conclude(const Progress& progress) = 0;
 
  protected:
   CalibrationWork() = default;
 };
 
-/// Calibrates: goes on with what the folder holds, see GuidedSession.
+/// Calibrates, and continues with what the folder contains, see GuidedSession.
 /// @errors  As GuidedSession::open.
 [[nodiscard]] Result<std::unique_ptr<CalibrationWork>> calibrate_guided(
     const std::filesystem::path& folder, const calibration::CalibrationPlan& plan,
     std::shared_ptr<shots::ShotSource> source);
 
-/// Checks on a plane, or on a sphere of that diameter.
-/// @param sphere_diameter_mm  > 0, or none for a plane
+/// Checks a calibration on a plane or on a sphere.
+/// @param sphere_diameter_mm  > 0; none: on a plane
 [[nodiscard]] std::unique_ptr<CalibrationWork> check_guided(
     std::shared_ptr<const calibration::Calibration> calibration,
     std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source);

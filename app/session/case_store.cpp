@@ -13,16 +13,8 @@ namespace flytri::session {
 
 namespace {
 
-/// What a result depends on: it is that of a stage in the same state. Edits are told by their
-/// times.
-nlohmann::json state_of(std::int64_t view_count, const editing::EditList& edits) {
-  nlohmann::json edited_at_s = nlohmann::json::array();
-  for (const auto& edit : *edits) edited_at_s.push_back(edit->made_at_s);
-  return {{"view_count", view_count}, {"edited_at_s", std::move(edited_at_s)}};
-}
-
-/// The result that a stage was finished to; null where there is none, or the stage has changed
-/// since. One that cannot be read is told of in `damage`.
+/// The finished model of a stage. Null if there is none, or if the stage has changed since. If it
+/// cannot be read, `damage` says so.
 std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& file,
                                                                 io::ScanStage stage,
                                                                 const io::StoredStage& stored,
@@ -36,9 +28,7 @@ std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& fi
   if (!counts || !counts->has_result) return nullptr;
   const auto result = file.load_result(stage);
   if (!result) return lost(result.error());
-  const auto summary = nlohmann::json::parse(result->summary_json, nullptr, false);
-  if (!summary.is_object() || !summary.contains("made_of")) return nullptr;
-  if (summary["made_of"] != state_of(counts->views, stored.edits.state())) return nullptr;
+  if (result->made_of != io::basis_of(*counts, stored.edits.state())) return nullptr;
   Result<TexturedMesh> model = io::parse_glb(result->glb, file.path().string());
   if (!model) return lost(model.error());
   return std::make_shared<const reconstruct::FinishedScan>(
@@ -47,7 +37,7 @@ std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& fi
 
 }  // namespace
 
-/// A stage's part of the store.
+/// Writes one stage of the case.
 class CaseStore::Journal final : public scan::ScanJournal {
  public:
   Journal(std::shared_ptr<CaseStore> store, io::ScanStage stage)
@@ -72,11 +62,11 @@ class CaseStore::Journal final : public scan::ScanJournal {
       if (!glb) return tl::unexpected(glb.error());
       const auto counts = file.counts(stage_);
       if (!counts) return tl::unexpected(counts.error());
-      const nlohmann::json summary = {{"made_of", state_of(counts->views, edits_)},
-                                      {"views", result.views.size()},
+      const nlohmann::json summary = {{"views", result.views.size()},
                                       {"points", result.points.size()},
                                       {"triangles", result.model.mesh.triangles.size()}};
-      return file.write_result(stage_, {std::move(*glb), summary.dump()});
+      return file.write_result(
+          stage_, {std::move(*glb), summary.dump(), io::basis_of(*counts, edits_)});
     });
   }
   void commit() override {
@@ -91,7 +81,13 @@ class CaseStore::Journal final : public scan::ScanJournal {
 
 void CaseStore::write(const std::function<Result<void>(io::CaseFile&)>& writing) {
   const std::lock_guard lock(mutex_);
-  if (auto written = writing(file_); !written) failure_ = written.error().message;
+  if (auto written = writing(file_); !written) {
+    const ErrorCode code = written.error().code;
+    const bool is_retried = file_.has_waiting() && (code == ErrorCode::kWriteFailed ||
+                                                    code == ErrorCode::kNotPermitted);
+    (is_retried ? waiting_failure_ : loss_) = written.error().message;
+  }
+  if (!file_.has_waiting()) waiting_failure_.clear();
 }
 
 std::shared_ptr<scan::ScanJournal> CaseStore::journal(io::ScanStage stage) {
@@ -186,7 +182,7 @@ std::vector<std::string> CaseStore::damage() const {
 
 std::string CaseStore::failure() const {
   const std::lock_guard lock(mutex_);
-  return failure_;
+  return loss_.empty() ? waiting_failure_ : loss_;
 }
 
 std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {

@@ -1,4 +1,4 @@
-/// @file  The open case of a session, shared by the threads that write to it and read it.
+/// @file  The open case of a session, shared by the threads that read and write it.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@
 
 namespace flytri::session {
 
-/// What a stage of a case holds, made ready for a scan to go on.
+/// What a case contains of a stage, prepared to continue its scan.
 struct OpenedStage {
   scan::KeptScan scan;
   std::vector<io::Measurement> measurements;
-  std::vector<std::string> damage;  ///< what could not be read, a line each
+  std::vector<std::string> damage;  ///< what could not be read, one line each
   FrameIndex last_frame{-1};
   double last_time_s = 0.0;
 };
@@ -27,13 +27,13 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
  public:
   explicit CaseStore(io::CaseFile file) : file_(std::move(file)) {}
 
-  /// Keeps what a scan of this stage measures.
+  /// The journal that saves a scan of this stage.
   [[nodiscard]] std::shared_ptr<scan::ScanJournal> journal(io::ScanStage stage);
   [[nodiscard]] Result<OpenedStage> load(io::ScanStage stage);
   [[nodiscard]] Result<io::CaseFields> fields();
   [[nodiscard]] Result<void> write_fields(const io::CaseFields& fields);
   [[nodiscard]] Result<void> write_calibration(const calibration::Calibration& calibration);
-  /// None: the case has none yet.
+  /// None: the case has no calibration yet.
   [[nodiscard]] Result<std::optional<calibration::Calibration>> calibration();
   [[nodiscard]] Result<std::int64_t> add_measurement(io::ScanStage stage,
                                                      const io::Measurement& added);
@@ -42,22 +42,24 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
 
   [[nodiscard]] std::string path() const;
   [[nodiscard]] bool is_read_only() const;
-  /// What was found damaged, a line each.
+  /// The damage that was found, one line each.
   [[nodiscard]] std::vector<std::string> damage() const;
-  /// Why the latest writing failed; empty: all is kept.
+  /// Why something is not saved; empty: everything is. A failure is over as soon as all that waited
+  /// is saved. It stays if something is lost for good, see CaseFile.
   [[nodiscard]] std::string failure() const;
 
  private:
   class Journal;
-  /// Does something with the file; a failure is remembered.
+  /// Calls `writing` and remembers a failure.
   void write(const std::function<Result<void>(io::CaseFile&)>& writing);
 
   mutable std::mutex mutex_;
   io::CaseFile file_;
-  std::string failure_;
+  std::string waiting_failure_;  ///< of records that will be written again
+  std::string loss_;             ///< of records that will not
 };
 
-/// The cases of a folder, the latest first. Those that cannot be read are left out.
+/// The cases in a folder, the latest first.
 [[nodiscard]] std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder);
 
 }  // namespace flytri::session

@@ -1,4 +1,4 @@
-/// @file  Writes what the window shows to files.
+/// @file  Exports what the window shows.
 #pragma once
 
 #include <cstdint>

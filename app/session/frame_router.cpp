@@ -6,14 +6,14 @@
 namespace flytri::session {
 namespace {
 
-/// Between the last frame of one sensor and the first of the next: longer than any gap over which
-/// poses are interpolated.
+/// Time between the last frame of one sensor and the first of the next: longer than any gap over
+/// which poses are interpolated.
 constexpr double kBetweenSensors_s = 1.0;
 
 }  // namespace
 
 void FrameRouter::set_scan(std::shared_ptr<scan::LiveScan> scan) {
-  // The former scan may end here, which takes a moment: not under the lock.
+  // The former scan may be destroyed here. That takes a moment, so it is done without the lock.
   const std::lock_guard lock(mutex_);
   scan_.swap(scan);
 }

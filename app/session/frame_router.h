@@ -1,4 +1,4 @@
-/// @file  Hands the frames of whatever sensor runs to whatever scan is current.
+/// @file  Passes the frames of the present sensor to the current scan.
 #pragma once
 
 #include <memory>
@@ -8,15 +8,15 @@
 
 namespace flytri::session {
 
-/// Sensors begin their times and numbers anew each time they start; a scan's times and numbers must
-/// rise over all of them. Thread-safe: frames come from the capture loop.
+/// A sensor counts times and frame numbers from zero each time it starts, but in a scan they must
+/// always rise. Thread-safe: frames come from the capture loop.
 class FrameRouter {
  public:
-  /// Frames go to this scan from now on; null: they are let go.
+  /// From now on frames go to this scan. Null: they are dropped.
   void set_scan(std::shared_ptr<scan::LiveScan> scan);
-  /// A sensor starts: its first frame comes after all that were.
+  /// Call it when a sensor starts: its first frame comes after all earlier frames.
   void begin_sensor();
-  /// Continues after frames that are kept already.
+  /// Continues after the last frame of a saved scan.
   void go_on_after(FrameIndex last, double last_time_s);
 
   void offer(Frame frame);

@@ -10,13 +10,13 @@
 namespace flytri::session {
 namespace {
 
-/// A switch that takes longer than this, a period at 30 Hz, is late for the gap between exposures.
+/// A switch that takes longer than a period at 30 Hz misses the gap between exposures.
 constexpr double kSlowSwitch_s = 1.0 / 30.0;
 
 ui::DeviceFigure count(std::string label, std::int64_t value) {
   return {std::move(label), fmt::format("{}", value), false};
 }
-/// Of what should not happen.
+/// Counts something that should not happen.
 ui::DeviceFigure fault_count(std::string label, std::int64_t value) {
   return {std::move(label), fmt::format("{}", value), value > 0};
 }
@@ -77,7 +77,7 @@ ui::DeviceState lights_state(const gpio::LightWiring& wiring, const rig::RigStat
   state.name = name_of(wiring.chip, wiring.chip.label);
   state.state = to_string(counts.state);
   state.health = health_of(counts.state);
-  // That the switch says it works proves nothing: the images tell.
+  // A switch may report success without any light. Only the images show whether it works.
   const bool is_faulty = status.measurement.fault != sync::LightFault::kNone;
   if (is_faulty && state.health == ui::DeviceHealth::kFine)
     state.health = ui::DeviceHealth::kDoubtful;

@@ -1,4 +1,4 @@
-/// @file  A rig in the user's words: what its devices count and what is wrong with them.
+/// @file  Describes the devices of a rig for the window: their counts and their problems.
 #pragma once
 
 #include <string>
@@ -11,16 +11,15 @@
 
 namespace flytri::session {
 
-/// The settings that the user chose: the rig.json, with the calibration named on the command line
-/// in place of its own.
+/// The settings in rig.json. A calibration given on the command line replaces the one named there.
 /// @errors  As read_rig.
 [[nodiscard]] Result<rig::RigSettings> chosen_rig(const SourceChoice& choice);
 
-/// Looks at the devices of this machine; takes a moment where one does not answer.
-/// @return  what keeps the rig from running, each with its remedy; empty: nothing that can be told
+/// Checks the devices of this computer. Takes a moment if one does not answer.
+/// @return  the problems that keep the rig from running, each with its remedy; empty: none found
 [[nodiscard]] std::vector<std::string> check_chosen_rig(const SourceChoice& choice);
 
-/// A card for each device of the rig; problems are the caller's.
+/// The state of each device of the rig. The caller adds the problems.
 [[nodiscard]] std::vector<ui::DeviceState> device_states(const rig::RigSettings& rig,
                                                          const rig::RigStatus& status);
 

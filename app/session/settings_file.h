@@ -1,4 +1,4 @@
-/// @file  The user's settings on disk.
+/// @file  Reads and writes the user's settings.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace flytri::session {
 
-/// A file that is missing or damaged gives the defaults: settings are never worth a failure.
+/// If the file is missing or damaged, returns the defaults.
 [[nodiscard]] ui::Settings read_settings(const std::filesystem::path& file);
 
 /// @errors  As create_folder and write_file.

@@ -15,7 +15,7 @@
 namespace flytri::session {
 namespace {
 
-/// Seconds that the simulated hand takes for its path over the jaw: a calm hand's pace.
+/// Time in which the simulated hand moves over the jaw: the pace of a calm hand.
 constexpr double kPathDuration_s = 60.0;
 
 Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& workers) {
@@ -28,7 +28,7 @@ Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& w
 Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
   if (choice.calibration) {
     return fail(ErrorCode::kBadOption,
-                "--calibration goes with --recording or --rig: the virtual sensor has its own");
+                "--calibration needs --recording or --rig: the virtual sensor has its own calibration");
   }
   const Workers workers;
   const Result<TriangleMesh> mesh = object_to_scan(choice, workers);
@@ -58,7 +58,7 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
     return fail(ErrorCode::kBadOption,
-                "{}: names no calibration; give one with --calibration FILE (made by flytri "
+                "{}: names no calibration; give one with --calibration FILE (made with flytri "
                 "calibrate)",
                 (*choice.recording / "recording.json").string());
   }
@@ -73,8 +73,8 @@ Result<Source> open_rig_source(const SourceChoice& choice) {
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
     return fail(ErrorCode::kBadOption,
-                "{}: names no \"calibration\"; make one here (C) or with flytri calibrate "
-                "--live, and name it there or with --calibration FILE",
+                "{}: names no \"calibration\"; calibrate here (C) or with flytri calibrate --live, "
+                "and name the file in rig.json or with --calibration FILE",
                 choice.rig->string());
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),

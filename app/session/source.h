@@ -1,4 +1,4 @@
-/// @file  Opens what the frames of a session come from.
+/// @file  Opens the source of a session's frames.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@
 
 namespace flytri::session {
 
-/// What the user chose.
+/// The source that the user chose.
 struct SourceChoice {
-  std::optional<std::filesystem::path> recording;  ///< a folder to be replayed
+  std::optional<std::filesystem::path> recording;  ///< a folder to replay
   std::optional<std::filesystem::path> rig;        ///< a rig.json: real devices
   std::optional<std::filesystem::path>
-      calibration;                            ///< instead of the one that recording or rig names
-  double replay_speed = 1.0;                  ///< > 0; 0: as fast as the frames are taken
-  std::optional<std::filesystem::path> mesh;  ///< what the virtual sensor scans
-  std::optional<std::uint64_t> fault_seed;    ///< for tests: the source fails now and then
+      calibration;                            ///< replaces the one that the recording or rig names
+  double replay_speed = 1.0;                  ///< > 0; 0: as fast as possible
+  std::optional<std::filesystem::path> mesh;  ///< the object that the virtual sensor scans
+  std::optional<std::uint64_t> fault_seed;    ///< for tests: makes the source fail now and then
 };
 
-/// The rig behind a source of devices.
+/// The rig of a source with devices.
 struct RigSource {
   std::shared_ptr<rig::RigSensor> sensor;
   rig::RigSettings settings;
@@ -41,8 +41,8 @@ struct Source {
   std::optional<RigSource> rig;
 };
 
-/// Takes seconds the first time the virtual sensor is used: it is calibrated then.
-/// @errors  Of the recording, the rig, the calibration or the mesh; kCancelled.
+/// The first use of the virtual sensor takes seconds, because it is calibrated then.
+/// @errors  As for reading the recording, the rig, the calibration or the mesh; kCancelled.
 [[nodiscard]] Result<Source> open_source(const SourceChoice& choice, const Progress& progress);
 
 }  // namespace flytri::session

@@ -13,7 +13,7 @@ fs::path home() {
   return home != nullptr && *home != '\0' ? fs::path(home) : fs::temp_directory_path();
 }
 
-/// The specification asks for relative paths to be ignored.
+/// The specification demands that relative paths are ignored.
 fs::path base(const char* variable, const char* fallback) {
   const char* value = std::getenv(variable);
   if (value != nullptr && fs::path(value).is_absolute()) return value;

@@ -1,4 +1,4 @@
-/// @file  Where a program keeps what belongs to its user.
+/// @file  The folders for the user's files.
 /// @source  XDG Base Directory Specification, 0.8.
 #pragma once
 
@@ -7,8 +7,8 @@
 namespace flytri::session {
 
 [[nodiscard]] std::filesystem::path config_folder();     ///< settings
-[[nodiscard]] std::filesystem::path cache_folder();      ///< what can be made again
+[[nodiscard]] std::filesystem::path cache_folder();      ///< files that can be computed again
 [[nodiscard]] std::filesystem::path data_folder();       ///< cases
-[[nodiscard]] std::filesystem::path documents_folder();  ///< what the user takes elsewhere
+[[nodiscard]] std::filesystem::path documents_folder();  ///< exported files
 
 }  // namespace flytri::session

@@ -48,9 +48,8 @@ struct LiveSurfaceOptions {
 /// this mean along the normal. The noise of a view's points in a cell is correlated, that of
 /// different views is not, as in the reduction; how far the views disagree is left to that. The
 /// normal is the direction least along all profiles nearby, as in crossing_normals.
-/// @source  Arold et al., "Data Reduction" and "Calculation of Normals", which leave doing so
-/// during
-///          the scan open.
+/// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
+/// reduction during the scan to future work.
 class LiveSurface {
  public:
   /// @errors  kBadOption.

@@ -1,4 +1,4 @@
-/// @file  Optimizes all poses of a growing scan together, beside it.
+/// @file  Optimizes all poses of a growing scan together, in the background.
 #pragma once
 
 #include <functional>
@@ -10,37 +10,37 @@
 
 namespace flytri::scan {
 
-/// Of the thread that owns the scan, but for cancel().
+/// Used by the thread that owns the scan; cancel() may be called from any thread.
 class BackgroundRefinement {
  public:
   struct Options {
     refinement::JointRefineOptions refinement;
-    double growth = 1.3;  ///< > 1, of the views since the last one began
-    int min_views = 60;   ///< >= 2
+    double growth = 1.3;  ///< > 1, growth of the view count since the last run began
+    int min_views = 60;   ///< >= 2, no run with fewer views
   };
-  /// Has the owner's thread do something.
+  /// Lets the owner's thread call a function.
   using Ask = std::function<void(std::function<void()>)>;
-  /// Gets the views with their new poses, on the owner's thread.
+  /// Called on the owner's thread with the views and their new poses.
   using Take = std::function<void(const std::vector<AlignedView>&)>;
 
   /// @param background  must outlive this
   BackgroundRefinement(const Options& options, TaskThread& background, Ask ask, Take take)
       : options_(options), background_(background), ask_(std::move(ask)), take_(std::move(take)) {}
 
-  /// Begins where none runs and the scan has grown enough.
-  /// @param view_count  of the scan
-  /// @param collect     called for its views only then
+  /// Begins a run if none is running and the scan has grown enough.
+  /// @param view_count  views of the scan
+  /// @param collect     returns these views; called only if a run begins
   void run_if_grown(std::size_t view_count,
                     const std::function<std::vector<AlignedView>()>& collect) {
     run_if_more(view_count, options_.growth, collect);
   }
-  /// The same wherever the scan has grown at all: the hand rests.
+  /// Begins a run if the scan has grown at all: for a scan that is paused.
   void run_if_new(std::size_t view_count,
                   const std::function<std::vector<AlignedView>()>& collect) {
     run_if_more(view_count, 1.0, collect);
   }
   [[nodiscard]] bool is_running() const { return is_running_; }
-  /// Ends the one that runs, and all that would follow. From any thread.
+  /// Cancels the present run and all later ones.
   void cancel() const { progress_.cancel(); }
 
  private:
@@ -52,7 +52,7 @@ class BackgroundRefinement {
   const Ask ask_;
   const Take take_;
   Progress progress_;
-  std::size_t refined_count_ = 0;  ///< views when the last one began
+  std::size_t refined_count_ = 0;  ///< views when the last run began
   bool is_running_ = false;
 };
 

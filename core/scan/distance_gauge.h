@@ -1,4 +1,4 @@
-/// @file  How far the sensor is from the surface, view by view.
+/// @file  Measures how far the sensor is from the surface, view by view.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class DistanceGauge {
 
  private:
   double volume_depth_mm_;
-  std::size_t most_points_ = 0;  ///< of a view so far
+  std::size_t most_points_ = 0;  ///< the most of any view so far
 };
 
 }  // namespace flytri::scan

@@ -5,8 +5,26 @@
 #include "core/base/free_memory.h"
 
 namespace flytri::scan {
+namespace {
 
-void FinishingThread::expect_run() {
+/// Registers what could not be registered during the scan, then lists all registered views.
+reconstruct::ScannedViews collect(FinishingInput& input, const Progress& progress) {
+  reconstruct::ScannedViews scanned;
+  progress.begin_stage("Registering what was lost");
+  for (const tracking::RegisteredView& view :
+       input.registrar->finish(tracking::Registrar::World::kUnchanged, progress)) {
+    if (view.fate == tracking::ViewFate::kRejected || view.view->profiles.empty()) continue;
+    scanned.views.push_back({view.view, view.T_world_sensor});
+  }
+  scanned.texture_frames = std::move(input.texture_frames);
+  scanned.edits = input.edits;
+  scanned.calibration = input.calibration.get();
+  return scanned;
+}
+
+}  // namespace
+
+void FinishingThread::announce_run() {
   const std::lock_guard lock(mutex_);
   progress_ = Progress();
   step_.clear();
@@ -17,19 +35,21 @@ Progress FinishingThread::progress() const {
   return progress_;
 }
 
-void FinishingThread::run(Collect collect, Done done) {
-  thread_.post([this, collect = std::move(collect), done = std::move(done)] {
+void FinishingThread::run(FinishingInput input, Done done) {
+  // A std::function must be copyable, and the input is not.
+  auto shared = std::make_shared<FinishingInput>(std::move(input));
+  thread_.post([this, shared = std::move(shared), done = std::move(done)] {
     const Progress progress = this->progress();
     StageClock clock(now_s_);
-    Result<reconstruct::FinishedScan> finished =
-        reconstruct::finish_scan(collect(progress), options_, Workers(), progress, clock);
+    Result<reconstruct::FinishedScan> finished = reconstruct::finish_scan(
+        collect(*shared, progress), options_, Workers(), progress, clock);
     release_free_memory();
-    done(std::move(finished));
+    done({std::move(shared->registrar), std::move(finished)});
   });
 }
 
 FinishingState FinishingThread::state() {
-  constexpr double kTelling = 0.05;  // an earlier guess would jump about
+  constexpr double kMinFraction = 0.05;  // before that, the estimate would jump
   const std::lock_guard lock(mutex_);
   const Progress::Snapshot step = progress_.snapshot();
   if (step.stage != step_) {
@@ -38,7 +58,7 @@ FinishingState FinishingThread::state() {
   }
   const double spent_s = now_s_() - step_since_s_;
   const double remaining_s =
-      step.fraction > kTelling ? spent_s * (1.0 - step.fraction) / step.fraction : -1.0;
+      step.fraction > kMinFraction ? spent_s * (1.0 - step.fraction) / step.fraction : -1.0;
   return {step, remaining_s};
 }
 

@@ -1,32 +1,47 @@
-/// @file  Makes the result of a scan beside it, one at a time, and tells how far it is.
+/// @file  Makes the finished model of a scan on its own thread, and reports the progress.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "core/base/task_thread.h"
 #include "core/reconstruct/finish_scan.h"
 #include "core/scan/scan_snapshot.h"
+#include "core/tracking/registrar.h"
 
 namespace flytri::scan {
 
-/// Thread-safe.
+/// What finishing needs. The scan moves it here, so that no other thread can use it meanwhile.
+struct FinishingInput {
+  std::unique_ptr<tracking::Registrar> registrar;
+  std::vector<Frame> texture_frames;
+  editing::EditList edits;
+  std::shared_ptr<const calibration::Calibration> calibration;
+};
+
+struct FinishingOutput {
+  std::unique_ptr<tracking::Registrar> registrar;  ///< the one of the input
+  Result<reconstruct::FinishedScan> finished;
+};
+
+/// Thread-safe. The caller starts the next run only after the last one is done.
 class FinishingThread {
  public:
-  /// What is to be finished, told when the thread comes to it.
-  using Collect = std::function<reconstruct::ScannedViews(const Progress&)>;
-  /// Gets what came of it, on the thread.
-  using Done = std::function<void(Result<reconstruct::FinishedScan>)>;
+  /// Called on this thread with the output.
+  using Done = std::function<void(FinishingOutput)>;
 
   FinishingThread(const reconstruct::FinishOptions& options, std::function<double()> now_s)
       : options_(options), now_s_(std::move(now_s)) {}
 
-  /// A cancel() from now on is for the next run.
-  void expect_run();
-  void run(Collect collect, Done done);
+  /// Announces a run. From now on cancel() cancels it, even before run() is called.
+  void announce_run();
+  void run(FinishingInput input, Done done);
   void cancel() const { progress().cancel(); }
-  /// Of the latest run. The time that is left is guessed from what a step took so far.
+  /// Progress of the latest run. The remaining time is estimated from the time that the current
+  /// step has taken so far.
   [[nodiscard]] FinishingState state();
   [[nodiscard]] std::size_t pending() const { return thread_.pending(); }
   void stop();
@@ -38,7 +53,7 @@ class FinishingThread {
   const std::function<double()> now_s_;
   mutable std::mutex mutex_;
   Progress progress_;
-  std::string step_;  ///< that state() told of last
+  std::string step_;  ///< the step that state() saw last
   double step_since_s_ = 0.0;
   TaskThread thread_;  ///< destroyed first
 };

@@ -1,4 +1,4 @@
-/// @file  Counts what became of every frame, exactly once each.
+/// @file  Counts the fate of each frame exactly once.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace flytri::scan {
 
-/// Frames are told apart by their time.
+/// Frames are identified by their time.
 class FrameCounter {
  public:
   void previewed() { ++counts_.previewed; }
@@ -20,7 +20,7 @@ class FrameCounter {
     ++counts_.rejected[reason];
     reasons_[time_s] = reason;
   }
-  /// A view that was rejected when it came has found its place since.
+  /// A view that was rejected at first is registered now.
   void found(double time_s) {
     const auto known = reasons_.find(time_s);
     if (known == reasons_.end()) return;
@@ -29,7 +29,7 @@ class FrameCounter {
     ++counts_.registered;
   }
 
-  /// @param offered  frames so far; those without a fate are pending
+  /// @param offered  frames so far; frames without a fate count as pending
   [[nodiscard]] FrameCounts counts(std::int64_t offered) const {
     FrameCounts counts = counts_;
     counts.offered = offered;

@@ -1,5 +1,5 @@
-/// @file  Between the sensor and the workers: frames come in without ever waiting, measured frames
-/// go out in the order they came.
+/// @file  The queue between the sensor and the measuring threads. Frames come in without waiting;
+/// measured frames go out in the same order.
 #pragma once
 
 #include <condition_variable>
@@ -13,40 +13,41 @@
 
 namespace flytri::scan {
 
-/// What became of an offered frame.
+/// A frame and what was measured in it.
 struct IntakeResult {
   Frame frame;
   double offered_at_s = 0.0;
-  bool skipped = false;  ///< no worker got to it in time: nothing was measured
+  bool skipped = false;  ///< no thread was free in time: nothing was measured
   Result<measurement::MeasuredView> measured;
 };
 
-/// A bounded queue. When it is full, the oldest frame that no worker has begun is given up; so load
-/// costs views, never time. Thread-safe.
+/// A bounded queue. When it is full, it skips the oldest frame that no thread has taken yet. So a
+/// high load costs views, but the delay does not grow. Thread-safe.
 class FrameIntake {
  public:
-  /// A frame that a worker is to measure.
+  /// A frame to measure.
   struct Task {
     std::uint64_t number = 0;
     Frame frame;
   };
 
-  /// @param capacity  >= 1, frames that may wait, be measured, or wait for those before them
+  /// @param capacity  >= 1, frames that may wait to be measured, are being measured, or wait for
+  ///                  earlier frames
   explicit FrameIntake(std::size_t capacity) : capacity_(capacity) {}
 
   /// Never blocks.
   void offer(Frame frame, double now_s);
-  /// The next frame to be measured; waits for one. None: the intake was closed.
+  /// Waits for the next frame to measure. None: the intake was closed.
   [[nodiscard]] std::optional<Task> take();
   void deliver(std::uint64_t number, Result<measurement::MeasuredView> measured);
 
-  /// The next result in order; waits for it. None: someone called wake() or close().
+  /// Waits for the next result in order. None: wake() or close() was called.
   [[nodiscard]] std::optional<IntakeResult> next();
-  /// Measured frames that wait behind the next one: how late the caller of next() is.
+  /// Measured frames that are waiting for next(): how late its caller is.
   [[nodiscard]] std::size_t backlog() const;
-  /// Lets a waiting next() return, so that its thread can see to something else.
+  /// Lets a waiting next() return, so that its thread can do something else.
   void wake();
-  /// Ends all waiting, for good.
+  /// Ends all waiting. The intake takes no more frames.
   void close();
 
  private:
@@ -62,7 +63,7 @@ class FrameIntake {
   mutable std::mutex mutex_;
   std::condition_variable has_task_, has_result_;
   std::deque<Slot> slots_;      ///< by rising number
-  std::size_t unfinished_ = 0;  ///< slots that are not yet given up or delivered
+  std::size_t unfinished_ = 0;  ///< slots that are neither skipped nor delivered yet
   std::uint64_t next_number_ = 0;
   bool woken_ = false;
   bool closed_ = false;

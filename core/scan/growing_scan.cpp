@@ -6,14 +6,14 @@
 namespace flytri::scan {
 namespace {
 
-/// Re-entry places that are offered.
+/// Number of re-entry places to propose.
 constexpr std::size_t kReentryPlaces = 5;
-/// Pictures of re-entry places are this far apart, as a share of the volume's half diagonal.
+/// Distance between the pictures of re-entry places, as a share of the volume's half diagonal.
 constexpr double kPictureShare = 0.25;
-/// Tasks that may wait for the model before further views are handed over together.
+/// With more tasks waiting for the model, further views are handed over together.
 constexpr std::size_t kModelTasks = 4;
-/// While the hand scans, better poses wait until they move the surface by so much of a cell: to
-/// build it anew takes as long as to build it once, and less is not seen.
+/// During a scan the model is rebuilt with better poses only if these move the surface by more than
+/// this share of a cell. Less is not visible, and a rebuild takes as long as the first build.
 constexpr double kToleratedCells = 0.2;
 
 double half_diagonal_mm(const calibration::Calibration& calibration) {
@@ -28,7 +28,7 @@ GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibra
     : calibration_(std::move(calibration)),
       options_(options),
       ask_(std::move(ask)),
-      registrar_(std::move(registrar)),
+      registrar_(std::make_unique<tracking::Registrar>(std::move(registrar))),
       pictures_(kPictureShare * half_diagonal_mm(*calibration_), half_diagonal_mm(*calibration_)),
       distance_(calibration_->volume.size_mm.z()),
       journal_(options.journal, options.now_s),
@@ -90,7 +90,7 @@ void GrowingScan::take_texture(const Frame& frame) {
   const ImageSize size{frame.image.cols, frame.image.rows};
   if (!(size == calibration_->texture_size) || frame.image.type() != CV_8UC3) {
     return frame_counter_.rejected(frame.time_s,
-                                   "texture frame of another size than the calibration's");
+                                   "texture frame and calibration have different image sizes");
   }
   frame_counter_.textured();
   auto shown = std::make_shared<LiveFrame>();
@@ -101,7 +101,6 @@ void GrowingScan::take_texture(const Frame& frame) {
   model_.add_texture(frame);
 }
 
-/// A frame that was measured, whatever came of it.
 void GrowingScan::take_view(const IntakeResult& result, bool is_late) {
   const double time_s = result.frame.time_s;
   if (!result.measured || result.measured->outcome != measurement::MeasureOutcome::kMeasured) {
@@ -114,14 +113,14 @@ void GrowingScan::take_view(const IntakeResult& result, bool is_late) {
   auto view = std::make_shared<const View>(result.measured->view);
   show_frame(result, view);
   if (!is_scanning(phase_)) return frame_counter_.previewed();
-  journal([view](ScanJournal& journal) { journal.keep_view(*view); });
+  journal_view(view);
   register_view(result, view, is_late);
 }
 
 void GrowingScan::register_view(const IntakeResult& result, const std::shared_ptr<const View>& view,
                                 bool is_late) {
   const tracking::RegisteredView registered =
-      is_late ? registrar_.skip(view) : registrar_.add(view);
+      is_late ? registrar_->skip(view) : registrar_->add(view);
   switch (registered.fate) {
     case tracking::ViewFate::kRegistered:
       missed_in_a_row_ = 0;
@@ -140,7 +139,7 @@ void GrowingScan::register_view(const IntakeResult& result, const std::shared_pt
       missed(view->time_s, std::string(to_string(registered.reason)));
       break;
   }
-  board_.update([&](ScanSnapshot& s) { s.match_share = registrar_.entry_share(); });
+  board_.update([&](ScanSnapshot& s) { s.match_share = registrar_->entry_share(); });
   hand_over_growth(result.offered_at_s);
 }
 
@@ -165,7 +164,7 @@ void GrowingScan::show_frame(const IntakeResult& result, std::shared_ptr<const V
 }
 
 void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
-  const tracking::ScanGrowth growth = registrar_.take_growth();
+  const tracking::ScanGrowth growth = registrar_->take_growth();
   for (const AlignedView& view : growth.added) frame_counter_.found(view.view->time_s);
   known_views_ = growth.is_all ? growth.added.size() : known_views_ + growth.added.size();
   if (growth.is_all) {
@@ -175,6 +174,8 @@ void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
     if (offered_at_s) waiting_.offered_at_s.push_back(*offered_at_s);
   }
   if (!growth.added.empty()) {
+    // A journal that came later lacks the views that were lost at that time.
+    for (const AlignedView& view : growth.added) journal_view(view.view);
     journal([views = growth.added](ScanJournal& journal) { journal.keep_poses(views); });
   }
   if (waiting_.views.empty()) return;
@@ -190,7 +191,7 @@ void GrowingScan::hand_over_waiting() {
   model_.add(std::move(waiting.views), std::move(waiting.offered_at_s));
 }
 
-/// As soon as the model has done what it was given: no further view may come.
+/// Hands over when the model's thread is done, in case no further view comes.
 void GrowingScan::hand_over_later() {
   if (std::exchange(is_model_asked_, true)) return;
   model_.when_done([this] {
@@ -201,21 +202,22 @@ void GrowingScan::hand_over_later() {
   });
 }
 
-/// Lets go of views that told nothing new, some at a time, and not before the hand has left them.
+/// Retires redundant views, many at a time, once the hand has moved on.
 void GrowingScan::retire_past() {
   constexpr double kPast_s = 3.0;
   constexpr std::size_t kAtOnce = 100;
   if (redundant_s_.size() < kAtOnce || redundant_s_[kAtOnce - 1] > last_time_s_ - kPast_s) return;
-  registrar_.retire(std::span(redundant_s_).first(kAtOnce));
+  registrar_->retire(std::span(redundant_s_).first(kAtOnce));
   redundant_s_.erase(redundant_s_.begin(), redundant_s_.begin() + kAtOnce);
 }
 
 void GrowingScan::restore(const KeptScan& kept) {
-  registrar_.restore(kept.views);
+  registrar_->restore(kept.views);
   edits_ = kept.edits;
   known_views_ = kept.views.size();
+  for (const AlignedView& view : kept.views) journaled_.insert(view.view->frame);
   if (!kept.views.empty()) last_time_s_ = kept.views.back().view->time_s;
-  [[maybe_unused]] const tracking::ScanGrowth known = registrar_.take_growth();
+  [[maybe_unused]] const tracking::ScanGrowth known = registrar_->take_growth();
   model_.restore(kept.views, kept.texture_frames, kept.edits.state());
   show_edits();
   if (kept.result == nullptr) return model_.look_for_holes();
@@ -241,12 +243,12 @@ void GrowingScan::step(ScanEvent event) {
       s.chosen_reentry = 0;
     }
   });
-  if (next != ScanPhase::kContinuation) registrar_.expect_entry_at(std::nullopt);
+  if (next != ScanPhase::kContinuation) registrar_->expect_entry_at(std::nullopt);
 }
 
 void GrowingScan::show_reentry() {
   std::vector<ReentryPlace> places;
-  for (const tracking::ReentryProposal& proposal : registrar_.proposals(kReentryPlaces)) {
+  for (const tracking::ReentryProposal& proposal : registrar_->proposals(kReentryPlaces)) {
     places.push_back({proposal.first, proposal.second, proposal.point_count,
                       pictures_.nearest(proposal.second.T_world_sensor)});
   }
@@ -260,22 +262,27 @@ void GrowingScan::show_reentry() {
 void GrowingScan::choose_reentry(std::size_t index) {
   const auto now = board_.snapshot();
   if (phase_ != ScanPhase::kContinuation || index >= now->reentry.size()) return;
-  registrar_.expect_entry_at(now->reentry[index].second.T_world_sensor);
+  registrar_->expect_entry_at(now->reentry[index].second.T_world_sensor);
   board_.update([&](ScanSnapshot& s) { s.chosen_reentry = index; });
 }
 
+void GrowingScan::journal_view(const std::shared_ptr<const View>& view) {
+  if (!journaled_.insert(view->frame).second) return;
+  journal([view](ScanJournal& journal) { journal.keep_view(*view); });
+}
+
 void GrowingScan::pause() {
+  if (!accepts(phase_, ScanEvent::kPause, has_model())) return;
   step(ScanEvent::kPause);
   hand_over_waiting();
   refinement_.run_if_new(known_views_, [this] { return aligned_views(); });
-  // What was tolerated while the hand scanned is not where it rests. An optimization ends with
-  // that, too.
+  // A paused model shows the best poses. A running optimization will do the same at its end.
   if (!refinement_.is_running()) model_.follow(aligned_views(), edits_.state(), 0.0);
   model_.look_for_holes();
 }
 
 void GrowingScan::edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs) {
-  if (phase_ == ScanPhase::kFinishing || dabs.empty()) return;
+  if (!accepts(phase_, ScanEvent::kEdit, has_model()) || dabs.empty()) return;
   edits_.push({kind, last_time_s_, std::move(dabs)});
   step(ScanEvent::kEdit);
   show_edits();
@@ -283,7 +290,7 @@ void GrowingScan::edit(editing::EditKind kind, std::vector<editing::BrushDab> da
 }
 
 void GrowingScan::change_edits(void (editing::EditStack::*change)()) {
-  if (phase_ == ScanPhase::kFinishing) return;
+  if (!accepts(phase_, ScanEvent::kEdit, has_model())) return;
   const editing::EditList before = edits_.state();
   (edits_.*change)();
   if (edits_.state() == before) return;
@@ -301,57 +308,48 @@ void GrowingScan::show_edits() {
   journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
 }
 
-/// Makes the model anew from all views, those that waited for it among them.
+/// Rebuilds the model from all views, including those that were waiting for it.
 void GrowingScan::rebuild(bool is_other) {
   waiting_ = {};
   model_.build_anew(aligned_views(), edits_.state(), is_other);
 }
 
 void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
-  // A model that is built anew has all views: one that came later would be in it twice.
+  // A rebuilt model contains all views: views handed over after it would be in it twice.
   hand_over_waiting();
-  registrar_.apply(refined);
+  registrar_->apply(refined);
   const std::vector<AlignedView> views = aligned_views();
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });
   model_.follow(views, edits_.state(), is_scanning(phase_) ? kToleratedCells : 0.0);
 }
 
 void GrowingScan::finish() {
-  if (next_phase(phase_, ScanEvent::kFinish, has_model()) != ScanPhase::kFinishing) return;
-  finishing_.expect_run();
+  if (!accepts(phase_, ScanEvent::kFinish, has_model())) return;
+  finishing_.announce_run();
   step(ScanEvent::kFinish);
   board_.update([](ScanSnapshot& s) { s.failure.clear(); });
-  model_.with_textures([this](const std::vector<PlacedTexture>& placed) {
-    std::vector<Frame> textures;
-    textures.reserve(placed.size());
-    for (const PlacedTexture& texture : placed) textures.push_back(texture.frame);
-    finishing_.run(
-        [this, textures](const Progress& progress) { return collect(textures, progress); },
-        [this](Result<reconstruct::FinishedScan> finished) {
-          auto result = std::make_shared<Result<reconstruct::FinishedScan>>(std::move(finished));
-          ask_([this, result] { take_result(std::move(*result)); });
-        });
+  views_before_finishing_ = registrar_->aligned_views();
+  // A std::function must be copyable, and the input is not.
+  auto input = std::make_shared<FinishingInput>(
+      FinishingInput{std::move(registrar_), {}, edits_.state(), calibration_});
+  model_.with_textures([this, input](const std::vector<PlacedTexture>& placed) {
+    for (const PlacedTexture& texture : placed) input->texture_frames.push_back(texture.frame);
+    finishing_.run(std::move(*input), [this](FinishingOutput output) {
+      auto shared = std::make_shared<FinishingOutput>(std::move(output));
+      ask_([this, shared] { take_output(std::move(*shared)); });
+    });
   });
 }
 
-reconstruct::ScannedViews GrowingScan::collect(std::vector<Frame> textures,
-                                               const Progress& progress) {
-  reconstruct::ScannedViews scanned;
-  progress.begin_stage("Registering what was lost");
-  for (const tracking::RegisteredView& view :
-       registrar_.finish(tracking::Registrar::World::kUnchanged, progress)) {
-    if (view.fate == tracking::ViewFate::kRejected || view.view->profiles.empty()) continue;
-    scanned.views.push_back({view.view, view.T_world_sensor});
-  }
-  scanned.texture_frames = std::move(textures);
-  scanned.edits = edits_.state();
-  scanned.calibration = calibration_.get();
-  return scanned;
+void GrowingScan::take_output(FinishingOutput output) {
+  registrar_ = std::move(output.registrar);
+  views_before_finishing_.clear();
+  hand_over_growth(std::nullopt);
+  take_result(std::move(output.finished));
 }
 
 void GrowingScan::take_result(Result<reconstruct::FinishedScan> finished) {
-  hand_over_growth(std::nullopt);
-  // Pieces that were on their own have joined.
+  // Finishing may have joined submaps to the scan.
   board_.update([&](ScanSnapshot& s) { s.counts = frame_counter_.counts(offered_); });
   if (!finished) {
     const bool cancelled = finished.error().code == ErrorCode::kCancelled;
@@ -370,18 +368,25 @@ void GrowingScan::take_result(Result<reconstruct::FinishedScan> finished) {
 void GrowingScan::keep_in(std::shared_ptr<ScanJournal> to) {
   journal_.change(std::move(to));
   const std::vector<AlignedView> views = aligned_views();
-  for (const AlignedView& view : views) {
-    journal([view](ScanJournal& journal) { journal.keep_view(*view.view); });
-  }
-  journal([views](ScanJournal& journal) { journal.keep_poses(views); });
-  journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
-  if (const auto result = board_.snapshot()->result) {
-    journal([result](ScanJournal& journal) { journal.keep_result(*result); });
-  }
-  model_.with_textures([this](const std::vector<PlacedTexture>& all) {
-    for (const PlacedTexture& placed : all) {
-      journal([frame = placed.frame](ScanJournal& journal) { journal.keep_texture(frame); });
+  journaled_.clear();
+  for (const AlignedView& view : views) journaled_.insert(view.view->frame);
+  // One entry, so that a long scan does not fill the journal's queue.
+  journal([views, edits = edits_, result = board_.snapshot()->result](ScanJournal& journal) {
+    constexpr std::size_t kViewsPerCommit = 100;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      journal.keep_view(*views[i].view);
+      if (i % kViewsPerCommit == kViewsPerCommit - 1) journal.commit();
     }
+    journal.keep_poses(views);
+    journal.keep_edits(edits);
+    if (result != nullptr) journal.keep_result(*result);
+  });
+  model_.with_textures([this](const std::vector<PlacedTexture>& all) {
+    std::vector<Frame> frames;
+    for (const PlacedTexture& placed : all) frames.push_back(placed.frame);
+    journal([frames = std::move(frames)](ScanJournal& journal) {
+      for (const Frame& frame : frames) journal.keep_texture(frame);
+    });
   });
 }
 

@@ -1,6 +1,8 @@
-/// @file  A scan that grows: what becomes of each frame, the phases, edits, and the finish. One
-/// thread owns it; what takes long is done beside that by threads of its own.
+/// @file  A growing scan: the fate of each frame, the phases, the edits and the finishing. One
+/// thread owns it; long work runs on threads of its own.
 #pragma once
+
+#include <set>
 
 #include "core/base/task_thread.h"
 #include "core/scan/background_refinement.h"
@@ -17,20 +19,20 @@
 
 namespace flytri::scan {
 
-/// Of the thread that owns it, but for what is said to be for any thread.
+/// Used by the thread that owns it, except for the functions marked "for any thread".
 class GrowingScan {
  public:
-  /// Has the owner's thread do something; may be called from any thread.
+  /// Lets the owner's thread call a function. May be called from any thread.
   using Ask = std::function<void(std::function<void()>)>;
 
   GrowingScan(std::shared_ptr<const calibration::Calibration> calibration,
               const LiveScanOptions& options, tracking::Registrar registrar, LiveModel model,
               const KeptScan& kept, Ask ask);
 
-  /// What the sensor has done since.
+  /// What else has arrived from the sensor.
   struct Arrivals {
     std::int64_t offered = 0;  ///< frames so far
-    bool is_late = false;      ///< views wait: this one is not worth a registration
+    bool is_late = false;      ///< views are waiting: interpolate this one instead of registering it
   };
   void take(const IntakeResult& result, const Arrivals& arrivals);
 
@@ -45,18 +47,19 @@ class GrowingScan {
   // For any thread.
   [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot();
   void cancel_finish() const { finishing_.cancel(); }
-  /// Tasks of its threads that wait or run.
+  /// Tasks that are waiting or running on its threads.
   [[nodiscard]] std::size_t pending() const;
-  /// Has what takes long end soon.
+  /// Cancels all long work.
   void cancel_all() const;
-  /// Ends its threads; what the journal was given is written. The owner's thread has ended.
+  /// Writes the rest of the journal and ends all threads. Call it after the owner's thread has
+  /// ended.
   void stop();
 
  private:
-  /// What the model is to be given once it has less to do.
+  /// Views for the model, collected while the model's thread is busy.
   struct Waiting {
     std::vector<AlignedView> views;
-    std::vector<double> offered_at_s;  ///< when the frames came that made the scan grow so
+    std::vector<double> offered_at_s;  ///< when their frames were offered
   };
   void take_texture(const Frame& frame);
   void take_view(const IntakeResult& result, bool is_late);
@@ -73,38 +76,40 @@ class GrowingScan {
   void show_edits();
   void take_refined(const std::vector<AlignedView>& refined);
   void retire_past();
+  void take_output(FinishingOutput output);
   void take_result(Result<reconstruct::FinishedScan> finished);
   void rebuild(bool is_other);
   void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }
+  void journal_view(const std::shared_ptr<const View>& view);
   [[nodiscard]] bool has_model() const { return known_views_ > 0; }
+  /// While finishing: as they were when it began.
   [[nodiscard]] std::vector<AlignedView> aligned_views() const {
-    return registrar_.aligned_views();
+    return registrar_ != nullptr ? registrar_->aligned_views() : views_before_finishing_;
   }
-
-  // Finishing thread, which has the registrar to itself while it finishes.
-  [[nodiscard]] reconstruct::ScannedViews collect(std::vector<Frame> textures,
-                                                  const Progress& progress);
 
   const std::shared_ptr<const calibration::Calibration> calibration_;
   const LiveScanOptions options_;
   const Ask ask_;
   SnapshotBoard board_;
 
-  tracking::Registrar registrar_;  ///< while finishing, the finishing thread's
+  /// Null while finishing: the finishing thread has it then.
+  std::unique_ptr<tracking::Registrar> registrar_;
+  std::vector<AlignedView> views_before_finishing_;
+  std::set<FrameIndex> journaled_;  ///< frames whose views the present journal has
   ScanPhase phase_ = ScanPhase::kPreview;
   FrameCounter frame_counter_;
   editing::EditStack edits_;
   ReentryImages pictures_;
   Waiting waiting_;
-  bool is_model_asked_ = false;      ///< to say when it has done what it was given
-  std::vector<double> redundant_s_;  ///< times of views that are to be let go
+  bool is_model_asked_ = false;      ///< the model's thread will report when it is done
+  std::vector<double> redundant_s_;  ///< times of views to retire
   std::size_t known_views_ = 0;      ///< registered
   int missed_in_a_row_ = 0;
   std::int64_t offered_ = 0;
   double last_time_s_ = 0.0, scanned_s_ = 0.0;
   DistanceGauge distance_;
 
-  // Destroyed first: nothing of the above is used by a thread that has ended.
+  // Destroyed first: these threads use the members above.
   JournalThread journal_;
   TaskThread background_thread_{TaskThread::Priority::kBackground};
   BackgroundRefinement refinement_;

@@ -7,7 +7,7 @@
 namespace flytri::scan {
 namespace {
 
-/// Views of a rebuild that are added in one go: a few milliseconds, so that new views do not wait.
+/// Views that a rebuild adds at once: a few milliseconds, so that new views need not wait.
 constexpr std::size_t kViewsAtOnce = 4;
 /// Closer to a place than this share of the volume, a texture frame is of the same place.
 constexpr double kSamePlaceShare = 0.25;
@@ -141,9 +141,9 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
     const auto T_first = trajectory_.interpolate(texture.first_s, max_gap_s_);
     if (T_first) texture.T_world_first = *T_first;
   }
-  // One that was under way for another world is taken over by this one.
+  // This rebuild replaces one for another world that is still running.
   is_other = is_other || (rebuild_ && rebuild_->is_other);
-  // The options were validated when the model was made.
+  // The options were validated when the model was created.
   rebuild_.emplace(Rebuild{*live::LiveSurface::create(options_), std::move(views), is_other});
 }
 

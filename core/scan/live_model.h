@@ -1,5 +1,5 @@
-/// @file  What the live scan shows of its surface: kept up with views, texture frames, edits and
-/// better poses. Belongs to one thread.
+/// @file  The surface that a live scan shows. It follows new views, texture frames, edits and better
+/// poses. Used by one thread.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace flytri::scan {
 
-/// A texture frame and where the sensor was.
+/// A texture frame and the pose of the sensor.
 struct PlacedTexture {
   Frame frame;
   Isometry T_world_sensor = Isometry::Identity();
@@ -29,28 +29,29 @@ class LiveModel {
  public:
   /// @param calibration  must outlive the model
   /// @param max_gap_s  longest gap over which the pose of a texture frame is interpolated
-  /// @errors  as LiveSurface.
+  /// @errors  As LiveSurface.
   [[nodiscard]] static Result<LiveModel> create(const live::LiveSurfaceOptions& options,
                                                 const calibration::Calibration& calibration,
                                                 double max_gap_s);
 
   void add(std::span<const AlignedView> views);
-  /// Colors the surface as soon as views before and after the frame are known.
+  /// Colors the surface once the views before and after the frame are known.
   void add_texture(const Frame& frame);
-  /// Takes away what new edits trim. What undone edits took comes back by rebuilding.
+  /// Removes what new edits trim. To undo edits, rebuild the model.
   void apply_edits(const editing::EditList& edits, double now_s);
 
-  /// Texture frames to come are placed by these poses of the views.
-  /// @return  how far the surface lies off by them, mm: the largest displacement of a view since
-  ///          it was added, within the measurement volume
+  /// Places later texture frames by these poses of the views.
+  /// @return  error of the surface by these poses, mm: the largest displacement of a view since it
+  ///          was added, within the measurement volume
   double follow(std::span<const AlignedView> views);
-  /// Begins anew with all views and their present poses, beside what is shown meanwhile.
-  /// @param is_other  in another world frame: what is shown does not grow any more
+  /// Begins to rebuild the surface from all views and their present poses. The old surface is shown
+  /// until the rebuild is done.
+  /// @param is_other  the views have another world frame, so the old surface cannot grow any more
   void begin_rebuild(std::vector<AlignedView> views, bool is_other);
-  /// Does a submap of that; false when there is nothing left to do.
+  /// Adds some more views of the rebuild; false when it is done.
   bool continue_rebuild();
 
-  /// Times of views added since the last call that told nothing new: they may be let go.
+  /// Times of the views added since the last call that showed nothing new: they may be retired.
   [[nodiscard]] std::vector<double> take_redundant() { return std::exchange(redundant_s_, {}); }
   [[nodiscard]] live::LiveSurface& surface() { return surface_; }
   /// Those that color the surface. Of frames from nearly the same place the best is kept: the one

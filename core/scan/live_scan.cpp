@@ -13,8 +13,8 @@
 
 namespace flytri::scan {
 
-/// Frames to the measuring threads, what they measured and the user's requests to the thread that
-/// owns the scan.
+/// Passes frames to the measuring threads, and the measured views and the user's commands to the
+/// thread that owns the scan.
 class LiveScan::Impl {
  public:
   Impl(std::shared_ptr<const calibration::Calibration> calibration, const LiveScanOptions& options,
@@ -22,7 +22,7 @@ class LiveScan::Impl {
   ~Impl();
 
   void offer(Frame frame);
-  /// Has the owning thread do something with the scan.
+  /// Lets the owning thread call a function.
   void ask(std::function<void()> request);
   [[nodiscard]] GrowingScan& scan() { return scan_; }
   void wait_until_idle();
@@ -38,7 +38,7 @@ class LiveScan::Impl {
   const LiveScanOptions options_;
   FrameIntake intake_;
   std::atomic<std::int64_t> offered_{0};
-  std::atomic<bool> is_at_work_{false};  ///< the owning thread
+  std::atomic<bool> is_at_work_{false};  ///< the owning thread is
   std::atomic<bool> stopping_{false};
   std::mutex requests_mutex_;
   std::vector<std::function<void()>> requests_;  ///< for the owning thread
@@ -127,7 +127,7 @@ bool LiveScan::Impl::is_busy() {
 }
 
 void LiveScan::Impl::wait_until_idle() {
-  // Work moves from thread to thread: idle is what stays idle.
+  // Work moves from thread to thread: all must be idle several times in a row.
   for (int quiet = 0; quiet < 3; quiet = is_busy() ? 0 : quiet + 1) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

@@ -1,5 +1,4 @@
-/// @file  A scan while it happens: frames and the user's requests go in, immutable snapshots come
-/// out.
+/// @file  A live scan: frames and the user's commands go in, immutable snapshots come out.
 #pragma once
 
 #include <functional>
@@ -24,48 +23,48 @@ struct LiveScanOptions {
   tracking::RegistrarOptions registration;
   live::LiveSurfaceOptions surface;
   reconstruct::FinishOptions finish;
-  /// How a frame becomes a view; empty: measure_view. Studies and tests hand in simulated views.
+  /// Makes a view of a frame. Empty: measure_view(). Studies and tests give simulated views.
   std::function<Result<measurement::MeasuredView>(const Frame&)> measure_frame;
-  /// >= 1. Threads that measure frames.
+  /// >= 1. Number of threads that measure frames.
   int measure_threads = 1;
-  /// >= 2. Frames that may be on their way before the oldest is given up: at 30 Hz a third of a
-  /// second.
+  /// >= 2. Frames that may wait or be measured before the oldest is skipped. At 30 Hz, 10 frames are
+  /// a third of a second.
   int max_frames_underway = 10;
-  /// >= 1. Measured views that may wait for registration before some are interpolated instead.
+  /// >= 1. With more measured views waiting, views are interpolated instead of registered.
   int max_views_waiting = 4;
   /// > 1. All poses are optimized together each time the scan has grown by this factor.
   double refine_growth = 1.3;
-  /// >= 2. Fewer views are not worth it.
+  /// >= 2. No optimization with fewer views.
   int min_refine_views = 60;
-  /// > 0. Holes are looked for at most this often, s.
+  /// > 0. Shortest time between two searches for holes, s.
   double holes_period_s = 4.0;
   /// Monotonic seconds. Must be set.
   std::function<double()> now_s;
-  /// May be null: then nothing is kept.
+  /// Null: the scan is not saved.
   std::shared_ptr<ScanJournal> journal;
 
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// What an interrupted program had kept of a scan.
+/// A saved scan that is to be continued.
 struct KeptScan {
   std::vector<AlignedView> views;     ///< by rising time, registered
   std::vector<Frame> texture_frames;  ///< by rising time
   editing::EditStack edits;
   std::shared_ptr<const reconstruct::FinishedScan>
-      result;  ///< null where the scan has changed since
+      result;  ///< null: none, or the scan has changed since
 };
 
-/// Owns its threads: some measure, one registers, one keeps the model, one optimizes beside them
-/// and looks for holes, one finishes, one keeps the journal. All members are thread-safe and none
-/// blocks.
+/// Owns its threads: some measure, one registers, one keeps the model, one optimizes and looks for
+/// holes in the background, one finishes, one writes the journal. All functions are thread-safe, and
+/// only wait_until_idle() waits. A command that does not fit the phase does nothing, see accepts().
 class LiveScan {
  public:
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::unique_ptr<LiveScan>> create(
       std::shared_ptr<const calibration::Calibration> calibration, const LiveScanOptions& options,
       const KeptScan& kept = {});
-  /// Stops all threads; what the journal was given, it is given a last commit for.
+  /// Stops all threads, and writes and commits the rest of the journal.
   ~LiveScan();
   LiveScan(const LiveScan&) = delete;
   LiveScan& operator=(const LiveScan&) = delete;
@@ -75,21 +74,20 @@ class LiveScan {
 
   void start();
   void pause();
-  /// The edit gets the time of the latest frame.
+  /// Edits the surface. The edit gets the time of the latest frame.
   void edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs);
   void undo();
   void redo();
-  /// Picks one of ScanSnapshot::reentry.
+  /// Chooses one of ScanSnapshot::reentry.
   void choose_reentry(std::size_t index);
   void finish();
   void cancel_finish();
-  /// From now on this journal keeps the scan; what was scanned before is handed to it first.
+  /// From now on the scan is saved in this journal, with all that was scanned before.
   void keep_in(std::shared_ptr<ScanJournal> journal);
 
-  /// The state now. The same object as before where nothing has changed.
+  /// The present state. The same object as before if nothing has changed.
   [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot() const;
-  /// Waits until all that was offered and asked is done; for tests and for programs without a
-  /// window.
+  /// Waits until all frames and commands are processed. For tests and for programs without a window.
   void wait_until_idle() const;
 
  private:

@@ -10,12 +10,12 @@
 namespace flytri::scan {
 namespace {
 
-/// Latest frames of which the latency is told.
+/// The latency is that of so many latest frames.
 constexpr std::size_t kLatencyFrames = 300;
-/// The model is published at most this often while more is waiting to be added to it, s.
+/// While more views are waiting, the model is published at most once in this time, s.
 constexpr double kPublishPeriod_s = 0.03;
 
-/// Then the holes are its mesh's, whatever happens to the surfels behind it.
+/// A finished scan shows the holes of its mesh, not those of the surfels.
 bool is_finished(const ScanSnapshot& scan) { return scan.phase == ScanPhase::kFinished; }
 
 }  // namespace
@@ -33,7 +33,7 @@ void ModelThread::add(std::vector<AlignedView> views, std::vector<double> offere
     has_changed_ = has_grown_since_holes_ = true;
     is_at_rest_ = false;
     publish_if_due(false);
-    // The larger the surface, the longer it takes: at most a tenth of a core.
+    // A search takes longer on a larger surface. It may use a tenth of a core.
     constexpr double kRest = 9.0;
     const double rest_s = std::max(around_.holes_period_s, kRest * holes_took_s_);
     if (around_.now_s() - holes_at_s_ > rest_s) search_holes_if_grown();
@@ -136,7 +136,7 @@ void ModelThread::publish() {
   });
 }
 
-/// Of the latest frames, with those that came at these times and are shown now; none: nothing new.
+/// Latency of the latest frames, including those shown now. None: no new frame is shown.
 std::optional<LatencyStatistics> ModelThread::latency_with(
     const std::vector<double>& shown_offers_s) {
   if (shown_offers_s.empty()) return std::nullopt;
@@ -171,7 +171,7 @@ void ModelThread::take_holes(Result<meshing::SurfaceMesh> mesh, double began_s) 
   holes_at_s_ = around_.now_s();
   holes_took_s_ = holes_at_s_ - began_s;
   std::vector<meshing::BoundaryLoop> holes;
-  // Else there are too few points for any.
+  // Without a mesh there are too few points for holes.
   if (mesh) holes = meshing::coverage_holes(std::move(mesh->boundaries));
   around_.board.update([&](ScanSnapshot& s) {
     if (is_finished(s)) return;
@@ -183,7 +183,7 @@ void ModelThread::take_holes(Result<meshing::SurfaceMesh> mesh, double began_s) 
 
 void ModelThread::show_holes(std::vector<meshing::BoundaryLoop> boundaries) {
   thread_.post([this, holes = meshing::coverage_holes(std::move(boundaries))]() mutable {
-    // Those of the surfels are to be looked for as soon as the scan is no longer finished.
+    // The surfels' holes are searched as soon as the scan is no longer finished.
     has_grown_since_holes_ = is_at_rest_ = true;
     around_.board.update([&](ScanSnapshot& s) {
       if (!is_finished(s)) return;

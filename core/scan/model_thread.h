@@ -1,4 +1,4 @@
-/// @file  Keeps the model of a live scan on a thread of its own, and publishes it.
+/// @file  Keeps the model of a live scan on its own thread, and publishes it.
 #pragma once
 
 #include <functional>
@@ -13,50 +13,51 @@
 
 namespace flytri::scan {
 
-/// What the model's thread needs of the scan around it; all must outlive it.
+/// The parts of the scan that the model's thread uses. They must outlive it.
 struct ModelSurroundings {
   SnapshotBoard& board;
-  TaskThread& background;  ///< where holes are looked for
+  TaskThread& background;  ///< runs the search for holes
   std::function<double()> now_s;
-  /// Gets the times of views that told nothing new; called on the model's thread.
+  /// Called on the model's thread with the times of views that showed nothing new.
   std::function<void(std::vector<double>)> tell_redundant;
-  double holes_period_s = 4.0;   ///< > 0, holes are looked for at most this often
-  meshing::MeshOptions meshing;  ///< of the surface whose holes are looked for
+  double holes_period_s = 4.0;   ///< > 0, shortest time between two searches
+  meshing::MeshOptions meshing;  ///< for the surface in which holes are searched
 };
 
-/// Thread-safe; nothing waits but for the queue.
+/// Thread-safe. The functions post a task and do not wait for it.
 class ModelThread {
  public:
   ModelThread(LiveModel model, ModelSurroundings around);
 
-  /// @param offered_at_s  when the frames came that made the scan grow so, for the latency
+  /// @param offered_at_s  when the frames of the views were offered, for the latency
   void add(std::vector<AlignedView> views, std::vector<double> offered_at_s);
   void add_texture(const Frame& frame);
-  /// Everything of a scan that was kept, published at once. Its holes are not looked for.
+  /// Builds and publishes a saved scan at once, without a search for holes.
   void restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames,
                editing::EditList edits);
   void edit(editing::EditList edits, double now_s);
-  /// @param is_other  the views are in another world frame than those before
+  /// Rebuilds the model.
+  /// @param is_other  the views have another world frame than before
   void build_anew(std::vector<AlignedView> views, editing::EditList edits, bool is_other);
-  /// Builds anew only where the poses are off by more than `tolerated_cells`, see
+  /// Rebuilds the model only if the surface is off by more than `tolerated_cells`, see
   /// LiveModel::follow.
   void follow(std::vector<AlignedView> views, editing::EditList edits, double tolerated_cells);
-  /// Now, and after every change until views are added; not while the scan is finished.
+  /// Searches for holes now, and after every change until views are added. Not in a finished scan.
   void look_for_holes();
-  /// Shows the holes of a finished mesh, while its scan is finished.
+  /// Shows the holes of a finished mesh, as long as the scan is finished.
   void show_holes(std::vector<meshing::BoundaryLoop> boundaries);
   /// Calls `use` on this thread with the frames that color the surface.
   void with_textures(std::function<void(const std::vector<PlacedTexture>&)> use);
 
-  /// Calls `then` on this thread when it has done all that it was given before.
+  /// Calls `then` on this thread after all earlier tasks.
   void when_done(std::function<void()> then) { thread_.post(std::move(then)); }
 
-  /// Tasks that wait or run.
+  /// Tasks that are waiting or running.
   [[nodiscard]] std::size_t pending() const { return thread_.pending(); }
   void stop() { thread_.stop(); }
 
  private:
-  // All of the thread.
+  // On the thread.
   void begin_rebuild(std::vector<AlignedView> views, const editing::EditList& edits, bool is_other);
   void continue_rebuild();
   void publish_if_due(bool at_once);
@@ -74,7 +75,7 @@ class ModelThread {
   double holes_at_s_ = 0.0, holes_took_s_ = 0.0;
   bool searches_holes_ = false;
   bool has_grown_since_holes_ = false;
-  bool is_at_rest_ = false;  ///< nobody scans: holes are looked for after every change
+  bool is_at_rest_ = false;  ///< paused: search for holes after every change
   TaskThread thread_;        ///< destroyed first
 };
 

@@ -12,7 +12,7 @@ void ReentryImages::add(const Frame& frame, const Isometry& T_world_sensor) {
     return trajectory::pose_distance_mm(kept.T_world_sensor, T_world_sensor, arm_mm_) < apart_mm_;
   });
   if (known) return;
-  // Half the size in each direction is enough to recognize a place by.
+  // Half the size is enough to recognize a place.
   auto image = std::make_shared<LiveFrame>();
   image->frame = frame;
   cv::resize(frame.image, image->frame.image, {}, 0.5, 0.5, cv::INTER_AREA);
@@ -26,7 +26,7 @@ std::shared_ptr<const LiveFrame> ReentryImages::nearest(const Isometry& T_world_
   const auto nearest = std::min_element(
       kept_.begin(), kept_.end(),
       [&](const Kept& a, const Kept& b) { return distance_mm(a) < distance_mm(b); });
-  // Any pose of the scan has a picture closer than this, as it would have been kept itself.
+  // Each pose of the scan has a picture closer than this; otherwise its own would have been kept.
   if (nearest == kept_.end() || distance_mm(*nearest) > 2.0 * apart_mm_) return nullptr;
   return nearest->image;
 }

@@ -1,4 +1,4 @@
-/// @file  Keeps a small picture of what the sensor saw at places all over a scan.
+/// @file  Keeps small pictures of what the sensor saw, from places all over the scan.
 #pragma once
 
 #include <memory>
@@ -8,15 +8,15 @@
 
 namespace flytri::scan {
 
-/// Bounded by the surface, not by time: where a picture was taken already, none is kept.
+/// One picture for each place: so memory grows with the surface, not with time.
 class ReentryImages {
  public:
-  /// @param apart_mm  > 0, distance of poses from which a picture shows another place
+  /// @param apart_mm  > 0, poses farther apart than this see different places
   /// @param arm_mm  > 0, radius of what the sensor sees: weighs rotation against translation
   ReentryImages(double apart_mm, double arm_mm) : apart_mm_(apart_mm), arm_mm_(arm_mm) {}
 
   void add(const Frame& frame, const Isometry& T_world_sensor);
-  /// The picture nearest to a pose; null: none is near.
+  /// The picture nearest to a pose. Null: none is near.
   [[nodiscard]] std::shared_ptr<const LiveFrame> nearest(const Isometry& T_world_sensor) const;
 
  private:

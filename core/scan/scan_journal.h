@@ -1,4 +1,4 @@
-/// @file  What a live scan tells to whoever keeps it.
+/// @file  The interface through which a live scan is saved.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace flytri::scan {
 
-/// Keeps what a scan measures, as it comes. All calls come from one thread, which may take its
-/// time: the scan does not wait for it.
+/// Saves what a scan measures, as it comes. All calls come from one thread. They may take long: the
+/// scan goes on meanwhile, until the queue of JournalThread is full.
 class ScanJournal {
  public:
   virtual ~ScanJournal() = default;
@@ -21,7 +21,7 @@ class ScanJournal {
   virtual void keep_poses(std::span<const AlignedView> views) = 0;
   virtual void keep_edits(const editing::EditStack& edits) = 0;
   virtual void keep_result(const reconstruct::FinishedScan& result) = 0;
-  /// Called after each batch, at least once a second: what came before it should survive a crash.
+  /// Called after each batch, at least once a second. What came before it should survive a crash.
   virtual void commit() = 0;
 };
 

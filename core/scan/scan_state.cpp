@@ -30,6 +30,7 @@ ScanPhase next_phase(ScanPhase phase, ScanEvent event, bool has_model) {
     case ScanEvent::kLost:
       return phase == ScanPhase::kMeasurement ? ScanPhase::kContinuation : phase;
     case ScanEvent::kFinish:
+      if (phase == ScanPhase::kFinished) return phase;
       return has_model ? ScanPhase::kFinishing : phase;
     case ScanEvent::kResult:
       return phase == ScanPhase::kFinishing ? ScanPhase::kFinished : phase;
@@ -39,6 +40,11 @@ ScanPhase next_phase(ScanPhase phase, ScanEvent event, bool has_model) {
       return phase == ScanPhase::kFinished ? ScanPhase::kPreview : phase;
   }
   return phase;
+}
+
+bool accepts(ScanPhase phase, ScanEvent event, bool has_model) {
+  if (event == ScanEvent::kEdit) return phase != ScanPhase::kFinishing;
+  return next_phase(phase, event, has_model) != phase;
 }
 
 }  // namespace flytri::scan

@@ -1,4 +1,4 @@
-/// @file  Where the threads of a live scan write down what is to be shown, and the window reads it.
+/// @file  Holds the snapshot of a live scan: its threads change it, the window reads it.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ class SnapshotBoard {
     published_ = nullptr;
   }
 
-  /// The present state; the same object until something changes.
+  /// The present state. The same object until something changes.
   [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot() const {
     const std::lock_guard lock(mutex_);
     if (published_ == nullptr) {

@@ -42,6 +42,9 @@ expect 'reconstruct an encrypted case' 0 '^wrote unplaced\.glb' \
   "$flytri" reconstruct secret.flytri -o unplaced.glb --passphrase-file passphrase --keep
 same direct.glb unplaced.glb
 
+expect 'keep' 0 '^wrote placed\.glb' "$flytri" reconstruct a.flytri -o placed.glb --keep
+expect 'the model says what it is of' 0 'made_of' grep -ao '"made_of":{[^}]*}' a.flytri
+
 # Export of what is kept.
 expect 'export' 0 '^wrote kept\.glb' env FLYTRI_PASSPHRASE=secret \
   "$flytri" export secret.flytri -o kept.glb -o kept.stl -o kept.obj
@@ -67,7 +70,7 @@ same direct.glb lower.glb
 # Damage and misuse.
 expect 'no such case' 1 'absent\.flytri: there is no such case' \
   "$flytri" reconstruct absent.flytri -o no.glb
-expect 'no case' 1 'c\.json: .*no case at all' "$flytri" reconstruct c.json -o no.glb
+expect 'not a case' 1 'c\.json: .*or not a case' "$flytri" reconstruct c.json -o no.glb
 expect 'keep of a recording' 1 '--keep' "$flytri" reconstruct scan --keep -o no.glb
 head -c $(($(stat -c %s untouched.flytri)  / 4)) untouched.flytri > cut.flytri
 expect 'truncated case' 0 'lost: views: upper' \

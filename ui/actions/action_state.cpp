@@ -21,8 +21,13 @@ struct Facts {
   [[nodiscard]] bool has_result() const {
     return view.scan != nullptr && view.scan->result != nullptr;
   }
+  /// The scan itself refuses by the same rule.
+  [[nodiscard]] bool accepts(scan::ScanEvent event) const {
+    return scan::accepts(phase(), event, has_surface());
+  }
+  [[nodiscard]] bool may_leave() const { return scan::may_leave(phase()); }
   [[nodiscard]] bool can_edit() const {
-    return has_surface() && !is(scan::ScanPhase::kFinishing) && !is(scan::ScanPhase::kFinished);
+    return has_surface() && accepts(scan::ScanEvent::kEdit) && !is(scan::ScanPhase::kFinished);
   }
   [[nodiscard]] bool steers() const {
     return view.source.hand.has_value() && !view.source.hand->follows_path;
@@ -39,7 +44,9 @@ ActionState only_if(bool is_possible, const char* why) {
 }
 
 ActionState scan_state(const Facts& facts) {
-  if (facts.is(scan::ScanPhase::kFinishing)) return disabled("finishing");
+  const bool can_toggle =
+      facts.accepts(scan::ScanEvent::kStart) || facts.accepts(scan::ScanEvent::kPause);
+  if (!can_toggle) return disabled("finishing");
   if (facts.is(scan::ScanPhase::kFinished)) return enabled("finished");
   if (facts.view.file.is_read_only) return disabled("the case is read-only");
   if (facts.view.is_scanning) return {true, true, "scanning"};
@@ -47,7 +54,7 @@ ActionState scan_state(const Facts& facts) {
 }
 
 ActionState stage_state(const Facts& facts, io::ScanStage stage) {
-  if (facts.is(scan::ScanPhase::kFinishing)) return disabled("finishing");
+  if (!facts.may_leave()) return disabled("finishing");
   const bool has_data = facts.view.stage_has_data[static_cast<std::size_t>(stage)];
   return {true, facts.view.stage == stage, has_data ? "scanned" : "empty"};
 }
@@ -56,7 +63,7 @@ ActionState finish_state(const Facts& facts) {
   if (facts.is(scan::ScanPhase::kFinishing)) return disabled("running");
   if (facts.is(scan::ScanPhase::kFinished)) return disabled("finished");
   if (facts.view.file.is_read_only) return disabled("the case is read-only");
-  return only_if(facts.has_surface(), "nothing scanned yet");
+  return only_if(facts.accepts(scan::ScanEvent::kFinish), "nothing scanned yet");
 }
 
 ActionState scanning_state(Action action, const Facts& facts) {
@@ -191,7 +198,7 @@ bool can_confirm(const Facts& facts) {
       return !facts.view.exports.is_running && !form.name.empty() && !form.formats.empty();
     case Dialog::kCase:
       if (facts.state.case_form.tab == CaseTab::kFields) return !facts.view.file.is_read_only;
-      return !facts.state.case_form.path.empty();
+      return facts.may_leave() && !facts.state.case_form.path.empty();
     default:
       return facts.state.dialog != Dialog::kNone;
   }
@@ -214,7 +221,7 @@ ActionState calibrating_state(Action action, const Facts& facts) {
   if (action != Action::kCalibration && action != Action::kPlaceBefore)
     return begin_state(action, *calibration, facts);
   if (action == Action::kCalibration) {
-    if (facts.is(scan::ScanPhase::kFinishing)) return disabled("finishing");
+    if (!facts.may_leave()) return disabled("finishing");
     const bool is_open = facts.state.dialog == Dialog::kCalibration;
     return is_open && calibration->running ? disabled("running") : enabled();
   }

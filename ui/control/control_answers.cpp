@@ -97,6 +97,8 @@ void ControlAnswers::begin(const std::string& request, const AppView& view, Wind
     if (const auto action = action_named(rest_)) perform(*action, view, state, commands);
   } else if (*verb_ == "tell") {
     commands.emplace_back(Tell{rest_});
+  } else if (*verb_ == "new_case") {
+    commands.emplace_back(NewCase{rest_, {}, {}});
   } else if (*verb_ == "quit") {
     commands.emplace_back(Quit{});
   }
@@ -123,7 +125,7 @@ std::optional<std::string> ControlAnswers::answer_to(const DrawnFrame& frame) {
   if (*verb_ == "where") return answer_where(frame.places, rest_);
   if (*verb_ == "shot") return answer_shot(frame.canvas, rest_);
   if (*verb_ == "do") return action_named(rest_) ? "ok" : "error no action is called " + rest_;
-  if (*verb_ == "tell" || *verb_ == "quit") return "ok";
+  if (*verb_ == "tell" || *verb_ == "new_case" || *verb_ == "quit") return "ok";
   return "error unknown request: " + *verb_;
 }
 

@@ -18,6 +18,7 @@ namespace flytri::ui {
 ///     do ID         carries an action of the key map out
 ///     shot PATH     writes the next frame as PNG
 ///     tell WORDS    hands words on to the program, as the command Tell
+///     new_case PATH creates a case, as the dialog does
 ///     quit          closes the window
 ///
 /// One client at a time; the next may come after it has gone. Only the same user may connect.

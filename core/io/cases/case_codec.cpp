@@ -11,7 +11,7 @@
 namespace flytri::io {
 namespace {
 
-/// The fields of a case by their keys.
+/// The keys of the fields.
 constexpr std::array<std::pair<const char*, std::string CaseFields::*>, 6> kFieldKeys = {{
     {"patient_name", &CaseFields::patient_name},
     {"patient_id", &CaseFields::patient_id},
@@ -21,15 +21,15 @@ constexpr std::array<std::pair<const char*, std::string CaseFields::*>, 6> kFiel
     {"created", &CaseFields::created},
 }};
 
-/// Names a record in the messages of JSON, which are put behind the record's own name.
+/// The name of a record in messages about its JSON. The name of the record stands before it.
 constexpr const char* kRecord = "damaged";
 
-/// What is no UTF-8 is replaced, as no reason to lose the rest.
+/// Replaces bytes that are not UTF-8, so that they do not cost the rest of the text.
 std::string json_text(const nlohmann::json& json) {
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// A key that is left out where its text is empty.
+/// Leaves the key out if the text is empty.
 void put_text(nlohmann::json& json, const char* key, const std::string& text) {
   if (!text.empty()) json[key] = text;
 }
@@ -54,7 +54,7 @@ void put_dab(std::string& bytes, const editing::BrushDab& dab) {
   append_number(bytes, dab.radius_mm);
 }
 
-/// The bytes are known to be there.
+/// The caller has checked that there are enough bytes.
 editing::BrushDab take_dab(ByteReader& reader) {
   editing::BrushDab dab;
   for (float& part : dab.center_mm) part = reader.number<float>().value_or(0.0F);
@@ -161,6 +161,26 @@ std::string encode_count(std::size_t count) {
 Result<std::size_t> decode_count(std::string_view bytes) {
   if (bytes.size() != sizeof(std::uint32_t)) return bad_size(bytes.size());
   return ByteReader(bytes).number<std::uint32_t>().value_or(0);
+}
+
+std::string encode_summary(const std::string& summary_json,
+                           const std::optional<ResultBasis>& made_of) {
+  if (!made_of) return summary_json;
+  nlohmann::json json = nlohmann::json::parse(summary_json, nullptr, false);
+  if (!json.is_object()) json = nlohmann::json::object();
+  json["made_of"] = {{"view_count", made_of->view_count}, {"edited_at_s", made_of->edited_at_s}};
+  return json_text(json);
+}
+
+std::optional<ResultBasis> decode_made_of(std::string_view summary_json) {
+  const Result<JsonPlace> json = JsonPlace::parse(summary_json, kRecord);
+  if (!json || !json->has("made_of")) return std::nullopt;
+  const JsonPlace made_of = json->at("made_of");
+  ResultBasis basis{made_of.at("view_count").whole_number(), {}};
+  for (const JsonPlace& time : made_of.at("edited_at_s").elements()) {
+    basis.edited_at_s.push_back(time.number());
+  }
+  return json->outcome() ? std::optional(std::move(basis)) : std::nullopt;
 }
 
 Result<std::string> encode_texture(const Frame& frame) {

@@ -1,7 +1,6 @@
-/// @file  What the records of a case hold, as bytes, and back: all but views, which have a file of
-/// their own.
+/// @file  Encodes and decodes the records of a case, except views, see view_codec.h.
 ///
-/// For the sources of core/interchange only. Numbers in bytes are little-endian.
+/// For the sources of core/io/cases only. Numbers in bytes are little-endian.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +11,15 @@
 
 namespace flytri::io {
 
-/// JSON object, a key a field.
+/// A JSON object with a key for each field.
 [[nodiscard]] std::string encode_fields(const CaseFields& fields);
 [[nodiscard]] Result<CaseFields> decode_fields(std::string_view bytes);
 
-/// JSON: time_s, kind, fate, reason. The index is the record's number.
+/// JSON: time_s, kind, fate, reason. The number of the record is the frame index.
 [[nodiscard]] std::string encode_frame(const StoredFrame& frame);
 [[nodiscard]] Result<StoredFrame> decode_frame(std::string_view bytes, FrameIndex index);
 
-/// JSON: from_mm, to_mm, label. The id is the record's.
+/// JSON: from_mm, to_mm, label. The id is that of the record.
 [[nodiscard]] std::string encode_measurement(const Measurement& measurement);
 [[nodiscard]] Result<Measurement> decode_measurement(std::string_view bytes, std::int64_t id);
 
@@ -28,13 +27,20 @@ namespace flytri::io {
 [[nodiscard]] std::string encode_pose(const Isometry& T_world_sensor);
 [[nodiscard]] Result<Isometry> decode_pose(std::string_view bytes);
 
-/// u8 kind (0 trim, 1 lock, 2 unlock), f64 made_at_s, then a dab f32[7]: center, normal, radius.
+/// u8 kind (0 trim, 1 lock, 2 unlock), f64 made_at_s, then f32[7] for each dab: center, normal,
+/// radius.
 [[nodiscard]] std::string encode_edit(const editing::Edit& edit);
 [[nodiscard]] Result<editing::Edit> decode_edit(std::string_view bytes);
 
-/// u32: how many of the edits hold.
+/// u32: how many of the edits apply.
 [[nodiscard]] std::string encode_count(std::size_t count);
 [[nodiscard]] Result<std::size_t> decode_count(std::string_view bytes);
+
+/// The summary, a JSON object or empty, with the basis under "made_of": view_count, edited_at_s.
+[[nodiscard]] std::string encode_summary(const std::string& summary_json,
+                                         const std::optional<ResultBasis>& made_of);
+/// None: the summary does not say what the model was made of.
+[[nodiscard]] std::optional<ResultBasis> decode_made_of(std::string_view summary_json);
 
 /// f64 time_s, then a PNG.
 /// @errors  As encode_png.

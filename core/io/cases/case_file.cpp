@@ -7,10 +7,25 @@
 #include "core/io/cases/view_codec.h"
 
 namespace flytri::io {
+namespace {
+
+/// Keeps the first failure of several writes. One that fails waits to be tried again, so the others
+/// must not be left out.
+void add_outcome(Result<void>& outcome, Result<void> next) {
+  if (outcome) outcome = std::move(next);
+}
+
+}  // namespace
 
 std::string_view to_string(ScanStage stage) {
   constexpr std::array<std::string_view, kScanStages.size()> kNames = {"upper", "lower", "bite"};
   return kNames[static_cast<std::size_t>(stage)];
+}
+
+ResultBasis basis_of(const StageCounts& counts, const editing::EditList& edits) {
+  ResultBasis basis{counts.views, {}};
+  for (const auto& edit : *edits) basis.edited_at_s.push_back(edit->made_at_s);
+  return basis;
 }
 
 CaseFile::CaseFile(std::filesystem::path path, std::unique_ptr<CaseRecords> records)
@@ -20,14 +35,16 @@ CaseFile& CaseFile::operator=(CaseFile&&) noexcept = default;
 CaseFile::~CaseFile() = default;
 
 Result<CaseFile> CaseFile::create(const std::filesystem::path& path, const CaseOptions& options,
-                                  const CaseFields& fields) {
+                                  const CaseFields& fields, std::string_view calibration_json) {
   if (options.read_only) {
     return fail(ErrorCode::kBadOption, "{}: a new case cannot be read-only", path.string());
   }
-  auto records = CaseRecords::create(path, options.passphrase);
+  auto records = CaseRecords::create(path, options);
   if (!records) return tl::unexpected(records.error());
   CaseFile file(path, std::make_unique<CaseRecords>(*std::move(records)));
-  const Result<void> filled = file.write_fields(fields).and_then([&] { return file.commit(); });
+  Result<void> filled = file.write_fields(fields);
+  if (!calibration_json.empty()) add_outcome(filled, file.write_calibration(calibration_json));
+  if (filled) filled = file.commit();
   if (filled) return file;
   file.records_.reset();
   remove_case_files(path);
@@ -41,6 +58,8 @@ Result<CaseFile> CaseFile::open(const std::filesystem::path& path, const CaseOpt
 }
 
 bool CaseFile::is_read_only() const { return records_->is_read_only(); }
+
+bool CaseFile::has_waiting() const { return records_->has_waiting(); }
 
 const std::vector<std::string>& CaseFile::damage() const { return records_->damage(); }
 
@@ -63,41 +82,44 @@ Result<void> CaseFile::append_texture(ScanStage stage, const Frame& frame) {
 }
 
 Result<void> CaseFile::write_frames(ScanStage stage, std::span<const StoredFrame> frames) {
+  Result<void> outcome;
   for (const StoredFrame& frame : frames) {
-    auto written = records_->replace(CaseTable::kFrames, record_id(stage, frame.frame.value),
-                                     encode_frame(frame));
-    if (!written) return written;
+    add_outcome(outcome,
+                records_->replace(CaseTable::kFrames, record_id(stage, frame.frame.value),
+                                  encode_frame(frame)));
   }
-  return {};
+  return outcome;
 }
 
 Result<void> CaseFile::write_poses(ScanStage stage, std::span<const AlignedView> views) {
+  Result<void> outcome;
   for (const AlignedView& placed : views) {
-    auto written = records_->replace(CaseTable::kPoses, record_id(stage, placed.view->frame.value),
-                                     encode_pose(placed.T_world_sensor));
-    if (!written) return written;
+    add_outcome(outcome,
+                records_->replace(CaseTable::kPoses, record_id(stage, placed.view->frame.value),
+                                  encode_pose(placed.T_world_sensor)));
   }
-  return {};
+  return outcome;
 }
 
 Result<void> CaseFile::erase_poses(ScanStage stage, std::span<const FrameIndex> frames) {
+  Result<void> outcome;
   for (const FrameIndex frame : frames) {
     const std::int64_t id = record_id(stage, frame.value);
-    if (auto erased = records_->erase(CaseTable::kPoses, {id, id}); !erased) return erased;
+    add_outcome(outcome, records_->erase(CaseTable::kPoses, {id, id}));
   }
-  return {};
+  return outcome;
 }
 
 Result<void> CaseFile::write_edits(ScanStage stage, const editing::EditStack& edits) {
-  if (auto erased = records_->erase(CaseTable::kEdits, records_of(stage)); !erased) return erased;
+  Result<void> outcome = records_->erase(CaseTable::kEdits, records_of(stage));
   int position = 0;
   for (const auto& edit : *edits.all()) {
-    auto written =
-        records_->replace(CaseTable::kEdits, record_id(stage, position++), encode_edit(*edit));
-    if (!written) return written;
+    add_outcome(outcome, records_->replace(CaseTable::kEdits, record_id(stage, position++),
+                                           encode_edit(*edit)));
   }
-  return records_->replace(CaseTable::kEditCursors, record_id(stage),
-                           encode_count(edits.state()->size()));
+  add_outcome(outcome, records_->replace(CaseTable::kEditCursors, record_id(stage),
+                                         encode_count(edits.state()->size())));
+  return outcome;
 }
 
 Result<std::int64_t> CaseFile::add_measurement(ScanStage stage, const Measurement& measurement) {
@@ -117,16 +139,18 @@ Result<void> CaseFile::remove_measurement(std::int64_t id) {
 }
 
 Result<void> CaseFile::write_result(ScanStage stage, const StageResult& result) {
-  return records_->replace(CaseTable::kModels, record_id(stage), result.glb).and_then([&] {
-    return records_->replace(CaseTable::kSummaries, record_id(stage), result.summary_json);
-  });
+  Result<void> outcome = records_->replace(CaseTable::kModels, record_id(stage), result.glb);
+  add_outcome(outcome, records_->replace(CaseTable::kSummaries, record_id(stage),
+                                         encode_summary(result.summary_json, result.made_of)));
+  return outcome;
 }
 
 Result<void> CaseFile::clear_stage(ScanStage stage) {
+  Result<void> outcome;
   for (const CaseTable table : kCaseTables) {
-    if (auto erased = records_->erase(table, records_of(stage)); !erased) return erased;
+    add_outcome(outcome, records_->erase(table, records_of(stage)));
   }
-  return {};
+  return outcome;
 }
 
 Result<void> CaseFile::commit() { return records_->commit(); }

@@ -1,8 +1,8 @@
-/// @file  A case on disk: a patient's scans as they come, what was made of them, and all of it
-/// again after the program or the power went away.
+/// @file  A case on disk: the scans of a patient as they come, and the models made of them. They
+/// survive a crash of the program or a power failure.
 ///
-/// One SQLite database a case; docs/formats.md lists what is in it. Whoever commits at least each
-/// second loses at most the last second when the process is killed.
+/// Each case is one SQLite database; docs/formats.md lists its contents. A program that commits every
+/// second loses at most the last second when it is killed.
 #pragma once
 
 #include <array>
@@ -22,13 +22,13 @@
 
 namespace flytri::io {
 
-/// What is scanned in one go. Each stage has a world frame of its own.
+/// A part of a case that is scanned in one go. Each stage has its own world frame.
 enum class ScanStage { kUpper, kLower, kBite };
 inline constexpr std::array kScanStages = {ScanStage::kUpper, ScanStage::kLower, ScanStage::kBite};
 /// "upper", "lower", "bite".
 [[nodiscard]] std::string_view to_string(ScanStage stage);
 
-/// Who and what the case is about. Any text, as the user entered it.
+/// What the user entered about the case. Any text is allowed.
 struct CaseFields {
   std::string patient_name;
   std::string patient_id;
@@ -39,46 +39,57 @@ struct CaseFields {
   bool operator==(const CaseFields&) const = default;
 };
 
-/// One frame that was offered, and what became of it.
+/// An offered frame and its fate.
 struct StoredFrame {
   FrameIndex frame;
   double time_s = 0.0;
   FrameKind kind = FrameKind::kUnknown;
-  std::string fate;    ///< in the pipeline's words: registered, interpolated, textured, rejected
+  std::string fate;    ///< registered, interpolated, textured or rejected
   std::string reason;  ///< of a rejection
   bool operator==(const StoredFrame&) const = default;
 };
 
 /// A distance that the user measured.
 struct Measurement {
-  std::int64_t id = 0;                                ///< given by the case
+  std::int64_t id = 0;                                ///< chosen by the case
   Vec3 from_mm = Vec3::Zero(), to_mm = Vec3::Zero();  ///< world frame of the stage
   std::string label;
 };
 
-/// A measured view, and where it was placed if it was.
+/// A measured view, with its pose if it was registered.
 struct StoredView {
   std::shared_ptr<const View> view;
   std::optional<Isometry> T_world_sensor;
 };
 
+/// The state of a stage that a model was made from. A model is current while the stage is still in
+/// that state.
+struct ResultBasis {
+  std::int64_t view_count = 0;
+  std::vector<double> edited_at_s;  ///< times of the edits that apply
+  bool operator==(const ResultBasis&) const = default;
+};
+
 /// A finished model.
 struct StageResult {
   std::string glb;           ///< the bytes of a .glb, see encode_glb
-  std::string summary_json;  ///< what is worth knowing about it; may be empty
+  std::string summary_json;  ///< a JSON object about the model, or empty
+  /// Kept in the summary under "made_of". None: the model is not known to be current, and the
+  /// window does not show it.
+  std::optional<ResultBasis> made_of = std::nullopt;
 };
 
-/// All of a stage that a scan needs to go on, and a reconstruction to start.
+/// All of a stage that is needed to continue its scan or to reconstruct it.
 struct StoredStage {
   std::vector<StoredView> views;      ///< by rising frame index
   std::vector<Frame> texture_frames;  ///< by rising frame index
   std::vector<StoredFrame> frames;    ///< by rising frame index
-  editing::EditStack edits;           ///< with what can be undone and redone
+  editing::EditStack edits;           ///< including what can be undone and redone
   std::vector<Measurement> measurements;
-  std::vector<std::string> damage;  ///< what could not be read, one entry a record or a gap
+  std::vector<std::string> damage;  ///< what could not be read, an entry for each record or gap
 };
 
-/// How much of a stage there is, without reading it.
+/// The size of a stage, without reading it.
 struct StageCounts {
   std::int64_t views = 0;
   std::int64_t texture_frames = 0;
@@ -86,36 +97,47 @@ struct StageCounts {
   bool has_result = false;
 };
 
+/// The basis of a model that is made of a stage now.
+[[nodiscard]] ResultBasis basis_of(const StageCounts& counts, const editing::EditList& edits);
+
 struct CaseOptions {
   /// Empty: not encrypted. A case that is not encrypted opens with any passphrase.
   std::string passphrase;
-  /// Nothing in the file or beside it is changed.
+  /// Neither the file nor its folder is changed.
   bool read_only = false;
+  /// Default 256 MiB, about two minutes of views. Bound on the records that wait in memory because
+  /// they could not be written.
+  std::size_t max_waiting_bytes = std::size_t{256} << 20U;
 };
 
 class CaseRecords;
 
-/// An open case. One thread at a time may use it. One program at a time may have it open for
-/// writing: it keeps others out meanwhile.
+/// An open case. Use it from one thread at a time. While a program has it open for writing, no
+/// other program can open it.
 ///
-/// Writing collects in a transaction that commit() ends; destroyed before that, it is dropped.
-/// After kWriteFailed all since the last commit() is dropped, too: make room, and write it again.
+/// Writes collect in a transaction until commit(). Without a commit() they are dropped when the
+/// object is destroyed. A write that fails is not dropped: its record waits in memory, and so do all
+/// later ones, until a commit() succeeds. So after a full disk nothing needs to be written twice;
+/// free some space and call commit(). If more records wait than CaseOptions::max_waiting_bytes allow,
+/// further writes are refused with kInsufficient, and these records are lost.
 /// A case that turns out to be damaged is read-only from then on.
-/// @errors  Of all that writes: kWriteFailed (disk full, failing device), kNotPermitted
-/// (read-only).
-/// @errors  Of all that reads: kBadFormat (nothing there can be read).
+/// @errors  All functions that write: kWriteFailed (disk full, failing device; the record waits),
+///          kNotPermitted (read-only, or locked by another program), kInsufficient (too many
+///          records wait).
+/// @errors  All functions that read: kBadFormat (nothing there can be read).
 class CaseFile {
  public:
-  /// Makes a case that did not exist; the file is its owner's alone. On failure none is left
-  /// behind.
-  /// @errors  As write_file; kBadOption: there is a file of that name, or it is to be read-only.
+  /// Creates a case; only its owner may read the file. On failure no file is left.
+  /// @param calibration_json  see write_calibration(); empty: the case gets none yet
+  /// @errors  As write_file; kBadOption: the file exists already, or the options say read-only.
   [[nodiscard]] static Result<CaseFile> create(const std::filesystem::path& path,
                                                const CaseOptions& options,
-                                               const CaseFields& fields = {});
-  /// Opens a case. A damaged one is opened read-only, see damage().
+                                               const CaseFields& fields = {},
+                                               std::string_view calibration_json = {});
+  /// Opens a case. If it is damaged, it is opened read-only, see damage().
   /// @errors  kNotFound; kNotPermitted (permissions, or another program has it open); kInconsistent
-  ///          (encrypted, and the passphrase is wrong or missing); kBadFormat (no case, of a newer
-  ///          version, or damaged beyond reading).
+  ///          (encrypted, and the passphrase is wrong or missing); kBadFormat (not a case, of a newer
+  ///          version, or too damaged to be read).
   [[nodiscard]] static Result<CaseFile> open(const std::filesystem::path& path,
                                              const CaseOptions& options = {});
   CaseFile(CaseFile&&) noexcept;
@@ -124,45 +146,48 @@ class CaseFile {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] bool is_read_only() const;
-  /// What was found damaged when the case was opened; each stage has a list of its own.
+  /// True if records wait in memory because they could not be written.
+  [[nodiscard]] bool has_waiting() const;
+  /// The damage found when the case was opened. Each stage has its own list.
   [[nodiscard]] const std::vector<std::string>& damage() const;
 
   [[nodiscard]] Result<CaseFields> fields();
   [[nodiscard]] Result<void> write_fields(const CaseFields& fields);
-  /// The JSON text of the calibration that all views of the case were measured with.
-  /// @errors  Also kInsufficient: there is none.
+  /// The calibration, as JSON, with which the views of the case were measured.
+  /// @errors  Also kInsufficient: the case has none.
   [[nodiscard]] Result<std::string> calibration();
   [[nodiscard]] Result<void> write_calibration(std::string_view json);
 
-  /// Keeps a view under its frame index.
-  /// @errors  Also kInconsistent: the stage has a view of that frame already.
+  /// Adds a view under its frame index.
+  /// @errors  Also kInconsistent: the stage already has a view of that frame.
   [[nodiscard]] Result<void> append_view(ScanStage stage, const View& view);
-  /// Keeps a texture frame, packed without loss.
+  /// Adds a texture frame, compressed without loss.
   /// @errors  As append_view and encode_png.
   [[nodiscard]] Result<void> append_texture(ScanStage stage, const Frame& frame);
-  /// What became of frames; what was said of the same frames before is replaced.
+  /// Writes the fates of frames, and replaces earlier fates of the same frames.
   [[nodiscard]] Result<void> write_frames(ScanStage stage, std::span<const StoredFrame> frames);
-  /// Poses of kept views; those of the same views are replaced, others stay.
+  /// Writes the poses of views, and replaces earlier poses of the same views.
   [[nodiscard]] Result<void> write_poses(ScanStage stage, std::span<const AlignedView> views);
-  /// Takes the poses of views back, as when they turned out to contradict the others.
+  /// Erases the poses of views, for instance if these contradict the other views.
   [[nodiscard]] Result<void> erase_poses(ScanStage stage, std::span<const FrameIndex> frames);
-  /// All states of the edits, and the one that holds.
+  /// Writes all edits, and how many of them apply.
   [[nodiscard]] Result<void> write_edits(ScanStage stage, const editing::EditStack& edits);
-  /// Keeps a measurement; its id is chosen here and returned.
+  /// Adds a measurement, chooses its id and returns it.
   [[nodiscard]] Result<std::int64_t> add_measurement(ScanStage stage,
                                                      const Measurement& measurement);
-  /// Nothing happens if there is none of that id.
+  /// Does nothing if there is no measurement with this id.
   [[nodiscard]] Result<void> remove_measurement(std::int64_t id);
   /// Replaces the result of the stage.
   [[nodiscard]] Result<void> write_result(ScanStage stage, const StageResult& result);
-  /// Forgets all of a stage but the case's fields: it is to be scanned anew.
+  /// Erases everything of a stage, so that it can be scanned again.
   [[nodiscard]] Result<void> clear_stage(ScanStage stage);
-  /// Makes what was written since the last commit survive the process. A power failure may cost
-  /// more, back to the last checkpoint of the log (each 8 MiB), but leaves the case consistent.
+  /// Saves all writes since the last commit, so that they survive the end of the process. A power
+  /// failure may cost more, back to the last checkpoint of the log (every 8 MiB), but the case stays
+  /// consistent.
   [[nodiscard]] Result<void> commit();
 
   [[nodiscard]] Result<StageCounts> counts(ScanStage stage);
-  /// Everything of a stage that can be read; what cannot is named in its list of damage.
+  /// Loads everything of a stage that can be read. Its list of damage names the rest.
   [[nodiscard]] Result<StoredStage> load_stage(ScanStage stage);
   /// @errors  Also kInsufficient: the stage has no result.
   [[nodiscard]] Result<StageResult> load_result(ScanStage stage);

@@ -11,12 +11,12 @@
 namespace flytri::io {
 namespace {
 
-/// Reads the tables of a stage one after the other. The first failure is kept.
+/// Reads the tables of a stage one after the other, and remembers the first failure.
 class StageReader {
  public:
   StageReader(CaseRecords& records, ScanStage stage) : records_(records), stage_(stage) {}
 
-  /// @param take  gets the record's id and data, and returns a Result
+  /// @param take  called with the id and the data of a record; returns a Result
   template <typename Take>
   void read(CaseTable table, const Take& take) {
     if (!outcome_) return;
@@ -46,7 +46,7 @@ void read_views(StageReader& reader) {
   reader.read(CaseTable::kViews, [&](std::int64_t id, std::string_view data) {
     return decode_view(data).and_then([&](View&& view) -> Result<void> {
       if (view.frame != frame_of(id)) {
-        return fail(ErrorCode::kBadFormat, "damaged: is the view of frame {}", view.frame.value);
+        return fail(ErrorCode::kBadFormat, "damaged: contains the view of frame {}", view.frame.value);
       }
       reader.loaded.views.push_back({std::make_shared<const View>(std::move(view)), std::nullopt});
       return {};
@@ -79,7 +79,7 @@ void read_frames(StageReader& reader) {
   });
 }
 
-/// A stroke that is lost is missing in the states before and after; the others keep their order.
+/// A damaged edit is left out; the others keep their order.
 void read_edits(StageReader& reader) {
   editing::EditSequence edits;
   std::optional<std::size_t> cursor;
@@ -127,7 +127,7 @@ Result<std::string> CaseFile::calibration() {
   auto json = records_->find(CaseTable::kCalibration, kOnlyRecord);
   if (!json) return tl::unexpected(json.error());
   if (*json) return **std::move(json);
-  return fail(ErrorCode::kInsufficient, "{}: holds no calibration; give one", path_.string());
+  return fail(ErrorCode::kInsufficient, "{}: contains no calibration; give one with --calibration FILE", path_.string());
 }
 
 Result<StageCounts> CaseFile::counts(ScanStage stage) {
@@ -151,12 +151,14 @@ Result<StageResult> CaseFile::load_result(ScanStage stage) {
   auto glb = records_->find(CaseTable::kModels, record_id(stage));
   if (!glb) return tl::unexpected(glb.error());
   if (!*glb) {
-    return fail(ErrorCode::kInsufficient, "{}: the stage {} has no finished model", path_.string(),
+    return fail(ErrorCode::kInsufficient, "{}: stage {} has no finished model", path_.string(),
                 to_string(stage));
   }
-  // The model is worth having without what is said about it.
+  // The model is useful without its summary.
   const auto summary = records_->find(CaseTable::kSummaries, record_id(stage));
-  return StageResult{**std::move(glb), summary ? summary->value_or("") : ""};
+  StageResult result{**std::move(glb), summary ? summary->value_or("") : "", std::nullopt};
+  result.made_of = decode_made_of(result.summary_json);
+  return result;
 }
 
 }  // namespace flytri::io

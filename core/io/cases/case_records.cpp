@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kNumberBits = 32;
 
-/// Of the number, too, so that a record that strayed to another place is seen.
+/// Includes the id, so that a record in the wrong place is noticed.
 std::int64_t record_checksum(std::int64_t id, std::string_view data) {
   const uLong head = crc32_z(0, reinterpret_cast<const Bytef*>(&id), sizeof(id));
   return static_cast<std::int64_t>(
       crc32_z(head, reinterpret_cast<const Bytef*>(data.data()), data.size()));
 }
 
-/// A record for the user: "views: upper 17".
+/// Names a record for the user: "views: upper 17".
 std::string name_of_record(CaseTable table, std::int64_t id) {
   if (id <= kOnlyRecord) return std::string(name_of(table));
   const auto stage = static_cast<std::size_t>(id >> kNumberBits) - 1;
@@ -28,7 +28,7 @@ std::string name_of_record(CaseTable table, std::int64_t id) {
 
 bool is_damage(const Error& error) { return error.code == ErrorCode::kBadFormat; }
 
-/// A number out of the first row; none: there is no row.
+/// The number in the first row. None: there is no row.
 Result<std::optional<std::int64_t>> first_integer(SqliteDatabase& database, CaseTable table,
                                                   const RecordRange& range, std::string_view what) {
   auto statement = database.prepare(
@@ -39,7 +39,7 @@ Result<std::optional<std::int64_t>> first_integer(SqliteDatabase& database, Case
   return *row ? std::optional(statement->integer(0)) : std::nullopt;
 }
 
-/// The walk over a range, which goes on behind what is broken.
+/// Reads a range of records, and continues after damaged places.
 class RecordWalk {
  public:
   RecordWalk(SqliteDatabase& database, CaseTable table, const RecordRange& range,
@@ -57,7 +57,7 @@ class RecordWalk {
   }
 
  private:
-  /// Visits from next_ to the end, or to the first record that cannot be read.
+  /// Visits the records from next_ to the end, or up to the first that cannot be read.
   Result<void> read_on() {
     auto statement = database_.prepare(fmt::format(
         "SELECT id, checksum, data FROM {} WHERE id BETWEEN ? AND ? ORDER BY id", name_of(table_)));
@@ -67,7 +67,7 @@ class RecordWalk {
       const Result<bool> row = statement->step();
       if (!row) return tl::unexpected(row.error());
       const std::int64_t id = *row ? statement->integer(0) : last_;
-      // Out of order is what only a broken tree gives.
+      // Only a damaged tree returns ids out of order.
       if (!*row || id < next_ || id > last_) return {};
       take(id, statement->integer(1), statement->bytes(2));
       next_ = id + 1;
@@ -82,7 +82,7 @@ class RecordWalk {
     }
   }
 
-  /// Notes what is broken at next_, and goes on behind it.
+  /// Notes the damage at next_, and moves past it.
   Result<void> skip() {
     const Result<std::optional<std::int64_t>> broken = next_id(next_);
     if (!broken && !is_damage(broken.error())) return tl::unexpected(broken.error());
@@ -95,8 +95,8 @@ class RecordWalk {
     return skip_gap();
   }
 
-  /// Not even the number can be read. What is broken is a page, and with it a run of numbers: its
-  /// end lies between the last step of a growing stride that fails and the first that does not.
+  /// Not even the id can be read: a page is damaged, and with it a run of ids. Searches for its end
+  /// with growing steps.
   Result<void> skip_gap() {
     const std::int64_t first = next_;
     std::int64_t failing = next_, stride = 1, good = last_ + 1;
@@ -112,12 +112,12 @@ class RecordWalk {
       }
     }
     damage_.push_back(
-        fmt::format("{} and what follows: cannot be read", name_of_record(table_, first)));
+        fmt::format("{} and the following records: cannot be read", name_of_record(table_, first)));
     next_ = good;
     return {};
   }
 
-  /// Smallest number from `from` on: records lie by rising number.
+  /// The smallest id >= `from`.
   Result<std::optional<std::int64_t>> next_id(std::int64_t from) {
     return first_integer(database_, table_, {from, last_}, "id");
   }
@@ -143,33 +143,37 @@ int number_of(std::int64_t id) {
   return static_cast<int>(id & ((std::int64_t{1} << kNumberBits) - 1));
 }
 
-CaseRecords::CaseRecords(CaseDatabase opened)
+CaseRecords::CaseRecords(CaseDatabase opened, const CaseOptions& options)
     : database_(std::move(opened.sqlite)),
       is_read_only_(opened.is_read_only),
       is_damaged_(!opened.damage.empty()),
+      max_waiting_bytes_(options.max_waiting_bytes),
       damage_(std::move(opened.damage)) {}
 
 Result<CaseRecords> CaseRecords::create(const std::filesystem::path& path,
-                                        const std::string& passphrase) {
-  return create_case_database(path, passphrase).map([](CaseDatabase&& database) {
-    return CaseRecords(std::move(database));
+                                        const CaseOptions& options) {
+  return create_case_database(path, options.passphrase).map([&](CaseDatabase&& database) {
+    return CaseRecords(std::move(database), options);
   });
 }
 
 Result<CaseRecords> CaseRecords::open(const std::filesystem::path& path,
                                       const CaseOptions& options) {
-  return open_case_database(path, options).map([](CaseDatabase&& database) {
-    return CaseRecords(std::move(database));
+  return open_case_database(path, options).map([&](CaseDatabase&& database) {
+    return CaseRecords(std::move(database), options);
   });
 }
 
 Result<void> CaseRecords::begin() {
   if (is_read_only()) {
-    return fail(ErrorCode::kNotPermitted, "{}: is open for reading only{}", database_.name(),
-                !is_damaged_ ? "" : ", as it is damaged; start a new case");
+    return fail(ErrorCode::kNotPermitted, "{}: is open read-only{}", database_.name(),
+                !is_damaged_ ? "" : " because it is damaged; create a new case");
   }
   if (is_writing_) return {};
-  if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) return begun;
+  if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) {
+    failure_ = begun.error();
+    return begun;
+  }
   is_writing_ = true;
   for (const PendingWrite& pending : pending_) {
     if (Result<void> done = carry_out(pending); !done) return postponed(done.error());
@@ -178,9 +182,10 @@ Result<void> CaseRecords::begin() {
 }
 
 tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
-  // Some failures end the transaction by themselves: then this fails, and says nothing new.
+  // After some failures the transaction has ended already; then this fails, too.
   (void)database_.run("ROLLBACK");
   is_writing_ = false;
+  failure_ = error;
   return tl::unexpected(error);
 }
 
@@ -201,12 +206,20 @@ Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
 }
 
 Result<void> CaseRecords::write(PendingWrite pending) {
-  if (Result<void> begun = begin(); !begun) {
-    // It comes after those that failed before it.
-    if (!is_read_only()) pending_.push_back(std::move(pending));
-    return begun;
+  const std::size_t bytes = pending.data ? pending.data->size() : 0;
+  if (failure_ && pending_bytes_ + bytes > max_waiting_bytes_) {
+    return fail(ErrorCode::kInsufficient,
+                "{}: too much is waiting to be written, and new data are lost; free some space, or "
+                "save in a new case in another folder",
+                database_.name());
   }
+  // Only commit() tries again: what waits may be much.
+  const Result<void> begun =
+      failure_ && !is_read_only() ? Result<void>(tl::unexpected(*failure_)) : begin();
+  if (!begun && is_read_only()) return begun;
   pending_.push_back(std::move(pending));
+  pending_bytes_ += bytes;
+  if (!begun) return begun;
   if (Result<void> done = carry_out(pending_.back()); !done) return postponed(done.error());
   return {};
 }
@@ -218,7 +231,7 @@ Result<void> CaseRecords::add(CaseTable table, std::int64_t id, std::string_view
         return write.data && write.table == table && write.range.first == id;
       });
   if ((there && *there) || is_pending) {
-    return fail(ErrorCode::kInconsistent, "{}: {} is there already", database_.name(),
+    return fail(ErrorCode::kInconsistent, "{}: {} exists already", database_.name(),
                 name_of_record(table, id));
   }
   return replace(table, id, data);
@@ -239,7 +252,9 @@ Result<void> CaseRecords::commit() {
     return postponed(committed.error());
   }
   is_writing_ = false;
+  failure_.reset();
   pending_.clear();
+  pending_bytes_ = 0;
   return {};
 }
 
@@ -276,7 +291,7 @@ Result<std::int64_t> CaseRecords::count(CaseTable table, const RecordRange& rang
 
 Result<std::optional<std::int64_t>> CaseRecords::last(CaseTable table, const RecordRange& range) {
   return first_integer(database_, table, range, "max(id)").map([](const auto& largest) {
-    // That of nothing is null, which reads as 0; no record has that number.
+    // The maximum of nothing is null, which reads as 0. No record has this id.
     return largest == 0 ? std::nullopt : largest;
   });
 }

@@ -11,25 +11,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "flyt": tells a case from other SQLite databases.
+/// "flyt": the mark of a case among SQLite databases.
 constexpr std::int64_t kApplicationId = 0x666c7974;
 constexpr std::int64_t kCaseVersion = 1;
 
-// The numbers that are the library's defaults in one release or another are given, so that a case
-// opens with all of them. Compatibility is a request that older ones do not know, and pass over.
+// The defaults differ between releases of the library. Fixed numbers let a case open with all of
+// them. Older releases ignore cipher_compatibility.
 constexpr const char* kCipherSetup =
     "PRAGMA cipher_compatibility = 3; PRAGMA cipher_page_size = 8192; PRAGMA kdf_iter = 256000;";
 constexpr const char* kPageSetup = "PRAGMA page_size = 8192;";
-/// What comes from a file is not trusted.
+/// Protects against damaged and malicious files.
 constexpr const char* kReadSetup = "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0;";
-/// Two programs that write would mix their scans up.
+/// Keeps a second program out: two writers would mix up their scans.
 constexpr const char* kLockSetup = "PRAGMA locking_mode = EXCLUSIVE;";
-// In WAL mode each commit is in the hands of the system when it returns, which a killed process
-// does not take back. NORMAL asks the device to keep it at a checkpoint only, each 1024 pages: a
-// power failure costs what came after it, but leaves no half transaction.
+// In WAL mode the operating system has each commit when it returns, so a commit survives a killed
+// process. With NORMAL the device must store it only at a checkpoint, every 1024 pages: a power
+// failure costs what came after the checkpoint, but leaves no half transaction.
 constexpr const char* kLogSetup =
     "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 1024;";
-/// Makes the library overlook a file that is shorter than it says.
+/// Lets the library open a file that is shorter than its header says.
 constexpr const char* kSalvageSetup = "PRAGMA writable_schema = ON;";
 
 std::string table_sql(CaseTable table) {
@@ -38,7 +38,7 @@ std::string table_sql(CaseTable table) {
       name_of(table));
 }
 
-/// The tables are those of this version, and nothing else is there: no view, no trigger.
+/// Accepts only the tables of this version: no view, no trigger.
 Result<void> check_tables(SqliteDatabase& database) {
   auto statement = database.prepare("SELECT sql FROM sqlite_master");
   if (!statement) return tl::unexpected(statement.error());
@@ -54,7 +54,7 @@ Result<void> check_tables(SqliteDatabase& database) {
   std::sort(wanted.begin(), wanted.end());
   if (found == wanted) return {};
   return fail(ErrorCode::kBadFormat,
-              "{}: damaged: its tables are not those of a case; restore it from a backup",
+              "{}: damaged: its tables are not those of a case; restore the file from a backup",
               database.name());
 }
 
@@ -64,17 +64,17 @@ Result<void> check_version(SqliteDatabase& database) {
   const auto version = database.integer("PRAGMA user_version");
   if (!version) return tl::unexpected(version.error());
   if (*application != kApplicationId) {
-    return fail(ErrorCode::kBadFormat, "{}: is a database, but no case of flytri", database.name());
+    return fail(ErrorCode::kBadFormat, "{}: is a database, but not a flytri case", database.name());
   }
   if (*version > kCaseVersion) {
     return fail(
         ErrorCode::kBadFormat,
-        "{}: is a case of version {}, but this program knows versions up to {}; use a newer "
+        "{}: is a case of version {}, but this program reads versions up to {}; use a newer "
         "flytri",
         database.name(), *version, kCaseVersion);
   }
   if (*version == kCaseVersion) return {};
-  return fail(ErrorCode::kBadFormat, "{}: damaged: says that it is a case of version {}",
+  return fail(ErrorCode::kBadFormat, "{}: damaged: its version is {}, which does not exist",
               database.name(), *version);
 }
 
@@ -85,7 +85,7 @@ Result<void> set_up(SqliteDatabase& database, const std::string& passphrase) {
       .and_then([&] { return database.run(kReadSetup); });
 }
 
-/// Opens a file that exists and looks into it.
+/// Opens an existing file and checks its version and tables.
 Result<SqliteDatabase> try_open(const fs::path& path, const std::string& passphrase,
                                 SqliteAccess access, const char* more_setup) {
   Result<SqliteDatabase> database = SqliteDatabase::open(path, access);
@@ -102,21 +102,21 @@ Result<CaseDatabase> open_to_write(const fs::path& path, const std::string& pass
   Result<SqliteDatabase> database =
       try_open(path, passphrase, SqliteAccess::kReadWrite, kLockSetup);
   if (!database) return tl::unexpected(database.error());
-  // Only now, as it changes the file: it is a case.
+  // This changes the file, so it comes after the checks.
   if (Result<void> logging = database->run(kLogSetup); !logging) {
     return tl::unexpected(logging.error());
   }
   return CaseDatabase{std::move(*database), false, {}};
 }
 
-/// Without a log beside it the file alone is the case, and nothing needs to be locked or made.
+/// Without a log next to it, the file is complete: no lock and no other file are needed.
 SqliteAccess reading_access(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path.string() + "-wal", ignored) ? SqliteAccess::kReadOnly
                                                      : SqliteAccess::kImmutable;
 }
 
-/// As asked for; if the file is damaged, read-only and with whatever can be had.
+/// Opens the file as requested. If it is damaged, opens it read-only with what can be read.
 Result<CaseDatabase> open_with(const fs::path& path, const std::string& passphrase,
                                bool read_only) {
   const auto open_to_read = [&](const char* more_setup) {
@@ -136,21 +136,21 @@ Result<void> check_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
-    return fail(ErrorCode::kNotFound, "{}: there is no such case; correct the path", path.string());
+    return fail(ErrorCode::kNotFound, "{}: there is no such case; check the path", path.string());
   }
   if (error) {
     return fail(ErrorCode::kNotPermitted, "{}: cannot be read: {}", path.string(), error.message());
   }
   if (!fs::is_regular_file(status)) {
-    return fail(ErrorCode::kBadFormat, "{}: is no file, and so no case", path.string());
+    return fail(ErrorCode::kBadFormat, "{}: is not a file, so not a case", path.string());
   }
   if (fs::file_size(path, error) == 0) {
-    return fail(ErrorCode::kBadFormat, "{}: is empty: no case", path.string());
+    return fail(ErrorCode::kBadFormat, "{}: the file is empty, so not a case", path.string());
   }
   return {};
 }
 
-/// The tables into an empty file.
+/// Creates the tables in an empty file.
 Result<CaseDatabase> fill_new(const fs::path& path, const std::string& passphrase) {
   Result<SqliteDatabase> database = SqliteDatabase::open(path, SqliteAccess::kReadWrite);
   if (!database) return tl::unexpected(database.error());
@@ -196,12 +196,12 @@ Result<CaseDatabase> open_case_database(const fs::path& path, const CaseOptions&
   if (database || database.error().code != ErrorCode::kInconsistent) return database;
   if (options.passphrase.empty()) {
     return fail(ErrorCode::kInconsistent,
-                "{}: is encrypted, or no case at all: give its passphrase", path.string());
+                "{}: is encrypted or not a case; give its passphrase", path.string());
   }
   database = open_with(path, {}, options.read_only);
   if (database || database.error().code != ErrorCode::kInconsistent) return database;
   return fail(ErrorCode::kInconsistent,
-              "{}: the passphrase is wrong, or the beginning of the file is damaged",
+              "{}: the passphrase is wrong, or the start of the file is damaged",
               path.string());
 }
 

@@ -1,6 +1,6 @@
-/// @file  The database of a case: how its file is made, opened and told from others.
+/// @file  Creates and opens the database of a case, and tells it from other databases.
 ///
-/// For the sources of core/interchange only.
+/// For the sources of core/io/cases only.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace flytri::io {
 
-/// A table has records of one kind: id, checksum of id and data, data.
+/// Each table has the columns id, checksum of id and data, data.
 enum class CaseTable {
   kFields,        ///< one record: JSON
   kCalibration,   ///< one record: JSON
@@ -24,7 +24,7 @@ enum class CaseTable {
   kFrames,        ///< by stage and frame: JSON
   kPoses,         ///< by stage and frame
   kEdits,         ///< by stage and position in the sequence
-  kEditCursors,   ///< by stage: how many of the edits hold
+  kEditCursors,   ///< by stage: how many of the edits apply
   kMeasurements,  ///< by stage and number: JSON
   kModels,        ///< by stage: .glb
   kSummaries      ///< by stage: JSON
@@ -36,19 +36,19 @@ inline constexpr std::array kCaseTables = {
     CaseTable::kModels,   CaseTable::kSummaries};
 [[nodiscard]] std::string_view name_of(CaseTable table);
 
-/// An open database whose tables are known to be ours.
+/// An open database with the tables of a case.
 struct CaseDatabase {
   SqliteDatabase sqlite;
   bool is_read_only = false;
-  std::vector<std::string> damage;  ///< why it is read-only although that was not asked for
+  std::vector<std::string> damage;  ///< why it is read-only although the caller wants to write
 };
 
-/// Makes an empty file with the tables, for its owner alone. On failure none is left behind.
+/// Creates an empty file with the tables; only its owner may read it. On failure no file is left.
 /// @errors  As CaseFile::create.
 [[nodiscard]] Result<CaseDatabase> create_case_database(const std::filesystem::path& path,
                                                         const std::string& passphrase);
 
-/// The file and what lies beside it while it is open.
+/// Removes the file and the files that SQLite keeps next to it.
 void remove_case_files(const std::filesystem::path& path);
 
 /// @errors  As CaseFile::open.

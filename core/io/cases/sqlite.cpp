@@ -9,9 +9,9 @@
 namespace flytri::io {
 namespace {
 
-/// What a failing call means to the user, and what helps.
+/// Says what a failed call means for the user, and what to do.
 /// @errors  kWriteFailed (disk full, failing device), kNotPermitted (no permission, or another
-///          program has it open), kBadFormat (damaged), kInconsistent (no database, wrong key).
+///          program has it open), kBadFormat (damaged), kInconsistent (not a database, wrong passphrase).
 tl::unexpected<Error> sqlite_failure(int code, const std::string& name) {
   switch (code & 0xff) {
     case SQLITE_FULL:
@@ -31,11 +31,11 @@ tl::unexpected<Error> sqlite_failure(int code, const std::string& name) {
                   "folder, or choose another folder",
                   name);
     case SQLITE_NOTADB:
-      return fail(ErrorCode::kInconsistent, "{}: no database, or encrypted with another passphrase",
+      return fail(ErrorCode::kInconsistent, "{}: is not a database, or encrypted with another passphrase",
                   name);
     case SQLITE_IOERR:
       if (code != SQLITE_IOERR_READ && code != SQLITE_IOERR_SHORT_READ) {
-        return fail(ErrorCode::kWriteFailed, "{}: cannot be written: the device fails", name);
+        return fail(ErrorCode::kWriteFailed, "{}: cannot be written: the device has failed; choose another folder", name);
       }
       [[fallthrough]];
     default:
@@ -43,7 +43,7 @@ tl::unexpected<Error> sqlite_failure(int code, const std::string& name) {
   }
 }
 
-/// The path as the library wants it where there are parameters: no character may be taken for one.
+/// The path as a URI. Characters with a meaning in URIs are escaped.
 std::string sqlite_uri(const std::filesystem::path& path, SqliteAccess access) {
   std::string uri = "file:";
   std::error_code ignored;

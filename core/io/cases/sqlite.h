@@ -1,6 +1,6 @@
-/// @file  A database in one file: statements in, rows out, with errors in the user's words.
+/// @file  Runs SQL statements on a database in one file, with error messages for the user.
 ///
-/// For the sources of core/interchange only. The library is SQLCipher, which is SQLite with a key.
+/// For the sources of core/io/cases only. The library is SQLCipher: SQLite with encryption.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,27 @@ struct sqlite3_stmt;
 
 namespace flytri::io {
 
-/// How a database that exists already is opened.
+/// How to open an existing database.
 enum class SqliteAccess {
   kReadWrite,
   kReadOnly,
-  kImmutable  ///< read-only, and nobody else writes: no lock is taken, no file made beside it
+  kImmutable  ///< read-only, and nobody else writes: takes no lock, creates no other file
 };
 
-/// One statement. What it binds by reference must live until it was stepped.
+/// One statement. Bound texts and bytes must live until the statement has been stepped.
 class SqliteStatement {
  public:
   SqliteStatement& bind(int parameter, std::int64_t value);
   SqliteStatement& bind_blob(int parameter, std::string_view bytes);
   SqliteStatement& bind_text(int parameter, std::string_view text);
-  /// True: there is a row. False: done, and ready to be bound and stepped again.
+  /// True: there is a row. False: done; the statement may be bound and stepped again.
   /// @errors  As SqliteDatabase.
   [[nodiscard]] Result<bool> step();
-  /// Ends the walk before its last row.
+  /// Ends the statement before its last row.
   void reset();
 
   [[nodiscard]] std::int64_t integer(int column) const;
-  /// Bytes or text, valid until the next step.
+  /// Bytes or text. Valid until the next step.
   [[nodiscard]] std::string_view bytes(int column) const;
 
  private:
@@ -52,21 +52,20 @@ class SqliteStatement {
   std::string name_;  ///< of the file, for messages
 };
 
-/// A connection. Closing it drops a transaction that was not committed.
-/// @errors  Of all functions: kWriteFailed (disk full, failing device), kNotPermitted (permissions,
-/// or
-///          another program has it open), kBadFormat (damaged), kInconsistent (no database, or a
-///          wrong key).
+/// A connection. Closing it drops a transaction without commit.
+/// @errors  All functions: kWriteFailed (disk full, failing device), kNotPermitted (permissions, or
+///          another program has it open), kBadFormat (damaged), kInconsistent (not a database, or a
+///          wrong passphrase).
 class SqliteDatabase {
  public:
-  /// Opens a file that exists; nothing is read from it yet.
+  /// Opens an existing file, but reads nothing yet.
   [[nodiscard]] static Result<SqliteDatabase> open(const std::filesystem::path& path,
                                                    SqliteAccess access);
-  /// The passphrase of the file, before anything else is done.
-  /// @errors  Also kInconsistent: the library at hand cannot encrypt.
+  /// Sets the passphrase. Call it before anything else.
+  /// @errors  Also kInconsistent: this library cannot encrypt.
   [[nodiscard]] Result<void> set_key(std::string_view passphrase);
 
-  /// Runs statements that give no rows, or whose rows do not matter.
+  /// Runs statements and ignores their rows.
   [[nodiscard]] Result<void> run(const std::string& sql);
   [[nodiscard]] Result<SqliteStatement> prepare(const std::string& sql);
   /// First column of the first row.

@@ -19,14 +19,14 @@ namespace {
 constexpr std::uint8_t kViewVersion = 1;
 constexpr std::size_t kDoubles = 3, kFloats = 4;
 constexpr std::size_t kPlanes = kDoubles * sizeof(double) + kFloats * sizeof(float);
-/// A plane above this entropy would hardly shrink, and packing it takes the most time.
+/// A plane with more entropy would hardly shrink, and would take the most time to compress.
 constexpr double kMaxPackedBits = 7.0;
 
-/// By point: one byte of one column.
+/// One byte of one column, for all points.
 using Plane = std::string;
 using Planes = std::array<Plane, kPlanes>;
 
-// Sign and size of a step share its low bits, so that small steps either way have leading zeros.
+// Stores the sign in the lowest bit, so that small steps in both directions have leading zeros.
 template <typename Bits>
 constexpr Bits fold(Bits step) {
   constexpr int kSign = std::numeric_limits<Bits>::digits - 1;
@@ -37,7 +37,7 @@ constexpr Bits unfold(Bits folded) {
   return static_cast<Bits>(folded >> 1U) ^ static_cast<Bits>(Bits{0} - (folded & 1U));
 }
 
-/// Spreads a number over its planes, the most significant byte first.
+/// Calls `visit` for each byte of a number, the most significant first.
 template <typename Bits, typename Visit>
 void for_each_byte(Bits value, std::size_t first_plane, const Visit& visit) {
   for (std::size_t i = 0; i < sizeof(Bits); ++i) {
@@ -125,7 +125,7 @@ void fill_points(View& view, const std::array<std::string_view, kPlanes>& planes
   }
 }
 
-/// Bits that a byte of the plane carries.
+/// Bits of information in each byte of the plane.
 double entropy(const Plane& plane) {
   std::array<std::size_t, 256> counts{};
   for (const char byte : plane) ++counts[static_cast<unsigned char>(byte)];
@@ -141,7 +141,7 @@ double entropy(const Plane& plane) {
 std::string packed_bytes(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
-  // Cannot fail: the bound is enough, and the level is known.
+  // Cannot fail: there is enough room, and the level is valid.
   (void)compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
                   reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED);
   packed.resize(size);
@@ -162,7 +162,7 @@ void put_head(std::string& bytes, const View& view) {
   }
 }
 
-/// What comes before the planes, with the points still to be filled in.
+/// Reads what comes before the planes. The points are not filled in yet.
 std::optional<View> take_head(ByteReader& reader) {
   const auto version = reader.number<std::uint8_t>();
   const auto pattern = reader.number<std::uint8_t>();
@@ -171,7 +171,7 @@ std::optional<View> take_head(ByteReader& reader) {
   const auto profile_count = reader.number<std::uint32_t>();
   const auto point_count = reader.number<std::uint32_t>();
   if (!point_count || *version != kViewVersion || *pattern > 1) return std::nullopt;
-  // Before anything of that size is made room for.
+  // Checked before memory of this size is allocated.
   if (kPlanes * *point_count > kMaxDeflateRatio * reader.rest().size()) return std::nullopt;
   View view{
       *pattern == 1 ? Pattern::kHorizontal : Pattern::kVertical, FrameIndex(*frame), *time_s, {}};
@@ -194,7 +194,7 @@ std::optional<View> take_head(ByteReader& reader) {
   return left == 0 ? std::optional(std::move(view)) : std::nullopt;
 }
 
-/// Unpacks a zlib stream that must give exactly so many bytes.
+/// Decompresses a zlib stream that must give exactly `size` bytes.
 std::optional<std::string> unpacked_bytes(std::string_view stream, std::size_t size) {
   std::string bytes(size, '\0');
   uLongf got = size;
@@ -203,7 +203,7 @@ std::optional<std::string> unpacked_bytes(std::string_view stream, std::size_t s
   return code == Z_OK && got == size ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-/// Fills in the points from all that follows the head.
+/// Fills in the points from the bytes after the head.
 bool take_points(std::string_view bytes, View& view) {
   ByteReader reader(bytes);
   const auto packed = reader.number<std::uint64_t>();
@@ -249,7 +249,7 @@ Result<View> decode_view(std::string_view bytes) {
   ByteReader reader(bytes);
   std::optional<View> view = take_head(reader);
   if (!view || !take_points(reader.rest(), *view)) {
-    return fail(ErrorCode::kBadFormat, "damaged: not the bytes of a view");
+    return fail(ErrorCode::kBadFormat, "damaged: these are not the bytes of a view");
   }
   return std::move(*view);
 }

@@ -20,7 +20,7 @@ measurement::MeasuredView measured(const FrameIntake::Task& task) {
   return view;
 }
 
-TEST(FrameIntake, ResultsComeInTheOrderOfTheFrames) {
+TEST(FrameIntake, ResultsHaveTheOrderOfTheFrames) {
   FrameIntake intake(8);
   for (int i = 0; i < 3; ++i) intake.offer(frame(i), 0.5 * i);
   std::vector<FrameIntake::Task> tasks;
@@ -36,7 +36,7 @@ TEST(FrameIntake, ResultsComeInTheOrderOfTheFrames) {
   }
 }
 
-TEST(FrameIntake, AFullQueueGivesUpTheOldestThatNoWorkerHasBegun) {
+TEST(FrameIntake, AFullQueueSkipsTheOldestWaitingFrame) {
   FrameIntake intake(3);
   intake.offer(frame(0), 0.0);
   const FrameIntake::Task begun = *intake.take();
@@ -49,7 +49,7 @@ TEST(FrameIntake, AFullQueueGivesUpTheOldestThatNoWorkerHasBegun) {
   EXPECT_EQ(intake.take()->frame.index, FrameIndex(4));
 }
 
-TEST(FrameIntake, WhereAllWaitForALateReaderTheNewFrameIsGivenUp) {
+TEST(FrameIntake, SkipsTheNewFrameIfTheReaderIsLate) {
   FrameIntake intake(2);
   for (int i = 0; i < 2; ++i) intake.offer(frame(i), 0.0);
   for (int i = 0; i < 2; ++i) {
@@ -63,7 +63,7 @@ TEST(FrameIntake, WhereAllWaitForALateReaderTheNewFrameIsGivenUp) {
   EXPECT_TRUE(intake.next()->skipped);
 }
 
-TEST(FrameIntake, EveryFrameComesOutOnceUnderLoad) {
+TEST(FrameIntake, EachFrameComesOutOnceUnderLoad) {
   constexpr int kFrames = 2000;
   FrameIntake intake(4);
   const auto work = [&] {
@@ -84,7 +84,7 @@ TEST(FrameIntake, EveryFrameComesOutOnceUnderLoad) {
   second.join();
 }
 
-TEST(FrameIntake, WakingAndClosingEndTheWaiting) {
+TEST(FrameIntake, WakeAndCloseEndTheWaiting) {
   FrameIntake intake(2);
   std::thread waker([&] { intake.wake(); });
   EXPECT_FALSE(intake.next());

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <future>
@@ -19,7 +20,7 @@ using testing::SceneSensor;
 
 constexpr double kPeriod_s = 1.0 / 30.0;
 
-/// A slow loop of the hand over the scene.
+/// The path of the sensor: a slow loop over the scene.
 Isometry scan_pose(double time_s) {
   Twist twist;
   twist << 0.1 * std::sin(0.9 * time_s), 0.1 * std::cos(0.7 * time_s), 0.2 * std::sin(0.5 * time_s),
@@ -31,7 +32,7 @@ double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// What the sensor would measure: nothing while it is away.
+/// What the sensor measures: nothing while it is away.
 class Scene {
  public:
   [[nodiscard]] Result<measurement::MeasuredView> measure(const Frame& frame) const {
@@ -43,14 +44,23 @@ class Scene {
     Random random(17, static_cast<std::uint64_t>(frame.index.value));
     measured.view =
         testing::measure_scene(testing::cusped_height, SceneSensor(), *pattern_of(frame.kind),
-                               scan_pose(frame.time_s), random);
+                               shifted(scan_pose(frame.time_s), frame.time_s), random);
     measured.view.frame = frame.index;
     measured.view.time_s = frame.time_s;
     return measured;
   }
   double away_from_s = 1e9, away_to_s = 1e9;
+  /// After it was away, the sensor comes back this far from the scanned place, and then returns to
+  /// it slowly.
+  double comes_back_beside_mm = 0.0;
 
  private:
+  [[nodiscard]] Isometry shifted(const Isometry& T_scene_sensor, double time_s) const {
+    constexpr double kSpeed_mm_s = 10.0;
+    if (time_s < away_to_s) return T_scene_sensor;
+    const double beside_mm = comes_back_beside_mm - kSpeed_mm_s * (time_s - away_to_s);
+    return Eigen::Translation3d(std::max(0.0, beside_mm), 0.0, 0.0) * T_scene_sensor;
+  }
   [[nodiscard]] bool is_away(double time_s) const {
     return time_s >= away_from_s && time_s < away_to_s;
   }
@@ -69,7 +79,7 @@ LiveScanOptions options_for(const Scene& scene) {
   LiveScanOptions options;
   options.now_s = steady_s;
   options.measure_frame = [scene](const Frame& frame) { return scene.measure(frame); };
-  options.max_frames_underway = 1000;  // nothing is to be lost to a busy machine
+  options.max_frames_underway = 1000;  // a busy machine must not lose frames
   options.max_views_waiting = 1000;
   return options;
 }
@@ -85,7 +95,7 @@ void offer(LiveScan& scan, int begin, int end) {
   scan.wait_until_idle();
 }
 
-/// RMS over a view's radius of how far poses are from the truth, first view's gauge.
+/// RMS error of the poses over the radius of a view, relative to the first view.
 double pose_rms_mm(const std::vector<AlignedView>& views) {
   const Isometry T_scene_world =
       scan_pose(views.front().view->time_s) * views.front().T_world_sensor.inverse();
@@ -98,14 +108,14 @@ double pose_rms_mm(const std::vector<AlignedView>& views) {
   return std::sqrt(sum / static_cast<double>(views.size()));
 }
 
-/// Waits for the finishing, which is begun by a request.
+/// Finishes the scan, and waits for the end.
 std::shared_ptr<const ScanSnapshot> finish(LiveScan& scan) {
   scan.finish();
   scan.wait_until_idle();
   return scan.snapshot();
 }
 
-TEST(LiveScan, BeforeItIsStartedItMeasuresAndKeepsNothing) {
+TEST(LiveScan, BeforeTheStartItMeasuresButSavesNothing) {
   const auto scan = make_scan(options_for({}));
   offer(*scan, 0, 6);
   const auto now = scan->snapshot();
@@ -119,7 +129,7 @@ TEST(LiveScan, BeforeItIsStartedItMeasuresAndKeepsNothing) {
   EXPECT_LT(std::abs(now->distance->depth_share), 0.5);
 }
 
-TEST(LiveScan, AScanGrowsAndEveryFrameIsCountedOnce) {
+TEST(LiveScan, AScanGrowsAndCountsEachFrameOnce) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 90);
@@ -129,18 +139,18 @@ TEST(LiveScan, AScanGrowsAndEveryFrameIsCountedOnce) {
   EXPECT_EQ(now->counts.registered, 90);
   EXPECT_EQ(now->counts.pending, 0);
   EXPECT_GT(surfel_count(now->model), 5000U);
-  // Seen are about 20 x 15 mm, the way of the hand beside it, and the flanks of the waves.
+  // The sensor sees about 20 x 15 mm; its movement and the slopes of the waves add to that.
   EXPECT_GT(now->area_mm2, 300.0);
   EXPECT_LT(now->area_mm2, 900.0);
   EXPECT_GT(now->good_share, 0.5);
-  // Views that a busy machine shows together count one by one, and the last do not wait for more.
+  // Views that are published together count one by one, and the last views are published, too.
   EXPECT_EQ(now->latency.count, 90);
 }
 
-TEST(LiveScan, ViewsThatWaitForABusyModelAreShownThoughNoOtherComes) {
+TEST(LiveScan, ShowsTheLastViewsAfterTheModelWasBusy) {
   LiveScanOptions options = options_for({});
   std::promise<void> gate;
-  // The model's thread asks for the time before it publishes: there it is held up.
+  // Stops the model's thread where it asks for the time before it publishes.
   options.now_s = [opened = gate.get_future().share(), test = std::this_thread::get_id()] {
     if (std::this_thread::get_id() != test) opened.wait();
     return steady_s();
@@ -177,13 +187,13 @@ TEST(LiveScan, SurfelsLieOnTheSurfaceWithItsNormals) {
       cosines.push_back(normal.dot(T_scene_world.linear() * surfel.normal.cast<double>()));
     }
   }
-  // Points have 30 um of noise each; cells hold several.
+  // Points have 30 µm of noise; a cell averages several points.
   EXPECT_LT(std::sqrt(sum2 / static_cast<double>(cosines.size())), 0.03);
-  // Within a normal's cube the waves turn by up to 20 degrees.
+  // Inside the cube of a normal, the waves turn by up to 20 degrees.
   EXPECT_GT(median_of(cosines), 0.98);
 }
 
-TEST(LiveScan, GoesOnByItselfAfterTheSensorWasAway) {
+TEST(LiveScan, ContinuesByItselfAfterTheSensorWasAway) {
   Scene scene;
   scene.away_from_s = 60 * kPeriod_s;
   scene.away_to_s = 90 * kPeriod_s;
@@ -204,7 +214,7 @@ TEST(LiveScan, GoesOnByItselfAfterTheSensorWasAway) {
   EXPECT_EQ(back->counts.pending, 0);
 }
 
-TEST(LiveScan, AnInterruptedScanIsAsExactAsOneInOneGo) {
+TEST(LiveScan, AnInterruptedScanIsAsAccurateAsAnother) {
   Scene whole, interrupted;
   interrupted.away_from_s = 60 * kPeriod_s;
   interrupted.away_to_s = 90 * kPeriod_s;
@@ -217,12 +227,12 @@ TEST(LiveScan, AnInterruptedScanIsAsExactAsOneInOneGo) {
     ASSERT_NE(done->result, nullptr) << done->failure;
     rms_mm[i] = pose_rms_mm(done->result->views);
   }
-  // A sixth of the views is missing; more than twice the error would be a view in a wrong place.
+  // A sixth of the views is missing. More than twice the error would mean a wrong pose.
   EXPECT_LT(rms_mm[1], 2.0 * rms_mm[0]);
   EXPECT_LT(rms_mm[0], 0.03);
 }
 
-TEST(LiveScan, PausedItKeepsTheModelAndGoesOnWhereItIsFound) {
+TEST(LiveScan, ContinuesThePausedModel) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 60);
@@ -237,7 +247,7 @@ TEST(LiveScan, PausedItKeepsTheModelAndGoesOnWhereItIsFound) {
   EXPECT_GE(surfel_count(scan->snapshot()->model), before);
 }
 
-TEST(LiveScan, FinishesToAMeshAndScansOn) {
+TEST(LiveScan, FinishesToAMeshAndContinues) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 90);
@@ -251,7 +261,7 @@ TEST(LiveScan, FinishesToAMeshAndScansOn) {
   EXPECT_EQ(scan->snapshot()->result, nullptr);
 }
 
-TEST(LiveScan, ACancelledFinishingLeavesTheScan) {
+TEST(LiveScan, KeepsTheScanIfFinishingIsCancelled) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 60);
@@ -259,14 +269,14 @@ TEST(LiveScan, ACancelledFinishingLeavesTheScan) {
   while (scan->snapshot()->phase == ScanPhase::kMeasurement) std::this_thread::yield();
   scan->cancel_finish();
   scan->wait_until_idle();
-  // Fast machines may be done before the cancel arrives.
+  // A fast machine may be done before the cancel arrives.
   if (scan->snapshot()->phase == ScanPhase::kFinished) GTEST_SKIP() << "finished before the cancel";
   EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
   EXPECT_EQ(scan->snapshot()->failure, "");
   EXPECT_FALSE(scan->snapshot()->model.empty());
 }
 
-TEST(LiveScan, TrimmedPlacesAreGoneAndComeBackWithUndo) {
+TEST(LiveScan, UndoBringsBackTrimmedPlaces) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 60);
@@ -285,14 +295,14 @@ TEST(LiveScan, TrimmedPlacesAreGoneAndComeBackWithUndo) {
   EXPECT_TRUE(scan->snapshot()->can_redo);
 }
 
-/// Waits for the search of holes, which is beside the scan.
+/// Waits for the search for holes, which runs in the background.
 bool knows_holes_soon(const LiveScan& scan) {
   for (int tries = 0; tries < 3000 && !scan.snapshot()->holes_are_current; ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   return scan.snapshot()->holes_are_current;
 }
 
-TEST(LiveScan, HolesOfAPausedScanAreThoseOfWhatIsShownWhateverIsEdited) {
+TEST(LiveScan, HolesOfAPausedScanFollowItsEdits) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 60);
@@ -302,7 +312,7 @@ TEST(LiveScan, HolesOfAPausedScanAreThoseOfWhatIsShownWhateverIsEdited) {
   const std::size_t before = scan->snapshot()->holes.size();
   const auto full = scan->snapshot();
   const Surfel middle = full->model[full->model.size() / 2]->surfels.front();
-  // The second comes while the holes after the first are looked for.
+  // The second edit comes during the search after the first.
   for (const float radius_mm : {1.0F, 3.0F}) {
     scan->edit(editing::EditKind::kTrim, {{middle.position_mm, middle.normal, radius_mm}});
     scan->wait_until_idle();
@@ -316,7 +326,7 @@ TEST(LiveScan, HolesOfAPausedScanAreThoseOfWhatIsShownWhateverIsEdited) {
   EXPECT_EQ(scan->snapshot()->holes.size(), before);
 }
 
-TEST(LiveScan, HolesOfAFinishedScanThatIsEditedAreThoseOfWhatIsShown) {
+TEST(LiveScan, HolesOfAFinishedScanFollowItsEdits) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 60);
@@ -330,7 +340,7 @@ TEST(LiveScan, HolesOfAFinishedScanThatIsEditedAreThoseOfWhatIsShown) {
   EXPECT_GT(scan->snapshot()->holes.size(), done->holes.size());
 }
 
-TEST(LiveScan, LoadCostsViewsAndNotTime) {
+TEST(LiveScan, HighLoadCostsViewsButNoDelay) {
   Scene scene;
   LiveScanOptions options = options_for(scene);
   options.max_frames_underway = 4;
@@ -347,10 +357,18 @@ TEST(LiveScan, LoadCostsViewsAndNotTime) {
   EXPECT_EQ(counts.pending, 0);
 }
 
-/// What a journal was told.
+/// A journal in memory.
 class Notes final : public ScanJournal {
  public:
   void keep_view(const View& view) override { views.push_back(std::make_shared<const View>(view)); }
+  /// True if each view with a pose is there exactly once.
+  [[nodiscard]] bool has_each_placed_view_once() const {
+    std::map<int, int> counts;
+    for (const auto& view : views) ++counts[view->frame.value];
+    return std::all_of(poses.begin(), poses.end(), [&](const auto& pose) {
+      return counts.count(pose.first) == 1 && counts.at(pose.first) == 1;
+    });
+  }
   void keep_texture(const Frame&) override { ++textures; }
   void keep_poses(std::span<const AlignedView> placed) override {
     for (const AlignedView& view : placed) poses[view.view->frame.value] = view.T_world_sensor;
@@ -364,7 +382,7 @@ class Notes final : public ScanJournal {
   int textures = 0, results = 0, commits = 0;
 };
 
-TEST(LiveScan, TheJournalHoldsWhatAScanNeedsToGoOn) {
+TEST(LiveScan, AScanCanBeContinuedFromItsJournal) {
   const auto notes = std::make_shared<Notes>();
   LiveScanOptions options = options_for({});
   options.journal = notes;
@@ -387,6 +405,71 @@ TEST(LiveScan, TheJournalHoldsWhatAScanNeedsToGoOn) {
   offer(*scan, 95, 130);
   EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
   EXPECT_GE(scan->snapshot()->counts.registered, 25);
+}
+
+TEST(LiveScan, TwoPressesOfFinishMakeOneRun) {
+  const auto notes = std::make_shared<Notes>();
+  LiveScanOptions options = options_for({});
+  options.journal = notes;
+  const auto scan = make_scan(options);
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->finish();
+  const auto done = finish(*scan);
+  EXPECT_EQ(done->phase, ScanPhase::kFinished);
+  EXPECT_EQ(notes->results, 1);
+}
+
+/// Waits until the scan is in this phase; false after a minute.
+bool reaches(const LiveScan& scan, ScanPhase phase) {
+  for (int tries = 0; tries < 60'000 && scan.snapshot()->phase != phase; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return scan.snapshot()->phase == phase;
+}
+
+TEST(LiveScan, CommandsWhileFinishingDoNotDisturbIt) {
+  Scene scene;
+  scene.away_from_s = 30 * kPeriod_s;
+  scene.away_to_s = 55 * kPeriod_s;
+  const auto first = std::make_shared<Notes>(), second = std::make_shared<Notes>();
+  LiveScanOptions options = options_for(scene);
+  options.journal = first;
+  const auto scan = make_scan(options);
+  scan->start();
+  offer(*scan, 0, 120);
+  scan->finish();
+  ASSERT_TRUE(reaches(*scan, ScanPhase::kFinishing));
+  for (int i = 0; i < 20; ++i) {
+    scan->pause();
+    scan->start();
+    scan->choose_reentry(0);
+    scan->undo();
+  }
+  scan->keep_in(second);
+  scan->wait_until_idle();
+  const auto done = scan->snapshot();
+  EXPECT_EQ(done->phase, ScanPhase::kFinished);
+  ASSERT_NE(done->result, nullptr) << done->failure;
+  EXPECT_EQ(second->results, 1);
+  EXPECT_GE(second->poses.size(), done->result->views.size());
+  EXPECT_TRUE(second->has_each_placed_view_once());
+}
+
+TEST(LiveScan, ALaterJournalGetsAlsoViewsThatJoinAfterIt) {
+  Scene scene;
+  scene.away_from_s = 30 * kPeriod_s;
+  scene.away_to_s = 60 * kPeriod_s;
+  // The views there overlap with no other, until the sensor has returned.
+  scene.comes_back_beside_mm = 40.0;
+  const auto scan = make_scan(options_for(scene));
+  scan->start();
+  offer(*scan, 0, 75);
+  ASSERT_EQ(scan->snapshot()->phase, ScanPhase::kContinuation);
+  const auto notes = std::make_shared<Notes>();
+  scan->keep_in(notes);
+  offer(*scan, 75, 240);
+  EXPECT_EQ(notes->poses.count(65), 1U) << "the views from beside have not joined";
+  EXPECT_TRUE(notes->has_each_placed_view_once());
 }
 
 TEST(LiveScan, NamesTheOptionThatIsWrong) {

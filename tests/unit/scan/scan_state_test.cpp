@@ -23,12 +23,12 @@ TEST(ScanState, AScanGoesFromPreviewToTheResult) {
   EXPECT_EQ(phase, ScanPhase::kFinished);
 }
 
-TEST(ScanState, ScanningAgainHasToFindTheSurfaceFirst) {
+TEST(ScanState, ScanningAgainStartsInContinuation) {
   EXPECT_EQ(next_phase(ScanPhase::kPreview, ScanEvent::kStart, true), ScanPhase::kContinuation);
   EXPECT_EQ(next_phase(ScanPhase::kFinished, ScanEvent::kStart, true), ScanPhase::kContinuation);
 }
 
-TEST(ScanState, NothingCanBeFinishedWhereNothingWasScanned) {
+TEST(ScanState, AnEmptyScanCannotBeFinished) {
   for (const ScanPhase phase : kPhases) {
     EXPECT_EQ(next_phase(phase, ScanEvent::kFinish, false), phase);
   }
@@ -39,14 +39,34 @@ TEST(ScanState, AFailedFinishingAndAnEditLeadBackToPreview) {
   EXPECT_EQ(next_phase(ScanPhase::kFinished, ScanEvent::kEdit, true), ScanPhase::kPreview);
 }
 
-TEST(ScanState, FinishingIsLeftByItsOwnEventsAlone) {
+TEST(ScanState, FinishingEndsOnlyByItsOwnEvents) {
   for (const ScanEvent event : {ScanEvent::kStart, ScanEvent::kPause, ScanEvent::kRegistered,
                                 ScanEvent::kLost, ScanEvent::kEdit}) {
     EXPECT_EQ(next_phase(ScanPhase::kFinishing, event, true), ScanPhase::kFinishing);
   }
 }
 
-TEST(ScanState, LosingAndFindingMeanNothingOutsideOfAScan) {
+TEST(ScanState, WhileFinishingEveryCommandIsRefused) {
+  for (const ScanEvent event :
+       {ScanEvent::kStart, ScanEvent::kPause, ScanEvent::kFinish, ScanEvent::kEdit}) {
+    EXPECT_FALSE(accepts(ScanPhase::kFinishing, event, true));
+  }
+  EXPECT_FALSE(may_leave(ScanPhase::kFinishing));
+}
+
+TEST(ScanState, AcceptsTheCommandsThatFitThePhase) {
+  EXPECT_TRUE(accepts(ScanPhase::kPreview, ScanEvent::kStart, false));
+  EXPECT_TRUE(accepts(ScanPhase::kFinished, ScanEvent::kStart, true));
+  EXPECT_FALSE(accepts(ScanPhase::kMeasurement, ScanEvent::kStart, true));
+  EXPECT_TRUE(accepts(ScanPhase::kContinuation, ScanEvent::kPause, true));
+  EXPECT_FALSE(accepts(ScanPhase::kPreview, ScanEvent::kPause, true));
+  EXPECT_TRUE(accepts(ScanPhase::kMeasurement, ScanEvent::kFinish, true));
+  EXPECT_FALSE(accepts(ScanPhase::kPreview, ScanEvent::kFinish, false));
+  EXPECT_FALSE(accepts(ScanPhase::kFinished, ScanEvent::kFinish, true));
+  EXPECT_TRUE(accepts(ScanPhase::kPreview, ScanEvent::kEdit, true));
+}
+
+TEST(ScanState, LostAndRegisteredHaveNoEffectOutsideAScan) {
   for (const ScanPhase phase : {ScanPhase::kPreview, ScanPhase::kFinishing, ScanPhase::kFinished}) {
     EXPECT_EQ(next_phase(phase, ScanEvent::kLost, true), phase);
     EXPECT_EQ(next_phase(phase, ScanEvent::kRegistered, true), phase);

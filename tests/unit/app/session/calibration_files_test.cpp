@@ -32,7 +32,7 @@ std::vector<fs::path> files_like(const fs::path& folder, const std::string& word
   return found;
 }
 
-TEST(CalibrationFiles, WhatWasBegunIsProposedUntilItIsDone) {
+TEST(CalibrationFiles, ProposesAnUnfinishedCalibration) {
   const TemporaryFolder folder;
   const fs::path fresh = propose_calibration_folder(folder.path());
   EXPECT_FALSE(fs::exists(fresh));
@@ -43,7 +43,7 @@ TEST(CalibrationFiles, WhatWasBegunIsProposedUntilItIsDone) {
   EXPECT_NE(propose_calibration_folder(folder.path()), begun);
 }
 
-TEST(CalibrationFiles, TheRigNamesTheFirstCalibrationItGets) {
+TEST(CalibrationFiles, NamesTheFirstCalibrationInTheRig) {
   const TemporaryFolder folder;
   const fs::path made = folder.path() / "made.json", rig = folder.path() / "rig.json";
   ASSERT_TRUE(io::write_file(made, "new"));
@@ -57,7 +57,7 @@ TEST(CalibrationFiles, TheRigNamesTheFirstCalibrationItGets) {
   EXPECT_EQ(io::read_file(*adopted).value(), "new");
 }
 
-TEST(CalibrationFiles, TheOneBeforeIsKept) {
+TEST(CalibrationFiles, KeepsTheFormerCalibration) {
   const TemporaryFolder folder;
   const fs::path made = folder.path() / "made.json", named = folder.path() / "named.json";
   ASSERT_TRUE(io::write_file(made, "new"));
@@ -72,7 +72,7 @@ TEST(CalibrationFiles, TheOneBeforeIsKept) {
   EXPECT_EQ(io::read_file(kept.front()).value(), "old");
 }
 
-TEST(CalibrationFiles, ARigThatCannotBeReadStaysAsItIs) {
+TEST(CalibrationFiles, LeavesADamagedRigFileUnchanged) {
   const TemporaryFolder folder;
   const fs::path made = folder.path() / "made.json", rig = folder.path() / "rig.json";
   ASSERT_TRUE(io::write_file(made, "new"));

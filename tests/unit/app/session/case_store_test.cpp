@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "core/io/models/glb.h"
+#include "tests/support/case_samples.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::session {
@@ -9,23 +12,78 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
-TEST(CaseStore, AFinishedModelThatCannotBeReadIsTold) {
+constexpr io::ScanStage kStage = io::ScanStage::kUpper;
+
+std::shared_ptr<CaseStore> new_store(const std::filesystem::path& path) {
+  return std::make_shared<CaseStore>(io::CaseFile::create(path, {}).value());
+}
+
+/// Opens a case with this model in it.
+Result<OpenedStage> opened_with(const io::StageResult& result) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "case.flytri";
   {
-    auto file = io::CaseFile::create(path, {});
-    ASSERT_TRUE(file) << file.error().message;
-    const char* summary = R"({"made_of": {"view_count": 0, "edited_at_s": []}})";
-    ASSERT_TRUE(file->write_result(io::ScanStage::kUpper, {"glTF, and no more", summary}));
-    ASSERT_TRUE(file->commit());
+    io::CaseFile file = io::CaseFile::create(path, {}).value();
+    EXPECT_TRUE(file.write_result(kStage, result));
+    EXPECT_TRUE(file.commit());
   }
-  auto file = io::CaseFile::open(path);
-  ASSERT_TRUE(file) << file.error().message;
-  const auto opened = std::make_shared<CaseStore>(std::move(*file))->load(io::ScanStage::kUpper);
+  return std::make_shared<CaseStore>(io::CaseFile::open(path).value())->load(kStage);
+}
+
+std::string small_model() {
+  TexturedMesh model;
+  model.mesh.vertices.resize(3);
+  model.mesh.vertices[1].position_mm = {1, 0, 0};
+  model.mesh.vertices[2].position_mm = {0, 1, 0};
+  model.mesh.triangles = {{0, 1, 2}};
+  return io::encode_glb(model, "model").value();
+}
+
+TEST(CaseStore, SaysThatAFinishedModelCannotBeRead) {
+  const auto opened = opened_with({"glTF, and no more", "", io::ResultBasis{}});
   ASSERT_TRUE(opened) << opened.error().message;
   EXPECT_EQ(opened->scan.result, nullptr);
   EXPECT_THAT(opened->damage, ElementsAre(HasSubstr("finish again")));
+}
+
+TEST(CaseStore, LoadsAModelThatIsMadeOfTheStageAsItIs) {
+  const auto opened = opened_with({small_model(), "", io::ResultBasis{}});
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_NE(opened->scan.result, nullptr);
+}
+
+TEST(CaseStore, LeavesOutAModelThatIsMadeOfOtherViews) {
+  const auto opened = opened_with({small_model(), "", io::ResultBasis{5, {}}});
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_EQ(opened->scan.result, nullptr);
+}
+
+TEST(CaseStore, AFailureIsOverOnceEverythingIsSaved) {
+  const TemporaryFolder folder;
+  const auto store = new_store(folder.path() / "a.flytri");
+  const auto journal = store->journal(kStage);
+  {
+    const testing::FileSizeLimit limit(1);
+    journal->keep_view(testing::sample_view(0, 2, 300));
+    journal->commit();
+    EXPECT_THAT(store->failure(), HasSubstr("a.flytri"));
+  }
+  journal->keep_view(testing::sample_view(1, 2, 300));
+  journal->commit();
+  EXPECT_THAT(store->failure(), IsEmpty());
+  EXPECT_EQ(store->load(kStage)->last_frame, FrameIndex(1));
+}
+
+TEST(CaseStore, AFailureStaysIfSomethingIsLost) {
+  const TemporaryFolder folder;
+  const auto store = new_store(folder.path() / "a.flytri");
+  const auto journal = store->journal(kStage);
+  journal->keep_view(testing::sample_view(0, 2, 300));
+  journal->keep_view(testing::sample_view(0, 2, 200));  // the case has a view of this frame
+  journal->commit();
+  EXPECT_THAT(store->failure(), HasSubstr("exists already"));
 }
 
 }  // namespace

@@ -36,13 +36,13 @@ Frame frame_at(double time_s) {
   return frame;
 }
 
-/// The frame that the scan saw last.
+/// The latest frame of the scan.
 Frame last_frame(const scan::LiveScan& scan) {
   scan.wait_until_idle();
   return scan.snapshot()->latest[0]->frame;
 }
 
-TEST(FrameRouter, TimesAndNumbersRiseOverSensorsThatBeginAnew) {
+TEST(FrameRouter, TimesAndNumbersRiseWhenTheSensorRestarts) {
   const auto scan = make_scan();
   FrameRouter router;
   router.set_scan(scan);
@@ -57,7 +57,7 @@ TEST(FrameRouter, TimesAndNumbersRiseOverSensorsThatBeginAnew) {
   EXPECT_GT(second.time_s, first.time_s + 0.5);
 }
 
-TEST(FrameRouter, GoesOnAfterWhatACaseHolds) {
+TEST(FrameRouter, ContinuesAfterTheFramesOfACase) {
   const auto scan = make_scan();
   FrameRouter router;
   router.set_scan(scan);
@@ -68,7 +68,7 @@ TEST(FrameRouter, GoesOnAfterWhatACaseHolds) {
   EXPECT_GT(last_frame(*scan).time_s, 100.0);
 }
 
-TEST(FrameRouter, WithoutAScanFramesAreLetGo) {
+TEST(FrameRouter, DropsFramesWithoutAScan) {
   const auto scan = make_scan();
   FrameRouter router;
   router.offer(frame_at(0.0));

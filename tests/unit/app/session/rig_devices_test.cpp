@@ -38,7 +38,7 @@ const ui::DeviceFigure& figure(const ui::DeviceState& device, std::string_view l
   return *found;
 }
 
-TEST(DeviceStates, NameEveryDeviceAsTheRigDoes) {
+TEST(DeviceStates, NameEachDeviceAsInTheRig) {
   const auto devices = device_states(rig_with_texture(), running());
   ASSERT_THAT(devices, SizeIs(3));
   EXPECT_EQ(devices[0].name, "Mono");
@@ -51,7 +51,7 @@ TEST(DeviceStates, NameEveryDeviceAsTheRigDoes) {
   EXPECT_EQ(figure(devices[0], "labeled").value, "300");
 }
 
-TEST(DeviceStates, WorryAboutWhatIsLostAlone) {
+TEST(DeviceStates, MarkOnlyLossesAsFaults) {
   rig::RigStatus status = running();
   status.measurement.labels.straddled = 5;
   status.measurement.camera.dropped = 2;
@@ -61,7 +61,7 @@ TEST(DeviceStates, WorryAboutWhatIsLostAlone) {
   EXPECT_FALSE(figure(devices[0], "damaged").is_worrying);
 }
 
-TEST(DeviceStates, TellTheLatencyOnceItIsKnown) {
+TEST(DeviceStates, ShowTheLatencyOnceItIsKnown) {
   rig::RigStatus status = running();
   const rig::RigSettings rig = rig_with_texture();
   EXPECT_EQ(figure(device_states(rig, status)[0], "latency").value, "learning");
@@ -70,7 +70,7 @@ TEST(DeviceStates, TellTheLatencyOnceItIsKnown) {
   EXPECT_EQ(figure(device_states(rig, status)[0], "latency").value, "21.4 ms");
 }
 
-TEST(DeviceStates, BelieveTheImagesMoreThanTheSwitch) {
+TEST(DeviceStates, TrustTheImagesMoreThanTheSwitch) {
   rig::RigStatus status = running();
   status.measurement.fault = sync::LightFault::kSwapped;
   EXPECT_EQ(device_states(rig_with_texture(), status)[2].health, ui::DeviceHealth::kDoubtful);
@@ -78,7 +78,7 @@ TEST(DeviceStates, BelieveTheImagesMoreThanTheSwitch) {
   EXPECT_EQ(device_states(rig_with_texture(), status)[2].health, ui::DeviceHealth::kBroken);
 }
 
-TEST(CheckChosenRig, TellsWhatKeepsTheFileFromBeingRead) {
+TEST(CheckChosenRig, SaysWhyTheFileCannotBeRead) {
   const TemporaryFolder folder;
   SourceChoice choice;
   choice.rig = folder.path() / "rig.json";

@@ -10,6 +10,7 @@
 #include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Shows what the session says until that holds; false after a minute.
+/// Waits until the condition holds; false after a minute.
 template <typename Condition>
 bool wait_for(Session& session, const Condition& holds) {
   for (const double end_s = session.now_s() + 60.0; session.now_s() < end_s;) {
@@ -57,14 +58,14 @@ class SessionOnARecording : public ::testing::Test {
   SessionOptions options_;
 };
 
-TEST_F(SessionOnARecording, WhatIsScannedIntoACaseIsThereWhenItIsOpenedAgain) {
+TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
   const std::string path = (folder_.path() / "cases" / "smith.flytri").string();
   std::int64_t scanned = 0;
   {
     Session session(options_);
     session.carry_out(ui::StartScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
-    // What was scanned before there was a case goes into it.
+    // What was scanned before is saved in the new case.
     io::CaseFields fields;
     fields.patient_name = "Smith";
     session.carry_out(ui::NewCase{path, "", fields});
@@ -87,7 +88,7 @@ TEST_F(SessionOnARecording, WhatIsScannedIntoACaseIsThereWhenItIsOpenedAgain) {
   EXPECT_GT(scanned, 60);
 }
 
-TEST_F(SessionOnARecording, AFinishedCaseIsFinishedWhenItIsOpenedAgain) {
+TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
   const std::string path = (folder_.path() / "cases" / "done.flytri").string();
   std::size_t triangles = 0, holes = 0;
   const auto has_result = [](const auto& view) {
@@ -115,7 +116,7 @@ TEST_F(SessionOnARecording, AFinishedCaseIsFinishedWhenItIsOpenedAgain) {
     EXPECT_EQ(scan->result->surface.mesh.triangles.size(), triangles);
     EXPECT_EQ(scan->holes.size(), holes);
     EXPECT_GT(scan->result->surface.mesh.vertices.front().sigma_mm, 0.0F);
-    // A scan that goes on has no result any more.
+    // A scan that continues has no result any more.
     session.carry_out(ui::ResumeScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 10; }));
     session.carry_out(ui::PauseScan{});
@@ -128,7 +129,58 @@ TEST_F(SessionOnARecording, AFinishedCaseIsFinishedWhenItIsOpenedAgain) {
   EXPECT_EQ(session.view().scan->result, nullptr);
 }
 
-TEST_F(SessionOnARecording, ACaseOfAnotherCalibrationIsTold) {
+TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
+  Session session(options_);
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+  const auto path_of = [&](rlim_t size) {
+    return (folder_.path() / ("case" + std::to_string(size) + ".flytri")).string();
+  };
+  session.carry_out(ui::NewCase{path_of(0), "", {}});
+  session.carry_out(ui::StartScan{});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
+  session.carry_out(ui::PauseScan{});
+  session.scan()->wait_until_idle();
+  // Each limit stops the creation at another place: tables, fields, calibration.
+  int failures = 0;
+  for (rlim_t size = 4096;; size += 4096) {
+    {
+      const testing::FileSizeLimit limit(size);
+      session.carry_out(ui::NewCase{path_of(size), "", {}});
+    }
+    if (session.view().file.path == path_of(size)) break;
+    ++failures;
+    EXPECT_FALSE(session.view().file.message.empty());
+    ASSERT_EQ(session.view().file.path, path_of(0));
+    ASSERT_NE(session.scan(), nullptr) << "the frames go nowhere";
+    ASSERT_FALSE(fs::exists(path_of(size)));
+  }
+  EXPECT_GT(failures, 3);
+}
+
+TEST_F(SessionOnARecording, WhileFinishingNoOtherCaseOrStageCanBeChosen) {
+  Session session(options_);
+  session.carry_out(ui::StartScan{});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+  session.carry_out(ui::Finish{});
+  const auto is_finishing = [](const auto& view) {
+    return view.scan->phase == scan::ScanPhase::kFinishing;
+  };
+  ASSERT_TRUE(wait_for(session, is_finishing));
+  session.carry_out(ui::NewCase{(folder_.path() / "late.flytri").string(), "", {}});
+  session.carry_out(ui::SelectStage{io::ScanStage::kBite});
+  session.carry_out(ui::StartScan{});
+  const ui::AppView view = session.view();
+  EXPECT_NE(view.file.message.find("finishing"), std::string::npos);
+  EXPECT_EQ(view.file.path, "");
+  EXPECT_EQ(view.stage, io::ScanStage::kUpper);
+  EXPECT_FALSE(view.is_scanning);
+  session.carry_out(ui::CancelFinish{});
+  session.scan()->wait_until_idle();
+  session.carry_out(ui::NewCase{(folder_.path() / "late.flytri").string(), "", {}});
+  EXPECT_NE(session.view().file.path, "");
+}
+
+TEST_F(SessionOnARecording, WarnsOfACaseOfAnotherCalibration) {
   const std::string path = (folder_.path() / "cases" / "jones.flytri").string();
   {
     Session session(options_);
@@ -156,7 +208,7 @@ TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
   EXPECT_GT(written.bytes, 100'000U);
 }
 
-TEST_F(SessionOnARecording, ASourceThatCannotBeOpenedIsSaid) {
+TEST_F(SessionOnARecording, SaysWhyASourceCannotBeOpened) {
   options_.source.recording = folder_.path() / "nothing";
   Session session(options_);
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.is_lost; }));

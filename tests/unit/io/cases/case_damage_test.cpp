@@ -1,8 +1,7 @@
-/// @file  Cases that are damaged, cut off, foreign, or whose writer was killed.
+/// @file  Cases that are damaged or truncated, files that are not cases, and killed writers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +13,7 @@
 #include "core/io/cases/sqlite.h"
 #include "core/io/files/file_bytes.h"
 #include "tests/support/case_samples.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::io {
@@ -21,6 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using testing::FileSizeLimit;
 using testing::same_bits;
 using testing::sample_edit;
 using testing::sample_pose;
@@ -30,14 +31,14 @@ using testing::sample_view;
 constexpr ScanStage kDamagedStage = ScanStage::kUpper;
 constexpr int kViews = 40;
 
-/// Small views that share pages, and large ones that fill several.
+/// Small views that share a page, and large views that fill several pages.
 View view_of(int frame) { return sample_view(frame, 2, frame % 4 == 0 ? 300 : 10); }
 
 void expect_done(const Result<void>& result) {
   EXPECT_TRUE(result) << (result ? "" : result.error().message);
 }
 
-/// Writes a case with something in every table, and gives back the bytes of its file.
+/// Writes a case with records in every table, and returns the bytes of its file.
 std::string case_bytes(const fs::path& path, const std::string& passphrase = {}) {
   {
     CaseFile file = CaseFile::create(path, {passphrase, false}).value();
@@ -57,7 +58,7 @@ std::string case_bytes(const fs::path& path, const std::string& passphrase = {})
   return read_file(path).value();
 }
 
-/// What came out of a spoiled case.
+/// What could be read from a damaged case.
 struct Salvage {
   bool opened = false;
   std::size_t views = 0, poses = 0;
@@ -65,7 +66,7 @@ struct Salvage {
   std::size_t damage = 0;
 };
 
-/// Opens and loads. Whatever is given back must be what was written, and a failure must say why.
+/// Opens and loads a case. All that is read must be correct, and a failure must name the file.
 Salvage salvage(const fs::path& path, const CaseOptions& options = {}) {
   Result<CaseFile> file = CaseFile::open(path, options);
   if (!file) {
@@ -100,7 +101,7 @@ void spoil(const fs::path& path, const std::string& bytes) {
   ASSERT_TRUE(write_file(path, bytes));
 }
 
-TEST(CaseDamage, ATruncatedCaseOpensWithWhatIsLeft) {
+TEST(CaseDamage, OpensATruncatedCase) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri");
   const fs::path path = folder / "cut.flytri";
@@ -114,12 +115,12 @@ TEST(CaseDamage, ATruncatedCaseOpensWithWhatIsLeft) {
     ++opened_count;
     most = std::max(most, left.views);
   }
-  // All but the pages with the tables' roots can be missing.
+  // Only the pages with the roots of the tables are needed.
   EXPECT_GT(opened_count, 20U);
   EXPECT_GE(most, kViews - 1U);
 }
 
-TEST(CaseDamage, ATruncatedCaseKeepsItsBytes) {
+TEST(CaseDamage, LeavesATruncatedCaseUnchanged) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri");
   const fs::path path = folder / "cut.flytri";
@@ -129,7 +130,7 @@ TEST(CaseDamage, ATruncatedCaseKeepsItsBytes) {
   EXPECT_EQ(read_file(path).value_or(""), cut);
 }
 
-TEST(CaseDamage, FlippedBytesCostTheirRecordsAlone) {
+TEST(CaseDamage, AFlippedByteCostsOneRecord) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri");
   const fs::path path = folder / "flipped.flytri";
@@ -144,12 +145,12 @@ TEST(CaseDamage, FlippedBytesCostTheirRecordsAlone) {
     opened_count += left.opened ? 1 : 0;
     view_count += left.views;
   }
-  // Of a file of some 30 pages one holds the list of tables, and one each the roots.
+  // Of about 30 pages, one contains the list of tables, and one for each table its root.
   EXPECT_GT(opened_count, kTries * 9 / 10);
   EXPECT_GT(view_count, opened_count * kViews * 9 / 10);
 }
 
-TEST(CaseDamage, ManyFlippedBytesDoNoHarm) {
+TEST(CaseDamage, SurvivesManyFlippedBytes) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri");
   const fs::path path = folder / "flipped.flytri";
@@ -163,7 +164,7 @@ TEST(CaseDamage, ManyFlippedBytesDoNoHarm) {
   }
 }
 
-TEST(CaseDamage, AnEncryptedCaseIsSalvagedAlike) {
+TEST(CaseDamage, OpensADamagedEncryptedCase) {
   const TemporaryFolder folder;
   const std::string whole = case_bytes(folder / "whole.flytri", "key");
   const fs::path path = folder / "flipped.flytri";
@@ -181,7 +182,7 @@ TEST(CaseDamage, AnEncryptedCaseIsSalvagedAlike) {
   EXPECT_GT(view_count, opened_count * kViews * 3 / 4);
 }
 
-TEST(CaseDamage, ANewerVersionIsRefused) {
+TEST(CaseDamage, RefusesANewerVersion) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   (void)case_bytes(path);
@@ -196,7 +197,7 @@ TEST(CaseDamage, ANewerVersionIsRefused) {
   EXPECT_THAT(file.error().message, HasSubstr("use a newer flytri"));
 }
 
-TEST(CaseDamage, OtherDatabasesAreRefusedAndLeftAlone) {
+TEST(CaseDamage, RefusesOtherDatabasesAndLeavesThemUnchanged) {
   const TemporaryFolder folder;
   const fs::path path = folder / "other.sqlite";
   ASSERT_TRUE(create_private_file(path));
@@ -207,11 +208,11 @@ TEST(CaseDamage, OtherDatabasesAreRefusedAndLeftAlone) {
   const std::string before = read_file(path).value();
   const Result<CaseFile> file = CaseFile::open(path);
   ASSERT_FALSE(file);
-  EXPECT_THAT(file.error().message, HasSubstr("no case of flytri"));
+  EXPECT_THAT(file.error().message, HasSubstr("not a flytri case"));
   EXPECT_EQ(read_file(path).value(), before);
 }
 
-TEST(CaseDamage, TablesThatAreNotOursAreNotUsed) {
+TEST(CaseDamage, RefusesOtherTablesAndTriggers) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   (void)case_bytes(path);
@@ -225,17 +226,17 @@ TEST(CaseDamage, TablesThatAreNotOursAreNotUsed) {
   EXPECT_THAT(file.error().message, HasSubstr("tables are not those of a case"));
 }
 
-TEST(CaseDamage, WhatIsNoCaseIsRefused) {
+TEST(CaseDamage, RefusesFilesThatAreNotCases) {
   const TemporaryFolder folder;
   EXPECT_EQ(CaseFile::open(folder / "absent.flytri").error().code, ErrorCode::kNotFound);
   EXPECT_EQ(CaseFile::open(folder.path()).error().code, ErrorCode::kBadFormat);
   ASSERT_TRUE(write_file(folder / "empty.flytri", ""));
   EXPECT_THAT(CaseFile::open(folder / "empty.flytri").error().message, HasSubstr("is empty"));
   ASSERT_TRUE(write_file(folder / "text.flytri", std::string(5000, 'a')));
-  EXPECT_THAT(CaseFile::open(folder / "text.flytri").error().message, HasSubstr("no case at all"));
+  EXPECT_THAT(CaseFile::open(folder / "text.flytri").error().message, HasSubstr("or not a case"));
 }
 
-TEST(CaseDamage, CreatingSaysWhyItCannot) {
+TEST(CaseDamage, SaysWhyACaseCannotBeCreated) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_file(folder / "there.flytri", "mine"));
   const Result<CaseFile> there = CaseFile::create(folder / "there.flytri", {});
@@ -246,24 +247,7 @@ TEST(CaseDamage, CreatingSaysWhyItCannot) {
   EXPECT_EQ(CaseFile::create(folder / "no" / "a.flytri", {}).error().code, ErrorCode::kNotFound);
 }
 
-/// Files cannot grow beyond a size while it lives, as on a full disk.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    ::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &former_);
-    const rlimit limit{bytes, former_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-  ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &former_); }
-
- private:
-  rlimit former_{};
-};
-
-TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
+TEST(CaseDamage, AfterAFullDiskNothingIsLost) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   CaseFile file = CaseFile::create(path, {}).value();
@@ -287,7 +271,7 @@ TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
     }
   }
   EXPECT_GT(committed, 20);
-  // Nothing has to be written twice, and what came meanwhile is kept as well.
+  // Nothing needs to be written again, and what came meanwhile is saved as well.
   const Result<void> again = file.append_view(kDamagedStage, view_of(committed));
   EXPECT_EQ(again.error().code, ErrorCode::kInconsistent);
   ASSERT_TRUE(file.commit());
@@ -297,7 +281,59 @@ TEST(CaseDamage, AFullDiskCostsNothingOnceThereIsRoom) {
   EXPECT_TRUE(same_bits(*stage.views.back().view, view_of(committed + 3)));
 }
 
-TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {
+TEST(CaseDamage, AfterAFullDiskAllRecordsOfAListAreSaved) {
+  const TemporaryFolder folder;
+  constexpr int kCount = 400;
+  CaseFile file = CaseFile::create(folder / "a.flytri", {}).value();
+  std::vector<AlignedView> placed;
+  editing::EditStack edits;
+  for (int i = 0; i < kCount; ++i) {
+    placed.push_back({std::make_shared<const View>(view_of(i)), sample_pose(i)});
+    edits.push(sample_edit(i));
+    expect_done(file.append_view(kDamagedStage, *placed.back().view));
+  }
+  expect_done(file.commit());
+  {
+    const FileSizeLimit limit(1);
+    // More than the database keeps in memory: this fails at once, and so does each later write.
+    const std::string model(std::size_t{8} << 20U, 'x');
+    EXPECT_FALSE(file.write_result(kDamagedStage, {model, "{\"a\": 1}", {}}));
+    EXPECT_FALSE(file.write_poses(kDamagedStage, placed));
+    EXPECT_FALSE(file.write_edits(kDamagedStage, edits));
+    EXPECT_TRUE(file.has_waiting());
+  }
+  expect_done(file.commit());
+  EXPECT_FALSE(file.has_waiting());
+  const StoredStage stage = file.load_stage(kDamagedStage).value();
+  for (const StoredView& view : stage.views) EXPECT_TRUE(view.T_world_sensor);
+  EXPECT_EQ(stage.edits.all()->size(), static_cast<std::size_t>(kCount));
+  EXPECT_EQ(file.load_result(kDamagedStage).value().summary_json, "{\"a\": 1}");
+}
+
+TEST(CaseDamage, LimitsTheRecordsThatWaitForAFullDisk) {
+  const TemporaryFolder folder;
+  CaseOptions options;
+  options.max_waiting_bytes = 1U << 20U;
+  CaseFile file = CaseFile::create(folder / "a.flytri", options).value();
+  std::size_t waiting = 0;
+  {
+    const FileSizeLimit limit(1);
+    Result<void> written;
+    for (int i = 0; i < 1000; ++i) {
+      written = file.append_view(kDamagedStage, sample_view(i, 2, 300));
+      if (!written && written.error().code == ErrorCode::kInsufficient) break;
+      ++waiting;
+      (void)file.commit();
+    }
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().code, ErrorCode::kInsufficient);
+    EXPECT_THAT(written.error().message, HasSubstr("is lost"));
+  }
+  expect_done(file.commit());
+  EXPECT_EQ(file.load_stage(kDamagedStage).value().views.size(), waiting);
+}
+
+TEST(CaseDamage, IfACaseCannotBeCreatedNoFileIsLeft) {
   const TemporaryFolder folder;
   {
     const FileSizeLimit limit(20000);
@@ -306,7 +342,7 @@ TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-/// In another process: appends views, and tells of each through the pipe once it is committed.
+/// In another process: appends views, and reports each through the pipe after its commit.
 [[noreturn]] void write_until_killed(const fs::path& path, int pipe) {
   Result<CaseFile> file = CaseFile::open(path);
   if (!file) ::_exit(1);
@@ -317,7 +353,7 @@ TEST(CaseDamage, ACaseThatCannotBeMadeLeavesNothing) {
   }
 }
 
-TEST(CaseDamage, KilledInTheMiddleItKeepsAllThatWasCommitted) {
+TEST(CaseDamage, AfterAKillAllCommitsAreThere) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   { CaseFile file = CaseFile::create(path, {}).value(); }
@@ -338,7 +374,7 @@ TEST(CaseDamage, KilledInTheMiddleItKeepsAllThatWasCommitted) {
     EXPECT_FALSE(file.is_read_only());
     const StoredStage stage = file.load_stage(kDamagedStage).value();
     EXPECT_TRUE(stage.damage.empty());
-    // One more may have been committed than could be told.
+    // The last commit may not have been reported.
     ASSERT_GE(static_cast<std::int32_t>(stage.views.size()), last_committed + 1);
     ASSERT_LE(static_cast<std::int32_t>(stage.views.size()), last_committed + 2);
     for (const StoredView& stored : stage.views) {

@@ -23,7 +23,7 @@ using testing::sample_view;
 const CaseFields kFields{"Ada Lovelace", "A-1815", "1815-12-10", "Dr. Bäbbage", "", "2026-11-21"};
 constexpr ScanStage kStage = ScanStage::kLower;
 
-/// Fails the test with the message of what failed.
+/// Fails the test with the error message.
 template <typename T>
 void expect_done(const Result<T>& result) {
   EXPECT_TRUE(result) << result.error().message;
@@ -41,7 +41,7 @@ CaseFile opened(const fs::path& path, const CaseOptions& options = {}) {
   return *std::move(file);
 }
 
-/// Ten small views, of which all but the last are placed, and a texture frame.
+/// Ten small views, all but the last with poses, and a texture frame.
 void fill(CaseFile& file) {
   std::vector<AlignedView> placed;
   for (int i = 0; i < 10; ++i) {
@@ -75,7 +75,7 @@ void expect_filled(const StoredStage& stage) {
   EXPECT_TRUE(stage.damage.empty());
 }
 
-TEST(CaseFile, WhatIsWrittenIsReadBitForBit) {
+TEST(CaseFile, ReadsWhatWasWrittenBitForBit) {
   const TemporaryFolder folder;
   {
     CaseFile file = new_case(folder / "a.flytri");
@@ -92,7 +92,7 @@ TEST(CaseFile, WhatIsWrittenIsReadBitForBit) {
   EXPECT_FALSE(counts.has_result);
 }
 
-TEST(CaseFile, GoesOnWhereItStopped) {
+TEST(CaseFile, ContinuesASavedCase) {
   const TemporaryFolder folder;
   {
     CaseFile file = new_case(folder / "a.flytri");
@@ -124,7 +124,7 @@ TEST(CaseFile, RefusesTwoViewsOfOneFrame) {
   EXPECT_TRUE(same_bits(*loaded(file).views.at(0).view, sample_view(3, 2, 20)));
 }
 
-TEST(CaseFile, WhatWasNotCommittedIsDropped) {
+TEST(CaseFile, DropsWhatWasNotCommitted) {
   const TemporaryFolder folder;
   {
     CaseFile file = new_case(folder / "a.flytri");
@@ -135,7 +135,7 @@ TEST(CaseFile, WhatWasNotCommittedIsDropped) {
   expect_filled(loaded(file));
 }
 
-TEST(CaseFile, KeepsEveryFramesFate) {
+TEST(CaseFile, SavesTheFateOfEachFrame) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
   const std::array frames = {
@@ -150,7 +150,7 @@ TEST(CaseFile, KeepsEveryFramesFate) {
   EXPECT_EQ(loaded(file).frames.at(2), later[0]);
 }
 
-TEST(CaseFile, KeepsAllStatesOfTheEdits) {
+TEST(CaseFile, SavesEditsWithUndoAndRedo) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
   editing::EditStack edits;
@@ -171,7 +171,7 @@ TEST(CaseFile, KeepsAllStatesOfTheEdits) {
   EXPECT_TRUE(back.state()->empty());
 }
 
-TEST(CaseFile, EditsThatWereForgottenDoNotComeBack) {
+TEST(CaseFile, ReplacedEditsDoNotComeBack) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
   editing::EditStack edits;
@@ -186,7 +186,7 @@ TEST(CaseFile, EditsThatWereForgottenDoNotComeBack) {
   EXPECT_TRUE(same_bits(*back.state()->at(1), sample_edit(7)));
 }
 
-TEST(CaseFile, KeepsMeasurements) {
+TEST(CaseFile, SavesMeasurements) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
   const Measurement wanted{0, Vec3(1.0 / 3.0, -2e-17, 3), Vec3(4, 5, 0.1), "46–47, \"mesial\""};
@@ -204,7 +204,7 @@ TEST(CaseFile, KeepsMeasurements) {
   EXPECT_FALSE(file.add_measurement(kStage, {0, Vec3::Constant(NAN), Vec3::Zero(), ""}));
 }
 
-TEST(CaseFile, KeepsCalibrationAndResult) {
+TEST(CaseFile, SavesCalibrationAndModel) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
   EXPECT_EQ(file.calibration().error().code, ErrorCode::kInsufficient);
@@ -219,7 +219,19 @@ TEST(CaseFile, KeepsCalibrationAndResult) {
   EXPECT_TRUE(file.counts(kStage).value_or(StageCounts{}).has_result);
 }
 
-TEST(CaseFile, AStageCanBeScannedAnew) {
+TEST(CaseFile, AModelSaysWhatItWasMadeOf) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  const ResultBasis basis{17, {0.5, 1.0 / 3.0}};
+  expect_done(file.write_result(kStage, {"glb", R"({"views": 3})", basis}));
+  const StageResult result = file.load_result(kStage).value_or(StageResult{});
+  EXPECT_EQ(result.made_of, basis);
+  EXPECT_THAT(result.summary_json, HasSubstr("\"views\":3"));
+  expect_done(file.write_result(kStage, {"glb", R"({"made_of": {"view_count": -1}})", {}}));
+  EXPECT_FALSE(file.load_result(kStage).value_or(StageResult{}).made_of);
+}
+
+TEST(CaseFile, AStageCanBeCleared) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
   fill(file);
@@ -230,7 +242,7 @@ TEST(CaseFile, AStageCanBeScannedAnew) {
   EXPECT_EQ(file.fields().value_or(CaseFields{}), kFields);
 }
 
-/// What is in the file and in all that lies beside it.
+/// The bytes of all files in the folder.
 std::string all_bytes(const fs::path& folder) {
   std::string bytes;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -239,7 +251,7 @@ std::string all_bytes(const fs::path& folder) {
   return bytes;
 }
 
-TEST(CaseFile, WithAPassphraseNothingIsReadable) {
+TEST(CaseFile, EncryptsEverythingWithThePassphrase) {
   const TemporaryFolder plain, encrypted;
   {
     CaseFile a = new_case(plain / "a.flytri");
@@ -255,7 +267,7 @@ TEST(CaseFile, WithAPassphraseNothingIsReadable) {
   expect_filled(loaded(file));
 }
 
-TEST(CaseFile, TellsOfAPassphraseThatIsMissingOrWrong) {
+TEST(CaseFile, ReportsAMissingOrWrongPassphrase) {
   const TemporaryFolder folder;
   { CaseFile file = new_case(folder / "a.flytri", "right"); }
   const Result<CaseFile> without = CaseFile::open(folder / "a.flytri");
@@ -269,7 +281,7 @@ TEST(CaseFile, TellsOfAPassphraseThatIsMissingOrWrong) {
   EXPECT_TRUE(CaseFile::open(folder / "a.flytri", {"right", false}));
 }
 
-TEST(CaseFile, IsItsOwnersAlone) {
+TEST(CaseFile, OnlyItsOwnerMayReadIt) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
   fill(file);
@@ -282,7 +294,7 @@ TEST(CaseFile, IsItsOwnersAlone) {
   EXPECT_EQ(count, 2) << "the case and its log";
 }
 
-TEST(CaseFile, LeavesNothingBesideTheFile) {
+TEST(CaseFile, LeavesNoOtherFile) {
   const TemporaryFolder folder;
   {
     CaseFile file = new_case(folder / "a.flytri");
@@ -292,7 +304,7 @@ TEST(CaseFile, LeavesNothingBesideTheFile) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
-TEST(CaseFile, OneProgramAtATimeWrites) {
+TEST(CaseFile, OnlyOneProgramAtATimeMayWrite) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
   for (const bool read_only : {false, true}) {

@@ -20,7 +20,7 @@ void expect_same_after_coding(const View& view) {
   EXPECT_TRUE(same_bits(*back, view));
 }
 
-TEST(ViewCodec, GivesBackTheVeryBits) {
+TEST(ViewCodec, DecodesBitForBit) {
   expect_same_after_coding(sample_view(0));
   expect_same_after_coding(sample_view(7, 3, 2));
 }
@@ -48,7 +48,7 @@ TEST(ViewCodec, KeepsViewsWithoutProfilesOrPoints) {
 
 TEST(ViewCodec, SavesAThirdOfTheBytes) {
   const View view = sample_view(0);
-  // Of 40 bytes a point the noise fills about 5 of each position and 2 of each deviation.
+  // Of the 40 bytes of a point, noise fills about 5 in each position and 2 in each deviation.
   EXPECT_LT(encode_view(view).size(), view.point_count() * 40 * 2 / 3);
 }
 
@@ -60,7 +60,7 @@ TEST(ViewCodec, RefusesEveryTruncation) {
   EXPECT_FALSE(decode_view(bytes + "x"));
 }
 
-TEST(ViewCodec, TakesAnyBytesWithoutHarm) {
+TEST(ViewCodec, SurvivesAnyBytes) {
   const std::string bytes = encode_view(sample_view(3, 2, 20));
   Random random(5);
   for (int i = 0; i < 20000; ++i) {
@@ -68,14 +68,14 @@ TEST(ViewCodec, TakesAnyBytesWithoutHarm) {
     for (std::uint64_t n = 1 + random.below(4); n > 0; --n) {
       spoiled[random.below(spoiled.size())] = static_cast<char>(random.next());
     }
-    (void)decode_view(spoiled);  // may give another view, as checksums are the case's matter
+    (void)decode_view(spoiled);  // may decode another view: the case has the checksums
   }
 }
 
-TEST(ViewCodec, MakesNoRoomForPointsThatAreNotThere) {
+TEST(ViewCodec, AllocatesNothingForPointsThatAreMissing) {
   std::string bytes = encode_view(sample_view(3, 1, 2));
   const std::uint32_t many = 4000000000U;
-  // Behind version, pattern, frame, time and profile count; then the profile's own count.
+  // After version, pattern, frame, time and profile count; then the count of the profile.
   std::memcpy(bytes.data() + 18, &many, sizeof(many));
   std::memcpy(bytes.data() + 26, &many, sizeof(many));
   EXPECT_FALSE(decode_view(bytes));

@@ -1,4 +1,4 @@
-#include "app/session/calibration_desk.h"
+#include "app/session/calibration_run.h"
 
 #include <algorithm>
 #include <chrono>
@@ -14,10 +14,10 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-/// Between two looks: the thread rests as long as a look took, and at least so long.
+/// Shortest rest between two live images. After a slow one, the thread rests as long as it took.
 constexpr std::chrono::milliseconds kRest{30};
 
-/// What the window shows of an image: lines that are found are drawn over it.
+/// Prepares an image for the window, with the lines found in it.
 std::shared_ptr<const scan::LiveFrame> shown_frame(cv::Mat image, calibration::ShotKind kind) {
   auto shown = std::make_shared<scan::LiveFrame>();
   shown->frame.image = std::move(image);
@@ -33,31 +33,31 @@ std::shared_ptr<const scan::LiveFrame> shown_frame(cv::Mat image, calibration::S
 
 }  // namespace
 
-CalibrationDesk::CalibrationDesk(DeskJob job) : job_(std::move(job)) {
+CalibrationRun::CalibrationRun(CalibrationJob job) : job_(std::move(job)) {
   state_.task = job_.task;
   state_.folder = job_.folder.string();
   thread_.post([this] { open(); });
 }
 
-CalibrationDesk::~CalibrationDesk() {
+CalibrationRun::~CalibrationRun() {
   progress_.cancel();
   thread_.stop();
   if (source_ != nullptr) source_->stop();
 }
 
-ui::RunningCalibration CalibrationDesk::state() const {
+ui::RunningCalibration CalibrationRun::state() const {
   const std::lock_guard lock(mutex_);
   ui::RunningCalibration state = state_;
   state.computed_share = progress_.snapshot().fraction;
   return state;
 }
 
-void CalibrationDesk::change(const std::function<void(ui::RunningCalibration&)>& change) {
+void CalibrationRun::change(const std::function<void(ui::RunningCalibration&)>& change) {
   const std::lock_guard lock(mutex_);
   change(state_);
 }
 
-void CalibrationDesk::take() {
+void CalibrationRun::take() {
   const std::lock_guard lock(mutex_);
   if (state_.step != ui::CalibrationStep::kTarget || is_asked_) return;
   is_asked_ = true;
@@ -67,7 +67,7 @@ void CalibrationDesk::take() {
   thread_.post([this] { take_images(); });
 }
 
-void CalibrationDesk::retake(std::size_t place) {
+void CalibrationRun::retake(std::size_t place) {
   const std::lock_guard lock(mutex_);
   const bool waits =
       state_.step == ui::CalibrationStep::kTarget || state_.step == ui::CalibrationStep::kRefused;
@@ -76,7 +76,7 @@ void CalibrationDesk::retake(std::size_t place) {
   thread_.post([this, place] { reopen(place); });
 }
 
-void CalibrationDesk::open() {
+void CalibrationRun::open() {
   auto source = job_.open_source();
   if (!source) return fail(source.error());
   source_ = *std::move(source);
@@ -88,7 +88,7 @@ void CalibrationDesk::open() {
   thread_.post([this] { look(); });
 }
 
-void CalibrationDesk::go_on() {
+void CalibrationRun::go_on() {
   change([this](ui::RunningCalibration& state) {
     is_asked_ = false;
     state.places = work_->places();
@@ -98,8 +98,8 @@ void CalibrationDesk::go_on() {
   if (!work_->wanted()) conclude();
 }
 
-/// Shows what the camera sees while somebody puts the target into place, again and again.
-void CalibrationDesk::look() {
+/// Shows the camera's image again and again, while the user puts the target into place.
+void CalibrationRun::look() {
   if (progress_.cancelled()) return;
   const ui::CalibrationStep step = state().step;
   if (step == ui::CalibrationStep::kDone || step == ui::CalibrationStep::kFailed) return;
@@ -115,7 +115,7 @@ void CalibrationDesk::look() {
   thread_.post([this] { look(); });
 }
 
-void CalibrationDesk::take_images() {
+void CalibrationRun::take_images() {
   const auto tell = [this](ui::JudgedShot shot) {
     change([&](ui::RunningCalibration& state) { state.shots.push_back(std::move(shot)); });
   };
@@ -123,7 +123,7 @@ void CalibrationDesk::take_images() {
   go_on();
 }
 
-void CalibrationDesk::reopen(std::size_t place) {
+void CalibrationRun::reopen(std::size_t place) {
   if (auto reopened = work_->reopen(place); !reopened) return fail(reopened.error());
   change([](ui::RunningCalibration& state) {
     state.shots.clear();
@@ -132,7 +132,7 @@ void CalibrationDesk::reopen(std::size_t place) {
   go_on();
 }
 
-void CalibrationDesk::conclude() {
+void CalibrationRun::conclude() {
   auto outcome = work_->conclude(progress_);
   if (!outcome && !shots::is_refusal(outcome.error())) return fail(outcome.error());
   if (outcome) source_->stop();
@@ -148,7 +148,7 @@ void CalibrationDesk::conclude() {
   });
 }
 
-void CalibrationDesk::fail(const Error& error) {
+void CalibrationRun::fail(const Error& error) {
   if (source_ != nullptr) source_->stop();
   change([&](ui::RunningCalibration& state) {
     is_asked_ = false;

@@ -1,4 +1,4 @@
-#include "app/session/calibration_desk.h"
+#include "app/session/calibration_run.h"
 
 #include <gmock/gmock.h>
 
@@ -23,7 +23,7 @@ std::shared_ptr<shots::SimulatedShots> make_shots() {
   return shots::SimulatedShots::create(simulated::intraoral_sensor()).value();
 }
 
-/// Devices that are gone when they are asked for an image.
+/// Devices that are gone when an image is taken.
 class GoneShots final : public shots::ShotSource {
  public:
   Result<void> start() override { return {}; }
@@ -39,9 +39,9 @@ class GoneShots final : public shots::ShotSource {
   std::atomic<bool> stops = false;
 };
 
-DeskJob calibration_job(const std::filesystem::path& folder,
+CalibrationJob calibration_job(const std::filesystem::path& folder,
                         std::shared_ptr<shots::ShotSource> shots) {
-  DeskJob job;
+  CalibrationJob job;
   job.folder = folder;
   job.open_source = [shots] { return Result<std::shared_ptr<shots::ShotSource>>(shots); };
   job.begin_work = [folder](std::shared_ptr<shots::ShotSource> source) {
@@ -51,11 +51,11 @@ DeskJob calibration_job(const std::filesystem::path& folder,
   return job;
 }
 
-/// Until the desk waits for the user; false after minutes, as sanitizers slow the fit.
-bool wait_until_it_waits(const CalibrationDesk& desk) {
+/// Waits until the run needs the user. False after minutes: sanitizers slow the fit down.
+bool wait_until_it_waits(const CalibrationRun& run) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
   while (std::chrono::steady_clock::now() < end) {
-    const CalibrationStep step = desk.state().step;
+    const CalibrationStep step = run.state().step;
     if (step != CalibrationStep::kOpening && step != CalibrationStep::kTaking &&
         step != CalibrationStep::kComputing)
       return true;
@@ -64,51 +64,51 @@ bool wait_until_it_waits(const CalibrationDesk& desk) {
   return false;
 }
 
-/// Takes places until the desk wants no more.
-void take_all(CalibrationDesk& desk) {
-  ASSERT_TRUE(wait_until_it_waits(desk));
-  for (std::size_t i = 0; i < 100 && desk.state().step == CalibrationStep::kTarget; ++i) {
-    desk.take();
-    ASSERT_TRUE(wait_until_it_waits(desk));
+/// Takes the images at all places.
+void take_all(CalibrationRun& run) {
+  ASSERT_TRUE(wait_until_it_waits(run));
+  for (std::size_t i = 0; i < 100 && run.state().step == CalibrationStep::kTarget; ++i) {
+    run.take();
+    ASSERT_TRUE(wait_until_it_waits(run));
   }
 }
 
-TEST(CalibrationDesk, GuidesThroughAllPlacesToACalibration) {
+TEST(CalibrationRun, GuidesThroughAllPlacesToACalibration) {
   const TemporaryFolder folder;
-  CalibrationDesk desk(calibration_job(folder.path(), make_shots()));
-  ASSERT_TRUE(wait_until_it_waits(desk));
-  EXPECT_EQ(desk.state().places.size(), 2U * kPlanes);
-  EXPECT_EQ(desk.state().wanted, 0U);
-  take_all(desk);
-  const ui::RunningCalibration state = desk.state();
+  CalibrationRun run(calibration_job(folder.path(), make_shots()));
+  ASSERT_TRUE(wait_until_it_waits(run));
+  EXPECT_EQ(run.state().places.size(), 2U * kPlanes);
+  EXPECT_EQ(run.state().wanted, 0U);
+  take_all(run);
+  const ui::RunningCalibration state = run.state();
   ASSERT_EQ(state.step, CalibrationStep::kDone) << state.message;
   EXPECT_TRUE(state.outcome.is_good);
   EXPECT_EQ(state.outcome.planes.size(), std::size_t(kPlanes));
   EXPECT_TRUE(io::read_calibration(folder.path() / "calibration.json").has_value());
 }
 
-TEST(CalibrationDesk, ShowsWhatTheCameraSeesWithItsLines) {
+TEST(CalibrationRun, ShowsTheCameraImageWithItsLines) {
   const TemporaryFolder folder;
-  const CalibrationDesk desk(calibration_job(folder.path(), make_shots()));
-  ASSERT_TRUE(wait_until_it_waits(desk));
-  for (int i = 0; i < 6000 && desk.state().image == nullptr; ++i)
+  const CalibrationRun run(calibration_job(folder.path(), make_shots()));
+  ASSERT_TRUE(wait_until_it_waits(run));
+  for (int i = 0; i < 6000 && run.state().image == nullptr; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  const auto image = desk.state().image;
+  const auto image = run.state().image;
   ASSERT_NE(image, nullptr);
   EXPECT_GT(image->lines.size(), 5U);
 }
 
-TEST(CalibrationDesk, ARefusedShotIsToldAndItsPlaceStaysWanted) {
+TEST(CalibrationRun, ReportsARefusedImageAndRepeatsItsPlace) {
   const TemporaryFolder folder;
   const auto shots = make_shots();
   shots::ShotFaults faults;
   faults.lights_swapped = true;
   ASSERT_TRUE(shots->set_faults(faults));
-  CalibrationDesk desk(calibration_job(folder.path(), shots));
-  ASSERT_TRUE(wait_until_it_waits(desk));
-  desk.take();
-  ASSERT_TRUE(wait_until_it_waits(desk));
-  const ui::RunningCalibration state = desk.state();
+  CalibrationRun run(calibration_job(folder.path(), shots));
+  ASSERT_TRUE(wait_until_it_waits(run));
+  run.take();
+  ASSERT_TRUE(wait_until_it_waits(run));
+  const ui::RunningCalibration state = run.state();
   EXPECT_EQ(state.step, CalibrationStep::kTarget);
   EXPECT_EQ(state.wanted, 0U);
   ASSERT_EQ(state.shots.size(), 2U);
@@ -117,41 +117,41 @@ TEST(CalibrationDesk, ARefusedShotIsToldAndItsPlaceStaysWanted) {
   EXPECT_FALSE(state.shots[1].remedy.empty());
 }
 
-TEST(CalibrationDesk, APlaceIsTakenAgainWhereTheUserWantsIt) {
+TEST(CalibrationRun, TheUserMayRepeatAPlace) {
   const TemporaryFolder folder;
-  CalibrationDesk desk(calibration_job(folder.path(), make_shots()));
-  ASSERT_TRUE(wait_until_it_waits(desk));
+  CalibrationRun run(calibration_job(folder.path(), make_shots()));
+  ASSERT_TRUE(wait_until_it_waits(run));
   for (int i = 0; i < 3; ++i) {
-    desk.take();
-    ASSERT_TRUE(wait_until_it_waits(desk));
+    run.take();
+    ASSERT_TRUE(wait_until_it_waits(run));
   }
-  EXPECT_EQ(desk.state().wanted, 3U);
-  desk.retake(9);  // not taken yet: nothing happens
-  desk.retake(1);
-  for (int i = 0; i < 6000 && desk.state().wanted != 1U; ++i)
+  EXPECT_EQ(run.state().wanted, 3U);
+  run.retake(9);  // not taken yet: nothing happens
+  run.retake(1);
+  for (int i = 0; i < 6000 && run.state().wanted != 1U; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_EQ(desk.state().wanted, 1U);
-  EXPECT_TRUE(desk.state().places[2].is_done);
+  EXPECT_EQ(run.state().wanted, 1U);
+  EXPECT_TRUE(run.state().places[2].is_done);
 }
 
-TEST(CalibrationDesk, DevicesThatGoAreToldWithTheirRemedyAndLetGo) {
+TEST(CalibrationRun, ReportsLostDevicesAndReleasesThem) {
   const TemporaryFolder folder;
   const auto shots = std::make_shared<GoneShots>();
-  const CalibrationDesk desk(calibration_job(folder.path(), shots));
-  for (int i = 0; i < 6000 && desk.state().step != CalibrationStep::kFailed; ++i)
+  const CalibrationRun run(calibration_job(folder.path(), shots));
+  for (int i = 0; i < 6000 && run.state().step != CalibrationStep::kFailed; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_EQ(desk.state().step, CalibrationStep::kFailed);
-  EXPECT_THAT(desk.state().message, HasSubstr("plug it in again"));
+  EXPECT_EQ(run.state().step, CalibrationStep::kFailed);
+  EXPECT_THAT(run.state().message, HasSubstr("plug it in again"));
   EXPECT_TRUE(shots->stops) << "the lights are dark";
 }
 
-TEST(CalibrationDesk, ACheckOnAPlaneHoldsWithTheSensorsOwnCalibration) {
+TEST(CalibrationRun, ACheckOnAPlanePassesWithTheRightCalibration) {
   const TemporaryFolder folder;
   const auto calibration = std::make_shared<const calibration::Calibration>(
       simulated::cached_sensor_calibration(simulated::intraoral_sensor(), folder.path(), Workers(),
                                            {})
           .value());
-  DeskJob job;
+  CalibrationJob job;
   job.task = ui::CalibrationTask::kCheckOnPlane;
   job.open_source = [] { return Result<std::shared_ptr<shots::ShotSource>>(make_shots()); };
   job.begin_work =
@@ -159,9 +159,9 @@ TEST(CalibrationDesk, ACheckOnAPlaneHoldsWithTheSensorsOwnCalibration) {
           std::shared_ptr<shots::ShotSource> source) -> Result<std::unique_ptr<CalibrationWork>> {
     return check_guided(calibration, std::nullopt, std::move(source));
   };
-  CalibrationDesk desk(std::move(job));
-  take_all(desk);
-  const ui::RunningCalibration state = desk.state();
+  CalibrationRun run(std::move(job));
+  take_all(run);
+  const ui::RunningCalibration state = run.state();
   ASSERT_EQ(state.step, CalibrationStep::kDone) << state.message;
   EXPECT_TRUE(state.outcome.is_good) << state.outcome.verdict;
   EXPECT_FALSE(state.outcome.figures.empty());

@@ -1,0 +1,136 @@
+#include "app/session/calibration_controller.h"
+
+#include <utility>
+
+#include "app/session/calibration_files.h"
+#include "app/session/user_folders.h"
+#include "core/io/calibrations/guided_session_file.h"
+#include "hw/shots/open_shots.h"
+#include "hw/shots/simulated_shots.h"
+
+namespace flytri::session {
+namespace {
+
+/// The plan for a sensor with this calibration. Null: for the intra-oral sensor of the paper.
+calibration::CalibrationPlan plan_for(const calibration::Calibration* known) {
+  simulated::SensorModel sensor = simulated::intraoral_sensor();
+  if (known != nullptr) sensor.volume = known->volume;
+  calibration::CalibrationPlan plan = shots::plan_of(sensor);
+  for (const Pattern pattern : kPatterns) {
+    if (known == nullptr) break;
+    plan.line_counts[static_cast<std::size_t>(pattern)] = known->of(pattern).line_count();
+  }
+  return plan;
+}
+
+Result<std::unique_ptr<CalibrationWork>> begin_work(
+    const ui::BeginCalibration& command,
+    const std::shared_ptr<const calibration::Calibration>& calibration,
+    std::shared_ptr<shots::ShotSource> source) {
+  switch (command.task) {
+    case ui::CalibrationTask::kCheckOnPlane:
+      return check_guided(calibration, std::nullopt, std::move(source));
+    case ui::CalibrationTask::kCheckOnSphere:
+      return check_guided(calibration, command.sphere_diameter_mm, std::move(source));
+    case ui::CalibrationTask::kCalibrate:
+      break;
+  }
+  const auto plan = io::guided_plan_or(plan_for(calibration.get()), command.folder);
+  if (!plan) return tl::unexpected(plan.error());
+  return calibrate_guided(command.folder, *plan, std::move(source));
+}
+
+std::filesystem::path propose_folder() {
+  return propose_calibration_folder(data_folder() / "calibrations");
+}
+
+}  // namespace
+
+CalibrationController::CalibrationController(SourceController& source, StageController& stages,
+                                             BackgroundWork& background, Notices& notices)
+    : source_(source),
+      stages_(stages),
+      background_(background),
+      notices_(notices),
+      proposed_folder_(propose_folder()) {}
+
+void CalibrationController::begin(const ui::BeginCalibration& command) {
+  if (!state() || run_ != nullptr || is_closing_ || !stages_.may_leave()) return;
+  const auto& rig = source_.choice().rig;
+  const bool checks = command.task != ui::CalibrationTask::kCalibrate;
+  if (checks && source_.calibration() == nullptr) return;
+  if (command.task == ui::CalibrationTask::kCheckOnSphere && !rig) return;
+  stages_.pause();
+  source_.lend();
+  CalibrationJob job;
+  job.task = command.task;
+  if (!checks) job.folder = command.folder;
+  shots::ShotChoice shots;
+  shots.simulated = !rig;
+  if (rig) shots.rig = *rig;
+  job.open_source = [shots] { return shots::open_shots(shots); };
+  job.begin_work = [command, calibration = source_.calibration()](
+                       std::shared_ptr<shots::ShotSource> source) {
+    return begin_work(command, calibration, std::move(source));
+  };
+  run_ = std::make_shared<CalibrationRun>(std::move(job));
+}
+
+void CalibrationController::take_images() {
+  if (run_ != nullptr) run_->take();
+}
+
+void CalibrationController::retake(std::size_t place) {
+  if (run_ != nullptr) run_->retake(place);
+}
+
+void CalibrationController::close(std::function<void()> then) {
+  is_closing_ = true;
+  background_.run([this, run = std::move(run_), then = std::move(then)]() mutable {
+    run.reset();
+    return [this, then] {
+      is_closing_ = false;
+      proposed_folder_ = propose_folder();
+      then();
+    };
+  });
+}
+
+void CalibrationController::end() {
+  if (run_ == nullptr) return;
+  close([this] { source_.take_back(); });
+}
+
+/// The scans of a case are loaded again, and measured with the new calibration from now on.
+void CalibrationController::use() {
+  if (run_ == nullptr || !why_not_used().empty()) return;
+  const std::filesystem::path folder = run_->state().folder;
+  const auto adopted = adopt_calibration(source_.choice(), folder / "calibration.json");
+  if (!adopted) return notices_.add(ui::Severity::kError, adopted.error().message);
+  notices_.add(ui::Severity::kInformation, "In use: " + adopted->string());
+  stages_.forget();
+  source_.forget();
+  close([this] {
+    source_.take_back();
+    source_.open();
+  });
+}
+
+std::string CalibrationController::why_not_used() const {
+  if (!source_.choice().rig) return "the virtual sensor has its own calibration";
+  if (stages_.has_unsaved()) return "save the scans in a case first";
+  return {};
+}
+
+std::optional<ui::CalibrationState> CalibrationController::state() const {
+  if (source_.choice().recording) return std::nullopt;
+  ui::CalibrationState state;
+  state.folder = proposed_folder_.string();
+  state.has_calibration = source_.calibration() != nullptr;
+  state.is_simulated = !source_.choice().rig;
+  state.why_not_used = why_not_used();
+  if (run_ != nullptr) state.running = run_->state();
+  return state;
+}
+
+}  // namespace flytri::session

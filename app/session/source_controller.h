@@ -1,0 +1,72 @@
+/// @file  Controls the source of a session's frames: opens it, captures from it, checks its devices
+/// and steers the simulated hand.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/session/background_work.h"
+#include "app/session/frame_router.h"
+#include "app/session/notices.h"
+#include "app/session/source.h"
+#include "hw/device/capture_loop.h"
+#include "ui/state/app_view.h"
+#include "ui/state/command.h"
+
+namespace flytri::session {
+
+class SourceController {
+ public:
+  /// @param opened  called each time the source has been opened, before it captures
+  SourceController(SourceChoice choice, BackgroundWork& background, Notices& notices,
+                   std::function<void()> opened);
+
+  /// Opens the chosen source in the background, then captures from it.
+  void open();
+  /// Forgets the source, until open() opens it again.
+  void forget() { source_ = {}; }
+  /// Stops capturing and leaves the devices to somebody else.
+  void lend();
+  /// The devices are back: captures again, if the source is open.
+  void take_back();
+  /// Ends capturing for good.
+  void stop();
+
+  void check_devices();
+  void steer(const ui::SteerHand& command);
+  /// @param T_world_sensor  where the scan sees the sensor now
+  void point(const ui::PointHand& command, const Isometry& T_world_sensor);
+  void follow_path(bool follows);
+  void take_away(bool is_away);
+
+  [[nodiscard]] const Source& source() const { return source_; }
+  [[nodiscard]] const SourceChoice& choice() const { return choice_; }
+  /// Null until the source is open.
+  [[nodiscard]] const std::shared_ptr<const calibration::Calibration>& calibration() const {
+    return source_.calibration;
+  }
+  [[nodiscard]] FrameRouter& router() { return *router_; }
+  [[nodiscard]] ui::SourceState state() const;
+  /// None without a rig.
+  [[nodiscard]] std::optional<ui::DevicesState> devices_state() const;
+
+ private:
+  void start_capture();
+  void retry();
+  [[nodiscard]] bool is_running() const;
+
+  const SourceChoice choice_;
+  BackgroundWork& background_;
+  Notices& notices_;
+  const std::function<void()> opened_;
+  Source source_;
+  std::string failure_;       ///< why the source could not be opened
+  ui::DevicesState checked_;  ///< result of the latest check; devices_state() adds the devices
+  bool is_lent_ = false;
+  std::shared_ptr<FrameRouter> router_ = std::make_shared<FrameRouter>();
+  std::unique_ptr<device::CaptureLoop> capture_;  ///< destroyed first: it uses the router
+};
+
+}  // namespace flytri::session

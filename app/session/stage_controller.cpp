@@ -1,0 +1,169 @@
+#include "app/session/stage_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flytri::session {
+
+StageController::StageController(scan::LiveScanOptions options, SourceController& source,
+                                 BackgroundWork& background, Notices& notices)
+    : options_(std::move(options)), source_(source), background_(background), notices_(notices) {}
+
+bool StageController::accepts(scan::ScanEvent event) const {
+  if (scan() == nullptr) return event == scan::ScanEvent::kStart;
+  const auto now = scan()->snapshot();
+  return scan::accepts(now->phase, event, !now->model.empty());
+}
+
+bool StageController::may_leave() const {
+  return std::all_of(scans_.begin(), scans_.end(), [](const auto& scan) {
+    return scan == nullptr || scan::may_leave(scan->snapshot()->phase);
+  });
+}
+
+bool StageController::has_unsaved() const {
+  return store_ == nullptr && std::any_of(scans_.begin(), scans_.end(), [](const auto& scan) {
+           return scan != nullptr && !scan->snapshot()->model.empty();
+         });
+}
+
+void StageController::start() {
+  if (!may_leave()) return;
+  is_started_ = true;
+  if (scan()) scan()->start();
+}
+
+void StageController::pause() {
+  is_started_ = false;
+  if (scan()) scan()->pause();
+}
+
+void StageController::finish() {
+  if (!accepts(scan::ScanEvent::kFinish)) return;
+  is_started_ = false;
+  scan()->finish();
+}
+
+void StageController::cancel_finish() {
+  if (scan()) scan()->cancel_finish();
+}
+
+void StageController::undo() {
+  if (scan()) scan()->undo();
+}
+
+void StageController::redo() {
+  if (scan()) scan()->redo();
+}
+
+void StageController::edit(const ui::EditSurface& command) {
+  if (scan()) scan()->edit(command.kind, command.dabs);
+}
+
+void StageController::choose_reentry(std::size_t index) {
+  if (scan()) scan()->choose_reentry(index);
+}
+
+void StageController::add_measurement(io::Measurement measurement) {
+  if (store_ != nullptr) {
+    const auto id = store_->add_measurement(io::kScanStages[stage_], measurement);
+    if (!id) return notices_.add(ui::Severity::kError, id.error().message);
+    measurement.id = *id;
+  }
+  measurements_[stage_].push_back(std::move(measurement));
+}
+
+void StageController::remove_measurement(std::size_t index) {
+  auto& measurements = measurements_[stage_];
+  if (index >= measurements.size()) return;
+  const auto removed = measurements.begin() + static_cast<std::ptrdiff_t>(index);
+  if (store_ != nullptr) {
+    const auto done = store_->remove_measurement(removed->id);
+    if (!done) return notices_.add(ui::Severity::kError, done.error().message);
+  }
+  measurements.erase(removed);
+}
+
+void StageController::select(io::ScanStage stage) {
+  if (!may_leave()) return;
+  pause();
+  stage_ = static_cast<std::size_t>(stage);
+  show();
+}
+
+void StageController::show() {
+  if (source_.calibration() == nullptr || is_loading_[stage_]) return;
+  if (scan() != nullptr) {
+    if (is_started_) scan()->start();
+    return source_.router().set_scan(scan());
+  }
+  source_.router().set_scan(nullptr);
+  if (store_ == nullptr) return use(stage_, {});
+  is_loading_[stage_] = true;
+  background_.run([this, stage = stage_, store = store_] {
+    auto opened = std::make_shared<Result<OpenedStage>>(store->load(io::kScanStages[stage]));
+    return [this, stage, store, opened] {
+      // Otherwise forget() was called meanwhile.
+      if (store != store_ || !std::exchange(is_loading_[stage], false)) return;
+      if (!*opened) return notices_.add(ui::Severity::kError, opened->error().message);
+      use(stage, **opened);
+    };
+  });
+}
+
+void StageController::use(std::size_t stage, const OpenedStage& opened) {
+  scan::LiveScanOptions options = options_;
+  if (store_ != nullptr && !store_->is_read_only()) {
+    options.journal = store_->journal(io::kScanStages[stage]);
+  }
+  Result<std::unique_ptr<scan::LiveScan>> scan =
+      scan::LiveScan::create(source_.calibration(), options, opened.scan);
+  if (!scan) return notices_.add(ui::Severity::kError, scan.error().message);
+  source_.router().go_on_after(opened.last_frame, opened.last_time_s);
+  for (const std::string& line : opened.damage) notices_.add(ui::Severity::kWarning, line);
+  scans_[stage] = std::move(*scan);
+  measurements_[stage] = opened.measurements;
+  if (stage == stage_) show();
+}
+
+void StageController::save_in(const std::shared_ptr<CaseStore>& store) {
+  store_ = store;
+  for (std::size_t stage = 0; stage < scans_.size(); ++stage) {
+    const io::ScanStage name = io::kScanStages[stage];
+    if (scans_[stage] != nullptr) scans_[stage]->keep_in(store->journal(name));
+    for (io::Measurement& measurement : measurements_[stage]) {
+      const auto id = store->add_measurement(name, measurement);
+      if (!id) notices_.add(ui::Severity::kError, id.error().message);
+      measurement.id = id.value_or(0);
+    }
+  }
+}
+
+void StageController::replace_by(std::shared_ptr<CaseStore> store) {
+  forget();
+  store_ = std::move(store);
+  is_started_ = false;
+  show();
+}
+
+void StageController::forget() {
+  source_.router().set_scan(nullptr);
+  scans_ = {};
+  measurements_ = {};
+  is_loading_ = {};
+}
+
+void StageController::show_in(ui::AppView& view) {
+  if (scan()) view.scan = scan()->snapshot();
+  view.is_scanning = is_started_;
+  view.stage = static_cast<io::ScanStage>(stage_);
+  for (std::size_t i = 0; i < scans_.size(); ++i) {
+    view.stage_has_data[i] = scans_[i] != nullptr && !scans_[i]->snapshot()->model.empty();
+  }
+  view.measurements = measurements_[stage_];
+  if (view.scan == nullptr || view.scan->failure == reported_failure_) return;
+  reported_failure_ = view.scan->failure;
+  if (!reported_failure_.empty()) notices_.add(ui::Severity::kError, reported_failure_);
+}
+
+}  // namespace flytri::session

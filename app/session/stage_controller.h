@@ -1,0 +1,78 @@
+/// @file  Controls the stages of a session: one scan and its measurements for each jaw and the bite.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/session/background_work.h"
+#include "app/session/case_store.h"
+#include "app/session/notices.h"
+#include "app/session/source_controller.h"
+#include "core/scan/live_scan.h"
+#include "ui/state/app_view.h"
+#include "ui/state/command.h"
+
+namespace flytri::session {
+
+/// A command that does not fit the phase of the scan does nothing; see scan::accepts().
+class StageController {
+ public:
+  /// @param options  with now_s
+  StageController(scan::LiveScanOptions options, SourceController& source,
+                  BackgroundWork& background, Notices& notices);
+
+  void start();
+  void pause();
+  void finish();
+  void cancel_finish();
+  void undo();
+  void redo();
+  void edit(const ui::EditSurface& command);
+  void choose_reentry(std::size_t index);
+  void add_measurement(io::Measurement measurement);
+  void remove_measurement(std::size_t index);
+
+  /// Pauses, and turns to another stage.
+  void select(io::ScanStage stage);
+  /// Creates the scan of the current stage if there is none, and sends it the frames. What the case
+  /// has of the stage is loaded in the background.
+  void show();
+
+  /// Saves all scans and measurements in this case from now on.
+  void save_in(const std::shared_ptr<CaseStore>& store);
+  /// Forgets all scans, and continues with those of this case; null: without a case.
+  void replace_by(std::shared_ptr<CaseStore> store);
+  /// Forgets all scans. Those that the case has are loaded again by show().
+  void forget();
+
+  /// Of the current stage; null until the source is open.
+  [[nodiscard]] const std::shared_ptr<scan::LiveScan>& scan() const { return scans_[stage_]; }
+  /// The case that scans are saved in; null: none.
+  [[nodiscard]] const std::shared_ptr<CaseStore>& store() const { return store_; }
+  /// False while a scan is finishing, see scan::may_leave().
+  [[nodiscard]] bool may_leave() const;
+  /// True if a scan would be lost by forget().
+  [[nodiscard]] bool has_unsaved() const;
+  /// Adds what the window shows of the stages, and reports a failed finishing.
+  void show_in(ui::AppView& view);
+
+ private:
+  [[nodiscard]] bool accepts(scan::ScanEvent event) const;
+  void use(std::size_t stage, const OpenedStage& opened);
+
+  const scan::LiveScanOptions options_;
+  SourceController& source_;
+  BackgroundWork& background_;
+  Notices& notices_;
+  std::shared_ptr<CaseStore> store_;
+  bool is_started_ = false;  ///< the user wants to scan
+  std::size_t stage_ = 0;
+  std::array<std::shared_ptr<scan::LiveScan>, io::kScanStages.size()> scans_;
+  std::array<std::vector<io::Measurement>, io::kScanStages.size()> measurements_;
+  std::array<bool, io::kScanStages.size()> is_loading_ = {};
+  std::string reported_failure_;
+};
+
+}  // namespace flytri::session
