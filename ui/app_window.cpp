@@ -83,7 +83,7 @@ void draw_panels(const PanelContext& context) {
   draw_dialog(context);
 }
 
-/// A tool that the moment does not allow is put down.
+/// Puts the tool away where it cannot be used any longer.
 void drop_tool(const AppView& view, WindowState& state) {
   constexpr std::array kTools = {
       std::pair{Tool::kTrim, Action::kTrim}, std::pair{Tool::kLock, Action::kLock},
@@ -91,9 +91,7 @@ void drop_tool(const AppView& view, WindowState& state) {
   if (state.dialog != Dialog::kNone) return;
   for (const auto& [tool, action] : kTools) {
     if (state.tool != tool || action_state(action, view, state).is_enabled) continue;
-    state.tool = Tool::kNone;
-    state.brush.stroke.clear();
-    state.measured_from_mm.reset();
+    put_tool_away(state);
   }
 }
 

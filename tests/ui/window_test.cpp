@@ -9,7 +9,7 @@
 #include "tests/support/no_display.h"
 #include "tests/ui/screen_reader.h"
 #include "tests/ui/window_driver.h"
-#include "ui/actions/key_map.h"
+#include "ui/actions/action_table.h"
 
 namespace flytri {
 namespace {
@@ -55,7 +55,7 @@ TEST_F(RealWindow, KeysGiveTheirCommands) {
       {"scanning", "ctrl+z", "Undo"},          {"paused", "f", "Finish"},
       {"finishing", "Escape", "CancelFinish"}, {"lost", "Tab", "ChooseReentry"},
       {"paused", "F2", "SelectStage"},         {"paused", "Delete", "RemoveMeasurement"},
-      {"scanning", "w", "FollowPath"},         {"scanning", "a", "TakeSensorAway"},
+      {"scanning", "w", "FollowPath"},         {"scanning", "a", "LiftSensor"},
       {"scanning", "x", "ChangeSettings"},     {"lost", "Left", "SteerHand"},
       {"lost", "shift+Up", "SteerHand"},       {"lost", "Prior", "SteerHand"}};
   for (const auto& [state, key, command] : cases) {
@@ -70,7 +70,7 @@ TEST_F(RealWindow, ButtonsGiveTheCommandsOfTheirKeys) {
       {"finished", "scan", "ResumeScan"},      {"scanning", "undo", "Undo"},
       {"paused", "finish", "Finish"},          {"finishing", "cancel", "CancelFinish"},
       {"lost", "place_2", "ChooseReentry"},    {"paused", "lower", "SelectStage"},
-      {"scanning", "hand_mode", "FollowPath"}, {"scanning", "take_away", "TakeSensorAway"},
+      {"scanning", "hand_mode", "FollowPath"}, {"scanning", "lift_sensor", "LiftSensor"},
       {"scanning", "mute", "ChangeSettings"}};
   for (const auto& [state, id, command] : cases) {
     show(state);
@@ -107,7 +107,7 @@ TEST_F(RealWindow, HowAKeyStandsFitsTheColumnOfTheList) {
     for (const char* dialog : {"cancel", "calibration"}) {
       window().ask(std::string("do ") + dialog);
       for (const auto& [id, action] : window().state()["actions"].items()) {
-        EXPECT_LE(action["text"].get<std::string>().size(), ui::kLongestStanding)
+        EXPECT_LE(action["text"].get<std::string>().size(), ui::kLongestStateText)
             << id << ", " << shown << ": " << action["text"];
       }
     }

@@ -167,8 +167,8 @@ void draw_buttons(const PanelContext& context, Rect row, const RunningCalibratio
   if (!is_done) {
     small_action(
         context,
-        row.take_left(small_action_width(context, Action::kPlaceBefore, back), context.px(kGapM)),
-        Action::kPlaceBefore, back);
+        row.take_left(small_action_width(context, Action::kPreviousPlace, back), context.px(kGapM)),
+        Action::kPreviousPlace, back);
   }
   const std::string& why = context.view.calibration->why_not_used;
   if (is_done && has_main && !why.empty()) {

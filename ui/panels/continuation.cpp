@@ -62,9 +62,9 @@ void draw_continuation(const PanelContext& context, const Rect& box) {
   const float gap = context.px(kGapM);
   if (context.view.source.hand) {
     const Rect row = rest.take_bottom(context.px(44.0F), gap);
-    const bool is_away = context.view.source.hand->is_taken_away;
+    const bool is_away = context.view.source.hand->is_lifted;
     small_action(
-        context, row, Action::kTakeAway,
+        context, row, Action::kLiftSensor,
         {icon::kHand, is_away ? "Put the sensor back" : "Take the sensor away", false, kCaution});
   }
   draw_places(context, rest.take_bottom(context.px(44.0F), context.px(kGapXs)));

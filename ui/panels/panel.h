@@ -4,8 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "ui/actions/key_map.h"
-#include "ui/actions/perform.h"
+#include "ui/actions/action_table.h"
 #include "ui/panels/layout.h"
 #include "ui/panels/scene_image.h"
 #include "ui/scene/scene_renderer.h"

@@ -63,10 +63,10 @@ void draw_source(const PanelContext& context, const Rect& row) {
 /// The simulated sensor can be taken in one's own hand, and away.
 void draw_hand(const PanelContext& context, Rect row) {
   const float width = (row.width - context.px(kGapS)) / 2.0F;
-  const bool is_away = context.view.source.hand->is_taken_away;
+  const bool is_away = context.view.source.hand->is_lifted;
   small_action(context, row.take_left(width, context.px(kGapS)), Action::kHandMode,
                {nullptr, "By hand"});
-  small_action(context, row, Action::kTakeAway,
+  small_action(context, row, Action::kLiftSensor,
                {nullptr, is_away ? "Put back" : "Take away", false, kCaution});
 }
 

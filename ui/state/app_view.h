@@ -43,7 +43,7 @@ enum class SourceKind { kSimulated, kRecording, kDevices };
 /// The hand that moves the simulated sensor.
 struct SimulatedHand {
   bool follows_path = true;  ///< false: it follows the pointer and the arrow keys
-  bool is_taken_away = false;
+  bool is_lifted = false;
 };
 
 /// Where the frames come from.

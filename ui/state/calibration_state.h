@@ -68,7 +68,7 @@ struct RunningCalibration {
 };
 
 /// The place that is taken again by who wants one back: the last that is done.
-[[nodiscard]] std::optional<std::size_t> place_before(const RunningCalibration& running);
+[[nodiscard]] std::optional<std::size_t> previous_place(const RunningCalibration& running);
 
 /// What can be calibrated and checked, and what is being done of it.
 struct CalibrationState {

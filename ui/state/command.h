@@ -72,8 +72,8 @@ struct FollowPath {
   bool follows = true;
 };
 /// The simulated sensor looks elsewhere, as if it had been taken out of the mouth, or comes back.
-struct TakeSensorAway {
-  bool is_away = true;
+struct LiftSensor {
+  bool lifts = true;  ///< false: it comes back
 };
 struct ChangeSettings {
   Settings settings;
@@ -105,7 +105,7 @@ struct Quit {};
 using Command =
     std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement, RemoveMeasurement,
                  Finish, CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, NewCase,
-                 OpenCase, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
+                 OpenCase, SetCaseFields, SteerHand, FollowPath, LiftSensor, PointHand,
                  ChangeSettings, CheckDevices, BeginCalibration, TakeCalibrationImages,
                  RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
 

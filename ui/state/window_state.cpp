@@ -76,4 +76,10 @@ std::optional<SelectedHole> found_again(const SelectedHole& selected,
   return found;
 }
 
+void put_tool_away(WindowState& state) {
+  state.tool = Tool::kNone;
+  state.brush.stroke.clear();
+  state.measured_from_mm.reset();
+}
+
 }  // namespace flytri::ui

@@ -112,4 +112,7 @@ struct WindowState {
   double frame_s = 0.0;  ///< between the latest two frames
 };
 
+/// Forgets an unfinished stroke or distance with it.
+void put_tool_away(WindowState& state);
+
 }  // namespace flytri::ui
