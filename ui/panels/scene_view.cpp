@@ -49,13 +49,12 @@ void add_phase(const PanelContext& context, SceneContent& content) {
   }
 }
 
-void add_surface(const scan::ScanSnapshot& scan, SceneContent& content) {
+void add_surface(const PanelContext& context, SceneContent& content) {
+  const scan::ScanSnapshot& scan = *context.view.scan;
   content.model = &scan.model;
   if (scan.phase == scan::ScanPhase::kFinished && scan.result != nullptr) {
     content.mesh = &scan.result->model;
-    // Results are immutable: another one is another object, alive as long as it shows.
-    content.mesh_number =
-        static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(scan.result.get()));
+    content.mesh_number = context.state.result_number.of(scan.result);
     content.rim_mesh = &scan.result->surface.mesh;
   }
 }
@@ -107,7 +106,7 @@ void add_tools(const PanelContext& context, SceneContent& content) {
 SceneContent content_of(const PanelContext& context) {
   SceneContent content;
   if (context.view.scan != nullptr) {
-    add_surface(*context.view.scan, content);
+    add_surface(context, content);
     add_phase(context, content);
     add_holes(context, content);
     add_locked(*context.view.scan, content);
@@ -128,7 +127,7 @@ SceneOptions options_of(const PanelContext& context) {
 }  // namespace
 
 double max_sigma_mm(const AppView& view) {
-  // 30 um of 20 mm, as the intra-oral sensor has it.
+  // 30 µm for the 20 mm of the intra-oral sensor.
   constexpr double kShareOfWidth = 0.0015;
   return kShareOfWidth * view.volume_mm.x();
 }

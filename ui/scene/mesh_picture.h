@@ -13,7 +13,7 @@ class MeshPicture {
       : painter_(std::move(painter)), moving_(std::move(splats)) {}
 
   /// Shows this mesh from now on. Nothing is sent where it is the one already shown.
-  /// @param number   another one for another mesh at the same address
+  /// @param number   changes when the mesh does, even at the same address
   /// @param scanned  what the mesh was made of, for its coverage
   void take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
             const std::vector<editing::BrushDab>& locked);

@@ -45,7 +45,7 @@ struct SceneContent {
   const SurfelModel* model = nullptr;
   const TexturedMesh* mesh = nullptr;  ///< replaces the model where it is set; its coverage is the
                                        ///< model's
-  std::uint64_t mesh_number = 0;       ///< another number for another mesh at the same address
+  std::uint64_t mesh_number = 0;       ///< changes when the mesh does, even at the same address
   bool is_dimmed = false;              ///< the model is frozen: it stands back
 
   std::vector<AlignedView> highlighted;  ///< drawn as bright profiles on the model

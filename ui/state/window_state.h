@@ -12,6 +12,7 @@
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/scene_options.h"
 #include "ui/state/app_view.h"
+#include "ui/state/result_number.h"
 
 namespace flytri::ui {
 
@@ -109,7 +110,8 @@ struct WindowState {
   CalibrationForm calibration_form;
   std::vector<ShownNotice> toasts;
   std::uint64_t latest_notice = 0;
-  double frame_s = 0.0;  ///< between the latest two frames
+  ResultNumber result_number;  ///< of the result that is shown
+  double frame_s = 0.0;        ///< between the latest two frames
 };
 
 /// Forgets an unfinished stroke or distance with it.
