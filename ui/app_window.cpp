@@ -25,7 +25,7 @@ Result<void> AppWindowOptions::validate() const {
 
 struct AppWindow::Impl {
   AppWindowOptions options;
-  // In this order: what comes later lives in the context of what comes before.
+  // The order matters: each member needs the ones before it.
   std::unique_ptr<Window> window;
   std::unique_ptr<ImGuiHost> host;
   std::optional<SceneRenderer> scene;
@@ -155,7 +155,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   impl.window->poll();
   const ImageSize size = impl.window->framebuffer_size();
   if (size.width_px == 0 || size.height_px == 0) return !impl.window->should_close();
-  // The fonts were there at the start: a scale that cannot be set leaves the former one.
+  // If the scale cannot be set, the former one stays.
   const Theme theme = impl.theme_for(view, size).value_or(impl.host->theme());
   update_toasts(view, impl.state);
   const std::vector<KeyEvent> presses = impl.host->begin_frame(size, view.now_s);

@@ -20,6 +20,9 @@
 
 namespace flytri::reconstruct {
 
+/// The name, for the user, of the stage before these: views that were lost get another chance.
+inline constexpr const char* kRecovering = "Recovering lost frames";
+
 /// The options of the finishing stages. Each stage documents and checks its own.
 struct FinishOptions {
   refinement::JointRefineOptions refinement;

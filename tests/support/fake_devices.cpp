@@ -11,7 +11,7 @@ ui::DeviceState measurement_camera() {
           "running",
           DeviceHealth::kFine,
           {{"labeled", "2476"},
-           {"straddled", "31"},
+           {"mixed light", "31"},
            {"unknown", "12"},
            {"gaps", "1", true},
            {"damaged", "0"},
@@ -25,7 +25,7 @@ ui::DeviceState texture_camera() {
           "running",
           DeviceHealth::kFine,
           {{"labeled", "82"},
-           {"straddled", "9"},
+           {"mixed light", "9"},
            {"unknown", "3"},
            {"gaps", "0"},
            {"damaged", "0"},
@@ -63,8 +63,9 @@ ui::DevicesState faulty_devices() {
   state.devices[1].figures[5] = {"interrupted", "1", true};
   state.devices[2].health = DeviceHealth::kDoubtful;
   state.problems = {
-      "The vertical and the horizontal projector are swapped: exchange their cables, or the lines "
-      "\"vertical\" and \"horizontal\" in rig.json. Frames are named by what they show.",
+      "The vertical and the horizontal projector are swapped: exchange their cables, or the "
+      "entries \"vertical\" and \"horizontal\" in rig.json. Until then, frames are sorted by the "
+      "lines that they show.",
       "No texture: the camera C920 HD Pro is unplugged; plug it in again."};
   return state;
 }

@@ -13,7 +13,7 @@ namespace {
 
 using ui::AppView;
 
-/// What all states have in common: a case, a simulated sensor, two older cases.
+/// The base of all states: a case, a simulated sensor, two older cases.
 AppView ordinary_view() {
   AppView view;
   view.file.path = "/home/clinic/cases/Rivera-2031.flytri";
@@ -30,7 +30,7 @@ AppView ordinary_view() {
   view.calibration.emplace();
   view.calibration->folder = "/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214";
   view.calibration->has_calibration = true;
-  view.calibration->why_not_used = "the virtual sensor has its own";
+  view.calibration->why_not_used = "the simulated sensor has its own";
   view.exports.folder = "/home/clinic/exports";
   view.exports.name = "Rivera-2031-upper";
   return view;
@@ -64,7 +64,7 @@ scan::ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
   return scan;
 }
 
-/// The sizes of what is exported, as rough as the program's own guess.
+/// Estimated sizes of the exported files.
 void add_sizes(AppView& view, bool is_finished) {
   view.exports.estimated_bytes[1] = 12'400'000;
   if (is_finished) view.exports.estimated_bytes = {9'800'000, 12'400'000, 21'300'000, 27'900'000};
@@ -139,7 +139,7 @@ struct FakeScan::Parts {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
     scan.phase = scan::ScanPhase::kFinishing;
-    scan.finishing = {{"Refining all views together", 0.37}, 48.0};
+    scan.finishing = {{"Aligning the scan", 0.37}, 48.0};
     set_scan(view, std::move(scan));
     return view;
   }
@@ -158,7 +158,7 @@ struct FakeScan::Parts {
   [[nodiscard]] AppView failed() const {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
-    scan.failure = "The disk is full. Make room on it, then press Finish again; the scan is kept.";
+    scan.failure = "The disk is full. Free some space, then press Finish again. The scan is safe.";
     set_scan(view, std::move(scan));
     view.notices = {{1, ui::Severity::kWarning, "The case could not be saved for 3 s: disk full"},
                     {2, ui::Severity::kError, "Finishing failed"}};
@@ -172,7 +172,8 @@ struct FakeScan::Parts {
     view.source.name = "Intra-oral rig 04";
     view.source.is_running = false;
     view.source.is_lost = true;
-    view.source.message = "the switch of the lights has not answered for 2.0 s: plug it in again";
+    view.source.message =
+        "The light switch has not answered for 2.0 s: unplug it and plug it in again";
     return view;
   }
 
@@ -188,7 +189,7 @@ struct FakeScan::Parts {
     return view;
   }
 
-  /// The vertical lines are overexposed, the horizontal ones and the flash too weak.
+  /// The vertical lines are overexposed; the horizontal lines and the flash are too dark.
   [[nodiscard]] AppView with_faulty_devices() const {
     AppView view = with_devices(faulty_devices());
     scan::ScanSnapshot scan = *view.scan;

@@ -1,11 +1,11 @@
-/// @file  The states of the program that its window can be shown in without pipeline and devices.
+/// @file  Names of the fake states that the window can show.
 #pragma once
 
 #include <array>
 
 namespace flytri::testing {
 
-/// By name, as `tell NAME` asks for them.
+/// For the request `tell NAME`.
 inline constexpr std::array kFakeStates = {
     "ready",         "preview",     "scanning",     "near",        "paused",     "lost",
     "finishing",     "finished",    "failed",       "no_sensor",   "empty_case", "devices",

@@ -10,7 +10,7 @@ constexpr const char* kNotForRecordings = "not for recordings";
 
 ActionState panel_state(const Situation& now) {
   if (!now.view.calibration) return disabled(kNotForRecordings);
-  if (!now.accepts(ScanRequest::kLeave)) return disabled("finishing");
+  if (!now.may_leave()) return disabled("finishing");
   const bool is_open = now.state.dialog == Dialog::kCalibration;
   return is_open && now.is_calibrating() ? disabled("running") : enabled();
 }

@@ -11,7 +11,7 @@ namespace {
 constexpr double kScaleStep = 0.125;
 
 ActionState export_state(const Situation& now) {
-  return only_if(now.has_surface() && now.accepts(ScanRequest::kLeave), "nothing to export yet");
+  return only_if(now.has_surface() && now.may_leave(), "nothing to export yet");
 }
 
 ActionState devices_state(const Situation& now) {
@@ -74,7 +74,7 @@ bool can_confirm(const Situation& now) {
              std::any_of(form.is_chosen.begin(), form.is_chosen.end(), [](bool c) { return c; });
     case Dialog::kCase:
       if (case_form.tab == CaseTab::kFields) return !now.view.file.is_read_only;
-      return !case_form.path.empty();
+      return now.may_leave() && !case_form.path.empty();
     case Dialog::kNone:
       return false;
     case Dialog::kHelp:

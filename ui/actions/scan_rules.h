@@ -1,32 +1,23 @@
-/// @file  What the user may ask of a scan in each of its phases.
+/// @file  Which events a scan accepts in which phase: by the state machine in
+/// core/scan/scan_state.h.
 #pragma once
 
 #include "core/scan/scan_state.h"
 
 namespace flytri::ui {
 
-enum class ScanRequest {
-  kScan,         ///< start, pause or resume
-  kFinish,       ///< compute the result
-  kEdit,         ///< trim, lock, unlock, undo, redo
-  kChoosePlace,  ///< another place to resume a lost scan
-  kLeave         ///< another stage, an export, a calibration
-};
+/// True if the event fits the phase. The only place in ui that decides this.
+/// @param has_model  something was scanned
+[[nodiscard]] inline bool accepts(scan::ScanPhase phase, scan::ScanEvent event, bool has_model) {
+  if (event == scan::ScanEvent::kEdit) return phase != scan::ScanPhase::kFinishing;
+  if (event == scan::ScanEvent::kFinish && phase == scan::ScanPhase::kFinished) return false;
+  return scan::next_phase(phase, event, has_model) != phase;
+}
 
-/// The only place in ui that compares phases to decide what is possible.
-[[nodiscard]] constexpr bool accepts(scan::ScanPhase phase, ScanRequest request) {
-  using scan::ScanPhase;
-  switch (request) {
-    case ScanRequest::kFinish:
-    case ScanRequest::kEdit:
-      return phase != ScanPhase::kFinishing && phase != ScanPhase::kFinished;
-    case ScanRequest::kChoosePlace:
-      return phase == ScanPhase::kContinuation;
-    case ScanRequest::kScan:
-    case ScanRequest::kLeave:
-      break;
-  }
-  return phase != ScanPhase::kFinishing;
+/// True if the user may turn to another stage, case or calibration. While a scan is finishing, the
+/// only choice is to wait or to cancel.
+[[nodiscard]] constexpr bool may_leave(scan::ScanPhase phase) {
+  return phase != scan::ScanPhase::kFinishing;
 }
 
 }  // namespace flytri::ui

@@ -8,7 +8,9 @@ namespace flytri::ui {
 namespace {
 
 ActionState scan_state(const Situation& now) {
-  if (!now.accepts(ScanRequest::kScan)) return disabled("finishing");
+  const bool can_toggle =
+      now.accepts(scan::ScanEvent::kStart) || now.accepts(scan::ScanEvent::kPause);
+  if (!can_toggle) return disabled("finishing");
   if (now.is_finished()) return enabled("finished");
   if (now.view.file.is_read_only) return disabled("the case is read-only");
   if (now.view.is_scanning) return {true, true, "scanning"};
@@ -24,16 +26,15 @@ void scan_or_pause(const ActionRunner& run) {
 }
 
 ActionState finish_state(const Situation& now) {
-  if (!now.accepts(ScanRequest::kFinish)) {
-    return disabled(now.is_finished() ? "finished" : "finishing");
-  }
+  if (now.is_finishing()) return disabled("finishing");
+  if (now.is_finished()) return disabled("finished");
   if (now.view.file.is_read_only) return disabled("the case is read-only");
-  return only_if(now.has_surface(), "nothing scanned yet");
+  return only_if(now.accepts(scan::ScanEvent::kFinish), "nothing scanned yet");
 }
 
 ActionState next_place_state(const Situation& now) {
-  return only_if(now.accepts(ScanRequest::kChoosePlace) && now.view.scan->reentry.size() > 1,
-                 "only when lost");
+  const bool is_lost = now.phase() == scan::ScanPhase::kContinuation;
+  return only_if(is_lost && now.view.scan->reentry.size() > 1, "only when lost");
 }
 
 void choose_next_place(const ActionRunner& run) {
@@ -47,7 +48,7 @@ ActionState next_hole_state(const Situation& now) {
 
 template <io::ScanStage kStage>
 ActionState stage_state(const Situation& now) {
-  if (!now.accepts(ScanRequest::kLeave)) return disabled("finishing");
+  if (!now.may_leave()) return disabled("finishing");
   const bool has_data = now.view.stage_has_data[static_cast<std::size_t>(kStage)];
   return {true, now.view.stage == kStage, has_data ? "scanned" : "empty"};
 }

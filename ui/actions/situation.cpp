@@ -2,11 +2,19 @@
 
 #include <fmt/format.h>
 
+#include "ui/actions/scan_rules.h"
+
 namespace flytri::ui {
 
 scan::ScanPhase Situation::phase() const {
   return view.scan == nullptr ? scan::ScanPhase::kPreview : view.scan->phase;
 }
+
+bool Situation::accepts(scan::ScanEvent event) const {
+  return ui::accepts(phase(), event, has_surface());
+}
+
+bool Situation::may_leave() const { return ui::may_leave(phase()); }
 
 bool Situation::has_surface() const {
   return view.scan != nullptr &&

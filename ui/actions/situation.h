@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/scan/scan_state.h"
 #include "ui/actions/action_table.h"
-#include "ui/actions/scan_rules.h"
 
 namespace flytri::ui {
 
@@ -15,12 +15,18 @@ struct Situation {
 
   /// Before the first snapshot: that of a scan that has not begun.
   [[nodiscard]] scan::ScanPhase phase() const;
-  [[nodiscard]] bool accepts(ScanRequest request) const { return ui::accepts(phase(), request); }
+  /// Whether the scan accepts an event now.
+  [[nodiscard]] bool accepts(scan::ScanEvent event) const;
+  /// The user may turn to another stage, case or calibration.
+  [[nodiscard]] bool may_leave() const;
   [[nodiscard]] bool is_finishing() const { return phase() == scan::ScanPhase::kFinishing; }
   [[nodiscard]] bool is_finished() const { return phase() == scan::ScanPhase::kFinished; }
   /// Something was scanned: live points or a result.
   [[nodiscard]] bool has_surface() const;
-  [[nodiscard]] bool can_edit() const { return has_surface() && accepts(ScanRequest::kEdit); }
+  /// A finished scan has to be resumed before it is edited.
+  [[nodiscard]] bool can_edit() const {
+    return has_surface() && accepts(scan::ScanEvent::kEdit) && !is_finished();
+  }
   /// The user moves the simulated sensor.
   [[nodiscard]] bool steers_by_hand() const;
   /// A calibration, or a check of one, is under way.

@@ -24,7 +24,7 @@ std::optional<Action> action_named(const std::string& id) {
 
 std::string answer_where(const ItemPlaces& places, const std::string& id) {
   const auto place = places.find(id);
-  if (!place) return fmt::format("error nothing is called {}", id);
+  if (!place) return fmt::format("error no button or panel is called {}", id);
   return fmt::format("ok {:.0f} {:.0f} {:.0f} {:.0f}", place->x, place->y, place->width,
                      place->height);
 }

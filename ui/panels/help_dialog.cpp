@@ -50,9 +50,9 @@ void draw_group(const PanelContext& context, Rect& column, float row, ActionGrou
 
 void draw_pointer(const PanelContext& context, Rect& column, float row_height_px) {
   constexpr std::array<std::array<const char*, 2>, 3> kRows = {
-      {{"Drag", "turns the view, or uses the tool"},
-       {"Right drag", "turns; with Shift it moves"},
-       {"Wheel", "zooms; with a brush, its size"}}};
+      {{"Drag", "turns the view or uses the tool"},
+       {"Right drag", "turns; with Shift, moves"},
+       {"Wheel", "zooms or resizes the brush"}}};
   draw_text(column.take_top(context.px(kHelpHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Pointer");
   for (const auto& [what, does] : kRows) {

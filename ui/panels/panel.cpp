@@ -5,7 +5,7 @@
 namespace flytri::ui {
 namespace {
 
-/// Why it is disabled, or what it is: where the pointer rests.
+/// Name, key and state, shown while the pointer rests on the button.
 std::string hint_of(const ActionRow& row, const ActionState& current) {
   std::string hint = std::string(row.name) + " (" + row.shortcut.text + ")";
   if (!current.text.empty()) hint += ": " + current.text;

@@ -59,7 +59,7 @@ void add_surface(const PanelContext& context, SceneContent& content) {
   }
 }
 
-/// Holes show where they are looked for: in the colors of coverage, or when one is selected.
+/// Holes are drawn in the colors of coverage, or when one is selected.
 void add_holes(const PanelContext& context, SceneContent& content) {
   const std::vector<meshing::BoundaryLoop>& holes = context.view.scan->holes;
   auto& selected = context.state.selected_hole;
@@ -70,7 +70,7 @@ void add_holes(const PanelContext& context, SceneContent& content) {
   if (selected || context.state.color_mode == ColorMode::kCoverage) content.holes = &holes;
 }
 
-/// An unlocking stroke frees what it reaches.
+/// An unlocking stroke removes the locked dabs that it touches.
 void free_locked(const editing::Edit& unlocking, std::vector<editing::BrushDab>& locked) {
   std::erase_if(locked, [&](const editing::BrushDab& dab) {
     return std::any_of(unlocking.dabs.begin(), unlocking.dabs.end(),
@@ -127,14 +127,14 @@ SceneOptions options_of(const PanelContext& context) {
 }  // namespace
 
 double max_sigma_mm(const AppView& view) {
-  // 30 µm for the 20 mm of the intra-oral sensor.
+  // 30 µm of 20 mm, as the intra-oral sensor has it.
   constexpr double kShareOfWidth = 0.0015;
   return kShareOfWidth * view.volume_mm.x();
 }
 
 void draw_scene(const PanelContext& context) {
   CameraState& camera = context.state.view;
-  move_by_itself(context.view, context.scene.model_box_mm(), camera);
+  move_automatically(context.view, context.scene.model_box_mm(), camera);
   camera.camera.advance(context.state.frame_s);
   context.scene.draw(content_of(context), options_of(context), camera.camera, camera.picture,
                      context.view.now_s);

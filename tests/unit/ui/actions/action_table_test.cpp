@@ -85,6 +85,21 @@ TEST(ActionTable, DisabledActionsDoNothing) {
   }
 }
 
+TEST(ActionTable, WhileFinishingNoOtherStageOrCaseCanBeChosen) {
+  AppView view;
+  view.scan = scan_in(scan::ScanPhase::kFinishing);
+  WindowState state;
+  EXPECT_FALSE(action_state(Action::kStageBite, view, state).is_enabled);
+  EXPECT_FALSE(action_state(Action::kCalibration, view, state).is_enabled);
+  EXPECT_FALSE(action_state(Action::kFinish, view, state).is_enabled);
+  state.dialog = Dialog::kCase;
+  state.case_form.tab = CaseTab::kNew;
+  state.case_form.path = "a.flytri";
+  EXPECT_FALSE(action_state(Action::kConfirm, view, state).is_enabled);
+  view.scan = scan_in(scan::ScanPhase::kFinished);
+  EXPECT_TRUE(action_state(Action::kConfirm, view, state).is_enabled);
+}
+
 TEST(ActionTable, CancelClosesOneThingAtATime) {
   AppView view;
   view.scan = scan_in(scan::ScanPhase::kFinishing);
