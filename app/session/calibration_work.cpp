@@ -169,7 +169,7 @@ class Checking final : public CalibrationWork {
         break;
       case calibration::VerificationOutcome::kBroken:
         outcome.verdict = "Calibration no longer valid";
-        outcome.meanings.emplace_back("Calibrate the sensor anew.");
+        outcome.meanings.emplace_back("Calibrate the sensor again.");
         break;
       case calibration::VerificationOutcome::kUnclear:
         outcome.verdict = "No verdict";

@@ -356,9 +356,9 @@ void Session::handle(const ui::FollowPath& command) {
   source_.hand->follow_pointer(source_.hand->aim());
 }
 
-void Session::handle(const ui::LiftSensor& command) {
+void Session::handle(const ui::TakeSensorAway& command) {
   if (source_.hand == nullptr) return;
-  if (command.lifts) return source_.hand->take_away();
+  if (command.is_away) return source_.hand->take_away();
   source_.hand->follow_path();
 }
 

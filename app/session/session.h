@@ -63,7 +63,7 @@ class Session {
   void handle(const ui::SetCaseFields& command);
   void handle(const ui::SteerHand& command);
   void handle(const ui::FollowPath& command);
-  void handle(const ui::LiftSensor& command);
+  void handle(const ui::TakeSensorAway& command);
   void handle(const ui::PointHand& command);
   void handle(const ui::ChangeSettings& command);
   void handle(const ui::CheckDevices&);

@@ -11,7 +11,7 @@
 namespace flytri::reconstruct {
 namespace {
 
-/// The steps of the finishing, as the user sees them.
+/// Names of the stages, shown to the user.
 constexpr auto kAligning = "Aligning the scan", kNormals = "Calculating normals",
                kSimplifying = "Simplifying", kMeshing = "Meshing", kTexturing = "Texturing";
 

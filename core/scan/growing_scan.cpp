@@ -337,7 +337,7 @@ void GrowingScan::finish() {
 reconstruct::ScannedViews GrowingScan::collect(std::vector<Frame> textures,
                                                const Progress& progress) {
   reconstruct::ScannedViews scanned;
-  progress.begin_stage(reconstruct::kRecovering);
+  progress.begin_stage("Registering what was lost");
   for (const tracking::RegisteredView& view :
        registrar_.finish(tracking::Registrar::World::kUnchanged, progress)) {
     if (view.fate == tracking::ViewFate::kRejected || view.view->profiles.empty()) continue;

@@ -75,8 +75,8 @@ RunningCalibration refused_set() {
   running.step = CalibrationStep::kRefused;
   running.image = seen_plane(calibration::ShotKind::kDots, 8.0);
   running.message =
-      "plane 12 (z +3.00 mm) does not fit the others: it is 62 \u00b5m off under both "
-      "patterns, so it stood elsewhere. Take it again";
+      "plane 12 (z +3.00 mm) does not fit the others: it is 62 µm off under both patterns; it did "
+      "not stand there. Take it again";
   return running;
 }
 

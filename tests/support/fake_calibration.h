@@ -1,18 +1,18 @@
-/// @file  Fake calibrations, as the window shows them.
+/// @file  Calibrations at the chair as the window shows them, without a sensor.
 #pragma once
 
 #include "ui/state/calibration_state.h"
 
 namespace flytri::testing {
 
-/// Half the planes are done; the dot target is next.
+/// Half the planes are done, the dots of the next are wanted.
 [[nodiscard]] ui::RunningCalibration waiting_calibration();
-/// An image of the white plane was refused.
+/// A shot of the white plane was refused.
 [[nodiscard]] ui::RunningCalibration refused_shot();
 /// All images are there, but one plane does not fit the others.
 [[nodiscard]] ui::RunningCalibration refused_set();
 [[nodiscard]] ui::RunningCalibration finished_calibration();
-/// A check on a plane which shows that the sensor has changed.
+/// A check on a plane that found the sensor changed.
 [[nodiscard]] ui::RunningCalibration broken_check();
 
 }  // namespace flytri::testing

@@ -63,9 +63,9 @@ ui::DevicesState faulty_devices() {
   state.devices[1].figures[5] = {"interrupted", "1", true};
   state.devices[2].health = DeviceHealth::kDoubtful;
   state.problems = {
-      "The vertical and the horizontal projector are swapped: exchange their cables, or the "
-      "entries \"vertical\" and \"horizontal\" in rig.json. Until then, frames are sorted by the "
-      "lines that they show.",
+      "The vertical and the horizontal projector are swapped: exchange their cables, or the lines "
+      "\"vertical\" and \"horizontal\" in rig.json. Until then, frames are labeled by the pattern "
+      "that they show.",
       "No texture: the camera C920 HD Pro is unplugged; plug it in again."};
   return state;
 }

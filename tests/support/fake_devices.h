@@ -1,4 +1,4 @@
-/// @file  Fake devices of a rig, as the window shows them.
+/// @file  Devices of a rig as the window shows them, without a device.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,12 @@
 
 namespace flytri::testing {
 
-/// Two cameras and a light switch that run.
+/// Two cameras and a switch that run.
 [[nodiscard]] ui::DevicesState running_devices();
 /// The texture camera is unplugged, and the projectors' cables are swapped.
 [[nodiscard]] ui::DevicesState faulty_devices();
 
-/// The same frame with `factor` times the exposure.
+/// The same frame, exposed so many times as long.
 [[nodiscard]] std::shared_ptr<const scan::LiveFrame> exposed(const scan::LiveFrame& frame,
                                                              double factor);
 

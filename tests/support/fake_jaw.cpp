@@ -13,7 +13,7 @@ namespace {
 constexpr double kDuration_s = 30.0;
 constexpr int kPoses = 120;
 constexpr std::size_t kSurfels = 60000;
-/// Shares of the path at which the live images and those to resume at are taken.
+/// Where the live images are taken, by the share of the path; and the place of re-entry.
 constexpr double kLiveShare = 0.69, kOtherShare = 0.10;
 constexpr std::array kReentryShares = {0.66, 0.40, 0.21};
 constexpr std::array kHoleShares = {0.06, 0.17, 0.26};

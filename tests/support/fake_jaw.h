@@ -1,4 +1,4 @@
-/// @file  A fake scan of the sample jaw: surfels, holes, images, a finished model.
+/// @file  The sample jaw as a scan would have it: surfels, holes, images, a finished model.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@
 
 namespace flytri::testing {
 
-/// World frame: z into the teeth, y to the throat, as in the first view of a scan.
+/// World: z into the teeth, y to the throat, as the first view of a scan has it.
 class FakeJaw {
  public:
   FakeJaw();
 
-  /// Most of the arch.
+  /// What was seen of the arch, most of it.
   [[nodiscard]] const SurfelModel& surfels() const { return surfels_; }
-  /// Holes in the surfels.
+  /// Places left out of the surfels.
   [[nodiscard]] std::vector<meshing::BoundaryLoop> holes() const;
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> live_frame(Pattern pattern) const;
-  /// With the flash, from the same place as the live frames.
+  /// From the same place as the live frames, by the flash.
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> flash_frame() const;
   /// From another place, as after a loss.
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> other_frame() const { return other_; }
@@ -32,7 +32,7 @@ class FakeJaw {
   [[nodiscard]] io::Measurement measurement() const;
 
  private:
-  /// @param share  of the path, 0..1
+  /// By the share of the path: 0..1.
   [[nodiscard]] Isometry sensor_at(double share) const;
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> frame_at(Pattern pattern,
                                                                 double share) const;

@@ -13,7 +13,7 @@ namespace {
 
 using ui::AppView;
 
-/// The base of all states: a case, a simulated sensor, two older cases.
+/// Common part of all states: a case, a simulated sensor, older cases.
 AppView ordinary_view() {
   AppView view;
   view.file.path = "/home/clinic/cases/Rivera-2031.flytri";
@@ -30,7 +30,7 @@ AppView ordinary_view() {
   view.calibration.emplace();
   view.calibration->folder = "/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214";
   view.calibration->has_calibration = true;
-  view.calibration->why_not_used = "the simulated sensor has its own";
+  view.calibration->why_not_used = "the virtual sensor has its own";
   view.exports.folder = "/home/clinic/exports";
   view.exports.name = "Rivera-2031-upper";
   return view;
@@ -64,7 +64,7 @@ scan::ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
   return scan;
 }
 
-/// Estimated sizes of the exported files.
+/// The sizes of what is exported, as rough as the program's own guess.
 void add_sizes(AppView& view, bool is_finished) {
   view.exports.estimated_bytes[1] = 12'400'000;
   if (is_finished) view.exports.estimated_bytes = {9'800'000, 12'400'000, 21'300'000, 27'900'000};
@@ -173,7 +173,7 @@ struct FakeScan::Parts {
     view.source.is_running = false;
     view.source.is_lost = true;
     view.source.message =
-        "The light switch has not answered for 2.0 s: unplug it and plug it in again";
+        "the light switch (GPIO chip) has not answered for 2.0 s: unplug it and plug it in again";
     return view;
   }
 

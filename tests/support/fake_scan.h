@@ -1,4 +1,4 @@
-/// @file  AppViews of every state of the program, made from the sample jaw without devices.
+/// @file  AppViews of every state of the program, made from the sample jaw: no pipeline, no device.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace flytri::testing {
 
-/// A jaw and a sensor over it, as the program shows them. The same in every run.
+/// A jaw, a sensor over it, and what a program would show of them. The same on every run.
 class FakeScan {
  public:
   FakeScan();
@@ -19,7 +19,7 @@ class FakeScan {
   FakeScan(const FakeScan&) = delete;
   FakeScan& operator=(const FakeScan&) = delete;
 
-  /// @return  none if the name is not in kFakeStates
+  /// @return  none for a name that is not among kFakeStates
   [[nodiscard]] std::optional<ui::AppView> view(std::string_view state) const;
 
  private:

@@ -1,11 +1,11 @@
-/// @file  Names of the fake states that the window can show.
+/// @file  The states of the program that its window can be shown in without pipeline and devices.
 #pragma once
 
 #include <array>
 
 namespace flytri::testing {
 
-/// For the request `tell NAME`.
+/// By name, as `tell NAME` asks for them.
 inline constexpr std::array kFakeStates = {
     "ready",         "preview",     "scanning",     "near",        "paused",     "lost",
     "finishing",     "finished",    "failed",       "no_sensor",   "empty_case", "devices",

@@ -1,4 +1,4 @@
-/// @file  A fake camera that answers V4L2 calls as a driver does, frame by frame.
+/// @file  A camera without a kernel: answers the calls of V4L2 as drivers do, frame by frame.
 #pragma once
 
 #include <cstdint>
@@ -25,18 +25,18 @@ struct FakeBuffer {
   double time_s = 0.0;
   std::uint32_t flags = 0;  ///< in addition to that of the clock
   bool monotonic = true;
-  int error = 0;  ///< of VIDIOC_DQBUF, instead of a frame
+  int error = 0;  ///< of VIDIOC_DQBUF, in place of a frame
 };
 
-/// A camera with one format and size. Everything may change while it runs.
+/// A camera of one format and size. Everything may be changed while it runs.
 struct FakeCamera {
   device::DeviceNode node{"/dev/video0", "Fake Camera", "F1", "1-1", 0};
   std::uint32_t fourcc = 0;
   std::uint32_t width = 4;
   std::uint32_t height = 2;
   std::map<std::uint32_t, FakeControl> controls;
-  std::deque<FakeBuffer> frames;        ///< to come; empty: no frames
-  std::map<unsigned long, int> errors;  ///< by request: calls that fail
+  std::deque<FakeBuffer> frames;        ///< what comes; none: silence
+  std::map<unsigned long, int> errors;  ///< by request, of calls that fail
   int open_error = 0;
   bool captures = true;
   bool present = true;

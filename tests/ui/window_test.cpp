@@ -56,7 +56,7 @@ TEST_F(RealWindow, KeysSendTheirCommands) {
       {"scanning", "ctrl+z", "Undo"},          {"paused", "f", "Finish"},
       {"finishing", "Escape", "CancelFinish"}, {"lost", "Tab", "ChooseReentry"},
       {"paused", "F2", "SelectStage"},         {"paused", "Delete", "RemoveMeasurement"},
-      {"scanning", "w", "FollowPath"},         {"scanning", "a", "LiftSensor"},
+      {"scanning", "w", "FollowPath"},         {"scanning", "a", "TakeSensorAway"},
       {"scanning", "x", "ChangeSettings"},     {"lost", "Left", "SteerHand"},
       {"lost", "shift+Up", "SteerHand"},       {"lost", "Prior", "SteerHand"}};
   for (const auto& [state, key, command] : cases) {
@@ -71,7 +71,7 @@ TEST_F(RealWindow, ButtonsSendTheCommandsOfTheirKeys) {
       {"finished", "scan", "ResumeScan"},      {"scanning", "undo", "Undo"},
       {"paused", "finish", "Finish"},          {"finishing", "cancel", "CancelFinish"},
       {"lost", "place_2", "ChooseReentry"},    {"paused", "lower", "SelectStage"},
-      {"scanning", "hand_mode", "FollowPath"}, {"scanning", "lift_sensor", "LiftSensor"},
+      {"scanning", "hand_mode", "FollowPath"}, {"scanning", "lift_sensor", "TakeSensorAway"},
       {"scanning", "mute", "ChangeSettings"}};
   for (const auto& [state, id, command] : cases) {
     show(state);

@@ -57,11 +57,11 @@ void toggle_hand_mode(const ActionRunner& run) {
 
 ActionState lift_state(const Situation& now) {
   if (!now.view.source.hand) return disabled(kSimulatedOnly);
-  return chosen(now.view.source.hand->is_lifted, "lifted");
+  return chosen(now.view.source.hand->is_taken_away, "lifted");
 }
 
 void lift_or_return(const ActionRunner& run) {
-  run.send(LiftSensor{!run.view.source.hand->is_lifted});
+  run.send(TakeSensorAway{!run.view.source.hand->is_taken_away});
 }
 
 constexpr std::array kHandActions = {

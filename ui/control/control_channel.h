@@ -17,7 +17,7 @@ namespace flytri::ui {
 ///     where ID      "x y width height" in pixels of a button or panel of the latest frame
 ///     do ID         performs the action with this id
 ///     shot PATH     writes the next frame as PNG
-///     tell WORDS    passes words to the program, as the command Tell
+///     tell WORDS    hands words on to the program, as the command Tell
 ///     quit          closes the window
 ///
 /// One client at a time; the next may come after it has gone. Only the same user may connect.

@@ -63,9 +63,9 @@ void draw_continuation(const PanelContext& context, const Rect& box) {
   const float gap = context.px(kGapM);
   if (context.view.source.hand) {
     const Rect row = rest.take_bottom(context.px(44.0F), gap);
-    const bool is_lifted = context.view.source.hand->is_lifted;
+    const bool is_away = context.view.source.hand->is_taken_away;
     small_action(context, row, Action::kLiftSensor,
-                 {icon::kHand, is_lifted ? "Return sensor" : "Lift sensor", false, kCaution});
+                 {icon::kHand, is_away ? "Return sensor" : "Lift sensor", false, kCaution});
   }
   draw_places(context, rest.take_bottom(context.px(44.0F), context.px(kGapXs)));
   draw_text(rest.take_bottom(context.px(kCaption), gap),

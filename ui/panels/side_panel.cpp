@@ -63,11 +63,11 @@ void draw_source(const PanelContext& context, const Rect& row) {
 /// Buttons of the simulated sensor: move it by hand, lift it.
 void draw_hand(const PanelContext& context, Rect row) {
   const float width = (row.width - context.px(kGapS)) / 2.0F;
-  const bool is_lifted = context.view.source.hand->is_lifted;
+  const bool is_away = context.view.source.hand->is_taken_away;
   small_action(context, row.take_left(width, context.px(kGapS)), Action::kHandMode,
                {nullptr, "By hand"});
   small_action(context, row, Action::kLiftSensor,
-               {nullptr, is_lifted ? "Return sensor" : "Lift sensor", false, kCaution});
+               {nullptr, is_away ? "Return sensor" : "Lift sensor", false, kCaution});
 }
 
 void draw_figures(const PanelContext& context, Rect rest) {

@@ -43,7 +43,7 @@ enum class SourceKind { kSimulated, kRecording, kDevices };
 /// The simulated hand that moves the simulated sensor.
 struct SimulatedHand {
   bool follows_path = true;  ///< false: pointer and arrow keys move it
-  bool is_lifted = false;
+  bool is_taken_away = false;
 };
 
 /// Where the frames come from.

@@ -25,7 +25,7 @@ std::string_view name_of(const Command& command) {
       "SetCaseFields",
       "SteerHand",
       "FollowPath",
-      "LiftSensor",
+      "TakeSensorAway",
       "PointHand",
       "ChangeSettings",
       "CheckDevices",

@@ -72,8 +72,8 @@ struct FollowPath {
   bool follows = true;
 };
 /// Lifts the simulated sensor off the teeth, or returns it.
-struct LiftSensor {
-  bool lifts = true;  ///< false: returns it
+struct TakeSensorAway {
+  bool is_away = true;  ///< false: returns it
 };
 struct ChangeSettings {
   Settings settings;
@@ -105,7 +105,7 @@ struct Quit {};
 using Command =
     std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement, RemoveMeasurement,
                  Finish, CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, NewCase,
-                 OpenCase, SetCaseFields, SteerHand, FollowPath, LiftSensor, PointHand,
+                 OpenCase, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
                  ChangeSettings, CheckDevices, BeginCalibration, TakeCalibrationImages,
                  RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
 

@@ -56,7 +56,7 @@ struct ExportForm {
   std::string folder;
   std::string name;
   std::array<bool, kExportFormats.size()> is_chosen = {true, false, false, false};
-  bool is_edited = false;  ///< false: folder and name are the proposed ones
+  bool is_edited = false;  ///< else folder and name are those proposed
 };
 
 enum class CaseTab { kFields, kNew, kOpen };
