@@ -20,9 +20,6 @@
 
 namespace flytri::reconstruct {
 
-/// The name, for the user, of the stage before these: views that were lost get another chance.
-inline constexpr const char* kRecovering = "Recovering lost frames";
-
 /// The options of the finishing stages. Each stage documents and checks its own.
 struct FinishOptions {
   refinement::JointRefineOptions refinement;
@@ -67,5 +64,8 @@ struct FinishedScan {
 [[nodiscard]] Result<FinishedScan> finish_scan(ScannedViews scanned, const FinishOptions& options,
                                                const Workers& workers, const Progress& progress,
                                                StageClock& clock);
+
+/// The name, for the user, of the stage before finishing: lost views are registered again.
+inline constexpr const char* kRecovering = "Recovering lost frames";
 
 }  // namespace flytri::reconstruct
