@@ -22,7 +22,7 @@ Result<void> AppWindowOptions::validate() const {
 
 struct AppWindow::Impl {
   AppWindowOptions options;
-  // In this order: what comes later lives in the context of what comes before.
+  // The order matters: each member needs the ones before it.
   std::unique_ptr<Window> window;
   std::unique_ptr<ImGuiHost> host;
   std::optional<SceneRenderer> scene;
@@ -80,7 +80,7 @@ void draw_panels(const PanelContext& context) {
   draw_dialog(context);
 }
 
-/// A tool that the moment does not allow is put down.
+/// Puts the tool away where it cannot be used any longer.
 void drop_tool(const AppView& view, WindowState& state) {
   constexpr std::array kTools = {
       std::pair{Tool::kTrim, Action::kTrim}, std::pair{Tool::kLock, Action::kLock},
@@ -88,9 +88,7 @@ void drop_tool(const AppView& view, WindowState& state) {
   if (state.dialog != Dialog::kNone) return;
   for (const auto& [tool, action] : kTools) {
     if (state.tool != tool || action_state(action, view, state).is_enabled) continue;
-    state.tool = Tool::kNone;
-    state.brush.stroke.clear();
-    state.measured_from_mm.reset();
+    put_tool_away(state);
   }
 }
 
@@ -154,7 +152,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   impl.window->poll();
   const ImageSize size = impl.window->framebuffer_size();
   if (size.width_px == 0 || size.height_px == 0) return !impl.window->should_close();
-  // The fonts were there at the start: a scale that cannot be set leaves the former one.
+  // If the scale cannot be set, the former one stays.
   const Theme theme = impl.theme_for(view, size).value_or(impl.host->theme());
   update_toasts(view, impl.state);
   const std::vector<KeyEvent> presses = impl.host->begin_frame(size, view.now_s);

@@ -17,17 +17,16 @@ struct AppWindowOptions {
   int width_px = 1280;  ///< >= 640, before scaling
   int height_px = 800;  ///< >= 400, before scaling
   bool shows_case_dialog = false;
-  /// Waits for the screen's refresh after each frame; benchmarks do not.
+  /// Waits for the screen's refresh after each frame. Tests and benchmarks do not.
   bool waits_for_screen = true;
-  /// Instead of the screen's own scale, 0.5..4; pictures and tests fix it.
+  /// 0.5..4. Default: the scale of the screen. Tests and pictures set it.
   std::optional<double> content_scale;
-  /// Unix socket on which tests and picture makers steer the window, see ui/control/; empty: none.
+  /// Unix socket for tests and scripts to control the window, see ui/control/; empty: none.
   std::string control_socket;
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// One for a process, used by one thread: that of main. Never calls devices, never blocks but for
-/// the screen.
+/// One per process, for the main thread only. Never calls devices; waits only for the screen.
 class AppWindow {
  public:
   /// @errors  kBadOption; kNotFound where there is no display, no OpenGL 3.3, or a font or shader
@@ -39,7 +38,7 @@ class AppWindow {
 
   /// Handles what the user did since the last frame and draws one.
   /// @param commands  are appended in the order they were given
-  /// @return  false once the window was closed; `Quit` was among the commands then
+  /// @return  false once the window was closed; the commands then hold `Quit`
   bool frame(const AppView& view, std::vector<Command>& commands);
 
  private:

@@ -69,8 +69,8 @@ void CalibrationController::begin(const ui::BeginCalibration& command) {
   shots.simulated = !rig;
   if (rig) shots.rig = *rig;
   job.open_source = [shots] { return shots::open_shots(shots); };
-  job.begin_work = [command, calibration = source_.calibration()](
-                       std::shared_ptr<shots::ShotSource> source) {
+  job.begin_work = [command, calibration =
+                                 source_.calibration()](std::shared_ptr<shots::ShotSource> source) {
     return begin_work(command, calibration, std::move(source));
   };
   run_ = std::make_shared<CalibrationRun>(std::move(job));

@@ -1,5 +1,5 @@
-/// @file  Controls the calibration of a session's sensor: starts a calibration or a check, and takes
-/// a new calibration into use.
+/// @file  Controls the calibration of a session's sensor: starts a calibration or a check, and
+/// takes a new calibration into use.
 #pragma once
 
 #include <filesystem>

@@ -7,14 +7,14 @@
 
 namespace flytri::session {
 
-/// The latest folder in `calibrations` with an unfinished calibration. If there is none, the name of
-/// a new folder, with date and time. Creates nothing.
+/// The latest folder in `calibrations` with an unfinished calibration. If there is none, the name
+/// of a new folder, with date and time. Creates nothing.
 [[nodiscard]] std::filesystem::path propose_calibration_folder(
     const std::filesystem::path& calibrations);
 
-/// Lets the rig measure with this calibration. It replaces the file that the user or rig.json names.
-/// If there is no such file, it is created and named in rig.json. The earlier calibration is kept in
-/// the same folder under a name with date and time.
+/// Lets the rig measure with this calibration. It replaces the file that the user or rig.json
+/// names. If there is no such file, it is created and named in rig.json. The earlier calibration is
+/// kept in the same folder under a name with date and time.
 /// @param choice  a source with a rig
 /// @return  the file that is in use now
 /// @errors  As read_file, parse_rig, write_file.

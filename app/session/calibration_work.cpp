@@ -165,10 +165,10 @@ class Checking final : public CalibrationWork {
     outcome.meanings = report->meanings;
     switch (report->outcome) {
       case calibration::VerificationOutcome::kValid:
-        outcome.verdict = "The calibration holds";
+        outcome.verdict = "Calibration valid";
         break;
       case calibration::VerificationOutcome::kBroken:
-        outcome.verdict = "The calibration no longer holds";
+        outcome.verdict = "Calibration no longer valid";
         outcome.meanings.emplace_back("Calibrate the sensor again.");
         break;
       case calibration::VerificationOutcome::kUnclear:

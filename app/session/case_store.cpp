@@ -65,8 +65,8 @@ class CaseStore::Journal final : public scan::ScanJournal {
       const nlohmann::json summary = {{"views", result.views.size()},
                                       {"points", result.points.size()},
                                       {"triangles", result.model.mesh.triangles.size()}};
-      return file.write_result(
-          stage_, {std::move(*glb), summary.dump(), io::basis_of(*counts, edits_)});
+      return file.write_result(stage_,
+                               {std::move(*glb), summary.dump(), io::basis_of(*counts, edits_)});
     });
   }
   void commit() override {
@@ -83,8 +83,8 @@ void CaseStore::write(const std::function<Result<void>(io::CaseFile&)>& writing)
   const std::lock_guard lock(mutex_);
   if (auto written = writing(file_); !written) {
     const ErrorCode code = written.error().code;
-    const bool is_retried = file_.has_waiting() && (code == ErrorCode::kWriteFailed ||
-                                                    code == ErrorCode::kNotPermitted);
+    const bool is_retried = file_.has_waiting() &&
+                            (code == ErrorCode::kWriteFailed || code == ErrorCode::kNotPermitted);
     (is_retried ? waiting_failure_ : loss_) = written.error().message;
   }
   if (!file_.has_waiting()) waiting_failure_.clear();

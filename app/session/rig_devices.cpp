@@ -59,13 +59,13 @@ ui::DeviceState camera_state(std::string role, const rig::RigCamera& camera,
   state.health = health_of(counts.state);
   state.figures = {
       count("labeled", status.labels.labeled),
-      count("straddled", status.labels.straddled),
+      count("mixed light", status.labels.straddled),
       count("unknown", status.labels.unknown),
       fault_count("gaps", counts.dropped),
       fault_count("damaged", status.damaged),
       fault_count("interrupted", counts.frozen + counts.lost),
       {"latency",
-       status.is_learned ? fmt::format("{:.1f} ms", 1e3 * status.latency.latency_s) : "learning",
+       status.is_learned ? fmt::format("{:.1f} ms", 1e3 * status.latency.latency_s) : "measuring",
        false}};
   return state;
 }

@@ -27,8 +27,9 @@ Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& w
 
 Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
   if (choice.calibration) {
-    return fail(ErrorCode::kBadOption,
-                "--calibration needs --recording or --rig: the virtual sensor has its own calibration");
+    return fail(
+        ErrorCode::kBadOption,
+        "--calibration needs --recording or --rig: the virtual sensor has its own calibration");
   }
   const Workers workers;
   const Result<TriangleMesh> mesh = object_to_scan(choice, workers);

@@ -1,4 +1,5 @@
-/// @file  Controls the stages of a session: one scan and its measurements for each jaw and the bite.
+/// @file  Controls the stages of a session: one scan and its measurements for each jaw and the
+/// bite.
 #pragma once
 
 #include <array>

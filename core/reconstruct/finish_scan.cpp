@@ -12,8 +12,8 @@ namespace flytri::reconstruct {
 namespace {
 
 /// Names of the stages, shown to the user.
-constexpr auto kRefining = "Refining all views together", kNormals = "Calculating normals",
-               kThinning = "Thinning points", kMeshing = "Meshing", kTexturing = "Texturing";
+constexpr auto kAligning = "Aligning the scan", kNormals = "Calculating normals",
+               kSimplifying = "Simplifying", kMeshing = "Meshing", kTexturing = "Texturing";
 
 /// Share of the texturing time for coloring the points, and the same share for the vertices.
 constexpr double kColoringShare = 0.15;
@@ -49,7 +49,7 @@ class Finisher {
 
 Result<void> Finisher::refine_views() {
   std::vector<AlignedView>& views = scanned_.views;
-  progress_.begin_stage(kRefining);
+  progress_.begin_stage(kAligning);
   const Result<refinement::Refinement> refined =
       refinement::refine_jointly(views, options_.refinement, workers_, progress_);
   if (!refined) return tl::unexpected(refined.error());
@@ -95,7 +95,7 @@ Result<std::vector<SurfaceSample>> Finisher::find_samples() {
 Result<void> Finisher::make_points() {
   const auto samples = find_samples();
   if (!samples) return tl::unexpected(samples.error());
-  progress_.begin_stage(kThinning);
+  progress_.begin_stage(kSimplifying);
   Result<reduction::Reduction> reduction =
       reduction::reduce_samples(*samples, options_.reduction, workers_, progress_);
   if (!reduction) return tl::unexpected(reduction.error());

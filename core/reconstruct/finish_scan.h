@@ -65,4 +65,7 @@ struct FinishedScan {
                                                const Workers& workers, const Progress& progress,
                                                StageClock& clock);
 
+/// The name, for the user, of the stage before finishing: lost views are registered again.
+inline constexpr const char* kRecovering = "Recovering lost frames";
+
 }  // namespace flytri::reconstruct

@@ -135,7 +135,7 @@ Result<void> Run::register_views() {
     registrar->add(view);
     ++view_count;
   }
-  progress_.begin_stage("Registering what was lost");
+  progress_.begin_stage(kRecovering);
   const std::vector<tracking::RegisteredView> settled =
       registrar->finish(tracking::Registrar::World::kFirstView, progress_);
   if (progress_.cancelled()) return stopped();

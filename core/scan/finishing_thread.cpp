@@ -41,8 +41,8 @@ void FinishingThread::run(FinishingInput input, Done done) {
   thread_.post([this, shared = std::move(shared), done = std::move(done)] {
     const Progress progress = this->progress();
     StageClock clock(now_s_);
-    Result<reconstruct::FinishedScan> finished = reconstruct::finish_scan(
-        collect(*shared, progress), options_, Workers(), progress, clock);
+    Result<reconstruct::FinishedScan> finished =
+        reconstruct::finish_scan(collect(*shared, progress), options_, Workers(), progress, clock);
     release_free_memory();
     done({std::move(shared->registrar), std::move(finished)});
   });

@@ -32,7 +32,7 @@ class GrowingScan {
   /// What else has arrived from the sensor.
   struct Arrivals {
     std::int64_t offered = 0;  ///< frames so far
-    bool is_late = false;      ///< views are waiting: interpolate this one instead of registering it
+    bool is_late = false;  ///< views are waiting: interpolate this one instead of registering it
   };
   void take(const IntakeResult& result, const Arrivals& arrivals);
 

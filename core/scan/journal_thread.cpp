@@ -15,9 +15,8 @@ void JournalThread::write(Entry entry) {
   has_room_.wait(lock, [this] { return waiting_ < kMaxWaiting || is_stopped_; });
   if (is_stopped_ || journal_ == nullptr) return;
   ++waiting_;
-  thread_.post([this, journal = journal_, entry = std::move(entry)] {
-    carry_out(*journal, entry);
-  });
+  thread_.post(
+      [this, journal = journal_, entry = std::move(entry)] { carry_out(*journal, entry); });
 }
 
 void JournalThread::carry_out(ScanJournal& journal, const Entry& entry) {

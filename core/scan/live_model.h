@@ -1,5 +1,5 @@
-/// @file  The surface that a live scan shows. It follows new views, texture frames, edits and better
-/// poses. Used by one thread.
+/// @file  The surface that a live scan shows. It follows new views, texture frames, edits and
+/// better poses. Used by one thread.
 #pragma once
 
 #include <map>

@@ -27,8 +27,8 @@ struct LiveScanOptions {
   std::function<Result<measurement::MeasuredView>(const Frame&)> measure_frame;
   /// >= 1. Number of threads that measure frames.
   int measure_threads = 1;
-  /// >= 2. Frames that may wait or be measured before the oldest is skipped. At 30 Hz, 10 frames are
-  /// a third of a second.
+  /// >= 2. Frames that may wait or be measured before the oldest is skipped. At 30 Hz, 10 frames
+  /// are a third of a second.
   int max_frames_underway = 10;
   /// >= 1. With more measured views waiting, views are interpolated instead of registered.
   int max_views_waiting = 4;
@@ -56,8 +56,9 @@ struct KeptScan {
 };
 
 /// Owns its threads: some measure, one registers, one keeps the model, one optimizes and looks for
-/// holes in the background, one finishes, one writes the journal. All functions are thread-safe, and
-/// only wait_until_idle() waits. A command that does not fit the phase does nothing, see accepts().
+/// holes in the background, one finishes, one writes the journal. All functions are thread-safe,
+/// and only wait_until_idle() waits. A command that does not fit the phase does nothing, see
+/// accepts().
 class LiveScan {
  public:
   /// @errors  kBadOption.
@@ -87,7 +88,8 @@ class LiveScan {
 
   /// The present state. The same object as before if nothing has changed.
   [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot() const;
-  /// Waits until all frames and commands are processed. For tests and for programs without a window.
+  /// Waits until all frames and commands are processed. For tests and for programs without a
+  /// window.
   void wait_until_idle() const;
 
  private:

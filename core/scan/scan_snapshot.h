@@ -23,12 +23,12 @@ namespace flytri::scan {
 /// Each offered frame is counted here exactly once.
 struct FrameCounts {
   std::int64_t offered = 0;
-  std::int64_t previewed = 0;     ///< measured while the scan was paused
-  std::int64_t registered = 0;    ///< aligned by their own profiles
-  std::int64_t interpolated = 0;  ///< measured; the pose lies between its neighbors
-  std::int64_t textured = 0;      ///< texture frames
-  std::int64_t skipped = 0;       ///< not measured, as the program was too busy
-  std::int64_t pending = 0;       ///< not processed yet
+  std::int64_t previewed = 0;                    ///< measured while the scan was paused
+  std::int64_t registered = 0;                   ///< aligned by their own profiles
+  std::int64_t interpolated = 0;                 ///< measured; the pose lies between its neighbors
+  std::int64_t textured = 0;                     ///< texture frames
+  std::int64_t skipped = 0;                      ///< not measured, as the program was too busy
+  std::int64_t pending = 0;                      ///< not processed yet
   std::map<std::string, std::int64_t> rejected;  ///< by reason, in the user's words
 
   [[nodiscard]] std::int64_t rejected_count() const;
@@ -90,7 +90,7 @@ struct ScanSnapshot {
   double good_share = 0.0;                   ///< share of well-covered surfels: 0..1
   double area_mm2 = 0.0;                     ///< of the surface seen so far
   std::vector<meshing::BoundaryLoop> holes;  ///< see coverage_holes(); empty until searched
-  bool holes_are_current = false;  ///< the surface has not changed since the search
+  bool holes_are_current = false;            ///< the surface has not changed since the search
 
   std::vector<ReentryPlace> reentry;  ///< best first; empty unless in continuation
   std::size_t chosen_reentry = 0;
@@ -103,7 +103,7 @@ struct ScanSnapshot {
 
   FinishingState finishing;                                 ///< in kFinishing
   std::shared_ptr<const reconstruct::FinishedScan> result;  ///< in kFinished
-  std::string failure;  ///< why there is no result
+  std::string failure;                                      ///< why there is no result
 };
 
 }  // namespace flytri::scan

@@ -1,4 +1,5 @@
-/// @file  Any bytes as a view of a case: the reader refuses them, or the same view is written again; it never crashes.
+/// @file  Any bytes as a view of a case: the reader refuses them, or the same view is written
+/// again; it never crashes.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -107,7 +107,7 @@ RunningCalibration broken_check() {
     running.places.push_back({"plane", std::string(shots::verification_places()[i].words),
                               fmt::format("{}", i + 1), i, 0, true});
   }
-  running.outcome.verdict = "The calibration no longer holds";
+  running.outcome.verdict = "Calibration no longer valid";
   running.outcome.figures = {
       {calibration::VerificationSymptom::kOffset, "vertical minus horizontal", 0.0412, 0.001,
        0.0211},
@@ -119,7 +119,7 @@ RunningCalibration broken_check() {
        0.0203},
       {calibration::VerificationSymptom::kBend, "both bend", -0.0042, 0.001, 0.0194}};
   running.outcome.meanings = {"A projector or the camera turned or moved across its lines.",
-                              "Calibrate the sensor anew."};
+                              "Calibrate the sensor again."};
   return running;
 }
 

@@ -146,7 +146,7 @@ struct FakeScan::Parts {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
     scan.phase = scan::ScanPhase::kFinishing;
-    scan.finishing = {{"Refining all views together", 0.37}, 48.0};
+    scan.finishing = {{"Aligning the scan", 0.37}, 48.0};
     set_scan(view, std::move(scan));
     return view;
   }
@@ -165,7 +165,7 @@ struct FakeScan::Parts {
   [[nodiscard]] AppView failed() const {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
-    scan.failure = "The disk is full. Make room on it, then press Finish again; the scan is kept.";
+    scan.failure = "The disk is full. Free some space, then press Finish again. The scan is safe.";
     set_scan(view, std::move(scan));
     view.notices = {{1, ui::Severity::kWarning, "The case could not be saved for 3 s: disk full"},
                     {2, ui::Severity::kError, "Finishing failed"}};
@@ -196,7 +196,7 @@ struct FakeScan::Parts {
     return view;
   }
 
-  /// The vertical lines are overexposed, the horizontal ones and the flash too weak.
+  /// The vertical lines are overexposed; the horizontal lines and the flash are too dark.
   [[nodiscard]] AppView with_faulty_devices() const {
     AppView view = with_devices(faulty_devices());
     scan::ScanSnapshot scan = *view.scan;

@@ -1,7 +1,8 @@
-/// @file  Pictures of the window against those that a person has looked at, in tests/ui/baselines.
+/// @file  Compares pictures of the window with those in tests/ui/baselines, which a person
+/// approved.
 ///
-/// To renew them after a wanted change, look at the pictures of tests/ui/pictures, then:
-///     FLYTRI_RENEW_BASELINES=1 build/test/bin/flytri_ui_tests --gtest_filter='Baseline*'
+/// To renew them after a wanted change, check the pictures that tests/ui/pictures makes, then run:
+///     FLYTRI_RENEW_BASELINES=1 build/release/bin/flytri_ui_tests --gtest_filter='Baseline*'
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,12 +17,12 @@
 namespace flytri {
 namespace {
 
-/// Baselines are this much smaller than the window: they are to show layout, not single pixels.
+/// Baselines are reduced by this factor: they show the layout, not single pixels.
 constexpr int kReduction = 4;
-/// A pixel differs when a channel does by more than this, of 255: another version of the rasterizer
-/// moves edges by parts of a pixel, and what pulses is caught a little earlier or later.
+/// A pixel differs if a channel differs by more than this, of 255. Another rasterizer moves edges
+/// by parts of a pixel, and animations may be at another phase.
 constexpr double kVisible = 24.0;
-/// Share of the pixels that may differ. A line of text is about this much, a button twice.
+/// Share of pixels that may differ: about a line of text, or half a button.
 constexpr double kTolerance = 0.004;
 
 /// Means over squares of kReduction pixels.
@@ -62,11 +63,11 @@ class Baseline : public ::testing::Test {
   static void TearDownTestSuite() { window_.reset(); }
   void SetUp() override {
     if (window_ == nullptr) GTEST_SKIP() << testing::kNoDisplay;
-    // Where it rests on a button, a hint would show.
+    // Over a button it would show a hint.
     window_->point(1.0, 1.0);
   }
 
-  /// The state as it looks when all that flies has arrived.
+  /// The state after all motion has ended.
   static cv::Mat picture_of(const std::string& state) {
     const TemporaryFolder folder;
     const std::filesystem::path shot = folder.path() / "shot.png";
@@ -82,7 +83,7 @@ class Baseline : public ::testing::Test {
   static inline std::unique_ptr<testing::WindowDriver> window_;
 };
 
-TEST_F(Baseline, StatesLookAsTheyDid) {
+TEST_F(Baseline, StatesLookAsApproved) {
   for (const std::string state : {"ready", "scanning", "lost", "finished"}) {
     const cv::Mat picture = picture_of(state);
     const std::filesystem::path file = baseline_file(state);
@@ -96,7 +97,7 @@ TEST_F(Baseline, StatesLookAsTheyDid) {
   }
 }
 
-TEST_F(Baseline, TheMeasureTellsStatesApart) {
+TEST_F(Baseline, TheMeasureDistinguishesStates) {
   const cv::Mat fine = picture_of("scanning");
   EXPECT_GT(differing_share(fine, picture_of("paused")), 2.0 * kTolerance);
   EXPECT_LT(differing_share(fine, picture_of("scanning")), kTolerance / 2.0);

@@ -1,9 +1,9 @@
 /// @file  The window of the program on fake states, for tests and pictures: no pipeline, no device.
 ///
-///     fake_window [--control SOCKET] [--state NAME] [--size WxH] [--scale S]
+///     fake_window [--control SOCKET] [--state NAME] [--width W] [--height H] [--scale S]
 ///
-/// Over the control channel, `tell NAME` shows another state. Time goes on by a sixtieth of a
-/// second a frame, so that what moves is the same on every run.
+/// Over the control channel, `tell NAME` shows another state. Each frame advances the time by 1/60
+/// s, so that motion is the same in every run.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -23,7 +23,7 @@ struct Arguments {
   std::string state = "ready";
 };
 
-/// Does what a program would do with the few commands that change what is shown.
+/// Carries out the few commands that change the shown state, as the program does.
 struct FakeProgram {
   const flytri::testing::FakeScan& scans;
   AppView view;
@@ -32,8 +32,8 @@ struct FakeProgram {
   void show(const std::string& state) {
     const auto next = scans.view(state);
     if (!next) return;
-    // At whole elevens of seconds, ten pulses of the scene, so that what pulses is in the same
-    // phase whenever a state is shown.
+    // Each state starts at a multiple of 11 s, ten pulses of the scene, so that the phase is always
+    // the same.
     const double now_s = 11.0 * (std::floor(view.now_s / 11.0) + 1.0);
     const flytri::ui::Settings settings = view.settings;
     view = *next;

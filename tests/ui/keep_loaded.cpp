@@ -1,4 +1,4 @@
-/// @file  To be preloaded: no library is unloaded, so that the leak checker can still name the one
-/// that a leak belongs to. OpenGL's drivers are unloaded with the last window.
+/// @file  For LD_PRELOAD: keeps libraries loaded, so that the leak checker can name them. Otherwise
+/// OpenGL drivers are unloaded with the last window.
 
 extern "C" int dlclose(void* /*library*/) { return 0; }

@@ -1,5 +1,5 @@
-/// @file  In the smallest window, at several scales, everything has room: no text is cut short, and
-/// no plate over the scene lies on another.
+/// @file  In the smallest window, at several scales, everything fits: no text is cut, and overlays
+/// of the scene do not overlap.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 using testing::kFakeStates;
 using testing::WindowDriver;
 
-/// Paths of files can be of any length, and are cut where there is no room for them.
+/// Paths of files can have any length, and may be cut.
 bool may_be_cut(const std::string& text) { return text.find("/home/") != std::string::npos; }
 
 struct Overlay {
@@ -39,7 +39,7 @@ bool overlap(const Overlay& a, const Overlay& b) {
          a.y + a.height > b.y + kEdge_px && b.y + b.height > a.y + kEdge_px;
 }
 
-/// Its window is as small as one can be before everything in it is drawn smaller.
+/// The smallest window in which the scale is not reduced.
 class SmallestWindow : public ::testing::TestWithParam<double> {
  protected:
   void SetUp() override {
@@ -75,7 +75,7 @@ class SmallestWindow : public ::testing::TestWithParam<double> {
   std::unique_ptr<WindowDriver> window_;
 };
 
-TEST_P(SmallestWindow, HasRoomInEachColorMode) {
+TEST_P(SmallestWindow, FitsInEachColorMode) {
   for (const char* state : kFakeStates) {
     show(state);
     for (const char* mode : {"texture", "coverage", "uncertainty", "shading"})
@@ -83,7 +83,7 @@ TEST_P(SmallestWindow, HasRoomInEachColorMode) {
   }
 }
 
-TEST_P(SmallestWindow, HasRoomForTheToolInHand) {
+TEST_P(SmallestWindow, FitsWithEachTool) {
   for (const std::string state : {"paused", "finished"}) {
     show(state);
     for (const char* mode : {"coverage", "shading"}) {
@@ -94,7 +94,7 @@ TEST_P(SmallestWindow, HasRoomForTheToolInHand) {
   }
 }
 
-TEST_P(SmallestWindow, HasRoomInEachDialog) {
+TEST_P(SmallestWindow, FitsInEachDialog) {
   for (const char* state : kFakeStates) {
     for (const char* dialog : {"help", "export", "case", "settings", "devices", "calibration"}) {
       show(state);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPatience_s = 60.0;
 
-/// Starts a program and goes on. @return  -1 where it cannot be started
+/// Starts a program in the background. @return  -1 if it cannot be started
 pid_t spawn(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -26,7 +26,7 @@ pid_t spawn(const std::vector<std::string>& words) {
   return process;
 }
 
-/// Runs xdotool, which hands events to the X server, and waits for its end.
+/// Runs xdotool, which sends events to the X server, and waits for its end.
 void xdotool(std::vector<std::string> words) {
   words.insert(words.begin(), "xdotool");
   const pid_t process = spawn(words);

@@ -1,5 +1,5 @@
-/// @file  The window on fake states, in a process of its own, driven by the X server's real keys
-/// and clicks.
+/// @file  Runs the window on fake states in its own process, and sends it real keys and clicks of
+/// the X server.
 #pragma once
 
 #include <sys/types.h>
@@ -19,7 +19,8 @@ class WindowDriver {
  public:
   /// Starts fake_window and waits until it draws.
   /// @param scale  of the content: a unit of the window is this many pixels
-  /// @return  none where there is no display: skip the test for kNoDisplay; or it does not come up
+  /// @return  none without a display (skip the test with kNoDisplay), or if the window does not
+  /// start
   [[nodiscard]] static std::unique_ptr<WindowDriver> start(int width_px, int height_px,
                                                            double scale = 1.0);
   WindowDriver(const WindowDriver&) = delete;
@@ -30,24 +31,24 @@ class WindowDriver {
   /// A request of the control channel. @return  what follows "ok "; empty, and a failure of the
   /// test, for an error
   std::string ask(const std::string& request);
-  /// Closes what is open, and lays down what is in hand.
+  /// Closes dialogs, and puts tools away.
   void cancel_all();
   /// Shows one of kFakeStates.
   void show(const std::string& state);
-  /// All that the window tells of itself.
+  /// The state that the window reports.
   [[nodiscard]] nlohmann::json state();
-  /// Names of the commands since they were last asked for.
+  /// Names of the commands since the last call.
   [[nodiscard]] std::vector<std::string> commands();
 
-  /// Presses a key as the user does: "space", "ctrl+z", by X's names; waits until it is handled.
+  /// Presses a key by its X name, such as "space" or "ctrl+z", and waits until it is handled.
   void key(const std::string& name);
   void type(const std::string& text);
   /// Moves the pointer to a place in the window.
   void point(double x_px, double y_px);
-  /// Clicks in the middle of a button or panel. A failure of the test where there is none.
+  /// Clicks in the middle of a button or panel; fails the test if there is none.
   void click(const std::string& id);
   void click_at(double x_px, double y_px);
-  /// Presses the button at one place, moves and lets go at another, in steps.
+  /// Presses the button at one place, moves in steps, and releases it at another.
   void drag_at(double x_px, double y_px, double dx_px, double dy_px);
   /// From the middle of a button or panel.
   void drag(const std::string& id, double dx_px, double dy_px);

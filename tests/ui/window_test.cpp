@@ -1,4 +1,5 @@
-/// @file  The real window, driven by real keys and clicks: each does what the key map says.
+/// @file  The real window, driven by real keys and clicks: each does what the table of actions
+/// says.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,7 +10,7 @@
 #include "tests/support/no_display.h"
 #include "tests/ui/screen_reader.h"
 #include "tests/ui/window_driver.h"
-#include "ui/actions/key_map.h"
+#include "ui/actions/action_table.h"
 
 namespace flytri {
 namespace {
@@ -48,7 +49,7 @@ class RealWindow : public ::testing::Test {
   static inline std::unique_ptr<WindowDriver> window_;
 };
 
-TEST_F(RealWindow, KeysGiveTheirCommands) {
+TEST_F(RealWindow, KeysSendTheirCommands) {
   const std::vector<std::array<std::string, 3>> cases = {
       {"ready", "space", "StartScan"},         {"scanning", "space", "PauseScan"},
       {"finished", "space", "ResumeScan"},     {"scanning", "z", "Undo"},
@@ -64,13 +65,13 @@ TEST_F(RealWindow, KeysGiveTheirCommands) {
   }
 }
 
-TEST_F(RealWindow, ButtonsGiveTheCommandsOfTheirKeys) {
+TEST_F(RealWindow, ButtonsSendTheCommandsOfTheirKeys) {
   const std::vector<std::array<std::string, 3>> cases = {
       {"ready", "scan", "StartScan"},          {"scanning", "scan", "PauseScan"},
       {"finished", "scan", "ResumeScan"},      {"scanning", "undo", "Undo"},
       {"paused", "finish", "Finish"},          {"finishing", "cancel", "CancelFinish"},
       {"lost", "place_2", "ChooseReentry"},    {"paused", "lower", "SelectStage"},
-      {"scanning", "hand_mode", "FollowPath"}, {"scanning", "take_away", "TakeSensorAway"},
+      {"scanning", "hand_mode", "FollowPath"}, {"scanning", "lift_sensor", "TakeSensorAway"},
       {"scanning", "mute", "ChangeSettings"}};
   for (const auto& [state, id, command] : cases) {
     show(state);
@@ -78,16 +79,15 @@ TEST_F(RealWindow, ButtonsGiveTheCommandsOfTheirKeys) {
   }
 }
 
-/// Only parts that changed are sent to the screen where OpenGL has no graphics card: all of them
-/// must have been.
-TEST_F(RealWindow, TheScreenHoldsAllThatWasDrawn) {
+/// Without a graphics card only changed parts are sent to the screen; none may be missing.
+TEST_F(RealWindow, TheScreenShowsEverythingThatWasDrawn) {
   const TemporaryFolder folder;
   const std::filesystem::path shot = folder.path() / "shot.png";
   for (const std::string change :
        {"tell paused", "do coverage", "do settings", "do cancel", "do show_all", "tell finished",
         "do occlusal", "tell empty_case", "tell paused"}) {
     window().ask(change);
-    // What flies or fades is drawn and read at different times until it rests.
+    // While something moves, drawing and reading happen at different times.
     double largest = -1.0;
     for (int tries = 0; tries < 50 && largest != 0.0; ++tries) {
       window().ask("wait 20");
@@ -101,13 +101,13 @@ TEST_F(RealWindow, TheScreenHoldsAllThatWasDrawn) {
   }
 }
 
-TEST_F(RealWindow, HowAKeyStandsFitsTheColumnOfTheList) {
+TEST_F(RealWindow, StateTextsFitTheListOfKeys) {
   for (const char* shown : testing::kFakeStates) {
     show(shown);
     for (const char* dialog : {"cancel", "calibration"}) {
       window().ask(std::string("do ") + dialog);
       for (const auto& [id, action] : window().state()["actions"].items()) {
-        EXPECT_LE(action["text"].get<std::string>().size(), ui::kLongestStanding)
+        EXPECT_LE(action["text"].get<std::string>().size(), ui::kLongestStateText)
             << id << ", " << shown << ": " << action["text"];
       }
     }
@@ -148,7 +148,7 @@ TEST_F(RealWindow, ABrushStrokeIsOneEdit) {
   EXPECT_EQ(window().state()["tool"], "trim");
   const double before = window().state()["brush_share"];
   const auto scene = window().where("scene").value();
-  // The arch of the sample jaw lies there in the occlusal view.
+  // The arch of the sample jaw in the occlusal view.
   window().point(scene.x_px + scene.width_px / 2.0, scene.y_px + 0.25 * scene.height_px);
   window().wheel(2);
   EXPECT_GT(window().state()["brush_share"], before);
@@ -194,7 +194,7 @@ TEST_F(RealWindow, DraggingTurnsTheViewAndTheWheelZooms) {
   EXPECT_EQ(window().state()["camera"]["follows"], true);
 }
 
-TEST_F(RealWindow, NextHoleFliesThere) {
+TEST_F(RealWindow, NextHoleMovesTheCameraThere) {
   show("paused");
   window().ask("wait 60");
   const auto before = window().state()["camera"];
@@ -209,7 +209,7 @@ TEST_F(RealWindow, NextHoleFliesThere) {
   EXPECT_EQ(window().state()["selected_hole"], 1);
 }
 
-TEST_F(RealWindow, ALossFliesToTheChosenPlaceAndBack) {
+TEST_F(RealWindow, ALossMovesTheCameraToTheChosenPlaceAndBack) {
   show("scanning");
   window().key("Home");
   window().ask("wait 60");
@@ -237,7 +237,7 @@ TEST_F(RealWindow, HelpOpensAndKeysWorkThere) {
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 
-TEST_F(RealWindow, ExportDialogExportsWhatIsTicked) {
+TEST_F(RealWindow, ExportDialogExportsTheChosenFormats) {
   show("finished");
   EXPECT_EQ(after_click("export"), Names{});
   EXPECT_EQ(window().state()["dialog"], "export");
@@ -247,7 +247,7 @@ TEST_F(RealWindow, ExportDialogExportsWhatIsTicked) {
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 
-TEST_F(RealWindow, TypedTextIsNoCommand) {
+TEST_F(RealWindow, TypedTextSendsNoCommand) {
   show("empty_case");
   window().key("d");
   EXPECT_EQ(window().state()["dialog"], "case");
@@ -267,7 +267,7 @@ TEST_F(RealWindow, AClickBesideADialogClosesIt) {
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 
-TEST_F(RealWindow, TheDevicePanelIsThereWithDevicesAlone) {
+TEST_F(RealWindow, TheDevicePanelOpensOnlyWithDevices) {
   show("scanning");
   window().key("r");
   EXPECT_EQ(window().state()["dialog"], "none");
@@ -280,7 +280,7 @@ TEST_F(RealWindow, TheDevicePanelIsThereWithDevicesAlone) {
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 
-TEST_F(RealWindow, TheCalibrationPanelBeginsTakesAndEnds) {
+TEST_F(RealWindow, TheCalibrationPanelStartsTakesImagesAndEnds) {
   show("scanning");
   EXPECT_EQ(after_key("v"), Names{}) << "only in the panel";
   window().key("c");
@@ -302,7 +302,7 @@ TEST_F(RealWindow, TheCalibrationPanelBeginsTakesAndEnds) {
   EXPECT_EQ(after_click("place_of_target_3"), Names{"RetakeCalibrationPlace"});
   EXPECT_EQ(after_click("place_of_target_30"), Names{}) << "not taken yet";
   window().click_at(5.0, 5.0);
-  EXPECT_EQ(window().commands(), Names{}) << "a click beside ends nothing that took work";
+  EXPECT_EQ(window().commands(), Names{}) << "a click beside must not end the calibration";
   EXPECT_EQ(after_key("space"), Names{}) << "no scanning meanwhile";
   EXPECT_EQ(after_click("close"), Names{"EndCalibration"});
   EXPECT_EQ(window().state()["dialog"], "calibration");
@@ -310,7 +310,7 @@ TEST_F(RealWindow, TheCalibrationPanelBeginsTakesAndEnds) {
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 
-TEST_F(RealWindow, ACalibrationIsUsedWhereItCanBe) {
+TEST_F(RealWindow, OnlyAUsableCalibrationCanBeUsed) {
   show("calibrated");
   window().key("c");
   EXPECT_EQ(after_key("Return"), Names{"UseCalibration"});

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/files/png.h"
-#include "ui/actions/perform.h"
+#include "ui/actions/action_table.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
@@ -16,16 +16,15 @@ namespace {
 constexpr std::size_t kMostCommands = 1000;
 
 std::optional<Action> action_named(const std::string& id) {
-  const auto all = key_map();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const KeyBinding& row) { return id == row.id; });
-  if (found == all.end()) return std::nullopt;
-  return found->action;
+  for (const ActionRow& row : action_table()) {
+    if (id == row.id) return row.action;
+  }
+  return std::nullopt;
 }
 
 std::string answer_where(const ItemPlaces& places, const std::string& id) {
   const auto place = places.find(id);
-  if (!place) return fmt::format("error nothing is called {}", id);
+  if (!place) return fmt::format("error no button or panel is called {}", id);
   return fmt::format("ok {:.0f} {:.0f} {:.0f} {:.0f}", place->x, place->y, place->width,
                      place->height);
 }
@@ -67,10 +66,10 @@ nlohmann::json overlays_as_json(const DrawRecord& record) {
   return overlays;
 }
 
-/// Where actions stand, but for those that are enabled and off: that is the ordinary case.
+/// The state of every action, by its id.
 nlohmann::json actions_as_json(const AppView& view, const WindowState& state) {
   nlohmann::json actions = nlohmann::json::object();
-  for (const KeyBinding& row : key_map()) {
+  for (const ActionRow& row : action_table()) {
     const ActionState current = action_state(row.action, view, state);
     actions[row.id] = {
         {"enabled", current.is_enabled}, {"on", current.is_on}, {"text", current.text}};

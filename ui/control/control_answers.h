@@ -16,7 +16,7 @@
 
 namespace flytri::ui {
 
-/// What a frame was, once it is drawn and before it is shown.
+/// A frame that is drawn but not shown yet.
 struct DrawnFrame {
   const AppView& view;
   const WindowState& state;
@@ -26,17 +26,17 @@ struct DrawnFrame {
   const Canvas& canvas;
   ImageSize size;
   float scale = 1.0F;
-  bool input_is_empty = true;  ///< nothing that the user did waits for later frames
+  bool input_is_empty = true;  ///< no input waits for later frames
 };
 
 class ControlAnswers {
  public:
   explicit ControlAnswers(ControlChannel channel) : channel_(std::move(channel)) {}
 
-  /// Before a frame is drawn: takes the next request, if the last one is answered, and carries out
-  /// what it asks to be done.
+  /// Before a frame is drawn: takes the next request, if the last one is answered, and performs its
+  /// action.
   void ask(const AppView& view, WindowState& state, std::vector<Command>& commands);
-  /// After it is drawn: answers what can be answered now.
+  /// After it is drawn: sends the answer, if it is known.
   void answer(const DrawnFrame& frame);
 
  private:

@@ -35,7 +35,7 @@ class Descriptor {
   int number_;
 };
 
-/// Longer lines come from no client of ours.
+/// Longer requests are not ours.
 constexpr std::size_t kLongestLine = 65536;
 
 }  // namespace
@@ -80,11 +80,11 @@ Result<ControlChannel> ControlChannel::listen(const std::string& path) {
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   Descriptor server(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   unlink(path.c_str());
-  // The file takes over the mode of the socket: nobody else ever may connect.
+  // The file gets the mode of the socket: no other user may connect at any time.
   if (fchmod(server.number(), 0600) != 0 ||
       bind(server.number(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0 ||
       ::listen(server.number(), 1) != 0) {
-    return fail(ErrorCode::kWriteFailed, "{}: socket cannot be made: {}", path,
+    return fail(ErrorCode::kWriteFailed, "{}: the socket cannot be created: {}", path,
                 std::strerror(errno));
   }
   auto sockets = std::make_unique<Sockets>();
@@ -110,7 +110,7 @@ void ControlChannel::answer(const std::string& line) {
   while (sockets_->client.is_open() && !rest.empty()) {
     const ssize_t count = send(sockets_->client.number(), rest.data(), rest.size(), MSG_NOSIGNAL);
     if (count < 0 && errno == EINTR) continue;
-    // Answers fit the socket's buffer unless the client does not read: then it is let go.
+    // The buffer is full only if the client does not read: then it is disconnected.
     if (count < 0) sockets_->client = Descriptor();
     if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
   }

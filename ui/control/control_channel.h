@@ -1,4 +1,4 @@
-/// @file  Lines over a Unix socket: how tests and picture makers wait on frames, ask and steer.
+/// @file  Requests over a Unix socket: tests and scripts control the window and ask for its state.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace flytri::ui {
 ///     wait N        answered after N more frames were drawn with no input waiting
 ///     state         the window's state as JSON; commands given since the last time it was asked
 ///     where ID      "x y width height" in pixels of a button or panel of the latest frame
-///     do ID         carries an action of the key map out
+///     do ID         performs the action with this id
 ///     shot PATH     writes the next frame as PNG
 ///     tell WORDS    hands words on to the program, as the command Tell
 ///     new_case PATH creates a case, as the dialog does
@@ -24,15 +24,16 @@ namespace flytri::ui {
 /// One client at a time; the next may come after it has gone. Only the same user may connect.
 class ControlChannel {
  public:
-  /// @errors  kWriteFailed where the socket cannot be made; one left by a former run is replaced.
+  /// Replaces a socket that a former run left behind.
+  /// @errors  kWriteFailed if the socket cannot be created
   [[nodiscard]] static Result<ControlChannel> listen(const std::string& path);
   ControlChannel(ControlChannel&&) noexcept;
   ControlChannel& operator=(ControlChannel&&) noexcept;
   ~ControlChannel();
 
-  /// The next request, if one is there; the former must have been answered. Never waits.
+  /// The next request, if there is one; the former must have been answered. Never waits.
   [[nodiscard]] std::optional<std::string> next_request();
-  /// One line back; where the client has gone, nothing happens.
+  /// Sends one line; does nothing if the client has gone.
   void answer(const std::string& line);
 
  private:

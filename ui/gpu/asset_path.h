@@ -8,9 +8,9 @@
 
 namespace flytri::ui {
 
-/// The file of an asset such as "shaders/splat.vert". Looked for in $FLYTRI_ASSETS, if that is set
-/// nowhere else; otherwise in ../share/flytri beside the program, which in a build folder is a link
-/// to the source tree.
+/// The file of an asset such as "shaders/splat.vert". If $FLYTRI_ASSETS is set, only that folder is
+/// searched; otherwise ../share/flytri beside the program, which in a build folder is a link to the
+/// source tree.
 /// @errors  kNotFound, with the places that were tried.
 [[nodiscard]] Result<std::filesystem::path> asset_path(std::string_view name);
 

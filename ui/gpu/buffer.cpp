@@ -32,7 +32,7 @@ Buffer Buffer::make(GLenum target, std::size_t size_bytes, GLenum usage) {
 void Buffer::assign(std::span<const std::byte> bytes) {
   bind();
   if (bytes.size() > size_bytes_) size_bytes_ = bytes.size() + bytes.size() / 2;
-  // A fresh store: the pictures still being drawn keep the old one.
+  // New memory: pictures that are still being drawn keep the old one.
   glBufferData(target_, static_cast<GLsizeiptr>(size_bytes_), nullptr, usage_);
   glBufferSubData(target_, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }

@@ -1,4 +1,4 @@
-/// @file  How long a piece of drawing takes.
+/// @file  Measures how long drawing takes.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -7,9 +7,8 @@
 
 namespace flytri::ui {
 
-/// From its making to stop(), which waits until all is drawn. A software renderer draws while it
-/// is waited for, and says of its timer queries less than half of that; a graphics card is done
-/// with one scene long before the next picture is due.
+/// Measures from construction to stop(), which waits until everything is drawn. Timer queries are
+/// not used, as software renderers report less than half of the time.
 class FrameTimer {
  public:
   [[nodiscard]] double stop_ms() const {

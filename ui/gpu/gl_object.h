@@ -7,7 +7,7 @@
 
 namespace flytri::ui {
 
-/// `Delete` takes the name. 0 is no object. Needs the context current where it is destroyed.
+/// `Delete` takes the name. 0 is no object. The context must be current at destruction.
 template <void (*Delete)(GLuint)>
 class GlObject {
  public:

@@ -46,7 +46,7 @@ Result<Shader> compile(GLenum kind, std::string_view name) {
   glGetShaderInfoLog(shader.name(), static_cast<GLsizei>(log.size()), &length, log.data());
   log.resize(static_cast<std::size_t>(length));
   return fail(ErrorCode::kBadFormat,
-              "shader {} does not compile: {}. Install the program anew, or update the graphics "
+              "shader {} does not compile: {}. Reinstall flytri, or update the graphics "
               "driver",
               name, log);
 }
@@ -73,7 +73,7 @@ Result<ShaderProgram> ShaderProgram::load(std::string_view vertex, std::string_v
   glGetProgramInfoLog(name, static_cast<GLsizei>(log.size()), &length, log.data());
   log.resize(static_cast<std::size_t>(length));
   return fail(ErrorCode::kBadFormat,
-              "shaders {} and {} do not link: {}. Install the program anew, or update the graphics "
+              "shaders {} and {} do not link: {}. Reinstall flytri, or update the graphics "
               "driver",
               vertex, fragment, log);
 }

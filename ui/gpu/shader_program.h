@@ -16,13 +16,13 @@ class ShaderProgram {
  public:
   ShaderProgram() = default;
   /// @param vertex, fragment  names in assets/shaders, such as "splat.vert". A line `#include "x"`
-  ///                          stands for the content of assets/shaders/x.
+  ///                          is replaced by the content of assets/shaders/x.
   /// @errors  kNotFound, kNotPermitted; kBadFormat with the driver's log.
   [[nodiscard]] static Result<ShaderProgram> load(std::string_view vertex,
                                                   std::string_view fragment);
 
   void use() const;
-  /// The program must be in use. A uniform that the shaders do not read is passed over.
+  /// The program must be in use. Ignores a uniform that the shaders do not use.
   void set(const char* name, int value) const;
   void set(const char* name, float value) const;
   void set(const char* name, const Eigen::Vector2f& value) const;

@@ -26,7 +26,7 @@ PixelFormat empty_format(GLenum internal_format) {
   if (internal_format == GL_DEPTH_COMPONENT24) {
     return {internal_format, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT};
   }
-  // Blue first, as windows have it: Mesa then copies pictures there without converting them.
+  // Blue first, as in windows: Mesa then copies without conversion.
   return {internal_format, GL_BGRA, GL_UNSIGNED_BYTE};
 }
 
@@ -37,8 +37,7 @@ void set_filter(GLint filter) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-/// From the framebuffer that is read to the one that is drawn to, where the part's lower left
-/// corner goes to `to`.
+/// Copies from the read framebuffer to the draw framebuffer; `to` is the new lower left corner.
 void blit(const PixelBox& part, const Eigen::Vector2i& to) {
   const Eigen::Vector2i end = part.max() + Eigen::Vector2i::Ones(), to_end = to + end - part.min();
   glBlitFramebuffer(part.min().x(), part.min().y(), end.x(), end.y(), to.x(), to.y(), to_end.x(),

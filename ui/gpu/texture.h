@@ -12,7 +12,7 @@ namespace flytri::ui {
 void delete_texture(GLuint name);
 void delete_framebuffer(GLuint name);
 
-/// A two-dimensional image. Its name serves ImGui as ImTextureID.
+/// A two-dimensional image. Its name is used as ImTextureID.
 class Texture {
  public:
   Texture() = default;
@@ -35,18 +35,18 @@ class Texture {
   GLenum internal_format_ = GL_RGBA8;
 };
 
-/// Where pictures are drawn. The textures must outlive it.
+/// A drawing target. The textures must outlive it.
 class Framebuffer {
  public:
   Framebuffer() = default;
   static Framebuffer make(const Texture& color, const Texture& depth);
   static Framebuffer make(const Texture& color);
-  /// Draws go there from now on, to its whole area.
+  /// Makes it the target of all drawing, with its whole area.
   void bind() const;
-  /// Takes over a part of the color of another one, px from the lower left.
+  /// Copies a part of the color of another one, px from the lower left.
   void copy_color(const Framebuffer& from, const PixelBox& part) const;
   /// Copies a part of its color to another place of the framebuffer that is bound for drawing.
-  /// @param to_px  where the part's lower left corner goes
+  /// @param to_px  new place of the lower left corner of the part
   void copy_to_bound(const PixelBox& part, const Eigen::Vector2i& to_px) const;
   /// Copies parts of its color to the same places of the window's own framebuffer, which stays
   /// bound.
@@ -54,7 +54,7 @@ class Framebuffer {
   [[nodiscard]] PixelBox area() const;
   /// @return  its color: CV_8UC3, R, G, B order, first row at the top
   [[nodiscard]] cv::Mat read() const;
-  /// Back to the window's own.
+  /// Binds the framebuffer of the window again.
   static void bind_window();
 
  private:

@@ -12,10 +12,10 @@ struct Entry {
   ActionLook look;
 };
 
-/// What the main button does now.
+/// The look of the main button: scan, pause or resume.
 ActionLook scan_look(const PanelContext& context) {
   if (context.phase() == scan::ScanPhase::kFinished) {
-    return {icon::kResume, "Scan on", false, kGood};
+    return {icon::kResume, "Resume", false, kGood};
   }
   if (context.view.is_scanning) return {icon::kPause, "Pause", true, kNeutral};
   return {icon::kScan, "Scan", true, kGood};

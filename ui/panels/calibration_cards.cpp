@@ -25,7 +25,7 @@ std::size_t count_of(const RunningCalibration& running, std::size_t CalibrationP
   return count;
 }
 
-/// A place that is wanted is outlined, one that is done filled; a click there takes it again.
+/// The next place is outlined, a finished one is filled; a click on it takes its images again.
 void draw_cell(const PanelContext& context, const Rect& box, const RunningCalibration& running,
                std::size_t index) {
   const CalibrationPlace& place = running.places[index];
@@ -47,7 +47,7 @@ void draw_cell(const PanelContext& context, const Rect& box, const RunningCalibr
   }
 }
 
-/// The name of each row stands at its left.
+/// Left of each row.
 void draw_row_names(const PanelContext& context, const Rect& box,
                     const RunningCalibration& running) {
   for (const CalibrationPlace& place : running.places) {
@@ -80,7 +80,7 @@ void draw_judgement(const PanelContext& context, Rect& rest, const JudgedShot& s
   }
 }
 
-/// The largest offset that the chart must hold.
+/// The largest offset in the chart.
 double chart_range_mm(const CalibrationOutcome& outcome) {
   double range_mm = outcome.plane_limit_mm;
   for (const calibration::PlaneResidual& plane : outcome.planes) {
@@ -131,9 +131,9 @@ void draw_offsets(const PanelContext& context, const Chart& chart,
 void draw_planes(const PanelContext& context, Rect box, const CalibrationOutcome& outcome) {
   const Fonts& fonts = context.theme.fonts;
   draw_text(box.take_top(context.px(kShotRow), context.px(kGapS)),
-            {fonts.strong, kNeutral, Align::kLeft}, "How far each plane is from its place");
+            {fonts.strong, kNeutral, Align::kLeft}, "Position error of each plane");
   const std::array<LegendRow, 2> lines = {
-      {{kVerticalProfile, "by vertical lines"}, {kHorizontalProfile, "by horizontal lines"}}};
+      {{kVerticalProfile, "vertical lines"}, {kHorizontalProfile, "horizontal lines"}}};
   Rect below = box.take_bottom(context.px(56.0F));
   draw_box(box, kBackground, context.px(kRounding));
   Rect inner = box.inset(context.px(kGapM));
@@ -164,7 +164,7 @@ void draw_figure(const PanelContext& context, Rect row,
             fmt::format("{:.1f} of {:.1f} \u00b5m", kMicrons * std::abs(figure.deviation_mm),
                         kMicrons * figure.limit_mm));
   draw_text(words, {fonts.body, kText, Align::kLeft}, figure.name);
-  // From the middle, where nothing is wrong, to the limit at either end.
+  // From 0 in the middle to the limit at either end.
   const Rect bar = row.take_top(context.px(6.0F));
   draw_box(bar, kRaised, bar.height / 2.0F);
   const double share = std::clamp(figure.deviation_mm / std::max(figure.limit_mm, 1e-9), -1.0, 1.0);
@@ -209,7 +209,7 @@ void draw_outcome(const PanelContext& context, Rect box, const CalibrationOutcom
   if (!outcome.planes.empty()) return draw_planes(context, box, outcome);
   draw_text(box.take_top(context.px(kShotRow), context.px(kGapS)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft},
-            "Deviations at the border of the volume");
+            "Deviations at the edge of the volume");
   const auto count = static_cast<float>(std::max<std::size_t>(outcome.figures.size(), 1));
   const float row = std::min(context.px(kTableRow), box.height / count);
   for (const calibration::VerificationFigure& figure : outcome.figures) {

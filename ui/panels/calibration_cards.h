@@ -1,11 +1,11 @@
-/// @file  The parts of the calibration panel: places, judged shots, and what came out.
+/// @file  The parts of the calibration panel: places, judged images, and the result.
 #pragma once
 
 #include "ui/panels/panel.h"
 
 namespace flytri::ui {
 
-/// A cell for each place; one that is done is wanted again by a click.
+/// A cell for each place; a click on a finished one takes its images again.
 void draw_calibration_places(const PanelContext& context, Rect box,
                              const RunningCalibration& running);
 [[nodiscard]] float calibration_places_height(const PanelContext& context,

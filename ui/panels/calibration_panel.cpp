@@ -1,4 +1,4 @@
-/// @file  Calibration at the chair: what to put where, what the camera sees of it, what was wrong.
+/// @file  Calibration at the chair: what to put where, the live image, and what to correct.
 #include <fmt/format.h>
 
 #include "ui/panels/calibration_cards.h"
@@ -35,13 +35,14 @@ struct Choice {
 };
 constexpr std::array<Choice, 3> kChoices = {
     {{Action::kCalibrate, icon::kTarget, "Calibrate",
-      "A white plane and a dot target, moved through the volume. Needed once, and whenever a check "
+      "Needs a white plane and a dot target at several depths. Do it once, and again when a check "
       "fails."},
      {Action::kCheckOnPlane, icon::kFinish, "Check on a plane",
-      "A flat white plate at six places. Tells whether the calibration still holds, but not "
-      "whether its scale does."},
+      "Needs a flat white plate at six places. Shows whether the calibration is still valid, "
+      "except "
+      "for its scale."},
      {Action::kCheckOnSphere, icon::kFinish, "Check on a sphere",
-      "A matt sphere of known diameter at six places. Tells about the scale, too."}}};
+      "Needs a matte sphere of known diameter at six places. Checks the scale, too."}}};
 
 void draw_choice(const PanelContext& context, Rect row, const Choice& choice) {
   const Rect button = row.take_left(context.px(kChoiceButton), context.px(kGapM));
@@ -64,18 +65,18 @@ void draw_choices(const PanelContext& context) {
   dialog.rest.take_top(context.px(kGapS));
   Rect fields = dialog.rest.take_top(context.px(kFieldRow), context.px(kGapS));
   text_field(context, fields.take_right(context.px(200.0F), context.px(kGapM)),
-             {"sphere_diameter", "Diameter of the sphere, mm"}, form.sphere_diameter_mm);
+             {"sphere_diameter", "Sphere diameter, mm"}, form.sphere_diameter_mm);
   form.is_edited |=
-      text_field(context, fields, {"calibration_folder", "Calibrations are kept in"}, form.folder);
+      text_field(context, fields, {"calibration_folder", "Folder for calibrations"}, form.folder);
   draw_wrapped(dialog.rest, {context.theme.fonts.small, kTextQuiet},
-               "A calibration that was begun in this folder goes on where it stopped. Scanning "
+               "A calibration that was started in this folder continues where it stopped. Scanning "
                "pauses meanwhile.");
 }
 
 std::string headline(const RunningCalibration& running) {
   switch (running.step) {
     case CalibrationStep::kOpening:
-      return "Opening cameras and lights\u2026";
+      return "Starting cameras and lights\u2026";
     case CalibrationStep::kTarget:
       if (running.wanted) {
         const CalibrationPlace& place = running.places[*running.wanted];
@@ -83,13 +84,13 @@ std::string headline(const RunningCalibration& running) {
       }
       return {};
     case CalibrationStep::kTaking:
-      return "Taking images: leave it at rest";
+      return "Taking images: do not move it";
     case CalibrationStep::kComputing:
       return "Computing\u2026";
     case CalibrationStep::kRefused:
       return "The images do not fit together";
     case CalibrationStep::kFailed:
-      return "It cannot go on";
+      return running.task == CalibrationTask::kCalibrate ? "Calibration stopped" : "Check stopped";
     case CalibrationStep::kDone:
       break;
   }
@@ -109,15 +110,15 @@ Color color_of(const RunningCalibration& running) {
   }
 }
 
-/// What stands below the headline.
+/// The text below the headline.
 std::string advice(const RunningCalibration& running) {
   switch (running.step) {
     case CalibrationStep::kRefused:
-      return sentence(running.message) + "\nTouch below what is to be taken again.";
+      return sentence(running.message) + "\nBelow, choose the place to take again.";
     case CalibrationStep::kTarget:
       return fmt::format(
-          "Place {} of {}. When it rests, press Enter; the lights switch by "
-          "themselves.",
+          "Place {} of {}. Hold still, then press Enter. The lights switch "
+          "automatically.",
           running.wanted.value_or(0) + 1, running.places.size());
     case CalibrationStep::kDone:
       return fmt::format("{}", fmt::join(running.outcome.meanings, "\n"));
@@ -152,7 +153,7 @@ void draw_seen(const PanelContext& context, const Rect& box, const RunningCalibr
 
 void draw_buttons(const PanelContext& context, Rect row, const RunningCalibration& running) {
   const bool is_done = running.step == CalibrationStep::kDone;
-  const ActionLook main = is_done ? ActionLook{icon::kSaved, "Use it", true, kNeutral}
+  const ActionLook main = is_done ? ActionLook{icon::kSaved, "Use calibration", true, kNeutral}
                                   : ActionLook{icon::kDevice, "Take images", true, kNeutral};
   const bool has_main = !is_done || running.task == CalibrationTask::kCalibrate;
   const float width =
@@ -167,15 +168,15 @@ void draw_buttons(const PanelContext& context, Rect row, const RunningCalibratio
   if (!is_done) {
     small_action(
         context,
-        row.take_left(small_action_width(context, Action::kPlaceBefore, back), context.px(kGapM)),
-        Action::kPlaceBefore, back);
+        row.take_left(small_action_width(context, Action::kPreviousPlace, back), context.px(kGapM)),
+        Action::kPreviousPlace, back);
   }
   const std::string& why = context.view.calibration->why_not_used;
   if (is_done && has_main && !why.empty()) {
     draw_text(row, {context.theme.fonts.small, kTextQuiet, Align::kRight}, why);
   } else if (!is_done && !running.folder.empty()) {
     draw_text(row, {context.theme.fonts.small, kTextQuiet, Align::kRight},
-              fmt::format("kept in {}", running.folder));
+              fmt::format("saved in {}", running.folder));
   }
 }
 

@@ -1,4 +1,4 @@
-/// @file  Cases: the fields of the open one, a new one, or one of those that are there.
+/// @file  Cases: edit the open case, create a new one, or open another.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -22,7 +22,7 @@ constexpr std::array<TabLook, 3> kTabs = {{{CaseTab::kFields, "tab_fields", "Thi
                                            {CaseTab::kNew, "tab_new", "New"},
                                            {CaseTab::kOpen, "tab_open", "Open"}}};
 
-/// What a tab starts with.
+/// Fills the form of a tab that was just chosen.
 void begin_tab(const AppView& view, CaseForm& form, CaseTab tab) {
   form = CaseForm();
   form.tab = tab;
@@ -50,13 +50,13 @@ void draw_fields(const PanelContext& context, DialogPlate& dialog, io::CaseField
   text_field(context, dialog.rest.take_top(height), {"patient", "Patient"}, fields.patient_name);
   Rect row = dialog.rest.take_top(height);
   const float half = (row.width - gap) / 2.0F;
-  text_field(context, row.take_left(half, gap), {"birth_date", "Born"}, fields.birth_date);
+  text_field(context, row.take_left(half, gap), {"birth_date", "Date of birth"}, fields.birth_date);
   text_field(context, row, {"patient_id", "Patient or case number"}, fields.patient_id);
   text_field(context, dialog.rest.take_top(height), {"clinician", "Dentist"}, fields.clinician);
   text_field(context, dialog.rest.take_top(height), {"notes", "Notes"}, fields.notes);
 }
 
-/// A file name of the patient's name: what file systems may not like becomes a dash.
+/// A file named after the patient. Characters that some file systems refuse become dashes.
 std::string proposed_path(const AppView& view, const io::CaseFields& fields) {
   std::string name = fields.patient_name.empty() ? "case" : fields.patient_name;
   if (!fields.patient_id.empty()) name += "-" + fields.patient_id;
@@ -82,7 +82,7 @@ void draw_new(const PanelContext& context, DialogPlate& dialog, CaseForm& form) 
   const float half = (row.width - gap) / 2.0F;
   form.is_path_edited |=
       text_field(context, row.take_left(half, gap), {"case_path", "File"}, form.path);
-  draw_passphrase(context, row, "Passphrase (none: not encrypted)", form);
+  draw_passphrase(context, row, "Passphrase (empty: not encrypted)", form);
   confirm_row(context, dialog, icon::kFinish, "Create");
 }
 
@@ -120,7 +120,7 @@ void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
   dialog.rest.take_top(context.px(kGapS));
   text_field(context, dialog.rest.take_top(context.px(kFieldRow)), {"case_path", "File"},
              form.path);
-  draw_passphrase(context, dialog.rest.take_top(context.px(kFieldRow)), "Passphrase, if it has one",
+  draw_passphrase(context, dialog.rest.take_top(context.px(kFieldRow)), "Passphrase, if encrypted",
                   form);
   confirm_row(context, dialog, icon::kCase, "Open");
 }
@@ -150,7 +150,7 @@ void draw_case_dialog(const PanelContext& context) {
   switch (form.tab) {
     case CaseTab::kFields:
       draw_fields(context, dialog, form.fields);
-      confirm_row(context, dialog, icon::kFinish, "Keep");
+      confirm_row(context, dialog, icon::kFinish, "Save");
       break;
     case CaseTab::kNew:
       draw_new(context, dialog, form);

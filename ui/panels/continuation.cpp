@@ -1,4 +1,5 @@
-/// @file  Where to go on after a loss: the live image, the one to find, how near it is, others.
+/// @file  Where to resume after tracking was lost: the image of the suggested place, the live
+/// image, how well they match, other places.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ void draw_match(const PanelContext& context, Rect box) {
   meter(context.theme, box.take_top(context.px(14.0F)), share, share >= 1.0 ? kGood : kCaution);
 }
 
-/// The ranked places, to be picked by a finger.
+/// A button for each suggested place, the best first.
 void draw_places(const PanelContext& context, Rect row) {
   const scan::ScanSnapshot& scan = *context.view.scan;
   const std::size_t count = std::min(scan.reentry.size(), kMostPlaces);
@@ -46,7 +47,7 @@ void draw_places(const PanelContext& context, Rect row) {
     look.id = id.c_str();
     look.label = fmt::format("{}", i + 1);
     look.is_on = i == scan.chosen_reentry;
-    look.hint = fmt::format("Go on at place {} ({} points)", i + 1, scan.reentry[i].point_count);
+    look.hint = fmt::format("Resume at place {} ({} points)", i + 1, scan.reentry[i].point_count);
     const Rect box = row.take_left(width, gap);
     context.places.set(id, box);
     if (small_button(context.theme, box, look)) context.commands.emplace_back(ChooseReentry{i});
@@ -63,19 +64,18 @@ void draw_continuation(const PanelContext& context, const Rect& box) {
   if (context.view.source.hand) {
     const Rect row = rest.take_bottom(context.px(44.0F), gap);
     const bool is_away = context.view.source.hand->is_taken_away;
-    small_action(
-        context, row, Action::kTakeAway,
-        {icon::kHand, is_away ? "Put the sensor back" : "Take the sensor away", false, kCaution});
+    small_action(context, row, Action::kLiftSensor,
+                 {icon::kHand, is_away ? "Return sensor" : "Lift sensor", false, kCaution});
   }
   draw_places(context, rest.take_bottom(context.px(44.0F), context.px(kGapXs)));
   draw_text(rest.take_bottom(context.px(kCaption), gap),
             {context.theme.fonts.small, kTextQuiet, Align::kLeft},
-            "Places to go on, the best first (Tab)");
+            "Suggested places to resume (Tab)");
   draw_match(context, rest.take_bottom(context.px(42.0F), gap));
   const float half = (rest.height - gap) / 2.0F;
-  draw_captioned(context, rest.take_top(half, gap), context.pictures.stored, "Find this place",
+  draw_captioned(context, rest.take_top(half, gap), context.pictures.stored, "Return to this place",
                  kNeutral);
-  draw_captioned(context, rest, context.pictures.live, "The sensor sees", kText);
+  draw_captioned(context, rest, context.pictures.live, "Live image", kText);
 }
 
 }  // namespace flytri::ui

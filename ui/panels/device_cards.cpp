@@ -55,8 +55,8 @@ void draw_figures(const PanelContext& context, Rect row, const std::vector<Devic
   }
 }
 
-/// @param kept_px  of what is left, for what comes after
-/// @return  false: it does not fit whole into what is left, and half a remedy misleads
+/// @param kept_px  height to leave for the next rows
+/// @return  false: not drawn, as it does not fit; half a remedy would mislead
 bool draw_problem(const PanelContext& context, Rect& rest, const std::string& problem,
                   float kept_px) {
   ImFont* font = context.theme.fonts.body;
@@ -70,10 +70,10 @@ bool draw_problem(const PanelContext& context, Rect& rest, const std::string& pr
   return true;
 }
 
-/// What is said in the place of problems while there are none.
+/// Shown instead of a list of problems.
 const char* verdict_on(const DevicesState& devices) {
-  if (devices.is_checking) return "Looking at the devices\u2026";
-  return devices.is_checked ? "Nothing is wrong" : "Not checked yet";
+  if (devices.is_checking) return "Checking the devices\u2026";
+  return devices.is_checked ? "No problems found" : "Not checked yet";
 }
 
 void draw_verdict(const PanelContext& context, Rect row, const DevicesState& devices) {
@@ -104,7 +104,7 @@ void draw_device_check(const PanelContext& context, Rect box) {
   const ActionLook look = {icon::kResume, "Check again"};
   small_action(context, head.take_right(small_action_width(context, Action::kCheckDevices, look)),
                Action::kCheckDevices, look);
-  draw_text(head, {theme.fonts.strong, kNeutral, Align::kLeft}, "What is wrong");
+  draw_text(head, {theme.fonts.strong, kNeutral, Align::kLeft}, "Problems");
   if (devices.problems.empty()) {
     return draw_verdict(context, box.take_top(context.px(24.0F)), devices);
   }
@@ -113,7 +113,7 @@ void draw_device_check(const PanelContext& context, Rect box) {
     const float kept_px = i + 1 < count ? context.px(kMoreRow) : 0.0F;
     if (draw_problem(context, box, sentence(devices.problems[i]), kept_px)) continue;
     draw_text(box.take_top(context.px(kMoreRow)), {theme.fonts.body, kTextQuiet, Align::kLeft},
-              fmt::format("{} more: flytri devices lists them", count - i));
+              fmt::format("{} more: run \"flytri devices\" to see all", count - i));
     return;
   }
 }

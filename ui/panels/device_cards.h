@@ -1,11 +1,11 @@
-/// @file  The lower half of the device panel: how each device runs, and what is wrong.
+/// @file  The lower half of the device panel: how each device runs, and its problems.
 #pragma once
 
 #include "ui/panels/panel.h"
 
 namespace flytri::ui {
 
-/// Need AppView::devices.
+/// Both need AppView::devices.
 void draw_device_cards(const PanelContext& context, Rect box);
 void draw_device_check(const PanelContext& context, Rect box);
 

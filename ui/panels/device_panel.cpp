@@ -1,4 +1,4 @@
-/// @file  The devices of a rig: what they see and how it is exposed, how they run, what is wrong.
+/// @file  The devices of a rig: their images and exposure, how they run, their problems.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -16,7 +16,7 @@ constexpr float kColumnTitle = 24.0F;
 constexpr float kHistogram = 40.0F;
 constexpr float kAdvice = 36.0F;
 constexpr float kImageRatio = 0.75F;
-/// What is kept for the devices and the check below the images.
+/// Height for the devices and the check below the images.
 constexpr float kLowerPart = 236.0F;
 
 struct Column {
@@ -28,7 +28,7 @@ struct Column {
 constexpr std::array<Column, 3> kColumns = {
     {{"Vertical lines", FrameKind::kVertical, "no image yet"},
      {"Horizontal lines", FrameKind::kHorizontal, "no image yet"},
-     {"Flash", FrameKind::kTexture, "no flash yet"}}};
+     {"Flash", FrameKind::kTexture, "no flash image yet"}}};
 
 std::shared_ptr<const scan::LiveFrame> latest_of(const AppView& view, FrameKind kind) {
   if (view.scan == nullptr) return nullptr;
@@ -58,10 +58,10 @@ void draw_advice(const PanelContext& context, Rect box, const ExposedPicture& sh
   draw_wrapped(box, {context.theme.fonts.body, kText}, exposure_advice(shown.exposure, kind));
 }
 
-/// What the marks mean, from the right.
+/// Right-aligned.
 void draw_marks_legend(const PanelContext& context, Rect row) {
   constexpr std::array<std::pair<Color, const char*>, 2> kMarks = {
-      {{kDarkMark, "too dark"}, {kClippedMark, "clipped"}}};
+      {{kDarkMark, "too dark"}, {kClippedMark, "too bright"}}};
   for (const auto& [color, text] : kMarks) {
     const std::array<LegendRow, 1> entry = {{{color, text}}};
     const float width = text_width(context.theme.fonts.body, text) + context.px(24.0F);
@@ -91,7 +91,7 @@ void draw_images(const PanelContext& context, Rect box) {
     draw_column(context, box.take_left(width, gap), i);
 }
 
-/// As high as images of full width need, or what is left.
+/// Height of images of full width, or what is left.
 float image_part(const PanelContext& context, const Rect& rest) {
   const float width = (rest.width - 2.0F * context.px(kGapM)) / static_cast<float>(kColumns.size());
   const float around = kColumnTitle + kGapXs + kHistogram + kAdvice + 2.0F * kGapS;

@@ -1,4 +1,4 @@
-/// @file  The plate of a dialog, and the rows of its forms.
+/// @file  The frame of a dialog, and the rows of its forms.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace flytri::ui {
 
-/// kNothing: of a dialog whose end ends something that took work.
+/// What a click beside the dialog does. kNothing: closing it would lose work.
 enum class ClickBeside { kCloses, kNothing };
 
-/// Shades the window and opens a plate in its middle.
+/// Darkens the window and opens a dialog in its middle.
 class DialogPlate {
  public:
   /// @param size  in units; cut to the window
   DialogPlate(const PanelContext& context, const char* title, const ImVec2& size,
               ClickBeside beside = ClickBeside::kCloses);
 
-  /// What is left below the title, within the margins; dialogs cut it up.
+  /// The free area below the title; dialogs cut it up.
   Rect rest;
 
  private:

@@ -9,12 +9,12 @@
 namespace flytri::ui {
 namespace {
 
-/// Where a place of the world lies in the window; none behind the eye.
+/// Position of a world point in the window; none if it is behind the eye.
 std::optional<ImVec2> place_in_window(const CameraState& view, const Rect& picture,
                                       const Vec3& p_world_mm) {
   const Vec3 p_eye = view.camera.T_world_eye().inverse() * p_world_mm;
   if (p_eye.z() >= 0.0) return std::nullopt;
-  // Depth does not matter here: any planes that it lies between will do.
+  // Depth does not matter here: any near and far plane around the point will do.
   const Eigen::Matrix4d P =
       view.camera.projection(view.picture.aspect(), -0.5 * p_eye.z(), -2.0 * p_eye.z());
   const Eigen::Vector4d clip = P * p_eye.homogeneous();

@@ -73,7 +73,7 @@ Note note_of(const AppView& view) {
     return {icon::kWarning, kCaution,
             fmt::format("{} {} left in the surface", holes, holes == 1 ? "hole is" : "holes are")};
   }
-  return {icon::kInformation, kNeutral, "What is shown is what is written"};
+  return {icon::kInformation, kNeutral, "Exports the model as shown"};
 }
 
 void draw_note(const PanelContext& context, Rect row) {

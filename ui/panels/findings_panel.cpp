@@ -1,4 +1,4 @@
-/// @file  What was found on the surface: its holes and the measured distances.
+/// @file  Holes of the surface and measured distances.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr std::size_t kMostRows = 3;
 /// Height of a plate with a heading and rows, in units.
 float plate_height(float rows) { return 2.0F * kGapS + kHeading + (kRow + kGapXs) * rows; }
 
-/// A plate at the lower left, grown upwards by its rows and a heading.
+/// A plate at the lower left, as high as a heading and its rows.
 Rect plate_box(const PanelContext& context, float width, std::size_t rows) {
   const float height = context.px(plate_height(static_cast<float>(rows)));
   const Rect& picture = context.layout.picture;
@@ -30,8 +30,8 @@ Rect plate_box(const PanelContext& context, float width, std::size_t rows) {
   return {picture.x + margin, picture.bottom() - margin - height, context.px(width), height};
 }
 
-/// How many of the findings are listed: as many as there is room for below the colors, where so
-/// many other rows stand beneath them. The plate has one row at least, whatever the room.
+/// How many findings are listed: as many as fit below the colors, with `others` more rows below
+/// them. The plate has at least one row.
 std::size_t listed_rows(const PanelContext& context, std::size_t findings, std::size_t others) {
   const float room = context.layout.picture.bottom() - colors_box(context).bottom() -
                      context.px(kGapM + kGapXs + plate_height(0.0F));
@@ -90,7 +90,7 @@ void draw_measurements(const PanelContext& context, Rect& rest, std::size_t list
   }
 }
 
-/// One kind at a time.
+/// Only one kind is listed at a time.
 enum class Findings { kNone, kHoles, kDistances };
 
 Findings findings_of(const PanelContext& context) {
@@ -99,7 +99,7 @@ Findings findings_of(const PanelContext& context) {
     return Findings::kNone;
   const bool has_holes = context.view.scan != nullptr && !context.view.scan->holes.empty();
   const bool has_distances = !context.view.measurements.empty();
-  // Distances while they are measured, or where there are no holes to close.
+  // Distances while measuring, or if there are no holes.
   const bool measures = context.state.tool == Tool::kMeasure;
   if (has_distances && (measures || !has_holes)) return Findings::kDistances;
   return has_holes ? Findings::kHoles : Findings::kNone;
@@ -115,7 +115,7 @@ struct FindingsPlate {
 std::optional<FindingsPlate> findings_plate(const PanelContext& context) {
   switch (findings_of(context)) {
     case Findings::kHoles: {
-      // The button to the next one stands below them.
+      // One row for the button to the next hole.
       const std::size_t listed = listed_rows(context, context.view.scan->holes.size(), 1);
       return FindingsPlate{"holes", plate_box(context, kHoleWidth, listed + 1), listed, draw_holes};
     }

@@ -1,4 +1,4 @@
-/// @file  How far the finishing is, how long it takes, and the way out; why it failed.
+/// @file  Progress of the finishing, time left, and cancel; or why it failed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace flytri::ui {
 namespace {
 
-/// Of the picture, what lies between the panels at the sides of the scene.
+/// The part of the picture between the panels at its sides.
 Rect room_between_sides(const PanelContext& context) {
   const float gap = context.px(kGapM);
   Rect room = context.layout.picture;
@@ -20,12 +20,12 @@ Rect room_between_sides(const PanelContext& context) {
   return room;
 }
 
-/// As wide as it reads best, or as there is room.
+/// As wide as reads best, or as fits.
 float card_width(const PanelContext& context) {
   return std::min(room_between_sides(context).width, context.px(440.0F));
 }
 
-/// In the middle of the scene, where that leaves its sides free.
+/// In the middle of the scene, moved where it would cover a side panel.
 Rect card_box(const PanelContext& context, float height) {
   const Rect room = room_between_sides(context);
   Rect box = context.layout.picture.centered(card_width(context), height);

@@ -1,4 +1,4 @@
-/// @file  All keys, what they do, and how each stands now.
+/// @file  The list of keys: what each does, and whether it is possible now.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,28 +12,28 @@ namespace {
 constexpr float kHelpRow = 23.0F;
 constexpr float kHelpHeading = 30.0F;
 constexpr float kKey = 84.0F;
-/// Room for the longest name, and for kLongestStanding characters.
-constexpr float kName = 136.0F, kStanding = 124.0F;
+/// Room for the longest name, and for kLongestStateText characters.
+constexpr float kName = 136.0F, kStateWidth = 124.0F;
 /// The fullest column, in rows: looking and program, with their headings.
 constexpr float kMostHelpRows = 28.0F;
 
-/// Rows close up where the window is low.
+/// Rows are lower in a low window.
 float row_height(const PanelContext& context, float height) {
   return std::min(context.px(kHelpRow), std::floor(height / kMostHelpRows));
 }
 
-void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
+void draw_row(const PanelContext& context, Rect row, const ActionRow& entry) {
   const Theme& theme = context.theme;
   const ActionState current = action_state(entry.action, context.view, context.state);
   const Color ink = current.is_enabled ? kText : with_opacity(kTextQuiet, 0.75F);
   draw_text(row.take_left(context.px(kKey), context.px(kGapS)), {theme.fonts.strong, ink},
-            entry.key_text);
-  // In a small window both have room only in small letters, and a long name moves its row's state.
-  const bool is_narrow = row.width < context.px(kName + kStanding);
+            entry.shortcut.text);
+  // In a small window both fit only in small letters, and a long name pushes its state aside.
+  const bool is_narrow = row.width < context.px(kName + kStateWidth);
   ImFont* font = is_narrow ? theme.fonts.small : theme.fonts.body;
   const float gap = context.px(kGapS);
   const float name =
-      std::max(text_width(font, entry.name) + gap, row.width - context.px(kStanding));
+      std::max(text_width(font, entry.name) + gap, row.width - context.px(kStateWidth));
   draw_text(row.take_left(name), {font, ink}, entry.name);
   const Color mark = current.is_on ? kNeutral : kTextQuiet;
   draw_text(row, {theme.fonts.small, mark, Align::kLeft}, current.text);
@@ -42,17 +42,17 @@ void draw_row(const PanelContext& context, Rect row, const KeyBinding& entry) {
 void draw_group(const PanelContext& context, Rect& column, float row, ActionGroup group) {
   draw_text(column.take_top(context.px(kHelpHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, to_string(group));
-  for (const KeyBinding& entry : key_map()) {
-    if (entry.group == group) draw_row(context, column.take_top(row), entry);
+  for (const ActionRow& entry : rows_of(group)) {
+    draw_row(context, column.take_top(row), entry);
   }
   column.take_top(context.px(kGapS));
 }
 
 void draw_pointer(const PanelContext& context, Rect& column, float row_height_px) {
   constexpr std::array<std::array<const char*, 2>, 3> kRows = {
-      {{"Drag", "turns the view, or uses the tool"},
-       {"Right drag", "turns; with Shift it moves"},
-       {"Wheel", "zooms; with a brush, its size"}}};
+      {{"Drag", "turns the view or uses the tool"},
+       {"Right drag", "turns; with Shift, moves"},
+       {"Wheel", "zooms or resizes the brush"}}};
   draw_text(column.take_top(context.px(kHelpHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Pointer");
   for (const auto& [what, does] : kRows) {

@@ -1,4 +1,4 @@
-/// @file  Where everything lies in the window: its size and scale in, rectangles out.
+/// @file  Layout of the window: size and scale in, rectangles out.
 #pragma once
 
 #include "ui/theme/theme.h"
@@ -19,7 +19,7 @@ struct Layout {
   Rect picture;  ///< the scene within the frame
 };
 
-/// Whole pixels throughout. @param theme  gives the scale alone
+/// All in whole pixels. @param theme  only its scale is used
 [[nodiscard]] Layout make_layout(float width_px, float height_px, const Theme& theme);
 
 }  // namespace flytri::ui

@@ -1,4 +1,4 @@
-/// @file  How the scene is colored, what the colors mean, and from where it is seen.
+/// @file  Buttons for colors, with their legend, and for the sides to look from.
 #include <array>
 
 #include "ui/panels/panels.h"
@@ -22,7 +22,7 @@ void draw_modes(const PanelContext& context, Rect& rest) {
 void draw_blend(const PanelContext& context, Rect& rest) {
   Rect box = rest.take_top(context.px(64.0F));
   draw_text(box.take_top(context.px(20.0F), context.px(kGapXs)),
-            {context.theme.fonts.small, kText, Align::kLeft}, "Texture over shape (, .)");
+            {context.theme.fonts.small, kText, Align::kLeft}, "Texture strength (, .)");
   ImGui::SetCursorScreenPos(box.min());
   ImGui::SetNextItemWidth(box.width);
   context.places.set("blend", {box.x, box.y, box.width, context.px(36.0F)});
@@ -34,9 +34,8 @@ void draw_blend(const PanelContext& context, Rect& rest) {
 
 void draw_coverage_legend(const PanelContext& context, Rect& rest) {
   const SceneOptions colors;
-  const std::array<LegendRow, 3> rows = {{{colors.good_color, "good"},
-                                          {colors.thin_color, "thin: once more"},
-                                          {kTextQuiet, "none: a gap", true}}};
+  const std::array<LegendRow, 3> rows = {
+      {{colors.good_color, "Good"}, {colors.thin_color, "Scan again"}, {kTextQuiet, "Gap", true}}};
   legend(context.theme, rest.take_top(context.px(70.0F)), rows);
 }
 
@@ -47,13 +46,13 @@ void draw_sigma_legend(const PanelContext& context, Rect& rest) {
     colors[i] = sigma_color(static_cast<double>(i) / (kSteps - 1));
   }
   color_scale(context.theme, rest.take_top(context.px(34.0F)),
-              {colors, "exact", length_text(max_sigma_mm(context.view))});
+              {colors, "0", length_text(max_sigma_mm(context.view))});
 }
 
 /// Height of a plate with four buttons, in units.
 constexpr float kButtonsHeight = 4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS;
 
-/// Height of what stands under the buttons, in units.
+/// Height of the legend or slider under the buttons, in units.
 float extra_height(ColorMode mode) {
   switch (mode) {
     case ColorMode::kTexture:
@@ -68,7 +67,7 @@ float extra_height(ColorMode mode) {
   return 0.0F;
 }
 
-/// Below the banner, however wide that is.
+/// Below the banner.
 float top_of(const PanelContext& context) {
   return context.layout.frame.y + context.px(kBannerHeight) + context.px(kGapM);
 }

@@ -5,21 +5,21 @@
 namespace flytri::ui {
 namespace {
 
-/// Why it is disabled, or what it is: where the pointer rests.
-std::string hint_of(const KeyBinding& row, const ActionState& current) {
-  std::string hint = std::string(row.name) + " (" + row.key_text + ")";
+/// Name, key and state, shown while the pointer rests on the button.
+std::string hint_of(const ActionRow& row, const ActionState& current) {
+  std::string hint = std::string(row.name) + " (" + row.shortcut.text + ")";
   if (!current.text.empty()) hint += ": " + current.text;
   return hint;
 }
 
 ButtonLook look_of(const PanelContext& context, Action action, const ActionLook& look) {
-  const KeyBinding& row = binding(action);
+  const ActionRow& row = row_of(action);
   const ActionState current = action_state(action, context.view, context.state);
   ButtonLook button;
   button.id = row.id;
   button.icon = look.icon;
   button.label = look.label == nullptr ? row.name : look.label;
-  if (look.shows_key) button.key = row.key_text;
+  if (look.shows_key) button.key = row.shortcut.text;
   button.is_enabled = current.is_enabled;
   button.is_on = current.is_on;
   button.is_main = look.is_main;
@@ -69,7 +69,7 @@ Plate::~Plate() { ImGui::End(); }
 
 void large_action(const PanelContext& context, const Rect& box, Action action,
                   const ActionLook& look) {
-  context.places.set(binding(action).id, box);
+  context.places.set(row_of(action).id, box);
   if (large_button(context.theme, box, look_of(context, action, look))) {
     perform(action, context.view, context.state, context.commands);
   }
@@ -77,7 +77,7 @@ void large_action(const PanelContext& context, const Rect& box, Action action,
 
 void small_action(const PanelContext& context, const Rect& box, Action action,
                   const ActionLook& look) {
-  context.places.set(binding(action).id, box);
+  context.places.set(row_of(action).id, box);
   if (small_button(context.theme, box, look_of(context, action, look))) {
     perform(action, context.view, context.state, context.commands);
   }

@@ -1,11 +1,10 @@
-/// @file  What every panel is given, and the plate that it draws on.
+/// @file  The input of every panel, and the plate (a plain window) on which it draws.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "ui/actions/key_map.h"
-#include "ui/actions/perform.h"
+#include "ui/actions/action_table.h"
 #include "ui/panels/layout.h"
 #include "ui/panels/scene_image.h"
 #include "ui/scene/scene_renderer.h"
@@ -24,7 +23,7 @@ struct Pictures {
   SceneImage scene;
 };
 
-/// One frame's business. Panels read the view and the state, change the state, add commands.
+/// Input and output of all panels in one frame. They read the view and add commands.
 struct PanelContext {
   const AppView& view;
   WindowState& state;
@@ -34,7 +33,7 @@ struct PanelContext {
   SceneRenderer& scene;
   Pictures& pictures;
   ItemPlaces& places;
-  std::vector<Rect>& repainted;  ///< where textures on the screen hold another picture than before
+  std::vector<Rect>& repainted;  ///< where textures on the screen changed
 
   [[nodiscard]] float px(float units) const { return theme.px(units); }
   [[nodiscard]] scan::ScanPhase phase() const {
@@ -42,17 +41,17 @@ struct PanelContext {
   }
 };
 
-/// Which plates lie over which: fixed parts below, what lies over the scene above, a dialog on top.
+/// Order of plates: fixed parts at the bottom, overlays of the scene above, a dialog on top.
 enum class Layer { kFixed, kOver, kDialog };
 
-/// How a plate looks. A transparent one shows nothing, but the pointer stops there.
+/// The look of a plate. A transparent one is invisible but takes clicks.
 struct PlateLook {
   Layer layer = Layer::kFixed;
   Color color = kPanel;
   float rounding_px = 0.0F;
 };
 
-/// A window of Dear ImGui without decoration while it lives: a plate at a fixed place.
+/// While it exists, a window of Dear ImGui without decoration at a fixed place.
 class Plate {
  public:
   Plate(const char* id, const Rect& box, const PlateLook& look = {});
@@ -61,7 +60,7 @@ class Plate {
   Plate& operator=(const Plate&) = delete;
 };
 
-/// The plates over the scene: a little of it shines through.
+/// For plates over the scene: slightly transparent.
 [[nodiscard]] PlateLook overlay(const Theme& theme);
 
 /// A camera image in a box, see widgets/camera_image.h.
@@ -69,16 +68,16 @@ class Plate {
 Rect show_camera_image(const PanelContext& context, const Rect& box, const CameraPicture& picture,
                        const char* missing_text);
 
-/// How a button of an action is to look; the rest is taken from the key map and from how it stands.
+/// The look of an action's button; the rest comes from the table of actions.
 struct ActionLook {
   const char* icon = nullptr;
-  const char* label = nullptr;  ///< null: the name in the key map
+  const char* label = nullptr;  ///< null: the name in the table of actions
   bool is_main = false;
   Color color = kNeutral;
   bool shows_key = true;
 };
 
-/// Buttons that do what the key of the action does.
+/// Buttons that do the same as the key of the action.
 void large_action(const PanelContext& context, const Rect& box, Action action,
                   const ActionLook& look);
 void small_action(const PanelContext& context, const Rect& box, Action action,

@@ -16,20 +16,20 @@ void draw_scene_panel(const PanelContext& context);
 /// Lengths beside the measured distances, in the window of the scene.
 void draw_distance_labels(const PanelContext& context);
 
-// What lies over the scene, each where it has something to say.
+// Overlays of the scene; each is drawn only when it has something to show.
 void draw_status_banner(const PanelContext& context);
 void draw_look_panel(const PanelContext& context);
-/// Where the look panel has the colors and what they mean, and the sides to look from.
+/// The two parts of the look panel: colors with legend, and sides to look from.
 [[nodiscard]] Rect colors_box(const PanelContext& context);
 [[nodiscard]] Rect sides_box(const PanelContext& context);
 void draw_findings_panel(const PanelContext& context);
-/// Where the findings are listed; none while there are none.
+/// None while there are no findings.
 [[nodiscard]] std::optional<Rect> findings_box(const PanelContext& context);
 void draw_tool_strip(const PanelContext& context);
 void draw_finishing_card(const PanelContext& context);
 void draw_toasts(const PanelContext& context);
 
-/// In continuation the side panel shows where to go instead.
+/// After a loss, the side panel shows where to resume instead.
 void draw_continuation(const PanelContext& context, const Rect& box);
 
 // Dialogs, while they are open.

@@ -1,5 +1,5 @@
-/// @file  The scene's picture in a frame of Dear ImGui: copied, as a textured rectangle costs a
-/// processor that draws several times as much.
+/// @file  Shows the picture of the scene in a frame of Dear ImGui. It is copied: without a graphics
+/// card, a textured rectangle takes several times as long.
 #pragma once
 
 #include "ui/gpu/texture.h"
@@ -7,7 +7,7 @@
 
 namespace flytri::ui {
 
-/// Must stay where it is until the frame is drawn.
+/// Must not be moved in memory until the frame is drawn.
 class SceneImage {
  public:
   /// @param picture  must live until the frame is drawn

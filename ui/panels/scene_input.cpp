@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kWheelZoom = 1.12;
 constexpr double kWheelBrush = 1.12;
-/// A stroke takes a new dab when the pointer has gone this far, by the brush's radius.
+/// A stroke adds a dab when the pointer has moved by this share of the brush's radius.
 constexpr float kDabStep = 0.4F;
 
 bool steers_by_pointer(const PanelContext& context) {
@@ -23,7 +23,7 @@ Vec2 pointer_px(const PanelContext& context) {
           static_cast<double>(at.y - context.layout.picture.y)};
 }
 
-/// Looks up the surface under the pointer for the tool in hand.
+/// Finds the surface under the pointer for the chosen tool.
 void find_under_pointer(const PanelContext& context) {
   BrushState& brush = context.state.brush;
   brush.under_pointer.reset();
@@ -45,7 +45,7 @@ void add_dab(BrushState& brush) {
   if (is_far) brush.stroke.push_back(dab);
 }
 
-/// The stroke is one edit, made when the button is let go.
+/// A stroke becomes one edit when the button is released.
 void paint(const PanelContext& context) {
   BrushState& brush = context.state.brush;
   const bool is_down = ImGui::IsItemActive() && ImGui::IsMouseDown(0);
@@ -75,7 +75,7 @@ void point_hand(const PanelContext& context) {
   context.commands.emplace_back(PointHand{ray.origin(), ray.direction()});
 }
 
-/// What the left button is not used for, it turns; the right one always does.
+/// The right button turns the view; so does the left one, if no tool uses it.
 void turn(const PanelContext& context, bool left_is_free) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsItemActive() || (io.MouseDelta.x == 0.0F && io.MouseDelta.y == 0.0F)) return;

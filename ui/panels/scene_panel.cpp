@@ -8,8 +8,8 @@
 namespace flytri::ui {
 namespace {
 
-/// Where the scene's picture is another one than before, in the window.
-void tell_repainted(const PanelContext& context) {
+/// Reports the part of the window in which the scene changed.
+void add_repainted(const PanelContext& context) {
   const PixelBox& part = context.scene.repainted_px();
   if (part.isEmpty()) return;
   const Rect& picture = context.layout.picture;
@@ -31,7 +31,7 @@ void draw_scene_panel(const PanelContext& context) {
                  ImGuiButtonFlags_MouseButtonMiddle);
   handle_scene_input(context);
   draw_scene(context);
-  tell_repainted(context);
+  add_repainted(context);
   context.pictures.scene.add(context.scene.picture(), picture);
   draw_distance_labels(context);
 }

@@ -49,18 +49,17 @@ void add_phase(const PanelContext& context, SceneContent& content) {
   }
 }
 
-void add_surface(const scan::ScanSnapshot& scan, SceneContent& content) {
+void add_surface(const PanelContext& context, SceneContent& content) {
+  const scan::ScanSnapshot& scan = *context.view.scan;
   content.model = &scan.model;
   if (scan.phase == scan::ScanPhase::kFinished && scan.result != nullptr) {
     content.mesh = &scan.result->model;
-    // Results are immutable: another one is another object, alive as long as it shows.
-    content.mesh_number =
-        static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(scan.result.get()));
+    content.mesh_number = context.state.result_number.of(scan.result);
     content.rim_mesh = &scan.result->surface.mesh;
   }
 }
 
-/// Holes show where they are looked for: in the colors of coverage, or when one is selected.
+/// Holes are drawn in the colors of coverage, or when one is selected.
 void add_holes(const PanelContext& context, SceneContent& content) {
   const std::vector<meshing::BoundaryLoop>& holes = context.view.scan->holes;
   auto& selected = context.state.selected_hole;
@@ -71,7 +70,7 @@ void add_holes(const PanelContext& context, SceneContent& content) {
   if (selected || context.state.color_mode == ColorMode::kCoverage) content.holes = &holes;
 }
 
-/// An unlocking stroke frees what it reaches.
+/// An unlocking stroke removes the locked dabs that it touches.
 void free_locked(const editing::Edit& unlocking, std::vector<editing::BrushDab>& locked) {
   std::erase_if(locked, [&](const editing::BrushDab& dab) {
     return std::any_of(unlocking.dabs.begin(), unlocking.dabs.end(),
@@ -107,7 +106,7 @@ void add_tools(const PanelContext& context, SceneContent& content) {
 SceneContent content_of(const PanelContext& context) {
   SceneContent content;
   if (context.view.scan != nullptr) {
-    add_surface(*context.view.scan, content);
+    add_surface(context, content);
     add_phase(context, content);
     add_holes(context, content);
     add_locked(*context.view.scan, content);
@@ -128,14 +127,14 @@ SceneOptions options_of(const PanelContext& context) {
 }  // namespace
 
 double max_sigma_mm(const AppView& view) {
-  // 30 um of 20 mm, as the intra-oral sensor has it.
+  // 30 µm of 20 mm, as the intra-oral sensor has it.
   constexpr double kShareOfWidth = 0.0015;
   return kShareOfWidth * view.volume_mm.x();
 }
 
 void draw_scene(const PanelContext& context) {
   CameraState& camera = context.state.view;
-  move_by_itself(context.view, context.scene.model_box_mm(), camera);
+  move_automatically(context.view, context.scene.model_box_mm(), camera);
   camera.camera.advance(context.state.frame_s);
   context.scene.draw(content_of(context), options_of(context), camera.camera, camera.picture,
                      context.view.now_s);

@@ -1,15 +1,15 @@
-/// @file  What of the view and the window's state the scene shows, and how.
+/// @file  Translates the view and the window's state to the content of the scene.
 #pragma once
 
 #include "ui/panels/panel.h"
 
 namespace flytri::ui {
 
-/// Moves the camera by what happens in the scan, then brings the renderer's picture up to date.
+/// Moves the camera as the scan requires, then updates the picture of the scene.
 void draw_scene(const PanelContext& context);
 
-/// End of the color scale of uncertainty: about the noise of a single point, which goes with the
-/// size of the sensor's volume.
+/// End of the color scale of uncertainty: about the noise of a single point, which is proportional
+/// to the size of the measurement volume.
 [[nodiscard]] double max_sigma_mm(const AppView& view);
 
 }  // namespace flytri::ui

@@ -1,4 +1,4 @@
-/// @file  Size of everything, sound, and the way to the devices.
+/// @file  Interface size, sound, and buttons to the devices and the calibration.
 #include <fmt/format.h>
 
 #include "ui/panels/dialog.h"
@@ -20,14 +20,14 @@ void draw_size(const PanelContext& context, Rect row) {
             fmt::format("{:.0f} %", 100.0 * context.view.settings.user_scale));
   small_action(context, row.take_right(side, context.px(kGapM)), Action::kSmaller,
                {nullptr, "\u2212", false, kNeutral, false});
-  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Size of everything");
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Interface size");
 }
 
 void draw_sound(const PanelContext& context, Rect row) {
   const bool is_muted = context.view.settings.is_muted;
   small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
                Action::kMute, {is_muted ? icon::kMuted : icon::kSound, is_muted ? "Muted" : "On"});
-  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Sound of loss and return");
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Tracking sounds");
 }
 
 void draw_devices(const PanelContext& context, Rect row) {
@@ -39,7 +39,7 @@ void draw_devices(const PanelContext& context, Rect row) {
 void draw_calibration(const PanelContext& context, Rect row) {
   small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
                Action::kCalibration, {icon::kTarget, "Show"});
-  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Calibration of the sensor");
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Sensor calibration");
 }
 
 }  // namespace

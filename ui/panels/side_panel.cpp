@@ -1,4 +1,4 @@
-/// @file  The panel at the right: what the camera sees, how far the sensor is, how well views fit.
+/// @file  The panel at the right: live image, distance of the sensor, alignment error.
 #include <fmt/format.h>
 
 #include "ui/panels/panels.h"
@@ -26,7 +26,7 @@ const char* missing_text(const AppView& view) {
   return view.source.is_lost ? "no sensor" : "no image yet";
 }
 
-/// Dragging in the live image moves the simulated sensor with it; the wheel, nearer and farther.
+/// Dragging the live image moves the simulated sensor; the wheel moves it closer or away.
 void steer(const PanelContext& context, const Rect& image) {
   const auto& hand = context.view.source.hand;
   if (!hand || hand->follows_path) return;
@@ -60,21 +60,21 @@ void draw_source(const PanelContext& context, const Rect& row) {
   draw_text(rest, {theme.fonts.small, kTextQuiet, Align::kLeft}, source.name);
 }
 
-/// The simulated sensor can be taken in one's own hand, and away.
+/// Buttons of the simulated sensor: move it by hand, lift it.
 void draw_hand(const PanelContext& context, Rect row) {
   const float width = (row.width - context.px(kGapS)) / 2.0F;
   const bool is_away = context.view.source.hand->is_taken_away;
   small_action(context, row.take_left(width, context.px(kGapS)), Action::kHandMode,
                {nullptr, "By hand"});
-  small_action(context, row, Action::kTakeAway,
-               {nullptr, is_away ? "Put back" : "Take away", false, kCaution});
+  small_action(context, row, Action::kLiftSensor,
+               {nullptr, is_away ? "Return sensor" : "Lift sensor", false, kCaution});
 }
 
 void draw_figures(const PanelContext& context, Rect rest) {
   const auto& scan = context.view.scan;
   const float row = context.px(24.0F);
   const bool has_residual = scan != nullptr && scan->residual_mm.has_value();
-  labeled_value(context.theme, rest.take_top(row), "Views fit within",
+  labeled_value(context.theme, rest.take_top(row), "Alignment error",
                 has_residual ? length_text(*scan->residual_mm) : "\u2013");
   const bool is_known = scan != nullptr && scan->latency.count > 0;
   labeled_value(context.theme, rest.take_top(row), "Delay",
@@ -85,7 +85,7 @@ void draw_preview(const PanelContext& context, Rect rest) {
   if (rest.height < context.px(96.0F)) return;
   const Theme& theme = context.theme;
   draw_text(rest.take_top(context.px(kSideCaption), context.px(kGapXs)),
-            {theme.fonts.small, kTextQuiet, Align::kLeft}, "Last two views in the sensor's volume");
+            {theme.fonts.small, kTextQuiet, Align::kLeft}, "Latest lines");
   std::array<std::shared_ptr<const View>, 2> views;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const auto& frame = context.view.scan == nullptr ? nullptr : context.view.scan->latest[i];

@@ -8,7 +8,7 @@ namespace {
 Status waiting_status(const AppView& view) {
   const bool is_new = view.scan == nullptr || surfel_count(view.scan->model) == 0;
   if (is_new) return {kNeutral, icon::kInformation, "Ready", "Press Scan to start"};
-  return {kNeutral, icon::kPause, "Paused", "Scan goes on, Finish makes the model"};
+  return {kNeutral, icon::kPause, "Paused", "Resume scanning, or finish the model"};
 }
 
 Status scanning_status(const AppView& view) {
@@ -16,7 +16,7 @@ Status scanning_status(const AppView& view) {
     case scan::ScanPhase::kMeasurement:
       return {kGood, icon::kScan, "Scanning", ""};
     case scan::ScanPhase::kContinuation:
-      return {kBad, icon::kWarning, "Lost", "Go back to the marked place"};
+      return {kBad, icon::kWarning, "Tracking lost", "Return to the marked area"};
     default:
       return {kNeutral, icon::kDevice, "Preview", "Hold the sensor over the teeth"};
   }
@@ -26,14 +26,14 @@ Status scanning_status(const AppView& view) {
 
 Status status_of(const AppView& view) {
   if (view.scan != nullptr && view.scan->phase == scan::ScanPhase::kFinishing) {
-    return {kCaution, icon::kResume, "Finishing", "The sensor can be put away"};
+    return {kCaution, icon::kResume, "Processing", "Keep the sensor ready"};
   }
   if (view.source.is_lost) return {kBad, icon::kWarning, "No sensor", view.source.message};
   if (view.scan != nullptr && view.scan->phase == scan::ScanPhase::kFinished) {
-    return {kGood, icon::kSaved, "Finished", "Export it, or go on scanning"};
+    return {kGood, icon::kSaved, "Finished", "Export the model, or resume scanning"};
   }
   if (view.scan == nullptr && view.is_scanning) {
-    return {kNeutral, icon::kInformation, "One moment", "The sensor is getting ready"};
+    return {kNeutral, icon::kInformation, "Starting", "The sensor is getting ready"};
   }
   if (view.scan == nullptr || !view.is_scanning) return waiting_status(view);
   return scanning_status(view);

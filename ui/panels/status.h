@@ -1,4 +1,4 @@
-/// @file  What is the matter, in one color, a few words and what to do: readable from two meters.
+/// @file  The status of the scan: a color, a few words, and what to do. Readable from two meters.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// @file  What is the matter, in large letters at the top of the colored frame.
+/// @file  The status of the scan, in large letters at the top of the colored frame.
 #include <cmath>
 
 #include "ui/panels/panels.h"
@@ -30,7 +30,7 @@ void draw_status_banner(const PanelContext& context) {
             status.icon);
   const float word = text_width(theme.fonts.status, status.text) + 1.0F;
   draw_text(row.take_left(word, hint_gap), {theme.fonts.status, kTextOnColor}, status.text);
-  // Messages of devices can be long.
+  // Messages of devices may be long.
   draw_fitted(row, {theme.fonts.title, theme.fonts.strong, theme.fonts.small}, kTextOnColor,
               status.hint);
 }

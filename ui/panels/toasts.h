@@ -6,10 +6,10 @@
 
 namespace flytri::ui {
 
-/// The graver, the longer.
+/// Longer for graver messages.
 [[nodiscard]] double toast_duration_s(Severity severity);
 
-/// Takes new notices in, lets old ones go; only the latest few stay.
+/// Adds new notices and removes old ones; only the latest few stay.
 void update_toasts(const AppView& view, WindowState& state);
 
 }  // namespace flytri::ui

@@ -1,4 +1,4 @@
-/// @file  What the tool in hand does, and the size of its brush.
+/// @file  How to use the chosen tool, and the size of its brush.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,11 +16,11 @@ constexpr float kToolButton = 44.0F;
 const char* instruction(const WindowState& state) {
   switch (state.tool) {
     case Tool::kTrim:
-      return "Paint over what is to go";
+      return "Paint to remove";
     case Tool::kLock:
-      return "Paint over what is to stay";
+      return "Paint to lock";
     case Tool::kUnlock:
-      return "Paint over what may change";
+      return "Paint to unlock";
     case Tool::kMeasure:
       return state.measured_from_mm ? "Click the second point" : "Click the first point";
     case Tool::kNone:
@@ -29,7 +29,7 @@ const char* instruction(const WindowState& state) {
   return "";
 }
 
-/// In two lines where there is no room for one.
+/// In two lines where one is too long.
 void draw_instruction(const PanelContext& context, const Rect& box, const char* text) {
   ImFont* font = context.theme.fonts.body;
   const float height = wrapped_height(font, box.width, text);
@@ -65,7 +65,7 @@ void draw_tool_strip(const PanelContext& context) {
   const char* text = instruction(context.state);
   const Rect& picture = context.layout.picture;
   const float margin = context.px(kGapM);
-  // To the right of what was found, which stands at the left.
+  // To the right of the findings panel.
   const auto findings = findings_box(context);
   const float left = (findings ? findings->right() : picture.x) + margin;
   const float right = picture.right() - margin;

@@ -1,4 +1,4 @@
-/// @file  The bar at the top: case, stage, time, views kept and lost, coverage, source.
+/// @file  The bar at the top: case, stage, time, views kept and lost, coverage, settings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,14 +18,14 @@ std::string case_title(const CaseState& file) {
 }
 
 std::string case_subtitle(const CaseState& file) {
-  if (file.path.empty()) return "Nothing is kept";
+  if (file.path.empty()) return "Not saved";
   if (file.is_read_only) return "Read-only";
   const char* saved = file.is_saved ? "Saved" : "Saving\u2026";
   if (file.fields.patient_id.empty()) return saved;
   return file.fields.patient_id + " \u00b7 " + saved;
 }
 
-/// Opens the cases; says whose case this is and whether it is kept.
+/// A button that opens the cases; it shows the patient and whether the case is saved.
 void draw_case(const PanelContext& context, const Rect& box) {
   ButtonLook look;
   look.id = "case";
@@ -61,10 +61,10 @@ void draw_stages(const PanelContext& context, Rect row) {
 
 struct Figure {
   const char* label;
-  const char* widest;  ///< of the values that half an hour brings
+  const char* widest;  ///< of the values in half an hour
 };
 constexpr std::array<Figure, 4> kFigures = {
-    {{"Time", "00:00"}, {"Views", "00000"}, {"Lost", "0000"}, {"Covered well", "100 %"}}};
+    {{"Time", "00:00"}, {"Views", "00000"}, {"Lost", "0000"}, {"Well covered", "100 %"}}};
 using FigureValues = std::array<std::string, kFigures.size()>;
 
 FigureValues figure_values(const AppView& view) {
@@ -78,7 +78,7 @@ FigureValues figure_values(const AppView& view) {
           has_surface ? fmt::format("{:.0f} %", 100.0 * scan.good_share) : "\u2013"};
 }
 
-/// What a figure needs, the gap to its neighbors with it: the same whatever its value is now.
+/// Width of a figure and the gap to its neighbors, for its widest value: it never moves.
 float figure_width(const PanelContext& context, const Figure& figure) {
   const Fonts& fonts = context.theme.fonts;
   return std::ceil(std::max(text_width(fonts.small, figure.label),
@@ -106,10 +106,10 @@ void draw_scan_figures(const PanelContext& context, Rect row) {
   }
 }
 
-/// There only where the scan is made with devices; colored when something is wrong with them.
+/// Only with real devices; colored when a device has a problem.
 void draw_devices_button(const PanelContext& context, const Rect& box) {
-  const bool is_wrong = !context.view.devices->problems.empty();
-  small_action(context, box, Action::kDevices, {icon::kDevice, "", is_wrong, kCaution, false});
+  const bool has_problem = !context.view.devices->problems.empty();
+  small_action(context, box, Action::kDevices, {icon::kDevice, "", has_problem, kCaution, false});
 }
 
 void draw_program_buttons(const PanelContext& context, Rect row) {
@@ -136,7 +136,7 @@ void draw_top_bar(const PanelContext& context) {
   const float gap = context.px(kGapM);
   draw_program_buttons(context, row.take_right(program_buttons_width(context, row.height), gap));
   const float stages = context.px(312.0F);
-  // A long name can be cut short, a figure cannot: where there is little room, the case gives way.
+  // A long name may be cut, a figure may not: the case gets what is left.
   const float others = stages + figures_width(context) + 2.0F * gap;
   draw_case(context, row.take_left(std::clamp(row.width - others, 0.0F, context.px(232.0F)), gap));
   draw_stages(context, row.take_left(stages, gap).inset(0.0F, context.px(2.0F)));

@@ -1,4 +1,4 @@
-/// @file  Hands the coloring of the surface to the shaders.
+/// @file  Passes the coloring of the surface to the shaders.
 #pragma once
 
 #include "ui/gpu/shader_program.h"
@@ -9,7 +9,7 @@ namespace flytri::ui {
 /// Sets the uniforms of assets/shaders/coloring.glsl. The program must be in use.
 void set_coloring(const ShaderProgram& program, const SceneOptions& options);
 
-/// Whether a model's picture is the same under both.
+/// True if both options give the same picture of a model.
 [[nodiscard]] bool look_same(const SceneOptions& a, const SceneOptions& b);
 
 [[nodiscard]] Eigen::Vector3f rgb_of(const Color& color);

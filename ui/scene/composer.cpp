@@ -9,11 +9,11 @@ namespace flytri::ui {
 
 namespace {
 
-/// How far around a pixel grooves are looked for.
+/// Radius of the search for grooves around a pixel.
 float groove_reach_px(const Eye& eye) { return 0.009F * static_cast<float>(eye.size.height_px); }
 
-/// Half the width of gaps between splats that are closed: well below a splat's radius, so that
-/// nothing is closed that a surfel could lie in.
+/// Half the width of the gaps between splats that are closed: well below the radius of a splat, so
+/// that real gaps stay.
 float gap_px(const Eye& eye, float splat_radius_mm) {
   constexpr double kOfRadius = 0.4;
   constexpr double kWidest_px = 6.0;
@@ -21,7 +21,7 @@ float gap_px(const Eye& eye, float splat_radius_mm) {
   return static_cast<float>(std::clamp(std::round(kOfRadius * radius_px), 1.0, kWidest_px));
 }
 
-/// The mean radius creeps while the model grows: that is no reason to compose all of it anew.
+/// The mean radius changes slowly while the model grows: small changes do not redraw everything.
 bool look_same(const Backdrop& a, const Backdrop& b) {
   constexpr float kCreep = 0.15F;
   return a.is_dimmed == b.is_dimmed && a.top == b.top && a.bottom == b.bottom &&
@@ -33,13 +33,13 @@ PixelBox widened(const PixelBox& box, int margin_px) {
   return {box.min() - margin, box.max() + margin};
 }
 
-/// What changed shows in the grooves around it as well.
+/// A change also affects the grooves around it.
 PixelBox with_grooves(const PixelBox& changed_px, const Eye& eye) {
   if (changed_px.isEmpty()) return changed_px;
   return widened(changed_px, static_cast<int>(std::ceil(groove_reach_px(eye))) + 1);
 }
 
-/// The pixels that lines may touch.
+/// The pixels that the lines may cover.
 PixelBox pixels_of(const std::vector<OverlayLine>& lines, const Eye& eye) {
   PixelBox pixels;
   for (const OverlayLine& line : lines) {
@@ -53,7 +53,7 @@ PixelBox pixels_of(const std::vector<OverlayLine>& lines, const Eye& eye) {
   return pixels.intersection(whole_picture(eye.size));
 }
 
-/// Nothing is drawn outside of a part of the picture while it lives.
+/// While it exists, drawing is limited to a part of the picture.
 class ScissorTo {
  public:
   explicit ScissorTo(const PixelBox& part) {
@@ -111,7 +111,7 @@ PixelBox Composer::compose(const PictureTarget& model, const PixelBox& changed_p
 
 void Composer::compose_surface(const PictureTarget& model, const PixelBox& part, const Eye& eye) {
   constexpr float kDimming = 0.62F;
-  /// Grooves that are deepened, as a share of the picture's height.
+  /// Size of darkened grooves, as a share of the picture's height.
   constexpr double kGroove = 0.006;
   onto_surface_.bind();
   glDisable(GL_DEPTH_TEST);
@@ -138,7 +138,7 @@ void Composer::compose_surface(const PictureTarget& model, const PixelBox& part,
 void Composer::add_lines(const PictureTarget& model, const PixelBox& part, const Eye& eye) {
   onto_picture_.copy_color(onto_surface_, part);
   if (lines_.empty()) return;
-  // The lines are tested against the model's own depth.
+  // Lines are compared with the depth of the model.
   const Framebuffer onto = Framebuffer::make(picture_, model.depth);
   onto.bind();
   const ScissorTo scissor(part);

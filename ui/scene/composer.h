@@ -1,4 +1,4 @@
-/// @file  The model's picture, the background and the lines over it become the scene's picture.
+/// @file  Combines the picture of the model, the background and the lines.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace flytri::ui {
 
-/// How the model is laid over the background.
+/// How the model is combined with the background.
 struct Backdrop {
-  bool is_dimmed = false;        ///< the model stands back
-  float splat_radius_mm = 0.0F;  ///< a splat has one depth all over; 0 for a mesh
+  bool is_dimmed = false;        ///< the model is drawn darker
+  float splat_radius_mm = 0.0F;  ///< a splat has a single depth; 0 for a mesh
   Color top;
   Color bottom;
 };
@@ -22,8 +22,8 @@ class Composer {
   /// @errors  those of ShaderProgram::load.
   [[nodiscard]] static Result<Composer> create();
 
-  /// @param changed_px  where the model's picture is another one than before
-  /// @return  where the composed picture is
+  /// @param changed_px  where the picture of the model changed
+  /// @return  where the combined picture changed
   PixelBox compose(const PictureTarget& model, const PixelBox& changed_px,
                    const std::vector<OverlayLine>& lines, const Eye& eye, const Backdrop& backdrop);
   [[nodiscard]] const Framebuffer& picture() const { return onto_picture_; }
@@ -37,7 +37,7 @@ class Composer {
   ShaderProgram program_;
   LinePainter painter_;
   VertexArray no_vertices_;
-  Texture surface_;  ///< without the lines: kept, as they often change and it does not
+  Texture surface_;  ///< without lines, which change more often
   Texture picture_;  ///< with them
   Framebuffer onto_surface_, onto_picture_;
   Backdrop backdrop_;  ///< of the surface

@@ -8,7 +8,7 @@
 namespace flytri::ui {
 namespace {
 
-/// Pixels to each side that the plane is laid through.
+/// Half the size, px, of the window to which the plane is fitted.
 constexpr int kReachPx = 5;
 
 /// Depths of a window of the picture, rows from the bottom.
@@ -32,7 +32,7 @@ DepthWindow read_window(const PictureTarget& picture, const PictureSize& size, i
   return window;
 }
 
-/// The unit normal of the plane nearest to the places, towards the eye.
+/// The unit normal of the best-fitting plane, towards the eye.
 Vec3 plane_normal(const std::vector<Vec3>& places, const Vec3& towards_eye) {
   if (places.size() < 3) return towards_eye;
   Vec3 mean = Vec3::Zero();
@@ -59,7 +59,7 @@ std::optional<Pick> pick_from_depth(const PictureTarget& picture, const Eye& eye
   };
   const float middle = depth_at(column, row_up);
   if (middle >= 1.0F) return std::nullopt;
-  // Farther in depth than this across the window there is an edge between.
+  // A larger difference in depth means an edge between.
   const double mm_per_px = eye.height_mm / eye.size.height_px;
   const double max_step = 4.0 * kReachPx * mm_per_px * 0.5 * eye.depth_per_mm();
   std::vector<Vec3> places;

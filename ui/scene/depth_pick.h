@@ -1,4 +1,4 @@
-/// @file  Which place of the surface lies under a pixel, from the picture's depth.
+/// @file  Finds the surface point under a pixel from the depth of the picture.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace flytri::ui {
 
-/// The normal is that of the plane through the places of the pixels around that lie about as deep.
+/// The normal is that of a plane fitted to the neighboring pixels of similar depth.
 [[nodiscard]] std::optional<Pick> pick_from_depth(const PictureTarget& picture, const Eye& eye,
                                                   double x_px, double y_px);
 

@@ -6,12 +6,12 @@
 namespace flytri::ui {
 namespace {
 
-/// Never fewer: the shape would be lost. And little time would be won: what is left is the cost of
-/// filling the picture, which fewer, larger disks do not lower.
+/// Fewer surfels would lose the shape and save little time, as the larger disks fill as many
+/// pixels.
 constexpr std::size_t kFewest = 50'000;
-/// Pieces smaller than these tell about the fixed cost of a piece, not about surfels.
+/// Smaller pieces measure the fixed cost of drawing, not that of surfels.
 constexpr std::size_t kTelling = 5'000;
-/// Before the first measurement: what two cores without a graphics card reach.
+/// Assumed before the first measurement: two cores without a graphics card.
 constexpr double kFirstMsPerSurfel = 4e-4;
 
 }  // namespace
@@ -33,7 +33,7 @@ double DetailGovernor::share_for(std::size_t visible, double aim_ms) {
   if (visible == 0) return share_ = 1.0;
   const std::size_t afforded = std::max(kFewest, affordable(aim_ms));
   const double wanted = std::min(1.0, static_cast<double>(afforded) / static_cast<double>(visible));
-  // A third less or a tenth more time than aimed at is let pass.
+  // Tolerates a third less and a tenth more time than aimed at.
   if (share_ > 1.1 * wanted || share_ < 0.67 * wanted) share_ = wanted;
   return share_;
 }

@@ -1,4 +1,4 @@
-/// @file  Decides how many surfels a picture can afford, from what the last ones took.
+/// @file  Decides how many surfels to draw, from the time that the last pictures took.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@ namespace flytri::ui {
 
 class DetailGovernor {
  public:
-  /// What a picture of `surfels` took.
+  /// Records that a picture of `surfels` took `ms`.
   void learn(std::size_t surfels, double ms);
-  /// How many of `visible` surfels a picture may draw within `aim_ms`: 0 < share <= 1. It stays as
-  /// it is while the time is near the aim, as a model that changes its grain flickers.
+  /// The share of `visible` surfels that can be drawn within `aim_ms`: 0 < share <= 1. Small
+  /// differences in time do not change it, as a model of changing detail flickers.
   [[nodiscard]] double share_for(std::size_t visible, double aim_ms);
   /// How many surfels can be drawn within `aim_ms`.
   [[nodiscard]] std::size_t affordable(double aim_ms) const;

@@ -6,8 +6,8 @@
 namespace flytri::ui {
 namespace {
 
-/// Distance from the target that holds the box, rounded up to a step: a model that grows by little
-/// is seen through the same planes.
+/// Distance from the target that encloses the box, rounded up to a step, so that it does not change
+/// while the model grows a little.
 double reach_mm(const OrbitCamera& camera, const Eigen::AlignedBox3d& box_mm) {
   constexpr double kStep = 1.5;
   const Vec3& target = camera.pose().target_mm;
@@ -65,7 +65,7 @@ PixelBox Eye::pixels_of(const Eigen::AlignedBox3f& box_mm) const {
     const Eigen::Vector4f clip = P * corner.homogeneous();
     if (clip.w() <= 0.0F) return whole_picture(size);  // reaches behind the eye
     const Eigen::Array2f share = 0.5F + 0.5F * (clip.head<2>() / clip.w()).array();
-    // Beyond twice the picture it does not matter how far.
+    // Limited to twice the picture.
     const Eigen::Array2f px = share.max(-1.0F).min(2.0F) * size_px().array();
     pixels.extend(px.floor().cast<int>().matrix().eval());
   }
@@ -74,7 +74,7 @@ PixelBox Eye::pixels_of(const Eigen::AlignedBox3f& box_mm) const {
 
 Eye make_eye(const OrbitCamera& camera, const PictureSize& size,
              const Eigen::AlignedBox3d& box_mm) {
-  /// The nearest that the near plane comes, as a share of the distance to the target.
+  /// Smallest distance of the near plane, as a share of the distance to the target.
   constexpr double kNearest = 0.05;
   Eye eye;
   eye.size = size;

@@ -1,4 +1,4 @@
-/// @file  How one picture is seen: what the painters' shaders need of camera and size.
+/// @file  Camera and picture size, as the shaders need them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -28,17 +28,17 @@ struct Eye {
   /// The change of the normalized depth for 1 mm towards the eye, at the target.
   [[nodiscard]] float depth_per_mm() const;
   void set_uniforms(const ShaderProgram& program) const;
-  /// Whether some of a box may be in the picture.
+  /// False only if no part of the box is in the picture.
   [[nodiscard]] bool may_see(const Eigen::AlignedBox3f& box_mm) const;
-  /// The pixels in which a box may be seen.
+  /// The pixels that a box may cover.
   [[nodiscard]] PixelBox pixels_of(const Eigen::AlignedBox3f& box_mm) const;
 };
 
-/// The near and far planes hold `box_mm` with room to grow, so that they seldom change.
+/// The near and far planes enclose `box_mm` with room to grow, so that they rarely change.
 [[nodiscard]] Eye make_eye(const OrbitCamera& camera, const PictureSize& size,
                            const Eigen::AlignedBox3d& box_mm);
 
-/// The place in the world of a pixel (from the upper left) with a depth from the depth buffer.
+/// World point of a pixel (from the upper left) and its value in the depth buffer.
 [[nodiscard]] Vec3 unprojected(const Eye& eye, double x_px, double y_px, double depth);
 
 }  // namespace flytri::ui

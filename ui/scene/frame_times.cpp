@@ -12,11 +12,11 @@ namespace flytri::ui {
 namespace {
 
 constexpr int kFrames = 30;
-/// The first pictures of a kind: memory is taken, the governor finds its share.
+/// Not measured: the first pictures allocate memory and adjust the detail.
 constexpr int kWarmUp = 8;
 constexpr double kFrame_s = 1.0 / 30.0;
 
-/// Times of frames that `prepare` gets ready, each in its turn.
+/// Calls `prepare` before each frame, and measures `draw`.
 FrameTime time_frames(const std::function<void()>& prepare, const std::function<void()>& draw) {
   std::vector<double> times_ms, processor_ms;
   for (int frame = 0; frame < kWarmUp + kFrames; ++frame) {
@@ -35,7 +35,7 @@ FrameTime time_frames(const std::function<void()>& prepare, const std::function<
   return {times_ms[kFrames / 2], times_ms[kFrames * 95 / 100], processor_ms[kFrames / 2]};
 }
 
-/// Replaces the blocks of a model, one after the other, by such whose surfels all look different.
+/// Replaces the blocks of a model, one after the other, by blocks of different surfels.
 class Replacer {
  public:
   explicit Replacer(SurfelModel& model) : model_(model) {}

@@ -7,13 +7,13 @@
 namespace flytri::ui {
 namespace {
 
-/// One of a line's four corners; all four hold the whole line.
+/// One of the four corners of a line; each holds the whole line.
 struct LineCorner {
   Vec3f from_mm;
   float width_px;
   Vec3f to_mm;
   std::array<std::uint8_t, 4> color;
-  std::array<std::int8_t, 4> corner;  ///< along, across; two to fill up
+  std::array<std::int8_t, 4> corner;  ///< along, across; the others are padding
 };
 
 std::array<std::uint8_t, 4> bytes_of(const Color& color) {
@@ -74,7 +74,7 @@ LinePainter::LinePainter(ShaderProgram program)
 }
 
 void LinePainter::paint(const std::vector<OverlayLine>& lines, const Eye& eye) {
-  /// Lines on the surface come before it by this share of the picture's height.
+  /// Lines on the surface are drawn in front of it by this share of the picture's height.
   constexpr double kLift = 0.004;
   constexpr float kHiddenOpacity = 0.35F;
   if (lines.empty()) return;

@@ -13,7 +13,7 @@ class LinePainter {
  public:
   /// @errors  those of ShaderProgram::load.
   [[nodiscard]] static Result<LinePainter> create();
-  /// Into the bound framebuffer, against its depth, which stays as it is.
+  /// Draws into the bound framebuffer; tests its depth, but does not change it.
   void paint(const std::vector<OverlayLine>& lines, const Eye& eye);
 
  private:

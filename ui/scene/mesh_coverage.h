@@ -8,8 +8,8 @@
 
 namespace flytri::ui {
 
-/// By vertex: the coverage of the nearest surfel of the scan; thin where none is near, as where a
-/// hole was closed. Without a scan: good everywhere, as nothing is known to be missing.
+/// By vertex: the coverage of the nearest surfel of the scan; thin if none is near, for example in
+/// a closed hole. Without a scan: good everywhere.
 [[nodiscard]] std::vector<Coverage> coverage_of(const TriangleMesh& mesh,
                                                 const SurfelModel& scanned);
 

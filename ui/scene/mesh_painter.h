@@ -24,7 +24,7 @@ class MeshPainter {
   /// @param locked    strokes whose vertices are tinted
   void take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
             const std::vector<editing::BrushDab>& locked);
-  /// Into the bound framebuffer. Triangles seen from behind are left out.
+  /// Draws into the bound framebuffer. Triangles seen from behind are skipped.
   void paint(const Eye& eye, const SceneOptions& options) const;
 
   [[nodiscard]] const Eigen::AlignedBox3d& box_mm() const { return box_mm_; }

@@ -1,4 +1,4 @@
-/// @file  The finished mesh's picture, kept until mesh, eye or colors change.
+/// @file  The picture of the finished mesh, redrawn only if mesh, eye or colors change.
 #pragma once
 
 #include "ui/scene/mesh_painter.h"
@@ -6,22 +6,22 @@
 
 namespace flytri::ui {
 
-/// While the eye moves and the triangles take too long, their vertices are drawn as surfels.
+/// While the eye moves, the vertices are drawn as surfels if the triangles take too long.
 class MeshPicture {
  public:
   MeshPicture(MeshPainter painter, SplatPainter splats)
       : painter_(std::move(painter)), moving_(std::move(splats)) {}
 
-  /// Shows this mesh from now on. Nothing is sent where it is the one already shown.
-  /// @param number   another one for another mesh at the same address
+  /// Shows this mesh. Nothing is sent to the graphics card if it is already shown.
+  /// @param number   changes when the mesh does, even at the same address
   /// @param scanned  what the mesh was made of, for its coverage
   void take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
             const std::vector<editing::BrushDab>& locked);
-  /// @return where the picture is another one than before: all or nothing
+  /// @return  where the picture changed: everywhere or nowhere
   PixelBox update(const Eye& eye, const SceneOptions& options, double now_s);
 
   [[nodiscard]] const PictureTarget& shown() const { return is_coarse_ ? moving_.shown() : still_; }
-  /// Surfels are shown: triangles follow when the eye is still.
+  /// Surfels are shown; triangles replace them when the eye stops.
   [[nodiscard]] bool is_coarse() const { return is_coarse_; }
   /// Of the surfels that are shown; 0 for triangles.
   [[nodiscard]] double splat_radius_mm() const {

@@ -20,7 +20,7 @@ double area_mm2(const TriangleMesh& mesh) {
   return sum_mm2;
 }
 
-/// 0 to count - 1, each order as likely as any other.
+/// 0 to count - 1 in random order.
 std::vector<std::uint32_t> random_order(std::size_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);

@@ -1,4 +1,4 @@
-/// @file  A mesh as surfels: what is drawn of it where its triangles take too long.
+/// @file  Turns a mesh into surfels, which draw faster than its triangles.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace flytri::ui {
 
-/// One surfel a vertex, in blocks, as wide as the vertices' spacing. The same for the same mesh.
-/// @param mesh      with vertex normals; vertices about evenly spread
+/// One surfel per vertex, in blocks, as wide as the spacing of the vertices. Deterministic.
+/// @param mesh      with vertex normals; evenly spaced vertices
 /// @param coverage  by vertex
 [[nodiscard]] SurfelModel surfels_of(const TexturedMesh& mesh,
                                      const std::vector<Coverage>& coverage);

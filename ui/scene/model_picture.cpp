@@ -10,7 +10,7 @@
 namespace flytri::ui {
 namespace {
 
-/// The part of a moving picture's time that the clean picture behind may take of a still one.
+/// Time for the background picture in a still frame, as a share of that of a moving frame.
 constexpr double kBehindShare = 0.5;
 
 std::vector<const StoredBlock*> all_blocks(const SplatStore& store) {
@@ -28,7 +28,7 @@ std::size_t visible_surfels(const std::vector<const StoredBlock*>& blocks, const
   return count;
 }
 
-/// Around a block's disks as they are drawn: wider where only a prefix is.
+/// Box around the disks of a block; wider if only a part of them is drawn.
 Eigen::AlignedBox3f drawn_box(const StoredBlock& stored, double detail_share) {
   if (stored.block->surfels.empty()) return {};
   const float more_mm = static_cast<float>(radius_scale(detail_share) - 1.0) *
@@ -36,8 +36,7 @@ Eigen::AlignedBox3f drawn_box(const StoredBlock& stored, double detail_share) {
   return {stored.box_mm.min().array() - more_mm, stored.box_mm.max().array() + more_mm};
 }
 
-/// Of a block's fresh surfels those that a picture of so much detail shows, by their numbers in the
-/// store.
+/// The changed surfels of a block that a picture of this detail shows, by number in the store.
 void append(const StoredBlock& stored, const FreshBlock& fresh, double detail_share,
             std::vector<std::uint32_t>& surfels) {
   const std::size_t shown = prefix_length(stored.block->surfels.size(), detail_share);
@@ -125,7 +124,8 @@ ModelPicture::Done ModelPicture::draw_fresh(const SplatStore& store, const Store
 }
 
 bool ModelPicture::is_clean_due(const SplatStore& store, double now_s) const {
-  /// Traces of replaced surfels stay for at least a second and take a twentieth of the time.
+  /// Traces of replaced surfels are removed after a second at the earliest, in a twentieth of the
+  /// time.
   constexpr double kShortest_s = 1.0;
   constexpr double kLoad = 0.05;
   if (shown_.detail_share < 1.0 || shown_.has_lost) return true;

@@ -1,4 +1,4 @@
-/// @file  The model's picture, kept: what has not changed is not drawn again.
+/// @file  The picture of the model; only changes are drawn again.
 #pragma once
 
 #include <optional>
@@ -19,17 +19,17 @@ struct PictureTarget {
   void clear() const;
 };
 
-/// Two targets: `shown` is what the user sees. While eye and colors stay, new surfels are drawn
-/// into it and nothing else. Where it is coarse, as the camera moved, or no longer right, as
-/// surfels were replaced, a clean one with all surfels is drawn behind it, some blocks a frame, and
-/// takes its place when it is whole.
+/// Has two targets. The user sees `shown`; while eye and colors do not change, only new surfels are
+/// drawn into it. After the camera moved it is coarse, and after surfels were replaced it is wrong:
+/// then a second target with all surfels is drawn in the background, some blocks per frame, and
+/// replaces the first when it is complete.
 class ModelPicture {
  public:
-  /// What one update did.
+  /// The result of an update.
   struct Done {
     std::size_t drawn = 0;  ///< surfels, in both targets
     bool was_full = false;  ///< drawn from scratch
-    PixelBox changed_px;    ///< where the picture is another one than before
+    PixelBox changed_px;    ///< where the picture changed
   };
 
   explicit ModelPicture(SplatPainter painter) : painter_(std::move(painter)) {}
@@ -40,32 +40,32 @@ class ModelPicture {
               const SceneOptions& options, double now_s);
 
   [[nodiscard]] const PictureTarget& shown() const { return shown_.target; }
-  /// The picture is not yet what it will be.
+  /// A better picture will follow.
   [[nodiscard]] bool is_coarse() const {
     return shown_.detail_share < 1.0 || shown_.replaced > 0 || shown_.has_lost;
   }
   /// Of the surfels in the picture: 1 is full detail.
   [[nodiscard]] double detail_share() const { return shown_.detail_share; }
-  /// What the last update took.
+  /// Duration of the last update.
   [[nodiscard]] double latest_ms() const { return latest_ms_; }
 
  private:
   using Blocks = std::vector<const StoredBlock*>;
-  /// A target and how far it is from what it should show.
+  /// A target, and what it lacks.
   struct Kept {
     PictureTarget target;
     double detail_share = 1.0;
-    std::size_t replaced = 0;  ///< surfels drawn over those that were in their stead
-    bool has_lost = false;     ///< shows surfels that are gone
-    double begun_s = 0.0;      ///< when it was drawn from scratch
-    PixelBox content_px;       ///< around all that was drawn into it
+    std::size_t replaced = 0;  ///< surfels drawn over older ones
+    bool has_lost = false;     ///< shows surfels that were removed
+    double begun_s = 0.0;      ///< when it was last drawn from scratch
+    PixelBox content_px;       ///< around everything drawn into it
   };
 
   Done draw_whole(const SplatStore& store, double now_s);
   Done draw_fresh(const SplatStore& store, const StoreChanges& changes);
   Done draw_behind(const SplatStore& store, std::size_t already_drawn, double now_s);
   [[nodiscard]] bool is_clean_due(const SplatStore& store, double now_s) const;
-  /// The blocks that are next to be drawn behind, as many as a frame affords; moves next_ on.
+  /// The next blocks to draw in the background, as many as time allows; advances next_.
   Blocks next_blocks(const SplatStore& store, std::size_t already_drawn);
   std::size_t paint(Kept& kept, const SplatStore& store, const Blocks& blocks);
   void add(Kept& kept, const SplatStore& store, const std::vector<std::uint32_t>& surfels,

@@ -1,4 +1,4 @@
-/// @file  The eye that looks at the scene: orbits, pans and zooms by pixels, and flies to a pose.
+/// @file  The camera of the scene: orbits, pans and zooms by pixels, and flies to a pose.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 
 namespace flytri::ui {
 
-/// Where the eye stands. The eye frame is OpenGL's: x right, y up, looking along -z.
+/// Pose of the eye. The eye frame is that of OpenGL: x right, y up, looking along -z.
 struct CameraPose {
   Vec3 target_mm = Vec3::Zero();  ///< world: what the middle of the picture shows
   Eigen::Quaterniond q_world_eye = Eigen::Quaterniond::Identity();
@@ -39,29 +39,29 @@ class OrbitCamera {
   explicit OrbitCamera(const CameraOptions& options = {});
 
   [[nodiscard]] const CameraPose& pose() const { return pose_; }
-  /// Goes there at once; a flight ends.
+  /// Moves there at once, and ends a flight.
   void set_pose(const CameraPose& pose);
 
-  /// Turns about the target as if the hand dragged the model; a flight ends.
+  /// Turns about the target, as if the pointer dragged the model. Ends a flight.
   void orbit(double dx_px, double dy_px, const PictureSize& size);
   /// Turns about the line of sight, counter-clockwise in the picture.
   void roll(double angle_rad);
-  /// Moves the target in the plane of the picture: what is under the pointer stays there.
+  /// Moves parallel to the picture: the point under the pointer stays under it.
   void pan(double dx_px, double dy_px, const PictureSize& size);
-  /// `factor` > 1 shows less of the world, larger.
+  /// `factor` > 1 enlarges.
   void zoom(double factor);
-  /// Zooms so that what is under a pixel stays there (pixels from the upper left).
+  /// Zooms; the point under the given pixel (from the upper left) stays there.
   void zoom_at(double factor, double x_px, double y_px, const PictureSize& size);
 
-  /// Starts a flight that ends exactly at `pose` after `duration_s`; 0 goes there at once.
+  /// Starts a flight that ends at `pose` after `duration_s`; 0 moves there at once.
   void fly_to(const CameraPose& pose, double duration_s);
-  /// Goes on with the flight. @return true while the camera moves.
+  /// Continues a flight. @return  true while the camera moves
   bool advance(double dt_s);
-  /// Where the flight ends; where the camera is, if it does not fly.
+  /// The end of the flight, or the current pose.
   [[nodiscard]] const CameraPose& destination() const { return is_flying() ? to_ : pose_; }
   [[nodiscard]] bool is_flying() const { return remaining_s_ > 0.0; }
 
-  /// The pose that shows all points and little else, seen as `q_world_eye` says.
+  /// The pose in the direction of `q_world_eye` that just shows all points.
   /// @param points_mm  world frame, the corners of a box for instance
   [[nodiscard]] CameraPose fitting(std::span<const Vec3> points_mm,
                                    const Eigen::Quaterniond& q_world_eye,
@@ -87,7 +87,7 @@ class OrbitCamera {
 /// Looking through the sensor: the measurement volume fills the picture.
 [[nodiscard]] CameraPose pose_through_sensor(const Isometry& T_world_sensor, const Vec3& volume_mm);
 
-/// From the middle of a surface along its normal, `up` as near to upright as can be.
+/// Looks at a surface point along its normal, with `up` as upright as possible.
 [[nodiscard]] CameraPose pose_facing(const Vec3& point_mm, const Vec3& normal, const Vec3& up,
                                      double height_mm);
 

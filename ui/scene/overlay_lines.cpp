@@ -16,10 +16,10 @@ Color faded(Color color, double opacity) {
   return color;
 }
 
-/// 0..1 and back in about a second: calm, and seen from the corner of the eye.
+/// 0..1 and back in about a second: calm, but visible from the corner of the eye.
 double pulse(double now_s) { return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * now_s / 1.1); }
 
-/// Collects lines of one width scale.
+/// Collects lines; widths are scaled.
 class Pen {
  public:
   explicit Pen(double scale) : scale_(static_cast<float>(scale)) {}
@@ -61,7 +61,7 @@ void add_view(Pen& pen, const View& view, const Isometry& T_world_sensor, double
   }
 }
 
-/// So long in the picture that the pieces of a curved line show no corners.
+/// Short enough that curved lines show no corners.
 double smooth_step_mm(const Eye& eye) {
   constexpr double kStep_px = 6.0;
   return kStep_px * eye.height_mm / eye.size.height_px;
@@ -74,7 +74,7 @@ Vec3 corner(const Isometry& T_world_sensor, const Vec3& volume_mm, int number) {
   return T_world_sensor * volume_mm.cwiseProduct(sign);
 }
 
-/// Where the light comes from, drawn as the tip of the sensor: a volume's depth before it.
+/// The tip of the sensor, one depth of the volume in front of the volume.
 Vec3 tip(const Isometry& T_world_sensor, const Vec3& volume_mm) {
   return T_world_sensor * Vec3(0.0, 0.0, -1.7 * volume_mm.z());
 }
@@ -90,7 +90,7 @@ void add_volume(Pen& pen, const Isometry& T_world_sensor, const Vec3& volume_mm,
   }
 }
 
-void add_sensor(Pen& pen, const SensorGhost& sensor, double now_s) {
+void add_sensor(Pen& pen, const SceneSensor& sensor, double now_s) {
   const double strength = sensor.pulses ? pulse(now_s) : 0.4;
   const Color color = faded(sensor.pulses ? kCaution : kNeutral, 0.35 + 0.65 * strength);
   const double width_px = sensor.pulses ? 2.0 + 2.0 * strength : 1.5;
@@ -169,7 +169,7 @@ std::vector<OverlayLine> overlay_lines(const SceneContent& content, const SceneO
   for (const AlignedView& view : content.highlighted) {
     if (view.view) add_view(pen, *view.view, view.T_world_sensor, 3.0, step_mm);
   }
-  for (const SensorGhost& sensor : content.sensors) add_sensor(pen, sensor, now_s);
+  for (const SceneSensor& sensor : content.sensors) add_sensor(pen, sensor, now_s);
   if (content.preview) add_preview(pen, *content.preview, step_mm);
   add_holes(pen, content);
   for (const MeasuredSegment& segment : content.measurements) add_measurement(pen, segment, eye);
@@ -185,7 +185,7 @@ Eigen::AlignedBox3d overlay_box_mm(const SceneContent& content) {
     }
     box.extend(tip(T_world_sensor, volume_mm));
   };
-  for (const SensorGhost& sensor : content.sensors) extend(sensor.T_world_sensor, sensor.volume_mm);
+  for (const SceneSensor& sensor : content.sensors) extend(sensor.T_world_sensor, sensor.volume_mm);
   if (content.preview) extend(Isometry::Identity(), content.preview->volume_mm);
   return box;
 }

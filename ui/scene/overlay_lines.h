@@ -1,4 +1,4 @@
-/// @file  Everything laid over the model, as thick lines.
+/// @file  Everything drawn over the model, as thick lines.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ struct OverlayLine {
   bool operator==(const OverlayLine&) const = default;
 };
 
-/// Profiles, sensors, rims of holes, measured segments and the brush. Where the model hides them
-/// they shine through faintly.
+/// Profiles, sensors, rims of holes, measured segments and the brush. Parts behind the model are
+/// drawn faintly.
 /// @param now_s  drives what pulses
 [[nodiscard]] std::vector<OverlayLine> overlay_lines(const SceneContent& content,
                                                      const SceneOptions& options, const Eye& eye,
                                                      double now_s);
 
-/// Around all of them that stands apart from the model.
+/// Box around the lines that may lie outside of the model.
 [[nodiscard]] Eigen::AlignedBox3d overlay_box_mm(const SceneContent& content);
 
 }  // namespace flytri::ui

@@ -1,4 +1,4 @@
-/// @file  Hands out parts of a long row of places and takes them back.
+/// @file  Allocates ranges of a long array, and frees them.
 #pragma once
 
 #include <cstddef>
@@ -7,18 +7,18 @@
 
 namespace flytri::ui {
 
-/// A run of places.
+/// Consecutive places.
 struct PlaceRange {
   std::size_t first = 0;
   std::size_t count = 0;
 };
 
-/// First fit; neighbors that are free become one.
+/// First fit; adjacent free ranges are merged.
 class RangeAllocator {
  public:
   /// Adds places at the end.
   void grow_to(std::size_t capacity);
-  /// Empty where no free run is long enough.
+  /// Empty if no free range is long enough.
   [[nodiscard]] std::optional<PlaceRange> take(std::size_t count);
   /// `range` must have been taken.
   void give_back(const PlaceRange& range);

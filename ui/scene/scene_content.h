@@ -1,4 +1,4 @@
-/// @file  What the scene shows: the model and all that is laid over it.
+/// @file  Content of the scene: the model and everything drawn over it.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace flytri::ui {
 
-/// A sensor in the scene: its measurement volume with the head behind it.
-struct SensorGhost {
+/// A sensor in the scene, drawn as its measurement volume and its head.
+struct SceneSensor {
   Isometry T_world_sensor = Isometry::Identity();
   Vec3 volume_mm = Vec3(20, 15, 15);
-  bool pulses = false;  ///< where the hand is asked to go
+  bool pulses = false;  ///< marks the place to resume at
 };
 
-/// The last views of both patterns, in the frame of the measurement volume, which stands still.
+/// The latest views of both patterns, in the frame of the sensor.
 struct PreviewContent {
   std::array<std::shared_ptr<const View>, 2> views;  ///< by Pattern; null where there is none yet
   Vec3 volume_mm = Vec3(20, 15, 15);
@@ -40,21 +40,21 @@ struct BrushCursor {
   editing::EditKind kind = editing::EditKind::kTrim;
 };
 
-/// Everything is read during draw() alone; what it points to must live as long.
+/// Pointers are used only during draw().
 struct SceneContent {
   const SurfelModel* model = nullptr;
-  const TexturedMesh* mesh = nullptr;  ///< replaces the model where it is set; its coverage is the
-                                       ///< model's
-  std::uint64_t mesh_number = 0;       ///< another number for another mesh at the same address
-  bool is_dimmed = false;              ///< the model is frozen: it stands back
+  const TexturedMesh* mesh = nullptr;  ///< if set, shown instead of the model; its coverage is
+                                       ///< that of the model
+  std::uint64_t mesh_number = 0;       ///< changes when the mesh does, even at the same address
+  bool is_dimmed = false;              ///< the model is frozen, and drawn darker
 
   std::vector<AlignedView> highlighted;  ///< drawn as bright profiles on the model
-  std::vector<SensorGhost> sensors;
+  std::vector<SceneSensor> sensors;
   std::optional<PreviewContent> preview;
 
   const std::vector<meshing::BoundaryLoop>* holes = nullptr;  ///< the outer border is not drawn
-  const TriangleMesh* rim_mesh = nullptr;  ///< whose vertices the holes name; without, a hole is a
-                                           ///< circle of its perimeter
+  const TriangleMesh* rim_mesh = nullptr;  ///< the holes refer to its vertices; without it, a hole
+                                           ///< is drawn as a circle of its perimeter
   std::optional<std::size_t> selected_hole;
 
   std::vector<MeasuredSegment> measurements;

@@ -7,8 +7,8 @@
 namespace flytri::ui {
 
 enum class ColorMode {
-  kShading,     ///< plaster: the shape alone
-  kTexture,     ///< what the texture camera saw, laid over the plaster
+  kShading,     ///< like plaster: only the shape
+  kTexture,     ///< the image of the texture camera over the plaster
   kCoverage,    ///< thin or good
   kUncertainty  ///< standard uncertainty along the normal, from dark blue (0) to yellow
 };
@@ -22,9 +22,9 @@ struct SceneOptions {
   Color background_top = {0.16F, 0.18F, 0.21F, 1.0F};
   Color background_bottom = {0.06F, 0.07F, 0.08F, 1.0F};
   double scale = 1.0;             ///< 0.5..4, of the widths of overlays: content scale x user scale
-  double moving_frame_ms = 25.0;  ///< 5..1000, aim for the model while the camera moves: with all
-                                  ///< else, 30 pictures a second
-  bool level_of_detail = true;    ///< false: every picture whole, however long it takes
+  double moving_frame_ms = 25.0;  ///< 5..1000, time for the model while the camera moves: gives 30
+                                  ///< pictures a second
+  bool level_of_detail = true;    ///< false: every picture in full detail, however long it takes
   [[nodiscard]] Result<void> validate() const;
 };
 

@@ -112,7 +112,7 @@ void SceneRenderer::draw(const SceneContent& content, const SceneOptions& option
     state.update_model(content, options, camera, size, now_s);
   }
   state.pulses = std::any_of(content.sensors.begin(), content.sensors.end(),
-                             [](const SensorGhost& sensor) { return sensor.pulses; });
+                             [](const SceneSensor& sensor) { return sensor.pulses; });
   if (before != state.shown) state.changed_px = whole_picture(size);
   state.repainted_px = state.composer.compose(*state.shown, state.changed_px,
                                               overlay_lines(content, options, state.eye, now_s),

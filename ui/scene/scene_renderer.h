@@ -1,4 +1,4 @@
-/// @file  Scene, options and camera in; a picture as a texture out.
+/// @file  Renders the scene: content, options and camera in; a picture as a texture out.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace flytri::ui {
 
-/// How the last picture came about.
+/// Statistics of the last picture.
 struct SceneStatistics {
   std::size_t surfels_total = 0;
   std::size_t surfels_drawn = 0;   ///< in the last draw()
@@ -29,32 +29,32 @@ struct Pick {
   Vec3 normal = Vec3::UnitZ();  ///< unit, outwards; of the surface within a few pixels
 };
 
-/// Draws into a picture of its own. Needs a current OpenGL 3.3 core context wherever it is called,
-/// and leaves the window's framebuffer bound.
+/// Draws into its own picture. Every call needs a current OpenGL 3.3 core context, and leaves the
+/// framebuffer of the window bound.
 class SceneRenderer {
  public:
-  /// @errors  kNotFound and kNotPermitted for a shader that cannot be read; kBadFormat for one that
-  ///          does not compile.
+  /// @errors  kNotFound and kNotPermitted if a shader cannot be read; kBadFormat if one does not
+  ///          compile.
   [[nodiscard]] static Result<SceneRenderer> create();
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
   ~SceneRenderer();
 
-  /// Brings the picture up to date. Cheap where nothing has changed.
-  /// @param now_s  rising; drives what pulses
+  /// Updates the picture. Fast if nothing has changed.
+  /// @param now_s  rising; drives animation
   void draw(const SceneContent& content, const SceneOptions& options, const OrbitCamera& camera,
             const PictureSize& size, double now_s);
 
-  /// Of the size that the last draw() was given; opaque.
+  /// As large as the last draw() asked for; opaque.
   [[nodiscard]] const Framebuffer& picture() const;
-  /// Where the last draw() made it another picture.
+  /// Where the last draw() changed it.
   [[nodiscard]] const PixelBox& repainted_px() const;
-  /// The picture is coarser than it will be, or something pulses: draw again soon.
+  /// The picture is still coarse, or something is animated: draw again soon.
   [[nodiscard]] bool wants_redraw() const;
-  /// The surface under a pixel of the last picture (from its upper left); none beside the model.
+  /// The surface under a pixel (from the upper left) of the last picture; none beside the model.
   [[nodiscard]] std::optional<Pick> pick(double x_px, double y_px);
   [[nodiscard]] const SceneStatistics& statistics() const;
-  /// The box around all that the model or the mesh holds; empty where there is nothing.
+  /// Box around the model or the mesh; empty if there is none.
   [[nodiscard]] const Eigen::AlignedBox3d& model_box_mm() const;
 
  private:

@@ -16,13 +16,13 @@ class SplatPainter {
   /// @errors  those of ShaderProgram::load.
   [[nodiscard]] static Result<SplatPainter> create();
 
-  /// Blocks, as far as they may be in the picture, into the bound framebuffer.
-  /// @param detail_share  0..1, of each block's surfels; the radii grow to make up for the others
+  /// Draws the visible blocks into the bound framebuffer.
+  /// @param detail_share  0..1, of the surfels of each block; larger radii fill the gaps
   /// @return how many surfels were drawn
   std::size_t paint(const SplatStore& store, const std::vector<const StoredBlock*>& blocks,
                     const Eye& eye, const SceneOptions& options, double detail_share);
-  /// Single surfels, by their numbers in the store's buffer.
-  /// @param detail_share  of the picture that they are added to
+  /// Draws single surfels, by number in the store.
+  /// @param detail_share  of the picture to which they are added
   void paint_some(const SplatStore& store, const std::vector<std::uint32_t>& surfels,
                   const Eye& eye, const SceneOptions& options, double detail_share);
 
@@ -36,10 +36,10 @@ class SplatPainter {
   std::vector<GLsizei> counts_;
 };
 
-/// How many surfels of a block stand for it: at least one.
+/// How many surfels of a block are drawn: at least one.
 [[nodiscard]] std::size_t prefix_length(std::size_t count, double detail_share);
 
-/// How much wider the disks of a prefix are: K of N cover the same area at sqrt(N / K).
+/// Factor for the radii if K of N surfels are drawn: sqrt(N / K) covers the same area.
 [[nodiscard]] double radius_scale(double detail_share);
 
 }  // namespace flytri::ui

@@ -17,7 +17,7 @@ struct SplatVertex {
   std::uint32_t color_flags;
 };
 
-/// Blocks begin small and grow a little with each replacement.
+/// Spare room, as blocks grow a little with each replacement.
 constexpr std::size_t kSmallestRange = 64;
 constexpr std::size_t kFirstCapacity = 1U << 16U;
 
@@ -48,7 +48,7 @@ Eigen::AlignedBox3f box_of(const SurfelBlock& block) {
   return box;
 }
 
-/// The surfels of a block that are others than those of the block before it, if there was one.
+/// The surfels of a block that differ from its former version, if there was one.
 FreshBlock difference(const SurfelBlock* before, const SurfelBlock& now) {
   FreshBlock fresh{now.place, {}, 0};
   const std::size_t known = before != nullptr ? before->surfels.size() : 0;

@@ -1,4 +1,4 @@
-/// @file  The surfels of a model in graphics memory: only blocks that are new are sent there.
+/// @file  The surfels of a model in graphics memory; only changed blocks are sent there.
 #pragma once
 
 #include <map>
@@ -12,32 +12,32 @@
 
 namespace flytri::ui {
 
-/// Where the surfels of a block lie in the buffer, and where in the world.
+/// Position of a block's surfels in the buffer, and in the world.
 struct StoredBlock {
   std::shared_ptr<const SurfelBlock> block;
   PlaceRange range;  ///< may be longer than the block: room to grow
   Eigen::AlignedBox3f box_mm;
 };
 
-/// A block some of whose surfels look different from before.
+/// A block with changed surfels.
 struct FreshBlock {
   std::uint64_t place = 0;
   std::vector<std::uint32_t> surfels;  ///< which ones, by rising number in the block
-  std::size_t replaced_count = 0;      ///< of these, those in whose stead others were before
+  std::size_t replaced_count = 0;      ///< how many of them replaced others
 };
 
-/// What update() found to be different.
+/// The changes that update() found.
 struct StoreChanges {
   std::vector<FreshBlock> fresh;
-  bool has_lost = false;          ///< some surfels are gone: the old picture still shows them
-  bool is_another_model = false;  ///< most of the surfels were not there before
+  bool has_lost = false;          ///< some surfels were removed; the old picture still shows them
+  bool is_another_model = false;  ///< most of the surfels are new
   std::size_t uploaded_bytes = 0;
 };
 
 class SplatStore {
  public:
   SplatStore();
-  /// Takes over a model.
+  /// Replaces the model.
   /// @param locked  strokes whose surfels are tinted
   [[nodiscard]] StoreChanges update(const SurfelModel& model,
                                     const std::vector<editing::BrushDab>& locked);
@@ -46,7 +46,7 @@ class SplatStore {
   [[nodiscard]] const std::map<std::uint64_t, StoredBlock>& blocks() const { return blocks_; }
   [[nodiscard]] std::size_t surfel_count() const { return surfel_count_; }
   [[nodiscard]] const Eigen::AlignedBox3d& box_mm() const { return box_mm_; }
-  /// Mean over the blocks; 0 where there are none.
+  /// Mean over the blocks; 0 without blocks.
   [[nodiscard]] float radius_mm() const { return radius_mm_; }
   /// Ready to be drawn as points, the surfels of a block from its range's first on.
   void bind() const { vertices_.bind(); }

@@ -49,8 +49,8 @@ Vec3 short_axis(const Surface& surface, const Vec3& center_mm, const Vec3& axis)
   return smallest.x() * e0 + smallest.y() * e1;
 }
 
-/// Third moment that tells to which side of the short axis the ends of the arch bend: positive
-/// where the places far along the arch lie towards `side`; and the mean flank normal's share.
+/// Third moment, whose sign says to which side the arch bends: positive if its ends lie towards
+/// `side`. Also the mean share of the flank normals.
 struct Bend {
   double moment = 0.0;  ///< of (along / length)^2 * across / length, mean
   double flanks = 0.0;  ///< mean of normal . side
@@ -86,7 +86,7 @@ std::vector<Vec3> corners_along(const Surface& surface, const JawAxes& axes) {
 }
 
 JawAxes axes_of(const Surface& surface) {
-  /// Below this the arch is taken for straight: a bend of 1 % of its length.
+  /// Arches with a smaller moment count as straight: a bend of 1 % of the length.
   constexpr double kSmallestBend = 1e-4;
   JawAxes axes;
   const Means means = means_of(surface);
@@ -122,7 +122,7 @@ JawAxes jaw_axes(const TriangleMesh& mesh) {
 }
 
 Eigen::Quaterniond orientation(const JawAxes& axes, StandardView view) {
-  /// Flanks are looked at from a little above, so that the chewing edge is seen as well.
+  /// Flanks are seen from slightly above, so that the chewing edge is visible.
   constexpr double kElevation_rad = 20.0 * std::numbers::pi / 180.0;
   Vec3 towards_eye = axes.occlusal, up = axes.buccal;
   if (view != StandardView::kOcclusal) {

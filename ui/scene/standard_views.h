@@ -1,4 +1,4 @@
-/// @file  The views that dentists know by name, from the shape of what was scanned.
+/// @file  Standard dental views, computed from the shape of the scanned surface.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,8 +12,8 @@ namespace flytri::ui {
 
 enum class StandardView {
   kOcclusal,  ///< onto the chewing surfaces
-  kBuccal,    ///< from the cheek's side
-  kLingual    ///< from the tongue's side
+  kBuccal,    ///< from the side of the cheek
+  kLingual    ///< from the side of the tongue
 };
 
 /// How a jaw lies in the world frame.
@@ -24,11 +24,10 @@ struct JawAxes {
   std::vector<Vec3> corners_mm;
 };
 
-/// The chewing surfaces, gum and flanks are seen from one side only: that side is the mean normal.
-/// Across it a quadrant is long and narrow, and bends around the tongue: its long axis is the
-/// larger principal axis of the positions, and the ends lie on the tongue's side of the middle.
-/// Where the bend is too slight to tell the sides apart, the side that the larger part of the flank
-/// normals faces is taken for the cheek's.
+/// The occlusal direction is the mean normal, as a jaw is scanned from one side. Perpendicular to
+/// it, a quadrant is long and narrow and bends around the tongue: its long axis is the larger
+/// principal axis of the positions, and its ends lie on the side of the tongue. If the bend is too
+/// slight to decide, the side that most flank normals face is taken as that of the cheek.
 [[nodiscard]] JawAxes jaw_axes(const SurfelModel& model);
 [[nodiscard]] JawAxes jaw_axes(const TriangleMesh& mesh);
 

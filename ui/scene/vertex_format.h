@@ -10,7 +10,7 @@
 
 namespace flytri::ui {
 
-/// Bits of a vertex, in the alpha of its color; the shaders name the same.
+/// Flags of a vertex, in the alpha of its color; the shaders use the same bits.
 inline constexpr std::uint8_t kTexturedFlag = 1;
 inline constexpr std::uint8_t kGoodFlag = 2;
 inline constexpr std::uint8_t kLockedFlag = 4;
@@ -21,7 +21,7 @@ inline constexpr std::uint8_t kLockedFlag = 4;
 /// Red, green, blue and flags from the lowest byte on.
 [[nodiscard]] std::uint32_t packed_color(const Rgb& color, std::uint8_t flags);
 
-/// Whether one of the brush's touches reaches a place.
+/// True if one of the brush's dabs reaches a place.
 [[nodiscard]] bool reaches(const std::vector<editing::BrushDab>& dabs, const Vec3f& position_mm,
                            const Vec3f& normal);
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::array kSounds = {Sound::kLost, Sound::kReturn};
 
-// The sound libraries tell standard error of each device that is not there. While one lives, that
-// goes nowhere.
+// The sound libraries print a message for each missing device. While this exists, standard error
+// is discarded.
 class QuietStandardError {
  public:
   QuietStandardError() : kept_(::dup(STDERR_FILENO)), nowhere_(::open("/dev/null", O_WRONLY)) {

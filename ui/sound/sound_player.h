@@ -1,5 +1,4 @@
-/// @file  Plays the sounds of a scan where there is a sound device, and is silent where there is
-/// none.
+/// @file  Plays the sounds of a scan; silent without a sound device.
 #pragma once
 
 #include <memory>
@@ -8,8 +7,8 @@
 
 namespace flytri::ui {
 
-/// For the thread of the user interface alone. Never fails, waits or prints: without a device every
-/// call does nothing. Playing itself is done by OpenAL.
+/// Only for the thread of the user interface. Never fails, waits or prints; without a device every
+/// call does nothing.
 class SoundPlayer {
  public:
   /// Opens the default device, which takes some milliseconds.
@@ -18,9 +17,9 @@ class SoundPlayer {
   SoundPlayer(const SoundPlayer&) = delete;
   SoundPlayer& operator=(const SoundPlayer&) = delete;
 
-  /// Muted, nothing new is played and what sounds is cut off.
+  /// Stops the current sound; while muted, play() does nothing.
   void set_muted(bool muted);
-  /// From its beginning, also if it sounds already.
+  /// Restarts a sound that is still playing.
   void play(Sound sound);
 
   [[nodiscard]] bool has_device() const { return device_ != nullptr; }

@@ -12,8 +12,7 @@ constexpr double kOverlap_s = 0.02;
 constexpr double kAttack_s = 0.008;
 constexpr double kLevel = 0.5 * 32767.0;
 
-// A sine with a softer octave above it, which a small loudspeaker plays too; it fades as a struck
-// bar does.
+// A sine with a softer octave above it, which small loudspeakers can play; it fades like a bell.
 double tone(double frequency_hz, double time_s) {
   if (time_s < 0.0 || time_s > kTone_s) return 0.0;
   const double phase = 2.0 * std::numbers::pi * frequency_hz * time_s;
@@ -22,7 +21,7 @@ double tone(double frequency_hz, double time_s) {
   return rise * fall * (0.75 * std::sin(phase) + 0.25 * std::sin(2.0 * phase));
 }
 
-// A fifth and a fourth apart: calm intervals, heard many times a day.
+// A fifth and a fourth apart: pleasant intervals, as they are heard many times a day.
 std::array<double, 2> frequencies_hz(Sound sound) {
   if (sound == Sound::kLost) return {587.3, 392.0};
   return {587.3, 784.0};

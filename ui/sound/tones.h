@@ -1,4 +1,4 @@
-/// @file  The two sounds of a scan, as samples: it was lost, it goes on.
+/// @file  The two sounds of a scan, as samples: tracking was lost, tracking returned.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,12 @@
 
 namespace flytri::ui {
 
-/// Told apart without looking: two falling tones for kLost, two rising ones for kReturn.
+/// kLost: two falling tones. kReturn: two rising tones.
 enum class Sound { kLost, kReturn };
 
 inline constexpr int kSampleRate_hz = 44100;
 
-/// A quarter of a second, one channel, begun and ended softly, at half of full scale.
+/// A quarter of a second, one channel, with soft start and end, at half of full scale.
 [[nodiscard]] std::vector<std::int16_t> synthesize(Sound sound);
 
 }  // namespace flytri::ui

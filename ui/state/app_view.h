@@ -1,4 +1,4 @@
-/// @file  Everything that the window shows, at one moment; the program makes one for every frame.
+/// @file  Everything that the window shows at one moment. The program makes one for every frame.
 #pragma once
 
 #include <array>
@@ -20,39 +20,39 @@ namespace flytri::ui {
 /// A case that can be opened, as the list at the start shows it.
 struct KnownCase {
   std::string path;
-  std::string patient;   ///< empty where the case is encrypted or has none
-  std::string modified;  ///< date and time in the user's words
+  std::string patient;   ///< empty if the case is encrypted or has none
+  std::string modified;  ///< date and time, as shown
   bool is_encrypted = false;
 };
 
 /// The case that is open. Scanning works without one.
 struct CaseState {
-  std::string path;  ///< empty: no case is open, nothing is kept
+  std::string path;  ///< empty: no case is open, scans are not saved
   io::CaseFields fields;
-  bool is_saved = true;  ///< all that was scanned is on the disk, but for the last second
+  bool is_saved = true;  ///< the whole scan is on disk, except for the last second
   bool is_encrypted = false;
-  bool is_read_only = false;         ///< damaged or opened elsewhere; `message` says which
-  std::string message;               ///< why the latest opening failed, or what was saved of it
-  bool passphrase_is_asked = false;  ///< the case named by `path_asked` needs one
+  bool is_read_only = false;  ///< damaged, or open in another program; `message` says which
+  std::string message;        ///< why the case could not be opened, or what could be read of it
+  bool passphrase_is_asked = false;  ///< the case at `path_asked` needs one
   std::string path_asked;
-  std::vector<KnownCase> known;  ///< the latest first
-  std::string folder;            ///< where new cases go
+  std::vector<KnownCase> known;  ///< newest first
+  std::string folder;            ///< of new cases
 };
 
 enum class SourceKind { kSimulated, kRecording, kDevices };
 
-/// The hand that moves the simulated sensor.
+/// The simulated hand that moves the simulated sensor.
 struct SimulatedHand {
-  bool follows_path = true;  ///< false: it follows the pointer and the arrow keys
+  bool follows_path = true;  ///< false: pointer and arrow keys move it
   bool is_taken_away = false;
 };
 
 /// Where the frames come from.
 struct SourceState {
   SourceKind kind = SourceKind::kSimulated;
-  std::string name;         ///< of the device, the recording or the simulated sensor
+  std::string name;         ///< of the rig, the recording or the simulated sensor
   bool is_running = false;  ///< frames are coming
-  bool is_lost = false;     ///< a device is gone; `message` says which and what to do
+  bool is_lost = false;     ///< a device is missing; `message` says which and what to do
   std::string message;
   std::optional<SimulatedHand> hand;   ///< of a simulated source
   std::optional<double> played_share;  ///< of a recording: 0..1
@@ -75,16 +75,16 @@ struct ExportState {
   std::string failure;                ///< of the latest export
 };
 
-/// What the user likes, kept from run to run.
+/// The user's settings, saved between runs.
 struct Settings {
-  double user_scale = 1.0;  ///< 0.75..2; of all sizes, on top of the screen's own
+  double user_scale = 1.0;  ///< 0.75..2, times the scale of the screen
   bool is_muted = false;
   bool operator==(const Settings&) const = default;
 };
 
 enum class Severity { kInformation, kWarning, kError };
 
-/// A short message that shows for a few seconds.
+/// A short message, shown for a few seconds.
 struct Notice {
   std::uint64_t number = 0;  ///< rises from notice to notice
   Severity severity = Severity::kInformation;
@@ -93,7 +93,7 @@ struct Notice {
 
 /// Immutable. Texts are UTF-8.
 struct AppView {
-  double now_s = 0.0;  ///< monotonic; drives all that moves in the window
+  double now_s = 0.0;                              ///< monotonic; drives all animation
   std::shared_ptr<const scan::ScanSnapshot> scan;  ///< of the current stage; null: nothing yet
   bool is_scanning = false;                        ///< started and not paused
   Vec3 volume_mm = {20.0, 15.0, 15.0};             ///< the sensor's measurement volume
@@ -105,9 +105,10 @@ struct AppView {
   ExportState exports;
   std::vector<io::Measurement> measurements;  ///< of the current stage
   Settings settings;
-  std::vector<Notice> notices;                  ///< the latest last
-  std::optional<DevicesState> devices;          ///< of a rig; none: the frames come from elsewhere
-  std::optional<CalibrationState> calibration;  ///< none: of a recording, whose sensor is not here
+  std::vector<Notice> notices;          ///< newest last
+  std::optional<DevicesState> devices;  ///< of a rig; none: simulated or recorded
+  std::optional<CalibrationState>
+      calibration;  ///< none for a recording: its sensor is not connected
 };
 
 }  // namespace flytri::ui

@@ -22,7 +22,7 @@ std::string_view to_string(CalibrationStep step) {
   return "failed";
 }
 
-std::optional<std::size_t> place_before(const RunningCalibration& running) {
+std::optional<std::size_t> previous_place(const RunningCalibration& running) {
   for (std::size_t i = running.wanted.value_or(running.places.size()); i-- > 0;) {
     if (running.places[i].is_done) return i;
   }

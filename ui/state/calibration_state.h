@@ -15,7 +15,7 @@ namespace flytri::ui {
 
 enum class CalibrationTask { kCalibrate, kCheckOnPlane, kCheckOnSphere };
 
-/// Where a task stands.
+/// The current step of a task.
 ///
 ///     kOpening ──▶ kTarget ──take──▶ kTaking ──all there──▶ kComputing ──▶ kDone
 ///                    ▲ ▲                │                        │
@@ -27,7 +27,7 @@ enum class CalibrationStep { kOpening, kTarget, kTaking, kComputing, kRefused, k
 /// For tests: "opening".
 [[nodiscard]] std::string_view to_string(CalibrationStep step);
 
-/// One handling of the user's: something is put somewhere, and rests there for its images.
+/// One position at which the user holds a target still while images are taken.
 struct CalibrationPlace {
   std::string target;  ///< "white plane"
   std::string where;   ///< "at z = +7.50 mm"
@@ -36,21 +36,21 @@ struct CalibrationPlace {
   bool is_done = false;
 };
 
-/// What was said of one image of the latest place.
+/// Whether one image of the latest place is usable.
 struct JudgedShot {
   std::string name;
   bool is_good = true;
   std::string finding;  ///< with its numbers
-  std::string remedy;   ///< of one that is refused
+  std::string remedy;   ///< of a refused image
 };
 
-/// What a task came to.
+/// The result of a task.
 struct CalibrationOutcome {
   bool is_good = false;
-  std::string verdict;                             ///< one line
-  std::vector<std::string> meanings;               ///< what it means, a sentence each
-  std::vector<calibration::PlaneResidual> planes;  ///< of a calibration
-  double plane_limit_mm = 0.0;                     ///< beyond it the set would have been refused
+  std::string verdict;                                   ///< one line
+  std::vector<std::string> meanings;                     ///< explanations, one sentence each
+  std::vector<calibration::PlaneResidual> planes;        ///< of a calibration
+  double plane_limit_mm = 0.0;                           ///< a set with a larger error is refused
   std::vector<calibration::VerificationFigure> figures;  ///< of a check
 };
 
@@ -59,23 +59,23 @@ struct RunningCalibration {
   CalibrationStep step = CalibrationStep::kOpening;
   std::string folder;  ///< of a calibration
   std::vector<CalibrationPlace> places;
-  std::optional<std::size_t> wanted;  ///< index of the place that comes next
+  std::optional<std::size_t> wanted;  ///< index of the next place
   std::vector<JudgedShot> shots;
-  std::shared_ptr<const scan::LiveFrame> image;  ///< what the camera sees now
+  std::shared_ptr<const scan::LiveFrame> image;  ///< the live image
   double computed_share = 0.0;                   ///< 0..1
   std::string message;                           ///< why it was refused or failed
   CalibrationOutcome outcome;
 };
 
-/// The place that is taken again by who wants one back: the last that is done.
-[[nodiscard]] std::optional<std::size_t> place_before(const RunningCalibration& running);
+/// The last finished place before the current one; its images can be taken again.
+[[nodiscard]] std::optional<std::size_t> previous_place(const RunningCalibration& running);
 
-/// What can be calibrated and checked, and what is being done of it.
+/// Which calibrations and checks are possible, and the running one.
 struct CalibrationState {
   std::string folder;            ///< proposed for a new calibration
-  bool has_calibration = false;  ///< there is one to be checked
-  bool is_simulated = false;     ///< the virtual sensor, which sees a plane and nothing else
-  std::string why_not_used;      ///< why a new one cannot be taken into use; empty: it can
+  bool has_calibration = false;  ///< a calibration exists and can be checked
+  bool is_simulated = false;     ///< the simulated sensor: it can be checked on a plane only
+  std::string why_not_used;      ///< why a new calibration cannot be used; empty: it can
   std::optional<RunningCalibration> running;
 };
 

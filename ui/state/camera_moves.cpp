@@ -9,19 +9,19 @@ namespace flytri::ui {
 namespace {
 
 constexpr double kFlight_s = 0.7;
-/// To follow the scan: the whole picture is drawn anew meanwhile.
+/// While following the scan: each frame of the flight redraws the whole picture.
 constexpr double kShortFlight_s = 0.35;
-/// The followed box is larger than the model by this part of the sensor's volume, so that the
-/// camera rests for a while.
+/// The followed box is larger than the model by this share of the measurement volume, so that the
+/// camera does not move all the time.
 constexpr double kRoomToGrow = 1.2;
-/// With what lies around it a place of re-entry is found by eye.
+/// Shows some surroundings, so that the user recognizes the place.
 constexpr double kReentryRoom = 1.5;
-/// The parts of the picture's width and height that no plate covers.
+/// Shares of the width and height of the picture that no panel covers.
 constexpr double kFreeWidth = 0.62, kFreeHeight = 0.88;
-/// A hole fills this part of the picture's height.
+/// Share of the picture's height that a hole fills.
 constexpr double kHoleShare = 0.35;
 
-/// As the first view saw the surface: along z of the world, with y down.
+/// The direction of the first view: along z of the world, with y down.
 Eigen::Quaterniond first_sight() {
   return Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX()));
 }
@@ -46,7 +46,7 @@ void fly_to_show(std::span<const Vec3> points_mm, const Eigen::Quaterniond& q_wo
 
 void follow(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state) {
   if (!state.follows_scan) return;
-  // Without a model, the first time: the sensor's volume.
+  // Without a model, the measurement volume is shown once.
   if (!state.followed_box_mm.isEmpty() &&
       (model_box_mm.isEmpty() || state.followed_box_mm.contains(model_box_mm))) {
     return;
@@ -54,7 +54,7 @@ void follow(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Camera
   show_all(view, model_box_mm, state);
 }
 
-/// Each stage is a world of its own, and so is the scan of another case.
+/// Each stage and each case has its own world frame.
 bool is_another_scan(const AppView& view, bool has_model, const CameraState& state) {
   return view.stage != state.seen_stage || (state.has_seen_model && !has_model);
 }
@@ -76,15 +76,15 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
   state.follows_scan = true;
   state.followed_box_mm =
       model_box_mm.isEmpty() ? volume_box(view.volume_mm) : grown(model_box_mm, view.volume_mm);
-  // Room to grow is of use only where something grows.
+  // Room to grow only while scanning.
   const bool is_tight = !view.is_scanning && !model_box_mm.isEmpty();
-  // A flight that is under way keeps the direction that it was to end in.
+  // A running flight keeps its final direction.
   fly_to_show(corners_of(is_tight ? model_box_mm : state.followed_box_mm),
               is_first ? first_sight() : state.camera.destination().q_world_eye,
               view.is_scanning ? kShortFlight_s : kFlight_s, state);
 }
 
-void look_anew(CameraState& state) {
+void reset_camera(CameraState& state) {
   state.follows_scan = true;
   state.followed_box_mm.setEmpty();
 }
@@ -118,11 +118,11 @@ void show_next_hole(const AppView& view, WindowState& state) {
   show_hole(view, next % holes.size(), state);
 }
 
-void move_by_itself(const AppView& view, const Eigen::AlignedBox3d& model_box_mm,
-                    CameraState& state) {
+void move_automatically(const AppView& view, const Eigen::AlignedBox3d& model_box_mm,
+                        CameraState& state) {
   if (view.scan == nullptr) return;
   const bool has_model = !model_box_mm.isEmpty();
-  if (is_another_scan(view, has_model, state)) look_anew(state);
+  if (is_another_scan(view, has_model, state)) reset_camera(state);
   state.seen_stage = view.stage;
   state.has_seen_model = has_model;
   const scan::ScanPhase phase = view.scan->phase;

@@ -1,5 +1,5 @@
-/// @file  Where the camera goes by itself or on request: to all of the model, a named view, a hole,
-/// a place to re-enter.
+/// @file  Moves the camera, automatically or on request: to the whole model, a standard view, a
+/// hole, or a place to resume at.
 #pragma once
 
 #include "ui/scene/standard_views.h"
@@ -8,26 +8,25 @@
 
 namespace flytri::ui {
 
-/// Flies to all of the model and keeps it in the picture while it grows.
-/// @param model_box_mm  empty where there is no model: the camera looks at the sensor's volume
+/// Shows the whole model, and keeps showing it while it grows.
+/// @param model_box_mm  empty if there is no model: shows the measurement volume of the sensor
 void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state);
 
-/// Forgets where the camera looked: move_by_itself() flies to all of what there is, as the first
-/// view saw it.
-void look_anew(CameraState& state);
+/// Resets the camera: move_automatically() then shows the whole model, from the side of the first
+/// view.
+void reset_camera(CameraState& state);
 
-/// Flies to a view of the whole jaw.
+/// Shows the whole jaw from a side.
 void show_from(StandardView side, const scan::ScanSnapshot& scan, CameraState& state);
 
-/// Flies to the hole after the selected one, the widest first; none is selected where there is
-/// none.
+/// Selects and shows the next hole; the widest comes first. Without holes none is selected.
 void show_next_hole(const AppView& view, WindowState& state);
 
-/// Flies to one of the scan's holes and selects it.
+/// Selects and shows one of the scan's holes.
 void show_hole(const AppView& view, std::size_t index, WindowState& state);
 
-/// Once a frame: follows the growing model, flies to the chosen place of re-entry and back.
-void move_by_itself(const AppView& view, const Eigen::AlignedBox3d& model_box_mm,
-                    CameraState& state);
+/// Call once a frame: follows the growing model; after a loss shows the place to resume at.
+void move_automatically(const AppView& view, const Eigen::AlignedBox3d& model_box_mm,
+                        CameraState& state);
 
 }  // namespace flytri::ui

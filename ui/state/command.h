@@ -1,4 +1,4 @@
-/// @file  What the user wants done: the window returns commands, the program carries them out.
+/// @file  Commands of the user: the window returns them, the program carries them out.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@
 
 namespace flytri::ui {
 
-/// Starts scanning, or goes on after a pause or after finishing.
+/// Starts scanning, or resumes it after a pause.
 struct StartScan {};
 struct PauseScan {};
 struct Undo {};
 struct Redo {};
-/// One stroke of the brush. The program sets the time it is made at.
+/// One stroke of the brush. The program sets its time.
 struct EditSurface {
   editing::EditKind kind = editing::EditKind::kTrim;
   std::vector<editing::BrushDab> dabs;  ///< at least 1, world frame
@@ -30,7 +30,7 @@ struct RemoveMeasurement {
 };
 struct Finish {};
 struct CancelFinish {};
-/// Takes the result away and goes on scanning.
+/// Discards the result and resumes scanning.
 struct ResumeScan {};
 struct ChooseReentry {
   std::size_t index = 0;  ///< in ScanSnapshot::reentry
@@ -38,7 +38,7 @@ struct ChooseReentry {
 struct SelectStage {
   io::ScanStage stage = io::ScanStage::kUpper;
 };
-/// Writes what is shown.
+/// Writes the shown model to files.
 struct Export {
   std::string folder;
   std::string name;                       ///< without extension
@@ -56,48 +56,48 @@ struct OpenCase {
 struct SetCaseFields {
   io::CaseFields fields;
 };
-/// Moves the simulated hand, in the sensor frame: as the live image shows it, x right, y down,
-/// z away from the hand.
+/// Moves the simulated sensor, in its own frame: x right and y down in the live image, z towards
+/// the teeth.
 struct SteerHand {
   Vec3 move_mm = Vec3::Zero();
   Vec3 turn_rad = Vec3::Zero();  ///< rotation vector
 };
-/// Moves the simulated hand to where a ray meets the object, world frame. Where the ray meets
-/// nothing, nothing happens.
+/// Moves the simulated sensor to where a ray hits the object, world frame. Does nothing if the ray
+/// misses.
 struct PointHand {
   Vec3 origin_mm = Vec3::Zero();
   Vec3 direction = Vec3::UnitZ();  ///< unit
 };
-/// The simulated hand follows its path, or else the pointer.
+/// The simulated sensor follows its path, or the pointer.
 struct FollowPath {
   bool follows = true;
 };
-/// The simulated sensor looks elsewhere, as if it had been taken out of the mouth, or comes back.
+/// Lifts the simulated sensor off the teeth, or returns it.
 struct TakeSensorAway {
-  bool is_away = true;
+  bool is_away = true;  ///< false: returns it
 };
 struct ChangeSettings {
   Settings settings;
 };
-/// Looks at the devices anew, and starts those that could not be started before.
+/// Checks the devices, and starts those that failed to start.
 struct CheckDevices {};
-/// Scanning pauses, and the sensor is handed to the task.
+/// Pauses scanning, and uses the sensor for the task.
 struct BeginCalibration {
   CalibrationTask task = CalibrationTask::kCalibrate;
-  std::string folder;               ///< of a calibration: where it is kept, or goes on
+  std::string folder;               ///< of a new calibration, or of one to continue
   double sphere_diameter_mm = 0.0;  ///< of a check on a sphere, > 0
 };
-/// Takes the images of the place that is wanted.
+/// Takes the images at the next place.
 struct TakeCalibrationImages {};
-/// A place is wanted again.
+/// Makes a finished place the next one again.
 struct RetakeCalibrationPlace {
   std::size_t index = 0;  ///< in RunningCalibration::places
 };
-/// Scans are made with the new calibration from now on.
+/// Uses the new calibration for scanning.
 struct UseCalibration {};
-/// Ends the task, done or not, and gives the sensor back. What is on disk stays there.
+/// Ends the task and frees the sensor. Images on disk are kept.
 struct EndCalibration {};
-/// Words that came over the control channel for the program itself, such as a test's "lose source".
+/// A message from the control channel to the program, such as "lose source" of a test.
 struct Tell {
   std::string words;
 };

@@ -1,4 +1,4 @@
-/// @file  What is known of the devices that a scan is made with, in the user's words.
+/// @file  State of the cameras and lights, in words for the user.
 #pragma once
 
 #include <string>
@@ -6,32 +6,32 @@
 
 namespace flytri::ui {
 
-/// kUnknown: not looked at yet. kDoubtful: it runs, but the images speak against it.
+/// kUnknown: not checked yet. kDoubtful: it runs, but its images look wrong.
 enum class DeviceHealth { kUnknown, kFine, kDoubtful, kBroken };
 
 /// A count or a measured value.
 struct DeviceFigure {
   std::string label;
   std::string value;
-  bool is_worrying = false;  ///< worth a look: something was lost or damaged
+  bool is_worrying = false;  ///< something was lost or damaged
 };
 
-/// A camera, or the switch of the lights.
+/// A camera, or the light switch.
 struct DeviceState {
   std::string role;   ///< "Measurement camera"
-  std::string name;   ///< what rig.json calls it; may be empty
+  std::string name;   ///< as in rig.json; may be empty
   std::string state;  ///< "running", "unplugged"
   DeviceHealth health = DeviceHealth::kUnknown;
-  std::vector<DeviceFigure> figures;  ///< the most telling first
+  std::vector<DeviceFigure> figures;  ///< the most important first
 };
 
-/// A rig while it runs, and what a check of it found.
+/// A running rig, and the result of its check.
 struct DevicesState {
   std::vector<DeviceState> devices;
-  /// What is wrong, each with its remedy: what the running devices say, then what the check found.
+  /// Each with its remedy: first those of the running devices, then those of the check.
   std::vector<std::string> problems;
-  bool is_checked = false;   ///< the check has been done
-  bool is_checking = false;  ///< it is being done
+  bool is_checked = false;   ///< a check was done
+  bool is_checking = false;  ///< a check is running
 };
 
 }  // namespace flytri::ui

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kLineQuantile = 0.5, kTextureQuantile = 0.95;
 
-/// Brightness of each pixel as a share of full scale, CV_32F; of color the brightest channel, which
-/// is the first to be clipped.
+/// Brightness of each pixel as a share of full scale, CV_32F. In color, that of the brightest
+/// channel, which clips first.
 cv::Mat brightness_of(const cv::Mat& image) {
   cv::Mat brightest = image;
   if (image.channels() > 1) {
@@ -30,7 +30,7 @@ cv::Mat brightness_of(const cv::Mat& image) {
   return brightness;
 }
 
-/// The pixels of the lines that were found: one for each sample.
+/// One pixel for each sample of the found lines.
 std::vector<cv::Point> line_pixels(const scan::LiveFrame& frame) {
   const cv::Rect image({0, 0}, frame.frame.image.size());
   std::vector<cv::Point> pixels;
@@ -62,7 +62,7 @@ void fill_histogram(Exposure& exposure, const cv::Mat& brightness) {
   }
 }
 
-/// @param quantile  0..1, of the levels: the one that stands for all
+/// @param quantile  0..1, of the levels: reported as the level of all
 void judge(Exposure& exposure, std::vector<float>& levels, double quantile,
            const ExposureLimits& limits) {
   if (levels.empty()) return;
@@ -108,21 +108,21 @@ Exposure measure_exposure(const scan::LiveFrame& frame, const ExposureLimits& li
 std::string exposure_advice(const Exposure& exposure, FrameKind kind) {
   const bool is_texture = kind == FrameKind::kTexture;
   const std::string level =
-      fmt::format("{} at {:.0f} % of full scale", is_texture ? "the teeth" : "the lines",
+      fmt::format("{} {:.0f} % of full scale", is_texture ? "the teeth reach" : "the lines reach",
                   100.0 * exposure.level);
   switch (exposure.verdict) {
     case ExposureVerdict::kWell:
       return "Good: " + level;
     case ExposureVerdict::kTooBright:
-      return fmt::format("Less exposure or gain: {:.0f} % of the {} clipped",
+      return fmt::format("Reduce exposure or gain: {:.0f} % of the {} overexposed",
                          std::max(100.0 * exposure.saturated_share, 1.0),
                          is_texture ? "image is" : "lines are");
     case ExposureVerdict::kTooDark:
-      return "More exposure or gain: " + level;
+      return "Increase exposure or gain: " + level;
     case ExposureVerdict::kNothingSeen:
       break;
   }
-  return "No lines found: hold the sensor over the teeth, or give it more exposure";
+  return "No lines found: hold the sensor over the teeth, or increase the exposure";
 }
 
 }  // namespace flytri::ui

@@ -1,4 +1,4 @@
-/// @file  From a live frame to how well it is exposed: histogram, marked pixels, what to change.
+/// @file  Measures how well a live frame is exposed: histogram, marked pixels, advice.
 #pragma once
 
 #include <array>
@@ -9,32 +9,33 @@
 
 namespace flytri::ui {
 
-/// What becomes of pixels in the marked image.
+/// How pixels are marked in the shown image.
 enum class ExposureMark : std::uint8_t { kNone, kDark, kSaturated };
 
-/// kNothingSeen: no line was found, so that there is nothing to judge by.
+/// kNothingSeen: no line was found, so the exposure cannot be judged.
 enum class ExposureVerdict { kWell, kTooBright, kTooDark, kNothingSeen };
 
 struct ExposureLimits {
-  /// 0..1, of full scale. From here on a pixel is clipped: cameras clip a little below it.
+  /// 0..1, share of full scale. Brighter pixels count as clipped; cameras clip a little below 1.
   double clipped = 0.98;
-  /// 0..1. Share of what is judged that may be clipped: lines that are take no part in the fit.
+  /// 0..1. Share of the judged pixels that may be clipped. Clipped lines are not fitted.
   double max_saturated = 0.02;
-  /// 0..1, of full scale. What is darker has only twenty steps of an 8-bit camera.
+  /// 0..1, share of full scale. Darker pixels have fewer than twenty levels in an 8-bit camera.
   double dark = 0.08;
-  /// 0..1, of full scale, as encoded. Least level of a texture image: an eighth of the light.
+  /// 0..1, share of full scale, gamma-encoded. Lowest good level of a texture image: an eighth of
+  /// the light.
   double min_texture_level = 0.4;
 };
 
-/// Of measurement frames the lines that were found are judged. Of texture frames all pixels are,
-/// but for the level the brightest twentieth alone: what lies behind the teeth is always dark.
+/// In measurement frames the found lines are judged; in texture frames all pixels. The level of a
+/// texture frame is that of its brightest twentieth, as the background is always dark.
 struct Exposure {
   static constexpr std::size_t kBins = 48;
   std::array<double, kBins> histogram = {};  ///< share of all pixels, by brightness, 0..1 each
-  double saturated_share = 0.0;              ///< of what is judged, 0..1
+  double saturated_share = 0.0;              ///< of the judged pixels, 0..1
   double level = 0.0;  ///< share of full scale: median of lines, upper twentieth of textures
   ExposureVerdict verdict = ExposureVerdict::kNothingSeen;
-  cv::Mat marks;  ///< CV_8U, an ExposureMark for each pixel; empty without an image
+  cv::Mat marks;  ///< CV_8U, ExposureMark by pixel; empty without an image
 };
 
 [[nodiscard]] Exposure measure_exposure(const scan::LiveFrame& frame,

@@ -64,7 +64,7 @@ std::optional<double> typed_length_mm(const std::string& text) {
 
 std::optional<SelectedHole> found_again(const SelectedHole& selected,
                                         std::span<const meshing::BoundaryLoop> holes) {
-  // One that is being closed, or falls into several, has its center within what it was.
+  // While a hole shrinks or splits, its parts stay within half its width.
   double nearest_mm = selected.width_mm / 2.0;
   std::optional<SelectedHole> found;
   for (std::size_t i = 0; i < holes.size(); ++i) {
@@ -74,6 +74,12 @@ std::optional<SelectedHole> found_again(const SelectedHole& selected,
     found = {i, holes[i].center_mm, holes[i].width_mm};
   }
   return found;
+}
+
+void put_tool_away(WindowState& state) {
+  state.tool = Tool::kNone;
+  state.brush.stroke.clear();
+  state.measured_from_mm.reset();
 }
 
 }  // namespace flytri::ui

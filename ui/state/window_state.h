@@ -1,4 +1,4 @@
-/// @file  What the window alone knows: camera, colors, tool, open dialog, half-typed text.
+/// @file  State of the window only: camera, colors, tool, open dialog, typed text.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,17 +14,18 @@
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/scene_options.h"
 #include "ui/state/app_view.h"
+#include "ui/state/result_number.h"
 
 namespace flytri::ui {
 
-/// What the pointer does on the surface.
+/// The tool that the pointer uses on the surface.
 enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure };
 
 [[nodiscard]] std::string_view to_string(Tool tool);
 [[nodiscard]] constexpr bool has_brush(Tool tool) {
   return tool == Tool::kTrim || tool == Tool::kLock || tool == Tool::kUnlock;
 }
-/// What a tool with a brush does to the surface.
+/// The edit that a tool with a brush makes.
 [[nodiscard]] constexpr editing::EditKind kind_of(Tool tool) {
   if (tool == Tool::kLock) return editing::EditKind::kLock;
   return tool == Tool::kUnlock ? editing::EditKind::kUnlock : editing::EditKind::kTrim;
@@ -34,19 +35,19 @@ enum class Dialog { kNone, kHelp, kExport, kCase, kSettings, kDevices, kCalibrat
 [[nodiscard]] std::string_view to_string(Dialog dialog);
 [[nodiscard]] std::string_view to_string(ColorMode mode);
 
-/// The camera's own business.
+/// The camera, and what it was last moved for.
 struct CameraState {
   OrbitCamera camera;
   PictureSize picture;       ///< of the latest frame
-  bool follows_scan = true;  ///< shows all of the model as it grows, until the user takes over
-  Eigen::AlignedBox3d followed_box_mm;  ///< what the camera was last sent to show
+  bool follows_scan = true;  ///< shows the whole growing model, until the user moves the camera
+  Eigen::AlignedBox3d followed_box_mm;  ///< the box shown last
   scan::ScanPhase seen_phase = scan::ScanPhase::kPreview;
-  std::optional<std::size_t> seen_reentry;  ///< the place that the camera was last sent to
+  std::optional<std::size_t> seen_reentry;  ///< the place shown last
   io::ScanStage seen_stage = io::ScanStage::kUpper;
   bool has_seen_model = false;
 };
 
-/// The brush and the stroke that is being drawn.
+/// The brush and the current stroke.
 struct BrushState {
   double radius_share = 0.1;  ///< of the volume's width, 0.01..0.5
   std::vector<editing::BrushDab> stroke;
@@ -68,31 +69,31 @@ struct CaseForm {
   io::CaseFields fields;
   std::string path;
   std::string passphrase;
-  bool is_asked = false;        ///< the program was asked; the dialog closes when the case is open
-  bool is_path_edited = false;  ///< else the path of a new case is proposed from its fields
+  bool is_asked = false;        ///< the command was sent; the dialog closes when the case is open
+  bool is_path_edited = false;  ///< false: the path is proposed from the fields
 };
 
 struct CalibrationForm {
   std::string folder;
-  bool is_edited = false;  ///< else the folder is the one proposed
+  bool is_edited = false;  ///< false: the folder is the proposed one
   std::string sphere_diameter_mm = "10";
 };
 
-/// What was typed as a length; none where it is no length.
+/// A typed length; none if the text is not a positive number.
 [[nodiscard]] std::optional<double> typed_length_mm(const std::string& text);
 
-/// The hole that the user went to.
+/// The hole that the user selected.
 struct SelectedHole {
   std::size_t index = 0;  ///< among the holes of the scan
   Vec3f center_mm = Vec3f::Zero();
   double width_mm = 0.0;
 };
 
-/// Where the selected hole is among the holes that were found since; none where it was closed.
+/// The selected hole in a newer list of holes; none if it was closed.
 [[nodiscard]] std::optional<SelectedHole> found_again(const SelectedHole& selected,
                                                       std::span<const meshing::BoundaryLoop> holes);
 
-/// A notice while it shows.
+/// A notice on the screen.
 struct ShownNotice {
   Notice notice;
   double since_s = 0.0;
@@ -112,7 +113,11 @@ struct WindowState {
   CalibrationForm calibration_form;
   std::vector<ShownNotice> toasts;
   std::uint64_t latest_notice = 0;
-  double frame_s = 0.0;  ///< between the latest two frames
+  ResultNumber result_number;  ///< of the result that is shown
+  double frame_s = 0.0;        ///< between the latest two frames
 };
+
+/// Forgets an unfinished stroke or distance with it.
+void put_tool_away(WindowState& state);
 
 }  // namespace flytri::ui

@@ -1,4 +1,4 @@
-/// @file  The quiet colors of the window: surfaces, lines and text. What carries meaning is in
+/// @file  The neutral colors of the window: surfaces, lines and text. Colors with a meaning are in
 /// status_colors.h.
 #pragma once
 
@@ -15,7 +15,7 @@ inline constexpr Color kRaisedHover = {0.212F, 0.243F, 0.275F, 1.0F};
 inline constexpr Color kRaisedActive = {0.267F, 0.306F, 0.345F, 1.0F};
 inline constexpr Color kHairline = {0.235F, 0.267F, 0.298F, 1.0F};
 inline constexpr Color kText = {0.957F, 0.965F, 0.969F, 1.0F};
-/// On kPanel and on kRaised it keeps a contrast above 4.5, as WCAG asks of small text.
+/// Contrast above 4.5 on kPanel and kRaised, as WCAG asks for small text.
 inline constexpr Color kTextQuiet = {0.698F, 0.741F, 0.776F, 1.0F};
 inline constexpr Color kTextOnColor = {0.031F, 0.043F, 0.051F, 1.0F};  ///< on status colors
 inline constexpr Color kShade = {0.0F, 0.0F, 0.0F, 0.62F};             ///< behind dialogs

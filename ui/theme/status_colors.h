@@ -1,4 +1,4 @@
-/// @file  The few colors that carry meaning, told apart by people with any color vision.
+/// @file  The colors with a meaning, distinguishable with any color vision.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ inline constexpr Color kNeutral = {0.34F, 0.71F, 0.91F, 1.0F};  ///< sky blue
 inline constexpr Color kVerticalProfile = {1.00F, 0.84F, 0.20F, 1.0F};    ///< amber
 inline constexpr Color kHorizontalProfile = {0.35F, 0.88F, 1.00F, 1.0F};  ///< cyan
 
-/// What surrounds the view: readable from two meters.
+/// The color of the frame around the scene: readable from two meters.
 [[nodiscard]] Color status_color(scan::ScanPhase phase);
 
 }  // namespace flytri::ui

@@ -13,10 +13,10 @@ namespace {
 
 constexpr float kMinimalWidth = 1024.0F;
 constexpr float kMinimalHeight = 640.0F;
-/// Icons among text hang this part of its size lower: their middle is that of the capitals.
+/// Icons in text are lowered by this share of their size: centered on capital letters.
 constexpr float kIconDrop = 0.06F;
 
-/// Where Debian puts the fonts, and in which package.
+/// Path and package of each font on Debian.
 struct FontFile {
   const char* path;
   const char* package;
@@ -43,7 +43,7 @@ Result<void> check_fonts() {
   return {};
 }
 
-/// A text font with the icons merged in, a little larger and lower so that they sit on the line.
+/// A text font with icons, slightly larger and lower so that they align with the text.
 ImFont* add_font(const FontFile& file, float size_px) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   ImFontConfig text;

@@ -15,33 +15,32 @@ inline constexpr float kGapL = 24.0F;
 inline constexpr float kGapXl = 32.0F;
 inline constexpr float kRounding = 8.0F;
 
-/// Steps of the type scale, each a font of its own: a bitmap font is sharp at its size alone.
+/// One font for each text size: a bitmap font is sharp only at its own size.
 struct Fonts {
   ImFont* small = nullptr;   ///< 13: captions, keys
   ImFont* body = nullptr;    ///< 16
   ImFont* strong = nullptr;  ///< 16, semi-bold: labels of buttons, values
   ImFont* title = nullptr;   ///< 22, semi-bold
-  ImFont* status = nullptr;  ///< 30, bold: what is read from two meters
+  ImFont* status = nullptr;  ///< 30, bold: readable from two meters
   ImFont* icon = nullptr;    ///< 26: icons of the large buttons
 };
 
-/// What every panel draws with.
+/// Used by every panel.
 struct Theme {
   float scale = 1.0F;
   Fonts fonts;
 
-  /// Units to pixels, whole ones: edges stay sharp.
+  /// Units to whole pixels, so that edges are sharp.
   [[nodiscard]] float px(float units) const;
 };
 
-/// The scale of all sizes: content_scale * user_scale, in steps of an eighth, at least 0.5, at most
-/// what leaves the window 1024 x 640 units, at most 4.
+/// The scale of all sizes: content_scale * user_scale, in steps of an eighth, within 0.5..4, and
+/// such that the window has at least 1024 x 640 units.
 /// @param width_px, height_px  of the framebuffer
 [[nodiscard]] float window_scale(double content_scale, double user_scale, int width_px,
                                  int height_px);
 
-/// Loads the fonts into the atlas of the current ImGui context, whose old ones are dropped, and
-/// sets its style.
+/// Replaces the fonts of the current ImGui context, and sets its style.
 /// @errors  kNotFound names the font file and the Debian package that has it.
 [[nodiscard]] Result<Theme> make_theme(float scale);
 

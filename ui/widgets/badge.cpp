@@ -14,7 +14,7 @@ float badge(const Theme& theme, const Rect& box, const BadgeLook& look, ImFont* 
   if (look.icon != nullptr) {
     draw_text(row.take_left(icon_width, gap), {font, kTextOnColor, Align::kLeft}, look.icon);
   }
-  row.width += 1.0F;  // Rounding must not cut the text short.
+  row.width += 1.0F;  // Rounding must not cut the text.
   draw_text(row, {font, kTextOnColor, Align::kLeft}, look.text);
   return width;
 }

@@ -23,12 +23,12 @@ float badge(const Theme& theme, const Rect& box, const BadgeLook& look, ImFont* 
 struct LegendRow {
   Color color;
   std::string text;
-  bool is_hollow = false;  ///< an outline: where nothing is
+  bool is_hollow = false;  ///< only an outline
 };
-/// A row each; returns the height.
+/// One row each; returns the height.
 float legend(const Theme& theme, const Rect& box, std::span<const LegendRow> rows);
 
-/// A scale of colors with a text at either end.
+/// A color scale with a text at each end.
 struct ScaleLook {
   std::span<const Color> colors;
   std::string low, high;

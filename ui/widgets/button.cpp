@@ -3,7 +3,7 @@
 namespace flytri::ui {
 namespace {
 
-/// How the pointer stands to a button.
+/// What the pointer does with a button.
 struct Touch {
   bool is_clicked = false, is_hovered = false, is_held = false;
 };
@@ -31,7 +31,7 @@ Color ink_color(const ButtonLook& look) {
   return look.is_main ? kTextOnColor : kText;
 }
 
-/// Face, and an outline where it is on: not by color alone.
+/// Fills the button; one that is on also gets an outline, not only a color.
 Touch draw_face(const Theme& theme, const Rect& box, const ButtonLook& look) {
   const Touch touched = touch(box, look);
   const float rounding = theme.px(kRounding);

@@ -7,16 +7,16 @@
 
 namespace flytri::ui {
 
-/// What a button says and how it stands.
+/// Texts and state of a button.
 struct ButtonLook {
   const char* id = "";  ///< unique in its panel
   const char* icon = nullptr;
   std::string label;
   std::string key;  ///< its key, small in the corner; empty: not shown
   bool is_enabled = true;
-  bool is_on = false;      ///< in hand or chosen
-  bool is_main = false;    ///< filled with `color`: the one thing to do next
-  Color color = kNeutral;  ///< of what is on or main
+  bool is_on = false;      ///< chosen
+  bool is_main = false;    ///< filled with `color`: the suggested next step
+  Color color = kNeutral;  ///< if it is on or main
   std::string hint;        ///< shown when the pointer rests on it
 };
 

@@ -6,10 +6,10 @@
 namespace flytri::ui {
 namespace {
 
-/// Localized lines are nearly straight: pieces of so many pixels on the screen follow them.
+/// Length, px on the screen, of the straight pieces that draw a found line.
 constexpr float kPiece_px = 8.0F;
 
-/// Where a pixel's middle lies on the screen.
+/// Position of the middle of a pixel on the screen.
 struct PixelPlace {
   Rect image;
   cv::Size size;
@@ -29,7 +29,7 @@ void draw_line(const std::vector<Pixel>& line, const PixelPlace& place, ImU32 co
   list.PathStroke(color, 0, thickness);
 }
 
-/// Halved until it is about as wide as it is shown at most: what is drawn of it costs as much.
+/// Halved until it is about as wide as shown, to save drawing time.
 cv::Mat reduced(cv::Mat image) {
   constexpr int kWidest_px = 640;
   while (image.cols > kWidest_px) {
@@ -45,8 +45,8 @@ cv::Mat reduced(cv::Mat image) {
 cv::Mat screen_image(const Frame& frame) {
   cv::Mat image = reduced(frame.image);
   if (image.channels() != 1) return image;
-  // Measurement frames are linear in light: encoded as screens expect, the dark surface between the
-  // lines is seen, too.
+  // Measurement frames are linear in light. Gamma encoding makes the dark surface between the lines
+  // visible.
   cv::Mat grey;
   image.convertTo(grey, CV_8U, image.depth() == CV_16U ? 1.0 / 257.0 : 1.0);
   cv::Mat table(1, 256, CV_8U);

@@ -1,4 +1,4 @@
-/// @file  A camera image with the lines that were found in it.
+/// @file  A camera image with the lines found in it.
 #pragma once
 
 #include <memory>
@@ -9,21 +9,21 @@
 
 namespace flytri::ui {
 
-/// The image of the latest frame in graphics memory; loaded anew only when the frame is another.
+/// The image of the latest frame in graphics memory; loaded only for a new frame.
 struct CameraPicture {
   Texture texture;
   std::shared_ptr<const scan::LiveFrame> frame;
 
-  bool is_new = false;      ///< another image than at the show() before
-  bool shows_lines = true;  ///< those that were found, over the image
+  bool is_new = false;      ///< the last show() changed the image
+  bool shows_lines = true;  ///< draws the found lines over the image
 
   void show(const std::shared_ptr<const scan::LiveFrame>& latest);
 };
 
-/// A frame's image as a screen shows it: of moderate size, CV_8UC1 or CV_8UC3.
+/// The image of a frame for the screen: reduced, CV_8UC1 or CV_8UC3.
 [[nodiscard]] cv::Mat screen_image(const Frame& frame);
 
-/// The image fitted into the box; a plain box with `missing_text` where there is none.
+/// Fits the image into the box; without an image, a plain box with `missing_text`.
 /// @return  where the image lies
 Rect camera_image(const Theme& theme, const Rect& box, const CameraPicture& picture,
                   const char* missing_text);

@@ -5,7 +5,7 @@
 namespace flytri::ui {
 namespace {
 
-/// Where a depth share lies along the bar: -1 at the left end, 1 at the right.
+/// Position of a depth share on the bar: -1 at the left end, 1 at the right.
 float place_along(const Rect& bar, double depth_share) {
   const auto share = static_cast<float>(std::clamp(depth_share, -1.0, 1.0));
   return bar.x + bar.width * (share + 1.0F) / 2.0F;
@@ -33,7 +33,7 @@ void draw_verdict(const Theme& theme, const Rect& row,
   draw_text(row, {theme.fonts.body, kTextQuiet, Align::kLeft}, "Distance");
   const TextStyle value = {theme.fonts.strong, distance ? kText : kTextQuiet, Align::kRight};
   draw_text(row, value,
-            distance ? to_string(judge_distance(distance->depth_share)) : "nothing in sight");
+            distance ? to_string(judge_distance(distance->depth_share)) : "no surface in view");
 }
 
 void draw_ends(const Theme& theme, const Rect& row) {

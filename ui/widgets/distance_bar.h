@@ -1,4 +1,4 @@
-/// @file  A bar that says whether the sensor is too near, right, or too far.
+/// @file  A bar that shows whether the sensor is too near, good, or too far.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@ namespace flytri::ui {
 
 enum class DistanceVerdict { kTooNear, kFine, kTooFar };
 
-/// Beyond this share of half the volume's depth much of the surface is about to leave it.
+/// Share of half the volume's depth. Beyond it, much of the surface is about to leave the volume.
 inline constexpr double kGoodDepthShare = 0.5;
 
 [[nodiscard]] DistanceVerdict judge_distance(double depth_share);
 [[nodiscard]] std::string_view to_string(DistanceVerdict verdict);
 
-/// Three zones with a marker, the verdict in words above. No distance: an empty bar.
+/// Three zones with a marker, and the result in words. Without a distance, an empty bar.
 void distance_bar(const Theme& theme, const Rect& box,
                   const std::optional<scan::SensorDistance>& distance);
 

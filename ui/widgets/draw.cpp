@@ -20,7 +20,7 @@ ImVec2 size_of(ImFont* font, std::string_view text, float wrap_width = 0.0F) {
 /// Bytes that follow the first of a UTF-8 character.
 bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-/// The text, or as much of it as fits with dots after it.
+/// The text, cut to the width if needed.
 template <typename Fits>
 std::string shortened(std::string_view text, const Fits& fits) {
   if (fits(text)) return std::string(text);
@@ -104,7 +104,7 @@ void draw_box(const Rect& box, const Color& color, float rounding) {
 }
 
 void draw_outline(const Rect& box, const Color& color, float thickness, float rounding) {
-  // Lines of ImGui lie on the middle of pixels: half of the thickness goes inside.
+  // ImGui centers lines: half of the thickness goes inside.
   const Rect middle = box.inset(thickness / 2.0F);
   ImGui::GetWindowDrawList()->AddRect(middle.min(), middle.max(), to_u32(color), rounding, 0,
                                       thickness);
@@ -112,7 +112,7 @@ void draw_outline(const Rect& box, const Color& color, float thickness, float ro
 
 bool touch_area(const char* id, const Rect& box, ImGuiButtonFlags buttons) {
   ImGui::SetCursorScreenPos(box.min());
-  // In a tiny window nothing may be left of a box, which Dear ImGui takes for a mistake.
+  // In a tiny window a box may be empty, which Dear ImGui does not allow.
   return ImGui::InvisibleButton(id, {std::max(box.width, 1.0F), std::max(box.height, 1.0F)},
                                 buttons);
 }

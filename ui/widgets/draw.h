@@ -1,4 +1,4 @@
-/// @file  Text and boxes as every widget draws them.
+/// @file  Draws text and boxes for all widgets.
 #pragma once
 
 #include <initializer_list>
@@ -20,28 +20,28 @@ struct TextStyle {
   Align align = Align::kLeft;
 };
 
-/// One line of text in the vertical middle of `box`, cut short with dots where it is too long.
+/// One line of text in the vertical middle of `box`; a long text is cut and ends with "…".
 void draw_text(const Rect& box, const TextStyle& style, std::string_view text);
-/// Text that goes over several lines, from the top of `box`. @return  its height
+/// Text in several lines, from the top of `box`. @return  its height
 float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view text);
-/// Text in the vertical middle of `box`, over as many lines as it takes, in the first of the fonts
-/// in which it has room; where the last is too large for it, too, cut short with dots.
+/// Text in several lines in the vertical middle of `box`, in the first of the fonts in which it
+/// fits. If none fits, it is cut and ends with "…".
 void draw_fitted(const Rect& box, std::initializer_list<ImFont*> fonts, const Color& color,
                  std::string_view text);
 [[nodiscard]] float text_width(ImFont* font, std::string_view text);
 [[nodiscard]] float wrapped_height(ImFont* font, float width, std::string_view text);
-/// The text, or as much of it as goes into the width with dots after it.
+/// The text, cut to the width if needed; then it ends with "…".
 [[nodiscard]] std::string elided(ImFont* font, float width, std::string_view text);
 
-/// Messages of the devices begin small, as they often follow the name of a file; in a paragraph of
-/// their own they begin large.
+/// The text with a capital first letter: messages of devices start small, as they often follow a
+/// file name.
 [[nodiscard]] std::string sentence(std::string message);
 
 /// A filled box with round corners.
 void draw_box(const Rect& box, const Color& color, float rounding = 0.0F);
 void draw_outline(const Rect& box, const Color& color, float thickness, float rounding = 0.0F);
 
-/// Takes clicks and drags within a box, which Dear ImGui then speaks of as its last item.
+/// Takes clicks and drags within a box, which becomes the last item of Dear ImGui.
 /// @param id  unique in its panel
 /// @return  whether it was clicked
 bool touch_area(const char* id, const Rect& box,

@@ -1,4 +1,4 @@
-/// @file  What was drawn in the latest frame, as far as tests ask: what lies where, what was cut.
+/// @file  Records for tests what the latest frame shows: positions of overlays, cut texts.
 #pragma once
 
 #include <imgui.h>
@@ -18,15 +18,15 @@ struct OverlayPlace {
 
 struct DrawRecord {
   std::vector<OverlayPlace> overlays;
-  std::vector<std::string> cut_texts;  ///< whole, as they were before they were cut
+  std::vector<std::string> cut_texts;  ///< the whole texts
 
   void clear() { *this = {}; }
 };
 
-/// Gives the record to all that is drawn in the current context of Dear ImGui; it must outlive it.
+/// Starts recording in the current context of Dear ImGui; the record must outlive it.
 inline void record_drawing(DrawRecord& record) { ImGui::GetIO().UserData = &record; }
 
-/// @return  null where nobody wants it
+/// @return  null if nothing is recorded
 inline DrawRecord* draw_record() { return static_cast<DrawRecord*>(ImGui::GetIO().UserData); }
 
 }  // namespace flytri::ui

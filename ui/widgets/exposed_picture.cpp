@@ -9,14 +9,14 @@ cv::Scalar rgb(const Color& color) {
   return {255.0 * color[0], 255.0 * color[1], 255.0 * color[2]};
 }
 
-/// How much of a mark covers the image: lines are thin and need all of it, areas only a tint.
+/// Opacity of marks: thin lines need more than areas.
 constexpr double kLineInk = 1.0, kAreaInk = 0.35;
 
 void paint(cv::Mat& image, const cv::Mat& marks, ExposureMark mark, const Color& color,
            double ink) {
   const cv::Mat marked = marks == static_cast<double>(mark);
   cv::Mat mask;
-  // Averaged, a single marked pixel leaves something in the one that it becomes a part of.
+  // Averaging keeps a trace of a single marked pixel.
   cv::resize(marked, mask, image.size(), 0.0, 0.0, cv::INTER_AREA);
   const cv::Mat colored(image.size(), image.type(), rgb(color));
   cv::Mat mixed;

@@ -12,7 +12,7 @@ namespace flytri::ui {
 inline constexpr Color kClippedMark = kBad;
 inline constexpr Color kDarkMark = kNeutral;
 
-/// Judged and loaded anew only when the frame is another.
+/// Measured and loaded only for a new frame.
 struct ExposedPicture {
   CameraPicture picture;
   Exposure exposure;
@@ -20,8 +20,8 @@ struct ExposedPicture {
   void show(const std::shared_ptr<const scan::LiveFrame>& latest);
 };
 
-/// The image for the screen, RGB, with its marks in the colors above; marks stay seen however much
-/// the image is reduced.
+/// The image for the screen, RGB, with its marks in the colors above. Marks stay visible however
+/// much the image is reduced.
 [[nodiscard]] cv::Mat marked_image(const Frame& frame, const cv::Mat& marks);
 
 }  // namespace flytri::ui

@@ -7,10 +7,10 @@
 namespace flytri::ui {
 namespace {
 
-/// Lines cover little of an image: what a hundred-thousandth of the pixels is, is still seen.
+/// Lines cover few pixels: a share of 1e-5 is still visible.
 constexpr double kLeastShare = 1e-5;
 
-/// Decades above the least share that is seen, by all there are: 0..1.
+/// Height of a bar on the logarithmic scale: 0..1.
 float height_of(double share) {
   if (share <= kLeastShare) return 0.0F;
   return static_cast<float>(1.0 - std::log10(share) / std::log10(kLeastShare));

@@ -1,4 +1,4 @@
-/// @file  How many pixels have which brightness, as bars.
+/// @file  A histogram of the brightness of pixels.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace flytri::ui {
 
-/// @param shares  of all pixels, by rising brightness; the last bin is that of clipped pixels
+/// @param shares  of all pixels, by rising brightness; the last bin holds clipped pixels
 void histogram(const Theme& theme, const Rect& box, std::span<const double> shares);
 
 }  // namespace flytri::ui

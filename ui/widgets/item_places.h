@@ -1,4 +1,4 @@
-/// @file  Where buttons and panels lie in the latest frame, by name: tests click there.
+/// @file  Positions of buttons and panels in the latest frame, by id, for tests.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-/// @file  Rectangles counted from the upper edge of a picture, as the window has them, and boxes of
-/// pixels counted from the lower one, as OpenGL has them.
+/// @file  Converts between rectangles from the upper edge of a picture, as in the window, and boxes
+/// of pixels from the lower edge, as in OpenGL.
 #pragma once
 
 #include "ui/gpu/pixel_box.h"

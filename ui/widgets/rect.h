@@ -1,4 +1,4 @@
-/// @file  Rectangles of the window, in pixels from its upper left corner, and how they are cut up.
+/// @file  Rectangles of the window, in pixels from its upper left corner, and ways to cut them up.
 #pragma once
 
 #include <imgui.h>
@@ -19,7 +19,7 @@ struct Rect {
   [[nodiscard]] bool contains(const ImVec2& p) const {
     return p.x >= x && p.x < right() && p.y >= y && p.y < bottom();
   }
-  /// What belongs to both; of no size where there is nothing.
+  /// The common part; of size 0 if there is none.
   [[nodiscard]] Rect intersected(const Rect& other) const {
     const float left = std::max(x, other.x), top = std::max(y, other.y);
     return {left, top, std::max(std::min(right(), other.right()) - left, 0.0F),
@@ -31,7 +31,7 @@ struct Rect {
   }
   [[nodiscard]] Rect inset(float margin) const { return inset(margin, margin); }
 
-  // Cut a part off; this becomes the rest, less a gap.
+  // Cut off a part; the rectangle becomes the rest, minus a gap.
   Rect take_top(float h, float gap = 0.0F) {
     const Rect part = {x, y, width, std::min(h, height)};
     const float used = std::min(h + gap, height);
@@ -62,7 +62,7 @@ struct Rect {
   }
 };
 
-/// The largest rectangle of the shape of a picture within `box`, in its middle.
+/// The largest centered rectangle in `box` with the aspect ratio of a picture.
 [[nodiscard]] inline Rect fitted(const Rect& box, float picture_width, float picture_height) {
   const float factor = std::min(box.width / picture_width, box.height / picture_height);
   return box.centered(picture_width * factor, picture_height * factor);

@@ -5,9 +5,9 @@
 namespace flytri::ui {
 namespace {
 
-/// How far depth is drawn to the right and up, of its length.
+/// Shares of a depth by which it is drawn to the right and up.
 constexpr double kObliqueRight = 0.35, kObliqueUp = 0.30;
-/// Points of a profile passed over: the picture is small.
+/// Draws only every n-th point of a profile, as the picture is small.
 constexpr std::size_t kPreviewStride = 12;
 
 void draw_volume(const Theme& theme, const Rect& box, const Vec3& volume_mm) {

@@ -1,4 +1,4 @@
-/// @file  The latest views of both patterns in the box of the measurement volume, small.
+/// @file  A small picture of the latest views of both patterns in the measurement volume.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace flytri::ui {
 
-/// Where a point of the sensor frame lies in the box: an oblique look onto the volume, x right,
-/// y down, deeper to the upper right.
+/// Position of a point of the sensor frame in the box. Oblique projection: x right, y down, depth
+/// to the upper right.
 [[nodiscard]] ImVec2 place_in_preview(const Rect& box, const Vec3& volume_mm, const Vec3& point_mm);
 
-/// @param views  by Pattern; null where there is none
+/// @param views  by Pattern; null if there is none
 void volume_preview(const Theme& theme, const Rect& box, const Vec3& volume_mm,
                     const std::array<std::shared_ptr<const View>, 2>& views);
 

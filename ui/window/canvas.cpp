@@ -9,7 +9,7 @@
 namespace flytri::ui {
 namespace {
 
-/// Narrows all clip rectangles of a frame to a box while it lives.
+/// While it exists, all clip rectangles of a frame are limited to a box.
 class Narrowed {
  public:
   Narrowed(ImDrawData& data, const Rect& box) : data_(data) {
@@ -38,8 +38,7 @@ class Narrowed {
   std::vector<ImVec4> kept_;
 };
 
-/// The lists that draw something within a box to which the clip rectangles are narrowed: the others
-/// would be sent for nothing.
+/// Only the lists that draw something within the box.
 std::vector<ImDrawList*> reaching(const ImDrawData& data) {
   std::vector<ImDrawList*> lists;
   for (int i = 0; i < data.CmdListsCount; ++i) {

@@ -1,4 +1,4 @@
-/// @file  The window's picture, kept from frame to frame: what has not changed is not drawn again.
+/// @file  The picture of the window, kept between frames; only changed parts are drawn.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace flytri::ui {
 
-/// Lives in the window's context. What lies in a window's framebuffer after it was shown is not
-/// defined, so the picture is kept in a texture and copied as a whole.
+/// Needs the context of the window. The content of a framebuffer is undefined after it was shown,
+/// so the picture is kept in a texture and copied.
 class Canvas {
  public:
-  /// An empty picture where the size is another one.
-  /// @return  whether it is
+  /// Starts an empty picture if the size changed.
+  /// @return  whether it changed
   bool resize(const ImageSize& size);
-  /// Draws what lies in the boxes; the rest stays as it was.
-  /// @param data  as Dear ImGui's Render() left it; clip rectangles are narrowed and restored
+  /// Draws the content of the boxes; the rest stays.
+  /// @param data  of Dear ImGui's Render(); clip rectangles are narrowed and restored
   void draw(ImDrawData& data, const std::vector<Rect>& boxes, const Color& background);
   [[nodiscard]] const Framebuffer& picture() const { return framebuffer_; }
 

@@ -8,7 +8,7 @@ namespace flytri::ui {
 namespace {
 
 constexpr int kTile_px = 32;
-/// Each box costs a walk through all triangles, so there are few.
+/// Each box needs a pass over all triangles, so there are few.
 constexpr std::size_t kMostBoxes = 4;
 
 /// Tiles from..to, `to` excluded.
@@ -36,7 +36,7 @@ std::uint64_t print_of(std::uint64_t print, const ImDrawVert& vertex) {
   return mixed(mixed(print, pair_of(vertex.uv.x, vertex.uv.y)), vertex.col);
 }
 
-/// The tiles that a rectangle touches.
+/// The tiles that a rectangle covers.
 TileBox tiles_of(const Rect& rect, int columns, int rows) {
   const auto tile = [](float px, int count) { return std::clamp(static_cast<int>(px), 0, count); };
   return {tile(std::floor(rect.x / kTile_px), columns), tile(std::floor(rect.y / kTile_px), rows),
@@ -91,7 +91,7 @@ class TilePrints {
   std::vector<std::uint64_t> prints_;
 };
 
-/// Runs of different tiles in a row; a run like the one above makes that one longer.
+/// Boxes of consecutive different tiles in a row; equal ones in the row above are extended.
 void add_row(const std::vector<bool>& is_different, int row, std::vector<TileBox>& boxes) {
   const int columns = static_cast<int>(is_different.size());
   for (int left = 0; left < columns; ++left) {
@@ -110,7 +110,7 @@ void add_row(const std::vector<bool>& is_different, int row, std::vector<TileBox
   }
 }
 
-/// Merges the two boxes that grow least by it.
+/// Merges the two boxes whose union grows least.
 void merge_two(std::vector<TileBox>& boxes) {
   std::size_t first = 0, second = 1;
   std::optional<int> least;

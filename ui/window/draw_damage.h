@@ -1,7 +1,7 @@
-/// @file  Finds the parts of the window that look different from the frame before.
+/// @file  Finds the parts of the window that differ from the previous frame.
 ///
-/// Without a graphics card every pixel that is drawn is work for the processor that scans. Most of
-/// the window is the same from frame to frame: what Dear ImGui wants drawn is compared tile by
+/// Without a graphics card, drawing takes processor time from the scan, and most of the window does
+/// not change. So the output of Dear ImGui is compared with that of the previous frame, tile by
 /// tile.
 #pragma once
 
@@ -14,11 +14,11 @@ namespace flytri::ui {
 
 class DrawDamage {
  public:
-  /// @param repainted  where a texture's content is another one: the triangles do not tell
-  /// @return  a few boxes of whole tiles, px, that hold every difference; they may overlap
+  /// @param repainted  where the content of a texture changed, which triangles do not show
+  /// @return  a few boxes of whole tiles, px, that contain every difference; they may overlap
   [[nodiscard]] std::vector<Rect> update(const ImDrawData& data,
                                          const std::vector<Rect>& repainted);
-  /// Everything is different in the next update.
+  /// The next update reports everything as different.
   void forget() { prints_.clear(); }
 
  private:

@@ -11,7 +11,7 @@
 namespace flytri::ui {
 namespace {
 
-/// The keys that Dear ImGui's text fields ask for by name.
+/// The keys that the text fields of Dear ImGui use.
 void name_keys(ImGuiIO& io) {
   io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
   io.KeyMap[ImGuiKey_LeftArrow] = GLFW_KEY_LEFT;
@@ -32,7 +32,7 @@ void name_keys(ImGuiIO& io) {
   io.KeyMap[ImGuiKey_Z] = GLFW_KEY_Z;
 }
 
-/// Hands one event to Dear ImGui.
+/// Passes one event to Dear ImGui.
 struct Feed {
   ImGuiIO& io;
 
@@ -88,7 +88,7 @@ Result<void> ImGuiHost::set_scale(float scale) {
   theme_ = *theme;
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
-  ImGui::GetIO().Fonts->ClearTexData();  // some 40 MB that the texture has now
+  ImGui::GetIO().Fonts->ClearTexData();  // some 40 MB, now in the texture
   damage_.forget();
   return {};
 }

@@ -1,4 +1,4 @@
-/// @file  Dear ImGui's context: fed from the window's event queue, drawn with OpenGL.
+/// @file  The context of Dear ImGui: gets the events of the window, draws with OpenGL.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,7 @@ struct ImGuiContext;
 
 namespace flytri::ui {
 
-/// Owns the context, which Dear ImGui keeps as the one current context of the process. Nothing is
-/// written to disk.
+/// Owns the context, of which a process has one. Writes nothing to disk.
 class ImGuiHost {
  public:
   explicit ImGuiHost(Window& window);
@@ -22,19 +21,19 @@ class ImGuiHost {
   ImGuiHost(const ImGuiHost&) = delete;
   ImGuiHost& operator=(const ImGuiHost&) = delete;
 
-  /// Fonts and sizes for a scale; nothing happens where it is the one already set.
+  /// Sets fonts and sizes for a scale; does nothing if it is already set.
   /// @errors  those of make_theme.
   [[nodiscard]] Result<void> set_scale(float scale);
   [[nodiscard]] const Theme& theme() const { return theme_; }
 
-  /// Opens a frame of Dear ImGui with the next events of the window.
+  /// Begins a frame of Dear ImGui with the next events of the window.
   /// @param size  of the window in this frame
   /// @param now_s  monotonic
-  /// @return  keys pressed and repeated in this frame while no text field wanted them, in order
+  /// @return  keys pressed and repeated in this frame, in order; without those of text fields
   [[nodiscard]] std::vector<KeyEvent> begin_frame(const ImageSize& size, double now_s);
-  /// Draws what is different from the frame before.
-  /// @param repainted  where textures hold another picture than before
-  /// @return  where it is, px of the canvas
+  /// Draws what changed since the previous frame.
+  /// @param repainted  where the content of textures changed
+  /// @return  where it changed, px of the canvas
   std::vector<PixelBox> end_frame(const std::vector<Rect>& repainted);
   /// The frame as it was drawn.
   [[nodiscard]] const Canvas& canvas() const { return canvas_; }

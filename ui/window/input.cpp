@@ -6,14 +6,14 @@
 namespace flytri::ui {
 namespace {
 
-/// What a frame has taken so far.
+/// The events taken for the frame so far.
 struct Taken {
   bool has_button = false;
   std::set<int> keys;
 
   [[nodiscard]] bool would_hide(const InputEvent& event) const {
     if (const auto* key = std::get_if<KeyEvent>(&event)) return keys.contains(key->key);
-    // After a click neither the pointer may leave its place nor another click come.
+    // After a click, pointer motions and further clicks have to wait.
     return has_button && (std::holds_alternative<ButtonEvent>(event) ||
                           std::holds_alternative<PointerEvent>(event));
   }

@@ -1,5 +1,4 @@
-/// @file  What the user did, in order: events from the window's callbacks, and how they are dealt
-/// out to frames so that slow ones lose none.
+/// @file  Input events in order, and their distribution to frames: slow frames lose none.
 #pragma once
 
 #include <deque>
@@ -8,8 +7,8 @@
 
 namespace flytri::ui {
 
-/// A key as GLFW names it; a letter key is named by the letter printed on it. Repeats follow a
-/// press while the key is held.
+/// A key by its GLFW name; a letter key by the letter printed on it. While a key is held, repeats
+/// follow.
 struct KeyEvent {
   int key = 0;
   int modifiers = 0;  ///< GLFW_MOD_*
@@ -33,9 +32,9 @@ struct WheelEvent {
 };
 using InputEvent = std::variant<KeyEvent, CharacterEvent, PointerEvent, ButtonEvent, WheelEvent>;
 
-/// Dear ImGui 1.86 sees the state of keys and buttons once a frame. Of a press and its release
-/// within one frame it would see nothing, of a click and a later motion a click at the wrong place:
-/// so a frame takes events in order only until one would hide an earlier one.
+/// Dear ImGui 1.86 reads the state of keys and buttons once a frame. It would miss a press and
+/// release within one frame, and see a click followed by a motion at the wrong place. So a frame
+/// takes events in order, until one would hide an earlier one.
 class InputQueue {
  public:
   void push(const InputEvent& event) { events_.push_back(event); }

@@ -9,7 +9,7 @@
 namespace flytri::ui {
 namespace {
 
-/// Mesa's renderers that run on the processor say so by their names.
+/// Recognizes the software renderers of Mesa by name.
 bool is_drawn_by_processor() {
   const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const std::string_view renderer = text == nullptr ? "" : text;

@@ -1,5 +1,5 @@
-/// @file  Shows parts of a window where OpenGL is computed by the processor: a swap would send the
-/// whole picture to the screen.
+/// @file  Shows parts of a window. Without a graphics card, a swap would send the whole picture to
+/// the screen.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@ namespace flytri::ui {
 class PartialSwap {
  public:
   /// For the window whose context is current.
-  /// @return  nothing where a graphics card draws, which swaps at no cost and in step with the
-  ///          screen, or where the window system can only swap
+  /// @return  nothing if a graphics card draws, which swaps at no cost, or if the window system can
+  ///          only swap
   [[nodiscard]] static std::optional<PartialSwap> find();
-  /// Sends a part of the window's framebuffer to the screen; the rest of the screen stays.
+  /// Sends a part of the framebuffer to the screen; the rest stays.
   void show(const PixelBox& part) const;
 
  private:

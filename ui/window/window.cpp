@@ -11,7 +11,7 @@
 namespace flytri::ui {
 namespace {
 
-/// Why GLFW failed, in its own words.
+/// The error message of GLFW.
 std::string glfw_reason() {
   const char* text = nullptr;
   glfwGetError(&text);
@@ -27,7 +27,7 @@ void set_hints() {
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
 }
 
-/// Keys of the number pad by their twins.
+/// Maps keys of the number pad to the ordinary keys.
 int twin_of(int key) {
   switch (key) {
     case GLFW_KEY_KP_ADD:
@@ -41,8 +41,8 @@ int twin_of(int key) {
   }
 }
 
-/// The key by what is printed on it: Z is Z on a German keyboard, too. GLFW names keys by their
-/// place on an American one, with the capital letter or the sign for a number.
+/// The key by the letter printed on it: Z is Z on a German keyboard, too. GLFW itself names keys by
+/// their place on an American keyboard.
 int printed_key(int key, int scancode) {
   const char* name = glfwGetKeyName(key, scancode);
   if (name == nullptr || name[0] == '\0' || name[1] != '\0') return twin_of(key);
@@ -67,7 +67,7 @@ void on_character(GLFWwindow* window, unsigned code) {
   queue_of(window).push(CharacterEvent{code});
 }
 
-/// GLFW tells the pointer in screen coordinates, which are not pixels everywhere.
+/// GLFW reports the pointer in screen coordinates, which are not always pixels.
 void on_pointer(GLFWwindow* window, double x, double y) {
   int width = 0, height = 0, width_px = 0, height_px = 0;
   glfwGetWindowSize(window, &width, &height);

@@ -1,4 +1,4 @@
-/// @file  A window with an OpenGL 3.3 core context, and all that the user does in it.
+/// @file  A window with an OpenGL 3.3 core context, and its input events.
 #pragma once
 
 #include <memory>
@@ -22,20 +22,20 @@ struct WindowOptions {
   bool waits_for_screen = true;
 };
 
-/// One for a process: the window system is opened and closed with it.
+/// One per process: opens and closes the window system.
 class Window {
  public:
-  /// The context is current to the calling thread afterwards.
-  /// @errors  kNotFound where there is no display or no OpenGL 3.3.
+  /// Makes the context current in the calling thread.
+  /// @errors  kNotFound without a display or OpenGL 3.3
   [[nodiscard]] static Result<std::unique_ptr<Window>> open(const WindowOptions& options);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Takes what the window system has for us, without waiting.
+  /// Takes new events of the window system, without waiting.
   void poll();
-  /// Puts a picture of the window's size on the screen; does nothing where it is there already.
-  /// @param changed  where the picture is another one than at the last call, px of the picture
+  /// Shows a picture of the size of the window; does nothing if nothing changed.
+  /// @param changed  where the picture changed since the last call, px of the picture
   void show(const Framebuffer& picture, const std::vector<PixelBox>& changed);
   [[nodiscard]] bool should_close() const;
   [[nodiscard]] ImageSize framebuffer_size() const;
@@ -48,15 +48,15 @@ class Window {
   explicit Window(GLFWwindow* window);
   void listen();
   static void on_refresh(GLFWwindow* window);
-  /// Whether the window still has the size that it had when this was last asked. Between the two,
-  /// OpenGL saw a size when it drew, and a part is placed from the bottom of that: by another size
-  /// it would lie outside of OpenGL's picture, and for that the X server ends the program.
+  /// Whether the window has the same size as at the last call. A part is placed from the bottom of
+  /// the size that OpenGL saw when drawing; with another size it could lie outside of the picture,
+  /// and the X server would end the program.
   [[nodiscard]] bool keeps_its_size();
   GLFWwindow* window_;
   InputQueue input_;
   std::optional<PartialSwap> partial_swap_;
   ImageSize shown_size_;       ///< what keeps_its_size() last saw
-  bool wants_refresh_ = true;  ///< the window system asks for the whole picture again
+  bool wants_refresh_ = true;  ///< the window system needs the whole picture again
 };
 
 }  // namespace flytri::ui

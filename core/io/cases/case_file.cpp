@@ -84,9 +84,8 @@ Result<void> CaseFile::append_texture(ScanStage stage, const Frame& frame) {
 Result<void> CaseFile::write_frames(ScanStage stage, std::span<const StoredFrame> frames) {
   Result<void> outcome;
   for (const StoredFrame& frame : frames) {
-    add_outcome(outcome,
-                records_->replace(CaseTable::kFrames, record_id(stage, frame.frame.value),
-                                  encode_frame(frame)));
+    add_outcome(outcome, records_->replace(CaseTable::kFrames, record_id(stage, frame.frame.value),
+                                           encode_frame(frame)));
   }
   return outcome;
 }

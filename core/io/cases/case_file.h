@@ -1,8 +1,8 @@
 /// @file  A case on disk: the scans of a patient as they come, and the models made of them. They
 /// survive a crash of the program or a power failure.
 ///
-/// Each case is one SQLite database; docs/formats.md lists its contents. A program that commits every
-/// second loses at most the last second when it is killed.
+/// Each case is one SQLite database; docs/formats.md lists its contents. A program that commits
+/// every second loses at most the last second when it is killed.
 #pragma once
 
 #include <array>
@@ -116,11 +116,11 @@ class CaseRecords;
 /// other program can open it.
 ///
 /// Writes collect in a transaction until commit(). Without a commit() they are dropped when the
-/// object is destroyed. A write that fails is not dropped: its record waits in memory, and so do all
-/// later ones, until a commit() succeeds. So after a full disk nothing needs to be written twice;
-/// free some space and call commit(). If more records wait than CaseOptions::max_waiting_bytes allow,
-/// further writes are refused with kInsufficient, and these records are lost.
-/// A case that turns out to be damaged is read-only from then on.
+/// object is destroyed. A write that fails is not dropped: its record waits in memory, and so do
+/// all later ones, until a commit() succeeds. So after a full disk nothing needs to be written
+/// twice; free some space and call commit(). If more records wait than
+/// CaseOptions::max_waiting_bytes allow, further writes are refused with kInsufficient, and these
+/// records are lost. A case that turns out to be damaged is read-only from then on.
 /// @errors  All functions that write: kWriteFailed (disk full, failing device; the record waits),
 ///          kNotPermitted (read-only, or locked by another program), kInsufficient (too many
 ///          records wait).
@@ -136,8 +136,8 @@ class CaseFile {
                                                std::string_view calibration_json = {});
   /// Opens a case. If it is damaged, it is opened read-only, see damage().
   /// @errors  kNotFound; kNotPermitted (permissions, or another program has it open); kInconsistent
-  ///          (encrypted, and the passphrase is wrong or missing); kBadFormat (not a case, of a newer
-  ///          version, or too damaged to be read).
+  ///          (encrypted, and the passphrase is wrong or missing); kBadFormat (not a case, of a
+  ///          newer version, or too damaged to be read).
   [[nodiscard]] static Result<CaseFile> open(const std::filesystem::path& path,
                                              const CaseOptions& options = {});
   CaseFile(CaseFile&&) noexcept;
@@ -182,8 +182,8 @@ class CaseFile {
   /// Erases everything of a stage, so that it can be scanned again.
   [[nodiscard]] Result<void> clear_stage(ScanStage stage);
   /// Saves all writes since the last commit, so that they survive the end of the process. A power
-  /// failure may cost more, back to the last checkpoint of the log (every 8 MiB), but the case stays
-  /// consistent.
+  /// failure may cost more, back to the last checkpoint of the log (every 8 MiB), but the case
+  /// stays consistent.
   [[nodiscard]] Result<void> commit();
 
   [[nodiscard]] Result<StageCounts> counts(ScanStage stage);

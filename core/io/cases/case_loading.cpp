@@ -46,7 +46,8 @@ void read_views(StageReader& reader) {
   reader.read(CaseTable::kViews, [&](std::int64_t id, std::string_view data) {
     return decode_view(data).and_then([&](View&& view) -> Result<void> {
       if (view.frame != frame_of(id)) {
-        return fail(ErrorCode::kBadFormat, "damaged: contains the view of frame {}", view.frame.value);
+        return fail(ErrorCode::kBadFormat, "damaged: contains the view of frame {}",
+                    view.frame.value);
       }
       reader.loaded.views.push_back({std::make_shared<const View>(std::move(view)), std::nullopt});
       return {};
@@ -127,7 +128,8 @@ Result<std::string> CaseFile::calibration() {
   auto json = records_->find(CaseTable::kCalibration, kOnlyRecord);
   if (!json) return tl::unexpected(json.error());
   if (*json) return **std::move(json);
-  return fail(ErrorCode::kInsufficient, "{}: contains no calibration; give one with --calibration FILE", path_.string());
+  return fail(ErrorCode::kInsufficient,
+              "{}: contains no calibration; give one with --calibration FILE", path_.string());
 }
 
 Result<StageCounts> CaseFile::counts(ScanStage stage) {

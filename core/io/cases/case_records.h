@@ -83,7 +83,7 @@ class CaseRecords {
 
   SqliteDatabase database_;
   bool is_read_only_ = false;
-  bool is_damaged_ = false;            ///< damage was found: nothing is written any more
+  bool is_damaged_ = false;  ///< damage was found: nothing is written any more
   std::size_t max_waiting_bytes_;
   bool is_writing_ = false;            ///< a transaction is open
   std::optional<Error> failure_;       ///< of the latest write or commit; none: it succeeded

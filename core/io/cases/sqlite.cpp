@@ -11,7 +11,8 @@ namespace {
 
 /// Says what a failed call means for the user, and what to do.
 /// @errors  kWriteFailed (disk full, failing device), kNotPermitted (no permission, or another
-///          program has it open), kBadFormat (damaged), kInconsistent (not a database, wrong passphrase).
+///          program has it open), kBadFormat (damaged), kInconsistent (not a database, wrong
+///          passphrase).
 tl::unexpected<Error> sqlite_failure(int code, const std::string& name) {
   switch (code & 0xff) {
     case SQLITE_FULL:
@@ -31,11 +32,12 @@ tl::unexpected<Error> sqlite_failure(int code, const std::string& name) {
                   "folder, or choose another folder",
                   name);
     case SQLITE_NOTADB:
-      return fail(ErrorCode::kInconsistent, "{}: is not a database, or encrypted with another passphrase",
-                  name);
+      return fail(ErrorCode::kInconsistent,
+                  "{}: is not a database, or encrypted with another passphrase", name);
     case SQLITE_IOERR:
       if (code != SQLITE_IOERR_READ && code != SQLITE_IOERR_SHORT_READ) {
-        return fail(ErrorCode::kWriteFailed, "{}: cannot be written: the device has failed; choose another folder", name);
+        return fail(ErrorCode::kWriteFailed,
+                    "{}: cannot be written: the device has failed; choose another folder", name);
       }
       [[fallthrough]];
     default:

@@ -2,8 +2,8 @@
 ///
 /// Little-endian. A header comes first, then the numbers of the points, column by column: x, y, z
 /// (f64), deviation x, y, z, along (f32). Each number is stored as the difference of its bits from
-/// those of the previous point on the profile. Bytes of equal weight are stored together, as a plane.
-/// The planes of high weight hardly change and compress well; planes full of noise are not
+/// those of the previous point on the profile. Bytes of equal weight are stored together, as a
+/// plane. The planes of high weight hardly change and compress well; planes full of noise are not
 /// compressed.
 ///
 ///     u8   version, 1

@@ -103,8 +103,9 @@ void check_camera(const CameraModel& camera, const std::string& name, OptionChec
 
 void check_projector(const ProjectorModel& projector, Pattern pattern, OptionCheck& check) {
   const std::string name = fmt::format("projector({})", to_string(pattern));
-  check.must(name + ".pattern", to_string(projector.pattern), projector.pattern == pattern,
-             to_string(pattern))
+  check
+      .must(name + ".pattern", to_string(projector.pattern), projector.pattern == pattern,
+            to_string(pattern))
       .at_least(name + ".line_count", projector.line_count(), 1);
   check_lens(projector.lens, name, check);
 }

@@ -10,8 +10,8 @@
 namespace flytri::reconstruct {
 namespace {
 
-const std::vector<std::string> kSteps = {"Refining all views together", "Calculating normals",
-                                         "Thinning points", "Meshing", "Texturing"};
+const std::vector<std::string> kSteps = {"Aligning the scan", "Calculating normals", "Simplifying",
+                                         "Meshing", "Texturing"};
 
 /// A small scan with texture; sensor and texture camera look along z.
 class FinishScan : public ::testing::Test {

@@ -40,7 +40,7 @@ class GoneShots final : public shots::ShotSource {
 };
 
 CalibrationJob calibration_job(const std::filesystem::path& folder,
-                        std::shared_ptr<shots::ShotSource> shots) {
+                               std::shared_ptr<shots::ShotSource> shots) {
   CalibrationJob job;
   job.folder = folder;
   job.open_source = [shots] { return Result<std::shared_ptr<shots::ShotSource>>(shots); };

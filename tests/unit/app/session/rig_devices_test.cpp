@@ -57,14 +57,14 @@ TEST(DeviceStates, MarkOnlyLossesAsFaults) {
   status.measurement.camera.dropped = 2;
   const auto devices = device_states(rig_with_texture(), status);
   EXPECT_TRUE(figure(devices[0], "gaps").is_worrying);
-  EXPECT_FALSE(figure(devices[0], "straddled").is_worrying) << "switching costs frames";
+  EXPECT_FALSE(figure(devices[0], "mixed light").is_worrying) << "switching costs frames";
   EXPECT_FALSE(figure(devices[0], "damaged").is_worrying);
 }
 
 TEST(DeviceStates, ShowTheLatencyOnceItIsKnown) {
   rig::RigStatus status = running();
   const rig::RigSettings rig = rig_with_texture();
-  EXPECT_EQ(figure(device_states(rig, status)[0], "latency").value, "learning");
+  EXPECT_EQ(figure(device_states(rig, status)[0], "latency").value, "measuring");
   status.measurement.is_learned = true;
   status.measurement.latency.latency_s = 0.0214;
   EXPECT_EQ(figure(device_states(rig, status)[0], "latency").value, "21.4 ms");

@@ -20,8 +20,8 @@ namespace flytri::io {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using testing::FileSizeLimit;
+using ::testing::HasSubstr;
 using testing::same_bits;
 using testing::sample_edit;
 using testing::sample_pose;

@@ -42,7 +42,7 @@ TEST_F(Shaders, AllCompileAndLink) {
   EXPECT_GE(programs, 8);
 }
 
-TEST_F(Shaders, ABrokenOneIsNamedWithTheDriversWords) {
+TEST_F(Shaders, ABrokenShaderIsReportedWithItsNameAndTheDriversMessage) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "shaders");
   std::ofstream(folder.path() / "shaders/bad.vert")
@@ -55,7 +55,7 @@ TEST_F(Shaders, ABrokenOneIsNamedWithTheDriversWords) {
   EXPECT_NE(program.error().message.find("bad.vert"), std::string::npos);
 }
 
-TEST(AssetPath, SaysWhereItLookedAndWhatHelps) {
+TEST(AssetPath, AMissingAssetIsReportedWithTheFoldersAndARemedy) {
   const auto missing = asset_path("shaders/none.vert");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::kNotFound);
@@ -63,7 +63,7 @@ TEST(AssetPath, SaysWhereItLookedAndWhatHelps) {
   EXPECT_NE(missing.error().message.find("FLYTRI_ASSETS"), std::string::npos);
 }
 
-TEST(AssetPath, TheVariableWins) {
+TEST(AssetPath, TheEnvironmentVariableComesFirst) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "a.txt") << "mine";
   setenv("FLYTRI_ASSETS", folder.path().c_str(), 1);
@@ -72,7 +72,7 @@ TEST(AssetPath, TheVariableWins) {
   unsetenv("FLYTRI_ASSETS");
   ASSERT_TRUE(text);
   EXPECT_EQ(*text, "mine");
-  EXPECT_FALSE(elsewhere) << "nothing is mixed from two places";
+  EXPECT_FALSE(elsewhere) << "assets come from one folder only";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 /// A machine that takes a fixed time for a picture and more for each surfel.
 double picture_ms(double surfels) { return 10.0 + 2e-4 * surfels; }
 
-TEST(DetailGovernor, ComesToTheTimeAimedAt) {
+TEST(DetailGovernor, ReachesTheTimeAimedAt) {
   DetailGovernor governor;
   constexpr std::size_t kVisible = 2'000'000;
   double drawn = 0.0;
@@ -16,12 +16,12 @@ TEST(DetailGovernor, ComesToTheTimeAimedAt) {
     drawn = governor.share_for(kVisible, 33.0) * kVisible;
     governor.learn(static_cast<std::size_t>(drawn), picture_ms(drawn));
   }
-  // A third less or a tenth more is let pass.
+  // A third less or a tenth more is tolerated.
   EXPECT_GT(picture_ms(drawn), 0.67 * 33.0);
   EXPECT_LT(picture_ms(drawn), 1.1 * 33.0);
 }
 
-TEST(DetailGovernor, DrawsAllWhereThereIsTime) {
+TEST(DetailGovernor, DrawsEverythingIfThereIsTime) {
   DetailGovernor governor;
   for (int frame = 0; frame < 10; ++frame) {
     EXPECT_EQ(governor.share_for(60'000, 33.0), 1.0);
@@ -29,7 +29,7 @@ TEST(DetailGovernor, DrawsAllWhereThereIsTime) {
   }
 }
 
-TEST(DetailGovernor, DoesNotFlickerWhileTheTimeVariesALittle) {
+TEST(DetailGovernor, SmallVariationsInTimeDoNotChangeTheShare) {
   DetailGovernor governor;
   governor.learn(200'000, 50.0);
   const double share = governor.share_for(1'000'000, 33.0);

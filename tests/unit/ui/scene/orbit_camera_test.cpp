@@ -34,7 +34,7 @@ Vec3 seen_at(const OrbitCamera& camera, const Vec3& p_world) {
           (0.5 - 0.5 * clip.y() / clip.w()) * kSize.height_px - 0.5, clip.w()};
 }
 
-TEST(OrbitCamera, SeesTheTargetInTheMiddleAndTheHeightFromBorderToBorder) {
+TEST(OrbitCamera, ShowsTheTargetInTheMiddleAndTheHeightFromEdgeToEdge) {
   const OrbitCamera camera = some_camera();
   const Vec3 middle = seen_at(camera, some_pose().target_mm);
   EXPECT_NEAR(middle.x(), 639.5, 1e-9);
@@ -44,14 +44,14 @@ TEST(OrbitCamera, SeesTheTargetInTheMiddleAndTheHeightFromBorderToBorder) {
   EXPECT_NEAR(seen_at(camera, some_pose().target_mm + up).y(), -0.5, 1e-9) << "upper border";
 }
 
-TEST(OrbitCamera, ARayPassesThroughWhatIsSeenAtItsPixel) {
+TEST(OrbitCamera, ARayPassesThroughThePointSeenAtItsPixel) {
   const OrbitCamera camera = some_camera();
   const Vec3 p_world(8.0, 1.0, 5.0);
   const Vec3 pixel = seen_at(camera, p_world);
   EXPECT_LT(camera.ray(pixel.x(), pixel.y(), kSize).distance(p_world), 1e-9);
 }
 
-TEST(OrbitCamera, OrbitTurnsAboutTheTargetWithTheHand) {
+TEST(OrbitCamera, OrbitTurnsTheModelWithThePointer) {
   OrbitCamera camera = some_camera();
   const Vec3 towards_eye = some_pose().q_world_eye * Vec3::UnitZ();
   const Vec3 front = some_pose().target_mm + 2.0 * towards_eye;
@@ -63,7 +63,7 @@ TEST(OrbitCamera, OrbitTurnsAboutTheTargetWithTheHand) {
   EXPECT_GT(moved.y(), 399.5) << "dragged down, the front goes down";
 }
 
-TEST(OrbitCamera, PanKeepsWhatIsUnderThePointer) {
+TEST(OrbitCamera, PanKeepsThePointUnderThePointer) {
   OrbitCamera camera = some_camera();
   const Vec3 before = seen_at(camera, some_pose().target_mm);
   camera.pan(100.0, -40.0, kSize);
@@ -72,7 +72,7 @@ TEST(OrbitCamera, PanKeepsWhatIsUnderThePointer) {
   EXPECT_NEAR(after.y() - before.y(), -40.0, 1e-6);
 }
 
-TEST(OrbitCamera, ZoomKeepsThePlaceUnderThePointer) {
+TEST(OrbitCamera, ZoomKeepsThePointUnderThePointer) {
   OrbitCamera camera = some_camera();
   // A place in the target's plane, off the middle.
   const Vec3 place = some_pose().target_mm + some_pose().q_world_eye * Vec3(10.0, 6.0, 0.0);
@@ -84,7 +84,7 @@ TEST(OrbitCamera, ZoomKeepsThePlaceUnderThePointer) {
   EXPECT_NEAR(after.y(), before.y(), 0.5);
 }
 
-TEST(OrbitCamera, ZoomEndsAtTheLimits) {
+TEST(OrbitCamera, ZoomStopsAtTheLimits) {
   OrbitCamera camera = some_camera();
   for (int i = 0; i < 100; ++i) camera.zoom(2.0);
   EXPECT_EQ(camera.pose().height_mm, camera.options().min_height_mm);
@@ -92,7 +92,7 @@ TEST(OrbitCamera, ZoomEndsAtTheLimits) {
   EXPECT_EQ(camera.pose().height_mm, camera.options().max_height_mm);
 }
 
-TEST(OrbitCamera, AFlightIsSmoothAndEndsExactlyThere) {
+TEST(OrbitCamera, AFlightIsSmoothAndEndsAtItsPose) {
   OrbitCamera camera;
   const CameraPose start = camera.pose(), end = some_pose();
   camera.fly_to(end, 1.0);
@@ -114,7 +114,7 @@ TEST(OrbitCamera, AFlightIsSmoothAndEndsExactlyThere) {
   EXPECT_FALSE(camera.advance(1.0));
 }
 
-TEST(OrbitCamera, TheHandEndsAFlight) {
+TEST(OrbitCamera, UserInputEndsAFlight) {
   OrbitCamera camera;
   camera.fly_to(some_pose(), 1.0);
   (void)camera.advance(0.5);
@@ -122,7 +122,7 @@ TEST(OrbitCamera, TheHandEndsAFlight) {
   EXPECT_FALSE(camera.is_flying());
 }
 
-TEST(OrbitCamera, FittingShowsTheWholeBoxAndLittleElse) {
+TEST(OrbitCamera, FittingShowsTheWholeBoxAndLittleMore) {
   const Eigen::AlignedBox3d box(Vec3(-30.0, -5.0, 10.0), Vec3(40.0, 20.0, 70.0));
   for (const double field_of_view_rad : {0.02, 0.35, 1.2}) {
     OrbitCamera camera({.field_of_view_rad = field_of_view_rad});
@@ -137,7 +137,7 @@ TEST(OrbitCamera, FittingShowsTheWholeBoxAndLittleElse) {
   }
 }
 
-TEST(OrbitCamera, ThroughTheSensorItsAxesLieAsInItsImage) {
+TEST(OrbitCamera, TheViewThroughTheSensorMatchesItsImage) {
   const Isometry T_world_sensor =
       make_isometry(Eigen::Quaterniond(0.9, 0.1, -0.3, 0.2).normalized(), Vec3(5.0, 6.0, 7.0));
   OrbitCamera camera;
@@ -151,7 +151,7 @@ TEST(OrbitCamera, ThroughTheSensorItsAxesLieAsInItsImage) {
   EXPECT_NEAR(z.z(), camera.distance_mm() + 5.0, 1e-9) << "its z runs away";
 }
 
-TEST(OrbitCamera, FacingLooksAgainstTheNormal) {
+TEST(OrbitCamera, FacingLooksAlongTheInwardNormal) {
   const Vec3 normal = Vec3(1.0, 2.0, -1.0).normalized();
   const CameraPose pose = pose_facing(Vec3(1.0, 1.0, 1.0), normal, Vec3::UnitY(), 20.0);
   EXPECT_LT((pose.q_world_eye * Vec3::UnitZ() - normal).norm(), 1e-12);

@@ -9,7 +9,7 @@
 namespace flytri::ui {
 namespace {
 
-TEST(RangeAllocator, NeverHandsAPlaceOutTwiceAndGetsAllBack) {
+TEST(RangeAllocator, NeverAllocatesAPlaceTwiceAndMergesFreedRanges) {
   RangeAllocator allocator;
   allocator.grow_to(1000);
   std::vector<int> owners(1000, 0);

@@ -27,7 +27,7 @@ Surfel disk(const Vec3f& position_mm, const Vec3f& normal, float radius_mm) {
   return s;
 }
 
-/// Center and covariance of what is not black, weighted by how bright it is.
+/// Center and covariance of the pixels that are not black, weighted by brightness.
 struct Blob {
   double area_px = 0.0;
   Vec2 center_px = Vec2::Zero();
@@ -65,7 +65,7 @@ Blob blob_in(const cv::Mat& picture) {
   return blob;
 }
 
-TEST_F(SceneRendererTest, ADiskIsTheEllipseThatItsTiltMakesOfIt) {
+TEST_F(SceneRendererTest, ATiltedDiskIsAnEllipse) {
   for (const double tilt_rad : {0.0, 0.6, 1.1}) {
     for (const double around_rad : {0.0, 0.7, 2.0}) {
       const Vec3 normal(std::sin(tilt_rad) * std::cos(around_rad),
@@ -89,13 +89,13 @@ TEST_F(SceneRendererTest, ADiskIsTheEllipseThatItsTiltMakesOfIt) {
   }
 }
 
-TEST_F(SceneRendererTest, WhatFacesAwayIsNotDrawn) {
+TEST_F(SceneRendererTest, SurfelsThatFaceAwayAreNotDrawn) {
   const SurfelModel model = block_of({disk(Vec3f::Zero(), -Vec3f::UnitZ(), 4.0F)});
   content_.model = &model;
   EXPECT_EQ(blob_in(picture()).area_px, 0.0);
 }
 
-TEST_F(SceneRendererTest, TheNearerSurfaceHidesTheFarther) {
+TEST_F(SceneRendererTest, ANearerSurfaceHidesAFartherOne) {
   Surfel near = disk({0.0F, 0.0F, 2.0F}, Vec3f::UnitZ(), 3.0F);
   Surfel far = disk({0.0F, 0.0F, -2.0F}, Vec3f::UnitZ(), 6.0F);
   near.textured = far.textured = true;
@@ -123,7 +123,7 @@ TEST_F(SceneRendererTest, AGridOfSurfelsHasNoGaps) {
   }
 }
 
-TEST_F(SceneRendererTest, BlocksThatAreAddedGiveThePictureOfAllAtOnce) {
+TEST_F(SceneRendererTest, AddingBlocksOneByOneGivesTheSamePicture) {
   const SurfelModel first = block_of(surfel_square(6.0, 0.2), 1);
   std::vector<Surfel> beside = surfel_square(6.0, 0.2);
   for (Surfel& s : beside) s.position_mm.x() += 5.0F;
@@ -142,7 +142,7 @@ TEST_F(SceneRendererTest, BlocksThatAreAddedGiveThePictureOfAllAtOnce) {
   EXPECT_LT(share_differing(grown, whole, 8), 0.002);
 }
 
-TEST_F(SceneRendererTest, WhatIsTrimmedGoesFromThePicture) {
+TEST_F(SceneRendererTest, TrimmedSurfelsDisappear) {
   const SurfelModel whole = block_of(surfel_square(6.0, 0.2));
   std::vector<Surfel> left = whole[0]->surfels;
   std::erase_if(left, [](const Surfel& s) { return s.position_mm.x() > 0.0F; });
@@ -159,7 +159,7 @@ TEST_F(SceneRendererTest, WhatIsTrimmedGoesFromThePicture) {
   EXPECT_TRUE(renderer_->model_box_mm().isEmpty());
 }
 
-TEST_F(SceneRendererTest, ABlockThatIsRecoloredInItsPlaceShowsIt) {
+TEST_F(SceneRendererTest, ARecoloredBlockShowsItsNewColor) {
   std::vector<Surfel> surfels = surfel_square(6.0, 0.2);
   const SurfelModel plain = block_of(surfels);
   for (Surfel& s : surfels) {
@@ -184,7 +184,7 @@ TEST_F(SceneRendererTest, UnchangedBlocksAreNotSentAgain) {
   EXPECT_EQ(renderer_->statistics().surfels_drawn, 0U) << "nothing has changed";
 }
 
-TEST_F(SceneRendererTest, ACoarsePictureIsNearTheFullOneWhichFollows) {
+TEST_F(SceneRendererTest, ACoarsePictureIsCloseToTheFullOneThatFollows) {
   // 160 801 surfels; aiming at 5 ms, at most a third of them is drawn while the camera moves.
   const SurfelModel model = block_of(surfel_square(16.0, 0.04));
   content_.model = &model;
@@ -200,7 +200,7 @@ TEST_F(SceneRendererTest, ACoarsePictureIsNearTheFullOneWhichFollows) {
   const cv::Mat moving = one_picture();
   EXPECT_LT(renderer_->statistics().detail_share, 0.5);
   EXPECT_TRUE(renderer_->wants_redraw());
-  EXPECT_LT(share_differing(full, moving, 12), 0.03) << "but for the border and rare gaps";
+  EXPECT_LT(share_differing(full, moving, 12), 0.03) << "except for the border and rare gaps";
   EXPECT_LT(share_differing(full, picture(), 12), 0.002);
 }
 
@@ -291,7 +291,7 @@ TEST_F(SceneRendererTest, AMeshReplacesTheModelAndShowsItsAtlas) {
   EXPECT_EQ(blob_in(picture()).area_px, 0.0) << "seen from behind";
 }
 
-TEST_F(SceneRendererTest, AMeshIsCoveredAsItsScanWas) {
+TEST_F(SceneRendererTest, AMeshHasTheCoverageOfItsScan) {
   TexturedMesh mesh;
   for (int column = 0; column <= 10; ++column) {
     for (const float y : {-5.0F, 5.0F}) {
@@ -323,8 +323,8 @@ TEST_F(SceneRendererTest, AMeshIsCoveredAsItsScanWas) {
   EXPECT_TRUE(hue_is(hue_at(4.0), options_.thin_color));
 }
 
-TEST_F(SceneRendererTest, AMeshInMotionMayBeCoarseAndIsWholeWhenItStops) {
-  // A square of 300 x 300 vertices. No machine draws it in the 0 ms that are asked for here.
+TEST_F(SceneRendererTest, AMeshMayBeCoarseInMotionAndIsSharpAtRest) {
+  // A square of 300 x 300 vertices, to be drawn in 0 ms: impossible.
   constexpr std::uint32_t kSide = 300;
   TexturedMesh mesh;
   for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
@@ -342,11 +342,11 @@ TEST_F(SceneRendererTest, AMeshInMotionMayBeCoarseAndIsWholeWhenItStops) {
   camera_.orbit(0.001, 0.0, kSize);
   const cv::Mat moving = one_picture();
   EXPECT_TRUE(renderer_->wants_redraw()) << "surfels stand in for the triangles";
-  EXPECT_LT(share_differing(still, moving, 12), 0.03) << "but for the border";
+  EXPECT_LT(share_differing(still, moving, 12), 0.03) << "except for the border";
   EXPECT_EQ(share_differing(still, picture(), 2), 0.0);
 }
 
-TEST_F(SceneRendererTest, LinesAreAsWideAsAskedAndShineThroughFaintly) {
+TEST_F(SceneRendererTest, LinesHaveTheirWidthAndAreFaintBehindTheSurface) {
   std::vector<Surfel> surfels = surfel_square(10.0, 0.1);
   std::erase_if(surfels, [](const Surfel& s) { return s.position_mm.x() > 0.0F; });
   const SurfelModel model = block_of(surfels);
@@ -366,7 +366,7 @@ TEST_F(SceneRendererTest, LinesAreAsWideAsAskedAndShineThroughFaintly) {
   EXPECT_LT(std::abs(there - before), 60) << "faintly";
 }
 
-TEST_F(SceneRendererTest, DimmingLetsTheModelStandBack) {
+TEST_F(SceneRendererTest, DimmingDarkensTheModel) {
   const SurfelModel model = block_of(surfel_square(10.0, 0.2));
   content_.model = &model;
   const int before = picture().at<cv::Vec3b>(100, 160)[1];
@@ -413,7 +413,7 @@ void change(int what, Random& random, SceneContent& content, OrbitCamera& camera
   }
 }
 
-TEST_F(SceneRendererTest, APictureAfterOthersIsThatOfANewRendererAndTellsWhereItChanged) {
+TEST_F(SceneRendererTest, UpdatesGiveThePictureOfANewRendererAndReportWhereItChanged) {
   SurfelModel model = block_of(surfel_square(4.0, 0.2), 1);
   content_.model = &model;
   options_.level_of_detail = false;

@@ -32,7 +32,7 @@ const Isometry kTurned =
 
 class JawAxesOf : public ::testing::TestWithParam<std::pair<double, double>> {};
 
-TEST_P(JawAxesOf, FollowTheJawHoweverItLies) {
+TEST_P(JawAxesOf, FollowTheJawInAnyOrientation) {
   const auto [half_length_mm, bend] = GetParam();
   const JawAxes axes = jaw_axes(arch(half_length_mm, bend, kTurned));
   // The mean normal of the arch is occlusal but for the few steps of the sampling.
@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Jaws, JawAxesOf,
                          ::testing::Values(std::pair(30.0, 0.8),    // a whole arch
                                            std::pair(15.0, 0.2)));  // a bent quadrant
 
-TEST(StandardViews, LookFromTheirSides) {
+TEST(StandardViews, LookFromTheRightSide) {
   const JawAxes axes = jaw_axes(arch(30.0, 0.8, kTurned));
   const auto towards_eye = [&](StandardView view) -> Vec3 {
     return orientation(axes, view) * Vec3::UnitZ();
@@ -59,7 +59,7 @@ TEST(StandardViews, LookFromTheirSides) {
   }
 }
 
-TEST(StandardViews, TheBoxLiesAlongTheJawHoweverThatLies) {
+TEST(StandardViews, TheBoxFollowsTheJawInAnyOrientation) {
   const auto volume_of = [](const Isometry& T_world_arch) {
     const std::vector<Vec3> corners = jaw_axes(arch(30.0, 0.8, T_world_arch)).corners_mm;
     EXPECT_EQ(corners.size(), 8U);

@@ -20,14 +20,14 @@ double pitch_hz(const std::vector<std::int16_t>& samples, double begin_s, double
   return crossings / (end_s - begin_s);
 }
 
-TEST(Tones, LossFallsAndReturnRises) {
+TEST(Tones, LossHasFallingAndReturnRisingTones) {
   const auto lost = synthesize(Sound::kLost);
   const auto found = synthesize(Sound::kReturn);
   EXPECT_GT(pitch_hz(lost, 0.01, 0.1), 1.3 * pitch_hz(lost, 0.14, 0.23));
   EXPECT_LT(1.2 * pitch_hz(found, 0.01, 0.1), pitch_hz(found, 0.14, 0.23));
 }
 
-TEST(Tones, BeginAndEndSoftlyAndNeverClip) {
+TEST(Tones, StartAndEndSoftlyAndNeverClip) {
   for (const Sound sound : {Sound::kLost, Sound::kReturn}) {
     const auto samples = synthesize(sound);
     EXPECT_NEAR(static_cast<double>(samples.size()) / kSampleRate_hz, 0.25, 0.02);
@@ -40,7 +40,7 @@ TEST(Tones, BeginAndEndSoftlyAndNeverClip) {
   }
 }
 
-TEST(SoundPlayer, IsSilentWithoutADeviceAndNeverPrints) {
+TEST(SoundPlayer, DoesNothingWithoutADeviceAndNeverPrints) {
   ::testing::internal::CaptureStderr();
   SoundPlayer player;
   player.play(Sound::kLost);

@@ -18,7 +18,7 @@ class CameraMoves : public ::testing::Test {
     view_.scan = std::make_shared<scan::ScanSnapshot>();
     view_.volume_mm = Vec3(20.0, 15.0, 15.0);
     state_.picture = {1000, 700};
-    move_by_itself(view_, kNoModel, state_);
+    move_automatically(view_, kNoModel, state_);
     first_ = state_.camera.destination();
   }
   /// Whether the camera looks at the sensor's volume as at the beginning.
@@ -31,10 +31,10 @@ class CameraMoves : public ::testing::Test {
   /// As after a look around a finished jaw.
   void look_around_a_jaw() {
     view_.stage = io::ScanStage::kUpper;
-    move_by_itself(view_, kJaw, state_);
+    move_automatically(view_, kJaw, state_);
     state_.follows_scan = false;
     state_.camera.fly_to({Vec3(3.0, 4.0, 5.0), Eigen::Quaterniond::Identity(), 12.0}, 0.0);
-    move_by_itself(view_, kJaw, state_);
+    move_automatically(view_, kJaw, state_);
   }
 
   AppView view_;
@@ -42,33 +42,33 @@ class CameraMoves : public ::testing::Test {
   CameraPose first_;
 };
 
-TEST_F(CameraMoves, AnEmptyStageIsSeenInTheFrameOfTheSensor) {
+TEST_F(CameraMoves, AnEmptyStageShowsTheMeasurementVolume) {
   look_around_a_jaw();
   ASSERT_FALSE(looks_as_at_first());
   view_.stage = io::ScanStage::kLower;
-  move_by_itself(view_, kNoModel, state_);
+  move_automatically(view_, kNoModel, state_);
   EXPECT_TRUE(looks_as_at_first());
 }
 
-TEST_F(CameraMoves, AnEmptyCaseIsSeenInTheFrameOfTheSensor) {
+TEST_F(CameraMoves, AnEmptyCaseShowsTheMeasurementVolume) {
   look_around_a_jaw();
-  move_by_itself(view_, kNoModel, state_);
+  move_automatically(view_, kNoModel, state_);
   EXPECT_TRUE(looks_as_at_first());
 }
 
-TEST_F(CameraMoves, AStageThatWasScannedIsShownWhole) {
+TEST_F(CameraMoves, AScannedStageIsShownAsAWhole) {
   look_around_a_jaw();
   view_.stage = io::ScanStage::kLower;
-  move_by_itself(view_, kNoModel, state_);
-  move_by_itself(view_, kJaw, state_);
+  move_automatically(view_, kNoModel, state_);
+  move_automatically(view_, kJaw, state_);
   EXPECT_TRUE(kJaw.contains(state_.camera.destination().target_mm));
   EXPECT_GT(state_.camera.destination().height_mm, 60.0);
 }
 
-TEST_F(CameraMoves, TheUsersOwnViewOfAScanStays) {
+TEST_F(CameraMoves, ACameraMovedByTheUserStays) {
   look_around_a_jaw();
   const CameraPose chosen = state_.camera.destination();
-  move_by_itself(view_, kJaw, state_);
+  move_automatically(view_, kJaw, state_);
   EXPECT_EQ(state_.camera.destination().target_mm, chosen.target_mm);
   EXPECT_EQ(state_.camera.destination().height_mm, chosen.height_mm);
 }

@@ -35,15 +35,15 @@ TEST(Exposure, LinesInTheMiddleAreGood) {
   }
 }
 
-TEST(Exposure, ClippedLinesAreMarkedAndTold) {
+TEST(Exposure, ClippedLinesAreMarkedAndReported) {
   const Exposure exposure = measure_exposure(line_of(1.0));
   EXPECT_EQ(exposure.verdict, ExposureVerdict::kTooBright);
   EXPECT_EQ(exposure.saturated_share, 1.0);
   EXPECT_EQ(marked(exposure, ExposureMark::kSaturated), 100);
-  EXPECT_THAT(exposure_advice(exposure, FrameKind::kVertical), HasSubstr("Less exposure"));
+  EXPECT_THAT(exposure_advice(exposure, FrameKind::kVertical), HasSubstr("Reduce exposure"));
 }
 
-TEST(Exposure, AFewClippedSamplesAreNoReasonToChange) {
+TEST(Exposure, AFewClippedSamplesAreGood) {
   scan::LiveFrame frame = line_of(0.5);
   frame.frame.image.at<std::uint8_t>(7, 20) = 255;
   const Exposure exposure = measure_exposure(frame);
@@ -51,11 +51,11 @@ TEST(Exposure, AFewClippedSamplesAreNoReasonToChange) {
   EXPECT_EQ(marked(exposure, ExposureMark::kSaturated), 1) << "but it is shown";
 }
 
-TEST(Exposure, DimLinesAreMarkedAndTold) {
+TEST(Exposure, DimLinesAreMarkedAndReported) {
   const Exposure exposure = measure_exposure(line_of(0.05));
   EXPECT_EQ(exposure.verdict, ExposureVerdict::kTooDark);
   EXPECT_EQ(marked(exposure, ExposureMark::kDark), 100);
-  EXPECT_THAT(exposure_advice(exposure, FrameKind::kVertical), HasSubstr("More exposure"));
+  EXPECT_THAT(exposure_advice(exposure, FrameKind::kVertical), HasSubstr("Increase exposure"));
 }
 
 TEST(Exposure, WithoutLinesNothingIsJudged) {
@@ -65,7 +65,7 @@ TEST(Exposure, WithoutLinesNothingIsJudged) {
   EXPECT_EQ(measure_exposure(scan::LiveFrame{}).verdict, ExposureVerdict::kNothingSeen);
 }
 
-TEST(Exposure, OfTextureAllPixelsAreJudgedByTheirBrightestChannel) {
+TEST(Exposure, TextureIsJudgedByTheBrightestChannelOfAllPixels) {
   scan::LiveFrame frame;
   frame.frame.kind = FrameKind::kTexture;
   frame.frame.image = cv::Mat(10, 10, CV_8UC3, cv::Scalar(128, 10, 10));
@@ -77,7 +77,7 @@ TEST(Exposure, OfTextureAllPixelsAreJudgedByTheirBrightestChannel) {
   EXPECT_EQ(measure_exposure(frame).verdict, ExposureVerdict::kTooDark);
   frame.frame.image.rowRange(0, 2).setTo(cv::Scalar(150, 140, 130));
   EXPECT_EQ(measure_exposure(frame).verdict, ExposureVerdict::kWell)
-      << "what lies behind may be dark";
+      << "the background may be dark";
 }
 
 TEST(Exposure, TheHistogramHoldsEveryPixelOnce) {

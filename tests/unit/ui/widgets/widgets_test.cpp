@@ -22,7 +22,7 @@ TEST(Texts, ClockCountsMinutesAndHours) {
   EXPECT_EQ(clock_text(3661.0), "1:01:01");
 }
 
-TEST(Texts, SizesAndLengthsHaveTheUnitThatSuits) {
+TEST(Texts, SizesAndLengthsHaveSuitableUnits) {
   EXPECT_EQ(size_text(999), "999 B");
   EXPECT_EQ(size_text(12'400), "12 kB");
   EXPECT_EQ(size_text(12'400'000), "12.4 MB");
@@ -30,7 +30,7 @@ TEST(Texts, SizesAndLengthsHaveTheUnitThatSuits) {
   EXPECT_EQ(length_text(4.567), "4.57 mm");
 }
 
-TEST(Texts, TimeLeftIsRoundedAsOneWouldSayIt) {
+TEST(Texts, TimeLeftIsRounded) {
   EXPECT_EQ(time_left_text(-1.0), "");
   EXPECT_EQ(time_left_text(3.0), "a few seconds left");
   EXPECT_EQ(time_left_text(48.0), "about 50 s left");
@@ -48,7 +48,7 @@ TEST(VolumePreview, TheWholeVolumeLiesInTheBox) {
   }
 }
 
-TEST(VolumePreview, DeeperIsUpAndRight) {
+TEST(VolumePreview, DepthGoesToTheUpperRight) {
   const Rect box = {0.0F, 0.0F, 100.0F, 100.0F};
   const Vec3 volume_mm(20, 15, 15);
   const ImVec2 near = place_in_preview(box, volume_mm, Vec3(0, 0, -5));
@@ -59,7 +59,7 @@ TEST(VolumePreview, DeeperIsUpAndRight) {
 
 Notice notice(std::uint64_t number, Severity severity) { return {number, severity, "text"}; }
 
-TEST(Toasts, EachNoticeShowsOnceAndGoesAfterItsTime) {
+TEST(Toasts, EachNoticeShowsOnceForItsTime) {
   AppView view;
   WindowState state;
   view.notices = {notice(1, Severity::kInformation), notice(2, Severity::kError)};
@@ -83,7 +83,7 @@ TEST(Toasts, OnlyTheLatestFewStay) {
   EXPECT_EQ(state.toasts.back().notice.number, 10U);
 }
 
-TEST(Status, LossIsTheWarningColorAndSaysWhatToDo) {
+TEST(Status, ALossIsRedAndSaysWhatToDo) {
   AppView view;
   auto scan = std::make_shared<scan::ScanSnapshot>();
   scan->phase = scan::ScanPhase::kContinuation;
@@ -97,11 +97,11 @@ TEST(Status, LossIsTheWarningColorAndSaysWhatToDo) {
   EXPECT_EQ(status_of(view).hint, view.source.message);
 }
 
-TEST(Status, AskedToScanBeforeTheSensorIsThereItSaysToWait) {
+TEST(Status, SaysThatTheSensorStartsUntilThereAreFrames) {
   AppView view;
   EXPECT_EQ(status_of(view).text, "Ready");
   view.is_scanning = true;
-  EXPECT_EQ(status_of(view).text, "One moment");
+  EXPECT_EQ(status_of(view).text, "Starting");
 }
 
 }  // namespace

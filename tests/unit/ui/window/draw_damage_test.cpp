@@ -55,16 +55,16 @@ double area_of(const std::vector<Rect>& boxes) {
   return area;
 }
 
-TEST_F(DrawDamageTest, TheFirstFrameIsAllNew) {
+TEST_F(DrawDamageTest, TheFirstFrameIsCompletelyNew) {
   EXPECT_TRUE(holds(boxes_of(square_at(100.0F)), {0.0F, 0.0F, kWidth_px, kHeight_px}));
 }
 
-TEST_F(DrawDamageTest, TheSameFrameAgainIsNothingNew) {
+TEST_F(DrawDamageTest, TheSameFrameAgainHasNoChanges) {
   boxes_of(square_at(100.0F));
   EXPECT_TRUE(boxes_of(square_at(100.0F)).empty());
 }
 
-TEST_F(DrawDamageTest, AMoveIsNewWhereItWasAndWhereItIs) {
+TEST_F(DrawDamageTest, AMoveChangesTheOldAndTheNewPlace) {
   boxes_of(square_at(100.0F));
   const std::vector<Rect> boxes = boxes_of(square_at(500.0F));
   EXPECT_TRUE(holds(boxes, {100.0F, 100.0F, 20.0F, 20.0F}));
@@ -72,12 +72,12 @@ TEST_F(DrawDamageTest, AMoveIsNewWhereItWasAndWhereItIs) {
   EXPECT_LT(area_of(boxes), 0.1 * kWidth_px * kHeight_px);
 }
 
-TEST_F(DrawDamageTest, AnotherColorIsNew) {
+TEST_F(DrawDamageTest, AnotherColorIsAChange) {
   boxes_of(square_at(100.0F));
   EXPECT_TRUE(holds(boxes_of(square_at(100.0F, IM_COL32_BLACK)), {100.0F, 100.0F, 20.0F, 20.0F}));
 }
 
-TEST_F(DrawDamageTest, AnotherOrderIsNew) {
+TEST_F(DrawDamageTest, AnotherOrderIsAChange) {
   const auto both = [](float first, float second) {
     return [=](ImDrawList& list) {
       list.AddRectFilled({first, 100.0F}, {first + 20.0F, 120.0F}, IM_COL32_WHITE);
@@ -88,7 +88,7 @@ TEST_F(DrawDamageTest, AnotherOrderIsNew) {
   EXPECT_FALSE(boxes_of(both(110.0F, 100.0F)).empty());
 }
 
-TEST_F(DrawDamageTest, WhatIsClippedIsNotDrawn) {
+TEST_F(DrawDamageTest, ClippedPartsAreNotChanges) {
   const auto clipped = [](ImU32 color) {
     return [=](ImDrawList& list) {
       list.PushClipRect({0.0F, 0.0F}, {64.0F, 64.0F});
@@ -102,7 +102,7 @@ TEST_F(DrawDamageTest, WhatIsClippedIsNotDrawn) {
   EXPECT_LT(area_of(boxes), 0.1 * kWidth_px * kHeight_px);
 }
 
-TEST_F(DrawDamageTest, ARepaintedTextureIsNewWhereItLies) {
+TEST_F(DrawDamageTest, ARepaintedTextureIsAChange) {
   boxes_of(square_at(100.0F));
   const Rect image = {33.0F, 65.0F, 90.0F, 70.0F};
   const std::vector<Rect> boxes = boxes_of(square_at(100.0F), {image});
@@ -110,7 +110,7 @@ TEST_F(DrawDamageTest, ARepaintedTextureIsNewWhereItLies) {
   EXPECT_LT(area_of(boxes), 0.1 * kWidth_px * kHeight_px);
 }
 
-TEST_F(DrawDamageTest, ManyPlacesBecomeFewBoxesThatHoldThemAll) {
+TEST_F(DrawDamageTest, ManyChangesGiveFewBoxesThatContainThemAll) {
   const auto squares = [](int offset) {
     return [=](ImDrawList& list) {
       for (int i = 0; i < 20; ++i) {
@@ -129,7 +129,7 @@ TEST_F(DrawDamageTest, ManyPlacesBecomeFewBoxesThatHoldThemAll) {
   }
 }
 
-TEST_F(DrawDamageTest, AfterForgettingAllIsNew) {
+TEST_F(DrawDamageTest, AfterForgettingEverythingIsNew) {
   boxes_of(square_at(100.0F));
   damage_.forget();
   EXPECT_TRUE(holds(boxes_of(square_at(100.0F)), {0.0F, 0.0F, kWidth_px, kHeight_px}));

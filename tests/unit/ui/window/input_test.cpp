@@ -26,7 +26,7 @@ TEST(InputQueue, DifferentKeysComeTogether) {
   EXPECT_EQ(queue.take_frame().size(), 2U);
 }
 
-TEST(InputQueue, AClickStaysWhereItWas) {
+TEST(InputQueue, AClickStaysInItsPlace) {
   InputQueue queue;
   queue.push(PointerEvent{10.0F, 10.0F});
   queue.push(ButtonEvent{0, true});
@@ -36,7 +36,7 @@ TEST(InputQueue, AClickStaysWhereItWas) {
   EXPECT_EQ(queue.take_frame().size(), 2U) << "dragged, and let go";
 }
 
-TEST(InputQueue, NothingIsLostHoweverSlowTheFramesAre) {
+TEST(InputQueue, SlowFramesLoseNoEvents) {
   InputQueue queue;
   constexpr int kClicks = 100;
   for (int i = 0; i < kClicks; ++i) {

@@ -1,11 +1,9 @@
-#include "ui/actions/key_map.h"
+#include "ui/actions/action_table.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include <set>
-
-#include "ui/actions/perform.h"
 
 namespace flytri::ui {
 namespace {
@@ -27,19 +25,30 @@ std::vector<std::string_view> names_after(Action action, const AppView& view, Wi
 
 using Names = std::vector<std::string_view>;
 
-TEST(KeyMap, EveryActionHasOneRowAndNoKeyServesTwo) {
-  std::set<Action> actions;
+// That each action has a row is checked by the compiler, see lists_all_of().
+TEST(ActionTable, RowsAreInOrderAndNoIdOrKeyServesTwo) {
   std::set<std::string> ids;
   std::set<std::pair<int, int>> keys;
-  for (const KeyBinding& row : key_map()) {
-    EXPECT_TRUE(actions.insert(row.action).second) << row.id;
+  for (const ActionRow& row : action_table()) {
+    EXPECT_EQ(row_of(row.action).id, row.id);
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;
-    EXPECT_TRUE(keys.insert({row.key, row.modifiers}).second) << row.key_text;
+    EXPECT_TRUE(keys.insert({row.shortcut.key, row.shortcut.modifiers}).second)
+        << row.shortcut.text;
   }
-  EXPECT_EQ(actions.size(), static_cast<std::size_t>(Action::kQuit) + 1);
+  EXPECT_EQ(action_table().size(), index_of(Action::kCount));
 }
 
-TEST(KeyMap, ControlAndShiftMatterWhereARowAsksForThem) {
+TEST(ActionTable, NothingButQuitQuits) {
+  AppView view;
+  view.scan = scan_in(scan::ScanPhase::kMeasurement);
+  for (const ActionRow& row : action_table()) {
+    WindowState state;
+    const bool quits = names_after(row.action, view, state) == Names{"Quit"};
+    EXPECT_EQ(quits, row.action == Action::kQuit) << row.id;
+  }
+}
+
+TEST(ActionTable, ControlAndShiftCountWhereARowAsksForThem) {
   EXPECT_EQ(action_of({GLFW_KEY_Z, 0, true, false}), Action::kUndo);
   EXPECT_EQ(action_of({GLFW_KEY_Z, GLFW_MOD_CONTROL, true, false}), Action::kUndo);
   EXPECT_EQ(action_of({GLFW_KEY_EQUAL, 0, true, false}), Action::kZoomIn);
@@ -49,12 +58,12 @@ TEST(KeyMap, ControlAndShiftMatterWhereARowAsksForThem) {
   EXPECT_EQ(action_of({GLFW_KEY_F12, 0, true, false}), std::nullopt);
 }
 
-TEST(KeyMap, HeldKeysRepeatWhatMovesAndNothingElse) {
+TEST(ActionTable, OnlyActionsThatMoveRepeatWhileTheKeyIsHeld) {
   EXPECT_EQ(action_of({GLFW_KEY_LEFT, 0, true, true}), Action::kLeft);
   EXPECT_EQ(action_of({GLFW_KEY_SPACE, 0, true, true}), std::nullopt);
 }
 
-TEST(KeyMap, ScanKeyStartsPausesAndResumes) {
+TEST(ActionTable, ScanKeyStartsPausesAndResumes) {
   AppView view;
   WindowState state;
   EXPECT_EQ(names_after(Action::kScan, view, state), Names{"StartScan"});
@@ -67,16 +76,16 @@ TEST(KeyMap, ScanKeyStartsPausesAndResumes) {
   EXPECT_EQ(names_after(Action::kScan, view, state), Names{});
 }
 
-TEST(KeyMap, NothingIsDoneThatTheStateDoesNotAllow) {
+TEST(ActionTable, DisabledActionsDoNothing) {
   const AppView view;
   WindowState state;
-  for (const KeyBinding& row : key_map()) {
+  for (const ActionRow& row : action_table()) {
     if (action_state(row.action, view, state).is_enabled) continue;
     EXPECT_EQ(names_after(row.action, view, state), Names{}) << row.id;
   }
 }
 
-TEST(KeyMap, WhileFinishingNoOtherStageOrCaseCanBeChosen) {
+TEST(ActionTable, WhileFinishingNoOtherStageOrCaseCanBeChosen) {
   AppView view;
   view.scan = scan_in(scan::ScanPhase::kFinishing);
   WindowState state;
@@ -91,7 +100,7 @@ TEST(KeyMap, WhileFinishingNoOtherStageOrCaseCanBeChosen) {
   EXPECT_TRUE(action_state(Action::kConfirm, view, state).is_enabled);
 }
 
-TEST(KeyMap, CancelClosesOneThingAtATime) {
+TEST(ActionTable, CancelClosesOneThingAtATime) {
   AppView view;
   view.scan = scan_in(scan::ScanPhase::kFinishing);
   WindowState state;
@@ -104,7 +113,7 @@ TEST(KeyMap, CancelClosesOneThingAtATime) {
   EXPECT_EQ(names_after(Action::kCancel, view, state), Names{"CancelFinish"});
 }
 
-TEST(KeyMap, ArrowsTurnTheViewOrMoveTheHand) {
+TEST(ActionTable, ArrowKeysTurnTheViewOrMoveTheSensor) {
   AppView view;
   WindowState state;
   const Eigen::Quaterniond before = state.view.camera.pose().q_world_eye;
@@ -115,12 +124,12 @@ TEST(KeyMap, ArrowsTurnTheViewOrMoveTheHand) {
   std::vector<Command> commands;
   perform(Action::kLeft, view, state, commands);
   ASSERT_EQ(commands.size(), 1U);
-  // As the live image shows it: left is against x.
+  // As the live image shows it: left is -x.
   EXPECT_LT(std::get<SteerHand>(commands.front()).move_mm.x(), 0.0);
   EXPECT_EQ(std::get<SteerHand>(commands.front()).turn_rad, Vec3(Vec3::Zero()));
 }
 
-TEST(KeyMap, BehindADialogOnlyItsOwnKeysWork) {
+TEST(ActionTable, AnOpenDialogBlocksTheActionsOfOthers) {
   AppView view;
   view.scan = scan_in(scan::ScanPhase::kMeasurement);
   WindowState state;
@@ -131,7 +140,7 @@ TEST(KeyMap, BehindADialogOnlyItsOwnKeysWork) {
   EXPECT_TRUE(action_state(Action::kCancel, view, state).is_enabled);
 }
 
-TEST(KeyMap, ConfirmExportsWhatIsTicked) {
+TEST(ActionTable, ConfirmExportsTheChosenFormats) {
   AppView view;
   view.scan = scan_in(scan::ScanPhase::kFinished);
   WindowState state;
@@ -148,7 +157,7 @@ TEST(KeyMap, ConfirmExportsWhatIsTicked) {
   EXPECT_FALSE(action_state(Action::kConfirm, view, state).is_enabled);
 }
 
-TEST(KeyMap, CaseDialogStaysUntilTheCaseIsOpen) {
+TEST(ActionTable, CaseDialogStaysUntilTheCaseIsOpen) {
   const AppView view;
   WindowState state;
   state.dialog = Dialog::kCase;
@@ -159,10 +168,10 @@ TEST(KeyMap, CaseDialogStaysUntilTheCaseIsOpen) {
   ASSERT_EQ(commands.size(), 1U);
   EXPECT_EQ(std::get<NewCase>(commands.front()).passphrase, "secret");
   EXPECT_EQ(state.dialog, Dialog::kCase);
-  EXPECT_TRUE(state.case_form.passphrase.empty()) << "kept no longer than needed";
+  EXPECT_TRUE(state.case_form.passphrase.empty()) << "kept only as long as needed";
 }
 
-TEST(KeyMap, NextPlaceGoesRound) {
+TEST(ActionTable, NextPlaceStartsOverAfterTheLast) {
   AppView view;
   auto scan = std::make_shared<scan::ScanSnapshot>(*scan_in(scan::ScanPhase::kContinuation));
   scan->reentry.resize(3);

@@ -1,0 +1,103 @@
+/// @file  Calibrate the sensor, or check its calibration.
+#include <GLFW/glfw3.h>
+
+#include "ui/actions/action_groups.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr const char* kNotForRecordings = "not for recordings";
+
+ActionState panel_state(const Situation& now) {
+  if (!now.view.calibration) return disabled(kNotForRecordings);
+  if (!now.may_leave()) return disabled("finishing");
+  const bool is_open = now.state.dialog == Dialog::kCalibration;
+  return is_open && now.is_calibrating() ? disabled("running") : enabled();
+}
+
+/// What all tasks have in common.
+ActionState task_state(const Situation& now) {
+  if (!now.view.calibration) return disabled(kNotForRecordings);
+  if (now.state.dialog != Dialog::kCalibration) return disabled("open Calibration first");
+  return only_if(!now.is_calibrating(), "running");
+}
+
+ActionState check_on_plane_state(const Situation& now) {
+  const ActionState task = task_state(now);
+  if (!task.is_enabled) return task;
+  return only_if(now.view.calibration->has_calibration, "no calibration yet");
+}
+
+ActionState check_on_sphere_state(const Situation& now) {
+  const ActionState check = check_on_plane_state(now);
+  if (!check.is_enabled) return check;
+  if (now.view.calibration->is_simulated) return disabled("real sensor only");
+  const auto diameter_mm = typed_length_mm(now.state.calibration_form.sphere_diameter_mm);
+  return only_if(diameter_mm.has_value(), "enter its diameter");
+}
+
+template <CalibrationTask kTask>
+void begin_calibration(const ActionRunner& run) {
+  const CalibrationForm& form = run.state.calibration_form;
+  run.send(BeginCalibration{kTask, form.is_edited ? form.folder : run.view.calibration->folder,
+                            typed_length_mm(form.sphere_diameter_mm).value_or(0.0)});
+}
+
+ActionState previous_place_state(const Situation& now) {
+  if (!now.view.calibration) return disabled(kNotForRecordings);
+  if (!now.is_calibrating()) return disabled("only while calibrating");
+  const RunningCalibration& running = *now.view.calibration->running;
+  const bool waits =
+      running.step == CalibrationStep::kTarget || running.step == CalibrationStep::kRefused;
+  return only_if(waits && previous_place(running), "no images taken yet");
+}
+
+void retake_previous_place(const ActionRunner& run) {
+  run.send(RetakeCalibrationPlace{*previous_place(*run.view.calibration->running)});
+}
+
+constexpr Dialogs kInPanel = in(Dialog::kCalibration);
+
+constexpr std::array kCalibratingActions = {
+    ActionRow{.action = Action::kCalibration,
+              .id = "calibration",
+              .name = "Calibration",
+              .shortcut = {GLFW_KEY_C, "C"},
+              .state = panel_state,
+              .perform = toggle_dialog<Dialog::kCalibration>,
+              .works_in = kInPanel | in(Dialog::kDevices) | in(Dialog::kSettings)},
+    ActionRow{.action = Action::kCalibrate,
+              .id = "calibrate",
+              .name = "Calibrate sensor",
+              .shortcut = {GLFW_KEY_V, "V"},
+              .state = task_state,
+              .perform = begin_calibration<CalibrationTask::kCalibrate>,
+              .works_in = kInPanel},
+    ActionRow{.action = Action::kCheckOnPlane,
+              .id = "check_on_plane",
+              .name = "Check on a plane",
+              .shortcut = {GLFW_KEY_P, "P"},
+              .state = check_on_plane_state,
+              .perform = begin_calibration<CalibrationTask::kCheckOnPlane>,
+              .works_in = kInPanel},
+    ActionRow{.action = Action::kCheckOnSphere,
+              .id = "check_on_sphere",
+              .name = "Check on a sphere",
+              .shortcut = {GLFW_KEY_G, "G"},
+              .state = check_on_sphere_state,
+              .perform = begin_calibration<CalibrationTask::kCheckOnSphere>,
+              .works_in = kInPanel},
+    ActionRow{.action = Action::kPreviousPlace,
+              .id = "previous_place",
+              .name = "Repeat previous place",
+              .shortcut = {GLFW_KEY_BACKSPACE, "Backspace"},
+              .state = previous_place_state,
+              .perform = retake_previous_place,
+              .works_in = kInPanel}};
+static_assert(lists_all_of(ActionGroup::kCalibrating, kCalibratingActions));
+
+}  // namespace
+
+std::span<const ActionRow> calibrating_actions() { return kCalibratingActions; }
+
+}  // namespace flytri::ui

@@ -1,0 +1,113 @@
+/// @file  Change the surface, and measure on it.
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "ui/actions/action_groups.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr double kBrushStep = 1.15;
+
+ActionState undo_state(const Situation& now) {
+  return only_if(now.can_edit() && now.view.scan->can_undo, "nothing to undo");
+}
+
+ActionState redo_state(const Situation& now) {
+  return only_if(now.can_edit() && now.view.scan->can_redo, "nothing to redo");
+}
+
+template <Tool kTool>
+ActionState tool_state(const Situation& now) {
+  if (!now.has_surface()) return disabled("nothing scanned yet");
+  if (kTool != Tool::kMeasure && !now.can_edit()) {
+    return disabled(now.is_finishing() ? "finishing" : "resume scanning first");
+  }
+  return chosen(now.state.tool == kTool, "active");
+}
+
+template <Tool kTool>
+void toggle_tool(const ActionRunner& run) {
+  run.toggle(kTool);
+}
+
+ActionState brush_state(const Situation& now) {
+  return only_if(has_brush(now.state.tool), "choose a brush first");
+}
+
+void scale_brush(const ActionRunner& run, double factor) {
+  double& share = run.state.brush.radius_share;
+  share = std::clamp(share * factor, 0.01, 0.5);
+}
+
+ActionState remove_measurement_state(const Situation& now) {
+  return only_if(!now.view.measurements.empty(), "no distances yet");
+}
+
+void remove_last_measurement(const ActionRunner& run) {
+  run.send(RemoveMeasurement{run.view.measurements.size() - 1});
+}
+
+constexpr std::array kEditingActions = {
+    ActionRow{.action = Action::kUndo,
+              .id = "undo",
+              .name = "Undo",
+              .shortcut = {GLFW_KEY_Z, "Z"},
+              .state = undo_state,
+              .perform = send<Undo>},
+    ActionRow{.action = Action::kRedo,
+              .id = "redo",
+              .name = "Redo",
+              .shortcut = {GLFW_KEY_Y, "Y"},
+              .state = redo_state,
+              .perform = send<Redo>},
+    ActionRow{.action = Action::kTrim,
+              .id = "trim",
+              .name = "Trim",
+              .shortcut = {GLFW_KEY_T, "T"},
+              .state = tool_state<Tool::kTrim>,
+              .perform = toggle_tool<Tool::kTrim>},
+    ActionRow{.action = Action::kLock,
+              .id = "lock",
+              .name = "Lock",
+              .shortcut = {GLFW_KEY_K, "K"},
+              .state = tool_state<Tool::kLock>,
+              .perform = toggle_tool<Tool::kLock>},
+    ActionRow{.action = Action::kUnlock,
+              .id = "unlock",
+              .name = "Unlock",
+              .shortcut = {GLFW_KEY_J, "J"},
+              .state = tool_state<Tool::kUnlock>,
+              .perform = toggle_tool<Tool::kUnlock>},
+    ActionRow{.action = Action::kBrushSmaller,
+              .id = "brush_smaller",
+              .name = "Smaller brush",
+              .shortcut = {GLFW_KEY_LEFT_BRACKET, "[", 0, true},
+              .state = brush_state,
+              .perform = [](const ActionRunner& run) { scale_brush(run, 1.0 / kBrushStep); }},
+    ActionRow{.action = Action::kBrushLarger,
+              .id = "brush_larger",
+              .name = "Larger brush",
+              .shortcut = {GLFW_KEY_RIGHT_BRACKET, "]", 0, true},
+              .state = brush_state,
+              .perform = [](const ActionRunner& run) { scale_brush(run, kBrushStep); }},
+    ActionRow{.action = Action::kMeasure,
+              .id = "measure",
+              .name = "Measure",
+              .shortcut = {GLFW_KEY_M, "M"},
+              .state = tool_state<Tool::kMeasure>,
+              .perform = toggle_tool<Tool::kMeasure>},
+    ActionRow{.action = Action::kRemoveMeasurement,
+              .id = "remove_measurement",
+              .name = "Remove last distance",
+              .shortcut = {GLFW_KEY_DELETE, "Delete"},
+              .state = remove_measurement_state,
+              .perform = remove_last_measurement}};
+static_assert(lists_all_of(ActionGroup::kEditing, kEditingActions));
+
+}  // namespace
+
+std::span<const ActionRow> editing_actions() { return kEditingActions; }
+
+}  // namespace flytri::ui

@@ -1,0 +1,146 @@
+/// @file  The arrow keys, and the hand that moves the simulated sensor.
+#include <GLFW/glfw3.h>
+
+#include "ui/actions/action_groups.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr double kMoveShare = 0.03;  ///< of the volume's width or depth, for a press
+constexpr double kTilt_rad = 0.035;  ///< of the sensor, for a press
+/// Of the picture's height: the drag that turns the camera as much as a press does.
+constexpr double kDragShare = 0.04;
+
+constexpr const char* kSimulatedOnly = "simulated sensor only";
+
+ActionState arrow_state(const Situation& now) {
+  return enabled(now.steers_by_hand() ? "moves the sensor" : "turns the view");
+}
+
+/// @param kRight, kDown  direction in the picture
+template <int kRight, int kDown>
+void turn_or_move(const ActionRunner& run) {
+  const Vec2 towards(kRight, kDown);
+  if (run.view.source.hand && !run.view.source.hand->follows_path) {
+    const Vec2 move_mm = kMoveShare * run.view.volume_mm.x() * towards;
+    return run.send(SteerHand{{move_mm.x(), move_mm.y(), 0.0}, Vec3::Zero()});
+  }
+  CameraState& camera = run.state.view;
+  camera.follows_scan = false;
+  const Vec2 drag_px = kDragShare * camera.picture.height_px * towards;
+  camera.camera.orbit(drag_px.x(), drag_px.y(), camera.picture);
+}
+
+ActionState steer_state(const Situation& now) {
+  return only_if(now.steers_by_hand(), "turn on By hand first");
+}
+
+template <int kRight, int kDown>
+void tilt(const ActionRunner& run) {
+  run.send(SteerHand{Vec3::Zero(), kTilt_rad * Vec3(-kDown, kRight, 0.0)});
+}
+
+/// @param kSign  1: closer to the teeth
+template <int kSign>
+void approach(const ActionRunner& run) {
+  run.send(SteerHand{{0.0, 0.0, kSign * kMoveShare * run.view.volume_mm.z()}, Vec3::Zero()});
+}
+
+ActionState hand_mode_state(const Situation& now) {
+  if (!now.view.source.hand) return disabled(kSimulatedOnly);
+  return chosen(now.steers_by_hand());
+}
+
+void toggle_hand_mode(const ActionRunner& run) {
+  run.send(FollowPath{!run.view.source.hand->follows_path});
+}
+
+ActionState lift_state(const Situation& now) {
+  if (!now.view.source.hand) return disabled(kSimulatedOnly);
+  return chosen(now.view.source.hand->is_taken_away, "lifted");
+}
+
+void lift_or_return(const ActionRunner& run) {
+  run.send(TakeSensorAway{!run.view.source.hand->is_taken_away});
+}
+
+constexpr std::array kHandActions = {
+    ActionRow{.action = Action::kLeft,
+              .id = "left",
+              .name = "Turn or move left",
+              .shortcut = {GLFW_KEY_LEFT, "Left", 0, true},
+              .state = arrow_state,
+              .perform = turn_or_move<-1, 0>},
+    ActionRow{.action = Action::kRight,
+              .id = "right",
+              .name = "Turn or move right",
+              .shortcut = {GLFW_KEY_RIGHT, "Right", 0, true},
+              .state = arrow_state,
+              .perform = turn_or_move<1, 0>},
+    ActionRow{.action = Action::kUp,
+              .id = "up",
+              .name = "Turn or move up",
+              .shortcut = {GLFW_KEY_UP, "Up", 0, true},
+              .state = arrow_state,
+              .perform = turn_or_move<0, -1>},
+    ActionRow{.action = Action::kDown,
+              .id = "down",
+              .name = "Turn or move down",
+              .shortcut = {GLFW_KEY_DOWN, "Down", 0, true},
+              .state = arrow_state,
+              .perform = turn_or_move<0, 1>},
+    ActionRow{.action = Action::kTiltLeft,
+              .id = "tilt_left",
+              .name = "Tilt sensor left",
+              .shortcut = {GLFW_KEY_LEFT, "Shift Left", GLFW_MOD_SHIFT, true},
+              .state = steer_state,
+              .perform = tilt<-1, 0>},
+    ActionRow{.action = Action::kTiltRight,
+              .id = "tilt_right",
+              .name = "Tilt sensor right",
+              .shortcut = {GLFW_KEY_RIGHT, "Shift Right", GLFW_MOD_SHIFT, true},
+              .state = steer_state,
+              .perform = tilt<1, 0>},
+    ActionRow{.action = Action::kTiltUp,
+              .id = "tilt_up",
+              .name = "Tilt sensor up",
+              .shortcut = {GLFW_KEY_UP, "Shift Up", GLFW_MOD_SHIFT, true},
+              .state = steer_state,
+              .perform = tilt<0, -1>},
+    ActionRow{.action = Action::kTiltDown,
+              .id = "tilt_down",
+              .name = "Tilt sensor down",
+              .shortcut = {GLFW_KEY_DOWN, "Shift Down", GLFW_MOD_SHIFT, true},
+              .state = steer_state,
+              .perform = tilt<0, 1>},
+    ActionRow{.action = Action::kHandNearer,
+              .id = "hand_nearer",
+              .name = "Move sensor closer",
+              .shortcut = {GLFW_KEY_PAGE_UP, "Page up", 0, true},
+              .state = steer_state,
+              .perform = approach<1>},
+    ActionRow{.action = Action::kHandFarther,
+              .id = "hand_farther",
+              .name = "Move sensor away",
+              .shortcut = {GLFW_KEY_PAGE_DOWN, "Page down", 0, true},
+              .state = steer_state,
+              .perform = approach<-1>},
+    ActionRow{.action = Action::kHandMode,
+              .id = "hand_mode",
+              .name = "Move sensor by hand",
+              .shortcut = {GLFW_KEY_W, "W"},
+              .state = hand_mode_state,
+              .perform = toggle_hand_mode},
+    ActionRow{.action = Action::kLiftSensor,
+              .id = "lift_sensor",
+              .name = "Lift or return sensor",
+              .shortcut = {GLFW_KEY_A, "A"},
+              .state = lift_state,
+              .perform = lift_or_return}};
+static_assert(lists_all_of(ActionGroup::kHand, kHandActions));
+
+}  // namespace
+
+std::span<const ActionRow> hand_actions() { return kHandActions; }
+
+}  // namespace flytri::ui

@@ -1,0 +1,281 @@
+/// @file  Dialogs, settings, confirm, cancel and quit.
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+#include "ui/actions/action_groups.h"
+
+namespace flytri::ui {
+namespace {
+
+constexpr double kScaleStep = 0.125;
+
+ActionState export_state(const Situation& now) {
+  return only_if(now.has_surface() && now.may_leave(), "nothing to export yet");
+}
+
+ActionState devices_state(const Situation& now) {
+  if (!now.view.devices) return disabled("real devices only");
+  return enabled(now.view.devices->problems.empty() ? "" : "problems found");
+}
+
+ActionState check_devices_state(const Situation& now) {
+  if (!now.view.devices) return disabled("real devices only");
+  return only_if(!now.view.devices->is_checking, "running");
+}
+
+ActionState mute_state(const Situation& now) {
+  return enabled(now.view.settings.is_muted ? "muted" : "on");
+}
+
+void toggle_mute(const ActionRunner& run) {
+  Settings settings = run.view.settings;
+  settings.is_muted = !settings.is_muted;
+  run.send(ChangeSettings{settings});
+}
+
+ActionState scale_state(const Situation& now) {
+  return enabled(percent_text(now.view.settings.user_scale));
+}
+
+void change_scale(const ActionRunner& run, double step) {
+  Settings settings = run.view.settings;
+  settings.user_scale = std::clamp(settings.user_scale + step, 0.75, 2.0);
+  run.send(ChangeSettings{settings});
+}
+
+/// Why the main button of the calibration panel does nothing now; empty: it does something.
+std::string why_not_confirmed(const CalibrationState& calibration) {
+  if (!calibration.running) return "choose a task first";
+  switch (calibration.running->step) {
+    case CalibrationStep::kTarget:
+      return {};
+    case CalibrationStep::kDone:
+      if (calibration.running->task != CalibrationTask::kCalibrate) return "done";
+      return calibration.why_not_used;
+    case CalibrationStep::kRefused:
+      return "choose a place";
+    case CalibrationStep::kFailed:
+      return "failed";
+    case CalibrationStep::kOpening:
+    case CalibrationStep::kTaking:
+    case CalibrationStep::kComputing:
+      break;
+  }
+  return "please wait";
+}
+
+bool can_confirm(const Situation& now) {
+  const ExportForm& form = now.state.export_form;
+  const CaseForm& case_form = now.state.case_form;
+  switch (now.state.dialog) {
+    case Dialog::kExport:
+      return !now.view.exports.is_running && !form.name.empty() && !form.formats.empty();
+    case Dialog::kCase:
+      if (case_form.tab == CaseTab::kFields) return !now.view.file.is_read_only;
+      return now.may_leave() && !case_form.path.empty();
+    case Dialog::kNone:
+      return false;
+    case Dialog::kHelp:
+    case Dialog::kSettings:
+    case Dialog::kDevices:
+    case Dialog::kCalibration:
+      break;
+  }
+  return true;
+}
+
+ActionState confirm_state(const Situation& now) {
+  if (now.state.dialog == Dialog::kCalibration && now.view.calibration) {
+    const std::string why = why_not_confirmed(*now.view.calibration);
+    return why.empty() ? enabled() : disabled(why);
+  }
+  return only_if(can_confirm(now), "nothing to confirm");
+}
+
+Export requested_export(const ExportForm& form) {
+  return {form.folder, form.name, {form.formats.begin(), form.formats.end()}};
+}
+
+Command requested_case(const CaseForm& form) {
+  switch (form.tab) {
+    case CaseTab::kFields:
+      return SetCaseFields{form.fields};
+    case CaseTab::kNew:
+      return NewCase{form.path, form.passphrase, form.fields};
+    case CaseTab::kOpen:
+      break;
+  }
+  return OpenCase{form.path, form.passphrase};
+}
+
+void confirm_calibration(const ActionRunner& run) {
+  const bool is_done = run.view.calibration->running->step == CalibrationStep::kDone;
+  run.send(is_done ? Command(UseCalibration{}) : Command(TakeCalibrationImages{}));
+}
+
+void confirm_case(const ActionRunner& run) {
+  CaseForm& form = run.state.case_form;
+  run.send(requested_case(form));
+  form.passphrase.clear();
+  form.is_asked = true;
+  // A new or opened case keeps the dialog until it is there: opening may fail, or ask for a
+  // passphrase.
+  if (form.tab == CaseTab::kFields) run.state.dialog = Dialog::kNone;
+}
+
+void confirm(const ActionRunner& run) {
+  switch (run.state.dialog) {
+    case Dialog::kCalibration:
+      return confirm_calibration(run);
+    case Dialog::kExport:
+      // The dialog stays open: it shows what was written.
+      return run.send(requested_export(run.state.export_form));
+    case Dialog::kCase:
+      return confirm_case(run);
+    case Dialog::kNone:
+    case Dialog::kHelp:
+    case Dialog::kSettings:
+    case Dialog::kDevices:
+      break;
+  }
+  run.state.dialog = Dialog::kNone;
+}
+
+/// What Cancel does now. Its state and what it does follow from the same list.
+enum class CancelTarget { kCalibration, kDialog, kTool, kFinishing, kHole, kNothing };
+
+CancelTarget cancel_target(const Situation& now) {
+  if (now.state.dialog == Dialog::kCalibration && now.is_calibrating()) {
+    return CancelTarget::kCalibration;
+  }
+  if (now.state.dialog != Dialog::kNone) return CancelTarget::kDialog;
+  if (now.state.tool != Tool::kNone) return CancelTarget::kTool;
+  if (now.is_finishing()) return CancelTarget::kFinishing;
+  return now.state.selected_hole ? CancelTarget::kHole : CancelTarget::kNothing;
+}
+
+ActionState cancel_state(const Situation& now) {
+  switch (cancel_target(now)) {
+    case CancelTarget::kCalibration:
+      return enabled("stops the calibration");
+    case CancelTarget::kDialog:
+      return enabled("closes the dialog");
+    case CancelTarget::kTool:
+      return enabled("puts the tool away");
+    case CancelTarget::kFinishing:
+      return enabled("stops finishing");
+    case CancelTarget::kHole:
+      return enabled("deselects the hole");
+    case CancelTarget::kNothing:
+      break;
+  }
+  return disabled("nothing to cancel");
+}
+
+void cancel(const ActionRunner& run) {
+  switch (cancel_target({run.view, run.state})) {
+    case CancelTarget::kCalibration:
+      return run.send(EndCalibration{});
+    case CancelTarget::kDialog:
+      run.state.dialog = Dialog::kNone;
+      return;
+    case CancelTarget::kTool:
+      return run.toggle(run.state.tool);
+    case CancelTarget::kFinishing:
+      return run.send(CancelFinish{});
+    case CancelTarget::kHole:
+      run.state.selected_hole.reset();
+      return;
+    case CancelTarget::kNothing:
+      break;
+  }
+}
+
+constexpr std::array kProgramActions = {
+    ActionRow{.action = Action::kExport,
+              .id = "export",
+              .name = "Export",
+              .shortcut = {GLFW_KEY_E, "E"},
+              .state = export_state,
+              .perform = toggle_dialog<Dialog::kExport>,
+              .works_in = in(Dialog::kExport)},
+    ActionRow{.action = Action::kCase,
+              .id = "case",
+              .name = "Cases",
+              .shortcut = {GLFW_KEY_D, "D"},
+              .perform = toggle_dialog<Dialog::kCase>,
+              .works_in = in(Dialog::kCase)},
+    ActionRow{.action = Action::kSettings,
+              .id = "settings",
+              .name = "Settings",
+              .shortcut = {GLFW_KEY_S, "S"},
+              .perform = toggle_dialog<Dialog::kSettings>,
+              .works_in = in(Dialog::kSettings)},
+    ActionRow{.action = Action::kDevices,
+              .id = "devices",
+              .name = "Cameras and lights",
+              .shortcut = {GLFW_KEY_R, "R"},
+              .state = devices_state,
+              .perform = toggle_dialog<Dialog::kDevices>,
+              .works_in = in(Dialog::kDevices) | in(Dialog::kSettings)},
+    ActionRow{.action = Action::kCheckDevices,
+              .id = "check_devices",
+              .name = "Check devices",
+              .shortcut = {GLFW_KEY_F5, "F5"},
+              .state = check_devices_state,
+              .perform = send<CheckDevices>,
+              .works_in = in(Dialog::kDevices)},
+    ActionRow{.action = Action::kHelp,
+              .id = "help",
+              .name = "Keys",
+              .shortcut = {GLFW_KEY_H, "H"},
+              .perform = toggle_dialog<Dialog::kHelp>},
+    ActionRow{.action = Action::kMute,
+              .id = "mute",
+              .name = "Sound",
+              .shortcut = {GLFW_KEY_X, "X"},
+              .state = mute_state,
+              .perform = toggle_mute,
+              .works_in = kEachDialog},
+    ActionRow{.action = Action::kLarger,
+              .id = "larger",
+              .name = "Larger interface",
+              .shortcut = {GLFW_KEY_EQUAL, "Ctrl +", GLFW_MOD_CONTROL},
+              .state = scale_state,
+              .perform = [](const ActionRunner& run) { change_scale(run, kScaleStep); },
+              .works_in = kEachDialog},
+    ActionRow{.action = Action::kSmaller,
+              .id = "smaller",
+              .name = "Smaller interface",
+              .shortcut = {GLFW_KEY_MINUS, "Ctrl -", GLFW_MOD_CONTROL},
+              .state = scale_state,
+              .perform = [](const ActionRunner& run) { change_scale(run, -kScaleStep); },
+              .works_in = kEachDialog},
+    ActionRow{.action = Action::kConfirm,
+              .id = "confirm",
+              .name = "Confirm",
+              .shortcut = {GLFW_KEY_ENTER, "Enter"},
+              .state = confirm_state,
+              .perform = confirm,
+              .works_in = kEachDialog},
+    ActionRow{.action = Action::kCancel,
+              .id = "cancel",
+              .name = "Cancel or close",
+              .shortcut = {GLFW_KEY_ESCAPE, "Esc"},
+              .state = cancel_state,
+              .perform = cancel,
+              .works_in = kEachDialog},
+    ActionRow{.action = Action::kQuit,
+              .id = "quit",
+              .name = "Quit",
+              .shortcut = {GLFW_KEY_Q, "Ctrl Q", GLFW_MOD_CONTROL},
+              .perform = send<Quit>,
+              .works_in = kEachDialog}};
+static_assert(lists_all_of(ActionGroup::kProgram, kProgramActions));
+
+}  // namespace
+
+std::span<const ActionRow> program_actions() { return kProgramActions; }
+
+}  // namespace flytri::ui
