@@ -58,7 +58,7 @@ Result<void> V4l2Camera::open() {
   if (!stream) return tl::unexpected(stream.error());
   stream_ = std::move(*stream);
   frame_stamper_.begin_stream(1.0 / stream_->read_back().rate_hz);
-  last_arrival_s_ = means_.clock.now_s();
+  last_arrival_s_ = environment_.clock.now_s();
   const std::lock_guard lock(mutex_);
   read_back_ = stream_->read_back();
   name_ = node->name;
