@@ -3,7 +3,7 @@
 namespace flytri {
 namespace {
 
-/// Spreads the low 21 bits to every third bit.
+/// Moves the low 21 bits to every third bit.
 std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 32) & 0x1f00000000ffffULL;
   x = (x | x << 16) & 0x1f0000ff0000ffULL;

@@ -1,4 +1,4 @@
-/// @file  A cube of a regular grid as one number: how cells are numbered, sorted and hashed.
+/// @file  A cell of a regular grid as one number, for sorting and hashing.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace flytri {
 
-/// Cell (0, 0, 0) begins at the origin. Cells sort by x, then y, then z. About a million cells to
-/// either side of the origin are told apart; what lies beyond counts to the outermost.
+/// Cell (0, 0, 0) starts at the origin. Cells sort by x, then y, then z. About a million cells on
+/// each side of the origin have different keys; places farther away belong to the outermost cell.
 class CellKey {
  public:
   static constexpr int kBits = 21;
@@ -30,7 +30,7 @@ class CellKey {
     return {number(p_mm[0] / edge_mm), number(p_mm[1] / edge_mm), number(p_mm[2] / edge_mm)};
   }
 
-  /// Number of the cell along an axis.
+  /// Index of the cell along an axis.
   [[nodiscard]] constexpr std::int32_t operator[](int axis) const {
     return static_cast<std::int32_t>(packed_ >> ((2 - axis) * kBits) & kMask) + kLowest;
   }
@@ -68,7 +68,7 @@ class CellKey {
   std::uint64_t packed_;
 };
 
-/// Spreads cells that are near each other over a hash table.
+/// Hash of a cell. Neighboring cells get very different values.
 [[nodiscard]] constexpr std::size_t hash_of(CellKey key) {
   constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15ULL;
   std::uint64_t hash = key.packed() * kOdd;
@@ -76,11 +76,11 @@ class CellKey {
   return static_cast<std::size_t>(hash ^ (hash >> 29));
 }
 
-/// Sorts keys and drops what is there twice.
+/// Sorts keys and removes duplicates.
 void sort_unique(std::vector<CellKey>& keys);
 
-/// Place of a cell along a Morton curve, on which cells that are near each other mostly follow
-/// closely.
+/// Position of a cell along a Morton curve: cells that are near in space are usually near on the
+/// curve.
 [[nodiscard]] std::uint64_t morton_code(CellKey key);
 
 }  // namespace flytri

@@ -60,7 +60,7 @@ bool NetEdges::ring_of(std::size_t corner, int axis, std::array<std::uint32_t, 4
     ring[i] = around_[4 * static_cast<std::size_t>(axis) + i].find(cells[i]);
     if (ring[i] == KeyCursor::kNotThere) return false;
   }
-  // Outwards is where the value rises.
+  // The value rises outwards.
   if (value >= 0.0F) std::swap(ring[1], ring[3]);
   return true;
 }

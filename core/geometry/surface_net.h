@@ -1,5 +1,5 @@
-/// @file  Surface nets: from the values of a function at the corners of a grid to the net of its
-/// zero surface, one vertex in each cell that the surface crosses.
+/// @file  Surface nets: from function values at the corners of a grid to the net of the zero
+///          surface, with one vertex in each cell that the surface crosses.
 ///
 /// @source  Gibson, "Constrained elastic surface nets", MICCAI 1998.
 #pragma once
@@ -13,8 +13,8 @@
 
 namespace flytri {
 
-/// A corner of the grid, or the cell whose lowest corner it is. Corners sort by z, then y, then x:
-/// what is next along x is next in a sorted list.
+/// A corner of the grid, or the cell whose lowest corner it is. Corners sort by z, then y, then x,
+/// so neighbors along x are neighbors in a sorted list.
 [[nodiscard]] constexpr CellKey grid_key(std::int32_t x, std::int32_t y, std::int32_t z) {
   return {z, y, x};
 }
@@ -23,13 +23,13 @@ namespace flytri {
   return key.moved(2 - axis, steps);
 }
 
-/// Corner k of a cell, 0..7, lies at (k & 1, k >> 1 & 1, k >> 2).
+/// Corner k of a cell, 0..7, is at (k & 1, k >> 1 & 1, k >> 2).
 [[nodiscard]] constexpr CellKey corner_of(CellKey cell, int k) {
   return grid_step(grid_step(grid_step(cell, 0, k & 1), 1, k >> 1 & 1), 2, k >> 2);
 }
 
-/// Looks up rising keys in a sorted list: each search begins where the last one ended, so that
-/// near ones cost little.
+/// Looks up rising keys in a sorted list. Each search starts at the previous result, so near keys
+/// are found fast.
 class KeyCursor {
  public:
   static constexpr std::uint32_t kNotThere = std::numeric_limits<std::uint32_t>::max();
@@ -45,13 +45,13 @@ class KeyCursor {
   std::size_t at_ = 0;
 };
 
-/// What a function has at some corners of a grid: negative inside, NaN where it is not known.
+/// Values of a function at some corners of a grid: negative inside, NaN if unknown.
 struct CornerValues {
   std::vector<CellKey> corners;  ///< sorted
   std::vector<float> values;     ///< of the same corners
 };
 
-/// Reads the values at the corners of rising cells.
+/// Reads the values at the corners of cells in rising order.
 class CornerReader {
  public:
   /// @param grid  kept by reference
@@ -60,15 +60,15 @@ class CornerReader {
               KeyCursor(grid.corners)},
         grid_(grid) {}
 
-  /// By corner of the cell, see corner_of. NaN where the grid has no such corner.
+  /// The values by corner of the cell, see corner_of. NaN if the grid has no such corner.
   [[nodiscard]] std::array<float, 8> around(CellKey cell);
 
  private:
-  std::array<KeyCursor, 4> rows_;  ///< along x, by y and z
+  std::array<KeyCursor, 4> rows_;  ///< one per edge along x
   const CornerValues& grid_;
 };
 
-/// True if all corners are known and lie on both sides of the surface.
+/// True if all values are known and there are corners on both sides of the surface.
 [[nodiscard]] bool is_crossed(const std::array<float, 8>& values);
 
 /// Calls visit(k, l, share) for each edge of a crossed cell that the surface crosses: from corner k

@@ -21,7 +21,7 @@ struct Surfel {
   Vec3f position_mm = Vec3f::Zero();
   Vec3f normal = Vec3f::UnitZ();  ///< unit, outwards
   float radius_mm = 0.0F;
-  /// Standard uncertainty of the position along the normal, from the noise of the points alone.
+  /// Standard uncertainty of the position along the normal, only from the noise of the points.
   float sigma_mm = 0.0F;
   Rgb color = kUntexturedColor;
   bool textured = false;  ///< the color comes from a texture frame

@@ -310,7 +310,7 @@ void LiveSurface::cut(const editing::EditFilter& filter, double now_s) {
 
 std::vector<std::uint32_t> LiveSurface::cells_around(
     const Isometry& T_world_sensor, const calibration::Calibration& calibration) const {
-  // No point of the measurement volume lies farther from its middle.
+  // No point of the measurement volume is farther from its center.
   const double reach_mm =
       (0.5 + options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
   const Vec3f middle_mm = T_world_sensor.translation().cast<float>();
@@ -327,7 +327,7 @@ template <typename Wanted>
 Result<std::vector<std::uint32_t>> LiveSurface::observe(const texture::TextureFrame& frame,
                                                         const calibration::Calibration& calibration,
                                                         const Wanted& wanted) {
-  // All cells take part: the others may stand before the wanted ones.
+  // Use all cells: the others may hide the wanted ones.
   std::vector<std::uint32_t> around = cells_around(frame.T_world_sensor, calibration);
   std::vector<SurfacePoint> points;
   std::vector<texture::ObservedColor> colors;

@@ -44,10 +44,11 @@ struct LiveSurfaceOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Merges points cell by cell as they come: the position is their mean, the uncertainty that of
-/// this mean along the normal. The noise of a view's points in a cell is correlated, that of
-/// different views is not, as in the reduction; how far the views disagree is left to that. The
-/// normal is the direction least along all profiles nearby, as in crossing_normals.
+/// Merges points cell by cell as they arrive. The position is their mean, the uncertainty that of
+/// this mean along the normal. As in the data reduction, the noise of a view's points in a cell is
+/// correlated, that of different views is not. Differences between views are not included; the data
+/// reduction includes them. The normal is the direction most perpendicular to all profiles nearby,
+/// as in crossing_normals.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
 /// reduction during the scan to future work.
 class LiveSurface {
@@ -64,12 +65,12 @@ class LiveSurface {
   /// @errors  as observe_points.
   [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
                                        const calibration::Calibration& calibration);
-  /// Forgets the colors around a place, and takes them from these frames.
+  /// Drops the colors around a place and computes them again from these frames.
   /// @errors  as observe_points.
   [[nodiscard]] Result<void> recolor(const Isometry& T_world_sensor,
                                      std::span<const texture::TextureFrame> frames,
                                      const calibration::Calibration& calibration);
-  /// How many pixels of a texture frame from this place fall on the surface.
+  /// Number of pixels of a texture frame from this pose that show the surface.
   [[nodiscard]] double texture_pixels(const Isometry& T_world_sensor,
                                       const calibration::Calibration& calibration) const;
 
@@ -85,7 +86,7 @@ class LiveSurface {
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
 
  private:
-  /// Where points are merged.
+  /// A cell in which points are merged.
   struct Cell {
     Vec3f sum = Vec3f::Zero();  ///< of positions, relative to the first point
     Vec3f first_mm = Vec3f::Zero();
@@ -93,7 +94,7 @@ class LiveSurface {
     /// Covariance of the sum of all points, world frame.
     Eigen::Matrix3f covariance_mm2 = Eigen::Matrix3f::Zero();
     std::uint32_t of_view = 0;         ///< number of the view that added the latest point
-    std::uint32_t points_of_view = 0;  ///< that it added
+    std::uint32_t points_of_view = 0;  ///< number of points that this view added
     std::uint32_t normal_cell = 0;
     std::uint32_t block = 0;
     int normal_of_views = -1;  ///< number of views of its cube when its normal was last computed
@@ -110,16 +111,17 @@ class LiveSurface {
     int around = 0;            ///< cubes with points among this cube and its 26 neighbors
     int well_seen_around = 0;  ///< of these cubes, those well seen
     bool well_seen = false;
-    std::array<int, 2> views{};                  ///< that saw it, by Pattern
+    std::array<int, 2> views{};                  ///< number of views that saw it, by Pattern
     std::array<std::uint32_t, 2> latest_view{};  ///< number of the latest of them
-    int refreshed_at = 0;                        ///< views when its cells were last refreshed
+    int refreshed_at = 0;                        ///< number of views when its cells were last
+                                                 ///< refreshed
     std::vector<std::uint32_t> cells;
     bool touched = false;
   };
   struct Block {
     std::uint64_t place = 0;  ///< see SurfelBlock
-    /// In random order. Only cells that were shown once, so that those which are not yet do not
-    /// move the others' places when they come.
+    /// In random order. Only cells that were shown at least once: a cell that is not shown yet must
+    /// not change the positions of the others.
     std::vector<std::uint32_t> cells;
     bool changed = false;
     double area_mm2 = 0.0, good_mm2 = 0.0;  ///< of the published surfels
@@ -149,10 +151,10 @@ class LiveSurface {
   [[nodiscard]] bool shown(const Cell& cell) const {
     return cell.point_count >= static_cast<float>(options_.min_points);
   }
-  /// The shown cells that may lie in the volume of a sensor at this place.
+  /// The shown cells that may be in the measurement volume of a sensor at this pose.
   [[nodiscard]] std::vector<std::uint32_t> cells_around(
       const Isometry& T_world_sensor, const calibration::Calibration& calibration) const;
-  /// Adds what the frame sees to the colors of those cells around it that `wanted` chooses.
+  /// Adds the colors of the frame to those cells around it that `wanted` selects.
   /// @return  all cells around it
   template <typename Wanted>
   Result<std::vector<std::uint32_t>> observe(const texture::TextureFrame& frame,

@@ -12,7 +12,7 @@ namespace flytri::meshing {
 namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-/// Cells below the lowest point: farther than the surface goes beyond the points.
+/// Cells below the lowest point: more than the surface extends beyond the points.
 constexpr int kMargin = 64;
 /// Steps that move a vertex onto the surface; after the second step, the error is far below the
 /// noise.
@@ -23,8 +23,8 @@ constexpr std::size_t kGrain = 256;
 /// but the first takes most of the time); of the corners in a wave.
 constexpr double kWavesShare = 0.9, kWaveShare = 0.75, kCornerShare = 0.5;
 
-/// The places `low` to `high` steps along an axis from those given; sorted, as those given are.
-/// Shifting keeps the order, so merging takes the place of sorting all of them again.
+/// The keys shifted by `low` to `high` steps along an axis. Input and output are sorted. Shifting
+/// keeps the order, so merging is enough.
 std::vector<CellKey> dilated(const std::vector<CellKey>& keys, int axis, int low, int high) {
   std::vector<CellKey> result, shifted(keys.size()), merged;
   for (int offset = low; offset <= high; ++offset) {
@@ -38,7 +38,7 @@ std::vector<CellKey> dilated(const std::vector<CellKey>& keys, int axis, int low
   return result;
 }
 
-/// Puts new keys with their values among those that are there; both are sorted, none is in both.
+/// Merges new keys and values into the existing ones. Both lists are sorted and have no common key.
 template <typename Value>
 void merge(const std::vector<CellKey>& new_keys, std::vector<Value> new_values,
            std::vector<CellKey>& keys, std::vector<Value>& values) {
@@ -55,8 +55,8 @@ void merge(const std::vector<CellKey>& new_keys, std::vector<Value> new_values,
   values.swap(all_values);
 }
 
-/// One run: the grid, its values, its vertices. The grid begins where the points are and grows
-/// along the surface as long as points surround it.
+/// One run: the grid, its values and vertices. The grid starts at the points and grows along the
+/// surface as long as points surround it.
 class Extraction {
  public:
   Extraction(const ImplicitSurface& surface, float spacing_mm, const Workers& workers,
@@ -124,7 +124,7 @@ std::vector<CellKey> Extraction::cells_with_points(const PointCloud& points) {
   return cells;
 }
 
-/// @returns false if that was cancelled
+/// @returns false if canceled
 bool Extraction::evaluate_corners(const std::vector<CellKey>& new_cells, const Progress& progress) {
   std::vector<CellKey> around = new_cells;
   for (int axis = 0; axis < 3; ++axis) around = dilated(around, axis, 0, 1);
@@ -144,7 +144,7 @@ bool Extraction::evaluate_corners(const std::vector<CellKey>& new_cells, const P
   return true;
 }
 
-/// The neighbors of a cell across those faces that the surface crosses.
+/// Adds the neighbors of a cell at the faces that the surface crosses.
 void add_crossed_neighbors(CellKey cell, const std::array<float, 8>& value,
                            std::vector<CellKey>& neighbors) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -160,7 +160,7 @@ void add_crossed_neighbors(CellKey cell, const std::array<float, 8>& value,
   }
 }
 
-/// @returns the cells into which the surface goes on, that are not there yet.
+/// @returns the new cells into which the surface continues.
 Result<std::vector<CellKey>> Extraction::place_vertices(const std::vector<CellKey>& new_cells,
                                                         const Progress& progress) {
   std::vector<std::optional<SurfacePoint>> vertices(new_cells.size());

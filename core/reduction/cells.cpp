@@ -58,7 +58,7 @@ class GrowingCenters {
   std::vector<std::uint32_t> take() { return std::move(centers_); }
 
  private:
-  /// Cubes may share a slot: what is found there is tested anyway.
+  /// Cubes may share a slot, because the centers found there are tested anyway.
   std::size_t slot_of(CellKey cube) const { return hash_of(cube) & (heads_.size() - 1); }
   bool holds(std::uint32_t cell, std::uint32_t i) const {
     return std::isfinite(distance2_from_axis(samples_[centers_[cell]], samples_[i], shape_));

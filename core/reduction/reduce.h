@@ -32,7 +32,8 @@ struct ReduceOptions {
   /// >= 1. Samples that must agree, including the sample itself. Otherwise the sample is dropped:
   /// it is a reflection or noise.
   int min_support = 5;
-  /// > 0. Samples over which the noise along a line is alike; such samples do not average out.
+  /// > 0. Correlation length of the noise along a line, in samples. Averaging over correlated
+  /// samples reduces the noise less.
   double noise_length_samples = kNoiseLengthSamples;
 
   [[nodiscard]] Result<void> validate() const;

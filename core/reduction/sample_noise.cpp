@@ -6,7 +6,7 @@
 namespace flytri::reduction {
 namespace {
 
-/// Of the variance that is not along the normal.
+/// Share of the variance that is not along the normal.
 constexpr float kGrazingShare = 0.01F;
 
 }  // namespace
@@ -34,7 +34,7 @@ double MeanVariance::compute(std::size_t count) const {
   for (std::size_t lag = 1; lag < count; ++lag) {
     const double k = static_cast<double>(lag);
     const double ratio = k / noise_length_samples_;
-    if (ratio > 4.0) break;  // what follows is below 1e-7
+    if (ratio > 4.0) break;  // the remaining terms are below 1e-6
     sum += 2.0 * (1.0 - k / n) * std::exp(-ratio * ratio);
   }
   return std::min(1.0, sum / n);

@@ -25,8 +25,8 @@ struct SupportRule {
   int min_support = 5;          ///< number of samples, including itself, that must agree
 };
 
-/// Lets the views vote on every sample. Views count, not samples: the samples of one line err
-/// together.
+/// Lets the views vote on every sample. A view has one vote, because the samples of one line share
+/// their errors.
 /// @param progress  advanced by one step
 /// @errors  kCancelled.
 [[nodiscard]] Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples,

@@ -19,14 +19,14 @@ struct Projection {
   bool facing = false;
 };
 
-/// Along the ray of sight of the texture camera, where neither U nor V changes. As long as a
-/// square millimeter across the ray has pixels.
+/// Vector along the texture camera's ray of sight: U and V do not change along it. Its length is
+/// the number of pixels per square millimeter perpendicular to the ray.
 Vec3 pixels_along_ray(const calibration::Calibration& calibration, const Vec3& p_sensor) {
   return calibration.texture_u_px.gradient(p_sensor).cross(
       calibration.texture_v_px.gradient(p_sensor));
 }
 
-/// Unit ray of sight.
+/// Unit vector of the ray of sight.
 Vec3 ray_of_sight(const calibration::Calibration& calibration, const Vec3& p_sensor) {
   const Vec3 ray = pixels_along_ray(calibration, p_sensor).normalized();
   return ray.z() < 0.0 ? Vec3(-ray) : ray;

@@ -55,15 +55,15 @@ class ObservedColor {
   int count_ = 0;
 };
 
-/// How finely a texture frame from a place shows the surface at a point, in pixels per mm^2: the
-/// more, the nearer and the more squarely it looks at it. 0 where the point is out of its sight;
-/// other points that may stand between are not looked for.
+/// Resolution of the surface at a point in a texture frame of this pose, in pixels per mm^2: higher
+/// if the camera is nearer and looks more directly at the surface. 0 if the point is out of sight.
+/// Does not check whether other points hide it.
 [[nodiscard]] double pixels_per_mm2(const SurfacePoint& point, const Isometry& T_sensor_world,
                                     const calibration::Calibration& calibration,
                                     const TextureOptions& options);
 
-/// Adds to each point's color what the frame saw there. A pixel observes the points closest to it
-/// on its ray of sight.
+/// Adds the light that the frame saw to each point's color. A pixel observes the closest points on
+/// its ray of sight.
 /// @param points  world frame
 /// @param colors  of the same points
 /// @source  Arold et al., "Texture Acquisition and Mapping": observing pixels, observed points,

@@ -50,7 +50,7 @@ TEST(CellKey, TheHashTellsNearCellsApart) {
   for (int x = -8; x < 8; ++x)
     for (int y = -8; y < 8; ++y)
       for (int z = -8; z < 8; ++z) slots.insert(hash_of({x, y, z}) % (1U << 16U));
-  // 4096 cells that fall at random into 65536 slots take 3969 of them.
+  // 4096 cells in 65536 random slots take 3969 slots on average.
   EXPECT_GT(slots.size(), 3700U);
 }
 

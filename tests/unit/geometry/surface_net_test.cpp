@@ -10,7 +10,8 @@
 namespace flytri {
 namespace {
 
-/// Distance to a ball of radius 3 at the corners of a grid, without those farther away than `near`.
+/// Distance to a ball of radius 3 at the corners of a grid, without corners farther away than
+/// `near`.
 CornerValues ball_values(float near = 100.0F) {
   CornerValues grid;
   for (int z = -5; z <= 5; ++z)

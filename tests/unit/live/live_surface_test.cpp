@@ -200,7 +200,7 @@ TEST(LiveSurface, TakesTheColorOfATextureFrame) {
   }
 }
 
-/// What the surfels say of their error along the normal, and what it is.
+/// Stated and true error of the surfels along the normal.
 struct SigmaAndError {
   double sigma_mm = 0.0, error_mm = 0.0;  ///< root mean squares
 };
@@ -212,7 +212,7 @@ SigmaAndError sigma_and_error(double tilt_rad, double correlation_samples) {
   T_world_sensor.linear() = (Eigen::AngleAxisd(M_PI, Vec3::UnitX()) *
                              Eigen::AngleAxisd(tilt_rad, Vec3(1, 1, 0).normalized()))
                                 .toRotationMatrix();
-  // Across the cells' middle, so that noise moves no point into another cell.
+  // In the middle of the cells, so that noise moves no point into another cell.
   const double height_mm = 0.5;
   LiveSurface surface = LiveSurface::create({.cell_mm = 1.0}).value();
   for (int v = 0; v < 12; ++v) {
@@ -242,17 +242,17 @@ SigmaAndError sigma_and_error(double tilt_rad, double correlation_samples) {
   return {std::sqrt(mean.sigma_mm / count), std::sqrt(mean.error_mm / count)};
 }
 
-TEST(LiveSurface, SigmaIsTheErrorAlongTheNormal) {
+TEST(LiveSurface, StatedSigmaMatchesTheErrorAlongTheNormal) {
   // The noise of samples k apart correlates as exp(-(k / 1.5)^2), see reduction::MeanVariance.
   const double correlation_samples = 0.5 * reduction::kNoiseLengthSamples;
   for (const double tilt_rad : {0.0, 0.5, 1.0}) {
     const SigmaAndError is = sigma_and_error(tilt_rad, correlation_samples);
-    // 3600 cells tell the error to 2 %; at 1 rad the tenth for the normal adds 2 %.
+    // 3600 cells give the error to 2 %; at 1 rad the tenth for the normal adds 2 %.
     EXPECT_NEAR(is.sigma_mm / is.error_mm, 1.0, 0.1) << "tilted by " << tilt_rad;
   }
 }
 
-TEST(LiveSurface, SaysWhenAViewTellsNothingNew) {
+TEST(LiveSurface, ReportsAViewThatAddsNothingNew) {
   LiveSurfaceOptions options;
   options.enough_views = 5;
   LiveSurface surface = LiveSurface::create(options).value();
