@@ -22,7 +22,10 @@ TEST(Reconstruct, SaysWhichPatternIsMissing) {
   for (const Pattern pattern : kPatterns) {
     std::vector<std::shared_ptr<const View>> views;
     for (const AlignedView& view : scan.views) {
-      if (view.view->pattern == pattern) views.push_back(view.view);
+      if (view.view->pattern != pattern) continue;
+      View numbered = *view.view;
+      numbered.frame = FrameIndex(views.size());
+      views.push_back(std::make_shared<const View>(std::move(numbered)));
     }
     const std::string missing(to_string(other(pattern)));
     EXPECT_THAT(failure_of(views), AllOf(HasSubstr("8 show " + std::string(to_string(pattern))),
