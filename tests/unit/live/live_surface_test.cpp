@@ -212,7 +212,7 @@ SigmaAndError sigma_and_error(double tilt_rad, double correlation_samples) {
   T_world_sensor.linear() = (Eigen::AngleAxisd(M_PI, Vec3::UnitX()) *
                              Eigen::AngleAxisd(tilt_rad, Vec3(1, 1, 0).normalized()))
                                 .toRotationMatrix();
-  // In the middle of the cells, so that noise moves no point into another cell.
+  // In the middle of cells, so that noise moves no point into another.
   const double height_mm = 0.5;
   LiveSurface surface = LiveSurface::create({.cell_mm = 1.0}).value();
   for (int v = 0; v < 12; ++v) {
@@ -221,7 +221,7 @@ SigmaAndError sigma_and_error(double tilt_rad, double correlation_samples) {
     ideal.time_s = 0.033 * (v + 1);
     for (double across = 0.25; across < 60.0; across += 1.0) {
       Profile profile{LineIndex(0), Vec3::UnitX(), {}};
-      for (double along = 0.0; along < 60.0; along += 0.2) {
+      for (double along = 0.1; along < 60.0; along += 0.2) {
         const Vec3 p_world = ideal.pattern == Pattern::kVertical ? Vec3(across, along, height_mm)
                                                                  : Vec3(along, across, height_mm);
         profile.points.push_back({T_world_sensor.inverse() * p_world, {}});

@@ -20,7 +20,7 @@ Isometry T_world_sensor_tilted(double angle_rad) {
   return T_world_sensor;
 }
 
-/// In the middle of a cell: rounding moves no point into another.
+/// No point lies on the border of a cell, from where rounding could move it into another.
 constexpr double kHeight_mm = 0.1;
 
 /// Lines over a plane of 10 x 10 mm.
@@ -30,9 +30,9 @@ AlignedView plane_view(Pattern pattern, double time_s, double tilt_rad) {
   view->pattern = pattern;
   view->time_s = time_s;
   view->frame = FrameIndex(static_cast<std::size_t>(std::lround(10.0 * time_s)));
-  for (double across = 0.1; across < 10.0; across += 0.2) {
+  for (double across = 0.13; across < 10.0; across += 0.2) {
     Profile profile{LineIndex(0), Vec3::UnitX(), {}};
-    for (double along = 0.0; along < 10.0; along += 0.05) {
+    for (double along = 0.01; along < 10.0; along += 0.05) {
       const Vec3 p_world = pattern == Pattern::kVertical ? Vec3(across, along, kHeight_mm)
                                                          : Vec3(along, across, kHeight_mm);
       ProfilePoint point;
