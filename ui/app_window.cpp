@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
 #include "ui/control/control_answers.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/toasts.h"
@@ -13,14 +14,10 @@
 namespace flytri::ui {
 
 Result<void> AppWindowOptions::validate() const {
-  if (width_px < 640 || height_px < 400) {
-    return fail(ErrorCode::kBadOption, "the window must be at least 640 x 400, not {} x {}",
-                width_px, height_px);
-  }
-  if (content_scale && !(*content_scale >= 0.5 && *content_scale <= 4.0)) {
-    return fail(ErrorCode::kBadOption, "content_scale must be in 0.5..4, not {}", *content_scale);
-  }
-  return {};
+  OptionCheck check("AppWindowOptions");
+  check.at_least("width_px", width_px, 640).at_least("height_px", height_px, 400);
+  if (content_scale) check.in_range("content_scale", *content_scale, 0.5, 4.0);
+  return check.result();
 }
 
 struct AppWindow::Impl {

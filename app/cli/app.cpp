@@ -1,4 +1,4 @@
-/// @file  flytri app: the window.
+/// @file  flytri app: opens the window.
 #include <memory>
 #include <utility>
 #include <vector>
@@ -18,8 +18,8 @@ struct AppArguments {
   ui::AppWindowOptions window;
 };
 
-/// The scan was lost while it grew, or found again.
-void sound(const ui::AppView& view, scan::ScanPhase& heard, ui::SoundPlayer& sounds) {
+/// Plays a sound when the scan is lost and when it continues.
+void play_sounds(const ui::AppView& view, scan::ScanPhase& heard, ui::SoundPlayer& sounds) {
   if (view.scan == nullptr) return;
   sounds.set_muted(view.settings.is_muted);
   const scan::ScanPhase before = std::exchange(heard, view.scan->phase);
@@ -30,7 +30,7 @@ void sound(const ui::AppView& view, scan::ScanPhase& heard, ui::SoundPlayer& sou
   }
 }
 
-/// @param progress  is canceled when the user or the system ends the program by a signal
+/// @param progress  is canceled when a signal ends the program
 Result<void> run(const AppArguments& arguments, const Progress& progress) {
   auto window = ui::AppWindow::create(arguments.window);
   if (!window) return tl::unexpected(window.error());
@@ -46,7 +46,7 @@ Result<void> run(const AppArguments& arguments, const Progress& progress) {
     const double began_s = session.now_s();
     const ui::AppView view = session.view();
     is_open = (*window)->frame(view, commands);
-    sound(view, heard, sounds);
+    play_sounds(view, heard, sounds);
     for (const ui::Command& command : commands) session.carry_out(command);
     commands.clear();
     session::rest_after_frame(session.now_s() - began_s);
@@ -58,17 +58,17 @@ Result<void> run(const AppArguments& arguments, const Progress& progress) {
 
 void add_app_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<AppArguments>();
-  CLI::App* command = app.add_subcommand(
-      "app", "Open the scanning window; without any subcommand this is what flytri does");
+  CLI::App* command =
+      app.add_subcommand("app", "Open the scanning window; flytri without a command does the same");
   add_source_options(*command, arguments->source);
   command
       ->add_option("--scale", arguments->window.content_scale,
-                   "Size of everything, instead of what the screen asks for")
+                   "Size of texts and buttons, 0.5 to 4. Default: as the screen asks")
       ->check(CLI::Range(0.5, 4.0));
   command->add_option("--faults", arguments->source.fault_seed,
-                      "For tests: the source fails now and then, by this seed");
+                      "For tests: random faults of the source, from this seed");
   command->add_option("--control", arguments->window.control_socket,
-                      "Unix socket on which tests and pictures steer the window");
+                      "For tests: Unix socket through which a program controls the window");
   command->footer("Example: flytri app");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };

@@ -1,4 +1,4 @@
-/// @file  flytri calibrate: target images to calibration.json, from a folder or taken on the spot.
+/// @file  flytri calibrate: makes calibration.json from target images in a folder or from a sensor.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -39,22 +39,24 @@ Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& 
   return {};
 }
 
-/// The virtual sensor sees a plane, and cannot be shown a sphere.
+/// The virtual sensor sees only a plane: --sphere excludes --simulated.
 void add_check_options(CLI::App& command, CLI::Option& check, CLI::Option& simulated,
                        CalibrateCheckArguments& arguments) {
-  const std::string group = "What a calibration is checked with (--check)";
+  const std::string group = "Checking a calibration (--check)";
   command.add_option("--calibration", arguments.calibration, "calibration.json of the sensor")
       ->needs(&check)
       ->capture_default_str()
       ->group(group);
-  command.add_option("--sphere", arguments.sphere_mm, "Diameter, mm; without it, a plane is seen")
+  command
+      .add_option("--sphere", arguments.sphere_mm,
+                  "Check with a sphere of this diameter, mm. Default: a plane")
       ->needs(&check)
       ->excludes(&simulated)
       ->check(CLI::PositiveNumber)
       ->group(group);
   command
       .add_option("--recording", arguments.recording,
-                  "A recording in which the object moves slowly, instead of taking images")
+                  "Use this recording of the slowly moving object instead of taking images")
       ->needs(&check)
       ->group(group);
 }
@@ -71,11 +73,11 @@ Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
   if (!arguments.live) {
     if (!arguments.set.empty()) return calibrate_set(arguments, progress);
     return fail(ErrorCode::kBadOption,
-                "name a folder with calibration-set.json, or take its images with --live");
+                "give a folder with calibration-set.json, or take its images with --live");
   }
   arguments.of_live.output = arguments.output;
   if (!arguments.output.empty()) return calibrate_live(arguments.of_live, progress);
-  return fail(ErrorCode::kBadOption, "name the folder for the images with -o");
+  return fail(ErrorCode::kBadOption, "give the folder for the images with -o");
 }
 
 }  // namespace
@@ -90,35 +92,38 @@ void print_residuals(const calibration::Calibration& calibration) {
   };
   for (const Pattern pattern : kPatterns) {
     const calibration::PatternCalibration& lines = calibration.of(pattern);
-    row(fmt::format("Z {}", to_string(pattern)), lines.depth_residual_mm, kMicrons, "um");
+    row(fmt::format("Z {}", to_string(pattern)), lines.depth_residual_mm, kMicrons, "µm");
     row(fmt::format("w {}", to_string(pattern)), lines.width_residual_px, 1.0, "px");
   }
-  row("X", calibration.x_mm.residual, kMicrons, "um");
-  row("Y", calibration.y_mm.residual, kMicrons, "um");
+  row("X", calibration.x_mm.residual, kMicrons, "µm");
+  row("Y", calibration.y_mm.residual, kMicrons, "µm");
   row("U", calibration.texture_u_px.residual, 1.0, "px");
   row("V", calibration.texture_v_px.residual, 1.0, "px");
 }
 
 void add_calibrate_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<CalibrateArguments>();
-  CLI::App* command =
-      app.add_subcommand("calibrate", "Fit a calibration to target images, or take them with it");
+  CLI::App* command = app.add_subcommand(
+      "calibrate", "Calibrate a sensor from target images, or check a calibration");
   const auto set = command->add_option("SET", arguments->set, "Folder with calibration-set.json");
-  command->add_option("-o,--output", arguments->output,
-                      "File to write, calibration.json if nothing is said; with --live the folder "
-                      "for images and calibration, where an interrupted session goes on");
-  const auto live = command->add_flag("--live", arguments->live, "Guide through taking the images")
-                        ->excludes(set);
+  command->add_option(
+      "-o,--output", arguments->output,
+      "File to write. Default: calibration.json. With --live: folder for images and "
+      "calibration; an interrupted session continues there");
+  const auto live =
+      command->add_flag("--live", arguments->live, "Take the images step by step")->excludes(set);
   const auto check =
       command
           ->add_flag("--check", arguments->check,
-                     "Tell from a plane or a sphere whether a calibration still holds")
+                     "Check on a plane or a sphere whether a calibration still holds")
           ->excludes(set)
           ->excludes(live);
   const auto simulated = command->add_flag("--simulated", arguments->of_live.simulated,
                                            "Take images with the virtual sensor");
   add_check_options(*command, *check, *simulated, arguments->of_check);
-  command->add_option("--rig", arguments->of_live.rig, "The rig's devices, see docs/formats.md")
+  command
+      ->add_option("--rig", arguments->of_live.rig,
+                   "Description of the devices, see docs/formats.md")
       ->excludes(simulated)
       ->capture_default_str();
   add_plan_options(*command, arguments->of_live.plan);

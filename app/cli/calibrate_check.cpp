@@ -18,7 +18,7 @@ void print(const calibration::VerificationReport& report) {
   fmt::print("{:<28} {:>12} {:>14} {:>10}\n", "at the border of the volume", "deviation",
              "uncertainty", "limit");
   for (const calibration::VerificationFigure& figure : report.figures) {
-    fmt::print("{:<28} {:>+9.1f} um {:>11.1f} um {:>7.1f} um  {}\n", figure.name,
+    fmt::print("{:<28} {:>+9.1f} µm {:>11.1f} µm {:>7.1f} µm  {}\n", figure.name,
                kMicrons * figure.deviation_mm, kMicrons * figure.uncertainty_mm,
                kMicrons * figure.limit_mm, figure.good() ? "good" : "TOO MUCH");
   }
@@ -35,9 +35,9 @@ Result<std::vector<calibration::VerificationPose>> take_poses(
   const auto places = shots::verification_places();
   while (poses.size() < places.size()) {
     const shots::VerificationPlace& place = places[poses.size()];
-    const auto line = prompt.ask(
-        fmt::format("{} of {}: put the {} {} and let it rest, then press Enter. ", poses.size() + 1,
-                    places.size(), arguments.sphere_mm > 0.0 ? "sphere" : "plane", place.words));
+    const auto line = prompt.ask(fmt::format(
+        "{} of {}: put the {} {} and keep it still, then press Enter. ", poses.size() + 1,
+        places.size(), arguments.sphere_mm > 0.0 ? "sphere" : "plane", place.words));
     if (!line) return stopped();
     fmt::print("\n");
     auto pose = shots::take_verification_pose(
@@ -45,7 +45,7 @@ Result<std::vector<calibration::VerificationPose>> take_poses(
     if (pose) {
       poses.push_back(*std::move(pose));
     } else if (pose.error().code == ErrorCode::kInconsistent) {
-      fmt::print("  again: {}\n", pose.error().message);
+      fmt::print("  take this one again: {}\n", pose.error().message);
     } else {
       return tl::unexpected(pose.error());
     }
@@ -64,7 +64,7 @@ Result<void> conclude(const calibration::VerificationReport& report) {
   }
   for (const std::string& meaning : report.meanings) fmt::print("{}\n", meaning);
   return fail(ErrorCode::kInconsistent,
-              "the calibration no longer holds; calibrate anew with flytri calibrate --live");
+              "the calibration no longer holds; calibrate again with flytri calibrate --live");
 }
 
 }  // namespace

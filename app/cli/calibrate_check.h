@@ -1,4 +1,4 @@
-/// @file  flytri calibrate --check: whether a calibration still holds, told from a plane or sphere.
+/// @file  flytri calibrate --check: checks on a plane or sphere whether a calibration still holds.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,16 @@
 namespace flytri::cli {
 
 struct CalibrateCheckArguments {
-  std::filesystem::path calibration = "calibration.json";  ///< of the sensor, as it was
-  std::filesystem::path recording;  ///< of the object in slow motion; empty: taken on the spot
+  std::filesystem::path calibration = "calibration.json";  ///< to check
+  std::filesystem::path recording;  ///< of the slowly moving object; empty: take images
   std::filesystem::path rig = "rig.json";
   bool simulated = false;
-  std::string sensor = "intraoral";  ///< that is simulated
+  std::string sensor = "intraoral";  ///< with `simulated`: which sensor
   double sphere_mm = 0.0;            ///< diameter; 0: a plane
 };
 
-/// @errors  kInconsistent: the calibration no longer holds; kInsufficient: no verdict; as the
-///          devices and files.
+/// @errors  kInconsistent: the calibration no longer holds; kInsufficient: not clear; as
+///          open_shots and read_calibration.
 [[nodiscard]] Result<void> calibrate_check(const CalibrateCheckArguments& arguments,
                                            const Progress& progress);
 

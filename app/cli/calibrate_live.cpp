@@ -12,13 +12,13 @@
 namespace flytri::cli {
 namespace {
 
-bool says_anything(const PlanArguments& arguments) {
+bool has_any_option(const PlanArguments& arguments) {
   return arguments.sensor != PlanArguments{}.sensor || !arguments.volume_mm.empty() ||
          !arguments.lines.empty() || !arguments.dots_mm.empty() || arguments.planes > 0 ||
          arguments.by_target;
 }
 
-/// From the options; those that are not given are the sensor's.
+/// Options that are not given come from the sensor.
 calibration::CalibrationPlan make_plan(const PlanArguments& arguments) {
   simulated::SensorModel sensor = shots::sensor_named(arguments.sensor);
   if (const auto& size = arguments.volume_mm; !size.empty()) {
@@ -33,10 +33,10 @@ calibration::CalibrationPlan make_plan(const PlanArguments& arguments) {
   return plan;
 }
 
-/// Who names nothing goes on with what the folder says.
+/// Without options, an interrupted session continues with its own plan.
 Result<calibration::CalibrationPlan> choose_plan(const CalibrateLiveArguments& arguments) {
   const calibration::CalibrationPlan plan = make_plan(arguments.plan);
-  if (says_anything(arguments.plan)) return plan;
+  if (has_any_option(arguments.plan)) return plan;
   return io::guided_plan_or(plan, arguments.output);
 }
 
@@ -44,17 +44,17 @@ void print_planes(const std::vector<calibration::PlaneResidual>& planes) {
   constexpr double kMicrons = 1e3;
   fmt::print("{:<14} {:>13} {:>13}\n", "plane", "vertical", "horizontal");
   for (const calibration::PlaneResidual& plane : planes) {
-    fmt::print("z {:+8.2f} mm  {:>+10.2f} um {:>+10.2f} um\n", plane.z_mm,
+    fmt::print("z {:+8.2f} mm  {:>+10.2f} µm {:>+10.2f} µm\n", plane.z_mm,
                kMicrons * plane.offset_mm[0], kMicrons * plane.offset_mm[1]);
   }
 }
 
 void print_restored(const shots::GuidedSession& session) {
   if (session.restored() > 0) {
-    fmt::print("{}: going on, {} of {} placements are done\n", session.folder().string(),
+    fmt::print("{}: continuing, {} of {} placements are done\n", session.folder().string(),
                session.restored(), session.guide().placements().size());
   }
-  for (const std::string& complaint : session.complaints()) {
+  for (const std::string& complaint : session.problems()) {
     fmt::print("not taken over: {}\n", complaint);
   }
 }
@@ -62,8 +62,8 @@ void print_restored(const shots::GuidedSession& session) {
 }  // namespace
 
 void add_plan_options(CLI::App& command, PlanArguments& plan) {
-  const std::string group = "What the sensor is calibrated with (--live)";
-  command.add_option("--sensor", plan.sensor, "The sensor of the paper whose numbers are taken")
+  const std::string group = "Sensor and targets (--live)";
+  command.add_option("--sensor", plan.sensor, "Sensor of the paper that gives the defaults")
       ->check(CLI::IsMember({"intraoral", "face"}))
       ->capture_default_str()
       ->group(group);
@@ -75,12 +75,11 @@ void add_plan_options(CLI::App& command, PlanArguments& plan) {
   command.add_option("--dots", plan.dots_mm, "Dot target, mm: pitch, diameter, large diameter")
       ->expected(3)
       ->group(group);
-  command.add_option("--planes", plan.planes, "Number of depths, 17 if nothing is said")
+  command.add_option("--planes", plan.planes, "Number of depths. Default: 17")
       ->check(CLI::Range(5, 100))
       ->group(group);
   command
-      .add_flag("--by-target", plan.by_target,
-                "First the white plane through all depths, then the dots")
+      .add_flag("--by-target", plan.by_target, "First the white plane at all depths, then the dots")
       ->group(group);
 }
 
@@ -97,7 +96,7 @@ Result<void> calibrate_live(const CalibrateLiveArguments& arguments, const Progr
   (*source)->stop();
   if (!fit) return tl::unexpected(fit.error());
   if (!*fit) {
-    fmt::print("stopped; {} keeps what is done, the same command goes on with it\n",
+    fmt::print("stopped; {} keeps what is done. The same command continues.\n",
                arguments.output.string());
     return {};
   }

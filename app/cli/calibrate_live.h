@@ -10,13 +10,13 @@
 
 namespace flytri::cli {
 
-/// What stands in front of the sensor, where it is not as the sensor's own paper has it.
+/// Sensor and targets, where they differ from those in the paper.
 struct PlanArguments {
   std::string sensor = "intraoral";
-  std::vector<double> volume_mm;  ///< x, y, z; empty: not said
-  std::vector<int> lines;         ///< vertical, horizontal; empty: not said
-  std::vector<double> dots_mm;    ///< pitch, diameter, large diameter; empty: not said
-  int planes = 0;                 ///< 0: not said
+  std::vector<double> volume_mm;  ///< x, y, z; empty: not given
+  std::vector<int> lines;         ///< vertical, horizontal; empty: not given
+  std::vector<double> dots_mm;    ///< pitch, diameter, large diameter; empty: not given
+  int planes = 0;                 ///< 0: not given
   bool by_target = false;
 };
 
@@ -33,7 +33,7 @@ void add_plan_options(CLI::App& command, PlanArguments& plan);
 [[nodiscard]] Result<void> calibrate_live(const CalibrateLiveArguments& arguments,
                                           const Progress& progress);
 
-/// RMS and maximum of what the fits left.
+/// Prints RMS and maximum of the residuals of the fits.
 void print_residuals(const calibration::Calibration& calibration);
 
 }  // namespace flytri::cli

@@ -37,11 +37,11 @@ std::optional<io::ScanStage> stage_named(const std::string& name) {
 void add_case_options(CLI::App& command, CaseArguments& arguments) {
   command
       .add_option("--stage", arguments.stage,
-                  "Of a case: upper, lower or bite; needed where several were scanned")
+                  "For a case: upper, lower or bite; needed if several were scanned")
       ->check(CLI::IsMember({"upper", "lower", "bite"}));
   command.add_option("--passphrase-file", arguments.passphrase_file,
-                     "Of an encrypted case: file whose first line is the passphrase; without it, "
-                     "FLYTRI_PASSPHRASE of the environment");
+                     "For an encrypted case: file whose first line is the passphrase. Default: the "
+                     "environment variable FLYTRI_PASSPHRASE");
 }
 
 bool names_case(const fs::path& path) {
@@ -57,7 +57,7 @@ Result<io::CaseFile> open_case(const fs::path& path, const CaseArguments& argume
   if (file) print_damage(file->damage());
   if (file || file.error().code != ErrorCode::kInconsistent) return file;
   return fail(ErrorCode::kInconsistent,
-              "{}; put it into the variable FLYTRI_PASSPHRASE, or into a file for "
+              "{}; put the passphrase into the variable FLYTRI_PASSPHRASE, or into a file for "
               "--passphrase-file",
               file.error().message);
 }
@@ -82,8 +82,8 @@ Result<io::ScanStage> choose_stage(io::CaseFile& file, const CaseArguments& argu
   }
   const std::optional<io::ScanStage> asked = stage_named(arguments.stage);
   if (asked && (candidates.empty() || candidates.find(arguments.stage) == std::string::npos)) {
-    return fail(ErrorCode::kInsufficient, "{}: the stage {} has no {}; stages that have: {}",
-                file.path().string(), arguments.stage, what,
+    return fail(ErrorCode::kInsufficient, "{}: the stage {} has no {}; the stages with {}: {}",
+                file.path().string(), arguments.stage, what, what,
                 candidates.empty() ? "none" : candidates);
   }
   if (asked) return *asked;

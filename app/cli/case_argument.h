@@ -1,4 +1,4 @@
-/// @file  A case as an argument of a subcommand: its options, and the opened file.
+/// @file  The options of commands that read a case, and the opened case.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +10,30 @@
 
 namespace flytri::cli {
 
-/// What the user said about a case besides its path.
+/// The options for a case, besides its path.
 struct CaseArguments {
   std::filesystem::path passphrase_file;
-  std::string stage;  ///< empty: the only one there is
+  std::string stage;  ///< empty: the only one that was scanned
 };
 
 /// Adds --stage and --passphrase-file.
 void add_case_options(CLI::App& command, CaseArguments& arguments);
 
-/// Whether a path is to be taken for a case: it is a file, or is named like one.
+/// Whether a path means a case: it is a file, or its name ends in .flytri.
 [[nodiscard]] bool names_case(const std::filesystem::path& path);
 
 /// Opens a case with the passphrase of --passphrase-file, or else of the environment variable
-/// FLYTRI_PASSPHRASE. Damage is told on the terminal, and no failure.
+/// FLYTRI_PASSPHRASE. Damage is printed and is not an error.
 /// @errors  As CaseFile::open and read_file.
 [[nodiscard]] Result<io::CaseFile> open_case(const std::filesystem::path& path,
                                              const CaseArguments& arguments, bool read_only);
 
-/// Tells on the terminal what of a case could not be read.
+/// Prints the parts of a case that could not be read.
 void print_damage(const std::vector<std::string>& damage);
 
-/// The stage of --stage, or the only one that has something.
+/// The stage of --stage, or the only one that qualifies.
 /// @param what  what a stage must have, for messages: "views"
-/// @errors  kInsufficient: none has; kBadOption: several have.
+/// @errors  kInsufficient: none qualifies; kBadOption: several do.
 [[nodiscard]] Result<io::ScanStage> choose_stage(
     io::CaseFile& file, const CaseArguments& arguments, const std::string& what,
     const std::function<bool(const io::StageCounts&)>& has);

@@ -1,4 +1,4 @@
-/// @file  What a subcommand is: it declares its options, and leaves a job to be run after parsing.
+/// @file  What a command is: it declares its options, and a job that runs after parsing.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,18 +9,18 @@
 
 namespace flytri::cli {
 
-/// A subcommand's work. It reports to the progress object and stops early when that is cancelled.
+/// The work of a command. It reports its progress, and stops early when that is cancelled.
 using Job = std::function<Result<void>(const Progress&)>;
 
-/// Receives the job of the subcommand that the command line names.
+/// Receives the job of the chosen command.
 struct Invocation {
   Job job;
 };
 
-/// The size limit of --threads; 0 means as many as there are cores.
+/// The largest value of --threads.
 inline constexpr int kMaxThreads = 256;
 
-/// Adds the option that every computing subcommand has.
+/// Adds --threads, which all commands that compute have.
 inline CLI::Option* add_threads_option(CLI::App& command, int& thread_count) {
   return command.add_option("--threads", thread_count, "Threads to use; 0: one per core")
       ->check(CLI::Range(0, kMaxThreads))

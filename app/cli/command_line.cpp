@@ -6,7 +6,7 @@ namespace flytri::cli {
 
 void set_up_command_line(CLI::App& app, Invocation& invocation) {
   app.name("flytri");
-  app.description("flytri: from line frames of a hand-guided scanner to a textured model");
+  app.description("flytri: makes textured models with a hand-guided dental scanner");
   add_simulate_command(app, invocation);
   add_calibrate_command(app, invocation);
   add_reconstruct_command(app, invocation);

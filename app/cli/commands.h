@@ -1,4 +1,4 @@
-/// @file  All subcommands, one function and one file each.
+/// @file  All commands: one function and one file each.
 #pragma once
 
 #include "app/cli/command.h"

@@ -1,4 +1,4 @@
-/// @file  flytri demo: calibrates the virtual sensor, scans the sample jaw with it, and leaves
+/// @file  flytri demo: calibrates the virtual sensor, scans the sample jaw with it, and writes
 /// models and a picture.
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/png.h"
-#include "core/io/models/model.h"
+#include "core/io/models/model_formats.h"
 #include "core/io/recordings/recording.h"
 #include "core/reconstruct/reconstruct.h"
 #include "hw/simulated/datasets/sensor_calibration.h"
@@ -23,6 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kModelName = "jaw";
+// Not jaw.png, which is the texture of jaw.obj.
+constexpr std::string_view kPictureName = "preview.png";
+
 struct DemoArguments {
   fs::path folder = "out";
   double duration_s = 24.0;
@@ -32,24 +36,24 @@ struct DemoArguments {
 Result<void> write_results(const fs::path& folder,
                            const reconstruct::Reconstruction& reconstruction,
                            const calibration::MeasurementVolume& volume, const Workers& workers) {
-  for (const char* ending : {".glb", ".ply", ".stl", ".obj"}) {
-    const fs::path file = folder / (std::string("jaw") + ending);
+  for (const io::ModelFormat& format : io::model_formats()) {
+    const fs::path file = folder / (std::string(kModelName) + std::string(format.extension));
     if (auto written = write_result(file, reconstruction); !written) return written;
     fmt::print("wrote {}\n", file.string());
   }
   simulated::PictureOptions options;
-  // The world is the first view's sensor frame: the sensor looks along +z, y runs down.
+  // The world frame is the sensor frame of the first view: z points away from the sensor, y down.
   options.from_direction = Vec3(0.0, 0.3, -1.0);
   options.up = -Vec3::UnitY();
   const Result<cv::Mat> picture = simulated::draw_picture(reconstruction.model, options, workers);
   if (!picture) return tl::unexpected(picture.error());
-  const fs::path file = folder / "jaw.png";
+  const fs::path file = folder / kPictureName;
   if (auto written = io::write_png(file, *picture); !written) return written;
   fmt::print("wrote {}\n", file.string());
   return write_report(folder / "report.json", reconstruction, volume.size_mm);
 }
 
-/// The folder of an earlier demo's frames is taken for the new ones.
+/// Replaces the frames of an earlier demo.
 Result<io::Recording> scan_jaw(const fs::path& folder, const simulated::SensorModel& sensor,
                                double duration_s, const Workers& workers,
                                const Progress& progress) {
@@ -90,10 +94,12 @@ Result<void> run(const DemoArguments& arguments, const Progress& progress) {
 void add_demo_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<DemoArguments>();
   CLI::App* command =
-      app.add_subcommand("demo", "Scan the sample jaw with the virtual sensor, without any input");
-  command->add_option("-o,--output", arguments->folder, "Folder for models, picture, and the scan")
+      app.add_subcommand("demo", "Scan the sample jaw with the virtual sensor; needs no input");
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "Folder for the models, the picture and the recording")
       ->capture_default_str();
-  command->add_option("--duration", arguments->duration_s, "Length of the scan, s")
+  command->add_option("--duration", arguments->duration_s, "Length of the scan in seconds")
       ->check(CLI::Range(2.0, 600.0))
       ->capture_default_str();
   add_threads_option(*command, arguments->thread_count);

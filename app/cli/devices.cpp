@@ -1,4 +1,4 @@
-/// @file  flytri devices: what is plugged in, and what is wrong with it.
+/// @file  flytri devices: lists what is plugged in and what is wrong with it.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -99,9 +99,9 @@ void print_all(const std::vector<device::CameraDescription>& cameras,
                const std::vector<gpio::GpioChip>& chips) {
   for (const device::CameraDescription& camera : cameras) print(camera);
   if (cameras.empty())
-    fmt::print("No camera is there. Plug one in; one that should be listed may lack its driver.\n");
+    fmt::print("No camera found. Plug one in; if it is plugged in, its driver may be missing.\n");
   for (const gpio::GpioChip& chip : chips) print(chip);
-  if (chips.empty()) fmt::print("No switch for the lights is there. Plug in its USB-GPIO chip.\n");
+  if (chips.empty()) fmt::print("No switch for the lights found. Plug in its USB GPIO chip.\n");
 }
 
 Result<void> run(const DevicesArguments& arguments) {
@@ -132,7 +132,8 @@ Result<void> run(const DevicesArguments& arguments) {
     }
   }
   if (faults && !faults->empty())
-    return fail(faults->front().code, "{} of the rig's devices cannot be used", faults->size());
+    return fail(faults->front().code, "{} devices of the rig cannot be used; see above",
+                faults->size());
   return {};
 }
 
@@ -141,10 +142,10 @@ Result<void> run(const DevicesArguments& arguments) {
 void add_devices_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<DevicesArguments>();
   CLI::App* command = app.add_subcommand(
-      "devices", "List cameras and switches, what they can do and what is wrong with them");
-  command->add_option("--rig", arguments->rig, "Also say whether this rig can be used")
+      "devices", "List cameras and light switches, their abilities and their problems");
+  command->add_option("--rig", arguments->rig, "Also check whether this rig can be used")
       ->check(CLI::ExistingFile);
-  command->add_flag("--json", arguments->as_json, "For programs");
+  command->add_flag("--json", arguments->as_json, "Print JSON, for programs");
   command->footer("Example: flytri devices --rig rig.json");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress&) { return run(*arguments); };

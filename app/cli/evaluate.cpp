@@ -1,4 +1,4 @@
-/// @file  flytri evaluate: a result against the truth beside a simulated recording.
+/// @file  flytri evaluate: compares a model with the truth of a simulated recording.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "core/evaluation/surface_error.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/model.h"
+#include "core/io/models/model_formats.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
 #include "core/io/recordings/truth.h"
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double kMicronsOfMm = 1e3;
-/// Vertices this near to a true one have its color: less than a painted spot.
+/// A vertex this close to a true one has its color. Smaller than a painted spot.
 constexpr double kColorWithinMm = 0.3;
 constexpr double kPercent = 1e2;
 
@@ -41,19 +42,19 @@ struct EvaluateArguments {
   [[nodiscard]] fs::path truth_file() const { return recording / "truth.json"; }
 };
 
-/// The true surface, and which of its vertices the sensor could have measured.
+/// The true surface, and which of its vertices the sensor could measure.
 struct TrueSurface {
   TriangleMesh mesh;
   std::vector<bool> selected;  ///< empty: all
 };
 
-/// What the result is compared with.
+/// What the model is compared with.
 struct Reference {
   TrueSurface surface;
   Isometry T_model_world = Isometry::Identity();   ///< by the first registered view
   std::vector<evaluation::PosePair> registered;    ///< poses; empty without a report
   std::vector<evaluation::PosePair> interpolated;  ///< those of texture frames among them
-  std::optional<Vec3> volume_mm;                   ///< of the sensor, if the report tells
+  std::optional<Vec3> volume_mm;                   ///< of the sensor, if the report has it
 };
 
 struct Evaluation {
@@ -83,8 +84,7 @@ Result<Isometry> true_pose(const EvaluateArguments& arguments, const io::Truth& 
                                   [&](const io::TruthPose& pose) { return pose.frame == frame; });
   if (found != truth.poses.end()) return found->T_model_sensor;
   return fail(ErrorCode::kInconsistent,
-              "{}: poses: none of frame {}; evaluate against the recording that the result was "
-              "made of",
+              "{}: no pose for frame {}; give the recording that the model was made from",
               arguments.truth_file().string(), frame.value);
 }
 
@@ -95,7 +95,7 @@ Result<FrameIndex> first_measurement_frame(const io::Recording& recording) {
   if (found != recording.frames.end()) {
     return FrameIndex(static_cast<int>(found - recording.frames.begin()));
   }
-  return fail(ErrorCode::kInsufficient, "{}: frames: none of them shows lines",
+  return fail(ErrorCode::kInsufficient, "{}: no frame shows lines; record again",
               (recording.folder / "recording.json").string());
 }
 
@@ -110,7 +110,7 @@ Result<void> pair_poses(const EvaluateArguments& arguments, const io::Truth& tru
   return {};
 }
 
-/// Without a report the first measurement frame is taken for the first registered one.
+/// Without a report: assumes that the first measurement frame was registered first.
 Result<void> guess_gauge(const EvaluateArguments& arguments, const io::Truth& truth,
                          Reference& reference) {
   const auto recording = io::open_recording(arguments.recording);
@@ -123,7 +123,7 @@ Result<void> guess_gauge(const EvaluateArguments& arguments, const io::Truth& tr
   return {};
 }
 
-/// Fills what poses tell: the gauge, and with a report the pairs of poses.
+/// Fills in the gauge, and with a report the pairs of poses.
 Result<void> read_gauge(const EvaluateArguments& arguments, const io::Truth& truth,
                         Reference& reference) {
   if (arguments.report.empty()) return guess_gauge(arguments, truth, reference);
@@ -136,13 +136,13 @@ Result<void> read_gauge(const EvaluateArguments& arguments, const io::Truth& tru
   return {};
 }
 
-/// The truth is simulated; a recording of a real scanner has none.
+/// Only simulated recordings have a truth.
 Result<io::Truth> read_truth_of(const EvaluateArguments& arguments) {
   auto truth = io::read_truth(arguments.truth_file());
   if (truth || truth.error().code != ErrorCode::kNotFound) return truth;
   return fail(ErrorCode::kNotFound,
-              "{}: not found; only simulated recordings have a truth to compare with: name the "
-              "folder of one with --recording, or make one with flytri simulate recording",
+              "{}: not found; only simulated recordings have a truth: give the folder of one with "
+              "--recording, or make one with flytri simulate recording",
               arguments.truth_file().string());
 }
 
@@ -201,26 +201,26 @@ void print_row(std::string_view gauge, const evaluation::SurfaceError& error) {
 void print_poses(const Evaluation& evaluation) {
   if (!evaluation.registered) {
     fmt::print(
-        "\nno pose errors: the report names no measurement volume; make it anew with flytri "
-        "reconstruct --report\n");
+        "\nno errors of the poses: the report has no measurement volume; write it again with "
+        "flytri reconstruct --report\n");
     return;
   }
   fmt::print(
-      "\nposes, RMS at the corners of the measurement volume: {} registered {:.1f} um by the first "
-      "view, {:.1f} um at best fit",
+      "\nposes, RMS at the corners of the measurement volume: {} registered {:.1f} µm by the first "
+      "view, {:.1f} µm at best fit",
       evaluation.registered_count, kMicronsOfMm * evaluation.registered->first_view_mm,
       kMicronsOfMm * evaluation.registered->best_fit_mm);
   if (evaluation.interpolated_count > 0) {
-    fmt::print("; {} interpolated {:.1f} um by the first view", evaluation.interpolated_count,
+    fmt::print("; {} interpolated {:.1f} µm by the first view", evaluation.interpolated_count,
                kMicronsOfMm * evaluation.interpolated_mm);
   }
   fmt::print("\n");
 }
 
 void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arguments) {
-  fmt::print("{} vertices against the true surface; {} true vertices asked for\n\n",
+  fmt::print("{} vertices compared with the true surface, which has {} vertices to find\n\n",
              evaluation.as_it_stands.distance.count, evaluation.as_it_stands.completeness.selected);
-  fmt::print("{:<14}{:^45}{:>9}  {}\n", "", "distance, um",
+  fmt::print("{:<14}{:^45}{:>9}  {}\n", "", "distance, µm",
              fmt::format(">{:g} mm", arguments.surface.far_above_mm),
              fmt::format("complete to {:g} mm", arguments.surface.complete_within_mm));
   fmt::print("{:<14}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}\n", "gauge", "RMS", "mean", "median",
@@ -228,11 +228,11 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
   print_row("as it stands", evaluation.as_it_stands);
   print_row("best fit", evaluation.fitted);
   if (evaluation.outcome == evaluation::BestFitOutcome::kStillMoving) {
-    fmt::print("The best fit was still moving when it was stopped.\n");
+    fmt::print("The best fit did not converge: it was still moving after its last step.\n");
   }
   fmt::print(
-      "\ncolor, chromaticity by the nearest of the true vertices: median {:.3f}, 95 % {:.3f}; "
-      "colors of other places would give {:.3f}; sRGB 0..255, brightness included: mean {:.1f}\n",
+      "\ncolor, difference in chromaticity from the nearest true vertex: median {:.3f}, "
+      "95 % {:.3f} (by chance {:.3f}); difference in sRGB 0..255, with brightness: mean {:.1f}\n",
       evaluation.colors.median, evaluation.colors.percentile_95, evaluation.colors.median_by_chance,
       evaluation.colors.mean_srgb);
   if (evaluation.registered_count > 0) print_poses(evaluation);
@@ -293,25 +293,29 @@ Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
 
 void add_evaluate_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<EvaluateArguments>();
-  CLI::App* command =
-      app.add_subcommand("evaluate", "Compare a model with the truth of a simulated recording");
-  command->add_option("RESULT", arguments->result, "Model: .glb, .ply, .stl or .obj")->required();
+  CLI::App* command = app.add_subcommand(
+      "evaluate", "Compare a model with the true surface of a simulated recording");
+  command
+      ->add_option("RESULT", arguments->result,
+                   fmt::format("Model: {}", io::extension_list(io::FormatUse::kRead)))
+      ->required();
   command
       ->add_option("--recording", arguments->recording,
-                   "Folder of the recording, with truth.json beside recording.json")
+                   "Folder of the simulated recording, with recording.json and truth.json")
       ->required();
-  command->add_option("--report", arguments->report,
-                      "report.json of the reconstruction: tells the first registered view, and "
-                      "adds the errors of the poses");
-  command->add_option("-o,--output", arguments->output, "Also write the figures, as .json");
+  command->add_option(
+      "--report", arguments->report,
+      "report.json of the reconstruction: says which view was registered first, and "
+      "adds the errors of the poses");
+  command->add_option("-o,--output", arguments->output, "Also write the figures as .json");
   command
       ->add_option("--complete-within", arguments->surface.complete_within_mm,
-                   "Distance in mm up to which the true surface counts as found")
+                   "The true surface counts as found up to this distance, mm")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command
       ->add_option("--far-above", arguments->surface.far_above_mm,
-                   "Distance in mm above which a vertex counts as far off")
+                   "A vertex counts as far off above this distance, mm")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   add_threads_option(*command, arguments->thread_count);

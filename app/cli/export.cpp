@@ -1,4 +1,4 @@
-/// @file  flytri export: the finished model of a case to a file, without computing anything.
+/// @file  flytri export: writes the finished model of a case to files; nothing is computed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "app/cli/case_argument.h"
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/model.h"
@@ -24,30 +25,29 @@ struct ExportArguments {
   std::vector<fs::path> outputs;
 };
 
-/// The bytes as they are kept, or the model in another format.
+/// A case keeps models as .glb: writes those bytes, or converts them.
 Result<void> write_kept(const fs::path& output, const std::string& glb, const std::string& name) {
   if (output.extension() == ".glb") return io::write_file(output, glb);
   Result<TexturedMesh> model = io::parse_glb(glb, name);
   if (!model) return tl::unexpected(model.error());
-  if (!io::carries_atlas(output)) texture::color_vertices(*model);
+  if (!io::holds_texture(output)) texture::color_vertices(*model);
   return io::write_model(output, *model);
 }
 
 Result<void> run(const ExportArguments& arguments) {
-  for (const fs::path& output : arguments.outputs) {
-    if (auto checked = io::check_model_path(output); !checked) return checked;
-  }
+  if (auto checked = check_output_files(arguments.outputs, {}); !checked) return checked;
   Result<io::CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
   if (!file) return tl::unexpected(file.error());
   const Result<io::ScanStage> stage =
       choose_stage(*file, arguments.case_options, "a finished model",
                    [](const io::StageCounts& counts) { return counts.has_result; });
   if (!stage) {
-    return fail(stage.error().code, "{}; flytri reconstruct computes one", stage.error().message);
+    return fail(stage.error().code, "{}; make one with flytri reconstruct --keep",
+                stage.error().message);
   }
   const Result<io::StageResult> result = file->load_result(*stage);
   if (!result) {
-    return fail(result.error().code, "{}; flytri reconstruct computes it again",
+    return fail(result.error().code, "{}; make the model again with flytri reconstruct --keep",
                 result.error().message);
   }
   for (const fs::path& output : arguments.outputs) {
@@ -64,10 +64,7 @@ void add_export_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command = app.add_subcommand("export", "Write the finished model of a case");
   command->add_option("CASE", arguments->case_path, "A case (.flytri)")->required();
-  command
-      ->add_option("-o,--output", arguments->outputs,
-                   "Model to write: .glb, .ply, .stl or .obj; may be given several times")
-      ->required();
+  command->add_option("-o,--output", arguments->outputs, model_output_help())->required();
   add_case_options(*command, arguments->case_options);
   command->footer("Example: flytri export smith.flytri --stage upper -o upper.glb");
   command->callback([arguments, &invocation] {

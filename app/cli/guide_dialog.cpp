@@ -12,7 +12,7 @@
 namespace flytri::cli {
 namespace {
 
-constexpr int kPatience_ms = 100;  // by which Ctrl-C may be noticed late
+constexpr int kPatience_ms = 100;  // the longest delay until Ctrl-C is noticed
 
 enum class Answer { kTake, kBack, kPlane, kStop, kUnknown };
 
@@ -54,7 +54,7 @@ void print(const shots::ShotOutcome& outcome) {
   std::fflush(stdout);
 }
 
-/// Both targets of a plane are taken again.
+/// Both targets of the plane will be taken again.
 Result<void> reopen_plane(shots::GuidedSession& session, std::size_t plane) {
   const auto& placements = session.guide().placements();
   for (std::size_t i = 0; i < placements.size(); ++i) {
@@ -90,8 +90,8 @@ Result<bool> obey(const Choice& choice, shots::GuidedSession& session, const Pro
       break;
     case Answer::kUnknown:
       fmt::print(
-          "  Enter takes the shots, s goes one back, a number takes that plane again, q "
-          "stops and keeps what is done.\n");
+          "  Press Enter to take the images, s to go one step back, a number to take that plane "
+          "again, q to stop and keep what is done.\n");
   }
   if (!done) return tl::unexpected(done.error());
   return true;
@@ -124,10 +124,10 @@ Result<std::optional<calibration::GuidedFit>> run_guide_dialog(shots::GuidedSess
   Prompt prompt(progress);
   const std::size_t planes = session.guide().plan().z_mm.size();
   fmt::print(
-      "Enter takes the shots, s goes one back, a number takes that plane again, q stops "
-      "and keeps what is done.\n");
+      "Press Enter to take the images, s to go one step back, a number to take that plane again, "
+      "q to stop and keep what is done.\n");
   while (true) {
-    std::string question = "Which plane is to be taken again? ";
+    std::string question = "Which plane do you want to take again? ";
     if (const auto shot = session.guide().wanted()) {
       question = describe(*shot, session.guide()) + " ";
     } else {

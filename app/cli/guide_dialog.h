@@ -1,4 +1,4 @@
-/// @file  The dialog of flytri calibrate --live: asks for the target, tells what each shot showed.
+/// @file  The dialog of flytri calibrate --live: asks for each target and judges its images.
 #pragma once
 
 #include <optional>
@@ -9,22 +9,22 @@
 
 namespace flytri::cli {
 
-/// Reads lines from standard input without keeping Ctrl-C waiting.
+/// Reads lines from standard input; Ctrl-C works meanwhile.
 class Prompt {
  public:
   explicit Prompt(Progress progress) : progress_(std::move(progress)) {}
-  /// @return  nothing at the end of the input, and when the work is cancelled
+  /// @return  nothing at the end of the input, and when the job is cancelled
   [[nodiscard]] std::optional<std::string> ask(const std::string& question);
 
  private:
   Progress progress_;
-  std::string pending_;  // read, but not asked for yet
+  std::string pending_;  // read, but not returned yet
 };
 
-/// Guides through a session until it is complete and fits.
+/// Runs the session until it is complete and its calibration is good.
 /// @return  nothing: the user stopped; what is done is kept
-/// @errors  As GuidedSession::shoot, reopen and finish, apart from sets that are refused: then the
-///          user is asked which plane to take again.
+/// @errors  As GuidedSession::shoot, reopen and finish. If the set is refused, the dialog asks for
+///          the plane to take again.
 [[nodiscard]] Result<std::optional<calibration::GuidedFit>> run_guide_dialog(
     shots::GuidedSession& session, const Workers& workers, const Progress& progress);
 

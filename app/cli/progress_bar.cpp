@@ -13,10 +13,10 @@ namespace {
 
 constexpr auto kPeriod = std::chrono::milliseconds(100);
 constexpr int kBarWidth = 28;
-/// Below this share done, a time left would be a guess.
+/// While less than this is done, the time left is too uncertain to show.
 constexpr double kMinFractionForEstimate = 0.03;
 
-// A signal handler can reach nothing but an object of static storage.
+// A signal handler has access only to static objects.
 std::atomic<bool> is_interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 

@@ -1,4 +1,4 @@
-/// @file  Shows a Progress on the terminal, with the time left, and turns Ctrl-C into a cancel.
+/// @file  Shows progress and time left on the terminal, and cancels the job at Ctrl-C.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@ namespace flytri::cli {
 
 /// While it lives, one thread redraws the bar of `progress` on standard error a few times a second
 /// and cancels `progress` when the process receives SIGINT or SIGTERM. A second signal ends the
-/// process at once. Where standard error is no terminal, each stage is one line.
+/// process at once. If standard error is not a terminal, each stage is one line.
 class ProgressBar {
  public:
   explicit ProgressBar(Progress progress);

@@ -1,4 +1,4 @@
-/// @file  flytri reconstruct: a recording or a case to models.
+/// @file  flytri reconstruct: makes models from a recording or a case.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -6,12 +6,11 @@
 
 #include "app/cli/case_argument.h"
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_json.h"
-#include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
-#include "core/io/models/model.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
 #include "core/reconstruct/reconstruct.h"
@@ -32,28 +31,15 @@ struct ReconstructArguments {
   int thread_count = 0;
 };
 
-/// --calibration, or what the recording names.
+/// The path given with --calibration, or else the one that the recording names.
 Result<fs::path> calibration_path(const ReconstructArguments& arguments,
                                   const io::Recording& recording) {
   if (!arguments.calibration.empty()) return arguments.calibration;
   if (recording.calibration) return recording.folder / *recording.calibration;
   return fail(ErrorCode::kBadOption,
-              "{}: names no calibration; give one with --calibration FILE (made by flytri "
-              "calibrate)",
+              "{}: no calibration is named; make one with flytri calibrate and give it with "
+              "--calibration FILE",
               (arguments.input / "recording.json").string());
-}
-
-/// What cannot be written is better known before the work than after it.
-Result<void> check_outputs(const ReconstructArguments& arguments) {
-  for (const fs::path& output : arguments.outputs) {
-    if (auto checked = io::check_model_path(output); !checked) return checked;
-    if (auto checked = io::check_writable(output); !checked) return checked;
-  }
-  for (const fs::path& beside : {arguments.points, arguments.report}) {
-    if (beside.empty()) continue;
-    if (auto checked = io::check_writable(beside); !checked) return checked;
-  }
-  return {};
 }
 
 Result<void> write_outputs(const ReconstructArguments& arguments,
@@ -82,7 +68,7 @@ reconstruct::ReconstructOptions timed_options() {
 
 Result<void> run_on_recording(const ReconstructArguments& arguments, const Progress& progress) {
   if (arguments.keep) {
-    return fail(ErrorCode::kBadOption, "--keep: {} is a recording, which holds no models",
+    return fail(ErrorCode::kBadOption, "--keep: {} is a recording; only a case can keep a model",
                 arguments.input.string());
   }
   const Result<io::Recording> recording = io::open_recording(arguments.input);
@@ -98,7 +84,7 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
   return write_outputs(arguments, *reconstruction, calibration->volume);
 }
 
-/// --calibration, or what the case holds.
+/// The calibration given with --calibration, or else the one that the case keeps.
 Result<calibration::Calibration> case_calibration(const ReconstructArguments& arguments,
                                                   io::CaseFile& file) {
   if (!arguments.calibration.empty()) return io::read_calibration(arguments.calibration);
@@ -142,7 +128,8 @@ Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& 
 }
 
 Result<void> run(const ReconstructArguments& arguments, const Progress& progress) {
-  if (auto checked = check_outputs(arguments); !checked) return checked;
+  auto checked = check_output_files(arguments.outputs, {arguments.points, arguments.report});
+  if (!checked) return checked;
   return names_case(arguments.input) ? run_on_case(arguments, progress)
                                      : run_on_recording(arguments, progress);
 }
@@ -152,21 +139,17 @@ Result<void> run(const ReconstructArguments& arguments, const Progress& progress
 void add_reconstruct_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<ReconstructArguments>();
   CLI::App* command =
-      app.add_subcommand("reconstruct", "Make a textured model of a recording or a case");
+      app.add_subcommand("reconstruct", "Make a textured model from a recording or a case");
   command
       ->add_option("RECORDING", arguments->input, "Folder with recording.json, or a case (.flytri)")
       ->required();
-  command
-      ->add_option("-o,--output", arguments->outputs,
-                   "Model to write: .glb, .ply, .stl or .obj; may be given several times")
-      ->required();
+  command->add_option("-o,--output", arguments->outputs, model_output_help())->required();
   command->add_option(
       "--calibration", arguments->calibration,
-      "Calibration of the sensor; overrides the one that the recording names or the "
-      "case holds");
-  command->add_option("--points", arguments->points, "Also write the thinned points, as .ply");
+      "Calibration of the sensor. Default: the one that the recording names or the case keeps");
+  command->add_option("--points", arguments->points, "Also write the thinned points as .ply");
   command->add_option("--report", arguments->report,
-                      "Also write counts, poses, rates and times, as .json");
+                      "Also write counts, poses, rates and times as .json");
   add_case_options(*command, arguments->case_options);
   command->add_flag("--keep", arguments->keep,
                     "Also keep the model in the case, for flytri export");

@@ -1,4 +1,4 @@
-/// @file  flytri record: what a rig sees, into a folder.
+/// @file  flytri record: records what the devices of a rig see.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -25,10 +25,10 @@ struct RecordArguments {
 };
 
 constexpr auto kLook = std::chrono::milliseconds(100);
-/// Between two lines where standard error is no terminal.
+/// Between two lines when standard error is not a terminal.
 constexpr double kLinePeriod_s = 5.0;
 
-/// Shows how a recording goes: on a terminal one line that is drawn anew, else a line now and then.
+/// Shows the progress: one line that is redrawn on a terminal, otherwise a line every few seconds.
 class RecordLine {
  public:
   void show(double time_s, const recording::RecorderStatus& recorder, const rig::RigStatus& rig,
@@ -53,7 +53,7 @@ bool is_over(device::SensorState state) {
   return state == device::SensorState::kFailed || state == device::SensorState::kEnded;
 }
 
-/// Until Ctrl-C, the end of the time, or a failure for good, of the rig or of the disk.
+/// Returns at Ctrl-C, at the end of the time, or when the rig or the disk fails for good.
 void watch(const RecordArguments& arguments, const recording::RecorderSensor& recorder,
            const rig::RigSensor& rig, const Progress& progress) {
   const device::Clock clock = device::machine_clock();
@@ -74,8 +74,8 @@ Result<void> run(const RecordArguments& arguments, const Progress& progress) {
     if (settings.error().code != ErrorCode::kNotFound) return tl::unexpected(settings.error());
     return fail(
         ErrorCode::kNotFound,
-        "{}; `flytri devices` lists what is plugged in, docs/formats.md says how to write a "
-        "rig.json of it",
+        "{}; `flytri devices` lists what is plugged in, and docs/formats.md says how to write a "
+        "rig.json",
         settings.error().message);
   }
   auto rig = rig::open_rig(*settings);
@@ -90,13 +90,14 @@ Result<void> run(const RecordArguments& arguments, const Progress& progress) {
     loop.stop();
   }
   const recording::RecorderStatus written = (*recorder)->recorder_status();
-  fmt::print("{}: {} frames recorded, {} lost to the disk; {}\n", arguments.output.string(),
-             written.written, written.lost, rig::rig_summary((*rig)->rig_status()));
+  fmt::print("{}: {} frames recorded, {} lost because the disk was too slow or failed; {}\n",
+             arguments.output.string(), written.written, written.lost,
+             rig::rig_summary((*rig)->rig_status()));
   if (status.state == device::SensorState::kFailed)
     return fail(ErrorCode::kNotFound, "{}", status.message);
   if (!written.message.empty()) return fail(ErrorCode::kWriteFailed, "{}", written.message);
   if (written.written == 0)
-    return fail(ErrorCode::kInsufficient, "no frame was recorded. {}", status.message);
+    return fail(ErrorCode::kInsufficient, "no frame was recorded: {}", status.message);
   return {};
 }
 
@@ -104,12 +105,12 @@ Result<void> run(const RecordArguments& arguments, const Progress& progress) {
 
 void add_record_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<RecordArguments>();
-  CLI::App* command = app.add_subcommand(
-      "record", "Record what the devices of a rig see, until Ctrl-C; what is recorded is safe");
+  CLI::App* command =
+      app.add_subcommand("record", "Record what the devices of a rig see, until Ctrl-C");
   command->add_option("-o,--output", arguments->output, "Folder to write")->required();
-  command->add_option("--rig", arguments->rig, "The rig's devices, see docs/formats.md")
+  command->add_option("--rig", arguments->rig, "Description of the devices, see docs/formats.md")
       ->capture_default_str();
-  command->add_option("--duration", arguments->duration_s, "Length, s; 0: until Ctrl-C")
+  command->add_option("--duration", arguments->duration_s, "Length in seconds; 0: until Ctrl-C")
       ->check(CLI::Range(0.0, 36000.0))
       ->capture_default_str();
   command->footer("Example: flytri record -o out/scan --rig rig.json");

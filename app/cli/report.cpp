@@ -121,7 +121,7 @@ void print_summary(const reconstruct::Reconstruction& reconstruction) {
 
 Result<void> write_result(const std::filesystem::path& path,
                           const reconstruct::Reconstruction& reconstruction) {
-  if (io::carries_atlas(path)) return io::write_model(path, reconstruction.model);
+  if (io::holds_texture(path)) return io::write_model(path, reconstruction.model);
   return io::write_model(path, TexturedMesh{reconstruction.surface.mesh, {}, {}});
 }
 
@@ -156,8 +156,8 @@ Result<Report> read_report(const std::filesystem::path& path) {
   const auto registered = [](const ReportedPose& pose) { return pose.registered; };
   if (std::none_of(report.poses.begin(), report.poses.end(), registered)) {
     return fail(ErrorCode::kInsufficient,
-                "{}: \"frames\": none of them is registered; "
-                "give the report of a scan that was registered",
+                "{}: \"frames\": no frame was registered; give the report of a successful "
+                "reconstruction",
                 path.string());
   }
   return report;

@@ -1,4 +1,4 @@
-/// @file  What a reconstruction tells about itself: on the terminal and as report.json.
+/// @file  Summarizes a reconstruction: on the terminal and as report.json.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace flytri::cli {
 /// Prints counts of frames, points, triangles and holes, and the time of each stage.
 void print_summary(const reconstruct::Reconstruction& reconstruction);
 
-/// Writes the model in the form that suits the ending: cut into charts with an atlas, or whole.
+/// Writes the model: cut into charts with an atlas if the format holds one, otherwise uncut.
 /// @errors  as write_model.
 [[nodiscard]] Result<void> write_result(const std::filesystem::path& path,
                                         const reconstruct::Reconstruction& reconstruction);
@@ -37,14 +37,14 @@ void print_summary(const reconstruct::Reconstruction& reconstruction);
 /// A frame's pose in a report.
 struct ReportedPose {
   FrameIndex frame;
-  bool registered = false;  ///< by its own lines; false: interpolated, as texture frames are
+  bool registered = false;  ///< from its own lines; false: interpolated, like texture frames
   Isometry T_world_sensor = Isometry::Identity();
 };
 
-/// What of a report is read again.
+/// The part of a report that evaluate reads.
 struct Report {
   std::optional<Vec3> volume_mm;    ///< edge lengths of the measurement volume
-  std::vector<ReportedPose> poses;  ///< of the frames that have one, at least one registered
+  std::vector<ReportedPose> poses;  ///< of frames with a pose; at least one is registered
 };
 
 /// Reads a report.

@@ -15,7 +15,7 @@ namespace {
 
 enum ExitCode { kDone = 0, kFailed = 1, kUsage = 2 };
 
-/// CLI11 says only that a command is missing; this names the misspelled one.
+/// CLI11 says only that a command is missing; this names the one that was misspelled.
 std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   const CLI::App* named = app;
   while (!named->get_subcommands().empty()) named = named->get_subcommands().front();
@@ -24,7 +24,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& error) {
   if (!wants_command || unknown.empty() || unknown.front().starts_with('-')) {
     return CLI::FailureMessage::simple(app, error);
   }
-  return fmt::format("There is no command {}\nRun with --help for a list of commands.\n",
+  return fmt::format("There is no command {}\nRun with --help to list the commands.\n",
                      unknown.front());
 }
 
@@ -90,7 +90,7 @@ int parse_and_run(int argc, char** argv, SetUpCommandLine set_up, const char* de
   return run(program, invocation.job);
 }
 
-/// False on a processor older than the instruction set that the program was built for.
+/// Whether the processor has the instructions that the program was built for.
 bool processor_is_new_enough() {
 #ifdef __AVX2__
   return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;

@@ -1,4 +1,4 @@
-/// @file  flytri simulate: recordings and calibration sets of the virtual sensor.
+/// @file  flytri simulate: makes recordings and calibration sets with the virtual sensor.
 #include <fmt/format.h>
 
 #include <array>
@@ -7,7 +7,8 @@
 
 #include "app/cli/commands.h"
 #include "assets/sample_jaw/sample_jaw.h"
-#include "core/io/models/ply.h"
+#include "core/io/models/model.h"
+#include "core/io/models/model_formats.h"
 #include "hw/simulated/datasets/simulate_calibration_set.h"
 #include "hw/simulated/datasets/simulate_recording.h"
 
@@ -37,9 +38,7 @@ simulated::SensorModel sensor_of(const SimulateArguments& arguments) {
 
 Result<TriangleMesh> load_mesh(const fs::path& file, const Workers& workers) {
   if (file.empty()) return sample_jaw::make_sample_jaw({}, workers);
-  auto read = io::read_ply(file);
-  if (!read) return tl::unexpected(read.error());
-  return std::move(read->mesh);
+  return io::read_model(file).map([](TexturedMesh&& model) { return std::move(model.mesh); });
 }
 
 Result<void> run_recording(const SimulateArguments& arguments, const Progress& progress) {
@@ -85,10 +84,10 @@ Result<void> run_calibration_set(const SimulateArguments& arguments, const Progr
 
 void add_common_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("-o,--output", arguments.output, "Folder to write")->required();
-  command.add_option("--sensor", arguments.sensor, "Which sensor of the paper")
+  command.add_option("--sensor", arguments.sensor, "Sensor of the paper: for teeth or for faces")
       ->check(CLI::IsMember({"intraoral", "face"}))
       ->capture_default_str();
-  command.add_option("--seed", arguments.seed, "Each number is another hand and other noise")
+  command.add_option("--seed", arguments.seed, "Random seed for the path and the noise")
       ->capture_default_str();
   add_threads_option(command, arguments.thread_count);
 }
@@ -97,35 +96,36 @@ void add_common_options(CLI::App& command, SimulateArguments& arguments) {
 
 void add_simulate_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* simulate = app.add_subcommand("simulate", "Let the virtual sensor take images");
+  CLI::App* simulate = app.add_subcommand("simulate", "Make images with the virtual sensor");
   simulate->require_subcommand(1);
 
-  CLI::App* recording = simulate->add_subcommand("recording", "A scan, with its truth");
+  CLI::App* recording = simulate->add_subcommand("recording", "Make a recording, with its truth");
   add_common_options(*recording, *arguments);
   recording->add_option("--mesh", arguments->mesh,
-                        "What to scan, .ply in mm; default: a sample jaw");
+                        fmt::format("Model to scan, in mm ({}). Default: the sample jaw",
+                                    io::extension_list(io::FormatUse::kRead)));
   recording
       ->add_option("--path", arguments->path,
-                   "quadrant, arch, orbit, or a truth.json whose poses are followed")
+                   "quadrant, arch, orbit, or a truth.json: the sensor follows its poses")
       ->capture_default_str();
-  recording->add_option("--duration", arguments->duration_s, "Length of the scan, s")
+  recording->add_option("--duration", arguments->duration_s, "Length of the scan in seconds")
       ->check(CLI::Range(0.2, 600.0))
       ->capture_default_str();
   recording
       ->add_option(
           "--up", arguments->up,
-          "Direction in the mesh's frame, from the teeth towards the opposing ones, or the "
-          "axis of an orbit; of an upper jaw often 0 0 -1")
+          "Direction in the frame of the model, from the teeth towards the opposite jaw, or the "
+          "axis of an orbit; for an upper jaw often 0 0 -1")
       ->capture_default_str();
   recording->add_option("--front", arguments->front, "Direction from the throat to the incisors")
       ->capture_default_str();
   recording->add_option("--away", arguments->away_s,
-                        "When the sensor is taken away, and for how long, s");
-  recording->add_option("--drop", arguments->dropped_share, "Share of frames that never arrive")
+                        "Take the sensor away: from when and for how long, in seconds");
+  recording->add_option("--drop", arguments->dropped_share, "Share of frames that are lost")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
   recording->add_flag("--unknown", arguments->unknown_patterns,
-                      "Leave out which pattern lit a frame");
+                      "Do not write which pattern lit a frame");
   recording->footer("Example: flytri simulate recording -o out/scan --path quadrant --duration 7");
   recording->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) {
@@ -133,7 +133,8 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
     };
   });
 
-  CLI::App* set = simulate->add_subcommand("calibration-set", "Target images for flytri calibrate");
+  CLI::App* set =
+      simulate->add_subcommand("calibration-set", "Make target images for flytri calibrate");
   add_common_options(*set, *arguments);
   set->footer("Example: flytri simulate calibration-set -o out/set");
   set->callback([arguments, &invocation] {

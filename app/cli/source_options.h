@@ -1,25 +1,31 @@
-/// @file  The options of every subcommand that scans: where the frames come from.
+/// @file  The options of all commands that scan: where the frames come from.
 #pragma once
+
+#include <fmt/format.h>
 
 #include "app/cli/command.h"
 #include "app/session/source.h"
+#include "core/io/models/model_formats.h"
 
 namespace flytri::cli {
 
 inline void add_source_options(CLI::App& command, session::SourceChoice& source) {
-  const auto recording = command.add_option("--recording", source.recording,
-                                            "A recording to replay instead of the virtual sensor");
+  const auto recording = command.add_option(
+      "--recording", source.recording, "Replay this recording instead of using the virtual sensor");
   const auto rig =
-      command.add_option("--rig", source.rig, "A rig.json: the devices that are scanned with")
+      command.add_option("--rig", source.rig, "Scan with the devices that this rig.json describes")
           ->excludes(recording);
   command.add_option("--calibration", source.calibration,
-                     "Instead of the one that recording or rig names");
-  command.add_option("--speed", source.replay_speed, "Of the replay; 0: as fast as it goes")
+                     "Calibration to use. Default: the one that the recording or rig names");
+  command
+      .add_option("--speed", source.replay_speed,
+                  "Speed of the replay; 1: as recorded, 0: as fast as possible")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   command
       .add_option("--mesh", source.mesh,
-                  "What the virtual sensor scans instead of the sample jaw (.ply, .glb)")
+                  fmt::format("Model that the virtual sensor scans ({}). Default: the sample jaw",
+                              io::extension_list(io::FormatUse::kRead)))
       ->excludes(recording)
       ->excludes(rig);
 }

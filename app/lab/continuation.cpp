@@ -1,4 +1,4 @@
-/// @file  flytri-lab continuation: what an interruption costs a live scan.
+/// @file  flytri-lab continuation: how much an interruption harms a live scan.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,20 +22,20 @@ struct ContinuationArguments {
   int thread_count = 0;
 };
 
-/// Frames without a view, after which a scan counts as lost.
+/// After so many frames without a view a scan is lost.
 constexpr int kUntilLost = 25;
-/// Frames that the sensor stays where it is put: a second, in which a user expects to be found.
+/// Frames that the sensor stays at a place: one second, as long as a user would wait.
 constexpr std::size_t kStay = 30;
 
-/// One hand's way over the arch.
+/// The path of one hand over the arch.
 struct Hand {
-  SimulatedScan scan;   ///< what both scans see
-  SimulatedScan again;  ///< the same way with other noise
-  SimulatedScan held;   ///< the same way, the sensor held otherwise, with other noise
+  SimulatedScan scan;   ///< views of both scans
+  SimulatedScan again;  ///< the same path with other noise
+  SimulatedScan held;   ///< the same path with other noise and another grip of the sensor
 
   /// Views until the interruption: half of the first of three passes over the arch.
   [[nodiscard]] std::size_t interrupted_at() const { return scan.views.size() / 6; }
-  /// The first view of a place that is far from all those.
+  /// The first view of a place far from all of them.
   [[nodiscard]] std::size_t elsewhere() const { return scan.views.size() * 5 / 18; }
 };
 
@@ -49,8 +49,8 @@ Exposure common_exposure(const Hand& hand, std::size_t i) {
 
 struct Interrupted {
   TrialResult result;
-  std::optional<int> frames_until_back;  ///< after the sensor was put to the proposed place
-  int falsely_registered = 0;            ///< while it went on
+  std::optional<int> frames_until_back;  ///< after the sensor came to the proposed place
+  int falsely_registered = 0;            ///< while scanning
 };
 
 Result<TrialResult> scan_in_one_go(const Hand& hand) {
@@ -62,8 +62,8 @@ Result<TrialResult> scan_in_one_go(const Hand& hand) {
   return (*trial)->finish();
 }
 
-/// The sensor is taken away for two seconds, put to a place that is not scanned yet for one, then
-/// to the place that the scan proposes, and from there it goes the rest of its way.
+/// The sensor is away for two seconds, shows a place that is not scanned yet for one second, then
+/// the place that the scan proposes, and from there continues its path.
 Result<Interrupted> scan_interrupted(const Hand& hand) {
   constexpr int kAway = 60;
   auto created = LiveTrial::create();
@@ -76,7 +76,7 @@ Result<Interrupted> scan_interrupted(const Hand& hand) {
   }
   const auto lost = trial.now();
   if (lost->reentry.empty()) {
-    return fail(ErrorCode::kInsufficient, "the scan proposes no place to enter");
+    return fail(ErrorCode::kInsufficient, "the scan proposes no place to continue at");
   }
   Interrupted outcome;
   const auto place = lost->reentry.front().first.view->frame.at();
@@ -95,7 +95,7 @@ Result<Interrupted> scan_interrupted(const Hand& hand) {
   return outcome;
 }
 
-/// Errors of the poses over the views that both scans saw and placed.
+/// Errors of the poses of the views that both scans saw and placed.
 struct Comparison {
   std::size_t views = 0;
   evaluation::PoseError whole, interrupted;
@@ -119,13 +119,13 @@ Comparison compare(const TrialResult& whole, const TrialResult& interrupted) {
           evaluation::pose_error(of_interrupted, truth)};
 }
 
-/// What becomes of a sensor that is put to places after a loss.
+/// Whether a lost sensor is found again at different places.
 struct Returns {
   int places = 0;
-  std::vector<double> frames_until_back;  ///< of those that were found
+  std::vector<double> frames_until_back;  ///< for the places where it was found
 };
 
-/// Puts a lost sensor somewhere and lets it go on from there.
+/// Moves a lost sensor somewhere and continues from there.
 void put_back(LiveTrial& trial, const SimulatedScan& scan, std::size_t place, Returns& returns) {
   trial.expose_nothing(kUntilLost);
   ++returns.places;
@@ -143,8 +143,8 @@ struct Strays {
   int falsely_placed = 0;
 };
 
-/// After half of a pass the lost sensor is put to places all over what was scanned, and to places
-/// that were not, held otherwise than before.
+/// After half of a pass, moves the lost sensor to places all over the scanned surface and to places
+/// that are not scanned, with another grip.
 Result<Strays> stray(const Hand& hand, int place_count) {
   auto created = LiveTrial::create();
   if (!created) return tl::unexpected(created.error());
@@ -152,7 +152,7 @@ Result<Strays> stray(const Hand& hand, int place_count) {
   for (std::size_t i = 0; i < hand.interrupted_at(); ++i) trial.expose(common_exposure(hand, i));
   Strays strays;
   const auto count = static_cast<std::size_t>(place_count);
-  // The first pass ends where the arch does; later views are of what was scanned, from aside.
+  // The first pass ends at the end of the arch; later views show scanned places from the side.
   const std::size_t last = hand.scan.views.size() / 3 - kStay;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t unseen = hand.elsewhere() + k * (last - hand.elsewhere()) / count;
@@ -166,7 +166,7 @@ Result<Strays> stray(const Hand& hand, int place_count) {
   return strays;
 }
 
-/// The sensor turned by up to 15 degrees and shifted by up to 2 mm: a hand comes back no better.
+/// The sensor turned by up to 15 degrees and shifted by up to 2 mm, as a hand returns.
 Isometry held_otherwise(std::uint64_t seed) {
   constexpr double kTurn_rad = 0.26, kShift_mm = 2.0;
   Random random(seed);
@@ -194,7 +194,7 @@ Result<Hand> move_hand(const TriangleMesh& jaw, const ContinuationArguments& arg
   return Hand{std::move(*scan), std::move(*again), std::move(*held)};
 }
 
-/// Everything that the study finds out.
+/// All results of the study.
 class Findings {
  public:
   Result<void> add(const Hand& hand, int number, int place_count, const Progress& progress);
@@ -203,7 +203,7 @@ class Findings {
  private:
   void add_row(int number, const Comparison& compared, const Interrupted& interrupted);
 
-  std::vector<double> first_view_change_um_, best_fit_change_um_;  ///< by the interruption
+  std::vector<double> first_view_change_um_, best_fit_change_um_;  ///< due to the interruption
   std::vector<double> frames_until_back_;
   Strays strays_;
   int falsely_registered_ = 0, falsely_placed_ = 0, views_ = 0;
@@ -271,7 +271,8 @@ void print_spread(const char* what, std::vector<double> values) {
 }
 
 void print_returns(const char* what, const Returns& returns) {
-  fmt::print("{}: {} of {} found", what, returns.frames_until_back.size(), returns.places);
+  fmt::print("{}: found at {} of {} places", what, returns.frames_until_back.size(),
+             returns.places);
   std::vector<double> frames = returns.frames_until_back;
   std::sort(frames.begin(), frames.end());
   if (!frames.empty()) {
@@ -282,11 +283,11 @@ void print_returns(const char* what, const Returns& returns) {
 }
 
 void Findings::print() const {
-  print_spread("by the first view, interrupted less in one go, um", first_view_change_um_);
-  print_spread("best fit, interrupted less in one go, um", best_fit_change_um_);
-  print_returns("put back where it was scanned", strays_.seen);
-  print_returns("put where it was not scanned", strays_.unseen);
-  fmt::print("registered more than 1 mm or 2 degrees off: {} as they came, {} in the end\n",
+  print_spread("by the first view, interrupted minus uninterrupted, µm", first_view_change_um_);
+  print_spread("best fit, interrupted minus uninterrupted, µm", best_fit_change_um_);
+  print_returns("back at a scanned place", strays_.seen);
+  print_returns("at a place that is not scanned", strays_.unseen);
+  fmt::print("registered with an error above 1 mm or 2 degrees: {} while scanning, {} at the end\n",
              falsely_registered_, falsely_placed_);
 }
 
@@ -295,14 +296,17 @@ void Findings::print() const {
 void add_continuation_study(CLI::App& study, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<ContinuationArguments>();
   CLI::App* command = study.add_subcommand(
-      "continuation", "Live scans, interrupted and taken up again, beside the same in one go");
+      "continuation",
+      "Compare live scans that are interrupted with the same scans without interruption");
   command->add_option("--views", arguments->view_count, "Views of the whole arch")
       ->check(CLI::Range(360, 100000))
       ->capture_default_str();
-  command->add_option("--hands", arguments->hand_count, "Scans, each by another hand")
+  command
+      ->add_option("--hands", arguments->hand_count,
+                   "Number of scans, each with another random path")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--places", arguments->place_count, "Places that each is put back to")
+  command->add_option("--places", arguments->place_count, "Places where each scan continues")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   cli::add_threads_option(*command, arguments->thread_count);

@@ -1,4 +1,4 @@
-/// @file  flytri-lab growth: time of each stage and peak memory of ever longer scans.
+/// @file  flytri-lab growth: time of each stage and peak memory as scans get longer.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -29,11 +29,11 @@ struct GrowthArguments {
 struct GrowthStep {
   int view_count = 0;
   std::vector<StageTime> stages;
-  double peak_mib = 0.0;  ///< of the whole program while it reconstructed
+  double peak_mib = 0.0;  ///< of the whole program during the reconstruction
 };
 
-/// Lets the peak begin anew at what is held now. Where that is not allowed, the peak of the scans
-/// before remains: they are smaller.
+/// Resets the peak to the memory in use now. If that is not permitted, the peak of the earlier
+/// scans remains, which are smaller.
 void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 double peak_memory_mib() {
@@ -61,7 +61,7 @@ Result<GrowthStep> run_step(const TriangleMesh& jaw, int view_count, const Worke
   return GrowthStep{view_count, result->stages, peak_memory_mib()};
 }
 
-/// Power of the number of views that a figure grows with, from the first scan to the last.
+/// The power p in "figure ~ views^p", from the first scan to the last.
 double growth_power(double first, double last, const std::vector<GrowthStep>& steps) {
   return std::log(last / first) /
          std::log(double(steps.back().view_count) / double(steps.front().view_count));
@@ -88,7 +88,7 @@ void print_table(const std::vector<GrowthStep>& steps) {
   memory.reserve(steps.size());
   for (const GrowthStep& step : steps) memory.push_back(step.peak_mib);
   print_row("peak memory, MiB", memory, steps);
-  fmt::print("A figure grows with this power of the number of views; 1 is linear.\n");
+  fmt::print("power: a figure grows with this power of the number of views; 1 is linear.\n");
 }
 
 Json to_json(const GrowthStep& step) {
@@ -126,9 +126,11 @@ Result<void> run(const GrowthArguments& arguments, const Progress& progress) {
 void add_growth_study(CLI::App& study, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<GrowthArguments>();
   CLI::App* command = study.add_subcommand(
-      "growth", "Time of each stage and peak memory of ever longer simulated scans");
+      "growth", "Measure time and peak memory of simulated scans of increasing length");
   command->add_option("-o,--output", arguments->output, "JSON file for the figures");
-  command->add_option("--views", arguments->view_counts, "Numbers of views, at least two, rising")
+  command
+      ->add_option("--views", arguments->view_counts,
+                   "Numbers of views: at least two, in rising order")
       ->check(CLI::Range(20, 5000))
       ->expected(2, 20)
       ->capture_default_str();

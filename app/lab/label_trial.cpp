@@ -6,12 +6,12 @@
 namespace flytri::lab {
 namespace {
 
-/// Requests are posted so far ahead: more than a frame that comes late.
+/// Requests are posted this far ahead: more than the delay of a late frame.
 constexpr double kAhead_s = 0.2;
-/// Of a frame's light: rounding of times.
+/// Shares of light below this come from the rounding of times.
 constexpr double kWhole = 1.0 - 1e-6;
 
-/// A clock that only sleeping turns.
+/// A clock that advances only in sleep.
 device::Clock sleepers_clock() {
   const auto now_s = std::make_shared<double>(100.0);
   return {[now_s] { return *now_s; },
@@ -46,7 +46,7 @@ class Trial {
 
 void Trial::post_requests() {
   const double now_s = clock_.now_s();
-  for (const device::LightRequest& request : plan_.plan(now_s, now_s + kAhead_s, labeler_.beat()))
+  for (const device::LightRequest& request : plan_.plan(now_s, now_s + kAhead_s, labeler_.timing()))
     labeler_.posted(lights_->post(request), request.not_before_s);
 }
 
@@ -93,7 +93,7 @@ Result<LabelTrialResult> Trial::run(const Progress& progress) {
     if (!result_.in_step_after_s && plan_.in_step_since_s())
       result_.in_step_after_s = *plan_.in_step_since_s() - start_s;
   }
-  // The call's middle stands for the switch, and half of the jitter for the stamp.
+  // The middle of the call counts as the time of switching; half of the jitter is the mean error.
   const double true_s = options_.camera.latency_s + 0.5 * options_.camera.jitter_s +
                         options_.lights.act_s - 0.5 * options_.lights.call_s;
   result_.latency_error_s = labeler_.latency().latency_s - true_s;

@@ -1,4 +1,4 @@
-/// @file  flytri-lab live: the scanning window under load, measured from outside of the pipeline.
+/// @file  flytri-lab live: measures the scanning window under load, from outside the pipeline.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -31,7 +31,7 @@ struct BenchArguments {
   std::filesystem::path output;
 };
 
-/// What one look at the running program found.
+/// The state of the running program at one moment.
 struct Sample {
   double time_s = 0.0;
   double resident_mib = 0.0;
@@ -55,12 +55,12 @@ double processor_s() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// Drives the window as the program does and takes notes.
+/// Runs the window as the program does, and records its figures.
 class Bench {
  public:
   Bench(session::Session& session, ui::AppWindow& window) : session_(session), window_(window) {}
 
-  /// Until the source delivers, which it may have to be calibrated for.
+  /// Waits for the first frame; the source may be calibrated before.
   bool wait_for_source();
   void run(double duration_s);
   [[nodiscard]] nlohmann::json report() const;
@@ -91,7 +91,7 @@ bool Bench::wait_for_source() {
   }
 }
 
-/// One frame; a view that it is the first to show has come from the sensor to the screen.
+/// Draws one frame, and notes the latency of views that it shows for the first time.
 bool Bench::frame() {
   const ui::AppView view = session_.view();
   commands_.clear();
@@ -173,7 +173,7 @@ void Bench::print() const {
   fmt::print("{:.0f} s, {} frames offered, {} more dropped at the source\n",
              json["duration_s"].get<double>(), json["frames_offered"].get<int>(),
              json["frames_dropped_at_source"].get<int>());
-  fmt::print("registered          {} ({:.1f} a second)\n", json["views_registered"].get<int>(),
+  fmt::print("registered          {} ({:.1f} per second)\n", json["views_registered"].get<int>(),
              json["views_registered_per_s"].get<double>());
   fmt::print("interpolated        {}\nlost to load        {}\nrejected            {}\n",
              json["views_interpolated"].get<int>(), json["frames_lost_to_load"].get<int>(),
@@ -191,8 +191,8 @@ void Bench::print() const {
   }
 }
 
-/// The scene at 1280x800 with the sample jaw in so many surfels, from few views to both jaws; drawn
-/// beside a window, in its context.
+/// Times of the scene at 1280x800 with the sample jaw in so many surfels, from few views to both
+/// jaws.
 Result<std::vector<ui::FrameTimes>> scene_times() {
   auto renderer = ui::SceneRenderer::create();
   if (!renderer) return tl::unexpected(renderer.error());
@@ -231,14 +231,14 @@ void print(const std::vector<ui::FrameTimes>& all) {
   }
 }
 
-/// The scan, which is gone afterwards.
+/// Scans and measures. The scan is discarded.
 Result<nlohmann::json> run_live(const BenchArguments& arguments, ui::AppWindow& window) {
   session::SessionOptions options;
   options.source = arguments.source;
   session::Session session(options);
   Bench bench(session, window);
   if (!bench.wait_for_source()) {
-    return fail(ErrorCode::kInsufficient, "the source delivers nothing: {}",
+    return fail(ErrorCode::kInsufficient, "the source delivers no frames: {}",
                 session.view().source.message);
   }
   bench.run(arguments.duration_s);
@@ -249,8 +249,8 @@ Result<nlohmann::json> run_live(const BenchArguments& arguments, ui::AppWindow& 
 Result<void> run(const BenchArguments& arguments) {
   ui::AppWindowOptions window_options;
   window_options.waits_for_screen = false;
-  // One for all: a screen that is there for one program alone (Xvfb) begins anew when the last
-  // window is closed, and takes none for a moment.
+  // One window for all: a screen of its own (Xvfb) restarts when the last window is closed, and
+  // then accepts no window for a moment.
   auto window = ui::AppWindow::create(window_options);
   if (!window) return tl::unexpected(window.error());
   auto report = run_live(arguments, **window);
@@ -270,13 +270,14 @@ Result<void> run(const BenchArguments& arguments) {
 void add_live_command(CLI::App& lab, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<BenchArguments>();
   CLI::App* live = lab.add_subcommand(
-      "live", "Scan with the window open: views a second, losses, latency, frame times, memory");
-  live->add_option("--duration", arguments->duration_s, "Length of the scan, s")
+      "live",
+      "Scan with the window open, and measure views per second, losses, latency and memory");
+  live->add_option("--duration", arguments->duration_s, "Length of the scan in seconds")
       ->check(CLI::Range(1.0, 36000.0))
       ->capture_default_str();
   cli::add_source_options(*live, arguments->source);
   live->add_flag("!--no-scene", arguments->scene,
-                 "Leave out the frame times of 50,000 to 1,000,000 surfels");
+                 "Do not measure frame times with 50,000 to 1,000,000 surfels");
   live->add_option("-o,--output", arguments->output, "JSON file for the figures");
   live->footer("Example: flytri-lab live --duration 600 -o live.json");
   live->callback([arguments, &invocation] {

@@ -11,7 +11,7 @@ namespace {
 scan::LiveScanOptions trial_options() {
   scan::LiveScanOptions options;
   options.now_s = cli::steady_seconds;
-  // Everything is waited for: this is about interruptions, not about load.
+  // Waits for everything: the study measures interruptions, not load.
   options.max_frames_underway = 1 << 20;
   options.max_views_waiting = 1 << 20;
   options.holes_period_s = 1e9;

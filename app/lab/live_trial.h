@@ -1,5 +1,5 @@
-/// @file  A live scan of simulated views, exposure by exposure, held against where the sensor truly
-/// was.
+/// @file  A live scan of simulated views, frame by frame, compared with the true poses of the
+/// sensor.
 #pragma once
 
 #include <memory>
@@ -11,48 +11,48 @@
 
 namespace flytri::lab {
 
-/// What the sensor sees in one frame, and where it is; no view while it is in the air.
+/// The view and the true pose of one frame; no view while the sensor is in the air.
 struct Exposure {
   std::shared_ptr<const View> view;
   Isometry T_model_sensor = Isometry::Identity();
-  /// Number of the view among those that every trial of a comparison gets to see.
+  /// Number of the view among those that all compared trials see.
   std::optional<std::size_t> common;
 };
 
-/// A view that was placed, and its exposure.
+/// A registered view with its true pose.
 struct PlacedExposure {
   AlignedView placed;
   Isometry T_model_sensor = Isometry::Identity();
   std::optional<std::size_t> common;
 };
 
-/// What is left of a trial.
+/// The result of a trial.
 struct TrialResult {
   scan::FrameCounts counts;
-  std::vector<PlacedExposure> views;  ///< by rising time, after the optimization of the whole scan
+  std::vector<PlacedExposure> views;  ///< in order of time, after the final optimization
   int falsely_placed = 0;             ///< of these; see is_false_place()
 };
 
-/// True if a view is farther off than no error of a right registration ever is: 1 mm or 2 degrees.
-/// @param T_model_world  where the scan has its world
+/// Whether a pose is wrong by more than a correct registration ever is: 1 mm or 2 degrees.
+/// @param T_model_world  pose of the world frame of the scan
 [[nodiscard]] bool is_false_place(const Isometry& T_model_world, const Isometry& T_world_sensor,
                                   const Isometry& T_model_sensor);
 
-/// One live scan. Waits for each frame: where the sensor goes next may depend on what became of it.
+/// One live scan. Waits for each frame, as the next place may depend on its fate.
 class LiveTrial {
  public:
   /// @errors  as LiveScan::create.
   [[nodiscard]] static Result<std::unique_ptr<LiveTrial>> create();
 
   void expose(const Exposure& exposure);
-  /// Nothing before the sensor.
+  /// Frames in which the sensor sees nothing.
   void expose_nothing(int frames);
   [[nodiscard]] std::shared_ptr<const scan::ScanSnapshot> now() const { return scan_->snapshot(); }
   [[nodiscard]] const std::vector<Exposure>& exposures() const { return exposures_; }
-  /// Views that were placed falsely as they came, told from the first view's pose.
+  /// Views with a wrong pose while scanning, relative to the first view.
   [[nodiscard]] int falsely_registered() const { return falsely_registered_; }
-  /// Optimizes all together.
-  /// @errors  kInsufficient: there is no scan to finish.
+  /// Optimizes all poses together.
+  /// @errors  kInsufficient: nothing was scanned.
   [[nodiscard]] Result<TrialResult> finish();
 
  private:

@@ -1,5 +1,5 @@
-/// @file  flytri-lab refinement: the joint optimization beside the paper's random metaviews, on
-/// the same registered views.
+/// @file  flytri-lab refinement: compares the joint optimization with the random metaviews of the
+/// paper, on the same registered views.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -95,15 +95,15 @@ Result<void> run(const RefinementArguments& arguments, const Progress& progress)
     const auto sums = compare_scans(*jaw, correlation_samples, arguments, workers, progress);
     if (!sums) return tl::unexpected(sums.error());
     const int scans = arguments.seed_count;
-    rows.push_back(fmt::format("noise of 30 um, correlated over {} samples; {} of {} views",
+    rows.push_back(fmt::format("noise of 30 µm, correlated over {} samples; {} of {} views",
                                correlation_samples, sums->view_count,
                                scans * arguments.view_count));
     rows.push_back(row("as registered", sums->registered, scans));
     rows.push_back(row("random metaviews", sums->by_metaviews, scans));
     rows.push_back(row("jointly", sums->jointly, scans));
   }
-  fmt::print("\n{:<34} {:>9} {:>11} {:>12}\n", "errors of the poses, um, RMS", "best fit",
-             "first view", "a scan, s");
+  fmt::print("\n{:<34} {:>9} {:>11} {:>12}\n", "errors of the poses, µm, RMS", "best fit",
+             "first view", "per scan, s");
   for (const std::string& line : rows) fmt::print("{}\n", line);
   return {};
 }
@@ -113,11 +113,13 @@ Result<void> run(const RefinementArguments& arguments, const Progress& progress)
 void add_refinement_study(CLI::App& study, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<RefinementArguments>();
   CLI::App* command = study.add_subcommand(
-      "refinement", "The joint optimization beside the paper's, in error and time");
+      "refinement", "Compare the joint optimization with that of the paper: errors and time");
   command->add_option("--views", arguments->view_count, "Views of each scan")
       ->check(CLI::Range(20, 5000))
       ->capture_default_str();
-  command->add_option("--seeds", arguments->seed_count, "Scans of each kind, each by another hand")
+  command
+      ->add_option("--seeds", arguments->seed_count,
+                   "Scans of each kind, each with another random path")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   cli::add_threads_option(*command, arguments->thread_count);

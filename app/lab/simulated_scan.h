@@ -1,4 +1,4 @@
-/// @file  A scan by the virtual sensor, view by view: what the demo and the studies begin with.
+/// @file  A scan with the virtual sensor, view by view, as input of the studies.
 #pragma once
 
 #include <memory>
@@ -16,27 +16,27 @@ namespace flytri::lab {
 
 struct SimulatedScanOptions {
   int view_count = 300;         ///< >= 2
-  simulated::PathOptions path;  ///< its duration is set by view_count at the sensor's frame rate
-  /// How the hand holds the sensor off that path, in the frame of the path's sensor.
+  simulated::PathOptions path;  ///< its duration follows from view_count and the frame rate
+  /// How the real grip differs from the planned path.
   Isometry T_path_sensor = Isometry::Identity();
   simulated::ViewNoise noise;
 };
 
-/// Views with noise, the same points without, and where the sensor truly was.
+/// Views with noise, the same views without noise, and the true poses.
 struct SimulatedScan {
   std::vector<std::shared_ptr<const View>> views;
   std::vector<std::shared_ptr<const View>> ideal_views;
   std::vector<Isometry> T_model_sensor;
 };
 
-/// Scans a mesh, patterns in turn.
+/// Scans a mesh with alternating patterns.
 /// @errors  as ViewSimulator::create and plan_path; kCancelled.
 [[nodiscard]] Result<SimulatedScan> simulate_scan(const TriangleMesh& mesh,
                                                   const simulated::SensorModel& sensor,
                                                   const SimulatedScanOptions& options,
                                                   const Workers& workers, const Progress& progress);
 
-/// The truth of those views that were registered.
+/// The registered views with their truth.
 struct RegisteredTruth {
   std::vector<AlignedView> aligned;
   std::vector<std::shared_ptr<const View>> ideal;

@@ -1,5 +1,5 @@
-/// @file  Commands of flytri-lab, one function and one file each: the figures in docs/ come from
-/// them.
+/// @file  The commands of flytri-lab, one function and one file each. They make the figures in
+/// docs/.
 #pragma once
 
 #include "app/cli/command.h"

@@ -1,4 +1,4 @@
-/// @file  flytri-lab synchronization: which frames get the right label, over all that USB does.
+/// @file  flytri-lab synchronization: how many frames get the right label under the faults of USB.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,10 +26,10 @@ struct SynchronizationArguments {
   int thread_count = 0;
 };
 
-/// What is in front of the sensor.
+/// How much of the image shows a lit surface.
 enum class InView { kJaw, kLittle, kComesAndGoes };
 
-/// One row of the table; all else is as usual.
+/// One row of the table: what differs from the usual case.
 struct Case {
   std::string name;
   LabelTrialOptions trial;
@@ -56,7 +56,7 @@ std::vector<Case> cases(double duration_s) {
   add("exposure 25 ms").trial.camera.exposure_s = 0.025;
   add("exposure 33 ms, no gap").trial.camera.exposure_s = 0.033;
   add("rolling shutter, first to last row 20 ms").trial.camera.readout_s = 0.02;
-  Case& told = add("the same, told in rig.json");
+  Case& told = add("the same, given in rig.json");
   told.trial.camera.readout_s = 0.02;
   told.is_readout_told = true;
   Case& worst = add("the same, jitter 8 ms, one in five dropped");
@@ -73,7 +73,7 @@ std::vector<Case> cases(double duration_s) {
   return all;
 }
 
-/// Images of the virtual sensor, each made once: the hand moves on once a second.
+/// Images of the virtual sensor, each made once; the hand moves once per second.
 class Images {
  public:
   explicit Images(simulated::LitScene scene) : scene_(std::move(scene)) {}
@@ -93,7 +93,7 @@ class Images {
   std::map<std::pair<int, int>, cv::Mat> kept_;
 };
 
-/// All but a tenth of the image's width and height is as in the dark.
+/// Only a tenth of the width and of the height is lit.
 cv::Mat little_of(Images& images, device::Light light, double time_s) {
   cv::Mat image = images.image(device::Light::kDark, time_s).clone();
   const cv::Rect part(image.cols * 4 / 10, image.rows * 4 / 10, image.cols / 10, image.rows / 10);
@@ -122,7 +122,7 @@ void print_head() {
              "error ms", "largest");
 }
 
-/// One line over all latencies of a case.
+/// Prints one line for all latencies of a case.
 void print_row(const std::string& name, const std::vector<LabelTrialResult>& results) {
   LabelTrialResult sum;
   double square = 0.0, largest_s = 0.0, in_step_s = 0.0;
@@ -149,8 +149,8 @@ void print_row(const std::string& name, const std::vector<LabelTrialResult>& res
           static_cast<double>(std::max<std::int64_t>(sum.whole, 1)),
       sum.wrong, sum.straddled, sum.let_through, 100.0 * sum.largest_mixture, sum.learning,
       in_step_s, 1e3 * std::sqrt(square / count), 1e3 * largest_s);
-  if (late > 0) fmt::print("  {} never in step", late);
-  if (swapped > 0) fmt::print("  {} named swapped", swapped);
+  if (late > 0) fmt::print("  {} never synchronized", late);
+  if (swapped > 0) fmt::print("  {} reported as swapped", swapped);
   fmt::print("\n");
 }
 
@@ -162,7 +162,7 @@ Result<std::vector<LabelTrialResult>> run_case(const Case& row, Images& images,
   const simulated::SimulatedCamera::Scene scene = scene_of(row.in_view, images);
   workers.for_each(count, [&](std::size_t i) {
     LabelTrialOptions options = row.trial;
-    // From 0 to 3 frames, the exposures at other times each.
+    // Latencies from 0 to 3 frames; the exposures start at a different time in each.
     const double share = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.5;
     options.camera.latency_s = 3.0 * share * kPeriod_s;
     options.camera.phase_s = share * kPeriod_s;
@@ -206,11 +206,14 @@ Result<void> run(const SynchronizationArguments& arguments, const Progress& prog
 void add_synchronization_study(CLI::App& study, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<SynchronizationArguments>();
   CLI::App* command = study.add_subcommand(
-      "synchronization", "Which light lit which frame, over latencies from 0 to 3 frames");
-  command->add_option("--duration", arguments->duration_s, "Length of each stream, s")
+      "synchronization",
+      "Measure how many frames get the right label, with latencies from 0 to 3 frames");
+  command->add_option("--duration", arguments->duration_s, "Length of each stream in seconds")
       ->check(CLI::Range(2.0, 3600.0))
       ->capture_default_str();
-  command->add_option("--latencies", arguments->latency_count, "Streams a row, from 0 to 3 frames")
+  command
+      ->add_option("--latencies", arguments->latency_count,
+                   "Streams per row, with latencies from 0 to 3 frames")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   cli::add_threads_option(*command, arguments->thread_count);

@@ -1,4 +1,4 @@
-/// @file  flytri-lab table2: the paper's Table 2 on simulated views, beside the paper's figures.
+/// @file  flytri-lab table2: the figures of the paper's Table 2, measured on simulated views.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,10 +21,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// As good as none, and yet a weight can be formed of it.
+/// Practically no noise, but above 0, so that weights are finite.
 constexpr double kIdealSigmaMm = 1e-6;
-/// Localization noise of neighboring rows is alike over this many samples where the smoothing of
-/// the image or speckle correlates it.
+/// Noise is correlated over this many neighboring rows, if speckle or smoothing correlates it.
 constexpr double kCorrelationSamples = 1.5;
 
 struct StudyArguments {
@@ -33,14 +32,14 @@ struct StudyArguments {
   int thread_count = 0;
 };
 
-/// One scan through the real pipeline.
+/// The results of one scan through the real pipeline.
 struct ScanResult {
   std::size_t views = 0;
   std::size_t registered = 0;
   std::size_t points = 0;
   evaluation::PoseError live;  ///< after registration, before the joint refinement
   evaluation::PoseError refined;
-  double live_point_error_mm = 0.0;  ///< noise included, best fit
+  double live_point_error_mm = 0.0;  ///< with noise, best fit
   double refined_point_error_mm = 0.0;
   double registration_s = 0.0;
   double refinement_s = 0.0;
@@ -72,7 +71,7 @@ Result<ScanResult> run_scan(const TriangleMesh& jaw, const SimulatedScanOptions&
   return result;
 }
 
-/// The paper's figure of a row, um.
+/// A row of the table, with the figure of the paper in µm.
 struct PaperRow {
   std::string_view name;
   double paper_um;
@@ -89,7 +88,7 @@ void print_row(const PaperRow& row) {
 std::vector<PaperRow> rows_of(const ScanResult& noisy, const ScanResult& ideal) {
   const double none = std::nan("");
   return {{"real-time error (noise included)", 300, kMicrons * noisy.live_point_error_mm, none},
-          {"real-time error (poses alone)", 300, kMicrons * noisy.live.best_fit_mm,
+          {"real-time error (poses only)", 300, kMicrons * noisy.live.best_fit_mm,
            kMicrons * noisy.live.first_view_mm},
           {"final error (noise included)", 32, kMicrons * noisy.refined_point_error_mm, none},
           {"final error (noise removed)", 24, kMicrons * noisy.refined.best_fit_mm,
@@ -118,7 +117,7 @@ void print_table(std::string_view noise, const ScanResult& noisy, const ScanResu
   fmt::print(
       "\n{}: {} of {} views registered, {} points; registration {:.1f} s, refinement {:.1f} s\n",
       noise, noisy.registered, noisy.views, noisy.points, noisy.registration_s, noisy.refinement_s);
-  fmt::print("{:<46} {:>8} {:>10} {:>11}\n", "error, um", "paper", "best fit", "first view");
+  fmt::print("{:<46} {:>8} {:>10} {:>11}\n", "error, µm", "paper", "best fit", "first view");
   for (const PaperRow& row : rows_of(noisy, ideal)) print_row(row);
 }
 
@@ -133,7 +132,7 @@ Result<void> run(const StudyArguments& arguments, const Progress& progress) {
     options.noise.correlation_samples = correlation_samples;
     return run_scan(*jaw, options, workers, progress);
   };
-  // The paper's 30 um is a standard deviation along z.
+  // The paper's 30 µm is a standard deviation along z.
   const auto ideal = scan_with(kIdealSigmaMm, 0.0);
   if (!ideal) return tl::unexpected(ideal.error());
   const auto white = scan_with(0.03, 0.0);
@@ -141,8 +140,8 @@ Result<void> run(const StudyArguments& arguments, const Progress& progress) {
   const auto correlated = scan_with(0.03, kCorrelationSamples);
   if (!correlated) return tl::unexpected(correlated.error());
   const std::string correlated_name =
-      fmt::format("30 um, correlated over {} samples", kCorrelationSamples);
-  print_table("30 um, white", *white, *ideal);
+      fmt::format("30 µm, correlated over {} samples", kCorrelationSamples);
+  print_table("30 µm, white", *white, *ideal);
   print_table(correlated_name, *correlated, *ideal);
   if (arguments.output.empty()) return {};
   const Json json = {
@@ -150,7 +149,7 @@ Result<void> run(const StudyArguments& arguments, const Progress& progress) {
       {"version", 1},
       {"study", "table2"},
       {"scans",
-       {to_json("30 um, white", *white, *ideal), to_json(correlated_name, *correlated, *ideal)}}};
+       {to_json("30 µm, white", *white, *ideal), to_json(correlated_name, *correlated, *ideal)}}};
   return io::write_file(arguments.output, json.dump(1) + "\n");
 }
 
@@ -159,8 +158,9 @@ Result<void> run(const StudyArguments& arguments, const Progress& progress) {
 void add_table2_study(CLI::App& study, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = study.add_subcommand(
-      "table2", "Errors of the registration on simulated views of a dental arch (Table 2)");
-  command->add_option("-o,--output", arguments->output, "Also write the figures, as .json");
+      "table2",
+      "Measure the errors of the registration on simulated views of a dental arch (Table 2)");
+  command->add_option("-o,--output", arguments->output, "Also write the figures as .json");
   command->add_option("--views", arguments->view_count, "Views to simulate")
       ->check(CLI::Range(20, 5000))
       ->capture_default_str();

@@ -1,5 +1,5 @@
-/// @file  flytri-lab tracking: how fast and how interrupted a scan may be, and whether any view
-/// is put where it does not belong.
+/// @file  flytri-lab tracking: how fast a scan may be, which interruptions it survives, and whether
+/// any view gets a wrong pose.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,12 +14,12 @@
 namespace flytri::lab {
 namespace {
 
-/// Views of the arch at the paper's pace.
+/// Views of the arch at the speed of the paper.
 constexpr int kViewsAtPace = 1000;
-/// A view further than this from where most others say it is, is wrong: several times the drift
-/// over a whole arch.
+/// A view is wrong if it is further than this from where most others place it. Several times the
+/// drift over a whole arch.
 constexpr double kWrongMm = 0.5;
-/// Every n-th point of a view tells where it is.
+/// Every n-th point of a view is compared.
 constexpr std::size_t kStride = 50;
 
 struct TrackingArguments {
@@ -27,13 +27,13 @@ struct TrackingArguments {
   int thread_count = 0;
 };
 
-/// What is done to the scan.
+/// How a scan is disturbed.
 struct Scenario {
   std::string name;
-  double pace = 1.0;  ///< of the hand, in units of the paper's
+  double pace = 1.0;  ///< speed of the hand, relative to the paper
   simulated::ViewNoise noise;
   int gap_every = 0;  ///< views from one interruption to the next; 0: none
-  int gap_views = 0;  ///< views that see nothing, in each
+  int gap_views = 0;  ///< views without a surface in each
 };
 
 struct Counts {
@@ -41,13 +41,13 @@ struct Counts {
   double pace_mm_s = 0.0;
 };
 
-/// A registered view and the frame of the model as its own pose suggests it.
+/// A registered view, and the pose of the world frame that follows from it.
 struct Placed {
   std::vector<Vec3> points_mm;  ///< world frame
   Isometry T_model_world;
 };
 
-/// RMS distance of the view's points from where another view's gauge puts them.
+/// RMS distance between the points of the view and where another view would place them.
 double distance_mm(const Placed& view, const Placed& other) {
   double sum = 0.0;
   for (const Vec3& p : view.points_mm) {
@@ -56,7 +56,7 @@ double distance_mm(const Placed& view, const Placed& other) {
   return std::sqrt(sum / std::max<double>(1.0, static_cast<double>(view.points_mm.size())));
 }
 
-/// Views in agreement with the one that most agree with.
+/// The number of views that agree with the view that most agree with.
 int count_right(const std::vector<Placed>& placed) {
   int most = 0;
   for (const Placed& gauge : placed) {
@@ -133,12 +133,12 @@ std::vector<Scenario> scenarios() {
   simulated::ViewNoise none{1e-6};
   std::vector<Scenario> list;
   for (const double pace : {1.0, 2.0, 3.0, 4.0, 6.0, 10.0}) {
-    list.push_back({fmt::format("{:g} x the pace, white noise", pace), pace, white});
-    list.push_back({fmt::format("{:g} x the pace, correlated noise", pace), pace, correlated});
+    list.push_back({fmt::format("{:g} x the speed, white noise", pace), pace, white});
+    list.push_back({fmt::format("{:g} x the speed, correlated noise", pace), pace, correlated});
   }
-  list.push_back({"ideal data, 2.5 x the pace", 2.5, none});
-  list.push_back({"every 5 s 0.3 s of nothing", 1.0, correlated, 150, 10});
-  list.push_back({"every 5 s 2 s of nothing", 1.0, correlated, 150, 60});
+  list.push_back({"ideal data, 2.5 x the speed", 2.5, none});
+  list.push_back({"every 5 s, 0.3 s without a surface", 1.0, correlated, 150, 10});
+  list.push_back({"every 5 s, 2 s without a surface", 1.0, correlated, 150, 60});
   return list;
 }
 
@@ -172,8 +172,10 @@ Result<void> run(const TrackingArguments& arguments, const Progress& progress) {
 void add_tracking_study(CLI::App& study, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<TrackingArguments>();
   CLI::App* command = study.add_subcommand(
-      "tracking", "Views placed right, rejected and placed wrong: fast hands, interruptions");
-  command->add_option("--seeds", arguments->seed_count, "Scans of each kind, each by another hand")
+      "tracking", "Count right, rejected and wrong poses for fast and interrupted scans");
+  command
+      ->add_option("--seeds", arguments->seed_count,
+                   "Scans of each kind, each with another random path")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   cli::add_threads_option(*command, arguments->thread_count);

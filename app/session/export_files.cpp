@@ -2,14 +2,14 @@
 
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/model.h"
-#include "core/io/models/ply.h"
+#include "core/io/models/model_formats.h"
 
 namespace flytri::session {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The surfels that are drawn, as points.
+/// The surfels that the window shows, as points.
 PointCloud points_of(const SurfelModel& model) {
   PointCloud points;
   points.reserve(surfel_count(model));
@@ -21,60 +21,57 @@ PointCloud points_of(const SurfelModel& model) {
   return points;
 }
 
+/// About the size of a finished scan's files.
+std::uint64_t size_of_mesh(const TexturedMesh& model, const io::ModelFormat& format) {
+  // A PNG of a jaw takes about half the bytes of its pixels.
+  const std::uint64_t atlas = model.atlas.total() * model.atlas.elemSize() / 2;
+  return format.vertex_bytes * model.mesh.vertices.size() +
+         format.triangle_bytes * model.mesh.triangles.size() + (format.holds_texture ? atlas : 0);
+}
+
 Result<void> write_mesh(const fs::path& file, const reconstruct::FinishedScan& result) {
-  if (io::carries_atlas(file)) return io::write_model(file, result.model);
+  if (io::holds_texture(file)) return io::write_model(file, result.model);
   TexturedMesh uncut;
   uncut.mesh = result.surface.mesh;
   return io::write_model(file, uncut);
 }
 
+Result<void> write_points(const fs::path& file, const PointCloud& points) {
+  const Result<const io::ModelFormat*> format = io::model_format_of(file);
+  if (!format) return tl::unexpected(format.error());
+  if ((*format)->write_points != nullptr) return (*format)->write_points(file, points);
+  return fail(ErrorCode::kInsufficient,
+              "{}: cannot be written before the scan is finished, as it needs the surface: press "
+              "Finish, or export points as {}",
+              file.string(), io::extension_list(io::FormatUse::kWritePoints));
+}
+
 }  // namespace
 
-std::optional<std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown,
-                                             ui::ExportFormat format) {
-  // Bytes of a vertex, a triangle, and a texel, from what the writers put into the files.
-  constexpr std::uint64_t kPlyVertex = 31, kPlyTriangle = 13, kStlTriangle = 50;
-  constexpr std::uint64_t kGlbVertex = 36, kGlbTriangle = 12, kObjVertex = 95, kObjTriangle = 45;
-  if (shown.result == nullptr) {
-    if (format != ui::ExportFormat::kPly || shown.model.empty()) return std::nullopt;
-    return kPlyVertex * surfel_count(shown.model);
+std::map<std::string_view, std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown) {
+  std::map<std::string_view, std::uint64_t> bytes;
+  for (const io::ModelFormat& format : io::model_formats()) {
+    if (shown.result != nullptr) {
+      bytes[format.extension] = size_of_mesh(shown.result->model, format);
+    } else if (format.write_points != nullptr && !shown.model.empty()) {
+      bytes[format.extension] = format.vertex_bytes * surfel_count(shown.model);
+    }
   }
-  const TexturedMesh& model = shown.result->model;
-  const std::uint64_t vertices = model.mesh.vertices.size();
-  const std::uint64_t triangles = model.mesh.triangles.size();
-  // A PNG of a jaw takes about half of its pixels' bytes.
-  const std::uint64_t atlas = model.atlas.total() * model.atlas.elemSize() / 2;
-  switch (format) {
-    case ui::ExportFormat::kGlb:
-      return kGlbVertex * vertices + kGlbTriangle * triangles + atlas;
-    case ui::ExportFormat::kPly:
-      return kPlyVertex * vertices + kPlyTriangle * triangles;
-    case ui::ExportFormat::kStl:
-      return kStlTriangle * triangles;
-    case ui::ExportFormat::kObj:
-      return kObjVertex * vertices + kObjTriangle * triangles + atlas;
-  }
-  return std::nullopt;
+  return bytes;
 }
 
 Result<std::vector<ui::ExportedFile>> export_files(const scan::ScanSnapshot& shown,
                                                    const fs::path& stem,
-                                                   const std::vector<ui::ExportFormat>& formats) {
+                                                   const std::vector<std::string_view>& formats) {
   if (shown.result == nullptr && shown.model.empty()) {
     return fail(ErrorCode::kInsufficient, "there is no surface to export yet; scan first");
   }
   if (auto made = io::create_folder(stem.parent_path()); !made) return tl::unexpected(made.error());
   std::vector<ui::ExportedFile> written;
-  for (const ui::ExportFormat format : formats) {
-    const fs::path file = stem.string() + std::string(ui::to_string(format));
-    if (shown.result == nullptr && format != ui::ExportFormat::kPly) {
-      return fail(ErrorCode::kInsufficient,
-                  "{}: before the scan is finished there are points alone, which only .ply holds",
-                  file.string());
-    }
-    const Result<void> done = shown.result
-                                  ? write_mesh(file, *shown.result)
-                                  : io::write_point_cloud_ply(file, points_of(shown.model));
+  for (const std::string_view extension : formats) {
+    const fs::path file = stem.string() + std::string(extension);
+    const Result<void> done =
+        shown.result ? write_mesh(file, *shown.result) : write_points(file, points_of(shown.model));
     if (!done) return tl::unexpected(done.error());
     std::error_code error;
     written.push_back({file.string(), fs::file_size(file, error)});

@@ -1,9 +1,10 @@
 /// @file  Writes what the window shows to files.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <optional>
+#include <map>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -12,15 +13,16 @@
 
 namespace flytri::session {
 
-/// About what a file will weigh; none: what is shown cannot be written so. A finished scan is
-/// written as its mesh, one that is under way as its points, which is .ply alone.
-[[nodiscard]] std::optional<std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown,
-                                                           ui::ExportFormat format);
+/// About the size of each format's files, by extension. A finished scan is written as a mesh, an
+/// unfinished one as points: formats that cannot hold it are missing.
+[[nodiscard]] std::map<std::string_view, std::uint64_t> estimated_bytes(
+    const scan::ScanSnapshot& shown);
 
-/// @param stem  path of the files without their ending
-/// @errors  As write_model and write_point_cloud_ply; kInsufficient: there is nothing to write.
+/// @param stem  path of the files without their extension
+/// @param formats  extensions, as in io::model_formats()
+/// @errors  As write_model; kInsufficient: there is nothing to write, or the format cannot hold it.
 [[nodiscard]] Result<std::vector<ui::ExportedFile>> export_files(
     const scan::ScanSnapshot& shown, const std::filesystem::path& stem,
-    const std::vector<ui::ExportFormat>& formats);
+    const std::vector<std::string_view>& formats);
 
 }  // namespace flytri::session

@@ -401,10 +401,7 @@ ui::SourceState Session::source_state() const {
 
 ui::ExportState Session::export_state(const scan::ScanSnapshot* shown) const {
   ui::ExportState state = exports_;
-  for (const ui::ExportFormat format : ui::kExportFormats) {
-    if (shown == nullptr) break;
-    state.estimated_bytes[static_cast<std::size_t>(format)] = estimated_bytes(*shown, format);
-  }
+  if (shown != nullptr) state.estimated_bytes = estimated_bytes(*shown);
   return state;
 }
 

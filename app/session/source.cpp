@@ -36,7 +36,7 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   simulated::LiveSensorOptions options;
   options.path.duration_s = kPathDuration_s;
   // Each version of the program makes its own.
-  const Result<calibration::Calibration> calibration = simulated::kept_sensor_calibration(
+  const Result<calibration::Calibration> calibration = simulated::cached_sensor_calibration(
       options.sensor, cache_folder() / "calibration-" FLYTRI_VERSION, workers, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   const auto shared = std::make_shared<const calibration::Calibration>(*calibration);

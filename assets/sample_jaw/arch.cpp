@@ -9,7 +9,7 @@ namespace flytri::sample_jaw {
 namespace {
 
 constexpr double kStep_mm = 0.25;
-// The straight ends carry the gum behind the last teeth.
+// Length of the straight ends, which extend the gum behind the last teeth.
 constexpr double kEnd_mm = 14.0;
 constexpr std::size_t kCoarseStride = 16;
 

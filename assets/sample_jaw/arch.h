@@ -1,4 +1,4 @@
-/// @file  The curve on which the teeth of a jaw stand, and the way from a place to it and back.
+/// @file  The curve of the dental arch, with conversion to and from coordinates along it.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,21 @@ namespace flytri::sample_jaw {
 
 /// Coordinates along and beside the arch, mm.
 struct ArchPlace {
-  double along_mm = 0.0;    ///< from the middle, rising with x
+  double along_mm = 0.0;    ///< from the middle; increases with x
   double outward_mm = 0.0;  ///< from the curve, away from the tongue
 };
 
-/// Half an ellipse, open to -y, that goes on straight at its ends.
+/// Half an ellipse, open towards -y, extended by straight ends.
 class Arch {
  public:
   /// @param half_width_mm, depth_mm  > 0, half axes along x and y
   Arch(double half_width_mm, double depth_mm);
 
   [[nodiscard]] Vec2 point(double along_mm) const;
-  /// Unit, towards rising `along_mm`.
+  /// Unit vector in the direction of increasing `along_mm`.
   [[nodiscard]] Vec2 tangent(double along_mm) const;
   [[nodiscard]] Vec2 outward(double along_mm) const;
-  /// Of the nearest place on the curve, to about 0.01 mm.
+  /// Coordinates relative to the nearest point of the curve, accurate to about 0.01 mm.
   [[nodiscard]] ArchPlace locate(const Vec2& p) const;
 
  private:

@@ -8,10 +8,10 @@
 namespace flytri::sample_jaw {
 namespace {
 
-constexpr double kFrontCrown_mm = 10.0;  // the chewing plane lies this far above z = 0
+constexpr double kFrontCrown_mm = 10.0;  // height of the chewing plane above z = 0
 constexpr double kContactOverlap_mm = 0.08;
 
-// No two teeth of a mouth are alike: sizes within 2 %, cusps within some tenths of a millimeter.
+// Varies a tooth at random: sizes within 2 %, cusps within some tenths of a millimeter.
 ToothForm individual(ToothForm form, Random& random) {
   form.width_mm *= random.uniform(0.985, 1.015);
   form.depth_mm *= random.uniform(0.98, 1.02);
@@ -34,13 +34,13 @@ PlacedTooth place_tooth(const ToothForm& form, double along_mm, const Arch& arch
       std::cos(form.tilt_rad) * level_outward - std::sin(form.tilt_rad) * Vec3::UnitZ();
   Eigen::Matrix3d R_tooth_jaw;
   R_tooth_jaw << mesial.transpose(), outward.transpose(), up.transpose();
-  // The crowns meet on the arch, so a leaning tooth's neck stands beside it.
+  // The crowns touch on the arch, so the neck of a tilted tooth is beside the arch.
   const Vec2 crown = arch.point(along_mm) + random.uniform(-0.2, 0.2) * arch.outward(along_mm);
   const Vec3 middle(crown.x(), crown.y(), kFrontCrown_mm - 0.4 * form.height_mm);
   return {Tooth(form, random.next()), middle - 0.6 * form.height_mm * up, R_tooth_jaw, along_mm};
 }
 
-// Crowns stand where their widest parts touch.
+// Places the crowns so that their widest parts touch.
 void place_side(Dentition& dentition, const std::vector<ToothForm>& forms, double side,
                 Random& random) {
   double reached_mm = 0.0;

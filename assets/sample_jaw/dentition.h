@@ -1,4 +1,4 @@
-/// @file  Fourteen teeth on their arch: who stands where.
+/// @file  Places fourteen teeth on the arch of a jaw.
 #pragma once
 
 #include <cstdint>

@@ -9,10 +9,10 @@
 namespace flytri::sample_jaw {
 namespace {
 
-constexpr double kCollarReach_mm = 9.0;  // teeth farther away do not touch this gum
-constexpr double kOuterRim_mm = 5.5;     // gum beside the teeth that the model keeps
+constexpr double kCollarReach_mm = 9.0;  // teeth farther away do not affect the gum
+constexpr double kOuterRim_mm = 5.5;     // width of the gum that the model keeps beside the teeth
 
-// What depends on x and y alone is computed once on this grid.
+// Values that depend only on x and y are computed once on this grid.
 constexpr int kGridSize = 256;
 constexpr double kGridStep_mm = 0.33;
 const Vec2 kGridLow_mm(-42.0, -14.0);
@@ -75,7 +75,7 @@ double Gum::ridge_height(const Vec2& p, const Station& here) const {
   const double beyond = -place.outward_mm - edge_mm;
   if (dentition_.kind == JawKind::kLower) return height - 9.0 * smooth_step(-1.2, 5.5, beyond);
   height -= 12.0 * smooth_step(-2.0, 17.0, beyond);
-  // Folds across the front of the palate, and a seam along its middle.
+  // Folds across the front of the palate (rugae), and a raphe along its middle.
   const double front = smooth_step(20.0, 26.0, p.y()) * smooth_step(0.0, 3.0, beyond);
   const double fold = std::sin(1.5 * p.y() + 0.09 * p.x() * p.x() * 0.5 + 0.3 * std::abs(p.x()));
   height += 0.35 * front * fold * (1.0 - bump(p.x(), 1.2));
@@ -87,7 +87,7 @@ double Gum::collar(const PlacedTooth& placed, const Vec3& p) const {
   const double x = q.x() / placed.tooth.form().width_mm;
   const double y = q.y() / placed.tooth.form().depth_mm;
   const double beside = x * x / (x * x + y * y + 1e-3);
-  // The margin hangs like a garland: low on the faces, high between the teeth.
+  // The gum margin is low at the faces of the teeth and high between them.
   const double papilla_mm = placed.tooth.form().rim.empty() ? 4.6 : 2.9;
   const double margin_mm = 0.3 + papilla_mm * beside * beside;
   const double thickness_mm = 0.35 + 0.16 * std::clamp(margin_mm - q.z(), 0.0, 5.0);
@@ -95,7 +95,7 @@ double Gum::collar(const PlacedTooth& placed, const Vec3& p) const {
 }
 
 double Gum::operator()(const Vec3& p) const {
-  // Steep walls make the height's difference grow faster than distance.
+  // Scaled down, because at steep walls the height difference grows faster than the distance.
   double shape = 0.45 * (p.z() - station(p.head<2>()).ridge_mm);
   for (const PlacedTooth& placed : dentition_.teeth)
     if ((p - placed.origin_mm).head<2>().norm() < kCollarReach_mm)

@@ -1,4 +1,5 @@
-/// @file  The gum around the teeth, with palate or floor, as one implicit shape.
+/// @file  The gum around the teeth, with the palate or the floor of the mouth, as an implicit
+/// shape.
 #pragma once
 
 #include <vector>
@@ -7,7 +8,7 @@
 
 namespace flytri::sample_jaw {
 
-/// Refers to the dentition, which must outlive it.
+/// Keeps a reference to the dentition, which must outlive it.
 class Gum {
  public:
   explicit Gum(const Dentition& dentition);
@@ -15,20 +16,20 @@ class Gum {
   [[nodiscard]] double operator()(const Vec3& p) const;
   /// sRGB, 0..255.
   [[nodiscard]] Vec3 color(const Vec3& p) const;
-  /// True where the gum belongs to the model; beyond, an impression tray would have ended.
+  /// Whether the gum at this place belongs to the model; the model ends like an impression tray.
   [[nodiscard]] bool covers(const Vec3& p) const;
 
  private:
-  // The neighboring teeth's necks and half depths, and where a place lies beside them.
+  // Neck height and half depth of the neighboring teeth, and the position beside them.
   struct Station {
     double neck_mm = 0.0;
     double half_depth_mm = 0.0;
     ArchPlace place;
-    double ridge_mm = 0.0;  // height of the gum without its collars around the teeth
+    double ridge_mm = 0.0;  // gum height without the collars around the teeth
   };
   Station compute_station(const Vec2& p) const;
   double ridge_height(const Vec2& p, const Station& here) const;
-  // As computed on a grid beforehand, linear between its corners.
+  // Interpolated linearly on a precomputed grid.
   Station station(const Vec2& p) const;
   double collar(const PlacedTooth& tooth, const Vec3& p) const;
 

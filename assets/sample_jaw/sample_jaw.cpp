@@ -9,11 +9,12 @@
 #include "assets/sample_jaw/gum.h"
 #include "assets/sample_jaw/smooth.h"
 #include "assets/sample_jaw/surface_nets.h"
+#include "core/base/check_options.h"
 
 namespace flytri::sample_jaw {
 namespace {
 
-// Surface this deep inside another part can be seen by nobody.
+// Surface this deep inside another part is invisible and is removed.
 constexpr double kHidden_mm = 0.35;
 
 Rgb to_rgb(const Vec3& color) {
@@ -23,7 +24,7 @@ Rgb to_rgb(const Vec3& color) {
   return rgb;
 }
 
-// Without the triangles of which `keep` rejects a vertex, and without vertices nobody uses.
+// Removes triangles with a vertex that `keep` rejects, and unused vertices.
 TriangleMesh cut(const TriangleMesh& mesh, const std::function<bool(const Vec3&)>& keep) {
   constexpr auto kDropped = std::numeric_limits<std::uint32_t>::max();
   std::vector<bool> kept(mesh.vertices.size());
@@ -45,8 +46,8 @@ TriangleMesh cut(const TriangleMesh& mesh, const std::function<bool(const Vec3&)
   return rest;
 }
 
-// The dentist has been here: a gray filling in one molar, a white one in the next tooth, and a
-// brown stain at a canine's neck.
+// Adds treatments: a gray filling in one molar, a white one in the next tooth, and a brown stain at
+// the neck of a canine.
 Vec3 treated(const Dentition& dentition, std::size_t index, const Vec3& p_tooth, Vec3 color) {
   const Tooth& tooth = dentition.teeth[index].tooth;
   const double from_top = tooth.form().height_mm - p_tooth.z();
@@ -111,11 +112,10 @@ void append(TriangleMesh& whole, const TriangleMesh& part) {
 }  // namespace
 
 Result<void> SampleJawOptions::validate() const {
-  for (const auto& [name, cell_mm] :
-       {std::pair{"tooth_cell_mm", tooth_cell_mm}, std::pair{"gum_cell_mm", gum_cell_mm}})
-    if (!(cell_mm >= 0.05 && cell_mm <= 2.0))
-      return fail(ErrorCode::kBadOption, "{} must be in 0.05..2 mm, not {}", name, cell_mm);
-  return {};
+  return OptionCheck("SampleJawOptions")
+      .in_range("tooth_cell_mm", tooth_cell_mm, 0.05, 2.0)
+      .in_range("gum_cell_mm", gum_cell_mm, 0.05, 2.0)
+      .result();
 }
 
 Result<TriangleMesh> make_sample_jaw(const SampleJawOptions& options, const Workers& workers) {
@@ -125,7 +125,7 @@ Result<TriangleMesh> make_sample_jaw(const SampleJawOptions& options, const Work
   const NetBox gum_box{{-40.0, -8.0, -14.0}, {40.0, 56.0, 8.0}, options.gum_cell_mm};
   std::vector<TriangleMesh> parts(dentition.teeth.size() + 1);
   workers.for_each(parts.size(), [&](std::size_t i) {
-    // The gum takes longest: first.
+    // Start with the gum, which takes longest.
     parts[i] = i == 0 ? make_gum_strip(dentition, gum, gum_box)
                       : make_tooth(dentition, i - 1, gum, options.tooth_cell_mm);
   });

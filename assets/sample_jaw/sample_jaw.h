@@ -1,4 +1,4 @@
-/// @file  Makes a jaw to scan where no file is at hand: gum and fourteen different teeth, colored.
+/// @file  Generates a colored sample jaw: gum and fourteen different teeth.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace flytri::sample_jaw {
 struct SampleJawOptions {
   JawKind kind = JawKind::kUpper;
   double tooth_cell_mm = 0.15;  ///< 0.05..2, length of the triangles on the teeth
-  double gum_cell_mm = 0.3;     ///< 0.05..2, of those on the gum, which is smoother
-  std::uint64_t seed = 1;       ///< each number is another patient
+  double gum_cell_mm = 0.3;     ///< 0.05..2, length of the triangles on the gum, which is smoother
+  std::uint64_t seed = 1;       ///< seed of the individual shapes
   [[nodiscard]] Result<void> validate() const;
 };
 
 /// About 75 x 60 x 25 mm; x to the side, y to the front, z towards the opposing teeth. Triangles
-/// face outwards; vertices have normals and colors. Some vertices lie where tooth and gum meet and
-/// are hidden by the other. The same bits for any number of threads.
+/// face outwards; vertices have normals and colors. Where tooth and gum meet, some vertices of one
+/// are hidden inside the other. The result is bit-identical for any number of threads.
 /// @errors  kBadOption.
 [[nodiscard]] Result<TriangleMesh> make_sample_jaw(const SampleJawOptions& options,
                                                    const Workers& workers);

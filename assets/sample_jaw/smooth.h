@@ -1,4 +1,4 @@
-/// @file  Small smooth functions that organic shapes are put together from.
+/// @file  Smooth functions to compose organic shapes.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace flytri::sample_jaw {
 
-/// The larger one, rounded where both are closer than `radius`.
+/// The maximum, rounded where the values differ by less than `radius`.
 [[nodiscard]] inline double smooth_max(double a, double b, double radius) {
   const double overlap = std::max(radius - std::abs(a - b), 0.0) / radius;
   return std::max(a, b) + 0.25 * overlap * overlap * radius;
@@ -24,7 +24,7 @@ namespace flytri::sample_jaw {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// 1 at 0, falls to 0 within about twice `width`.
+/// 1 at 0; decreases to 0 within about twice `width`.
 [[nodiscard]] inline double bump(double x, double width) {
   const double t = x / width;
   return std::exp(-t * t);

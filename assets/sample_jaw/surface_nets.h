@@ -1,7 +1,5 @@
-/// @file  Turns an implicit shape into triangles.
-///
-/// @source  Gibson, "Constrained elastic surface nets", MICCAI 1998, in its naive form: one vertex
-///          in each cell that the surface passes, at the mean of its edge crossings.
+/// @file  Turns an implicit shape into triangles: a surface net (core/geometry/surface_net.h) with
+/// each vertex at the mean of its cell's crossed edges.
 #pragma once
 
 #include <functional>
@@ -10,7 +8,7 @@
 
 namespace flytri::sample_jaw {
 
-/// Negative inside, positive outside, in mm; grows by at most 1.4 mm a mm.
+/// Negative inside, positive outside, in mm; its gradient is at most 1.4.
 using ImplicitShape = std::function<double(const Vec3&)>;
 
 struct NetBox {
@@ -18,7 +16,7 @@ struct NetBox {
   double cell_mm = 0.15;
 };
 
-/// The surface of `shape` inside the box, open where it leaves it. Positions and normals are set.
+/// The surface of `shape` inside the box, open at the box's sides. Sets positions and normals.
 [[nodiscard]] TriangleMesh surface_nets(const ImplicitShape& shape, const NetBox& box);
 
 }  // namespace flytri::sample_jaw

@@ -10,10 +10,10 @@ namespace {
 
 // Inclination of the chewing surface's ridges: about 32 degrees.
 constexpr double kRidgeSlope = 0.62;
-// Fissures are rounded this much: an explorer's tip just fits.
+// Rounding of the fissures, about the size of a dental explorer's tip.
 constexpr double kFissureRadius_mm = 0.25;
 
-// Runs through three values at -0.5, `middle` and 1 of the crown's height, flat at the middle one.
+// Interpolates three values at -0.5, `middle` and 1 of the crown's height; flat at the middle one.
 double swell(double t, double neck, double middle, double top) {
   if (t < middle) {
     const double s = (middle - t) / middle;
@@ -32,7 +32,7 @@ Tooth::Ridge::Ridge(const Vec3& from, const Vec3& to)
       height_mm(from.z()),
       rise_mm(to.z() - from.z()) {}
 
-// Falls with the distance from the ridge.
+// Decreases with the distance from the ridge.
 double Tooth::Ridge::height(const Vec2& p) const {
   const double t = std::clamp((p - start).dot(along) / squared_length, 0.0, 1.0);
   const double distance = (p - start - t * along).norm();
@@ -62,7 +62,7 @@ double Tooth::operator()(const Vec3& p) const {
   const double top = form_.rim.empty() ? edge_height(p.x()) : chewing_height(p.head<2>());
   const double rounding_mm = form_.rim.empty() ? 0.7 : 1.1;
   const double waves_mm = 0.03 * value_noise(1.1 * p, seed_);
-  // The top's slope makes its value grow faster than distance.
+  // Scaled down, because the slope of the top makes the value grow faster than the distance.
   return smooth_max(wall(p), 0.85 * (p.z() - top), rounding_mm) + waves_mm;
 }
 
@@ -92,17 +92,17 @@ double Tooth::front_wall(const Vec3& p) const {
   const double half_width = 0.5 * form_.width_mm * swell(t, 0.80, 0.80, 0.97);
   const double half_depth = 0.5 * form_.depth_mm;
   const double x = p.x() / half_width;
-  // The outer face: convex both ways, fullest near the neck.
+  // The outer face is convex in both directions and thickest near the neck.
   const double outer =
       half_depth * (0.92 - 0.50 * std::max(t - 0.15, 0.0) - 0.12 * std::max(-t, 0.0)) -
       0.15 * half_depth * x * x;
-  // The inner face: a bulge above the neck, then hollow between two marginal ridges.
+  // The inner face has a bulge above the neck and is concave between two marginal ridges.
   const double taper = smooth_step(0.02, 0.85, t);
   const double hollow = 0.45 * bump(x, 0.55) * bump(t - 0.58, 0.26);
   const double inner = -half_depth * (0.95 - 1.08 * taper) + hollow + 0.12 * half_depth * x * x -
                        0.35 * bump(x, 0.6) * bump(t - 0.22, 0.14);
   const double thickness = smooth_max(0.93 * (p.y() - outer), 0.9 * (inner - p.y()), 0.5);
-  // The rounding takes a little off the sides where they meet the faces: given back here.
+  // The 0.12 mm compensate for material removed by the rounding.
   return smooth_max(thickness, std::abs(p.x()) - half_width - 0.12, 1.1);
 }
 
@@ -117,12 +117,12 @@ double Tooth::edge_height(double x) const {
   const double half_width = 0.5 * form_.width_mm;
   const double s = x / half_width;
   const double lobes = 0.06 * std::cos(3.0 * std::numbers::pi * s);
-  // The outer corner of an edge is the rounder one.
+  // The outer (distal) corner of the edge is rounder.
   const double corner = s < 0.0 ? 0.6 : 0.3;
   return form_.height_mm - form_.point_mm * std::abs(s) - corner * s * s * s * s + lobes;
 }
 
-// Fissures are where the surface lies below its own surroundings.
+// Fissure depth: how far the surface is below its surroundings.
 double Tooth::depth_mm(const Vec2& p, double height_mm) const {
   constexpr double kReach_mm = 0.45;
   double around = 0.0;

@@ -11,35 +11,35 @@
 
 namespace flytri::sample_jaw {
 
-/// A point of the rim that runs around a chewing surface, by half widths; heights in mm below the
-/// crown's own height.
+/// A point of the rim around a chewing surface. Its position is in half widths; its height is in mm
+/// below the crown's height.
 struct RimPoint {
   Vec2 place;
   double drop_mm = 0.0;
-  bool cusp = false;  ///< a cusp sends a ridge towards the middle
+  bool cusp = false;  ///< a cusp has a ridge towards the middle
 };
 
-/// What dentists measure of a crown.
+/// Dimensions of a crown.
 struct ToothForm {
   std::string name;
   double width_mm = 0.0;      ///< mesial to distal, at the contact points
   double depth_mm = 0.0;      ///< outer to inner face
   double height_mm = 0.0;     ///< neck to highest cusp
-  double tilt_rad = 0.0;      ///< the crown leans outwards
+  double tilt_rad = 0.0;      ///< outward tilt of the crown
   std::vector<RimPoint> rim;  ///< around the chewing surface; empty for front teeth
-  double point_mm = 0.0;      ///< front teeth: how far the middle of the edge stands out
+  double point_mm = 0.0;      ///< front teeth: height of the edge's middle above its ends
 };
 
 /// One tooth as an implicit shape.
 class Tooth {
  public:
-  /// @param seed  of the small irregularities that make it an individual
+  /// @param seed  of the small irregularities
   Tooth(ToothForm form, std::uint64_t seed);
 
   [[nodiscard]] const ToothForm& form() const { return form_; }
-  /// Negative inside, mm. Goes on as a root below the neck.
+  /// Negative inside, mm. Continues as a root below the neck.
   [[nodiscard]] double operator()(const Vec3& p) const;
-  /// The neck and root without the crown's top, for the gum to lie around.
+  /// The side walls of crown, neck and root without the top; the gum is modeled around them.
   [[nodiscard]] double wall(const Vec3& p) const;
   /// sRGB, 0..255.
   [[nodiscard]] Vec3 color(const Vec3& p) const;

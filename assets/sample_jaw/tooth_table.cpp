@@ -1,10 +1,11 @@
-/// @file  The teeth of both jaws: sizes as in dental anatomy, rims point by point.
+/// @file  Dimensions of the teeth of both jaws, with the rim points of their chewing surfaces.
 #include "assets/sample_jaw/tooth.h"
 
 namespace flytri::sample_jaw {
 namespace {
 
-// Rims run around the chewing surface: outer face mesial to distal, then inner face back.
+// A rim runs around the chewing surface: along the outer face from mesial to distal, then back
+// along the inner face.
 using Rim = std::vector<RimPoint>;
 
 Rim upper_premolar_rim() {

@@ -1,4 +1,4 @@
-// Which color a place of the surface has before it is lit.
+// Color of a surface point before lighting.
 
 uniform int color_mode;       // 0 shading, 1 texture, 2 coverage, 3 uncertainty
 uniform float texture_blend;  // 0 plaster .. 1 texture

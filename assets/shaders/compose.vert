@@ -1,5 +1,5 @@
 #version 330 core
-// One triangle over the whole picture.
+// One triangle that covers the whole picture.
 
 out vec2 share;  // 0..1 from the lower left
 

@@ -1,5 +1,5 @@
 #version 330 core
-// A thick line with round ends and soft borders.
+// A thick line with round ends and smooth borders.
 
 noperspective in vec2 p_px;
 flat in float length_px;

@@ -1,5 +1,5 @@
 #version 330 core
-// A corner of a thick line with round ends; four corners a line.
+// One of the four corners of a thick line with round ends.
 
 layout(location = 0) in vec4 from_mm_width_px;  // world; width of the line
 layout(location = 1) in vec3 to_mm;
@@ -8,7 +8,7 @@ layout(location = 3) in vec2 corner;  // -1 or 1: along, across
 
 uniform mat4 P_clip_world;
 uniform vec2 size_px;
-uniform float towards_eye;  // shift of the depth, so that lines on the surface lie before it
+uniform float towards_eye;  // depth offset that draws lines in front of the surface below them
 
 noperspective out vec2 p_px;  // from the line's start, along and across
 flat out float length_px;
@@ -20,7 +20,7 @@ void main() {
   vec4 b = P_clip_world * vec4(to_mm, 1.0);
   line_color = color;
   half_width_px = 0.5 * from_mm_width_px.w;
-  // A line that reaches behind the eye ends in front of it.
+  // Clip a line that reaches behind the viewer.
   const float kNear = 1e-3;
   if (a.w < kNear && b.w < kNear) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

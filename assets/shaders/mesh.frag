@@ -1,5 +1,5 @@
 #version 330 core
-// The finished mesh, lit at each pixel.
+// Finished mesh, lit per pixel.
 
 in vec3 p_eye;
 in vec3 n_eye;

@@ -1,5 +1,5 @@
 #version 330 core
-// A vertex of the finished mesh.
+// Vertex of the finished mesh.
 
 layout(location = 0) in vec3 position_mm;  // world
 layout(location = 1) in vec4 normal;       // world, unit

@@ -1,5 +1,5 @@
 #version 330 core
-// The inside of a disk's ellipse.
+// Draws the inside of the ellipse of a disk.
 
 flat in vec3 conic;
 flat in vec4 color;

@@ -1,5 +1,5 @@
 #version 330 core
-// One oriented disk as a point sprite: its ellipse on the screen and its lit color.
+// An oriented disk as a point sprite: computes its ellipse on the screen and its lit color.
 
 layout(location = 0) in vec3 position_mm;  // world
 layout(location = 1) in vec4 normal;       // world, unit
@@ -8,8 +8,8 @@ layout(location = 3) in vec4 color_flags;  // sRGB; alpha holds bits: 1 textured
 
 uniform mat4 T_eye_world;
 uniform mat4 P_clip_eye;
-uniform vec2 focal_px;       // from slope to pixels, x and y
-uniform float radius_scale;  // > 1 where only a prefix of the disks is drawn
+uniform vec2 focal_px;       // focal length, x and y
+uniform float radius_scale;  // > 1 if only a part of the disks is drawn
 
 flat out vec3 conic;  // xx, xy, yy of the ellipse, in the sprite's -1..1
 flat out vec4 color;  // lit; alpha: cosine between normal and line of sight
@@ -31,7 +31,7 @@ void main() {
   gl_Position = P_clip_eye * vec4(p, 1.0);
   float depth_mm = -p.z;
   if (dot(n, p) >= 0.0 || depth_mm <= 0.0) {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // seen from behind: outside the clip volume
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // back face: put outside the clip volume
     gl_PointSize = 1.0;
     return;
   }
@@ -40,7 +40,7 @@ void main() {
   vec3 jx = focal_px.x / depth_mm * vec3(1.0, 0.0, p.x / depth_mm);
   vec3 jy = focal_px.y / depth_mm * vec3(0.0, 1.0, p.y / depth_mm);
   float nx = dot(jx, n), ny = dot(jy, n);
-  // A quarter of a square pixel more: seen from the side, a disk still covers a pixel.
+  // Adds a quarter of a square pixel, so that a disk seen from the side still covers a pixel.
   float xx = r * r * (dot(jx, jx) - nx * nx) + 0.25;
   float xy = r * r * (dot(jx, jy) - nx * ny);
   float yy = r * r * (dot(jy, jy) - ny * ny) + 0.25;

@@ -1,6 +1,6 @@
 #include "core/base/free_memory.h"
 
-#include <cstdlib>  // tells which C library it is
+#include <cstdlib>  // defines __GLIBC__
 
 #ifdef __GLIBC__
 #include <malloc.h>

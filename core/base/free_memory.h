@@ -1,11 +1,11 @@
-/// @file  Gives memory that was freed back to the system.
+/// @file  Returns freed memory to the operating system.
 #pragma once
 
 namespace flytri {
 
-/// After work that needed much for a while: the allocator keeps what a thread frees, so that a scan
-/// would hold the most that each of its threads ever needed. Takes some milliseconds; does nothing
-/// where the allocator has no such call.
+/// Call it after work that needed much memory for a short time. The allocator keeps the memory that
+/// a thread frees, so a scan would otherwise hold the peak of each thread. Takes some milliseconds;
+/// does nothing if the C library has no such call.
 void release_free_memory();
 
 }  // namespace flytri

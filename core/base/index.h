@@ -6,7 +6,7 @@
 
 namespace flytri {
 
-/// An index that counts one kind of thing, named by its tag.
+/// An index into one kind of list. The tag names the kind.
 template <typename Tag>
 struct Index {
   int value = 0;
@@ -15,7 +15,7 @@ struct Index {
   constexpr explicit Index(int v) : value(v) {}
   constexpr explicit Index(std::size_t v) : value(static_cast<int>(v)) {}
   auto operator<=>(const Index&) const = default;
-  /// For subscripting the container that the index counts in.
+  /// The index as a container subscript.
   [[nodiscard]] constexpr std::size_t at() const { return static_cast<std::size_t>(value); }
 };
 

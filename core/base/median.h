@@ -1,4 +1,4 @@
-/// @file  The median and other quantiles of values, and what they say of their spread.
+/// @file  Median and other quantiles, and the spread that the median gives.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,13 @@
 
 namespace flytri {
 
-/// Standard deviation of a normal distribution by its median absolute deviation.
+/// Median absolute deviation of a normal distribution, in standard deviations.
+inline constexpr double kMedianOfSigma = 0.6745;
+/// Its standard deviation, in median absolute deviations: 1 / kMedianOfSigma.
 inline constexpr double kSigmaOfMedian = 1.4826;
 
-/// The value in the middle, of an even number the upper one. Reorders the values, at least one.
+/// The middle value; the upper one of the two if their number is even. Reorders the values. Needs
+/// at least one value.
 template <typename T>
 T median_of(std::vector<T>& values) {
   assert(!values.empty());
@@ -20,7 +23,8 @@ T median_of(std::vector<T>& values) {
   return *middle;
 }
 
-/// The value below which a share of the sorted ones lies, linear between neighbors; at least one.
+/// The value below which `share` of the sorted values lies, interpolated linearly. Needs at least
+/// one value.
 inline double quantile_of(const std::vector<double>& sorted, double share) {
   assert(!sorted.empty());
   const double place = share * static_cast<double>(sorted.size() - 1);

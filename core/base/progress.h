@@ -1,4 +1,4 @@
-/// @file  One copyable object that long work reports to and asks whether to stop.
+/// @file  Progress of long work: the work reports here and asks whether it was canceled.
 #pragma once
 
 #include <algorithm>
@@ -13,40 +13,40 @@
 
 namespace flytri {
 
-/// Shared between the worker, who reports, and an observer, who shows and may cancel.
-/// A default-constructed Progress is valid and simply unobserved. All members are thread-safe.
+/// Copies share one state: the work reports, an observer shows it and may cancel. A
+/// default-constructed Progress is valid and has no observer. All members are thread-safe.
 ///
-/// Work that opens stages names them and says of how many steps each is. Work that is a part of a
-/// stage advances what it was given by one step in all, and gives its own parts their share by
+/// Work that opens stages gives each a name and a number of steps. Work that is one step of a stage
+/// advances its Progress by one step in total, and divides that step among its own parts with
 /// part().
 class Progress {
  public:
   struct Snapshot {
-    std::string stage;      ///< what is being done, in the user's words
-    double fraction = 0.0;  ///< done share of the stage, 0..1; never falls within a stage
+    std::string stage;      ///< name of the stage, shown to the user
+    double fraction = 0.0;  ///< completed share of the stage, 0..1; never decreases within a stage
   };
 
-  /// Told at every advance, by the thread that advances.
+  /// Called at every advance, on the thread that advances.
   using Watch = std::function<void(const Snapshot&)>;
 
   Progress() = default;
-  /// For an observer that must miss nothing; others look at the snapshot when it suits them.
+  /// For an observer that must see every advance. Others poll snapshot().
   explicit Progress(Watch watch) { state_->watch = std::move(watch); }
 
-  /// Opens a stage of `total` steps; the former stage is done.
+  /// Opens a stage of `total` steps and ends the previous one.
   void begin_stage(std::string name, std::size_t total = 1) const {
     const std::lock_guard lock(state_->mutex);
     state_->stage = std::move(name);
     state_->total = total;
     state_->done = 0.0;
   }
-  /// @param steps  >= 0, also fractions of one
+  /// @param steps  >= 0, may be a fraction
   void advance(double steps = 1.0) const {
     state_->done += steps * step_size_;
     if (state_->watch) state_->watch(snapshot());
   }
 
-  /// The same progress for a part of the work: one step of the part is `steps` of this one.
+  /// The progress for a part of the work: one step of the part counts as `steps` steps here.
   /// @param steps  >= 0
   [[nodiscard]] Progress part(double steps) const {
     Progress part = *this;
@@ -60,7 +60,7 @@ class Progress {
   [[nodiscard]] Snapshot snapshot() const {
     const std::lock_guard lock(state_->mutex);
     const double total = static_cast<double>(state_->total);
-    // Shares are rounded, so that their sum may be a little above the total.
+    // The shares are rounded, so their sum may slightly exceed the total.
     return {state_->stage, total > 0 ? std::min(state_->done / total, 1.0) : 0.0};
   }
 
@@ -77,7 +77,7 @@ class Progress {
   double step_size_ = 1.0;  ///< of this part, in steps of the stage
 };
 
-/// What work that was cancelled returns.
+/// The error that canceled work returns.
 inline tl::unexpected<Error> stopped() {
   return fail(ErrorCode::kCancelled, "stopped; nothing was written");
 }

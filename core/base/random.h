@@ -12,7 +12,8 @@ namespace flytri {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
-  /// The generator of item `stream` under `seed`: independent of who draws first.
+  /// The generator of item `stream` under `seed`. It does not depend on the order in which items
+  /// draw.
   Random(std::uint64_t seed, std::uint64_t stream) : state_(seed) {
     state_ ^= Random(stream + 0x632be59bd9b4e019ULL).next();
   }

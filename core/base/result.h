@@ -1,4 +1,4 @@
-/// @file  How functions say that they failed: Result<T> holds a value or an Error.
+/// @file  Result<T>: a value, or the Error that a function failed with.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,19 +9,19 @@
 
 namespace flytri {
 
-/// Why something could not be done. Closed: callers may switch over it.
+/// Kind of a failure. The list is complete: callers may switch over it.
 enum class ErrorCode {
   kBadOption,     ///< an option or argument is out of its range
-  kNotFound,      ///< a file, folder or device is not there
-  kNotPermitted,  ///< it is there, but may not be read or written
-  kBadFormat,     ///< a file is damaged, truncated, of an unknown version, or not what it claims
-  kInconsistent,  ///< each input is fine alone, but they do not belong together
-  kInsufficient,  ///< too little data for what was asked
-  kWriteFailed,   ///< disk full or another failure while writing; nothing half-written stays
+  kNotFound,      ///< a file, folder or device does not exist
+  kNotPermitted,  ///< it exists, but must not be read or written
+  kBadFormat,     ///< a file is damaged, truncated, of an unknown version or of another format
+  kInconsistent,  ///< each input is valid, but they do not fit each other
+  kInsufficient,  ///< too little data
+  kWriteFailed,   ///< writing failed, for example: disk full; no partial file stays
   kCancelled,     ///< stopped by the user
 };
 
-/// A failure that was to be expected. The message names the file, the place and the remedy.
+/// An expected failure. The message says what happened, where, and what to do.
 struct Error {
   ErrorCode code;
   std::string message;
@@ -30,7 +30,7 @@ struct Error {
 template <typename T>
 using Result = tl::expected<T, Error>;
 
-/// Makes the failing side of any Result; the message is formatted as fmt does.
+/// Makes the error of any Result. The message is formatted by fmt.
 template <typename... Args>
 [[nodiscard]] tl::unexpected<Error> fail(ErrorCode code, fmt::format_string<Args...> format,
                                          Args&&... args) {

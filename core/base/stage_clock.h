@@ -1,4 +1,4 @@
-/// @file  Times the stages of a run with a clock that the caller brings: core has none of its own.
+/// @file  Measures the time of each stage. The caller passes the clock: core has none.
 #pragma once
 
 #include <cstddef>
@@ -8,21 +8,21 @@
 
 namespace flytri {
 
-/// What one stage took.
+/// The time of one stage.
 struct StageTime {
   std::string name;
-  std::size_t item_count = 0;  ///< how many things the stage worked on
-  std::string item_name;       ///< what they are: frames, views, points ...
+  std::size_t item_count = 0;  ///< number of items that the stage processed
+  std::string item_name;       ///< their kind: frames, views, points ...
   double seconds = 0.0;
 };
 
-/// A list of stage times under construction.
+/// Collects stage times.
 class StageClock {
  public:
   /// @param now_s  monotonic seconds; empty: all times are 0
   explicit StageClock(std::function<double()> now_s) : now_s_(std::move(now_s)), start_s_(now()) {}
 
-  /// Ends the stage that began when the last one ended.
+  /// Ends the stage that began at the end of the previous one.
   void end_stage(std::string name, std::size_t item_count, std::string item_name) {
     const double end_s = now();
     stages_.push_back({std::move(name), item_count, std::move(item_name), end_s - start_s_});

@@ -38,9 +38,10 @@ void TaskThread::wait_until_idle() const {
 }
 
 void TaskThread::run(Priority priority) {
-  // On Linux this is the niceness of the calling thread alone. Refused, it is no failure.
-  constexpr int kNicest = 19;
-  if (priority == Priority::kBackground) setpriority(PRIO_PROCESS, 0, kNicest);
+  // On Linux this sets the priority of the calling thread only. If the system refuses, the thread
+  // keeps its priority.
+  constexpr int kLowestPriority = 19;
+  if (priority == Priority::kBackground) setpriority(PRIO_PROCESS, 0, kLowestPriority);
   std::unique_lock lock(mutex_);
   while (true) {
     changed_.wait(lock, [this] { return stopping_ || !tasks_.empty(); });
@@ -50,7 +51,7 @@ void TaskThread::run(Priority priority) {
     busy_ = true;
     lock.unlock();
     task();
-    task = nullptr;  // what it holds is let go before anyone sees the thread idle
+    task = nullptr;  // release its captures before the thread counts as idle
     lock.lock();
     busy_ = false;
     changed_.notify_all();

@@ -1,4 +1,4 @@
-/// @file  One thread that carries out tasks in the order they were posted.
+/// @file  One thread that runs tasks in the order in which they were posted.
 #pragma once
 
 #include <condition_variable>
@@ -9,25 +9,25 @@
 
 namespace flytri {
 
-/// Unbounded: whoever posts sees to it that no more is posted than gets done.
+/// The queue is unbounded: the caller limits what it posts.
 class TaskThread {
  public:
   enum class Priority {
     kNormal,
-    kBackground  ///< gets what the others leave of the processor
+    kBackground  ///< runs when no other thread needs the processor
   };
   explicit TaskThread(Priority priority = Priority::kNormal);
   ~TaskThread() { stop(); }
   TaskThread(const TaskThread&) = delete;
   TaskThread& operator=(const TaskThread&) = delete;
 
-  /// Nothing happens once the thread is stopped.
+  /// Does nothing after stop().
   void post(std::function<void()> task);
-  /// Finishes the task at hand and drops the others, for good.
+  /// Finishes the current task and drops the waiting ones. The thread cannot be started again.
   void stop();
-  /// Tasks that wait or run.
+  /// Number of waiting and running tasks.
   [[nodiscard]] std::size_t pending() const;
-  /// Waits until nothing is left to do. Not to be called from a task.
+  /// Waits until no task is waiting or running. Must not be called from a task.
   void wait_until_idle() const;
 
  private:

@@ -14,12 +14,12 @@
 namespace flytri {
 namespace {
 
-/// What a loop needs is written before it begins, and what it writes is read after it ended. The
-/// thread sanitizer has to be told, as TBB and this file are built without it. Tasks are not
-/// ordered among each other: a race between two of them is found.
-class Handover {
+/// Tells the thread sanitizer that a loop's input is written before it begins and its output is
+/// read after it ends: TBB and this file are built without that sanitizer. Tasks are not ordered
+/// among each other, so races between two tasks are still found.
+class SanitizerOrder {
  public:
-  Handover() { release(before_); }
+  SanitizerOrder() { release(before_); }
   void begin_task() { acquire(before_); }
   void end_task() { release(after_); }
   void end_loop() { acquire(after_); }
@@ -35,7 +35,8 @@ class Handover {
   char before_ = 0, after_ = 0;
 };
 
-/// A loop cut into pieces; before each it may be cancelled, after each it reports.
+/// A loop cut into pieces. Cancellation is checked before each piece, progress is reported after
+/// it.
 class PiecewiseLoop {
  public:
   PiecewiseLoop(std::size_t count, const std::function<void(std::size_t)>& body,
@@ -46,7 +47,7 @@ class PiecewiseLoop {
 
   [[nodiscard]] std::size_t piece_count() const { return (count_ + grain_ - 1) / grain_; }
 
-  /// @returns false: cancelled, and the piece left out
+  /// @returns false if the loop was canceled and the piece skipped
   [[nodiscard]] bool run_piece(std::size_t piece) const {
     if (progress_.cancelled()) return false;
     const std::size_t begin = piece * grain_;
@@ -82,15 +83,15 @@ void Workers::for_each(std::size_t count, const std::function<void(std::size_t)>
   };
   if (thread_count() == 1 || count <= grain) return run_range(0, count);
   using Range = tbb::blocked_range<std::size_t>;
-  Handover handover;
+  SanitizerOrder order;
   arena_->arena.execute([&] {
     tbb::parallel_for(Range(0, count, std::max<std::size_t>(grain, 1)), [&](const Range& range) {
-      handover.begin_task();
+      order.begin_task();
       run_range(range.begin(), range.end());
-      handover.end_task();
+      order.end_task();
     });
   });
-  handover.end_loop();
+  order.end_loop();
 }
 
 bool Workers::for_each_unless_cancelled(std::size_t count,

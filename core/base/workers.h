@@ -9,24 +9,25 @@
 
 namespace flytri {
 
-/// A copyable handle to a bounded set of threads.
+/// A copyable handle to a limited set of threads.
 ///
-/// Every loop body writes only to what its own index owns; sums are formed afterwards, in order.
-/// So one thread and many give the same bits.
+/// A loop body must write only to data of its own index; sums are formed afterwards, in order. Then
+/// one thread and many threads give the same bits.
 class Workers {
  public:
-  /// @param thread_count  0 takes as many as the machine has cores.
+  /// @param thread_count  0: as many as the machine has cores.
   explicit Workers(int thread_count = 0);
 
   [[nodiscard]] int thread_count() const;
 
-  /// Calls body(i) once for every i in [0, count), in any order, `grain` consecutive ones a task.
+  /// Calls body(i) once for every i in [0, count), in any order. A task covers `grain` consecutive
+  /// indices.
   void for_each(std::size_t count, const std::function<void(std::size_t)>& body,
                 std::size_t grain = 1) const;
 
-  /// The same, advancing `progress` by one step in all, until that is cancelled; a task that has
-  /// begun is ended.
-  /// @returns false if the loop was cancelled before body was called for every i
+  /// Same as for_each, but advances `progress` by one step in total and stops when it is canceled.
+  /// A running task is finished.
+  /// @returns false if the loop was canceled before it called body for every i
   [[nodiscard]] bool for_each_unless_cancelled(std::size_t count,
                                                const std::function<void(std::size_t)>& body,
                                                const Progress& progress,

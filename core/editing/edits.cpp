@@ -19,12 +19,12 @@ bool reaches(const Edit& edit, const Vec3f& position_mm, const Vec3f& normal) {
 
 EditStack::EditStack() : states_{std::make_shared<const EditSequence>()} {}
 
-EditStack::EditStack(EditSequence all, std::size_t held) : EditStack() {
+EditStack::EditStack(EditSequence all, std::size_t active_count) : EditStack() {
   for (std::size_t i = 1; i <= all.size(); ++i) {
     states_.push_back(std::make_shared<const EditSequence>(
         all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i)));
   }
-  at_ = std::min(held, all.size());
+  at_ = std::min(active_count, all.size());
 }
 
 void EditStack::push(Edit edit) {
@@ -67,7 +67,7 @@ bool EditFilter::keeps(const Vec3f& position_mm, const Vec3f& normal, double see
         (seen_before ? kept_by_lock : kept_out_by_lock) = true;
         break;
       case EditKind::kUnlock:
-        // What came while the lock held was refused, and stays so.
+        // Points added under the lock were rejected, and stay rejected.
         if (kept_out_by_lock && seen_before) return false;
         kept_by_lock = kept_out_by_lock = false;
         break;

@@ -1,4 +1,4 @@
-/// @file  What the user cut away from the surface or locked: strokes of a brush, and their undo.
+/// @file  Brush strokes that trim or lock the surface, with undo and redo.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace flytri::editing {
 
-/// One touch of the brush: a ball on the surface. It reaches what faces the user alone: samples
-/// whose normal is within 90 degrees of its own.
+/// One touch of the brush: a ball on the surface. It reaches only samples that face the user: their
+/// normals are within 90 degrees of the dab's normal.
 struct BrushDab {
   Vec3f center_mm = Vec3f::Zero();  ///< world frame
   Vec3f normal = Vec3f::UnitZ();    ///< unit, outwards
@@ -18,38 +18,40 @@ struct BrushDab {
 };
 
 enum class EditKind {
-  kTrim,   ///< takes away what was seen before the edit; what is seen later grows anew
-  kLock,   ///< what was seen before the edit is not trimmed; what is seen later is not added
-  kUnlock  ///< ends the locks made before, where it reaches
+  kTrim,   ///< removes what was seen before the edit; surface seen later is added again
+  kLock,   ///< protects what was seen before the edit from trimming; surface seen later is not
+           ///< added
+  kUnlock  ///< ends earlier locks where it reaches
 };
 
 /// One stroke.
 struct Edit {
   EditKind kind = EditKind::kTrim;
-  double made_at_s = 0.0;  ///< time of the scan: frames up to it came before the edit
+  double made_at_s = 0.0;  ///< scan time; frames up to this time came before the edit
   std::vector<BrushDab> dabs;
 };
 
-/// Edits by rising made_at_s. Immutable: each state of the stack is a list of its own.
+/// Edits by rising made_at_s. Immutable: each state of the stack has its own list.
 using EditSequence = std::vector<std::shared_ptr<const Edit>>;
 using EditList = std::shared_ptr<const EditSequence>;
 
-/// All states that the user can go back and forth between.
+/// The undo and redo history of edits.
 class EditStack {
  public:
   EditStack();
-  /// The stack as it was: all edits that were not forgotten, of which the first `held` hold.
-  EditStack(EditSequence all, std::size_t held);
+  /// Restores a stack. `all` holds the edits; the first `active_count` of them are in effect, the
+  /// others can be redone.
+  EditStack(EditSequence all, std::size_t active_count);
 
-  /// The new state; what was undone is forgotten.
+  /// Adds an edit. Undone edits are discarded.
   void push(Edit edit);
-  /// Nothing happens where there is nothing to undo or redo.
+  /// Does nothing if there is nothing to undo or redo.
   void undo();
   void redo();
   [[nodiscard]] bool can_undo() const { return at_ > 0; }
   [[nodiscard]] bool can_redo() const { return at_ + 1 < states_.size(); }
   [[nodiscard]] const EditList& state() const { return states_[at_]; }
-  /// What holds, and behind it what can be redone.
+  /// The edits in effect, followed by those that can be redone.
   [[nodiscard]] const EditList& all() const { return states_.back(); }
 
  private:
@@ -57,7 +59,7 @@ class EditStack {
   std::size_t at_ = 0;
 };
 
-/// Tells fast whether a sample survives a state of edits.
+/// Decides quickly whether a list of edits keeps a sample.
 class EditFilter {
  public:
   explicit EditFilter(const EditList& edits);
@@ -66,7 +68,7 @@ class EditFilter {
   [[nodiscard]] bool keeps(const Vec3f& position_mm, const Vec3f& normal, double seen_at_s) const;
 
  private:
-  /// A stroke with the box around all it reaches.
+  /// A stroke and its bounding box.
   struct Stroke {
     std::shared_ptr<const Edit> edit;
     Eigen::AlignedBox3f box;

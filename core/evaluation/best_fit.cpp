@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/mesh_normals.h"
 
@@ -10,14 +11,15 @@ namespace flytri::evaluation {
 namespace {
 
 constexpr std::size_t kFootGrain = 512;
-// Converged when no point moves by more than this share of the result's radius: 10 nm of 10 mm.
-// Much below it, the rounding of float positions keeps the motion alive.
+// Converged when no point moves by more than this share of the result's radius: 10 nm of 10 mm. A
+// much smaller limit is never reached, because float positions are rounded.
 constexpr double kSmallMotion = 1e-6;
-// Directions weaker than this share of the strongest one are free: rounding, not shape.
+// Directions with a smaller eigenvalue than this share of the largest are not determined by the
+// shape; they are not changed.
 constexpr double kFreeDirection = 1e-9;
 
-// Vertices that take part, about their center and in units of their radius, so that rotation and
-// translation weigh alike.
+// The vertices used. Center and radius normalize the unknowns, so that rotation and translation
+// have similar weights.
 struct Samples {
   std::vector<Vec3> points_mm;
   Vec3 center_mm = Vec3::Zero();
@@ -38,7 +40,7 @@ Samples draw_samples(const TriangleMesh& result, int sample_count) {
   return samples;
 }
 
-// Where a moved sample meets the true surface.
+// The closest point of the true surface to a moved sample.
 struct Foot {
   Vec3 point_mm = Vec3::Zero();  ///< the moved sample
   Vec3 normal = Vec3::Zero();    ///< of the triangle; zero if that is degenerate
@@ -97,20 +99,18 @@ Isometry motion_about(const Vec3& center_mm, Twist step, double radius_mm) {
 }  // namespace
 
 Result<void> BestFitOptions::validate() const {
-  if (sample_count < 6)
-    return fail(ErrorCode::kBadOption, "sample_count must be at least 6, not {}", sample_count);
-  if (max_iterations < 1)
-    return fail(ErrorCode::kBadOption, "max_iterations must be at least 1, not {}", max_iterations);
-  if (!(outlier_sigmas > 1.0))
-    return fail(ErrorCode::kBadOption, "outlier_sigmas must be above 1, not {}", outlier_sigmas);
-  return {};
+  return OptionCheck("BestFitOptions")
+      .at_least("sample_count", sample_count, 6)
+      .at_least("max_iterations", max_iterations, 1)
+      .above("outlier_sigmas", outlier_sigmas, 1.0)
+      .result();
 }
 
 Result<BestFit> best_fit(const TriangleMesh& result, const TriangleMesh& truth,
                          const BestFitOptions& options, const Workers& workers) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (result.vertices.empty() || truth.triangles.empty())
-    return fail(ErrorCode::kInsufficient, "the {} has no surface to fit",
+    return fail(ErrorCode::kInsufficient, "the {} is empty: no surface to fit",
                 result.vertices.empty() ? "result" : "true mesh");
   const MeshDistance to_truth(truth);
   const Samples samples = draw_samples(result, options.sample_count);

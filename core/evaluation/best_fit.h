@@ -1,4 +1,5 @@
-/// @file  The rigid motion that lays a result onto the true surface: takes the gauge out of errors.
+/// @file  Finds the rigid motion that fits a result to the true surface, so that errors do not
+///          depend on the frame.
 #pragma once
 
 #include "core/base/result.h"
@@ -9,17 +10,17 @@
 namespace flytri::evaluation {
 
 struct BestFitOptions {
-  int sample_count = 20000;  ///< >= 6. Vertices that take part, evenly through the list: the motion
-                             ///< has six unknowns, more of them would only cost time.
-  int max_iterations = 50;   ///< >= 1. From within a few mm it takes about ten.
+  int sample_count = 20000;     ///< >= 6. Number of vertices used, evenly spaced in the list. The
+                                ///< motion has six unknowns, so more would only take time.
+  int max_iterations = 50;      ///< >= 1. About ten are enough from a start within a few mm.
   double outlier_sigmas = 4.7;  ///< > 1. Tukey's cutoff in robust standard deviations: 95 %
-                                ///< efficient where errors are normal.
+                                ///< efficient for normally distributed errors.
   [[nodiscard]] Result<void> validate() const;
 };
 
 enum class BestFitOutcome {
   kConverged,
-  kStillMoving,  ///< max_iterations were not enough; the motion is the last one
+  kStillMoving,  ///< max_iterations reached; the motion is that of the last iteration
 };
 
 struct BestFit {
@@ -28,8 +29,8 @@ struct BestFit {
   int iterations = 0;
 };
 
-/// Iterates closest points and point-to-plane least squares with Tukey's weights, starting from
-/// where the result lies. Directions that the surface leaves free (along a plane) stay as they are.
+/// Iterates closest points and point-to-plane least squares with Tukey's weights, starting at the
+/// present pose. Directions that the surface does not determine (along a plane) are not changed.
 /// @source  Chen and Medioni, "Object Modelling by Registration of Multiple Range Images", 1992.
 /// @errors  kBadOption; kInsufficient: one of the meshes is empty.
 [[nodiscard]] Result<BestFit> best_fit(const TriangleMesh& result, const TriangleMesh& truth,

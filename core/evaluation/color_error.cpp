@@ -44,7 +44,7 @@ ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth, do
   if (places.empty()) return {};
   const auto reach_mm = static_cast<float>(within_mm);
   const PointGrid grid(places, reach_mm);
-  // Far apart in the list of vertices is far apart on the surface.
+  // Vertices that are far apart in the list are usually far apart on the surface.
   const std::size_t elsewhere = truth.vertices.size() / 2;
   std::vector<double> here(result.mesh.vertices.size(), -1.0);
   std::vector<double> there(here);
@@ -70,7 +70,7 @@ ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth, do
   ColorError error;
   error.count = static_cast<std::int64_t>(here.size());
   if (here.empty()) return error;
-  // Vertices that were left out add nothing to the sum.
+  // Vertices without a near true vertex have zero in `srgb`.
   error.mean_srgb =
       std::accumulate(srgb.begin(), srgb.end(), 0.0) / static_cast<double>(here.size());
   std::sort(here.begin(), here.end());

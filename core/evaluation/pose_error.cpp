@@ -5,10 +5,10 @@
 namespace flytri::evaluation {
 namespace {
 
-/// Every n-th point of a profile tells its pose's error as well as all.
+/// Every n-th point of a profile is enough to measure the error of its pose.
 constexpr std::size_t kStride = 5;
 
-/// Points as they were placed and as they should be.
+/// Points at their estimated and their true positions.
 struct PointPairs {
   std::vector<Vec3> placed, truth;
 };
@@ -40,7 +40,7 @@ PointPairs gather(std::span<const PosePair> views, std::span<const Vec3> points_
   return pairs;
 }
 
-// A fixed count of rows would make GCC 12 warn of umeyama's inside.
+// A fixed number of rows would cause a GCC 12 warning inside umeyama.
 Eigen::Map<const Eigen::MatrixXd> columns(const std::vector<Vec3>& points) {
   return {points.front().data(), 3, static_cast<Eigen::Index>(points.size())};
 }

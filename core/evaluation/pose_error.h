@@ -1,4 +1,4 @@
-/// @file  How far points lie from where they belong by the error of their view's pose alone.
+/// @file  Displacement of points that is caused by pose errors only.
 #pragma once
 
 #include <span>
@@ -9,26 +9,27 @@
 
 namespace flytri::evaluation {
 
-/// One view's pose as it was found, and as it was.
+/// The estimated and the true pose of one view.
 struct PosePair {
-  Isometry T_world_sensor = Isometry::Identity();  ///< found; world is any frame
+  Isometry T_world_sensor = Isometry::Identity();  ///< estimated; world is any frame
   Isometry T_model_sensor = Isometry::Identity();  ///< true
 };
 
-/// RMS displacement of points that are fixed in their sensor, in two gauges, mm.
+/// RMS displacement of points that are fixed in the sensor frame, for two choices of the world
+/// frame (gauges), mm.
 struct PoseError {
-  double first_view_mm = 0.0;  ///< as it stands: the worlds agree in the first view
-  double best_fit_mm = 0.0;    ///< after the rigid motion of all points that makes it least
+  double first_view_mm = 0.0;  ///< the world frames agree in the first view
+  double best_fit_mm = 0.0;    ///< after the rigid motion of all points that minimizes it
 };
 
-/// Displacement of the same points in every view; 0 where there are none.
+/// Displacement of the same points in every view; 0 if there are none.
 /// @param views      by rising time
 /// @param points_mm  sensor frame; e.g. the corners of the measurement volume
 [[nodiscard]] PoseError pose_error(std::span<const PosePair> views,
                                    std::span<const Vec3> points_mm);
 
-/// The same in a gauge that is given.
-/// @returns RMS displacement, mm; 0 where there are no views.
+/// Same, for a given gauge.
+/// @returns RMS displacement, mm; 0 without views.
 [[nodiscard]] double pose_error_mm(std::span<const PosePair> views, const Isometry& T_model_world,
                                    std::span<const Vec3> points_mm);
 
@@ -36,14 +37,14 @@ struct PoseError {
 /// @param size_mm  edge lengths along x, y, z
 [[nodiscard]] std::vector<Vec3> volume_corners(const Vec3& size_mm);
 
-/// Displacement of the points that each view measured; 0 where there are none.
+/// Displacement of the measured points of each view; 0 if there are none.
 /// @param estimated       aligned views by rising time; world is any frame
 /// @param T_model_sensor  the true pose of each
 [[nodiscard]] PoseError pose_error(std::span<const AlignedView> estimated,
                                    std::span<const Isometry> T_model_sensor);
 
-/// RMS distance of measured points, noise included, from where the same points without noise
-/// truly are, after the best rigid fit, mm.
+/// RMS distance of measured points (with noise) from the true positions of the same points without
+/// noise, after the best rigid fit, mm.
 /// @param ideal  the same views without noise, with the same points
 [[nodiscard]] double point_error_mm(std::span<const AlignedView> estimated,
                                     std::span<const std::shared_ptr<const View>> ideal,

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/mesh_distance.h"
 
 namespace flytri::evaluation {
 namespace {
 
-// A task of the parallel loops; a query takes about a microsecond.
+// Queries per task of the parallel loops; a query takes about 1 µs.
 constexpr std::size_t kQueryGrain = 1024;
 
-// Each vertex as a triangle without extent, so that one search serves surfaces and points.
+// Each vertex as a degenerate triangle, so that MeshDistance also works for points.
 TriangleMesh vertices_alone(const TriangleMesh& mesh) {
   TriangleMesh points;
   points.vertices = mesh.vertices;
@@ -73,12 +74,10 @@ DistanceStatistics distance_statistics(std::vector<double> distances_mm) {
 }
 
 Result<void> SurfaceErrorOptions::validate() const {
-  if (!(complete_within_mm > 0.0))
-    return fail(ErrorCode::kBadOption, "complete_within_mm must be above 0, not {}",
-                complete_within_mm);
-  if (!(far_above_mm > 0.0))
-    return fail(ErrorCode::kBadOption, "far_above_mm must be above 0, not {}", far_above_mm);
-  return {};
+  return OptionCheck("SurfaceErrorOptions")
+      .positive("complete_within_mm", complete_within_mm)
+      .positive("far_above_mm", far_above_mm)
+      .result();
 }
 
 Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMesh& truth,
@@ -86,10 +85,11 @@ Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMes
                                    const SurfaceErrorOptions& options, const Workers& workers) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (result.vertices.empty() || truth.triangles.empty())
-    return fail(ErrorCode::kInsufficient, "the {} has no surface to compare",
+    return fail(ErrorCode::kInsufficient, "the {} is empty: no surface to compare",
                 result.vertices.empty() ? "result" : "true mesh");
   if (!selected.empty() && selected.size() != truth.vertices.size())
-    return fail(ErrorCode::kInconsistent, "{} selected flags do not fit {} true vertices",
+    return fail(ErrorCode::kInconsistent,
+                "{} selected flags for {} true vertices; the numbers must be equal",
                 selected.size(), truth.vertices.size());
   const MeshDistance to_truth(truth);
   std::vector<double> distances_mm(result.vertices.size());

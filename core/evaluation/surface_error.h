@@ -1,4 +1,4 @@
-/// @file  How far a result lies from the true surface, and how much of that surface it has.
+/// @file  Accuracy and completeness of a result, compared with the true surface.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace flytri::evaluation {
 
-/// Statistics of unsigned distances, mm. All 0 when nothing was counted.
+/// Statistics of unsigned distances, mm. All 0 if there are none.
 struct DistanceStatistics {
   std::int64_t count = 0;
   double rms_mm = 0.0;
@@ -20,31 +20,31 @@ struct DistanceStatistics {
   double max_mm = 0.0;
 };
 
-/// Of distances that are all finite.
+/// @param distances_mm  all finite
 [[nodiscard]] DistanceStatistics distance_statistics(std::vector<double> distances_mm);
 
-/// Share of the true surface that a result has, by two rulers.
+/// Share of the true surface that a result covers, by two criteria.
 struct Completeness {
-  std::int64_t selected = 0;  ///< true vertices that were asked for
-  double near_surface = 0.0;  ///< share with the result's surface within the distance, 0..1
+  std::int64_t selected = 0;  ///< number of selected true vertices
+  double near_surface = 0.0;  ///< share with the result's surface within complete_within_mm, 0..1
   double near_vertex = 0.0;   ///< share with one of the result's vertices within it, 0..1
 };
 
 struct SurfaceErrorOptions {
-  double complete_within_mm = 0.1;  ///< > 0. Half the spacing that a dental model is printed with.
-  double far_above_mm = 0.1;  ///< > 0. Beyond it a vertex is no longer part of the surface for a
+  double complete_within_mm = 0.1;  ///< > 0. Half the layer spacing of a printed dental model.
+  double far_above_mm = 0.1;  ///< > 0. A vertex farther away does not belong to the surface of a
                               ///< dental model.
   [[nodiscard]] Result<void> validate() const;
 };
 
 struct SurfaceError {
-  DistanceStatistics distance;  ///< every vertex of the result to the true surface
+  DistanceStatistics distance;  ///< from every vertex of the result to the true surface
   double far_share = 0.0;       ///< share of those above far_above_mm, 0..1
   Completeness completeness;
 };
 
 /// Compares two meshes that lie in the same frame.
-/// @param result    its vertices are judged, one by one, outliers included
+/// @param result    all its vertices count, including outliers
 /// @param selected  parallel to truth.vertices: which of them could be measured; empty: all
 /// @errors  kBadOption; kInsufficient: one of the meshes is empty; kInconsistent: length of
 ///          `selected`.

@@ -4,7 +4,7 @@ namespace flytri {
 
 BoxTree::BoxTree(const CubicCurve& curve) {
   nodes_.push_back({{}, 0, static_cast<std::uint32_t>(curve.knot_count()), 0});
-  // The vector grows while it is walked: every node is split when its turn comes.
+  // The loop splits each node; the vector grows meanwhile.
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto [begin, end] = std::pair(nodes_[i].begin, nodes_[i].end);
     if (end - begin <= kLeafKnots) continue;

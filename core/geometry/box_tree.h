@@ -1,4 +1,5 @@
-/// @file  A binary tree of bounding boxes over the knots of a curve, run by run.
+/// @file  A binary tree of bounding boxes over the knots of a curve. Each box covers consecutive
+///          knots.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 namespace flytri {
 
-/// Axis-parallel box. The fourth coordinate stays 0: four fill a register.
+/// Axis-parallel box. The fourth coordinate is always 0: four floats fill a register.
 struct Box {
   Eigen::Vector4f low = Eigen::Vector4f(1e30F, 1e30F, 1e30F, 0.0F);
   Eigen::Vector4f high = Eigen::Vector4f(-1e30F, -1e30F, -1e30F, 0.0F);
@@ -19,8 +20,8 @@ struct Box {
   }
   void add(const Box& other) { low = low.cwiseMin(other.low), high = high.cwiseMax(other.high); }
   [[nodiscard]] float largest_side() const { return (high - low).maxCoeff(); }
-  /// Squared distance between the nearest points of two boxes, 0 if they meet. Summed in the order
-  /// in which points' distances are: it never exceeds the rounded distance of two points inside.
+  /// Squared distance between the nearest points of two boxes, 0 if they touch. Summed in the same
+  /// order as distances of points, so it never exceeds the rounded distance of two points inside.
   [[nodiscard]] float squared_distance(const Box& other) const {
     const Eigen::Vector4f gap =
         (low - other.high).cwiseMax(other.low - high).cwiseMax(Eigen::Vector4f::Zero());
@@ -29,7 +30,7 @@ struct Box {
 };
 
 /// Node 0 is the whole curve. A node covers the knots [begin, end); a leaf has at most kLeafKnots.
-/// Children stand next to each other, behind their parent.
+/// The two children of a node are neighbors, after their parent.
 class BoxTree {
  public:
   static constexpr std::uint32_t kLeafKnots = 6;

@@ -32,7 +32,8 @@ Vec3f closest_on_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const 
   const bool beyond_ca = normal.cross(a - c).dot(p - c) <= 0.0F;
   if (!beyond_ab && !beyond_bc && !beyond_ca)
     return p - (p - a).dot(normal) / normal.squaredNorm() * normal;
-  // Outside an edge: on one of the three edges. Trying all keeps slivers exact.
+  // The closest point is on one of the three edges. Trying all is exact for very thin triangles
+  // too.
   const std::array candidates = {closest_on_segment(p, a, b), closest_on_segment(p, b, c),
                                  closest_on_segment(p, c, a)};
   return *std::min_element(candidates.begin(), candidates.end(),
@@ -53,7 +54,7 @@ MeshDistance::MeshDistance(const TriangleMesh& mesh) {
   Node root;
   root.end = static_cast<std::uint32_t>(corners_.size());
   nodes_.push_back(root);
-  // Children are appended, so that the list grows while it is walked.
+  // split() appends children, so the list grows during the loop.
   for (std::uint32_t node = 0; node < nodes_.size(); ++node) split(node);
 }
 
@@ -85,7 +86,7 @@ void MeshDistance::split(std::uint32_t index) {
 }
 
 MeshDistance::Closest MeshDistance::closest(const Vec3f& query_mm, double limit_mm) const {
-  // Halving to leaves of 4 keeps the tree of 2^32 triangles below this depth.
+  // Enough for 2^32 triangles: each level halves them, and a leaf has up to 4.
   constexpr std::size_t kMaxDepth = 64;
   struct Pending {
     std::uint32_t node;

@@ -1,4 +1,4 @@
-/// @file  The closest point on a triangle mesh, exactly and fast.
+/// @file  Finds the closest point on a triangle mesh.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@ namespace flytri {
 /// A triangle mesh prepared for distance queries. Immutable; queries are thread-safe.
 class MeshDistance {
  public:
-  /// Copies the corners. Triangle indices must be valid; triangles that are not finite are left
-  /// out.
+  /// Copies the corners. Triangle indices must be valid; triangles with a coordinate that is not
+  /// finite are skipped.
   explicit MeshDistance(const TriangleMesh& mesh);
 
   /// The point of the surface closest to a query.
   struct Closest {
-    double distance_mm = 0.0;  ///< infinite if there is no surface within the limit
+    double distance_mm = 0.0;  ///< infinite if no surface is within the limit
     Vec3f point_mm = Vec3f::Zero();
     std::uint32_t triangle = 0;  ///< index in TriangleMesh::triangles
   };
-  /// @param limit_mm  surface farther away is not looked for
+  /// @param limit_mm  only surface up to this distance is searched
   [[nodiscard]] Closest closest(const Vec3f& query_mm, double limit_mm = 1e30) const;
 
  private:
@@ -29,7 +29,8 @@ class MeshDistance {
     Vec3f a, b, c;
     std::uint32_t triangle = 0;
   };
-  // A box of triangles: leaves hold [begin, end), others have children at `child` and `child` + 1.
+  // Bounding box of triangles. A leaf has the triangles [begin, end); other nodes have the children
+  // `child` and `child` + 1.
   struct Node {
     Vec3f low = Vec3f::Zero(), high = Vec3f::Zero();
     std::uint32_t begin = 0, end = 0, child = 0;

@@ -1,4 +1,4 @@
-/// @file  Points on the measured surface, before and after they are thinned.
+/// @file  Points on the measured surface, before and after data reduction.
 #pragma once
 
 #include <array>
@@ -10,21 +10,21 @@
 
 namespace flytri {
 
-/// sRGB, 8 bits a channel.
+/// sRGB, 8 bits per channel.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// What an untextured surface looks like: light plaster.
+/// Color of a surface without texture: light plaster.
 inline constexpr Rgb kUntexturedColor = {226, 222, 212};
 
-/// One measured point with its normal, in the world frame, still as noisy as the sensor.
+/// One measured point with its normal, in the world frame, with the full noise of the sensor.
 struct SurfaceSample {
   Vec3f position_mm;
   Vec3f normal;        ///< unit, outwards (towards the sensor)
-  Vec3f deviation_mm;  ///< ProfilePoint::deviation_mm turned into the world frame
-  ViewIndex view;      ///< which view saw it
+  Vec3f deviation_mm;  ///< ProfilePoint::deviation_mm rotated into the world frame
+  ViewIndex view;      ///< the view that measured it
 };
 
-/// One point of the thinned surface, in the world frame.
+/// One point of the reduced surface, in the world frame.
 struct SurfacePoint {
   Vec3f position_mm = Vec3f::Zero();
   Vec3f normal = Vec3f::UnitZ();  ///< unit, outwards

@@ -12,16 +12,6 @@ namespace {
 
 constexpr std::uint32_t kNoRow = std::numeric_limits<std::uint32_t>::max();
 
-std::uint64_t row_key(std::int32_t iy, std::int32_t iz) {
-  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(iy)) << 32) |
-         static_cast<std::uint32_t>(iz);
-}
-
-std::size_t scramble(std::uint64_t key) {
-  key *= 0x9e3779b97f4a7c15ULL;
-  return static_cast<std::size_t>(key ^ (key >> 29));
-}
-
 float square(float x) { return x * x; }
 
 /// Distance from `x` to the interval of cell `i`.
@@ -40,23 +30,23 @@ PointGrid::PointGrid(std::span<const Vec3f> points_mm, float cell_mm)
     : inverse_cell_(1.0F / cell_mm), cell_mm_(cell_mm) {
   assert(cell_mm > 0.0F);
   struct Keyed {
-    std::uint64_t key;
+    CellKey row;
     float x;
     std::uint32_t index;
   };
   std::vector<Keyed> order(points_mm.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Vec3f& p = points_mm[i];
-    order[i] = {row_key(cell_of(p.y()), cell_of(p.z())), p.x(), static_cast<std::uint32_t>(i)};
+    order[i] = {CellKey(0, cell_of(p.y()), cell_of(p.z())), p.x(), static_cast<std::uint32_t>(i)};
   }
   std::sort(order.begin(), order.end(), [](const Keyed& a, const Keyed& b) {
-    if (a.key != b.key) return a.key < b.key;
+    if (a.row != b.row) return a.row < b.row;
     return a.x != b.x ? a.x < b.x : a.index < b.index;
   });
-  std::vector<std::uint64_t> entry_keys(order.size());
+  std::vector<CellKey> entry_keys(order.size());
   points_.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    entry_keys[i] = order[i].key;
+    entry_keys[i] = order[i].row;
     points_[i] = {points_mm[order[i].index], order[i].index};
   }
   build_rows(entry_keys);
@@ -66,7 +56,7 @@ std::int32_t PointGrid::cell_of(float coordinate_mm) const {
   return static_cast<std::int32_t>(std::floor(coordinate_mm * inverse_cell_));
 }
 
-void PointGrid::build_rows(const std::vector<std::uint64_t>& entry_keys) {
+void PointGrid::build_rows(const std::vector<CellKey>& entry_keys) {
   for (std::size_t i = 0; i < entry_keys.size(); ++i) {
     const auto at = static_cast<std::uint32_t>(i);
     if (i == 0 || entry_keys[i] != entry_keys[i - 1]) rows_.push_back({entry_keys[i], at, at});
@@ -74,14 +64,14 @@ void PointGrid::build_rows(const std::vector<std::uint64_t>& entry_keys) {
   }
   slots_.assign(std::bit_ceil(2 * rows_.size() + 1), kNoRow);
   for (std::size_t r = 0; r < rows_.size(); ++r) {
-    std::size_t slot = scramble(rows_[r].key) & (slots_.size() - 1);
+    std::size_t slot = hash_of(rows_[r].key) & (slots_.size() - 1);
     while (slots_[slot] != kNoRow) slot = (slot + 1) & (slots_.size() - 1);
     slots_[slot] = static_cast<std::uint32_t>(r);
   }
 }
 
-const PointGrid::Row* PointGrid::find_row(std::uint64_t key) const {
-  std::size_t slot = scramble(key) & (slots_.size() - 1);
+const PointGrid::Row* PointGrid::find_row(CellKey key) const {
+  std::size_t slot = hash_of(key) & (slots_.size() - 1);
   for (; slots_[slot] != kNoRow; slot = (slot + 1) & (slots_.size() - 1)) {
     if (rows_[slots_[slot]].key == key) return &rows_[slots_[slot]];
   }
@@ -97,10 +87,10 @@ void PointGrid::visit_within(const Vec3f& center_mm, float radius_mm, const Visi
     const float gap_z2 = square(gap_to_cell(center_mm.z(), iz, cell_mm_));
     for (std::int32_t iy = cell_of(center_mm.y() - radius_mm); iy <= y_end; ++iy) {
       const float gap2 = gap_z2 + square(gap_to_cell(center_mm.y(), iy, cell_mm_));
-      // The cell's bounds are rounded: a little slack keeps points that lie on them.
+      // The bounds of the cell are rounded: the margin keeps points on the bounds.
       const float rest2 = limit2 * 1.0001F - gap2;
       if (rest2 < 0.0F) continue;
-      const Row* row = find_row(row_key(iy, iz));
+      const Row* row = find_row({0, iy, iz});
       if (row == nullptr) continue;
       const float reach_x = std::sqrt(rest2);
       const auto end = points_.begin() + row->end;
@@ -126,7 +116,7 @@ void PointGrid::within(const Vec3f& center_mm, float radius_mm,
 
 std::optional<Neighbor> PointGrid::nearest(const Vec3f& center_mm, float max_distance_mm) const {
   std::optional<Neighbor> best;
-  // Small balls first: most searches end in the first one.
+  // Small radius first: most searches end there.
   for (float radius = std::min(cell_mm_, max_distance_mm); !best; radius *= 2.0F) {
     radius = std::min(radius, max_distance_mm);
     visit_within(center_mm, radius, [&](const Entry& entry, float distance2) {

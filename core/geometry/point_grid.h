@@ -1,4 +1,4 @@
-/// @file  Finds the points near a place: all within a radius, or the nearest few.
+/// @file  Finds points near a place: all within a radius, or the nearest ones.
 #pragma once
 
 #include <cstddef>
@@ -7,32 +7,33 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/rigid.h"
+#include "core/geometry/cell_key.h"
 
 namespace flytri {
 
-/// A point that a search found.
+/// A point found by a search.
 struct Neighbor {
   std::uint32_t index = 0;     ///< position in the list that the grid was built from
-  float distance2_mm2 = 0.0F;  ///< squared distance to the place of the search
+  float distance2_mm2 = 0.0F;  ///< squared distance to the center of the search
 };
 
 /// An immutable copy of the points, sorted into rows of a uniform grid and by x within each row, so
-/// that a search reads few stretches of memory. Searches are safe from several threads.
+/// that a search reads few contiguous ranges of memory. Searches are thread-safe.
 ///
-/// docs/adr/0003-meshing.md compares it with a k-d tree.
+/// docs/adr/0003-meshing.md compares the grid with a k-d tree.
 class PointGrid {
  public:
-  /// @param cell_mm  > 0: width of a row. Best near the usual search radius.
+  /// @param cell_mm  > 0: width of a row. Fastest near the usual search radius.
   PointGrid(std::span<const Vec3f> points_mm, float cell_mm);
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
 
-  /// Replaces `found` by all points at most `radius_mm` from `center_mm`. Their order is always the
-  /// same for the same points, but means nothing.
+  /// Replaces `found` by all points at most `radius_mm` from `center_mm`. Their order is
+  /// reproducible, but not sorted.
   void within(const Vec3f& center_mm, float radius_mm, std::vector<Neighbor>& found) const;
 
-  /// The nearest point at most `max_distance_mm` away, if any; of equally near ones the first.
+  /// The nearest point at most `max_distance_mm` away, if any; among equal distances the lowest
+  /// index.
   [[nodiscard]] std::optional<Neighbor> nearest(const Vec3f& center_mm,
                                                 float max_distance_mm) const;
 
@@ -47,15 +48,15 @@ class PointGrid {
   };
   /// Consecutive entries of one row.
   struct Row {
-    std::uint64_t key;
+    CellKey key;  ///< of its cell with x = 0
     std::uint32_t begin, end;
   };
 
   [[nodiscard]] std::int32_t cell_of(float coordinate_mm) const;
-  void build_rows(const std::vector<std::uint64_t>& entry_keys);
-  [[nodiscard]] const Row* find_row(std::uint64_t key) const;
+  void build_rows(const std::vector<CellKey>& entry_keys);
+  [[nodiscard]] const Row* find_row(CellKey key) const;
   /// Calls visit(entry, squared distance) for entries within the radius; visit returns the squared
-  /// radius that is still of interest.
+  /// radius for the rest of the search.
   template <typename Visit>
   void visit_within(const Vec3f& center_mm, float radius_mm, const Visit& visit) const;
 

@@ -1,4 +1,4 @@
-/// @file  The typical distance of neighboring points on the profiles of a scan.
+/// @file  Typical distance of neighboring points on the profiles of a scan.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace flytri {
 
-/// Median over the profiles of their mean point spacing, mm; 0 without points. The natural unit of
-/// lengths on the surface: it scales with the sensor.
+/// Median of the mean point spacings of the profiles, mm; 0 without points. Lengths on the surface
+/// are given in this unit, because it scales with the sensor.
 [[nodiscard]] double median_point_spacing_mm(std::span<const AlignedView> views);
 
 }  // namespace flytri

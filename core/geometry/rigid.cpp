@@ -15,7 +15,7 @@ Isometry make_isometry(const Eigen::Quaterniond& q_a_b, const Vec3& t_a_b_mm) {
 Isometry exp_twist(const Twist& twist) {
   const Vec3 rotation = twist.head<3>();
   const double angle = rotation.norm();
-  // sin(a/2)/a by its series near zero, where the quotient loses its digits.
+  // sin(a/2)/a; near zero by its series, because the quotient loses precision there.
   const double half_sinc = angle > 1e-6 ? std::sin(0.5 * angle) / angle : 0.5 - angle * angle / 48;
   Eigen::Quaterniond q;
   q.w() = std::cos(0.5 * angle);

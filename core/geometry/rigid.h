@@ -1,4 +1,4 @@
-/// @file  Rigid motions: `p_a = T_a_b * p_b`, and their small changes as twists.
+/// @file  Rigid motions `p_a = T_a_b * p_b`, and small motions as twists.
 #pragma once
 
 #include <Eigen/Dense>
@@ -19,7 +19,8 @@ using Twist = Eigen::Matrix<double, 6, 1>;
 /// The twist of a rigid motion: inverse of exp_twist for rotations below pi.
 [[nodiscard]] Twist log_twist(const Isometry& T_a_b);
 
-/// Between T_a_b at 0 and T_a_c at 1: slerp of the rotation, straight line of the origin.
+/// A pose between T_a_b (share 0) and T_a_c (share 1): slerp of the rotation, linear in the
+/// translation.
 [[nodiscard]] Isometry interpolate(const Isometry& T_a_b, const Isometry& T_a_c, double share);
 
 /// Rotation angle of a rigid motion in rad, 0..pi.

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri {
 namespace {
 
-/// Below this a Gaussian touches no neighbor.
+/// A Gaussian narrower than this has no weight on neighbors.
 constexpr double kNoSmoothing = 0.4;
-/// Windows end here; the weight is 4 % there.
+/// End of the window, where the weight is 4 %.
 constexpr double kWindowSigmas = 2.5;
 
 /// Gaussian weights by distance in sigmas, from a table: exp() would dominate the smoothing.
@@ -40,11 +41,10 @@ class GaussianTable {
 struct Moments {
   double s0 = 0, s1 = 0, s2 = 0, s3 = 0, s4 = 0;
   Vec3 p0 = Vec3::Zero(), p1 = Vec3::Zero(), p2 = Vec3::Zero();
-  double low_t = 0, high_t = 0;  ///< reach of the window to both sides, in sigmas
+  double low_t = 0, high_t = 0;  ///< extent of the window to both sides, in sigmas
 };
 
-/// Moments while they are summed: (p, 1) fills a register of four, so that sums of w t^i come
-/// along.
+/// Sums of the moments. (p, 1) fills a register of four, so the sums of w t^i need no extra work.
 struct MomentSums {
   Eigen::Vector4d by_t0 = Eigen::Vector4d::Zero();
   Eigen::Vector4d by_t1 = Eigen::Vector4d::Zero();
@@ -59,7 +59,7 @@ struct MomentSums {
   }
 };
 
-/// @param stride  takes every stride-th point, from the center outwards.
+/// @param stride  uses every stride-th point, starting at the center
 Moments gather(std::span<const ProfilePoint> points, std::size_t center, double sigma_px,
                std::size_t stride = 1) {
   static const GaussianTable gaussian;
@@ -84,20 +84,20 @@ Moments gather(std::span<const ProfilePoint> points, std::size_t center, double 
   return m;
 }
 
-/// Value at t = 0, relative to the center point, with the share of the noise that it keeps.
+/// Value at t = 0 relative to the center point, and the share of the noise that remains.
 struct Value {
   Vec3 offset_mm;
   double noise_gain;
 };
 
-/// Local line: exact for straight profiles also at one-sided windows.
+/// Local line: exact for straight profiles, also in one-sided windows.
 Value linear_value(const Moments& m) {
   const double det = m.s0 * m.s2 - m.s1 * m.s1;
   if (det <= 1e-9 * m.s0 * m.s0) return {Vec3::Zero(), 1.0};
   return {(m.s2 * m.p0 - m.s1 * m.p1) / det, m.s2 / det};
 }
 
-/// Local parabola for windows that reach to both sides.
+/// Local parabola for windows with points on both sides.
 Value quadratic_value(const Moments& m) {
   Eigen::Matrix3d S;
   S << m.s0, m.s1, m.s2, m.s1, m.s2, m.s3, m.s2, m.s3, m.s4;
@@ -108,7 +108,7 @@ Value quadratic_value(const Moments& m) {
   return {row[0] * m.p0 + row[1] * m.p1 + row[2] * m.p2, row[0]};
 }
 
-/// Slope by t of the local line.
+/// Slope of the local line with respect to t.
 Vec3 linear_slope(const Moments& m) {
   return (m.s0 * m.p1 - m.s1 * m.p0) / std::max(m.s0 * m.s2 - m.s1 * m.s1, 1e-12);
 }
@@ -129,13 +129,13 @@ SmoothedPoint smooth_point(std::span<const ProfilePoint> points, std::size_t i, 
     const bool inside = std::min(-m.low_t, m.high_t) > 0.5 * kWindowSigmas;
     const Value value = inside ? quadratic_value(m) : linear_value(m);
     result.position_mm += value.offset_mm;
-    // The value's weights are w (c0 + c1 t + c2 t²); for Gaussian weights the sum of their squares
-    // is close to 1/sqrt(2) of the weight that they give to the center.
+    // The value's weights are w (c0 + c1 t + c2 t²); for Gaussian weights, the sum of their squares
+    // is about 1/sqrt(2) of the weight of the center.
     gain = std::sqrt(std::min(1.0, value.noise_gain * std::numbers::sqrt2 / 2.0));
   }
   result.deviation_mm = gain * points[i].deviation_mm.cast<double>();
   const double wide_px = std::max(2.0 * sigma_px, spacing_px(points));
-  // Wide windows overlap more than they inform: a few points a sigma say the same.
+  // In a wide window, a few points per sigma give the same direction as all points.
   const auto stride = static_cast<std::size_t>(std::max(1.0, wide_px / spacing_px(points) / 4.0));
   result.direction = linear_slope(gather(points, i, wide_px, stride)).normalized();
   return result;
@@ -144,20 +144,15 @@ SmoothedPoint smooth_point(std::span<const ProfilePoint> points, std::size_t i, 
 }  // namespace
 
 Result<void> SmoothingOptions::validate() const {
-  if (!(max_direction_noise_rad > 0.0 && max_direction_noise_rad <= 1.0)) {
-    return fail(ErrorCode::kBadOption, "max_direction_noise_rad is {}, must be in (0, 1]",
-                max_direction_noise_rad);
-  }
-  if (!(max_sigma_samples >= 0.5 && max_sigma_samples <= 100.0)) {
-    return fail(ErrorCode::kBadOption, "max_sigma_samples is {}, must be in [0.5, 100]",
-                max_sigma_samples);
-  }
-  return {};
+  return OptionCheck("SmoothingOptions")
+      .positive_up_to("max_direction_noise_rad", max_direction_noise_rad, 1.0)
+      .in_range("max_sigma_samples", max_sigma_samples, 0.5, 100.0)
+      .result();
 }
 
 double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOptions& options) {
-  // Second differences over three samples: speckle is correlated between neighbors, and would hide
-  // in closer ones.
+  // Second differences over three samples. Speckle is correlated between neighbors, so closer
+  // samples would show too little of it.
   constexpr std::size_t kLag = 3;
   if (points.size() < 2 * kLag + 2) return 0.0;
   std::vector<double> stated, bends, steps;
@@ -169,8 +164,8 @@ double smoothing_sigma(std::span<const ProfilePoint> points, const SmoothingOpti
     steps.push_back((after - before).norm() / (2.0 * kLag));
     bends.push_back((after + before - 2.0 * p).norm());
   }
-  // White noise of 1 gives second differences of sqrt(6); 0.6745 turns a median into a deviation.
-  const double shown_mm = median_of(bends) / (0.6745 * std::sqrt(6.0));
+  // White noise of 1 gives second differences of sqrt(6).
+  const double shown_mm = median_of(bends) / (kMedianOfSigma * std::sqrt(6.0));
   const double noise_mm = std::clamp(median_of(stated), shown_mm, 2.0 * shown_mm);
   const double ratio = noise_mm / std::max(median_of(steps), 1e-9);
   // Slope of a Gaussian-weighted line fit over sigma samples: variance = ratio² / (4 sqrt(pi)

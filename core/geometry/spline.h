@@ -1,4 +1,4 @@
-/// @file  Cubic curves through points in space: position, direction and second-order smoothness.
+/// @file  Cubic spline curves through points in space.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,17 @@
 
 namespace flytri {
 
-/// A place on a curve: piece `floor(x)`, share `x - floor(x)` of the way to the next knot.
+/// A place on a curve. x = 3.5 lies in the middle between knots 3 and 4.
 struct CurvePoint {
   Vec3 position_mm;
-  Vec3 derivative_mm;  ///< of the position by x: along the tangent, jumps in length at knots
+  Vec3 derivative_mm;  ///< of the position by x: along the tangent; its length jumps at knots
 };
 
-/// A twice continuously differentiable cubic spline through its knots (natural ends), held as
-/// cubic Hermite pieces. Positions are in the frame of the points it was made from.
+/// A twice continuously differentiable cubic spline through its knots (natural ends), stored as
+/// cubic Hermite segments. Positions are in the frame of the input points.
 ///
-/// Single precision holds the knots: at 500 mm it still resolves 0.03 µm, and a scan keeps
-/// millions of them.
+/// Knots are stored in single precision, because a scan has millions of them: at 500 mm it still
+/// resolves 0.03 µm.
 class CubicCurve {
  public:
   CubicCurve() = default;
@@ -35,7 +35,7 @@ class CubicCurve {
   /// @param x  0..end(); clamped.
   [[nodiscard]] CurvePoint at(double x) const;
 
-  /// The same curve seen from frame a.
+  /// Transforms the curve from frame b to frame a.
   void transform(const Isometry& T_a_b);
 
  private:

@@ -20,9 +20,9 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;
 };
 
-/// A mesh cut into charts, each corner with a place in one texture image.
-/// `mesh.vertices` holds a vertex once per chart it belongs to; `uv` is parallel to it, with
-/// (0, 0) at the upper left corner of the image and (1, 1) at the lower right, as glTF has it.
+/// A mesh cut into charts, with texture coordinates in one image. `mesh.vertices` has one copy of a
+/// vertex for each of its charts; `uv` is parallel to it. As in glTF, (0, 0) is the upper left
+/// corner of the image and (1, 1) the lower right.
 struct TexturedMesh {
   TriangleMesh mesh;
   std::vector<Eigen::Vector2f> uv;  ///< empty: no texture

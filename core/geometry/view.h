@@ -1,4 +1,4 @@
-/// @file  A sparse 3D view: exact points along few line profiles, in the sensor frame.
+/// @file  A sparse 3D view: points along line profiles, in the sensor frame.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,11 @@ namespace flytri {
 /// One measured point of a line profile.
 struct ProfilePoint {
   Vec3 position_mm;    ///< sensor frame
-  Vec3f deviation_mm;  ///< where the point would go, relative to where it is, if the line lay one
-                       ///< standard uncertainty of its localization farther along its row or
-                       ///< column: direction and size of the measurement noise, sensor frame
-  float along_px = 0;  ///< image row (vertical pattern) or column (horizontal) it was measured in
+  Vec3f deviation_mm;  ///< displacement of the point if the line moved by one standard uncertainty
+                       ///< of its localization across its direction: direction and size of the
+                       ///< measurement noise, sensor frame
+  float along_px = 0;  ///< image row (vertical pattern) or column (horizontal pattern) of the
+                       ///< measurement
 };
 
 /// A connected run of points on one projected line: neighbors in the vector are neighbors on the
@@ -28,7 +29,7 @@ struct Profile {
   std::vector<ProfilePoint> points;  ///< by rising along_px, at least 2
 };
 
-/// What one measurement frame became (paper: V_i or H_i).
+/// The measured points of one frame (paper: V_i or H_i).
 struct View {
   Pattern pattern = Pattern::kVertical;
   FrameIndex frame;
@@ -42,12 +43,12 @@ struct View {
   }
 };
 
-/// What is left of a view when its points are let go: when it was taken, and how.
+/// A copy of the view without its points: only pattern, frame and time.
 [[nodiscard]] inline std::shared_ptr<const View> without_points(const View& view) {
   return std::make_shared<const View>(View{view.pattern, view.frame, view.time_s, {}});
 }
 
-/// A view with its place in the world (paper: S_i). The view itself never changes, its pose does.
+/// A view with its pose in the world (paper: S_i). The view never changes; the pose may.
 struct AlignedView {
   std::shared_ptr<const View> view;
   Isometry T_world_sensor = Isometry::Identity();

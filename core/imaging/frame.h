@@ -1,4 +1,4 @@
-/// @file  What a sensor delivers: one image, what lit it, and when.
+/// @file  One image of a sensor: which light was on, and when it was taken.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -16,7 +16,7 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-/// What a frame shows. kUnknown: a measurement frame whose pattern is to be told from the image.
+/// What a frame shows. kUnknown: a measurement frame; its pattern is recognized from the image.
 enum class FrameKind { kVertical, kHorizontal, kTexture, kUnknown };
 
 [[nodiscard]] constexpr std::optional<Pattern> pattern_of(FrameKind kind) {
@@ -26,7 +26,7 @@ enum class FrameKind { kVertical, kHorizontal, kTexture, kUnknown };
 }
 
 /// One exposure. Measurement frames are CV_8UC1 or CV_16UC1, linear in light; texture frames are
-/// CV_8UC3 in R, G, B order, sRGB. The image is shared and never written to.
+/// CV_8UC3 in R, G, B order, sRGB. Copies of a frame share the image, which is never modified.
 struct Frame {
   FrameIndex index;  ///< position in the recording
   FrameKind kind = FrameKind::kUnknown;

@@ -1,4 +1,4 @@
-/// @file  Which of the two crossed line patterns lit a frame, and which image axis runs along it.
+/// @file  The two crossed line patterns, and the image axis along each.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ inline constexpr std::array kPatterns = {Pattern::kVertical, Pattern::kHorizonta
   return pattern == Pattern::kVertical ? "vertical" : "horizontal";
 }
 
-/// A pixel as seen from a line: `along` counts the rows (vertical) or columns (horizontal) that the
-/// line passes, `across` is where it lies in that row or column.
+/// A pixel in coordinates of a line: `along` is the row (vertical pattern) or column (horizontal
+/// pattern), `across` the position of the line in that row or column.
 struct LinePixel {
   double along_px = 0.0;
   double across_px = 0.0;

@@ -1,4 +1,4 @@
-/// @file  sRGB to the linear light of glTF's vertex colors, and back.
+/// @file  Converts sRGB to the linear vertex colors of glTF, and back.
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,8 @@
 
 namespace flytri {
 
-/// @source  IEC 61966-2-1, as 16-bit share of full light: 20 steps and more apart for neighbors.
+/// @source  IEC 61966-2-1, as a 16-bit share of full brightness. Neighboring sRGB values differ by
+///          at least 20.
 [[nodiscard]] inline std::uint16_t to_linear(std::uint8_t srgb) {
   const double value = srgb / 255.0;
   const double linear = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);

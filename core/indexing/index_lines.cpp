@@ -4,13 +4,14 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri::indexing {
 namespace {
 
-/// The line whose unique area, grown by the margin, holds the sample. Grown areas that meet are
-/// told apart by the nearer area.
+/// The line whose unique area, enlarged by the margin, contains the sample. If two enlarged areas
+/// contain it, the nearer area is taken.
 std::optional<LineIndex> line_at(const calibration::PatternCalibration& pattern,
                                  const localization::LineSample& sample, double margin) {
   std::optional<LineIndex> best;
@@ -29,7 +30,7 @@ std::optional<LineIndex> line_at(const calibration::PatternCalibration& pattern,
   return best;
 }
 
-/// Width of every sample by the width that its line has there.
+/// Normalized width: width of each sample divided by the calibrated width of its line there.
 std::vector<double> width_ratios(const calibration::PatternCalibration& pattern,
                                  const IndexedTrace& segment) {
   std::vector<double> ratios;
@@ -44,18 +45,20 @@ std::vector<double> width_ratios(const calibration::PatternCalibration& pattern,
 
 bool is_within(double ratio, double limit) { return ratio < limit && ratio > 1.0 / limit; }
 
-/// Samples around which, as far as the line is wide, most widths are off; and as far beyond, where
-/// the blur mixes both lines.
+/// Marks samples that belong to another line. Around each marked sample, within one line width,
+/// most widths are wrong; samples one line width beyond are marked too, because the blur mixes both
+/// lines there.
 std::vector<bool> find_foreign(const localization::LineTrace& samples,
                                const std::vector<double>& ratios, double limit) {
   const std::size_t size = samples.size();
   std::vector<bool> foreign(size, false);
-  std::vector<std::size_t> off_before(size + 1, 0);  // samples that are off, before each
+  std::vector<std::size_t> off_before(size + 1, 0);  // number of samples with a wrong width before
+                                                     // each
   for (std::size_t i = 0; i < size; ++i) {
     off_before[i + 1] = off_before[i] + (is_within(ratios[i], limit) ? 0U : 1U);
   }
   if (off_before.back() == 0) return foreign;
-  std::size_t done = 0;  // all before are marked
+  std::size_t done = 0;  // everything before is marked
   for (std::size_t i = 0; i < size; ++i) {
     const auto reach = static_cast<std::size_t>(std::ceil(samples[i].width_px / ratios[i]));
     const std::size_t begin = i > reach ? i - reach : 0, end = std::min(i + reach + 1, size);
@@ -65,7 +68,7 @@ std::vector<bool> find_foreign(const localization::LineTrace& samples,
   return foreign;
 }
 
-/// What is left of a segment without the samples marked, in connected pieces.
+/// The unmarked samples of a segment, as connected pieces.
 std::vector<IndexedTrace> without(const IndexedTrace& segment, const std::vector<bool>& marked) {
   std::vector<IndexedTrace> pieces;
   for (std::size_t i = 0; i < segment.samples.size(); ++i) {
@@ -76,7 +79,7 @@ std::vector<IndexedTrace> without(const IndexedTrace& segment, const std::vector
   return pieces;
 }
 
-/// True if the sample lies in the line's own area: then it lies in no other's.
+/// True if the sample lies in the line's own unique area, so in no other.
 bool is_in_area(const calibration::PatternCalibration& pattern, LineIndex line,
                 const localization::LineSample& sample) {
   const calibration::LineRow& row =
@@ -84,14 +87,14 @@ bool is_in_area(const calibration::PatternCalibration& pattern, LineIndex line,
   return row.valid() && sample.across_px >= row.area_min_px && sample.across_px <= row.area_max_px;
 }
 
-/// Maximal runs of samples of one trace with one index; the counts take those without.
+/// Cuts a trace into the longest runs with one line index. Samples without an index are counted.
 std::vector<IndexedTrace> cut(const localization::LineTrace& trace,
                               const calibration::PatternCalibration& pattern, double margin,
                               IndexCounts& counts) {
   std::vector<IndexedTrace> segments;
   std::optional<LineIndex> current;
   for (const localization::LineSample& sample : trace) {
-    // The neighbor's line is tried first: the others lie far away in memory.
+    // The line of the previous sample is tried first: the other lines are far away in memory.
     const auto line = current && is_in_area(pattern, *current, sample)
                           ? current
                           : line_at(pattern, sample, margin);
@@ -110,21 +113,13 @@ std::vector<IndexedTrace> cut(const localization::LineTrace& trace,
 }  // namespace
 
 Result<void> IndexOptions::validate() const {
-  if (!(area_margin >= 0.0 && area_margin <= 0.3)) {
-    return fail(ErrorCode::kBadOption, "area_margin is {}, must be 0..0.3", area_margin);
-  }
-  if (!(max_width_ratio > 1.0)) {
-    return fail(ErrorCode::kBadOption, "max_width_ratio is {}, must be > 1", max_width_ratio);
-  }
-  if (!(max_local_width_ratio >= max_width_ratio)) {
-    return fail(ErrorCode::kBadOption, "max_local_width_ratio is {}, must be >= max_width_ratio",
-                max_local_width_ratio);
-  }
-  if (min_segment_length < 2) {
-    return fail(ErrorCode::kBadOption, "min_segment_length is {}, must be >= 2",
-                min_segment_length);
-  }
-  return {};
+  return OptionCheck("IndexOptions")
+      .in_range("area_margin", area_margin, 0.0, 0.3)
+      .above("max_width_ratio", max_width_ratio, 1.0)
+      .must("max_local_width_ratio", max_local_width_ratio,
+            max_local_width_ratio >= max_width_ratio, "at least max_width_ratio")
+      .at_least("min_segment_length", min_segment_length, 2)
+      .result();
 }
 
 IndexedLines index_lines(const std::vector<localization::LineTrace>& traces,

@@ -4,19 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/geometry/point_spacing.h"
 
 namespace flytri::live {
 namespace {
 
-/// Wider than those of the finished scan: a screen shows no more, and it is drawn sooner.
+/// Larger than the cells of the finished scan: the screen shows no finer detail, and drawing is
+/// faster.
 constexpr double kCellSpacings = 4.5;
-/// Radius of a surfel in cells: neighbors overlap wherever in their cells their centers lie.
+/// Radius of a surfel in cells. Neighbors overlap wherever the centers lie in their cells.
 constexpr float kRadiusCells = 0.85F;
-/// Below this share of the largest, the second eigenvalue says that all profiles run one way.
+/// If the second eigenvalue is below this share of the largest, all profiles run in one direction.
 constexpr float kCrossingShare = 0.05F;
 
-/// Direction of a profile at point i, from points to both sides; zero where they coincide.
+/// Direction of a profile at point i, from points on both sides; zero if they coincide.
 Vec3f tangent(const Profile& profile, std::size_t i, std::size_t reach) {
   const std::size_t from = i > reach ? i - reach : 0;
   const std::size_t to = std::min(i + reach, profile.points.size() - 1);
@@ -24,8 +26,8 @@ Vec3f tangent(const Profile& profile, std::size_t i, std::size_t reach) {
   return step.normalized().cast<float>();
 }
 
-/// The direction least along all profiles, on the side of the sensor. Where they all run one way:
-/// the direction across them that faces the sensor most.
+/// The direction most perpendicular to all profiles, towards the sensor. If all profiles run in one
+/// direction: the perpendicular direction that faces the sensor most.
 Vec3f normal_of(const Eigen::Matrix3f& tangents, const Vec3f& towards) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(tangents);
@@ -37,7 +39,8 @@ Vec3f normal_of(const Eigen::Matrix3f& tangents, const Vec3f& towards) {
   return normal.dot(towards) < 0.0F ? Vec3f(-normal) : normal;
 }
 
-/// Whether a surfel needs not be shown anew: each point moves those that are there by little.
+/// Whether a changed surfel still looks the same and need not be published: each new point moves a
+/// surfel only slightly.
 bool look_same(const Surfel& now, const Surfel& shown, double cell_mm) {
   constexpr float kMove = 0.05F, kTurn = 0.998F, kSigma = 0.15F;
   return (now.position_mm - shown.position_mm).norm() <= kMove * static_cast<float>(cell_mm) &&
@@ -47,7 +50,7 @@ bool look_same(const Surfel& now, const Surfel& shown, double cell_mm) {
          now.textured == shown.textured && now.coverage == shown.coverage;
 }
 
-/// Area of a plane in one cell, if it lies in as many cells as it crosses.
+/// Average area of a plane in each of the cells that it crosses.
 double area_per_cell_mm2(const Vec3f& normal, double cell_mm) {
   return cell_mm * cell_mm / static_cast<double>(normal.lpNorm<1>());
 }
@@ -55,16 +58,16 @@ double area_per_cell_mm2(const Vec3f& normal, double cell_mm) {
 }  // namespace
 
 Result<void> LiveSurfaceOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "LiveSurfaceOptions::{} must be {}", name, range);
-  };
-  if (!(cell_mm >= 0.0 && std::isfinite(cell_mm))) return bad("cell_mm", ">= 0");
-  if (normal_cells < 1 || normal_cells > 16) return bad("normal_cells", "in [1, 16]");
-  if (block_cells < 4 || block_cells > 256) return bad("block_cells", "in [4, 256]");
-  if (min_points < 1) return bad("min_points", ">= 1");
-  if (good_views < 1) return bad("good_views", ">= 1");
-  if (enough_views < good_views) return bad("enough_views", ">= good_views");
-  return texture.validate();
+  return OptionCheck("LiveSurfaceOptions")
+      .must("cell_mm", cell_mm, cell_mm >= 0.0 && std::isfinite(cell_mm), "at least 0 and finite")
+      .in_range("normal_cells", normal_cells, 1, 16)
+      .in_range("block_cells", block_cells, 4, 256)
+      .at_least("min_points", min_points, 1)
+      .at_least("good_views", good_views, 1)
+      .must("enough_views", enough_views, enough_views >= good_views, "at least good_views")
+      .positive("noise_length_samples", noise_length_samples)
+      .nested(texture)
+      .result();
 }
 
 Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options) {
@@ -72,17 +75,8 @@ Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options) {
   return LiveSurface(options);
 }
 
-LiveSurface::Key LiveSurface::key(const Vec3f& p_mm, int cells) const {
-  constexpr int kBits = 21;
-  constexpr double kMiddle = 1 << (kBits - 1);
-  constexpr Key kMask = (Key{1} << kBits) - 1;
-  Key key = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double place = std::floor(static_cast<double>(p_mm[axis]) / (cell_mm_ * cells));
-    const double bounded = std::clamp(place + kMiddle, 0.0, 2.0 * kMiddle - 1.0);
-    key = (key << kBits) | (static_cast<Key>(bounded) & kMask);
-  }
-  return key;
+CellKey LiveSurface::key(const Vec3f& p_mm, int cells) const {
+  return CellKey::at(p_mm, cell_mm_ * cells);
 }
 
 double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filter) {
@@ -94,6 +88,7 @@ double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filt
       return 0.0;
     }
   }
+  ++view_count_;
   std::size_t enough = 0;
   for (const Profile& profile : view.view->profiles) enough += add_profile(profile, view, filter);
   refresh_normals();
@@ -103,7 +98,7 @@ double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filt
   return count > 0 ? static_cast<double>(enough) / static_cast<double>(count) : 0.0;
 }
 
-/// @return  points where enough views had been
+/// @return  number of points at places that enough views had seen before
 std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
                                      const editing::EditFilter& filter) {
   const Eigen::Matrix3f R = view.T_world_sensor.linear().cast<float>();
@@ -119,24 +114,32 @@ std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& 
     if (!filter.empty() && !filter.keeps(p_mm, towards, view.view->time_s)) continue;
     const std::uint32_t index = cell_at(p_mm);
     Cell& cell = cells_[index];
-    if (cell.point_count == 0.0F) cell.first_mm = p_mm;
-    cell.sum += p_mm - cell.first_mm;
-    cell.point_count += 1.0F;
-    cell.information += 1.0F / std::max(point.deviation_mm.squaredNorm(), 1e-12F);
+    add_point(cell, p_mm, R * point.deviation_mm);
     touch(index);
     NormalCell& around = normal_cells_[cell.normal_cell];
     const Vec3f o = R * tangent(profile, i, static_cast<std::size_t>(std::clamp(reach, 1.0, 64.0)));
     around.tangents += o * o.transpose();
     around.towards += towards;
     if (around.views[pattern] > options_.enough_views) ++enough;
-    if (around.latest_s[pattern] != view.view->time_s) {
-      around.latest_s[pattern] = view.view->time_s;
+    if (around.latest_view[pattern] != view_count_) {
+      around.latest_view[pattern] = view_count_;
       ++around.views[pattern];
     }
     if (!around.touched) touched_normals_.push_back(cell.normal_cell);
     around.touched = true;
   }
   return enough;
+}
+
+void LiveSurface::add_point(Cell& cell, const Vec3f& p_mm, const Vec3f& deviation_mm) const {
+  if (cell.point_count == 0.0F) cell.first_mm = p_mm;
+  cell.sum += p_mm - cell.first_mm;
+  cell.point_count += 1.0F;
+  if (cell.of_view != view_count_) cell.points_of_view = 0;
+  cell.of_view = view_count_;
+  ++cell.points_of_view;
+  const auto added = static_cast<float>(mean_variance_.added_to_sum(cell.points_of_view));
+  cell.covariance_mm2 += added * deviation_mm * deviation_mm.transpose();
 }
 
 void LiveSurface::touch(std::uint32_t cell) {
@@ -184,13 +187,13 @@ void LiveSurface::begin_normal_cell(std::uint32_t index, const Vec3f& p_mm) {
     ++near.around;
     begun.well_seen_around += near.well_seen ? 1 : 0;
   });
-  // Itself was counted as its own neighbor; the others are its neighbors as it is theirs.
+  // The loop above already counted the cube itself as its own neighbor.
   for_each_around(begun.center_mm, [&](const NormalCell& near) {
     if (&near != &normal_cells_[index]) ++begun.around;
   });
 }
 
-/// What is shown of the cubes around follows.
+/// Also updates the surfels of the cubes around.
 void LiveSurface::see_well(NormalCell& seen) {
   seen.well_seen = true;
   for_each_around(seen.center_mm, [&](NormalCell& near) {
@@ -200,12 +203,12 @@ void LiveSurface::see_well(NormalCell& seen) {
 }
 
 void LiveSurface::attach_to_block(std::uint32_t cell, const Vec3f& p_mm) {
-  const Key place = key(p_mm, options_.block_cells);
+  const CellKey place = key(p_mm, options_.block_cells);
   const auto [entry, is_new] =
       block_index_.try_emplace(place, static_cast<std::uint32_t>(blocks_.size()));
   if (is_new) {
     blocks_.emplace_back();
-    blocks_.back().place = place;
+    blocks_.back().place = place.packed();
   }
   cells_[cell].block = entry->second;
 }
@@ -214,7 +217,7 @@ void LiveSurface::join_block(std::uint32_t index) {
   Cell& cell = cells_[index];
   if (cell.in_block) return;
   cell.in_block = true;
-  // Inserted at a random place, so that the order stays random.
+  // Insert at a random position to keep the order random.
   std::vector<std::uint32_t>& cells = blocks_[cell.block].cells;
   cells.push_back(index);
   std::swap(cells.back(), cells[random_.below(cells.size())]);
@@ -228,7 +231,7 @@ void LiveSurface::refresh_normals() {
     const bool well_seen =
         around.views[0] >= options_.good_views && around.views[1] >= options_.good_views;
     if (well_seen && !around.well_seen) see_well(around);
-    // What the neighbors show follows too, each time as much is known again.
+    // The other cells of the cube are refreshed too, each time the number of views has doubled.
     const int views = around.views[0] + around.views[1];
     if (views < 2 * around.refreshed_at) continue;
     around.refreshed_at = views;
@@ -241,7 +244,7 @@ Vec3f LiveSurface::position_mm(const Cell& cell) const {
   return cell.first_mm + cell.sum / std::max(cell.point_count, 1.0F);
 }
 
-/// The normals of the cubes around a point, weighted by how near their centers are.
+/// The average normal of the cubes around a point, weighted by the distance of their centers.
 Vec3f LiveSurface::normal_at(const Vec3f& p_mm, const NormalCell& own) const {
   const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
   const Vec3f place = p_mm / edge_mm - Vec3f::Constant(0.5F);
@@ -259,7 +262,7 @@ Vec3f LiveSurface::normal_at(const Vec3f& p_mm, const NormalCell& own) const {
     const auto found = normal_index_.find(key(center * edge_mm, options_.normal_cells));
     if (found == normal_index_.end()) continue;
     const Vec3f& normal = normal_cells_[found->second].normal;
-    // The far side of a thin edge has no say.
+    // Skip the far side of a thin edge.
     if (normal.dot(own.normal) > 0.0F) sum += weight * normal;
   }
   return sum.squaredNorm() > 0.0F ? Vec3f(sum.normalized()) : own.normal;
@@ -276,7 +279,8 @@ void LiveSurface::refresh_cell(std::uint32_t index) {
     surfel.normal = normal_at(surfel.position_mm, around);
   }
   surfel.radius_mm = kRadiusCells * static_cast<float>(cell_mm_);
-  surfel.sigma_mm = cell.information > 0.0F ? 1.0F / std::sqrt(cell.information) : 0.0F;
+  surfel.sigma_mm = std::sqrt(reduction::variance_across_mm2(cell.covariance_mm2, surfel.normal)) /
+                    std::max(cell.point_count, 1.0F);
   const bool good = 2 * around.well_seen_around > around.around;
   surfel.coverage = good ? Coverage::kGood : Coverage::kThin;
   surfel.textured = cell.color.observed();
@@ -296,38 +300,91 @@ void LiveSurface::cut(const editing::EditFilter& filter, double now_s) {
     if (cell.point_count == 0.0F) continue;
     if (filter.keeps(surfels_[i].position_mm, surfels_[i].normal, now_s)) continue;
     cell.sum = Vec3f::Zero();
-    cell.point_count = cell.information = 0.0F;
+    cell.point_count = 0.0F;
+    cell.covariance_mm2.setZero();
+    cell.of_view = 0;
     cell.color = {};
     blocks_[cell.block].changed = true;
   }
 }
 
-Result<void> LiveSurface::add_color(const texture::TextureFrame& frame,
-                                    const calibration::Calibration& calibration) {
+std::vector<std::uint32_t> LiveSurface::cells_around(
+    const Isometry& T_world_sensor, const calibration::Calibration& calibration) const {
   // No point of the measurement volume lies farther from its middle.
   const double reach_mm =
       (0.5 + options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
-  const Vec3f middle_mm = frame.T_world_sensor.translation().cast<float>();
-  std::vector<std::uint32_t> near;
+  const Vec3f middle_mm = T_world_sensor.translation().cast<float>();
+  std::vector<std::uint32_t> around;
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+    if (shown(cells_[i]) && (surfels_[i].position_mm - middle_mm).norm() <= reach_mm) {
+      around.push_back(i);
+    }
+  }
+  return around;
+}
+
+template <typename Wanted>
+Result<std::vector<std::uint32_t>> LiveSurface::observe(const texture::TextureFrame& frame,
+                                                        const calibration::Calibration& calibration,
+                                                        const Wanted& wanted) {
+  // All cells take part: the others may stand before the wanted ones.
+  std::vector<std::uint32_t> around = cells_around(frame.T_world_sensor, calibration);
   std::vector<SurfacePoint> points;
   std::vector<texture::ObservedColor> colors;
-  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-    const Surfel& surfel = surfels_[i];
-    if (!shown(cells_[i]) || (surfel.position_mm - middle_mm).norm() > reach_mm) continue;
-    near.push_back(i);
-    points.push_back({surfel.position_mm, surfel.normal, {}, 0.0F});
+  for (const std::uint32_t i : around) {
+    points.push_back({surfels_[i].position_mm, surfels_[i].normal, {}, 0.0F});
     colors.push_back(cells_[i].color);
   }
   if (auto seen =
           texture::observe_points(points, colors, frame, calibration, options_.texture, Workers(1));
       !seen) {
-    return seen;
+    return tl::unexpected(seen.error());
   }
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    cells_[near[k]].color = colors[k];
-    refresh_cell(near[k]);
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    if (wanted(around[k])) cells_[around[k]].color = colors[k];
   }
+  return around;
+}
+
+Result<void> LiveSurface::add_color(const texture::TextureFrame& frame,
+                                    const calibration::Calibration& calibration) {
+  const auto around = observe(frame, calibration, [](std::uint32_t) { return true; });
+  if (!around) return tl::unexpected(around.error());
+  for (const std::uint32_t cell : *around) refresh_cell(cell);
   return {};
+}
+
+Result<void> LiveSurface::recolor(const Isometry& T_world_sensor,
+                                  std::span<const texture::TextureFrame> frames,
+                                  const calibration::Calibration& calibration) {
+  const std::vector<std::uint32_t> forgotten = cells_around(T_world_sensor, calibration);
+  for (const std::uint32_t cell : forgotten) cells_[cell].color = {};
+  const auto is_forgotten = [&](std::uint32_t cell) {
+    return std::binary_search(forgotten.begin(), forgotten.end(), cell);
+  };
+  const double reach_mm =
+      (1.0 + 2.0 * options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
+  for (const texture::TextureFrame& frame : frames) {
+    const Vec3 between_mm = frame.T_world_sensor.translation() - T_world_sensor.translation();
+    if (between_mm.norm() > reach_mm) continue;
+    if (const auto around = observe(frame, calibration, is_forgotten); !around) {
+      return tl::unexpected(around.error());
+    }
+  }
+  for (const std::uint32_t cell : forgotten) refresh_cell(cell);
+  return {};
+}
+
+double LiveSurface::texture_pixels(const Isometry& T_world_sensor,
+                                   const calibration::Calibration& calibration) const {
+  const Isometry T_sensor_world = T_world_sensor.inverse();
+  double pixels = 0.0;
+  for (const std::uint32_t i : cells_around(T_world_sensor, calibration)) {
+    const SurfacePoint point{surfels_[i].position_mm, surfels_[i].normal, {}, 0.0F};
+    pixels += area_per_cell_mm2(point.normal, cell_mm_) *
+              texture::pixels_per_mm2(point, T_sensor_world, calibration, options_.texture);
+  }
+  return pixels;
 }
 
 void LiveSurface::publish_block(Block& block) const {

@@ -11,15 +11,15 @@
 namespace flytri::localization {
 namespace {
 
-constexpr int kRowStep = 8;     // every eighth row and
-constexpr int kColumnStep = 2;  // every second column: 256 pixels tell the median to 0.1 sigma
+constexpr int kRowStep = 8;     // every eighth row
+constexpr int kColumnStep = 2;  // every second column: 256 pixels give the median to 0.1 sigma
 constexpr std::size_t kSampleCount = std::size_t{Background::kTileSize / kRowStep} *
                                      std::size_t{Background::kTileSize / kColumnStep};
 constexpr float kRoundingNoise = 0.2887F;  // 1 / sqrt(12) of a gray step
 
 using Gray = std::uint16_t;
 
-/// Some pixels of a tile.
+/// A sample of the pixels of a tile.
 class TileSample {
  public:
   TileSample(const cv::Mat& image, const cv::Rect& area) {
@@ -39,11 +39,11 @@ class TileSample {
   std::size_t count_ = 0;
 };
 
-/// How often each of 256 numbers occurs.
+/// Counts how often each number 0..255 occurs.
 class Histogram {
  public:
   void add(unsigned number) { ++counts_[number]; }
-  /// The number that the value of this rank has; the rank becomes that among its equals.
+  /// Returns the value at `rank` in sorted order. Sets `rank` to the rank among equal values.
   [[nodiscard]] unsigned take_rank(std::size_t& rank) const {
     unsigned number = 0;
     while (rank >= counts_[number]) rank -= counts_[number++];
@@ -54,8 +54,8 @@ class Histogram {
   std::array<std::uint16_t, 256> counts_{};
 };
 
-/// The middle value, the upper one of two. Counting its high and then its low byte needs no
-/// comparisons, whose outcome no processor can foresee.
+/// The median; of two middle values the upper one. Counts the high bytes and then the low bytes,
+/// which avoids mispredicted branches.
 Gray middle_of(std::span<const Gray> values) {
   std::size_t rank = values.size() / 2;
   Histogram high_bytes;
@@ -68,7 +68,8 @@ Gray middle_of(std::span<const Gray> values) {
   return static_cast<Gray>((high << 8U) + low_bytes.take_rank(rank));
 }
 
-/// Deviation of the darker half from the median: lines only brighten.
+/// Standard deviation from the median, estimated from the darker half: lines only make pixels
+/// brighter.
 float dark_deviation(std::span<const Gray> values, Gray median) {
   std::uint64_t sum = 0;
   for (const Gray value : values) {
@@ -79,11 +80,11 @@ float dark_deviation(std::span<const Gray> values, Gray median) {
   return static_cast<float>(std::sqrt(double(sum) / double(half)));
 }
 
-/// Which gray values occur.
+/// The set of gray values that occur.
 class GraySet {
  public:
   void add(Gray value) { words_[value / 64U] |= std::uint64_t{1} << (value % 64U); }
-  /// Smallest difference between two of them; nothing differs in a blank image.
+  /// Smallest difference between two gray values; very large if there is only one.
   [[nodiscard]] float smallest_step() const {
     auto best = std::numeric_limits<float>::max();
     auto last = -std::numeric_limits<float>::max();

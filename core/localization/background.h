@@ -1,4 +1,4 @@
-/// @file  The light that is not a line: local background and its noise, tile by tile.
+/// @file  Local background of an image and its noise, tile by tile.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -6,7 +6,7 @@
 
 namespace flytri::localization {
 
-/// Background of an image, piecewise over tiles of kTileSize x kTileSize pixels.
+/// Background in tiles of kTileSize x kTileSize pixels.
 ///
 /// A tile spans more than a line spacing, so most of its pixels are unlit, and their median is the
 /// background: it follows ambient light and needs no black level.
@@ -20,7 +20,7 @@ class Background {
   [[nodiscard]] int tiles_across() const { return tiles_across_; }
   /// Median gray value of the tile that covers the pixel.
   [[nodiscard]] float level(int row, int column) const { return tile(row, column).level; }
-  /// Standard deviation of the unlit pixels of that tile, at least that of rounding.
+  /// Standard deviation of the unlit pixels of that tile, including the rounding of gray values.
   [[nodiscard]] float noise(int row, int column) const { return tile(row, column).noise; }
 
  private:

@@ -9,7 +9,6 @@ namespace flytri::localization {
 namespace {
 
 constexpr float kMaxContrast = 0.5F;
-constexpr float kMedianOfSigma = 0.6745F;  // median of |x| of a Gaussian, in sigmas
 
 /// Median background noise of the tiles that the lines cross.
 float read_variance(const Background& background, const std::vector<LineFit>& fits,
@@ -31,7 +30,7 @@ NoiseModel estimate_noise(const cv::Mat& rows, const Background& background,
   if (fits.empty()) return noise;
   noise.read_variance = read_variance(background, fits, fit_rows);
   // Squared residual minus reading noise = gain * signal + contrast^2 * signal^2, divided by the
-  // signal so that each pixel has a similar say: a straight line in the signal.
+  // signal, so that each pixel has a similar weight. This is a straight line in the signal.
   double n = 0, sum_s = 0, sum_ss = 0, sum_q = 0, sum_qs = 0;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const LineFit& fit = fits[i];
@@ -72,7 +71,7 @@ NoiseModel estimate_noise(const cv::Mat& rows, const Background& background,
 }
 
 float scatter_ratio(const std::vector<LineTrace>& traces) {
-  constexpr std::size_t kLag = 4;  // rows: beyond the reach of a speckle
+  constexpr std::size_t kLag = 4;  // rows; farther apart than the size of a speckle
   constexpr std::size_t kMinCount = 100;
   std::vector<float> ratios;
   for (const LineTrace& trace : traces) {
@@ -87,7 +86,7 @@ float scatter_ratio(const std::vector<LineTrace>& traces) {
     }
   }
   if (ratios.size() < kMinCount) return 1.0F;
-  return median_of(ratios) / kMedianOfSigma;
+  return median_of(ratios) / static_cast<float>(kMedianOfSigma);
 }
 
 }  // namespace flytri::localization

@@ -1,4 +1,4 @@
-/// @file  The noise of an image, measured from the image.
+/// @file  Estimates the noise of an image from the image itself.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,15 +10,16 @@
 
 namespace flytri::localization {
 
-/// Reading noise from the unlit pixels, shot noise and speckle from what fits leave on the lines.
-/// @param fits, fit_rows  parallel: lines, and the rows of the image that they were fitted in.
+/// Reading noise comes from the unlit pixels, shot noise and speckle from the residuals of the line
+/// fits.
+/// @param fits, fit_rows  parallel: fitted lines, and the image row of each.
 [[nodiscard]] NoiseModel estimate_noise(const cv::Mat& rows, const Background& background,
                                         const std::vector<LineFit>& fits,
                                         const std::vector<int>& fit_rows, float full_scale);
 
-/// How much larger the scatter of the samples about a smooth curve is than their sigma_px says:
-/// the median over all places of the traces of a third difference, which a smooth curve does not
-/// show. 1 where there are too few samples to tell.
+/// Ratio of the measured scatter of the samples to their sigma_px. The scatter is the median of
+/// third differences along the traces, which are near zero for a smooth curve. 1 if there are too
+/// few samples.
 [[nodiscard]] float scatter_ratio(const std::vector<LineTrace>& traces);
 
 }  // namespace flytri::localization

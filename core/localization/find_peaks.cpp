@@ -10,14 +10,15 @@
 namespace flytri::localization {
 namespace {
 
-/// Pixels that are computed side by side, and that are skipped together where nothing is bright.
+/// Pixels computed together; a group without a bright pixel is skipped.
 constexpr int kLanes = 16;
 using Lanes = Eigen::Array<float, kLanes, 1>;
-/// Flanks are taken, and two maxima are two lines, where the light falls to this share of the top.
-/// Two equal Gaussians 1.2 widths apart have a valley of 0.74.
+/// The flanks are measured at this share of the peak height. Two maxima are two lines if the valley
+/// between them is below this share. Two equal Gaussians 1.2 widths apart have a valley of 0.74.
 constexpr float kFlankLevel = 0.7F;
-constexpr float kFlankDistance = 1.6892F;  // between the flanks of a Gaussian, in sigmas
-constexpr float kMinVariance = 0.05F;      // px^2; narrower is a hot pixel, not an imaged line
+constexpr float kFlankDistance = 1.6892F;  // between the flanks of a Gaussian at that height, in
+                                           // sigmas
+constexpr float kMinVariance = 0.05F;      // px^2; a narrower peak is a hot pixel, not a line
 
 /// One side of a sampled Gaussian of unit sum: weights at 0, 1, 2, ... px.
 std::vector<float> half_kernel(float sigma) {
@@ -47,7 +48,7 @@ void smooth_row(std::span<const float> row, std::span<const float> half, std::sp
   }
 }
 
-/// Finds peaks row by row with buffers that are kept.
+/// Finds peaks row by row and reuses its buffers.
 class RowScanner {
  public:
   RowScanner(const Background& background, const PeakOptions& options, int columns)
@@ -86,7 +87,7 @@ class RowScanner {
     for (int begin = 0; begin < columns_; begin += kLanes) {
       const float level = background_.level(r, begin);
       const float least = level + threshold_ * background_.noise(r, begin);
-      // The buffer holds whole blocks; what is beyond the row stays dark.
+      // The buffer has whole blocks; the part beyond the row is zero.
       const Eigen::Map<const Lanes> block(smooth + begin);
       if (!((block - least).max(0.0F).sum() > 0)) continue;
       const int end = std::min(begin + kLanes, columns_ - 1);
@@ -116,7 +117,7 @@ class RowScanner {
 
   [[nodiscard]] float smooth(int column) const { return smooth_[static_cast<std::size_t>(column)]; }
 
-  /// A maximum and where its light has fallen to the flank level on both sides.
+  /// A maximum and the positions of its two flanks.
   struct Flanks {
     int column = 0;
     float left = 0, right = 0;
@@ -129,8 +130,8 @@ class RowScanner {
     return Flanks{column, *left, *right};
   }
 
-  /// True if there is hardly a valley between two maxima: the lower one's flank is beyond the
-  /// other.
+  /// True if the valley between two maxima is too shallow: the flank of the lower maximum is beyond
+  /// the higher one.
   [[nodiscard]] bool is_split(const Flanks& left, const Flanks& right) const {
     return smooth(left.column) < smooth(right.column)
                ? left.right > static_cast<float>(right.column)
@@ -186,7 +187,7 @@ class RowScanner {
   std::vector<float> half_;
   float threshold_ = 0;  // in standard deviations of a single pixel
   int columns_;
-  std::vector<float> smooth_;  // the smoothed row, filled up with zeros to whole blocks
+  std::vector<float> smooth_;  // the smoothed row, padded with zeros to whole blocks
   std::vector<Maximum> maxima_;
   std::vector<Peak> peaks_;
   std::vector<Flanks> found_;  // parallel to peaks_

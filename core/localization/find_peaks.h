@@ -1,4 +1,4 @@
-/// @file  Peaks of every image row: where lines cross it, to a fraction of a pixel.
+/// @file  Finds the sub-pixel positions where lines cross each image row.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -12,10 +12,11 @@ namespace flytri::localization {
 /// A peak of a smoothed row.
 struct Peak {
   int row = 0;
-  float center_px = 0;       ///< middle between the two flanks: calm even where the top is speckled
+  float center_px = 0;       ///< middle between the two flanks: less noisy than the top under
+                             ///< speckle
   float three_point_px = 0;  ///< by three-point Gaussian interpolation of the top
-  float sigma_px = 0;        ///< of a Gaussian with these flanks, free of the smoothing
-  float amplitude = 0;       ///< above the local background, free of the smoothing
+  float sigma_px = 0;        ///< of a Gaussian with these flanks, corrected for the smoothing
+  float amplitude = 0;       ///< above the local background, corrected for the smoothing
   float room_px = 0;         ///< half the distance to the nearest other peak of the row
   bool saturated = false;
 };
@@ -35,7 +36,7 @@ class PeakRows {
 
  private:
   std::vector<Peak> peaks_;
-  std::vector<std::size_t> first_ = {0};  ///< of each row, then the end
+  std::vector<std::size_t> first_ = {0};  ///< start of each row, then the end
 };
 
 /// What counts as a peak.
@@ -43,11 +44,11 @@ struct PeakOptions {
   double smoothing_sigma_px = 1.0;
   double threshold = 5.0;     ///< in standard deviations of the smoothed background noise
   float full_scale = 255.0F;  ///< gray value at which the camera clips
-  bool three_point = false;   ///< whether Peak::three_point_px is told
+  bool three_point = false;   ///< compute Peak::three_point_px
 };
 
-/// Finds the peaks of each row. Two maxima with hardly a valley between them are one peak split by
-/// speckle.
+/// Finds the peaks of each row. Two maxima with a shallow valley between them are one peak that
+/// speckle has split.
 /// @param rows  CV_32FC1; lines cross the rows.
 /// @source  Arold et al., "Line Localization".
 [[nodiscard]] PeakRows find_peaks(const cv::Mat& rows, const Background& background,

@@ -9,19 +9,20 @@
 namespace flytri::localization {
 namespace {
 
-/// Pixels that are computed side by side.
+/// Pixels computed together.
 constexpr int kFitLanes = 8;
 using FitLanes = Eigen::Array<float, kFitLanes, 1>;
 
-/// Weighted moments of the pixels, with g the shape of the line, t the distance from its center in
-/// sigmas, y the light above the background and w the weight: sums of w g² t^k and of w y g t^k.
+/// Weighted moments of the pixels: sums of w g² t^k and of w y g t^k. g is the Gaussian shape of
+/// the line, t the distance from its center in sigmas, y the light above the background, w the
+/// weight.
 struct Moments {
-  std::array<float, 5> shape{};  ///< k = 3, 4 stay zero where the width is not fitted
-  std::array<float, 3> light{};  ///< k = 2 likewise
+  std::array<float, 5> shape{};  ///< k = 3, 4 are zero if the width is not fitted
+  std::array<float, 3> light{};  ///< k = 2 is zero if the width is not fitted
 };
 
-/// What the moments say of the line: y = height · (g + shift · g t + widening · g t²) to first
-/// order, shift and widening in sigmas.
+/// The solution for y = height · (g + shift · g t + widening · g t²), a first-order model with
+/// shift and widening in sigmas.
 struct Solution {
   float height = 0, shift = 0, widening = 0;
   float shift_variance = 0;
@@ -34,7 +35,7 @@ FitLanes lane_numbers() {
   return numbers;
 }
 
-/// First pixel and number of pixels, a multiple of the lanes, that hold the window.
+/// The pixels of the window. Their number is a multiple of kFitLanes.
 struct PixelRange {
   int first = 0;
   int count = 0;
@@ -50,7 +51,7 @@ std::optional<PixelRange> pixels_of(const LineWindow& window, float center) {
   return PixelRange{std::min(first, size - count), count};
 }
 
-/// Sums over the window. Pixels beyond its reach have no weight.
+/// Sums over the window. Pixels beyond `reach_px` have weight zero.
 template <bool kFitWidth>
 std::optional<Moments> accumulate(const LineWindow& window, const NoiseModel& noise,
                                   const LineFit& fit) {
@@ -69,7 +70,7 @@ std::optional<Moments> accumulate(const LineWindow& window, const NoiseModel& no
     const FitLanes signal = fit.amplitude * shape;
     const FitLanes taper = (1.0F - (t * sigma_over_reach).square()).max(0.0F);
     const FitLanes variance = noise.read_variance + (noise.shot_gain + speckle * signal) * signal;
-    // 1 below full scale, 0 at it: gray values are whole numbers.
+    // 1 below full scale, 0 at full scale: gray values are integers.
     const FitLanes unclipped = (window.full_scale - value).min(1.0F).max(0.0F);
     const FitLanes weight = unclipped * taper.square() / variance;
     const FitLanes light = value - window.background.level - window.background.slope * pixel;
@@ -88,7 +89,8 @@ std::optional<Moments> accumulate(const LineWindow& window, const NoiseModel& no
                  {y0.sum(), y1.sum(), y2.sum()}};
 }
 
-/// Share of the product of the diagonal below which the pixels do not determine the parameters.
+/// If the determinant is below this share of the product of the diagonal, the pixels do not
+/// determine the parameters.
 constexpr float kSingular = 1e-4F;
 
 std::optional<Solution> solve_fixed_width(const Moments& m) {
@@ -110,13 +112,13 @@ std::optional<Solution> solve_with_width(const Moments& m) {
   return Solution{x[0], x[1] / x[0], x[2] / x[0], covariance(1, 1) / (x[0] * x[0])};
 }
 
-/// A step beyond the line's own size comes from something that is not this line.
+/// A step larger than the line itself means that the pixels show something else.
 bool is_of_this_line(const Solution& solution, const LineFit& fit) {
   return std::abs(solution.shift) < 1.0F && std::abs(solution.widening) < 0.5F &&
          solution.height > 0.2F * fit.amplitude && solution.height < 3.0F * fit.amplitude;
 }
 
-/// What is left after a step is of third order: a thousandth of a sigma after such small ones.
+/// The remaining error is of third order: a thousandth of a sigma after such a small step.
 bool is_settled(const Solution& solution, const LineFit& before) {
   return std::abs(solution.shift) < 0.15F && std::abs(solution.widening) < 0.1F &&
          std::abs(solution.height - before.amplitude) < 0.3F * before.amplitude;
@@ -148,7 +150,7 @@ std::optional<LineFit> fit_line(const LineWindow& window, const NoiseModel& nois
 }
 
 std::optional<FlankLevel> flank_level(std::span<const float> row, const LineFit& line) {
-  constexpr int kCount = 4;                     // pixels a side
+  constexpr int kCount = 4;                     // pixels on each side
   const float distance = 3.5F * line.sigma_px;  // a Gaussian is down to 0.2 % there
   const int left = static_cast<int>(std::floor(line.center_px - distance)) - kCount + 1;
   const int right = static_cast<int>(std::ceil(line.center_px + distance));

@@ -1,4 +1,4 @@
-/// @file  The weighted fit of one line cross-section: a Gaussian above a straight background.
+/// @file  Weighted fit of a Gaussian above a linear background to one line cross-section.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ struct LineFit {
   float center_px = 0;
   float sigma_px = 0;
   float amplitude = 0;
-  float center_variance = 0;  ///< px^2, by the noise model
+  float center_variance = 0;  ///< px^2, from the noise model
 };
 
 /// Background under a line: `level` at its center, rising by `slope` per px.
@@ -22,30 +22,31 @@ struct FlankLevel {
   float slope = 0;
 };
 
-/// What a fit looks at.
+/// Input of a fit.
 struct LineWindow {
   std::span<const float> row;
   FlankLevel background;
-  float reach_px = 0;         ///< pixels farther from the start's center are left out
-  float full_scale = 255.0F;  ///< pixels at or above it are clipped: they are left out too
+  float reach_px = 0;         ///< pixels farther from the start's center are ignored
+  float full_scale = 255.0F;  ///< pixels at or above it are clipped and ignored
 };
 
-/// Improves `start` by at most `max_steps` Gauss-Newton steps, fewer where they are small. Each
-/// pixel weighs the inverse of its variance and, toward the ends of the window, ever less, so that
-/// no pixel enters with a jump.
+/// Improves `start` by at most `max_steps` Gauss-Newton steps, fewer if a step is small. The weight
+/// of a pixel is the inverse of its variance, and decreases to zero at the ends of the window, so
+/// that the result changes continuously.
 ///
-/// Under speckle the flanks, where light changes fastest for its amount, tell the position best;
-/// the three points at the top tell little.
-/// @source  replaces the three-point interpolation of Arold et al., "Line Localization"; measured
-///          gain: see tests/unit/localization/localize_test.cpp.
-/// @param fit_width  false keeps the width.
-/// @return nothing if the window leaves the row or the pixels do not determine the line.
+/// Under speckle the flanks determine the position best, because the relative change of light is
+/// largest there. The three points at the top contribute little.
+/// @source  this project's. It replaces the three-point interpolation of Arold et al., "Line
+///          Localization"; tests/unit/localization/localize_test.cpp measures the gain.
+/// @param fit_width  false: the width stays fixed.
+/// @return nullopt if the window extends beyond the row or the pixels do not determine the line.
 [[nodiscard]] std::optional<LineFit> fit_line(const LineWindow& window, const NoiseModel& noise,
                                               const LineFit& start, bool fit_width, int max_steps);
 
-/// The background beside the line, from a few pixels beyond each flank. Sides that differ by more
-/// than a tenth of the line's height hold another line or an edge: then the darker side counts.
-/// @return nothing if the row ends there.
+/// The background next to the line, from a few pixels beyond each flank. If the two sides differ by
+/// more than a tenth of the line's height, one of them contains another line or an edge: then the
+/// darker side is used.
+/// @return nullopt if these pixels are outside the row.
 [[nodiscard]] std::optional<FlankLevel> flank_level(std::span<const float> row,
                                                     const LineFit& line);
 

@@ -1,4 +1,5 @@
-/// @file  What localization delivers: sub-pixel samples of projected lines, linked along each line.
+/// @file  Sub-pixel samples of projected lines, linked along each line: the result of the
+///          localization.
 #pragma once
 
 #include <vector>
@@ -9,13 +10,13 @@ namespace flytri::localization {
 struct LineSample {
   int along_px = 0;        ///< the row or column
   float across_px = 0;     ///< sub-pixel position in that row or column
-  float width_px = 0;      ///< full width at half maximum, free of the smoothing
+  float width_px = 0;      ///< full width at half maximum, corrected for the smoothing
   float amplitude = 0;     ///< height above the local background, gray values of the image
   float sigma_px = 0;      ///< standard uncertainty of across_px
   bool saturated = false;  ///< the peak is clipped: the position comes from the flanks
 };
 
-/// A connected run of samples by rising along_px; a line may give several.
+/// Connected samples by rising along_px. One line may give several traces.
 using LineTrace = std::vector<LineSample>;
 
 }  // namespace flytri::localization

@@ -7,12 +7,13 @@
 namespace flytri::localization {
 namespace {
 
-constexpr int kMaxGap = 2;      // rows that a trace may miss: dust on the target, a dim speckle
-constexpr int kSlopeReach = 6;  // samples that tell the slope of a trace
+constexpr int kMaxGap = 2;      // rows that may be missing in a trace, for example because of dust
+                                // or dark speckle
+constexpr int kSlopeReach = 6;  // samples used for the slope of a trace
 constexpr float kSlack = 1.0F;  // px, localization noise of the dimmest lines and curvature
 constexpr float kWidthSlack = 0.5F;  // of the line's sigma: speckle moves the top of a wide line
 
-/// Where the trace is expected in `row`.
+/// Expected position of the trace in `row`.
 float predict(const PeakTrace& trace, int row) {
   const Peak& last = trace.back();
   const Peak& earlier = trace[trace.size() - std::min<std::size_t>(trace.size(), kSlopeReach)];
@@ -22,7 +23,8 @@ float predict(const PeakTrace& trace, int row) {
   return last.center_px + slope * static_cast<float>(row - last.row);
 }
 
-/// How far from its prediction a peak may lie: a new trace does not know its slope yet.
+/// Largest allowed distance of a peak from the expected position. It is larger for a new trace,
+/// whose slope is unknown.
 float tolerance(const PeakTrace& trace, int row, float max_slope) {
   const auto gap = static_cast<float>(row - trace.back().row);
   const bool knows_slope = trace.size() >= kSlopeReach;
@@ -56,13 +58,13 @@ class Linker {
   }
 
  private:
-  /// The open trace that a peak continues, or -1, and how far from its prediction.
+  /// The open trace that a peak continues, or -1, and the peak's distance from the expected
+  /// position.
   struct Owner {
     int trace = -1;
     float distance_px = 0;
   };
 
-  /// Finds the owner of each peak.
   void match(int row, std::span<const Peak> peaks) {
     owners_.assign(peaks.size(), {});
     for (std::size_t t = 0; t < open_.size(); ++t) {
@@ -95,7 +97,7 @@ class Linker {
     return nearest;
   }
 
-  /// Closes the traces that missed too many rows.
+  /// Closes traces with too many missing rows.
   void retire(int row) {
     std::size_t kept = 0;
     for (std::size_t t = 0; t < open_.size(); ++t) {
@@ -112,7 +114,7 @@ class Linker {
   float max_slope_;
   int min_length_;
   std::vector<PeakTrace> open_, done_;
-  std::vector<Owner> owners_;  // of the row's peaks
+  std::vector<Owner> owners_;  // of the peaks of the present row
 };
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace flytri::localization {
 /// The peaks of one line by rising row.
 using PeakTrace = std::vector<Peak>;
 
-/// Joins each peak to the trace whose continuation it is nearest to; both must be each other's
-/// nearest. A trace may miss a row and go on.
-/// @param max_slope  steepest line that is followed, pixels across per pixel along.
+/// Adds each peak to the trace whose expected position is nearest; trace and peak must be each
+/// other's nearest. A few rows may be missing in a trace.
+/// @param max_slope  largest slope of a line, pixels across per pixel along.
 [[nodiscard]] std::vector<PeakTrace> link_traces(const PeakRows& peaks, double max_slope,
                                                  int min_length);
 

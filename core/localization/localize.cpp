@@ -1,5 +1,6 @@
 #include "core/localization/localize.h"
 
+#include "core/base/check_options.h"
 #include "core/localization/background.h"
 #include "core/localization/find_peaks.h"
 #include "core/localization/link_traces.h"
@@ -18,25 +19,20 @@ cv::Mat rows_across_lines(const cv::Mat& image, Pattern pattern) {
 }  // namespace
 
 Result<void> LocalizeOptions::validate() const {
-  if (!(detection_sigma_px >= 0.5 && detection_sigma_px <= 3.0)) {
-    return fail(ErrorCode::kBadOption, "detection_sigma_px is {}, must be 0.5..3",
-                detection_sigma_px);
-  }
-  if (!(detection_threshold >= 3.0 && detection_threshold <= 20.0)) {
-    return fail(ErrorCode::kBadOption, "detection_threshold is {}, must be 3..20",
-                detection_threshold);
-  }
-  if (!(max_slope >= 1.0 && max_slope <= 10.0)) {
-    return fail(ErrorCode::kBadOption, "max_slope is {}, must be 1..10", max_slope);
-  }
-  return trim.validate();
+  return OptionCheck("LocalizeOptions")
+      .in_range("detection_sigma_px", detection_sigma_px, 0.5, 3.0)
+      .in_range("detection_threshold", detection_threshold, 3.0, 20.0)
+      .in_range("max_slope", max_slope, 1.0, 10.0)
+      .nested(trim)
+      .result();
 }
 
 Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern pattern,
                                               const LocalizeOptions& options) {
   if (const auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_16UC1)) {
-    return fail(ErrorCode::kBadFormat, "a measurement image must be 8- or 16-bit gray");
+    return fail(ErrorCode::kBadFormat,
+                "the image has a wrong type; a measurement image must be 8- or 16-bit gray");
   }
   const cv::Mat grays = rows_across_lines(image, pattern);
   const Background background(grays);

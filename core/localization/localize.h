@@ -12,18 +12,19 @@
 
 namespace flytri::localization {
 
-/// How lines are found. Lengths are in pixels because the sampling theorem speaks of pixels.
+/// How lines are found. Lengths are in pixels, because the camera's sampling limits them.
 struct LocalizeOptions {
-  /// 0.5..3. Gaussian that finds peaks: narrower than any line, wide enough to calm pixel noise.
+  /// 0.5..3. Gaussian smoothing before the search for peaks: narrower than any line, wide enough to
+  /// reduce pixel noise.
   double detection_sigma_px = 1.0;
-  /// 3..20. A peak must stand this many standard deviations of the smoothed background noise above
-  /// the local background: at 5 about one noise peak in 10^6 pixels is mistaken for a line.
+  /// 3..20. Height of a peak above the local background, in standard deviations of the smoothed
+  /// background noise. At 5, about one pixel in 10^6 is a false peak.
   double detection_threshold = 5.0;
-  /// 1..10. Slope of a line that is still followed, pixels across per pixel along.
+  /// 1..10. Largest slope of a line, pixels across per pixel along.
   double max_slope = 2.0;
-  /// The weighted fit has a third less noise under speckle; the other is kept to compare with.
+  /// The weighted fit has a third less noise under speckle; the other one is for comparison.
   LineEstimator estimator = LineEstimator::kWeightedFit;
-  /// Ends of lines and depth steps.
+  /// How ends of lines and depth steps are treated.
   TrimOptions trim;
 
   [[nodiscard]] Result<void> validate() const;

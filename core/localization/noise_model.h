@@ -1,14 +1,14 @@
-/// @file  How uncertain a gray value is: reading, counting and speckle.
+/// @file  Noise model of a gray value: reading noise, shot noise and speckle.
 #pragma once
 
 namespace flytri::localization {
 
-/// Variance of a pixel that shows `signal` above the background.
-/// Reading noise (with the background's own shot noise) does not depend on the signal, shot noise
-/// grows with it, speckle with its square.
+/// Variance of a pixel with `signal` above the background. Reading noise (including the
+/// background's shot noise) is constant, the variance of shot noise grows with the signal, that of
+/// speckle with its square.
 struct NoiseModel {
   float read_variance = 1.0F;     ///< gray values squared
-  float shot_gain = 0.0F;         ///< gray values a photoelectron
+  float shot_gain = 0.0F;         ///< gray values per photoelectron
   float speckle_contrast = 0.0F;  ///< relative
 
   [[nodiscard]] float variance(float signal) const {

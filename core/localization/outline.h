@@ -1,4 +1,4 @@
-/// @file  A localized line as a picture shows it.
+/// @file  A localized line as pixels to draw.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace flytri::localization {
 
-/// Every few samples of a trace.
+/// Every fourth sample of a trace.
 [[nodiscard]] std::vector<Pixel> outline_of(const LineTrace& trace, Pattern pattern);
 
 }  // namespace flytri::localization

@@ -13,11 +13,13 @@ namespace flytri::localization {
 namespace {
 
 constexpr float kFwhmOfSigma = 2.3548F;
-/// A fit looks this many sigmas to each side; its weights have tapered to a quarter at 0.7 of it.
+/// A fit uses this many sigmas on each side. At 0.7 of this distance, the weight has decreased to a
+/// quarter.
 constexpr float kReachSigmas = 4.0F;
-/// With less room than this before the next line, too little of the flanks is left.
+/// If the next line is closer than this, too little of the flanks is visible.
 constexpr float kMinReachSigmas = 1.5F;
-/// Before the image's noise is known: the paper's sensors are limited by speckle of this order.
+/// Speckle contrast assumed before the noise of the image is known; typical for the sensors of the
+/// paper.
 constexpr float kFirstContrast = 0.1F;
 constexpr std::size_t kShapeStep = 4;   // the shape is fitted to every fourth peak
 constexpr std::size_t kShapeBlock = 2;  // fitted shapes between two knots of the smoothed shape
@@ -34,10 +36,10 @@ struct ShapeFit {
   FlankLevel background;
 };
 
-/// Fits along one trace; where it was not possible there is none.
+/// Fits along one trace; nullopt where the fit failed.
 using TraceFits = std::vector<std::optional<ShapeFit>>;
 
-/// Medians of the shape over overlapping blocks of fits, as knots kShapeBlock fits apart.
+/// Medians of the shape over overlapping blocks of fits. The knots are kShapeBlock fits apart.
 std::vector<LineShape> shape_knots(const TraceFits& fits) {
   std::vector<LineShape> knots;
   std::vector<float> sigma, level, slope;
@@ -59,7 +61,7 @@ std::vector<LineShape> shape_knots(const TraceFits& fits) {
   return knots;
 }
 
-/// The shape at a peak, between two knots.
+/// The shape at a peak, interpolated between two knots.
 LineShape shape_at(const std::vector<LineShape>& knots, std::size_t peak) {
   constexpr std::size_t kSpan = kShapeBlock * kShapeStep;
   const LineShape &a = knots[peak / kSpan], &b = knots[peak / kSpan + 1];
@@ -101,7 +103,7 @@ class Refiner {
       const Peak& peak = trace[i];
       const LineShape shape = shape_at(knots, i);
       if (!(shape.sigma_px > 0)) continue;
-      // Every fourth peak has a fit already, which is nearer to the truth than the peak itself.
+      // Every fourth peak already has a fit, which is more accurate than the peak itself.
       const bool fitted = i % kShapeStep == 0 && fits[i / kShapeStep];
       const LineFit near =
           fitted ? fits[i / kShapeStep]->line : LineFit{peak.center_px, 0.0F, peak.amplitude, 0.0F};
@@ -127,7 +129,7 @@ class Refiner {
     const float reach = std::min(kReachSigmas * start.sigma_px, peak.room_px);
     if (reach < kMinReachSigmas * start.sigma_px) return std::nullopt;
     const LineWindow window{row_of(peak), flank, reach, options_.full_scale};
-    // The flanks of a clipped line start far from the truth.
+    // The start values of a clipped line are inaccurate.
     const int max_steps = peak.saturated ? 6 : 2;
     return fit_line(window, noise, start, fit_width, max_steps);
   }
@@ -141,7 +143,7 @@ class Refiner {
 NoiseModel noise_of(const cv::Mat& rows, const Background& background,
                     const std::vector<PeakTrace>& traces, const std::vector<TraceFits>& fits,
                     float full_scale) {
-  constexpr std::size_t kNoiseStep = 2;  // every second fit tells the noise well enough
+  constexpr std::size_t kNoiseStep = 2;  // every second fit is enough to estimate the noise
   std::vector<LineFit> some;
   std::vector<int> some_rows;
   std::size_t counter = 0;

@@ -1,5 +1,5 @@
-/// @file  From linked peaks to line samples: the noise of the image is measured, and every sample
-/// is fitted with it.
+/// @file  From linked peaks to line samples: estimates the noise of the image and fits every sample
+///          with it.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,10 +11,10 @@
 
 namespace flytri::localization {
 
-/// How the position across the line is told.
+/// How the position across the line is computed.
 enum class LineEstimator {
   kWeightedFit,  ///< a Gaussian fitted to all pixels of the line, weighted with their noise
-  kThreePoint,   ///< three-point Gaussian interpolation of the smoothed row, as the paper has it
+  kThreePoint,   ///< three-point Gaussian interpolation of the smoothed row, as in the paper
 };
 
 struct RefineOptions {
@@ -25,8 +25,9 @@ struct RefineOptions {
 /// Fits every peak with the noise model of the image and the line's own width.
 ///
 /// Width and background are measured in single rows and then smoothed along the trace: they change
-/// slowly, and a row alone tells them badly. The uncertainty is that of the noise model, scaled by
-/// the scatter that the traces show: speckle that neighboring pixels share is not in the model.
+/// slowly, and single rows are noisy. The uncertainty follows from the noise model, scaled by the
+/// measured scatter of the traces: the model does not contain the speckle that neighboring pixels
+/// share.
 /// @param rows  CV_32FC1; lines cross the rows.
 /// @return the traces in the order given, without samples that could not be fitted.
 [[nodiscard]] std::vector<LineTrace> refine_traces(const cv::Mat& rows,

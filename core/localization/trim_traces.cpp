@@ -5,16 +5,18 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "core/base/check_options.h"
+
 namespace flytri::localization {
 namespace {
 
-/// What remains of a segment must be longer than wide to be a line and not a blot of light.
+/// A segment must be this many times longer than wide; otherwise it is a spot of light, not a line.
 constexpr float kMinLengthWidths = 3.0F;
 
 /// True if the line breaks between two neighbors: a step that neither the slope before nor the
 /// slope after explains.
 bool breaks(const LineTrace& trace, std::size_t i, double max_step_widths) {
-  constexpr std::size_t kReach = 4;  // samples that tell a slope
+  constexpr std::size_t kReach = 4;  // samples used for a slope
   const LineSample &a = trace[i - 1], &b = trace[i];
   const auto slope = [&](const LineSample& from, const LineSample& to) {
     return (to.across_px - from.across_px) / static_cast<float>(to.along_px - from.along_px);
@@ -35,7 +37,7 @@ bool breaks(const LineTrace& trace, std::size_t i, double max_step_widths) {
   return least > limit;
 }
 
-/// How many samples to take from the end that `begin` points to. Works in both directions.
+/// Number of samples to remove from the end at `begin`. Works for forward and reverse iterators.
 template <typename It>
 std::ptrdiff_t mixed_count(It begin, It end, int along_count, const TrimOptions& options) {
   const int border = std::min(begin->along_px, along_count - 1 - begin->along_px);
@@ -66,19 +68,12 @@ void add_trimmed(const LineTrace& segment, int along_count, const TrimOptions& o
 }  // namespace
 
 Result<void> TrimOptions::validate() const {
-  if (!(end_widths >= 0.0 && end_widths <= 5.0)) {
-    return fail(ErrorCode::kBadOption, "end_widths is {}, must be 0..5", end_widths);
-  }
-  if (!(min_end_amplitude >= 0.0 && min_end_amplitude <= 1.0)) {
-    return fail(ErrorCode::kBadOption, "min_end_amplitude is {}, must be 0..1", min_end_amplitude);
-  }
-  if (!(max_step_widths > 0.0)) {
-    return fail(ErrorCode::kBadOption, "max_step_widths is {}, must be > 0", max_step_widths);
-  }
-  if (min_length < 3) {
-    return fail(ErrorCode::kBadOption, "min_length is {}, must be >= 3", min_length);
-  }
-  return {};
+  return OptionCheck("TrimOptions")
+      .in_range("end_widths", end_widths, 0.0, 5.0)
+      .in_range("min_end_amplitude", min_end_amplitude, 0.0, 1.0)
+      .positive("max_step_widths", max_step_widths)
+      .at_least("min_length", min_length, 3)
+      .result();
 }
 
 std::vector<LineTrace> trim_traces(const std::vector<LineTrace>& traces, int along_count,

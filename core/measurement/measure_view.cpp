@@ -1,5 +1,6 @@
 #include "core/measurement/measure_view.h"
 
+#include "core/base/check_options.h"
 #include "core/localization/outline.h"
 
 namespace flytri::measurement {
@@ -29,7 +30,7 @@ Result<MeasuredView> measure_pattern(const Frame& frame, Pattern pattern,
   return measured;
 }
 
-/// Points of a view that is rejected are not handed on.
+/// A rejected view has no points.
 MeasuredView rejected(MeasuredView measured, MeasureOutcome outcome) {
   measured.outcome = outcome;
   measured.view.profiles.clear();
@@ -53,16 +54,13 @@ Result<MeasuredView> measure_unknown(const Frame& frame,
 }  // namespace
 
 Result<void> MeasureOptions::validate() const {
-  if (auto valid = localize.validate(); !valid) return valid;
-  if (auto valid = index.validate(); !valid) return valid;
-  if (auto valid = triangulate.validate(); !valid) return valid;
-  if (!(min_pattern_ratio > 1.0)) {
-    return fail(ErrorCode::kBadOption, "min_pattern_ratio is {}, must be > 1", min_pattern_ratio);
-  }
-  if (min_points < 1) {
-    return fail(ErrorCode::kBadOption, "min_points is {}, must be >= 1", min_points);
-  }
-  return {};
+  return OptionCheck("MeasureOptions")
+      .nested(localize)
+      .nested(index)
+      .nested(triangulate)
+      .above("min_pattern_ratio", min_pattern_ratio, 1.0)
+      .at_least("min_points", min_points, 1)
+      .result();
 }
 
 std::string_view to_string(MeasureOutcome outcome) {
@@ -72,7 +70,7 @@ std::string_view to_string(MeasureOutcome outcome) {
     case MeasureOutcome::kTooFewPoints:
       return "too few points inside the measurement volume";
     case MeasureOutcome::kAmbiguousPattern:
-      return "pattern cannot be told from the image";
+      return "cannot recognize the pattern in the image";
   }
   return "";
 }
@@ -83,13 +81,16 @@ Result<MeasuredView> measure_view(const Frame& frame, const calibration::Calibra
   const ImageSize size{frame.image.cols, frame.image.rows};
   if (!(size == calibration.measurement_size)) {
     return fail(ErrorCode::kInconsistent,
-                "frame {} has {} x {} pixels, the calibration is for {} x {}", frame.index.value,
-                size.width_px, size.height_px, calibration.measurement_size.width_px,
-                calibration.measurement_size.height_px);
+                "frame {} has {} x {} pixels, but the calibration is for {} x {}; use the "
+                "calibration of this sensor",
+                frame.index.value, size.width_px, size.height_px,
+                calibration.measurement_size.width_px, calibration.measurement_size.height_px);
   }
   if (frame.kind == FrameKind::kTexture) {
-    return fail(ErrorCode::kBadOption, "frame {} is a texture frame, it shows no lines",
-                frame.index.value);
+    return fail(
+        ErrorCode::kBadOption,
+        "frame {} is a texture frame and shows no lines; measure frames of a line pattern only",
+        frame.index.value);
   }
   const auto pattern = pattern_of(frame.kind);
   auto measured = pattern ? measure_pattern(frame, *pattern, calibration, options)

@@ -1,4 +1,4 @@
-/// @file  From a measurement frame to a view: localization, indexing and triangulation in a row.
+/// @file  From a measurement frame to a view: runs localization, indexing and triangulation.
 #pragma once
 
 #include <string>
@@ -16,9 +16,10 @@ struct MeasureOptions {
   localization::LocalizeOptions localize;
   indexing::IndexOptions index;
   triangulation::TriangulateOptions triangulate;
-  /// > 1. Of an unknown frame, one pattern must explain this many times more than the other.
+  /// > 1. For a frame of unknown pattern: one pattern must give this many times more points than
+  /// the other.
   double min_pattern_ratio = 3.0;
-  /// >= 1. A view with fewer points shows nothing that could be aligned.
+  /// >= 1. A view with fewer points cannot be aligned.
   int min_points = 50;
 
   [[nodiscard]] Result<void> validate() const;
@@ -26,13 +27,13 @@ struct MeasureOptions {
 
 enum class MeasureOutcome {
   kMeasured,
-  kTooFewPoints,      ///< nothing, or next to nothing, inside the volume
-  kAmbiguousPattern,  ///< an unknown frame that both patterns explain alike
+  kTooFewPoints,      ///< nothing or almost nothing inside the volume
+  kAmbiguousPattern,  ///< a frame of unknown pattern for which both patterns give many points
 };
 [[nodiscard]] std::string_view to_string(MeasureOutcome outcome);
 
-/// Samples of one frame, and where they went. localized = index.total(), and
-/// index.indexed = points + short_profiles.
+/// Number of samples of one frame after each step. localized = index.total(), and index.indexed =
+/// points + short_profiles.
 struct MeasureCounts {
   int localized = 0;
   indexing::IndexCounts index;
@@ -40,19 +41,19 @@ struct MeasureCounts {
   int points = 0;
 };
 
-/// What became of a frame. The view is empty of profiles unless the outcome is kMeasured.
+/// Result for one frame. The view has profiles only if the outcome is kMeasured.
 struct MeasuredView {
   MeasureOutcome outcome = MeasureOutcome::kMeasured;
   View view;
   MeasureCounts counts;
-  /// Where lines were localized, one list a trace, whether or not points came of them.
+  /// Where lines were localized, one list per trace, including lines that gave no points.
   std::vector<std::vector<Pixel>> lines;
 };
 
-/// Measures one frame; of an unknown frame the pattern is told from the image: lines of the other
-/// pattern do not run along their unique areas, so the right one gives far more points.
-/// @errors  kBadOption for options or a texture frame, kInconsistent if the image has not the size
-///          of the calibration, kBadFormat for another type of image.
+/// Measures one frame. If the pattern is unknown, both are tried: lines of the wrong pattern do not
+/// run along their unique areas, so the right pattern gives far more points.
+/// @errors  kBadOption for options or a texture frame, kInconsistent if the size of the image
+///          differs from that of the calibration, kBadFormat for another type of image.
 [[nodiscard]] Result<MeasuredView> measure_view(const Frame& frame,
                                                 const calibration::Calibration& calibration,
                                                 const MeasureOptions& options);

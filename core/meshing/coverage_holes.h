@@ -1,4 +1,4 @@
-/// @file  Which rims of a measured surface are holes that a dentist would scan.
+/// @file  Selects the holes of a surface that should be scanned.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,10 @@
 
 namespace flytri::meshing {
 
-/// Narrower holes tell nothing new: what lies around them shows their shape, and CAD programs
-/// close them.
+/// Narrower holes need no scan: the surface around shows their shape, and CAD programs close them.
 inline constexpr double kLeastHoleWidth_mm = 0.5;
 
-/// The holes that are worth a scan: at least kLeastHoleWidth_mm wide, no border of the scan, the
-/// widest first.
+/// The holes to scan: at least kLeastHoleWidth_mm wide, without the outer borders; widest first.
 [[nodiscard]] std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries);
 
 }  // namespace flytri::meshing

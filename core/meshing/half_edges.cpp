@@ -7,7 +7,7 @@
 namespace flytri::meshing {
 
 std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh) {
-  // Into the place of their low vertex at once; the few that share it are then quickly sorted.
+  // Bucket sort by the low vertex, then sort the few edges in each bucket.
   std::vector<std::size_t> starts(mesh.vertices.size() + 1, 0);
   const auto for_each_edge = [&](const auto& visit) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -1,4 +1,5 @@
-/// @file  The directed edges of a mesh's triangles, sorted so that those of one edge are together.
+/// @file  The directed edges of a mesh's triangles, sorted so that half-edges of the same edge are
+///          neighbors.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +11,9 @@ namespace flytri::meshing {
 
 /// A directed edge of a triangle.
 struct HalfEdge {
-  std::uint32_t low, high;  ///< its vertices, low <= high
-  std::uint32_t corner;     ///< 3 t + k: it begins at corner k of triangle t
-  bool rising;              ///< runs from low to high
+  std::uint32_t low, high;  ///< its vertex indices, low <= high
+  std::uint32_t corner;     ///< 3 t + k: starts at corner k of triangle t
+  bool rising;              ///< directed from low to high
 
   [[nodiscard]] std::uint32_t triangle() const { return corner / 3; }
   [[nodiscard]] bool same_edge(const HalfEdge& other) const {
@@ -20,7 +21,7 @@ struct HalfEdge {
   }
 };
 
-/// All of them, by low, then high, then corner.
+/// All half-edges, sorted by low, then high, then corner.
 /// @param mesh  indices valid
 [[nodiscard]] std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh);
 

@@ -7,19 +7,20 @@ namespace flytri::meshing {
 namespace {
 
 constexpr std::size_t kMinNeighbors = 3;
-/// At the straight border of an evenly sampled surface the centroid of a half disk is 0.42 of its
-/// radius away: a little farther is outside.
+/// At a straight border of the surface, the centroid of the half disk of points is 0.42 radii away.
+/// A little farther counts as outside.
 constexpr float kMaxCentroidShare = 0.45F;
 
-/// Squared width by squared length of the points around a place; a full disk has 1.
+/// Least squared ratio of width to length of the points around a place; a full disk has 1.
 constexpr float kMinWidthShare = 0.03F;
 
-/// Far from points the Gaussian is as wide as this share of the distance to the nearest.
+/// Far from points, the width of the Gaussian is this share of the distance to the nearest point.
 constexpr float kSigmaOfDistance = 0.5F;
 
-/// Of a gap that is closed: the widest angle without points, seen from within; and for this share
-/// of the points around it the largest angle between normals, as a cosine, and the farthest from
-/// the tangent plane, by the gap's reach. Two teeth that nearly touch are neither.
+/// A gap is closed only if, seen from inside, no angle wider than kMaxEmptyAngle is without points,
+/// and if kSmoothShare of the points around it have similar normals (cosine at least
+/// kMinSmoothCosine) and are near the tangent plane (within kMaxSmoothOffset gap radii). So the gap
+/// between two teeth that almost touch stays open.
 constexpr float kMaxEmptyAngle = 2.1F;
 constexpr float kSmoothShare = 0.9F;
 constexpr float kMinSmoothCosine = 0.8F;
@@ -60,9 +61,9 @@ std::optional<SurfaceEstimate> ImplicitSurface::at(const Vec3f& place_mm) const 
   float sum_w = 0.0F;
   for (const Neighbor& neighbor : found) {
     const SurfacePoint& point = points_[neighbor.index];
-    // The other side of a thin wall is another surface.
+    // Ignore the other side of a thin wall.
     if (point.normal.dot(facing) <= 0.0F) continue;
-    // Relative to the nearest, so that far places do not underflow.
+    // Relative to the nearest point, so that exp() does not underflow far from points.
     const float w =
         std::exp(-0.5F * (neighbor.distance2_mm2 - nearest->distance2_mm2) / sigma2_mm2);
     sum_w += w;
@@ -101,10 +102,10 @@ bool ImplicitSurface::surrounded_closely(const Vec3f& place_mm, const Vec3f& nor
   }
   if (count < static_cast<float>(kMinNeighbors)) return false;
   centroid /= count;
-  // A ridge or groove pulls the centroid along the normal; that is no border.
+  // A ridge or groove moves the centroid along the normal; this is not a border.
   centroid -= centroid.dot(normal) * normal;
   if (centroid.norm() > kMaxCentroidShare * reach_mm_) return false;
-  // A single line of points has no width: it is no surface.
+  // A single line of points has no width and is not a surface.
   const Vec3f widths = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(spread).eigenvalues();
   return widths[1] >= kMinWidthShare * widths[2];
 }

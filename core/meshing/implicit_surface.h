@@ -1,4 +1,4 @@
-/// @file  The surface that oriented points describe, as the zero of a function of space.
+/// @file  Implicit surface of oriented points: the zero set of a signed distance function.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace flytri::meshing {
 
-/// What the points say at one place.
+/// Estimate of the surface at one place.
 struct SurfaceEstimate {
   float distance_mm = 0.0F;  ///< signed, positive outside
   SurfacePoint mean;         ///< weighted mean of the points; `position_mm` is their centroid
@@ -21,17 +21,17 @@ class ImplicitSurface {
  public:
   /// @param points    kept by reference
   /// @param sigma_mm  > 0, standard deviation of the Gaussian weight
-  /// @param reach_mm  > 0, points farther away count for nothing
-  /// @param gap_mm    >= reach_mm, the same for places between lines, where fewer than three points
-  ///                  are within reach
+  /// @param reach_mm  > 0, radius of the points used
+  /// @param gap_mm    >= reach_mm, larger radius, used where fewer than three points are within
+  ///                  reach_mm
   ImplicitSurface(const PointCloud& points, float sigma_mm, float reach_mm, float gap_mm);
 
-  /// The estimate at a place, or none where fewer than three points are near. Far from points the
-  /// Gaussian widens, so that what lies on both sides of a gap is blended across it.
+  /// The estimate at a place; nullopt if fewer than three points are near. Far from points the
+  /// Gaussian is wider, so that both sides of a gap are blended.
   [[nodiscard]] std::optional<SurfaceEstimate> at(const Vec3f& place_mm) const;
 
-  /// True if points lie all around a place on the surface: their centroid is near it, or, across a
-  /// wider gap, no direction is empty and the surface is smooth.
+  /// True if a place on the surface has points all around: their centroid is near it, or, in a
+  /// wider gap, there are points in all directions and the surface is smooth.
   [[nodiscard]] bool surrounded(const Vec3f& place_mm, const Vec3f& normal) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/point_grid.h"
 #include "core/meshing/implicit_surface.h"
@@ -13,9 +14,9 @@ namespace {
 
 constexpr double kSpacingOfPoints = 1.2;
 constexpr std::size_t kMinPoints = 10;
-/// Points whose distance to the next is looked up for the typical spacing.
+/// Number of points used to measure the typical spacing.
 constexpr std::size_t kSpacingSamples = 2000;
-/// Of the extraction in the time of all; the rest goes to the topology.
+/// Share of the total time for the extraction; the rest is for the topology.
 constexpr double kExtractionShare = 0.9;
 
 /// Median distance of a point to its nearest neighbor.
@@ -29,7 +30,7 @@ double point_spacing_mm(const PointCloud& points) {
     high = high.cwiseMax(point.position_mm);
   }
   const float extent_mm = std::max((high - low).norm(), 1e-6F);
-  // As if the points filled a square of that diagonal: the right order for the grid's cells.
+  // Cell size as if the points filled a square with this diagonal: the right order of magnitude.
   const PointGrid grid(positions, extent_mm / std::sqrt(static_cast<float>(points.size())));
   std::vector<float> distances2;
   std::vector<Neighbor> found;
@@ -45,15 +46,14 @@ double point_spacing_mm(const PointCloud& points) {
 }  // namespace
 
 Result<void> MeshOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "MeshOptions::{} must be {}", name, range);
-  };
-  if (!(spacing_mm >= 0.0)) return bad("spacing_mm", ">= 0");
-  if (!(smoothing_spacings > 0.0)) return bad("smoothing_spacings", "> 0");
-  if (!(support_spacings > 0.0)) return bad("support_spacings", "> 0");
-  if (!(gap_spacings >= support_spacings)) return bad("gap_spacings", ">= support_spacings");
-  if (!(min_island_spacings2 >= 0.0)) return bad("min_island_spacings2", ">= 0");
-  return {};
+  return OptionCheck("MeshOptions")
+      .not_negative("spacing_mm", spacing_mm)
+      .positive("smoothing_spacings", smoothing_spacings)
+      .positive("support_spacings", support_spacings)
+      .must("gap_spacings", gap_spacings, gap_spacings >= support_spacings,
+            "at least support_spacings")
+      .not_negative("min_island_spacings2", min_island_spacings2)
+      .result();
 }
 
 Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& options,

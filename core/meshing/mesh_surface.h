@@ -1,5 +1,4 @@
-/// @file  From points to triangles: a mesh of the measured surface that leaves unmeasured places
-/// open.
+/// @file  Makes a triangle mesh from points; unmeasured places stay open.
 #pragma once
 
 #include "core/base/progress.h"
@@ -13,31 +12,31 @@ namespace flytri::meshing {
 struct MeshOptions {
   /// >= 0. Spacing of the mesh's vertices, mm. 0: 1.2 times the spacing of the points.
   double spacing_mm = 0.0;
-  /// > 0. Standard deviation of the Gaussian that weighs the points around a place, in spacings of
-  /// the mesh. Smaller keeps noise, larger rounds edges.
+  /// > 0. Standard deviation of the Gaussian weights of points, in spacings of the mesh. A smaller
+  /// value keeps noise, a larger one rounds edges.
   double smoothing_spacings = 0.75;
-  /// > 0. Radius, in spacings of the mesh, within which points must surround a place for it to be
-  /// measured. Gaps up to nearly twice as wide lie between lines and are closed.
+  /// > 0. A place counts as measured if points within this radius, in spacings of the mesh,
+  /// surround it. Gaps up to nearly twice this radius are closed, because they lie between lines.
   double support_spacings = 2.5;
-  /// >= support_spacings. The same where the surface is smooth and faces one way: there lines may
-  /// lie farther apart. Wider gaps stay open.
+  /// >= support_spacings. The same radius where the surface is smooth and nearly flat: there lines
+  /// may be farther apart. Wider gaps stay open.
   double gap_spacings = 5.0;
-  /// >= 0. Connected pieces with less area, in squared spacings of the mesh, are dropped.
+  /// >= 0. Connected components with a smaller area, in squared spacings of the mesh, are dropped.
   double min_island_spacings2 = 150.0;
 
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Makes a mesh that is manifold and counter-clockwise from outside, with vertices on the surface
-/// that the points sample. Vertices carry normal, color and sigma of the points around them.
+/// Makes a manifold mesh. Triangles are counter-clockwise seen from outside; vertices have the mean
+/// normal, color and sigma of the points around them.
 ///
 /// The surface is the zero of a weighted mean of the points' tangent planes, extracted by surface
-/// nets on a sparse grid; vertices that the points do not surround are left out, so nothing is
-/// bridged.
+/// nets on a sparse grid; vertices that the points do not surround are dropped, so that unmeasured
+/// places stay open.
 /// @source  implicit surface: Kolluri, "Provably good moving least squares", SODA 2005; surface
-///          nets: Gibson, MICCAI 1998. Why these: docs/adr/0003-meshing.md.
+///          nets: Gibson, MICCAI 1998. docs/adr/0003-meshing.md gives the reasons.
 /// @param progress  advanced by one step
-/// @errors  kBadOption; kInsufficient: fewer points than a patch of surface needs; kCancelled.
+/// @errors  kBadOption; kInsufficient: too few points for a surface; kCancelled.
 [[nodiscard]] Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& options,
                                                const Workers& workers,
                                                const Progress& progress = {});

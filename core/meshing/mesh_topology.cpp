@@ -48,7 +48,7 @@ void drop_crowded_edges(TriangleMesh& mesh) {
   keep_triangles(mesh, keep);
 }
 
-/// Joins sets and finds their representatives, always the smallest member.
+/// Union-find. The representative of a set is its smallest member.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -72,7 +72,7 @@ int corner_of(const Triangle& triangle, std::uint32_t vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
 }
 
-/// Corners (3 t + k) that share an edge at a vertex belong to one fan; each fan gets a vertex.
+/// Corners (3 t + k) at a vertex that share an edge form a fan; each fan gets its own vertex.
 void split_fans(TriangleMesh& mesh) {
   DisjointSets fans(3 * mesh.triangles.size());
   const std::vector<HalfEdge> edges = half_edges_of(mesh);
@@ -101,7 +101,7 @@ void split_fans(TriangleMesh& mesh) {
   }
 }
 
-/// Representative of the connected piece of every vertex.
+/// The connected component of each vertex.
 DisjointSets pieces_of(const TriangleMesh& mesh) {
   DisjointSets pieces(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
@@ -135,7 +135,7 @@ Vec3 mean_normal(const TriangleMesh& mesh, const std::vector<std::uint32_t>& rim
   return sum.normalized();
 }
 
-/// That of the part of a rim which is within reach of a place, or of all of it.
+/// Mean normal of the rim vertices near a place; of all vertices if none is near.
 Vec3 mean_normal_near(const TriangleMesh& mesh, const std::vector<std::uint32_t>& rim,
                       const Vec3& place_mm, double reach_mm) {
   std::vector<std::uint32_t> near;
@@ -145,7 +145,7 @@ Vec3 mean_normal_near(const TriangleMesh& mesh, const std::vector<std::uint32_t>
   return mean_normal(mesh, near.empty() ? rim : near);
 }
 
-/// Where the line is flat: as long as the area that it encloses, and normal to it.
+/// Area vector of a closed line: for a flat line, normal to it, with the enclosed area as length.
 Vec3 enclosed_mm2(const std::vector<Vec3>& rim_mm) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < rim_mm.size(); ++i) {
@@ -155,7 +155,7 @@ Vec3 enclosed_mm2(const std::vector<Vec3>& rim_mm) {
   return 0.5 * sum;
 }
 
-/// A loop and the line that it is.
+/// A boundary loop and its geometry.
 struct Rim {
   BoundaryLoop loop;
   std::vector<Vec3> corners_mm;
@@ -179,9 +179,10 @@ Rim rim_of(const TriangleMesh& mesh, std::vector<std::uint32_t> vertices) {
   return rim;
 }
 
-/// Around a tooth that no line joins to the gum, the gum has a hole that the tooth fills: pieces
-/// within a hole, or a quarter of its size beside it, are its islands. A border has none.
-/// @param smaller  all rims that enclose less
+/// A tooth may be a separate component inside a hole of the gum. The outer borders of components
+/// inside a hole, or within a quarter of its size around it, are its islands. An outer border has
+/// no islands.
+/// @param smaller  all rims with a smaller area
 std::vector<std::span<const Vec3>> islands_mm(const Rim& hole, std::span<const Rim> smaller) {
   constexpr double kBackground = 0.25;
   if (hole.loop.is_outer) return {};
@@ -205,7 +206,7 @@ void find_widest_place(const TriangleMesh& mesh, Rim& rim, std::span<const Rim> 
       mean_normal_near(mesh, loop.vertices, widest.center_mm, widest.width_mm).cast<float>();
 }
 
-/// By vertex: where the boundary goes on, or kNone. At a manifold vertex it is one place.
+/// The next boundary vertex after each vertex, or kNone. A manifold vertex has at most one.
 std::vector<std::uint32_t> boundary_successors(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> next(mesh.vertices.size(), kNone);
   const std::vector<HalfEdge> edges = half_edges_of(mesh);
@@ -221,8 +222,8 @@ std::vector<std::uint32_t> boundary_successors(const TriangleMesh& mesh) {
   return next;
 }
 
-/// Of each piece the loop that encloses most, the first here: a ragged crack may have a longer rim
-/// than the border.
+/// Marks the loop with the largest area of each component, the first one here. The length does not
+/// work: a ragged crack may be longer than the border.
 void mark_outer(const TriangleMesh& mesh, std::vector<Rim>& rims) {
   DisjointSets pieces = pieces_of(mesh);
   std::vector<char> has_border(mesh.vertices.size(), 0);

@@ -1,4 +1,4 @@
-/// @file  Which triangles meet where: makes a mesh manifold, drops its islands, finds its rims.
+/// @file  Topology of a mesh: makes it manifold, drops small components, finds its boundaries.
 #pragma once
 
 #include <vector>
@@ -7,19 +7,19 @@
 
 namespace flytri::meshing {
 
-/// Drops degenerate triangles and those around an edge that more than two triangles share, or two
-/// in the same sense; then gives every fan of triangles at a vertex a vertex of its own. What is
-/// left is an oriented manifold with boundary.
+/// Drops degenerate triangles and all triangles at an edge that has more than two triangles or two
+/// with the same direction. Then gives each fan of triangles at a vertex its own vertex. The result
+/// is an oriented manifold with boundary.
 void repair_manifold(TriangleMesh& mesh);
 
-/// Drops connected pieces with less area, then vertices that no triangle uses.
+/// Drops connected components with a smaller area, then unused vertices.
 void drop_islands(TriangleMesh& mesh, double min_area_mm2);
 
-/// The mesh whose cuts are closed again: vertices at the very same place become one.
+/// Joins vertices at exactly the same position, which closes the cuts between charts.
 [[nodiscard]] TriangleMesh welded(const TriangleMesh& cut);
 
-/// The rims of an oriented manifold, the largest area first. Of each connected piece the one
-/// that encloses the largest area is its outer border.
+/// The boundary loops of an oriented manifold, largest area first. In each connected component, the
+/// loop with the largest area is the outer border.
 [[nodiscard]] std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh);
 
 }  // namespace flytri::meshing

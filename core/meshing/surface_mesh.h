@@ -1,4 +1,4 @@
-/// @file  A triangle mesh of a measured surface and the list of places where it is open.
+/// @file  A triangle mesh of a measured surface with its boundary loops.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,17 @@
 
 namespace flytri::meshing {
 
-/// A closed chain of edges that have a triangle on one side only: the rim of a place that was not
+/// A closed chain of edges with a triangle on one side only: the border of a place that was not
 /// measured.
 struct BoundaryLoop {
-  std::vector<std::uint32_t> vertices;  ///< in order, the surface to the right seen from outside
+  std::vector<std::uint32_t> vertices;  ///< in order; seen from outside, the surface is on the
+                                        ///< right
   double perimeter_mm = 0.0;
   double area_mm2 = 0.0;            ///< estimate: area of the loop projected along its mean normal
-  double width_mm = 0.0;            ///< of the widest place within, islands left out
+  double width_mm = 0.0;            ///< of the widest place inside, without islands
   Vec3f center_mm = Vec3f::Zero();  ///< of the widest place
-  Vec3f normal = Vec3f::UnitZ();    ///< unit, outwards: mean normal of the rim around there
-  bool is_outer = false;            ///< the border of the scan, not a hole in it
+  Vec3f normal = Vec3f::UnitZ();    ///< unit, outwards: mean normal of the loop near the center
+  bool is_outer = false;            ///< the outer border of a component, not a hole
 };
 
 struct SurfaceMesh {

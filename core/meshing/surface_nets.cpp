@@ -6,54 +6,30 @@
 #include <iterator>
 #include <limits>
 
+#include "core/geometry/surface_net.h"
+
 namespace flytri::meshing {
 namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 /// Cells below the lowest point: farther than the surface goes beyond the points.
 constexpr int kMargin = 64;
-/// Steps that move a vertex onto the surface; the second is already far below the noise.
+/// Steps that move a vertex onto the surface; after the second step, the error is far below the
+/// noise.
 constexpr int kProjections = 3;
 constexpr std::size_t kGrain = 256;
 
-/// Shares in the time: of all waves; of a wave in what is left (how many follow is not known, but
-/// the first does most); of the corners in a wave.
+/// Shares of time: of all waves; of a wave in the remaining time (the number of waves is unknown,
+/// but the first takes most of the time); of the corners in a wave.
 constexpr double kWavesShare = 0.9, kWaveShare = 0.75, kCornerShare = 0.5;
-
-/// A grid place as one number that sorts by z, then y, then x.
-using Key = std::uint64_t;
-constexpr int kBits = 21;
-constexpr Key kMask = (Key{1} << kBits) - 1;
-
-struct Place {
-  std::int32_t x, y, z;  ///< > 0
-};
-Key key_of(const Place& p) {
-  return (static_cast<Key>(p.z) << (2 * kBits)) | (static_cast<Key>(p.y) << kBits) |
-         static_cast<Key>(p.x);
-}
-Place place_of(Key key) {
-  return {static_cast<std::int32_t>(key & kMask), static_cast<std::int32_t>((key >> kBits) & kMask),
-          static_cast<std::int32_t>(key >> (2 * kBits))};
-}
-
-/// One place further along an axis.
-constexpr Key step_along(int axis) { return Key{1} << (axis * kBits); }
-
-void sort_unique(std::vector<Key>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-}
 
 /// The places `low` to `high` steps along an axis from those given; sorted, as those given are.
 /// Shifting keeps the order, so merging takes the place of sorting all of them again.
-std::vector<Key> dilated(const std::vector<Key>& keys, int axis, int low, int high) {
-  const Key step = step_along(axis);
-  std::vector<Key> result, shifted(keys.size()), merged;
+std::vector<CellKey> dilated(const std::vector<CellKey>& keys, int axis, int low, int high) {
+  std::vector<CellKey> result, shifted(keys.size()), merged;
   for (int offset = low; offset <= high; ++offset) {
-    const Key shift = static_cast<Key>(offset) * step;  // wraps around where it is negative
-    std::transform(keys.begin(), keys.end(), shifted.begin(), [&](Key key) { return key + shift; });
+    std::transform(keys.begin(), keys.end(), shifted.begin(),
+                   [&](CellKey key) { return grid_step(key, axis, offset); });
     merged.clear();
     std::set_union(result.begin(), result.end(), shifted.begin(), shifted.end(),
                    std::back_inserter(merged));
@@ -62,37 +38,11 @@ std::vector<Key> dilated(const std::vector<Key>& keys, int axis, int low, int hi
   return result;
 }
 
-/// Looks up rising keys in a sorted list: each search begins where the last one ended, so that
-/// near ones cost little.
-class Cursor {
- public:
-  explicit Cursor(const std::vector<Key>& keys) : keys_(keys) {}
-
-  /// Position of the key in the list, or kNoVertex.
-  std::uint32_t find(Key key) {
-    std::size_t step = 1;
-    if (at_ >= keys_.size() || keys_[at_] > key) at_ = 0;
-    while (at_ + step < keys_.size() && keys_[at_ + step] < key) {
-      at_ += step;
-      step *= 2;
-    }
-    const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(at_);
-    const auto end =
-        keys_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + step + 1, keys_.size()));
-    at_ = static_cast<std::size_t>(std::lower_bound(begin, end, key) - keys_.begin());
-    return at_ < keys_.size() && keys_[at_] == key ? static_cast<std::uint32_t>(at_) : kNoVertex;
-  }
-
- private:
-  const std::vector<Key>& keys_;
-  std::size_t at_ = 0;
-};
-
 /// Puts new keys with their values among those that are there; both are sorted, none is in both.
 template <typename Value>
-void merge(const std::vector<Key>& new_keys, std::vector<Value> new_values, std::vector<Key>& keys,
-           std::vector<Value>& values) {
-  std::vector<Key> all_keys(keys.size() + new_keys.size());
+void merge(const std::vector<CellKey>& new_keys, std::vector<Value> new_values,
+           std::vector<CellKey>& keys, std::vector<Value>& values) {
+  std::vector<CellKey> all_keys(keys.size() + new_keys.size());
   std::vector<Value> all_values(all_keys.size());
   std::size_t a = 0, b = 0;
   for (std::size_t i = 0; i < all_keys.size(); ++i) {
@@ -105,46 +55,6 @@ void merge(const std::vector<Key>& new_keys, std::vector<Value> new_values, std:
   values.swap(all_values);
 }
 
-/// Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2).
-Place corner_of(const Place& cell, int k) {
-  return {cell.x + (k & 1), cell.y + (k >> 1 & 1), cell.z + (k >> 2)};
-}
-
-/// Reads the values at the corners of rising cells, all of which are there.
-class CornerReader {
- public:
-  /// Both are kept by reference.
-  CornerReader(const std::vector<Key>& corners, const std::vector<float>& values)
-      : rows_{Cursor(corners), Cursor(corners), Cursor(corners), Cursor(corners)},
-        values_(values) {}
-
-  /// By corner of the cell, see corner_of.
-  std::array<float, 8> around(Key cell) {
-    std::array<float, 8> values{};
-    for (std::size_t row = 0; row < 4; ++row) {
-      const Key first = cell + (row & 1U) * step_along(1) + (row >> 1U) * step_along(2);
-      const std::uint32_t at = rows_[row].find(first);
-      // The next corner along x is the next in the list.
-      values[2 * row] = values_[at];
-      values[2 * row + 1] = values_[at + 1];
-    }
-    return values;
-  }
-
- private:
-  std::array<Cursor, 4> rows_;  ///< along x, by y and z
-  const std::vector<float>& values_;
-};
-
-/// Finds what is around the edges that begin in rising corners, by axis.
-struct EdgeCursors {
-  EdgeCursors(const std::vector<Key>& corners, const std::vector<Key>& grid_cells)
-      : end(3, Cursor(corners)), cells(3, std::vector(4, Cursor(grid_cells))) {}
-
-  std::vector<Cursor> end;                 ///< among the corners
-  std::vector<std::vector<Cursor>> cells;  ///< each of the four around the edge
-};
-
 /// One run: the grid, its values, its vertices. The grid begins where the points are and grows
 /// along the surface as long as points surround it.
 class Extraction {
@@ -156,19 +66,20 @@ class Extraction {
   Result<TriangleMesh> run(const PointCloud& points);
 
  private:
-  [[nodiscard]] std::vector<Key> cells_with_points(const PointCloud& points);
-  [[nodiscard]] bool evaluate_corners(const std::vector<Key>& new_cells, const Progress& progress);
-  [[nodiscard]] Result<std::vector<Key>> place_vertices(const std::vector<Key>& new_cells,
-                                                        const Progress& progress);
+  [[nodiscard]] std::vector<CellKey> cells_with_points(const PointCloud& points);
+  [[nodiscard]] bool evaluate_corners(const std::vector<CellKey>& new_cells,
+                                      const Progress& progress);
+  [[nodiscard]] Result<std::vector<CellKey>> place_vertices(const std::vector<CellKey>& new_cells,
+                                                            const Progress& progress);
   void number_vertices();
   [[nodiscard]] bool connect(const Progress& progress);
-  void connect_edge(std::size_t corner, int axis, EdgeCursors& cursors);
-  [[nodiscard]] Vec3f position_of(const Place& corner) const {
-    return origin_mm_ + spacing_mm_ * Vec3f(static_cast<float>(corner.x),
-                                            static_cast<float>(corner.y),
-                                            static_cast<float>(corner.z));
+  void add_quad(const std::array<std::uint32_t, 4>& ring);
+  [[nodiscard]] Vec3f position_of(CellKey corner) const {
+    return origin_mm_ + spacing_mm_ * Vec3f(static_cast<float>(grid_number(corner, 0)),
+                                            static_cast<float>(grid_number(corner, 1)),
+                                            static_cast<float>(grid_number(corner, 2)));
   }
-  [[nodiscard]] std::optional<SurfacePoint> vertex_in(const Place& cell,
+  [[nodiscard]] std::optional<SurfacePoint> vertex_in(CellKey cell,
                                                       const std::array<float, 8>& value) const;
 
   const ImplicitSurface& surface_;
@@ -176,15 +87,15 @@ class Extraction {
   const Workers& workers_;
   const Progress& progress_;
   Vec3f origin_mm_ = Vec3f::Zero();
-  std::vector<Key> cells_, corners_;                   ///< sorted
+  CornerValues grid_;                                  ///< NaN: no estimate
+  std::vector<CellKey> cells_;                         ///< sorted
   std::vector<std::optional<SurfacePoint>> vertices_;  ///< by cell
-  std::vector<float> values_;                          ///< by corner; NaN: no estimate
-  std::vector<std::uint32_t> vertex_of_cell_;          ///< by cell
+  std::vector<CellKey> net_cells_;                     ///< those with a vertex
   TriangleMesh mesh_;
 };
 
 Result<TriangleMesh> Extraction::run(const PointCloud& points) {
-  std::vector<Key> wave = cells_with_points(points);
+  std::vector<CellKey> wave = cells_with_points(points);
   double rest = kWavesShare;
   for (; !wave.empty(); rest *= 1.0 - kWaveShare) {
     const Progress of_wave = progress_.part(kWaveShare * rest);
@@ -199,70 +110,71 @@ Result<TriangleMesh> Extraction::run(const PointCloud& points) {
   return std::move(mesh_);
 }
 
-std::vector<Key> Extraction::cells_with_points(const PointCloud& points) {
+std::vector<CellKey> Extraction::cells_with_points(const PointCloud& points) {
   Vec3f low = points.front().position_mm;
   for (const SurfacePoint& point : points) low = low.cwiseMin(point.position_mm);
   origin_mm_ = low - Vec3f::Constant(spacing_mm_ * static_cast<float>(kMargin));
-  std::vector<Key> cells;
+  std::vector<CellKey> cells;
   for (const SurfacePoint& point : points) {
     const Vec3f p = (point.position_mm - origin_mm_) / spacing_mm_;
-    cells.push_back(key_of({static_cast<std::int32_t>(p.x()), static_cast<std::int32_t>(p.y()),
-                            static_cast<std::int32_t>(p.z())}));
+    cells.push_back(grid_key(static_cast<std::int32_t>(p.x()), static_cast<std::int32_t>(p.y()),
+                             static_cast<std::int32_t>(p.z())));
   }
   sort_unique(cells);
   return cells;
 }
 
 /// @returns false if that was cancelled
-bool Extraction::evaluate_corners(const std::vector<Key>& new_cells, const Progress& progress) {
-  std::vector<Key> around = new_cells;
+bool Extraction::evaluate_corners(const std::vector<CellKey>& new_cells, const Progress& progress) {
+  std::vector<CellKey> around = new_cells;
   for (int axis = 0; axis < 3; ++axis) around = dilated(around, axis, 0, 1);
-  std::vector<Key> corners;
-  std::set_difference(around.begin(), around.end(), corners_.begin(), corners_.end(),
+  std::vector<CellKey> corners;
+  std::set_difference(around.begin(), around.end(), grid_.corners.begin(), grid_.corners.end(),
                       std::back_inserter(corners));
   std::vector<float> values(corners.size());
   const bool complete = workers_.for_each_unless_cancelled(
       corners.size(),
       [&](std::size_t i) {
-        const auto estimate = surface_.at(position_of(place_of(corners[i])));
+        const auto estimate = surface_.at(position_of(corners[i]));
         values[i] = estimate ? estimate->distance_mm : kNoValue;
       },
       progress, kGrain);
   if (!complete) return false;
-  merge(corners, std::move(values), corners_, values_);
+  merge(corners, std::move(values), grid_.corners, grid_.values);
   return true;
 }
 
 /// The neighbors of a cell across those faces that the surface crosses.
-void add_crossed_neighbors(Key cell, const std::array<float, 8>& value,
-                           std::vector<Key>& neighbors) {
+void add_crossed_neighbors(CellKey cell, const std::array<float, 8>& value,
+                           std::vector<CellKey>& neighbors) {
   for (int axis = 0; axis < 3; ++axis) {
-    const Key step = step_along(axis);
     for (const int side : {0, 1}) {
       int outside = 0;
       for (int k = 0; k < 8; ++k) {
         if ((k >> axis & 1) == side && value[k] >= 0.0F) ++outside;
       }
-      if (outside != 0 && outside != 4) neighbors.push_back(side == 1 ? cell + step : cell - step);
+      if (outside != 0 && outside != 4) {
+        neighbors.push_back(grid_step(cell, axis, side == 1 ? 1 : -1));
+      }
     }
   }
 }
 
 /// @returns the cells into which the surface goes on, that are not there yet.
-Result<std::vector<Key>> Extraction::place_vertices(const std::vector<Key>& new_cells,
-                                                    const Progress& progress) {
+Result<std::vector<CellKey>> Extraction::place_vertices(const std::vector<CellKey>& new_cells,
+                                                        const Progress& progress) {
   std::vector<std::optional<SurfacePoint>> vertices(new_cells.size());
   const auto place_block = [&](std::size_t block) {
-    CornerReader corners(corners_, values_);
+    CornerReader corners(grid_);
     const std::size_t end = std::min(new_cells.size(), (block + 1) * kGrain);
     for (std::size_t i = block * kGrain; i < end; ++i) {
-      vertices[i] = vertex_in(place_of(new_cells[i]), corners.around(new_cells[i]));
+      vertices[i] = vertex_in(new_cells[i], corners.around(new_cells[i]));
     }
   };
   const std::size_t blocks = (new_cells.size() + kGrain - 1) / kGrain;
   if (!workers_.for_each_unless_cancelled(blocks, place_block, progress)) return stopped();
-  std::vector<Key> neighbors, next;
-  CornerReader corners(corners_, values_);
+  std::vector<CellKey> neighbors, next;
+  CornerReader corners(grid_);
   for (std::size_t i = 0; i < new_cells.size(); ++i) {
     if (!vertices[i]) continue;
     add_crossed_neighbors(new_cells[i], corners.around(new_cells[i]), neighbors);
@@ -274,27 +186,17 @@ Result<std::vector<Key>> Extraction::place_vertices(const std::vector<Key>& new_
   return next;
 }
 
-std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell,
+std::optional<SurfacePoint> Extraction::vertex_in(CellKey cell,
                                                   const std::array<float, 8>& value) const {
-  bool any_outside = false;
-  bool any_inside = false;
-  for (int k = 0; k < 8; ++k) {
-    if (std::isnan(value[k])) return std::nullopt;
-    (value[k] >= 0.0F ? any_outside : any_inside) = true;
-  }
-  if (!any_inside || !any_outside) return std::nullopt;
+  if (!is_crossed(value)) return std::nullopt;
   Vec3f sum = Vec3f::Zero();
   float count = 0.0F;
-  for (int k = 0; k < 8; ++k) {
-    for (int bit = 1; bit < 8; bit <<= 1) {
-      const int l = k | bit;
-      if (l == k || (value[k] >= 0.0F) == (value[l] >= 0.0F)) continue;
-      const Vec3f a = position_of(corner_of(cell, k));
-      const Vec3f b = position_of(corner_of(cell, l));
-      sum += a + value[k] / (value[k] - value[l]) * (b - a);
-      count += 1.0F;
-    }
-  }
+  for_each_crossing(value, [&](int k, int l, double share) {
+    const Vec3f a = position_of(corner_of(cell, k));
+    const Vec3f b = position_of(corner_of(cell, l));
+    sum += a + static_cast<float>(share) * (b - a);
+    count += 1.0F;
+  });
   Vec3f place = sum / count;
   std::optional<SurfaceEstimate> estimate;
   for (int i = 0; i < kProjections; ++i) {
@@ -302,7 +204,7 @@ std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell,
     if (!estimate) return std::nullopt;
     place -= estimate->distance_mm * estimate->mean.normal;
   }
-  // A vertex that leaves its cell's neighborhood follows another sheet.
+  // A vertex far away from its cell belongs to another sheet of the surface.
   if ((place - sum / count).norm() > spacing_mm_) return std::nullopt;
   if (!surface_.surrounded(place, estimate->mean.normal)) return std::nullopt;
   SurfacePoint vertex = estimate->mean;
@@ -311,35 +213,14 @@ std::optional<SurfacePoint> Extraction::vertex_in(const Place& cell,
 }
 
 void Extraction::number_vertices() {
-  vertex_of_cell_.assign(cells_.size(), kNoVertex);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (!vertices_[i]) continue;
-    vertex_of_cell_[i] = static_cast<std::uint32_t>(mesh_.vertices.size());
+    net_cells_.push_back(cells_[i]);
     mesh_.vertices.push_back(*vertices_[i]);
   }
 }
 
-void Extraction::connect_edge(std::size_t corner, int axis, EdgeCursors& cursors) {
-  const std::uint32_t end = cursors.end[axis].find(corners_[corner] + step_along(axis));
-  if (end == kNoVertex) return;
-  const bool a_outside = values_[corner] >= 0.0F;
-  if (std::isnan(values_[corner]) || std::isnan(values_[end]) ||
-      a_outside == (values_[end] >= 0.0F)) {
-    return;
-  }
-  // The four cells around the edge, counter-clockwise seen from its end.
-  const Key p = step_along((axis + 1) % 3);
-  const Key q = step_along((axis + 2) % 3);
-  const Key last = corners_[corner];
-  const std::array<Key, 4> around = {last - p - q, last - q, last, last - p};
-  std::array<std::uint32_t, 4> ring{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::uint32_t at = cursors.cells[axis][i].find(around[i]);
-    if (at == kNoVertex || vertex_of_cell_[at] == kNoVertex) return;
-    ring[i] = vertex_of_cell_[at];
-  }
-  // Outwards is where the value rises.
-  if (a_outside) std::swap(ring[1], ring[3]);
+void Extraction::add_quad(const std::array<std::uint32_t, 4>& ring) {
   const auto length2 = [&](int i, int j) {
     return (mesh_.vertices[ring[i]].position_mm - mesh_.vertices[ring[j]].position_mm)
         .squaredNorm();
@@ -354,13 +235,13 @@ void Extraction::connect_edge(std::size_t corner, int axis, EdgeCursors& cursors
   }
 }
 
-/// @returns false if that was cancelled
+/// @returns false if canceled
 bool Extraction::connect(const Progress& progress) {
-  EdgeCursors cursors(corners_, cells_);
+  NetEdges edges(grid_, net_cells_);
   const auto connect_corner = [&](std::size_t i) {
-    for (int axis = 0; axis < 3; ++axis) connect_edge(i, axis, cursors);
+    edges.from_corner(i, [&](const std::array<std::uint32_t, 4>& ring) { add_quad(ring); });
   };
-  return for_each_in_order(corners_.size(), connect_corner, progress, kGrain);
+  return for_each_in_order(grid_.corners.size(), connect_corner, progress, kGrain);
 }
 
 }  // namespace

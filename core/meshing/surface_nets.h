@@ -9,10 +9,10 @@
 
 namespace flytri::meshing {
 
-/// One vertex in every grid cell that the surface crosses and the points surround, moved onto the
-/// surface; one quadrilateral, as two triangles, across every crossed grid edge whose four cells
-/// have one. Where a cell holds two sheets the result may touch itself; see repair_manifold.
-/// @param points      the surface's own
+/// Places one vertex on the surface in every grid cell that the surface crosses and the points
+/// surround. Adds one quadrilateral (two triangles) at every crossed grid edge whose four cells
+/// have a vertex. If a cell contains two sheets, the result may touch itself; see repair_manifold.
+/// @param points      the points of the surface
 /// @param spacing_mm  > 0, edge of a grid cell
 /// @param progress    advanced by one step
 /// @source  Gibson, "Constrained elastic surface nets", MICCAI 1998.

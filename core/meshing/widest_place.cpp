@@ -11,16 +11,17 @@ namespace {
 
 constexpr double kFinestPixel_mm = 0.02;
 constexpr double kMostPixels = 1000.0;
-/// Around the line, so that all that is outside of it has somewhere to be.
+/// Margin around the line, so that the image has pixels outside.
 constexpr double kMargin_px = 2.0;
-/// OpenCV takes corners as whole numbers, with this many binary digits behind the point.
+/// fillPoly takes fixed-point coordinates with this many fractional bits.
 constexpr int kDigits = 6;
-/// fillPoly also fills the pixels that the line passes, and the nearest pixel outside is one off.
+/// Error of the measured width: fillPoly also fills the pixels on the line, and the distance is to
+/// the nearest pixel outside.
 constexpr double kTooWide_px = 2.0;
-/// What is as little farther than the nearest is as near.
+/// Points at most this much farther than the nearest count as equally near.
 constexpr double kNear_px = 2.0;
 
-/// An image of a line, seen along a direction: pixels are right and down of its corner.
+/// Image plane perpendicular to a direction; `corner_mm` is its upper left corner.
 struct Sight {
   Vec3 right, down;
   Vec2 corner_mm;
@@ -55,7 +56,7 @@ void fill(cv::Mat& image, const Sight& sight, std::span<const Vec3> line_mm, int
   cv::fillPoly(image, std::vector<std::vector<cv::Point>>{corners}, value, cv::LINE_8, kDigits);
 }
 
-/// Mean height of the line along the direction where it is nearest to a pixel.
+/// Mean height along the direction of the part of the line that is nearest to a pixel.
 double height_mm(const Sight& sight, std::span<const Vec3> line_mm, const Vec3& direction,
                  const Vec2& from_px) {
   double nearest_px = std::numeric_limits<double>::infinity();

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/check_options.h"
+#include "core/geometry/cell_key.h"
 #include "core/geometry/point_spacing.h"
 
 namespace flytri::normals {
@@ -13,21 +15,20 @@ namespace {
 
 constexpr double kTangentSpacings = 4.0;
 constexpr double kCellSpacings = 10.0;
-/// The Gaussian is cut where it has fallen to 1 %.
+/// The Gaussian is cut off where it is 1 %.
 constexpr double kGaussianReach = 3.0;
 
-/// Both patterns must take part: the rarer has at least this many points by the other's.
+/// Both patterns are needed: the one with fewer points must have at least this share of the
+/// other's.
 constexpr double kMinPatternShare = 0.05;
 
-/// How far normals are carried into places that one pattern alone has reached, in cells.
+/// How far normals are extended into places with only one pattern, in cells.
 constexpr int kExtensionRings = 3;
 constexpr std::size_t kCellGrain = 256;
 
-/// The parts' shares of the time.
+/// Share of the total time of each part.
 constexpr double kTangentShare = 0.4, kGatherShare = 0.35, kCrossingShare = 0.1,
                  kExtensionShare = 0.05, kPointShare = 0.1;
-
-using CellKey = std::array<std::int32_t, 3>;
 
 /// o of every point of a view, sensor frame, unit; by profile, by point.
 using ViewTangents = std::vector<std::vector<Vec3>>;
@@ -43,7 +44,7 @@ std::vector<Vec3> tangents_of(const Profile& profile, double sigma_points) {
   }
   std::vector<Vec3> tangents(profile.points.size());
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    // The slope of a weighted straight line, which at the ends leans to the side that is there.
+    // Slope of a weighted straight line; one-sided at the ends.
     double sum_w = 0.0, sum_k = 0.0;
     Vec3 sum_p = Vec3::Zero(), sum_kp = Vec3::Zero();
     for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - reach);
@@ -71,20 +72,14 @@ ViewTangents tangents_of(const View& view, double sigma_mm) {
   return tangents;
 }
 
-/// What the profiles in one cell say together: sum of o o^T and of the directions to the sensors.
+/// Sums over all profile points in one cell: o o^T, and the directions to the sensors.
 struct TangentCell {
-  CellKey key{};
+  CellKey key;
   Eigen::Matrix3d oo = Eigen::Matrix3d::Zero();
   Vec3 towards_sensor = Vec3::Zero();
   std::array<double, 2> weight{};  ///< points by pattern
-  Vec3 normal = Vec3::Zero();      ///< zero: no crossing here
+  Vec3 normal = Vec3::Zero();      ///< zero: profiles do not cross here
 };
-
-CellKey key_of(const Vec3& p, double cell_mm) {
-  return {static_cast<std::int32_t>(std::floor(p.x() / cell_mm)),
-          static_cast<std::int32_t>(std::floor(p.y() / cell_mm)),
-          static_cast<std::int32_t>(std::floor(p.z() / cell_mm))};
-}
 
 const TangentCell* find_cell(std::span<const TangentCell> cells, const CellKey& key) {
   const auto it = std::lower_bound(
@@ -93,10 +88,10 @@ const TangentCell* find_cell(std::span<const TangentCell> cells, const CellKey& 
   return it != cells.end() && it->key == key ? &*it : nullptr;
 }
 
-/// Where a summand comes from; sorting those of one cell keeps their order.
+/// A cell and the index of its summand. Sorting keeps the order of the summands of one cell.
 using Keyed = std::pair<CellKey, std::uint32_t>;
 
-/// The sum of item(index) over all of equal key.
+/// Sums item(index) over equal keys.
 template <typename Item>
 std::vector<TangentCell> sum_by_key(std::vector<Keyed> keyed, const Item& item) {
   std::sort(keyed.begin(), keyed.end());
@@ -123,7 +118,7 @@ std::vector<TangentCell> gather_cells(const AlignedView& aligned, const ViewTang
   for (std::size_t k = 0; k < tangents.size(); ++k) {
     for (std::size_t i = 0; i < tangents[k].size(); ++i) {
       const Vec3& p_sensor = aligned.view->profiles[k].points[i].position_mm;
-      keyed.emplace_back(key_of(T_world_sensor * p_sensor, cell_mm),
+      keyed.emplace_back(CellKey::at(Vec3(T_world_sensor * p_sensor), cell_mm),
                          static_cast<std::uint32_t>(keyed.size()));
       directions.emplace_back(T_world_sensor.linear() * tangents[k][i]);
     }
@@ -137,8 +132,8 @@ std::vector<TangentCell> gather_cells(const AlignedView& aligned, const ViewTang
   });
 }
 
-/// Sums of each view's own points, then of all views: in order, so the bits do not depend on
-/// threads.
+/// Sums the points of each view, then all views in order, so that the result does not depend on the
+/// number of threads.
 Result<std::vector<TangentCell>> gather_cells(std::span<const AlignedView> views,
                                               std::span<const ViewTangents> tangents,
                                               double cell_mm, const Workers& workers,
@@ -167,7 +162,7 @@ void for_neighbors(std::span<const TangentCell> cells, const CellKey& key, const
   for (int i = -1; i <= 1; ++i) {
     for (int j = -1; j <= 1; ++j) {
       for (int k = -1; k <= 1; ++k) {
-        const TangentCell* cell = find_cell(cells, {key[0] + i, key[1] + j, key[2] + k});
+        const TangentCell* cell = find_cell(cells, key.neighbor(i, j, k));
         if (cell != nullptr) visit(*cell, kWeights[std::abs(i) + std::abs(j) + std::abs(k)]);
       }
     }
@@ -186,21 +181,22 @@ TangentCell blend(std::span<const TangentCell> cells, const CellKey& key) {
   return sum;
 }
 
-/// The direction least along all o, or zero where they are nearly parallel.
+/// The direction most perpendicular to all o, or zero if they are nearly parallel.
 Vec3 common_normal(const TangentCell& cell, double min_crossing_sine) {
-  // The o of one bent profile spread too, but in its own sheet: that is no crossing.
+  // The o of one curved profile vary too, but within its light sheet: that is not a crossing.
   const auto [few, many] = std::minmax(cell.weight[0], cell.weight[1]);
   if (few < kMinPatternShare * many) return Vec3::Zero();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(cell.oo);
   const Vec3& eigenvalues = solver.eigenvalues();
-  // For two equal sets of directions at angle t the middle eigenvalue is 1 - cos t of their sum.
+  // For two equal sets of directions at angle t, the middle eigenvalue is (1 - cos t) / 2 of the
+  // sum of the eigenvalues.
   const double min_share = 0.5 * (1.0 - std::sqrt(1.0 - min_crossing_sine * min_crossing_sine));
   if (eigenvalues[1] < min_share * eigenvalues.sum()) return Vec3::Zero();
   const Vec3 normal = solver.eigenvectors().col(0);
   return normal.dot(cell.towards_sensor) < 0.0 ? Vec3(-normal) : normal;
 }
 
-/// Gives the cells in which profiles cross their normal. @returns false if that was cancelled
+/// Sets the normal of each cell in which profiles cross. @returns false if canceled
 bool cross_tangents(std::vector<TangentCell>& cells, const NormalOptions& options,
                     const Workers& workers, const Progress& progress) {
   std::vector<Vec3> normals(cells.size());
@@ -215,8 +211,8 @@ bool cross_tangents(std::vector<TangentCell>& cells, const NormalOptions& option
   return true;
 }
 
-/// Carries normals into cells without a crossing from those beside them, ring by ring.
-/// @returns false if that was cancelled
+/// Extends normals from neighboring cells into cells without a crossing, ring by ring.
+/// @returns false if canceled
 bool extend_normals(std::vector<TangentCell>& cells, const Workers& workers,
                     const Progress& progress) {
   for (int ring = 0; ring < kExtensionRings; ++ring) {
@@ -245,7 +241,7 @@ Vec3 perpendicular(const Vec3& n, const Vec3& o) {
   return length > 0.5 ? Vec3(normal / length) : Vec3(Vec3::Zero());
 }
 
-/// n_in: within the light sheet, towards the sensor. All that one profile alone can say.
+/// n_in: the normal within the light sheet, towards the sensor. A single profile gives only this.
 Vec3 in_plane_normal(const Vec3& sheet_normal, const Vec3& o, const Vec3& towards_sensor) {
   const Vec3 n_in = o.cross(sheet_normal).normalized();
   return n_in.dot(towards_sensor) < 0.0 ? Vec3(-n_in) : n_in;
@@ -258,7 +254,7 @@ ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
   for (std::size_t k = 0; k < normals.size(); ++k) {
     const auto& points = aligned.view->profiles[k].points;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const CellKey key = key_of(T_world_sensor * points[i].position_mm, cell_mm);
+      const CellKey key = CellKey::at(Vec3(T_world_sensor * points[i].position_mm), cell_mm);
       const TangentCell* cell = find_cell(cells, key);
       const Vec3 o = T_world_sensor.linear() * tangents[k][i];
       Vec3 normal = perpendicular(cell->normal, o);
@@ -275,15 +271,12 @@ ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
 }  // namespace
 
 Result<void> NormalOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "NormalOptions::{} must be {}", name, range);
-  };
-  if (!(tangent_sigma_mm >= 0.0)) return bad("tangent_sigma_mm", ">= 0");
-  if (!(cell_mm >= 0.0)) return bad("cell_mm", ">= 0");
-  if (!(min_crossing_sine > 0.0 && min_crossing_sine < 1.0)) {
-    return bad("min_crossing_sine", "in (0, 1)");
-  }
-  return {};
+  return OptionCheck("NormalOptions")
+      .not_negative("tangent_sigma_mm", tangent_sigma_mm)
+      .not_negative("cell_mm", cell_mm)
+      .must("min_crossing_sine", min_crossing_sine,
+            min_crossing_sine > 0.0 && min_crossing_sine < 1.0, "above 0 and below 1")
+      .result();
 }
 
 Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> views,

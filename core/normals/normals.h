@@ -1,4 +1,4 @@
-/// @file  From aligned views to surface normals at their points, by the profiles that cross there.
+/// @file  Surface normals at the points of aligned views, computed from crossing profiles.
 #pragma once
 
 #include <span>
@@ -13,11 +13,11 @@
 namespace flytri::normals {
 
 struct NormalOptions {
-  /// >= 0. Reach along a profile from which its direction is taken: standard deviation of a
-  /// Gaussian, mm. 0: 4 times the spacing of neighboring points, about the width of a line.
+  /// >= 0. Standard deviation of the Gaussian that smooths a profile before its direction is
+  /// computed, mm. 0: 4 times the spacing of neighboring points, about the width of a line.
   double tangent_sigma_mm = 0.0;
   /// >= 0. Edge of the cells in which profiles count as crossing, mm. 0: 10 times the spacing of
-  /// neighboring points, so that a finished scan has lines of both patterns in nearly each.
+  /// neighboring points, so that in a finished scan nearly every cell has lines of both patterns.
   double cell_mm = 0.0;
   /// (0, 1). Sine of the angle between two profiles below which they do not determine a normal.
   double min_crossing_sine = 0.2;
@@ -32,11 +32,12 @@ using ViewNormals = std::vector<std::vector<Vec3f>>;
 ///
 /// In the paper two crossing profiles give n = o^k x o^l, and o is interpolated between crossings
 /// along the profile. In a finished scan every place is crossed by many profiles: there n is the
-/// direction that is least along all their o, which for two is the cross product. The normal of a
-/// point is then made perpendicular to the o of its own profile, which is known best. Where no
-/// profile crosses, the normal is carried over from the nearest crossings; far from any it is n_in,
-/// which is all that one profile can say.
-/// @source  Arold et al., "Calculation of Normals", eq. (full_normal).
+/// direction most perpendicular to all their o; for two profiles this is the cross product. Then
+/// the normal of a point is made perpendicular to the o of its own profile, which is the most
+/// accurate direction. Where no profiles cross, the normal is extended from the nearest crossings;
+/// far from any crossing it is n_in, because a single profile gives no more.
+/// @source  Arold et al., "Calculation of Normals": the normal is the cross product of the tangents
+///          of two crossing profiles.
 /// @param progress  advanced by one step
 /// @errors  kBadOption, kCancelled.
 [[nodiscard]] Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> views,

@@ -11,14 +11,14 @@
 namespace flytri::reconstruct {
 namespace {
 
-/// The steps of the finishing, as the user sees them.
+/// Names of the stages, shown to the user.
 constexpr auto kRefining = "Refining all views together", kNormals = "Calculating normals",
                kThinning = "Thinning points", kMeshing = "Meshing", kTexturing = "Texturing";
 
-/// Of coloring the points, and as much the vertices, in the time of texturing.
+/// Share of the texturing time for coloring the points, and the same share for the vertices.
 constexpr double kColoringShare = 0.15;
 
-/// One run: holds what the stages hand to each other.
+/// One run: keeps the data passed from stage to stage.
 class Finisher {
  public:
   Finisher(ScannedViews scanned, const FinishOptions& options, const Workers& workers,
@@ -75,7 +75,7 @@ void Finisher::place_texture_frames() {
   }
 }
 
-/// All measured points that the edits keep, with their normals.
+/// The measured points that the edits keep, with normals.
 Result<std::vector<SurfaceSample>> Finisher::find_samples() {
   progress_.begin_stage(kNormals);
   const auto normals =
@@ -147,7 +147,7 @@ Result<FinishedScan> Finisher::run() {
   if (auto ok = make_points(); !ok) return tl::unexpected(ok.error());
   if (auto ok = make_surface(); !ok) return tl::unexpected(ok.error());
   if (auto ok = apply_texture(); !ok) return tl::unexpected(ok.error());
-  // Cancelled after the last check, it is cancelled all the same.
+  // The user may have canceled after the last check.
   if (progress_.cancelled()) return stopped();
   return std::move(result_);
 }

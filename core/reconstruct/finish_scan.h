@@ -1,4 +1,4 @@
-/// @file  From registered views to a textured model: everything that comes after the hand stopped.
+/// @file  From registered views to a textured model: all steps after the scan.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@
 
 namespace flytri::reconstruct {
 
-/// The options of the finishing stages. Each stage documents and checks its own.
+/// The options of all stages. Each stage documents and validates its own.
 struct FinishOptions {
   refinement::JointRefineOptions refinement;
   normals::NormalOptions normals;
@@ -32,34 +32,34 @@ struct FinishOptions {
   double max_gap_s = 0.5;
 };
 
-/// What a scan left behind.
+/// The data of a finished scan.
 struct ScannedViews {
   std::vector<AlignedView> views;     ///< by rising time; the world is the frame of the first
   std::vector<Frame> texture_frames;  ///< by rising time
   editing::EditList edits = editing::EditStack().state();
-  /// Of the texture frames' camera; may be null if there are none.
+  /// Calibration of the camera that took the texture frames; may be null without texture frames.
   const calibration::Calibration* calibration = nullptr;
 };
 
-/// A model, and what became of each input.
+/// The model, and the fate of each input.
 struct FinishedScan {
-  std::vector<AlignedView> views;         ///< those that were kept, with their final poses
-  std::vector<FrameIndex> contradicting;  ///< views left out, as they contradict the others
-  /// By texture frame; none: no registered view before and after it.
+  std::vector<AlignedView> views;         ///< the views used, with their final poses
+  std::vector<FrameIndex> contradicting;  ///< views not used, because they contradict the others
+  /// By texture frame; nullopt: no registered view before or after it.
   std::vector<std::optional<Isometry>> T_world_texture;
-  PointCloud points;             ///< thinned, colored where a texture frame saw them
-  meshing::SurfaceMesh surface;  ///< with its coverage holes
-  TexturedMesh model;            ///< the same triangles, cut into charts if there is texture
+  PointCloud points;             ///< reduced points, colored where a texture frame saw them
+  meshing::SurfaceMesh surface;  ///< with its list of holes
+  TexturedMesh model;            ///< the same mesh, cut into charts if there is texture
 };
 
-/// The result that a model was kept of, as far as the model tells: its surface, with the holes, and
-/// the model.
+/// Restores a result from a saved model: the surface, its holes and the model. Views and points are
+/// empty.
 [[nodiscard]] FinishedScan finished_scan_of(TexturedMesh model);
 
-/// Optimizes all poses together, thins the points, meshes and textures them.
+/// Optimizes all poses together, reduces the points, then makes the mesh and its texture.
 /// @source  Arold et al., "Global Optimization" to "Texture Acquisition and Mapping"; the joint
-///          optimization and the mesh are this project's.
-/// @errors  kBadOption, kInsufficient, kInconsistent (a texture frame has not the size of the
+///          optimization and the meshing are this project's.
+/// @errors  kBadOption, kInsufficient, kInconsistent (the size of a texture frame differs from the
 ///          calibration), kCancelled.
 [[nodiscard]] Result<FinishedScan> finish_scan(ScannedViews scanned, const FinishOptions& options,
                                                const Workers& workers, const Progress& progress,

@@ -9,10 +9,10 @@
 namespace flytri::reconstruct {
 namespace {
 
-/// One run: holds what the stages hand to each other.
+/// One run: keeps the data passed from stage to stage.
 class Run {
  public:
-  /// @param source  what is reconstructed, for messages
+  /// @param source  name of the input, for messages
   Run(std::string source, const ReconstructOptions& options, const Workers& workers,
       const Progress& progress)
       : source_(std::move(source)),
@@ -34,6 +34,7 @@ class Run {
                              const calibration::Calibration& calibration, std::size_t i);
   void accept_frames(std::size_t count);
   Result<void> register_views();
+  [[nodiscard]] Error nothing_registered() const;
   void accept_stage(const io::StoredStage& stage);
   FrameReport& report_of(FrameIndex frame);
   void reject(FrameIndex frame, std::string reason);
@@ -47,7 +48,7 @@ class Run {
   const Progress& progress_;
   StageClock clock_;
   std::vector<std::shared_ptr<const View>> views_;  ///< by frame; null: not measured
-  std::vector<AlignedView> aligned_;                ///< what was registered, by time
+  std::vector<AlignedView> aligned_;                ///< registered views by time
   Reconstruction result_;
 };
 
@@ -65,8 +66,8 @@ void Run::reject(FrameIndex frame, std::string reason) {
   report.T_world_sensor.reset();
 }
 
-/// Measures frame i, or says in its report why not. A frame of the wrong size is an error: it is
-/// damaged, or the calibration is that of another sensor.
+/// Measures frame i, or writes into its report why not. A frame of the wrong size is an error: it
+/// is damaged, or the calibration belongs to another sensor.
 Result<void> Run::measure_frame(const io::Recording& recording,
                                 const calibration::Calibration& calibration, std::size_t i) {
   const FrameIndex index(i);
@@ -151,13 +152,34 @@ Result<void> Run::register_views() {
   }
   clock_.end_stage("registration", view_count, "views");
   if (aligned_.size() >= 2) return {};
-  return fail(ErrorCode::kInsufficient,
-              "{}: of {} frames {} show lines inside the measurement volume, and no two of them "
-              "could be registered; both patterns must light the same surface in turn{}",
-              source_, result_.frames.size(), view_count, first_rejection());
+  return tl::unexpected(nothing_registered());
 }
 
-/// For the end of a message; empty where nothing was rejected.
+/// Says which pattern is missing, as that is often the cause.
+Error Run::nothing_registered() const {
+  const auto count = [&](Pattern pattern) {
+    return std::count_if(views_.begin(), views_.end(), [&](const auto& view) {
+      return view != nullptr && view->pattern == pattern;
+    });
+  };
+  const auto vertical = count(Pattern::kVertical), horizontal = count(Pattern::kHorizontal);
+  std::string cause =
+      "no two of them could be registered; light the same surface with both "
+      "patterns in turn, and move the sensor slowly";
+  if (vertical == 0 && horizontal == 0) {
+    cause = "check the distance to the surface, the lights and the calibration";
+  } else if (vertical == 0 || horizontal == 0) {
+    cause = fmt::format("the {} pattern is missing; check its light, and \"kind\" of the frames",
+                        to_string(vertical == 0 ? Pattern::kVertical : Pattern::kHorizontal));
+  }
+  return {
+      ErrorCode::kInsufficient,
+      fmt::format("{}: of {} frames {} show vertical and {} show horizontal lines in the "
+                  "measurement volume: {}{}",
+                  source_, result_.frames.size(), vertical, horizontal, cause, first_rejection())};
+}
+
+/// The end of a message; empty if no frame was rejected.
 std::string Run::first_rejection() const {
   const auto first = std::find_if(result_.frames.begin(), result_.frames.end(),
                                   [](const FrameReport& report) { return !report.reason.empty(); });
@@ -165,7 +187,7 @@ std::string Run::first_rejection() const {
   return fmt::format("; frame {} was rejected: {}", first->frame.value, first->reason);
 }
 
-/// The texture frames that can be read; the others are rejected.
+/// Loads the texture frames; rejects those that cannot be read.
 std::vector<Frame> Run::load_texture_frames(const io::Recording& recording) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
@@ -180,7 +202,7 @@ std::vector<Frame> Run::load_texture_frames(const io::Recording& recording) {
   return frames;
 }
 
-/// Finishes the scan and settles the fates that this decides.
+/// Finishes the scan and completes the frame reports.
 Result<Reconstruction> Run::finish(ScannedViews scanned) {
   const std::vector<Frame> texture_frames = scanned.texture_frames;  // images are shared
   Result<FinishedScan> finished =
@@ -217,11 +239,12 @@ Result<Reconstruction> Run::from_recording(const io::Recording& recording,
       {aligned_, load_texture_frames(recording), editing::EditStack().state(), &calibration});
 }
 
-/// A report for each frame that the case knows of.
+/// Creates a report for each frame of the stage.
 void Run::accept_stage(const io::StoredStage& stage) {
   std::map<FrameIndex, FrameReport> reports;
   for (const io::StoredFrame& frame : stage.frames) {
-    reports[frame.frame].reason = frame.reason.empty() ? "nothing of it is kept" : frame.reason;
+    reports[frame.frame].reason =
+        frame.reason.empty() ? "the case has no data of this frame" : frame.reason;
   }
   for (const io::StoredView& stored : stage.views) {
     FrameReport& report = reports[stored.view->frame];

@@ -1,4 +1,4 @@
-/// @file  A whole recording to a textured model, offline: every stage, one after the other.
+/// @file  From a recording to a textured model, offline: runs all stages in order.
 #pragma once
 
 #include <functional>
@@ -17,60 +17,60 @@
 
 namespace flytri::reconstruct {
 
-/// The options of every stage. Each stage documents and checks its own.
+/// The options of all stages. Each stage documents and validates its own.
 struct ReconstructOptions {
   measurement::MeasureOptions measure;
   tracking::RegistrarOptions registration;
   FinishOptions finish;
-  /// Monotonic seconds, for the stage times; empty: they are not taken.
+  /// Monotonic clock in seconds, for the stage times. Empty: all times are 0.
   std::function<double()> now_s;
 };
 
-/// What became of a frame.
+/// Fate of a frame.
 enum class FrameFate {
-  kRegistered,    ///< measured, and aligned by its own profiles
-  kInterpolated,  ///< measured, its pose lies on the path between its neighbors
+  kRegistered,    ///< measured and registered
+  kInterpolated,  ///< measured; its pose is interpolated between its neighbors in time
   kTextured,      ///< a texture frame whose pose was found
-  kRejected       ///< not used; the reason says why
+  kRejected       ///< not used; FrameReport::reason says why
 };
 [[nodiscard]] std::string_view to_string(FrameFate fate);
 
-/// One frame's story. Every frame of the recording has one.
+/// The result for one frame. Every frame of the recording has a report.
 struct FrameReport {
   FrameIndex frame;
   FrameFate fate = FrameFate::kRejected;
-  std::string reason;                      ///< of a rejection, in the user's words
-  std::optional<Isometry> T_world_sensor;  ///< of all but rejected frames
+  std::string reason;                      ///< why the frame was rejected, shown to the user
+  std::optional<Isometry> T_world_sensor;  ///< of frames that were not rejected
   std::size_t point_count = 0;             ///< of measurement frames
 };
 
 /// A finished scan. World is the sensor frame of the first registered view.
 struct Reconstruction {
   std::vector<FrameReport> frames;  ///< by rising frame
-  PointCloud points;                ///< thinned, colored where a texture frame saw them
-  meshing::SurfaceMesh surface;     ///< with its coverage holes
-  TexturedMesh model;               ///< the same triangles, cut into charts if there is texture
+  PointCloud points;                ///< reduced points, colored where a texture frame saw them
+  meshing::SurfaceMesh surface;     ///< with its list of holes
+  TexturedMesh model;               ///< the same mesh, cut into charts if there is texture
   std::vector<StageTime> stages;
 };
 
 /// Reconstructs a recording.
-/// @source  Arold et al., all of it; the joint optimization and the mesh are this project's.
-/// @errors  kBadOption; kInconsistent if the recording's images do not suit the calibration;
-///          kInsufficient if nothing could be registered; kCancelled. A damaged frame is no error:
-///          it is rejected with the reason.
+/// @source  Arold et al., all of it; the joint optimization and the meshing are this project's.
+/// @errors  kBadOption; kInconsistent if the size of the images differs from the calibration;
+///          kInsufficient if nothing could be registered; kCancelled. A damaged frame is not an
+///          error: it is rejected, and its report gives the reason.
 [[nodiscard]] Result<Reconstruction> reconstruct(const io::Recording& recording,
                                                  const calibration::Calibration& calibration,
                                                  const ReconstructOptions& options,
                                                  const Workers& workers, const Progress& progress);
 
-/// A stage of a case, and where it comes from.
+/// A stage of a case, with a name.
 struct NamedStage {
   std::string name;  ///< for messages
   io::StoredStage stage;
 };
 
-/// The same from a stage of a case, with its edits. Views keep the poses that they were scanned
-/// with, and those without are left out; where none has a pose, all are registered anew.
+/// Reconstructs a stage of a case, with its edits. Views keep their poses from the scan, and views
+/// without a pose are rejected. If no view has a pose, all are registered again.
 /// @errors  As reconstruct.
 [[nodiscard]] Result<Reconstruction> reconstruct_stage(const NamedStage& stored,
                                                        const calibration::Calibration& calibration,
@@ -78,7 +78,7 @@ struct NamedStage {
                                                        const Workers& workers,
                                                        const Progress& progress);
 
-/// The same from views that are measured already, such as simulated ones: no texture.
+/// Reconstructs measured views, for example simulated ones. There is no texture.
 /// @param views  by rising time; views[i]->frame is FrameIndex(i)
 /// @errors  kBadOption, kInsufficient, kCancelled.
 [[nodiscard]] Result<Reconstruction> reconstruct_views(

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/geometry/cell_key.h"
 #include "core/geometry/point_grid.h"
 
 namespace flytri::reduction {
@@ -12,10 +13,10 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kBlock = 1024;
 
-/// The parts' shares of the time.
+/// Share of the total time of each part.
 constexpr double kGrowingShare = 0.5, kNearestShare = 0.5;
 
-/// Squared distance of `sample` from the axis of the cell around `center`; infinite outside of the
+/// Squared distance of `sample` from the axis of the cell around `center`; infinite outside the
 /// cell or on another surface.
 float distance2_from_axis(const SurfaceSample& center, const SurfaceSample& sample,
                           const CellShape& shape) {
@@ -28,7 +29,7 @@ float distance2_from_axis(const SurfaceSample& center, const SurfaceSample& samp
   return inside ? across2 : std::numeric_limits<float>::infinity();
 }
 
-/// Cell centers under construction, in cubes of a hash table.
+/// Collects cell centers, in cubes of a hash table.
 class GrowingCenters {
  public:
   GrowingCenters(std::span<const SurfaceSample> samples, const CellShape& shape)
@@ -36,19 +37,19 @@ class GrowingCenters {
     cube_mm_ = std::max(shape.half_length_mm, shape.width_mm);
   }
 
-  /// Makes sample i a center unless it lies in the cell of one.
+  /// Makes sample i a center unless it lies in an existing cell.
   void offer(std::uint32_t i) {
     if (!centers_.empty() && holds(last_, i)) return;
-    const auto [x, y, z] = cube_of(samples_[i].position_mm);
-    for (int cz = z - 1; cz <= z + 1; ++cz) {
-      for (int cy = y - 1; cy <= y + 1; ++cy) {
-        for (int cx = x - 1; cx <= x + 1; ++cx) {
-          if (find_in_cube({cx, cy, cz}, i)) return;
+    const CellKey cube = CellKey::at(samples_[i].position_mm, cube_mm_);
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          if (find_in_cube(cube.neighbor(dx, dy, dz), i)) return;
         }
       }
     }
     last_ = static_cast<std::uint32_t>(centers_.size());
-    std::uint32_t& head = heads_[slot_of({x, y, z})];
+    std::uint32_t& head = heads_[slot_of(cube)];
     next_.push_back(head);
     centers_.push_back(i);
     head = last_;
@@ -57,26 +58,12 @@ class GrowingCenters {
   std::vector<std::uint32_t> take() { return std::move(centers_); }
 
  private:
-  using Cube = std::array<int, 3>;
-
-  Cube cube_of(const Vec3f& p) const {
-    Cube cube;
-    for (int axis = 0; axis < 3; ++axis) {
-      cube[axis] = static_cast<int>(std::floor(p[axis] / cube_mm_));
-    }
-    return cube;
-  }
   /// Cubes may share a slot: what is found there is tested anyway.
-  std::size_t slot_of(const Cube& c) const {
-    const std::uint64_t h = static_cast<std::uint32_t>(c[0]) * 0x9e3779b97f4a7c15ULL ^
-                            static_cast<std::uint32_t>(c[1]) * 0xc2b2ae3d27d4eb4fULL ^
-                            static_cast<std::uint32_t>(c[2]) * 0x165667b19e3779f9ULL;
-    return static_cast<std::size_t>((h ^ (h >> 31)) & (heads_.size() - 1));
-  }
+  std::size_t slot_of(CellKey cube) const { return hash_of(cube) & (heads_.size() - 1); }
   bool holds(std::uint32_t cell, std::uint32_t i) const {
     return std::isfinite(distance2_from_axis(samples_[centers_[cell]], samples_[i], shape_));
   }
-  bool find_in_cube(const Cube& cube, std::uint32_t i) {
+  bool find_in_cube(CellKey cube, std::uint32_t i) {
     for (std::uint32_t cell = heads_[slot_of(cube)]; cell != kNone; cell = next_[cell]) {
       if (!holds(cell, i)) continue;
       last_ = cell;  // the next sample is near and most likely in the same cell
@@ -94,15 +81,15 @@ class GrowingCenters {
   std::uint32_t last_ = 0;
 };
 
-/// Finds the center whose axis is nearest, for samples that mostly follow each other closely: what
-/// is near one of them serves for the next as well.
+/// Finds the center with the nearest axis. Successive samples are usually close together, so the
+/// list of near centers is used for several samples.
 class NearCenters {
  public:
   NearCenters(std::span<const SurfaceSample> samples, std::span<const std::uint32_t> centers,
               const PointGrid& grid, const CellShape& shape)
       : samples_(samples), centers_(centers), grid_(grid), shape_(shape) {}
 
-  /// The cell, of equally near ones the first. The sample must lie in one.
+  /// The nearest cell; among equally near ones the first. The sample must lie in a cell.
   std::uint32_t nearest_to(const SurfaceSample& sample) {
     const float slack_mm = shape_.width_mm;
     if (cells_.empty() || (sample.position_mm - middle_mm_).squaredNorm() > slack_mm * slack_mm) {
@@ -136,7 +123,7 @@ class NearCenters {
   std::span<const std::uint32_t> centers_;
   const PointGrid& grid_;
   CellShape shape_;
-  Vec3f middle_mm_ = Vec3f::Zero();  ///< around which was gathered
+  Vec3f middle_mm_ = Vec3f::Zero();  ///< center of the list below
   std::vector<Neighbor> found_;
   std::vector<std::uint32_t> cells_;
   std::vector<SurfaceSample> near_;  ///< their centers

@@ -1,4 +1,4 @@
-/// @file  Divides samples into cells that are narrow along the surface and long across it.
+/// @file  Divides samples into cells that are narrow along the surface and long along its normal.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,19 @@ namespace flytri::reduction {
 
 /// The shape of a cell.
 struct CellShape {
-  float width_mm = 0.0F;        ///< no two cell centers of one surface are nearer across the normal
-  float half_length_mm = 0.0F;  ///< reach along the normal, to either side
-  float min_normal_cos = 0.0F;  ///< samples whose normals agree less belong to different surfaces
+  float width_mm = 0.0F;        ///< least distance of two cell centers of one surface, measured
+                                ///< across the normal
+  float half_length_mm = 0.0F;  ///< half length along the normal
+  float min_normal_cos = 0.0F;  ///< below this cosine between normals, samples belong to different
+                                ///< surfaces
 };
 
-/// Which samples lie in which cell: those of cell c are members[starts[c]] ..
-/// members[starts[c+1]-1].
+/// Assignment of samples to cells. Cell c has members[starts[c]] .. members[starts[c+1]-1].
 struct Cells {
-  CellShape shape;                     ///< of each
-  std::vector<std::uint32_t> centers;  ///< the sample around which each cell was formed
-  std::vector<std::uint32_t> starts;   ///< one more than cells
-  std::vector<std::uint32_t> members;  ///< rising within a cell
+  CellShape shape;                     ///< shape of each cell
+  std::vector<std::uint32_t> centers;  ///< index of the center sample of each cell
+  std::vector<std::uint32_t> starts;   ///< one entry more than cells
+  std::vector<std::uint32_t> members;  ///< sample indices, rising within a cell
 
   [[nodiscard]] std::size_t size() const { return centers.size(); }
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t cell) const {
@@ -33,11 +34,11 @@ struct Cells {
   }
 };
 
-/// Takes the samples in their order as centers of new cells until all lie in a cell, then gives
-/// each sample to the cell whose axis is nearest.
+/// Goes through the samples in order; a sample outside all cells becomes the center of a new cell.
+/// Then each sample goes to the cell with the nearest axis.
 /// @param samples  in spatial order, finite
-/// @source  Arold et al., "Data Reduction"; there a sample stays in the first cell that holds it.
-///          The nearest one makes cells of even size.
+/// @source  Arold et al., "Data Reduction"; there a sample stays in the first cell that contains
+///          it. The nearest cell gives more even cell sizes.
 /// @param progress  advanced by one step
 /// @errors  kCancelled.
 [[nodiscard]] Result<Cells> divide_into_cells(std::span<const SurfaceSample> samples,

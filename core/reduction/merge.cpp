@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-
-#include "core/reduction/support.h"
+#include <vector>
 
 namespace flytri::reduction {
 namespace {
 
-/// The samples of one view in a cell, as one measurement.
+/// Mean of the samples of one view in a cell.
 struct ViewMean {
   Vec3 position_mm = Vec3::Zero();
   double variance_mm2 = 0.0;
 };
 
-/// Standard uncertainty that even a perfect sample is given, so that weights stay finite.
+/// Least standard uncertainty of a sample, so that weights are finite.
 constexpr double kLeastSigma_mm = 1e-6;
 
 Vec3f mean_normal(std::span<const SurfaceSample> samples, std::span<const std::uint32_t> members) {
@@ -44,26 +43,6 @@ ViewMean mean_of_view(std::span<const SurfaceSample> samples, std::span<const st
 }
 
 }  // namespace
-
-MeanVariance::MeanVariance(double noise_length_samples)
-    : noise_length_samples_(noise_length_samples) {
-  constexpr std::size_t kUsual = 64;
-  for (std::size_t count = 0; count < kUsual; ++count) {
-    usual_.push_back(count == 0 ? 1.0 : compute(count));
-  }
-}
-
-double MeanVariance::compute(std::size_t count) const {
-  const double n = static_cast<double>(count);
-  double sum = 1.0;
-  for (std::size_t lag = 1; lag < count; ++lag) {
-    const double k = static_cast<double>(lag);
-    const double ratio = k / noise_length_samples_;
-    if (ratio > 4.0) break;  // what follows is below 1e-7
-    sum += 2.0 * (1.0 - k / n) * std::exp(-ratio * ratio);
-  }
-  return std::min(1.0, sum / n);
-}
 
 SurfacePoint merge_samples(std::span<const SurfaceSample> samples,
                            std::span<const std::uint32_t> members,

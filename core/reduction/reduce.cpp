@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/reduction/cells.h"
 #include "core/reduction/merge.h"
@@ -12,16 +13,17 @@
 namespace flytri::reduction {
 namespace {
 
-/// A cell is three camera pixels wide: half a line width of six, the middle of the paper's 4 to 9.
+/// A cell is three camera pixels wide: half of a typical line width of six pixels (4 to 9 in the
+/// paper, section "Physical Optimization").
 constexpr double kCellSpacings = 3.0;
-/// A cell reaches six standard uncertainties to either side of its center, which is itself a noisy
-/// sample.
+/// A cell extends at least six standard uncertainties to each side of its center, which is a noisy
+/// sample itself.
 constexpr double kHalfLengthSigmas = 6.0;
 
-/// The parts' shares of the time.
+/// Share of the total time of each part.
 constexpr double kOrderShare = 0.2, kCellShare = 0.3, kSupportShare = 0.4, kMergeShare = 0.1;
 
-/// Median size of the samples' deviation.
+/// Median length of the samples' deviations.
 double median_sigma_mm(std::span<const SurfaceSample> samples) {
   std::vector<float> sigmas;
   sigmas.reserve(samples.size());
@@ -39,7 +41,7 @@ CellShape shape_of_cells(std::span<const SurfaceSample> samples, double cell_mm,
   return shape;
 }
 
-/// Keeps the members that are supported; a cell may become empty.
+/// Keeps the supported samples; a cell may become empty.
 Cells keep_supported(const Cells& cells, const std::vector<Support>& support) {
   Cells kept;
   kept.shape = cells.shape;
@@ -76,7 +78,7 @@ Result<PointCloud> merge_cells(std::span<const SurfaceSample> samples, const Cel
   return points;
 }
 
-/// Reduces samples in spatial order, and adds what becomes of them to `reduction`.
+/// Reduces samples in spatial order; writes points and counts to `reduction`.
 Result<void> reduce_ordered(std::span<const SurfaceSample> samples, const ReduceOptions& options,
                             const Workers& workers, const Progress& progress,
                             Reduction& reduction) {
@@ -100,20 +102,16 @@ Result<void> reduce_ordered(std::span<const SurfaceSample> samples, const Reduce
 }  // namespace
 
 Result<void> ReduceOptions::validate() const {
-  const auto bad = [](const char* name, double value, const char* range) {
-    return fail(ErrorCode::kBadOption, "reduction option {} is {}, must be {}", name, value, range);
-  };
-  if (!(cell_mm >= 0.0)) return bad("cell_mm", cell_mm, ">= 0 (0: from the data)");
-  if (!(half_length_cells > 0.0)) return bad("half_length_cells", half_length_cells, "> 0");
-  if (!(max_normal_angle_rad > 0.0 && max_normal_angle_rad < 1.57)) {
-    return bad("max_normal_angle_rad", max_normal_angle_rad, "above 0 and below a right angle");
-  }
-  if (!(outlier_sigmas > 0.0)) return bad("outlier_sigmas", outlier_sigmas, "> 0");
-  if (min_support < 1) return bad("min_support", min_support, ">= 1");
-  if (!(noise_length_samples > 0.0)) {
-    return bad("noise_length_samples", noise_length_samples, "> 0");
-  }
-  return {};
+  return OptionCheck("ReduceOptions")
+      .not_negative("cell_mm", cell_mm)
+      .positive("half_length_cells", half_length_cells)
+      .must("max_normal_angle_rad", max_normal_angle_rad,
+            max_normal_angle_rad > 0.0 && max_normal_angle_rad < 1.57,
+            "above 0 and below a right angle, 1.57")
+      .positive("outlier_sigmas", outlier_sigmas)
+      .at_least("min_support", min_support, 1)
+      .positive("noise_length_samples", noise_length_samples)
+      .result();
 }
 
 Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
@@ -126,9 +124,10 @@ Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
       options.cell_mm > 0.0 ? options.cell_mm : kCellSpacings * sample_spacing_mm(samples);
   if (samples.empty()) return reduction;
   if (!(reduction.cell_mm > 0.0)) {
-    return fail(ErrorCode::kInsufficient,
-                "no view has two of the {} samples, so their spacing is unknown: set cell_mm",
-                samples.size());
+    return fail(
+        ErrorCode::kInsufficient,
+        "no view has two of the {} samples, so their spacing is unknown; set the option cell_mm",
+        samples.size());
   }
   const auto ordered =
       spatially_ordered(samples, reduction.cell_mm, workers, progress.part(kOrderShare));

@@ -9,29 +9,10 @@
 #include <tuple>
 
 #include "core/base/median.h"
+#include "core/geometry/cell_key.h"
 
 namespace flytri::reduction {
 namespace {
-
-/// Spreads the low 21 bits to every third bit.
-std::uint64_t spread(std::uint64_t x) {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffffULL;
-  x = (x | x << 16) & 0x1f0000ff0000ffULL;
-  x = (x | x << 8) & 0x100f00f00f00f00fULL;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
-  return (x | x << 2) & 0x1249249249249249ULL;
-}
-
-/// Place along a Morton curve through cubes of the given size.
-std::uint64_t morton(const Vec3f& p_mm, double cell_mm) {
-  std::uint64_t code = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double i = std::floor(p_mm[axis] / cell_mm) + (1 << 20);
-    code |= spread(static_cast<std::uint64_t>(std::clamp(i, 0.0, 2097151.0))) << axis;
-  }
-  return code;
-}
 
 auto all_fields(const SurfaceSample& s) {
   return std::tuple(s.position_mm.x(), s.position_mm.y(), s.position_mm.z(), s.view.value,
@@ -44,7 +25,7 @@ bool is_usable(const SurfaceSample& s) {
          std::abs(s.normal.squaredNorm() - 1.0F) < 0.01F;
 }
 
-/// Squared distance of two samples, less what points along the noise of `a`.
+/// Squared distance of two samples, without the part along the noise direction of `a`.
 float distance2_across_noise(const SurfaceSample& a, const SurfaceSample& b) {
   const Vec3f d = b.position_mm - a.position_mm;
   const float noise2 = a.deviation_mm.squaredNorm();
@@ -53,7 +34,7 @@ float distance2_across_noise(const SurfaceSample& a, const SurfaceSample& b) {
   return d.squaredNorm() - along * along / noise2;
 }
 
-/// The usable samples of some evenly chosen views, by view: a median needs no more.
+/// The usable samples of some evenly chosen views, sorted by view: enough for a median.
 std::vector<SurfaceSample> probe_views(std::span<const SurfaceSample> samples) {
   constexpr std::size_t kProbeViews = 16;
   std::vector<ViewIndex> views;
@@ -77,19 +58,19 @@ std::vector<SurfaceSample> probe_views(std::span<const SurfaceSample> samples) {
   return chosen;
 }
 
-/// A sample and its place on the curve.
+/// A sample and its position on the curve.
 struct Keyed {
   std::uint64_t key = 0;
   std::uint32_t index = 0;
 };
-/// No place on the curve.
+/// Key of a sample that is not usable.
 constexpr std::uint64_t kUnusable = std::numeric_limits<std::uint64_t>::max();
 constexpr std::size_t kGrain = 1024, kBucketGrain = 64;
-/// Of finding the keys in the time of sorting.
+/// Share of the sorting time for computing the keys.
 constexpr double kKeyShare = 0.2;
 
-/// Sorts by the leading bits of the key in one pass, so that the rest can be sorted side by side.
-/// @returns where each stretch of equal bits begins, and the end
+/// Sorts by the leading bits of the key in one pass, so that the buckets can be sorted in parallel.
+/// @returns start of each bucket, and the end
 std::vector<std::size_t> sort_roughly(std::vector<Keyed>& order) {
   constexpr int kLeadingBits = 18;
   if (order.empty()) return {0};
@@ -117,7 +98,8 @@ Result<std::vector<SurfaceSample>> spatially_ordered(std::span<const SurfaceSamp
                                                      const Progress& progress) {
   std::vector<Keyed> order(samples.size());
   const auto key = [&](std::size_t i) {
-    order[i] = {is_usable(samples[i]) ? morton(samples[i].position_mm, cell_mm) : kUnusable,
+    order[i] = {is_usable(samples[i]) ? morton_code(CellKey::at(samples[i].position_mm, cell_mm))
+                                      : kUnusable,
                 static_cast<std::uint32_t>(i)};
   };
   if (!workers.for_each_unless_cancelled(samples.size(), key, progress.part(kKeyShare), kGrain)) {

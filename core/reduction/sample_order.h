@@ -1,5 +1,5 @@
-/// @file  Brings samples into one spatial order, whatever order they came in, and measures their
-/// spacing.
+/// @file  Sorts samples into a spatial order, independent of the input order, and measures their
+///          spacing.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 namespace flytri::reduction {
 
 /// The usable samples (finite, with a unit normal) along a space-filling curve, so that neighbors
-/// in the list are near in space and any order of the input gives the same list.
+/// in the list are near in space. The result does not depend on the order of the input.
 /// @param cell_mm   > 0: resolution of the curve
 /// @param progress  advanced by one step
 /// @errors  kCancelled.
@@ -21,8 +21,8 @@ namespace flytri::reduction {
     std::span<const SurfaceSample> samples, double cell_mm, const Workers& workers,
     const Progress& progress);
 
-/// Median distance of a sample to the nearest one of its own view, measured across the direction of
-/// the noise: the footprint of a camera pixel on the object. 0 if no view has two samples.
+/// Median distance of a sample to the nearest sample of its view, measured perpendicular to the
+/// noise direction: about the size of a camera pixel on the object. 0 if no view has two samples.
 [[nodiscard]] double sample_spacing_mm(std::span<const SurfaceSample> samples);
 
 }  // namespace flytri::reduction

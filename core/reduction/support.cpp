@@ -5,30 +5,32 @@
 #include <utility>
 
 #include "core/geometry/point_grid.h"
+#include "core/reduction/sample_noise.h"
 
 namespace flytri::reduction {
 namespace {
 
-/// How far across the normal a sample is compared with others, in cell widths: some lines of every
-/// view that passed here, but no farther than a plane is a fair picture of the surface.
+/// Distance across the normal within which a sample is compared with others, in cell widths: far
+/// enough for some lines of each view, near enough to treat the surface as a plane.
 constexpr float kReachCells = 2.0F;
 
-/// With more witnesses than this, only every second, third, ... view is heard: the verdict is as
-/// sure, and the time grows with the samples, not with their square.
+/// With more witnesses than this, only every second, third, ... view is used: the result is as
+/// reliable, and the time is linear in the number of samples instead of quadratic.
 constexpr std::size_t kMaxWitnesses = 128;
 
-/// What is known about the surface around one sample.
+/// Votes of the views on one sample.
 struct Votes {
   int agreeing_views = 0;    ///< other views with a sample near and at the same height
   int opposing_views = 0;    ///< other views with samples near, but all at another height
-  int agreeing_samples = 0;  ///< of any view, itself included
+  int agreeing_samples = 0;  ///< samples of any view, including itself
 };
 
-/// The witnesses of a cell, field by field, so that many are compared side by side. Positions are
-/// relative to the cell's center, heights are along its normal.
+/// The witnesses of a cell (samples of the surface around it), one array for each field, so that
+/// many are compared at once. Positions are relative to the cell's center, heights along its
+/// normal.
 struct WitnessTable {
   std::vector<float> x_mm, y_mm, z_mm, height_mm, variance_mm2;
-  std::vector<std::uint32_t> slots;  ///< which of the views it is of
+  std::vector<std::uint32_t> slots;  ///< index of its view in `views`
   std::vector<ViewIndex> views;      ///< rising
 
   void clear() {
@@ -36,7 +38,7 @@ struct WitnessTable {
     slots.clear();
     views.clear();
   }
-  /// Witnesses are added view by view.
+  /// Add witnesses view by view.
   void add(const Vec3f& p, float height, float variance, ViewIndex view) {
     x_mm.push_back(p.x()), y_mm.push_back(p.y()), z_mm.push_back(p.z());
     height_mm.push_back(height), variance_mm2.push_back(variance);
@@ -45,10 +47,10 @@ struct WitnessTable {
   }
 };
 
-/// How a witness stands to a sample: the bits of what it says.
+/// Statement of a witness on a sample, as bits.
 enum Statement : std::uint8_t { kFar = 0, kNear = 1, kAgrees = 2 };
 
-/// A sample by its view, as one number: sorting is quick.
+/// View and sample index in one number, for fast sorting.
 using Witness = std::uint64_t;
 Witness witness_of(ViewIndex view, std::uint32_t sample) {
   return (static_cast<Witness>(static_cast<std::uint32_t>(view.value)) << 32U) | sample;
@@ -56,12 +58,12 @@ Witness witness_of(ViewIndex view, std::uint32_t sample) {
 std::uint32_t view_of(Witness w) { return static_cast<std::uint32_t>(w >> 32U); }
 std::uint32_t sample_of(Witness w) { return static_cast<std::uint32_t>(w); }
 
-/// Votes on the samples of one cell after another, with memory kept between them.
-class Jury {
+/// Judges the samples of one cell after another and reuses its buffers.
+class SupportVoting {
  public:
-  /// @param members  those of the cells, in the same order
-  Jury(std::span<const SurfaceSample> samples, const Cells& cells, std::span<const Witness> members,
-       const PointGrid& centers, const SupportRule& rule)
+  /// @param members  Cells::members as witnesses, in the same order
+  SupportVoting(std::span<const SurfaceSample> samples, const Cells& cells,
+                std::span<const Witness> members, const PointGrid& centers, const SupportRule& rule)
       : samples_(samples),
         cells_(cells),
         members_(members),
@@ -76,7 +78,7 @@ class Jury {
   }
 
  private:
-  /// Collects the samples around a cell's axis, those of a view together.
+  /// Collects the samples around a cell's axis, sorted by view.
   void gather(std::size_t cell) {
     const SurfaceSample& center = samples_[cells_.centers[cell]];
     const float across_mm = (kReachCells + 1.0F) * shape_.width_mm;
@@ -90,28 +92,27 @@ class Jury {
       const auto members = members_.subspan(cells_.starts[n.index], cells_.of(n.index).size());
       witnesses_.insert(witnesses_.end(), members.begin(), members.end());
     }
-    excuse_surplus_views();
+    limit_views();
     std::sort(witnesses_.begin(), witnesses_.end());
     normal_ = mean_normal(center);
   }
 
-  /// Keeps the witnesses of evenly chosen views if there are too many: of every second, third, ...
-  /// view that is there, by its number.
-  void excuse_surplus_views() {
+  /// If there are too many witnesses, keeps those of every second, third, ... view.
+  void limit_views() {
     const std::size_t step = witnesses_.size() / kMaxWitnesses + 1;
     if (step == 1) return;
     views_.clear();
     for (const Witness w : witnesses_) {
-      if (view_of(w) >= is_heard_.size()) is_heard_.resize(view_of(w) + 1, 0);
-      if (std::exchange(is_heard_[view_of(w)], 1) == 0) views_.push_back(view_of(w));
+      if (view_of(w) >= is_used_.size()) is_used_.resize(view_of(w) + 1, 0);
+      if (std::exchange(is_used_[view_of(w)], 1) == 0) views_.push_back(view_of(w));
     }
     std::sort(views_.begin(), views_.end());
-    for (std::size_t i = 0; i < views_.size(); ++i) is_heard_[views_[i]] = i % step == 0 ? 1 : 0;
-    std::erase_if(witnesses_, [&](Witness w) { return is_heard_[view_of(w)] == 0; });
-    for (const std::uint32_t view : views_) is_heard_[view] = 0;
+    for (std::size_t i = 0; i < views_.size(); ++i) is_used_[views_[i]] = i % step == 0 ? 1 : 0;
+    std::erase_if(witnesses_, [&](Witness w) { return is_used_[view_of(w)] == 0; });
+    for (const std::uint32_t view : views_) is_used_[view] = 0;
   }
 
-  /// Fills the table with the witnesses that lie on the cell's surface.
+  /// Fills the table with the witnesses on the cell's surface.
   void tabulate(const Vec3f& center_mm) {
     center_mm_ = center_mm;
     table_.clear();
@@ -124,8 +125,9 @@ class Jury {
     statements_.resize(table_.slots.size());
   }
 
-  /// What each witness of the table says about the height of the surface at the sample.
-  void question(const SurfaceSample& sample) {
+  /// Fills statements_: whether each witness of the table is near the sample and agrees with its
+  /// height.
+  void compare(const SurfaceSample& sample) {
     const Vec3f p = sample.position_mm - center_mm_;
     const float height = normal_.dot(p), variance = square(sigma_across_mm(sample, normal_));
     const float sigmas2 = square(rule_.outlier_sigmas);
@@ -143,27 +145,27 @@ class Jury {
   }
 
   [[nodiscard]] Votes vote(const SurfaceSample& sample) {
-    question(sample);
+    compare(sample);
     Votes votes;
-    heard_.assign(table_.views.size(), kFar);
+    view_statements_.assign(table_.views.size(), kFar);
     for (std::size_t w = 0; w < statements_.size(); ++w) {
-      heard_[table_.slots[w]] |= statements_[w];
+      view_statements_[table_.slots[w]] |= statements_[w];
       votes.agreeing_samples += statements_[w] / kAgrees;
     }
     const auto own = std::lower_bound(table_.views.begin(), table_.views.end(), sample.view);
     if (own != table_.views.end() && *own == sample.view) {
-      heard_[static_cast<std::size_t>(own - table_.views.begin())] = kFar;
+      view_statements_[static_cast<std::size_t>(own - table_.views.begin())] = kFar;
     }
-    for (const std::uint8_t heard : heard_) {
-      votes.agreeing_views += heard / kAgrees;
-      votes.opposing_views += heard == kNear ? 1 : 0;
+    for (const std::uint8_t statement : view_statements_) {
+      votes.agreeing_views += statement / kAgrees;
+      votes.opposing_views += statement == kNear ? 1 : 0;
     }
     return votes;
   }
 
   [[nodiscard]] Support verdict(const Votes& votes) const {
     if (votes.agreeing_samples < rule_.min_support) return Support::kIsolated;
-    // Two views may share one error, as at a depth step that both see from the same side.
+    // Two views may share one error, for example at a depth step seen from the same side.
     const bool outvoted =
         votes.opposing_views >= 2 && votes.opposing_views > 2 * votes.agreeing_views;
     return outvoted ? Support::kOutvoted : Support::kSupported;
@@ -188,21 +190,17 @@ class Jury {
   SupportRule rule_;
   std::vector<Neighbor> near_cells_;
   std::vector<Witness> witnesses_;    ///< samples around the cell, by view
-  std::vector<std::uint32_t> views_;  ///< that are there, rising
-  std::vector<char> is_heard_;        ///< by view; all 0 between cells
+  std::vector<std::uint32_t> views_;  ///< views of the witnesses, rising
+  std::vector<char> is_used_;         ///< by view; all 0 between cells
   Vec3f normal_ = Vec3f::UnitZ();     ///< of the surface in the cell
   Vec3f center_mm_ = Vec3f::Zero();
-  WitnessTable table_;                    ///< witnesses on the surface of the cell
-  std::vector<std::uint8_t> statements_;  ///< of the table's witnesses, on one sample
-  std::vector<std::uint8_t> heard_;       ///< of the table's views, all their statements together
+  WitnessTable table_;                         ///< witnesses on the surface of the cell
+  std::vector<std::uint8_t> statements_;       ///< of each witness of the table on one sample
+  std::vector<std::uint8_t> view_statements_;  ///< of each view of the table, all its statements
+                                               ///< combined
 };
 
 }  // namespace
-
-float sigma_across_mm(const SurfaceSample& sample, const Vec3f& normal) {
-  const float along = sample.deviation_mm.dot(normal);
-  return std::sqrt(along * along + 0.01F * sample.deviation_mm.squaredNorm());
-}
 
 Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples,
                                           const Cells& cells, const SupportRule& rule,
@@ -218,9 +216,9 @@ Result<std::vector<Support>> find_support(std::span<const SurfaceSample> samples
   std::vector<Support> support(samples.size(), Support::kSupported);
   constexpr std::size_t kWitnessBlock = 512;
   const auto judge_block = [&](std::size_t block) {
-    Jury jury(samples, cells, members, centers, rule);
+    SupportVoting voting(samples, cells, members, centers, rule);
     const std::size_t end = std::min(cells.size(), (block + 1) * kWitnessBlock);
-    for (std::size_t c = block * kWitnessBlock; c < end; ++c) jury.judge(c, support);
+    for (std::size_t c = block * kWitnessBlock; c < end; ++c) voting.judge(c, support);
   };
   const std::size_t blocks = (cells.size() + kWitnessBlock - 1) / kWitnessBlock;
   if (!workers.for_each_unless_cancelled(blocks, judge_block, progress)) return stopped();

@@ -1,4 +1,4 @@
-/// @file  Tells samples that lie on the surface from outliers: other views must agree with them.
+/// @file  Separates samples on the surface from outliers: other views must agree with a sample.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,15 @@ namespace flytri::reduction {
 
 enum class Support : std::uint8_t {
   kSupported,
-  kOutvoted,  ///< several other views saw the surface here, and not where this sample lies
-  kIsolated,  ///< too few samples lie near to make a surface
+  kOutvoted,  ///< several other views saw the surface here at another height
+  kIsolated,  ///< too few samples nearby to form a surface
 };
 
 struct SupportRule {
-  float outlier_sigmas = 3.5F;  ///< two samples agree if nearer along the normal than this
-  int min_support = 5;          ///< samples, itself included, that must agree
+  float outlier_sigmas = 3.5F;  ///< two samples agree if their distance along the normal is at most
+                                ///< this many standard uncertainties
+  int min_support = 5;          ///< number of samples, including itself, that must agree
 };
-
-/// Standard uncertainty of a sample across a surface of the given normal, in mm.
-///
-/// A sample moves along its deviation, so the part of it along the normal counts. A tenth of the
-/// rest is added: at grazing incidence the normal itself is not known better.
-[[nodiscard]] float sigma_across_mm(const SurfaceSample& sample, const Vec3f& normal);
 
 /// Lets the views vote on every sample. Views count, not samples: the samples of one line err
 /// together.

@@ -6,13 +6,15 @@
 namespace flytri::refinement {
 namespace {
 
-/// Stretches of views at the second level: enough to follow a bent path, few enough to be solved
-/// at once.
+/// Groups of successive views at the second level: enough to follow a bent path, few enough for a
+/// direct solution.
 constexpr std::size_t kMaxGroups = 60;
 constexpr int kMaxIterations = 400;
-/// Of the residual's norm: far below what one step of the outer iteration changes.
+/// Relative to the norm of the first residual; far below the change in one step of the outer
+/// iteration.
 constexpr double kTolerance = 1e-5;
-/// Share of a view's own information that holds a direction the others leave free.
+/// Share of a view's own information added as damping, for directions that the other views do not
+/// determine.
 constexpr double kDamping = 1e-7;
 
 Eigen::Matrix3d cross_matrix(const Vec3& v) {
@@ -61,7 +63,7 @@ void ReducedSystem::finish_views(const Workers& workers) {
   workers.for_each(centers_mm_.size(), [&](std::size_t v) {
     Matrix6& D = information_[v];
     D.diagonal() += kDamping * D.diagonal();
-    // A view that no cell knows stays where it is.
+    // A view that is in no cell does not move.
     if (D.trace() <= 0.0) D = Matrix6::Identity();
     Matrix6 own = D;
     for (const std::uint32_t b : blocks_of_view_[v]) {
@@ -73,7 +75,7 @@ void ReducedSystem::finish_views(const Workers& workers) {
 }
 
 Matrix6 ReducedSystem::lift(std::size_t view) const {
-  // A group's twist turns about the first view's center; this view's about its own.
+  // A group's twist rotates about the first view's center, a view's twist about its own center.
   Matrix6 P = Matrix6::Identity();
   P.block<3, 3>(3, 0) = -cross_matrix(centers_mm_[view] - centers_mm_.front());
   return P;
@@ -102,7 +104,7 @@ void ReducedSystem::finish_groups() {
       }
     }
   }
-  // The whole scan may move freely; a whisper of damping makes the matrix regular.
+  // The whole scan may move freely, so the matrix is singular; a small damping makes it regular.
   H.diagonal() *= 1.0 + 1e-9;
   group_solver_.compute(H);
 }
@@ -164,7 +166,8 @@ Result<Eigen::VectorXd> ReducedSystem::solve(const Workers& workers,
     if (progress.cancelled()) return stopped();
     const Eigen::VectorXd Hp = apply(p, workers);
     const double curvature = p.dot(Hp);
-    // Rounding can turn the free motions of the whole scan slightly negative: nothing is left then.
+    // Rounding can make the curvature slightly negative for free motions of the whole scan; then
+    // the solution is complete.
     if (curvature <= 0.0) break;
     const double alpha = rz / curvature;
     x += alpha * p;
@@ -173,7 +176,7 @@ Result<Eigen::VectorXd> ReducedSystem::solve(const Workers& workers,
     const double rz_next = r.dot(z);
     p = z + (rz_next / rz) * p;
     rz = rz_next;
-    // The residual may rise in between; what was told stays.
+    // The residual may rise in between; the progress must not go back.
     const double share = std::log(r.norm() / start) / std::log(kTolerance);
     const double more = std::min(std::max(done, share), 1.0) - done;
     progress.advance(more);

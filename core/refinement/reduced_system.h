@@ -14,38 +14,39 @@ namespace flytri::refinement {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// What one cell says about one of its views. With J the Jacobian of a residual by the view's
-/// twist, A that by the surface's six parameters, W the weights and L L^T = A^T W A:
+/// Contribution of one cell to one of its views. J is the Jacobian of the residuals with respect to
+/// the view's twist, A with respect to the surface's six parameters, W the weights, and L L^T = A^T
+/// W A.
 struct CellViewBlock {
   std::uint32_t view = 0;
-  Matrix6 coupling;  ///< M = J^T W A L^-T, so the cell takes M M^T from the views' information
+  Matrix6 coupling;  ///< M = J^T W A L^-T; the cell subtracts M M^T from the views' information
 };
 
-/// H x = -g with H = D - sum over cells of M M^T, never formed: it is full where many views
-/// overlap, but applying it takes only the blocks.
+/// H x = -g with H = D - sum over cells of M M^T, The matrix H is never computed: it is dense where
+/// many views overlap, but H x needs only the blocks.
 class ReducedSystem {
  public:
-  /// @param centers_mm  center of each view's points, world frame: its twist turns about it
+  /// @param centers_mm  center of each view's points, world frame; its twist rotates about it
   explicit ReducedSystem(std::vector<Vec3> centers_mm);
 
-  /// Makes room for so many blocks at once: they are most of what the refinement holds.
+  /// Reserves memory for the blocks, which need most of the memory.
   void reserve(std::size_t block_count);
   /// Adds a cell; `blocks` by rising view.
   void add_cell(const std::vector<CellViewBlock>& blocks);
   /// Adds to a view's own information J^T W J and to its gradient.
   void add_view(std::size_t view, const Matrix6& information, const Twist& gradient);
-  /// To be called once everything is added.
+  /// Call once after everything is added.
   void finish(const Workers& workers);
 
-  /// g, six entries a view.
+  /// g, six entries per view.
   [[nodiscard]] const Eigen::VectorXd& gradient() const { return gradient_; }
 
-  /// H x, x and the result with six entries a view.
+  /// H x, x and the result have six entries per view.
   [[nodiscard]] Eigen::VectorXd apply(const Eigen::VectorXd& x, const Workers& workers) const;
 
-  /// Solves for the twists by conjugate gradients. Preconditioned at two levels: each view by
-  /// itself, and stretches of consecutive views as rigid pieces, which takes the long waves of a
-  /// drift that the first level leaves.
+  /// Solves for the twists by conjugate gradients. The preconditioner has two levels: each view
+  /// separately, and groups of successive views as rigid bodies. The second level corrects slow
+  /// drift along the path.
   /// @param progress  advanced by one step, as the logarithm of the residual falls
   /// @source  two-level additive Schwarz; Saad, "Iterative Methods for Sparse Linear Systems".
   /// @errors  kCancelled.

@@ -14,20 +14,21 @@
 namespace flytri::refinement {
 
 struct JointRefineOptions {
-  /// >= 0. Edge of the cells in which the surface is described by one quadric, mm. 0: 16 times the
-  /// spacing of neighboring points: large enough for lines of several views, small against a cusp.
+  /// >= 0. Edge of the cells, mm. A cell has one quadric as its surface. 0: 16 times the spacing of
+  /// neighboring points: large enough for lines of several views, small against a cusp.
   double cell_mm = 0.0;
-  /// >= 1. Most Gauss-Newton steps.
+  /// >= 1. Largest number of Gauss-Newton steps.
   int max_steps = 15;
-  /// > 0. A step is expected to move a view by no more than this share of a cell: directions that
-  /// the surface hardly determines do not run away. It costs nothing where a step ends at zero.
+  /// > 0. Prior: a step moves a view by about this share of a cell or less, so that directions that
+  /// the surface hardly determines do not diverge. The converged result does not depend on it.
   double step_share = 0.25;
   /// > 0. Converged when a step changes the robust spread of the residuals by less than this share.
-  /// The spread itself trembles by about as much as data change cells.
+  /// The spread varies by about this share, because data change between cells.
   double convergence_share = 0.003;
-  /// > 0. Residuals above this many robust standard deviations count for nothing.
+  /// > 0. Residuals above this many robust standard deviations have weight zero.
   double tukey_sigmas = 4.0;
-  /// (0, 1]. A view with a smaller share of residuals that count contradicts the others.
+  /// (0, 1]. A view contradicts the others if its share of residuals with weight above zero is
+  /// smaller.
   double min_inlier_share = 0.5;
 
   [[nodiscard]] Result<void> validate() const;
@@ -35,53 +36,54 @@ struct JointRefineOptions {
 
 enum class RefineOutcome {
   kConverged,
-  kStepLimit,  ///< still moving after the last step; the poses are the best found
-  kNoOverlap   ///< no cell is seen by two views; the poses are as they were
+  kStepLimit,  ///< not converged after the last step; the poses are the best ones found
+  kNoOverlap   ///< no cell is seen by two views; the poses are unchanged
 };
 [[nodiscard]] std::string_view to_string(RefineOutcome outcome);
 
-/// How one view met the common surface.
+/// How well one view fits the common surface.
 struct ViewResidual {
-  std::size_t count = 0;      ///< data that fell into cells seen by other views too
-  double inlier_share = 0.0;  ///< of these, those that count
-  double rms_mm = 0.0;        ///< of those that count, along the surface normal
+  std::size_t count = 0;      ///< data in cells that other views saw too
+  double inlier_share = 0.0;  ///< share of these with weight above zero
+  double rms_mm = 0.0;        ///< of the inliers, along the surface normal
 };
 
 struct Refinement {
   RefineOutcome outcome = RefineOutcome::kNoOverlap;
   int steps = 0;
   std::vector<double> robust_sigma_mm;  ///< of all residuals, before each step and after the last
+                                        ///< step
   std::vector<ViewResidual> views;      ///< parallel to the views
-  /// True where a view contradicts the others (JointRefineOptions::min_inlier_share).
+  /// True if the view contradicts the others, see JointRefineOptions::min_inlier_share.
   [[nodiscard]] bool contradicts(std::size_t view, const JointRefineOptions& options) const {
     return views[view].count > 0 && views[view].inlier_share < options.min_inlier_share;
   }
 };
 
 /// Optimizes all poses together over all overlaps, V-H, V-V and H-H: in every cell of space the
-/// surface is a quadric whose six parameters are eliminated, and each measured point has a residual
-/// along its own measurement ray. The world frame stays the sensor frame of the first view.
+/// surface is a quadric whose six parameters are eliminated. Each measured point has a residual
+/// along its measurement ray. The pose of the first view does not change.
 ///
-/// The Jacobian is taken at the foot point on the quadric: taken at the noisy point it would bias
-/// the solution. A quadric follows each rigid motion of its cell, so moving the whole scan costs
-/// nothing.
+/// The Jacobian is computed at the foot point on the quadric: at the noisy point it would bias the
+/// solution. A quadric can follow each rigid motion of its cell, so a motion of the whole scan does
+/// not change the residuals.
 ///
-/// @param views     by time, at least one; changed are only the poses.
+/// @param views     by time, at least one; only the poses change
 /// @param progress  advanced by one step
-/// @source  own; it takes the place of Arold et al., "Global Optimization", see
+/// @source  this project's; it replaces Arold et al., "Global Optimization", see
 ///          docs/adr/0004-joint-refinement.md.
-/// @errors  kBadOption, kInsufficient: no view, kCancelled (poses as they were).
+/// @errors  kBadOption, kInsufficient: no view, kCancelled (poses unchanged).
 [[nodiscard]] Result<Refinement> refine_jointly(std::vector<AlignedView>& views,
                                                 const JointRefineOptions& options,
                                                 const Workers& workers,
                                                 const Progress& progress = {});
 
 struct MetaviewRefineOptions {
-  /// Of one view to its metaview. Guesses are near: the search begins narrow.
+  /// For aligning one view to its metaview. The guess is near, so there is no coarse stage.
   registration::AlignOptions align;
-  /// >= 1. Most rounds in which every view is registered once.
+  /// >= 1. Largest number of rounds. A round registers every view once.
   int max_rounds = 20;
-  /// > 0. Ends when a round moves the views by less than this share of a view's radius, RMS.
+  /// > 0. Converged when a round moves the views by less than this share of a view's radius (RMS).
   double convergence_share = 2e-5;
   /// Seed of the order of the views.
   std::uint64_t seed = 1;
@@ -91,16 +93,16 @@ struct MetaviewRefineOptions {
 
 struct MetaviewRefinement {
   RefineOutcome outcome = RefineOutcome::kNoOverlap;
-  std::vector<double> moved_mm;  ///< by each round, RMS over the views
+  std::vector<double> moved_mm;  ///< motion in each round, RMS over the views
 };
 
-/// The paper's method, kept as the reference that refine_jointly is measured against: one view
-/// after the other, in random order, is registered to all that overlap with it, which act as one
-/// rigid metaview; again and again, until nothing moves.
-/// @param views     at least one; changed are only the poses. The first view keeps its pose.
+/// The paper's method, used as the reference for refine_jointly: registers the views one by one, in
+/// random order, each to all overlapping views as one rigid metaview. Repeats this until the views
+/// no longer move.
+/// @param views     at least one; only the poses change. The first view keeps its pose.
 /// @param progress  advanced by one step
 /// @source  Arold et al., "Global Optimization".
-/// @errors  kBadOption, kInsufficient, kCancelled (poses as they were).
+/// @errors  kBadOption, kInsufficient, kCancelled (poses unchanged).
 [[nodiscard]] Result<MetaviewRefinement> refine_by_metaviews(std::vector<AlignedView>& views,
                                                              const MetaviewRefineOptions& options,
                                                              const Progress& progress = {});

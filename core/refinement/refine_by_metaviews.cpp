@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "core/refinement/refine.h"
 #include "core/registration/overlap_grid.h"
@@ -9,7 +10,7 @@
 namespace flytri::refinement {
 namespace {
 
-/// A scan whose views are registered one after the other.
+/// Registers the views of a scan one after the other.
 class MetaviewRefiner {
  public:
   MetaviewRefiner(const std::vector<AlignedView>& views, const MetaviewRefineOptions& options)
@@ -18,7 +19,7 @@ class MetaviewRefiner {
     for (std::size_t v = 0; v < placed_.size(); ++v) grid_.add(extent(v));
   }
 
-  /// Registers every view once. @returns the RMS of how far they moved, mm.
+  /// Registers every view once. @returns the RMS motion of the views, mm.
   double round(Random& random) {
     std::vector<std::size_t> order(placed_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -32,7 +33,7 @@ class MetaviewRefiner {
 
   [[nodiscard]] const Isometry& pose(std::size_t v) const { return poses_[v]; }
   [[nodiscard]] double radius_mm() const { return radius_mm_; }
-  /// False: no view has found enough of another one.
+  /// False if no view was registered to another one.
   [[nodiscard]] bool moved_any() const { return moved_any_; }
 
  private:
@@ -56,12 +57,11 @@ class MetaviewRefiner {
     for (const registration::Overlap& overlap : grid_.overlapping(extent(v))) {
       if (overlap.view != v) metaview.push_back(&placed_[overlap.view]);
     }
-    // The source is given in the world frame: what comes out is its correction.
+    // The source is in the world frame, so the result is a correction of its pose.
     options_.align.seed = ++seed_;
     const auto found =
         registration::align_to_metaview(placed_[v], metaview, Isometry::Identity(), options_.align);
-    // A metaview that is blurred by drift agrees poorly with any pose; the fit leads on all the
-    // same.
+    // With drift in the metaview, no pose fits well. The result still improves the pose.
     if (!found || (!found->aligned() && found->outcome != registration::AlignOutcome::kPoorFit))
       return 0.0;
     moved_any_ = true;
@@ -75,7 +75,7 @@ class MetaviewRefiner {
   MetaviewRefineOptions options_;
   std::vector<Isometry> poses_;
   std::vector<registration::PreparedView> placed_;
-  double radius_mm_ = 1e-6;  ///< the largest of a view
+  double radius_mm_ = 1e-6;  ///< largest radius of a view
   bool moved_any_ = false;
   std::uint64_t seed_ = 0;
   registration::OverlapGrid grid_;
@@ -84,21 +84,18 @@ class MetaviewRefiner {
 }  // namespace
 
 Result<void> MetaviewRefineOptions::validate() const {
-  if (auto valid = align.validate(); !valid) return valid;
-  if (max_rounds < 1) {
-    return fail(ErrorCode::kBadOption, "MetaviewRefineOptions::max_rounds must be >= 1");
-  }
-  if (!(convergence_share > 0.0)) {
-    return fail(ErrorCode::kBadOption, "MetaviewRefineOptions::convergence_share must be > 0");
-  }
-  return {};
+  return OptionCheck("MetaviewRefineOptions")
+      .nested(align)
+      .at_least("max_rounds", max_rounds, 1)
+      .positive("convergence_share", convergence_share)
+      .result();
 }
 
 Result<MetaviewRefinement> refine_by_metaviews(std::vector<AlignedView>& views,
                                                const MetaviewRefineOptions& options,
                                                const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  if (views.empty()) return fail(ErrorCode::kInsufficient, "no view to optimize");
+  if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
   MetaviewRefiner refiner(views, options);
   MetaviewRefinement result;
   Random random(options.seed);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/point_spacing.h"
 #include "core/refinement/reduced_system.h"
@@ -12,26 +13,27 @@ namespace {
 
 /// Default edge of a cell in spacings of neighboring points.
 constexpr double kCellSpacings = 16.0;
-/// Stretch of a profile that becomes one datum, as a share of a cell's edge.
+/// Length of a profile that becomes one datum, as a share of a cell's edge.
 constexpr double kDatumShare = 0.2;
 /// A step must not raise the robust spread by more than this.
 constexpr double kMaxWorsening = 1.02;
-/// Less of the data in cells with a surface: the cells are enlarged, this much and this often.
+/// If a smaller share of the data is in cells with a surface, the cells are enlarged by this
+/// factor, up to this many times.
 constexpr double kMinValidShare = 0.5;
 constexpr double kEnlargement = 1.5;
 constexpr int kMaxEnlargements = 3;
-/// Shares in the time: of a step in what is left, as nobody knows how many follow; of the surfaces
-/// in a step; of the sums in the move that follows.
+/// Shares of time: of a step in the remaining time (the number of steps is unknown); of the
+/// surfaces in a step; of the sums in the pose update.
 constexpr double kStepShare = 0.25, kSurfaceShare = 0.5, kSumShare = 0.4;
 
-/// What is kept of a residual; the rest is found anew where it is needed, as there are many.
+/// The stored part of a residual. The rest is computed again when needed, to save memory.
 struct ResidualSize {
   double residual_mm = 0.0;
   double sigma_mm = 0.0;
   bool usable = false;
 };
 
-/// Everything one step works on.
+/// Data of one step.
 struct Step {
   double cell_mm = 0.0;
   std::vector<SurfaceCell> cells;
@@ -86,7 +88,7 @@ double valid_share(const Step& step) {
   return all == 0 ? 0.0 : static_cast<double>(valid) / static_cast<double>(all);
 }
 
-/// Sums of one cell, view by view.
+/// Sums over one cell, by view.
 struct CellSums {
   struct ViewSums {
     std::uint32_t view = 0;
@@ -99,11 +101,11 @@ struct CellSums {
   Quadric Ar = Quadric::Zero();
 };
 
-/// Eliminates the cell's surface and adds what is left to the system.
+/// Eliminates the cell's surface and adds the cell to the system.
 void add_cell(const CellSums& sums, ReducedSystem& system) {
   if (sums.views.size() < 2) return;
   const Eigen::LLT<Matrix6> cholesky(sums.AA);
-  // Too little is left of the cell to determine its surface: it says nothing about the views.
+  // The cell has too few inliers to determine its surface, so it is not used.
   if (cholesky.info() != Eigen::Success || cholesky.rcond() < 1e-9) return;
   const Quadric LAr = cholesky.matrixL().solve(sums.Ar);
   std::vector<CellViewBlock> blocks;
@@ -136,13 +138,13 @@ class JointRefiner {
   [[nodiscard]] std::vector<Vec3> view_centers() const;
   [[nodiscard]] double mean_radius_mm() const;
   [[nodiscard]] Result<Step> fit_surfaces_over_drift(const Progress& progress) const;
-  /// Moves all poses by one Gauss-Newton step. False: cancelled, and none moved.
+  /// Moves all poses by one Gauss-Newton step. False if canceled; then no pose moved.
   [[nodiscard]] bool move(const Step& step, const Progress& progress);
   [[nodiscard]] CellSums sum_cell(const Step& step, std::size_t c,
                                   std::span<const Vec3> centers_mm) const;
-  /// How many pairs of a cell and a view that is seen in it there are.
+  /// Number of pairs of a cell and a view with data in it.
   [[nodiscard]] std::size_t count_views_of_cells(const Step& step) const;
-  /// Adds all cells, in order. False: cancelled.
+  /// Adds all cells in order. False if canceled.
   [[nodiscard]] bool add_cells(const Step& step, std::span<const Vec3> centers_mm,
                                ReducedSystem& system, const Progress& progress) const;
   void rate_views(const Step& step);
@@ -155,17 +157,19 @@ class JointRefiner {
   std::vector<Isometry> poses_;
   std::vector<Datum> data_;
   double cell_mm_ = 0.0;
-  double arm_mm_ = 1.0;  ///< a rotation moves the points of a view by about this lever
+  double arm_mm_ = 1.0;  ///< lever arm: a rotation moves the points of a view by this times the
+                         ///< angle
   Refinement result_;
 };
 
-/// Where poses are far off, the data of a small cell are no surface; a larger one still sees it.
+/// If poses are wrong by much, the data of a small cell do not form a surface; a larger cell may
+/// still work.
 Result<Step> JointRefiner::fit_surfaces_over_drift(const Progress& progress) const {
   double cell_mm = cell_mm_;
   auto step = fit_surfaces(data_, poses_, cell_mm, workers_, progress);
   for (int i = 0; i < kMaxEnlargements && step && valid_share(*step) < kMinValidShare; ++i) {
     cell_mm *= kEnlargement;
-    // What has to be done again was not foreseen: it does not advance.
+    // The repetition was not planned, so it does not advance the progress.
     step = fit_surfaces(data_, poses_, cell_mm, workers_, progress.part(0.0));
   }
   return step;
@@ -220,7 +224,7 @@ CellSums JointRefiner::sum_cell(const Step& step, std::size_t c,
   for (std::size_t k = 0; k < step.residuals[c].size(); ++k) {
     const ResidualSize& size = step.residuals[c][k];
     if (!size.usable) continue;
-    // The residuals are larger than the noise while the poses are wrong.
+    // While the poses are wrong, the residuals are larger than the noise.
     const double sigma_mm = step.spread * size.sigma_mm;
     const double weight =
         tukey_weight(size.residual_mm / sigma_mm, options_.tukey_sigmas) / (sigma_mm * sigma_mm);
@@ -228,7 +232,7 @@ CellSums JointRefiner::sum_cell(const Step& step, std::size_t c,
     const Datum& datum = data_[cell.data[k]];
     const auto view = static_cast<std::uint32_t>(datum.view.value);
     const SurfaceResidual r = residual_of(cell, datum, poses_[view], step.cell_mm);
-    // Data come view after view.
+    // Data are sorted by view.
     if (sums.views.empty() || sums.views.back().view != view) sums.views.push_back({view});
     auto& of_view = sums.views.back();
     Twist J;
@@ -255,7 +259,7 @@ std::size_t JointRefiner::count_views_of_cells(const Step& step) const {
 
 bool JointRefiner::add_cells(const Step& step, std::span<const Vec3> centers_mm,
                              ReducedSystem& system, const Progress& progress) const {
-  // A block at a time, so that the sums take little memory.
+  // Block by block, so that the sums need little memory.
   constexpr std::size_t kBlock = 1024;
   system.reserve(count_views_of_cells(step));
   std::vector<CellSums> sums(kBlock);
@@ -296,7 +300,7 @@ void JointRefiner::rate_views(const Step& step) {
 void JointRefiner::fix_world() {
   const Isometry T_old_new = views_.front().T_world_sensor * poses_.front().inverse();
   for (std::size_t v = 0; v < poses_.size(); ++v) {
-    // Normalized again, so that many products leave no shear.
+    // Normalize the rotation after many products.
     const Isometry T = T_old_new * poses_[v];
     views_[v].T_world_sensor = make_isometry(Eigen::Quaterniond(T.linear()), T.translation());
   }
@@ -344,18 +348,14 @@ Result<Refinement> JointRefiner::run() {
 }  // namespace
 
 Result<void> JointRefineOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "JointRefineOptions::{} must be {}", name, range);
-  };
-  if (!(cell_mm >= 0.0)) return bad("cell_mm", ">= 0");
-  if (!(step_share > 0.0)) return bad("step_share", "> 0");
-  if (max_steps < 1) return bad("max_steps", ">= 1");
-  if (!(convergence_share > 0.0)) return bad("convergence_share", "> 0");
-  if (!(tukey_sigmas > 0.0)) return bad("tukey_sigmas", "> 0");
-  if (!(min_inlier_share > 0.0 && min_inlier_share <= 1.0)) {
-    return bad("min_inlier_share", "in (0, 1]");
-  }
-  return {};
+  return OptionCheck("JointRefineOptions")
+      .not_negative("cell_mm", cell_mm)
+      .positive("step_share", step_share)
+      .at_least("max_steps", max_steps, 1)
+      .positive("convergence_share", convergence_share)
+      .positive("tukey_sigmas", tukey_sigmas)
+      .positive_up_to("min_inlier_share", min_inlier_share, 1.0)
+      .result();
 }
 
 std::string_view to_string(RefineOutcome outcome) {
@@ -374,7 +374,7 @@ Result<Refinement> refine_jointly(std::vector<AlignedView>& views,
                                   const JointRefineOptions& options, const Workers& workers,
                                   const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  if (views.empty()) return fail(ErrorCode::kInsufficient, "no view to optimize");
+  if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
   return JointRefiner(views, options, workers, progress).run();
 }
 

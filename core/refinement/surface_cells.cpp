@@ -5,17 +5,18 @@
 #include <utility>
 
 #include "core/base/median.h"
+#include "core/geometry/cell_key.h"
 
 namespace flytri::refinement {
 namespace {
 
-/// Fewer data than this do not overdetermine a quadric.
+/// Least number of data for the six parameters of a quadric.
 constexpr std::size_t kMinData = 12;
-/// A surface's data are flat: their thickness is at most this share of their width.
+/// The data of a surface are flat: their thickness is at most this share of their width.
 constexpr double kMaxThicknessShare = 0.3;
-/// The measurement ray must meet the surface at a sine above this.
+/// Least sine of the angle between the measurement ray and the surface.
 constexpr double kMinRaySine = 0.2;
-/// Reciprocal condition below which the lines in a cell do not determine all six terms.
+/// If the reciprocal condition is below this, the lines in a cell do not determine all six terms.
 constexpr double kMinCondition = 1e-4;
 constexpr int kFitIterations = 4;
 constexpr double kFitTukeySigmas = 4.0;
@@ -33,27 +34,12 @@ struct LocalDatum {
   double sigma_mm;
 };
 
-/// A cube of space as one number, which sorts by x, then y, then z. Beyond a million cubes off the
-/// origin they are not told apart.
-using CellKey = std::uint64_t;
-
-CellKey key_of(const Vec3& p_world, double cell_mm) {
-  constexpr int kBits = 21;
-  constexpr double kMiddle = 1 << (kBits - 1);
-  CellKey key = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double place = std::clamp(std::floor(p_world[axis] / cell_mm), -kMiddle, kMiddle - 1.0);
-    key = (key << kBits) | static_cast<CellKey>(place + kMiddle);
-  }
-  return key;
-}
-
 bool seen_by_two_views(const SurfaceCell& cell, std::span<const Datum> data) {
-  // Data are stored view after view, so first and last differ if any do.
+  // Data are sorted by view, so the first and the last differ if any two differ.
   return data[cell.data.front()].view != data[cell.data.back()].view;
 }
 
-/// Principal axes of the data: the cell's frame. False if they do not lie on one surface.
+/// Sets the cell's frame to the principal axes of the data. False if the data are not flat.
 bool orient(SurfaceCell& cell, std::span<const Vec3> points, const Vec3& ray) {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& p : points) mean += p;
@@ -131,7 +117,7 @@ std::vector<Datum> gather_data(std::span<const AlignedView> views, double length
         }
         const double count = static_cast<double>(end - begin);
         datum.position_mm /= count;
-        // The mean of n points is sqrt(n) times more certain than each of them.
+        // The uncertainty of the mean of n points is smaller by sqrt(n).
         datum.deviation_mm /= count * std::sqrt(count);
         data.push_back(datum);
         begin = end;
@@ -145,7 +131,8 @@ std::vector<SurfaceCell> divide_space(std::span<const Datum> data,
                                       std::span<const Isometry> T_world_sensor, double cell_mm) {
   std::vector<std::pair<CellKey, std::uint32_t>> keys(data.size());
   for (std::uint32_t i = 0; i < data.size(); ++i) {
-    keys[i] = {key_of(T_world_sensor[data[i].view.at()] * data[i].position_mm, cell_mm), i};
+    const Vec3 p_world = T_world_sensor[data[i].view.at()] * data[i].position_mm;
+    keys[i] = {CellKey::at(p_world, cell_mm), i};
   }
   std::sort(keys.begin(), keys.end());
   std::vector<SurfaceCell> cells;

@@ -1,4 +1,4 @@
-/// @file  From posed points to cells of space, each with a local surface and its residuals.
+/// @file  Divides points with poses into cells of space; fits a surface to each cell.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace flytri::refinement {
 
-/// A few neighboring points of one profile taken as one: their mean. Neighbors share noise and
-/// stand for the same place, so little is lost and ten times less is computed.
+/// The mean of a few neighboring points of one profile. Neighbors share noise and show the same
+/// place, so little information is lost and the computation is ten times faster.
 struct Datum {
   Vec3 position_mm;   ///< sensor frame
   Vec3 deviation_mm;  ///< mean of the points' deviations, sensor frame
   ViewIndex view;
 };
 
-/// All data of a scan, view after view.
-/// @param length_mm  > 0, stretch of a profile that becomes one datum
+/// All data of a scan, sorted by view.
+/// @param length_mm  > 0, length of a profile that becomes one datum
 [[nodiscard]] std::vector<Datum> gather_data(std::span<const AlignedView> views, double length_mm);
 
 /// Terms of the local surface h(a, b) = s . (1, a, b, aa, ab, bb), a and b in units of the cell.
@@ -31,17 +31,18 @@ struct SurfaceCell {
   Vec3 origin_mm = Vec3::Zero();                               ///< world frame
   Eigen::Matrix3d R_world_cell = Eigen::Matrix3d::Identity();  ///< columns a, b, h (outwards)
   Quadric surface = Quadric::Zero();                           ///< h in mm
-  bool valid = false;  ///< seen by two views and described by the quadric
+  bool valid = false;  ///< seen by two views, and the quadric was fitted
 };
 
-/// What one datum says about its cell's surface.
+/// Residual of one datum against its cell's surface.
 struct SurfaceResidual {
-  double residual_mm = 0.0;  ///< height of the point above the surface
+  double residual_mm = 0.0;  ///< signed height of the point above the surface
   double sigma_mm = 0.0;     ///< standard uncertainty of that height
-  Vec3 gradient;             ///< of the height by the position, world frame, at the foot point
+  Vec3 gradient;             ///< of the height with respect to the position, world frame, at the
+                             ///< foot point
   Vec3 foot_mm;              ///< where the measurement ray meets the surface, world frame
   Quadric terms;             ///< (1, a, b, aa, ab, bb) at the foot point
-  bool usable = false;       ///< false where the ray grazes the surface
+  bool usable = false;       ///< false if the ray grazes the surface
 };
 
 /// Sorts the data into cubes of space.
@@ -49,7 +50,7 @@ struct SurfaceResidual {
                                                     std::span<const Isometry> T_world_sensor,
                                                     double cell_mm);
 
-/// Fits the surface of a cell, robustly. Leaves it invalid where there is no single surface.
+/// Fits the surface of a cell robustly. The cell stays invalid if its data do not form one surface.
 void fit_surface(SurfaceCell& cell, std::span<const Datum> data,
                  std::span<const Isometry> T_world_sensor, double cell_mm);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/check_options.h"
+
 namespace flytri::registration {
 namespace {
 
@@ -15,17 +17,11 @@ constexpr int kPlacesOfTheFit = 6;
 }  // namespace
 
 Result<void> AgreementOptions::validate() const {
-  if (!(max_sigmas >= 2.0 && max_sigmas <= 20.0)) {
-    return fail(ErrorCode::kBadOption, "max_sigmas is {}, must be in [2, 20]", max_sigmas);
-  }
-  if (!(min_distance_share >= 0.0 && min_distance_share <= 0.1)) {
-    return fail(ErrorCode::kBadOption, "min_distance_share is {}, must be in [0, 0.1]",
-                min_distance_share);
-  }
-  if (!(place_share > 0.0 && place_share <= 1.0)) {
-    return fail(ErrorCode::kBadOption, "place_share is {}, must be in (0, 1]", place_share);
-  }
-  return {};
+  return OptionCheck("AgreementOptions")
+      .in_range("max_sigmas", max_sigmas, 2.0, 20.0)
+      .in_range("min_distance_share", min_distance_share, 0.0, 0.1)
+      .positive_up_to("place_share", place_share, 1.0)
+      .result();
 }
 
 Agreement judge(std::span<const Crossing> crossings, const Isometry& T_world_source,

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
+
 namespace flytri::registration {
 namespace {
 
-/// Steps below this share of their standard uncertainty end a stage.
+/// A stage ends when a step is below this share of its standard uncertainty,
 constexpr double kInsignificant = 0.1;
-/// So do steps below this share of the radius: the resolution of single precision.
+/// or below this share of the radius, the resolution of single precision.
 constexpr double kResolution = 1e-6;
 
-/// A stage of the iteration: from where the crossings were searched to where it came to rest.
+/// One stage: searches the crossings once, then iterates until the pose converges.
 class Stage {
  public:
   Stage(const PreparedView& source, Metaview metaview, const AlignOptions& options,
@@ -36,7 +38,7 @@ class Stage {
     shuffle_front(pairs, count, random);
     pairs.resize(std::min(count, pairs.size()));
     found_ = find_crossings(placed_, metaview_, pairs, search_limits_);
-    crossings_ = near_ones(found_);
+    crossings_ = within_limits(found_);
     const StepFrame frame{placed_.center_mm, placed_.radius_mm};
     const Isometry T_searched_guess = T_world_guess_ * result.T_target_source.inverse();
     T_moved_ = Isometry::Identity();
@@ -64,7 +66,7 @@ class Stage {
     result.rms_mm = step_.rms_mm;
     result.uncertainty_mm = step_.sigma_mm.maxCoeff();
     result.covered_share = covered_share();
-    // What the iteration dropped on its way speaks against the pose as much as the rest for it.
+    // Crossings that the iteration dropped count too: they are evidence against the pose.
     result.agreement = judge(follow_crossings(placed_, metaview_, T_moved_, found_, search_limits_),
                              result.T_target_source, source_.radius_mm, options_.agreement);
     const StepFrame frame{T_world_guess_ * source_.center_mm, source_.radius_mm};
@@ -77,14 +79,15 @@ class Stage {
     return crossings_.size() >= static_cast<std::size_t>(options_.min_crossings);
   }
 
-  [[nodiscard]] std::vector<Crossing> near_ones(std::vector<Crossing> crossings) const {
+  [[nodiscard]] std::vector<Crossing> within_limits(std::vector<Crossing> crossings) const {
     std::erase_if(crossings, [&](const Crossing& c) {
       return (c.p_mm - c.q_mm).norm() > limits_.max_distance_mm;
     });
     return crossings;
   }
 
-  /// Dynamic threshold of the paper: six robust sigmas of the present residuals.
+  /// Dynamic threshold of the paper (section "Single Registration"): six robust sigmas of the
+  /// present residuals.
   void shrink_threshold() {
     double sigma_mm = 0.0;
     for (const Crossing& c : crossings_) sigma_mm += c.sigma_mm;
@@ -120,20 +123,15 @@ class Stage {
   const AlignOptions& options_;
   Isometry T_world_guess_;
   StepOptions step_options_;
-  CrossingLimits search_limits_;             ///< d_max of the first iteration
+  CrossingLimits search_limits_;             ///< d_max of the search
   CrossingLimits limits_;                    ///< d_max at present
-  PreparedView placed_;                      ///< the source where crossings were searched
-  std::vector<Crossing> found_;              ///< by that search
-  std::vector<Crossing> crossings_;          ///< of these, what lies within the limits since
+  PreparedView placed_;                      ///< the source at the pose of the search
+  std::vector<Crossing> found_;              ///< crossings found by the search
+  std::vector<Crossing> crossings_;          ///< of these, the ones still within the limits
   Isometry T_moved_ = Isometry::Identity();  ///< since the search
   PoseStep step_;
   bool converged_ = false;
 };
-
-Result<void> check(bool good, std::string_view what) {
-  if (good) return {};
-  return fail(ErrorCode::kBadOption, "{}", what);
-}
 
 }  // namespace
 
@@ -154,36 +152,22 @@ std::string_view to_string(AlignOutcome outcome) {
 }
 
 Result<void> AlignOptions::validate() const {
-  const auto share = [](double value, double high) { return value > 0.0 && value <= high; };
-  if (auto ok = check(share(start_distance_share, 2.0), "start_distance_share must be in (0, 2]");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = check(share(final_distance_share, start_distance_share),
-                      "final_distance_share must be in (0, start_distance_share]");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = check((coarse_pairs == 0 || coarse_pairs >= 20) && fine_pairs >= 20 &&
-                          fine_pairs >= coarse_pairs,
-                      "coarse_pairs must be 0 or at least 20, fine_pairs at least 20 and not below "
-                      "coarse_pairs");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = check(max_iterations >= 2 && min_crossings >= 6,
-                      "max_iterations must be at least 2, min_crossings at least 6");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = agreement.validate(); !ok) return ok;
-  if (auto ok =
-          check(min_evidence >= 0.0 && min_evidence <= 1000.0, "min_evidence must be in [0, 1000]");
-      !ok) {
-    return ok;
-  }
-  return check(share(max_uncertainty_share, 1.0) && share(min_crossing_sine, 1.0),
-               "max_uncertainty_share and min_crossing_sine must be in (0, 1]");
+  return OptionCheck("AlignOptions")
+      .positive_up_to("start_distance_share", start_distance_share, 2.0)
+      .must("final_distance_share", final_distance_share,
+            final_distance_share > 0.0 && final_distance_share <= start_distance_share,
+            "above 0 and at most start_distance_share")
+      .must("coarse_pairs", coarse_pairs, coarse_pairs == 0 || coarse_pairs >= 20,
+            "0 or at least 20")
+      .at_least("fine_pairs", fine_pairs, 20)
+      .must("fine_pairs", fine_pairs, fine_pairs >= coarse_pairs, "at least coarse_pairs")
+      .at_least("max_iterations", max_iterations, 2)
+      .at_least("min_crossings", min_crossings, 6)
+      .nested(agreement)
+      .in_range("min_evidence", min_evidence, 0.0, 1000.0)
+      .positive_up_to("max_uncertainty_share", max_uncertainty_share, 1.0)
+      .positive_up_to("min_crossing_sine", min_crossing_sine, 1.0)
+      .result();
 }
 
 Result<Alignment> align_to_metaview(const PreparedView& source, Metaview metaview,

@@ -7,7 +7,7 @@
 namespace flytri::registration {
 namespace {
 
-/// Keeps the best pair; of equally close pairs the first by (k, l), whatever the order of search.
+/// Keeps the closest pair; among equally close ones the first by (k, l), in any order of search.
 struct BestPair {
   KnotPair pair;
   bool found = false;
@@ -32,7 +32,7 @@ std::optional<KnotPair> result_of(const BestPair& best) {
   return best.found ? std::optional(best.pair) : std::nullopt;
 }
 
-/// Depth-first over pairs of nodes, the nearer child pair first.
+/// Depth-first search over pairs of nodes, nearer children first.
 class PairSearch {
  public:
   PairSearch(const PreparedProfile& first, const PreparedProfile& second, BestPair& best)
@@ -93,8 +93,8 @@ std::optional<KnotPair> closest_knots(const PreparedProfile& first, const Prepar
 
 CurvePair refine_on_curves(const CubicCurve& first, const CubicCurve& second,
                            const Isometry& T_second_first, double x, double y) {
-  constexpr double kMaxStep = 2.0;     // knots: the curves are straight only locally
-  constexpr double kConverged = 1e-2;  // knots: along the curve, where the distance does not change
+  constexpr double kMaxStep = 2.0;     // knots; larger steps are not reliable on a bent curve
+  constexpr double kConverged = 1e-2;  // knots; such a small step does not change the distance
   constexpr int kMaxSteps = 8;
   for (int i = 0;; ++i) {
     const CurvePoint p = first.at(x);

@@ -7,10 +7,10 @@
 namespace flytri::registration {
 namespace {
 
-/// Below this share of a view's median noise no point is trusted: a deviation that lies along the
-/// surface does not make the point exact.
+/// Least uncertainty of a point, as a share of the view's median noise. Otherwise a point whose
+/// deviation lies along the surface would count as exact.
 constexpr double kNoiseFloor = 0.3;
-/// Ideal data is exact to about this share of a view's radius: the splines between its points.
+/// Error of the splines between the points, as a share of the view's radius.
 constexpr double kSplineError = 1e-4;
 
 Vec3 at_nearest_knot(const std::vector<Vec3f>& values, double x) {
@@ -24,7 +24,7 @@ Vec3 between_knots(const std::vector<Vec3f>& values, double x) {
   return ((1.0F - w) * values[i] + w * values[i + 1]).cast<double>();
 }
 
-/// One profile pair with both of its ends looked up.
+/// The two profiles of a pair, with their views.
 struct Sides {
   const PreparedView& source;
   const PreparedView& target;
@@ -38,7 +38,8 @@ struct Sides {
         second(target.profiles[pair.l]) {}
 };
 
-/// Along the normal; none where either ray grazes the surface.
+/// Standard uncertainty of the distance along the normal; nullopt if a measurement ray grazes the
+/// surface.
 std::optional<double> distance_sigma(const Sides& sides, const CurvePair& at, const Vec3& normal,
                                      const Isometry& T_moved, double min_ray_sine) {
   const Vec3 first = T_moved.linear() * at_nearest_knot(sides.first.deviations_mm, at.x);
@@ -62,7 +63,7 @@ std::optional<Crossing> measure(const Sides& sides, const ProfilePair& pair,
   if (gap.squaredNorm() > limits.max_distance_mm * limits.max_distance_mm) return std::nullopt;
   const Vec3 o_k = T_moved.linear() * between_knots(sides.first.directions, at.x).normalized();
   const Vec3 o_l = between_knots(sides.second.directions, at.y).normalized();
-  const Vec3 normal = o_k.cross(o_l);  // paper eq. (full_normal)
+  const Vec3 normal = o_k.cross(o_l);  // surface normal: paper, section "Calculation of Normals"
   const double sine = normal.norm();
   if (sine < limits.min_crossing_sine) return std::nullopt;
 

@@ -6,7 +6,7 @@
 namespace flytri::registration {
 namespace {
 
-/// Surfaces seen from directions farther apart than this cosine have little in common.
+/// Views whose sight directions have a smaller cosine than this show little common surface.
 constexpr double kMinSightCosine = 0.2;
 
 double worth(const ViewExtent& a, const ViewExtent& b) {
@@ -18,11 +18,6 @@ double worth(const ViewExtent& a, const ViewExtent& b) {
 }
 
 }  // namespace
-
-OverlapGrid::Cell OverlapGrid::cell_of(const Vec3& p_mm) const {
-  const Eigen::Array3i cell = (p_mm / cell_mm_).array().floor().cast<int>();
-  return {cell[0], cell[1], cell[2]};
-}
 
 void OverlapGrid::add(const ViewExtent& extent) {
   cells_[cell_of(extent.center_mm)].push_back(extents_.size());
@@ -41,12 +36,12 @@ void OverlapGrid::remove(std::size_t view) {
 
 std::vector<Overlap> OverlapGrid::overlapping(const ViewExtent& around) const {
   const Vec3 reach = Vec3::Constant(2.4 * around.radius_mm);
-  const Cell low = cell_of(around.center_mm - reach);
-  const Cell high = cell_of(around.center_mm + reach);
+  const CellKey low = cell_of(around.center_mm - reach);
+  const CellKey high = cell_of(around.center_mm + reach);
   std::vector<Overlap> result;
   for (int x = low[0]; x <= high[0]; ++x) {
     for (int y = low[1]; y <= high[1]; ++y) {
-      // The cells of a column stand next to each other in the map.
+      // The cells of a column are neighbors in the map.
       const auto end = cells_.upper_bound({x, y, high[2]});
       for (auto cell = cells_.lower_bound({x, y, low[2]}); cell != end; ++cell) {
         for (const std::size_t view : cell->second) {

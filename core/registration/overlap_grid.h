@@ -1,27 +1,27 @@
-/// @file  Finds the registered views that overlap a place: a fixed grid of their centers.
+/// @file  Finds registered views that overlap a given view, with a fixed grid of view centers.
 #pragma once
 
-#include <array>
 #include <map>
 #include <vector>
 
-#include "core/geometry/rigid.h"
+#include "core/geometry/cell_key.h"
 
 namespace flytri::registration {
 
-/// What the grid keeps of a view, in the world frame (paper: position and basic orientation).
+/// Position, direction and size of a view in the world frame (paper: position and basic
+/// orientation).
 struct ViewExtent {
-  Vec3 center_mm = Vec3::Zero();        ///< of mass
+  Vec3 center_mm = Vec3::Zero();        ///< center of mass
   Vec3 line_direction = Vec3::UnitX();  ///< along its profiles, unit
-  Vec3 sight = Vec3::UnitZ();           ///< z axis of the sensor: looks onto the surface
+  Vec3 sight = Vec3::UnitZ();           ///< z axis of the sensor, pointing to the surface
   double radius_mm = 0.0;               ///< RMS distance of its points from the center
 };
 
 /// A view that is likely to overlap.
 struct Overlap {
-  std::size_t view = 0;  ///< as added, from 0
-  /// 0..1: overlap of the extents times the squared sine between the profiles' directions, which is
-  /// what crossings tell.
+  std::size_t view = 0;  ///< in the order of add(), from 0
+  /// 0..1: overlap of the extents times the squared sine of the angle between the profile
+  /// directions. It estimates how much the crossings contribute.
   double worth = 0.0;
 };
 
@@ -32,9 +32,9 @@ class OverlapGrid {
   explicit OverlapGrid(double cell_mm) : cell_mm_(cell_mm) {}
 
   void add(const ViewExtent& extent);
-  /// After a view was registered anew.
+  /// Call after a view was registered again.
   void move(std::size_t view, const ViewExtent& extent);
-  /// The view overlaps with nothing from now on; the others keep their numbers.
+  /// Removes a view. The others keep their numbers.
   void remove(std::size_t view);
   [[nodiscard]] std::size_t size() const { return extents_.size(); }
   [[nodiscard]] const ViewExtent& extent(std::size_t view) const { return extents_[view]; }
@@ -44,12 +44,11 @@ class OverlapGrid {
   [[nodiscard]] std::vector<Overlap> overlapping(const ViewExtent& around) const;
 
  private:
-  using Cell = std::array<int, 3>;
-  [[nodiscard]] Cell cell_of(const Vec3& p_mm) const;
+  [[nodiscard]] CellKey cell_of(const Vec3& p_mm) const { return CellKey::at(p_mm, cell_mm_); }
 
   double cell_mm_;
   std::vector<ViewExtent> extents_;
-  std::map<Cell, std::vector<std::size_t>> cells_;
+  std::map<CellKey, std::vector<std::size_t>> cells_;
 };
 
 }  // namespace flytri::registration

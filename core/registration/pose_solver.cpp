@@ -11,21 +11,21 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Matrix63 = Eigen::Matrix<double, 6, 3>;
 
-/// Uncertainty of a profile's direction, see SmoothingOptions::max_direction_noise_rad: the
-/// directions come from twice that window.
+/// Uncertainty of a profile's direction. Smaller than SmoothingOptions::max_direction_noise_rad,
+/// because directions use a window twice as wide.
 constexpr double kNormalNoise_rad = 0.03;
-/// Residuals of this many robust sigmas weigh a quarter.
+/// A residual of this many robust sigmas has a quarter of the weight.
 constexpr double kRobustWidth = 3.0;
 
-/// Robust size of the residuals in units of their expected uncertainty, at least 1.
+/// Robust standard deviation of the residuals divided by their expected uncertainty, at least 1.
 double noise_scale(std::span<const Crossing> crossings) {
   std::vector<double> ratios;
   ratios.reserve(crossings.size());
   for (const Crossing& c : crossings) ratios.push_back(std::abs(c.distance_mm) / c.sigma_mm);
-  return std::max(1.0, median_of(ratios) / 0.6745);
+  return std::max(1.0, median_of(ratios) / kMedianOfSigma);
 }
 
-/// How the point p of the source moves with the unknowns.
+/// Derivative of the source point p with respect to the unknowns.
 Matrix63 motion_jacobian(const Vec3& p_mm, const StepFrame& frame) {
   const Vec3 arm = (p_mm - frame.center_mm) / frame.radius_mm;
   Matrix63 J;
@@ -42,7 +42,8 @@ double robust_weight(const Crossing& c, double scale) {
 /// Normal equations of all crossings, in units of the noise.
 struct Equations {
   Matrix6 H = Matrix6::Zero();
-  Matrix6 pretended = Matrix6::Zero();  ///< part of H that noise of the normals brings in
+  Matrix6 from_normal_noise =
+      Matrix6::Zero();  ///< part of H that is caused only by noise of the normals
   Twist g = Twist::Zero();
 
   void add(const Crossing& c, double weight, const StepFrame& frame, ResidualKind kind) {
@@ -55,7 +56,7 @@ struct Equations {
     const Twist J = A * c.normal;
     H.noalias() += weight * J * J.transpose();
     g += weight * c.distance_mm * J;
-    pretended.noalias() +=
+    from_normal_noise.noalias() +=
         weight * kNormalNoise_rad * kNormalNoise_rad * (A * A.transpose() - J * J.transpose());
   }
 };
@@ -110,10 +111,10 @@ PoseStep solve_step(std::span<const Crossing> crossings, const StepFrame& frame,
   Matrix6 P = prior_information(options.prior, frame).asDiagonal();
   for (int i = 0; i < 6; ++i) {
     const Twist v = eigen.eigenvectors().col(i);
-    const double pretended = v.dot(equations.pretended * v);
-    const double known = eigen.eigenvalues()[i] - pretended;
+    const double from_normal_noise = v.dot(equations.from_normal_noise * v);
+    const double known = eigen.eigenvalues()[i] - from_normal_noise;
     step.sigma_mm[i] = known > 0.0 ? 1.0 / std::sqrt(known) : 1e30;
-    if (known < 2.0 * pretended) P += 10.0 * eigen.eigenvalues()[i] * v * v.transpose();
+    if (known < 2.0 * from_normal_noise) P += 10.0 * eigen.eigenvalues()[i] * v * v.transpose();
   }
   const Matrix6 total = equations.H + P;
   step.motion_mm = -total.ldlt().solve(equations.g + P * moved_mm);

@@ -1,5 +1,5 @@
-/// @file  One step of registration: the small motion that brings crossings together, and how well
-/// each of its six directions is known.
+/// @file  One registration step: the small motion that minimizes the distances at the crossings,
+///          and its uncertainty in six directions.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace flytri::registration {
 
-/// What the least squares makes small.
+/// What the least-squares fit minimizes.
 enum class ResidualKind {
-  kAlongNormal,  ///< distance along o_k x o_l: the points may slide on the surface
+  kAlongNormal,  ///< distance along o_k x o_l: points may slide along the surface
   kPointToPoint  ///< the whole vector between the points, as in the paper
 };
 
@@ -21,26 +21,26 @@ enum class CrossingWeight {
   kDepthVariation  ///< sum of the depth variations of both profiles, as in the paper
 };
 
-/// How far the guess may be off: standard uncertainties about the source's center.
+/// Expected error of the guess: standard uncertainties about the source's center.
 struct PosePrior {
   double rotation_rad = 0.05;
   double translation_mm = 0.5;
 };
 
-/// Where the step is taken: rotations turn about `center_mm` and are scaled by `radius_mm`, so that
-/// all six unknowns are millimetres of the view's points.
+/// Frame of the step: rotations are about `center_mm` and scaled by `radius_mm`, so that all six
+/// unknowns are displacements in mm.
 struct StepFrame {
   Vec3 center_mm;
   double radius_mm = 1.0;
 };
 
-/// A step and what is known about it. Unknowns: (radius * rotation vector, translation), mm.
+/// A step and its quality. Unknowns: (radius * rotation vector, translation), mm.
 struct PoseStep {
   Twist motion_mm = Twist::Zero();
   Twist sigma_mm = Twist::Constant(1e30);  ///< along the eigenvectors, from the crossings alone
   double significance = 1e30;              ///< size of the motion in standard uncertainties
-  double noise_scale = 1.0;   ///< residuals in units of their expected uncertainty, robust
-  double inlier_share = 0.0;  ///< crossings that lie within 3 of these
+  double noise_scale = 1.0;   ///< robust ratio of residuals to their expected uncertainty
+  double inlier_share = 0.0;  ///< share of crossings within 3 sigmas of these
   double rms_mm = 0.0;        ///< of the inliers' distances
 };
 
@@ -50,10 +50,9 @@ struct StepOptions {
   PosePrior prior;
 };
 
-/// @param moved_mm  motion already made since the guess, in the same unknowns: the prior pulls
-///                  towards zero of it.
-/// Directions that the crossings do not determine beyond the noise of their normals are left to the
-/// prior: noisy normals pretend to know how a flat surface slides in itself.
+/// Computes one step. Only the prior decides in directions that the crossings do not determine:
+/// without this rule, noisy normals would seem to determine how a flat surface slides along itself.
+/// @param moved_mm  motion since the guess, in the same unknowns. The prior pulls it towards zero.
 /// @source  Arold et al., "Single Registration"; robust weights: Geman and McClure, 1987.
 [[nodiscard]] PoseStep solve_step(std::span<const Crossing> crossings, const StepFrame& frame,
                                   const Twist& moved_mm, const StepOptions& options);

@@ -1,4 +1,5 @@
-/// @file  A view made ready for registration once: smoothed, splined, and boxed for fast searches.
+/// @file  A view prepared for registration: smoothed profiles as splines, with box trees for fast
+///          search.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace flytri::registration {
 
-/// A shorter profile has no direction of its own above the noise.
+/// The direction of a shorter profile would be mostly noise.
 inline constexpr std::size_t kMinProfilePoints = 6;
 
 /// One smoothed line profile. Vectors are parallel to the knots of the curve.
@@ -19,23 +20,23 @@ struct PreparedProfile {
   CubicCurve curve;
   BoxTree tree;                       ///< over the knots
   std::vector<Vec3f> directions;      ///< o: unit tangents, smoother than the curve's own
-  std::vector<Vec3f> deviations_mm;   ///< noise that is left after smoothing, as in ProfilePoint
+  std::vector<Vec3f> deviations_mm;   ///< noise after smoothing, as in ProfilePoint
   Vec3 sheet_normal = Vec3::UnitX();  ///< s: unit normal of the light sheet
-  ProfileIndex profile;               ///< in the view it was prepared from
+  ProfileIndex profile;               ///< index in the original view
   double depth_variation_mm = 0;      ///< standard deviation of z in the sensor frame
 };
 
-/// Profiles in the frame they were prepared in (the sensor's), or moved to since.
+/// Prepared profiles of a view, in the sensor frame or, after moved(), in another frame.
 struct PreparedView {
   Pattern pattern = Pattern::kVertical;
   std::vector<PreparedProfile> profiles;
   Vec3 center_mm = Vec3::Zero();        ///< mean of all knots
   double radius_mm = 0.0;               ///< RMS distance of the knots from it
-  Vec3 line_direction = Vec3::UnitX();  ///< along which the profiles run on average, unit
-  double noise_mm = 0.0;                ///< median size of the deviations that are left
+  Vec3 line_direction = Vec3::UnitX();  ///< average direction of the profiles, unit
+  double noise_mm = 0.0;                ///< median length of the deviations after smoothing
 
   [[nodiscard]] std::size_t knot_count() const;
-  /// The same view seen from frame a.
+  /// The same view in frame a.
   [[nodiscard]] PreparedView moved(const Isometry& T_a_b) const;
 };
 

@@ -1,6 +1,7 @@
 #include "core/scan/live_model.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace flytri::scan {
@@ -8,8 +9,11 @@ namespace {
 
 /// Views of a rebuild that are added in one go: a few milliseconds, so that new views do not wait.
 constexpr std::size_t kViewsAtOnce = 4;
-/// Closer to a kept one than this share of the volume, a texture frame shows nothing new.
+/// Closer to a place than this share of the volume, a texture frame is of the same place.
 constexpr double kSamePlaceShare = 0.25;
+/// A frame is better by this many pixels on the surface for each of another; with about as many, if
+/// it is later by this time: until then a hand at rest changes nothing.
+constexpr double kMorePixels = 1.01, kAboutAsManyPixels = 0.99, kLater_s = 2.0;
 /// Of a view's points, from which it tells nothing new: at the rims of what is scanned some always
 /// do.
 constexpr double kRedundantShare = 0.9;
@@ -39,7 +43,7 @@ void LiveModel::add(std::span<const AlignedView> views) {
       redundant_s_.push_back(view.view->time_s);
     }
     trajectory_.set(view.view->time_s, view.T_world_sensor);
-    added_at_.insert_or_assign(view.view->time_s, view.T_world_sensor);
+    added_at_.insert_or_assign(view.view->frame, view.T_world_sensor);
     if (rebuild_) rebuild_->views.push_back(view);
   }
   place_waiting_textures();
@@ -63,16 +67,47 @@ void LiveModel::place_waiting_textures() {
 
 void LiveModel::keep_texture(const Frame& frame, const Isometry& T_world_sensor) {
   const double arm_mm = 0.5 * calibration_->volume.size_mm.norm();
-  const bool same_place =
-      std::any_of(textures_.begin(), textures_.end(), [&](const PlacedTexture& kept) {
-        return trajectory::pose_distance_mm(kept.T_world_sensor, T_world_sensor, arm_mm) <
+  const auto same_place =
+      std::find_if(textures_.begin(), textures_.end(), [&](const PlacedTexture& kept) {
+        return trajectory::pose_distance_mm(kept.T_world_first, T_world_sensor, arm_mm) <
                kSamePlaceShare * arm_mm;
       });
-  if (same_place) return;
+  if (same_place != textures_.end()) {
+    if (is_better(frame, T_world_sensor, *same_place)) {
+      replace_texture(*same_place, frame, T_world_sensor);
+    }
+    return;
+  }
   // A frame that does not suit the calibration was refused before it came here.
   if (surface_.add_color({frame.image, T_world_sensor}, *calibration_)) {
-    textures_.push_back({frame, T_world_sensor});
+    textures_.push_back({frame, T_world_sensor, T_world_sensor, frame.time_s});
   }
+}
+
+bool LiveModel::is_better(const Frame& frame, const Isometry& T_world_sensor,
+                          const PlacedTexture& kept) const {
+  // The surface that is shown lies in another world than the poses.
+  if (rebuild_ && rebuild_->is_other) return false;
+  const double pixels = surface_.texture_pixels(T_world_sensor, *calibration_);
+  const double kept_pixels = surface_.texture_pixels(kept.T_world_sensor, *calibration_);
+  if (pixels > kMorePixels * kept_pixels) return true;
+  return pixels >= kAboutAsManyPixels * kept_pixels && frame.time_s >= kept.frame.time_s + kLater_s;
+}
+
+void LiveModel::replace_texture(PlacedTexture& kept, const Frame& frame,
+                                const Isometry& T_world_sensor) {
+  kept.frame = frame;
+  kept.T_world_sensor = T_world_sensor;
+  std::vector<texture::TextureFrame> frames;
+  for (const PlacedTexture& texture : textures_) {
+    frames.push_back({texture.frame.image, texture.T_world_sensor});
+  }
+  // A frame that does not suit the calibration was refused before it came here.
+  std::ignore = surface_.recolor(T_world_sensor, frames, *calibration_);
+  if (!rebuild_) return;
+  // The others color it when their turn comes.
+  frames.resize(rebuild_->textures_done);
+  std::ignore = rebuild_->surface.recolor(T_world_sensor, frames, *calibration_);
 }
 
 void LiveModel::apply_edits(const editing::EditList& edits, double now_s) {
@@ -87,7 +122,7 @@ double LiveModel::follow(std::span<const AlignedView> views) {
   trajectory_ = trajectory::Trajectory(arm_mm);
   for (const AlignedView& view : views) {
     trajectory_.set(view.view->time_s, view.T_world_sensor);
-    const auto added = added_at_.find(view.view->time_s);
+    const auto added = added_at_.find(view.view->frame);
     if (added == added_at_.end()) continue;
     farthest_mm = std::max(
         farthest_mm, trajectory::pose_distance_mm(added->second, view.T_world_sensor, arm_mm));
@@ -98,11 +133,13 @@ double LiveModel::follow(std::span<const AlignedView> views) {
 void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   follow(views);
   for (const AlignedView& view : views) {
-    added_at_.insert_or_assign(view.view->time_s, view.T_world_sensor);
+    added_at_.insert_or_assign(view.view->frame, view.T_world_sensor);
   }
   for (PlacedTexture& texture : textures_) {
     const auto T = trajectory_.interpolate(texture.frame.time_s, max_gap_s_);
     if (T) texture.T_world_sensor = *T;
+    const auto T_first = trajectory_.interpolate(texture.first_s, max_gap_s_);
+    if (T_first) texture.T_world_first = *T_first;
   }
   // One that was under way for another world is taken over by this one.
   is_other = is_other || (rebuild_ && rebuild_->is_other);

@@ -19,6 +19,10 @@ namespace flytri::scan {
 struct PlacedTexture {
   Frame frame;
   Isometry T_world_sensor = Isometry::Identity();
+  /// Where and when it was for the first frame of this place, whose better one this may be: places
+  /// stay where they are.
+  Isometry T_world_first = Isometry::Identity();
+  double first_s = 0.0;
 };
 
 class LiveModel {
@@ -49,7 +53,8 @@ class LiveModel {
   /// Times of views added since the last call that told nothing new: they may be let go.
   [[nodiscard]] std::vector<double> take_redundant() { return std::exchange(redundant_s_, {}); }
   [[nodiscard]] live::LiveSurface& surface() { return surface_; }
-  /// Those that color the surface: of frames from nearly the same place the first is kept.
+  /// Those that color the surface. Of frames from nearly the same place the best is kept: the one
+  /// that shows the surface most finely, of equally good ones the latest.
   [[nodiscard]] const std::vector<PlacedTexture>& textures() const { return textures_; }
 
  private:
@@ -64,6 +69,9 @@ class LiveModel {
             const calibration::Calibration& calibration, double max_gap_s);
   void place_waiting_textures();
   void keep_texture(const Frame& frame, const Isometry& T_world_sensor);
+  [[nodiscard]] bool is_better(const Frame& frame, const Isometry& T_world_sensor,
+                               const PlacedTexture& kept) const;
+  void replace_texture(PlacedTexture& kept, const Frame& frame, const Isometry& T_world_sensor);
 
   live::LiveSurfaceOptions options_;
   const calibration::Calibration* calibration_;
@@ -71,8 +79,8 @@ class LiveModel {
   live::LiveSurface surface_;
   editing::EditFilter filter_;
   trajectory::Trajectory trajectory_;
-  std::map<double, Isometry> added_at_;  ///< T_world_sensor by the view's time
-  std::vector<Frame> waiting_;           ///< texture frames whose pose is not known yet
+  std::map<FrameIndex, Isometry> added_at_;  ///< T_world_sensor of the views
+  std::vector<Frame> waiting_;               ///< texture frames whose pose is not known yet
   std::vector<PlacedTexture> textures_;
   std::optional<Rebuild> rebuild_;
   std::vector<double> redundant_s_;

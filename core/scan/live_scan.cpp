@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/scan/frame_intake.h"
 #include "core/scan/growing_scan.h"
 
@@ -133,20 +134,18 @@ void LiveScan::Impl::wait_until_idle() {
 }
 
 Result<void> LiveScanOptions::validate() const {
-  if (auto valid = measure.validate(); !valid) return valid;
-  if (auto valid = registration.validate(); !valid) return valid;
-  if (auto valid = surface.validate(); !valid) return valid;
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "LiveScanOptions::{} must be {}", name, range);
-  };
-  if (measure_threads < 1) return bad("measure_threads", ">= 1");
-  if (max_frames_underway < 2) return bad("max_frames_underway", ">= 2");
-  if (max_views_waiting < 1) return bad("max_views_waiting", ">= 1");
-  if (!(refine_growth > 1.0)) return bad("refine_growth", "> 1");
-  if (min_refine_views < 2) return bad("min_refine_views", ">= 2");
-  if (!(holes_period_s > 0.0)) return bad("holes_period_s", "> 0");
-  if (!now_s) return bad("now_s", "set");
-  return {};
+  return OptionCheck("LiveScanOptions")
+      .nested(measure)
+      .nested(registration)
+      .nested(surface)
+      .at_least("measure_threads", measure_threads, 1)
+      .at_least("max_frames_underway", max_frames_underway, 2)
+      .at_least("max_views_waiting", max_views_waiting, 1)
+      .above("refine_growth", refine_growth, 1.0)
+      .at_least("min_refine_views", min_refine_views, 2)
+      .positive("holes_period_s", holes_period_s)
+      .must("now_s", "missing", now_s != nullptr, "set")
+      .result();
 }
 
 LiveScan::LiveScan(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -14,7 +14,7 @@ namespace flytri::texture {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-/// Rings of triangles around the first one whose normals give the direction of a chart.
+/// Number of triangles around the first one whose mean normal is the direction of a chart.
 constexpr std::size_t kSeedTriangles = 200;
 
 Vec3f area_normal(const TriangleMesh& mesh, const Triangle& t) {
@@ -22,7 +22,7 @@ Vec3f area_normal(const TriangleMesh& mesh, const Triangle& t) {
   return (mesh.vertices[t[1]].position_mm - a).cross(mesh.vertices[t[2]].position_mm - a);
 }
 
-/// For each side of each triangle the triangle beyond it, or kNone.
+/// The neighbor triangle at each edge of each triangle, or kNone.
 std::vector<std::array<std::uint32_t, 3>> find_neighbors(const TriangleMesh& mesh) {
   const std::vector<meshing::HalfEdge> edges = meshing::half_edges_of(mesh);
   std::vector<std::array<std::uint32_t, 3>> neighbors(mesh.triangles.size(), {kNone, kNone, kNone});
@@ -59,7 +59,7 @@ class ChartCutter {
   }
 
  private:
-  /// Free triangles around the seed, nearest first, at most `count`.
+  /// Triangles around the seed without a chart, nearest first, about `count`.
   std::vector<std::uint32_t> around(std::uint32_t seed, std::size_t count) {
     std::vector<std::uint32_t> found = {seed};
     visit_[seed] = seed;
@@ -92,7 +92,7 @@ class ChartCutter {
     taken_.clear();
     low_px_ = Eigen::Array2f::Constant(std::numeric_limits<float>::infinity());
     high_px_ = -low_px_;
-    // The seed always belongs: a degenerate triangle is a chart of its own.
+    // The seed is always taken, so a degenerate triangle becomes a separate chart.
     std::vector<std::uint32_t> queue = {seed};
     take(chart, seed, number, true);
     for (std::size_t i = 0; i < queue.size(); ++i) {
@@ -107,7 +107,7 @@ class ChartCutter {
     return chart;
   }
 
-  /// Adds a triangle to the chart unless it faces away, makes it too large, or lies over another.
+  /// Adds a triangle to the chart unless it faces away, overlaps the chart or makes it too large.
   bool take(Chart& chart, std::uint32_t t, std::uint32_t number, bool always) {
     const Triangle& triangle = mesh_.triangles[t];
     const Vec3f normal = area_normal(mesh_, triangle);
@@ -144,8 +144,8 @@ class ChartCutter {
   const ChartOptions& options_;
   std::vector<std::array<std::uint32_t, 3>> neighbors_;
   std::vector<std::uint32_t> chart_of_;
-  std::vector<std::uint32_t> visit_;         ///< the seed that last came by
-  std::unordered_set<std::uint64_t> taken_;  ///< texels of the chart that grows
+  std::vector<std::uint32_t> visit_;         ///< the last seed that reached each triangle
+  std::unordered_set<std::uint64_t> taken_;  ///< texels of the present chart
   Vec3f chart_normal_ = Vec3f::UnitZ();
   Eigen::Array2f low_px_ = {0, 0};
   Eigen::Array2f high_px_ = {0, 0};

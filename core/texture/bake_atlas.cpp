@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/base/check_options.h"
 #include "core/geometry/mesh_normals.h"
 #include "core/texture/atlas_charts.h"
 #include "core/texture/texel_raster.h"
@@ -11,19 +12,19 @@
 namespace flytri::texture {
 namespace {
 
-/// Share of the atlas that charts fill when it is first tried.
+/// Share of the atlas that the charts are expected to fill, for the first attempt.
 constexpr double kFilledShare = 0.6;
-/// Texels grow by this when the charts do not fit, this often.
+/// If the charts do not fit, texels are enlarged by this factor, up to this many times.
 constexpr double kCoarsening = 1.12;
 constexpr int kMaxCoarsenings = 30;
 constexpr int kMinSide = 16;
 
-/// The parts' shares of the time; of each layout that is tried in what is left for that: the first
-/// mostly does.
+/// Share of the total time of each part; kTryShare: share of each layout attempt in the remaining
+/// layout time, because the first attempt usually succeeds.
 constexpr double kLayoutShare = 0.4, kColorShare = 0.5, kPaintShare = 0.1;
 constexpr double kTryShare = 0.9;
 
-/// Edge of a pixel of the texture camera, in the middle of the volume.
+/// Size of a texture camera pixel on a surface in the middle of the volume.
 double pixel_mm(const calibration::Calibration& calibration) {
   const Vec3 middle = Vec3::Zero();
   return 2.0 / (calibration.texture_u_px.gradient(middle).norm() +
@@ -36,7 +37,7 @@ double area_mm2(const TriangleMesh& mesh) {
   return sum;
 }
 
-/// Charts and the square that holds them.
+/// The charts and their square atlas.
 struct Layout {
   std::vector<Chart> charts;
   double texel_mm = 0.0;
@@ -59,18 +60,19 @@ Result<Layout> lay_out(const TriangleMesh& mesh, double finest_mm, int max_side_
     while (layout.side_px > kMinSide && pack_charts(layout.charts, layout.side_px / 2)) {
       layout.side_px /= 2;
     }
-    // The last, failed try has moved corners.
+    // The last, failed attempt has changed the corners.
     static_cast<void>(pack_charts(layout.charts, layout.side_px));
     progress.advance(rest);
     return layout;
   }
-  return fail(ErrorCode::kInsufficient,
-              "{} triangles fall into more charts than an atlas of {} x {} texels can hold; allow "
-              "a larger one",
-              mesh.triangles.size(), max_side_px, max_side_px);
+  return fail(
+      ErrorCode::kInsufficient,
+      "the charts of {} triangles do not fit into an atlas of {} x {} texels; increase max_side_px",
+      mesh.triangles.size(), max_side_px, max_side_px);
 }
 
-/// The mesh with a vertex for every chart it belongs to, and the vertices' places.
+/// Copies the mesh with one copy of a vertex for each of its charts, and sets the texture
+/// coordinates.
 void unfold(const TriangleMesh& mesh, const Layout& layout, TexturedMesh& model) {
   model.mesh.triangles.resize(mesh.triangles.size());
   std::unordered_map<std::uint32_t, std::uint32_t> new_index;
@@ -92,7 +94,7 @@ void unfold(const TriangleMesh& mesh, const Layout& layout, TexturedMesh& model)
   }
 }
 
-/// Texels on the surface: where they are in the atlas, and the surface points they stand for.
+/// The texels of the surface: their position in the atlas and their surface points.
 struct Texels {
   std::vector<int> places;  ///< row-major index into the atlas
   PointCloud points;
@@ -130,7 +132,8 @@ Texels find_texels(const TexturedMesh& model, int side_px) {
       texels.points.push_back(between(model, t, weights));
     });
   }
-  // Slivers may cover no center at all: the texel around a corner then stands for the corner.
+  // A thin triangle may cover no texel center: then the texel at a corner gets the color of the
+  // corner.
   for (std::size_t i = 0; i < model.uv.size(); ++i) {
     const Eigen::Array2i texel =
         (model.uv[i].array() * static_cast<float>(side_px)).floor().cast<int>();
@@ -142,7 +145,7 @@ Texels find_texels(const TexturedMesh& model, int side_px) {
   return texels;
 }
 
-/// The atlas under construction, and which of its texels have a color.
+/// The atlas, and which of its texels have a color.
 struct Painting {
   cv::Mat atlas;
   std::vector<char> known;
@@ -153,7 +156,7 @@ struct Painting {
   }
 };
 
-/// Gives a texel the mean color of those around it that were known before, if any.
+/// Gives a texel the mean color of its neighbors with a color in `before`, if there are any.
 void extend_to(Painting& painting, const std::vector<char>& before, int x, int y) {
   const int side_px = painting.atlas.cols;
   cv::Vec3i sum(0, 0, 0);
@@ -172,8 +175,9 @@ void extend_to(Painting& painting, const std::vector<char>& before, int x, int y
   painting.known[painting.at(x, y)] = 1;
 }
 
-/// Spreads colors into the gutters, a texel a round; what stays empty keeps the mean color.
-/// @returns false if that was cancelled
+/// Extends colors into the gutters by one texel per round. The remaining texels keep the mean
+/// color.
+/// @returns false if canceled
 bool fill_gutters(Painting& painting, int rounds, const Workers& workers,
                   const Progress& progress) {
   const int side_px = painting.atlas.cols;
@@ -214,7 +218,7 @@ Result<cv::Mat> paint(const Texels& texels, int side_px, const Workers& workers,
     painting.atlas.at<cv::Vec3b>(place / side_px, place % side_px) = {color[0], color[1], color[2]};
     painting.known[static_cast<std::size_t>(place)] = 1;
   }
-  // A ring more than the gutter: small triangles between texel centers have none of their own.
+  // One ring more than the gutter, for small triangles that cover no texel center.
   const int rings = ChartOptions{}.gutter_px + 1;
   if (!fill_gutters(painting, rings, workers, progress)) return stopped();
   return painting.atlas;
@@ -223,15 +227,13 @@ Result<cv::Mat> paint(const Texels& texels, int side_px, const Workers& workers,
 }  // namespace
 
 Result<void> AtlasOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "AtlasOptions::{} must be {}", name, range);
-  };
-  if (max_side_px < kMinSide || max_side_px > 16384 ||
-      !std::has_single_bit(static_cast<unsigned>(max_side_px))) {
-    return bad("max_side_px", "a power of two in [16, 16384]");
-  }
-  if (!(texel_px > 0.0 && texel_px <= 10.0)) return bad("texel_px", "in (0, 10]");
-  return coloring.validate();
+  return OptionCheck("AtlasOptions")
+      .in_range("max_side_px", max_side_px, kMinSide, 16384)
+      .must("max_side_px", max_side_px, std::has_single_bit(static_cast<unsigned>(max_side_px)),
+            "a power of two")
+      .positive_up_to("texel_px", texel_px, 10.0)
+      .nested(coloring)
+      .result();
 }
 
 Result<BakedAtlas> bake_atlas(const TriangleMesh& mesh, std::span<const TextureFrame> frames,

@@ -9,11 +9,11 @@
 namespace flytri::texture {
 namespace {
 
-/// Of looking through the frames in the time of all; the rest goes to what none of them saw.
+/// Share of the time for the frames; the rest is for points that no frame saw.
 constexpr double kFramesShare = 0.9;
 constexpr std::size_t kGrain = 1024;
 
-/// Those of the points that were observed.
+/// The points that were observed.
 struct ObservedPoints {
   std::vector<std::uint32_t> points;
   std::vector<Vec3f> positions_mm;
@@ -32,7 +32,7 @@ ObservedPoints color_observed(std::span<SurfacePoint> points,
   return observed;
 }
 
-/// Gives observed points their color, and the others that of their nearest observed neighbor.
+/// Colors observed points; the others get the color of their nearest observed neighbor.
 Result<ColorCounts> spread_colors(std::span<SurfacePoint> points,
                                   std::span<const ObservedColor> colors, float reach_mm,
                                   const Workers& workers, const Progress& progress) {

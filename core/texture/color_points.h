@@ -1,4 +1,4 @@
-/// @file  Gives points the color that the texture frames saw there.
+/// @file  Colors points from texture frames.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,14 @@
 
 namespace flytri::texture {
 
-/// Where the colors came from.
+/// Number of points by the source of their color.
 struct ColorCounts {
   std::size_t observed = 0;    ///< seen by at least one texture frame
   std::size_t extended = 0;    ///< taken from the nearest observed point
   std::size_t untextured = 0;  ///< kUntexturedColor
 };
 
-/// Colors each point with what the frames observed there, see observe_points; the others from
-/// their neighbors.
+/// Colors each observed point from the frames, see observe_points; the others from their neighbors.
 /// @param points  world frame; only their colors change
 /// @param progress  advanced by one step
 /// @errors  kBadOption, kCancelled; as observe_points.

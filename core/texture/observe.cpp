@@ -3,26 +3,32 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/check_options.h"
 #include "core/texture/srgb.h"
 
 namespace flytri::texture {
 namespace {
 
-/// Points that are tested together; neighbors in the list mostly are neighbors in space.
+/// Points tested together: neighbors in the list are usually neighbors in space.
 constexpr std::size_t kBlock = 256;
 
-/// A point as one texture frame may see it.
+/// Projection of a point into a texture frame.
 struct Projection {
   float u_px = 0.0F, v_px = 0.0F;
-  float depth_mm = std::numeric_limits<float>::infinity();  ///< infinite: outside of the image
+  float depth_mm = std::numeric_limits<float>::infinity();  ///< infinite: outside the image
   bool facing = false;
 };
 
-/// Unit ray of sight of the texture camera: along it neither U nor V changes.
+/// Along the ray of sight of the texture camera, where neither U nor V changes. As long as a
+/// square millimeter across the ray has pixels.
+Vec3 pixels_along_ray(const calibration::Calibration& calibration, const Vec3& p_sensor) {
+  return calibration.texture_u_px.gradient(p_sensor).cross(
+      calibration.texture_v_px.gradient(p_sensor));
+}
+
+/// Unit ray of sight.
 Vec3 ray_of_sight(const calibration::Calibration& calibration, const Vec3& p_sensor) {
-  const Vec3 ray = calibration.texture_u_px.gradient(p_sensor)
-                       .cross(calibration.texture_v_px.gradient(p_sensor))
-                       .normalized();
+  const Vec3 ray = pixels_along_ray(calibration, p_sensor).normalized();
   return ray.z() < 0.0 ? Vec3(-ray) : ray;
 }
 
@@ -51,7 +57,7 @@ class DepthBuffer {
   std::vector<float> depths_mm_;
 };
 
-/// sRGB values around a place, bilinear. The place is inside the image.
+/// Bilinear interpolation of sRGB values. The position must be inside the image.
 Vec3f sample(const cv::Mat& image, float u_px, float v_px) {
   const int u = std::min(static_cast<int>(u_px), image.cols - 2);
   const int v = std::min(static_cast<int>(v_px), image.rows - 2);
@@ -72,7 +78,7 @@ double margin_mm(const calibration::Calibration& calibration, const TextureOptio
   return options.volume_margin_share * calibration.volume.size_mm.maxCoeff();
 }
 
-/// False if the ball around the points is outside of the measurement volume.
+/// False if the bounding sphere of the points is outside the measurement volume.
 bool may_reach_volume(std::span<const SurfacePoint> points, const Isometry& T_sensor_world,
                       const calibration::Calibration& calibration, const TextureOptions& options) {
   Vec3f low = points.front().position_mm;
@@ -123,18 +129,27 @@ Rgb ObservedColor::color() const {
   return color;
 }
 
+double pixels_per_mm2(const SurfacePoint& point, const Isometry& T_sensor_world,
+                      const calibration::Calibration& calibration, const TextureOptions& options) {
+  if (!project(point, T_sensor_world, calibration, options).facing) return 0.0;
+  const Vec3 p_sensor = T_sensor_world * point.position_mm.cast<double>();
+  const Vec3 normal = T_sensor_world.linear() * point.normal.cast<double>();
+  return std::abs(pixels_along_ray(calibration, p_sensor).dot(normal));
+}
+
 Result<void> observe_points(std::span<const SurfacePoint> points, std::span<ObservedColor> colors,
                             const TextureFrame& frame, const calibration::Calibration& calibration,
                             const TextureOptions& options, const Workers& workers) {
   const ImageSize size{frame.image.cols, frame.image.rows};
   if (!(size == calibration.texture_size) || frame.image.type() != CV_8UC3) {
     return fail(ErrorCode::kInconsistent,
-                "a texture frame of {} x {} px does not suit a calibration for {} x {} px",
+                "a texture frame has {} x {} px, but the calibration is for {} x {} px; use the "
+                "calibration of this sensor",
                 size.width_px, size.height_px, calibration.texture_size.width_px,
                 calibration.texture_size.height_px);
   }
   const Isometry T_sensor_world = frame.T_world_sensor.inverse();
-  // By block of points; empty where the frame sees none of them.
+  // By block of points; empty if the frame sees none of them.
   std::vector<std::vector<Projection>> blocks((points.size() + kBlock - 1) / kBlock);
   workers.for_each(blocks.size(), [&](std::size_t b) {
     const auto block = points.subspan(b * kBlock, std::min(kBlock, points.size() - b * kBlock));
@@ -167,18 +182,14 @@ Result<void> observe_points(std::span<const SurfacePoint> points, std::span<Obse
 }
 
 Result<void> TextureOptions::validate() const {
-  const auto bad = [](std::string_view name, std::string_view range) {
-    return fail(ErrorCode::kBadOption, "TextureOptions::{} must be {}", name, range);
-  };
-  if (!(min_facing_cosine >= 0.0 && min_facing_cosine <= 1.0)) {
-    return bad("min_facing_cosine", "in [0, 1]");
-  }
-  if (depth_cell_px < 1) return bad("depth_cell_px", ">= 1");
-  if (!(depth_tolerance_share > 0.0)) return bad("depth_tolerance_share", "> 0");
-  if (!(volume_margin_share >= 0.0)) return bad("volume_margin_share", ">= 0");
-  if (max_channel < 1 || max_channel > 255) return bad("max_channel", "in [1, 255]");
-  if (!(extend_share >= 0.0)) return bad("extend_share", ">= 0");
-  return {};
+  return OptionCheck("TextureOptions")
+      .in_range("min_facing_cosine", min_facing_cosine, 0.0, 1.0)
+      .at_least("depth_cell_px", depth_cell_px, 1)
+      .positive("depth_tolerance_share", depth_tolerance_share)
+      .not_negative("volume_margin_share", volume_margin_share)
+      .in_range("max_channel", max_channel, 1, 255)
+      .not_negative("extend_share", extend_share)
+      .result();
 }
 
 }  // namespace flytri::texture

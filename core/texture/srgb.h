@@ -1,4 +1,4 @@
-/// @file  Between sRGB bytes and linear light.
+/// @file  Converts between sRGB bytes and linear light.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace flytri::texture {
   return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
 }
 
-/// The nearest sRGB byte of linear light; light beyond 0..1 is cut.
+/// The nearest sRGB byte of linear light, clamped to 0..1.
 [[nodiscard]] inline std::uint8_t srgb_from_linear(float light) {
   const float l = std::clamp(light, 0.0F, 1.0F);
   const float v = l <= 0.0031308F ? 12.92F * l : 1.055F * std::pow(l, 1.0F / 2.4F) - 0.055F;

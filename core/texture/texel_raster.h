@@ -1,4 +1,4 @@
-/// @file  Which texels a triangle covers.
+/// @file  Enumerates the texels that a triangle covers.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace flytri::texture {
 
 /// Calls visit(x, y, weights) for every texel whose center (x + 0.5, y + 0.5) lies inside the
-/// triangle, with the barycentric weights of its corners. Centers on an edge are left out: they
-/// would belong to two triangles.
+/// triangle, with the barycentric weights of its corners. Centers on an edge are skipped, because
+/// they would belong to two triangles.
 template <typename Visit>
 void for_each_texel(const std::array<Eigen::Array2f, 3>& corners, const Visit& visit) {
   const Eigen::Array2f low = corners[0].min(corners[1]).min(corners[2]);

@@ -1,11 +1,11 @@
-/// @file  Colors of a textured mesh's vertices, for formats that carry no atlas.
+/// @file  Vertex colors from the atlas, for formats without an atlas.
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
 
 namespace flytri::texture {
 
-/// Gives each vertex the color of its place in the atlas. Does nothing where there is no atlas.
+/// Gives each vertex its color in the atlas. Does nothing without an atlas.
 void color_vertices(TexturedMesh& model);
 
 }  // namespace flytri::texture

@@ -8,8 +8,8 @@
 namespace flytri::tracking {
 namespace {
 
-/// Distance of starts from which the registration finds a pose between them, as a share of the
-/// radius: from half of their diagonal it succeeds nine times in ten.
+/// Distance between neighboring start poses, as a share of the radius. From half of the diagonal of
+/// this grid, the registration succeeds in nine of ten cases.
 constexpr double kStartSpacingShare = 0.22;
 
 void append_unless_near(const Isometry& T, double distance_mm, double arm_mm,
@@ -20,7 +20,7 @@ void append_unless_near(const Isometry& T, double distance_mm, double arm_mm,
   if (!near) poses.push_back(T);
 }
 
-/// A pose and its neighbors along the surface, from near to far: two steps to each side.
+/// A pose and its neighbors along the surface, two steps to each side, nearest first.
 std::vector<Isometry> poses_around(const Isometry& T_world_sensor, double radius_mm) {
   std::vector<Eigen::Array2i> steps;
   for (int i = -2; i <= 2; ++i) {
@@ -37,9 +37,8 @@ std::vector<Isometry> poses_around(const Isometry& T_world_sensor, double radius
   return poses;
 }
 
-/// How a hand that comes back may hold the sensor, as twists off a pose it had: as it was; tilted
-/// about either axis, to look at a flank; turned about the line of sight; shifted along the
-/// surface.
+/// How the returning hand may hold the sensor, as twists relative to an earlier pose: unchanged,
+/// tilted about x or y, turned about the line of sight, or shifted along the surface.
 std::vector<Twist> holds(double radius_mm) {
   constexpr double kTilt_rad = 0.4, kTurn_rad = 0.35, kShiftShare = 0.4;
   std::vector<Twist> offs = {Twist::Zero()};
@@ -73,14 +72,14 @@ std::vector<Isometry> path_stops(const TrackedScan& scan, double radius_mm) {
   return stops;
 }
 
-/// Each stop of the path, held in each way, the likelier ways first.
+/// Each stop of the path combined with each way to hold the sensor, likelier ways first.
 Isometry EntryStarts::on_path(std::size_t number) const {
   const std::size_t hold = number / stops_.size() % holds_.size();
   return stops_[number % stops_.size()] * exp_twist(holds_[hold]);
 }
 
-/// Where the scan ended, or would be if the hand went on; where it was taken up again; and where
-/// the operator was asked to enter.
+/// Poses where the scan stopped, where it would be if the hand continued, where it was resumed, and
+/// where the user was asked to resume.
 std::vector<Isometry> EntryStarts::anchors(double time_s) const {
   const trajectory::Trajectory& trajectory = scan_.trajectory();
   std::vector<Isometry> candidates = trajectory.guesses(time_s);

@@ -1,5 +1,5 @@
-/// @file  Poses from which a lost view is registered to the scan: where a hand may take it up
-/// again, the likeliest first.
+/// @file  Start poses for registering a lost view to the scan: where the user may resume, the most
+///          likely first.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace flytri::tracking {
 
-/// Poses all over the path of a scan, far enough from each other that a start between two is near
-/// to one of them. Takes a while for a long scan.
+/// Poses along the whole path of a scan, thinned so that neighbors are not too close. Takes time
+/// for a long scan.
 /// @param radius_mm of what the sensor sees
 [[nodiscard]] std::vector<Isometry> path_stops(const TrackedScan& scan, double radius_mm);
 
 class EntryStarts {
  public:
-  /// Where the scan is likely taken up.
+  /// Where the user is likely to resume.
   struct Hints {
-    std::optional<Isometry> T_world_asked;     ///< where the operator was asked to enter
-    std::optional<Isometry> T_world_proposed;  ///< the best proposal
-    double max_gap_s = 0.5;  ///< a scan that goes on sooner after a view tells where that was
+    std::optional<Isometry> T_world_asked;     ///< where the user was asked to resume
+    std::optional<Isometry> T_world_proposed;  ///< the best reentry proposal
+    double max_gap_s = 0.5;  ///< a pose registered within this time after a view is a start for it
   };
 
   /// @param scan      not empty; must outlive this
@@ -29,15 +29,15 @@ class EntryStarts {
   EntryStarts(const TrackedScan& scan, const std::vector<Isometry>& stops, double radius_mm,
               const Hints& hints);
 
-  /// After the scan: all, but for what is more than `most`.
+  /// After the scan: all start poses, at most `most`.
   [[nodiscard]] std::vector<Isometry> all(double time_s, std::size_t most) const;
-  /// Live: the likeliest, and then a few more, by turns near those places and all over the scan, as
-  /// nobody has to enter where he was asked to.
-  /// @param count  of both together; one more at least
-  /// @param turn   views that were lost before: goes on where the one before stopped
+  /// Live: the most likely start poses, then a few more, alternating between places near them and
+  /// places along the whole scan, because the user may resume elsewhere.
+  /// @param count  number of start poses; at least one comes after the most likely ones
+  /// @param turn   number of lost views so far: continues the list where the previous call stopped
   [[nodiscard]] std::vector<Isometry> few(double time_s, std::size_t count, std::size_t turn) const;
-  /// A start, moved along the line of sight to where the view's surface is as far from the sensor
-  /// as it was when the scan saw this place: a hand comes back nearer or farther.
+  /// The start pose moved along the line of sight, so that the view's surface has the distance from
+  /// the sensor that it had in the nearest registered view: the user may resume nearer or farther.
   [[nodiscard]] Isometry at_its_depth(const Isometry& T_world_start,
                                       const IncomingView& incoming) const;
 

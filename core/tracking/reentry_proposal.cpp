@@ -7,7 +7,7 @@
 namespace flytri::tracking {
 namespace {
 
-/// Of views i - 1 and i.
+/// Number of points of views i - 1 and i.
 std::size_t points_at(const std::vector<TrackedView>& views, std::size_t i) {
   return views[i - 1].aligned.view->point_count() + views[i].aligned.view->point_count();
 }
@@ -35,7 +35,8 @@ std::vector<ReentryProposal> propose_reentries(const TrackedScan& scan, int late
   if (const auto best = propose_reentry(scan, latest_pairs)) ranked.push_back(*best);
   if (ranked.empty()) return ranked;
   const std::vector<TrackedView>& views = scan.views();
-  std::vector<std::pair<std::size_t, std::size_t>> rated;  // by falling points, then as they came
+  std::vector<std::pair<std::size_t, std::size_t>> rated;  // by falling number of points, then by
+                                                           // time
   for (std::size_t i = 1; i < views.size(); ++i) {
     rated.emplace_back(points_at(views, i), i);
   }

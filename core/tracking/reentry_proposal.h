@@ -1,4 +1,4 @@
-/// @file  Where a lost scan is best taken up again.
+/// @file  Proposes where to resume a lost scan.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,13 @@ struct ReentryProposal {
   std::size_t point_count = 0;  ///< the rating: sum over both
 };
 
-/// The best of the latest pairs. None before two views are registered.
+/// The best of the latest pairs; nullopt before two views are registered.
 [[nodiscard]] std::optional<ReentryProposal> propose_reentry(const TrackedScan& scan,
                                                              int latest_pairs);
 
-/// That one, then others all over the scan, at least `apart_mm` from each other, by falling rating.
-/// @param apart_mm  also the arm that weighs rotation against translation
+/// That proposal, then others along the whole scan, at least `apart_mm` from each other, by falling
+/// rating.
+/// @param apart_mm  also the lever arm that converts rotation to distance
 [[nodiscard]] std::vector<ReentryProposal> propose_reentries(const TrackedScan& scan,
                                                              int latest_pairs, std::size_t count,
                                                              double apart_mm);

@@ -7,11 +7,13 @@
 #include <set>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::tracking {
 namespace {
 
-/// Views in a row that may fail before other places are searched: motion blur lasts that long.
-constexpr int kPassedOver = 2;
+/// So many views in a row may fail before other places are searched: a short motion blur.
+constexpr int kIgnoredViews = 2;
 
 RejectReason reason_of(registration::AlignOutcome outcome) {
   switch (outcome) {
@@ -29,18 +31,13 @@ RejectReason reason_of(registration::AlignOutcome outcome) {
   return RejectReason::kPoorFit;
 }
 
-/// Share of its way to what the latest view tells that the meter of nearness goes: it shows the
-/// mean of about the latest five, as each tries other places.
-constexpr double kMeterPace = 0.2;
+/// Weight of the latest view in entry_share(): about the mean of the latest five views, because
+/// each view tries other places.
+constexpr double kEntryShareWeight = 0.2;
 
-/// True for reasons that no later view can cure.
+/// True for rejections that later views cannot change.
 bool is_final(RejectReason reason) {
   return reason == RejectReason::kTooFewPoints || reason == RejectReason::kTimeNotRising;
-}
-
-Result<void> check_range(int value, int low, int high, std::string_view name) {
-  if (value >= low && value <= high) return {};
-  return fail(ErrorCode::kBadOption, "{} is {}, must be in [{}, {}]", name, value, low, high);
 }
 
 }  // namespace
@@ -72,7 +69,7 @@ std::string_view to_string(RejectReason reason) {
     case RejectReason::kNotConverged:
       return "registration did not converge";
     case RejectReason::kTimeNotRising:
-      return "time does not come after that of the view before";
+      return "its time is not later than that of the previous view";
     case RejectReason::kNotConnected:
       return "not connected to the rest of the scan";
   }
@@ -80,21 +77,17 @@ std::string_view to_string(RejectReason reason) {
 }
 
 Result<void> RegistrarOptions::validate() const {
-  if (auto ok = track.validate(); !ok) return ok;
-  if (auto ok = check_range(patience_views, 1, 1000, "patience_views"); !ok) return ok;
-  if (auto ok = check_range(proposal_pairs, 1, 1000, "proposal_pairs"); !ok) return ok;
-  if (auto ok = check_range(starts_per_view, 1, 1000, "starts_per_view"); !ok) return ok;
-  if (auto ok = check_range(retry_starts, 1, 100000, "retry_starts"); !ok) return ok;
-  if (!(min_entry_evidence >= 0.0 && min_entry_evidence <= 1000.0)) {
-    return fail(ErrorCode::kBadOption, "min_entry_evidence is {}, must be in [0, 1000]",
-                min_entry_evidence);
-  }
-  if (auto ok = check_range(settled_views, 1, 1000000, "settled_views"); !ok) return ok;
-  if (auto ok = check_range(register_every, 1, 1000, "register_every"); !ok) return ok;
-  if (!(max_gap_s > 0.0)) {
-    return fail(ErrorCode::kBadOption, "max_gap_s is {}, must be above 0", max_gap_s);
-  }
-  return {};
+  return OptionCheck("RegistrarOptions")
+      .nested(track)
+      .in_range("patience_views", patience_views, 1, 1000)
+      .in_range("proposal_pairs", proposal_pairs, 1, 1000)
+      .in_range("starts_per_view", starts_per_view, 1, 1000)
+      .in_range("retry_starts", retry_starts, 1, 100000)
+      .in_range("min_entry_evidence", min_entry_evidence, 0.0, 1000.0)
+      .in_range("settled_views", settled_views, 1, 1000000)
+      .in_range("register_every", register_every, 1, 1000)
+      .positive("max_gap_s", max_gap_s)
+      .result();
 }
 
 Result<Registrar> Registrar::create(const RegistrarOptions& options) {
@@ -110,7 +103,7 @@ RegisteredView Registrar::skip(const std::shared_ptr<const View>& view) {
 
 RegisteredView Registrar::take(const std::shared_ptr<const View>& view, bool may_register) {
   Added added{view, RejectReason::kNone, false};
-  // Counted by pattern: the views that are left still alternate.
+  // Counted by pattern, so that the registered views still alternate.
   int& number = pattern_counts_[static_cast<std::size_t>(view->pattern)];
   const bool due = number++ % options_.register_every == 0;
   latest_rms_mm_ = 0.0;
@@ -168,14 +161,14 @@ RejectReason Registrar::register_view(IncomingView incoming) {
     return RejectReason::kNone;
   }
   TrackedScan& scan = *submaps_[scan_];
-  // After a longer loss a single view is no proof of where the sensor is.
+  // After a longer loss, a single view does not prove where the sensor is.
   const bool continues = scan.continues(incoming.view->time_s);
   const registration::Alignment tracked =
       continues ? scan.track(incoming) : registration::Alignment{};
   if (!tracked.aligned()) {
     if (++lost_views_ == 1) entry_share_ = 0.0;
-    // A single bad view is passed over; the search for another place starts when more are lost.
-    const bool search = !continues || lost_views_ > kPassedOver;
+    // A single bad view is ignored. The search for another place starts after several lost views.
+    const bool search = !continues || lost_views_ > kIgnoredViews;
     return track_lost(std::move(incoming), reason_of(tracked.outcome), search);
   }
   lost_views_ = 0;
@@ -199,7 +192,7 @@ RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason, b
   const std::size_t scan_size = submaps_[scan_]->size();
   if (scan_size < static_cast<std::size_t>(options_.settled_views) &&
       submaps_[side_]->size() > scan_size) {
-    scan_ = side_;  // What was, may join it.
+    scan_ = side_;  // The previous scan may join it later.
     lost_views_ = 0;
     claim_.reset();
     return RejectReason::kNone;
@@ -212,13 +205,13 @@ bool Registrar::convincing(const registration::Alignment& alignment) const {
          alignment.rms_mm <= submaps_[scan_]->usual_rms_mm();
 }
 
-void Registrar::show_nearness(double proof) {
+void Registrar::update_entry_share(double proof) {
   const double share = std::clamp(proof / std::max(options_.min_entry_evidence, 1e-9), 0.0, 1.0);
-  entry_share_ += kMeterPace * (share - entry_share_);
+  entry_share_ += kEntryShareWeight * (share - entry_share_);
 }
 
-/// The next view confirms a claim where its own registration says the same. Where the two are too
-/// far apart to be one submap, it has to be found near the other.
+/// The next view confirms a claim if its own registration gives the same pose. If the two views are
+/// not in the same submap, it must be found near the claimed pose.
 bool Registrar::confirm_claim(std::size_t submap, const IncomingView& incoming,
                               const Isometry& T_submap_sensor) {
   const Claim claim = *std::exchange(claim_, std::nullopt);
@@ -252,7 +245,7 @@ bool Registrar::try_to_join(std::size_t submap, std::size_t i, bool all_starts) 
     claim_ = {submap, found.T_target_source * T_submap_sensor.inverse(), found.T_target_source};
     break;
   }
-  show_nearness(most_proof);
+  update_entry_share(most_proof);
   return false;
 }
 
@@ -262,7 +255,7 @@ void Registrar::join(std::size_t submap, const Isometry& T_scan_submap) {
     scan.add(submaps_[submap]->incoming(i),
              T_scan_submap * submaps_[submap]->views()[i].aligned.T_world_sensor);
   }
-  // Emptied submaps stay as placeholders: the numbers of the others do not change.
+  // An empty submap stays as a placeholder, so that the numbers of the others do not change.
   submaps_[submap] = std::make_unique<TrackedScan>(options_.track, radius_mm_);
   lost_views_ = 0;
   side_ = scan_;
@@ -296,12 +289,12 @@ ScanGrowth Registrar::take_growth() {
   ScanGrowth growth;
   if (submaps_.empty()) return growth;
   const std::vector<TrackedView>& views = submaps_[scan_]->views();
-  growth.is_all = told_submap_ != scan_ || told_views_ > views.size();
-  for (std::size_t i = growth.is_all ? 0 : told_views_; i < views.size(); ++i) {
+  growth.is_all = returned_submap_ != scan_ || returned_views_ > views.size();
+  for (std::size_t i = growth.is_all ? 0 : returned_views_; i < views.size(); ++i) {
     growth.added.push_back(views[i].aligned);
   }
-  told_submap_ = scan_;
-  told_views_ = views.size();
+  returned_submap_ = scan_;
+  returned_views_ = views.size();
   return growth;
 }
 
@@ -321,16 +314,16 @@ void Registrar::retire(std::span<const double> times_s) {
 void Registrar::apply(std::span<const AlignedView> refined) {
   if (submaps_.empty()) return;
   TrackedScan& scan = *submaps_[scan_];
-  std::map<double, const AlignedView*> by_time;
-  for (const AlignedView& view : refined) by_time[view.view->time_s] = &view;
+  std::map<FrameIndex, const AlignedView*> by_frame;
+  for (const AlignedView& view : refined) by_frame[view.view->frame] = &view;
   stops_ = {};
-  // Below this nothing that registers to a view could tell.
+  // Smaller changes have no effect on views that register to it.
   const double negligible_mm = 1e-4 * radius_mm_;
-  Isometry T_new_world = Isometry::Identity();  // of the last view that is known
+  Isometry T_new_world = Isometry::Identity();  // of the last view in `refined`
   for (std::size_t i = 0; i < scan.size(); ++i) {
     const AlignedView& view = scan.views()[i].aligned;
-    const auto found = by_time.find(view.view->time_s);
-    if (found != by_time.end()) {
+    const auto found = by_frame.find(view.view->frame);
+    if (found != by_frame.end()) {
       T_new_world = found->second->T_world_sensor * view.T_world_sensor.inverse();
     }
     const Isometry T_new_sensor = T_new_world * view.T_world_sensor;
@@ -360,7 +353,8 @@ void Registrar::retry_submaps(const Progress& progress) {
   }
 }
 
-/// A few views spread over a submap stand for it: each asks all starts, its neighbor confirms.
+/// Tries a few views spread over the submap: each tries all start poses, and the next view
+/// confirms.
 void Registrar::retry_submap(std::size_t submap) {
   constexpr std::size_t kAttempts = 4;
   claim_.reset();
@@ -372,8 +366,8 @@ void Registrar::retry_submap(std::size_t submap) {
   }
 }
 
-/// What did not join is left out: the less, the better.
-void Registrar::choose_largest_piece(const Progress& progress) {
+/// Submaps that do not join are lost, so the largest becomes the scan.
+void Registrar::choose_largest_submap(const Progress& progress) {
   const auto largest =
       std::max_element(submaps_.begin(), submaps_.end(),
                        [](const auto& a, const auto& b) { return a->size() < b->size(); });
@@ -403,7 +397,7 @@ void Registrar::retry_rejected(const Added& added) {
   scan.add(std::move(incoming), found.T_target_source);
 }
 
-RegisteredView Registrar::settle(const Added& added) const {
+RegisteredView Registrar::final_fate(const Added& added) const {
   RegisteredView result{added.view, ViewFate::kRejected, added.reason, Isometry::Identity()};
   if (is_final(added.reason) || submaps_.empty()) return result;
   const double time_s = added.view->time_s;
@@ -428,7 +422,7 @@ std::vector<RegisteredView> Registrar::finish(World world, const Progress& progr
   if (!submaps_.empty()) {
     const Progress third = progress.part(1.0 / 3.0);
     retry_submaps(third);
-    if (world == World::kFirstView) choose_largest_piece(third);
+    if (world == World::kFirstView) choose_largest_submap(third);
     retry_rejected(third);
   }
   if (!submaps_.empty() && world == World::kFirstView) {
@@ -436,7 +430,7 @@ std::vector<RegisteredView> Registrar::finish(World world, const Progress& progr
     submaps_[scan_]->change_frame(T_world_scan);
   }
   std::vector<RegisteredView> result;
-  for (const Added& added : added_) result.push_back(settle(added));
+  for (const Added& added : added_) result.push_back(final_fate(added));
   return result;
 }
 

@@ -1,5 +1,5 @@
-/// @file  Keeps the poses of a scan: takes views one by one, says what became of each, and finds
-/// back after the object was lost.
+/// @file  Registers the views of a scan one by one, reports the fate of each, and resumes after
+///          tracking was lost.
 #pragma once
 
 #include <array>
@@ -16,23 +16,23 @@
 
 namespace flytri::tracking {
 
-/// What became of a view.
+/// Fate of a view.
 enum class ViewFate {
   kRegistered,    ///< aligned to others by its own profiles
-  kInterpolated,  ///< skipped by option; its pose lies on the path between its neighbors
+  kInterpolated,  ///< skipped; its pose is interpolated between its neighbors in time
   kRejected       ///< without a pose
 };
 
 /// Why a view has no pose.
 enum class RejectReason {
   kNone,
-  kTooFewPoints,     ///< nothing, or nearly nothing, of the object was in the volume
+  kTooFewPoints,     ///< nothing or almost nothing of the object was in the measurement volume
   kTooFewCrossings,  ///< no overlap with earlier views
-  kUndetermined,     ///< the surface does not fix the pose
-  kPoorFit,  ///< its profiles contradict the model: motion blur, wrong pattern, other object
+  kUndetermined,     ///< the surface does not determine the pose
+  kPoorFit,  ///< its profiles do not fit the model: motion blur, wrong pattern, other object
   kNotConverged,
-  kTimeNotRising,  ///< its time does not come after that of the view before
-  kNotConnected    ///< it fits other views, but these never met the rest of the scan
+  kTimeNotRising,  ///< its time is not later than that of the previous view
+  kNotConnected    ///< it fits other views, but these were never connected to the rest of the scan
 };
 
 [[nodiscard]] std::string_view to_string(ViewFate fate);
@@ -44,36 +44,40 @@ struct RegisteredView {
   ViewFate fate = ViewFate::kRejected;
   RejectReason reason = RejectReason::kNone;
   Isometry T_world_sensor = Isometry::Identity();
-  double rms_mm = 0.0;  ///< of the crossings, where add() registered it to others; else 0
+  double rms_mm = 0.0;  ///< RMS distance at the crossings if add() registered it to other views,
+                        ///< else 0
 };
 
-/// How the scan grew since it was last asked.
+/// Views added to the scan since the last call.
 struct ScanGrowth {
-  /// The scan is another submap now, or all poses have changed: `added` is all of it.
+  /// True if another submap became the scan, or all poses have changed: `added` has all views.
   bool is_all = false;
   std::vector<AlignedView> added;
 };
 
 struct RegistrarOptions {
   TrackOptions track;
-  /// Default 20, range [1, 1000]. k of the paper: views tried against the last good one before the
-  /// scan counts as interrupted.
+  /// Default 20, range [1, 1000]. k of the paper (section "Preview and Continuation Mode"): failed
+  /// views in a row before the scan counts as interrupted.
   int patience_views = 20;
-  /// Default 30, range [1, 1000]. l of the paper: latest pairs of which the best is proposed.
+  /// Default 30, range [1, 1000]. l of the paper: number of latest view pairs of which the best is
+  /// proposed.
   int proposal_pairs = 30;
-  /// Default 6, range [1, 1000]. Start poses tried for each view while lost: bounds its time.
+  /// Default 6, range [1, 1000]. Start poses tried for each view while tracking is lost: limits the
+  /// time per view.
   int starts_per_view = 6;
-  /// Default 1500, range [1, 100000]. Start poses tried at most for a view after the scan.
+  /// Default 1500, range [1, 100000]. Largest number of start poses tried for a view after the
+  /// scan.
   int retry_starts = 1500;
-  /// Default 14, range [0, 1000]. Evidence, see judge(), that a lost view needs to enter: a million
-  /// to one, because so many places are tried.
+  /// Default 14, range [0, 1000]. Evidence, see judge(), that a lost view needs to resume the scan:
+  /// odds of a million to one, because many places are tried.
   double min_entry_evidence = 14.0;
-  /// Default 100, range [1, 1000000]. A scan of so many views stays the scan while it goes on,
-  /// however large another submap grows: what was edited and measured refers to its frame. Before,
-  /// the larger submap takes its place: the first views may have been useless.
+  /// Default 100, range [1, 1000000]. With this many views, the scan is kept even if another submap
+  /// grows larger: edits and measurements refer to its frame. With fewer views, a larger submap
+  /// replaces it, because the first views may have been useless.
   int settled_views = 100;
-  /// Default 1, >= 1. Only every n-th view of each pattern is registered, the others are
-  /// interpolated.
+  /// Default 1, >= 1. Only every n-th view of each pattern is registered; the poses of the others
+  /// are interpolated.
   int register_every = 1;
   /// Default 0.5, > 0. Longest gap in time over which poses are interpolated, s.
   double max_gap_s = 0.5;
@@ -81,59 +85,63 @@ struct RegistrarOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// While lost, views go on registering among themselves as a submap with a frame of its own; the
-/// submap joins the scan when two of its views agree on where. So nothing seen meanwhile is lost,
-/// and a scan whose first views are useless goes on from its first good one.
+/// While tracking is lost, views are registered to each other in a submap with its own frame. The
+/// submap joins the scan when two of its views agree on the pose. So no data is lost meanwhile, and
+/// a scan with useless first views starts at its first good view.
 class Registrar {
  public:
   /// @errors  kBadOption.
   [[nodiscard]] static Result<Registrar> create(const RegistrarOptions& options = {});
 
-  /// Takes the next view. The fate is the present one: submaps that join later
-  /// and skipped views are settled by finish().
+  /// Takes the next view and returns its fate so far. finish() decides about skipped views and
+  /// about submaps that join later.
   RegisteredView add(const std::shared_ptr<const View>& view);
-  /// Takes the next view where there is no time to register it: its pose is interpolated.
+  /// Takes the next view without registering it, for lack of time: its pose is interpolated.
   RegisteredView skip(const std::shared_ptr<const View>& view);
 
-  /// Takes views at known poses, before any other: a scan that goes on.
+  /// Continues a saved scan: takes views with known poses. Call it before add().
   /// @param views  by rising time, in one world frame
   void restore(std::span<const AlignedView> views);
 
   /// True after more than `patience_views` failures in a row: continuation mode.
   [[nodiscard]] bool interrupted() const { return lost_views_ > options_.patience_views; }
-  /// The best of the latest pairs. None before two views are registered.
+  /// The best of the latest view pairs; nullopt before two views are registered.
   [[nodiscard]] std::optional<ReentryProposal> proposal() const;
-  /// That one, then others all over the scan, apart from each other, by falling rating.
+  /// That proposal, then others along the whole scan, apart from each other, by falling rating.
   [[nodiscard]] std::vector<ReentryProposal> proposals(std::size_t count) const;
-  /// Where the operator was asked to enter, if it is not the first proposal: searched first.
+  /// Where the user was asked to resume, if this is not the first proposal. It is searched first.
   void expect_entry_at(const std::optional<Isometry>& T_world_sensor) {
     asked_entry_ = T_world_sensor;
   }
-  /// 0..1: how near the latest lost views came to entering the scan: what spoke for the best pose
-  /// that was tried, see Agreement::proof, by what a view needs to enter. 1 if it is not lost.
+  /// 0..1: how close the latest lost views came to resuming the scan: the proof (see
+  /// Agreement::proof) for the best tried pose, divided by the evidence that a view needs. 1 if
+  /// tracking is not lost.
   [[nodiscard]] double entry_share() const { return lost_views_ == 0 ? 1.0 : entry_share_; }
 
-  /// Views registered so far in the world frame of the largest submap, but for those retired.
+  /// The views registered so far, in the world frame of the scan, without retired ones.
   [[nodiscard]] std::vector<AlignedView> aligned_views() const;
-  /// What came to the scan since the last call, submaps that joined included.
+  /// Views added to the scan since the last call, including joined submaps.
   [[nodiscard]] ScanGrowth take_growth();
-  /// Lets go of the points of views, told by their times, where so many others have seen the same:
-  /// they stay registered, but are no longer among aligned_views(). For views that are past.
+  /// Drops the points of views, given by their times, to save memory where many others have seen
+  /// the same surface. The views stay registered, but are no longer in aligned_views().
   void retire(std::span<const double> times_s);
-  /// Gives views the poses that an optimization of the whole scan has found. Views that came after
-  /// it began are carried along with the last that it knew.
+  /// Applies the poses of a global optimization. Views that it did not contain move together with
+  /// the last earlier view that it contained.
   void apply(std::span<const AlignedView> refined);
-  /// Path of the sensor through the largest submap.
+  /// Path of the sensor through the scan.
   [[nodiscard]] const trajectory::Trajectory& trajectory() const {
     return submaps_[scan_]->trajectory();
   }
 
-  /// After the scan: tries submaps and rejected views once more against the whole model, then
-  /// settles every fate, in the order of add(). The world becomes the sensor frame of the first
-  /// view, unless it is to stay: edits and measurements refer to it.
-  /// @param progress  advances by one step at most; canceled, what was not tried again stays what
-  /// it was
-  enum class World { kFirstView, kUnchanged };
+  /// The world frame of the finished scan.
+  enum class World {
+    kFirstView,  ///< the sensor frame of the first view
+    kUnchanged   ///< as before: edits and measurements refer to it
+  };
+  /// After the scan: tries submaps and rejected views again with the whole model, then returns the
+  /// final fate of every view, in the order of add().
+  /// @param progress  advances by at most one step. After a cancellation, views that were not tried
+  ///                  again keep their fate
   [[nodiscard]] std::vector<RegisteredView> finish(World world = World::kFirstView,
                                                    const Progress& progress = {});
 
@@ -145,7 +153,7 @@ class Registrar {
     RejectReason reason = RejectReason::kNone;
     bool skipped = false;
   };
-  /// A pose that one view of a submap suggests for itself and its submap.
+  /// A pose that one view found for itself and its submap, not yet confirmed by another view.
   struct Claim {
     std::size_t submap = 0;
     Isometry T_scan_submap = Isometry::Identity();
@@ -162,34 +170,35 @@ class Registrar {
   void start_submap(IncomingView incoming);
   [[nodiscard]] EntryStarts entry_starts();
   [[nodiscard]] bool convincing(const registration::Alignment& alignment) const;
-  void show_nearness(double proof);
+  void update_entry_share(double proof);
   void retry_submaps(const Progress& progress);
   void retry_submap(std::size_t submap);
-  void choose_largest_piece(const Progress& progress);
+  void choose_largest_submap(const Progress& progress);
   void retry_rejected(const Progress& progress);
   void retry_rejected(const Added& added);
-  [[nodiscard]] RegisteredView settle(const Added& added) const;
+  [[nodiscard]] RegisteredView final_fate(const Added& added) const;
 
   RegistrarOptions options_;
   std::vector<Added> added_;
   std::vector<std::unique_ptr<TrackedScan>> submaps_;
   std::size_t scan_ = 0;  ///< the submap that is the scan
-  std::size_t side_ = 0;  ///< the submap that lost views go to; scan_ if there is none
+  std::size_t side_ = 0;  ///< the submap for lost views; scan_ if there is none
   int lost_views_ = 0;
   double last_time_s_ = -std::numeric_limits<double>::infinity();
   std::array<int, 2> pattern_counts_{};  ///< views added so far, by Pattern
   double radius_mm_ = 0.0;
   std::optional<Claim> claim_;
   std::optional<Isometry> asked_entry_;
-  /// path_stops() of the scan, for as long as it is the same: many lost views ask for them.
+  /// path_stops() of the scan, kept until the scan changes, because many lost views use them.
   struct KnownStops {
     std::size_t submap = 0, views = 0;
     std::vector<Isometry> poses;
   };
   KnownStops stops_;
   double entry_share_ = 0.0;
-  double latest_rms_mm_ = 0.0;                    ///< of the view that was registered last
-  std::size_t told_submap_ = 0, told_views_ = 0;  ///< what take_growth() has told
+  double latest_rms_mm_ = 0.0;       ///< of the latest registered view
+  std::size_t returned_submap_ = 0;  ///< the scan at the last call of take_growth()
+  std::size_t returned_views_ = 0;   ///< its views that take_growth() has already returned
 };
 
 }  // namespace flytri::tracking

@@ -4,23 +4,24 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri::tracking {
 namespace {
 
-/// Window of the path check: a hand's motion over it is smooth.
+/// Window of the path check: within it the hand moves smoothly.
 constexpr double kPathWindow_s = 0.4;
 constexpr std::size_t kMinPathPoses = 8;
-/// Aligned views from which is learnt how well views fit.
-constexpr std::size_t kExperience = 8;
-/// Spread of the fits of good views about their median, and what is always allowed: on ideal data
-/// the median is next to nothing.
+/// Aligned views needed to know the usual fit.
+constexpr std::size_t kMinAlignedViews = 8;
+/// Limit of a usual fit: this many times the median RMS, plus a minimum as a share of the radius,
+/// because the median of ideal data is almost zero.
 constexpr double kUsualSpread = 2.0;
 constexpr double kLeastRmsShare = 0.001;
-/// Guesses of the next pose are different from this distance on: nearer ones lead to the same fit.
+/// Guesses of the next pose that are nearer to each other than this lead to the same fit.
 constexpr double kOtherGuessShare = 0.05;
-/// Steps of time after which a hand may be anywhere.
+/// After so many time steps the pose cannot be predicted.
 constexpr double kPredictableSteps = 5.5;
 
 registration::ViewExtent extent_of(const registration::PreparedView& placed,
@@ -29,8 +30,8 @@ registration::ViewExtent extent_of(const registration::PreparedView& placed,
           placed.radius_mm};
 }
 
-/// The `count` overlaps with the highest keys u^(1/worth): a random choice by worth that spreads
-/// over the whole scan.
+/// Draws `count` overlaps at random with probability by worth, spread over the whole scan: the ones
+/// with the highest keys u^(1/worth).
 /// @source  Efraimidis and Spirakis, "Weighted random sampling with a reservoir", 2006.
 std::vector<std::size_t> draw_by_worth(const std::vector<registration::Overlap>& overlaps,
                                        std::size_t count, std::uint64_t seed) {
@@ -51,21 +52,15 @@ std::vector<std::size_t> draw_by_worth(const std::vector<registration::Overlap>&
 }  // namespace
 
 Result<void> TrackOptions::validate() const {
-  if (auto ok = align.validate(); !ok) return ok;
-  if (auto ok = smoothing.validate(); !ok) return ok;
-  if (locate_pairs < 20) {
-    return fail(ErrorCode::kBadOption, "locate_pairs is {}, must be at least 20", locate_pairs);
-  }
-  if (single_views < 1 || metaview_views < 1 || min_points < 6) {
-    return fail(ErrorCode::kBadOption,
-                "single_views is {}, metaview_views {}, min_points {}: must be at least 1, 1, 6",
-                single_views, metaview_views, min_points);
-  }
-  if (!(max_surprise_share > 0.0 && max_surprise_share <= 5.0)) {
-    return fail(ErrorCode::kBadOption, "max_surprise_share is {}, must be in (0, 5]",
-                max_surprise_share);
-  }
-  return {};
+  return OptionCheck("TrackOptions")
+      .nested(align)
+      .nested(smoothing)
+      .at_least("locate_pairs", locate_pairs, 20)
+      .at_least("single_views", single_views, 1)
+      .at_least("metaview_views", metaview_views, 1)
+      .at_least("min_points", min_points, 6)
+      .positive_up_to("max_surprise_share", max_surprise_share, 5.0)
+      .result();
 }
 
 TrackedScan::TrackedScan(const TrackOptions& options, double radius_mm)
@@ -93,8 +88,8 @@ void TrackedScan::add(IncomingView incoming, const registration::Alignment& alig
 }
 
 double TrackedScan::usual_rms_mm() const {
-  if (rms_mm_.size() < kExperience) return std::numeric_limits<double>::infinity();
-  const std::size_t count = std::min(rms_mm_.size(), 4 * kExperience);
+  if (rms_mm_.size() < kMinAlignedViews) return std::numeric_limits<double>::infinity();
+  const std::size_t count = std::min(rms_mm_.size(), 4 * kMinAlignedViews);
   std::vector<double> latest(rms_mm_.end() - static_cast<std::ptrdiff_t>(count), rms_mm_.end());
   return kUsualSpread * median_of(latest) + kLeastRmsShare * radius_mm_;
 }
@@ -166,7 +161,7 @@ std::vector<const registration::PreparedView*> TrackedScan::metaview(const Incom
 registration::Alignment TrackedScan::align(
     const IncomingView& incoming, const std::vector<const registration::PreparedView*>& metaview,
     const Isometry& T_world_guess, const registration::AlignOptions& options) const {
-  // The options were validated when the scan began.
+  // The options were validated before, so an error cannot occur.
   return registration::align_to_metaview(incoming.prepared, metaview, T_world_guess, options)
       .value_or(registration::Alignment{});
 }
@@ -174,7 +169,7 @@ registration::Alignment TrackedScan::align(
 registration::Alignment TrackedScan::track(const IncomingView& incoming) const {
   const trajectory::PosePrediction prediction = trajectory_.predict(incoming.view->time_s);
   registration::Alignment result = track_from(incoming, prediction);
-  // The hand did something else than it usually does.
+  // If the prediction was wrong, try other guesses.
   std::vector<Isometry> tried = {prediction.T_world_sensor};
   for (const Isometry& T_world_guess : trajectory_.guesses(incoming.view->time_s)) {
     if (result.aligned()) break;
@@ -195,7 +190,7 @@ registration::Alignment TrackedScan::track_from(
   registration::AlignOptions single = options_.align;
   single.prior = prediction.prior;
   single.fine_pairs = single.coarse_pairs;
-  single.coarse_pairs = 0;  // one stage: this is but the start of the next
+  single.coarse_pairs = 0;  // one stage: this only gives the start for the metaview
   registration::Alignment first =
       align(incoming, latest_views(), prediction.T_world_sensor, single);
 
@@ -268,8 +263,8 @@ void TrackedScan::reregister(std::size_t i, const Isometry& T_world_curve) {
   const auto fits = [&](const registration::Alignment& alignment) {
     return alignment.aligned() && alignment.rms_mm <= usual_rms_mm();
   };
-  // A hand may turn sharply: a view that fits where it stands is no outlier, however the path
-  // bends, and a fit nearer to the curve may be there by chance.
+  // The hand may turn sharply: a view that fits at its present pose is not an outlier, and a fit
+  // nearer to the curve may be a coincidence.
   registration::AlignOptions at_rest = options_.align;
   at_rest.start_distance_share = 0.5 * at_rest.start_distance_share;
   at_rest.coarse_pairs = 0;

@@ -1,5 +1,4 @@
-/// @file  Views registered one after the other in one world frame, and the search for the pose of
-/// the next.
+/// @file  Views registered in one world frame, and the search for the pose of the next view.
 #pragma once
 
 #include <memory>
@@ -12,30 +11,31 @@
 
 namespace flytri::tracking {
 
-/// How views are tracked. Shares are of the radius of a view, as in AlignOptions.
+/// Lengths are shares of the radius of a view, as in AlignOptions.
 struct TrackOptions {
   registration::AlignOptions align;
   SmoothingOptions smoothing;
-  /// Default 6, >= 1. Latest views that the single registration uses.
+  /// Default 6, >= 1. Number of latest views in the single registration.
   int single_views = 6;
-  /// Default 25, >= 1. Overlapping earlier views that make up the metaview, drawn by worth: it
-  /// bounds the time of a view however long the scan is.
+  /// Default 25, >= 1. Number of overlapping earlier views in the metaview, drawn at random by
+  /// worth. It limits the time per view in long scans.
   int metaview_views = 25;
-  /// Default 600, >= 20. AlignOptions::coarse_pairs where the start is a guess: there most pairs do
-  /// not cross, and those that do have to lead the way.
+  /// Default 600, >= 20. AlignOptions::coarse_pairs of locate(): from an inaccurate start pose,
+  /// most pairs do not cross, so more are needed.
   int locate_pairs = 600;
-  /// Default 100, >= 6. Points that a view must have: fewer carry no pose.
+  /// Default 100, >= 6. Least number of points of a view: fewer do not determine a pose.
   int min_points = 100;
-  /// Default 0.5, range (0, 5]. Farther from its prediction than this share of the radius a view is
-  /// not taken for tracked, even if it fits.
+  /// Default 0.5, range (0, 5]. A view farther from its predicted pose than this share of the
+  /// radius does not count as tracked, even if it fits.
   double max_surprise_share = 0.5;
-  /// Default true. The paper's check of the path by RANSAC.
+  /// Default true. Check the path with RANSAC, as in the paper, section "Sensor Movement
+  /// Reconstruction".
   bool check_path = true;
 
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// A view as it came, and made ready.
+/// A new view, as measured and prepared.
 struct IncomingView {
   std::shared_ptr<const View> view;
   registration::PreparedView prepared;  ///< sensor frame
@@ -45,7 +45,7 @@ struct IncomingView {
 struct TrackedView {
   AlignedView aligned;
   registration::PreparedView placed;
-  bool confirmed = false;  ///< found off the path, and yet it fits where it is: not asked again
+  bool confirmed = false;  ///< off the path, but fits at its pose: not checked again
 };
 
 /// Registered views that share a world frame, that of their first view.
@@ -57,47 +57,48 @@ class TrackedScan {
   [[nodiscard]] const std::vector<TrackedView>& views() const { return views_; }
   [[nodiscard]] const trajectory::Trajectory& trajectory() const { return trajectory_; }
 
-  /// Pose of the kept view of this time.
+  /// Pose of the view with this time.
   [[nodiscard]] std::optional<Isometry> registered_pose(double time_s) const;
-  /// Expresses all poses in world frame `new`.
+  /// Changes the world frame of all poses to `new`.
   void change_frame(const Isometry& T_new_world);
-  /// A kept view as it came.
+  /// View i in its sensor frame.
   [[nodiscard]] IncomingView incoming(std::size_t i) const;
 
-  /// Keeps the view at this pose.
+  /// Adds the view at this pose.
   void add(IncomingView incoming, const Isometry& T_world_sensor);
-  /// Keeps the view where it was aligned, and learns from it how well views fit here.
+  /// Adds the view at its aligned pose, and records how well it fits for usual_rms_mm().
   void add(IncomingView incoming, const registration::Alignment& alignment);
-  /// Largest RMS distance of crossings that is usual in this scan: at a wrong place views fit
-  /// several times worse. Infinite before there is experience.
+  /// Largest usual RMS distance of crossings in this scan; at a wrong pose it is several times
+  /// larger. Infinite until enough views were aligned.
   [[nodiscard]] double usual_rms_mm() const;
   /// True if the view comes so soon after the last that its pose can be predicted.
   [[nodiscard]] bool continues(double time_s) const;
-  /// Lets go of what a view measured: it keeps its pose, and nothing is registered to it any more.
+  /// Drops the points of a view. It keeps its pose, but no view is registered to it any more.
   void retire(std::size_t i);
-  /// Gives a kept view another pose.
+  /// Changes the pose of view i.
   void move(std::size_t i, const Isometry& T_world_sensor);
 
-  /// Pose of the next view in time: predicted, registered to the latest views, then to the
-  /// metaview; if that fails, from the other guesses of the trajectory.
+  /// Finds the pose of the next view in time: starts at the predicted pose, registers to the latest
+  /// views, then to the metaview. If this fails, tries the other guesses of the trajectory.
   [[nodiscard]] registration::Alignment track(const IncomingView& incoming) const;
-  /// Pose near a start, by the overlapping views alone: the start may be off by a sixth of the
+  /// Finds a pose near a start pose, without a prediction. The start may be wrong by a sixth of the
   /// radius.
   [[nodiscard]] registration::Alignment locate(const IncomingView& incoming,
                                                const Isometry& T_world_start) const;
-  /// Checks the latest stretch of the path: outliers are put back onto the curve and registered
-  /// again from there. They keep their pose if that finds nothing better.
+  /// Checks the latest part of the path: outliers are registered again, starting on the fitted
+  /// curve. They keep their pose if no better one is found.
   void check_path();
 
-  /// Views to align to around a pose: the last of `latest_count`, the rest by worth.
+  /// Views that overlap a view at this pose, drawn at random by worth.
   [[nodiscard]] std::vector<const registration::PreparedView*> metaview(
       const IncomingView& incoming, const Isometry& T_world_sensor, std::size_t skip_view) const;
 
  private:
-  /// One try of track().
+  /// One attempt of track().
   [[nodiscard]] registration::Alignment track_from(
       const IncomingView& incoming, const trajectory::PosePrediction& prediction) const;
-  /// Aligns view i again from a place on the path; keeps it where it is unless that is nearer.
+  /// Registers view i again, starting on the path; uses the new pose only if it is nearer to the
+  /// path.
   void reregister(std::size_t i, const Isometry& T_world_curve);
   [[nodiscard]] std::vector<const registration::PreparedView*> latest_views() const;
   [[nodiscard]] registration::Alignment align(
@@ -109,10 +110,10 @@ class TrackedScan {
   std::vector<TrackedView> views_;
   registration::OverlapGrid grid_;
   trajectory::Trajectory trajectory_;
-  std::vector<double> rms_mm_;  ///< of the views that were aligned, as they came
+  std::vector<double> rms_mm_;  ///< of the aligned views, in order
 };
 
-/// No view is left out of a metaview.
+/// Value of `skip_view` that skips no view.
 inline constexpr std::size_t kSkipNone = static_cast<std::size_t>(-1);
 
 }  // namespace flytri::tracking

@@ -88,7 +88,7 @@ PathOutliers find_outliers(std::span<const TimedPose> poses, const OutlierOption
     best_median = median;
     best = std::move(all);
   }
-  const double limit = std::max(options.min_deviation_mm, 5.0 * best_median / 0.6745);
+  const double limit = std::max(options.min_deviation_mm, 5.0 * best_median / kMedianOfSigma);
   std::vector<TimedPose> inliers;
   std::vector<std::size_t> outliers;
   for (std::size_t i = 0; i < poses.size(); ++i) {

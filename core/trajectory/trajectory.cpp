@@ -19,29 +19,30 @@ constexpr std::array kExtrapolations = {Extrapolation{1, 0}, Extrapolation{2, 1}
                                         Extrapolation{4, 1}, Extrapolation{6, 1},
                                         Extrapolation{6, 2}, Extrapolation{12, 1}};
 constexpr std::size_t kLongestWindow = 12;
-/// Longer gaps, in steps, are not bridged: the hand is where it was, or anywhere.
+/// Longest gap, in time steps, that is extrapolated. After a longer gap the last pose is used with
+/// a large uncertainty.
 constexpr double kLongestGap = 30.0;
-/// Poses whose prediction is looked back on.
-constexpr std::size_t kRehearsals = 8;
+/// Number of latest poses for which the prediction is tested.
+constexpr std::size_t kTestedPoses = 8;
 
 Isometry extrapolate(std::span<const TimedPose> poses, const Extrapolation& by, double time_s) {
   const std::size_t count = std::min(by.window, poses.size());
   return PathFit(poses.last(count), by.degree).at(time_s);
 }
 
-/// RMS error with which an extrapolation would have foretold the last poses, `gap` steps ahead.
-double rehearse(std::span<const TimedPose> poses, const Extrapolation& by, std::size_t gap,
-                double arm_mm) {
+/// RMS error of an extrapolation that predicts the last poses `gap` steps ahead.
+double prediction_error_mm(std::span<const TimedPose> poses, const Extrapolation& by,
+                           std::size_t gap, double arm_mm) {
   double squares = 0.0;
   std::size_t count = 0;
-  for (std::size_t i = poses.size(); i-- > gap && count < kRehearsals; ++count) {
-    const Isometry T_world_foretold = extrapolate(poses.first(i - gap + 1), by, poses[i].time_s);
-    squares += std::pow(pose_distance_mm(T_world_foretold, poses[i].T_world_sensor, arm_mm), 2);
+  for (std::size_t i = poses.size(); i-- > gap && count < kTestedPoses; ++count) {
+    const Isometry T_world_predicted = extrapolate(poses.first(i - gap + 1), by, poses[i].time_s);
+    squares += std::pow(pose_distance_mm(T_world_predicted, poses[i].T_world_sensor, arm_mm), 2);
   }
   return std::sqrt(squares / std::max<double>(1.0, static_cast<double>(count)));
 }
 
-/// Median time from pose to pose.
+/// Median time between poses.
 double usual_step(std::span<const TimedPose> poses) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -90,7 +91,7 @@ std::optional<Isometry> Trajectory::interpolate(double time_s, double max_gap_s)
   if (after == poses_.begin()) return std::nullopt;
   const auto prior = std::prev(after);
   if (after->first - prior->first > max_gap_s) return std::nullopt;
-  // Neighbors beyond a gap would bend the curve more than they inform it.
+  // Ignore neighbors beyond a gap: they would distort the curve.
   std::vector<TimedPose> neighbors = {{prior->first, prior->second}, {after->first, after->second}};
   if (prior != poses_.begin()) {
     const auto first = std::prev(prior);
@@ -107,23 +108,23 @@ std::optional<Isometry> Trajectory::interpolate(double time_s, double max_gap_s)
 
 PosePrediction Trajectory::predict(double time_s) const {
   assert(!poses_.empty());
-  // Uncertainty while nothing is known of the hand, and the least that is ever claimed.
+  // Uncertainty while the motion is unknown, and the smallest stated uncertainty.
   const double unknown_mm = 0.15 * arm_mm_;
   const double least_mm = 0.02 * arm_mm_;
   const std::vector<TimedPose> poses =
-      before(time_s, kRehearsals + kLongestWindow + static_cast<std::size_t>(kLongestGap));
+      before(time_s, kTestedPoses + kLongestWindow + static_cast<std::size_t>(kLongestGap));
   PosePrediction rest = {poses.back().T_world_sensor, prior_of(unknown_mm, arm_mm_)};
   if (poses.size() < 4) return rest;
   const double steps = std::max(1.0, (time_s - poses.back().time_s) / usual_step(poses));
   const auto gap = static_cast<std::size_t>(std::lround(std::min(steps, kLongestGap)));
-  // The longer the gap, the more must be known of the hand to look across it.
+  // A longer gap needs more poses for a prediction.
   if (steps > kLongestGap || poses.size() < gap + 3) {
     return {rest.T_world_sensor, prior_of(4 * unknown_mm, arm_mm_)};
   }
   const Extrapolation* best = nullptr;
   double best_mm = 1e300;
   for (const Extrapolation& candidate : kExtrapolations) {
-    const double error_mm = rehearse(poses, candidate, gap, arm_mm_);
+    const double error_mm = prediction_error_mm(poses, candidate, gap, arm_mm_);
     if (error_mm >= best_mm) continue;
     best_mm = error_mm;
     best = &candidate;

@@ -1,4 +1,4 @@
-/// @file  The sensor's path through a scan: where it was, is, and will be next.
+/// @file  The path of the sensor during a scan, and the prediction of its next pose.
 #pragma once
 
 #include <map>
@@ -9,16 +9,16 @@
 
 namespace flytri::trajectory {
 
-/// A pose to start from, and how far it may be off.
+/// A predicted pose and its expected error.
 struct PosePrediction {
   Isometry T_world_sensor = Isometry::Identity();
   registration::PosePrior prior;
 };
 
-/// Poses by time. Everything goes by time: dropped frames leave gaps, not steps.
+/// Poses by time. The real time is used, so that dropped frames leave gaps.
 class Trajectory {
  public:
-  /// @param arm_mm  > 0, radius of what the sensor sees: weighs rotation against translation.
+  /// @param arm_mm  > 0, radius of the surface that the sensor sees: converts rotation to distance.
   explicit Trajectory(double arm_mm) : arm_mm_(arm_mm) {}
 
   /// Adds a pose or replaces that of the same time.
@@ -35,16 +35,17 @@ class Trajectory {
   /// All poses with times in [from_s, to_s].
   [[nodiscard]] std::vector<TimedPose> between(double from_s, double to_s) const;
 
-  /// Pose between known ones: a cubic in time through the four nearest, exact for motions that are
-  /// one. None before the first and after the last pose, and in gaps longer than max_gap_s.
+  /// Pose between known ones: a cubic in time through the four nearest poses, exact if the motion
+  /// is a cubic. nullopt before the first and after the last pose, and in gaps longer than
+  /// max_gap_s.
   [[nodiscard]] std::optional<Isometry> interpolate(double time_s, double max_gap_s) const;
 
-  /// Pose after the last known one. Of several extrapolations (rest, straight lines, a parabola)
-  /// the one that would have foretold the latest poses best, as far ahead, is taken, and its errors
-  /// there are the stated uncertainty. The trajectory must not be empty.
+  /// Predicts a pose after the last known one. Takes the extrapolation (at rest, linear or
+  /// quadratic) that predicts the latest poses best over the same time; its errors there give the
+  /// uncertainty. The trajectory must not be empty.
   [[nodiscard]] PosePrediction predict(double time_s) const;
-  /// Where else the sensor may be by then: at rest since the last pose before time_s, or going on
-  /// as it went over the last two, four, or six poses. None if there is no pose before.
+  /// Other possible poses at time_s: at rest since the last pose before, or extrapolated from the
+  /// latest poses in several ways. Empty if there is no pose before.
   [[nodiscard]] std::vector<Isometry> guesses(double time_s) const;
 
  private:

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/check_options.h"
+
 namespace flytri::triangulation {
 namespace {
 
@@ -21,7 +23,7 @@ class PointMaker {
       update_lateral({at.u_px, at.v_px, position.z()});
       next_lateral_px_ = sample.along_px + kLateralStep;
     }
-    // Z is a function of across alone, X and Y of u, v and z.
+    // z depends only on `across`; x and y depend on u, v and z.
     const double slope = row.depth_mm.derivative(sample.across_px);
     const Vec3 per_px(by_across_.x() + by_depth_.x() * slope,
                       by_across_.y() + by_depth_.y() * slope, slope);
@@ -30,7 +32,8 @@ class PointMaker {
   }
 
  private:
-  /// Rows between two evaluations of the lateral derivatives: they change by a thousandth.
+  /// Rows between two evaluations of the lateral derivatives, which change by only 0.1 % over this
+  /// distance.
   static constexpr int kLateralStep = 16;
 
   void update_lateral(const Vec3& uvz) {
@@ -59,17 +62,11 @@ bool connected(const localization::LineSample& a, const localization::LineSample
 }  // namespace
 
 Result<void> TriangulateOptions::validate() const {
-  if (max_gap_px < 1) {
-    return fail(ErrorCode::kBadOption, "max_gap_px is {}, must be >= 1", max_gap_px);
-  }
-  if (!(max_jump_px > 0)) {
-    return fail(ErrorCode::kBadOption, "max_jump_px is {}, must be > 0", max_jump_px);
-  }
-  if (min_profile_length < 2) {
-    return fail(ErrorCode::kBadOption, "min_profile_length is {}, must be >= 2",
-                min_profile_length);
-  }
-  return {};
+  return OptionCheck("TriangulateOptions")
+      .at_least("max_gap_px", max_gap_px, 1)
+      .positive("max_jump_px", max_jump_px)
+      .at_least("min_profile_length", min_profile_length, 2)
+      .result();
 }
 
 Triangulation triangulate(const indexing::IndexedLines& lines,

@@ -1,4 +1,4 @@
-/// @file  From indexed line samples to line profiles in millimetres.
+/// @file  From indexed line samples to line profiles in millimeters.
 #pragma once
 
 #include "core/geometry/view.h"
@@ -6,12 +6,12 @@
 
 namespace flytri::triangulation {
 
-/// Where a trace is cut into profiles.
+/// Where traces are cut into profiles.
 struct TriangulateOptions {
-  /// >= 1. Rows that a profile may miss and still be connected.
+  /// >= 1. Number of consecutive rows that may be missing within a profile.
   int max_gap_px = 2;
-  /// > 0. A jump between neighboring rows, beyond this many px and beyond what noise explains, is
-  /// a depth step: the two sides are not neighbors on the surface.
+  /// > 0. A jump between neighboring rows by more than this, plus the expected noise, is a depth
+  /// step: the two sides are not neighbors on the surface.
   double max_jump_px = 2.5;
   /// >= 2. Shorter profiles are dropped.
   int min_profile_length = 4;
@@ -19,15 +19,16 @@ struct TriangulateOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// A view without frame and time, and how many samples it lost.
+/// A view (frame and time are not set) and the number of lost samples.
 struct Triangulation {
   View view;
-  int short_profiles = 0;  ///< samples in pieces too short for a profile
+  int short_profiles = 0;  ///< samples in parts that are too short for a profile
 };
 
-/// Looks positions up in the calibration; the deviation is the sample's uncertainty times the
-/// derivative of the position along the row or column.
-/// @source  Arold et al., equations (e_calib_z), (polynom_x), (polynom_y).
+/// Computes positions from the calibration. A point's deviation is the uncertainty of the sample
+/// times the derivative of the position along the row or column.
+/// @source  Arold et al., "z-Calibration" (depth polynomial of a line) and "xy-Calibration"
+///          (polynomials for x and y).
 [[nodiscard]] Triangulation triangulate(const indexing::IndexedLines& lines,
                                         const calibration::Calibration& calibration,
                                         Pattern pattern, const TriangulateOptions& options);

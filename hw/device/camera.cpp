@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::device {
 
 namespace {
@@ -45,17 +47,13 @@ std::string_view to_string(CameraState state) {
 }
 
 Result<void> CameraSettings::validate() const {
-  if (size.width_px <= 0 || size.height_px <= 0)
-    return fail(ErrorCode::kBadOption, "camera size {} x {}: must be at least 1 x 1 px",
-                size.width_px, size.height_px);
-  if (!(rate_hz > 0.0))
-    return fail(ErrorCode::kBadOption, "camera rate {} Hz: must be above 0", rate_hz);
-  if (exposure_s && !(*exposure_s > 0.0))
-    return fail(ErrorCode::kBadOption, "camera exposure {} s: must be above 0", *exposure_s);
-  if (white_balance_k && !(*white_balance_k > 0.0))
-    return fail(ErrorCode::kBadOption, "camera white balance {} K: must be above 0",
-                *white_balance_k);
-  return {};
+  OptionCheck check("CameraSettings");
+  check.at_least("size.width_px", size.width_px, 1)
+      .at_least("size.height_px", size.height_px, 1)
+      .positive("rate_hz", rate_hz);
+  if (exposure_s) check.positive("exposure_s", *exposure_s);
+  if (white_balance_k) check.positive("white_balance_k", *white_balance_k);
+  return check.result();
 }
 
 }  // namespace flytri::device

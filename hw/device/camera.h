@@ -1,13 +1,13 @@
-/// @file  What a camera of the rig delivers: raw images with times, counts of what went wrong.
+/// @file  Interface of a camera of the rig: raw images with time stamps, and counts of faults.
 ///
 ///          start      ┌──── unplugged ────▶ lost
 ///     idle ─────▶ running ◀─ plugged in ──────┘
 ///       │             │ ▲
-///       └─▶ failed    │ └──────▶ frozen         no frame comes; the next one ends it
+///       └─▶ failed    │ └──────▶ frozen         no frames arrive; the next frame ends this state
 ///                     ▼
 ///     idle ◀── stop, from every state
 ///
-/// failed: start() could not; the message names the remedy.
+/// failed: start() did not succeed; the message says what to do.
 #pragma once
 
 #include <cstdint>
@@ -22,53 +22,54 @@
 
 namespace flytri::device {
 
-/// How a camera sends its pixels. kGrey10, kGrey12: in the low bits of 16.
+/// Pixel format that the camera sends. kGrey10 and kGrey12 use the low bits of 16-bit numbers.
 enum class PixelFormat { kGrey8, kGrey10, kGrey12, kGrey16, kYuyv, kMjpeg };
 
-/// As V4L2 names it, e.g. "GREY" or "MJPG"; rig.json and the command line use the same.
+/// The name in V4L2, e.g. "GREY" or "MJPG"; rig.json and the command line use the same names.
 [[nodiscard]] std::string_view to_string(PixelFormat format);
 [[nodiscard]] std::optional<PixelFormat> pixel_format_of(std::string_view name);
 
-/// What is made of a color format; grey formats are always kGrey.
+/// What a color format is converted to; grey formats always give kGrey.
 enum class Channels { kGrey, kRgb };
 
-/// How a camera is to run. Automatic modes are always off. A control without a value is left at
-/// what the camera has.
+/// Settings to apply to a camera. Automatic modes are always turned off. Default of a control
+/// without a value: leave the camera's setting unchanged.
 struct CameraSettings {
   PixelFormat format = PixelFormat::kGrey8;
   Channels channels = Channels::kGrey;
   ImageSize size = {1024, 768};           ///< > 0
   double rate_hz = 30.0;                  ///< > 0
   std::optional<double> exposure_s;       ///< > 0
-  std::optional<double> gain;             ///< in the camera's own steps
+  std::optional<double> gain;             ///< in steps of the camera
   std::optional<double> white_balance_k;  ///< > 0, color temperature in kelvin
-  std::optional<double> focus;            ///< in the camera's own steps
+  std::optional<double> focus;            ///< in steps of the camera
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Which camera is meant: what is given must all agree, and exactly one camera must be left.
+/// Selects a camera: every given field must match, and exactly one camera may match.
 struct CameraMatch {
-  std::string name;      ///< a part of it is enough; upper and lower case count
-  std::string serial;    ///< the whole number
-  std::string bus_path;  ///< the whole path: tells two cameras apart that have no serial number
+  std::string name;      ///< or a part of it; case-sensitive
+  std::string serial;    ///< the whole serial number
+  std::string bus_path;  ///< the whole path; distinguishes two cameras without serial numbers
   bool operator==(const CameraMatch&) const = default;
 };
 
-/// What a frame's time means.
+/// The moment that a frame's time stamp marks.
 enum class StampMeaning { kStartOfExposure, kEndOfReadout };
 
-/// One image as it came from the camera.
+/// One image of the camera with its time stamp.
 struct CameraFrame {
   /// CV_8UC1 for GREY and for color as Channels::kGrey, CV_16UC1 with full scale 65535 for Y10, Y12
-  /// and Y16, CV_8UC3 in R, G, B order for color as Channels::kRgb. Own memory, shared, never
-  /// written to again.
+  /// and Y16, CV_8UC3 in R, G, B order for color as Channels::kRgb. The image owns its memory;
+  /// copies share it, and nobody writes to it again.
   cv::Mat image;
-  double time_s = 0.0;  ///< on the clock of machine_clock(); rises from frame to frame
+  double time_s = 0.0;  ///< on machine_clock(); increases from frame to frame
   StampMeaning stamp = StampMeaning::kStartOfExposure;
-  /// Counts the camera's exposures and rises, also across a loss: a step above one is a gap.
+  /// Number of the exposure. It keeps increasing after the camera was unplugged and plugged in
+  /// again. A step of more than one means missing frames.
   std::int64_t sequence = 0;
-  /// The driver flagged the buffer, or it was short, or could not be decoded: what is missing is
-  /// black, what is there may be wrong.
+  /// The driver marked the buffer as damaged, or it was too short, or it could not be decoded.
+  /// Missing pixels are black; the others may be wrong.
   bool damaged = false;
 };
 
@@ -76,85 +77,87 @@ enum class CameraState { kIdle, kRunning, kFrozen, kLost, kFailed };
 
 [[nodiscard]] std::string_view to_string(CameraState state);
 
-/// Counts begin anew at start(). A damaged frame may count in more than one way.
+/// start() resets the counts. A damaged frame may increase several counts.
 struct CameraStatus {
   CameraState state = CameraState::kIdle;
-  std::string message;            ///< what is wrong and its remedy; empty where nothing is
-  std::int64_t delivered = 0;     ///< frames that next() returned, damaged ones among them
-  std::int64_t dropped = 0;       ///< missing by the camera's own count
-  std::int64_t flagged = 0;       ///< damaged: the driver said so
+  std::string message;            ///< what is wrong and what to do; empty if nothing is wrong
+  std::int64_t delivered = 0;     ///< frames that next() returned, including damaged ones
+  std::int64_t dropped = 0;       ///< missing according to the camera's frame numbers
+  std::int64_t flagged = 0;       ///< damaged: marked by the driver
   std::int64_t short_frames = 0;  ///< damaged: fewer bytes than the format needs
-  std::int64_t undecodable = 0;   ///< damaged: compressed, and no image comes out
-  std::int64_t restamped = 0;     ///< the time was implausible: that of arrival is in its place
-  std::int64_t frozen = 0;        ///< times that frames stopped coming though the camera is there
-  std::int64_t restarted = 0;     ///< times that a stream which froze or broke was set up anew
-  std::int64_t lost = 0;          ///< times that the camera went away
-  std::int64_t returned = 0;      ///< times that it ran again after it was lost
+  std::int64_t undecodable = 0;   ///< damaged: a compressed image that cannot be decoded
+  std::int64_t restamped =
+      0;                    ///< frames whose implausible time was replaced by the time of arrival
+  std::int64_t frozen = 0;  ///< how often frames stopped although the camera was plugged in
+  std::int64_t restarted = 0;  ///< how often a frozen or broken stream was restarted
+  std::int64_t lost = 0;       ///< how often the camera was disconnected
+  std::int64_t returned = 0;   ///< how often it ran again after a disconnection
   bool operator==(const CameraStatus&) const = default;
 };
 
-/// A camera of the rig. start, stop and next are called from one thread at a time, all else from
-/// any thread at any time.
+/// A camera of the rig. Call start, stop and next from one thread at a time. All other members are
+/// thread-safe.
 class Camera {
  public:
   virtual ~Camera() = default;
   Camera(const Camera&) = delete;
   Camera& operator=(const Camera&) = delete;
 
-  /// Finds the camera, sets it up and begins to stream. Does nothing where it runs already.
-  /// @errors  kNotFound (or it does not answer), kNotPermitted, kInconsistent (several match, or it
-  ///          is in use), kBadOption (it has no such format, size or control); the state is then
-  ///          kFailed and the message the error's.
+  /// Finds the camera, configures it and starts the stream. Does nothing if it already runs.
+  /// @errors  kNotFound (missing, or it does not answer), kNotPermitted, kInconsistent (several
+  ///          match, or another program uses it), kBadOption (it lacks the format, size or
+  ///          control). On an error, the state is kFailed and the status has the error's message.
   [[nodiscard]] virtual Result<void> start() = 0;
 
-  /// Ends the stream and lets the camera go; start() may follow.
+  /// Stops the stream and releases the camera. start() may be called again.
   virtual void stop() = 0;
 
-  /// The next frame. A camera that is lost is looked for, and started again as it was; one that
-  /// stays frozen is started again, too.
-  /// @param timeout_s  blocks at most that long, apart from setting up a camera
-  /// @return  nothing: no frame yet; for the reason see the state
-  /// @errors  kBadOption: it was not started, or could not be
+  /// The next frame. Searches for a lost camera and restarts it with the same settings; also
+  /// restarts a camera that stays frozen.
+  /// @param timeout_s  longest wait, not counting the time to set up a camera
+  /// @return  nothing if there is no frame yet; the status says why
+  /// @errors  kBadOption: start() was not called or failed
   [[nodiscard]] virtual Result<std::optional<CameraFrame>> next(double timeout_s) = 0;
 
   [[nodiscard]] virtual CameraStatus status() const = 0;
 
-  [[nodiscard]] virtual CameraSettings asked() const = 0;
-  /// As the camera gave them back when it was started last: rate and controls may differ from what
-  /// was asked, controls that it does not have are missing. As asked before the first start.
+  [[nodiscard]] virtual CameraSettings requested() const = 0;
+  /// The settings read back from the camera at the last start. Rate and controls may differ from
+  /// the requested ones; controls that the camera lacks have no value. Before the first start: the
+  /// requested settings.
   [[nodiscard]] virtual CameraSettings read_back() const = 0;
 
-  /// What a user calls it.
+  /// Name shown to the user.
   [[nodiscard]] virtual std::string name() const = 0;
 
  protected:
   Camera() = default;
 };
 
-/// A size that a camera offers in one format, with the rates for it.
+/// An image size that a camera offers in one format, with its frame rates.
 struct CameraMode {
-  std::string format;  ///< as V4L2 names it; may be one that PixelFormat does not have
+  std::string format;  ///< the name in V4L2; may be missing in PixelFormat
   ImageSize size;
-  std::vector<double> rates_hz;  ///< falling
+  std::vector<double> rates_hz;  ///< in decreasing order
 };
 
 struct CameraControl {
-  std::string name;  ///< as the driver calls it
+  std::string name;  ///< as in the driver
   double minimum = 0.0;
   double maximum = 0.0;
   double step = 0.0;
   double value = 0.0;
 };
 
-/// A camera as it is listed.
+/// One entry of the list of cameras.
 struct CameraDescription {
   std::string name;
-  std::string serial;    ///< empty where it has none
-  std::string node;      ///< e.g. /dev/video0; changes when it is plugged in again
-  std::string bus_path;  ///< the socket that it is plugged into
+  std::string serial;    ///< empty if it has none
+  std::string node;      ///< e.g. /dev/video0; may change when the camera is plugged in again
+  std::string bus_path;  ///< identifies the USB socket
   std::vector<CameraMode> modes;
   std::vector<CameraControl> controls;
-  std::vector<Error> problems;  ///< what keeps it from being used, with the remedy; empty: nothing
+  std::vector<Error> problems;  ///< why it cannot be used, and what to do; empty if it can
 };
 
 }  // namespace flytri::device

@@ -10,7 +10,7 @@
 namespace flytri::device {
 namespace {
 
-// The sensor is asked at least this often whether the loop is to stop.
+// Longest wait for a frame: the loop notices a stop request within this time.
 constexpr double kTimeout_s = 0.05;
 
 }  // namespace
@@ -42,14 +42,14 @@ void CaptureLoop::Threads::read_frames() {
     const SensorState state = sensor->status().state;
     open = state == SensorState::kRunning || state == SensorState::kLost;
   }
-  // Ended or failed: the status stays to be read until somebody stops the loop.
+  // Ended or failed: wait for stop(), so that the status can still be read.
   std::unique_lock lock(mutex);
   wake.wait(lock, [this] { return stopping.load(); });
 }
 
 void CaptureLoop::Threads::work_in_background() const {
   while (!stopping) {
-    // Nothing to do and nothing to wait for, as before the start: the processor is left to others.
+    // No work at the moment, for example before the start: sleep to free the processor.
     if (!sensor->work_in_background(kTimeout_s))
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

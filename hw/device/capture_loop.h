@@ -1,4 +1,4 @@
-/// @file  The thread that reads a sensor and hands each frame on.
+/// @file  Reads a sensor on its own thread and passes on each frame.
 #pragma once
 
 #include <functional>
@@ -9,20 +9,20 @@
 
 namespace flytri::device {
 
-/// Runs a sensor from construction to destruction. The sensor's state says how it goes: a sensor
-/// that is lost is asked on, one that ended or failed is let go, and the loop waits to be stopped.
+/// Runs a sensor from construction to destruction. While the sensor is lost, the loop keeps polling
+/// it. When the sensor ended or failed, the loop stops polling and waits for stop().
 class CaptureLoop {
  public:
-  /// Gets each frame, in order, on the loop's thread. Must not block: the camera does not wait.
+  /// Receives each frame, in order, on the loop's thread. Must not block, or frames get lost.
   using Sink = std::function<void(Frame)>;
 
-  /// Starts the sensor on a thread of its own, and a second one if it has work beside the stream.
+  /// Starts the sensor on a new thread, and a second thread if the sensor has background work.
   CaptureLoop(std::shared_ptr<Sensor> sensor, Sink sink);
-  /// As stop().
+  /// Calls stop().
   ~CaptureLoop();
 
-  /// Returns when the last call of the sink has, after no more than a twentieth of a second and the
-  /// work on one frame, and when the sensor has finished what it queued. May be called twice.
+  /// Returns when the last call of the sink has returned and the sensor has finished its queued
+  /// work. The former takes at most 0.05 s plus the work on one frame. May be called twice.
   void stop();
 
   [[nodiscard]] SensorStatus status() const;

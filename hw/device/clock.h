@@ -1,18 +1,18 @@
-/// @file  The clock that sources of frames run on, so that tests can turn it by hand.
+/// @file  The clock of the devices. Tests replace it by one that they control.
 #pragma once
 
 #include <functional>
 
 namespace flytri::device {
 
-/// Seconds that never run backwards, from an arbitrary zero, and a way to wait for them. Both
-/// functions may be called from any thread.
+/// A monotonic time in seconds from an arbitrary zero, and a function to sleep. Both are
+/// thread-safe.
 struct Clock {
   std::function<double()> now_s;
-  std::function<void(double duration_s)> sleep_s;  ///< returns at once for 0 and less
+  std::function<void(double duration_s)> sleep_s;  ///< returns at once for 0 or less
 };
 
-/// The machine's own clock.
+/// The monotonic clock of this machine.
 [[nodiscard]] Clock machine_clock();
 
 }  // namespace flytri::device

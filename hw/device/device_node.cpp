@@ -22,14 +22,14 @@ using Udev = std::unique_ptr<udev, UdevCloser>;
 using UdevList = std::unique_ptr<udev_enumerate, UdevCloser>;
 using UdevDevice = std::unique_ptr<udev_device, UdevCloser>;
 
-// Attributes of the kernel's, not properties of udev's rules: they are there at once, whether or
-// not the rules have run.
+// Uses the kernel's attributes, not the properties that udev's rules set: they exist at once, even
+// before the rules have run.
 DeviceNode describe(udev_device* device) {
   DeviceNode node;
   node.node = c_text(udev_device_get_devnode(device));
   node.name = c_text(udev_device_get_sysattr_value(device, "name"));
   node.index = std::atoi(c_text(udev_device_get_sysattr_value(device, "index")).c_str());
-  // Parents belong to the device.
+  // The parents are owned by the device: do not release them.
   udev_device* usb = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device");
   udev_device* parent = usb != nullptr ? usb : udev_device_get_parent(device);
   if (usb != nullptr) node.serial = c_text(udev_device_get_sysattr_value(usb, "serial"));
@@ -62,7 +62,7 @@ std::vector<DeviceNode> list_device_nodes(const char* subsystem) {
        entry = udev_list_entry_get_next(entry)) {
     const UdevDevice device(
         udev_device_new_from_syspath(context.get(), udev_list_entry_get_name(entry)));
-    // One that went away since it was listed is no longer there; some have no file.
+    // A device may have been unplugged since the list was made; some devices have no file.
     if (device && udev_device_get_devnode(device.get()) != nullptr)
       found.push_back(describe(device.get()));
   }

@@ -1,5 +1,4 @@
-/// @file  Requests for lights in the order of posting; of several that are due only the last
-/// counts.
+/// @file  Queue of light requests. If several are due, only the last one is returned.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +14,15 @@ struct NumberedRequest {
   LightRequest request;
 };
 
-/// A request whose turn has come.
+/// A request to carry out now.
 struct DueRequest {
   NumberedRequest request;
-  std::int64_t skipped = 0;  ///< requests before it whose turn has passed
+  std::int64_t skipped = 0;  ///< earlier requests that were due, too
 };
 
 class RequestQueue {
  public:
-  /// Empty, and numbers begin anew.
+  /// Removes all requests; numbers start from 1 again.
   void clear() { *this = RequestQueue(); }
 
   /// @return  the request's number
@@ -32,7 +31,7 @@ class RequestQueue {
     return last_number_;
   }
 
-  /// When the first request is due; nothing: there is none.
+  /// When the first request is due; nothing if the queue is empty.
   [[nodiscard]] std::optional<double> first_due_s() const {
     if (requests_.empty()) return std::nullopt;
     return requests_.front().request.not_before_s;
@@ -41,8 +40,8 @@ class RequestQueue {
     return !requests_.empty() && requests_.front().request.not_before_s <= now_s;
   }
 
-  /// Takes out all requests up to the first one that is not due yet.
-  /// @return  the last of them; nothing: none is due
+  /// Removes all requests before the first one that is not due yet.
+  /// @return  the last removed one; nothing if none is due
   [[nodiscard]] std::optional<DueRequest> take_due(double now_s) {
     if (!is_due(now_s)) return std::nullopt;
     DueRequest due{requests_.front(), -1};
@@ -51,7 +50,7 @@ class RequestQueue {
   }
 
  private:
-  std::deque<NumberedRequest> requests_;  // by their numbers
+  std::deque<NumberedRequest> requests_;  // by increasing number
   std::int64_t last_number_ = 0;
 };
 

@@ -1,15 +1,15 @@
-/// @file  What delivers frames: live, replayed and simulated sensors behind one interface.
+/// @file  Interface of a source of frames: a rig, a recording or a simulated sensor.
 ///
 ///                       device gone
 ///          start      ┌─────────────▶ lost ──┐
 ///     idle ─────▶ running ◀───────────┘      │
 ///                 │  │  │   device is back   │
-///                 │  │  └──────▶ failed ◀────┘   for good; the message names the remedy
-///                 │  └─────────▶ ended           a recording is over
+///                 │  │  └──────▶ failed ◀────┘   cannot continue; the message says what to do
+///                 │  └─────────▶ ended           the recording has no more frames
 ///                 ▼
 ///     idle ◀── stop, from every state
 ///
-/// start() leads from idle, ended and failed to running; times and counts begin anew.
+/// start() leads from idle, ended and failed to running, and resets times and counts.
 #pragma once
 
 #include <cstdint>
@@ -30,51 +30,50 @@ enum class SensorState { kIdle, kRunning, kLost, kEnded, kFailed };
 
 struct SensorStatus {
   SensorState state = SensorState::kIdle;
-  std::string message;         ///< what is wrong and its remedy; empty where nothing is
+  std::string message;         ///< what is wrong and what to do; empty if nothing is wrong
   std::int64_t delivered = 0;  ///< frames that next() returned since start()
-  std::int64_t dropped = 0;    ///< frames that the source could not deliver, and knows of
+  std::int64_t dropped = 0;    ///< frames known to be missing
 };
 
-/// A source of frames. start, stop and next are called from one thread at a time (the capture
-/// loop's), all else from any thread at any time.
+/// A source of frames. Call start, stop and next from one thread at a time (the capture loop's).
+/// All other members are thread-safe.
 class Sensor {
  public:
   virtual ~Sensor() = default;
   Sensor(const Sensor&) = delete;
   Sensor& operator=(const Sensor&) = delete;
 
-  /// Begins to deliver. Does nothing where it runs already.
-  /// @errors  What kept it from running; the state is then kFailed and the message the error's.
+  /// Starts the stream. Does nothing if it already runs.
+  /// @errors  Why it cannot run. The state is then kFailed and the status has the error's message.
   [[nodiscard]] virtual Result<void> start() = 0;
 
-  /// Ends the stream, finishes what is queued and lets the device go; start() may follow.
+  /// Stops the stream, finishes queued work and releases the device. start() may be called again.
   virtual void stop() = 0;
 
-  /// The next frame. `time_s` counts from start() and rises from frame to frame, `index` counts the
-  /// frames from 0; nothing else is promised of gaps: what was dropped is counted in the status.
-  /// @param timeout_s  blocks at most that long, apart from the work on a single frame
-  /// @return  nothing: no frame yet; for the reason see the state
-  /// @errors  The one that made the state kFailed, as often as it is asked; kBadOption: not
-  /// started.
+  /// The next frame. `time_s` counts from start() and increases from frame to frame; `index` counts
+  /// the frames from 0. Dropped frames do not show in the index; the status counts them.
+  /// @param timeout_s  longest wait, not counting the work on one frame
+  /// @return  nothing if there is no frame yet; the status says why
+  /// @errors  In state kFailed: the error that caused it, at every call. kBadOption: not started.
   [[nodiscard]] virtual Result<std::optional<Frame>> next(double timeout_s) = 0;
 
-  /// Work beside the stream that must not hold up next(): decoding ahead, writing to disk. The
-  /// capture loop calls it over and over from a second thread, until just before stop().
-  /// @param timeout_s  waits at most that long for work to come
-  /// @return  false: there is none now
+  /// Does background work that must not delay next(), such as decoding ahead or writing to disk.
+  /// The capture loop calls it repeatedly from a second thread, until just before stop().
+  /// @param timeout_s  longest wait for work to arrive
+  /// @return  false if there was no work
   virtual bool work_in_background(double timeout_s) {
     (void)timeout_s;
     return false;
   }
-  /// Whether work_in_background ever does anything: no thread is started for nothing.
+  /// Whether the sensor ever has background work; if not, no second thread is started.
   [[nodiscard]] virtual bool has_background_work() const { return false; }
 
   [[nodiscard]] virtual SensorStatus status() const = 0;
 
-  /// Of the sensor that took the frames; null where the source has none to offer.
+  /// The calibration of the sensor that took the frames; null if the source has none.
   [[nodiscard]] virtual std::shared_ptr<const calibration::Calibration> calibration() const = 0;
 
-  /// What a user calls it, e.g. "virtual sensor" or the folder of a recording.
+  /// Name shown to the user, e.g. "virtual sensor" or the folder of a recording.
   [[nodiscard]] virtual std::string name() const = 0;
 
  protected:

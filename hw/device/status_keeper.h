@@ -1,4 +1,4 @@
-/// @file  Keeps a sensor's status so that one thread may write and all may read it.
+/// @file  Thread-safe storage of a sensor's status.
 #pragma once
 
 #include <mutex>
@@ -8,10 +8,9 @@
 
 namespace flytri::device {
 
-/// All members are thread-safe.
 class StatusKeeper {
  public:
-  /// Running, nothing counted, nothing wrong.
+  /// Sets the state to kRunning and resets counts and message.
   void restart();
   void set(SensorState state, std::string message = {});
   void count_delivered();

@@ -10,12 +10,12 @@
 namespace flytri::device {
 namespace {
 
-/// So long stop() waits at most for a camera that sends nothing.
+/// Longest time that stop() waits for a camera that sends nothing.
 constexpr double kWait_s = 0.05;
-/// Frames that wait for the reader, in addition to those that the driver holds.
+/// Capacity of the queue for the reader, in addition to the driver's buffers.
 constexpr std::size_t kMostWaiting = 8;
 
-/// What the camera said to one call of next(), and its state afterwards.
+/// Result of one call of the camera's next(), and the camera's status after it.
 struct Reading {
   Result<std::optional<CameraFrame>> frame;
   CameraStatus status;
@@ -26,11 +26,11 @@ struct Reading {
 struct ThreadedCamera::Readings {
   std::thread thread;
 
-  std::mutex mutex;  // of all below
+  std::mutex mutex;  // guards all members below
   std::condition_variable changed;
   bool running = false;
   std::deque<Reading> waiting;
-  CameraStatus status;  // of the latest that was taken
+  CameraStatus status;  // of the latest reading returned by next()
 };
 
 ThreadedCamera::ThreadedCamera(std::unique_ptr<Camera> camera)
@@ -51,14 +51,14 @@ Result<void> ThreadedCamera::start() {
 }
 
 void ThreadedCamera::read() {
-  CameraStatus told = camera_->status();
+  CameraStatus reported = camera_->status();
   std::unique_lock lock(readings_->mutex);
   while (readings_->running) {
     lock.unlock();
     Reading reading{camera_->next(kWait_s), camera_->status()};
     lock.lock();
-    if (reading.frame && !*reading.frame && reading.status == told) continue;
-    told = reading.status;
+    if (reading.frame && !*reading.frame && reading.status == reported) continue;
+    reported = reading.status;
     if (!reading.frame) readings_->running = false;
     readings_->waiting.push_back(std::move(reading));
     readings_->changed.notify_all();
@@ -81,7 +81,7 @@ void ThreadedCamera::stop() {
 }
 
 Result<std::optional<CameraFrame>> ThreadedCamera::next(double timeout_s) {
-  // Not started: the camera knows what to say.
+  // Not started: the camera returns the right error.
   if (!readings_->thread.joinable()) return camera_->next(timeout_s);
   std::unique_lock lock(readings_->mutex);
   readings_->changed.wait_for(lock, std::chrono::duration<double>(timeout_s),
@@ -89,7 +89,7 @@ Result<std::optional<CameraFrame>> ThreadedCamera::next(double timeout_s) {
   if (readings_->waiting.empty()) return std::nullopt;
   Reading reading = std::move(readings_->waiting.front());
   readings_->waiting.pop_front();
-  // An error is the last that is said: it stays.
+  // An error is final: keep it for later calls.
   if (!reading.frame) readings_->waiting.push_back(reading);
   readings_->status = reading.status;
   readings_->changed.notify_all();

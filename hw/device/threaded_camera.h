@@ -1,4 +1,4 @@
-/// @file  A camera that is read beside, so that it holds nobody up.
+/// @file  Reads a camera on its own thread.
 #pragma once
 
 #include <memory>
@@ -7,24 +7,24 @@
 
 namespace flytri::device {
 
-/// Reads a camera on a thread of its own. Setting a camera up anew takes some tenths of a second,
-/// decoding an image some milliseconds; who waits for another camera meanwhile loses none of its
-/// frames.
+/// Wraps a camera and reads it on its own thread. Setting up a camera takes some tenths of a
+/// second, decoding an image some milliseconds. With this class, a caller that reads two cameras
+/// loses no frame of the other one meanwhile.
 ///
-/// Frames and states are those of the camera, in their order, as the reader comes to them: the
-/// status belongs to the frame that next() returned last. A reader that lags leaves frames in the
-/// driver, where those that find no room are counted as dropped.
+/// Frames and states come in their original order: the status belongs to the frame that next()
+/// returned last. If the caller is slow, frames stay in the driver; frames that find no free buffer
+/// there are counted as dropped.
 class ThreadedCamera final : public Camera {
  public:
   explicit ThreadedCamera(std::unique_ptr<Camera> camera);
   ~ThreadedCamera() override;
 
   [[nodiscard]] Result<void> start() override;
-  /// Waits for what the camera is doing.
+  /// Waits until the camera's current call has returned.
   void stop() override;
   [[nodiscard]] Result<std::optional<CameraFrame>> next(double timeout_s) override;
   [[nodiscard]] CameraStatus status() const override;
-  [[nodiscard]] CameraSettings asked() const override { return camera_->asked(); }
+  [[nodiscard]] CameraSettings requested() const override { return camera_->requested(); }
   [[nodiscard]] CameraSettings read_back() const override { return camera_->read_back(); }
   [[nodiscard]] std::string name() const override { return camera_->name(); }
 

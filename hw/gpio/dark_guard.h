@@ -1,4 +1,4 @@
-/// @file  Turns lights dark when the program dies, however it dies.
+/// @file  Turns the lights off when the program ends, even if it crashes or is killed.
 #pragma once
 
 #include <memory>
@@ -9,31 +9,31 @@
 
 namespace flytri::gpio {
 
-/// What is to be done when the program is gone.
-struct DarkOrder {
+/// How to turn the lights off.
+struct DarkRequest {
   std::string node;   ///< the chip's device file
-  std::string label;  ///< the chip's: under another label the node is another chip by now
+  std::string label;  ///< of the chip; if the device file now has another label, it is another chip
   std::vector<unsigned> lines;
-  std::vector<int> dark_values;  ///< of each line, as it is on the wire
+  std::vector<int> dark_values;  ///< electrical level of each line when its light is off
 };
 
-/// A line that its holder lets go, or that the kernel takes from a dead one, stays as it is: with
-/// most chips the light shines on. So a child process waits for this one's end and then takes the
-/// lines and turns them dark: after a return from main, abort, an unhandled signal or SIGKILL. It
-/// listens to no signal but SIGKILL. It cannot help when it is killed itself, as by the end of a
-/// container, nor when chip, bus or power fail: that is for the electronics of the lights.
+/// A GPIO line keeps its value when its program releases it or ends: with most chips the light
+/// stays on. So a child process waits until this program ends, for any reason (return from main,
+/// abort, a signal, SIGKILL), and then sets the lines dark. The child ignores every signal except
+/// SIGKILL. It cannot act when it is killed itself, for example with its container, or when the
+/// chip, the bus or the power fails: the electronics of the lights must handle these cases.
 ///
-/// Nor can it take lines from a program that is stopped but lives, and a stopped program would
-/// leave the light on. So Ctrl-Z (SIGTSTP) is ignored as long as there is a guard, where nothing
-/// else was wanted of it; against SIGSTOP there is no remedy.
+/// The child cannot take lines from a suspended program, which would leave the light on. So the
+/// program ignores Ctrl-Z (SIGTSTP) while a guard exists, unless the program has its own handler.
+/// SIGSTOP cannot be ignored.
 ///
-/// The child is a fork that runs no code but a few system calls. It keeps the memory of this
-/// moment: what the program changes later is held twice, so that it is best started early.
+/// The child is a fork that only makes a few system calls. It shares the program's memory of this
+/// moment; memory that the program changes later exists twice. So start the guard early.
 class DarkGuard {
  public:
-  /// @errors  kInconsistent: no process can be started.
-  [[nodiscard]] static Result<std::unique_ptr<DarkGuard>> start(const DarkOrder& order);
-  /// Dismisses it: the lights are left as they are.
+  /// @errors  kInconsistent: the process cannot be started.
+  [[nodiscard]] static Result<std::unique_ptr<DarkGuard>> start(const DarkRequest& order);
+  /// Ends the guard process; the lights keep their state.
   ~DarkGuard();
   DarkGuard(const DarkGuard&) = delete;
   DarkGuard& operator=(const DarkGuard&) = delete;
@@ -41,7 +41,7 @@ class DarkGuard {
  private:
   DarkGuard(int process, int pipe);
   int process_;
-  int pipe_;  // open to be written as long as this process lives
+  int pipe_;  // write end; closed by the kernel when this process ends
   bool ignores_stop_ = false;
 };
 

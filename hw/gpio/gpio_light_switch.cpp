@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/device/clock.h"
 #include "hw/device/request_queue.h"
 
@@ -16,7 +17,7 @@ namespace flytri::gpio {
 
 namespace {
 
-// Nobody reads that far back; a caller that never asks must not fill the memory.
+// Limits the memory if the caller never takes the results.
 constexpr std::size_t kMaxDone = 1000;
 
 std::chrono::steady_clock::time_point time_point(double time_s) {
@@ -28,14 +29,13 @@ std::chrono::steady_clock::time_point time_point(double time_s) {
 }  // namespace
 
 Result<void> GpioLightSwitchOptions::validate() const {
-  if (!(search_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "search_period_s {}: must be above 0", search_period_s);
-  if (!(slow_call_s > 0.0))
-    return fail(ErrorCode::kBadOption, "slow_call_s {}: must be above 0", slow_call_s);
-  return {};
+  return OptionCheck("GpioLightSwitchOptions")
+      .positive("search_period_s", search_period_s)
+      .positive("slow_call_s", slow_call_s)
+      .result();
 }
 
-// What the thread and its callers share. The device is only touched without the lock.
+// State shared by the thread and its callers. The device is only accessed without the lock.
 struct GpioLightSwitch::Worker {
   Worker(OpenLightLines opener, const GpioLightSwitchOptions& given)
       : open(std::move(opener)), options(given) {}
@@ -51,15 +51,15 @@ struct GpioLightSwitch::Worker {
   const GpioLightSwitchOptions options;
   const device::Clock clock = device::machine_clock();
   std::thread thread;
-  std::unique_ptr<LightLines> lines;  // of the thread while it runs
+  std::unique_ptr<LightLines> lines;  // used by the thread only, while it runs
 
-  std::mutex mutex;  // of all below
+  std::mutex mutex;  // guards all members below
   std::condition_variable changed;
   bool running = false;
   device::RequestQueue requests;
   std::deque<device::LightSwitching> done;
-  device::NumberedRequest latest;      // that was carried out, or tried
-  std::optional<double> call_began_s;  // of the call to the device that is in progress
+  device::NumberedRequest latest;      // carried out or tried
+  std::optional<double> call_began_s;  // start of the device call in progress
   device::LightSwitchStatus status;
 };
 
@@ -75,7 +75,8 @@ void GpioLightSwitch::Worker::run() {
   lines.reset();
 }
 
-// While it is lost, requests that are due pass; the latest of them holds when it is back.
+// While the device is lost, due requests are skipped; the latest one is carried out when it is
+// back.
 void GpioLightSwitch::Worker::search(std::unique_lock<std::mutex>& lock) {
   changed.wait_until(lock, time_point(clock.now_s() + options.search_period_s),
                      [&] { return !running; });
@@ -92,13 +93,13 @@ void GpioLightSwitch::Worker::search(std::unique_lock<std::mutex>& lock) {
     return;
   }
   lines = std::move(*opened);
-  // Stopped meanwhile: nothing is turned on any more.
+  // Stopped meanwhile: do not turn on a light.
   if (!running) return;
   status.state = device::LightSwitchState::kRunning;
   status.message.clear();
   ++status.returned;
   if (latest.number == 0) return;
-  // It was counted as skipped, or failed; now it is carried out after all.
+  // Carry out the latest request, although it was counted as skipped or refused.
   const device::NumberedRequest again = latest;
   carry_out(lock, again);
 }
@@ -113,7 +114,7 @@ void GpioLightSwitch::Worker::serve(std::unique_lock<std::mutex>& lock) {
     status.skipped += due->skipped;
     carry_out(lock, due->request);
   } else if (!lines->present()) {
-    lose(lock, "the switch of the lights was unplugged: plug it in again");
+    lose(lock, "the light switch (GPIO chip) was unplugged: plug it in again");
   }
 }
 
@@ -132,8 +133,10 @@ void GpioLightSwitch::Worker::carry_out(std::unique_lock<std::mutex>& lock,
   done.push_back({request.number, request.request.light, before_s, after_s, error == 0});
   if (done.size() > kMaxDone) done.pop_front();
   if (error != 0)
-    lose(lock, fmt::format("the switch of the lights does not take orders ({}): plug it in again",
-                           std::generic_category().message(error)));
+    lose(lock,
+         fmt::format(
+             "the light switch (GPIO chip) refused a command ({}): unplug it and plug it in again",
+             std::generic_category().message(error)));
 }
 
 void GpioLightSwitch::Worker::note_duration(double call_s) {
@@ -141,8 +144,8 @@ void GpioLightSwitch::Worker::note_duration(double call_s) {
   status.message.clear();
   if (call_s > options.slow_call_s)
     status.message = fmt::format(
-        "the switch of the lights took {:.1f} s for an order, which it may not have carried out: "
-        "plug it in again",
+        "the light switch (GPIO chip) took {:.1f} s for a command and may have ignored it: unplug "
+        "it and plug it in again",
         call_s);
 }
 
@@ -150,7 +153,7 @@ void GpioLightSwitch::Worker::lose(std::unique_lock<std::mutex>& lock, std::stri
   status.state = device::LightSwitchState::kLost;
   status.message = std::move(message);
   ++status.lost;
-  // Letting the lines go is a call to the device, too.
+  // Releasing the lines accesses the device, too.
   lock.unlock();
   lines.reset();
   lock.lock();
@@ -200,7 +203,7 @@ void GpioLightSwitch::stop() {
   }
   worker_->changed.notify_all();
   if (worker_->thread.joinable()) worker_->thread.join();
-  // Only now: what the thread was doing may have gone well or badly meanwhile.
+  // After the join: the thread may have changed the status until then.
   const std::lock_guard lock(worker_->mutex);
   worker_->status.state = device::LightSwitchState::kIdle;
   worker_->status.message.clear();
@@ -232,7 +235,9 @@ device::LightSwitchStatus GpioLightSwitch::status() const {
   status.slowest_s = std::max(status.slowest_s, busy_s);
   if (busy_s > worker_->options.slow_call_s)
     status.message = fmt::format(
-        "the switch of the lights has not answered for {:.1f} s: plug it in again", busy_s);
+        "the light switch (GPIO chip) has not answered for {:.1f} s: unplug it and plug it in "
+        "again",
+        busy_s);
   return status;
 }
 

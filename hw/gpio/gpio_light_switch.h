@@ -1,5 +1,5 @@
-/// @file  The lights on GPIO lines: a thread of its own serves the requests, so that a chip that
-/// blocks holds nobody up.
+/// @file  Light switch on GPIO lines. Carries out requests on its own thread, so that a slow chip
+/// does not block the caller.
 #pragma once
 
 #include <memory>
@@ -9,20 +9,20 @@
 namespace flytri::gpio {
 
 struct GpioLightSwitchOptions {
-  /// > 0. So often a chip that is lost is looked for, and one that is idle is looked after.
+  /// > 0. Time between searches for a lost chip, and between checks that an idle chip is present.
   double search_period_s = 0.25;
-  /// > 0. A call that takes longer is a fault worth a message: good chips take milliseconds.
+  /// > 0. A longer call is reported in the status; it normally takes milliseconds.
   double slow_call_s = 0.5;
   [[nodiscard]] Result<void> validate() const;
 };
 
 class GpioLightSwitch final : public device::LightSwitch {
  public:
-  /// Nothing is opened before start().
+  /// Opens no device before start().
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::unique_ptr<GpioLightSwitch>> create(
       const LightWiring& wiring, const GpioLightSwitchOptions& options = {});
-  /// With lines of the caller's, for tests.
+  /// Uses lines of the caller, for tests.
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::unique_ptr<GpioLightSwitch>> create(
       OpenLightLines open, const GpioLightSwitchOptions& options = {});

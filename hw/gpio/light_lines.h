@@ -1,4 +1,4 @@
-/// @file  The lines of the lights while they are held: what a switch needs of a GPIO chip.
+/// @file  Interface to the GPIO lines of the lights.
 #pragma once
 
 #include <functional>
@@ -9,15 +9,15 @@
 
 namespace flytri::gpio {
 
-/// Held from construction to destruction; all lights are dark at both ends.
+/// Owns the lines from construction to destruction, and turns all lights off at both.
 class LightLines {
  public:
   virtual ~LightLines() = default;
   LightLines(const LightLines&) = delete;
   LightLines& operator=(const LightLines&) = delete;
 
-  /// Turns one light on and the others off. May block for seconds where a chip does not answer.
-  /// @return  0, which proves nothing, or the errno
+  /// Turns one light on and the others off. May block for seconds if the chip does not answer.
+  /// @return  0 if the device reported success (the light may still not have changed), or the errno
   [[nodiscard]] virtual int set(device::Light light) = 0;
 
   /// Whether the device is plugged in. Does not block.
@@ -27,7 +27,7 @@ class LightLines {
   LightLines() = default;
 };
 
-/// Finds the lines and takes hold of them. May block as `set` does.
+/// Finds and requests the lines. May block as `set` does.
 /// @errors  As LightSwitch::start.
 using OpenLightLines = std::function<Result<std::unique_ptr<LightLines>>()>;
 

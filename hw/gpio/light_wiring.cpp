@@ -2,18 +2,16 @@
 
 #include <string_view>
 
+#include "core/base/check_options.h"
+
 namespace flytri::gpio {
 
 namespace {
 
-Result<void> validate_line(const LineMatch& line, std::string_view light) {
-  if (line.name.empty() != line.offset.has_value())
-    return fail(ErrorCode::kBadOption, "line of the {} light: give either its name or its number",
-                light);
-  if (line.offset && *line.offset < 0)
-    return fail(ErrorCode::kBadOption, "line {} of the {} light: must be at least 0", *line.offset,
-                light);
-  return {};
+void check_line(const LineMatch& line, std::string_view light, OptionCheck& check) {
+  check.must(light, "empty", !line.name.empty() || line.offset, "the name or the number of a line");
+  check.must(light, "a name and a number", line.name.empty() || !line.offset, "only one of them");
+  if (line.offset) check.not_negative(light, *line.offset);
 }
 
 bool same(const LineMatch& a, const LineMatch& b) {
@@ -23,16 +21,19 @@ bool same(const LineMatch& a, const LineMatch& b) {
 }  // namespace
 
 Result<void> LightWiring::validate() const {
-  if (chip.label.empty() && chip.serial.empty() && chip.bus_path.empty())
-    return fail(ErrorCode::kBadOption, "chip of the lights: give its label, serial or bus path");
-  if (auto valid = validate_line(vertical, "vertical"); !valid) return valid;
-  if (auto valid = validate_line(horizontal, "horizontal"); !valid) return valid;
+  OptionCheck check("LightWiring");
+  check.must("chip", "empty", !(chip.label.empty() && chip.serial.empty() && chip.bus_path.empty()),
+             "a label, serial number or bus path");
+  check_line(vertical, "vertical", check);
+  check_line(horizontal, "horizontal", check);
+  check.must("horizontal", "the same line as another light", !same(vertical, horizontal),
+             "a line of its own");
   if (flash) {
-    if (auto valid = validate_line(*flash, "flash"); !valid) return valid;
+    check_line(*flash, "flash", check);
+    check.must("flash", "the same line as another light",
+               !same(*flash, vertical) && !same(*flash, horizontal), "a line of its own");
   }
-  if (same(vertical, horizontal) || (flash && (same(*flash, vertical) || same(*flash, horizontal))))
-    return fail(ErrorCode::kBadOption, "lines of the lights: two lights have the same one");
-  return {};
+  return check.result();
 }
 
 }  // namespace flytri::gpio

@@ -1,4 +1,4 @@
-/// @file  Which lines of which GPIO chip turn on which light.
+/// @file  Which GPIO line switches which light.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,25 @@
 
 namespace flytri::gpio {
 
-/// Which chip is meant: what is given must all agree, and exactly one chip must be left.
+/// Selects a chip: every given field must match, and exactly one chip may match.
 struct ChipMatch {
-  std::string label;     ///< the whole of it, e.g. "ftdi-cbus"; gpioinfo tells it
-  std::string serial;    ///< of the USB device, the whole number
-  std::string bus_path;  ///< where it is plugged in, the whole path
+  std::string label;     ///< the whole label, e.g. "ftdi-cbus"; `gpioinfo` shows it
+  std::string serial;    ///< the whole serial number of the USB device
+  std::string bus_path;  ///< the whole bus path of its USB socket
 };
 
-/// A line of the chip, by its name or by its number.
+/// Selects a line of the chip, by name or by number.
 struct LineMatch {
-  std::string name;           ///< empty: by number
-  std::optional<int> offset;  ///< >= 0; not with a name
-  bool active_low = false;    ///< the light shines while the line is low
+  std::string name;           ///< empty: select by number
+  std::optional<int> offset;  ///< >= 0; only without a name
+  bool active_low = false;    ///< the light is on while the line is low
 };
 
 struct LightWiring {
-  ChipMatch chip;  ///< something of it must be given
+  ChipMatch chip;  ///< at least one field must be given
   LineMatch vertical;
   LineMatch horizontal;
-  std::optional<LineMatch> flash;  ///< a rig without one has no texture
+  std::optional<LineMatch> flash;  ///< without a flash, the rig has no texture
   [[nodiscard]] Result<void> validate() const;
 };
 

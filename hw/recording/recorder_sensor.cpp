@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "core/io/calibrations/calibration_file.h"
 
 namespace flytri::recording {
@@ -13,11 +14,10 @@ constexpr const char* kCalibrationName = "calibration.json";
 }  // namespace
 
 Result<void> RecorderOptions::validate() const {
-  if (queue_frames < 1 || queue_frames > 10000)
-    return fail(ErrorCode::kBadOption, "queue_frames must be in 1..10000, not {}", queue_frames);
-  if (!(list_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "list_period_s must be above 0, not {}", list_period_s);
-  return {};
+  return OptionCheck("RecorderOptions")
+      .in_range("queue_frames", queue_frames, 1, 10000)
+      .positive("list_period_s", list_period_s)
+      .result();
 }
 
 Result<std::shared_ptr<RecorderSensor>> RecorderSensor::create(
@@ -44,9 +44,9 @@ Result<void> RecorderSensor::start() {
   writer_.reset();
   listed_s_ = 0.0;
   listed_ = 0;
-  if (auto opened = open(); !opened) give_up(opened.error());
+  if (auto opened = open(); !opened) end_recording(opened.error());
   auto started = sensor_->start();
-  // Nothing came: no empty folder is left.
+  // No frames were recorded: do not leave an empty folder.
   if (!started) writer_.reset();
   return started;
 }
@@ -59,8 +59,8 @@ Result<void> RecorderSensor::open() {
   return {};
 }
 
-// From here on nothing is written; what is waiting is lost, and so is what cannot be listed.
-void RecorderSensor::give_up(const Error& error) {
+// Stops writing. Counts as lost: frames in the queue, and written frames that cannot be listed.
+void RecorderSensor::end_recording(const Error& error) {
   if (writer_ && std::ssize(writer_->frames()) > listed_) (void)list();
   const std::lock_guard lock(mutex_);
   open_ = false;
@@ -69,18 +69,18 @@ void RecorderSensor::give_up(const Error& error) {
   status_.written = listed_;
   queue_.clear();
   status_.message = fmt::format(
-      "The recording ended after {} frames: {}. The scan goes on without it; free some space or "
-      "choose another folder, then record again.",
+      "The recording stopped after {} frames: {}. The scan continues without it. Free some disk "
+      "space or choose another folder, then record again.",
       status_.written, error.message);
 }
 
 Result<std::optional<Frame>> RecorderSensor::next(double timeout_s) {
   auto frame = sensor_->next(timeout_s);
-  if (frame && *frame) pass(**frame);
+  if (frame && *frame) enqueue(**frame);
   return frame;
 }
 
-void RecorderSensor::pass(const Frame& frame) {
+void RecorderSensor::enqueue(const Frame& frame) {
   {
     const std::lock_guard lock(mutex_);
     const bool room = queue_.size() < static_cast<std::size_t>(options_.queue_frames);
@@ -88,7 +88,8 @@ void RecorderSensor::pass(const Frame& frame) {
       ++status_.lost;
       if (open_)
         status_.message = fmt::format(
-            "The disk is too slow: {} frames are missing in the recording; choose a faster one.",
+            "The disk is too slow: {} frames are missing in the recording. Record to a faster "
+            "disk.",
             status_.lost);
       return;
     }
@@ -98,7 +99,7 @@ void RecorderSensor::pass(const Frame& frame) {
 }
 
 bool RecorderSensor::work_in_background(double timeout_s) {
-  // Neither kind of work waits while the other has some to do.
+  // Do not wait for frames to write while the wrapped sensor has background work.
   const bool more = sensor_->has_background_work() && sensor_->work_in_background(0.0);
   return write_one(more ? 0.0 : timeout_s) || more;
 }
@@ -112,7 +113,7 @@ bool RecorderSensor::write_one(double timeout_s) {
   lock.unlock();
   const Result<void> written = write(frame);
   if (!written) {
-    give_up(written.error());
+    end_recording(written.error());
     return true;
   }
   lock.lock();
@@ -149,7 +150,7 @@ void RecorderSensor::stop() {
     std::swap(open, open_);
   }
   if (open && writer_ && !writer_->frames().empty())
-    if (auto listed = list(); !listed) give_up(listed.error());
+    if (auto listed = list(); !listed) end_recording(listed.error());
   writer_.reset();
 }
 

@@ -1,4 +1,4 @@
-/// @file  Writes what another sensor delivers to a recording while it passes through.
+/// @file  Wraps a sensor and records its frames.
 #pragma once
 
 #include <condition_variable>
@@ -15,42 +15,42 @@
 namespace flytri::recording {
 
 struct RecorderOptions {
-  /// 1..10000, frames that may wait to be written: two seconds of one camera at 30 Hz, which is
-  /// more than a disk pauses, and 150 MB at most.
+  /// 1..10000. Capacity of the write queue, in frames. The default bridges a pause of the disk of
+  /// two seconds (one camera at 30 Hz) and takes at most 150 MB.
   int queue_frames = 60;
-  /// > 0, by the frames' times. So often the list of frames is written, so that a crash costs no
-  /// more than this and what waits.
+  /// > 0, in time of the frames. Interval at which the list of frames is written: a crash loses at
+  /// most the frames of this interval and the queue.
   double list_period_s = 0.5;
   [[nodiscard]] Result<void> validate() const;
 };
 
 struct RecorderStatus {
-  std::int64_t written = 0;  ///< frames that are on disk; once it has ended: that are listed
+  std::int64_t written = 0;  ///< frames on disk; after the end of the recording: frames in the list
   std::int64_t waiting = 0;
-  std::int64_t lost = 0;   ///< frames that passed but could not be written
-  bool has_ended = false;  ///< for good, by a failure; what was written before is safe
-  std::string message;     ///< what was lost, why, and the remedy; empty where nothing was
+  std::int64_t lost = 0;   ///< delivered frames that could not be written
+  bool has_ended = false;  ///< a failure ended the recording; what was written before is safe
+  std::string message;     ///< what was lost, why, and what to do; empty if nothing was lost
 };
 
-/// A decorator: frames, states and errors are those of the sensor within, which is never held up.
-/// Writing goes on beside the stream. What cannot be written costs the recording, not the scan:
-/// the status' message says so. The calibration, where there is one, is written along.
+/// A decorator: passes on frames, states and errors of the wrapped sensor without delay. Writes in
+/// the background. A write error ends the recording but not the scan; the status has a message.
+/// Also writes the calibration of the sensor, if there is one.
 class RecorderSensor final : public device::Sensor {
  public:
-  /// @param folder  of the recording; made at each start(). What it held is overwritten from the
-  ///                first frame on; where none comes, it is left as it was
+  /// @param folder  of the recording; created at each start(). The first frame overwrites its old
+  ///                content; without a frame, the folder stays unchanged
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::shared_ptr<RecorderSensor>> create(
       std::shared_ptr<device::Sensor> sensor, std::filesystem::path folder,
       const RecorderOptions& options = {});
 
   [[nodiscard]] Result<void> start() override;
-  /// Also writes what is waiting and closes the recording.
+  /// Also writes the queued frames and closes the recording.
   void stop() override;
   [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
   bool work_in_background(double timeout_s) override;
   [[nodiscard]] bool has_background_work() const override { return true; }
-  /// That of the sensor within; the recorder's message is added to its own.
+  /// The status of the wrapped sensor; the recorder's message is appended to its message.
   [[nodiscard]] device::SensorStatus status() const override;
   [[nodiscard]] std::shared_ptr<const calibration::Calibration> calibration() const override {
     return sensor_->calibration();
@@ -64,25 +64,25 @@ class RecorderSensor final : public device::Sensor {
                  const RecorderOptions& options);
 
   [[nodiscard]] Result<void> open();
-  void pass(const Frame& frame);
+  void enqueue(const Frame& frame);
   bool write_one(double timeout_s);
   [[nodiscard]] Result<void> write(const Frame& frame);
   [[nodiscard]] Result<void> list();
-  void give_up(const Error& error);
+  void end_recording(const Error& error);
 
   const std::shared_ptr<device::Sensor> sensor_;
   const std::filesystem::path folder_;
   const RecorderOptions options_;
 
-  // Of whoever writes: the thread beside the stream, then stop().
+  // Used by the background thread, and by stop() when that thread has ended.
   std::optional<io::RecordingWriter> writer_;
-  double listed_s_ = 0.0;    // time of the frame with which the list was written last
-  std::int64_t listed_ = 0;  // frames in that list
+  double listed_s_ = 0.0;    // time of the latest frame in the list
+  std::int64_t listed_ = 0;  // number of frames in the list on disk
 
-  mutable std::mutex mutex_;  // of all below
+  mutable std::mutex mutex_;  // guards all members below
   std::condition_variable arrived_;
   std::deque<Frame> queue_;
-  bool open_ = false;  // what passes is to be written
+  bool open_ = false;  // frames are being recorded
   RecorderStatus status_;
 };
 

@@ -4,16 +4,16 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "core/io/calibrations/calibration_file.h"
 
 namespace flytri::recording {
 
 Result<void> ReplayOptions::validate() const {
-  if (!(speed >= 0.0))
-    return fail(ErrorCode::kBadOption, "speed must be at least 0, not {}", speed);
-  if (ahead < 1 || ahead > 256)
-    return fail(ErrorCode::kBadOption, "ahead must be in 1..256, not {}", ahead);
-  return {};
+  return OptionCheck("ReplayOptions")
+      .not_negative("speed", speed)
+      .in_range("ahead", ahead, 1, 256)
+      .result();
 }
 
 Result<std::shared_ptr<ReplaySensor>> ReplaySensor::open(const std::filesystem::path& folder,
@@ -76,7 +76,7 @@ bool ReplaySensor::wait_until_due(double timeout_s) const {
   const double since_first_s = frames[to_deliver_].time_s - frames.front().time_s;
   const double due_s = start_s_ + since_first_s / options_.speed;
   clock_.sleep_s(std::min(due_s - clock_.now_s(), timeout_s));
-  // A clock's reading is rounded.
+  // Allows for rounding of the clock.
   return clock_.now_s() >= due_s - 1e-6;
 }
 
@@ -94,7 +94,7 @@ void ReplaySensor::decode(std::size_t index) {
   decoded_.notify_all();
 }
 
-// Decodes the frame here where nobody has begun to.
+// Decodes the next frame on this thread, unless the background thread has started to.
 std::optional<Result<Frame>> ReplaySensor::take(double timeout_s) {
   std::unique_lock lock(mutex_);
   if (const auto mine = claim(1)) {

@@ -1,4 +1,4 @@
-/// @file  A recording behind the interface of a sensor: its frames again, bit for bit.
+/// @file  Replays a recording as a sensor; the frames are bit-identical to the recorded ones.
 #pragma once
 
 #include <condition_variable>
@@ -15,19 +15,18 @@
 namespace flytri::recording {
 
 struct ReplayOptions {
-  /// >= 0, times as fast as it was recorded; 0: as fast as frames are taken.
+  /// >= 0. Replay speed: 1 is the recorded speed, 0 as fast as the caller takes the frames.
   double speed = 1.0;
-  /// 1..256, frames that are decoded before they are due: decoding takes a third of a frame's time,
-  /// which would be missing while frames are waited for.
+  /// 1..256. Frames to decode ahead in the background. Decoding takes a third of the frame period.
   int ahead = 8;
-  /// Null: the one that the recording names, if it names one.
+  /// Null: use the calibration named in the recording, if any.
   std::shared_ptr<const calibration::Calibration> calibration = nullptr;
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Frames keep the times and indices of the recording; the first is due at start(). A taker who is
-/// late gets the frames that are due at once, and all of them. A file that is missing or damaged
-/// costs that frame alone: it counts as dropped, and the message names it.
+/// Frames keep their recorded times and indices; the first is due at start(). A slow caller still
+/// gets all frames; overdue ones come at once. A frame whose file is missing or damaged counts as
+/// dropped, and the status message names the file.
 class ReplaySensor final : public device::Sensor {
  public:
   /// @errors  As open_recording and read_calibration; kBadOption.
@@ -48,7 +47,7 @@ class ReplaySensor final : public device::Sensor {
  private:
   ReplaySensor(io::Recording recording, ReplayOptions options, device::Clock clock);
 
-  /// The next frame that nobody has begun to decode, if it may be decoded now.
+  /// Reserves the next frame to decode, unless `limit` frames are already decoded ahead.
   [[nodiscard]] std::optional<std::size_t> claim(std::size_t limit);
   void decode(std::size_t index);
   [[nodiscard]] bool wait_until_due(double timeout_s) const;
@@ -58,9 +57,9 @@ class ReplaySensor final : public device::Sensor {
   const ReplayOptions options_;
   const device::Clock clock_;
   device::StatusKeeper status_;
-  double start_s_ = 0.0;  // of the thread that calls next()
+  double start_s_ = 0.0;  // used only by the thread that calls next()
 
-  std::mutex mutex_;  // of all below
+  std::mutex mutex_;  // guards all members below
   std::condition_variable decoded_, taken_;
   std::size_t to_deliver_ = 0;
   std::size_t to_decode_ = 0;

@@ -11,15 +11,15 @@ void append(std::vector<Error>& problems, std::vector<Error> more) {
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-// What the rig says of its cameras may fit one and the same.
+// Both camera entries of the rig may match the same camera.
 void check_distinct(std::vector<Error>& problems, const RigSettings& rig,
                     v4l2::VideoSystem& system) {
   const auto measurement = v4l2::find_camera(system, rig.measurement.match);
   const auto texture = v4l2::find_camera(system, rig.texture->match);
   if (!measurement || !texture || measurement->node != texture->node) return;
   problems.push_back({ErrorCode::kInconsistent,
-                      fmt::format("camera {} is both the measurement and the texture camera: tell "
-                                  "them apart by their serial numbers or bus paths",
+                      fmt::format("camera {} matches both the measurement and the texture camera "
+                                  "in rig.json: select each by its serial number or bus path",
                                   v4l2::to_string(*measurement))});
 }
 
@@ -31,7 +31,7 @@ std::vector<Error> check_lines(const gpio::GpioChip& chip, const gpio::LightWiri
   check(gpio::find_line(chip, lights.vertical));
   check(gpio::find_line(chip, lights.horizontal));
   if (lights.flash) check(gpio::find_line(chip, *lights.flash));
-  // Each is well by itself: are they together?
+  // Each line is valid by itself: check them together.
   if (problems.empty()) check(gpio::find_lines(chip, lights));
   return problems;
 }

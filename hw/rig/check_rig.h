@@ -1,4 +1,4 @@
-/// @file  What would keep a rig from running, told without starting it.
+/// @file  Finds problems of a rig without starting it.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace flytri::rig {
 
-/// @param chips  those that there are
-/// @return  each problem with its remedy; empty: nothing that can be told
+/// @param chips  the GPIO chips of this machine
+/// @return  each problem, with what to do about it; empty if none was found
 [[nodiscard]] std::vector<Error> check_rig(const RigSettings& rig, v4l2::VideoSystem& system,
                                            const std::vector<gpio::GpioChip>& chips);
 

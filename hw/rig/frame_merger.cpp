@@ -6,9 +6,9 @@
 namespace flytri::rig {
 namespace {
 
-/// Flashes that are remembered: those ahead and those whose frames are on their way.
+/// Flashes to remember: the planned ones, and those whose frames have not arrived yet.
 constexpr std::size_t kFlashes = 8;
-/// Of two images of one flash: beyond noise.
+/// Ratio above which one image of a flash is brighter than another beyond noise.
 constexpr double kBrighter = 1.05;
 
 }  // namespace
@@ -38,7 +38,7 @@ void FrameMerger::add_texture(const cv::Mat& image, const sync::FrameLabel& labe
   texture_seen_s_ = label.time_s;
 }
 
-// A flash began before this frame, and the texture camera has not shown what comes after it.
+// A flash began before this frame, and the texture camera has not sent a frame after the flash.
 bool FrameMerger::waits_for_texture(const Waiting& pattern) const {
   return std::any_of(flashes_s_.begin(), flashes_s_.end(), [&](double flash_s) {
     return flash_s < pattern.frame.time_s && texture_seen_s_ < flash_s + 0.5 * options_.flash_s;
@@ -51,7 +51,7 @@ std::optional<Frame> FrameMerger::next(double now_s, bool texture_comes) {
         patterns_.empty() ||
         (!textures_.empty() && textures_.front().frame.time_s < patterns_.front().frame.time_s);
     std::deque<Waiting>& queue = is_texture ? textures_ : patterns_;
-    // Patterns that were lit before a flash may be on their way, too.
+    // Pattern frames from before the flash may still arrive.
     const bool waits =
         is_texture ? patterns_.empty() : texture_comes && waits_for_texture(queue.front());
     if (waits && now_s - queue.front().arrived_s <= options_.patience_s) return std::nullopt;

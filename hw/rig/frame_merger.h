@@ -1,7 +1,7 @@
-/// @file  The labeled frames of two cameras become one stream, in order of time.
+/// @file  Merges the labeled frames of two cameras into one stream sorted by time.
 ///
-/// Patterns come from one camera, texture from the other, which may be later: a pattern that was
-/// lit after a flash waits for the image of that flash.
+/// Pattern frames come from one camera and texture frames from the other, possibly later. So a
+/// pattern frame taken after a flash waits for the image of that flash.
 #pragma once
 
 #include <deque>
@@ -13,32 +13,33 @@
 namespace flytri::rig {
 
 struct FrameMergerOptions {
-  double start_s = 0.0;      ///< what the times of the frames that come out count from
-  double flash_s = 0.1;      ///< > 0, how long a flash lasts
-  double patience_s = 0.25;  ///< >= 0. No frame waits longer for one of the other camera
+  double start_s = 0.0;      ///< zero of the times of the merged frames
+  double flash_s = 0.1;      ///< > 0, duration of a flash
+  double patience_s = 0.25;  ///< >= 0, longest wait for a frame of the other camera
 };
 
-/// All times that go in are on one clock.
+/// All times passed in are on one clock.
 class FrameMerger {
  public:
-  /// @param options  valid ones
+  /// @param options  must be valid
   explicit FrameMerger(const FrameMergerOptions& options = {})
       : options_(options), last_s_(options.start_s), texture_seen_s_(options.start_s) {}
 
-  /// A flash is to begin.
+  /// Announces a flash that begins at `begin_s`.
   void flash_at(double begin_s);
-  /// A frame of the measurement camera, whose pattern is known.
+  /// Adds a frame of the measurement camera with its pattern.
   void add_pattern(Pattern pattern, const cv::Mat& image, double time_s, double now_s);
-  /// Any frame of the texture camera. Of those that show one flash the brightest is taken, which
-  /// was lit all the time; an image in which no flash is seen only tells that the flash is over.
+  /// Adds any frame of the texture camera. Of the frames that show the same flash, the brightest is
+  /// used: the flash was on during its whole exposure. A frame without flash only shows that the
+  /// flash is over.
   void add_texture(const cv::Mat& image, const sync::FrameLabel& label, double now_s);
 
   /// The next frame of the stream, with its index.
-  /// @param texture_comes  the texture camera is there and runs
-  /// @return  nothing: none, or it waits for the other camera
+  /// @param texture_comes  whether the texture camera is running
+  /// @return  nothing if there is none, or the next one waits for the other camera
   [[nodiscard]] std::optional<Frame> next(double now_s, bool texture_comes);
 
-  /// Frames given up because a later one was out already.
+  /// Frames dropped because a later frame was already delivered.
   [[nodiscard]] std::int64_t late() const { return late_; }
 
  private:
@@ -50,12 +51,12 @@ class FrameMerger {
   [[nodiscard]] std::optional<Frame> numbered(Frame frame);
 
   FrameMergerOptions options_;
-  std::deque<double> flashes_s_;  // when they were to begin
+  std::deque<double> flashes_s_;  // planned begin of each flash
   std::deque<Waiting> patterns_, textures_;
-  std::optional<Waiting> brightest_;  // of the frames that show the present flash
+  std::optional<Waiting> brightest_;  // brightest frame of the current flash
   double brightest_area_ = 0.0;
-  double last_s_;          // of the frame that came out last
-  double texture_seen_s_;  // of the latest frame of the texture camera without a flash
+  double last_s_;          // time of the last delivered frame
+  double texture_seen_s_;  // time of the texture camera's latest frame without flash
   std::int64_t count_ = 0;
   std::int64_t late_ = 0;
 };

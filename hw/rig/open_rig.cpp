@@ -33,7 +33,7 @@ Result<RigDevices> open_devices(const RigSettings& rig) {
   if (rig.texture) {
     auto texture = v4l2::V4l2Camera::create(rig.texture->match, rig.texture->settings);
     if (!texture) return tl::unexpected(texture.error());
-    // What this camera takes to be set up anew must not cost frames of the other.
+    // On its own thread, so that restarting this camera does not cost frames of the other.
     devices.texture = std::make_shared<device::ThreadedCamera>(*std::move(texture));
   }
   auto lights = gpio::GpioLightSwitch::create(rig.lights);

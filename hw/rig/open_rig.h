@@ -1,4 +1,4 @@
-/// @file  From the settings of a rig to a sensor made of the devices of this machine.
+/// @file  Creates the sensor of a rig from its settings.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,15 @@
 
 namespace flytri::rig {
 
-/// No device is opened before start().
-/// @errors  kBadOption; as read_calibration, where the rig names one.
+/// Opens no device before start().
+/// @errors  kBadOption; as read_calibration, if the rig names a calibration.
 [[nodiscard]] Result<std::shared_ptr<RigSensor>> open_rig(const RigSettings& rig);
 
-/// The cameras and lights alone; none is opened yet.
+/// Creates only the cameras and the light switch; opens none of them.
 /// @errors  kBadOption.
 [[nodiscard]] Result<RigDevices> open_devices(const RigSettings& rig);
 
-/// With devices of the caller's, for tests and for simulated rigs.
+/// Uses devices of the caller, for tests and simulated rigs.
 /// @errors  As open_rig.
 [[nodiscard]] Result<std::shared_ptr<RigSensor>> assemble_rig(const RigSettings& rig,
                                                               RigDevices devices);

@@ -1,4 +1,4 @@
-/// @file  One camera of a rig with the labels of its frames.
+/// @file  Reads one camera of a rig and labels its frames.
 #pragma once
 
 #include <memory>
@@ -9,20 +9,20 @@
 
 namespace flytri::rig {
 
-/// What became of the frames of a camera, and what is known of its latency.
+/// Counts of a camera's frames by outcome, and its latency.
 struct RigCameraStatus {
   device::CameraStatus camera;
   sync::LabelCounts labels;
-  std::int64_t damaged = 0;  ///< not looked at: the driver flagged them, or they are not whole
+  std::int64_t damaged = 0;  ///< frames ignored because they are damaged
   sync::LatencyEstimate latency;
-  bool is_learned = false;  ///< the latency
+  bool is_learned = false;  ///< whether the latency is known
   sync::LightFault fault = sync::LightFault::kNone;
 };
 
-/// start, stop and next are called from one thread, all else from that one, too.
+/// Not thread-safe: call all members from one thread.
 class RigCameraReader {
  public:
-  /// @param readout_s  see RigCamera
+  /// @param readout_s  see RigCamera::readout_s
   RigCameraReader(std::shared_ptr<device::Camera> camera, double readout_s)
       : camera_(std::move(camera)), readout_s_(readout_s) {}
 
@@ -30,15 +30,15 @@ class RigCameraReader {
   [[nodiscard]] Result<void> start();
   void stop() { camera_->stop(); }
 
-  /// The next frame that is whole; nothing: none yet, or a damaged one.
+  /// The next undamaged frame; nothing if there is none yet, or if the next one is damaged.
   /// @errors  As Camera::next.
   [[nodiscard]] Result<std::optional<device::CameraFrame>> next(double timeout_s);
-  /// Once the labeler has heard of all that was switched before the frame came.
+  /// Labels a frame. Report all light switching before the frame's arrival to the labeler first.
   [[nodiscard]] sync::FrameLabel label(const device::CameraFrame& frame) {
     return labeler_->label(frame.image, frame.time_s);
   }
 
-  /// Once started.
+  /// Only after start().
   [[nodiscard]] sync::FrameLabeler& labeler() { return *labeler_; }
   [[nodiscard]] RigCameraStatus status() const;
   [[nodiscard]] device::CameraState state() const { return camera_->status().state; }
@@ -48,7 +48,7 @@ class RigCameraReader {
   double readout_s_;
   std::optional<sync::FrameLabeler> labeler_;
   std::int64_t damaged_ = 0;
-  std::int64_t streams_ = 0;  // begun since the first one, as far as the labeler knows
+  std::int64_t streams_ = 0;  // stream restarts that the labeler knows of
 };
 
 }  // namespace flytri::rig

@@ -1,4 +1,4 @@
-/// @file  rig.json: what a rig is made of, in a file; its keys are listed in docs/formats.md.
+/// @file  Reads and writes rig.json, the description of a rig. docs/formats.md lists its keys.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace flytri::rig {
 
-/// @param name  of the file, for messages
-/// @errors  kBadFormat naming the file, the key and what was expected; kBadOption: RigSettings.
+/// @param name  of the file, used in messages
+/// @errors  kBadFormat with the file, the key and the expected value; kBadOption: see RigSettings.
 [[nodiscard]] Result<RigSettings> parse_rig(std::string_view text, const std::string& name);
 
-/// A calibration that is named relative is taken to lie beside the file.
+/// A relative path of the calibration is relative to the folder of rig.json.
 /// @errors  As read_file and parse_rig.
 [[nodiscard]] Result<RigSettings> read_rig(const std::filesystem::path& path);
 
-/// What parse_rig reads back.
+/// The JSON text that parse_rig reads.
 [[nodiscard]] std::string rig_to_json(const RigSettings& rig);
 
 /// @errors  As write_file.

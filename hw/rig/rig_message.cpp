@@ -9,7 +9,7 @@ void add(std::string& message, const std::string& more) {
   message += more;
 }
 
-/// The flash is for the texture camera: where that one sees it, the other need not.
+/// The flash is for the texture camera. If that camera sees it, the measurement camera need not.
 sync::LightFault fault_of(const RigStatus& status) {
   const sync::LightFault fault = status.measurement.fault;
   const bool is_flash_seen = status.texture && status.texture->fault == sync::LightFault::kNone;
@@ -22,7 +22,7 @@ std::string rig_message(const RigStatus& status, const std::string& texture_fail
   std::string message;
   add(message, status.measurement.camera.message);
   add(message, status.lights.message);
-  // A device that is away shows nothing: what the images say of the lights would mislead.
+  // If a device is unplugged, the images do not tell whether the lights work.
   if (message.empty()) add(message, sync::message_of(fault_of(status)));
   if (!texture_failure.empty())
     add(message, fmt::format("No texture: {}", texture_failure));

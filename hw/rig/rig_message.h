@@ -1,4 +1,4 @@
-/// @file  What a user is told of a rig: what is wrong with its devices, and the remedy.
+/// @file  Status messages of a rig: what is wrong with its devices, and what to do.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace flytri::rig {
 
-/// Empty where nothing is wrong.
-/// @param texture_failure  why the texture camera is gone for good; empty: it is not
+/// Empty if nothing is wrong.
+/// @param texture_failure  why the texture camera failed permanently; empty if it did not
 [[nodiscard]] std::string rig_message(const RigStatus& status, const std::string& texture_failure);
 
 /// The counts in one line, for a progress line or a panel.

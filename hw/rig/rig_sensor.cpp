@@ -4,18 +4,20 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/rig/rig_message.h"
 
 namespace flytri::rig {
 namespace {
 
-/// A camera whose exposure is not known may collect light for half of its period.
+/// Assumed exposure, as a share of the frame period, if the camera's exposure is unknown.
 constexpr double kUnknownExposure = 0.5;
 constexpr int kMaxFlashFrames = 10;
-/// Frames of the texture camera that may queue in its driver.
+/// Limit of texture frames read in one step, at least the driver's queue.
 constexpr int kMaxQueued = 16;
 
-/// Frames of the measurement camera in which a whole exposure of the texture camera fits.
+/// Duration of a flash in frames of the measurement camera, so that a whole exposure of the texture
+/// camera fits.
 int flash_frames(const device::Camera& measurement, const device::Camera* texture,
                  double readout_s) {
   if (texture == nullptr) return 1;
@@ -33,15 +35,13 @@ bool is_away(device::CameraState state) {
 }  // namespace
 
 Result<void> RigSensorOptions::validate() const {
-  if (!(flash_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "flash_period_s must be above 0, not {}", flash_period_s);
-  for (const double value : {measurement_readout_s, texture_readout_s, patience_s})
-    if (!(value >= 0.0))
-      return fail(ErrorCode::kBadOption, "readouts and patience must be at least 0 s, not {}",
-                  value);
-  if (!(ahead_s >= 0.05 && ahead_s <= 1.0))
-    return fail(ErrorCode::kBadOption, "ahead_s must be in 0.05..1, not {}", ahead_s);
-  return {};
+  return OptionCheck("RigSensorOptions")
+      .positive("flash_period_s", flash_period_s)
+      .not_negative("measurement_readout_s", measurement_readout_s)
+      .not_negative("texture_readout_s", texture_readout_s)
+      .not_negative("patience_s", patience_s)
+      .in_range("ahead_s", ahead_s, 0.05, 1.0)
+      .result();
 }
 
 Result<std::shared_ptr<RigSensor>> RigSensor::create(
@@ -86,7 +86,7 @@ Result<void> RigSensor::start() {
 }
 
 Result<void> RigSensor::start_devices() {
-  // The lights come first: their guard is a child process that is best started early.
+  // Start the lights first: their guard is a child process that should be forked early.
   if (auto started = devices_.lights->start(); !started) return started;
   auto started = measurement_.start();
   if (started && texture_) {
@@ -115,7 +115,7 @@ Result<std::optional<Frame>> RigSensor::next(double timeout_s) {
   if (status_.state() == device::SensorState::kIdle)
     return fail(ErrorCode::kBadOption, "{}: start it first", options_.name);
   plan_lights();
-  // What is there already need not wait for more.
+  // Return a frame that is ready before reading more.
   std::optional<Frame> frame = release();
   if (!frame) {
     if (auto read = read_measurement(timeout_s); !read) {
@@ -130,11 +130,11 @@ Result<std::optional<Frame>> RigSensor::next(double timeout_s) {
 }
 
 void RigSensor::plan_lights() {
-  hear_lights();
+  report_switching();
   if (is_away_) return;
   const double now_s = devices_.clock.now_s();
   for (const device::LightRequest& request :
-       plan_.plan(now_s, now_s + options_.ahead_s, measurement_.labeler().beat())) {
+       plan_.plan(now_s, now_s + options_.ahead_s, measurement_.labeler().timing())) {
     const std::int64_t number = devices_.lights->post(request);
     if (number == 0) continue;
     measurement_.labeler().posted(number, request.not_before_s);
@@ -143,7 +143,7 @@ void RigSensor::plan_lights() {
   }
 }
 
-void RigSensor::hear_lights() {
+void RigSensor::report_switching() {
   for (const device::LightSwitching& done : devices_.lights->take_done()) {
     measurement_.labeler().switched(done);
     if (texture_) texture_->labeler().switched(done);
@@ -160,11 +160,11 @@ Result<void> RigSensor::read_measurement(double timeout_s) {
       is_away_, is_away(measurement_.state()) || lights.state == device::LightSwitchState::kLost);
   if (is_away_ && !was_away) devices_.lights->post({device::Light::kDark, 0.0});
   if (!*frame) return {};
-  hear_lights();
+  report_switching();
   const sync::FrameLabel label = measurement_.label(**frame);
   const bool is_pattern =
       label.light == device::Light::kVertical || label.light == device::Light::kHorizontal;
-  // Lights that are away may be dark by now: an image that shows nothing would not tell.
+  // If the light switch is unplugged, the lights may be off, and a dark image would not show it.
   if (label.outcome != sync::LabelOutcome::kLabeled || !is_pattern || is_away_) return {};
   const Pattern pattern =
       label.light == device::Light::kVertical ? Pattern::kVertical : Pattern::kHorizontal;
@@ -172,7 +172,8 @@ Result<void> RigSensor::read_measurement(double timeout_s) {
   return {};
 }
 
-// All that has come meanwhile; the measurement camera alone is waited for.
+// Reads all texture frames that have arrived, without waiting. Only the measurement camera is
+// waited for.
 void RigSensor::read_texture() {
   if (!texture_ || !texture_failure_.empty()) return;
   for (int i = 0; i < kMaxQueued; ++i) {
@@ -182,7 +183,7 @@ void RigSensor::read_texture() {
       return;
     }
     if (!*frame) return;
-    hear_lights();
+    report_switching();
     merger_.add_texture((*frame)->image, texture_->label(**frame), devices_.clock.now_s());
   }
 }

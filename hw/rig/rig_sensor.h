@@ -1,4 +1,4 @@
-/// @file  Cameras and lights of a rig as one sensor: labeled frames in order of time.
+/// @file  Combines the cameras and lights of a rig into one sensor that delivers labeled frames.
 #pragma once
 
 #include <memory>
@@ -19,11 +19,11 @@ namespace flytri::rig {
 struct RigSensorOptions {
   std::string name = "rig";
   double flash_period_s = 1.0;         ///< > 0
-  double measurement_readout_s = 0.0;  ///< >= 0, see RigCamera
+  double measurement_readout_s = 0.0;  ///< >= 0, see RigCamera::readout_s
   double texture_readout_s = 0.0;      ///< >= 0
-  /// 0.05..1. Requests for lights are posted so far ahead: longer than a call of next() takes.
+  /// 0.05..1. How far ahead light requests are posted; longer than a call of next().
   double ahead_s = 0.2;
-  /// >= 0. Measurement frames wait at most so long for the texture frame before them.
+  /// >= 0. Longest time that a measurement frame waits for the texture frame before it.
   double patience_s = 0.25;
   [[nodiscard]] Result<void> validate() const;
 };
@@ -32,7 +32,7 @@ struct RigDevices {
   std::shared_ptr<device::Camera> measurement;
   std::shared_ptr<device::Camera> texture;  ///< null: no texture
   std::shared_ptr<device::LightSwitch> lights;
-  device::Clock clock;  ///< of the stamps of the cameras and the times of the lights
+  device::Clock clock;  ///< clock of all camera stamps and light times
 };
 
 /// Counts since start().
@@ -41,17 +41,18 @@ struct RigStatus {
   std::optional<RigCameraStatus> texture;
   device::LightSwitchStatus lights;
   int frames_per_pattern = 1;
-  bool keeps_step = false;  ///< the lights switch in the gaps between exposures
-  std::int64_t late = 0;    ///< frames given up because a later one was delivered already
+  bool keeps_step = false;  ///< lights are switched in the gaps between exposures
+  std::int64_t late = 0;    ///< frames dropped because a later one was already delivered
 };
 
-/// Runs the sequence of the paper: the patterns alternate, and about every second a flash lights
-/// the texture camera. Frames whose light is not known for sure are left out and counted. The
-/// sensor is lost while the measurement camera or the switch of the lights is; without its texture
-/// camera it goes on and says so. All lights are dark after stop().
+/// Runs the light sequence of the paper (section "Sensor Setup"): the patterns alternate, and about
+/// once a second there is a flash for the texture camera. Frames whose light is uncertain are
+/// skipped and counted. The sensor is lost while the measurement camera or the light switch is
+/// lost. If the texture camera is lost, the sensor continues and the status has a message. All
+/// lights are dark after stop().
 class RigSensor final : public device::Sensor {
  public:
-  /// @param calibration  of this rig; null: none
+  /// @param calibration  of this rig; may be null
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::shared_ptr<RigSensor>> create(
       RigDevices devices, const RigSensorOptions& options,
@@ -60,15 +61,15 @@ class RigSensor final : public device::Sensor {
   [[nodiscard]] Result<void> start() override;
   void stop() override;
   [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
-  /// Dropped frames are those of the measurement camera that are missing by its numbers or damaged,
-  /// and those of either camera that were late.
+  /// Dropped frames: missing or damaged frames of the measurement camera, and late frames of both
+  /// cameras.
   [[nodiscard]] device::SensorStatus status() const override;
   [[nodiscard]] std::shared_ptr<const calibration::Calibration> calibration() const override {
     return calibration_;
   }
   [[nodiscard]] std::string name() const override { return options_.name; }
 
-  /// May be called from any thread.
+  /// Thread-safe.
   [[nodiscard]] RigStatus rig_status() const;
 
  private:
@@ -78,7 +79,7 @@ class RigSensor final : public device::Sensor {
   [[nodiscard]] Result<void> start_devices();
   [[nodiscard]] Result<void> fail_for_good(const Error& error);
   void plan_lights();
-  void hear_lights();
+  void report_switching();
   [[nodiscard]] Result<void> read_measurement(double timeout_s);
   void read_texture();
   [[nodiscard]] std::optional<Frame> release();
@@ -89,16 +90,16 @@ class RigSensor final : public device::Sensor {
   const std::shared_ptr<const calibration::Calibration> calibration_;
   device::StatusKeeper status_;
 
-  // Of the thread that calls next().
+  // Used only by the thread that calls next().
   RigCameraReader measurement_;
   std::optional<RigCameraReader> texture_;
   sync::LightPlan plan_;
   std::optional<Error> failure_;
-  std::string texture_failure_;  // the texture camera is gone for good
+  std::string texture_failure_;  // the texture camera failed permanently
   bool is_away_ = false;
   FrameMerger merger_;
 
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards all members below
   RigStatus rig_status_;
 };
 

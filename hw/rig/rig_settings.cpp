@@ -1,28 +1,27 @@
 #include "hw/rig/rig_settings.h"
 
+#include "core/base/check_options.h"
+
 namespace flytri::rig {
 
 Result<void> RigCamera::validate() const {
-  if (match == device::CameraMatch{})
-    return fail(ErrorCode::kBadOption,
-                "a camera of the rig must be told by its name, serial number or bus path");
-  if (!(readout_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "readout_s must be at least 0, not {}", readout_s);
-  return settings.validate();
+  return OptionCheck("RigCamera")
+      .must("match", "empty", match != device::CameraMatch{}, "a name, serial number or bus path")
+      .not_negative("readout_s", readout_s)
+      .nested(settings)
+      .result();
 }
 
 Result<void> RigSettings::validate() const {
-  if (auto valid = measurement.validate(); !valid) return valid;
-  if (measurement.settings.channels != device::Channels::kGrey)
-    return fail(ErrorCode::kBadOption, "the measurement camera must deliver grey images");
+  OptionCheck check("RigSettings");
+  check.nested(measurement)
+      .must("measurement.settings.channels", "color",
+            measurement.settings.channels == device::Channels::kGrey, "grey");
   if (texture) {
-    if (auto valid = texture->validate(); !valid) return valid;
-    if (!lights.flash)
-      return fail(ErrorCode::kBadOption, "a texture camera needs a flash among the lights");
+    check.nested(*texture).must("lights.flash", "missing", lights.flash.has_value(),
+                                "set, as there is a texture camera");
   }
-  if (!(flash_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "flash_period_s must be above 0, not {}", flash_period_s);
-  return lights.validate();
+  return check.positive("flash_period_s", flash_period_s).nested(lights).result();
 }
 
 }  // namespace flytri::rig

@@ -1,4 +1,4 @@
-/// @file  What a rig is made of: which devices, how they are set, what hangs on which line.
+/// @file  Settings of a rig: its devices, their settings, and the wiring of the lights.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,20 @@
 namespace flytri::rig {
 
 struct RigCamera {
-  device::CameraMatch match;  ///< something of it must be given
+  device::CameraMatch match;  ///< at least one field must be given
   device::CameraSettings settings;
-  /// >= 0, by which the last row of a rolling shutter is exposed later than the first; 0: global.
+  /// >= 0. Delay between the exposures of the first and the last row (rolling shutter); 0: global
+  /// shutter.
   double readout_s = 0.0;
   [[nodiscard]] Result<void> validate() const;
 };
 
 struct RigSettings {
-  std::string name = "rig";          ///< what a user calls it
+  std::string name = "rig";          ///< name shown to the user
   RigCamera measurement;             ///< grey
   std::optional<RigCamera> texture;  ///< color; needs a flash
   gpio::LightWiring lights;
-  double flash_period_s = 1.0;                       ///< > 0, about every second in the paper
+  double flash_period_s = 1.0;                       ///< > 0; about 1 s in the paper
   std::optional<std::filesystem::path> calibration;  ///< of this sensor
   [[nodiscard]] Result<void> validate() const;
 };

@@ -16,7 +16,7 @@ bool is_alike(const calibration::CalibrationPlan& a, const calibration::Calibrat
          a.order == b.order;
 }
 
-/// Leaves the session in the folder as it is, or begins one there.
+/// Checks that the folder's session has this plan, or creates a session there.
 Result<void> settle_plan(const std::filesystem::path& folder,
                          const calibration::CalibrationPlan& plan) {
   const auto found = io::read_guided_plan(folder);
@@ -25,8 +25,8 @@ Result<void> settle_plan(const std::filesystem::path& folder,
   if (!found) return tl::unexpected(found.error());
   if (is_alike(*found, plan)) return {};
   return fail(ErrorCode::kInconsistent,
-              "{} holds a calibration with other planes, lines or dots; go on with its own, or "
-              "name another folder",
+              "{} contains a calibration with other planes, lines or dots: continue it with its "
+              "own options, or choose another folder",
               folder.string());
 }
 
@@ -52,7 +52,7 @@ void GuidedSession::restore() {
   for (std::size_t i = 0; i < guide_.placements().size(); ++i) {
     const auto images = io::read_placement(folder_, guide_.placements()[i]);
     if (!images) {
-      complaints_.push_back(images.error().message);
+      problems_.push_back(images.error().message);
       continue;
     }
     if (images->empty()) continue;
@@ -60,7 +60,7 @@ void GuidedSession::restore() {
     if (verdict.good()) {
       ++restored_;
     } else {
-      complaints_.push_back(
+      problems_.push_back(
           fmt::format("plane {}: {}", guide_.placements()[i].plane + 1, verdict.finding));
     }
   }
@@ -80,12 +80,12 @@ Result<ShotOutcome> GuidedSession::shoot(const Progress& progress) {
   return outcome;
 }
 
-Result<void> GuidedSession::shoot_placement(const std::function<void(const ShotOutcome&)>& tell,
-                                            const Progress& progress) {
+Result<void> GuidedSession::shoot_placement(
+    const std::function<void(const ShotOutcome&)>& on_outcome, const Progress& progress) {
   do {
     const auto outcome = shoot(progress);
     if (!outcome) return tl::unexpected(outcome.error());
-    tell(*outcome);
+    on_outcome(*outcome);
   } while (guide_.wanted() && !guide_.wanted()->begins_placement);
   return {};
 }

@@ -1,4 +1,4 @@
-/// @file  A calibration at the chair: shots from a source, judged at once, kept in a folder.
+/// @file  A guided calibration: takes shots, checks each at once and saves them to a folder.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,20 @@
 
 namespace flytri::shots {
 
-/// What became of one shot.
+/// One shot and the result of its check.
 struct ShotOutcome {
   calibration::WantedShot shot;
   calibration::ShotVerdict verdict;
 };
 
-/// Placements that are done are on disk at once; whoever opens the folder again goes on with them.
-/// When all are there and fit each other, calibration-set.json and calibration.json are written.
+/// Completed placements are saved at once, so that a session can be continued later. When all
+/// placements are complete and consistent, finish() writes calibration-set.json and
+/// calibration.json.
 class GuidedSession {
  public:
-  /// Takes up the session of the folder, or begins one there.
-  /// @param plan  must be the folder's own, where there is one
-  /// @errors  kInconsistent: the folder holds a session with another plan; as
+  /// Continues the session in the folder, or creates one there.
+  /// @param plan  must equal the plan in the folder, if there is one
+  /// @errors  kInconsistent: the folder contains a session with another plan; as
   ///          GuidedCalibration::create, write_guided_plan, read_guided_plan.
   [[nodiscard]] static Result<GuidedSession> open(const std::filesystem::path& folder,
                                                   const calibration::CalibrationPlan& plan,
@@ -33,26 +34,27 @@ class GuidedSession {
 
   [[nodiscard]] const calibration::GuidedCalibration& guide() const { return guide_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  /// Placements taken over from an earlier session.
+  /// Number of placements restored from an earlier session.
   [[nodiscard]] int restored() const { return restored_; }
-  /// Why others of them were not, a sentence each.
-  [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
+  /// Why other placements could not be restored; one sentence each.
+  [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
-  /// Takes the wanted shot and judges it. Call only while something is wanted.
-  /// @errors  Of the source, and of the disk; what is done so far is kept.
+  /// Takes the next shot and checks it. Call only while guide().wanted() has a value.
+  /// @errors  Of the source and the disk; completed placements stay saved.
   [[nodiscard]] Result<ShotOutcome> shoot(const Progress& progress);
 
-  /// Takes the shots of the wanted placement, up to the first that is refused.
-  /// @param tell  hears of each
+  /// Takes the shots of the wanted placement; stops at the first refused one.
+  /// @param on_outcome  called after each shot
   /// @errors  As shoot.
-  [[nodiscard]] Result<void> shoot_placement(const std::function<void(const ShotOutcome&)>& tell,
-                                             const Progress& progress);
+  [[nodiscard]] Result<void> shoot_placement(
+      const std::function<void(const ShotOutcome&)>& on_outcome, const Progress& progress);
 
-  /// The placement is wanted again; its images are removed.
+  /// Removes the images of the placement, so that it is taken again.
   /// @errors  As remove_placement.
   [[nodiscard]] Result<void> reopen(std::size_t placement);
 
-  /// Fits the complete session and writes set and calibration; neither, if the set is refused.
+  /// Fits the complete session and writes set and calibration. Writes nothing if the set is
+  /// refused.
   /// @errors  As GuidedCalibration::fit and write_file.
   [[nodiscard]] Result<calibration::GuidedFit> finish(const Workers& workers,
                                                       const Progress& progress) const;
@@ -66,10 +68,10 @@ class GuidedSession {
   calibration::GuidedCalibration guide_;
   std::shared_ptr<ShotSource> source_;
   int restored_ = 0;
-  std::vector<std::string> complaints_;
+  std::vector<std::string> problems_;
 };
 
-/// Whether the images are at fault, so that some are to be taken again, and not devices or disk.
+/// Whether the images are to blame and must be taken again, rather than the devices or the disk.
 [[nodiscard]] inline bool is_refusal(const Error& error) {
   return error.code == ErrorCode::kInconsistent || error.code == ErrorCode::kInsufficient;
 }

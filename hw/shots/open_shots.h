@@ -1,4 +1,4 @@
-/// @file  From what a user names to the source of calibration images.
+/// @file  Opens the source of calibration images that the user chose.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,14 @@ namespace flytri::shots {
 
 struct ShotChoice {
   bool simulated = false;
-  std::string sensor = "intraoral";  ///< that is simulated: "intraoral" or "face"
+  std::string sensor = "intraoral";  ///< simulated sensor: "intraoral" or "face"
   std::filesystem::path rig = "rig.json";
 };
 
-/// The sensor of the paper by its name: "face", or the intra-oral one.
+/// The paper's sensor for faces if the name is "face", else its intra-oral sensor.
 [[nodiscard]] simulated::SensorModel sensor_named(const std::string& name);
 
-/// No device is opened before ShotSource::start.
+/// Opens no device before ShotSource::start.
 /// @errors  As read_rig and open_rig_shots.
 [[nodiscard]] Result<std::shared_ptr<ShotSource>> open_shots(const ShotChoice& choice);
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/rig/open_rig.h"
 
 namespace flytri::shots {
 namespace {
 
-constexpr double kLook_s = 0.05;  // between two looks at the switch of the lights
+constexpr double kLook_s = 0.05;  // interval at which the light switch is polled
 
 device::Light light_of(calibration::ShotKind kind) {
   switch (kind) {
@@ -26,7 +27,7 @@ device::Light light_of(calibration::ShotKind kind) {
   return device::Light::kFlash;
 }
 
-/// The mean of images as the set holds them: grey in 16 bits, color in 8.
+/// The mean image in the format of the calibration set: grey in 16 bits, color in 8.
 cv::Mat mean_of(const cv::Mat& sum, int count, int depth) {
   constexpr double kTo16Bits = 257.0;  // 255 becomes 65535
   const bool is_gray = sum.channels() == 1;
@@ -39,14 +40,11 @@ cv::Mat mean_of(const cv::Mat& sum, int count, int depth) {
 }  // namespace
 
 Result<void> RigShotOptions::validate() const {
-  if (exposures < 1 || exposures > 256) {
-    return fail(ErrorCode::kBadOption, "exposures is {}, must be 1..256", exposures);
-  }
-  if (!(settle_s > 0.0 && patience_s > 0.0)) {
-    return fail(ErrorCode::kBadOption, "settle_s and patience_s must be above 0, not {} and {}",
-                settle_s, patience_s);
-  }
-  return {};
+  return OptionCheck("RigShotOptions")
+      .in_range("exposures", exposures, 1, 256)
+      .positive("settle_s", settle_s)
+      .positive("patience_s", patience_s)
+      .result();
 }
 
 Result<std::unique_ptr<RigShots>> RigShots::create(rig::RigDevices devices, const std::string& name,
@@ -54,7 +52,7 @@ Result<std::unique_ptr<RigShots>> RigShots::create(rig::RigDevices devices, cons
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (devices.texture == nullptr) {
     return fail(ErrorCode::kBadOption,
-                "{} has no texture camera; a calibration needs one, name it in rig.json", name);
+                "{} has no texture camera, but a calibration needs one: add it to rig.json", name);
   }
   return std::unique_ptr<RigShots>(new RigShots(std::move(devices), name, options));
 }
@@ -96,8 +94,11 @@ Result<void> RigShots::light(device::Light light, const Progress& progress) {
     }
     if (devices_.clock.now_s() > given_up_s) {
       const std::string message = devices_.lights->status().message;
-      return fail(ErrorCode::kNotFound, "{}",
-                  message.empty() ? "the lights do not answer; plug their chip in again" : message);
+      return fail(
+          ErrorCode::kNotFound, "{}",
+          message.empty()
+              ? "the light switch (GPIO chip) does not answer: unplug it and plug it in again"
+              : message);
     }
     devices_.clock.sleep_s(kLook_s);
   }
@@ -116,7 +117,7 @@ Result<cv::Mat> RigShots::average(device::Camera& camera, int exposures, const P
       if (devices_.clock.now_s() < given_up_s) continue;
       const std::string message = camera.status().message;
       return fail(ErrorCode::kNotFound, "{}: {}", camera.name(),
-                  message.empty() ? "it sends no images; plug it in again" : message);
+                  message.empty() ? "it sends no images: unplug it and plug it in again" : message);
     }
     const cv::Mat& image = (*frame)->image;
     given_up_s = devices_.clock.now_s() + options_.patience_s;

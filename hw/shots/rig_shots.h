@@ -1,4 +1,4 @@
-/// @file  The shots of a guided calibration, taken by the devices of a rig.
+/// @file  Takes the shots of a guided calibration with a rig.
 #pragma once
 
 #include <memory>
@@ -11,18 +11,18 @@
 namespace flytri::shots {
 
 struct RigShotOptions {
-  int exposures = 16;  ///< 1..256, averaged into each image: noise falls to a quarter
-  /// > 0. After the switch of a light so long passes before images count: longer than any latency
-  /// of a camera. The plane rests, so that there is no hurry.
+  int exposures = 16;  ///< 1..256, averaged into each image; 16 reduce the noise to a quarter
+  /// > 0. Waiting time after a light was switched, before images are used; longer than the latency
+  /// of any camera.
   double settle_s = 0.4;
-  double patience_s = 10.0;  ///< > 0. A device that says nothing for so long has failed.
+  double patience_s = 10.0;  ///< > 0. A device that does not answer for this long has failed.
   [[nodiscard]] Result<void> validate() const;
 };
 
 class RigShots final : public ShotSource {
  public:
-  /// No device is opened before start().
-  /// @param devices  with a texture camera: the dots are seen by it, too
+  /// Opens no device before start().
+  /// @param devices  must include a texture camera, which takes images of the dots
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::unique_ptr<RigShots>> create(rig::RigDevices devices,
                                                                 const std::string& name,
@@ -47,10 +47,10 @@ class RigShots final : public ShotSource {
   const std::string name_;
   const RigShotOptions options_;
   device::Light shines_ = device::Light::kDark;
-  double steady_s_ = 0.0;  // from when on frames show this light and no other
+  double steady_s_ = 0.0;  // frames from this time on show only this light
 };
 
-/// The devices of this machine that a rig.json names.
+/// Uses the devices of this machine that the rig names.
 /// @errors  kBadOption: no texture camera; as open_rig.
 [[nodiscard]] Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig);
 

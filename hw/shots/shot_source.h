@@ -1,4 +1,4 @@
-/// @file  Where the images of a guided calibration come from: a rig, or the virtual sensor.
+/// @file  Interface of the source of calibration images: a rig or the virtual sensor.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,30 +10,30 @@
 
 namespace flytri::shots {
 
-/// Used by one thread at a time. All lights are dark after stop() and after destruction.
+/// Use from one thread at a time. All lights are dark after stop() and after destruction.
 class ShotSource {
  public:
   virtual ~ShotSource() = default;
   ShotSource(const ShotSource&) = delete;
   ShotSource& operator=(const ShotSource&) = delete;
 
-  /// @errors  Of the devices: what is missing, and the remedy.
+  /// @errors  Of the devices: what is missing, and what to do.
   [[nodiscard]] virtual Result<void> start() = 0;
   virtual void stop() = 0;
 
-  /// Lights the target as the shot needs it, and takes its image.
-  /// @param z_mm  where the target is to be; a real one is where the user put it
-  /// @return  as GuidedCalibration::take asks for it
+  /// Turns on the light of the shot and takes the image.
+  /// @param z_mm  depth of the simulated target; ignored by a rig, whose target the user places
+  /// @return  in the format of GuidedCalibration::take
   /// @errors  As start; kCancelled.
   [[nodiscard]] virtual Result<cv::Mat> take(calibration::ShotKind kind, double z_mm,
                                              const Progress& progress) = 0;
 
-  /// What the camera of such a shot sees now, of one exposure: for who puts the target into place.
+  /// One exposure of what the camera of such a shot sees now; helps the user to place the target.
   /// @errors  As take.
   [[nodiscard]] virtual Result<cv::Mat> look(calibration::ShotKind kind, double z_mm,
                                              const Progress& progress) = 0;
 
-  /// What a user calls it.
+  /// Name shown to the user.
   [[nodiscard]] virtual std::string name() const = 0;
 
  protected:

@@ -5,9 +5,9 @@
 namespace flytri::shots {
 namespace {
 
-/// Lines are twice as bright at the near end of the volume as in its middle.
+/// The lines at the near end of the volume are twice as bright as in its middle.
 constexpr double kShorterExposure = 0.5;
-/// A little beyond the volume, so that fits do not end where they are used.
+/// The planes reach a little beyond the volume, so that the fits are accurate at its ends.
 constexpr double kDepthShare = 16.0 / 15.0;
 
 simulated::SensorModel with_shorter_exposure(simulated::SensorModel sensor) {
@@ -31,24 +31,24 @@ SimulatedShots::SimulatedShots(const simulated::SensorModel& sensor,
                                simulated::CalibrationCamera camera)
     : sensor_(sensor), options_(options), camera_(std::move(camera)) {}
 
-Result<void> SimulatedShots::set_mishap(const SimulatedMishap& mishap) {
-  auto camera = simulated::CalibrationCamera::create(mishap.sensor.value_or(sensor_), options_);
+Result<void> SimulatedShots::set_faults(const ShotFaults& faults) {
+  auto camera = simulated::CalibrationCamera::create(faults.sensor.value_or(sensor_), options_);
   if (!camera) return tl::unexpected(camera.error());
   camera_ = *std::move(camera);
-  mishap_ = mishap;
+  faults_ = faults;
   return {};
 }
 
 cv::Mat SimulatedShots::shoot(calibration::ShotKind kind, double z_mm) {
-  if (mishap_.lights_stay_on && kind == calibration::ShotKind::kDark)
+  if (faults_.lights_stay_on && kind == calibration::ShotKind::kDark)
     kind = calibration::ShotKind::kVertical;
-  if (mishap_.lights_swapped && kind == calibration::ShotKind::kVertical) {
+  if (faults_.lights_swapped && kind == calibration::ShotKind::kVertical) {
     kind = calibration::ShotKind::kHorizontal;
-  } else if (mishap_.lights_swapped && kind == calibration::ShotKind::kHorizontal) {
+  } else if (faults_.lights_swapped && kind == calibration::ShotKind::kHorizontal) {
     kind = calibration::ShotKind::kVertical;
   }
-  cv::Mat image = camera_.take(kind, z_mm + mishap_.depth_error_mm, stream_++);
-  image(mishap_.covered & cv::Rect(0, 0, image.cols, image.rows)).setTo(cv::Scalar::all(0));
+  cv::Mat image = camera_.take(kind, z_mm + faults_.depth_error_mm, stream_++);
+  image(faults_.covered & cv::Rect(0, 0, image.cols, image.rows)).setTo(cv::Scalar::all(0));
   return image;
 }
 

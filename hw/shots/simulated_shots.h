@@ -1,4 +1,4 @@
-/// @file  A guided calibration without devices: the virtual sensor in front of its targets.
+/// @file  Takes the shots of a guided calibration with the virtual sensor, without devices.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace flytri::shots {
 
-/// What goes wrong until it is set right; for tests.
-struct SimulatedMishap {
-  double depth_error_mm = 0.0;                   ///< the stage stands so much too far
-  bool lights_swapped = false;                   ///< vertical and horizontal
+/// Faults of the setup, for tests.
+struct ShotFaults {
+  double depth_error_mm = 0.0;                   ///< offset of the stage from its nominal depth
+  bool lights_swapped = false;                   ///< vertical and horizontal pattern swapped
   bool lights_stay_on = false;                   ///< dark images show the vertical lines
-  cv::Rect covered;                              ///< of the image: something black lies there
-  std::optional<simulated::SensorModel> sensor;  ///< another exposure, another focus
+  cv::Rect covered;                              ///< image area covered by something black
+  std::optional<simulated::SensorModel> sensor;  ///< changed sensor, e.g. exposure or focus
 };
 
 class SimulatedShots final : public ShotSource {
  public:
-  /// The sensor's exposure is shortened so that the white plane does not clip at the volume's near
-  /// end.
+  /// Shortens the sensor's exposure so that the white plane is not overexposed at the near end of
+  /// the volume.
   /// @errors  As CalibrationCamera::create.
   [[nodiscard]] static Result<std::unique_ptr<SimulatedShots>> create(
       const simulated::SensorModel& sensor,
@@ -36,10 +36,10 @@ class SimulatedShots final : public ShotSource {
                                      const Progress& progress) override;
   [[nodiscard]] std::string name() const override { return "virtual sensor"; }
 
-  /// The sensor as it takes the shots, for mishaps that change it.
+  /// The sensor that takes the shots; a start for faults that change it.
   [[nodiscard]] const simulated::SensorModel& sensor() const { return sensor_; }
   /// @errors  As create.
-  [[nodiscard]] Result<void> set_mishap(const SimulatedMishap& mishap);
+  [[nodiscard]] Result<void> set_faults(const ShotFaults& faults);
 
  private:
   SimulatedShots(const simulated::SensorModel& sensor,
@@ -50,15 +50,15 @@ class SimulatedShots final : public ShotSource {
   simulated::SensorModel sensor_;
   simulated::CalibrationCamera::Options options_;
   simulated::CalibrationCamera camera_;
-  SimulatedMishap mishap_;
+  ShotFaults faults_;
   std::uint64_t stream_ = 0;
 };
 
-/// A millimeter apart in a volume 15 mm deep.
+/// Default number of planes: about one per millimeter in a volume of 15 mm depth.
 inline constexpr int kUsualPlanes = 17;
 
-/// What a guided calibration of this sensor takes.
-/// @param plane_count  at equal distances through a little more than the volume
+/// The plan of a guided calibration of this sensor.
+/// @param plane_count  planes at equal distances, reaching a little beyond the volume
 [[nodiscard]] calibration::CalibrationPlan plan_of(const simulated::SensorModel& sensor,
                                                    int plane_count = kUsualPlanes);
 

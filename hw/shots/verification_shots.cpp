@@ -55,7 +55,8 @@ Result<calibration::VerificationPose> take_verification_pose(
   const double limit_mm = calibration.of(Pattern::kVertical).depth_residual_mm.rms;
   if (std::abs(moved_mm) <= limit_mm) return pose;
   return fail(ErrorCode::kInconsistent,
-              "the object moved by {:.0f} um while its images were taken; lay it down, or clamp it",
+              "the object moved by {:.0f} µm while its images were taken: lay it down or clamp it, "
+              "then repeat",
               1e3 * std::abs(moved_mm));
 }
 

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
-// Swapped beyond doubt: it is told to the user.
+// Probability from which swapped patterns are reported to the user.
 constexpr double kSurelySwapped = 0.999;
 
 bool is_pattern(device::Light light) {
   return light == device::Light::kVertical || light == device::Light::kHorizontal;
 }
 
-/// Share of the lines' light that runs along a pattern.
+/// Share of the line light that has the direction of the pattern.
 double share_along(device::Light pattern, const LightEvidence& evidence) {
   return pattern == device::Light::kVertical ? evidence.column_share : 1.0 - evidence.column_share;
 }
@@ -21,16 +23,17 @@ double share_along(device::Light pattern, const LightEvidence& evidence) {
 }  // namespace
 
 Result<void> LabelerOptions::validate() const {
-  for (const Result<void>& part : {clock.validate(), latency.validate(), image.validate(),
-                                   evidence.validate(), watch.validate()})
-    if (!part) return part;
-  if (!(certainty >= 0.5 && certainty <= 1.0))
-    return fail(ErrorCode::kBadOption, "certainty must be in 0.5..1, not {}", certainty);
-  if (!(pure_share >= 0.5 && pure_share <= 1.0))
-    return fail(ErrorCode::kBadOption, "pure_share must be in 0.5..1, not {}", pure_share);
-  if (!(clear_share >= pure_share && clear_share <= 1.0))
-    return fail(ErrorCode::kBadOption, "clear_share must be in pure_share..1, not {}", clear_share);
-  return {};
+  return OptionCheck("LabelerOptions")
+      .nested(clock)
+      .nested(latency)
+      .nested(image)
+      .nested(evidence)
+      .nested(watch)
+      .in_range("certainty", certainty, 0.5, 1.0)
+      .in_range("pure_share", pure_share, 0.5, 1.0)
+      .must("clear_share", clear_share, clear_share >= pure_share && clear_share <= 1.0,
+            "from pure_share to 1")
+      .result();
 }
 
 Result<FrameLabeler> FrameLabeler::create(const LabelerOptions& options) {
@@ -57,7 +60,7 @@ void FrameLabeler::switched(const device::LightSwitching& done) {
 
 void FrameLabeler::camera_returned() { clock_ = FrameClock(options_.clock); }
 
-// The clock is sure, or it is nearly sure and the image shows that light and no other.
+// The light that the clock is certain of; or nearly certain, and the image shows only that light.
 std::optional<device::Light> FrameLabeler::expected(const LightPrediction& prediction,
                                                     const LightEvidence& evidence) const {
   for (const device::Light light : {device::Light::kDark, device::Light::kVertical,
@@ -79,7 +82,7 @@ LabelOutcome FrameLabeler::judge(device::Light light, const LightEvidence& evide
   if (!evidence.has_lines) return LabelOutcome::kLabeled;
   if (!is_pattern(light)) return LabelOutcome::kUnknown;
   const double share = share_along(light, evidence);
-  // Little light cannot tell a mixture, only that it is the other pattern.
+  // With little light, a mixture cannot be recognized, only the other pattern.
   const bool is_little = evidence.line_places < options_.latency.few_line_places;
   if (share >= (is_little ? 0.5 : options_.pure_share)) return LabelOutcome::kLabeled;
   return share > 1.0 - options_.pure_share ? LabelOutcome::kStraddled : LabelOutcome::kUnknown;

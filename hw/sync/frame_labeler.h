@@ -1,13 +1,13 @@
-/// @file  Which light lit a frame: switch times and images go in, labels and the latency come out.
+/// @file  Determines which light lit each frame, from switch times and images; learns the latency.
 ///
-///     stamp ─▶ steady beat ─┐
-///     switch times ─────────┼─▶ what the clock says ─┐
+///     stamp ─▶ frame clock ─┐
+///     switch times ─────────┼─▶ prediction by time  ─┐
 ///                 latency ──┘                        ├─▶ label, straddled or unknown
 ///     image ─▶ evidence ─────────────────────────────┘
 ///                 └─▶ latency, faults of the lights
 ///
-/// A frame gets a label only if the clock is sure, for every latency that is still likely, and the
-/// image does not say otherwise; an image that shows nothing says nothing.
+/// A frame gets a label only if the prediction is certain for every latency that is still likely,
+/// and the image does not contradict it. An image without visible light contradicts nothing.
 #pragma once
 
 #include <cstdint>
@@ -25,31 +25,32 @@ namespace flytri::sync {
 
 struct LabelerOptions {
   FrameClockOptions clock;
-  LatencyOptions latency;  ///< its frame period is that of the clock
+  LatencyOptions latency;  ///< its frame period is replaced by that of `clock`
   ImageLightOptions image;
   EvidenceOptions evidence;
   WatchOptions watch;
-  /// 0.5..1. Probability from which on the clock is sure.
+  /// 0.5..1. Probability from which the prediction counts as certain.
   double certainty = 0.98;
-  /// 0.5..1. Share of the lines' light that runs along the pattern, below which it is a mixture.
+  /// 0.5..1. If less than this share of the line light has the direction of the pattern, the frame
+  /// shows a mixture.
   double pure_share = 0.8;
-  /// pure_share..1. From this share on, the image confirms a clock that is nearly sure.
+  /// pure_share..1. From this share, the image confirms a prediction that is nearly certain.
   double clear_share = 0.9;
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// kStraddled: two lights mix in it. kUnknown: the latency is not known well enough, or image and
-/// clock disagree.
+/// kStraddled: the exposure saw two lights. kUnknown: the latency is not known well enough, or
+/// image and prediction disagree.
 enum class LabelOutcome { kLabeled, kStraddled, kUnknown };
 
 struct FrameLabel {
   LabelOutcome outcome = LabelOutcome::kUnknown;
-  device::Light light = device::Light::kDark;  ///< where it is labeled
+  device::Light light = device::Light::kDark;  ///< only if labeled
   double time_s = 0.0;  ///< middle of the exposure, on the clock of the switch times
   LightEvidence evidence;
 };
 
-/// Frames by what became of them.
+/// Number of frames by outcome.
 struct LabelCounts {
   std::int64_t labeled = 0;
   std::int64_t straddled = 0;
@@ -65,15 +66,16 @@ class FrameLabeler {
   void posted(std::int64_t request, double not_before_s) { history_.posted(request, not_before_s); }
   void switched(const device::LightSwitching& done);
 
-  /// Frames in the order of their stamps, with all that was switched before they arrived.
+  /// Labels a frame. Pass frames in order of their stamps, and report all light switching before a
+  /// frame's arrival first.
   [[nodiscard]] FrameLabel label(const cv::Mat& image, double stamp_s);
 
-  /// The camera was away or was set up anew: its beat begins anew. The latency is kept, and learned
-  /// again if it is another one now.
+  /// The camera was unplugged or restarted: its exposure times are learned again. The latency is
+  /// kept, and adapts if it has changed.
   void camera_returned();
 
-  /// What the plan of the lights goes by.
-  [[nodiscard]] CameraBeat beat() const {
+  /// Input of LightPlan.
+  [[nodiscard]] CameraTiming timing() const {
     return {clock_, latency_, is_learned_, history_.call_s()};
   }
   [[nodiscard]] const LatencyEstimate& latency() const { return latency_; }
@@ -97,8 +99,8 @@ class FrameLabeler {
   LatencyEstimate latency_;
   bool is_learned_ = false;
   LabelCounts counts_;
-  std::int64_t switchings_ = 0;                        // between patterns
-  device::Light last_pattern_ = device::Light::kDark;  // that was switched on
+  std::int64_t switchings_ = 0;                        // number of changes between the patterns
+  device::Light last_pattern_ = device::Light::kDark;  // latest pattern that was switched on
 };
 
 }  // namespace flytri::sync

@@ -5,25 +5,26 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri::sync {
 namespace {
 
-/// Pixels across a line that are averaged: half of the narrowest line.
+/// Pixels averaged across a line: half the width of the narrowest line.
 constexpr int kAcross_px = 2;
 
-/// What one direction of strips says.
+/// Result for strips of one direction.
 struct StripLight {
   double lines = 0.0;
   double area = 0.0;
   int places = 0;
 };
 
-/// Below half a step of an 8-bit scale no line is of use, and rounding alone leaves as much.
+/// Half a step of 8 bits: a fainter line is useless and cannot be distinguished from rounding.
 constexpr float kFaintest = 0.5F / 255.0F;
 
-/// Standard deviation of the noise: from steps between neighbors along a strip, of which few are
+/// Standard deviation of the noise, from differences of neighbors along a strip; few of them are at
 /// edges of lines.
 float noise_of(const cv::Mat& strips) {
   std::vector<float> steps;
@@ -36,7 +37,7 @@ float noise_of(const cv::Mat& strips) {
   return static_cast<float>(kSigmaOfMedian / std::sqrt(2.0)) * median_of(steps);
 }
 
-/// @param strips  CV_32F, a strip a row, by full scale
+/// @param strips  CV_32F, one strip per row, share of full scale
 StripLight measure_strips(const cv::Mat& strips, const ImageLightOptions& options) {
   const int width = std::max(3, static_cast<int>(options.line_width_share * strips.cols)) | 1;
   cv::Mat areas;
@@ -56,14 +57,11 @@ StripLight measure_strips(const cv::Mat& strips, const ImageLightOptions& option
 }  // namespace
 
 Result<void> ImageLightOptions::validate() const {
-  if (strip_px < 4 || strip_px > 64)
-    return fail(ErrorCode::kBadOption, "strip_px must be in 4..64, not {}", strip_px);
-  if (!(line_width_share >= 0.01 && line_width_share <= 0.2))
-    return fail(ErrorCode::kBadOption, "line_width_share must be in 0.01..0.2, not {}",
-                line_width_share);
-  if (!(threshold > 1.0))
-    return fail(ErrorCode::kBadOption, "threshold must be above 1, not {}", threshold);
-  return {};
+  return OptionCheck("ImageLightOptions")
+      .in_range("strip_px", strip_px, 4, 64)
+      .in_range("line_width_share", line_width_share, 0.01, 0.2)
+      .above("threshold", threshold, 1.0)
+      .result();
 }
 
 ImageLight measure_image_light(const cv::Mat& image, const ImageLightOptions& options) {
@@ -71,7 +69,7 @@ ImageLight measure_image_light(const cv::Mat& image, const ImageLightOptions& op
   if (image.channels() == 3) cv::extractChannel(image, gray, 1);
   cv::Mat light;
   gray.convertTo(light, CV_32F, gray.depth() == CV_16U ? 1.0 / 65535.0 : 1.0 / 255.0);
-  // Means over blocks: long along the lines that are to stay, short across.
+  // Block means: long along the lines to detect, short across.
   const auto blocks = [&](int width_px, int height_px) {
     cv::Mat means;
     const cv::Size size(std::max(1, light.cols / width_px), std::max(1, light.rows / height_px));

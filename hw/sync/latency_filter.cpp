@@ -5,29 +5,32 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
 constexpr int kStepsPerPeriod = 32;
-/// Halves of the windows that are thought possible, in steps: up to one and a half periods.
+/// Half lengths of the considered exposure windows, in grid steps; up to 1.5 periods in total.
 constexpr std::array kHalfWindows = {1, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24};
 constexpr int kMaxHalfWindow = kHalfWindows.back();
 
-// Of a frame's light: rounding of the grid.
+// Share of a frame's light from which it counts as one light alone; allows for rounding of the
+// grid.
 constexpr double kAlone = 0.98;
 constexpr double kNearlyAlone = 0.9;
 
-// No possible combination is ever excluded: a dozen images bring it back when the latency jumps.
+// Smallest probability: after a jump of the latency, about twelve images find the new value.
 constexpr double kLeast = 1e-12;
 
-/// From 0 where none of the light is a flash to 1 from where it outshines all else.
+/// From 0 (no flash in the exposure) to 1 (the flash outshines all other light).
 double flash_visibility(double flash_share) { return std::min(1.0, flash_share / 0.3); }
 
 /// The mean of exp(-(x - m)^2 / 2 sigma^2) over m from `low` to `high`.
 double mean_of_bell(double x, double low, double high, double sigma) {
   const double scale = 1.0 / (std::numbers::sqrt2 * sigma);
   const double width = (high - low) * scale;
-  // Nearly one place: the integral's difference of error functions would cancel.
+  // Narrow interval: the difference of error functions would lose precision.
   if (width < 1e-3) return std::exp(-std::pow((x - 0.5 * (low + high)) * scale, 2));
   const double integral = std::erf((high - x) * scale) - std::erf((low - x) * scale);
   return 0.5 * std::sqrt(std::numbers::pi) * integral / width;
@@ -48,33 +51,23 @@ void swap_patterns(LightTimes& times) {
 }  // namespace
 
 Result<void> LatencyOptions::validate() const {
-  if (!(frame_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "frame_period_s must be above 0, not {}", frame_period_s);
-  if (!(min_latency_periods >= -4.0 && min_latency_periods <= 0.0))
-    return fail(ErrorCode::kBadOption, "min_latency_periods must be in -4..0, not {}",
-                min_latency_periods);
-  if (!(max_latency_periods >= 1.0 && max_latency_periods <= 16.0))
-    return fail(ErrorCode::kBadOption, "max_latency_periods must be in 1..16, not {}",
-                max_latency_periods);
-  if (!(min_window_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "min_window_s must be at least 0, not {}", min_window_s);
-  if (!(outlier_share >= 0.0 && outlier_share <= 0.5))
-    return fail(ErrorCode::kBadOption, "outlier_share must be in 0..0.5, not {}", outlier_share);
-  if (!(share_sigma > 0.0))
-    return fail(ErrorCode::kBadOption, "share_sigma must be above 0, not {}", share_sigma);
-  if (!(few_line_places >= 0.0))
-    return fail(ErrorCode::kBadOption, "few_line_places must be at least 0, not {}",
-                few_line_places);
-  if (!(drift >= 0.0 && drift <= 0.1))
-    return fail(ErrorCode::kBadOption, "drift must be in 0..0.1, not {}", drift);
-  return {};
+  return OptionCheck("LatencyOptions")
+      .positive("frame_period_s", frame_period_s)
+      .in_range("min_latency_periods", min_latency_periods, -4.0, 0.0)
+      .in_range("max_latency_periods", max_latency_periods, 1.0, 16.0)
+      .not_negative("min_window_s", min_window_s)
+      .in_range("outlier_share", outlier_share, 0.0, 0.5)
+      .positive("share_sigma", share_sigma)
+      .not_negative("few_line_places", few_line_places)
+      .in_range("drift", drift, 0.0, 0.1)
+      .result();
 }
 
 LatencyFilter::LatencyFilter(const LatencyOptions& options)
     : options_(options), step_s_(options.frame_period_s / kStepsPerPeriod) {
   const double periods = options.max_latency_periods - options.min_latency_periods;
   latency_count_ = static_cast<std::size_t>(std::lround(periods * kStepsPerPeriod)) + 1;
-  // Where the camera's exposure is longer than all windows, the longest is left.
+  // If the camera's exposure is longer than all windows, keep the longest.
   while (first_window_ + 1 < kHalfWindows.size() &&
          window_s(first_window_) < options.min_window_s - step_s_)
     ++first_window_;
@@ -99,7 +92,7 @@ double LatencyFilter::window_s(std::size_t window) const {
 
 template <typename Use>
 void LatencyFilter::visit(const LightHistory& history, double stamp_s, const Use& use) const {
-  // Running sums from the earliest light that may have got into the frame to the latest.
+  // Running sums over all times at which light may have reached the frame.
   const auto last = static_cast<int>(latency_count_) - 1;
   const double start_s =
       stamp_s - latency_s(latency_count_ - 1) - static_cast<double>(kMaxHalfWindow) * step_s_;
@@ -136,10 +129,10 @@ double LatencyFilter::likelihood(const LightTimes& times, double window_s,
   const auto share = [&](double time_s) { return time_s / window_s; };
   const double changing = share(times.changing_s);
   const double outlier = options_.outlier_share;
-  // What shone during a call to the device may be either: the better one is assumed.
+  // During a device call, either light may be on: assume the one that fits better.
   const double flash = share(times.lit(device::Light::kFlash));
   if (evidence.is_flash) return outlier + (1.0 - outlier) * flash_visibility(flash + changing);
-  // Nothing is in front of the sensor, whatever shines, or it is dark; a flash is seen farthest.
+  // No object in front of the sensor, or dark. A flash is visible from farthest away.
   if (!evidence.has_lines)
     return 0.6 + 0.4 * share(times.lit(device::Light::kDark)) - 0.4 * flash_visibility(flash);
   const double vertical = share(times.lit(device::Light::kVertical));

@@ -1,11 +1,10 @@
-/// @file  Learns how long after its exposure a frame is stamped, and how long it collects light.
+/// @file  Learns a camera's latency (exposure to time stamp) and exposure window.
 ///
-/// Between a call to the light switch and the stamp of the first frame that shows it lie the
-/// switch, the projector, the exposure, the bus and what the stamp means. All of it is one unknown,
-/// the latency: from the middle of the exposure to the stamp. A second one is the window: the time
-/// in which light gets into a frame, with a rolling shutter longer than a row's exposure. A third
-/// one is whether the patterns are swapped. The filter holds the probability of each combination on
-/// a grid and weighs it by how well it explains each image.
+/// There are three unknowns. The latency is the time from the middle of the exposure to the stamp;
+/// it includes the delays of switch, projector and bus, and the meaning of the stamp. The window is
+/// the time in which light reaches a frame; with a rolling shutter it is longer than the exposure
+/// of a row. The third unknown is whether the patterns are swapped. The filter keeps the
+/// probability of each combination on a grid and updates it by how well it explains each image.
 /// @source  Bayes' rule on a grid, e.g. Thrun, Burgard, Fox, "Probabilistic Robotics", 2005,
 /// ch. 4.1.
 #pragma once
@@ -19,22 +18,23 @@
 namespace flytri::sync {
 
 struct LatencyOptions {
-  double frame_period_s = 1.0 / 30.0;  ///< > 0; the grid is a 32nd of it
-  /// <= 0 periods: a stamp of the start lies before the middle of the exposure.
+  double frame_period_s = 1.0 / 30.0;  ///< > 0; the grid step is 1/32 of it
+  /// <= 0, in periods. Negative if the stamp marks the start, which is before the middle.
   double min_latency_periods = -1.0;
-  /// 1..16 periods: three frames wait in drivers, and a half for the exposure.
+  /// 1..16 periods. The default allows for three frames queued in the driver and half an exposure.
   double max_latency_periods = 4.0;
-  /// >= 0. No frame collects light for a shorter time: exposure and, of a rolling shutter, readout.
-  /// Rows without a scene do not show what got into them.
+  /// >= 0. Lower limit of the window: exposure plus readout of a rolling shutter. Needed because
+  /// rows that see no object do not show which light they received.
   double min_window_s = 0.0;
-  /// 0..0.5. An image that misleads: a reflection, an edge that looks like a line.
+  /// 0..0.5. Probability that an image misleads, e.g. by a reflection or an edge like a line.
   double outlier_share = 0.02;
-  /// > 0. Standard deviation of the share of light in columns about what the clock predicts: the
-  /// patterns differ in brightness and the scene is not lit evenly.
+  /// > 0. Standard deviation of the share of column light from its prediction; the patterns differ
+  /// in brightness and light the scene unevenly.
   double share_sigma = 0.1;
-  /// >= 0. Places of lines at which that is twice as much: little light misleads more easily.
+  /// >= 0. Number of line places at which share_sigma doubles: with little light, images are less
+  /// reliable.
   double few_line_places = 100.0;
-  /// 0..0.1 a frame. The chance that the latency moves to the next place of the grid.
+  /// 0..0.1. Probability per frame that the latency moves to the next grid step.
   double drift = 0.002;
   [[nodiscard]] Result<void> validate() const;
 };
@@ -46,30 +46,30 @@ struct LatencyEstimate {
   double swapped = 0.0;          ///< probability that the patterns are swapped
 };
 
-/// What the clock alone says of a frame: probabilities.
+/// Probabilities of the lights of a frame, from times alone.
 struct LightPrediction {
-  /// That all light of the frame is of this one, by Light.
+  /// Probability, by Light, that all light of the frame is of this kind.
   std::array<double, kLightCount> alone = {};
-  /// That nearly all of it is: at least nine tenths.
+  /// Probability that at least 90 % of the light is of this kind.
   std::array<double, kLightCount> nearly_alone = {};
 };
 
 class LatencyFilter {
  public:
-  /// @param options  valid ones
+  /// @param options  must be valid
   explicit LatencyFilter(const LatencyOptions& options = {});
 
-  /// What lit a frame with this stamp, before its image is looked at.
+  /// Predicts the light of a frame with this stamp, without its image.
   [[nodiscard]] LightPrediction predict(const LightHistory& history, double stamp_s) const;
-  /// Learns from what the image of that frame says.
+  /// Updates the probabilities by the image of that frame.
   void learn(const LightHistory& history, double stamp_s, const LightEvidence& evidence);
 
   [[nodiscard]] LatencyEstimate estimate() const;
-  /// The latency is known to an eighth of a period, and whether the patterns are swapped.
+  /// Whether the latency is known to 1/8 period, and whether the patterns are swapped is known.
   [[nodiscard]] bool is_learned() const;
 
  private:
-  /// Calls `use(cell, times, window_s)` for each combination, swapped ones after the others.
+  /// Calls `use(cell, times, window_s)` for each combination; swapped ones come last.
   template <typename Use>
   void visit(const LightHistory& history, double stamp_s, const Use& use) const;
   [[nodiscard]] double likelihood(const LightTimes& times, double window_s,
@@ -77,7 +77,7 @@ class LatencyFilter {
   void drift();
   void normalize();
   [[nodiscard]] std::size_t window_of(std::size_t cell) const;
-  /// What is not has probability 0 for good, however well it would explain the images.
+  /// Impossible cells keep probability 0, however well they would explain the images.
   [[nodiscard]] bool is_possible(std::size_t cell) const {
     return window_of(cell) >= first_window_;
   }
@@ -87,7 +87,7 @@ class LatencyFilter {
   LatencyOptions options_;
   double step_s_;
   std::size_t latency_count_;
-  std::size_t first_window_ = 0;     // shorter ones are not possible
+  std::size_t first_window_ = 0;     // index of the shortest possible window
   std::vector<double> probability_;  // [swapped][window][latency]
 };
 

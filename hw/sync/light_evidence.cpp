@@ -3,33 +3,29 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/median.h"
 
 namespace flytri::sync {
 namespace {
 
-// Fewer images make no reference.
+// Least number of images for a reference.
 constexpr std::size_t kFewestImages = 5;
 constexpr std::size_t kFewestShares = 10;
-// A pattern lights at least twice this share of the images alone, also while the latency is
-// learned.
+// Quantile for the extremes. Each pattern alone lights at least twice this share of the images,
+// even while the latency is learned.
 constexpr double kExtreme = 0.15;
 
 }  // namespace
 
 Result<void> EvidenceOptions::validate() const {
-  if (reference_images < static_cast<int>(kFewestImages) || reference_images > 1000)
-    return fail(ErrorCode::kBadOption, "reference_images must be in 5..1000, not {}",
-                reference_images);
-  if (!(flash_ratio > 1.0))
-    return fail(ErrorCode::kBadOption, "flash_ratio must be above 1, not {}", flash_ratio);
-  for (const double share : {flash_step, flash_line_share})
-    if (!(share >= 0.0 && share <= 1.0))
-      return fail(ErrorCode::kBadOption, "shares of a flash must be in 0..1, not {}", share);
-  if (min_line_places < 1)
-    return fail(ErrorCode::kBadOption, "min_line_places must be at least 1, not {}",
-                min_line_places);
-  return {};
+  return OptionCheck("EvidenceOptions")
+      .in_range("reference_images", reference_images, static_cast<double>(kFewestImages), 1000)
+      .above("flash_ratio", flash_ratio, 1.0)
+      .in_range("flash_step", flash_step, 0.0, 1.0)
+      .in_range("flash_line_share", flash_line_share, 0.0, 1.0)
+      .at_least("min_line_places", min_line_places, 1)
+      .result();
 }
 
 bool EvidenceReader::is_flash(const ImageLight& light) const {
@@ -47,7 +43,7 @@ double EvidenceReader::stretched(double column_share) {
   std::vector<double> sorted(shares_.begin(), shares_.end());
   std::sort(sorted.begin(), sorted.end());
   const double low = quantile_of(sorted, kExtreme), high = quantile_of(sorted, 1.0 - kExtreme);
-  // Both patterns must have been seen.
+  // Do not stretch before both patterns have been seen.
   if (shares_.size() < kFewestShares || low > 0.25 || high < 0.75) return column_share;
   return std::clamp((column_share - low) / (high - low), 0.0, 1.0);
 }

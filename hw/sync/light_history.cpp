@@ -7,10 +7,10 @@ namespace {
 
 constexpr std::size_t kChanging = kLightCount;
 
-// Switchings that are kept: some seconds, where a frame's latency is below one.
+// Number of intervals kept: some seconds, longer than the latency of a frame.
 constexpr std::size_t kMaxStretches = 128;
 
-// Of the latest call in the running mean.
+// Weight of the latest call in the running mean.
 constexpr double kCallShare = 0.1;
 
 void add(LightTimes& times, std::size_t state, double duration_s) {
@@ -35,7 +35,7 @@ void LightHistory::switched(const device::LightSwitching& done) {
 }
 
 LightTimes LightHistory::times(double from_s, double to_s) const {
-  // What follows a request that is due and not done is not known.
+  // After a due request that is not reported as done, the light is unknown.
   double known_until_s = to_s;
   for (const Pending& request : pending_)
     known_until_s = std::min(known_until_s, std::max(from_s, request.not_before_s));

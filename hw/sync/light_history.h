@@ -1,4 +1,4 @@
-/// @file  From what was asked of the light switch to which light shone for how long.
+/// @file  Computes which light was on for how long, from the requests to the light switch.
 #pragma once
 
 #include <array>
@@ -16,32 +16,32 @@ inline constexpr std::size_t kLightCount = 4;
   return static_cast<std::size_t>(light);
 }
 
-/// How a stretch of time is shared out, in seconds.
+/// Duration of each light within a time interval, in seconds.
 struct LightTimes {
   std::array<double, kLightCount> lit_s = {};  ///< by Light
-  double changing_s = 0.0;                     ///< a call to the device was in progress
+  double changing_s = 0.0;  ///< light unknown: a call to the device was in progress
   [[nodiscard]] double lit(device::Light light) const { return lit_s[at(light)]; }
 };
 
-/// Dark at first. While a call to the device is in progress it is not known what shines; nor is it
-/// from when a request was due until it is reported as done. A refused request changes nothing.
+/// Starts dark. The light is unknown while a device call is in progress, and from the time that a
+/// request is due until it is reported as done. A refused request changes nothing.
 class LightHistory {
  public:
-  /// A request was posted under this number.
+  /// Adds a posted request with its number.
   void posted(std::int64_t request, double not_before_s);
-  /// It was done, and with it all requests before it.
+  /// A request was carried out; this also completes all requests before it.
   void switched(const device::LightSwitching& done);
 
-  /// How long calls to the device take of late: a running mean, 0 before the first.
+  /// Running mean of the duration of device calls; 0 before the first call.
   [[nodiscard]] double call_s() const { return call_s_; }
-  /// What shone from `from_s` to `to_s`, as far as is known by now.
+  /// Which light was on from `from_s` to `to_s`, as far as known.
   [[nodiscard]] LightTimes times(double from_s, double to_s) const;
   /// Running sums of times() over `count` steps from `start_s` on; count + 1 entries.
   [[nodiscard]] std::vector<LightTimes> running_times(double start_s, double step_s,
                                                       int count) const;
 
  private:
-  /// From `begin_s` on; no light: it is changing.
+  /// Begin of an interval and its state: a Light, or kLightCount while it is unknown.
   struct Stretch {
     double begin_s = 0.0;
     std::size_t state = 0;
@@ -52,8 +52,8 @@ class LightHistory {
   };
 
   double call_s_ = 0.0;
-  std::deque<Stretch> stretches_;  // by rising time
-  std::deque<Pending> pending_;    // by rising number
+  std::deque<Stretch> stretches_;  // by increasing time
+  std::deque<Pending> pending_;    // by increasing number
 };
 
 }  // namespace flytri::sync

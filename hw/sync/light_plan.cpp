@@ -2,15 +2,18 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
-// While the latency is learned: dark frames at the start, then in each round of slots one of
-// either kind among the patterns.
+// Sequence while the latency is learned: dark frames at the start; then rounds of slots with
+// patterns, one flash and one dark slot.
 constexpr double kDarkAtFirst = 8.0;
 constexpr int kRound = 12, kFlashInRound = 5, kDarkInRound = 11;
 constexpr double kLearningDark = 1.7;
-// Frames that a pattern stays for while the latency is learned: from the first to the sum.
+// Duration of a pattern while the latency is learned, in frames: random, from the first number to
+// the sum of both.
 constexpr double kLearningShortest = 1.2, kLearningSpread = 1.0;
 
 device::Light light_of(Pattern pattern) {
@@ -20,33 +23,31 @@ device::Light light_of(Pattern pattern) {
 }  // namespace
 
 Result<void> LightPlanOptions::validate() const {
-  if (!(flash_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "flash_period_s must be above 0, not {}", flash_period_s);
-  if (flash_frames < 1 || flash_frames > 10)
-    return fail(ErrorCode::kBadOption, "flash_frames must be in 1..10, not {}", flash_frames);
-  if (!(margin >= 0.0 && margin <= 0.5))
-    return fail(ErrorCode::kBadOption, "margin must be in 0..0.5, not {}", margin);
-  return {};
+  return OptionCheck("LightPlanOptions")
+      .positive("flash_period_s", flash_period_s)
+      .in_range("flash_frames", flash_frames, 1, 10)
+      .in_range("margin", margin, 0.0, 0.5)
+      .result();
 }
 
 LightPlan::LightPlan(const LightPlanOptions& options) : options_(options), random_(options.seed) {}
 
 std::vector<device::LightRequest> LightPlan::plan(double now_s, double until_s,
-                                                  const CameraBeat& beat) {
+                                                  const CameraTiming& timing) {
   if (!is_started_) {
     is_started_ = true;
     next_s_ = flash_s_ = now_s;
   }
   std::vector<device::LightRequest> requests;
-  // What should have begun long ago begins now.
+  // Do not plan into the past.
   next_s_ = std::max(next_s_, now_s);
   while (next_s_ < until_s) {
-    choose_frames_per_pattern(beat);
-    const Slot slot = next_slot(beat);
+    choose_frames_per_pattern(timing);
+    const Slot slot = next_slot(timing);
     requests.push_back({slot.light, next_s_});
     const double end_s = next_s_ + slot.duration_s;
-    next_s_ = beat.is_learned ? into_gap(end_s, beat) : end_s;
-    if (!beat.is_learned)
+    next_s_ = timing.is_learned ? into_gap(end_s, timing) : end_s;
+    if (!timing.is_learned)
       in_step_since_s_.reset();
     else if (!in_step_since_s_)
       in_step_since_s_ = next_s_;
@@ -54,9 +55,9 @@ std::vector<device::LightRequest> LightPlan::plan(double now_s, double until_s,
   return requests;
 }
 
-LightPlan::Slot LightPlan::next_slot(const CameraBeat& beat) {
-  const double period_s = beat.clock.period_s();
-  if (!beat.is_learned) return learning_slot(period_s);
+LightPlan::Slot LightPlan::next_slot(const CameraTiming& timing) {
+  const double period_s = timing.clock.period_s();
+  if (!timing.is_learned) return learning_slot(period_s);
   if (next_s_ - flash_s_ >= options_.flash_period_s) {
     flash_s_ = next_s_;
     if (options_.has_flash) return {device::Light::kFlash, options_.flash_frames * period_s};
@@ -81,27 +82,27 @@ device::Light LightPlan::next_pattern() {
   return light_of(pattern_);
 }
 
-void LightPlan::choose_frames_per_pattern(const CameraBeat& beat) {
-  if (!beat.is_learned) return;
-  const double period_s = beat.clock.period_s();
-  const LatencyEstimate& latency = beat.latency;
-  // The likeliest window: one that is longer shows in mixed images, and is learned then.
+void LightPlan::choose_frames_per_pattern(const CameraTiming& timing) {
+  if (!timing.is_learned) return;
+  const double period_s = timing.clock.period_s();
+  const LatencyEstimate& latency = timing.latency;
+  // Uses the mean window. If the true one is longer, mixed images appear and it is learned.
   const double window_s = latency.window_s;
   const double distance =
-      (0.5 * (period_s - window_s - beat.call_s) - latency.latency_sigma_s) / period_s;
-  // Not to and fro where it is close.
+      (0.5 * (period_s - window_s - timing.call_s) - latency.latency_sigma_s) / period_s;
+  // Hysteresis, so that a borderline case does not alternate.
   const double needed = frames_per_pattern_ == 1 ? 0.75 * options_.margin : options_.margin;
   frames_per_pattern_ = distance >= needed ? 1 : 2;
 }
 
-// The moment nearest to `time_s` that lies amid two exposures, or, where two frames share a
-// pattern, amid the exposure that is given up.
-double LightPlan::into_gap(double time_s, const CameraBeat& beat) const {
-  const double period_s = beat.clock.period_s();
+// The moment nearest to `time_s` in the middle between two exposures; with two frames per pattern,
+// in the middle of the frame that is skipped.
+double LightPlan::into_gap(double time_s, const CameraTiming& timing) const {
+  const double period_s = timing.clock.period_s();
   const double offset_s = frames_per_pattern_ == 1 ? 0.5 * period_s : 0.0;
-  // The call's middle is what the latency counts from.
-  const double shift_s = beat.latency.latency_s - offset_s + 0.5 * beat.call_s;
-  return beat.clock.next_stamp_s(time_s + shift_s - 0.5 * period_s) - shift_s;
+  // The latency is measured from the middle of the device call.
+  const double shift_s = timing.latency.latency_s - offset_s + 0.5 * timing.call_s;
+  return timing.clock.next_stamp_s(time_s + shift_s - 0.5 * period_s) - shift_s;
 }
 
 }  // namespace flytri::sync

@@ -1,10 +1,10 @@
-/// @file  Which light is to shine when: the sequence of the paper, kept in step with the camera.
+/// @file  Plans when each light is on: the sequence of the paper, synchronized with the camera.
 ///
-/// Until the latency is known, the patterns alternate after times of random length: a periodic
-/// sequence looks the same one period later, and swapped patterns the same half a period later.
-/// Once it is known, switches lie in the gaps between exposures, one frame a pattern; where the
-/// gaps are too short for that, each pattern stays for two frames, of which the one in the middle
-/// is whole.
+/// Until the latency is known, the patterns alternate after random times, because a periodic
+/// sequence is ambiguous: shifted by one period it looks the same, shifted by half a period it
+/// looks like swapped patterns. Once the latency is known, the light changes in the gaps between
+/// exposures, one frame per pattern. If the gaps are too short, each pattern stays on for two frame
+/// periods, so that one whole exposure fits in.
 /// @source  Arold et al., "Sensor Setup" (alternating patterns) and "Texture Acquisition and
 /// Mapping"
 ///          (the acquisition is interrupted about every second for a flash).
@@ -23,38 +23,41 @@
 namespace flytri::sync {
 
 struct LightPlanOptions {
-  bool has_flash = true;  ///< false: a dark slot takes its place, which keeps the sequence uneven
-  /// > 0. Time from flash to flash.
+  /// False: a dark slot replaces the flash, so that the sequence stays aperiodic.
+  bool has_flash = true;
+  /// > 0. Time between two flashes.
   double flash_period_s = 1.0;
-  /// 1..10 frames of the measurement camera, so that a whole exposure of the texture camera fits.
+  /// 1..10. Duration of a flash in frames of the measurement camera; a whole exposure of the
+  /// texture camera must fit in.
   int flash_frames = 2;
-  /// 0..0.5 periods. A switch keeps this distance from an exposure; less: two frames a pattern.
+  /// 0..0.5 periods. Least distance between a switch and an exposure; if the gaps are shorter, two
+  /// frames per pattern are used.
   double margin = 0.15;
-  std::uint64_t seed = 1;  ///< of the random times
+  std::uint64_t seed = 1;  ///< seed of the random times
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// What the plan needs to know of the camera by now.
-struct CameraBeat {
+/// Timing of the camera, as known so far.
+struct CameraTiming {
   FrameClock clock;
   LatencyEstimate latency;
   bool is_learned = false;
-  /// How long a call to the switch takes, and how far the gap between exposures is used up by it.
+  /// Duration of a call to the switch; it shortens the usable gap between exposures.
   double call_s = 0.0;
 };
 
 class LightPlan {
  public:
-  /// @param options  valid ones
+  /// @param options  must be valid
   explicit LightPlan(const LightPlanOptions& options = {});
 
-  /// The requests that begin before `until_s` and were not returned yet.
+  /// The next requests, up to those that begin before `until_s`.
   [[nodiscard]] std::vector<device::LightRequest> plan(double now_s, double until_s,
-                                                       const CameraBeat& beat);
+                                                       const CameraTiming& timing);
 
-  /// From when on the lights keep step with the camera, as of the latest request.
+  /// Since when the lights are synchronized with the camera, as of the latest request.
   [[nodiscard]] std::optional<double> in_step_since_s() const { return in_step_since_s_; }
-  /// Frames that each pattern stays for, as of the latest request.
+  /// Frame periods per pattern, as of the latest request.
   [[nodiscard]] int frames_per_pattern() const { return frames_per_pattern_; }
 
  private:
@@ -62,11 +65,11 @@ class LightPlan {
     device::Light light = device::Light::kDark;
     double duration_s = 0.0;
   };
-  [[nodiscard]] Slot next_slot(const CameraBeat& beat);
+  [[nodiscard]] Slot next_slot(const CameraTiming& timing);
   [[nodiscard]] Slot learning_slot(double period_s);
   [[nodiscard]] device::Light next_pattern();
-  void choose_frames_per_pattern(const CameraBeat& beat);
-  [[nodiscard]] double into_gap(double time_s, const CameraBeat& beat) const;
+  void choose_frames_per_pattern(const CameraTiming& timing);
+  [[nodiscard]] double into_gap(double time_s, const CameraTiming& timing) const;
 
   LightPlanOptions options_;
   Random random_;

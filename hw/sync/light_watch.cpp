@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
+
 namespace flytri::sync {
 namespace {
 
-// Switchings between patterns after which images that are all alike are no chance.
+// Pattern changes after which equal images cannot be a coincidence.
 constexpr std::int64_t kSwitchingsToBeStuck = 10;
-// Flashes are rare: so many frames under one must show none.
+// Frames during a flash that must show no flash; few, because flashes are rare.
 constexpr int kFlashesToMiss = 3;
 
 bool shows(const LightEvidence& evidence, device::Light light) {
@@ -21,35 +23,35 @@ std::string message_of(LightFault fault) {
     case LightFault::kNone:
       return {};
     case LightFault::kSwapped:
-      return "The vertical and the horizontal projector are swapped: exchange their cables, or "
-             "the lines \"vertical\" and \"horizontal\" in rig.json. Frames are named by what they "
-             "show.";
+      return "The vertical and the horizontal projector are swapped: exchange their cables, or the "
+             "lines \"vertical\" and \"horizontal\" in rig.json. Until then, frames are labeled by "
+             "the pattern that they show.";
     case LightFault::kStuck:
-      return "The lights do not change though the switch reports success: check its cable and "
-             "power, then plug it in again.";
+      return "The lights do not change although the light switch reports success: check its cable "
+             "and power, then unplug it and plug it in again.";
     case LightFault::kNoVertical:
-      return "The vertical lines never show: check the cable and power of the vertical projector "
+      return "No image shows the vertical lines: check the cable and power of the vertical "
+             "projector "
              "and its line in rig.json.";
     case LightFault::kNoHorizontal:
-      return "The horizontal lines never show: check the cable and power of the horizontal "
+      return "No image shows the horizontal lines: check the cable and power of the horizontal "
              "projector and its line in rig.json.";
     case LightFault::kNoFlash:
-      return "The flash never shows: check its cable and power and its line in rig.json.";
+      return "No image shows the flash: check its cable and power and its line in rig.json.";
     case LightFault::kNothingSeen:
       break;
   }
-  return "No projected light has been seen yet: hold the sensor over the teeth. If it is there, "
-         "check the cable and power of the projectors and the exposure of the camera.";
+  return "No image shows projected light yet: hold the sensor over the teeth. If it is over the "
+         "teeth, check the cables and power of the projectors and the exposure of the camera.";
 }
 
 Result<void> WatchOptions::validate() const {
-  if (memory < 20 || memory > 10000)
-    return fail(ErrorCode::kBadOption, "memory must be in 20..10000, not {}", memory);
-  if (enough < 5 || enough > memory)
-    return fail(ErrorCode::kBadOption, "enough must be in 5..memory, not {}", enough);
-  if (!(alike >= 0.0 && alike <= 1.0))
-    return fail(ErrorCode::kBadOption, "alike must be in 0..1, not {}", alike);
-  return {};
+  return OptionCheck("WatchOptions")
+      .in_range("memory", memory, 20, 10000)
+      .at_least("enough", enough, 5)
+      .must("enough", enough, enough <= memory, "at most memory")
+      .in_range("alike", alike, 0.0, 1.0)
+      .result();
 }
 
 void LightWatch::add(const Seen& seen) {
@@ -72,7 +74,7 @@ bool LightWatch::is_stuck() const {
     least = std::min(least, seen.evidence.column_share);
     most = std::max(most, seen.evidence.column_share);
   }
-  // Where half of the images are empty, one of the patterns may be missing: that is another fault.
+  // If half of the images are empty, one pattern may be missing, which is another fault.
   return lines >= options_.enough && lines > 2 * dark && last - first >= kSwitchingsToBeStuck &&
          most - least < options_.alike;
 }

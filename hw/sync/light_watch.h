@@ -1,4 +1,4 @@
-/// @file  Tells from clock and images together what is wrong with the lights.
+/// @file  Detects faults of the lights by comparing expected lights with images.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace flytri::sync {
 
-/// kSwapped: the vertical projector shines where the horizontal one was told to, and the reverse.
-/// kStuck: the switch reports success, but the image never changes. kNothingSeen: no image has
-/// shown any light since the start, which may be the scene's fault.
+/// kSwapped: the vertical projector lights up when the horizontal one should, and vice versa.
+/// kStuck: the switch reports success, but the images do not change. kNothingSeen: no image since
+/// the start shows any light; maybe no object is in front of the sensor.
 enum class LightFault {
   kNone,
   kSwapped,
@@ -24,32 +24,33 @@ enum class LightFault {
   kNothingSeen
 };
 
-/// What it is and its remedy; empty for kNone.
+/// The message for the user: the fault and what to do; empty for kNone.
 [[nodiscard]] std::string message_of(LightFault fault);
 
 struct WatchOptions {
-  /// 20..10000 frames that are looked back on: four seconds at 30 Hz, with four flashes.
+  /// 20..10000. Number of latest frames that are examined; 120 are four seconds at 30 Hz, with four
+  /// flashes.
   int memory = 120;
-  /// 5..10000. Frames that a light must be missing in, or all be alike in, to be named.
+  /// 5..10000. Least number of frames that show a fault before it is reported.
   int enough = 30;
-  /// 0..1. Spread of the share of light in columns below which images are alike.
+  /// 0..1. If the share of column light varies less than this, the images count as equal.
   double alike = 0.2;
   [[nodiscard]] Result<void> validate() const;
 };
 
 class LightWatch {
  public:
-  /// @param options  valid ones
+  /// @param options  must be valid
   explicit LightWatch(const WatchOptions& options = {}) : options_(options) {}
 
   struct Seen {
-    std::optional<device::Light> expected;  ///< by the clock; none where it is not sure
+    std::optional<device::Light> expected;  ///< predicted from times; none if uncertain
     LightEvidence evidence;
-    std::int64_t switchings = 0;  ///< between patterns, that the switch has reported so far
+    std::int64_t switchings = 0;  ///< pattern changes that the switch reported so far
   };
   void add(const Seen& seen);
 
-  /// @param is_swapped  by the filter, beyond doubt
+  /// @param is_swapped  the filter is certain that the patterns are swapped
   [[nodiscard]] LightFault fault(bool is_swapped) const;
 
  private:

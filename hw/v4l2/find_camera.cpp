@@ -25,7 +25,7 @@ bool gives_images(VideoDevice& device) {
   return (info.device_caps & kNeeded) == kNeeded;
 }
 
-// Of a device file that may not be opened its number among the camera's says what it is for.
+// Without permission to open a device file, its index tells: index 0 delivers the images.
 bool is_camera(VideoSystem& system, const device::DeviceNode& node) {
   const auto device = system.open(node.node);
   return device ? gives_images(**device) : node.index == 0;
@@ -51,7 +51,7 @@ std::string text_of(const device::CameraMatch& match) {
       match.bus_path);
 }
 
-// Asking to have no buffers changes nothing, but is refused while someone else has some.
+// A request for zero buffers changes nothing, but fails while another program has buffers.
 bool is_busy(VideoDevice& device) {
   v4l2_requestbuffers request{};
   request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -79,10 +79,9 @@ device::CameraDescription describe(VideoSystem& system, const device::DeviceNode
     description.problems.push_back(video_failure(node, "asking for buffers", EBUSY));
   if (!any_known(description.modes))
     description.problems.push_back(
-        {ErrorCode::kBadOption,
-         fmt::format("camera {} has none of the formats GREY, Y10, Y12, Y16, YUYV and MJPG: use "
-                     "another camera",
-                     to_string(node))});
+        {ErrorCode::kBadOption, fmt::format("camera {} offers none of the supported formats GREY, "
+                                            "Y10, Y12, Y16, YUYV and MJPG: use another camera",
+                                            to_string(node))});
   return description;
 }
 
@@ -92,11 +91,12 @@ Result<device::DeviceNode> find_camera(VideoSystem& system, const device::Camera
   const std::vector<device::DeviceNode> found = cameras(system, match);
   if (found.size() == 1) return found.front();
   if (found.empty())
-    return fail(ErrorCode::kNotFound, "there is no camera {}: plug it in; cameras here: {}",
+    return fail(ErrorCode::kNotFound, "camera {} was not found: plug it in. Available cameras: {}",
                 text_of(match), names_of(cameras(system, {})));
-  return fail(ErrorCode::kInconsistent,
-              "several cameras are {}: name one by its serial number or bus path: {}",
-              text_of(match), names_of(found));
+  return fail(
+      ErrorCode::kInconsistent,
+      "several cameras match {}: select one by its serial number or bus path. Matching cameras: {}",
+      text_of(match), names_of(found));
 }
 
 std::vector<device::CameraDescription> list_cameras(VideoSystem& system) {

@@ -1,4 +1,4 @@
-/// @file  Which cameras there are, what they can do, and what keeps them from being used.
+/// @file  Finds and lists cameras, with their abilities and problems.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace flytri::v4l2 {
 
-/// The device file that gives the images of the one camera that is meant.
-/// @errors  kNotFound with those that there are; kInconsistent: several match
+/// The device file that delivers the images of the matching camera.
+/// @errors  kNotFound, with the available cameras; kInconsistent: several cameras match
 [[nodiscard]] Result<device::DeviceNode> find_camera(VideoSystem& system,
                                                      const device::CameraMatch& match);
 
-/// Every camera, those that cannot be used among them.
+/// All cameras, including those that cannot be used.
 [[nodiscard]] std::vector<device::CameraDescription> list_cameras(VideoSystem& system);
 
-/// What would keep the camera from running so; empty: nothing that can be told without starting it.
+/// Problems that would keep the camera from running with these settings, as far as they can be
+/// found without starting it.
 [[nodiscard]] std::vector<Error> check_camera(VideoSystem& system, const device::CameraMatch& match,
                                               const device::CameraSettings& settings);
 

@@ -38,7 +38,7 @@ class KernelVideoDevice final : public VideoDevice {
     return {static_cast<const std::uint8_t*>(address), length};
   }
 
-  // A signal ends the wait early, which is a wait without a frame.
+  // A signal may end the wait early; the caller sees no frame.
   bool wait(double timeout_s) override {
     pollfd waiting{descriptor_, POLLIN, 0};
     const double timeout_ms = std::ceil(std::clamp(timeout_s, 0.0, 3600.0) * 1000.0);

@@ -18,7 +18,7 @@ std::size_t bytes_per_pixel(device::PixelFormat format) {
   return format == device::PixelFormat::kGrey8 ? 1 : 2;
 }
 
-// Zeros that bring the highest bit of a pixel to bit 15.
+// Left shift that moves the highest bit of a pixel to bit 15.
 int shift_to_full_scale(device::PixelFormat format) {
   if (format == device::PixelFormat::kGrey10) return 6;
   if (format == device::PixelFormat::kGrey12) return 4;
@@ -38,14 +38,14 @@ cv::Mat black(const BufferLayout& layout, device::Channels channels) {
   return cv::Mat::zeros(layout.size.height_px, layout.size.width_px, type);
 }
 
-// Rows that are there as a whole; a row that is cut off is as good as missing.
+// Number of complete rows; an incomplete row counts as missing.
 int whole_rows(std::size_t bytes, const BufferLayout& layout) {
   if (bytes < row_bytes(layout)) return 0;
   const std::size_t rows = 1 + (bytes - row_bytes(layout)) / layout.bytes_per_line;
   return static_cast<int>(std::min<std::size_t>(rows, layout.size.height_px));
 }
 
-// The samples of 16 bits are little-endian, as is every machine that this runs on.
+// Assumes little-endian 16-bit samples on a little-endian machine.
 void convert_rows(const cv::Mat& packed, const BufferLayout& layout, device::Channels channels,
                   cv::Mat target) {
   switch (layout.format) {
@@ -79,7 +79,7 @@ ConvertedImage convert_uncompressed(std::span<const std::uint8_t> bytes, const B
     type = CV_8UC2;
   else if (layout.format != device::PixelFormat::kGrey8)
     type = CV_16UC1;
-  // The matrix only reads, but has no way to say so.
+  // cv::Mat has no const data pointer; the data is only read.
   const cv::Mat packed(rows, layout.size.width_px, type, const_cast<std::uint8_t*>(bytes.data()),
                        layout.bytes_per_line);
   convert_rows(packed, layout, channels, converted.image.rowRange(0, rows));
@@ -90,7 +90,7 @@ struct DecoderCloser {
   void operator()(void* decoder) const { tjDestroy(decoder); }
 };
 
-// A decoder of a library that, other than OpenCV's, says so where an image was cut off or damaged.
+// Uses TurboJPEG because it reports damaged and truncated images, unlike OpenCV's decoder.
 bool decode_into(std::span<const std::uint8_t> bytes, cv::Mat& image) {
   const std::unique_ptr<void, DecoderCloser> decoder(tjInitDecompress());
   int width = 0;

@@ -1,4 +1,4 @@
-/// @file  Bytes of a camera's buffer in, an image out. Pure functions.
+/// @file  Converts the bytes of a camera buffer to an image. Pure functions.
 #pragma once
 
 #include <cstdint>
@@ -9,29 +9,29 @@
 
 namespace flytri::v4l2 {
 
-/// How the pixels lie in a buffer.
+/// Memory layout of an image in a buffer.
 struct BufferLayout {
   device::PixelFormat format = device::PixelFormat::kGrey8;
   ImageSize size;
-  std::size_t bytes_per_line = 0;  ///< at least what a row needs; nothing to kMjpeg
+  std::size_t bytes_per_line = 0;  ///< at least the bytes of a row; unused for kMjpeg
 };
 
-/// Bytes that a whole image takes up, the padding of the last row left out; 0: kMjpeg.
+/// Bytes of a complete image, without the padding of the last row; 0 for kMjpeg.
 [[nodiscard]] std::size_t bytes_needed(const BufferLayout& layout);
 
 enum class Conversion {
   kDone,
-  kShort,        ///< bytes are missing; the rows that they would fill are black
-  kUndecodable,  ///< compressed, and damaged or cut off; all is black
+  kShort,        ///< bytes are missing; incomplete rows are black
+  kUndecodable,  ///< a damaged or truncated compressed image; all pixels are black
 };
 
 struct ConvertedImage {
-  cv::Mat image;  ///< as CameraFrame::image says; own memory
+  cv::Mat image;  ///< type as in CameraFrame::image; owns its memory
   Conversion outcome = Conversion::kDone;
 };
 
-/// Y10 and Y12 are shifted to the full scale of 16 bits. YUYV becomes RGB by BT.601 with limited
-/// range, as UVC devices send it, or its luminance as it is.
+/// Shifts Y10 and Y12 to the full scale of 16 bits. Converts YUYV to RGB (BT.601, limited range, as
+/// UVC devices send it), or takes its luminance unchanged.
 [[nodiscard]] ConvertedImage convert(std::span<const std::uint8_t> bytes,
                                      const BufferLayout& layout, device::Channels channels);
 

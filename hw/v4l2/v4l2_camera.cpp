@@ -3,40 +3,37 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "hw/v4l2/find_camera.h"
 
 namespace flytri::v4l2 {
 
 Result<void> V4l2CameraOptions::validate() const {
-  if (buffers < 2 || buffers > 32)
-    return fail(ErrorCode::kBadOption, "buffers {}: must be 2 to 32", buffers);
-  if (!(frozen_after_periods > 1.0))
-    return fail(ErrorCode::kBadOption, "frozen_after_periods {}: must be above 1",
-                frozen_after_periods);
-  if (!(restart_after_s > 0.0))
-    return fail(ErrorCode::kBadOption, "restart_after_s {}: must be above 0", restart_after_s);
-  if (!(search_period_s > 0.0))
-    return fail(ErrorCode::kBadOption, "search_period_s {}: must be above 0", search_period_s);
-  return {};
+  return OptionCheck("V4l2CameraOptions")
+      .in_range("buffers", buffers, 2, 32)
+      .above("frozen_after_periods", frozen_after_periods, 1.0)
+      .positive("restart_after_s", restart_after_s)
+      .positive("search_period_s", search_period_s)
+      .result();
 }
 
 V4l2Camera::V4l2Camera(device::CameraMatch match, const device::CameraSettings& settings,
-                       const V4l2CameraOptions& options, VideoMeans means)
+                       const V4l2CameraOptions& options, V4l2Environment environment)
     : match_(std::move(match)),
-      asked_(settings),
+      requested_(settings),
       options_(options),
-      means_(std::move(means)),
+      environment_(std::move(environment)),
       read_back_(settings),
       name_(match_.name) {}
 
 Result<std::unique_ptr<V4l2Camera>> V4l2Camera::create(device::CameraMatch match,
                                                        const device::CameraSettings& settings,
                                                        const V4l2CameraOptions& options,
-                                                       VideoMeans means) {
+                                                       V4l2Environment environment) {
   if (const auto valid = settings.validate(); !valid) return tl::unexpected(valid.error());
   if (const auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   return std::unique_ptr<V4l2Camera>(
-      new V4l2Camera(std::move(match), settings, options, std::move(means)));
+      new V4l2Camera(std::move(match), settings, options, std::move(environment)));
 }
 
 device::CameraStatus V4l2Camera::status() const {
@@ -55,12 +52,12 @@ std::string V4l2Camera::name() const {
 }
 
 Result<void> V4l2Camera::open() {
-  const auto node = find_camera(*means_.system, match_);
+  const auto node = find_camera(*environment_.system, match_);
   if (!node) return tl::unexpected(node.error());
-  auto stream = VideoStream::open(*means_.system, *node, asked_, options_.buffers);
+  auto stream = VideoStream::open(*environment_.system, *node, requested_, options_.buffers);
   if (!stream) return tl::unexpected(stream.error());
   stream_ = std::move(*stream);
-  frame_counter_.begin_stream(1.0 / stream_->read_back().rate_hz);
+  frame_stamper_.begin_stream(1.0 / stream_->read_back().rate_hz);
   last_arrival_s_ = means_.clock.now_s();
   const std::lock_guard lock(mutex_);
   read_back_ = stream_->read_back();
@@ -71,7 +68,7 @@ Result<void> V4l2Camera::open() {
 Result<void> V4l2Camera::start() {
   const device::CameraState state = status().state;
   if (state != device::CameraState::kIdle && state != device::CameraState::kFailed) return {};
-  frame_counter_ = {};
+  frame_stamper_ = {};
   away_ = false;
   auto opened = open();
   const std::lock_guard lock(mutex_);
@@ -104,23 +101,23 @@ Result<std::optional<device::CameraFrame>> V4l2Camera::next(double timeout_s) {
     return std::nullopt;
   }
   if (!*taken) {
-    watch_for_frames(means_.clock.now_s());
+    watch_for_frames(environment_.clock.now_s());
     return std::nullopt;
   }
   return enter(**taken);
 }
 
 device::CameraFrame V4l2Camera::enter(const StreamedImage& image) {
-  last_arrival_s_ = means_.clock.now_s();
+  last_arrival_s_ = environment_.clock.now_s();
   const std::lock_guard lock(mutex_);
   status_.state = device::CameraState::kRunning;
   status_.message.clear();
-  return frame_counter_.enter(image, last_arrival_s_, status_);
+  return frame_stamper_.enter(image, last_arrival_s_, status_);
 }
 
 void V4l2Camera::ended(const StreamEnd& end) {
   stream_.reset();
-  next_search_s_ = means_.clock.now_s();
+  next_search_s_ = environment_.clock.now_s();
   const std::lock_guard lock(mutex_);
   status_.state = device::CameraState::kLost;
   status_.message = end.error.message;
@@ -129,27 +126,27 @@ void V4l2Camera::ended(const StreamEnd& end) {
 
 void V4l2Camera::watch_for_frames(double now_s) {
   const double silent_s = now_s - last_arrival_s_;
-  // A slow camera may be silent for long and is well.
+  // Relative to the frame rate: a slow camera normally takes longer.
   const double rate_hz = stream_->read_back().rate_hz;
   if (silent_s * rate_hz <= options_.frozen_after_periods) return;
   if (silent_s > options_.restart_after_s) {
     stream_.reset();
     next_search_s_ = now_s;
   }
-  // It counts as frozen until a frame comes, however often it is set up anew.
+  // It stays frozen until a frame arrives, even across restarts.
   const std::lock_guard lock(mutex_);
   if (status_.state == device::CameraState::kFrozen) return;
   status_.state = device::CameraState::kFrozen;
-  status_.message = "the camera sends no frames; unplug it and plug it in again if that lasts";
+  status_.message = "the camera sends no frames: if this continues, unplug it and plug it in again";
   ++status_.frozen;
 }
 
 void V4l2Camera::search(double timeout_s) {
-  const double wait_s = next_search_s_ - means_.clock.now_s();
-  means_.clock.sleep_s(std::min(wait_s, timeout_s));
+  const double wait_s = next_search_s_ - environment_.clock.now_s();
+  environment_.clock.sleep_s(std::min(wait_s, timeout_s));
   if (wait_s > timeout_s) return;
   const auto opened = open();
-  next_search_s_ = means_.clock.now_s() + options_.search_period_s;
+  next_search_s_ = environment_.clock.now_s() + options_.search_period_s;
   if (opened) {
     reopened();
     return;
@@ -157,7 +154,7 @@ void V4l2Camera::search(double timeout_s) {
   const std::lock_guard lock(mutex_);
   status_.state = device::CameraState::kLost;
   status_.message = opened.error().message;
-  // What looked like a broken stream was the camera going away.
+  // The stream broke because the camera was unplugged.
   if (opened.error().code == ErrorCode::kNotFound && !std::exchange(away_, true)) ++status_.lost;
 }
 

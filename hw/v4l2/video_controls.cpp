@@ -13,7 +13,7 @@ namespace flytri::v4l2 {
 
 namespace {
 
-// A control that is set by hand, and what the camera's own steps are in our unit.
+// A control that the program sets, and the size of the camera's steps in our unit.
 struct ManualControl {
   std::uint32_t id;
   std::string_view name;
@@ -29,8 +29,8 @@ constexpr std::array kManualControls = {
                   &device::CameraSettings::white_balance_k},
     ManualControl{V4L2_CID_FOCUS_ABSOLUTE, "focus", 1.0, &device::CameraSettings::focus}};
 
-// Switches that are off where the camera has them. The last one would lower the rate for a long
-// exposure.
+// Automatic modes to turn off if the camera has them. The last one would lower the frame rate for a
+// long exposure.
 constexpr std::array<std::uint32_t, 6> kAutomatic = {
     V4L2_CID_AUTOGAIN, V4L2_CID_AUTO_WHITE_BALANCE, V4L2_CID_FOCUS_AUTO,
     V4L2_CID_HUE_AUTO, V4L2_CID_AUTOBRIGHTNESS,     V4L2_CID_EXPOSURE_AUTO_PRIORITY};
@@ -55,22 +55,22 @@ std::string text_of(const v4l2_queryctrl& info) {
 }
 
 Result<void> write(const OpenVideo& video, const v4l2_queryctrl& info, std::int32_t value) {
-  // Some cameras refuse to be told what they are set to already.
+  // Some cameras refuse to set a value that is already set.
   if (read(video.device, info.id) == value) return {};
   v4l2_control control{info.id, value};
   const int error = video.device.control(VIDIOC_S_CTRL, &control);
   if (error == 0) return {};
-  // The camera is open: this is no matter of the user's rights.
+  // The camera is open, so EACCES does not mean missing permissions here.
   if (error == EACCES)
     return fail(ErrorCode::kBadOption,
-                "camera {}: \"{}\" cannot be set to {}: an automatic mode that the camera does not "
-                "give up holds it; leave it out of the settings",
+                "camera {}: \"{}\" cannot be set to {}, because an automatic mode that cannot be "
+                "turned off controls it: remove it from the settings",
                 to_string(video.node), text_of(info), value);
   return tl::unexpected(
       video_failure(video.node, fmt::format("setting \"{}\" to {}", text_of(info), value), error));
 }
 
-// Cameras that cannot be told the exposure alone let at least the shutter be.
+// Some cameras have no fully manual mode; with shutter priority, the exposure time is manual.
 Result<void> expose_by_hand(const OpenVideo& video) {
   const auto info = query(video.device, V4L2_CID_EXPOSURE_AUTO);
   if (!info || (info->flags & kUnsettable)) return {};
@@ -92,11 +92,11 @@ Result<void> turn_automatics_off(const OpenVideo& video) {
 Result<void> set_by_hand(const OpenVideo& video, const ManualControl& control, double wanted) {
   const auto info = query(video.device, control.id);
   if (!info || (info->flags & kUnsettable))
-    return fail(ErrorCode::kBadOption, "camera {} has no {}: leave it out of the settings",
+    return fail(ErrorCode::kBadOption, "camera {} has no control {}: remove it from the settings",
                 to_string(video.node), control.name);
   const double steps = std::round(wanted / control.unit);
   if (!(steps >= info->minimum && steps <= info->maximum))
-    return fail(ErrorCode::kBadOption, "camera {}: {} is {}, it takes {} to {}",
+    return fail(ErrorCode::kBadOption, "camera {}: {} is {}, but must be in {} to {}",
                 to_string(video.node), control.name, wanted, info->minimum * control.unit,
                 info->maximum * control.unit);
   return write(video, *info, static_cast<std::int32_t>(steps));
@@ -108,7 +108,7 @@ std::vector<device::CameraControl> list_controls(VideoDevice& device) {
   std::vector<device::CameraControl> controls;
   std::uint32_t last = 0;
   while (const auto info = query(device, last | V4L2_CTRL_FLAG_NEXT_CTRL)) {
-    if (info->id <= last) break;  // a driver that goes round in circles
+    if (info->id <= last) break;  // guards against a driver that repeats its list
     last = info->id;
     const bool is_number = info->type == V4L2_CTRL_TYPE_INTEGER ||
                            info->type == V4L2_CTRL_TYPE_BOOLEAN ||

@@ -1,4 +1,4 @@
-/// @file  The controls of a camera: automatic modes off, what is asked set and read back.
+/// @file  Lists and sets the controls of a camera.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace flytri::v4l2 {
 
-/// All numbers, switches and menus that it has.
+/// All numbers, switches and menus of the camera.
 [[nodiscard]] std::vector<device::CameraControl> list_controls(VideoDevice& device);
 
-/// Turns off what the camera would do by itself, even where nothing else is asked: frames whose
-/// exposure wanders cannot be measured. Then sets what is asked.
-/// @return  the settings with the controls as they were read back; what it lacks has no value
-/// @errors  kBadOption: it lacks a control that is asked for, or its range; else as video_failure
+/// Turns off all automatic modes, then sets the requested values. Frames with varying exposure
+/// cannot be measured.
+/// @return  the settings with the values read back; missing controls have no value
+/// @errors  kBadOption: the control is missing or the value out of range; else as video_failure
 [[nodiscard]] Result<device::CameraSettings> set_controls(const OpenVideo& video,
                                                           const device::CameraSettings& settings);
 

@@ -16,33 +16,32 @@ Cause cause_of(int error_number) {
   switch (error_number) {
     case EACCES:
     case EPERM:
-      return {
-          ErrorCode::kNotPermitted,
-          "you may not use it; add yourself to the group \"video\" and log in again, or install "
-          "the udev rules of this program"};
+      return {ErrorCode::kNotPermitted,
+              "you have no permission to use it: add yourself to the group \"video\" and log in "
+              "again, or install the udev rules of this program"};
     case ENOENT:
     case ENODEV:
     case ENXIO:
-      return {ErrorCode::kNotFound, "it is not there any more; plug it in again"};
+      return {ErrorCode::kNotFound, "it was unplugged: plug it in again"};
     case EBUSY:
-      return {ErrorCode::kInconsistent, "another program uses it; close that program"};
+      return {ErrorCode::kInconsistent, "another program uses it: close that program"};
     case ENOSPC:
       return {ErrorCode::kBadOption,
-              "the USB bus is too slow for this; use a smaller size, a lower rate or a compressed "
-              "format, or plug the cameras into sockets of different controllers"};
+              "the USB bus is too slow for these settings: use a smaller size, a lower rate or a "
+              "compressed format, or connect the cameras to different USB controllers"};
     case EINVAL:
     case ERANGE:
-      return {ErrorCode::kBadOption, "it does not take this; flytri devices lists what it takes"};
+      return {ErrorCode::kBadOption,
+              "it does not support this setting: \"flytri devices\" lists what it supports"};
     case ENOMEM:
-      return {ErrorCode::kInconsistent, "there is too little memory; close other programs"};
+      return {ErrorCode::kInconsistent, "there is too little memory: close other programs"};
     case EIO:
     case EPIPE:
     case EPROTO:
     case ETIMEDOUT:
-      return {
-          ErrorCode::kNotFound,
-          "it does not answer; unplug it and plug it in again, with a short cable and without a "
-          "hub"};
+      return {ErrorCode::kNotFound,
+              "it does not answer: unplug it, then plug it in again with a short cable and without "
+              "a hub"};
     default:
       return {ErrorCode::kNotFound, "unplug it and plug it in again"};
   }

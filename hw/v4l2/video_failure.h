@@ -1,4 +1,4 @@
-/// @file  What a system call's errno means for a camera, and its remedy.
+/// @file  Error messages for failed system calls on a camera: the cause and what to do.
 #pragma once
 
 #include <string_view>
@@ -8,13 +8,13 @@
 
 namespace flytri::v4l2 {
 
-/// @param doing  what failed, e.g. "starting the stream"
-/// @return  kNotFound: it is unplugged, or does not answer; kNotPermitted; kInconsistent: in use;
-///          kBadOption: it, or the bus, cannot do what is asked
+/// @param doing  the failed action, e.g. "starting the stream"
+/// @return  kNotFound: unplugged, or it does not answer; kNotPermitted; kInconsistent: in use;
+///          kBadOption: the camera or the bus does not support the setting
 [[nodiscard]] Error video_failure(const device::DeviceNode& node, std::string_view doing,
                                   int error_number);
 
-/// How messages name a camera, e.g. "Mono Camera (serial 12, /dev/video0)".
+/// Name of a camera in messages, e.g. "Mono Camera (serial 12, /dev/video0)".
 [[nodiscard]] std::string to_string(const device::DeviceNode& node);
 
 }  // namespace flytri::v4l2

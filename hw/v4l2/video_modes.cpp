@@ -14,7 +14,7 @@ namespace flytri::v4l2 {
 namespace {
 
 constexpr auto kCapture = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-// Drivers that never end their list are not listened to for ever.
+// Limit in case a driver's list never ends.
 constexpr std::uint32_t kMaxEntries = 256;
 
 std::uint32_t fourcc_of(device::PixelFormat format) {
@@ -35,7 +35,7 @@ std::uint32_t fourcc_of(device::PixelFormat format) {
   return V4L2_PIX_FMT_MJPEG;
 }
 
-// The four letters, blanks at the end left out.
+// The four letters without trailing blanks.
 std::string letters_of(std::uint32_t fourcc) {
   std::string letters;
   for (int shift = 0; shift < 32; shift += 8) {
@@ -93,7 +93,7 @@ void list_sizes(VideoDevice& device, std::uint32_t fourcc, std::vector<device::C
   }
 }
 
-// At most eight: a message is to be read.
+// At most eight, to keep the message short.
 std::string names_of(const std::vector<device::CameraMode>& modes) {
   std::string names;
   for (std::size_t i = 0; i < std::min<std::size_t>(modes.size(), 8); ++i)
@@ -106,14 +106,14 @@ Result<double> set_rate(const OpenVideo& video, double rate_hz) {
   v4l2_streamparm parameters{};
   parameters.type = kCapture;
   const int known = video.device.control(VIDIOC_G_PARM, &parameters);
-  // A camera without the means runs as it does; whoever measures the rate will see it.
+  // Without support for setting the rate, the camera keeps its own rate.
   if (known != 0 || !(parameters.parm.capture.capability & V4L2_CAP_TIMEPERFRAME)) return rate_hz;
   parameters.parm.capture.timeperframe = {
       1000, static_cast<std::uint32_t>(std::lround(rate_hz * 1000.0))};
   const int error = video.device.control(VIDIOC_S_PARM, &parameters);
   if (error != 0)
     return tl::unexpected(
-        video_failure(video.node, fmt::format("a rate of {} Hz", rate_hz), error));
+        video_failure(video.node, fmt::format("setting the rate to {} Hz", rate_hz), error));
   const double agreed_hz = rate_of(parameters.parm.capture.timeperframe);
   return agreed_hz > 0.0 ? agreed_hz : rate_hz;
 }
@@ -131,11 +131,12 @@ Result<v4l2_pix_format> agree(const OpenVideo& video, const device::CameraSettin
   const int error = video.device.control(request, &format);
   if (error != 0 && error != EINVAL)
     return tl::unexpected(video_failure(video.node, "setting the format", error));
-  // A driver that cannot do what is asked sets what is next to it.
+  // A driver that does not support the mode chooses a similar one instead.
   if (error == 0 && pixels.pixelformat == fourcc_of(settings.format) &&
       size_of(pixels.width, pixels.height) == settings.size)
     return pixels;
-  return fail(ErrorCode::kBadOption, "camera {} has no {} of {} x {}; it has {}",
+  return fail(ErrorCode::kBadOption,
+              "camera {} does not offer {} with {} x {} pixels: choose one of {}",
               to_string(video.node), to_string(settings.format), settings.size.width_px,
               settings.size.height_px, names_of(list_modes(video.device)));
 }
@@ -165,7 +166,7 @@ Result<AgreedMode> set_mode(const OpenVideo& video, const device::CameraSettings
   if (!pixels) return tl::unexpected(pixels.error());
   const auto rate = set_rate(video, settings.rate_hz);
   if (!rate) return tl::unexpected(rate.error());
-  // Some drivers leave out the length of a line where lines are not padded.
+  // Some drivers report no line length if lines have no padding.
   const BufferLayout one_line{settings.format, {settings.size.width_px, 1}, 0};
   const auto bytes_per_line = std::max<std::size_t>(pixels->bytesperline, bytes_needed(one_line));
   return AgreedMode{{settings.format, settings.size, bytes_per_line}, *rate};

@@ -1,4 +1,4 @@
-/// @file  The formats, sizes and rates of a camera: what it offers, and setting one of them.
+/// @file  Lists and sets the formats, sizes and rates of a camera.
 #pragma once
 
 #include <vector>
@@ -9,27 +9,27 @@
 
 namespace flytri::v4l2 {
 
-/// An open device file and its name in messages. Owned by someone else.
+/// An open device file, and its description for messages. Not owned.
 struct OpenVideo {
   VideoDevice& device;
   const device::DeviceNode& node;
 };
 
-/// All that it offers. Of a range of sizes or rates its ends stand for all.
+/// All modes of the camera. For a range of sizes or rates, only the ends are listed.
 [[nodiscard]] std::vector<device::CameraMode> list_modes(VideoDevice& device);
 
-/// What the driver agreed to.
+/// The mode that the driver accepted.
 struct AgreedMode {
   BufferLayout layout;
-  double rate_hz = 0.0;  ///< as asked where the driver does not say
+  double rate_hz = 0.0;  ///< the requested rate if the driver reports none
 };
 
 /// Sets format, size and rate.
-/// @errors  kBadOption: no such format or size, with those that there are; else as video_failure
+/// @errors  kBadOption: unsupported format or size, with the available modes; else as video_failure
 [[nodiscard]] Result<AgreedMode> set_mode(const OpenVideo& video,
                                           const device::CameraSettings& settings);
 
-/// Whether it would take format and size; nothing is set.
+/// Checks whether the camera supports format and size, without setting them.
 /// @errors  As set_mode.
 [[nodiscard]] Result<void> check_mode(const OpenVideo& video,
                                       const device::CameraSettings& settings);

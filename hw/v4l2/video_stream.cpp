@@ -20,7 +20,7 @@ v4l2_buffer empty_buffer() {
   return buffer;
 }
 
-// The driver's word for what the time of a buffer means.
+// Reads the time stamp, and which moment it marks according to the driver.
 void read_stamp(const v4l2_buffer& buffer, StreamedImage& image) {
   if ((buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC)
     image.time_s = static_cast<double>(buffer.timestamp.tv_sec) +
@@ -38,7 +38,7 @@ VideoStream::VideoStream(std::unique_ptr<VideoDevice> device, device::DeviceNode
 
 VideoStream::~VideoStream() {
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  // A device that is gone fails here, and there is nothing left to be done about it.
+  // Fails if the device is unplugged; nothing else is to be done then.
   if (streaming_) (void)device_->control(VIDIOC_STREAMOFF, &type);
 }
 
@@ -80,11 +80,11 @@ Result<void> VideoStream::begin(int buffers) {
     v4l2_buffer buffer = empty_buffer();
     buffer.index = i;
     if (const int error = device_->control(VIDIOC_QUERYBUF, &buffer))
-      return failed("looking at a buffer", error);
+      return failed("querying a buffer", error);
     buffers_.push_back(device_->map(buffer.length, buffer.m.offset));
     if (buffers_.back().empty()) return failed("mapping a buffer", ENOMEM);
     if (const int error = device_->control(VIDIOC_QBUF, &buffer))
-      return failed("handing over a buffer", error);
+      return failed("queuing a buffer", error);
   }
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   if (const int error = device_->control(VIDIOC_STREAMON, &type))
@@ -112,7 +112,7 @@ tl::expected<std::optional<StreamedImage>, StreamEnd> VideoStream::take(double t
   image.sequence = buffer.sequence;
   read_stamp(buffer, image);
   if (const int requeued = device_->control(VIDIOC_QBUF, &buffer))
-    return tl::unexpected(ended("handing back a buffer", requeued));
+    return tl::unexpected(ended("returning a buffer", requeued));
   return image;
 }
 

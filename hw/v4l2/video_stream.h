@@ -1,4 +1,4 @@
-/// @file  A camera that streams: set up at construction, one buffer after the other comes out.
+/// @file  The stream of one opened camera.
 #pragma once
 
 #include <memory>
@@ -11,19 +11,19 @@
 
 namespace flytri::v4l2 {
 
-/// A filled buffer, converted, before anything is made of the numbers in it.
+/// A converted buffer with the driver's own numbers.
 struct StreamedImage {
   ConvertedImage converted;
-  bool flagged = false;        ///< the driver calls it damaged
-  std::uint32_t sequence = 0;  ///< the driver's: from 0 since the stream began, and around
-  /// By the driver, on the monotonic clock; nothing: it uses another clock.
+  bool flagged = false;        ///< marked as damaged by the driver
+  std::uint32_t sequence = 0;  ///< by the driver; 0 at the start of the stream, wraps around
+  /// By the driver, on the monotonic clock; nothing if the driver uses another clock.
   std::optional<double> time_s;
   device::StampMeaning stamp = device::StampMeaning::kStartOfExposure;
 };
 
-/// What ended a stream.
+/// Why a stream ended.
 struct StreamEnd {
-  bool gone = false;  ///< the device is away, not just the stream
+  bool gone = false;  ///< the device is unplugged
   Error error;
 };
 
@@ -38,7 +38,8 @@ class VideoStream {
   VideoStream(const VideoStream&) = delete;
   VideoStream& operator=(const VideoStream&) = delete;
 
-  /// The next image; nothing: none within the time. After an error the stream is of no use.
+  /// The next image; nothing if none arrived in time. After an error, the stream cannot be used any
+  /// more.
   [[nodiscard]] tl::expected<std::optional<StreamedImage>, StreamEnd> take(double timeout_s);
 
   [[nodiscard]] const device::CameraSettings& read_back() const { return read_back_; }

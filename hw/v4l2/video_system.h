@@ -1,4 +1,4 @@
-/// @file  The system calls that cameras need, so that tests can stand in for the kernel.
+/// @file  Interface to the system calls for cameras, which tests replace.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,23 @@
 
 namespace flytri::v4l2 {
 
-/// A device file that is open; it is closed, and what was mapped let go, on destruction.
+/// An open device file. The destructor closes it and unmaps its buffers.
 class VideoDevice {
  public:
   virtual ~VideoDevice() = default;
   VideoDevice(const VideoDevice&) = delete;
   VideoDevice& operator=(const VideoDevice&) = delete;
 
-  /// ioctl, repeated where a signal interrupted it.
+  /// Calls ioctl, and repeats it if a signal interrupted it.
   /// @return  0, or the errno
   [[nodiscard]] virtual int control(unsigned long request, void* argument) = 0;
 
-  /// A buffer of the driver's for reading, as long as the device is open; empty: it failed.
+  /// Maps a buffer of the driver for reading, valid while the device is open; empty on failure.
   [[nodiscard]] virtual std::span<const std::uint8_t> map(std::size_t length,
                                                           std::int64_t offset) = 0;
 
-  /// Waits until a buffer is filled or something is wrong.
-  /// @return  false: neither within the time
+  /// Waits for a filled buffer or an error.
+  /// @return  false on timeout
   [[nodiscard]] virtual bool wait(double timeout_s) = 0;
 
  protected:
@@ -41,11 +41,11 @@ class VideoSystem {
   VideoSystem(const VideoSystem&) = delete;
   VideoSystem& operator=(const VideoSystem&) = delete;
 
-  /// All that are there now, as list_device_nodes() gives them. A camera may have several: images,
-  /// with the index 0, and what describes them.
+  /// The present device files, as from list_device_nodes(). A camera may have several: index 0
+  /// delivers images, others deliver metadata.
   [[nodiscard]] virtual std::vector<device::DeviceNode> nodes() = 0;
 
-  /// @return  or the errno
+  /// @return  the device, or the errno
   [[nodiscard]] virtual tl::expected<std::unique_ptr<VideoDevice>, int> open(
       const std::string& node) = 0;
 
@@ -53,7 +53,7 @@ class VideoSystem {
   VideoSystem() = default;
 };
 
-/// The machine's own: V4L2 and udev.
+/// The real system: V4L2 and udev.
 [[nodiscard]] std::shared_ptr<VideoSystem> kernel_video_system();
 
 }  // namespace flytri::v4l2

@@ -1,5 +1,5 @@
-/// @file  A case as a scan writes it: views of 4500 points, a commit each second, bytes on disk,
-/// and reading all of it again.
+/// @file  Benchmarks of case files: writes views of 4500 points with a commit each second, measures
+/// the size on disk, and reads everything back.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -19,7 +19,7 @@ using testing::sample_view;
 constexpr io::ScanStage kStage = io::ScanStage::kUpper;
 constexpr int kViewsPerCommit = 30;
 
-/// Some views, taken in turn under rising numbers.
+/// Sample views, returned in turn with increasing numbers.
 class Views {
  public:
   Views() {
@@ -40,7 +40,7 @@ io::CaseOptions options_of(const benchmark::State& state) {
   return {state.range(0) != 0 ? "passphrase" : "", false};
 }
 
-/// Thirty views and the commit that keeps them.
+/// Appends thirty views and commits them.
 bool append_second(io::CaseFile& file, Views& views) {
   for (int i = 0; i < kViewsPerCommit; ++i) {
     if (!file.append_view(kStage, views.next())) return false;
@@ -66,7 +66,7 @@ void append_views(benchmark::State& state) {
 }
 BENCHMARK(append_views)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// The poses of a minute of scanning, as after an optimization of all of them.
+/// Writes all poses of a minute of scanning, as after a joint optimization.
 void write_poses(benchmark::State& state) {
   const TemporaryFolder folder;
   auto file = io::CaseFile::create(folder / "a.flytri", options_of(state));
@@ -100,7 +100,7 @@ void load_stage(benchmark::State& state) {
 }
 BENCHMARK(load_stage)->ArgName("encrypted")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// Until it can be read: with a passphrase, the key has to be made.
+/// Opens a case; with a passphrase, this includes the derivation of the key.
 void open_case(benchmark::State& state) {
   const TemporaryFolder folder;
   const auto path = folder / "a.flytri";

@@ -1,4 +1,4 @@
-/// @file  What follows the scan: refinement and normals of 60 views, colors of a point cloud.
+/// @file  Benchmarks of finishing: refinement and normals of 60 views, colors of a point cloud.
 #include <benchmark/benchmark.h>
 
 #include "core/normals/normals.h"

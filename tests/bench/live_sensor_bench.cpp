@@ -1,4 +1,4 @@
-/// @file  What sources of frames cost: images of the virtual sensor, recording and replaying them.
+/// @file  Benchmarks of sources of frames: images of the virtual sensor, recording and replay.
 #include <benchmark/benchmark.h>
 
 #include "assets/sample_jaw/sample_jaw.h"
@@ -8,7 +8,7 @@
 namespace flytri {
 namespace {
 
-/// A sensor over the sample jaw, and a hand that moves it.
+/// The sample jaw, a sensor over it and the path of the hand.
 struct LiveScene {
   simulated::ImageSimulator simulator;
   simulated::SensorPath path;
@@ -26,7 +26,7 @@ LiveScene make_scene(simulated::Tracing tracing) {
   return {std::move(simulator), std::move(path)};
 }
 
-/// Places all over the path, so that easy and hard images are met as in a scan.
+/// Positions all over the path, so that easy and hard images occur as in a scan.
 double place_s(int i) { return 0.37 * (i % 90); }
 
 void live_measurement_image(benchmark::State& state, simulated::Tracing tracing) {

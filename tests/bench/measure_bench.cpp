@@ -1,4 +1,4 @@
-/// @file  From image to view at 1024x768, one core: each stage, both patterns.
+/// @file  Benchmarks from image to view at 1024x768 on one core: each stage, both patterns.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ using testing::draw;
 using testing::LineImage;
 using testing::TrueLine;
 
-/// Ten (vertical) or seven (horizontal) wavy, speckled lines, as the intra-oral sensor sees a jaw.
+/// Ten (vertical) or seven (horizontal) wavy lines with speckle, like an image of a jaw.
 cv::Mat frame_image(Pattern pattern) {
   const bool vertical = pattern == Pattern::kVertical;
   LineImage image;
@@ -53,7 +53,8 @@ BENCHMARK_CAPTURE(localize, three_point, localization::LineEstimator::kThreePoin
     ->Arg(1)
     ->Unit(benchmark::kMillisecond);
 
-/// A calibration whose areas hold the lines of frame_image; its numbers do not matter for speed.
+/// A calibration whose line areas contain the lines of frame_image; its values do not affect the
+/// speed.
 calibration::Calibration frame_calibration() {
   calibration::Calibration calibration;
   calibration.volume.size_mm = {20, 15, 15};
@@ -101,7 +102,7 @@ void triangulate_lines(benchmark::State& state) {
 }
 BENCHMARK(triangulate_lines)->Name("triangulate")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
-/// The peer: what OpenCV takes for the smoothing alone, without peaks, fits and links.
+/// For comparison: the time of OpenCV for smoothing alone, without peaks, fits and links.
 void smooth_by_opencv(benchmark::State& state) {
   const cv::Mat image = frame_image(Pattern::kVertical);
   cv::setNumThreads(1);

@@ -1,5 +1,4 @@
-/// @file  What recording costs: frames of two cameras to disk, as the recorder's thread writes
-/// them.
+/// @file  Benchmarks of recording: writes frames of two cameras to disk like the recorder's thread.
 #include <benchmark/benchmark.h>
 
 #include "assets/sample_jaw/sample_jaw.h"
@@ -11,8 +10,7 @@
 namespace flytri {
 namespace {
 
-/// A place of the jaw under a light, 1024x768: grey lines, or the same scene in color under the
-/// flash.
+/// An image of the jaw under a light, 1024x768: grey lines, or in color under the flash.
 cv::Mat image_of(device::Light light, bool is_color) {
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
   simulated::SensorModel sensor = simulated::intraoral_sensor();
@@ -22,7 +20,8 @@ cv::Mat image_of(device::Light light, bool is_color) {
   return is_color ? scene.texture_image(light, 5.0) : scene.measurement_image(light, 5.0);
 }
 
-/// Bytes of pixels a second; at 30 Hz a grey camera of this size has 24 MB/s and a color one 71.
+/// Reports pixel bytes per second. At 30 Hz, a grey camera of this size delivers 24 MB/s and a
+/// color camera 71 MB/s.
 void record(benchmark::State& state, FrameKind kind) {
   const bool is_color = kind == FrameKind::kTexture;
   const cv::Mat image =
@@ -40,7 +39,7 @@ void record(benchmark::State& state, FrameKind kind) {
 BENCHMARK_CAPTURE(record, grey, FrameKind::kVertical)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(record, color, FrameKind::kTexture)->Unit(benchmark::kMillisecond);
 
-/// What labeling adds to a frame of the capture thread.
+/// Time to label a frame in the capture thread.
 void label_frame(benchmark::State& state) {
   const cv::Mat image = image_of(device::Light::kVertical, false);
   auto labeler = sync::FrameLabeler::create({}).value();

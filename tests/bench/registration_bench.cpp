@@ -15,7 +15,7 @@ Isometry hand_pose(double t) {
   return exp_twist(twist);
 }
 
-/// Frame `frame` of a scan with about as many points as a 1024x768 image gives.
+/// View `frame` of a scan, with about as many points as from a 1024x768 image.
 std::shared_ptr<const View> scene_view(int frame) {
   Random random(17, static_cast<std::uint64_t>(frame));
   testing::SceneSensor sensor;
@@ -81,7 +81,7 @@ void align_to_many_views(benchmark::State& state) {
 }
 BENCHMARK(align_to_many_views)->Arg(10)->Arg(25)->Arg(100)->Unit(benchmark::kMillisecond);
 
-/// Mean time of a view over a scan of that many: it must not grow with the scan.
+/// Mean time per view for scans of different length; it must not increase with the length.
 void registrar(benchmark::State& state) {
   std::vector<std::shared_ptr<const View>> views;
   for (int i = 0; i < state.range(0); ++i) views.push_back(scene_view(i));

@@ -1,5 +1,5 @@
-/// @file  A rig on the clock of the machine: what reading, labeling and recording its cameras
-/// costs, and how long a frame takes from the camera to who uses it.
+/// @file  Benchmarks of a rig in real time: processor time to read, label and record its cameras,
+/// and the delay of a frame from the camera to the caller.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -20,12 +20,12 @@ namespace flytri {
 namespace {
 
 constexpr double kDuration_s = 12.0;
-/// Until the lights keep step.
+/// Time until the lights are synchronized.
 constexpr double kLearning_s = 2.0;
-/// From the middle of an exposure to the moment at which the simulated camera has the frame.
+/// Delay of the simulated camera from the middle of an exposure to the frame.
 constexpr double kCamera_s = 0.04;
 
-/// One place of the jaw under each light, 1024x768.
+/// An image of the jaw under each light, 1024x768.
 std::array<cv::Mat, sync::kLightCount> images_of(bool is_color) {
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
   simulated::SensorModel sensor = simulated::intraoral_sensor();
@@ -40,7 +40,7 @@ std::array<cv::Mat, sync::kLightCount> images_of(bool is_color) {
   return images;
 }
 
-/// Shows images that are ready: frames cost no more than to be handed over, as a driver's do.
+/// Delivers precomputed images, so that frames cost no more than with a real driver.
 class ReadyCamera final : public device::Camera {
  public:
   ReadyCamera(std::array<cv::Mat, sync::kLightCount> images, device::Channels channels,
@@ -68,7 +68,7 @@ class ReadyCamera final : public device::Camera {
         device::StampMeaning::kEndOfReadout, sequence_++, false};
   }
   [[nodiscard]] device::CameraStatus status() const override { return status_; }
-  [[nodiscard]] device::CameraSettings asked() const override { return settings_; }
+  [[nodiscard]] device::CameraSettings requested() const override { return settings_; }
   [[nodiscard]] device::CameraSettings read_back() const override { return settings_; }
   [[nodiscard]] std::string name() const override { return "ready"; }
 
@@ -113,8 +113,8 @@ std::shared_ptr<rig::RigSensor> make_rig(bool has_texture) {
   return rig::RigSensor::create(devices, {}, nullptr).value();
 }
 
-/// @param sensor  started
-/// @return  of each frame, from the camera to here, s
+/// @param sensor  must be started
+/// @return  delay of each frame from the camera to the caller, s
 std::vector<double> read_frames(device::Sensor& sensor, double start_s) {
   const device::Clock clock = device::machine_clock();
   std::vector<double> latencies_s;
@@ -126,7 +126,7 @@ std::vector<double> read_frames(device::Sensor& sensor, double start_s) {
   return latencies_s;
 }
 
-/// One or two cameras, 30 Hz each, for 12 s; what the images cost to be handed over is part of it.
+/// One or two cameras at 30 Hz for 12 s; includes the cost of passing on the images.
 void rig(benchmark::State& state, bool is_recorded) {
   for (auto _ : state) {
     const TemporaryFolder folder;

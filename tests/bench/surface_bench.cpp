@@ -11,7 +11,7 @@
 namespace flytri {
 namespace {
 
-/// Lines of `view_count` views over a wavy surface of 10 x 10 mm: 5000 samples a view.
+/// Line samples of `view_count` views of a wavy surface of 10 x 10 mm; 5000 samples per view.
 std::vector<SurfaceSample> wavy_scan(int view_count) {
   Random random(1);
   std::vector<SurfaceSample> samples;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Cases on the command line: what is made of them, and what is said where that cannot be.
+# Cases on the command line: models that are made from them, and messages where that is impossible.
 # Usage: case_test.sh FLYTRI FLYTRI_MAKE_CASE SHORT_PATH.json
 set -u
 . "$(dirname "$0")/../support/expect.sh"
@@ -15,12 +15,12 @@ same() {
   cmp "$1" "$2" > log 2>&1 || fail 'they differ'
 }
 
-# What the rest needs: a recording, and cases of it.
+# Data for the tests below: a recording, and cases with its views.
 expect 'simulate recording' 0 '^wrote scan' \
   "$flytri" simulate recording -o scan --path "$short_path" --duration 0.4
 expect 'simulate calibration set' 0 '^wrote set' "$flytri" simulate calibration-set -o set
 expect 'calibrate' 0 '^wrote c.json' "$flytri" calibrate set -o c.json
-# In the precision that the calibration is kept with.
+# A case keeps the calibration with ten digits, as calibration.json does.
 expect 'reconstruct the recording' 0 '^wrote direct.glb' \
   "$flytri" reconstruct scan --calibration c.json -o direct.glb -o direct.ply
 expect 'a case' 0 '^made' "$make_case" scan c.json a.flytri upper placed
@@ -28,8 +28,8 @@ expect 'an encrypted case' 0 '^made' env FLYTRI_PASSPHRASE=secret \
   "$make_case" scan c.json secret.flytri lower unplaced
 [ "$failed" = 0 ] || exit 1
 
-# From the case as from the recording, whether its views were placed or not.
-expect 'no result yet' 1 'a\.flytri: no stage has a finished model; flytri reconstruct' \
+# The case gives the same model as the recording, with and without poses.
+expect 'no result yet' 1 'a\.flytri: no stage has a finished model; make one with flytri reconstruct --keep' \
   "$flytri" export a.flytri -o none.glb
 cp a.flytri untouched.flytri
 expect 'reconstruct a case' 0 '^wrote placed\.ply' \
@@ -58,7 +58,7 @@ expect 'no passphrase file' 1 'nothing: ' \
 expect 'another stage' 0 '^made' "$make_case" scan c.json a.flytri lower unplaced
 expect 'several stages' 1 'several stages have views: upper, lower; .*--stage' \
   "$flytri" reconstruct a.flytri -o no.glb
-expect 'empty stage' 1 'the stage bite has no views; stages that have: upper, lower' \
+expect 'empty stage' 1 'the stage bite has no views; the stages with views: upper, lower' \
   "$flytri" reconstruct a.flytri -o no.glb --stage bite
 expect 'no such stage' 2 '--stage' "$flytri" reconstruct a.flytri -o no.glb --stage left
 expect 'chosen stage' 0 '^wrote lower\.glb' "$flytri" reconstruct a.flytri -o lower.glb --stage lower
@@ -75,7 +75,7 @@ expect 'truncated case' 0 'lost: views: upper' \
 expect 'keep in a truncated case' 1 'cut\.flytri: .*damaged' \
   "$flytri" reconstruct cut.flytri -o no.ply --calibration c.json --keep
 for file in no.*; do
-  name="nothing half-written"
+  name="no file is left behind"
   [ ! -e "$file" ] || fail "$file was left behind"
 done
 

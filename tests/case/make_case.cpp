@@ -1,6 +1,6 @@
-/// @file  A case out of a recording: its views and texture frames, placed as far as one asks for.
+/// @file  Makes a case from a recording: its views and texture frames, with or without poses.
 /// Usage: flytri_make_case RECORDING CALIBRATION CASE STAGE placed|unplaced
-/// The case is made if there is none; FLYTRI_PASSPHRASE encrypts it.
+/// Creates the case if it does not exist; encrypts it if FLYTRI_PASSPHRASE is set.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -32,7 +32,7 @@ Result<io::CaseFile> open_or_create(const std::filesystem::path& path) {
   return io::CaseFile::create(path, options, fields);
 }
 
-/// Appends what a frame became, if it became anything.
+/// Appends the view or texture of a frame, unless the frame is rejected.
 Result<void> keep_frame(io::CaseFile& file, io::ScanStage stage, const Frame& frame,
                         const calibration::Calibration& calibration,
                         tracking::Registrar& registrar) {

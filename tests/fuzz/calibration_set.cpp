@@ -1,4 +1,4 @@
-/// @file  Any bytes as calibration-set.json: refused or read, never worse.
+/// @file  Any bytes as calibration-set.json: the reader accepts or refuses them, and never crashes.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,4 +1,4 @@
-/// @file  Any bytes as an OBJ file: refused or read, never worse.
+/// @file  Any bytes as an OBJ file: the reader accepts or refuses them, and never crashes.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,4 +1,4 @@
-/// @file  Any bytes as a PLY file: refused or read, never worse.
+/// @file  Any bytes as a PLY file: the reader accepts or refuses them, and never crashes.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,4 +1,4 @@
-/// @file  Any bytes as recording.json: refused or read, never worse.
+/// @file  Any bytes as recording.json: the reader accepts or refuses them, and never crashes.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,4 +1,4 @@
-/// @file  Any bytes as a view of a case: refused, or read and written again alike, never worse.
+/// @file  Any bytes as a view of a case: the reader refuses them, or the same view is written again; it never crashes.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-/// @file  Writes a textured and a colored .glb into the folder named on the command line.
+/// @file  Writes a textured and a colored .glb into the folder given on the command line.
 #include <cstdio>
 #include <filesystem>
 

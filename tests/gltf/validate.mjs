@@ -1,4 +1,4 @@
-// Runs the Khronos validator on the .glb files named; any error or warning fails.
+// Runs the Khronos validator on the given .glb files; fails at any error or warning.
 import { readFile } from "node:fs/promises";
 import process from "node:process";
 

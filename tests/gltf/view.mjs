@@ -1,4 +1,4 @@
-// Opens the .glb files named in headless Chromium with three.js and leaves a picture beside each.
+// Opens the given .glb files in headless Chromium with three.js and writes a picture beside each.
 import { createServer } from "node:http";
 import { existsSync } from "node:fs";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
@@ -17,7 +17,7 @@ function skip(reason) {
   process.exit(kSkipped);
 }
 
-// Serves this folder, and under /model/N the N-th file.
+// Serves this folder, and the N-th file as /model/N.
 function serve(models) {
   const server = createServer(async (request, response) => {
     const url = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
@@ -34,7 +34,7 @@ function serve(models) {
   return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
 }
 
-// Shows one model; what is wrong with it, or nothing.
+// Shows one model. Returns the problem, or nothing.
 async function view(page, port, index, picture) {
   await page.goto(`http://127.0.0.1:${port}/viewer.html?model=/model/${index}`);
   await page.waitForFunction(() => window.shown, null, { timeout: 60_000 });
@@ -42,7 +42,7 @@ async function view(page, port, index, picture) {
   await page.screenshot({ path: picture });
   console.log(`${picture}: ${JSON.stringify(shown)}`);
   if (shown.error) return shown.error;
-  // A lit surface has many shades and fills some of the picture; a blank one has neither.
+  // A lit surface has many shades and fills a part of the picture; a blank picture does not.
   const is_blank = shown.colors.different < 50 || shown.colors.drawn_share < 0.05;
   return is_blank ? "the picture is blank" : null;
 }

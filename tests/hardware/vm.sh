@@ -1,16 +1,15 @@
 # shellcheck shell=bash
-# Boots Debian's stock kernel in QEMU with programs of ours, to meet the real drivers without
-# devices. Sourced by what runs tests in it:
+# Boots Debian's standard kernel with our programs in QEMU, to test with the real drivers but without
+# devices. Source this file in a script:
+#     vm_require                            exits with code 77 and a message if a tool is missing
+#     vm_fetch_kernel WORK                  downloads and unpacks the kernel package into WORK, once
+#     vm_boot WORK SCRIPT MODULES PROGRAM...  boots and runs SCRIPT in the guest; returns 0 if it passed
 #
-#     vm_require                            ends with 77 and one line where a tool is missing
-#     vm_fetch_kernel WORK                  once: the kernel package into WORK, unpacked
-#     vm_boot WORK SCRIPT MODULES PROGRAM...  boots, runs SCRIPT in the guest; 0 only if it said so
-#
-# The guest's time is virtual (-icount): it stands still while the host is busy and leaps while the
-# guest idles, so that tests neither fail under load nor wait. No timing taken inside means anything.
-# An instruction takes 2^VM_TICK ns of it, by default 2: with less, more is done in its time.
-# SCRIPT is the guest's shell script; its directory /share is WORK/share. PROGRAMs are found in /bin,
-# with the libraries that they need. Logs: WORK/console.log.
+# The guest has virtual time (-icount): it stops while the host is busy and jumps ahead while the
+# guest is idle. So tests do not fail under load and do not wait, but times measured in the guest are
+# meaningless. An instruction takes 2^VM_TICK ns of virtual time (default: 2 ns); with a smaller
+# VM_TICK, the guest does more in the same virtual time. SCRIPT is a shell script; it finds WORK/share
+# in /share, and the PROGRAMs with their libraries in /bin. Log: WORK/console.log.
 
 vm_packages="busybox-static cpio kmod qemu-system-x86 seabios xz-utils"
 
@@ -20,20 +19,20 @@ vm_require() {
     command -v "$tool" > /dev/null || missing+=" $tool"
   done
   [ -z "$missing" ] && return
-  echo "***Skipped: tests on real drivers need$missing: apt-get install $vm_packages"
+  echo "***Skipped: tests with real drivers need$missing: apt-get install $vm_packages"
   exit 77
 }
 
-# The kernel without its own decompressor, which would take a minute on an emulated processor: the
-# image carries the compressed kernel after its first xz header.
+# Unpacks the kernel here, because its own decompressor would take a minute on an emulated processor. The
+# compressed kernel starts at the first xz header of the image.
 vm_extract_kernel() {
   local offset
   offset=$(LC_ALL=C grep -abo -m 1 -P '\xFD7zXZ\x00' "$1" | head -n 1 | cut -d : -f 1)
-  # What follows the compressed kernel is not for xz, which says so and fails after its work.
+  # xz fails at the data after the compressed kernel, but only after it has unpacked the kernel.
   tail -c +$((offset + 1)) "$1" | xz -dc 2> /dev/null > "$2" || [ -s "$2" ]
 }
 
-# The cloud kernel has no cameras.
+# Not the cloud kernel: it has no camera drivers.
 vm_kernel_package() {
   apt-cache depends linux-image-amd64 2> /dev/null | awk '/Depends:/ {print $2; exit}' || true
 }
@@ -44,13 +43,13 @@ vm_fetch_kernel() {
   rm -rf "${work:?}/kernel"
   mkdir -p "$work/kernel"
   package=$(vm_kernel_package)
-  # A fresh system knows no packages yet.
+  # A new system has no package lists yet.
   if [ -z "$package" ] && [ "$(id -u)" = 0 ]; then
     apt-get update -qq
     package=$(vm_kernel_package)
   fi
   (cd "$work" && apt-get -qq -o APT::Sandbox::User=root download "$package") || {
-    echo "vm: the package ${package:-linux-image-amd64} cannot be fetched; apt-get update, and check the network"
+    echo "vm: the package ${package:-linux-image-amd64} cannot be downloaded: run apt-get update and check the network"
     return 1
   }
   dpkg -x "$work/$package"_*.deb "$work/kernel"
@@ -61,7 +60,7 @@ vm_fetch_kernel() {
   touch "$work/kernel.ready"
 }
 
-# Files of the modules named and of those that they need, in the order of loading.
+# Prints the files of the modules and of their dependencies, in loading order.
 vm_module_files() {
   local work=$1 module
   for module in $2; do
@@ -105,8 +104,8 @@ vm_boot() {
     -serial "file:$work/console.log" \
     -virtfs "local,path=$work/share,mount_tag=share,security_model=none" \
     -kernel "$work/vmlinux" -initrd "$work/initramfs" -append 'console=ttyS0 panic=-1 quiet' < /dev/null ||
-    echo "vm: it was ended after ${VM_TIMEOUT_S:-1500} s, or could not be started"
+    echo "vm: QEMU was stopped after ${VM_TIMEOUT_S:-1500} s, or could not be started; see $work/console.log"
   tr -d '\r' < "$work/console.log" | sed -n '/^guest: /,$p'
-  # Its last word: whatever else ends the machine, a panic among others, leaves it out.
+  # The test passed only if this is the last line; after a kernel panic, for example, it is missing.
   tr -d '\r' < "$work/console.log" | tail -n 5 | grep -q '^guest: passed$'
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The program as a user meets it: exit codes, messages for bad input, nothing half-written, and the
+# Runs the program as a user does: exit codes, messages for bad input, no incomplete files, and the
 # same bytes for any number of threads.
 # Usage: command_line_test.sh FLYTRI SHORT_PATH.json
 set -u
@@ -9,7 +9,7 @@ short_path=$2
 work=$(mktemp -d) || exit 1
 trap 'umount "$work/disk" 2> /dev/null; rm -rf "$work"' EXIT
 cd "$work" || exit 1
-# absent NAME FILE...: none of them may have been left behind, nor a temporary one.
+# absent NAME FILE...: fails if one of the files or a temporary file was left behind.
 absent() {
   name=$1
   shift
@@ -18,10 +18,10 @@ absent() {
 
 reconstruct() { "$flytri" reconstruct "$1" --calibration calibration.json -o out.ply "${@:2}"; }
 
-# bad_copy NAME: a copy of the recording to be spoiled.
+# bad_copy NAME: copies the recording, for a test that damages it.
 bad_copy() { rm -rf "$1" && cp -r scan "$1"; }
 
-# What the rest needs.
+# Data for the tests below.
 expect 'simulate recording' 0 '^wrote scan' \
   "$flytri" simulate recording -o scan --path "$short_path" --duration 0.4
 expect 'simulate calibration set' 0 '^wrote set' "$flytri" simulate calibration-set -o set
@@ -43,23 +43,23 @@ done
 expect 'evaluate' 0 'poses, RMS at the corners .* registered' \
   "$flytri" evaluate 1.ply --recording scan --report 1.json
 
-# Calibration at the chair: interrupted, taken up again, checked.
+# Guided calibration: interrupted, continued, checked.
 live() { "$flytri" calibrate --live --simulated -o chair --planes 5; }
 expect 'live calibration, stopped' 0 '^stopped; chair keeps' live <<< $'\n\n\nq'
 absent 'stopped calibration' chair/calibration.json chair/calibration-set.json
-expect 'live calibration goes on' 0 '^chair: going on, 3 of 10' live < <(yes '')
+expect 'live calibration continues' 0 '^chair: continuing, 3 of 10' live < <(yes '')
 expect 'offline as live' 0 '^wrote offline.json' "$flytri" calibrate chair -o offline.json
 cmp offline.json chair/calibration.json > log 2>&1 || fail 'offline calibration differs'
 expect 'check on a plane' 0 '^the calibration holds' \
   "$flytri" calibrate --check --simulated --calibration offline.json < <(yes '')
-expect 'check on what is no plane' 1 'no verdict' \
+expect 'check without a plane' 1 'no verdict' \
   "$flytri" calibrate --check --calibration calibration.json --recording scan
 expect 'live without a folder' 1 '-o' "$flytri" calibrate --live --simulated
 expect 'nothing to calibrate' 1 '--live' "$flytri" calibrate
 
 # Exit codes of usage.
 for command in '' simulate 'simulate recording' 'simulate calibration-set' calibrate reconstruct \
-  evaluate study demo app bench 'bench live' export; do
+  evaluate demo app devices record export; do
   # shellcheck disable=SC2086  # the words of a command
   expect "help: $command" 0 'Usage' "$flytri" $command --help
 done
@@ -67,12 +67,14 @@ done
 expect 'help of every command' 0 '^flytri simulate recording:$' "$flytri" --help-all
 expect 'unknown option' 2 '--nonsense' "$flytri" reconstruct scan -o out.ply --nonsense
 expect 'unknown command' 2 'no command nonsense' "$flytri" nonsense
-expect 'unknown study' 2 'no command nonsense' "$flytri" study nonsense
-expect 'no command' 2 'subcommand is required' "$flytri" study
+expect 'unknown second command' 2 'no command nonsense' "$flytri" simulate nonsense
+expect 'no second command' 2 'subcommand is required' "$flytri" simulate
 expect 'window without a screen' 1 'no window.*DISPLAY' env -u DISPLAY "$flytri"
 expect 'required option' 2 '--recording' "$flytri" evaluate nowhere
 expect 'missing argument' 2 'RECORDING' "$flytri" reconstruct -o out.ply
-expect 'unknown ending' 1 'out\.xyz.*\.glb, \.ply' "$flytri" reconstruct scan -o out.xyz
+expect 'unknown extension' 1 'out\.xyz.*\.glb, \.ply' "$flytri" reconstruct scan -o out.xyz
+expect 'two outputs, one file' 1 'out\.png: two outputs.* out\.obj and out\.png' \
+  "$flytri" reconstruct scan -o out.obj --report out.png
 
 # Recordings.
 bad_copy bad && truncate -s 1000 bad/frames/000003.png
@@ -86,7 +88,8 @@ expect 'missing key' 1 'bad/recording\.json: .*frames\[0\]\.time_s' reconstruct 
 bad_copy bad && printf '{"format": "flytri.recording", "version": 1, "frames": []}' > bad/recording.json
 expect 'empty recording' 1 'bad/recording\.json: .*empty; record again' reconstruct bad
 bad_copy bad && sed -i 's/"horizontal"/"vertical"/' bad/recording.json
-expect 'one pattern only' 1 'bad: .*both patterns' reconstruct bad
+expect 'one pattern only' 1 'bad: of [0-9]+ frames [1-9][0-9]* show vertical and 0 show horizontal lines .*the horizontal pattern is missing' \
+  reconstruct bad
 bad_copy bad && rm bad/frames/*
 expect 'no images' 1 'bad: .*frame 0 was rejected: bad/frames/000000\.png: .*o such file.*; correct the path' reconstruct bad
 expect 'no recording' 1 'nowhere/recording\.json: .*o such file.*; correct the path' reconstruct nowhere
@@ -111,6 +114,11 @@ expect 'no calibration set' 1 'empty/calibration-set\.json: .*o such file.*; cor
   "$flytri" calibrate empty
 absent 'bad calibrations' out.ply
 
+# The demo. Its picture must not replace the texture of its OBJ.
+expect 'demo' 0 '^wrote demo/preview\.png' "$flytri" demo --duration 2 -o demo
+expect 'the recording of the demo' 0 '^wrote again\.obj' "$flytri" reconstruct demo/scan -o again.obj
+cmp demo/jaw.png again.png > log 2>&1 || fail 'demo/jaw.png is not the texture of demo/jaw.obj'
+
 # Truth.
 bad_copy bad && rm bad/truth.json
 expect 'no truth' 1 'bad/truth\.json: .*simulate' "$flytri" evaluate 1.ply --recording bad
@@ -122,7 +130,7 @@ expect 'no such folder' 1 'nowhere/out\.ply: .*folder' "$flytri" reconstruct sca
   --calibration calibration.json -o nowhere/out.ply
 expect 'no folder for the report' 1 'nowhere/report\.json: .*folder' "$flytri" reconstruct scan \
   --calibration calibration.json -o out.ply --report nowhere/report.json
-grep -q Measuring log && fail 'is found after the work'
+grep -q Measuring log && fail 'found only after the work'
 absent 'no folder for the report' out.ply
 expect 'no folder for the calibration' 1 'nowhere/c\.json: .*folder' \
   "$flytri" calibrate set -o nowhere/c.json
@@ -143,7 +151,7 @@ else
   echo 'skipped: disk full: needs the right to mount a tmpfs'
 fi
 
-# Ctrl-C. In the background a shell has programs ignore SIGINT; env gives it back.
+# Ctrl-C. A program in the background of a shell ignores SIGINT; env undoes that.
 rm log
 env --default-signal=INT "$flytri" reconstruct scan --calibration calibration.json -o out.ply > log 2>&1 &
 running=$!
@@ -153,7 +161,7 @@ wait $running
 status=$?
 name='Ctrl-C'
 [ "$status" = 1 ] || fail "exit code $status, not 1"
-grep -q 'stopped; nothing was written' log || fail 'does not say that it stopped'
+grep -q 'stopped; nothing was written' log || fail 'does not report that it stopped'
 absent 'Ctrl-C' out.ply
 
 echo "$failed failed"

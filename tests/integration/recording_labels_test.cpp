@@ -16,10 +16,10 @@ namespace {
 
 const std::filesystem::path kData = testing::shared_data();
 
-/// A wrong label is off by millimeters, noise by hundredths.
+/// A wrong label causes errors of millimeters, noise only of hundredths.
 constexpr double kWrong_mm = 0.5;
 
-TEST(RecordingLabels, HardlyAPointOfARealScanIsFarFromTheSurface) {
+TEST(RecordingLabels, FewPointsOfARealScanAreFarFromTheSurface) {
   const std::filesystem::path folder = kData / "recording-quadrant";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "needs " << folder;
   const auto set = io::read_calibration_set(kData / "calibration-intraoral").value();

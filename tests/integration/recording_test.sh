@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# The recording of a real jaw by an independent instrument, from calibration to model, held against
-# its truth; and its .glb through the Khronos validator.
+# Reconstructs the recording of a real jaw by an independent instrument, from calibration to model, and
+# compares the result with the truth. Also checks the .glb with the Khronos validator.
 # Usage: recording_test.sh FLYTRI DATA_FOLDER GLTF_TEST_FOLDER
 set -eu
 flytri=$1
 data=$2
 gltf=$3
 if [ ! -d "$data/recording-quadrant" ]; then
-  echo "skipped: $data/recording-quadrant is not there: it comes with the shared data"
+  echo "skipped: $data/recording-quadrant is missing; it comes with the shared data"
   exit 77
 fi
 work=$(mktemp -d)
@@ -30,10 +30,10 @@ const checks = {
   'every frame is accounted for': counts.frames === frames.length &&
     counts.frames === counts.registered + counts.interpolated + counts.textured + rejected,
   'nine of ten measurement frames are registered': counts.registered >= 0.9 * 204,
-  'surface RMS is at most 32 um': surface.rms_mm <= 0.032,
-  'at least 98 % of what was lit is there': surface.complete_surface_share >= 0.98,
-  'colors are where they belong': color.median < 0.2 * color.median_by_chance,
-  'poses are within 20 um': poses.first_view_rms_mm < 0.02,
+  'surface RMS is at most 32 µm': surface.rms_mm <= 0.032,
+  'at least 98 % of the lit surface is complete': surface.complete_surface_share >= 0.98,
+  'colors are at the right places': color.median < 0.2 * color.median_by_chance,
+  'poses are within 20 µm': poses.first_view_rms_mm < 0.02,
 };
 for (const [name, holds] of Object.entries(checks)) console.log(`${holds ? 'ok' : 'FAILED'}: ${name}`);
 process.exit(Object.values(checks).every(Boolean) ? 0 : 1);

@@ -10,8 +10,8 @@ using testing::judge_scan;
 using testing::StressCase;
 using testing::StressVerdict;
 
-/// Scans of the sample jaw. A wrong pose in a clinical scan is the worst fault: whatever the hand
-/// does, there is none; and the milder the fault, the more views must be kept.
+/// Scans of the sample jaw. A wrong pose is the worst fault of a clinical scan: none may occur,
+/// whatever the hand does. The milder the disturbance, the more views must be registered.
 class RegistrationStress : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -36,7 +36,7 @@ class RegistrationStress : public ::testing::Test {
 
 std::unique_ptr<simulated::ViewSimulator> RegistrationStress::simulator_;
 
-/// 120 frames in a mood that a test then changes.
+/// A scan of 120 frames that a test then disturbs.
 StressCase usual() {
   StressCase by;
   by.frame_count = 120;
@@ -61,7 +61,7 @@ TEST_F(RegistrationStress, TooFastIsRejectedNotGuessed) {
   EXPECT_EQ(run(by).wrong, 0);
 }
 
-TEST_F(RegistrationStress, NoiseFromATenthToTwiceThePapers) {
+TEST_F(RegistrationStress, NoiseFromATenthToTwiceThatOfThePaper) {
   for (const double sigma_mm : {0.003, 0.06}) {
     StressCase by = usual();
     by.noise.sigma_mm = sigma_mm;
@@ -80,7 +80,7 @@ TEST_F(RegistrationStress, WrongLabelsDoNotMoveViews) {
   EXPECT_EQ(verdict.wrong, 0);
 }
 
-TEST_F(RegistrationStress, LostFramesAndPatternsArePassedOver) {
+TEST_F(RegistrationStress, LostFramesAndPatternsDoNoHarm) {
   StressCase by = usual();
   by.missing_share = 0.2;
   by.one_pattern = {50, 60};
@@ -89,7 +89,7 @@ TEST_F(RegistrationStress, LostFramesAndPatternsArePassedOver) {
   EXPECT_EQ(verdict.wrong, 0);
 }
 
-TEST_F(RegistrationStress, AShakingHandIsFollowed) {
+TEST_F(RegistrationStress, FollowsAShakingHand) {
   StressCase by = usual();
   by.path.tremor_mm = 0.6;
   by.path.tremor_rad = 0.05;
@@ -98,20 +98,20 @@ TEST_F(RegistrationStress, AShakingHandIsFollowed) {
   EXPECT_EQ(verdict.wrong, 0);
 }
 
-TEST_F(RegistrationStress, ReentersFiveMillimetersOffAndTurned) {
+TEST_F(RegistrationStress, ContinuesAfterALossFiveMillimetersAwayAndTurned) {
   StressCase by = usual();
   by.away = {60, 80};
   by.jump_frame = 80;
   by.jump_by = -25;
   by.jump_off << 0.06, -0.06, 0.15, 3.0, -3.0, 1.0;
   const StressVerdict verdict = run(by);
-  // 20 frames see nothing; the hand rests long enough for all others.
+  // 20 frames see nothing; after that the hand rests long enough for all others.
   EXPECT_EQ(verdict.right, 100);
   EXPECT_EQ(verdict.rejected, 20);
   EXPECT_EQ(verdict.wrong, 0);
 }
 
-TEST_F(RegistrationStress, AJumpToUnseenSurfaceIsNotJoined) {
+TEST_F(RegistrationStress, DoesNotJoinASurfaceAfterAJumpToAnUnseenPlace) {
   StressCase by = usual();
   by.jump_frame = 60;
   by.jump_by = 150;
@@ -120,7 +120,7 @@ TEST_F(RegistrationStress, AJumpToUnseenSurfaceIsNotJoined) {
   EXPECT_EQ(verdict.wrong, 0);
 }
 
-TEST_F(RegistrationStress, EverythingAtOnce) {
+TEST_F(RegistrationStress, AllDisturbancesTogether) {
   StressCase by = usual();
   by.speed = 2.5;
   by.path.tremor_mm = 0.5;

@@ -1,5 +1,5 @@
-/// @file  A whole rig without devices, from the light to the model: simulated cameras under
-/// simulated lights are recorded, and the recording is reconstructed.
+/// @file  A whole simulated rig, from the lights to the model: records simulated cameras under
+/// simulated lights, and reconstructs the recording.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,13 +22,13 @@ using testing::make_simulated_rig;
 using testing::SimulatedRig;
 using testing::SimulatedRigOptions;
 
-/// The hand rests so long where it will begin, until the rig has learned its latency.
+/// The hand rests at the start for this time, while the rig learns its latency.
 constexpr double kRest_s = 1.4;
 constexpr double kScan_s = 2.2;
-/// Of the simulated devices' clock, at the start.
+/// Start time of the simulated clock.
 constexpr double kStart_s = 100.0;
 
-/// What both cameras see of a hand that begins to move.
+/// The images of both cameras; the hand starts to move after a while.
 class Stage {
  public:
   explicit Stage(const TriangleMesh& jaw)
@@ -39,7 +39,7 @@ class Stage {
                    .value()),
         dark_(scene_.measurement_image(device::Light::kDark, 0.0)) {}
 
-  /// As a perfect rig would see it.
+  /// The image of a perfect rig.
   [[nodiscard]] cv::Mat measurement(device::Light light, double time_s) const {
     return light == device::Light::kDark ? dark_ : scene_.measurement_image(light, path_s(time_s));
   }
@@ -54,7 +54,7 @@ class Stage {
   static double path_s(double time_s) { return time_s - kStart_s - kRest_s; }
 
   simulated::LitScene scene_;
-  cv::Mat dark_;  // the same at all times: nobody looks at it for long
+  cv::Mat dark_;  // the same at all times, as dark frames are not used
 };
 
 SimulatedRigOptions rig_of(const Stage& stage) {
@@ -89,7 +89,7 @@ void record(const SimulatedRig& rig, const std::filesystem::path& folder) {
   EXPECT_EQ(recorder->recorder_status().lost, 0);
 }
 
-/// The middle of the exposure that a frame's learned time is near to.
+/// The middle of the exposure that is nearest to the learned time of a frame.
 double exposed_s(const SimulatedRig& rig, const Frame& frame) {
   const simulated::SimulatedCamera& camera =
       frame.kind == FrameKind::kTexture ? *rig.texture : *rig.measurement;
@@ -98,7 +98,7 @@ double exposed_s(const SimulatedRig& rig, const Frame& frame) {
   return camera.exposure(std::llround(since_s / period_s)).middle_s;
 }
 
-/// As its light alone would have lit it.
+/// The image under only the light of its label.
 cv::Mat true_image(const Frame& frame, const SimulatedRig& rig, const Stage& stage) {
   const double time_s = exposed_s(rig, frame);
   if (frame.kind == FrameKind::kTexture) return stage.texture(device::Light::kFlash, time_s);
@@ -111,7 +111,7 @@ struct FrameCounts {
   int measurement = 0, texture = 0;
 };
 
-/// That each frame is, bit for bit, what was lit by its light alone.
+/// Checks that each frame equals the image under only its light, bit for bit.
 FrameCounts expect_true(const io::Recording& recording, const SimulatedRig& rig,
                         const Stage& stage) {
   FrameCounts counts;
@@ -124,7 +124,7 @@ FrameCounts expect_true(const io::Recording& recording, const SimulatedRig& rig,
   return counts;
 }
 
-/// From the result's world, the frame of the first view, to the jaw.
+/// Pose of the world frame of the result, which is the frame of the first view.
 Isometry first_pose(const io::Recording& recording, const SimulatedRig& rig, const Stage& stage) {
   for (std::size_t i = 0;; ++i) {
     const Frame frame = io::load_frame(recording, FrameIndex(i)).value();
@@ -132,7 +132,7 @@ Isometry first_pose(const io::Recording& recording, const SimulatedRig& rig, con
   }
 }
 
-TEST(RigScan, IsReconstructedAsExactlyAsTheSensorMeasures) {
+TEST(RigScan, ReconstructsAsAccuratelyAsTheSensorMeasures) {
   const Workers workers;
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, workers).value();
   const Stage stage(jaw);
@@ -140,7 +140,7 @@ TEST(RigScan, IsReconstructedAsExactlyAsTheSensorMeasures) {
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(record(rig, folder / "scan"));
   const io::Recording recording = io::open_recording(folder / "scan").value();
-  // Lights are off now and then, and a texture frame takes the place of some others.
+  // Sometimes the lights are off, and some frames are texture frames.
   const FrameCounts counts = expect_true(recording, rig, stage);
   EXPECT_GT(counts.measurement, 30.0 * kScan_s * 0.85);
   EXPECT_GE(counts.texture, 2);
@@ -168,11 +168,11 @@ TEST(RigScan, IsReconstructedAsExactlyAsTheSensorMeasures) {
   EXPECT_LT(fit.T_truth_result.translation().norm(), 0.1);
 }
 
-TEST(RigScan, FramesThatALightChangedInAreNotRecorded) {
+TEST(RigScan, DoesNotRecordFramesInWhichTheLightChanged) {
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
   const Stage stage(jaw);
   SimulatedRigOptions options = rig_of(stage);
-  // Nearly a whole period: there is no gap to switch in, so that every other frame is straddled.
+  // Almost the whole period: there is no gap for switching, so every other frame has two lights.
   options.measurement.exposure_s = 0.03;
   const SimulatedRig rig = make_simulated_rig(options);
   const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-/// @file  The calibration of the analytic sensor, made once for the tests that only use it.
+/// @file  The calibration of the analytic sensor, computed once and shared by tests.
 #pragma once
 
 #include "core/calibration/fit/calibrate.h"

@@ -19,7 +19,7 @@ Vec3 AnalyticSensor::back_project(const Pixel& pixel, double z_mm) const {
   Vec3 p(0, 0, z_mm);
   const double scale = (z_mm + distance_mm) / focal_px;
   const double c = std::cos(roll_rad), s = std::sin(roll_rad);
-  for (int i = 0; i < 20; ++i) {  // the distortion is small: each step gains two digits
+  for (int i = 0; i < 20; ++i) {  // the distortion is small, so each step gives two more digits
     const Pixel at = project(p);
     const double du = scale * (pixel.u_px - at.u_px), dv = scale * (pixel.v_px - at.v_px);
     p.x() += c * du + s * dv;
@@ -37,7 +37,7 @@ double AnalyticSensor::line_mm(Pattern pattern, int n, double z_mm) const {
 
 double AnalyticSensor::across_px(Pattern pattern, int n, double along_px, double z_mm) const {
   const double line = line_mm(pattern, n, z_mm);
-  double across = 0.0, other = 0.0;  // the point of the line that is seen at `along_px`
+  double across = 0.0, other = 0.0;  // the point of the line seen at `along_px`
   for (int i = 0; i < 20; ++i) {
     const Vec3 p =
         pattern == Pattern::kVertical ? Vec3(line, other, z_mm) : Vec3(other, line, z_mm);

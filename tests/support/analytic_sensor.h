@@ -1,5 +1,4 @@
-/// @file  A line sensor in closed form, that draws calibration targets: nothing of it is
-/// polynomial.
+/// @file  A sensor with a closed-form model that draws calibration images, without polynomials.
 #pragma once
 
 #include <cmath>
@@ -10,8 +9,8 @@
 
 namespace flytri::testing {
 
-/// A pinhole camera, a little rolled and with barrel distortion, and a projector beside it (for the
-/// vertical lines) and above it (for the horizontal ones). The line width grows with z.
+/// A pinhole camera, a little rolled and with barrel distortion; a projector beside it for the
+/// vertical lines and one above it for the horizontal lines. The line width increases with z.
 struct AnalyticSensor {
   Vec3 volume_mm{18.0, 13.0, 10.0};
   std::array<int, 2> line_counts{6, 4};
@@ -19,14 +18,14 @@ struct AnalyticSensor {
   double focal_px = 1150.0;
   double distance_mm = 55.0;  ///< camera to the origin
   double roll_rad = 0.02;
-  double distortion = -0.15;     ///< of the squared tangent of the view angle
-  double projector_mm = 8.0;     ///< beside the camera
+  double distortion = -0.15;     ///< coefficient of the squared tangent of the view angle
+  double projector_mm = 8.0;     ///< distance of the projectors from the camera
   double line_spacing_mm = 2.9;  ///< at z = 0
-  double turn_rad = 0.0;         ///< of the projectors, across their lines
-  double focus_mm = -6.0;        ///< in front of the volume: lines get wider all through it
+  double turn_rad = 0.0;         ///< rotation of the projectors across their lines
+  double focus_mm = -6.0;  ///< in front of the volume, so that lines widen through the whole volume
   double read_noise = 0.5;
 
-  /// Where the camera sees a point of the sensor frame.
+  /// Image position of a point of the sensor frame.
   [[nodiscard]] Pixel project(const Vec3& p_sensor) const;
   /// The point of the plane z = z_mm that a pixel sees.
   [[nodiscard]] Vec3 back_project(const Pixel& pixel, double z_mm) const;
@@ -40,13 +39,14 @@ struct AnalyticSensor {
   }
 };
 
-/// The plane z = z_mm under one line pattern.
+/// Image of the plane z = z_mm under one line pattern.
 [[nodiscard]] cv::Mat draw_lines(const AnalyticSensor& sensor, Pattern pattern, double z_mm,
                                  std::uint64_t seed);
-/// The dot target at z = z_mm.
+/// Image of the dot target at z = z_mm.
 [[nodiscard]] cv::Mat draw_dots(const AnalyticSensor& sensor, const calibration::DotTarget& dots,
                                 double z_mm);
-/// A whole set, the texture camera being the same camera in color. Names are "z0_v.png" and so on.
+/// A complete calibration set. The texture camera is the same camera in color. Image names are
+/// "z0_v.png" and so on.
 [[nodiscard]] calibration::CalibrationSet draw_set(const AnalyticSensor& sensor, int plane_count);
 
 }  // namespace flytri::testing

@@ -39,7 +39,7 @@ Profile sample_profile(int line, int point_count, Random& random) {
     const double y_mm = 0.025 * i - 5.0;
     const Vec3 position_mm(x_mm + 0.003 * random.normal(), y_mm,
                            std::sin(x_mm + y_mm) + 0.03 * random.normal());
-    // Along the ray of a camera some way off, longer for points that are deeper.
+    // Along the camera's ray; larger for deeper points.
     const Vec3 ray = (position_mm + Vec3(10.0, 0.0, 60.0)) / 60.0;
     const Vec3f deviation_mm = (0.014 * ray * (1.0 + 0.02 * random.normal())).cast<float>();
     profile.points.push_back({position_mm, deviation_mm, static_cast<float>(100 + i)});

@@ -28,7 +28,7 @@ void add_quad(TriangleMesh& mesh, int ring, int sector) {
   const auto index = [](int r, int s) {
     return static_cast<std::uint32_t>(r * (kSectors + 1) + s);
   };
-  // At the poles one of the two triangles has no area.
+  // At the poles, one of the two triangles has no area and is left out.
   if (ring > 0) {
     mesh.triangles.push_back(
         {index(ring, sector), index(ring + 1, sector), index(ring, sector + 1)});

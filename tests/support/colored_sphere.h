@@ -5,10 +5,10 @@
 
 namespace flytri {
 
-/// A sphere of 8 mm with a color and an uncertainty of its own at every vertex; no texture.
+/// A sphere of 8 mm with a different color and uncertainty at every vertex, without texture.
 [[nodiscard]] TexturedMesh colored_sphere();
 
-/// The same with a checkered atlas of 64 x 32 pixels wrapped around it.
+/// The same sphere with a checkerboard texture of 64 x 32 pixels.
 [[nodiscard]] TexturedMesh textured_sphere();
 
 }  // namespace flytri

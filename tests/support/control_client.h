@@ -1,4 +1,4 @@
-/// @file  The other end of the window's control channel.
+/// @file  A client of the window's control socket.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@ namespace flytri::testing {
 
 class ControlClient {
  public:
-  /// Waits until the window listens. @return  none after `patience_s`
+  /// Waits until the window accepts connections. @return none after `patience_s`
   [[nodiscard]] static std::optional<ControlClient> connect(const std::string& socket_path,
                                                             double patience_s);
   ControlClient(ControlClient&& other) noexcept;
@@ -18,7 +18,7 @@ class ControlClient {
   ~ControlClient();
 
   /// Sends a request and waits for the answer, at most a minute.
-  /// @return  the line, empty where the window has gone
+  /// @return  the answer line; empty if the window was closed
   [[nodiscard]] std::string ask(const std::string& request);
 
  private:

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Checks of the program's exit codes and messages, for scripts that source this file.
+# Checks exit codes and messages of the program. Source this file in a script.
 failed=0
 
 fail() {
@@ -8,8 +8,8 @@ fail() {
   failed=$((failed + 1))
 }
 
-# expect NAME CODE PATTERN COMMAND...: runs it; it must end with CODE and print lines that match
-# the extended regular expression.
+# expect NAME CODE PATTERN COMMAND...: runs COMMAND. It must end with exit code CODE and print a line that
+# matches the extended regular expression PATTERN.
 expect() {
   name=$1
   local code=$2 pattern=$3

@@ -31,7 +31,7 @@ std::shared_ptr<const scan::LiveFrame> seen_plane(calibration::ShotKind kind, do
   return seen;
 }
 
-/// Both targets at one depth, then the next depth.
+/// The order of placements is: both targets at one depth, then the next depth.
 RunningCalibration calibration_until(std::size_t wanted) {
   const calibration::CalibrationPlan plan = shots::plan_of(simulated::intraoral_sensor());
   RunningCalibration running;
@@ -75,7 +75,7 @@ RunningCalibration refused_set() {
   running.step = CalibrationStep::kRefused;
   running.image = seen_plane(calibration::ShotKind::kDots, 8.0);
   running.message =
-      "plane 12 (z +3.00 mm) does not fit the others: it is 62 um off under both patterns; it did "
+      "plane 12 (z +3.00 mm) does not fit the others: it is 62 µm off under both patterns; it did "
       "not stand there. Take it again";
   return running;
 }
@@ -109,7 +109,7 @@ RunningCalibration broken_check() {
   }
   running.outcome.verdict = "The calibration no longer holds";
   running.outcome.figures = {
-      {calibration::VerificationSymptom::kOffset, "vertical less horizontal", 0.0412, 0.001,
+      {calibration::VerificationSymptom::kOffset, "vertical minus horizontal", 0.0412, 0.001,
        0.0211},
       {calibration::VerificationSymptom::kOffsetInDepth, "... from near to far", 0.0034, 0.001,
        0.0208},

@@ -1,18 +1,18 @@
-/// @file  Calibrations at the chair as the window shows them, without a sensor.
+/// @file  States of a guided calibration for the window, without a sensor.
 #pragma once
 
 #include "ui/state/calibration_state.h"
 
 namespace flytri::testing {
 
-/// Half the planes are done, the dots of the next are wanted.
+/// Half of the planes are done; next are the dots of a plane.
 [[nodiscard]] ui::RunningCalibration waiting_calibration();
 /// A shot of the white plane was refused.
 [[nodiscard]] ui::RunningCalibration refused_shot();
-/// All images are there, but one plane does not fit the others.
+/// All images are taken, but one plane does not fit the others.
 [[nodiscard]] ui::RunningCalibration refused_set();
 [[nodiscard]] ui::RunningCalibration finished_calibration();
-/// A check on a plane that found the sensor changed.
+/// A verification on a plane that found a changed sensor.
 [[nodiscard]] ui::RunningCalibration broken_check();
 
 }  // namespace flytri::testing

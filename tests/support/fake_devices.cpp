@@ -64,7 +64,8 @@ ui::DevicesState faulty_devices() {
   state.devices[2].health = DeviceHealth::kDoubtful;
   state.problems = {
       "The vertical and the horizontal projector are swapped: exchange their cables, or the lines "
-      "\"vertical\" and \"horizontal\" in rig.json. Frames are named by what they show.",
+      "\"vertical\" and \"horizontal\" in rig.json. Until then, frames are labeled by the pattern "
+      "that they show.",
       "No texture: the camera C920 HD Pro is unplugged; plug it in again."};
   return state;
 }

@@ -1,4 +1,4 @@
-/// @file  Devices of a rig as the window shows them, without a device.
+/// @file  States of a rig's devices for the window, without devices.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,12 @@
 
 namespace flytri::testing {
 
-/// Two cameras and a switch that run.
+/// Two cameras and a light switch, all running.
 [[nodiscard]] ui::DevicesState running_devices();
 /// The texture camera is unplugged, and the projectors' cables are swapped.
 [[nodiscard]] ui::DevicesState faulty_devices();
 
-/// The same frame, exposed so many times as long.
+/// The frame with `factor` times the exposure.
 [[nodiscard]] std::shared_ptr<const scan::LiveFrame> exposed(const scan::LiveFrame& frame,
                                                              double factor);
 

@@ -13,13 +13,13 @@ namespace {
 constexpr double kDuration_s = 30.0;
 constexpr int kPoses = 120;
 constexpr std::size_t kSurfels = 60000;
-/// Where the live images are taken, by the share of the path; and the place of re-entry.
+/// Path positions (0..1) of the live images, of the image after a loss, and of the re-entry places.
 constexpr double kLiveShare = 0.69, kOtherShare = 0.10;
 constexpr std::array kReentryShares = {0.66, 0.40, 0.21};
 constexpr std::array kHoleShares = {0.06, 0.17, 0.26};
 constexpr double kHoleRadius_mm = 1.6;
 
-/// Half a turn about x: z goes into the teeth, y to the throat.
+/// Rotation by 180° about x: z points into the teeth, y to the throat.
 Isometry T_world_jaw() { return Isometry(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX())); }
 
 TriangleMesh jaw_in_world() {

@@ -1,4 +1,4 @@
-/// @file  The sample jaw as a scan would have it: surfels, holes, images, a finished model.
+/// @file  Scan data made from the sample jaw: surfels, holes, images, a finished model.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace flytri::testing {
 
-/// World: z into the teeth, y to the throat, as the first view of a scan has it.
+/// World frame as in a scan: z into the teeth, y to the throat.
 class FakeJaw {
  public:
   FakeJaw();
 
-  /// What was seen of the arch, most of it.
+  /// The surface seen so far: most of the arch.
   [[nodiscard]] const SurfelModel& surfels() const { return surfels_; }
-  /// Places left out of the surfels.
+  /// Holes in the surfels.
   [[nodiscard]] std::vector<meshing::BoundaryLoop> holes() const;
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> live_frame(Pattern pattern) const;
-  /// From the same place as the live frames, by the flash.
+  /// A texture frame from the same place as the live frames.
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> flash_frame() const;
-  /// From another place, as after a loss.
+  /// A frame from another place, as after the tracking was lost.
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> other_frame() const { return other_; }
   [[nodiscard]] Isometry T_world_sensor() const;
   [[nodiscard]] const std::vector<scan::ReentryPlace>& reentry_places() const { return places_; }
@@ -32,7 +32,7 @@ class FakeJaw {
   [[nodiscard]] io::Measurement measurement() const;
 
  private:
-  /// By the share of the path: 0..1.
+  /// The sensor pose at a position on the path, 0..1.
   [[nodiscard]] Isometry sensor_at(double share) const;
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> frame_at(Pattern pattern,
                                                                 double share) const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "core/io/models/model_formats.h"
 #include "tests/support/fake_calibration.h"
 #include "tests/support/fake_devices.h"
 #include "tests/support/fake_jaw.h"
@@ -13,7 +14,7 @@ namespace {
 
 using ui::AppView;
 
-/// What all states have in common: a case, a simulated sensor, two older cases.
+/// Common part of all states: a case, a simulated sensor, older cases.
 AppView ordinary_view() {
   AppView view;
   view.file.path = "/home/clinic/cases/Rivera-2031.flytri";
@@ -64,10 +65,16 @@ scan::ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
   return scan;
 }
 
-/// The sizes of what is exported, as rough as the program's own guess.
+/// Sizes of exported files, in the order of io::model_formats(), as rough as the program's
+/// estimate.
 void add_sizes(AppView& view, bool is_finished) {
-  view.exports.estimated_bytes[1] = 12'400'000;
-  if (is_finished) view.exports.estimated_bytes = {9'800'000, 12'400'000, 21'300'000, 27'900'000};
+  std::uint64_t bytes = 9'800'000;
+  for (const io::ModelFormat& format : io::model_formats()) {
+    if (is_finished || format.write_points != nullptr) {
+      view.exports.estimated_bytes[format.extension] = bytes;
+    }
+    bytes += 2'600'000;
+  }
 }
 
 void set_scan(AppView& view, scan::ScanSnapshot scan) {
@@ -172,7 +179,8 @@ struct FakeScan::Parts {
     view.source.name = "Intra-oral rig 04";
     view.source.is_running = false;
     view.source.is_lost = true;
-    view.source.message = "the switch of the lights has not answered for 2.0 s: plug it in again";
+    view.source.message =
+        "the light switch (GPIO chip) has not answered for 2.0 s: unplug it and plug it in again";
     return view;
   }
 

@@ -1,4 +1,4 @@
-/// @file  AppViews of every state of the program, made from the sample jaw: no pipeline, no device.
+/// @file  Sample AppViews for every state of the program, without pipeline and devices.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace flytri::testing {
 
-/// A jaw, a sensor over it, and what a program would show of them. The same on every run.
+/// Creates AppViews from the sample jaw. The result is the same on every run.
 class FakeScan {
  public:
   FakeScan();
@@ -19,7 +19,7 @@ class FakeScan {
   FakeScan(const FakeScan&) = delete;
   FakeScan& operator=(const FakeScan&) = delete;
 
-  /// @return  none for a name that is not among kFakeStates
+  /// @return  none for a name outside kFakeStates
   [[nodiscard]] std::optional<ui::AppView> view(std::string_view state) const;
 
  private:

@@ -1,11 +1,10 @@
-/// @file  The states of the program that its window can be shown in without pipeline and devices.
+/// @file  Names of the states that FakeScan provides.
 #pragma once
 
 #include <array>
 
 namespace flytri::testing {
 
-/// By name, as `tell NAME` asks for them.
 inline constexpr std::array kFakeStates = {
     "ready",         "preview",     "scanning",     "near",        "paused",     "lost",
     "finishing",     "finished",    "failed",       "no_sensor",   "empty_case", "devices",

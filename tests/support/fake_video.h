@@ -1,4 +1,4 @@
-/// @file  A camera without a kernel: answers the calls of V4L2 as drivers do, frame by frame.
+/// @file  Fake V4L2 cameras that answer system calls like real drivers.
 #pragma once
 
 #include <cstdint>
@@ -23,28 +23,28 @@ struct FakeBuffer {
   std::vector<std::uint8_t> bytes;
   std::uint32_t sequence = 0;
   double time_s = 0.0;
-  std::uint32_t flags = 0;  ///< in addition to that of the clock
+  std::uint32_t flags = 0;  ///< in addition to the clock's flag
   bool monotonic = true;
-  int error = 0;  ///< of VIDIOC_DQBUF, in place of a frame
+  int error = 0;  ///< error of VIDIOC_DQBUF instead of a frame
 };
 
-/// A camera of one format and size. Everything may be changed while it runs.
+/// A camera with one format and size. All members may be changed while it runs.
 struct FakeCamera {
   device::DeviceNode node{"/dev/video0", "Fake Camera", "F1", "1-1", 0};
   std::uint32_t fourcc = 0;
   std::uint32_t width = 4;
   std::uint32_t height = 2;
   std::map<std::uint32_t, FakeControl> controls;
-  std::deque<FakeBuffer> frames;        ///< what comes; none: silence
-  std::map<unsigned long, int> errors;  ///< by request, of calls that fail
+  std::deque<FakeBuffer> frames;        ///< frames to deliver; none if empty
+  std::map<unsigned long, int> errors;  ///< errno by request, for calls that shall fail
   int open_error = 0;
   bool captures = true;
   bool present = true;
-  int opened = 0;     ///< how often, so far
-  int streaming = 0;  ///< open streams
+  int opened = 0;     ///< how often it was opened
+  int streaming = 0;  ///< number of running streams
 };
 
-/// A machine with such cameras.
+/// A system with fake cameras.
 class FakeVideoSystem final : public v4l2::VideoSystem {
  public:
   explicit FakeVideoSystem(device::Clock clock) : clock_(std::move(clock)) {}

@@ -1,4 +1,4 @@
-/// @file  Makes writing fail as on a full disk, for as long as the object lives.
+/// @file  Makes writes fail as on a full disk.
 #pragma once
 
 #include <signal.h>
@@ -6,7 +6,7 @@
 
 namespace flytri {
 
-/// Lowers this process's largest file size: to write() the same as a disk that is full.
+/// While it exists, limits the file size of this process, so that write() fails as on a full disk.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes_left) {

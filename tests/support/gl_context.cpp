@@ -1,6 +1,6 @@
 #include "tests/support/gl_context.h"
 
-// epoxy comes before GLFW, which would bring OpenGL headers of its own.
+// Include epoxy before GLFW, which would otherwise include its own OpenGL headers.
 #include <epoxy/gl.h>
 // clang-format off
 #include <GLFW/glfw3.h>

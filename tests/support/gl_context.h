@@ -1,4 +1,4 @@
-/// @file  A hidden window for tests that draw.
+/// @file  A hidden window with OpenGL for tests that draw.
 #pragma once
 
 #include <memory>
@@ -7,10 +7,10 @@ struct GLFWwindow;
 
 namespace flytri::testing {
 
-/// An OpenGL 3.3 core context, current in this thread while it lives.
+/// An OpenGL 3.3 core context, current in this thread while the object exists.
 class GlContext {
  public:
-  /// Null where no display can be had; a test that needs one skips with kNoDisplay.
+  /// Null without a display; a test that needs one is skipped with kNoDisplay.
   [[nodiscard]] static std::unique_ptr<GlContext> create();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;

@@ -1,4 +1,4 @@
-/// @file  Synthetic images of lines with known position, width and noise.
+/// @file  Draws images of lines with known position, width and noise.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace flytri::testing {
 
-/// What an image of lines shows. Lengths along and across are those of the pattern.
+/// Properties of an image of lines. "Along" and "across" are relative to the lines.
 struct LineImage {
   int along_count = 240;
   int across_count = 200;
@@ -26,7 +26,7 @@ struct LineImage {
   std::uint64_t seed = 1;
 };
 
-/// A line by its position across, its sigma and its amplitude in each row; amplitude 0 is no line.
+/// A line: its position across and its amplitude in each row, and its sigma. Amplitude 0: no line.
 struct TrueLine {
   std::function<double(double)> across_px;
   double sigma_px = 2.0;

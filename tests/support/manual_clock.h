@@ -1,5 +1,4 @@
-/// @file  A clock that stands still until somebody turns it or sleeps on it: tests wait for
-/// nothing.
+/// @file  A clock that a test advances; sleeping advances it at once, so that tests do not wait.
 #pragma once
 
 #include <atomic>
@@ -9,7 +8,7 @@
 
 namespace flytri::testing {
 
-/// Copies turn the same hands.
+/// Copies share the same time.
 class ManualClock {
  public:
   void turn(double duration_s) const {
@@ -19,7 +18,7 @@ class ManualClock {
   }
   [[nodiscard]] double now_s() const { return now_s_->load(); }
 
-  /// Whoever sleeps on it turns it.
+  /// The clock for the devices. Its sleep function advances the time.
   [[nodiscard]] device::Clock clock() const {
     return {[self = *this] { return self.now_s(); },
             [self = *this](double duration_s) {

@@ -1,4 +1,4 @@
-/// @file  Why tests of what is drawn are skipped.
+/// @file  Message for tests that are skipped without a display.
 #pragma once
 
 namespace flytri::testing {

@@ -1,11 +1,11 @@
-/// @file  A texture camera without perspective, for tests and benchmarks of the texture.
+/// @file  Calibration of a texture camera without perspective, for tests and benchmarks.
 #pragma once
 
 #include "core/calibration/record/calibration.h"
 
 namespace flytri::testing {
 
-/// Looks along z: x = y = 0 is the middle of the image, and a millimeter has `px_per_mm` pixels.
+/// The camera looks along z; x = y = 0 is the middle of the image.
 inline calibration::Calibration orthographic_calibration(const Vec3& volume_mm, ImageSize size,
                                                          double px_per_mm) {
   calibration::Calibration calibration;

@@ -1,15 +1,15 @@
-/// @file  Where the tests find files: the checkout, and what may lie beside it.
+/// @file  Folders of test files.
 #pragma once
 
 #include <filesystem>
 
 namespace flytri::testing {
 
-/// The checkout's root.
+/// The root of the source tree.
 [[nodiscard]] std::filesystem::path source_folder();
 
-/// Real meshes, images and recordings beside the checkout, which a user does not have: a test that
-/// needs them skips without.
+/// Real meshes, images and recordings beside the source tree. Not everybody has them: tests that
+/// need them are skipped without them.
 [[nodiscard]] std::filesystem::path shared_data();
 
 }  // namespace flytri::testing

@@ -8,7 +8,7 @@
 namespace flytri {
 namespace {
 
-// Two triangles for each cell of a grid with `columns` vertices a row.
+// Adds two triangles for each cell of a grid with `columns` vertices per row.
 void connect_grid(TriangleMesh& mesh, std::uint32_t rows, std::uint32_t columns) {
   for (std::uint32_t j = 0; j + 1 < rows; ++j)
     for (std::uint32_t i = 0; i + 1 < columns; ++i) {

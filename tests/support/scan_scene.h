@@ -1,4 +1,4 @@
-/// @file  A whole scan of an analytic surface with known poses, and pose errors to begin from.
+/// @file  Simulated scans of an analytic surface with true poses, and with pose errors.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,20 @@
 
 namespace flytri::testing {
 
-/// Views and where they truly are; world is the frame of the first view.
+/// Views with their true poses; the world frame is the frame of the first view.
 struct TrueScan {
   std::vector<AlignedView> views;
 };
 
-/// A sensor wandering over the cusped surface, alternately vertical and horizontal.
+/// A sensor that moves over the cusped surface, with alternating patterns.
 [[nodiscard]] TrueScan scan_cusps(int view_count, const SceneSensor& sensor, std::uint64_t seed);
 
-/// Every pose but the first moved by a random walk that ends about `end_mm` away, as drift does.
+/// Adds drift: moves every pose except the first by a random walk that ends about `end_mm` away.
 [[nodiscard]] std::vector<AlignedView> with_drift(const std::vector<AlignedView>& truth,
                                                   double end_mm, std::uint64_t seed);
 
-/// RMS displacement of the points of `views` from where `truth` has them, mm, world frames as they
-/// stand.
+/// RMS distance of the points of `views` from their true positions, mm, without aligning the world
+/// frames.
 [[nodiscard]] double displacement_rms_mm(const std::vector<AlignedView>& views,
                                          const std::vector<AlignedView>& truth);
 

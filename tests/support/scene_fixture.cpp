@@ -26,7 +26,7 @@ cv::Mat SceneFixture::one_picture() {
 
 cv::Mat SceneFixture::picture() {
   cv::Mat latest = one_picture();
-  // Each draw does some blocks; a thousand are far more than any test has.
+  // Each draw handles some blocks; 1000 draws are more than any test needs.
   for (int i = 0; i < 1000 && renderer_->wants_redraw(); ++i) {
     now_s_ += 0.1;
     latest = one_picture();

@@ -1,4 +1,4 @@
-/// @file  A renderer in a hidden window, for tests that look at its pictures.
+/// @file  A renderer in a hidden window, for tests of its images.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,19 +11,19 @@
 
 namespace flytri::testing {
 
-/// Looks along -z of the world onto its origin, nearly without perspective; 10 pixels a millimeter;
-/// the background is black.
+/// Looks along -z at the origin of the world, nearly without perspective, with 10 pixels per
+/// millimeter and a black background.
 class SceneFixture : public ::testing::Test {
  protected:
   static constexpr ui::PictureSize kSize = {320, 200};
   static constexpr double kPxPerMm = 10.0;
 
   void SetUp() override;
-  /// The picture when it no longer gets better, CV_8UC3.
+  /// The image when drawing is complete, CV_8UC3.
   cv::Mat picture();
-  /// One draw, whatever it reaches.
+  /// The image after one draw, possibly incomplete.
   cv::Mat one_picture();
-  /// Where a place of the plane z = 0 is seen, px from the upper left.
+  /// Image position of a point of the plane z = 0, px from the upper left.
   [[nodiscard]] static Vec2 pixel(double x_mm, double y_mm);
 
   std::unique_ptr<GlContext> context_;
@@ -34,14 +34,13 @@ class SceneFixture : public ::testing::Test {
   double now_s_ = 0.0;
 };
 
-/// A model of one block.
+/// A model with one block.
 [[nodiscard]] SurfelModel block_of(std::vector<Surfel> surfels, std::uint64_t place = 1);
 
-/// A square of surfels on a grid at z = 0, facing +z, with the radius that closes it.
+/// A square of surfels on a grid at z = 0, facing +z, with a radius that leaves no gaps.
 [[nodiscard]] std::vector<Surfel> surfel_square(double edge_mm, double spacing_mm);
 
-/// Largest difference of two pictures in any channel, and the share of pixels where it is above
-/// `limit`.
+/// Share of the pixels whose largest difference in any channel is above `limit`.
 [[nodiscard]] double share_differing(const cv::Mat& a, const cv::Mat& b, int limit);
 
 }  // namespace flytri::testing

@@ -1,4 +1,4 @@
-/// @file  A sensor that does what a test has written down.
+/// @file  A sensor that follows a script of the test.
 #pragma once
 
 #include <deque>
@@ -11,8 +11,8 @@
 
 namespace flytri::testing {
 
-/// Each call of next() runs the next step of the script and returns what it returns; the script's
-/// end is the end of the recording.
+/// Each call of next() runs the next step of the script and returns its result. After the last step
+/// the state is kEnded.
 class ScriptedSensor : public device::Sensor {
  public:
   using Step = std::function<Result<std::optional<Frame>>(device::StatusKeeper&)>;
@@ -39,7 +39,7 @@ class ScriptedSensor : public device::Sensor {
   }
   [[nodiscard]] std::string name() const override { return "script"; }
 
-  /// A grey frame whose pixels are `level`.
+  /// A grey frame with all pixels at `level`.
   static Step frame(int index, double time_s, std::uint8_t level = 0) {
     return [=](device::StatusKeeper& status) -> Result<std::optional<Frame>> {
       status.count_delivered();
@@ -47,7 +47,7 @@ class ScriptedSensor : public device::Sensor {
       return Frame{FrameIndex(index), kind, time_s, cv::Mat(6, 8, CV_8UC1, cv::Scalar(level))};
     };
   }
-  /// No frame yet, in this state.
+  /// Returns no frame and sets this state.
   static Step nothing(device::SensorState state) {
     return [=](device::StatusKeeper& status) -> Result<std::optional<Frame>> {
       status.set(state);

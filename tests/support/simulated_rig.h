@@ -1,4 +1,4 @@
-/// @file  A rig whose devices are simulated, on a clock that only sleeping turns.
+/// @file  A rig with simulated devices and a manual clock.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@
 
 namespace flytri::testing {
 
-/// The measurement camera's scene under one light: a small image of lines, an area, or nothing.
+/// Scene of the measurement camera: a small image of lines or of a bright area, or dark, depending
+/// on the light.
 [[nodiscard]] inline cv::Mat striped_scene(device::Light light, double /*time_s*/) {
   cv::Mat image(192, 256, CV_8UC1, cv::Scalar(8));
   if (light == device::Light::kFlash) image(cv::Rect(30, 20, 180, 150)).setTo(140);
@@ -21,7 +22,7 @@ namespace flytri::testing {
   return image;
 }
 
-/// The texture camera's: the same in color.
+/// Scene of the texture camera: the same in color.
 [[nodiscard]] inline cv::Mat colored_scene(device::Light light, double time_s) {
   const cv::Mat gray = striped_scene(light, time_s);
   cv::Mat color;
@@ -29,7 +30,7 @@ namespace flytri::testing {
   return color;
 }
 
-/// Devices that a test can reach into, and the sensor made of them.
+/// The devices, accessible to tests, and the sensor that uses them.
 struct SimulatedRig {
   ManualClock clock;
   std::shared_ptr<simulated::SimulatedLights> lights;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kArm_mm = 7.0;
 
-/// Frames of the whole arch at speed 1.
+/// Number of frames for the whole arch at speed 1.
 constexpr double kArchFrames = 1000.0;
 
 Isometry pose_at(const simulated::SensorPath& path, const StressCase& by, int frame,
@@ -23,7 +23,7 @@ Isometry pose_at(const simulated::SensorPath& path, const StressCase& by, int fr
   return T_model_sensor;
 }
 
-/// Moves whole profiles as a wrong label does: far along z and across the line.
+/// Moves whole profiles far along z and across the line, like a wrong line index.
 void mislabel(View& view, double share, Random& random) {
   for (Profile& profile : view.profiles) {
     if (random.uniform() >= share) continue;
@@ -32,7 +32,7 @@ void mislabel(View& view, double share, Random& random) {
   }
 }
 
-/// Four points that stand for the place of a view, in columns.
+/// Four points that represent the pose of a view, in columns.
 Eigen::Matrix<double, 3, 4> marks_of(const Isometry& T) {
   Eigen::Matrix<double, 3, 4> marks;
   marks << Vec3::Zero(), kArm_mm * Eigen::Matrix3d::Identity();
@@ -42,13 +42,13 @@ Eigen::Matrix<double, 3, 4> marks_of(const Isometry& T) {
 struct PosePair {
   Isometry T_world_sensor, T_model_sensor;
 
-  /// RMS over points at the arm, as pose_distance_mm.
+  /// RMS distance, as computed by pose_distance_mm.
   [[nodiscard]] double error_mm(const Isometry& T_model_world) const {
     return trajectory::pose_distance_mm(T_model_sensor, T_model_world * T_world_sensor, kArm_mm);
   }
 };
 
-/// Lays the pairs that are within `limit_mm` onto the truth.
+/// Aligns the pairs within `limit_mm` with the truth.
 Isometry fit(const std::vector<PosePair>& pairs, const Isometry& T_model_world, double limit_mm) {
   Eigen::Matrix3Xd world(3, 0), model(3, 0);
   for (const PosePair& pair : pairs) {
@@ -70,7 +70,7 @@ std::size_t count_within(const std::vector<PosePair>& pairs, const Isometry& T_m
       [&](const PosePair& pair) { return pair.error_mm(T_model_world) <= limit_mm; }));
 }
 
-/// Of the placements that single views suggest, the one that most views share, fitted to them.
+/// The alignment that most views agree with, fitted to these views.
 Isometry consensus(const std::vector<PosePair>& pairs, double tolerance_mm) {
   Isometry best = Isometry::Identity();
   std::size_t most = 0;

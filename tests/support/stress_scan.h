@@ -1,4 +1,4 @@
-/// @file  Scans that go wrong in known ways, with their truth, and the verdict on a registration.
+/// @file  Simulated difficult scans with their truth, and the evaluation of their registration.
 #pragma once
 
 #include <memory>
@@ -17,33 +17,36 @@ struct FrameRange {
   [[nodiscard]] bool holds(int frame) const { return frame >= begin && frame < end; }
 };
 
-/// What the hand and the sensor do.
+/// Movement of the hand and faults of the sensor.
 struct StressCase {
   std::string name;
   int frame_count = 200;
-  double speed = 1.0;           ///< 1: the whole arch in the paper's 1000 views
-  simulated::PathOptions path;  ///< its duration is set by the speed
+  double speed = 1.0;           ///< 1: the whole arch in 1000 views, as in the paper
+  simulated::PathOptions path;  ///< its duration is set from `speed`
   simulated::ViewNoise noise;
-  double outlier_share = 0.0;  ///< of the profiles, each off by millimeters as if labelled wrongly
-  double missing_share = 0.0;  ///< of the frames, at random
-  FrameRange one_pattern;      ///< frames here are lost unless vertical
-  FrameRange away;             ///< the sensor is lifted off: nothing, or scraps, in the volume
-  double lift_mm = 40.0;       ///< so far
-  int jump_frame = 1 << 30;    ///< from here on the hand is `jump_by` frames farther on the path
+  /// Share of profiles that are millimeters off, as with a wrong line index.
+  double outlier_share = 0.0;
+  double missing_share = 0.0;  ///< share of frames that are missing at random
+  FrameRange one_pattern;      ///< in this range, horizontal frames are missing
+  FrameRange away;  ///< in this range the sensor is lifted off; little or nothing is in the volume
+  double lift_mm = 40.0;  ///< lift height
+  /// From this frame on, the hand is `jump_by` frames farther on the path.
+  int jump_frame = 1 << 30;
   int jump_by = 0;
-  Twist jump_off = Twist::Zero();  ///< and is moved so, in the sensor frame
+  Twist jump_off = Twist::Zero();  ///< additional offset after the jump, in the sensor frame
 };
 
 struct StressScan {
-  std::vector<std::shared_ptr<const View>> views;  ///< view i was taken at truth i
+  std::vector<std::shared_ptr<const View>> views;  ///< view i was taken at pose i
   std::vector<Isometry> T_model_sensor;
 };
 
 [[nodiscard]] StressScan take_stress_scan(const simulated::ViewSimulator& simulator,
                                           const StressCase& by);
 
-/// A view is right if it lies within `tolerance_mm` of its true place, RMS over a radius of 7 mm,
-/// after the scan was laid onto the truth by the largest group of views that agree on how.
+/// Number of views by result. A view is right if its RMS distance from its true pose, over a radius
+/// of 7 mm, is within `tolerance_mm`. Before, the scan is aligned with the truth by the largest
+/// group of consistent views.
 struct StressVerdict {
   int right = 0, wrong = 0, rejected = 0;
   double worst_right_mm = 0.0;

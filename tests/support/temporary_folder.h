@@ -1,4 +1,4 @@
-/// @file  A folder for one test's files, gone when the test is over.
+/// @file  A temporary folder for one test, deleted when the test ends.
 #pragma once
 
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 namespace flytri {
 
-/// Its name has a blank and letters beyond ASCII, as users' folders do.
+/// Its name contains a space and a non-ASCII letter, like folders of users may.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

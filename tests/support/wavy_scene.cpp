@@ -6,7 +6,7 @@
 namespace flytri::testing {
 namespace {
 
-/// z of the surface on the sensor's ray through (x, y) of its frame, by Newton from z = 0.
+/// z of the surface on the sensor's ray through (x, y) of its frame; Newton's method from z = 0.
 double depth_on_ray(const HeightField& height, const Isometry& T_world_sensor, double x, double y) {
   const Vec3 ray = T_world_sensor.linear().col(2);
   double z = 0.0;

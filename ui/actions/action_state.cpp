@@ -1,8 +1,6 @@
 /// @file  How each action of the key map stands: the one place that knows what is possible when.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "ui/actions/key_map.h"
 
 namespace flytri::ui {
@@ -190,8 +188,7 @@ bool can_confirm(const Facts& facts) {
   const ExportForm& form = facts.state.export_form;
   switch (facts.state.dialog) {
     case Dialog::kExport:
-      return !facts.view.exports.is_running && !form.name.empty() &&
-             std::any_of(form.is_chosen.begin(), form.is_chosen.end(), [](bool c) { return c; });
+      return !facts.view.exports.is_running && !form.name.empty() && !form.formats.empty();
     case Dialog::kCase:
       if (facts.state.case_form.tab == CaseTab::kFields) return !facts.view.file.is_read_only;
       return !facts.state.case_form.path.empty();

@@ -35,11 +35,7 @@ Vec2 direction(Action action) {
 }
 
 Export export_asked(const ExportForm& form) {
-  Export command{form.folder, form.name, {}};
-  for (std::size_t i = 0; i < kExportFormats.size(); ++i) {
-    if (form.is_chosen[i]) command.formats.push_back(kExportFormats[i]);
-  }
-  return command;
+  return {form.folder, form.name, {form.formats.begin(), form.formats.end()}};
 }
 
 Command case_asked(const CaseForm& form) {

@@ -1,6 +1,9 @@
 /// @file  Export: which files, where to, what they weigh, and whether the model has holes.
 #include <fmt/format.h>
 
+#include <set>
+
+#include "core/io/models/model_formats.h"
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
@@ -9,21 +12,9 @@
 namespace flytri::ui {
 namespace {
 
-const char* purpose(ExportFormat format) {
-  switch (format) {
-    case ExportFormat::kGlb:
-      return "one file, with texture";
-    case ExportFormat::kPly:
-      return "surface with colors";
-    case ExportFormat::kStl:
-      return "shape alone, for printing";
-    case ExportFormat::kObj:
-      break;
-  }
-  return "with texture, for dental CAD";
-}
+constexpr float kFormatRow = 48.0F, kHeightWithoutRows = 336.0F;  // in units
 
-/// Until the user types, the form says what the program proposes.
+/// Until the user types, the form shows what the program proposes.
 void follow_proposal(const PanelContext& context, ExportForm& form) {
   if (form.is_edited) return;
   form.folder = context.view.exports.folder;
@@ -31,19 +22,21 @@ void follow_proposal(const PanelContext& context, ExportForm& form) {
 }
 
 void draw_formats(const PanelContext& context, DialogPlate& dialog) {
-  for (std::size_t i = 0; i < kExportFormats.size(); ++i) {
-    Rect row = dialog.rest.take_top(context.px(48.0F), context.px(kGapS));
-    const auto& bytes = context.view.exports.estimated_bytes[i];
-    const std::string id = fmt::format("format_{}", to_string(kExportFormats[i]).substr(1));
-    TickLook look = {id.c_str(), std::string(to_string(kExportFormats[i])), bytes.has_value()};
-    bool& is_chosen = context.state.export_form.is_chosen[i];
-    if (!bytes) is_chosen = false;
+  std::set<std::string_view>& chosen = context.state.export_form.formats;
+  for (const io::ModelFormat& format : io::model_formats()) {
+    Rect row = dialog.rest.take_top(context.px(kFormatRow), context.px(kGapS));
+    const auto bytes = context.view.exports.estimated_bytes.find(format.extension);
+    const bool is_possible = bytes != context.view.exports.estimated_bytes.end();
+    const std::string id = fmt::format("format_{}", format.extension.substr(1));
+    const TickLook look = {id.c_str(), std::string(format.extension), is_possible};
+    bool is_chosen = is_possible && chosen.contains(format.extension);
     tick_box(context, row.take_left(context.px(112.0F), context.px(kGapM)), look, is_chosen);
+    chosen.erase(format.extension);
+    if (is_chosen) chosen.insert(format.extension);
     draw_text(row.take_right(context.px(96.0F)),
-              {context.theme.fonts.strong, bytes ? kText : kTextQuiet, Align::kRight},
-              bytes ? size_text(*bytes) : "after Finish");
-    draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft},
-              purpose(kExportFormats[i]));
+              {context.theme.fonts.strong, is_possible ? kText : kTextQuiet, Align::kRight},
+              is_possible ? size_text(bytes->second) : "after Finish");
+    draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft}, format.purpose);
   }
 }
 
@@ -95,7 +88,8 @@ void draw_note(const PanelContext& context, Rect row) {
 void draw_export_dialog(const PanelContext& context) {
   ExportForm& form = context.state.export_form;
   follow_proposal(context, form);
-  DialogPlate dialog(context, "Export", {600.0F, 560.0F});
+  const float rows = static_cast<float>(io::model_formats().size()) * (kFormatRow + kGapS);
+  DialogPlate dialog(context, "Export", {600.0F, kHeightWithoutRows + rows});
   draw_formats(context, dialog);
   dialog.rest.take_top(context.px(kGapS));
   draw_place(context, dialog, form);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/check_options.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -25,20 +27,12 @@ CameraPose between(const CameraPose& from, const CameraPose& to, double share) {
 }  // namespace
 
 Result<void> CameraOptions::validate() const {
-  if (!(field_of_view_rad >= 0.01 && field_of_view_rad <= 2.0)) {
-    return fail(ErrorCode::kBadOption, "field_of_view_rad is {}; give 0.01 to 2",
-                field_of_view_rad);
-  }
-  if (!(orbit_rad_per_height > 0.0)) {
-    return fail(ErrorCode::kBadOption, "orbit_rad_per_height is {}; give more than 0",
-                orbit_rad_per_height);
-  }
-  if (!(min_height_mm > 0.0 && max_height_mm > min_height_mm)) {
-    return fail(ErrorCode::kBadOption,
-                "min_height_mm is {} and max_height_mm {}; give 0 < min_height_mm < max_height_mm",
-                min_height_mm, max_height_mm);
-  }
-  return {};
+  return OptionCheck("CameraOptions")
+      .in_range("field_of_view_rad", field_of_view_rad, 0.01, 2.0)
+      .positive("orbit_rad_per_height", orbit_rad_per_height)
+      .positive("min_height_mm", min_height_mm)
+      .must("max_height_mm", max_height_mm, max_height_mm > min_height_mm, "above min_height_mm")
+      .result();
 }
 
 OrbitCamera::OrbitCamera(const CameraOptions& options) : options_(options) {}

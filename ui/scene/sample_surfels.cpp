@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "core/base/random.h"
+#include "core/geometry/cell_key.h"
 #include "ui/scene/surfel_grid.h"
 
 namespace flytri::ui {
@@ -86,14 +87,14 @@ SurfelModel sample_surfels(const TriangleMesh& mesh, std::size_t count, std::uin
   const auto cell_mm =
       static_cast<float>(std::sqrt(1.25 * sums.back() / static_cast<double>(count)));
   Random random(seed);
-  std::unordered_map<std::uint64_t, std::size_t> cells;
+  std::unordered_map<CellKey, std::size_t> cells;
   std::vector<Mean> means;
   for (std::size_t i = 0; i < count * kPointsPerSurfel; ++i) {
     const auto at = std::upper_bound(sums.begin(), sums.end() - 1, random.uniform() * sums.back());
     const auto triangle = static_cast<std::size_t>(at - sums.begin());
     const Surfel surfel = surfel_at(mesh, mesh.triangles[triangle], random);
     const auto [cell, is_new] =
-        cells.try_emplace(cube_at(surfel.position_mm, cell_mm), means.size());
+        cells.try_emplace(CellKey::at(surfel.position_mm, cell_mm), means.size());
     if (is_new) means.emplace_back();
     means[cell->second].add(surfel);
   }

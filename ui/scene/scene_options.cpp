@@ -4,22 +4,17 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/check_options.h"
+
 namespace flytri::ui {
 
 Result<void> SceneOptions::validate() const {
-  if (!(texture_blend >= 0.0 && texture_blend <= 1.0)) {
-    return fail(ErrorCode::kBadOption, "texture_blend is {}; give 0 to 1", texture_blend);
-  }
-  if (!(max_sigma_mm > 0.0)) {
-    return fail(ErrorCode::kBadOption, "max_sigma_mm is {}; give more than 0", max_sigma_mm);
-  }
-  if (!(scale >= 0.5 && scale <= 4.0)) {
-    return fail(ErrorCode::kBadOption, "scale is {}; give 0.5 to 4", scale);
-  }
-  if (!(moving_frame_ms >= 5.0 && moving_frame_ms <= 1000.0)) {
-    return fail(ErrorCode::kBadOption, "moving_frame_ms is {}; give 5 to 1000", moving_frame_ms);
-  }
-  return {};
+  return OptionCheck("SceneOptions")
+      .in_range("texture_blend", texture_blend, 0.0, 1.0)
+      .positive("max_sigma_mm", max_sigma_mm)
+      .in_range("scale", scale, 0.5, 4.0)
+      .in_range("moving_frame_ms", moving_frame_ms, 5.0, 1000.0)
+      .result();
 }
 
 Color sigma_color(double share) {

@@ -12,10 +12,8 @@ namespace flytri::ui {
 /// Edge of a block in spacings of its surfels, as the live surface has it.
 inline constexpr float kBlockCells = 16.0F;
 
+/// By place.
 using GrowingBlocks = std::map<std::uint64_t, std::shared_ptr<SurfelBlock>>;
-
-/// Which cube of a grid holds a place.
-[[nodiscard]] std::uint64_t cube_at(const Vec3f& p_mm, float edge_mm);
 
 /// Appends to the block of the surfel's cube, which is made where it is not there yet.
 void add_to_block(const Surfel& surfel, float edge_mm, GrowingBlocks& blocks);

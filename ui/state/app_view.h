@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,12 +58,6 @@ struct SourceState {
   std::optional<double> played_share;  ///< of a recording: 0..1
 };
 
-enum class ExportFormat { kGlb, kPly, kStl, kObj };
-inline constexpr std::array kExportFormats = {ExportFormat::kGlb, ExportFormat::kPly,
-                                              ExportFormat::kStl, ExportFormat::kObj};
-/// The ending of its files: ".glb".
-[[nodiscard]] std::string_view to_string(ExportFormat format);
-
 struct ExportedFile {
   std::string path;
   std::uint64_t bytes = 0;
@@ -71,9 +66,10 @@ struct ExportedFile {
 /// What can be exported, and what was.
 struct ExportState {
   std::string folder;  ///< proposed
-  std::string name;    ///< proposed, without ending
-  /// Size of the files to come, by ExportFormat; empty: what is shown cannot be written so.
-  std::array<std::optional<std::uint64_t>, kExportFormats.size()> estimated_bytes;
+  std::string name;    ///< proposed, without extension
+  /// About the size of each format's files, by extension. Formats that cannot hold what the window
+  /// shows are missing.
+  std::map<std::string_view, std::uint64_t> estimated_bytes;
   bool is_running = false;
   std::vector<ExportedFile> written;  ///< by the latest export
   std::string failure;                ///< of the latest export

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -40,8 +41,8 @@ struct SelectStage {
 /// Writes what is shown.
 struct Export {
   std::string folder;
-  std::string name;                   ///< without ending
-  std::vector<ExportFormat> formats;  ///< at least 1
+  std::string name;                       ///< without extension
+  std::vector<std::string_view> formats;  ///< at least 1 extension, as in io::model_formats()
 };
 struct NewCase {
   std::string path;

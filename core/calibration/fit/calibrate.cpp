@@ -1,5 +1,6 @@
 #include "core/calibration/fit/calibrate.h"
 
+#include "core/base/check_options.h"
 #include "core/calibration/fit/check_set.h"
 #include "core/calibration/fit/fit_lateral.h"
 #include "core/calibration/fit/number_lines.h"
@@ -10,8 +11,8 @@ namespace {
 Result<void> check_residual(const char* name, double rms, double limit, const char* unit) {
   if (rms <= limit) return {};
   return fail(ErrorCode::kInconsistent,
-              "the fit of {} leaves {:.4f} {} RMS, more than {:.4f}: are the planes where the set "
-              "says, and the images of one sensor?",
+              "the fit of {} has an RMS residual of {:.4f} {}, more than {:.4f}; check that the "
+              "depths of the planes are right and all images come from one sensor",
               name, rms, unit, limit);
 }
 
@@ -52,16 +53,12 @@ Result<PatternCalibration> calibrate_pattern(const CalibrationSet& set, Pattern 
 }  // namespace
 
 Result<void> CalibrateOptions::validate() const {
-  if (auto valid = localize.validate(); !valid) return valid;
-  if (auto valid = lines.validate(); !valid) return valid;
-  if (!(max_residual_share > 0)) {
-    return fail(ErrorCode::kBadOption, "max_residual_share is {}, must be > 0", max_residual_share);
-  }
-  if (!(max_texture_residual_share > 0)) {
-    return fail(ErrorCode::kBadOption, "max_texture_residual_share is {}, must be > 0",
-                max_texture_residual_share);
-  }
-  return {};
+  return OptionCheck("CalibrateOptions")
+      .nested(localize)
+      .nested(lines)
+      .positive("max_residual_share", max_residual_share)
+      .positive("max_texture_residual_share", max_texture_residual_share)
+      .result();
 }
 
 Result<Calibration> calibrate(const CalibrationSet& set, const CalibrateOptions& options,
@@ -84,7 +81,7 @@ Result<Calibration> calibrate(const CalibrationSet& set, const CalibrateOptions&
   progress.advance();
 
   for (const Pattern pattern : kPatterns) {
-    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "calibration stopped");
+    if (progress.cancelled()) return fail(ErrorCode::kCancelled, "the calibration was stopped");
     auto lines = calibrate_pattern(set, pattern, options, workers);
     if (!lines) return tl::unexpected(lines.error());
     calibration.of(pattern) = std::move(*lines);

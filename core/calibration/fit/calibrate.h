@@ -1,4 +1,4 @@
-/// @file  From the images of a calibration set to the calibration of the sensor.
+/// @file  Fits the calibration of a sensor to the images of a calibration set.
 #pragma once
 
 #include "core/base/progress.h"
@@ -9,12 +9,12 @@
 
 namespace flytri::calibration {
 
-/// How a calibration is fitted and when it is refused.
+/// How a calibration is fitted, and when it is rejected.
 struct CalibrateOptions {
   localization::LocalizeOptions localize;
   LineFitOptions lines;
   /// > 0. Largest RMS residual of Z, X and Y as a share of the volume's size along that axis. A
-  /// working sensor is ten times better; wrong numbers are far worse.
+  /// working sensor has a tenth of this, wrong numbers cause far more.
   double max_residual_share = 0.005;
   /// > 0. Largest RMS residual of U and V as a share of the texture image's width.
   double max_texture_residual_share = 0.002;
@@ -24,8 +24,8 @@ struct CalibrateOptions {
 
 /// Fits a calibration.
 /// @source  Arold et al., "Calibration".
-/// @errors  kInsufficient or kInconsistent for a set that cannot be fitted; the message names the
-///          image, or the line, and the reason. kCancelled.
+/// @errors  kInsufficient or kInconsistent if the set cannot be fitted; the message names the image
+///          or the line and the reason. kCancelled.
 [[nodiscard]] Result<Calibration> calibrate(const CalibrationSet& set,
                                             const CalibrateOptions& options, const Workers& workers,
                                             const Progress& progress);

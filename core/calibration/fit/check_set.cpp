@@ -6,15 +6,17 @@
 namespace flytri::calibration {
 namespace {
 
-/// Z has four coefficients; one plane more tells whether they fit.
+/// Z has four coefficients; one more plane is needed to check the fit.
 constexpr std::size_t kMinPlanes = 5;
 
 Result<void> check_image(const cv::Mat& image, const std::string& name, const cv::Mat& first,
                          const std::string& first_name) {
   if (image.empty()) return fail(ErrorCode::kBadFormat, "{}: the image is empty", name);
   if (image.size() != first.size()) {
-    return fail(ErrorCode::kInconsistent, "{} has {} x {} pixels, {} has {} x {}", name, image.cols,
-                image.rows, first_name, first.cols, first.rows);
+    return fail(
+        ErrorCode::kInconsistent,
+        "{} has {} x {} pixels, but {} has {} x {}; take all images of a camera in one size", name,
+        image.cols, image.rows, first_name, first.cols, first.rows);
   }
   return {};
 }
@@ -50,7 +52,8 @@ Result<void> check_plane(const CalibrationPlane& plane, const CalibrationPlane& 
 
 Result<void> check_scene(const CalibrationSet& set) {
   if (!(set.volume.size_mm.minCoeff() > 0) || !set.volume.size_mm.allFinite()) {
-    return fail(ErrorCode::kInconsistent, "the measurement volume must be larger than nothing");
+    return fail(ErrorCode::kInconsistent,
+                "the size of the measurement volume must be above 0 in all directions");
   }
   if (*std::min_element(set.line_counts.begin(), set.line_counts.end()) < 1) {
     return fail(ErrorCode::kInconsistent, "each pattern must have at least one line");
@@ -68,24 +71,26 @@ Result<void> check_scene(const CalibrationSet& set) {
 
 Result<void> check_depths(const std::vector<double>& z_mm, double depth_mm) {
   if (z_mm.size() < kMinPlanes) {
-    return fail(ErrorCode::kInsufficient, "{} planes, a calibration needs at least {}", z_mm.size(),
-                kMinPlanes);
+    return fail(ErrorCode::kInsufficient,
+                "the set has {} planes, but a calibration needs at least {}; add planes",
+                z_mm.size(), kMinPlanes);
   }
   for (std::size_t i = 0; i < z_mm.size(); ++i) {
     if (!std::isfinite(z_mm[i])) {
-      return fail(ErrorCode::kInconsistent, "plane {} has no finite z", i);
+      return fail(ErrorCode::kInconsistent, "the z of plane {} is not a finite number", i);
     }
     if (i > 0 && !(z_mm[i] > z_mm[i - 1])) {
       return fail(ErrorCode::kInconsistent,
-                  "planes must be given by rising z; {} mm after {} mm is out of order", z_mm[i],
+                  "the planes must be listed by rising z, but {} mm comes after {} mm", z_mm[i],
                   z_mm[i - 1]);
     }
   }
   const double span_mm = z_mm.back() - z_mm.front();
   if (span_mm < 0.8 * depth_mm) {
-    return fail(ErrorCode::kInsufficient,
-                "the planes span {} mm of a volume {} mm deep; calibrate from end to end", span_mm,
-                depth_mm);
+    return fail(
+        ErrorCode::kInsufficient,
+        "the planes cover {} mm of a volume {} mm deep; place planes from end to end of the volume",
+        span_mm, depth_mm);
   }
   return {};
 }

@@ -1,12 +1,12 @@
-/// @file  Refuses calibration sets that cannot be fitted before any time is spent on them.
+/// @file  Rejects calibration sets that cannot be fitted, before the fit starts.
 #pragma once
 
 #include "core/calibration/record/calibration_set.h"
 
 namespace flytri::calibration {
 
-/// What can be said of a set before it has images.
-/// @param set   its planes are not looked at
+/// Checks a set without its images.
+/// @param set   its planes are ignored
 /// @param z_mm  depths of the planes
 /// @errors  kInsufficient or kInconsistent, naming the entry.
 [[nodiscard]] Result<void> check_numbers(const CalibrationSet& set,

@@ -8,16 +8,18 @@
 namespace flytri::calibration {
 namespace {
 
-/// The threshold follows the light over tiles of this share of the image; each holds many dots.
+/// The threshold is computed for each tile; the image has this many tiles across. A tile contains
+/// many dots.
 constexpr int kTilesAcross = 8;
-/// Share of dark pixels in a tile is at least half; dots cover a fifth of the target.
+/// Quantiles for the dark background and the bright dots of a tile: dots cover a fifth of the
+/// target.
 constexpr double kDarkQuantile = 0.25;
 constexpr double kBrightQuantile = 0.95;
-/// Contrast below this share of the image's own is not the target.
+/// A tile whose contrast is below this share of the highest contrast does not show the target.
 constexpr double kMinContrast = 0.25;
 
 struct Light {
-  cv::Mat dark, bright;  ///< CV_32FC1, one value a tile
+  cv::Mat dark, bright;  ///< CV_32FC1, one value per tile
 };
 
 float quantile(std::vector<float>& values, double share) {
@@ -34,7 +36,7 @@ Light tile_light(const cv::Mat& gray) {
   std::vector<float> values;
   for (int ty = 0; ty < tiles.height; ++ty) {
     for (int tx = 0; tx < tiles.width; ++tx) {
-      // A tile is filled up to its full size from inside, so that border tiles hold dots as well.
+      // Border tiles are extended inwards to full size, so that they contain dots too.
       const cv::Rect area(std::max(std::min(tx * tile, gray.cols - tile), 0),
                           std::max(std::min(ty * tile, gray.rows - tile), 0),
                           std::min(tile, gray.cols), std::min(tile, gray.rows));
@@ -50,7 +52,7 @@ Light tile_light(const cv::Mat& gray) {
   return light;
 }
 
-/// Pixels brighter than the middle between the local dark and the local bright.
+/// Pixels brighter than the mean of the local dark and bright values.
 cv::Mat bright_mask(const cv::Mat& gray) {
   const Light light = tile_light(gray);
   cv::Mat contrast = light.bright - light.dark;
@@ -63,7 +65,7 @@ cv::Mat bright_mask(const cv::Mat& gray) {
   return gray > threshold;
 }
 
-/// Mean of the pixels on the rim of a box: the background of the dot inside.
+/// Mean of the pixels on the border of a box: the background of the dot inside.
 double rim_mean(const cv::Mat& gray, const cv::Rect& box) {
   double sum = 0;
   int count = 0;
@@ -93,7 +95,7 @@ Dot measure_spot(const cv::Mat& gray, const cv::Rect& box, double area_px) {
   return {{sum_u / sum, sum_v / sum}, area_px, sum / area_px};
 }
 
-/// True for what looks like a disc: as wide as high, and filled as a disc fills its box (pi / 4).
+/// True if a spot looks like a disc: width and height similar, area of a disc (pi / 4 of the box).
 bool is_round(const cv::Rect& box, double area_px) {
   const double filled = area_px / (double(box.width) * box.height);
   const double aspect = double(box.width) / box.height;
@@ -101,7 +103,7 @@ bool is_round(const cv::Rect& box, double area_px) {
 }
 
 std::vector<Dot> find_spots(const cv::Mat& gray) {
-  constexpr int kMinArea = 12;  // px, below that a center is not worth calibrating with
+  constexpr int kMinArea = 12;  // px; the center of a smaller spot is too inaccurate
   cv::Mat labels, stats, centroids;
   const int count =
       cv::connectedComponentsWithStats(bright_mask(gray), labels, stats, centroids, 8);
@@ -121,7 +123,7 @@ std::vector<Dot> find_spots(const cv::Mat& gray) {
   return spots;
 }
 
-/// Light over the image as a quadratic of u and v, fitted to the brightness of the spots.
+/// Illumination as a quadratic function of u and v, fitted to the brightness of the spots.
 class Shading {
  public:
   Shading(const std::vector<Dot>& spots, cv::Size size) : size_(size) {
@@ -135,7 +137,7 @@ class Shading {
     }
     a_ = rows.colPivHouseholderQr().solve(values);
   }
-  /// Relative gradient of the light, per px.
+  /// Relative gradient of the illumination, per px.
   [[nodiscard]] Pixel gradient(const Pixel& at) const {
     const double u = at.u_px / size_.width, v = at.v_px / size_.height;
     const double light =
@@ -158,7 +160,7 @@ std::vector<Dot> find_dots(const cv::Mat& gray) {
   const Shading shading(spots, gray.size());
   for (const Dot& spot : spots) {
     Dot dot = spot;
-    // A disc of radius r under light 1 + g x has its centroid at g r^2 / 4.
+    // Under illumination 1 + g x, the centroid of a disc of radius r is at g r^2 / 4.
     const double quarter_r2 = dot.area_px / (4.0 * CV_PI);
     const Pixel gradient = shading.gradient(dot.center);
     dot.center.u_px -= quarter_r2 * gradient.u_px;

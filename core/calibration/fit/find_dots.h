@@ -12,17 +12,17 @@ namespace flytri::calibration {
 struct Dot {
   Pixel center;
   double area_px = 0.0;     ///< pixels above half height
-  double brightness = 0.0;  ///< mean height above the background there, gray values
+  double brightness = 0.0;  ///< mean height above the local background, gray values
 };
 
-/// Finds all dots that lie wholly in the image, in the order of their first pixel.
+/// Finds all dots that are completely in the image, in the order of their first pixel.
 ///
 /// The center is the centroid of light above the local background, corrected for the gradient of
-/// the illumination, which would pull it to the brighter side. Blur does not move it.
+/// the illumination, which would shift it to the brighter side. Blur does not shift it.
 /// @param gray  CV_32FC1, linear in light.
 [[nodiscard]] std::vector<Dot> find_dots(const cv::Mat& gray);
 
-/// A dot image of either camera as linear light, CV_32FC1.
+/// Converts a dot image of either camera to linear light, CV_32FC1.
 /// @param image  CV_8UC1 or CV_16UC1 (linear) or CV_8UC3 (R, G, B order, sRGB).
 [[nodiscard]] cv::Mat linear_gray(const cv::Mat& image);
 

@@ -7,7 +7,7 @@
 namespace flytri::calibration {
 namespace {
 
-/// A dot as both fits need it.
+/// A dot with its position in the sensor frame and in the image.
 struct PlacedDot {
   Vec3 p_sensor;  ///< mm
   Pixel center;
@@ -24,7 +24,7 @@ Result<std::vector<PlacedDot>> dots_of(const cv::Mat& image, const std::string& 
   return dots;
 }
 
-/// The dots of all planes as one camera sees them.
+/// The dots of all planes in the images of one camera.
 Result<std::vector<PlacedDot>> all_dots(const CalibrationSet& set, bool texture,
                                         const Workers& workers) {
   std::vector<Result<std::vector<PlacedDot>>> parts(set.planes.size());

@@ -1,4 +1,4 @@
-/// @file  X, Y of the measurement camera and U, V of the texture camera, from images of the dots.
+/// @file  Fits X, Y of the measurement camera and U, V of the texture camera to images of the dots.
 #pragma once
 
 #include "core/base/workers.h"
@@ -6,7 +6,7 @@
 
 namespace flytri::calibration {
 
-/// The four cubics of a calibration.
+/// The four cubic functions of a calibration.
 struct LateralCalibration {
   TrivariateCubic x_mm, y_mm;
   TrivariateCubic texture_u_px, texture_v_px;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/check_options.h"
 #include "core/calibration/fit/least_squares.h"
 
 namespace flytri::calibration {
@@ -11,9 +12,9 @@ namespace {
 
 constexpr int kDepthTerms = 4;
 constexpr int kWidthTerms = 3;
-/// A row is calibrated if the line was seen near it on this many planes: as many as Z has terms.
+/// A row is calibrated if the line was seen near it on this many planes: the number of terms of Z.
 constexpr int kMinPlanesOfRow = kDepthTerms;
-/// Rows beside a row that count as near: ends of traces are trimmed by about a line width.
+/// Rows at this distance count as near: ends of traces are trimmed by about a line width.
 constexpr int kNearRows = 24;
 
 struct SurfaceData {
@@ -32,7 +33,7 @@ SurfaceData data_of(const std::vector<LineOnPlane>& line) {
   return data;
 }
 
-/// In each row, on how many planes the line was seen nearby.
+/// For each row, the number of planes on which the line was seen nearby.
 std::vector<int> planes_seen(const std::vector<LineOnPlane>& line, int along_count) {
   std::vector<int> count(static_cast<std::size_t>(along_count), 0);
   for (const LineOnPlane& plane : line) {
@@ -55,21 +56,21 @@ Polynomial<kTerms> row_polynomial(const LineSurface& surface, int along) {
   return polynomial;
 }
 
-/// Where Z reaches `z_mm` between `low` and `high`, where it is monotonic; the nearer end if it
-/// does not reach it there.
+/// Position between `low` and `high` at which Z is `z_mm`; the nearer end if Z does not reach it. Z
+/// must be monotonic there.
 double across_at(const Polynomial<kDepthTerms>& depth_mm, double z_mm, double low, double high) {
   const bool rising = depth_mm(high) > depth_mm(low);
   const auto below = [&](double across) { return (depth_mm(across) < z_mm) == rising; };
   if (!below(low)) return low;
   if (below(high)) return high;
-  for (int i = 0; i < 40; ++i) {  // halving 1000 px forty times leaves 1e-9 px
+  for (int i = 0; i < 40; ++i) {  // forty bisections of 1000 px give 1e-9 px
     const double middle = 0.5 * (low + high);
     (below(middle) ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
 
-/// True if Z rises or falls all through [low, high].
+/// True if Z is monotonic in [low, high].
 bool monotonic(const Polynomial<kDepthTerms>& depth_mm, double low, double high) {
   constexpr int kChecks = 16;
   const bool rising = depth_mm.derivative(low) > 0;
@@ -80,7 +81,7 @@ bool monotonic(const Polynomial<kDepthTerms>& depth_mm, double low, double high)
   return true;
 }
 
-/// The interval that the line sweeps through in one row inside the depth of the volume.
+/// Sets the unique area of a row: the positions of the line inside the depth of the volume.
 void cut_area(LineRow& row, double half_depth_mm, double low, double high) {
   const double a = across_at(row.depth_mm, -half_depth_mm, low, high);
   const double b = across_at(row.depth_mm, half_depth_mm, low, high);
@@ -98,7 +99,8 @@ Result<std::vector<LineRow>> fit_line(const std::vector<LineOnPlane>& line,
   const auto width = fit_surface(data.width, kWidthTerms - 1, options.width_along_degree);
   if (!width) return tl::unexpected(width.error());
 
-  // The planes may end a little inside the volume: the polynomial goes on for a tenth of its range.
+  // The planes may cover a little less than the volume: extrapolate the polynomial by a tenth of
+  // its range.
   const double reach = 1.1 * depth->across_half_range;
   const double low = std::max(depth->across_center - reach, 0.0);
   const double high = std::min(depth->across_center + reach, across_count - 1.0);
@@ -110,7 +112,9 @@ Result<std::vector<LineRow>> fit_line(const std::vector<LineOnPlane>& line,
     row.depth_mm = row_polynomial<kDepthTerms>(*depth, along);
     row.width_px = row_polynomial<kWidthTerms>(*width, along);
     if (!monotonic(row.depth_mm, low, high)) {
-      return fail(ErrorCode::kInconsistent, "depth is not a function of the position in row {}",
+      return fail(ErrorCode::kInconsistent,
+                  "the depth is not a unique function of the position in row {}; check the images "
+                  "of this line",
                   along);
     }
     cut_area(row, 0.5 * volume.size_mm.z(), low, high);
@@ -127,7 +131,7 @@ Result<std::vector<LineRow>> fit_line(const std::vector<LineOnPlane>& line,
   return rows;
 }
 
-/// Areas of neighboring lines must not share a position: what they share belongs to neither.
+/// Makes the areas of neighboring lines disjoint: positions in both areas are removed from both.
 Result<void> separate_areas(PatternCalibration& pattern, std::size_t along) {
   for (std::size_t n = 0; n + 1 < pattern.lines.size(); ++n) {
     LineRow& left = pattern.lines[n][along];
@@ -135,10 +139,11 @@ Result<void> separate_areas(PatternCalibration& pattern, std::size_t along) {
     if (!left.valid() || !right.valid() || left.area_max_px < right.area_min_px) continue;
     const double shared = left.area_max_px - right.area_min_px;
     if (shared > 0.1 * (left.area_max_px - left.area_min_px)) {
-      return fail(ErrorCode::kInconsistent,
-                  "lines {} and {} share {:.1f} px of their image areas at position {} along the "
-                  "line: the volume is too deep for this many lines",
-                  n, n + 1, shared, along);
+      return fail(
+          ErrorCode::kInconsistent,
+          "the image areas of lines {} and {} overlap by {:.1f} px at position {} along the line: "
+          "the volume is too deep for this number of lines; use fewer lines or a smaller volume",
+          n, n + 1, shared, along);
     }
     const double left_end = right.area_min_px;
     right.area_min_px = std::nextafter(left.area_max_px, right.area_max_px);
@@ -150,12 +155,10 @@ Result<void> separate_areas(PatternCalibration& pattern, std::size_t along) {
 }  // namespace
 
 Result<void> LineFitOptions::validate() const {
-  const auto check = [](const char* name, int degree) -> Result<void> {
-    if (degree >= 0 && degree <= 8) return {};
-    return fail(ErrorCode::kBadOption, "{} is {}, must be 0..8", name, degree);
-  };
-  if (auto valid = check("depth_along_degree", depth_along_degree); !valid) return valid;
-  return check("width_along_degree", width_along_degree);
+  return OptionCheck("LineFitOptions")
+      .in_range("depth_along_degree", depth_along_degree, 0, 8)
+      .in_range("width_along_degree", width_along_degree, 0, 8)
+      .result();
 }
 
 Result<PatternCalibration> fit_lines(const NumberedLines& lines, Pattern pattern,
@@ -180,7 +183,7 @@ Result<PatternCalibration> fit_lines(const NumberedLines& lines, Pattern pattern
 }
 
 std::vector<Vec3> sheet_normals(const Calibration& calibration, Pattern pattern) {
-  constexpr int kAlongStep = 16;  // a plane needs few points
+  constexpr int kAlongStep = 16;  // few points are enough for a plane
   constexpr int kAcrossSteps = 8;
   std::vector<Vec3> normals;
   const auto& lines = calibration.of(pattern).lines;

@@ -7,10 +7,10 @@
 namespace flytri::calibration {
 namespace {
 
-/// A line must show in this share of the image to be taken for one: dirt gives shorter pieces.
+/// Least length of a trace, as a share of the image: dirt causes shorter traces.
 constexpr double kMinShare = 0.1;
-/// Pieces of one line lie on one curve; the next line is a whole spacing away.
-constexpr double kSameLine = 0.3;  // of the spacing between lines
+/// Traces of one line cross the middle of the image within this distance.
+constexpr double kSameLine = 0.3;  // share of the line spacing
 
 /// Where the straight line through the samples crosses row `along`.
 double crossing(const localization::LineTrace& samples, double along) {

@@ -9,7 +9,8 @@
 namespace flytri::calibration {
 namespace {
 
-/// Gaussian data lose one value in 600,000; a mislabeled dot or a speck on the plane is far beyond.
+/// Rejects only one Gaussian value in about two million; a wrong dot number or dirt on the plane is
+/// much farther away.
 constexpr double kOutlierSigmas = 5.0;
 
 std::vector<Eigen::Index> inliers(const Eigen::VectorXd& residuals) {
@@ -30,10 +31,10 @@ struct Solution {
   FitResidual residual;
 };
 
-/// Solves rows * x = values, twice.
+/// Solves rows * x = values; then again without outliers.
 Result<Solution> solve_robustly(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values) {
   if (rows.rows() < 2 * rows.cols()) {
-    return fail(ErrorCode::kInsufficient, "{} points for {} coefficients", rows.rows(),
+    return fail(ErrorCode::kInsufficient, "{} points are too few for {} coefficients", rows.rows(),
                 rows.cols());
   }
   const Eigen::VectorXd first = rows.colPivHouseholderQr().solve(values);
@@ -84,7 +85,7 @@ double LineSurface::operator()(double across_px, double along_px) const {
 
 Result<LineSurface> fit_surface(const std::vector<SurfaceDatum>& data, int across_degree,
                                 int along_degree) {
-  if (data.empty()) return fail(ErrorCode::kInsufficient, "no points");
+  if (data.empty()) return fail(ErrorCode::kInsufficient, "there are no points to fit");
   LineSurface surface;
   surface.across_degree = across_degree;
   surface.along_degree = along_degree;
@@ -114,7 +115,7 @@ Result<LineSurface> fit_surface(const std::vector<SurfaceDatum>& data, int acros
 }
 
 Result<TrivariateCubic> fit_cubic(const std::vector<CubicDatum>& data) {
-  if (data.empty()) return fail(ErrorCode::kInsufficient, "no points");
+  if (data.empty()) return fail(ErrorCode::kInsufficient, "there are no points to fit");
   TrivariateCubic cubic;
   for (int axis = 0; axis < 3; ++axis) {
     std::tie(cubic.center[axis], cubic.half_range[axis]) =

@@ -1,4 +1,4 @@
-/// @file  Polynomials fitted by orthogonal factorization, with outliers left out once.
+/// @file  Least-squares polynomials by QR, with one outlier rejection.
 #pragma once
 
 #include <Eigen/Dense>
@@ -15,8 +15,8 @@ struct SurfaceDatum {
   double value = 0.0;
 };
 
-/// A polynomial of degree `across_degree` in across whose coefficients are polynomials of degree
-/// `along_degree` in along; both variables are normalized to -1..1.
+/// A polynomial of degree `across_degree` in `across`, whose coefficients are polynomials of degree
+/// `along_degree` in `along`. Both variables are normalized to -1..1.
 struct LineSurface {
   int across_degree = 3;
   int along_degree = 0;
@@ -25,13 +25,13 @@ struct LineSurface {
   Eigen::MatrixXd coefficients;  ///< (across power, along power)
   FitResidual residual;
 
-  /// Coefficients of the powers of normalized across in one row.
+  /// Coefficients of the powers of normalized `across` in one row.
   [[nodiscard]] Eigen::VectorXd row(double along_px) const;
   [[nodiscard]] double operator()(double across_px, double along_px) const;
 };
 
-/// Least squares by QR. Data farther than `kOutlierSigmas` robust deviations off the first fit are
-/// left out of the second; the residual is that of the data kept.
+/// Least squares by QR. The second fit ignores data that deviate from the first fit by more than
+/// `kOutlierSigmas` robust standard deviations. The residual is that of the used data.
 /// @errors  kInsufficient if the data do not determine the coefficients.
 [[nodiscard]] Result<LineSurface> fit_surface(const std::vector<SurfaceDatum>& data,
                                               int across_degree, int along_degree);
@@ -42,7 +42,7 @@ struct CubicDatum {
   double value = 0.0;
 };
 
-/// The 20-term cubic through the data, as fit_surface.
+/// Fits a cubic with 20 terms, in the same way as fit_surface.
 [[nodiscard]] Result<TrivariateCubic> fit_cubic(const std::vector<CubicDatum>& data);
 
 }  // namespace flytri::calibration

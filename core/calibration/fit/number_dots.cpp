@@ -10,7 +10,7 @@
 namespace flytri::calibration {
 namespace {
 
-/// A dot must lie within this share of the pitch of where it is expected.
+/// Largest distance of a dot from its expected position, as a share of the pitch.
 constexpr double kTolerance = 0.25;
 
 Vec2 position(const Dot& dot) { return {dot.center.u_px, dot.center.v_px}; }
@@ -27,16 +27,18 @@ struct Markers {
   std::size_t origin, right, below;
 };
 
-/// How far three points are from the pattern of the markers, in units of the short side.
+/// Deviation of three points from the marker pattern, in units of the short side.
 double marker_misfit(const Vec2& origin, const Vec2& right, const Vec2& below) {
   const Vec2 x = right - origin;
   const Vec2 y = 0.5 * (below - origin);
-  return (y - Vec2(-x.y(), x.x())).norm() / x.norm();  // u right, v down: a quarter turn is (-v, u)
+  return (y - Vec2(-x.y(), x.x())).norm() / x.norm();  // u right, v down: a rotation by 90 degrees
+                                                       // is (-v, u)
 }
 
 Result<Markers> find_markers(const std::vector<Dot>& dots, const DotTarget& target) {
   const double ratio = std::pow(target.marker_diameter_mm / target.diameter_mm, 2);
-  const double large_area = std::sqrt(ratio) * median_area(dots);  // between the two kinds
+  const double large_area = std::sqrt(ratio) * median_area(dots);  // between the areas of small and
+                                                                   // large dots
   std::vector<std::size_t> large;
   for (std::size_t i = 0; i < dots.size(); ++i) {
     if (dots[i].area_px > large_area) large.push_back(i);
@@ -58,14 +60,14 @@ Result<Markers> find_markers(const std::vector<Dot>& dots, const DotTarget& targ
   }
   if (!best) {
     return fail(ErrorCode::kInconsistent,
-                "the three large dots (0, 0), (1, 0) and (0, 2) are not found among {} dots, {} of "
-                "them large",
+                "cannot find the three large dots (0, 0), (1, 0) and (0, 2) among {} dots, {} of "
+                "them large; uncover them",
                 dots.size(), large.size());
   }
   return *best;
 }
 
-/// A numbered dot with the grid around it.
+/// A numbered dot with the local grid steps.
 struct Node {
   std::size_t dot;
   int i, j;
@@ -98,7 +100,7 @@ class GridWalk {
     queue_.push_back(node);
   }
 
-  /// Looks for the neighbor one step along i or j and takes over the step found.
+  /// Searches the neighbor one step along i or j, and updates the step.
   void visit(const Node& from, int di, int dj) {
     const Vec2 step = di * from.step_i + dj * from.step_j;
     const Vec2 here = position(dots_[from.dot]);
@@ -134,7 +136,7 @@ class GridWalk {
 Result<std::vector<NumberedDot>> number_dots(const std::vector<Dot>& dots,
                                              const DotTarget& target) {
   if (dots.size() < 4) {
-    return fail(ErrorCode::kInsufficient, "{} dots found; is the image blank or not the target?",
+    return fail(ErrorCode::kInsufficient, "only {} dots found; the image must show the dot target",
                 dots.size());
   }
   const auto markers = find_markers(dots, target);

@@ -1,4 +1,4 @@
-/// @file  Which dot of the target each spot in the image is.
+/// @file  Assigns each spot in the image to its dot on the target.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace flytri::calibration {
 
-/// A dot with its place on the target: x = i * pitch, y = j * pitch.
+/// A dot and its position on the target: x = i * pitch, y = j * pitch.
 struct NumberedDot {
   int i = 0;
   int j = 0;
   Pixel center;
 };
 
-/// Numbers the dots from the three large ones, (0, 0), (1, 0) and (0, 2), outwards over the grid;
-/// each next dot is expected where the grid around its neighbor leads. The large dots themselves
-/// are left out: they are so near to each other that their blur overlaps.
+/// Numbers the dots from the three large ones, (0, 0), (1, 0) and (0, 2), outwards over the grid.
+/// The expected position of a dot follows from the grid steps at its neighbor. The result does not
+/// contain the large dots: they are so close to each other that their blur overlaps.
 /// @errors  kInconsistent if the three large dots are not found, or the grid is mirrored.
 [[nodiscard]] Result<std::vector<NumberedDot>> number_dots(const std::vector<Dot>& dots,
                                                            const DotTarget& target);

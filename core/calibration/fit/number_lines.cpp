@@ -10,7 +10,7 @@
 namespace flytri::calibration {
 namespace {
 
-/// Carries line numbers from plane to plane in one direction.
+/// Follows line numbers from plane to plane in one direction.
 class Tracker {
  public:
   explicit Tracker(const std::vector<JoinedLine>& start, double z_mm) : last_z_mm_(z_mm) {
@@ -18,7 +18,7 @@ class Tracker {
     spacing_px_ = median_gap_px(start);
   }
 
-  /// The number of each joined_line of the next plane; nothing for one that fits no line.
+  /// The number of each line on the next plane; nullopt if it fits no line.
   std::vector<std::optional<std::size_t>> follow(const std::vector<JoinedLine>& joined_lines,
                                                  double z_mm) {
     const double step_mm = z_mm - last_z_mm_;
@@ -61,7 +61,7 @@ class Tracker {
     return nearest;
   }
 
-  /// Lines that were not seen move as the others do.
+  /// Updates the line positions. Lines that were not seen move like the others.
   void move(const std::vector<JoinedLine>& joined_lines,
             const std::vector<std::optional<std::size_t>>& numbers, double step_mm, double common) {
     std::vector<bool> seen(state_.size(), false);
@@ -108,7 +108,7 @@ Result<std::vector<std::vector<JoinedLine>>> all_joined_lines(
         joined_lines_of(*traces[i], pattern == Pattern::kVertical ? image.rows : image.cols));
     if (joined_lines.back().empty()) {
       return fail(ErrorCode::kInsufficient,
-                  "{}: no {} lines found; is the image blank, or of the other pattern?",
+                  "{}: no {} lines found; check that the image is not blank and shows this pattern",
                   name_of(plane, pattern), to_string(pattern));
     }
   }
@@ -135,11 +135,10 @@ Result<NumberedLines> number_lines(const CalibrationSet& set, Pattern pattern,
   const std::size_t start = plane_nearest_zero(set);
   const std::vector<JoinedLine>& first = (*joined_lines)[start];
   if (first.size() != expected) {
-    return fail(
-        ErrorCode::kInconsistent,
-        "{}: {} {} lines found where the set promises {}; all lines must be in the image of "
-        "the plane nearest z = 0",
-        name_of(set.planes[start], pattern), first.size(), to_string(pattern), expected);
+    return fail(ErrorCode::kInconsistent,
+                "{}: found {} {} lines, but the set states {}; all lines must be visible on the "
+                "plane nearest to z = 0",
+                name_of(set.planes[start], pattern), first.size(), to_string(pattern), expected);
   }
 
   std::vector<std::map<std::size_t, localization::LineTrace>> by_plane(expected);

@@ -1,4 +1,4 @@
-/// @file  Which line is which on the white planes of a calibration set.
+/// @file  Numbers the lines on the white planes of a calibration set.
 #pragma once
 
 #include <vector>
@@ -15,14 +15,14 @@ struct LineOnPlane {
   std::vector<localization::LineSample> samples;  ///< by rising along_px
 };
 
-/// By line n, then by rising z: the planes on which the line was seen.
+/// By line n: the planes on which the line was seen, by rising z.
 using NumberedLines = std::vector<std::vector<LineOnPlane>>;
 
 /// Localizes the lines of `pattern` on every plane and numbers them.
 ///
-/// On the plane nearest z = 0 all lines are in the image and are numbered in order. From there the
-/// numbers are carried from plane to plane, up and down, each line to the nearest one to where its
-/// motion so far predicts it. Lines may leave the image.
+/// All lines must be in the image of the plane nearest to z = 0, where they are numbered in order.
+/// From there, numbers are followed from plane to plane in both directions: each line gets the
+/// number of the nearest predicted position. Lines may leave the image.
 /// @errors  kInconsistent or kInsufficient, naming the image.
 [[nodiscard]] Result<NumberedLines> number_lines(const CalibrationSet& set, Pattern pattern,
                                                  const localization::LocalizeOptions& options,

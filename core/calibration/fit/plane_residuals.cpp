@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/check_options.h"
 #include "core/calibration/fit/number_lines.h"
 
 namespace flytri::calibration {
@@ -14,7 +15,7 @@ struct DepthSum {
   std::int64_t count = 0;
 };
 
-/// Depth of all samples of a line on a plane, less the plane's own.
+/// Sums of the measured depth minus z_mm over all samples of a line on a plane.
 DepthSum sum_of(const LineOnPlane& plane, const std::vector<LineRow>& rows) {
   DepthSum sum;
   for (const localization::LineSample& sample : plane.samples) {
@@ -28,7 +29,7 @@ DepthSum sum_of(const LineOnPlane& plane, const std::vector<LineRow>& rows) {
   return sum;
 }
 
-/// The larger offset of the two patterns, where the plane was seen under both.
+/// The larger absolute offset of the two patterns.
 double worst_mm(const PlaneResidual& plane) {
   return std::max(std::abs(plane.offset_mm[0]), std::abs(plane.offset_mm[1]));
 }
@@ -36,8 +37,9 @@ double worst_mm(const PlaneResidual& plane) {
 }  // namespace
 
 Result<void> PlaneResidualOptions::validate() const {
-  if (max_offset_share > 0) return {};
-  return fail(ErrorCode::kBadOption, "max_offset_share is {}, must be > 0", max_offset_share);
+  return OptionCheck("PlaneResidualOptions")
+      .positive("max_offset_share", max_offset_share)
+      .result();
 }
 
 Result<std::vector<PlaneResidual>> plane_residuals(const CalibrationSet& set,
@@ -85,13 +87,14 @@ Result<void> check_plane_residuals(const std::vector<PlaneResidual>& planes,
                        [](const auto& a, const auto& b) { return worst_mm(a) < worst_mm(b); });
   if (worst == planes.end() || worst_mm(*worst) <= limit_mm) return {};
   constexpr double kMicrons = 1e3;
-  const bool parted = std::abs(worst->offset_mm[0] - worst->offset_mm[1]) > limit_mm;
+  const bool moved = std::abs(worst->offset_mm[0] - worst->offset_mm[1]) > limit_mm;
   return fail(ErrorCode::kInconsistent,
-              "the plane at z = {:.2f} mm does not fit the others: its vertical lines lie {:+.0f} "
-              "um, its horizontal ones {:+.0f} um from it, more than {:.0f}; {}; take it again",
+              "the plane at z = {:.2f} mm does not fit the others: its vertical lines are {:+.0f} "
+              "µm and its horizontal lines {:+.0f} µm away from this depth, more than {:.0f} µm; "
+              "{}; take its images again",
               worst->z_mm, kMicrons * worst->offset_mm[0], kMicrons * worst->offset_mm[1],
               kMicrons * limit_mm,
-              parted ? "it moved between its shots" : "it did not stand at that depth");
+              moved ? "it moved between its shots" : "it was not at that depth");
 }
 
 }  // namespace flytri::calibration

@@ -1,4 +1,5 @@
-/// @file  How far a fitted calibration puts each plane of its set from where the set says it was.
+/// @file  Measures the distance of each calibration plane from its stated depth, with the fitted
+///          calibration.
 #pragma once
 
 #include <array>
@@ -10,18 +11,18 @@
 
 namespace flytri::calibration {
 
-/// One plane as one calibration sees it.
+/// Residuals of one plane.
 struct PlaneResidual {
   double z_mm = 0.0;
-  std::array<double, 2> offset_mm{};    ///< by Pattern: mean depth of its lines, less z_mm
-  std::array<double, 2> rms_mm{};       ///< by Pattern: of single samples about that mean
-  std::array<std::int64_t, 2> count{};  ///< by Pattern: samples; 0: the lines have left the image
+  std::array<double, 2> offset_mm{};    ///< by Pattern: mean measured depth minus z_mm
+  std::array<double, 2> rms_mm{};       ///< by Pattern: standard deviation of single samples
+  std::array<std::int64_t, 2> count{};  ///< by Pattern: number of samples; 0: no line in the image
 };
 
 /// When a plane does not fit the others.
 struct PlaneResidualOptions {
-  /// > 0. Largest offset of a plane as a share of the volume's depth. A plane that was misplaced
-  /// pulls the fit to itself and shows a part of its error only.
+  /// > 0. Largest offset of a plane as a share of the volume's depth. A misplaced plane also
+  /// changes the fit, so its offset shows only a part of its error.
   double max_offset_share = 0.001;
   [[nodiscard]] Result<void> validate() const;
 };
@@ -32,7 +33,8 @@ struct PlaneResidualOptions {
     const CalibrationSet& set, const Calibration& calibration,
     const localization::LocalizeOptions& options, const Workers& workers);
 
-/// @errors  kInconsistent: the worst plane, and whether it stood wrong or moved between its shots.
+/// @errors  kInconsistent: names the worst plane, and whether it was at a wrong depth or moved
+///          between its shots.
 [[nodiscard]] Result<void> check_plane_residuals(const std::vector<PlaneResidual>& planes,
                                                  const MeasurementVolume& volume,
                                                  const PlaneResidualOptions& options);

@@ -1,4 +1,4 @@
-/// @file  What a guided calibration is to take: which target goes where, and which shots of it.
+/// @file  Plan of a guided calibration: the target placements and the shots of each.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,26 @@
 
 namespace flytri::calibration {
 
-/// What stands in front of the sensor.
+/// The target in front of the sensor.
 enum class TargetFace { kWhitePlane, kDots };
 
-/// One image. kVerticalAgain is no part of the set: it shows whether the plane rested while the
-/// shots before it were taken. kDots is of the measurement camera, kDotsTexture of the texture
-/// camera, both in the flash.
+/// Kind of an image. kVerticalAgain does not belong to the set: it shows whether the plane moved
+/// during the shots before. kDots is taken by the measurement camera, kDotsTexture by the texture
+/// camera, both with the flash.
 enum class ShotKind { kDark, kVertical, kHorizontal, kVerticalAgain, kDots, kDotsTexture };
 
-/// What a user calls it.
+/// The name shown to the user.
 [[nodiscard]] std::string_view to_string(TargetFace face);
 [[nodiscard]] std::string_view to_string(ShotKind kind);
 [[nodiscard]] TargetFace face_of(ShotKind kind);
-/// In the order in which they are taken.
+/// The shots of a target, in the order of taking.
 [[nodiscard]] const std::vector<ShotKind>& shots_of(TargetFace face);
 
-/// kByPlane: both targets at one depth, then the next depth. kByTarget: the white plane through all
-/// depths, then the dots; the stage must find back to the same depths.
+/// kByPlane: both targets at one depth, then the next depth. kByTarget: the white plane at all
+/// depths, then the dots; the stage must return to the same depths.
 enum class PlacementOrder { kByPlane, kByTarget };
 
-/// One handling: a target is put at a depth, and rests there for its shots.
+/// One placement: the user puts a target at a depth, where it does not move during its shots.
 struct Placement {
   std::size_t plane = 0;  ///< index in CalibrationPlan::z_mm
   TargetFace face = TargetFace::kWhitePlane;
@@ -40,17 +40,17 @@ struct CalibrationPlan {
   MeasurementVolume volume;
   std::array<int, 2> line_counts{};  ///< by Pattern, each at least 1
   DotTarget dots;
-  std::vector<double> z_mm;  ///< depths of the planes, rising: away from the camera
+  std::vector<double> z_mm;  ///< depths of the planes, rising; z points away from the camera
   PlacementOrder order = PlacementOrder::kByPlane;
-  /// As check_set, before any image is taken.
+  /// As check_numbers: a check before any image is taken.
   [[nodiscard]] Result<void> validate() const;
 };
 
 [[nodiscard]] std::vector<Placement> placements_of(const CalibrationPlan& plan);
 
 /// Depths at equal distances through the volume.
-/// @param depth_share  1..1.5, what they span by the volume's depth: a little more, so that fits do
-///                     not end where they are used
+/// @param depth_share  1..1.5, range of the depths divided by the volume's depth; a little above 1
+///                     avoids extrapolation at the ends
 [[nodiscard]] std::vector<double> even_depths_mm(const MeasurementVolume& volume, int count,
                                                  double depth_share);
 

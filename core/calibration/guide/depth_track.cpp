@@ -8,7 +8,8 @@ namespace flytri::calibration {
 namespace {
 
 constexpr std::size_t kMaxPlanes = 3;
-/// Shares of the distance to the nearest plane, for a straight line and for a parabola.
+/// Error of the prediction, as a share of the distance to the nearest plane, for a line and a
+/// parabola.
 constexpr double kLineError = 0.25;
 constexpr double kParabolaError = 0.05;
 

@@ -1,4 +1,4 @@
-/// @file  How something in the image moves with the depth of the plane, and where it is to be next.
+/// @file  Predicts how a quantity in the image changes with the depth of the plane.
 #pragma once
 
 #include <map>
@@ -7,11 +7,11 @@
 
 namespace flytri::calibration {
 
-/// What the planes so far lead to expect at a depth.
+/// Prediction at a depth, from the planes so far.
 struct DepthPrediction {
   double value = 0.0;
-  double slope_per_mm = 0.0;  ///< 0 where only one plane is known
-  double error_mm = 0.0;      ///< by how much the depth told from it may be wrong
+  double slope_per_mm = 0.0;  ///< 0 if only one plane is known
+  double error_mm = 0.0;      ///< error of a depth computed from this prediction
 };
 
 /// A quantity that depends smoothly on the depth, known on some planes.
@@ -20,14 +20,14 @@ class DepthTrack {
   void set(double z_mm, double value) { values_[z_mm] = value; }
   void forget(double z_mm) { values_.erase(z_mm); }
 
-  /// From up to three of the other planes, those nearest to z_mm, by their parabola.
+  /// Predicts by a parabola through the up to three other planes nearest to z_mm.
   ///
-  /// What projections and lenses do is nearly a hyperbola of the distance, which a parabola over
-  /// steps that are small against the distance meets to a share of a step; a straight line less so.
-  /// @return  nothing without another plane
+  /// In a projection, the quantity is nearly a hyperbola of the distance. For small steps a
+  /// parabola approximates it to a small share of a step; a straight line is less accurate.
+  /// @return nullopt without another plane
   [[nodiscard]] std::optional<DepthPrediction> predict(double z_mm) const;
 
-  /// Depth and value of the other plane that is nearest.
+  /// Depth and value of the nearest other plane.
   [[nodiscard]] std::optional<std::pair<double, double>> nearest(double z_mm) const;
 
  private:

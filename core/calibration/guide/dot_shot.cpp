@@ -19,7 +19,7 @@ double linear_scale(const cv::Mat& image) {
   return image.channels() == 1 ? full_scale(image) : kLinearScale8;
 }
 
-/// The share of dots whose middle is clipped, in any channel.
+/// Share of dots whose center is clipped in any channel.
 double clipped_share(const cv::Mat& image, const std::vector<Dot>& dots) {
   constexpr double kClipped = 0.995;
   const cv::Mat values = image.reshape(1);
@@ -38,10 +38,10 @@ double clipped_share(const cv::Mat& image, const std::vector<Dot>& dots) {
   return static_cast<double>(clipped) / static_cast<double>(dots.size());
 }
 
-/// Height of a dot by the steepest slope of its edge, px; median of all dots.
+/// Width of a dot's edge: its height divided by its steepest slope, px; median of all dots.
 double edge_width_px(const cv::Mat& gray, const std::vector<Dot>& dots) {
   cv::Mat along_u, along_v, slope;
-  constexpr double kScharr = 1.0 / 32.0;  // to gray values a pixel
+  constexpr double kScharr = 1.0 / 32.0;  // to gray values per pixel
   cv::Scharr(gray, along_u, CV_32F, 1, 0, kScharr);
   cv::Scharr(gray, along_v, CV_32F, 0, 1, kScharr);
   cv::magnitude(along_u, along_v, slope);
@@ -84,7 +84,7 @@ bool is_mirrored(std::vector<Dot> dots, const DotTarget& target) {
   return number_dots(dots, target).has_value();
 }
 
-/// Image positions as a quadratic of (i, j): the perspective of a target that fills the image.
+/// Image positions as a quadratic function of (i, j): approximates the perspective.
 class TargetMap {
  public:
   static constexpr int kTerms = 6;
@@ -116,7 +116,7 @@ class TargetMap {
   Eigen::MatrixX2d coefficients_;
 };
 
-/// The dots inside the volume, by the largest number in each direction.
+/// Range of the dot numbers inside the volume.
 struct DotReach {
   int i = 0, j = 0;
   DotReach(const DotTarget& target, const MeasurementVolume& volume)
@@ -127,8 +127,8 @@ struct DotReach {
   }
 };
 
-/// Of the dots inside the volume, how many are in sight of this image; those that may be cut by its
-/// border are not asked for.
+/// Number of dots of the volume that must be visible in this image, without those that may be cut
+/// at its border.
 int dots_in_sight(const TargetMap& map, const DotReach& reach, cv::Size size) {
   const double margin_px = map.pitch_px();
   int count = 0;
@@ -150,12 +150,13 @@ ShotVerdict judge_numbers(const std::vector<Dot>& dots, const DotTarget& target,
     numbered = *std::move(result);
     return {ShotFault::kNone, "", figures};
   }
-  constexpr std::size_t kMinDots = 30;  // fewer determine no cubic in x and y
+  constexpr std::size_t kMinDots = 30;  // fewer dots do not determine a cubic in x and y
   if (dots.size() < kMinDots) {
     return refuse(ShotFault::kNoDots, fmt::format("{} dots found", dots.size()), figures);
   }
   if (is_mirrored(dots, target)) {
-    return refuse(ShotFault::kMirrored, "the three large dots lie as in a mirror", figures);
+    return refuse(ShotFault::kMirrored, "the three large dots are arranged as in a mirror image",
+                  figures);
   }
   return refuse(ShotFault::kMarkersHidden, result.error().message, figures);
 }
@@ -187,8 +188,9 @@ DotShot check_dots(const cv::Mat& image, const DotTarget& target, const Measurem
   const auto there = std::count_if(numbered.begin(), numbered.end(),
                                    [&](const NumberedDot& dot) { return reach.contains(dot); });
   if (static_cast<double>(there) < options.min_complete * asked) {
-    shot.verdict = refuse(ShotFault::kNoDots,
-                          fmt::format("{} of the {} dots in sight found", there, asked), figures);
+    shot.verdict =
+        refuse(ShotFault::kNoDots,
+               fmt::format("only {} of the {} dots in sight were found", there, asked), figures);
   }
   return shot;
 }

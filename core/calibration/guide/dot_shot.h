@@ -1,4 +1,4 @@
-/// @file  Checks an image of the dot target at once: from the image to its dots and a verdict.
+/// @file  Checks an image of the dot target.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,15 +9,15 @@
 
 namespace flytri::calibration {
 
-/// The dots of one image, and how the target lies in it.
+/// The result, with the position of the target in the image.
 struct DotShot {
   ShotVerdict verdict;
-  Pixel origin;           ///< where the middle of dot (0, 0) is expected
-  double pitch_px = 0.0;  ///< around the origin: root of the area of a mesh
+  Pixel origin;           ///< expected center of dot (0, 0)
+  double pitch_px = 0.0;  ///< at the origin: square root of the area of a grid cell
 };
 
-/// The dot target in the image of either camera.
-/// @param volume  the dots inside it must be there as far as they are in sight
+/// Checks the dot target in an image of either camera.
+/// @param volume  all its dots that are in sight must be found
 [[nodiscard]] DotShot check_dots(const cv::Mat& image, const DotTarget& target,
                                  const MeasurementVolume& volume, const ShotCheckOptions& options);
 

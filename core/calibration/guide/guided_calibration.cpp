@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::calibration {
 namespace {
 
@@ -19,9 +21,7 @@ Pattern pattern_of(ShotKind kind) {
 }  // namespace
 
 Result<void> GuidedOptions::validate() const {
-  if (auto valid = shots.validate(); !valid) return valid;
-  if (auto valid = fit.validate(); !valid) return valid;
-  return planes.validate();
+  return OptionCheck("GuidedOptions").nested(shots).nested(fit).nested(planes).result();
 }
 
 Result<GuidedCalibration> GuidedCalibration::create(const CalibrationPlan& plan,
@@ -75,7 +75,7 @@ std::vector<ShotKind> GuidedCalibration::kept_shots(TargetFace face) {
 
 void GuidedCalibration::finish_placement() {
   const Placement& place = placements_[current_->placement];
-  current_->images.resize(kept_shots(place.face).size());  // what only proves rest comes last
+  current_->images.resize(kept_shots(place.face).size());  // kVerticalAgain is last and is dropped
   images_[current_->placement] = std::move(current_->images);
   current_.reset();
 }
@@ -115,16 +115,17 @@ ShotVerdict GuidedCalibration::check_type(ShotKind kind, const cv::Mat& image) c
       is_texture ? image.type() == CV_8UC3 : image.type() == CV_8UC1 || image.type() == CV_16UC1;
   if (image.empty() || !typed) {
     return {ShotFault::kWrongImage,
-            fmt::format("the image has {}; {} is needed", size_of(image),
-                        is_texture ? "8-bit color" : "grey of 8 or 16 bits"),
+            fmt::format("the image has {}, but {} is needed", size_of(image),
+                        is_texture ? "8-bit color" : "8- or 16-bit gray"),
             {}};
   }
   const cv::Mat* before = first_image(is_texture);
   if (before == nullptr || (before->size() == image.size() && before->type() == image.type()))
     return {};
-  return {ShotFault::kWrongImage,
-          fmt::format("the image has {}, those before {}", size_of(image), size_of(*before)),
-          {}};
+  return {
+      ShotFault::kWrongImage,
+      fmt::format("the image has {}, but earlier images have {}", size_of(image), size_of(*before)),
+      {}};
 }
 
 const cv::Mat* GuidedCalibration::first_image(bool is_texture) const {

@@ -1,12 +1,13 @@
-/// @file  Calibration at the chair as a state machine: it says which image it wants, judges each
-/// one at once, and fits when all are there.
+/// @file  Guided calibration as a state machine: states which image is wanted, checks each image
+///          immediately, and fits when all images are complete.
 ///
 ///     wanted ──take──▶ good: the next one is wanted ──▶ ... ──▶ complete ──fit──▶ calibration
-///       ▲              refused: the placement begins anew ─┐        │
-///       └──────────────────────────────────────────────────┴─reopen─┘
+///       ▲              rejected: the placement starts again ─┐        │
+///       └────────────────────────────────────────────────────┴─reopen─┘
 ///
-/// A placement is one handling of the user's: a target at a depth. Its shots are compared with each
-/// other, so that it is taken as a whole or not at all. Nothing here waits, reads or prints.
+/// A placement is a target at a depth, put there by the user. Its shots are compared with each
+/// other, so if one is rejected, all are taken again. This class does not wait, read files or
+/// print.
 #pragma once
 
 #include <optional>
@@ -28,16 +29,16 @@ struct GuidedOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// The image that is to be taken next.
+/// The next image to take.
 struct WantedShot {
   std::size_t placement = 0;  ///< index in GuidedCalibration::placements()
   Placement place;
   double z_mm = 0.0;
   ShotKind kind = ShotKind::kDark;
-  bool begins_placement = true;  ///< the user must put the target there first
+  bool begins_placement = true;  ///< true: the user must place the target first
 };
 
-/// What a session comes to.
+/// The result of a session.
 struct GuidedFit {
   Calibration calibration;
   std::vector<PlaneResidual> planes;  ///< by rising z
@@ -54,40 +55,40 @@ class GuidedCalibration {
   [[nodiscard]] bool is_done(std::size_t placement) const { return !images_[placement].empty(); }
   [[nodiscard]] bool is_complete() const { return !wanted().has_value(); }
 
-  /// Nothing once all are there.
+  /// nullopt if the session is complete.
   [[nodiscard]] std::optional<WantedShot> wanted() const;
 
-  /// Judges the wanted shot. A good one is kept and the next is wanted; with any other the
-  /// placement begins anew. Call only while something is wanted.
+  /// Checks the wanted shot. A good one is kept, and the next one is wanted. If it is rejected, the
+  /// placement starts again. Call only while wanted() is not empty.
   /// @param image  measurement camera: CV_8UC1 or CV_16UC1, linear in light; texture camera:
   ///               CV_8UC3 in R, G, B order, sRGB
   ShotVerdict take(const cv::Mat& image);
 
-  /// What was taken at a placement, in the order of kept_shots(); empty if it is not done.
+  /// The images of a placement, in the order of kept_shots(); empty if it is not done.
   [[nodiscard]] const std::vector<cv::Mat>& images(std::size_t placement) const {
     return images_[placement];
   }
-  /// The shots of a placement that a session keeps: all but those that only prove it at rest.
+  /// The shots of a placement that a session keeps: all but kVerticalAgain.
   [[nodiscard]] static std::vector<ShotKind> kept_shots(TargetFace face);
 
-  /// Takes over a placement of an earlier session, judging its images as if they were new.
+  /// Restores a placement of an earlier session; checks its images again.
   /// @param images  in the order of kept_shots()
   ShotVerdict restore(std::size_t placement, const std::vector<cv::Mat>& images);
 
-  /// Forgets a placement: it is wanted again.
+  /// Drops the images of a placement: it is wanted again.
   void reopen(std::size_t placement);
-  /// The done placement before the one that is wanted, for who wants to go back.
+  /// The last completed placement before the wanted one, for going back.
   [[nodiscard]] std::optional<std::size_t> placement_before() const;
 
   /// The images of a complete session.
   [[nodiscard]] CalibrationSet set() const;
 
-  /// Fits a complete session, and looks for planes that do not fit the others.
+  /// Fits a complete session and checks that all planes fit each other.
   /// @errors  As calibrate and check_plane_residuals.
   [[nodiscard]] Result<GuidedFit> fit(const Workers& workers, const Progress& progress) const;
 
  private:
-  /// The placement that is being taken.
+  /// The present, unfinished placement.
   struct Current {
     std::size_t placement = 0;
     std::vector<cv::Mat> images;
@@ -96,8 +97,8 @@ class GuidedCalibration {
   GuidedCalibration(const CalibrationPlan& plan, const GuidedOptions& options);
   [[nodiscard]] ShotVerdict check(const WantedShot& shot, const cv::Mat& image);
   [[nodiscard]] ShotVerdict check_type(ShotKind kind, const cv::Mat& image) const;
-  /// Of those that are kept or in hand, of the texture camera or of the other; all of one camera
-  /// are alike. Null: none.
+  /// The first image of the texture camera or of the measurement camera, to compare size and type;
+  /// null if there is none.
   [[nodiscard]] const cv::Mat* first_image(bool is_texture) const;
   [[nodiscard]] ShotVerdict check_pattern(const WantedShot& shot, const cv::Mat& image);
   void finish_placement();

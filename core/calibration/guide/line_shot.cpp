@@ -9,10 +9,10 @@
 namespace flytri::calibration {
 namespace {
 
-/// Gray value below which `share` of the pixels lie, as a share of full scale.
+/// Quantile of the gray values, as a share of full scale.
 double gray_quantile(const cv::Mat& image, double share) {
   std::vector<double> values;
-  constexpr int kStep = 4;  // every sixteenth pixel is plenty for a quantile
+  constexpr int kStep = 4;  // every sixteenth pixel is enough for a quantile
   for (int v = 0; v < image.rows; v += kStep) {
     for (int u = 0; u < image.cols; u += kStep) {
       values.push_back(image.depth() == CV_16U ? image.at<std::uint16_t>(v, u)
@@ -41,7 +41,7 @@ int count_of(const std::array<int, 2>& line_counts, Pattern pattern) {
   return line_counts[static_cast<std::size_t>(pattern)];
 }
 
-/// Half of the lines are proof enough that this pattern lit the image: dirt makes no such rows.
+/// If more than half of the lines are found, this pattern was on: dirt does not look like that.
 bool shows(const cv::Mat& image, Pattern pattern, const std::array<int, 2>& line_counts,
            const ShotCheckOptions& options) {
   const auto found = static_cast<int>(find_joined_lines(image, pattern, options).size());
@@ -67,9 +67,11 @@ ShotFigures measure_lines(const std::vector<JoinedLine>& joined_lines, double fu
   return figures;
 }
 
-/// How many lines must still be in the image: gaps among those found, and room beside them.
+/// Number of lines that should be in the image but were not found: in gaps between lines, and at
+/// the sides where there is room.
 int lines_missing(const std::vector<JoinedLine>& joined_lines, int expected, double across_px) {
-  constexpr double kRoom = 1.3;  // of a gap: a line this far inside the image would show
+  constexpr double kRoom = 1.3;  // share of the line spacing; a line this far inside the image
+                                 // would be visible
   const double gap_px = median_gap_px(joined_lines);
   if (gap_px <= 0.0) return expected - static_cast<int>(joined_lines.size());
   int inside = 0;
@@ -86,10 +88,11 @@ int lines_missing(const std::vector<JoinedLine>& joined_lines, int expected, dou
   return inside + std::min(std::max(outside, 0), room_beside);
 }
 
-/// The share of its rows that a line covers, of the worst line that is not at the image's border.
+/// Smallest share of the image along which a line is visible; lines near the border are ignored.
 double least_complete(const std::vector<JoinedLine>& joined_lines, int along, double across_px) {
   double least = 1.0;
-  const double margin_px = median_gap_px(joined_lines);  // nearer to the border a line may leave
+  const double margin_px = median_gap_px(joined_lines);  // a line nearer to the border may leave
+                                                         // the image
   for (const JoinedLine& joined_line : joined_lines) {
     if (std::min(joined_line.middle_px, across_px - joined_line.middle_px) < margin_px) continue;
     least = std::min(least, static_cast<double>(joined_line.samples.size()) / along);
@@ -97,34 +100,37 @@ double least_complete(const std::vector<JoinedLine>& joined_lines, int along, do
   return least;
 }
 
-/// Without lines to measure: why are there none?
+/// Finds out why there are no lines.
 ShotVerdict explain_blank(const cv::Mat& image, Pattern pattern,
                           const std::array<int, 2>& line_counts, const ShotFigures& figures,
                           const ShotCheckOptions& options) {
   if (shows(image, other(pattern), line_counts, options)) {
     return refuse(ShotFault::kOtherPattern,
-                  fmt::format("the image shows {} lines, not {} ones", to_string(other(pattern)),
-                              to_string(pattern)),
+                  fmt::format("the image shows {} lines instead of {} lines",
+                              to_string(other(pattern)), to_string(pattern)),
                   figures);
   }
   constexpr double kClipped = 0.99;
   if (share_above(image, kClipped) > options.max_saturated) {
-    return refuse(ShotFault::kSaturated, "large parts of the image are as bright as can be",
+    return refuse(ShotFault::kSaturated,
+                  "large parts of the image are overexposed: the pixels have full brightness",
                   figures);
   }
   const std::string finding =
       fmt::format("{} of {} {} lines found", figures.found, figures.expected, to_string(pattern));
   const double height = gray_quantile(image, 0.999) - gray_quantile(image, 0.5);
   const bool dark = height < options.min_brightness;
-  return refuse(dark ? ShotFault::kTooDark : ShotFault::kLinesMissing,
-                dark ? finding + fmt::format("; nothing stands more than {:.0f} % of full scale "
-                                             "above the rest",
-                                             100 * height)
-                     : finding,
-                figures);
+  return refuse(
+      dark ? ShotFault::kTooDark : ShotFault::kLinesMissing,
+      dark ? finding +
+                 fmt::format(
+                     "; the brightest parts are only {:.0f} % of full scale above the background",
+                     100 * height)
+           : finding,
+      figures);
 }
 
-/// Of the distance between lines; a single line has none.
+/// Largest allowed line width; infinite for a single line.
 double widest_allowed_px(const std::vector<JoinedLine>& joined_lines,
                          const ShotCheckOptions& options) {
   return joined_lines.size() > 1 ? options.max_line_width * median_gap_px(joined_lines)
@@ -145,7 +151,7 @@ ShotVerdict judge_whole(const std::vector<JoinedLine>& joined_lines, const cv::M
   const double complete = least_complete(joined_lines, along_count(image, pattern), across_px);
   if (complete < options.min_complete) {
     return refuse(ShotFault::kLinesMissing,
-                  fmt::format("one of the {} lines shows along {:.0f} % of the image only",
+                  fmt::format("one of the {} lines is visible along only {:.0f} % of the image",
                               to_string(pattern), 100 * complete),
                   figures);
   }
@@ -164,15 +170,15 @@ ShotVerdict check_dark(const cv::Mat& image, const std::array<int, 2>& line_coun
   const double level = gray_quantile(image, 0.5);
   if (level > options.max_room_light) {
     return refuse(ShotFault::kStrayLight,
-                  fmt::format("without the sensor's light the image is at {:.0f} % of full scale, "
-                              "more than {:.0f} %",
+                  fmt::format("with the sensor's light off, the image is at {:.0f} % of full "
+                              "scale, more than {:.0f} %",
                               100 * level, 100 * options.max_room_light));
   }
   const double reflections = share_above(image, level + options.reflection_height);
   if (reflections > options.max_reflections) {
     return refuse(
         ShotFault::kStrayLight,
-        fmt::format("{:.1f} % of the image shine without the sensor's light", 100 * reflections));
+        fmt::format("{:.1f} % of the image shines with the sensor's light off", 100 * reflections));
   }
   return {};
 }
@@ -207,8 +213,9 @@ LineShot check_lines(const cv::Mat& image, const cv::Mat& dark, Pattern pattern,
 ShotVerdict check_rest(const std::vector<JoinedLine>& before, const std::vector<JoinedLine>& after,
                        const ShotCheckOptions& options) {
   if (before.size() != after.size()) {
-    return refuse(ShotFault::kPlaneMoved,
-                  fmt::format("{} lines became {}", before.size(), after.size()));
+    return refuse(
+        ShotFault::kPlaneMoved,
+        fmt::format("the first image has {} lines, the last one {}", before.size(), after.size()));
   }
   std::vector<double> shifts;
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -218,7 +225,9 @@ ShotVerdict check_rest(const std::vector<JoinedLine>& before, const std::vector<
   if (std::abs(shift_px) <= options.max_shift_px) return {};
   return refuse(
       ShotFault::kPlaneMoved,
-      fmt::format("the vertical lines moved by {:.2f} px while the plane was to rest", shift_px));
+      fmt::format(
+          "the vertical lines moved by {:.2f} px between the first and the last image of the plane",
+          shift_px));
 }
 
 }  // namespace flytri::calibration

@@ -1,4 +1,4 @@
-/// @file  Checks an image of the white plane at once: from the image to its lines and a verdict.
+/// @file  Checks an image of the white plane.
 #pragma once
 
 #include <array>
@@ -12,24 +12,25 @@
 
 namespace flytri::calibration {
 
-/// The white plane without any light of the sensor's.
+/// Checks an image of the white plane with all lights off.
 [[nodiscard]] ShotVerdict check_dark(const cv::Mat& image, const std::array<int, 2>& line_counts,
                                      const ShotCheckOptions& options);
 
-/// The lines of one image; those that may be numbered by their order if the verdict is good.
+/// The lines of one image.
 struct LineShot {
   ShotVerdict verdict;
   std::vector<JoinedLine> joined_lines;
 };
 
-/// The white plane under one pattern. Lines may be missing only where they have left the image.
-/// @param dark         the plane without light, of the same size and type
+/// Checks an image of the white plane with one pattern. Lines may be missing only if they are
+/// outside the image.
+/// @param dark         image with all lights off, same size and type
 /// @param line_counts  of both patterns
 [[nodiscard]] LineShot check_lines(const cv::Mat& image, const cv::Mat& dark, Pattern pattern,
                                    const std::array<int, 2>& line_counts,
                                    const ShotCheckOptions& options);
 
-/// Whether the plane rested between two shots of the same lines.
+/// Checks that the plane did not move between two shots of the same lines.
 [[nodiscard]] ShotVerdict check_rest(const std::vector<JoinedLine>& before,
                                      const std::vector<JoinedLine>& after,
                                      const ShotCheckOptions& options);

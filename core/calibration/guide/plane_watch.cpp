@@ -10,13 +10,15 @@
 namespace flytri::calibration {
 namespace {
 
-/// Lines that move less from plane to plane rest: localization is a hundred times better.
+/// If lines move less than this between two planes, the plane was not moved: localization is a
+/// hundred times more accurate.
 constexpr double kLeastMotion_px = 0.5;
-/// By how much blur may exceed what the other planes lead to expect; it doubles through a volume.
+/// Allowed ratio of the blur to the prediction from the other planes. The blur doubles within a
+/// volume.
 constexpr double kMaxBlur = 1.3;
-constexpr double kMaxFirstBlur = 1.6;  // where only one other plane is known
+constexpr double kMaxFirstBlur = 1.6;  // if only one other plane is known
 
-/// How far the quantity is from what was expected, as a depth.
+/// Difference between a quantity and its prediction, converted to depth.
 double depth_error_mm(const DepthPrediction& expected, double value) {
   return (value - expected.value) / expected.slope_per_mm;
 }
@@ -27,16 +29,17 @@ ShotVerdict refuse_judged(ShotVerdict verdict, ShotFault fault, std::string find
   return verdict;
 }
 
-/// The depth that a quantity tells, against the one that was asked for.
+/// Compares the depth computed from a quantity with the stated depth.
 ShotVerdict judge_depth(ShotVerdict verdict, const std::optional<DepthPrediction>& expected,
                         double value, double z_mm, const char* by) {
   if (!expected || expected->slope_per_mm == 0.0) return verdict;
   const double error_mm = depth_error_mm(*expected, value);
   verdict.figures.depth_error_mm = error_mm;
   if (std::abs(error_mm) <= expected->error_mm) return verdict;
-  return refuse_judged(std::move(verdict), ShotFault::kWrongDepth,
-                       fmt::format("by {} the plane is at about z = {:.2f} mm, not at {:.2f} mm",
-                                   by, z_mm + error_mm, z_mm));
+  return refuse_judged(
+      std::move(verdict), ShotFault::kWrongDepth,
+      fmt::format("according to {}, the plane is at about z = {:.2f} mm, not at {:.2f} mm", by,
+                  z_mm + error_mm, z_mm));
 }
 
 ShotVerdict judge_blur(ShotVerdict verdict, const std::optional<DepthPrediction>& expected) {
@@ -44,13 +47,13 @@ ShotVerdict judge_blur(ShotVerdict verdict, const std::optional<DepthPrediction>
   const double limit = expected->slope_per_mm == 0.0 ? kMaxFirstBlur : kMaxBlur;
   if (verdict.figures.width_px <= limit * expected->value) return verdict;
   std::string finding =
-      fmt::format("edges are {:.1f} px wide where the other planes lead to {:.1f}",
+      fmt::format("edges are {:.1f} px wide, but {:.1f} px are expected from the other planes",
                   verdict.figures.width_px, expected->value);
   return refuse_judged(std::move(verdict), ShotFault::kDefocused, std::move(finding));
 }
 
-/// By how much lines moved between two planes, each taken for the nearest one to where
-/// `expected_px` leads; nothing if none is near.
+/// Median shift of the lines between two planes. Each line is paired with the one nearest to the
+/// expected shift; nullopt if none is near.
 std::optional<double> shift_px(const std::vector<double>& from, const std::vector<double>& to,
                                double expected_px, double reach_px) {
   std::vector<double> shifts;
@@ -72,7 +75,7 @@ std::vector<double> middles_of(const std::vector<JoinedLine>& joined_lines) {
   return middles_px;
 }
 
-/// Half of the way to the next line; of a single line everything is near.
+/// Half of the line spacing; infinite for a single line.
 double reach_px(const std::vector<JoinedLine>& joined_lines) {
   return joined_lines.size() < 2 ? std::numeric_limits<double>::infinity()
                                  : 0.5 * median_gap_px(joined_lines);
@@ -92,8 +95,9 @@ ShotVerdict PlaneWatch::check_lines(const LineShot& shot, Pattern pattern, doubl
                                 expected->value - near_px, reach_px(shot.joined_lines));
     const std::string by = fmt::format("the {} lines", to_string(pattern));
     if (!shift || std::abs(*shift) < kLeastMotion_px) {
-      return refuse_judged(std::move(verdict), ShotFault::kWrongDepth,
-                           fmt::format("{} are where they were at z = {:.2f} mm", by, near_z_mm));
+      return refuse_judged(
+          std::move(verdict), ShotFault::kWrongDepth,
+          fmt::format("{} are still where they were at z = {:.2f} mm", by, near_z_mm));
     }
     position_px = near_px + *shift;
     verdict = judge_depth(std::move(verdict), expected, position_px, z_mm, by.c_str());
@@ -117,7 +121,7 @@ ShotVerdict PlaneWatch::check_dots(const DotShot& shot, const DotTarget& target,
   if (const auto near = dots.mesh_px.nearest(z_mm);
       near && (mesh - near->second) * (z_mm - near->first) <= 0.0) {
     return refuse_judged(std::move(verdict), ShotFault::kWrongDepth,
-                         fmt::format("the dots are not {} than at z = {:.2f} mm",
+                         fmt::format("the dots should be {} than at z = {:.2f} mm, but are not",
                                      z_mm > near->first ? "smaller" : "larger", near->first));
   }
   const auto u = dots.origin_u_px.predict(z_mm);
@@ -129,7 +133,7 @@ ShotVerdict PlaneWatch::check_dots(const DotShot& shot, const DotTarget& target,
     if (aside_mm > expected->error_mm) {
       return refuse_judged(
           std::move(verdict), ShotFault::kMovedSideways,
-          fmt::format("the target lies {:.2f} mm beside the path of the other planes", aside_mm));
+          fmt::format("the target is {:.2f} mm beside the path of the other planes", aside_mm));
     }
   }
   dots.mesh_px.set(z_mm, mesh);

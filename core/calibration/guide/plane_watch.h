@@ -1,4 +1,5 @@
-/// @file  Whether each plane of a guided calibration stands where the planes before lead to expect.
+/// @file  Checks that each plane of a guided calibration is at its stated depth, by comparison with
+///          earlier planes.
 #pragma once
 
 #include <map>
@@ -10,19 +11,19 @@
 
 namespace flytri::calibration {
 
-/// Nothing is calibrated yet, but lines and dots move and blur smoothly with the depth. The first
-/// plane is believed; the second must differ from it; from the third on, depths are told from the
-/// images to about a twentieth of a step.
+/// There is no calibration yet, but lines and dots move and blur smoothly with the depth. The first
+/// plane is accepted; the second must differ from it; from the third plane on, the depth is checked
+/// to about a twentieth of a step.
 class PlaneWatch {
  public:
-  /// Keeps what a good shot showed, and refuses one that does not fit the other planes.
+  /// Stores the measurements of a shot, or rejects it if it does not fit the other planes.
   /// @param shot  with a good verdict
   [[nodiscard]] ShotVerdict check_lines(const LineShot& shot, Pattern pattern, double z_mm);
-  /// @param is_texture  seen by the texture camera
+  /// @param is_texture  image of the texture camera
   [[nodiscard]] ShotVerdict check_dots(const DotShot& shot, const DotTarget& target,
                                        bool is_texture, double z_mm);
 
-  /// The plane is taken anew.
+  /// Drops the measurements of a plane that is taken again.
   void forget_lines(double z_mm);
   void forget_dots(double z_mm);
 
@@ -30,7 +31,7 @@ class PlaneWatch {
   /// The lines of one pattern.
   struct Lines {
     std::map<double, std::vector<double>> middles_px;  // by depth
-    DepthTrack position_px;                            // of the same place of the pattern
+    DepthTrack position_px;                            // of one fixed place of the pattern
     DepthTrack width_px;
   };
   /// The dots of one camera.

@@ -1,33 +1,23 @@
 #include "core/calibration/guide/shot_check_options.h"
 
-#include <array>
+#include "core/base/check_options.h"
 
 namespace flytri::calibration {
 
 Result<void> ShotCheckOptions::validate() const {
-  if (auto valid = localize.validate(); !valid) return valid;
-  struct Range {
-    const char* name;
-    double value, max;
-  };
-  const std::array<Range, 9> ranges = {{{"min_brightness", min_brightness, 1.0},
-                                        {"max_saturated", max_saturated, 1.0},
-                                        {"max_line_width", max_line_width, 0.5},
-                                        {"max_edge_width", max_edge_width, 2.0},
-                                        {"min_complete", min_complete, 1.0},
-                                        {"max_room_light", max_room_light, 1.0},
-                                        {"reflection_height", reflection_height, 1.0},
-                                        {"max_reflections", max_reflections, 1.0},
-                                        {"max_room_change", max_room_change, 1.0}}};
-  for (const Range& range : ranges) {
-    if (range.value >= 0.0 && range.value <= range.max) continue;
-    return fail(ErrorCode::kBadOption, "{} is {}, must be 0..{}", range.name, range.value,
-                range.max);
-  }
-  if (!(max_shift_px > 0.0)) {
-    return fail(ErrorCode::kBadOption, "max_shift_px is {}, must be > 0", max_shift_px);
-  }
-  return {};
+  return OptionCheck("ShotCheckOptions")
+      .nested(localize)
+      .in_range("min_brightness", min_brightness, 0.0, 1.0)
+      .in_range("max_saturated", max_saturated, 0.0, 1.0)
+      .in_range("max_line_width", max_line_width, 0.0, 0.5)
+      .in_range("max_edge_width", max_edge_width, 0.0, 2.0)
+      .in_range("min_complete", min_complete, 0.0, 1.0)
+      .in_range("max_room_light", max_room_light, 0.0, 1.0)
+      .in_range("reflection_height", reflection_height, 0.0, 1.0)
+      .in_range("max_reflections", max_reflections, 0.0, 1.0)
+      .in_range("max_room_change", max_room_change, 0.0, 1.0)
+      .positive("max_shift_px", max_shift_px)
+      .result();
 }
 
 double full_scale(const cv::Mat& image) { return image.depth() == CV_16U ? 65535.0 : 255.0; }
@@ -47,11 +37,12 @@ ShotVerdict judge_light(const ShotWords& words, const ShotFigures& figures, doub
                   figures);
   }
   if (figures.brightness < options.min_brightness) {
-    return refuse(ShotFault::kTooDark,
-                  fmt::format("the {} stand {:.1f} % of full scale above the rest, less than "
-                              "{:.0f} %",
-                              words.things, 100 * figures.brightness, 100 * options.min_brightness),
-                  figures);
+    return refuse(
+        ShotFault::kTooDark,
+        fmt::format(
+            "the {} are only {:.1f} % of full scale above the background, less than {:.0f} %",
+            words.things, 100 * figures.brightness, 100 * options.min_brightness),
+        figures);
   }
   return {ShotFault::kNone, "", figures};
 }

@@ -9,39 +9,40 @@ std::string_view remedy_of(ShotFault fault) {
     case ShotFault::kNone:
       return "";
     case ShotFault::kWrongImage:
-      return "Set the camera to the format and size that the session began with.";
+      return "Set the camera to the format and image size that the session started with.";
     case ShotFault::kStrayLight:
-      return "Turn off or move the lamp, and tilt what reflects out of sight.";
+      return "Turn off or move the lamp, and remove or tilt objects that reflect light.";
     case ShotFault::kLightStaysOn:
-      return "Check the cable of the projectors; a light that never goes dark is wired wrong.";
+      return "Check the cables of the projectors: a light that stays on is connected wrongly.";
     case ShotFault::kTooDark:
-      return "Lengthen the exposure, open the lens, or check that the light shines on the target.";
+      return "Increase the exposure time, open the aperture, or check that the light falls on the "
+             "target.";
     case ShotFault::kSaturated:
-      return "Shorten the exposure or lower the gain.";
+      return "Reduce the exposure time or the gain.";
     case ShotFault::kDefocused:
-      return "Clean the lenses, focus camera and projectors on the front of the volume and fix "
-             "them; a session begun with another focus must be started anew.";
+      return "Clean the lenses. Focus camera and projectors on the front of the volume and lock "
+             "them. If the focus was changed, start the session again.";
     case ShotFault::kLinesMissing:
-      return "Clean the white plane, see that it fills the image, and that nothing shades it.";
+      return "Clean the white plane. Check that it fills the image and has no shadow on it.";
     case ShotFault::kOtherPattern:
       return "Swap the cables of the vertical and the horizontal projector, or their lines in "
              "rig.json.";
     case ShotFault::kRoomLightChanged:
-      return "Keep the light of the room as it is while a plane is taken.";
+      return "Do not change the room light while the images of a plane are taken.";
     case ShotFault::kPlaneMoved:
-      return "Let the stage settle, lock it, and touch nothing while the lights change.";
+      return "Wait until the stage is at rest, lock it, and do not touch it during the shots.";
     case ShotFault::kWrongDepth:
-      return "Set the stage to the depth that is asked for. If it stands there, one of the planes "
-             "before was wrong: go back and take it again.";
+      return "Set the stage to the requested depth. If it is already there, an earlier plane was "
+             "wrong: go back and take that plane again.";
     case ShotFault::kMovedSideways:
-      return "Put the target back into its holder as it was; the stage moves it in depth alone.";
+      return "Put the target back into its holder as before. The stage must move it only in depth.";
     case ShotFault::kNoDots:
-      return "Put the dot target in, facing the sensor, so that it fills the image; clean it and "
+      return "Insert the dot target so that it faces the sensor and fills the image. Clean and "
              "uncover it.";
     case ShotFault::kMarkersHidden:
-      return "Uncover the three large dots near the middle of the target, and clean them.";
+      return "Uncover and clean the three large dots near the center of the target.";
     case ShotFault::kMirrored:
-      return "Turn the target: its dots must face the sensor.";
+      return "Turn the target around: its dots must face the sensor.";
   }
   return "";
 }

@@ -1,4 +1,4 @@
-/// @file  What is wrong with a calibration image, in words that tell what to do about it.
+/// @file  The faults of a calibration image, and what the user should do.
 #pragma once
 
 #include <string>
@@ -8,39 +8,40 @@ namespace flytri::calibration {
 
 enum class ShotFault {
   kNone,
-  kWrongImage,        ///< type or size are not those of the other images of this camera
-  kStrayLight,        ///< dark: the room is too bright, or something reflects
-  kLightStaysOn,      ///< dark: lines show although all lights are to be off
-  kTooDark,           ///< lines or dots stand too little above the rest
-  kSaturated,         ///< they are clipped
-  kDefocused,         ///< they are blurred
-  kLinesMissing,      ///< not all lines are there, or not all along
-  kOtherPattern,      ///< the other lines are in the image
-  kRoomLightChanged,  ///< against the dark image
-  kPlaneMoved,        ///< between the shots of one placement
-  kWrongDepth,        ///< the plane is not where it is to be
-  kMovedSideways,     ///< the dots are not where the stage's motion leads them
+  kWrongImage,        ///< type or size differs from the other images of this camera
+  kStrayLight,        ///< dark image: the room is too bright, or something reflects light
+  kLightStaysOn,      ///< dark image: lines are visible although all lights should be off
+  kTooDark,           ///< lines or dots are too little brighter than the background
+  kSaturated,         ///< lines or dots are clipped
+  kDefocused,         ///< lines or dots are blurred
+  kLinesMissing,      ///< some lines are missing or incomplete
+  kOtherPattern,      ///< the image shows the other pattern
+  kRoomLightChanged,  ///< the room light differs from the dark image
+  kPlaneMoved,        ///< the plane moved between the shots of one placement
+  kWrongDepth,        ///< the plane is not at the stated depth
+  kMovedSideways,     ///< the dots are beside the path of the stage
   kNoDots,            ///< not the dot target, or too few of its dots in sight
-  kMarkersHidden,     ///< the three large dots are not all there
-  kMirrored,          ///< the target is seen from behind
+  kMarkersHidden,     ///< the three large dots are not all visible
+  kMirrored,          ///< the camera sees the target from behind
 };
 
-/// What the fault's remedy is, a sentence for the user.
+/// What the user should do.
 [[nodiscard]] std::string_view remedy_of(ShotFault fault);
 
-/// What was found out about one image. Figures that do not apply are 0.
+/// Measurements of one image. Values that do not apply are 0.
 struct ShotFigures {
-  int found = 0;                ///< lines or dots
-  int expected = 0;             ///< lines; 0: dots, whose number is not fixed
-  double brightness = 0.0;      ///< share of full scale, of lines or dots above the rest, median
-  double saturated = 0.0;       ///< share of them that is clipped
-  double width_px = 0.0;        ///< of the lines, median; of the edges of the dots
-  double depth_error_mm = 0.0;  ///< how far from its depth the plane seems to be
+  int found = 0;                ///< number of lines or dots
+  int expected = 0;             ///< number of lines; 0 for dots, whose number is not fixed
+  double brightness = 0.0;      ///< median height of lines or dots above the background, share of
+                                ///< full scale
+  double saturated = 0.0;       ///< share of clipped samples or dots
+  double width_px = 0.0;        ///< median width of the lines or of the edges of the dots
+  double depth_error_mm = 0.0;  ///< measured depth minus stated depth
 };
 
 struct ShotVerdict {
   ShotFault fault = ShotFault::kNone;
-  std::string finding;  ///< what was seen, with its numbers; empty for a good shot
+  std::string finding;  ///< what is wrong, with numbers; empty for a good shot
   ShotFigures figures;
   [[nodiscard]] bool good() const { return fault == ShotFault::kNone; }
 };

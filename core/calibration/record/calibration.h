@@ -1,5 +1,5 @@
-/// @file  The calibration record of a sensor: from image positions to millimetres, without a model
-/// of lens or projector.
+/// @file  The calibration record of a sensor: from image positions to millimeters, without a model
+///          of lens or projector.
 ///
 /// @source  Arold et al., "z-Calibration", "xy-Calibration", "Inverse Lateral Calibration",
 ///          "Line Indexing" (unique areas and normalized width).
@@ -20,13 +20,13 @@ namespace flytri::calibration {
 /// Extent of the measurement volume, centered at the origin of the sensor frame.
 struct MeasurementVolume {
   Vec3 size_mm = Vec3::Zero();
-  /// True if the point is inside the volume grown by `margin_mm` on every side.
+  /// True if the point is inside the volume enlarged by `margin_mm` on every side.
   [[nodiscard]] bool contains(const Vec3& p_sensor, double margin_mm = 0.0) const {
     return ((p_sensor.cwiseAbs() - 0.5 * size_mm).array() <= margin_mm).all();
   }
 };
 
-/// How well a fit met its data.
+/// Residual of a fit.
 struct FitResidual {
   double rms = 0.0;
   double max = 0.0;
@@ -72,10 +72,11 @@ struct TrivariateCubic {
 /// One line n at one image row v (vertical pattern) or column u (horizontal pattern).
 /// `across` is u for the vertical, v for the horizontal pattern.
 struct LineRow {
-  Polynomial<4> depth_mm;   ///< Z: across -> z, paper eq. (e_calib_z)
+  Polynomial<4> depth_mm;   ///< Z: across -> z; paper, section "z-Calibration"
   Polynomial<3> width_px;   ///< across -> full width at half maximum of the line
-  double area_min_px = 0;   ///< unique area: across of this line while inside the volume
-  double area_max_px = -1;  ///< below area_min_px: the line is not calibrated in this row
+  double area_min_px = 0;   ///< unique area: smallest `across` of this line inside the volume
+  double area_max_px = -1;  ///< largest `across`; below area_min_px: the line is not calibrated in
+                            ///< this row
   [[nodiscard]] bool valid() const { return area_max_px >= area_min_px; }
 };
 
@@ -89,7 +90,7 @@ struct PatternCalibration {
   [[nodiscard]] int line_count() const { return static_cast<int>(lines.size()); }
 };
 
-/// Everything that turns localized lines into views and points into texture pixels.
+/// Converts localized lines to points, and points to texture pixels.
 struct Calibration {
   MeasurementVolume volume;
   ImageSize measurement_size;
@@ -106,7 +107,7 @@ struct Calibration {
   }
   /// Sensor-frame position of line n seen at `pixel`. The row must be valid.
   [[nodiscard]] Vec3 locate(Pattern pattern, LineIndex n, const LinePixel& pixel) const;
-  /// Where the texture camera sees a point of the sensor frame. May lie outside its image.
+  /// Position of a point in the texture image; may be outside the image.
   [[nodiscard]] Pixel project_to_texture(const Vec3& p_sensor) const;
 };
 

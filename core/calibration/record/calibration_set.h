@@ -1,4 +1,4 @@
-/// @file  The target images that a calibration is fitted to, in memory.
+/// @file  The images of a calibration set in memory.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -17,7 +17,7 @@ struct DotTarget {
   double marker_diameter_mm = 0.0;
 };
 
-/// The plane z = z_mm under each light. Names are for messages.
+/// The images of the plane z = z_mm with each light. Names are for messages.
 struct CalibrationPlane {
   double z_mm = 0.0;
   cv::Mat vertical, horizontal;  ///< CV_8UC1 or CV_16UC1, linear in light
@@ -34,7 +34,7 @@ struct CalibrationSet {
   std::vector<CalibrationPlane> planes;  ///< by rising z
 };
 
-/// Gives the images of plane `index` the names that they have in files: z00_v.png and so on.
+/// Sets the file names of the images of plane `index`: z00_v.png and so on.
 void name_images(CalibrationPlane& plane, std::size_t index);
 
 }  // namespace flytri::calibration

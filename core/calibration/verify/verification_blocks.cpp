@@ -7,7 +7,7 @@
 namespace flytri::calibration {
 namespace {
 
-/// Short enough for a sphere to be straight along it, long enough to calm single points.
+/// Few enough that a sphere is straight along a block, enough to reduce the noise of single points.
 constexpr std::size_t kBlockPoints = 8;
 
 void cut_profile(const Profile& profile, VerificationBlock block,
@@ -72,7 +72,7 @@ VerificationFigure form_figure(const std::vector<std::vector<VerificationBlock>>
       count += 1.0;
     }
   }
-  // Speckle is shared by neighbors: a block may scatter almost as much as a single point.
+  // Neighbors share speckle, so a block may scatter almost as much as a single point.
   const double expected_mm = std::hypot(residual_mm(calibration, false), std::sqrt(noise / count));
   return {VerificationSymptom::kForm, "scatter", std::sqrt(squares / count), 0.0,
           options.residual_factor * expected_mm};
@@ -94,7 +94,8 @@ void SharedFit::add_pose(const Eigen::MatrixXd& shared, const Eigen::MatrixXd& o
 
 std::optional<SharedFit::Solution> SharedFit::solve() const {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(normal_);
-  constexpr double kDetermined = 1e-9;  // squared ratio: a direction that nothing tells
+  constexpr double kDetermined = 1e-9;  // squared ratio; below it, the data do not determine a
+                                        // direction
   if (poses_.empty() || modes.eigenvalues()[0] <= kDetermined * modes.eigenvalues().maxCoeff()) {
     return std::nullopt;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/check_options.h"
+
 namespace flytri::calibration {
 namespace {
 
@@ -12,17 +14,19 @@ bool shows(const VerificationReport& report, VerificationSymptom symptom) {
                      });
 }
 
-/// Turned lines lie wrong along themselves: vertical ones from top to bottom, horizontal ones from
-/// left to right; a camera that rolled turns both.
+/// A rotated line pattern has errors along its lines: from top to bottom for vertical lines, from
+/// left to right for horizontal ones. A rolled camera rotates both.
 std::string meaning_of_tilt(bool along_x, bool along_y) {
   if (along_x && along_y) {
-    return "The patterns disagree from left to right and from top to bottom: the camera has rolled "
-           "about its axis, or both projectors have.";
+    return "The difference between the patterns changes from left to right and from top to bottom: "
+           "the camera has rolled about its axis, or both projectors have.";
   }
-  return along_y ? "The patterns disagree from top to bottom: the vertical projector has rolled "
-                   "about its axis, or the horizontal one has moved along its own."
-                 : "The patterns disagree from left to right: the horizontal projector has rolled "
-                   "about its axis, or the vertical one has moved along its own.";
+  return along_y ? "The difference between the patterns changes from top to bottom: the vertical "
+                   "projector has rolled about its axis, or the horizontal projector has moved "
+                   "along its axis."
+                 : "The difference between the patterns changes from left to right: the horizontal "
+                   "projector has rolled about its axis, or the vertical projector has moved along "
+                   "its axis.";
 }
 
 std::vector<std::string> meanings_of(const VerificationReport& report) {
@@ -42,21 +46,23 @@ std::vector<std::string> meanings_of(const VerificationReport& report) {
   }
   if (shows(report, kOwnBend)) {
     meanings.emplace_back(
-        "One pattern bends against the other: a projector's lens was moved or refocused.");
+        "The two patterns measure a different curvature: a projector's lens was moved or "
+        "refocused.");
   }
   if (shows(report, kBend)) {
     meanings.emplace_back(
-        "What is flat comes out bent: the camera's lens was moved or refocused, or the camera has "
-        "moved.");
+        "A flat surface is measured as curved: the camera's lens was moved or refocused, or the "
+        "camera has moved.");
   }
   if (shows(report, kDiameter)) {
     meanings.emplace_back(
-        "Sizes are off: the camera has moved along its axis, or its lens was refocused.");
+        "Measured sizes are wrong: the camera has moved along its axis, or its lens was "
+        "refocused.");
   }
   if (shows(report, kForm)) {
     meanings.emplace_back(
-        "Points scatter more than noise explains: lenses are dirty or out of focus, or the object "
-        "is not as smooth as it should be.");
+        "Points scatter more than expected from noise: lenses are dirty or out of focus, or the "
+        "object is not smooth enough.");
   }
   return meanings;
 }
@@ -64,28 +70,21 @@ std::vector<std::string> meanings_of(const VerificationReport& report) {
 }  // namespace
 
 Result<void> VerificationOptions::validate() const {
-  if (!(residual_factor > 0.0 && noise_factor > 0.0)) {
-    return fail(ErrorCode::kBadOption,
-                "residual_factor and noise_factor must be above 0, not {} and {}", residual_factor,
-                noise_factor);
-  }
-  for (const double share : {min_extent_share, min_share_on_object, max_limit_share}) {
-    if (share >= 0.0 && share <= 1.0) continue;
-    return fail(
-        ErrorCode::kBadOption,
-        "min_extent_share, min_share_on_object and max_limit_share must be 0..1, not {}, {} "
-        "and {}",
-        min_extent_share, min_share_on_object, max_limit_share);
-  }
-  return {};
+  return OptionCheck("VerificationOptions")
+      .positive("residual_factor", residual_factor)
+      .positive("noise_factor", noise_factor)
+      .in_range("min_extent_share", min_extent_share, 0.0, 1.0)
+      .in_range("min_share_on_object", min_share_on_object, 0.0, 1.0)
+      .in_range("max_limit_share", max_limit_share, 0.0, 1.0)
+      .result();
 }
 
 std::string_view to_string(VerificationOutcome outcome) {
   switch (outcome) {
     case VerificationOutcome::kValid:
-      return "holds";
+      return "valid";
     case VerificationOutcome::kBroken:
-      return "no longer holds";
+      return "no longer valid";
     case VerificationOutcome::kUnclear:
       return "unclear";
   }
@@ -107,7 +106,8 @@ void judge(VerificationReport& report, const MeasurementVolume& volume,
     if (figure.uncertainty_mm == 0.0 || figure.limit_mm <= max_limit_mm) continue;
     report.outcome = VerificationOutcome::kUnclear;
     report.reason = fmt::format(
-        "{} is known to {:.0f} um only; show the object at more places, or move it slower",
+        "the uncertainty of {} is {:.0f} µm, too large; show the object at more places, or move it "
+        "more slowly",
         figure.name, 1e3 * figure.uncertainty_mm);
     return;
   }

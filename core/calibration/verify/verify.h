@@ -1,5 +1,4 @@
-/// @file  Whether a calibration still holds, told from a plane or a sphere that the sensor looks
-/// at.
+/// @file  Checks with a plane or a sphere whether a calibration is still valid.
 #pragma once
 
 #include <vector>
@@ -8,24 +7,25 @@
 
 namespace flytri::calibration {
 
-/// A plane at unknown places: it must come out flat, and both patterns must put it in one place.
-/// A wrong scale does not show: a plane has no size.
+/// Checks with a plane at unknown poses: the measured plane must be flat, and both patterns must
+/// measure it at the same place. This does not detect a wrong scale, because a plane has no size.
 /// @errors  kBadOption.
 [[nodiscard]] Result<VerificationReport> check_on_plane(const std::vector<VerificationPose>& poses,
                                                         const Calibration& calibration,
                                                         const VerificationOptions& options = {});
 
-/// A sphere at unknown places: it must have its diameter, and both patterns must agree.
-/// @param diameter_mm  > 0, as it is known
+/// Checks with a sphere at unknown places: the measured diameter must be right, and both patterns
+/// must agree.
+/// @param diameter_mm  > 0, the true diameter
 /// @errors  kBadOption.
 [[nodiscard]] Result<VerificationReport> check_on_sphere(const std::vector<VerificationPose>& poses,
                                                          double diameter_mm,
                                                          const Calibration& calibration,
                                                          const VerificationOptions& options = {});
 
-/// Poses of an object that moves slowly: every three views in a row, one pattern before and after
-/// the other, so that even motion cancels.
-/// @param views  by time, patterns alternating; where they do not, views are left out
+/// Poses of an object that moves slowly: groups of three successive views, one pattern before and
+/// after the other, so that motion at constant speed cancels.
+/// @param views  by time, patterns alternating; views that do not alternate are skipped
 [[nodiscard]] std::vector<VerificationPose> moving_poses(const std::vector<View>& views);
 
 }  // namespace flytri::calibration

@@ -9,19 +9,20 @@
 namespace flytri::calibration {
 namespace {
 
-/// Depths must differ by this share of the volume's to tell how an offset depends on them.
+/// Least range of depths, as a share of the volume's depth, to measure how an offset depends on
+/// depth.
 constexpr double kMinDepthShare = 0.3;
 
-/// One shared unknown: its amplitude is reached at the border of the volume.
+/// One shared unknown. Its value is the deviation at the border of the volume.
 struct Term {
   VerificationSymptom symptom;
   const char* name;
-  bool of_difference;               ///< of vertical less horizontal; else of both
-  double (*value)(const Vec3& at);  ///< at the position by half the volume, -1..1
+  bool of_difference;               ///< of vertical minus horizontal; false: of both
+  double (*value)(const Vec3& at);  ///< at the position divided by half the volume size, -1..1
 };
 
 constexpr std::array<Term, 10> kTerms = {{
-    {VerificationSymptom::kOffset, "vertical less horizontal", true,
+    {VerificationSymptom::kOffset, "vertical minus horizontal", true,
      [](const Vec3&) { return 1.0; }},
     {VerificationSymptom::kTiltAlongX, "... left to right", true,
      [](const Vec3& p) { return p.x(); }},
@@ -41,7 +42,7 @@ constexpr std::array<Term, 10> kTerms = {{
      [](const Vec3& p) { return p.z(); }},
 }};
 
-/// The plane of a pose, and its motion.
+/// Jacobian of a pose's own unknowns: its plane, and its motion.
 Eigen::MatrixXd own_rows(const std::vector<VerificationBlock>& blocks, bool moves) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(blocks.size()), moves ? 6 : 3);
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
@@ -60,8 +61,8 @@ Eigen::VectorXd depths_of(const std::vector<VerificationBlock>& blocks) {
   return z;
 }
 
-/// The blocks of one pattern that lie on one plane: weights fall with the distance from it, the
-/// faster the longer it is looked for, down to the noise.
+/// The blocks of one pattern that lie on one plane. Robust fit: the weight decreases with the
+/// distance from the plane, more strongly in each round, down to the noise.
 std::vector<VerificationBlock> on_plane(const std::vector<VerificationBlock>& blocks, bool moves) {
   constexpr int kRounds = 16;
   constexpr double kOutlier = 6.0;  // times the noise of a point
@@ -88,7 +89,7 @@ std::vector<VerificationBlock> on_plane(const std::vector<VerificationBlock>& bl
   return kept;
 }
 
-/// Each pattern for itself: that they disagree is no reason to leave anything out.
+/// Fits each pattern separately, so that a difference between the patterns does not remove blocks.
 std::vector<VerificationBlock> on_planes(const std::vector<VerificationBlock>& blocks, bool moves) {
   std::vector<VerificationBlock> vertical, horizontal;
   for (const VerificationBlock& block : blocks)
@@ -122,25 +123,24 @@ PlaneData gather_planes(const std::vector<VerificationPose>& poses) {
   return data;
 }
 
-/// Why what was seen allows no verdict; empty where it does.
-std::string complaint(const PlaneData& data, const Vec3& size_mm,
-                      const VerificationOptions& options) {
+/// Why the data allow no verdict; empty if they do.
+std::string reason_unclear(const PlaneData& data, const Vec3& size_mm,
+                           const VerificationOptions& options) {
   constexpr std::size_t kMinBlocks = 100;
   if (*std::min_element(data.by_pattern.begin(), data.by_pattern.end()) < kMinBlocks) {
-    return "the plane was hardly seen under one of the patterns; hold it into the middle of the "
+    return "the plane was hardly seen with one of the patterns; hold it in the middle of the "
            "volume";
   }
   if (static_cast<double>(data.kept) < options.min_share_on_object * double(data.found)) {
     return fmt::format(
-        "{:.0f} % of what was measured is not on one plane; let nothing else into "
-        "view",
+        "{:.0f} % of the measured points are not on one plane; nothing else may be in view",
         100.0 - 100.0 * double(data.kept) / double(data.found));
   }
   const Vec3 extent = (data.high - data.low).cwiseQuotient(size_mm);
   if (std::min(extent.x(), extent.y()) < options.min_extent_share) {
     return fmt::format(
-        "the plane was seen over {:.0f} % of the volume's width and {:.0f} % of its "
-        "height; use a larger one, or move it about",
+        "the plane was seen on {:.0f} % of the volume's width and {:.0f} % of its height; use a "
+        "larger plane, or move it around",
         100 * extent.x(), 100 * extent.y());
   }
   return "";
@@ -160,7 +160,7 @@ Eigen::MatrixXd shared_rows(const std::vector<VerificationBlock>& blocks, const 
   return rows;
 }
 
-/// By how much the depth in the middle of the image grows with the position across a line.
+/// Derivative of the depth with respect to the position across a line, in the middle of the image.
 double depth_slope(const Calibration& calibration, Pattern pattern) {
   const auto& lines = calibration.of(pattern).lines;
   const auto& rows = lines[lines.size() / 2];
@@ -168,12 +168,12 @@ double depth_slope(const Calibration& calibration, Pattern pattern) {
   return row.depth_mm.derivative(0.5 * (row.area_min_px + row.area_max_px));
 }
 
-/// Tilts both ways are those of a camera that rolled, or of one whose image has another scale.
+/// Tilts in both directions mean that the camera rolled or that its image has another scale.
 ///
-/// Rolled by a, (u, v) becomes (u - a v, v + a u); scaled by 1 + e, (u + e u, v + e v). With the
-/// slopes of the patterns the difference of their depths has tilts of one sign, or of the other.
-void tell_scale_from_roll(std::vector<VerificationFigure>& figures,
-                          const Calibration& calibration) {
+/// A roll by a changes (u, v) to (u - a v, v + a u), a scale of 1 + e to (u + e u, v + e v).
+/// Together with the slopes of the patterns, the signs of the two tilts distinguish both cases.
+void distinguish_scale_from_roll(std::vector<VerificationFigure>& figures,
+                                 const Calibration& calibration) {
   VerificationFigure& along_x = figures[1];
   VerificationFigure& along_y = figures[2];
   const double sign = along_x.deviation_mm * along_y.deviation_mm *
@@ -199,7 +199,7 @@ Result<VerificationReport> check_on_plane(const std::vector<VerificationPose>& p
   const Vec3& size_mm = calibration.volume.size_mm;
   const PlaneData data = gather_planes(poses);
   VerificationReport report;
-  report.reason = complaint(data, size_mm, options);
+  report.reason = reason_unclear(data, size_mm, options);
   if (!report.reason.empty()) return report;
 
   const bool deep = data.high.z() - data.low.z() > kMinDepthShare * size_mm.z();
@@ -213,8 +213,9 @@ Result<VerificationReport> check_on_plane(const std::vector<VerificationPose>& p
   }
   const auto solution = fit.solve();
   if (!solution) {
-    report.reason =
-        std::string("too few places; hold the plane near, in the middle and far, also tilted");
+    report.reason = std::string(
+        "the plane was seen at too few places; hold it near, in the middle and far away, also "
+        "tilted");
     return report;
   }
   for (Eigen::Index k = 0; k < terms; ++k) {
@@ -223,7 +224,7 @@ Result<VerificationReport> check_on_plane(const std::vector<VerificationPose>& p
                                          solution->uncertainty[k],
                                          residual_mm(calibration, term.of_difference), options));
   }
-  tell_scale_from_roll(report.figures, calibration);
+  distinguish_scale_from_roll(report.figures, calibration);
   report.figures.push_back(form_figure(data.blocks, solution->residuals, calibration, options));
   judge(report, calibration.volume, options);
   return report;

@@ -8,17 +8,17 @@
 namespace flytri::calibration {
 namespace {
 
-/// Shared: what the radius is too large by, and how far vertical lies beyond horizontal.
+/// Shared unknowns: error of the radius, and depth of vertical minus horizontal.
 constexpr Eigen::Index kShared = 2;
 
-/// A sphere with its center at the middle of the pose, and the way it moves until the pose ends.
+/// Center of the sphere at the middle of the pose, and its motion until the end of the pose.
 struct SpherePose {
   Vec3 center_mm = Vec3::Zero();
   Vec3 motion_mm = Vec3::Zero();
   [[nodiscard]] Vec3 at(double time) const { return center_mm + time * motion_mm; }
 };
 
-/// The sphere of known radius through points of its near side, robustly.
+/// Start value: the nearest point is on the near side of the sphere.
 SpherePose first_guess(const std::vector<VerificationBlock>& blocks, double radius_mm) {
   SpherePose pose;
   const auto nearest = std::min_element(blocks.begin(), blocks.end(),
@@ -33,7 +33,7 @@ double distance_off(const VerificationBlock& block, const SpherePose& pose, doub
   return (block.position_mm - pose.at(block.time)).norm() - radius_mm;
 }
 
-/// Robust standard deviation of the distances off the sphere, mm.
+/// Robust standard deviation of the distances from the sphere, mm.
 double spread_off(const std::vector<VerificationBlock>& blocks, const SpherePose& pose,
                   double radius_mm) {
   std::vector<double> sizes;
@@ -44,7 +44,8 @@ double spread_off(const std::vector<VerificationBlock>& blocks, const SpherePose
   return kSigmaOfMedian * median_of(sizes);
 }
 
-/// Gauss-Newton for the center alone with weights that fall with the distance from the sphere.
+/// Gauss-Newton for center and motion only, with weights that decrease with the distance from the
+/// sphere.
 SpherePose find_sphere(const std::vector<VerificationBlock>& blocks, double radius_mm, bool moves) {
   constexpr int kRounds = 30;
   SpherePose pose = first_guess(blocks, radius_mm);
@@ -80,7 +81,7 @@ std::vector<VerificationBlock> on_sphere(const std::vector<VerificationBlock>& b
   return kept;
 }
 
-/// Distances from the sphere of known radius, and how they change with the unknowns.
+/// Adds the distances from the sphere of known radius and their derivatives to the fit.
 void add_pose(SharedFit& fit, const std::vector<VerificationBlock>& blocks, const SpherePose& pose,
               double radius_mm, bool moves, bool as_bent) {
   const auto rows = static_cast<Eigen::Index>(blocks.size());
@@ -144,29 +145,29 @@ Result<VerificationReport> check_on_sphere(const std::vector<VerificationPose>& 
                                            const VerificationOptions& options) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (!(diameter_mm > 0.0)) {
-    return fail(ErrorCode::kBadOption, "the sphere's diameter is {} mm, must be above 0",
+    return fail(ErrorCode::kBadOption, "the sphere's diameter is {} mm, but must be above 0",
                 diameter_mm);
   }
   const double radius_mm = 0.5 * diameter_mm;
   const SphereData data = gather_spheres(poses, radius_mm);
   VerificationReport report;
   if (static_cast<double>(data.kept) < options.min_share_on_object * double(data.found)) {
-    report.reason = "much of what was measured is not on the sphere; let nothing else into view";
+    report.reason = "too many measured points are not on the sphere; nothing else may be in view";
     return report;
   }
   const auto solution = solve_spheres(data, poses, radius_mm, false);
   const auto bent = solve_spheres(data, poses, radius_mm, true);
   if (!solution || !bent) {
-    report.reason = "the sphere was hardly seen; hold it into the middle of the volume";
+    report.reason = "the sphere was hardly seen; hold it in the middle of the volume";
     return report;
   }
-  // A calibration that bends by as much as its residual changes the diameter by this.
+  // Change of the diameter if the calibration is bent by its residual.
   const double diameter_residual_mm =
       2.0 * std::abs(bent->shared[0]) * residual_mm(calibration, false);
   report.figures = {
       make_figure(VerificationSymptom::kDiameter, "diameter", 2.0 * solution->shared[0],
                   2.0 * solution->uncertainty[0], diameter_residual_mm, options),
-      make_figure(VerificationSymptom::kOffset, "vertical less horizontal", solution->shared[1],
+      make_figure(VerificationSymptom::kOffset, "vertical minus horizontal", solution->shared[1],
                   solution->uncertainty[1], residual_mm(calibration, true), options),
       form_figure(data.blocks, solution->residuals, calibration, options)};
   judge(report, calibration.volume, options);

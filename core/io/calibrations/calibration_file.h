@@ -1,4 +1,4 @@
-/// @file  calibration.json: the calibration record in a file.
+/// @file  Reads and writes calibration.json.
 #pragma once
 
 #include <filesystem>

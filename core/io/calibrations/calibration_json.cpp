@@ -16,8 +16,6 @@ constexpr std::size_t kRowNumbers = 9;  // area_min, area_max, Z0..Z3, W0..W2
 constexpr int kMaxImageSide = 32768;
 constexpr std::size_t kMaxLines = 1000;
 
-// ---- writing ----
-
 template <typename Numbers>
 std::string list(const Numbers& numbers) {
   std::string text = "[";
@@ -72,8 +70,6 @@ std::string write(const ImageSize& size) {
   return fmt::format("[{},{}]", size.width_px, size.height_px);
 }
 
-// ---- reading ----
-
 /// Fills `out` from an array of exactly its size.
 template <typename Numbers>
 void read_numbers(const JsonPlace& place, Numbers& out) {
@@ -106,7 +102,7 @@ calibration::LineRow read_row(const JsonPlace& place, double center_px, double h
   row.width_px = {center_px, half_range_px, {}};
   std::copy_n(&numbers[2], 4, row.depth_mm.coefficients.begin());
   std::copy_n(&numbers[6], 3, row.width_px.coefficients.begin());
-  if (!row.valid()) place.reject("a unique area that ends after it begins");
+  if (!row.valid()) place.reject("a unique area whose end is after its start");
   return row;
 }
 
@@ -121,7 +117,7 @@ std::vector<calibration::LineRow> read_line(const JsonPlace& place, int along_co
   if (first >= rows.size()) place.at("first_row").reject("a row of the image");
   const std::vector<JsonPlace> list = place.at("rows").elements();
   if (first + list.size() > rows.size()) {
-    place.at("rows").reject(fmt::format("rows that end within the image's {}", rows.size()));
+    place.at("rows").reject(fmt::format("rows within the image, which has {}", rows.size()));
     return rows;
   }
   for (std::size_t i = 0; i < list.size() && place.outcome(); ++i) {
@@ -196,7 +192,7 @@ Result<calibration::Calibration> parse_calibration(std::string_view text, const 
         calibration.texture_u_px = read_cubic(json.at("texture_u_px"));
         calibration.texture_v_px = read_cubic(json.at("texture_v_px"));
         for (const Pattern pattern : kPatterns) {
-          // After a failure sizes are not to be trusted.
+          // After a failure the sizes may be wrong.
           if (auto outcome = json.outcome(); !outcome) return tl::unexpected(outcome.error());
           const ImageSize& size = calibration.measurement_size;
           calibration.of(pattern) =

@@ -1,7 +1,7 @@
-/// @file  The calibration as JSON text, and back.
+/// @file  Converts a calibration to JSON text and back.
 ///
-/// Keys of `flytri.calibration`, version 1 (polynomial coefficients rise with the power; a variable
-/// is normalized as (x - center) / half_range before it enters):
+/// Keys of `flytri.calibration`, version 1. Polynomial coefficients are in order of rising power. A
+/// variable is normalized first: (x - center) / half_range.
 ///
 ///     { "format": "flytri.calibration", "version": 1,
 ///       "measurement_volume_mm": [x, y, z],
@@ -18,7 +18,7 @@
 ///     line    = { "sheet_normal": [3],
 ///                 "center_px", "half_range_px": of the position across, for depth and width alike,
 ///                 "first_row": number, "rows": [ [row], ... ] }   consecutive rows or columns
-///     row     = [ area_min_px, area_max_px, Z0..Z3 (mm), W0..W2 (px) ]; [] is not calibrated
+///     row     = [ area_min_px, area_max_px, Z0..Z3 (mm), W0..W2 (px) ]; []: not calibrated
 #pragma once
 
 #include <string>
@@ -28,11 +28,11 @@
 
 namespace flytri::io {
 
-/// Numbers keep ten digits: below a nanometre over the volume.
+/// Numbers have ten digits: less than a nanometer over the volume.
 [[nodiscard]] std::string to_json(const calibration::Calibration& calibration);
 
-/// @param name  the file, for messages.
-/// @errors  kBadFormat naming the file and the key that is missing, malformed or out of range.
+/// @param name  of the file, for messages
+/// @errors  kBadFormat: the key is missing, malformed or out of range.
 [[nodiscard]] Result<calibration::Calibration> parse_calibration(std::string_view text,
                                                                  const std::string& name);
 

@@ -14,7 +14,7 @@ calibration::DotTarget read_dots(const JsonPlace& place) {
                               place.at("diameter_mm").positive_number(),
                               place.at("marker_diameter_mm").positive_number()};
   if (dots.marker_diameter_mm <= dots.diameter_mm) {
-    place.at("marker_diameter_mm").reject("a number above diameter_mm");
+    place.at("marker_diameter_mm").reject("a number larger than diameter_mm");
   }
   return dots;
 }

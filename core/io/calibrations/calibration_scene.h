@@ -1,6 +1,6 @@
-/// @file  What files about calibrations say of volume, lines and target, in JSON.
+/// @file  Measurement volume, line counts and dot target in the JSON files of calibrations.
 ///
-/// For sources that read a file format only: it brings the JSON library with it.
+/// Include it only in sources that read a file format: it includes the JSON library.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,10 +10,10 @@
 
 namespace flytri::io {
 
-/// Adds measurement_volume_mm, lines and dots; planes are left to the caller.
+/// Adds measurement_volume_mm, lines and dots. The caller adds the planes.
 void put_calibration_scene(nlohmann::ordered_json& json, const calibration::CalibrationSet& scene);
 
-/// Reads what put_calibration_scene wrote; failures are noted at the place.
+/// Reads what put_calibration_scene wrote; failures are recorded at the place.
 /// @return  a set without planes
 [[nodiscard]] calibration::CalibrationSet read_calibration_scene(const JsonPlace& json);
 

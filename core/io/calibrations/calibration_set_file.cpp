@@ -16,7 +16,7 @@ constexpr const char* kSetFile = "calibration-set.json";
 constexpr std::string_view kSetFormat = "flytri.calibration-set";
 constexpr int kSetVersion = 1;
 
-/// One of the four images of a plane: its key in the file and its members in the struct.
+/// One of the four images of a plane: its key in the file, and its members.
 struct Slot {
   const char* key;
   cv::Mat calibration::CalibrationPlane::*image;
@@ -51,19 +51,21 @@ std::vector<calibration::CalibrationPlane> read_planes(const JsonPlace& list) {
   return planes;
 }
 
-/// Loads one image and requires the size of those of the same camera before it.
+/// Loads an image, which must have the size of the earlier images of its camera.
 Result<cv::Mat> load_image(const std::filesystem::path& path, bool color, cv::Size& size) {
   Result<cv::Mat> image = read_png(path);
   if (!image) return image;
   if ((image->channels() == 3) != color) {
-    return fail(ErrorCode::kBadFormat, "{}: must be {}", path.string(),
+    return fail(ErrorCode::kBadFormat, "{}: must be {}; convert the image", path.string(),
                 color ? "8-bit RGB" : "8- or 16-bit grey");
   }
   if (size.empty()) size = image->size();
   if (image->size() != size) {
-    return fail(ErrorCode::kInconsistent,
-                "{}: is {} x {} pixels, but the images of this camera before it are {} x {}",
-                path.string(), image->cols, image->rows, size.width, size.height);
+    return fail(
+        ErrorCode::kInconsistent,
+        "{}: is {} x {} pixels, but earlier images of this camera are {} x {}; take all images "
+        "with the same camera settings",
+        path.string(), image->cols, image->rows, size.width, size.height);
   }
   return image;
 }

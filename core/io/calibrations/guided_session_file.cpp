@@ -15,7 +15,7 @@ constexpr int kSessionVersion = 1;
 constexpr std::string_view kByPlane = "by plane";
 constexpr std::string_view kByTarget = "by target";
 
-/// In the order of GuidedCalibration::kept_shots; those of the set have the names that it gives.
+/// In the order of GuidedCalibration::kept_shots; images of the set have the names of the set.
 std::vector<std::string> names_of(const calibration::Placement& place) {
   calibration::CalibrationPlane plane;
   calibration::name_images(plane, place.plane);
@@ -100,8 +100,8 @@ Result<void> remove_placement(const std::filesystem::path& folder,
     std::error_code error;
     std::filesystem::remove(folder / *name, error);
     if (!error) continue;
-    return fail(ErrorCode::kWriteFailed, "{}: cannot be removed: {}", (folder / *name).string(),
-                error.message());
+    return fail(ErrorCode::kWriteFailed, "{}: cannot be removed: {}; remove it yourself",
+                (folder / *name).string(), error.message());
   }
   return {};
 }

@@ -1,4 +1,4 @@
-/// @file  A guided calibration on disk while it goes on: its plan, and the images of what is done.
+/// @file  Keeps a guided calibration on disk, so that it can continue: its plan and its images.
 #pragma once
 
 #include <filesystem>
@@ -10,29 +10,29 @@
 
 namespace flytri::io {
 
-/// @errors  kNotFound: the folder holds no session; kBadFormat; as CalibrationPlan::validate.
+/// @errors  kNotFound: the folder has no session; kBadFormat; as CalibrationPlan::validate.
 [[nodiscard]] Result<calibration::CalibrationPlan> read_guided_plan(
     const std::filesystem::path& folder);
 
-/// What the folder says, where a calibration was begun there; else `fallback`.
-/// @errors  As read_guided_plan, but for kNotFound.
+/// The plan in the folder, if a calibration was started there; otherwise `fallback`.
+/// @errors  As read_guided_plan, except kNotFound.
 [[nodiscard]] Result<calibration::CalibrationPlan> guided_plan_or(
     const calibration::CalibrationPlan& fallback, const std::filesystem::path& folder);
 
-/// Creates the folder where there is none.
+/// Creates the folder if it is missing.
 /// @errors  As create_folder and write_file.
 [[nodiscard]] Result<void> write_guided_plan(const std::filesystem::path& folder,
                                              const calibration::CalibrationPlan& plan);
 
-/// The images of a placement that is done. The last of them vouches for the others: it is the last
-/// that is written, and the first that is removed.
+/// Writes the images of a finished placement. The last image shows that the placement is complete:
+/// it is written last and removed first.
 /// @param images  in the order of GuidedCalibration::kept_shots
-/// @errors  As write_png; what was there before is gone then.
+/// @errors  As write_png; the former images are then gone.
 [[nodiscard]] Result<void> write_placement(const std::filesystem::path& folder,
                                            const calibration::Placement& place,
                                            const std::vector<cv::Mat>& images);
 
-/// @return  empty: the placement is not there
+/// @return  empty: the placement is not done
 /// @errors  As read_png.
 [[nodiscard]] Result<std::vector<cv::Mat>> read_placement(const std::filesystem::path& folder,
                                                           const calibration::Placement& place);

@@ -1,4 +1,4 @@
-/// @file  Little-endian numbers into files and memory, and out of memory.
+/// @file  Writes little-endian numbers to files and to memory, and reads them from memory.
 #pragma once
 
 #include <bit>
@@ -9,19 +9,19 @@
 #include <string_view>
 #include <utility>
 
-#include "core/io/files/file_bytes.h"
+#include "core/io/files/atomic_file.h"
 
 namespace flytri::io {
 
 static_assert(std::endian::native == std::endian::little, "the formats here are little-endian");
 
-/// Puts a number behind some bytes.
+/// Appends a number to some bytes.
 template <typename T>
 void append_number(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// Collects small pieces for an AtomicFile. The first failure is kept and told by commit().
+/// Collects small pieces for an AtomicFile. The first failure is reported at the end.
 class ByteWriter {
  public:
   [[nodiscard]] static Result<ByteWriter> create(const std::filesystem::path& path) {
@@ -40,6 +40,12 @@ class ByteWriter {
     flush();
     return outcome_ ? file_.commit() : outcome_;
   }
+  /// Hands over the written file, for commit_together(). Write nothing afterwards.
+  [[nodiscard]] Result<AtomicFile> finish() {
+    flush();
+    if (!outcome_) return tl::unexpected(outcome_.error());
+    return std::move(file_);
+  }
 
  private:
   static constexpr std::size_t kBlock = 1U << 20U;
@@ -55,7 +61,7 @@ class ByteWriter {
   Result<void> outcome_;
 };
 
-/// Takes numbers off the front of some bytes.
+/// Reads numbers one after another from some bytes.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}

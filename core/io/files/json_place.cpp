@@ -10,7 +10,7 @@ namespace flytri::io {
 
 struct JsonPlace::Document {
   explicit Document(std::string file_name) : name(std::move(file_name)) {}
-  Document(const Document&) = delete;  // places point into it
+  Document(const Document&) = delete;  // places point into a document
   Document& operator=(const Document&) = delete;
 
   std::string name;
@@ -24,7 +24,7 @@ JsonPlace::JsonPlace(std::shared_ptr<Document> document, const nlohmann::json* v
 
 namespace {
 
-/// Nesting that no document of this project comes near; deeper ones would exhaust the stack.
+/// More than any document of this project needs; deeper nesting would exhaust the stack.
 constexpr int kMaxDepth = 64;
 
 bool too_deep(int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
@@ -74,7 +74,7 @@ void JsonPlace::expect_format(std::string_view format, int version) const {
   if (at("format").text() != format) at("format").reject(fmt::format("\"{}\"", format));
   const JsonPlace place = at("version");
   if (place.whole_number() != version) {
-    place.reject(fmt::format("{}; this program reads no other version", version));
+    place.reject(fmt::format("{}; this version of flytri reads no other", version));
   }
 }
 
@@ -147,7 +147,7 @@ std::vector<double> JsonPlace::numbers(std::size_t count) const {
     reject(fmt::format("an array of {} numbers", count));
     return values;
   }
-  // A calibration has half a million of them: places are only made for what fails.
+  // A calibration has half a million numbers: make places only for those that fail.
   for (std::size_t i = 0; i < count; ++i) {
     const nlohmann::json& value = (*value_)[i];
     if (value.is_number()) values[i] = value.get<double>();
@@ -162,7 +162,7 @@ Isometry JsonPlace::pose() const {
   const std::vector<double> q = rotation.numbers(4);
   const std::vector<double> t = at("t_mm").numbers(3);
   const Eigen::Quaterniond q_a_b(q[0], q[1], q[2], q[3]);
-  // Printed with few digits a quaternion is a little off; farther off, it is something else.
+  // Rounding to few digits changes the norm a little; a larger error is not rounding.
   constexpr double kTolerance = 1e-3;
   if (std::abs(q_a_b.norm() - 1.0) > kTolerance) {
     rotation.reject("a unit quaternion");

@@ -1,6 +1,6 @@
-/// @file  Reading JSON with errors that name the file, the key and what was expected.
+/// @file  Reads JSON; errors name the file, the key and what was expected.
 ///
-/// For sources that read a file format only: it brings the JSON library with it.
+/// Include it only in sources that read a file format: it includes the JSON library.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@
 
 namespace flytri::io {
 
-/// One place in a JSON document. Reading never fails at once: the first failure is kept by the
-/// document, later reads give defaults, and the caller asks once at the end.
+/// One place in a JSON document. A failed read returns a default; the document keeps the first
+/// failure, and the caller asks for it once at the end.
 class JsonPlace {
  public:
   /// @param name  of the file, for messages
   [[nodiscard]] static Result<JsonPlace> parse(std::string_view text, const std::string& name);
 
-  /// Requires the keys "format" and "version" of every document of this project.
+  /// Requires the keys "format" and "version", which all documents of this project have.
   void expect_format(std::string_view format, int version) const;
 
   [[nodiscard]] JsonPlace at(std::string_view key) const;
@@ -40,7 +40,7 @@ class JsonPlace {
   /// The keys "q_wxyz", a unit quaternion, and "t_mm" of this place.
   [[nodiscard]] Isometry pose() const;
 
-  /// Notes a failure at this place.
+  /// Records a failure at this place.
   void reject(std::string_view expected) const;
   /// The first failure, if any.
   [[nodiscard]] Result<void> outcome() const;
@@ -50,8 +50,8 @@ class JsonPlace {
   JsonPlace(std::shared_ptr<Document> document, const nlohmann::json* value, std::string path);
 
   std::shared_ptr<Document> document_;
-  const nlohmann::json* value_;  ///< null: the place does not exist, which is noted already
-  std::string path_;             ///< as in frames[3].time_s
+  const nlohmann::json* value_;  ///< null: the place is missing, and that is recorded
+  std::string path_;             ///< such as frames[3].time_s
 };
 
 }  // namespace flytri::io

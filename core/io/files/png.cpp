@@ -18,7 +18,7 @@ namespace flytri::io {
 namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-/// Length, type and checksum of a chunk.
+/// Bytes of a chunk besides its content: length, type and checksum.
 constexpr std::size_t kChunkFrame = 12;
 constexpr int kGrey = 0, kRgb = 2;  // color types of the PNG header
 
@@ -41,7 +41,7 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Walks all chunks up to IEND and verifies their checksums.
+/// Verifies the checksums of all chunks up to IEND.
 Result<void> check_chunks(std::string_view bytes, const std::string& name) {
   std::size_t at = kSignature.size();
   while (at + kChunkFrame <= bytes.size()) {
@@ -51,23 +51,23 @@ Result<void> check_chunks(std::string_view bytes, const std::string& name) {
     const auto checksum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
     if (checksum != big_endian(bytes, at + 8 + length)) {
       return fail(ErrorCode::kBadFormat,
-                  "{}: damaged PNG: wrong checksum at byte {}; copy it again", name, at);
+                  "{}: damaged PNG: wrong checksum at byte {}; copy the file again", name, at);
     }
     if (body.starts_with("IEND")) return {};
     at += length + kChunkFrame;
   }
   return fail(ErrorCode::kBadFormat,
-              "{}: truncated PNG: ends at byte {} of an image; copy it again", name, bytes.size());
+              "{}: truncated PNG: the file ends after {} bytes; copy it again", name, bytes.size());
 }
 
 Result<Header> parse_header(std::string_view bytes, const std::string& name) {
   constexpr std::size_t kHeaderEnd = 33;  // signature, then one chunk of 13 bytes
   if (!bytes.starts_with(kSignature)) {
-    return fail(ErrorCode::kBadFormat, "{}: not a PNG image", name);
+    return fail(ErrorCode::kBadFormat, "{}: is not a PNG image", name);
   }
   if (Result<void> whole = check_chunks(bytes, name); !whole) return tl::unexpected(whole.error());
   if (bytes.size() < kHeaderEnd || bytes.substr(12, 4) != "IHDR" || big_endian(bytes, 8) != 13) {
-    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: does not begin with its header", name);
+    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: no header at the start", name);
   }
   return Header{big_endian(bytes, 16), big_endian(bytes, 20), bytes[24], bytes[25]};
 }
@@ -76,7 +76,7 @@ Result<void> check_header(const Header& header, std::size_t byte_count, const st
   const std::optional<int> type = header.matrix_type();
   if (!type) {
     return fail(ErrorCode::kBadFormat,
-                "{}: a PNG of color type {} with {} bits; expected 8- or 16-bit grey or 8-bit RGB "
+                "{}: PNG of color type {} with {} bits; expected 8- or 16-bit grey or 8-bit RGB "
                 "without transparency",
                 name, header.color_type, header.bit_depth);
   }
@@ -85,7 +85,7 @@ Result<void> check_header(const Header& header, std::size_t byte_count, const st
       std::uint64_t{header.width} * header.height * CV_ELEM_SIZE(*type);
   if (header.width == 0 || header.height == 0 || header.width > kMaxSide ||
       header.height > kMaxSide || pixel_bytes > kMaxDeflateRatio * byte_count) {
-    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: a size of {} x {} pixels in {} bytes",
+    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: {} x {} pixels cannot be in {} bytes",
                 name, header.width, header.height, byte_count);
   }
   return {};
@@ -98,7 +98,9 @@ bool is_storable(const cv::Mat& image) {
 
 tl::unexpected<Error> not_storable() {
   return fail(ErrorCode::kBadOption,
-              "an image to be saved as PNG must have pixels, 8- or 16-bit grey or 8-bit RGB");
+              "only images in 8- or 16-bit grey or 8-bit RGB can be saved as PNG; this one has no "
+              "pixels, or "
+              "another type");
 }
 
 void append_big_endian(std::string& bytes, std::uint32_t value) {
@@ -120,11 +122,11 @@ std::string png_header(const cv::Mat& image) {
   append_big_endian(body, static_cast<std::uint32_t>(image.rows));
   body.push_back(image.depth() == CV_16U ? 16 : 8);
   body.push_back(static_cast<char>(image.channels() == 3 ? kRgb : kGrey));
-  // The only packing, the only set of filters, not interlaced.
+  // Compression, filters and interlacing: the only methods, and not interlaced.
   return body + std::string(3, '\0');
 }
 
-/// A row as PNG has it: of 16 bits the higher ones first.
+/// Copies a row in the byte order of PNG: high byte first.
 void copy_row(const cv::Mat& image, int row, std::vector<std::uint8_t>& to) {
   const std::uint8_t* from = image.ptr(row);
   if (image.depth() != CV_16U) {
@@ -134,7 +136,7 @@ void copy_row(const cv::Mat& image, int row, std::vector<std::uint8_t>& to) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i ^ 1U];
 }
 
-/// Every pixel less the one before it: what is left of a smooth image is its noise.
+/// The difference of each pixel to the one before: of a smooth image only noise remains.
 std::vector<std::uint8_t> filtered_rows(const cv::Mat& image) {
   constexpr std::uint8_t kSub = 1;
   const std::size_t step = image.elemSize();
@@ -153,8 +155,7 @@ std::vector<std::uint8_t> filtered_rows(const cv::Mat& image) {
   return rows;
 }
 
-/// As quickly as can be: images of cameras are mostly noise, and a longer search for what repeats
-/// saves next to nothing.
+/// Uses the fastest level: noise hardly compresses, so a longer search saves almost nothing.
 std::string packed(const std::vector<std::uint8_t>& bytes) {
   constexpr int kQuickest = 1;
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
@@ -185,10 +186,11 @@ Result<cv::Mat> decode_png(std::string_view bytes, const std::string& name) {
     image.release();
   }
   if (image.empty()) {
-    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: its pixels cannot be unpacked", name);
+    return fail(ErrorCode::kBadFormat,
+                "{}: damaged PNG: the pixels cannot be decoded; copy the file again", name);
   }
   if (image.type() != *header->matrix_type()) {
-    return fail(ErrorCode::kBadFormat, "{}: a PNG with transparency; save it without", name);
+    return fail(ErrorCode::kBadFormat, "{}: PNG with transparency; save it without", name);
   }
   if (image.channels() == 3) swap_red_and_blue(image);
   return image;
@@ -210,7 +212,7 @@ Result<std::string> encode_png(const cv::Mat& image) {
     std::vector<std::uint8_t> buffer;
     if (cv::imencode(".png", stored, buffer)) return std::string(buffer.begin(), buffer.end());
   } catch (const cv::Exception&) {
-    // Falls through: the same failure as a false return.
+    // The same failure as a false return.
   }
   return fail(ErrorCode::kBadOption, "an image of {} x {} pixels cannot be saved as PNG",
               image.cols, image.rows);

@@ -1,4 +1,4 @@
-/// @file  Lossless images: PNG bytes to a matrix and back, anything doubtful refused.
+/// @file  Reads and writes PNG images; damaged files are refused.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace flytri::io {
 
 /// Decodes 8- or 16-bit grey (CV_8UC1, CV_16UC1) or 8-bit RGB (CV_8UC3 in R, G, B order).
-/// Every chunk's checksum is verified first, so a truncated or damaged file never gives an image.
+/// All checksums are verified first: a truncated or damaged file never gives an image.
 /// @param name  for messages
 /// @errors  kBadFormat.
 [[nodiscard]] Result<cv::Mat> decode_png(std::string_view bytes, const std::string& name);
@@ -23,7 +23,7 @@ namespace flytri::io {
 /// @errors  kBadOption: another type, or no pixels.
 [[nodiscard]] Result<std::string> encode_png(const cv::Mat& image);
 
-/// The same for images of cameras: in less than half the time, and a little larger, drawings more.
+/// The same for camera images: less than half the time for a slightly larger file.
 /// @errors  As encode_png.
 [[nodiscard]] Result<std::string> encode_camera_png(const cv::Mat& image);
 

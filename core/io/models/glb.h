@@ -1,4 +1,4 @@
-/// @file  glTF 2.0 binary: a textured mesh out, and our own exports in again.
+/// @file  glTF 2.0 binary: writes textured meshes, and reads those that flytri wrote.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,20 @@
 
 namespace flytri::io {
 
-/// The bytes of a .glb. The buffers keep millimetres of the world frame; the root node scales them
-/// to metres and turns them by half a turn about x, so that +y is up. With an atlas there are
-/// texture coordinates and a PNG inside, without it vertex colors, linear as glTF has them.
+/// The bytes of a .glb file. Buffers hold millimeters in the world frame; the root node scales them
+/// to meters and turns them by half a turn about x, so that +y is up. With an atlas, the file holds
+/// texture coordinates and a PNG; without, vertex colors, linear as glTF requires.
 /// @param name  for messages
-/// @errors  kBadOption: larger than the 4 GiB that the format can hold; as encode_png.
+/// @errors  kBadOption: the model exceeds the 4 GiB of the format; as encode_png.
 [[nodiscard]] Result<std::string> encode_glb(const TexturedMesh& model, const std::string& name);
 
-/// Inverse of encode_glb; other programs' files are refused where they are built otherwise.
-/// Standard uncertainties are not in the file and come back as 0.
+/// Inverse of encode_glb. Files of other programs are refused unless they have the same structure.
 /// @param name  for messages
 /// @errors  kBadFormat.
 [[nodiscard]] Result<TexturedMesh> parse_glb(std::string_view bytes, const std::string& name);
+
+/// @errors  As read_file and parse_glb.
+[[nodiscard]] Result<TexturedMesh> read_glb(const std::filesystem::path& path);
 
 /// @errors  As encode_glb and write_file.
 [[nodiscard]] Result<void> write_glb(const std::filesystem::path& path, const TexturedMesh& model);

@@ -3,20 +3,21 @@
 
 #include "core/imaging/srgb.h"
 #include "core/io/files/byte_stream.h"
+#include "core/io/files/file_bytes.h"
 #include "core/io/files/json_place.h"
 #include "core/io/files/png.h"
 #include "core/io/models/glb.h"
 
-// Not read by tinygltf, which trusts the offsets that a file names and so reads beyond its end.
+// Does not use tinygltf, which trusts the offsets in a file and may read beyond its end.
 
 namespace flytri::io {
 namespace {
 
 constexpr std::uint32_t kGlbMagic = 0x46546C67, kGlbVersion = 2;             // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;  // "JSON", "BIN"
-constexpr int kFloat = 5126, kUnsignedInt = 5125, kUnsignedShort = 5123;     // of an accessor
+constexpr int kFloat = 5126, kUnsignedInt = 5125, kUnsignedShort = 5123;  // component types of glTF
 
-/// Takes a chunk of the given type off the front; nothing if the bytes do not hold it.
+/// Reads a chunk of the given type; nothing if the bytes do not contain it.
 std::optional<std::string_view> take_chunk(ByteReader& in, std::uint32_t type) {
   const auto size = in.number<std::uint32_t>();
   const auto found = in.number<std::uint32_t>();
@@ -42,7 +43,7 @@ std::optional<Chunks> split(std::string_view bytes) {
   return Chunks{*json, *binary};
 }
 
-/// The lists of a document and the bytes they point into. What does not fit is noted in the JSON.
+/// The lists of a document, and the bytes that they refer to. Mismatches are recorded in the JSON.
 class Document {
  public:
   Document(JsonPlace root, std::string_view binary)
@@ -53,11 +54,11 @@ class Document {
 
   [[nodiscard]] const JsonPlace& root() const { return root_; }
 
-  /// The bytes of the buffer view that a place names.
+  /// The bytes of the buffer view with this index.
   [[nodiscard]] std::string_view view(const JsonPlace& index) const {
     const auto at = static_cast<std::size_t>(index.whole_number());
     if (at >= views_.size()) {
-      index.reject("the number of a buffer view");
+      index.reject("the index of a buffer view");
       return {};
     }
     const std::size_t offset = count_of(views_[at], "byteOffset");
@@ -69,13 +70,13 @@ class Document {
     return binary_.substr(offset, size);
   }
 
-  /// The numbers of the accessor that a place names, which must have this form and lie closely.
+  /// The numbers of the accessor with this index, which must have this form and no gaps.
   template <typename T>
   [[nodiscard]] std::vector<T> numbers(const JsonPlace& index, int component, std::string_view type,
                                        std::size_t width) const {
     const auto at = static_cast<std::size_t>(index.whole_number());
     if (at >= accessors_.size()) {
-      index.reject("the number of an accessor");
+      index.reject("the index of an accessor");
       return {};
     }
     const JsonPlace& accessor = accessors_[at];
@@ -110,7 +111,7 @@ void expect_our_root(const JsonPlace& nodes) {
   const std::vector<JsonPlace> list = nodes.elements();
   if (list.size() != 1 || list[0].at("scale").numbers(3) != std::vector{0.001, 0.001, 0.001} ||
       list[0].at("rotation").numbers(4) != std::vector{1.0, 0.0, 0.0, 0.0}) {
-    nodes.reject("the one node that this program writes; convert other models to .ply");
+    nodes.reject("the one node that flytri writes; convert models of other programs to .ply");
   }
 }
 
@@ -207,7 +208,7 @@ TexturedMesh read_geometry(const Document& document) {
 Result<TexturedMesh> parse_glb(std::string_view bytes, const std::string& name) {
   const std::optional<Chunks> chunks = split(bytes);
   if (!chunks) {
-    return fail(ErrorCode::kBadFormat, "{}: not a binary glTF 2.0 file, or truncated", name);
+    return fail(ErrorCode::kBadFormat, "{}: is not a binary glTF 2.0 file, or is truncated", name);
   }
   Result<JsonPlace> json = JsonPlace::parse(chunks->json, name);
   if (!json) return tl::unexpected(json.error());
@@ -226,6 +227,11 @@ Result<TexturedMesh> parse_glb(std::string_view bytes, const std::string& name) 
   if (!atlas) return tl::unexpected(atlas.error());
   model.atlas = *std::move(atlas);
   return model;
+}
+
+Result<TexturedMesh> read_glb(const std::filesystem::path& path) {
+  return read_file(path).and_then(
+      [&](const std::string& bytes) { return parse_glb(bytes, path.string()); });
 }
 
 }  // namespace flytri::io

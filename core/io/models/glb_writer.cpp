@@ -12,7 +12,7 @@
 namespace flytri::io {
 namespace {
 
-/// Builds the glTF document around one buffer; all indices count within it.
+/// Builds a glTF document with one buffer.
 class GlbBuilder {
  public:
   explicit GlbBuilder(const TriangleMesh& mesh) : mesh_(mesh) {
@@ -55,7 +55,7 @@ class GlbBuilder {
     end_view();
   }
   void add_colors() {
-    // Four components, the last full: each vertex must begin at a multiple of four bytes.
+    // Four components, as each vertex must start at a multiple of four bytes; the last is opaque.
     primitive_.attributes["COLOR_0"] =
         begin_accessor(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4,
                        mesh_.vertices.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
@@ -67,7 +67,7 @@ class GlbBuilder {
     }
     end_view();
   }
-  /// An attribute of our own, as glTF allows: who does not know it passes it over.
+  /// An attribute of flytri: other programs ignore it, as glTF requires.
   void add_sigma() {
     primitive_.attributes["_SIGMA"] =
         begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, mesh_.vertices.size(),
@@ -84,7 +84,7 @@ class GlbBuilder {
   }
   void add_material() {
     tinygltf::Material material;
-    // Plaster and teeth: no metal, a little gloss.
+    // Teeth and plaster: not metal, slightly glossy.
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.7;
     if (!gltf_.textures.empty()) material.pbrMetallicRoughness.baseColorTexture.index = 0;
@@ -173,12 +173,13 @@ Result<std::string> encode_glb(const TexturedMesh& model, const std::string& nam
     if (!encoded) return encoded;
     png = *std::move(encoded);
   }
-  // At most 52 bytes a vertex; the text of the document is far below the reserve.
+  // At most 52 bytes per vertex; the JSON text is much smaller than the reserve.
   constexpr std::uint64_t kReserve = 1U << 20U;
   const std::uint64_t size =
       52 * model.mesh.vertices.size() + 12 * model.mesh.triangles.size() + png.size() + kReserve;
   if (size > std::numeric_limits<std::uint32_t>::max()) {
-    return fail(ErrorCode::kBadOption, "{}: glTF cannot hold more than 4 GiB; write .ply", name);
+    return fail(ErrorCode::kBadOption,
+                "{}: too large: glTF holds at most 4 GiB; write .ply instead", name);
   }
   GlbBuilder builder(model.mesh);
   builder.add_positions();
@@ -194,7 +195,8 @@ Result<std::string> encode_glb(const TexturedMesh& model, const std::string& nam
   builder.add_material();
   tinygltf::Model gltf = builder.finish();
   std::string bytes = serialize(gltf);
-  if (bytes.empty()) return fail(ErrorCode::kWriteFailed, "{}: cannot be put into glTF", name);
+  if (bytes.empty())
+    return fail(ErrorCode::kWriteFailed, "{}: cannot be written as glTF; write .ply instead", name);
   return bytes;
 }
 

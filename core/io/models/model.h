@@ -1,29 +1,33 @@
-/// @file  Models of any format: the ending of the file's name chooses.
+/// @file  Reads and writes models; the extension of the file name chooses the format.
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
 
 namespace flytri::io {
 
-/// Whether write_model would know the ending, before the work is done that leads to a model.
-/// @errors  kBadOption: lists the endings.
+/// Whether write_model knows the extension; call it before the work that leads to a model.
+/// @errors  kBadOption: lists the extensions.
 [[nodiscard]] Result<void> check_model_path(const std::filesystem::path& path);
 
-/// Whether the format of this ending carries a texture atlas. In the others the vertices of an
-/// uncut mesh, with a color each, serve better.
-[[nodiscard]] bool carries_atlas(const std::filesystem::path& path);
+/// Whether the format holds a texture atlas. For other formats give write_model the mesh that is
+/// not cut into charts, with a color per vertex.
+[[nodiscard]] bool holds_texture(const std::filesystem::path& path);
 
-/// Writes .glb, .ply, .stl or .obj (with .mtl and .png), at once or not at all.
-/// @errors  kBadOption (ending), kInsufficient (no triangles), kInconsistent (an index or a number
-///          that cannot be), as write_file.
+/// All files that write_model may write: the path itself, and for .obj its .mtl and .png.
+[[nodiscard]] std::vector<std::filesystem::path> files_of_model(const std::filesystem::path& path);
+
+/// Writes a model, all of its files or none; see model_formats.h for the formats.
+/// @errors  kBadOption (extension), kInsufficient (no triangles), kInconsistent (an index out of
+///          range, or a number that is not finite), as commit_together.
 [[nodiscard]] Result<void> write_model(const std::filesystem::path& path,
                                        const TexturedMesh& model);
 
 /// Reads what write_model wrote, and any mesh in PLY, in mm of the world frame.
-/// @errors  kBadOption (ending), as read_file and the parsers.
+/// @errors  kBadOption (extension), as read_file and the parsers.
 [[nodiscard]] Result<TexturedMesh> read_model(const std::filesystem::path& path);
 
 }  // namespace flytri::io

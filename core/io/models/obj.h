@@ -1,4 +1,7 @@
-/// @file  Wavefront OBJ with MTL and PNG beside it, in mm.
+/// @file  Wavefront OBJ, in mm; the texture is a PNG file beside it, named by an MTL file.
+///
+/// The reader exists because `flytri evaluate` and `--mesh` take every format that flytri writes,
+/// and because the tests read back each exported model.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +13,10 @@
 
 namespace flytri::io {
 
-/// The text of an .obj file without what it refers to.
+/// What the text of an .obj file holds.
 struct ObjText {
-  TexturedMesh model;     ///< uv as the file has them turned to our orientation; no atlas
-  std::string materials;  ///< the material library it names; empty: none
+  TexturedMesh model;     ///< without the atlas; v of the texture coordinates runs down, as in ours
+  std::string materials;  ///< name of the material file; empty: none
 };
 
 /// Vertices may carry colors (v x y z r g b, 0..1); polygons become fans of triangles.
@@ -21,13 +24,13 @@ struct ObjText {
 /// @errors  kBadFormat naming the line.
 [[nodiscard]] Result<ObjText> parse_obj(std::string_view text, const std::string& name);
 
-/// With the atlas that its materials name.
+/// Also reads the texture that the material file names.
 /// @errors  As read_file, parse_obj, read_png.
 [[nodiscard]] Result<TexturedMesh> read_obj(const std::filesystem::path& path);
 
-/// Writes path, and with an atlas the .mtl and .png of the same name beside it. The .obj comes
-/// last. Without an atlas the vertices carry their colors.
-/// @errors  As write_file and write_png.
+/// Writes the .obj file. With an atlas, also the .mtl and .png files of the same name: all three
+/// files appear, or none. Without an atlas the vertices have colors.
+/// @errors  As commit_together and encode_png.
 [[nodiscard]] Result<void> write_obj(const std::filesystem::path& path, const TexturedMesh& model);
 
 }  // namespace flytri::io

@@ -21,7 +21,7 @@ std::string_view trim(std::string_view text) {
   return last == std::string_view::npos ? std::string_view() : text.substr(0, last + 1);
 }
 
-/// Takes the first word off.
+/// Removes the first word and returns it.
 std::string_view take_word(std::string_view& text) {
   text = trim(text);
   const std::size_t end = std::min(text.find_first_of(kBlanks), text.size());
@@ -30,8 +30,8 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-/// Calls `visit(keyword, rest)` for every line until it returns false; the number of that line, or
-/// 0.
+/// Calls `visit(keyword, rest)` for each line until it returns false.
+/// @return  the number of the line that stopped it; 0: none did
 template <typename Visitor>
 int visit_lines(std::string_view text, const Visitor& visit) {
   int number = 0;
@@ -59,7 +59,7 @@ std::vector<float> parse_floats(std::string_view text) {
   return values;
 }
 
-/// Position, texture place and normal of a face's corner, from 0; -1: not given.
+/// Indices of a corner's position, texture coordinates and normal, from 0; -1: not given.
 using Corner = std::array<int, 3>;
 
 std::optional<Corner> parse_corner(std::string_view word) {
@@ -86,7 +86,7 @@ Rgb to_color(const std::vector<float>& values) {
   return color;
 }
 
-/// Collects the lines of a file; a vertex is made for every combination that faces use.
+/// Collects the lines of a file. Each combination of indices that a face uses becomes a vertex.
 class ObjBuilder {
  public:
   bool take(std::string_view keyword, std::string_view rest) {
@@ -159,7 +159,7 @@ class ObjBuilder {
   std::map<Corner, std::uint32_t> vertices_;
 };
 
-/// The image that a material library names first; empty: none.
+/// The first image that a material file names; empty: none.
 std::string image_named_in(std::string_view materials) {
   std::string image;
   visit_lines(materials, [&](std::string_view keyword, std::string_view rest) {
@@ -177,12 +177,15 @@ Result<ObjText> parse_obj(std::string_view text, const std::string& name) {
     return builder.take(keyword, rest);
   });
   if (bad_line > 0) {
-    return fail(ErrorCode::kBadFormat, "{}: line {} is damaged, or names what does not exist", name,
-                bad_line);
+    return fail(
+        ErrorCode::kBadFormat,
+        "{}: line {} is damaged or refers to a missing vertex, normal or texture coordinate", name,
+        bad_line);
   }
   ObjText result = builder.finish();
   if (result.model.mesh.triangles.empty()) {
-    return fail(ErrorCode::kBadFormat, "{}: an OBJ file without faces", name);
+    return fail(ErrorCode::kBadFormat, "{}: the OBJ file has no faces; export it with its surface",
+                name);
   }
   return result;
 }

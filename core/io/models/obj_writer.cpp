@@ -1,4 +1,5 @@
-#include <iterator>
+#include <utility>
+#include <vector>
 
 #include "core/io/files/byte_stream.h"
 #include "core/io/files/png.h"
@@ -7,7 +8,7 @@
 namespace flytri::io {
 namespace {
 
-/// With the digits that bring every float back.
+/// With enough digits to read the same float again.
 void put_floats(ByteWriter& out, std::string_view keyword, const float* values, int count) {
   out.text(keyword);
   for (int i = 0; i < count; ++i) out.text(fmt::format(" {}", values[i]));
@@ -46,28 +47,59 @@ void put_faces(ByteWriter& out, const TexturedMesh& model) {
   }
 }
 
-}  // namespace
+std::filesystem::path image_of(std::filesystem::path path) {
+  return path.replace_extension(".png");
+}
+std::filesystem::path materials_of(std::filesystem::path path) {
+  return path.replace_extension(".mtl");
+}
 
-Result<void> write_obj(const std::filesystem::path& path, const TexturedMesh& model) {
-  const bool is_textured = !model.atlas.empty();
-  const std::filesystem::path image = std::filesystem::path(path).replace_extension(".png");
-  const std::filesystem::path materials = std::filesystem::path(path).replace_extension(".mtl");
+/// Adds a file with these bytes, which does not have its name yet.
+Result<void> prepare_file(const std::filesystem::path& path, std::string_view bytes,
+                          std::vector<AtomicFile>& files) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  if (Result<void> written = file->write(bytes); !written) return written;
+  files.push_back(*std::move(file));
+  return {};
+}
+
+/// Adds the texture, and the material that refers to it.
+Result<void> prepare_texture(const std::filesystem::path& path, const cv::Mat& atlas,
+                             std::vector<AtomicFile>& files) {
+  const Result<std::string> png = encode_png(atlas);
+  if (!png) return tl::unexpected(png.error());
+  const std::string material =
+      fmt::format("# flytri\nnewmtl surface\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n",
+                  image_of(path).filename().string());
+  return prepare_file(image_of(path), *png, files).and_then([&] {
+    return prepare_file(materials_of(path), material, files);
+  });
+}
+
+Result<AtomicFile> prepare_surface(const std::filesystem::path& path, const TexturedMesh& model) {
   Result<ByteWriter> out = ByteWriter::create(path);
   if (!out) return tl::unexpected(out.error());
   out->text("# flytri, millimeters\n");
-  if (is_textured) {
-    out->text(fmt::format("mtllib {}\nusemtl surface\n", materials.filename().string()));
+  if (!model.atlas.empty()) {
+    out->text(fmt::format("mtllib {}\nusemtl surface\n", materials_of(path).filename().string()));
   }
   put_vertices(*out, model);
   put_faces(*out, model);
-  if (is_textured) {
-    if (Result<void> written = write_png(image, model.atlas); !written) return written;
-    const std::string text =
-        fmt::format("# flytri\nnewmtl surface\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n",
-                    image.filename().string());
-    if (Result<void> written = write_file(materials, text); !written) return written;
+  return out->finish();
+}
+
+}  // namespace
+
+Result<void> write_obj(const std::filesystem::path& path, const TexturedMesh& model) {
+  std::vector<AtomicFile> files;
+  if (!model.atlas.empty()) {
+    if (Result<void> texture = prepare_texture(path, model.atlas, files); !texture) return texture;
   }
-  return out->commit();
+  Result<AtomicFile> surface = prepare_surface(path, model);
+  if (!surface) return tl::unexpected(surface.error());
+  files.push_back(*std::move(surface));
+  return commit_together(std::move(files));
 }
 
 }  // namespace flytri::io

@@ -1,4 +1,4 @@
-/// @file  PLY: meshes with any vertex properties in, meshes and point clouds out.
+/// @file  Reads PLY meshes with any vertex properties; writes meshes and point clouds.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,17 @@
 
 namespace flytri::io {
 
-/// Vertex properties that a SurfacePoint has no place for, by name, parallel to the vertices.
+/// Further properties that SurfacePoint does not have, by name: one value per vertex.
 using VertexProperties = std::map<std::string, std::vector<double>>;
 
-/// What a PLY file holds. Without normals in the file they are computed from the triangles.
+/// The content of a PLY file. Missing normals are computed from the triangles.
 struct PlyMesh {
-  TriangleMesh mesh;  ///< without triangles: a point cloud
+  TriangleMesh mesh;  ///< a point cloud has no triangles
   VertexProperties extra;
 };
 
-/// Reads ASCII or binary little-endian, scalar types of any kind and order; polygons become fans of
-/// triangles. Positions in mm.
+/// Reads ASCII or binary little-endian PLY, with scalars of any type in any order. Polygons become
+/// fans of triangles. Positions are in mm.
 /// @param name  for messages
 /// @errors  kBadFormat.
 [[nodiscard]] Result<PlyMesh> parse_ply(std::string_view bytes, const std::string& name);
@@ -31,8 +31,8 @@ struct PlyMesh {
 [[nodiscard]] Result<PlyMesh> read_ply(const std::filesystem::path& path);
 
 /// Binary little-endian: float x, y, z, nx, ny, nz, uchar red, green, blue, float sigma,
-/// then the extra ones as float; then faces.
-/// @errors  As write_file; kInconsistent: an extra property of another length.
+/// then the extra properties as float; then faces.
+/// @errors  As write_file; kInconsistent: an extra property has the wrong number of values.
 [[nodiscard]] Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
                                      const VertexProperties& extra = {});
 

@@ -78,25 +78,25 @@ bool take_line(const Words& words, PlyHeader& header) {
   return property.has_value();
 }
 
-/// The fewest bytes that one item of the element can take.
+/// The minimum number of bytes of one item of the element.
 std::size_t least_size(const PlyElement& element, bool is_binary) {
   std::size_t size = 0;
   for (const PlyProperty& property : element.properties) {
     const PlyScalar first = property.is_list ? property.count_type : property.type;
-    size += is_binary ? size_of(first) : 2;  // in text a digit and what separates it
+    size += is_binary ? size_of(first) : 2;  // in text: one digit and a separator
   }
   return size;
 }
 
 Result<void> check_counts(const PlyHeader& header, std::size_t byte_count,
                           const std::string& name) {
-  // The last number of a text needs nothing behind it.
+  // The last number of a text needs no separator.
   std::size_t rest = byte_count - header.size + (header.is_binary ? 0 : 1);
   for (const PlyElement& element : header.elements) {
     const std::size_t size = least_size(element, header.is_binary);
     if (element.count > 0 && (size == 0 || element.count > rest / size)) {
       return fail(ErrorCode::kBadFormat,
-                  "{}: truncated PLY: {} items of element \"{}\" do not fit into the file", name,
+                  "{}: truncated PLY: the file is too short for {} items of element \"{}\"", name,
                   element.count, element.name);
     }
     rest -= element.count * size;
@@ -144,13 +144,13 @@ Result<PlyHeader> parse_ply_header(std::string_view bytes, const std::string& na
       return header;
     }
     if (!take_line(words, header)) {
-      return fail(ErrorCode::kBadFormat,
-                  "{}: line {} of the PLY header is not understood; expected ASCII or binary "
-                  "little-endian PLY",
-                  name, line_number);
+      return fail(
+          ErrorCode::kBadFormat,
+          "{}: line {} of the PLY header is not valid; save as ASCII or binary little-endian PLY",
+          name, line_number);
     }
   }
-  return fail(ErrorCode::kBadFormat, "{}: not a PLY file, or its header is truncated", name);
+  return fail(ErrorCode::kBadFormat, "{}: is not a PLY file, or its header is truncated", name);
 }
 
 }  // namespace flytri::io

@@ -1,4 +1,4 @@
-/// @file  The header of a PLY file: which elements follow, in which form.
+/// @file  Reads the header of a PLY file: which elements follow, in which form.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,10 @@ struct PlyElement {
 struct PlyHeader {
   bool is_binary = false;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  ///< bytes up to the data
+  std::size_t size = 0;  ///< bytes before the data
 };
 
-/// The counts are checked against the bytes that follow: what is announced can be there.
+/// Also checks that the rest of the file is long enough for the counts.
 /// @param name  for messages
 /// @errors  kBadFormat.
 [[nodiscard]] Result<PlyHeader> parse_ply_header(std::string_view bytes, const std::string& name);

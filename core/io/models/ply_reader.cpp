@@ -12,7 +12,7 @@
 namespace flytri::io {
 namespace {
 
-/// Gives the numbers after the header one by one, whichever form they have.
+/// Reads the numbers after the header one by one, from binary data or text.
 class NumberSource {
  public:
   NumberSource(std::string_view bytes, bool is_binary) : bytes_(bytes), is_binary_(is_binary) {}
@@ -69,7 +69,7 @@ std::uint8_t to_channel(double value, PlyScalar type) {
   return static_cast<std::uint8_t>(std::lround(std::min(scaled, 255.0)));
 }
 
-/// Puts the value where the property of this name belongs; false: there is no such place.
+/// Sets the property of this name; false: SurfacePoint has none.
 bool set_property(SurfacePoint& point, const PlyProperty& property, double value) {
   static constexpr std::array<std::string_view, 3> kPosition = {"x", "y", "z"};
   static constexpr std::array<std::string_view, 3> kNormal = {"nx", "ny", "nz"};
@@ -98,7 +98,7 @@ bool has_property(const PlyElement& element, std::string_view name) {
   return false;
 }
 
-/// The length of a list; nothing if it cannot be one.
+/// The length of a list; nothing if the number cannot be a length.
 std::optional<std::uint32_t> next_count(NumberSource& source, const PlyProperty& property) {
   const std::optional<double> count = source.next(property.count_type);
   constexpr double kLargest = std::numeric_limits<std::uint32_t>::max();
@@ -131,7 +131,7 @@ bool read_vertices(NumberSource& source, const PlyElement& element, PlyMesh& out
   return true;
 }
 
-/// A polygon's corners as a fan of triangles around the first.
+/// Reads a polygon as a fan of triangles around its first corner.
 bool read_polygon(NumberSource& source, const PlyProperty& property, std::vector<Triangle>& out) {
   const std::optional<std::uint32_t> count = next_count(source, property);
   if (!count) return false;
@@ -170,14 +170,16 @@ bool skip_element(NumberSource& source, const PlyElement& element) {
 Result<void> check_mesh(const TriangleMesh& mesh, const std::string& name) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     if (!mesh.vertices[i].position_mm.allFinite() || !mesh.vertices[i].normal.allFinite()) {
-      return fail(ErrorCode::kBadFormat, "{}: vertex {} is not a number", name, i);
+      return fail(ErrorCode::kBadFormat, "{}: vertex {} has a coordinate that is not a number",
+                  name, i);
     }
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::uint32_t vertex : mesh.triangles[i]) {
       if (vertex >= mesh.vertices.size()) {
-        return fail(ErrorCode::kBadFormat, "{}: a face names vertex {}, but there are {}", name,
-                    vertex, mesh.vertices.size());
+        return fail(ErrorCode::kBadFormat,
+                    "{}: a face refers to vertex {}, but there are only {} vertices", name, vertex,
+                    mesh.vertices.size());
       }
     }
   }
@@ -203,12 +205,12 @@ Result<PlyMesh> parse_ply(std::string_view bytes, const std::string& name) {
                       : element.name == "face" ? read_faces(source, element, out.mesh.triangles)
                                                : skip_element(source, element);
     if (!read) {
-      return fail(ErrorCode::kBadFormat, "{}: truncated or damaged PLY in element \"{}\"", name,
+      return fail(ErrorCode::kBadFormat, "{}: truncated or damaged PLY at element \"{}\"", name,
                   element.name);
     }
   }
   if (!has_vertices) {
-    return fail(ErrorCode::kBadFormat, "{}: expected an element \"vertex\" with x, y and z", name);
+    return fail(ErrorCode::kBadFormat, "{}: no element \"vertex\" with x, y and z", name);
   }
   if (Result<void> fine = check_mesh(out.mesh, name); !fine) return tl::unexpected(fine.error());
   if (!has_normals) compute_vertex_normals(out.mesh);

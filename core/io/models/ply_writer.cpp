@@ -46,8 +46,9 @@ Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& me
                        const VertexProperties& extra) {
   for (const auto& [name, values] : extra) {
     if (values.size() == mesh.vertices.size()) continue;
-    return fail(ErrorCode::kInconsistent, "{}: property {} has {} values for {} vertices",
-                path.string(), name, values.size(), mesh.vertices.size());
+    return fail(ErrorCode::kInconsistent,
+                "{}: property {} has {} values, but there are {} vertices", path.string(), name,
+                values.size(), mesh.vertices.size());
   }
   Result<ByteWriter> out = ByteWriter::create(path);
   if (!out) return tl::unexpected(out.error());

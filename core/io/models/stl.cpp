@@ -6,12 +6,13 @@
 
 #include "core/geometry/mesh_normals.h"
 #include "core/io/files/byte_stream.h"
+#include "core/io/files/file_bytes.h"
 
 namespace flytri::io {
 namespace {
 
 constexpr std::size_t kHeaderSize = 80;
-constexpr std::size_t kTriangleSize = 50;  // normal, three corners, two bytes of nothing
+constexpr std::size_t kTriangleSize = 50;  // normal, three corners, two unused bytes
 
 Vec3f triangle_normal(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
   const Vec3 normal = (b - a).cast<double>().cross((c - a).cast<double>());
@@ -22,7 +23,7 @@ void put_vector(ByteWriter& out, const Vec3f& vector) {
   for (int i = 0; i < 3; ++i) out.number(vector[i]);
 }
 
-/// Gives equal positions the same index, in order of appearance.
+/// Gives equal positions the same index.
 class Welder {
  public:
   explicit Welder(TriangleMesh& mesh) : mesh_(mesh) {}
@@ -43,25 +44,27 @@ class Welder {
 
 Result<TriangleMesh> parse_stl(std::string_view bytes, const std::string& name) {
   if (bytes.size() < kHeaderSize + sizeof(std::uint32_t)) {
-    return fail(ErrorCode::kBadFormat, "{}: truncated STL, or not a binary one", name);
+    return fail(ErrorCode::kBadFormat, "{}: truncated STL, or STL as text; save it as binary STL",
+                name);
   }
   ByteReader in(bytes.substr(kHeaderSize));
   const std::uint32_t count = *in.number<std::uint32_t>();
   if (in.rest().size() / kTriangleSize < count) {
     return fail(ErrorCode::kBadFormat,
-                "{}: truncated STL, or not a binary one: {} triangles named, {} there", name, count,
+                "{}: truncated STL, or STL as text: should have {} triangles, has {}", name, count,
                 in.rest().size() / kTriangleSize);
   }
   TriangleMesh mesh;
   Welder welder(mesh);
   for (std::uint32_t i = 0; i < count; ++i) {
-    std::array<Vec3f, 4> vectors;  // normal and corners; all twelve numbers are there
+    std::array<Vec3f, 4> vectors;  // normal and corners; the size check covers all twelve numbers
     for (Vec3f& vector : vectors) {
       for (int axis = 0; axis < 3; ++axis) vector[axis] = *in.number<float>();
     }
     (void)in.number<std::uint16_t>();
     if (!vectors[1].allFinite() || !vectors[2].allFinite() || !vectors[3].allFinite()) {
-      return fail(ErrorCode::kBadFormat, "{}: triangle {} is not a number", name, i);
+      return fail(ErrorCode::kBadFormat, "{}: triangle {} has a coordinate that is not a number",
+                  name, i);
     }
     mesh.triangles.push_back(
         {welder.index_of(vectors[1]), welder.index_of(vectors[2]), welder.index_of(vectors[3])});
@@ -70,14 +73,19 @@ Result<TriangleMesh> parse_stl(std::string_view bytes, const std::string& name) 
   return mesh;
 }
 
+Result<TriangleMesh> read_stl(const std::filesystem::path& path) {
+  return read_file(path).and_then(
+      [&](const std::string& bytes) { return parse_stl(bytes, path.string()); });
+}
+
 Result<void> write_stl(const std::filesystem::path& path, const TriangleMesh& mesh) {
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
-    return fail(ErrorCode::kBadOption, "{}: STL cannot hold {} triangles; write .ply",
+    return fail(ErrorCode::kBadOption, "{}: {} triangles are too many for STL; write .ply instead",
                 path.string(), mesh.triangles.size());
   }
   Result<ByteWriter> out = ByteWriter::create(path);
   if (!out) return tl::unexpected(out.error());
-  // Not beginning with "solid", by which readers tell the text form.
+  // Must not start with "solid", which marks STL as text.
   std::string header = "flytri binary STL, millimeters";
   header.resize(kHeaderSize, ' ');
   out->text(header);

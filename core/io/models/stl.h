@@ -1,4 +1,4 @@
-/// @file  Binary STL: triangles in mm, nothing else.
+/// @file  Binary STL: only triangles, in mm.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,15 @@
 
 namespace flytri::io {
 
-/// Corners at exactly the same place become one vertex again; normals are computed.
+/// Corners at exactly the same position become one vertex; normals are computed.
 /// @param name  for messages
-/// @errors  kBadFormat; the text form of STL is refused.
+/// @errors  kBadFormat; STL as text is refused.
 [[nodiscard]] Result<TriangleMesh> parse_stl(std::string_view bytes, const std::string& name);
 
-/// @errors  As write_file; kBadOption: more triangles than the format can count.
+/// @errors  As read_file and parse_stl.
+[[nodiscard]] Result<TriangleMesh> read_stl(const std::filesystem::path& path);
+
+/// @errors  As write_file; kBadOption: too many triangles for the format.
 [[nodiscard]] Result<void> write_stl(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }  // namespace flytri::io

@@ -1,6 +1,4 @@
-/// @file  What a frame shows, as files name it.
-///
-/// For the sources of core/interchange only.
+/// @file  Names of frame kinds in files. Only for core/io.
 #pragma once
 
 #include <string_view>
@@ -13,7 +11,7 @@ namespace flytri::io {
 /// "vertical", "horizontal", "texture" or "unknown".
 [[nodiscard]] std::string_view to_string(FrameKind kind);
 
-/// Any other text is rejected at its place.
+/// Rejects any other text at its place.
 [[nodiscard]] FrameKind read_frame_kind(const JsonPlace& place);
 
 }  // namespace flytri::io

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/io/files/atomic_file.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/json_place.h"
 #include "core/io/files/png.h"
@@ -27,7 +28,7 @@ std::string_view expected_type(FrameKind kind) {
   return kind == FrameKind::kTexture ? "8-bit RGB" : "8- or 16-bit grey";
 }
 
-/// Of a path, those that create_folder would make; inner ones first.
+/// The folders that create_folder would create for this path; inner ones first.
 std::vector<std::filesystem::path> missing_folders(std::filesystem::path path) {
   std::vector<std::filesystem::path> missing;
   std::error_code unknown;
@@ -36,13 +37,13 @@ std::vector<std::filesystem::path> missing_folders(std::filesystem::path path) {
   return missing;
 }
 
-/// From the first overwritten image on, the list of the recording before would be a lie.
+/// Removes the list of a former recording before its first image is overwritten: it would be wrong.
 Result<void> remove_list(const std::filesystem::path& list) {
   std::error_code error;
   std::filesystem::remove(list, error);
   if (!error) return {};
-  return fail(ErrorCode::kNotPermitted, "{}: cannot be replaced: {}", list.string(),
-              error.message());
+  return fail(ErrorCode::kNotPermitted, "{}: cannot be replaced: {}; choose another folder",
+              list.string(), error.message());
 }
 
 Result<void> write_image(const std::filesystem::path& path, const cv::Mat& image) {
@@ -66,7 +67,7 @@ Result<Recording> parse_recording(std::string_view text, const std::string& name
     RecordedFrame frame{place.at("file").text(), place.at("time_s").number(),
                         read_frame_kind(place.at("kind"))};
     if (!recording.frames.empty() && frame.time_s <= recording.frames.back().time_s) {
-      place.at("time_s").reject("a time after that of the frame before");
+      place.at("time_s").reject("a time after the frame before");
     }
     recording.frames.push_back(std::move(frame));
   }
@@ -94,8 +95,9 @@ Result<Frame> load_frame(const Recording& recording, FrameIndex index) {
   Result<cv::Mat> image = read_png(path);
   if (!image) return tl::unexpected(image.error());
   if (!type_fits(recorded.kind, image->type())) {
-    return fail(ErrorCode::kBadFormat, "{}: a frame of kind \"{}\" must be {}", path.string(),
-                to_string(recorded.kind), expected_type(recorded.kind));
+    return fail(ErrorCode::kBadFormat,
+                "{}: a frame of kind \"{}\" must be {}; record again, or correct \"kind\"",
+                path.string(), to_string(recorded.kind), expected_type(recorded.kind));
   }
   return Frame{index, recorded.kind, recorded.time_s, *std::move(image)};
 }
@@ -125,7 +127,7 @@ Result<void> RecordingWriter::append(const Frame& frame) {
                 to_string(frame.kind), expected_type(frame.kind));
   }
   if (!std::isfinite(frame.time_s) || (!frames_.empty() && frame.time_s <= frames_.back().time_s)) {
-    return fail(ErrorCode::kBadOption, "{}: frame {} is not later than the one before",
+    return fail(ErrorCode::kBadOption, "{}: frame {} is not later than the frame before",
                 folder_.string(), frames_.size());
   }
   if (frames_.empty()) {
@@ -143,7 +145,8 @@ Result<void> RecordingWriter::append(const Frame& frame) {
 
 Result<void> RecordingWriter::write_list() {
   if (frames_.empty()) {
-    return fail(ErrorCode::kInsufficient, "{}: no frame was recorded", folder_.string());
+    return fail(ErrorCode::kInsufficient,
+                "{}: no frame was recorded; check the source and record again", folder_.string());
   }
   for (; synced_ < frames_.size(); ++synced_) {
     if (Result<void> synced = sync_file(folder_ / frames_[synced_].file); !synced) return synced;

@@ -1,4 +1,4 @@
-/// @file  Recordings on disk: a folder's list of frames, and each frame when it is wanted.
+/// @file  Reads and writes recordings: a folder with a list of frames and an image for each.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,19 @@
 
 namespace flytri::io {
 
-/// One line of recording.json.
+/// A frame in the list of recording.json.
 struct RecordedFrame {
   std::string file;     ///< relative to the folder
   double time_s = 0.0;  ///< middle of the exposure
   FrameKind kind = FrameKind::kUnknown;
 };
 
-/// A recording's list of frames; no image is loaded.
+/// The list of frames; the images stay on the disk.
 struct Recording {
   std::filesystem::path folder;
   std::optional<std::filesystem::path>
       calibration;                    ///< path of the file, if the recording names one
-  std::vector<RecordedFrame> frames;  ///< at least one, by rising time
+  std::vector<RecordedFrame> frames;  ///< at least one, in order of time
 };
 
 /// Parses the text of recording.json, see docs/formats.md.
@@ -32,39 +32,37 @@ struct Recording {
 /// @errors  kBadFormat (the key and what was expected), kInsufficient (no frames).
 [[nodiscard]] Result<Recording> parse_recording(std::string_view text, const std::string& name);
 
-/// @param folder  the one that holds recording.json
+/// @param folder  contains recording.json
 /// @errors  As read_file and parse_recording.
 [[nodiscard]] Result<Recording> open_recording(const std::filesystem::path& folder);
 
-/// Loads one frame. A file that is missing or damaged costs that frame alone: go on with the next.
-/// @errors  As read_png; kBadFormat: color where grey is expected or the reverse.
+/// Loads one frame. If its file is missing or damaged, the other frames can still be loaded.
+/// @errors  As read_png; kBadFormat: color instead of grey, or grey instead of color.
 [[nodiscard]] Result<Frame> load_frame(const Recording& recording, FrameIndex index);
 
-/// Writes a recording frame by frame. The folder becomes a recording at write_list(), which writes
-/// recording.json with the frames that are complete: when stopped early, list what there is.
-/// Destroyed without write_list(), it leaves images, but nothing that would be taken for a
-/// recording; destroyed without a frame, it leaves nothing.
+/// Writes a recording frame by frame. write_list() makes the folder a recording: it writes
+/// recording.json with the frames so far, also when the recording stopped early. Without
+/// write_list(), images are left but no recording.json; without a frame, nothing is left.
 class RecordingWriter {
  public:
-  /// Creates the folder. A recording that lies there already is given up with the first frame.
-  /// @param calibration  what recording.json is to name: relative to the folder; empty: nothing
+  /// Creates the folder. The first frame replaces a recording that is already there.
+  /// @param calibration  path for recording.json, relative to the folder; empty: none
   /// @errors  As create_folder.
   [[nodiscard]] static Result<RecordingWriter> create(const std::filesystem::path& folder,
                                                       std::string calibration = {});
-  /// Saves a frame under the next number; `frame.index` plays no part. The image is written
-  /// without waiting for the disk.
-  /// @errors  kBadOption (image type does not fit the kind, time not rising), as
+  /// Saves a frame under the next number; `frame.index` is ignored. Does not wait for the disk.
+  /// @errors  kBadOption (wrong image type for the kind, time not after the last frame), as
   ///          encode_camera_png and AtomicFile.
   [[nodiscard]] Result<void> append(const Frame& frame);
-  /// Waits until the disk has all images, then lists them. May be called over and over.
+  /// Waits until the disk has all images, then lists them. May be called again after more frames.
   /// @errors  As sync_file and write_file; kInsufficient: no frame was appended.
   [[nodiscard]] Result<void> write_list();
 
-  /// The frames that are complete, as they will be listed.
+  /// The complete frames, as write_list() will list them.
   [[nodiscard]] const std::vector<RecordedFrame>& frames() const { return frames_; }
 
  private:
-  /// Folders that were made, removed again if nothing was put into them.
+  /// Folders that the writer created; removes them again if they are empty.
   class MadeFolders {
    public:
     explicit MadeFolders(std::vector<std::filesystem::path> folders)
@@ -84,8 +82,8 @@ class RecordingWriter {
   std::string calibration_;
   MadeFolders made_;
   std::vector<RecordedFrame> frames_;
-  std::size_t synced_ = 0;  // so many frames are on the disk
-  std::string lines_;       // of the list
+  std::size_t synced_ = 0;  // number of frames that are certainly on the disk
+  std::string lines_;       // the list, as JSON
 };
 
 }  // namespace flytri::io

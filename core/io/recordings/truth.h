@@ -1,4 +1,4 @@
-/// @file  truth.json beside a simulated recording: where the sensor was, and what it looked at.
+/// @file  truth.json of a simulated recording: the true poses of the sensor, and what it scanned.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ struct TruthPose {
 };
 
 struct Truth {
-  std::filesystem::path mesh;  ///< in the file relative to its folder; model frame, mm
+  std::filesystem::path mesh;  ///< in the file relative to its folder; mm, model frame
   std::vector<TruthPose> poses;
 };
 
@@ -29,7 +29,7 @@ struct Truth {
 /// @errors  kBadFormat: the key and what was expected.
 [[nodiscard]] Result<Truth> parse_truth(std::string_view text, const std::string& name);
 
-/// Reads truth.json; `mesh` is given back as a path that can be opened.
+/// Reads truth.json; the returned `mesh` is a path that can be opened.
 /// @errors  As read_file and parse_truth.
 [[nodiscard]] Result<Truth> read_truth(const std::filesystem::path& path);
 

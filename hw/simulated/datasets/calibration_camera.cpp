@@ -6,7 +6,7 @@
 namespace flytri::simulated {
 namespace {
 
-// A white square at z = 0 that fills both cameras, facing the sensor.
+// A white square at z = 0 facing the sensor, large enough to fill both images.
 TriangleMesh white_plane(const SensorModel& sensor) {
   const auto half = static_cast<float>(3.0 * sensor.volume.size_mm.maxCoeff());
   TriangleMesh plane;
@@ -26,7 +26,7 @@ TriangleMesh white_plane(const SensorModel& sensor) {
 
 Result<CalibrationCamera> CalibrationCamera::create(const SensorModel& sensor,
                                                     const Options& options) {
-  // A plane has no silhouettes, on which alone the grid differs from tracing every pixel.
+  // Grid tracing is exact here: it differs from tracing every pixel only at silhouettes.
   auto simulator = ImageSimulator::create(white_plane(sensor), sensor,
                                           {.bits = options.bits,
                                            .noise = options.noise,

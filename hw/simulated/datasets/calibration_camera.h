@@ -1,4 +1,5 @@
-/// @file  The two cameras of a virtual sensor in front of its calibration targets.
+/// @file  Simulates the images that both cameras of a virtual sensor take of its calibration
+/// targets.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace flytri::simulated {
 
-/// Immutable and thread-safe; an image depends on its arguments alone.
+/// Immutable and thread-safe; an image depends only on the arguments.
 class CalibrationCamera {
  public:
   struct Options {
@@ -25,8 +26,8 @@ class CalibrationCamera {
   [[nodiscard]] static Result<CalibrationCamera> create(const SensorModel& sensor,
                                                         const Options& options);
 
-  /// @param stream  numbers the noise
-  /// @return  as GuidedCalibration::take asks for it
+  /// @param stream  random stream of the noise
+  /// @return  in the format of GuidedCalibration::take
   [[nodiscard]] cv::Mat take(calibration::ShotKind kind, double z_mm, std::uint64_t stream) const;
 
  private:

@@ -20,15 +20,15 @@ Result<calibration::Calibration> calibrate_virtual_sensor(const SensorModel& sen
   return calibration::calibrate(*set, {}, workers, progress);
 }
 
-Result<calibration::Calibration> kept_sensor_calibration(const SensorModel& sensor,
-                                                         const std::filesystem::path& folder,
-                                                         const Workers& workers,
-                                                         const Progress& progress) {
+Result<calibration::Calibration> cached_sensor_calibration(const SensorModel& sensor,
+                                                           const std::filesystem::path& folder,
+                                                           const Workers& workers,
+                                                           const Progress& progress) {
   const auto file = folder / fmt::format("virtual-sensor-{:016x}.json", fingerprint(sensor));
   if (auto kept = io::read_calibration(file)) return kept;
   auto calibration = calibrate_virtual_sensor(sensor, workers, progress);
   if (!calibration) return calibration;
-  // What cannot be kept costs but the time the next time.
+  // A failed write is harmless: the calibration is then computed again next time.
   if (io::create_folder(folder)) {
     [[maybe_unused]] const auto written = io::write_calibration(file, *calibration);
   }

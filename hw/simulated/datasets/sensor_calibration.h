@@ -1,4 +1,4 @@
-/// @file  Calibrates the virtual sensor as its user would: from images of the target.
+/// @file  Calibrates a virtual sensor like a real one, from images of the targets.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,16 @@
 
 namespace flytri::simulated {
 
-/// Takes the images of a calibration set and fits the calibration to them.
+/// Simulates a calibration set and fits the calibration to it.
 /// @errors  As take_calibration_set and calibrate.
 [[nodiscard]] Result<calibration::Calibration> calibrate_virtual_sensor(const SensorModel& sensor,
                                                                         const Workers& workers,
                                                                         const Progress& progress);
 
-/// The calibration that `folder` keeps of exactly this sensor model. Where it keeps none, or a
-/// damaged one, it is made and, if the folder can be written, kept.
+/// The calibration of exactly this sensor model, read from the cache in `folder`. If it is missing
+/// or damaged, computes it and, if possible, saves it there.
 /// @errors  As calibrate_virtual_sensor.
-[[nodiscard]] Result<calibration::Calibration> kept_sensor_calibration(
+[[nodiscard]] Result<calibration::Calibration> cached_sensor_calibration(
     const SensorModel& sensor, const std::filesystem::path& folder, const Workers& workers,
     const Progress& progress);
 

@@ -1,5 +1,6 @@
 #include "hw/simulated/datasets/simulate_calibration_set.h"
 
+#include "core/base/check_options.h"
 #include "core/io/calibrations/calibration_set_file.h"
 #include "hw/simulated/datasets/calibration_camera.h"
 
@@ -21,12 +22,12 @@ calibration::CalibrationPlane take_plane(const CalibrationCamera& camera, std::s
 }  // namespace
 
 Result<void> CalibrationSetOptions::validate() const {
-  if (auto valid = sensor.validate(); !valid) return valid;
-  if (plane_count < 5 || plane_count > 100)
-    return fail(ErrorCode::kBadOption, "plane_count must be in 5..100, not {}", plane_count);
-  if (!(depth_share >= 1.0 && depth_share <= 1.5))
-    return fail(ErrorCode::kBadOption, "depth_share must be in 1..1.5, not {}", depth_share);
-  return ImageOptions{.bits = bits, .exposures = exposures}.validate();
+  return OptionCheck("CalibrationSetOptions")
+      .nested(sensor)
+      .in_range("plane_count", plane_count, 5, 100)
+      .in_range("depth_share", depth_share, 1.0, 1.5)
+      .nested(ImageOptions{.bits = bits, .exposures = exposures})
+      .result();
 }
 
 Result<calibration::CalibrationSet> take_calibration_set(const CalibrationSetOptions& options,
@@ -52,7 +53,8 @@ Result<calibration::CalibrationSet> take_calibration_set(const CalibrationSetOpt
     set.planes[i] = take_plane(*camera, i, z_mm[i]);
     progress.advance();
   });
-  if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped before the set was whole");
+  if (progress.cancelled())
+    return fail(ErrorCode::kCancelled, "stopped before all calibration images were taken");
   return set;
 }
 

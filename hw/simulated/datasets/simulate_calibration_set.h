@@ -1,4 +1,4 @@
-/// @file  Takes the calibration images of a virtual sensor.
+/// @file  Simulates the calibration images of a virtual sensor.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace flytri::simulated {
 struct CalibrationSetOptions {
   SensorModel sensor = intraoral_sensor();
   int plane_count = 17;  ///< 5..100, at equal distances
-  /// 1..1.5, depth that the planes span by the volume's: a little more, so that fits do not end
-  /// where they are used. For the intra-oral sensor -8 to 8 mm.
+  /// 1..1.5. Depth range of the planes relative to the volume's depth. A little more than 1 keeps
+  /// the fits accurate at the ends of the volume. Default for the intra-oral sensor: -8 to 8 mm.
   double depth_share = 16.0 / 15.0;
   int exposures = 16;  ///< 1..1000, averaged into each image
   int bits = 16;       ///< 8 or 16, of the measurement camera's images
@@ -25,12 +25,12 @@ struct CalibrationSetOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// The images of all planes, in memory.
+/// Creates the images of all planes in memory.
 /// @errors  kBadOption, kCancelled.
 [[nodiscard]] Result<calibration::CalibrationSet> take_calibration_set(
     const CalibrationSetOptions& options, const Workers& workers, const Progress& progress);
 
-/// The same, written to a folder as docs/formats.md says.
+/// Creates the images and writes them to a folder in the format of docs/formats.md.
 /// @errors  As take_calibration_set and write_calibration_set.
 [[nodiscard]] Result<void> simulate_calibration_set(const CalibrationSetOptions& options,
                                                     const std::filesystem::path& folder,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
@@ -14,18 +15,18 @@ namespace flytri::simulated {
 namespace {
 
 constexpr const char* kMeshName = "model.ply";
-// The hand needs this long to take the sensor away, and as long to bring it back.
+// Time that the hand needs to lift the sensor off, and again to put it back.
 constexpr double kAwayRamp_s = 0.4;
-// Away means this far, by the volume's depth: nothing is in the volume then.
+// Lift height in volume depths; nothing is in the volume then.
 constexpr double kLiftDepths = 3.0;
 
-// One frame that is to be taken.
+// One frame to take.
 struct PlannedFrame {
   double time_s = 0.0;
   FrameKind kind = FrameKind::kVertical;
 };
 
-// Patterns alternate and go on alternating across a texture frame.
+// The patterns alternate; a texture frame does not interrupt the alternation.
 std::vector<PlannedFrame> plan_frames(const RecordingOptions& options, const SensorPath& path,
                                       RecordingCounts& counts) {
   const double period_s = options.sensor.frame_period_s;
@@ -53,7 +54,7 @@ std::vector<PlannedFrame> plan_frames(const RecordingOptions& options, const Sen
   return frames;
 }
 
-// The path with the sensor drawn back along its view for a while.
+// The path, with the sensor lifted off along its viewing direction for a while.
 Result<SensorPath> with_absence(const SensorPath& path, const RecordingOptions& options) {
   constexpr double kSpacing_s = 1.0 / 60.0;
   const RecordingFaults& faults = options.faults;
@@ -93,7 +94,7 @@ Frame take_frame(const ImageSimulator& simulator, const SensorPath& path,
   return frame;
 }
 
-// Takes frames batch by batch, so that many are worked on and few are in memory.
+// Takes frames in batches: many in parallel, but few in memory.
 Result<void> write_frames(const ImageSimulator& simulator, const SensorPath& path,
                           const std::vector<PlannedFrame>& planned, const Workers& workers,
                           const Progress& progress, bool unknown_patterns,
@@ -116,7 +117,7 @@ Result<void> write_frames(const ImageSimulator& simulator, const SensorPath& pat
   return {};
 }
 
-// The mesh, with what of it could be measured.
+// Writes the mesh, and for each vertex whether it could be measured.
 Result<void> write_mesh(const std::filesystem::path& folder, const SensorPath& path,
                         const std::vector<PlannedFrame>& frames, const ImageSimulator& simulator,
                         const Workers& workers) {
@@ -144,21 +145,21 @@ Result<void> write_poses(const std::filesystem::path& folder, const SensorPath& 
 }  // namespace
 
 Result<void> RecordingFaults::validate() const {
-  if (!(dropped_share >= 0.0 && dropped_share <= 0.9))
-    return fail(ErrorCode::kBadOption, "dropped_share must be in 0..0.9, not {}", dropped_share);
-  if (!(away_start_s >= 0.0) || !(away_duration_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "away_start_s and away_duration_s must be at least 0");
-  return {};
+  return OptionCheck("RecordingFaults")
+      .in_range("dropped_share", dropped_share, 0.0, 0.9)
+      .not_negative("away_start_s", away_start_s)
+      .not_negative("away_duration_s", away_duration_s)
+      .result();
 }
 
 Result<void> RecordingOptions::validate() const {
-  if (auto valid = sensor.validate(); !valid) return valid;
-  if (auto valid = path.validate(); !valid) return valid;
-  if (auto valid = image.validate(); !valid) return valid;
-  if (!(texture_period_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "texture_period_s must be at least 0, not {}",
-                texture_period_s);
-  return faults.validate();
+  return OptionCheck("RecordingOptions")
+      .nested(sensor)
+      .nested(path)
+      .nested(image)
+      .not_negative("texture_period_s", texture_period_s)
+      .nested(faults)
+      .result();
 }
 
 Result<RecordingCounts> simulate_recording(const TriangleMesh& mesh,
@@ -188,7 +189,7 @@ Result<RecordingCounts> simulate_recording(const TriangleMesh& mesh,
   }
   if (auto closed = writer->write_list(); !closed) return tl::unexpected(closed.error());
   if (progress.cancelled())
-    return fail(ErrorCode::kCancelled, "stopped after {} of {} frames; {} holds them",
+    return fail(ErrorCode::kCancelled, "stopped after {} of {} frames; they are in {}",
                 writer->frames().size(), planned.size(), folder.string());
   for (const io::RecordedFrame& frame : writer->frames())
     ++(frame.kind == FrameKind::kTexture ? counts.texture : counts.measurement);

@@ -1,4 +1,4 @@
-/// @file  Scans a mesh with a virtual sensor and writes what it saw as a recording with its truth.
+/// @file  Simulates a scan of a mesh and writes the recording with its true poses.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,21 @@
 
 namespace flytri::simulated {
 
-/// What goes wrong during a scan.
+/// Faults during the scan.
 struct RecordingFaults {
-  double dropped_share = 0.0;     ///< 0..0.9, frames that never arrive; time goes on
-  bool unknown_patterns = false;  ///< the projector is not synchronized: kinds are `unknown`
-  double away_start_s = 0.0;      ///< >= 0, when the hand takes the sensor away ...
+  double dropped_share = 0.0;     ///< 0..0.9, share of frames that are missing
+  bool unknown_patterns = false;  ///< projector not synchronized: frame kinds are `unknown`
+  double away_start_s = 0.0;      ///< >= 0, when the hand lifts the sensor off ...
   double away_duration_s = 0.0;   ///< >= 0, ... and for how long; 0: never
   [[nodiscard]] Result<void> validate() const;
 };
 
 struct RecordingOptions {
   SensorModel sensor = intraoral_sensor();
-  PathOptions path;                                ///< how the hand moves
-  std::optional<std::filesystem::path> path_file;  ///< a truth.json to follow instead
+  PathOptions path;                                ///< movement of the hand
+  std::optional<std::filesystem::path> path_file;  ///< use the poses of this truth.json instead
   double texture_period_s = 1.0;                   ///< >= 0; 0: no texture frames
-  std::string calibration;  ///< what recording.json is to name, relative; empty: nothing
+  std::string calibration;  ///< relative path for recording.json; empty: none
   ImageOptions image;
   RecordingFaults faults;
   [[nodiscard]] Result<void> validate() const;
@@ -39,12 +39,12 @@ struct RecordingOptions {
 struct RecordingCounts {
   int measurement = 0;  ///< frames written
   int texture = 0;      ///< frames written
-  int dropped = 0;      ///< frames that a fault took
+  int dropped = 0;      ///< frames dropped by a fault
 };
 
-/// Writes recording.json, frames/, truth.json and the mesh as model.ply, with count_lit as the
-/// vertex property "lit", to `folder`. The same
-/// bits for any number of threads. When cancelled, what is there is a recording, only shorter.
+/// Writes recording.json, frames/, truth.json and the mesh to `folder`. The mesh is model.ply, with
+/// the result of count_lit as the vertex property "lit". The output is bit-identical for any number
+/// of threads. If cancelled, the recording is valid but shorter.
 /// @param mesh  model frame, mm; counter-clockwise from outside
 /// @errors  kBadOption, kInsufficient, kCancelled; as read_path, RecordingWriter, write_truth,
 ///          write_model.

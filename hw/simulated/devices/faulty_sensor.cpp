@@ -3,26 +3,27 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 
 namespace flytri::simulated {
 namespace {
 
-constexpr const char* kLost = "The sensor does not answer; it is plugged in again in a moment.";
-constexpr const char* kFailed = "The sensor is broken; start it again.";
+constexpr const char* kLost =
+    "The simulated sensor is unplugged; it will be plugged in again soon.";
+constexpr const char* kFailed = "The simulated sensor failed: start it again.";
 
 }  // namespace
 
 Result<void> FaultOptions::validate() const {
-  for (const double share : {dropped_share, delayed_share, unknown_share, lost_share})
-    if (!(share >= 0.0 && share <= 1.0))
-      return fail(ErrorCode::kBadOption, "shares of faults must be in 0..1, not {}", share);
-  if (!(max_delay_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "max_delay_s must be at least 0, not {}", max_delay_s);
-  if (max_lost_frames < 1)
-    return fail(ErrorCode::kBadOption, "max_lost_frames must be at least 1, not {}",
-                max_lost_frames);
-  return {};
+  return OptionCheck("FaultOptions")
+      .in_range("dropped_share", dropped_share, 0.0, 1.0)
+      .in_range("delayed_share", delayed_share, 0.0, 1.0)
+      .in_range("unknown_share", unknown_share, 0.0, 1.0)
+      .in_range("lost_share", lost_share, 0.0, 1.0)
+      .not_negative("max_delay_s", max_delay_s)
+      .at_least("max_lost_frames", max_lost_frames, 1)
+      .result();
 }
 
 Result<std::shared_ptr<FaultySensor>> FaultySensor::create(std::shared_ptr<device::Sensor> sensor,
@@ -65,7 +66,7 @@ Result<std::optional<Frame>> FaultySensor::next(double timeout_s) {
   return passed;
 }
 
-// The late frame once its time has come.
+// The delayed frame, when it is due.
 std::optional<Frame> FaultySensor::release(double timeout_s) {
   clock_.sleep_s(std::min(release_s_ - clock_.now_s(), timeout_s));
   if (clock_.now_s() < release_s_) return std::nullopt;
@@ -99,7 +100,7 @@ device::SensorStatus FaultySensor::status() const {
   const device::SensorStatus within = sensor_->status();
   device::SensorStatus status = status_.status();
   status.dropped += within.dropped;
-  // What goes wrong within shows unless something was made to go wrong.
+  // Pass on the wrapped sensor's state, unless this class simulates a fault.
   if (status.state != device::SensorState::kRunning) return status;
   status.state = within.state;
   status.message = within.message;

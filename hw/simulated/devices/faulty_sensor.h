@@ -1,5 +1,4 @@
-/// @file  Makes any sensor fail as real ones do: frames are lost, late or unlabelled, the device
-/// goes.
+/// @file  Wraps a sensor and simulates faults: lost, late or unlabeled frames, disconnections.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +13,21 @@
 
 namespace flytri::simulated {
 
-/// What happens to how many of the frames; all chances are drawn from the seed, by frame.
+/// Probabilities of the faults, drawn per frame from the seed.
 struct FaultOptions {
-  double dropped_share = 0.0;  ///< 0..1, frames that never arrive
-  double delayed_share = 0.0;  ///< 0..1, frames that arrive late, and what follows them with them
-  double max_delay_s = 0.1;    ///< >= 0
-  double unknown_share = 0.0;  ///< 0..1, measurement frames whose pattern is not known
-  double lost_share = 0.0;     ///< 0..1, frames at which the device goes away ...
-  int max_lost_frames = 30;    ///< >= 1, ... until at most so many have passed
-  std::int64_t fails_after = -1;  ///< frames until it fails for good; below 0: never
+  double dropped_share = 0.0;     ///< 0..1, frames that are lost
+  double delayed_share = 0.0;     ///< 0..1, frames that arrive late and delay those after them
+  double max_delay_s = 0.1;       ///< >= 0
+  double unknown_share = 0.0;     ///< 0..1, measurement frames with unknown pattern
+  double lost_share = 0.0;        ///< 0..1, frames at which the device is disconnected ...
+  int max_lost_frames = 30;       ///< >= 1, ... for at most this many frames
+  std::int64_t fails_after = -1;  ///< frames until it fails permanently; below 0: never
   std::uint64_t seed = 1;
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// A decorator around any sensor, for tests of everything behind it. The same seed over the same
-/// frames gives the same faults. After it failed for good, start() makes it whole again.
+/// A decorator for any sensor, for tests. The same seed and frames give the same faults. After a
+/// permanent failure, start() repairs the sensor.
 class FaultySensor final : public device::Sensor {
  public:
   /// @errors  kBadOption.
@@ -42,7 +41,7 @@ class FaultySensor final : public device::Sensor {
     return sensor_->work_in_background(timeout_s);
   }
   [[nodiscard]] bool has_background_work() const override { return sensor_->has_background_work(); }
-  /// Dropped frames are those of the sensor within and those that were made to be.
+  /// Counts the frames dropped by the wrapped sensor and by this class.
   [[nodiscard]] device::SensorStatus status() const override;
   [[nodiscard]] std::shared_ptr<const calibration::Calibration> calibration() const override {
     return sensor_->calibration();
@@ -61,10 +60,10 @@ class FaultySensor final : public device::Sensor {
   const device::Clock clock_;
   device::StatusKeeper status_;
 
-  // Of the thread that calls next().
-  std::int64_t count_ = 0;     // frames of the sensor within
-  int lost_frames_ = 0;        // until the device is back
-  std::optional<Frame> held_;  // late
+  // Used only by the thread that calls next().
+  std::int64_t count_ = 0;     // frames of the wrapped sensor
+  int lost_frames_ = 0;        // frames until the device is back
+  std::optional<Frame> held_;  // delayed frame
   double release_s_ = 0.0;
 };
 

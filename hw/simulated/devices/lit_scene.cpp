@@ -5,12 +5,12 @@
 namespace flytri::simulated {
 namespace {
 
-/// Lines too faint for one gray value: the projectors are off.
+/// Simulates projectors that are off: lines far too faint for one gray value.
 constexpr double kNoLines = 1e-9;
-/// Of full scale: a white surface under the flash, for the measurement camera.
+/// Brightness of a white surface under the flash in the measurement camera, share of full scale.
 constexpr double kFlashLevel = 0.5;
 
-/// Numbers the noise of an image.
+/// The random stream of an image's noise.
 std::uint64_t stream_of(device::Light light, double time_s) {
   return static_cast<std::uint64_t>(std::llround(time_s * 1e6)) * 4 +
          static_cast<std::uint64_t>(light);

@@ -1,4 +1,4 @@
-/// @file  What both cameras of the virtual sensor see under each light of a rig.
+/// @file  Simulates the images of both cameras under each light of a rig.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace flytri::simulated {
 
-/// A sensor on its way over a mesh. Immutable and thread-safe; an image depends on the light and
-/// the time alone.
+/// A sensor that moves over a mesh. Immutable and thread-safe; an image depends only on light and
+/// time.
 class LitScene {
  public:
   /// @errors  As ImageSimulator::create and plan_path.
@@ -21,10 +21,10 @@ class LitScene {
                                                const PathOptions& path,
                                                const ImageOptions& options);
 
-  /// @param time_s  on the path, middle of the exposure
+  /// @param time_s  path time at the middle of the exposure
   /// @return  CV_8UC1 or CV_16UC1
   [[nodiscard]] cv::Mat measurement_image(device::Light light, double time_s) const;
-  /// @return  CV_8UC3, R, G, B order; black but for the flash
+  /// @return  CV_8UC3, R, G, B order; black except under the flash
   [[nodiscard]] cv::Mat texture_image(device::Light light, double time_s) const;
   [[nodiscard]] const SensorPath& path() const { return path_; }
 

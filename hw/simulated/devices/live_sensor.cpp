@@ -4,23 +4,24 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 namespace {
 
-// A clock's reading is rounded: an exposure this near its end is over.
+// Allows for rounding of the clock: an exposure this near its end is over.
 constexpr double kRounding_s = 1e-6;
 
 }  // namespace
 
 Result<void> LiveSensorOptions::validate() const {
-  if (auto valid = sensor.validate(); !valid) return valid;
-  if (auto valid = path.validate(); !valid) return valid;
-  if (auto valid = hand.validate(); !valid) return valid;
-  if (auto valid = image.validate(); !valid) return valid;
-  if (!(texture_period_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "texture_period_s must be at least 0, not {}",
-                texture_period_s);
-  return {};
+  return OptionCheck("LiveSensorOptions")
+      .nested(sensor)
+      .nested(path)
+      .nested(hand)
+      .nested(image)
+      .not_negative("texture_period_s", texture_period_s)
+      .result();
 }
 
 Result<std::shared_ptr<LiveSensor>> LiveSensor::create(
@@ -53,8 +54,8 @@ Result<void> LiveSensor::start() {
   taken_ = 0;
   {
     const std::lock_guard lock(mutex_);
-    // A hand that was told where to be before the start is there from the start.
-    order_ = Order{mode_, aim_};
+    // Requests made before the start apply from the start.
+    request_ = Request{mode_, aim_};
     truth_.clear();
   }
   start_s_ = clock_.now_s();
@@ -64,7 +65,7 @@ Result<void> LiveSensor::start() {
 
 void LiveSensor::stop() { status_.set(device::SensorState::kIdle); }
 
-// A frame can be had when its exposure is over.
+// A frame is available when its exposure is over.
 double LiveSensor::due_s(std::int64_t slot) const {
   return static_cast<double>(slot) * options_.sensor.frame_period_s +
          0.5 * options_.sensor.exposure_s;
@@ -88,18 +89,18 @@ Result<std::optional<Frame>> LiveSensor::next(double timeout_s) {
   return frame;
 }
 
-void LiveSensor::obey() {
-  std::optional<Order> order;
+void LiveSensor::apply_request() {
+  std::optional<Request> request;
   {
     const std::lock_guard lock(mutex_);
-    std::swap(order, order_);
+    std::swap(request, request_);
   }
-  if (!order) return;
-  switch (order->mode) {
+  if (!request) return;
+  switch (request->mode) {
     case device::HandMode::kPath:
       return hand_->follow_path();
     case device::HandMode::kPointer:
-      return hand_->follow_pointer(order->aim);
+      return hand_->follow_pointer(request->aim);
     case device::HandMode::kAway:
       return hand_->take_away();
   }
@@ -112,7 +113,7 @@ bool LiveSensor::is_texture(std::int64_t slot) const {
 }
 
 Frame LiveSensor::take(std::int64_t slot) {
-  obey();
+  apply_request();
   Frame frame;
   frame.index = FrameIndex(taken_);
   frame.time_s = static_cast<double>(slot) * options_.sensor.frame_period_s;
@@ -144,19 +145,19 @@ Frame LiveSensor::take(std::int64_t slot) {
 void LiveSensor::follow_path() {
   const std::lock_guard lock(mutex_);
   mode_ = device::HandMode::kPath;
-  order_ = Order{mode_, {}};
+  request_ = Request{mode_, {}};
 }
 
 void LiveSensor::follow_pointer(const device::HandAim& aim) {
   const std::lock_guard lock(mutex_);
   mode_ = device::HandMode::kPointer;
-  order_ = Order{mode_, aim};
+  request_ = Request{mode_, aim};
 }
 
 void LiveSensor::take_away() {
   const std::lock_guard lock(mutex_);
   mode_ = device::HandMode::kAway;
-  order_ = Order{mode_, {}};
+  request_ = Request{mode_, {}};
 }
 
 device::HandMode LiveSensor::mode() const {

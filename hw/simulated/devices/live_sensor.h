@@ -1,5 +1,5 @@
-/// @file  The virtual sensor in real time: a hand moves it over a mesh, images come as they are
-/// due.
+/// @file  The virtual sensor in real time: a simulated hand moves it over a mesh, and images are
+/// computed when they are due.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,17 @@ namespace flytri::simulated {
 
 struct LiveSensorOptions {
   SensorModel sensor = intraoral_sensor();
-  PathOptions path;  ///< where the hand goes by itself; turns around at the ends
+  PathOptions path;  ///< path of the hand without steering; it reverses at both ends
   HandOptions hand;
   ImageOptions image = {.tracing = Tracing::kGrid};
   double texture_period_s = 1.0;  ///< >= 0; 0: no texture frames
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Exposures are due at equal times, sensor.frame_period_s apart. One that is due while the image
-/// before is still being computed is never taken: it counts as dropped, and times stay true. The
-/// patterns alternate over the exposures that are taken, so a machine that is too slow by half
-/// still sees both; a texture exposure takes the place of a measurement every `texture_period_s`.
+/// Exposures are due every sensor.frame_period_s. An exposure that is due while the image before is
+/// still being computed is skipped and counts as dropped; the times stay right. The patterns
+/// alternate over the exposures that are taken, so that both appear even on a slow machine. Every
+/// `texture_period_s`, a texture exposure replaces a measurement.
 class LiveSensor final : public device::Sensor, public device::SteerableHand {
  public:
   /// @param mesh  the object, model frame, mm
@@ -57,11 +57,11 @@ class LiveSensor final : public device::Sensor, public device::SteerableHand {
                                          const Vec3& direction) const override;
   [[nodiscard]] Isometry T_model_sensor() const override;
 
-  /// T_model_sensor at the time of each frame delivered since start(), in their order.
+  /// The true T_model_sensor of each frame delivered since start(), in order.
   [[nodiscard]] std::vector<PathPose> truth() const;
 
  private:
-  struct Order {
+  struct Request {
     device::HandMode mode = device::HandMode::kPath;
     device::HandAim aim;
   };
@@ -70,7 +70,7 @@ class LiveSensor final : public device::Sensor, public device::SteerableHand {
 
   [[nodiscard]] double due_s(std::int64_t slot) const;
   [[nodiscard]] bool is_texture(std::int64_t slot) const;
-  void obey();
+  void apply_request();
   [[nodiscard]] Frame take(std::int64_t slot);
 
   ImageSimulator simulator_;
@@ -80,16 +80,16 @@ class LiveSensor final : public device::Sensor, public device::SteerableHand {
   device::Clock clock_;
   device::StatusKeeper status_;
 
-  // Of the thread that calls next().
+  // Used only by the thread that calls next().
   double start_s_ = 0.0;
-  std::int64_t slot_ = 0;  // the next exposure to come
+  std::int64_t slot_ = 0;  // index of the next exposure
   Pattern pattern_ = Pattern::kVertical;
-  std::int64_t texture_round_ = 0;  // texture exposures are due once a round
+  std::int64_t texture_round_ = 0;  // number of the texture period
   int taken_ = 0;
   std::unique_ptr<Hand> hand_;
 
-  mutable std::mutex mutex_;  // of all below
-  std::optional<Order> order_;
+  mutable std::mutex mutex_;  // guards all members below
+  std::optional<Request> request_;
   device::HandMode mode_ = device::HandMode::kPath;
   device::HandAim aim_;
   std::vector<PathPose> truth_;

@@ -5,15 +5,17 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 namespace {
 
-/// A clock's reading is rounded.
+/// Allowance for rounding of the clock.
 constexpr double kDueRounding_s = 1e-9;
 constexpr double kRounding = 1e-6;
-/// Rows of a rolling shutter that are taken to be exposed at once.
+/// Height of a band of rows with the same exposure time (approximates a rolling shutter).
 constexpr int kBand_px = 4;
-constexpr const char* kCameraLost = "The simulated camera is not there; plug it in again.";
+constexpr const char* kCameraLost = "The simulated camera is unplugged: plug it in again.";
 
 void add_noise(cv::Mat& image, double sigma, std::uint64_t seed) {
   if (sigma <= 0.0) return;
@@ -27,16 +29,14 @@ void add_noise(cv::Mat& image, double sigma, std::uint64_t seed) {
 }  // namespace
 
 Result<void> SimulatedCameraOptions::validate() const {
-  if (auto valid = settings.validate(); !valid) return valid;
-  if (!(exposure_s > 0.0))
-    return fail(ErrorCode::kBadOption, "exposure_s must be above 0, not {}", exposure_s);
-  if (!(dropped_share >= 0.0 && dropped_share <= 1.0))
-    return fail(ErrorCode::kBadOption, "dropped_share must be in 0..1, not {}", dropped_share);
-  for (const double value : {readout_s, jitter_s, noise})
-    if (!(value >= 0.0))
-      return fail(ErrorCode::kBadOption, "readout_s, jitter_s and noise must be at least 0, not {}",
-                  value);
-  return {};
+  return OptionCheck("SimulatedCameraOptions")
+      .nested(settings)
+      .positive("exposure_s", exposure_s)
+      .in_range("dropped_share", dropped_share, 0.0, 1.0)
+      .not_negative("readout_s", readout_s)
+      .not_negative("jitter_s", jitter_s)
+      .not_negative("noise", noise)
+      .result();
 }
 
 SimulatedCamera::SimulatedCamera(const SimulatedCameraOptions& options, Scene scene,
@@ -77,7 +77,7 @@ Result<std::optional<device::CameraFrame>> SimulatedCamera::next(double timeout_
   const device::CameraState state = status().state;
   if (state == device::CameraState::kIdle)
     return fail(ErrorCode::kBadOption, "{}: start it first", options_.name);
-  // What is exposed while nobody is there to take it is gone.
+  // Exposures that nobody fetched in time are lost.
   const double due_s = std::max(stamp_s(sequence_), exposure(sequence_).end_s);
   clock_.sleep_s(std::min(due_s - clock_.now_s(), timeout_s));
   if (clock_.now_s() < due_s - kDueRounding_s) return std::nullopt;

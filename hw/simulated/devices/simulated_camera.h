@@ -1,5 +1,5 @@
-/// @file  A camera that is none: it shows what the lights lit, as late and as mixed as real ones
-/// do.
+/// @file  Simulated camera: shows the lit scene, with the latency and mixed exposures of a real
+/// one.
 #pragma once
 
 #include <cstdint>
@@ -17,33 +17,33 @@ namespace flytri::simulated {
 
 struct SimulatedCameraOptions {
   device::CameraSettings settings;
-  double exposure_s = 0.01;    ///< > 0, of each row
-  double readout_s = 0.0;      ///< >= 0, by which the last row is later than the first; 0: global
-  double latency_s = 0.04;     ///< from the middle of the whole exposure to the stamp
-  double phase_s = 0.0;        ///< by which all exposures are later
-  double jitter_s = 0.0;       ///< >= 0, by which a stamp may be later still
-  double dropped_share = 0.0;  ///< 0..1, frames that never arrive
-  double noise = 0.0;          ///< >= 0, standard deviation, of full scale
+  double exposure_s = 0.01;    ///< > 0, exposure of each row
+  double readout_s = 0.0;      ///< >= 0, delay of the last row after the first; 0: global shutter
+  double latency_s = 0.04;     ///< from the middle of the exposure to the time stamp
+  double phase_s = 0.0;        ///< delay of all exposures
+  double jitter_s = 0.0;       ///< >= 0, largest random delay of a stamp
+  double dropped_share = 0.0;  ///< 0..1, share of lost frames
+  double noise = 0.0;          ///< >= 0, standard deviation, share of full scale
   std::uint64_t seed = 1;
   std::string name = "simulated camera";
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// When a frame was exposed, on the clock of the lights.
+/// Exposure time of a frame, on the clock of the lights.
 struct ExposureSpan {
   double middle_s = 0.0;
   double begin_s = 0.0;  ///< of the first row
   double end_s = 0.0;    ///< of the last row
 };
 
-/// Exposures begin at equal times, whether the frames are taken or not. A frame in which the light
-/// changes shows a mixture by the share of each, row by row.
+/// Exposures start at equal intervals, whether or not the frames are fetched. If the light changes
+/// during an exposure, each row shows a mixture of both lights by their share of the time.
 class SimulatedCamera final : public device::Camera {
  public:
-  /// The scene under one light alone, around that time; all of one size and type.
+  /// The scene under one light at a time; all images have the same size and type.
   using Scene = std::function<cv::Mat(device::Light light, double time_s)>;
 
-  /// @param options  valid ones
+  /// @param options  must be valid
   SimulatedCamera(const SimulatedCameraOptions& options, Scene scene,
                   std::shared_ptr<SimulatedLights> lights, device::Clock clock);
 
@@ -51,13 +51,13 @@ class SimulatedCamera final : public device::Camera {
   void stop() override;
   [[nodiscard]] Result<std::optional<device::CameraFrame>> next(double timeout_s) override;
   [[nodiscard]] device::CameraStatus status() const override;
-  [[nodiscard]] device::CameraSettings asked() const override { return options_.settings; }
+  [[nodiscard]] device::CameraSettings requested() const override { return options_.settings; }
   [[nodiscard]] device::CameraSettings read_back() const override { return options_.settings; }
   [[nodiscard]] std::string name() const override { return options_.name; }
 
-  /// Truth, by the number that a frame carries.
+  /// True exposure of the frame with this sequence number.
   [[nodiscard]] ExposureSpan exposure(std::int64_t sequence) const;
-  /// Unplugged or plugged in again.
+  /// Simulates plugging in or unplugging the camera.
   void set_plugged(bool is_plugged);
 
  private:
@@ -70,9 +70,9 @@ class SimulatedCamera final : public device::Camera {
   const std::shared_ptr<SimulatedLights> lights_;
   const device::Clock clock_;
   double start_s_ = 0.0;
-  std::int64_t sequence_ = 0;  // the next one
+  std::int64_t sequence_ = 0;  // of the next frame
 
-  mutable std::mutex mutex_;  // of all below
+  mutable std::mutex mutex_;  // guards all members below
   device::CameraStatus status_;
   bool is_plugged_ = true;
 };

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 
 Result<void> SimulatedLightsOptions::validate() const {
-  if (!(call_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "call_s must be at least 0, not {}", call_s);
-  if (!(act_s >= 0.0))
-    return fail(ErrorCode::kBadOption, "act_s must be at least 0, not {}", act_s);
-  return {};
+  return OptionCheck("SimulatedLightsOptions")
+      .not_negative("call_s", call_s)
+      .not_negative("act_s", act_s)
+      .result();
 }
 
 SimulatedLights::SimulatedLights(const SimulatedLightsOptions& options, device::Clock clock)
@@ -45,7 +46,7 @@ std::int64_t SimulatedLights::post(const device::LightRequest& request) {
 std::vector<device::LightSwitching> SimulatedLights::take_done() {
   const std::lock_guard lock(mutex_);
   advance();
-  // A call that is still in progress is not done yet.
+  // Calls still in progress are not returned yet.
   const double now_s = clock_.now_s();
   const auto open = std::find_if(
       done_.begin(), done_.end(),
@@ -79,7 +80,7 @@ void SimulatedLights::set_plugged(bool is_plugged) {
   is_plugged_ = is_plugged;
   ++(is_plugged ? status_.returned : status_.lost);
   status_.state = is_plugged ? device::LightSwitchState::kRunning : device::LightSwitchState::kLost;
-  status_.message = is_plugged ? "" : "The switch of the lights is not there; plug it in again.";
+  status_.message = is_plugged ? "" : "The simulated light switch is unplugged: plug it in again.";
   if (!is_plugged) shine(device::Light::kDark, clock_.now_s());
 }
 

@@ -1,4 +1,4 @@
-/// @file  A switch of lights that is none: it keeps times and faults as real ones have them.
+/// @file  Simulated light switch, with the delays and faults of a real one.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 
 namespace flytri::simulated {
 
-/// What is wrong with it; all of this still reports success.
+/// Simulated faults; the switch still reports success.
 struct LightFaults {
-  bool is_swapped = false;   ///< vertical and horizontal
-  bool is_mute = false;      ///< nothing ever changes
-  bool no_vertical = false;  ///< dark instead
+  bool is_swapped = false;   ///< vertical and horizontal light are swapped
+  bool is_mute = false;      ///< the light never changes
+  bool no_vertical = false;  ///< dark instead of vertical
   bool no_horizontal = false;
   bool no_flash = false;
 };
 
 struct SimulatedLightsOptions {
-  double call_s = 0.002;  ///< >= 0, how long a call to the device takes
-  double act_s = 0.001;   ///< >= 0, from the beginning of the call to the light
+  double call_s = 0.002;  ///< >= 0, duration of a call to the device
+  double act_s = 0.001;   ///< >= 0, delay from the start of the call to the light
   LightFaults faults;
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Requests are carried out as the clock passes them; nothing waits, no thread runs.
+/// Carries out requests by the time of the clock, without waiting and without a thread.
 class SimulatedLights final : public device::LightSwitch {
  public:
-  /// @param options  valid ones
+  /// @param options  must be valid
   SimulatedLights(const SimulatedLightsOptions& options, device::Clock clock);
 
   [[nodiscard]] Result<void> start() override;
@@ -41,11 +41,12 @@ class SimulatedLights final : public device::LightSwitch {
   [[nodiscard]] std::vector<device::LightSwitching> take_done() override;
   [[nodiscard]] device::LightSwitchStatus status() const override;
 
-  /// What truly shone; up to the clock's present.
+  /// Which lights were really on, up to the current time of the clock.
   [[nodiscard]] sync::LightTimes truth(double from_s, double to_s);
-  /// From now on these are wrong.
+  /// Sets the faults from now on.
   void set_faults(const LightFaults& faults);
-  /// The device is unplugged or plugged in again: dark, and nothing is carried out.
+  /// Simulates plugging in or unplugging the device. While unplugged, it is dark and carries out
+  /// nothing.
   void set_plugged(bool is_plugged);
 
  private:
@@ -55,11 +56,11 @@ class SimulatedLights final : public device::LightSwitch {
 
   const SimulatedLightsOptions options_;
   const device::Clock clock_;
-  mutable std::mutex mutex_;  // of all below
+  mutable std::mutex mutex_;  // guards all members below
   LightFaults faults_;
   bool is_plugged_ = true;
   device::LightSwitchStatus status_;
-  double free_s_ = 0.0;  // the device is busy until then
+  double free_s_ = 0.0;  // time until which the device is busy
   device::RequestQueue requests_;
   std::vector<device::LightSwitching> done_;
   sync::LightHistory truth_;

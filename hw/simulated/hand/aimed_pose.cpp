@@ -6,7 +6,7 @@
 namespace flytri::simulated {
 namespace {
 
-// Rays across the volume's face that look for the surface.
+// Rays per direction, across the front of the volume, to find the surface.
 constexpr int kDepthRays = 7;
 
 }  // namespace
@@ -37,7 +37,7 @@ std::optional<double> surface_depth(const RayScene& scene, const SensorModel& se
     }
   if (depths.empty()) return std::nullopt;
   std::sort(depths.begin(), depths.end());
-  // What lies behind the volume cannot be measured along with the near surface: it is not aimed at.
+  // Ignore surface too far behind the near surface to fit into the volume with it.
   const double nearest = depths[depths.size() / 10];
   const auto too_far =
       std::upper_bound(depths.begin(), depths.end(), nearest + 0.9 * sensor.volume.size_mm.z());

@@ -1,4 +1,4 @@
-/// @file  From what a hand aims at to the pose of the sensor that it holds.
+/// @file  Computes the sensor pose from the target of the hand.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace flytri::simulated {
 
-/// The sensor's origin at the target, its z away from `towards_sensor`, its x along `along`, which
-/// must not be zero nor lie along `towards_sensor`.
-/// @return T_model_sensor
+/// The pose with the sensor's origin at the target, its z opposite to `towards_sensor` and its x
+/// along `along`, which must not be zero or parallel to `towards_sensor`.
+/// @return  T_model_sensor
 [[nodiscard]] Isometry aimed_pose(const device::HandAim& aim);
 
-/// How far along the sensor's z the surface lies from its origin, mm: in the middle between the
-/// nearest and the farthest that fit into the volume together. None: there is no surface.
+/// Depth of the surface along the sensor's z, mm: the middle between the nearest and the farthest
+/// surface that fit into the volume together. None if there is no surface.
 [[nodiscard]] std::optional<double> surface_depth(const RayScene& scene, const SensorModel& sensor,
                                                   const Isometry& T_model_sensor);
 

@@ -11,14 +11,14 @@ namespace {
 constexpr int kSpokes = 73;
 constexpr int kRaysPerSpoke = 160;
 constexpr int kLinePoints = 200;
-// Teeth are what rises into this share of a spoke's height.
+// Points in the top share of a spoke's height range count as teeth.
 constexpr double kTopShare = 0.4;
-// The hub lies this share of the jaw's length in front of its back end, the outermost spokes
-// this far behind straight sideways, so that the last teeth are passed too.
+// Distance of the hub from the back end of the jaw, as a share of the jaw's length; and the angle
+// by which the outermost spokes point backwards, so that they reach the last teeth.
 constexpr double kHubShare = 0.15;
 constexpr double kBackwards_rad = 0.12;
 
-// The jaw's box in its own axes.
+// Bounding box of the jaw in its own axes.
 struct JawBox {
   Vec3 low = Vec3::Constant(1e30);
   Vec3 high = Vec3::Constant(-1e30);
@@ -41,7 +41,7 @@ JawBox box_of(const RayScene& scene, const JawAxes& axes) {
   return box;
 }
 
-// The mean of a spoke's high places, in the jaw's axes.
+// Mean of the high points on a spoke, in the jaw's axes.
 std::optional<Vec3> top_of_spoke(const RayScene& scene, const JawAxes& axes, const JawBox& box,
                                  double angle_rad) {
   const Vec3 size = box.high - box.low;
@@ -68,7 +68,7 @@ std::optional<Vec3> top_of_spoke(const RayScene& scene, const JawAxes& axes, con
   return Vec3(sum / weight_sum);
 }
 
-// Running mean; the ends stay.
+// Moving average; the ends stay unchanged.
 std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach) {
   std::vector<Vec3> smooth(line.size());
   const int count = static_cast<int>(line.size());
@@ -109,7 +109,7 @@ Result<std::vector<Vec3>> find_arch_line(const RayScene& scene, const JawAxes& a
   }
   if (tops.size() < 2)
     return fail(ErrorCode::kInsufficient,
-                "no dental arch was found below the direction `up`; check up and front");
+                "no dental arch was found in the mesh: check the directions up and front");
   std::vector<Vec3> line = at_equal_distances(smoothed(smoothed(tops, 4), 4));
   for (Vec3& p : line) p = from_axes(axes, p);
   return line;

@@ -1,4 +1,4 @@
-/// @file  Finds the line along which the teeth of a jaw stand, from its mesh alone.
+/// @file  Finds the line of the dental arch in the mesh of a jaw.
 #pragma once
 
 #include <vector>
@@ -17,8 +17,9 @@ struct JawAxes {
 };
 
 /// Points on top of the dental arch at equal distances, from the -right end to the +right end.
-/// Rays fall from above on spokes around the open end; on each spoke the high places are the teeth.
-/// @errors  kInsufficient: the rays met nothing.
+/// Casts rays from above along spokes around a hub near the open end; the high points of a spoke
+/// are teeth.
+/// @errors  kInsufficient: no ray hit the mesh.
 [[nodiscard]] Result<std::vector<Vec3>> find_arch_line(const RayScene& scene, const JawAxes& axes);
 
 }  // namespace flytri::simulated

@@ -4,20 +4,22 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 namespace {
 
 constexpr double kStep_s = 1.0 / 120.0;
 constexpr std::size_t kRecentPoses = 30;
-// At the ends of the path the hand needs this long to stop, and as long to be at full pace again.
+// Time that the hand needs to stop at an end of the path, and again to reach full speed.
 constexpr double kTurnAround_s = 0.4;
-// Away means this far back along the view, by the volume's depth: nothing is in the volume then.
+// Lift height in volume depths, along the viewing direction; nothing is in the volume then.
 constexpr double kAwayDepths = 3.0;
-// The distance to the surface follows within this time.
+// Time constant with which the distance to the surface is adjusted.
 constexpr double kDepthSmoothing_s = 0.25;
-// Who puts a sensor back where it was lost holds it there so long before going on.
+// Time that the hand holds still after it has put the sensor back on the path.
 constexpr double kHold_s = 0.5;
-// No change of mode is quicker than this.
+// Shortest duration of a mode change.
 constexpr double kMinFade_s = 0.2;
 
 double smooth_step(double t) {
@@ -45,12 +47,12 @@ Eigen::Matrix3d rotation_of(const Vec3& vector_rad) {
 }  // namespace
 
 Result<void> HandOptions::validate() const {
-  if (!(speed_widths_s > 0.0) || !(turn_rad_s > 0.0) || !(air_factor > 0.0))
-    return fail(ErrorCode::kBadOption,
-                "speed_widths_s, turn_rad_s and air_factor of the hand must be above 0");
-  if (!(eagerness_hz >= 1.0 && eagerness_hz <= 20.0))
-    return fail(ErrorCode::kBadOption, "eagerness_hz must be in 1..20, not {}", eagerness_hz);
-  return {};
+  return OptionCheck("HandOptions")
+      .positive("speed_widths_s", speed_widths_s)
+      .positive("turn_rad_s", turn_rad_s)
+      .positive("air_factor", air_factor)
+      .in_range("eagerness_hz", eagerness_hz, 1.0, 20.0)
+      .result();
 }
 
 Hand::Hand(RayScene scene, SensorModel sensor, SensorPath path, const HandOptions& options)
@@ -86,7 +88,7 @@ void Hand::change_mode(device::HandMode mode) {
   const bool in_air = mode == device::HandMode::kAway || mode_ == device::HandMode::kAway;
   mode_ = mode;
   if (mode == device::HandMode::kPointer) {
-    // From the air the hand lands where it is pointed at; else it sets out from where it is.
+    // From the air, the hand lands at the pointer; otherwise it starts from its current place.
     T_model_follower_ = in_air ? aimed_pose(pointed_) : T_model_hand;
     velocity_mm_s_.setZero();
     turning_rad_s_.setZero();
@@ -99,7 +101,7 @@ void Hand::change_mode(device::HandMode mode) {
   }
   T_goal_hand_ = goal().inverse() * T_model_hand;
   const double factor = in_air ? options_.air_factor : 1.0;
-  // The smooth step is at its fastest half as fast again as in the mean.
+  // The maximal speed of the smooth step is 1.5 times its mean speed.
   fade_s_ =
       std::max({1.5 * T_goal_hand_.translation().norm() / (factor * speed_mm_s_),
                 1.5 * rotation_angle(T_goal_hand_) / (factor * options_.turn_rad_s), kMinFade_s});
@@ -134,7 +136,7 @@ void Hand::step() {
   if (recent_.size() > kRecentPoses) recent_.pop_front();
 }
 
-// Brakes in time to stand still at the end, then goes the other way.
+// Brakes before the end of the path, then reverses.
 void Hand::step_path() {
   if (hold_s_ > 0.0) {
     hold_s_ -= kStep_s;
@@ -150,8 +152,8 @@ void Hand::step_path() {
   path_s_ = std::clamp(path_s_ + path_pace_ * kStep_s, 0.0, length_s);
 }
 
-// A mass on a spring without overshoot, for place and direction; the depth follows the surface
-// under the place where the hand is, not under the one where it will be.
+// Critically damped spring for position and direction. The depth follows the surface below the
+// current position of the hand, not below its target.
 void Hand::step_pointer() {
   const double omega = options_.eagerness_hz;
   const Isometry T_model_goal = aimed_pose(pointed_);

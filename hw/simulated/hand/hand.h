@@ -1,4 +1,5 @@
-/// @file  A hand that moves the virtual sensor: along a planned path, after a pointer, or off.
+/// @file  Simulates the hand that moves the virtual sensor: along a path, to a pointer, or lifted
+/// off.
 #pragma once
 
 #include <deque>
@@ -11,39 +12,39 @@
 namespace flytri::simulated {
 
 struct HandOptions {
-  /// > 0, widths of the measurement volume a second, while scanning: a calm hand's 20 mm for teeth.
+  /// > 0. Speed while scanning, in widths of the measurement volume per second; 1 is a calm 20 mm/s
+  /// for the intra-oral sensor.
   double speed_widths_s = 1.0;
-  double turn_rad_s = 0.8;  ///< > 0, while scanning
-  /// > 0, times as fast while the sensor is in the air: nothing is measured then.
+  double turn_rad_s = 0.8;  ///< > 0, rotation speed while scanning
+  /// > 0. Speed factor while the sensor is lifted off.
   double air_factor = 6.0;
-  /// 1..20 /s, how eagerly it follows a pointer: it needs about three times the inverse to arrive.
+  /// 1..20 Hz. How quickly the hand follows the pointer; it arrives after about 3 / eagerness_hz.
   double eagerness_hz = 5.0;
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// Follows what it is told in steps of equal length, so that the same orders at the same times give
-/// the same poses. On the path it turns around at the ends and goes back the way it came: who looks
-/// on sees the model grow, then become denser. Every change of mode starts from where it is. From
-/// the air it comes back to where it left the path, and holds still there for a moment.
+/// Moves in time steps of equal length, so that equal requests at equal times give equal poses. At
+/// the ends of the path it reverses. Every mode change starts from the current pose. After being
+/// lifted off, it returns to where it left the path and holds still there for a moment.
 class Hand {
  public:
   Hand(RayScene scene, SensorModel sensor, SensorPath path, const HandOptions& options);
 
-  /// Orders are valid from the time that the hand was last advanced to.
+  /// A request applies from the time of the last advance().
   void follow_path();
   void follow_pointer(const device::HandAim& aim);
   void take_away();
 
-  /// Moves on until `time_s`; earlier times than before do nothing. Starts at 0.
+  /// Moves until `time_s`, starting from 0. Does nothing if that time has already passed.
   void advance(double time_s);
 
-  /// Between the latest quarter of a second and the time it was advanced to.
+  /// The pose at a time within the last 0.25 s before the time of the last advance().
   [[nodiscard]] Isometry T_model_sensor(double time_s) const;
   [[nodiscard]] device::HandMode mode() const { return mode_; }
   [[nodiscard]] device::HandAim aim() const;
 
  private:
-  // Where the hand would be had it always been in this mode.
+  // The pose without the transition from the previous mode.
   [[nodiscard]] Isometry goal() const;
   void change_mode(device::HandMode mode);
   void step();
@@ -59,20 +60,21 @@ class Hand {
   device::HandMode mode_ = device::HandMode::kPath;
   std::deque<PathPose> recent_;
 
-  double path_s_ = 0.0;     // on the path, from its start
-  double path_pace_ = 0.0;  // path seconds a second: 1 there, -1 back, in between at the ends
+  double path_s_ = 0.0;  // position on the path, as time from its start
+  // Path seconds per second: 1 forwards, -1 backwards, in between at the ends.
+  double path_pace_ = 0.0;
   bool forwards_ = true;
-  double hold_s_ = 0.0;  // for which it stays where it is on the path
+  double hold_s_ = 0.0;  // remaining time of holding still
 
-  device::HandAim pointed_;                           // what the pointer says
-  Isometry T_model_follower_ = Isometry::Identity();  // runs after it
-  Vec3 velocity_mm_s_ = Vec3::Zero();                 // of the follower, model frame
-  Vec3 turning_rad_s_ = Vec3::Zero();                 // likewise, follower frame
-  double depth_mm_ = 0.0;  // from the follower to the surface, as a hand follows it
+  device::HandAim pointed_;                           // target of the pointer
+  Isometry T_model_follower_ = Isometry::Identity();  // follows the pointer
+  Vec3 velocity_mm_s_ = Vec3::Zero();                 // of the follower, in the model frame
+  Vec3 turning_rad_s_ = Vec3::Zero();                 // of the follower, in its frame
+  double depth_mm_ = 0.0;  // smoothed depth from the follower to the surface
 
   Isometry T_model_away_ = Isometry::Identity();
 
-  // From the goal to the hand when the mode changed; it fades in `fade_s_`.
+  // Offset from goal to hand at the mode change; decreases to zero within `fade_s_`.
   Isometry T_goal_hand_ = Isometry::Identity();
   double faded_s_ = 0.0;
   double fade_s_ = 0.0;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "hw/simulated/hand/aimed_pose.h"
 #include "hw/simulated/hand/arch_line.h"
@@ -14,10 +15,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kKeyRate_hz = 60.0;
-// The distance to the surface follows within this time, as a hand's does.
+// Time constant with which the hand adjusts the distance to the surface.
 constexpr double kPathSmoothing_s = 0.5;
 
-// Smooth random movement: a sum of swings between 0.3 and 9 Hz, the fast ones small.
+// Smooth random movement: a sum of oscillations of 0.3 to 9 Hz; fast ones have small amplitudes.
 class Wander {
  public:
   explicit Wander(Random& random) {
@@ -30,7 +31,7 @@ class Wander {
     }
     for (Swing& swing : swings_) swing.amplitude /= std::sqrt(energy);
   }
-  // Mean square 1 over a long time.
+  // Random value with a long-term mean square of 1.
   double operator()(double time_s) const {
     double sum = 0.0;
     for (const Swing& s : swings_)
@@ -45,7 +46,7 @@ class Wander {
   std::array<Swing, 8> swings_{};
 };
 
-// Share of the way done at a share of the time: rises always, at a speed that swells and ebbs.
+// Share of the path covered at a share of the time: increasing, with varying speed.
 double uneven_progress(double time, double variation, const std::array<double, 3>& phases) {
   double progress = time;
   for (int k = 0; k < 3; ++k) {
@@ -61,14 +62,14 @@ double eased(double t) {
   return s * s * (3.0 - 2.0 * s);
 }
 
-// There straight, back tilted outwards, there again tilted inwards, turning at the ends.
+// Three passes: forwards from above, backwards tilted outwards, forwards tilted inwards.
 class ArchAims {
  public:
   ArchAims(std::vector<Vec3> line, const JawAxes& axes, double tilt_rad)
       : line_(std::move(line)), axes_(axes), tilt_rad_(tilt_rad) {}
 
   device::HandAim operator()(double progress) const {
-    // Three passes of 0.28 each; the hand tilts the sensor in 0.06 and in 0.10 between them.
+    // Share of the time: 0.28 for each pass, 0.06 and 0.10 to change the tilt in between.
     constexpr double kPass = 0.28;
     constexpr double kFirstTurn = 0.06;
     constexpr double kSecondTurn = 0.10;
@@ -91,7 +92,7 @@ class ArchAims {
   }
 
   device::HandAim aim_at(double share, double tilt_rad) const {
-    // A hand does not follow each bend of the arch: the direction is that of a longer chord.
+    // The hand does not follow every small bend of the arch: use the direction of a longer chord.
     constexpr double kChord = 0.08;
     Vec3 along = point(share + kChord) - point(share - kChord);
     along = (along - along.dot(axes_.up) * axes_.up).normalized();
@@ -105,7 +106,7 @@ class ArchAims {
   double tilt_rad_;
 };
 
-// Once around the axis through the middle, looking inwards, up and down in between.
+// One turn around the axis through the middle, looking inwards, with up and down movement.
 class OrbitAims {
  public:
   OrbitAims(const RayScene& scene, const JawAxes& axes) : axes_(axes) {
@@ -141,7 +142,7 @@ std::vector<double> running_mean(const std::vector<double>& values, int reach) {
   return mean;
 }
 
-// Moves each pose along its view so that the surface lies in the middle of the volume.
+// Moves each pose along its viewing direction, to put the surface into the middle of the volume.
 Result<void> follow_surface(const RayScene& scene, const SensorModel& sensor,
                             std::vector<PathPose>& poses) {
   std::vector<double> depths(poses.size(), 0.0);
@@ -152,7 +153,8 @@ Result<void> follow_surface(const RayScene& scene, const SensorModel& sensor,
     found = found || depth.has_value();
   }
   if (!found)
-    return fail(ErrorCode::kInsufficient, "the path meets no surface: check up and front");
+    return fail(ErrorCode::kInsufficient,
+                "no surface was found along the path: check the directions up and front");
   const auto smooth =
       running_mean(depths, static_cast<int>(std::lround(0.5 * kPathSmoothing_s * kKeyRate_hz)));
   for (std::size_t i = 0; i < poses.size(); ++i)
@@ -200,18 +202,14 @@ JawAxes axes_of(const PathOptions& options) {
 }  // namespace
 
 Result<void> PathOptions::validate() const {
-  if (!(duration_s > 0.0 && duration_s <= 3600.0))
-    return fail(ErrorCode::kBadOption, "duration_s must be in 0..3600, not {}", duration_s);
-  if (!(up.cross(front).norm() > 1e-6))
-    return fail(ErrorCode::kBadOption, "front must not lie along up, nor either be zero");
-  if (!(tilt_rad >= 0.0 && tilt_rad <= 1.2))
-    return fail(ErrorCode::kBadOption, "tilt_rad must be in 0..1.2, not {}", tilt_rad);
-  if (!(speed_variation >= 0.0 && speed_variation <= 0.9))
-    return fail(ErrorCode::kBadOption, "speed_variation must be in 0..0.9, not {}",
-                speed_variation);
-  if (!(tremor_mm >= 0.0) || !(tremor_rad >= 0.0))
-    return fail(ErrorCode::kBadOption, "tremor_mm and tremor_rad must be at least 0");
-  return {};
+  return OptionCheck("PathOptions")
+      .positive_up_to("duration_s", duration_s, 3600.0)
+      .must("front", "along up", up.cross(front).norm() > 1e-6, "across up")
+      .in_range("tilt_rad", tilt_rad, 0.0, 1.2)
+      .in_range("speed_variation", speed_variation, 0.0, 0.9)
+      .not_negative("tremor_mm", tremor_mm)
+      .not_negative("tremor_rad", tremor_rad)
+      .result();
 }
 
 Result<SensorPath> plan_path(const RayScene& scene, const SensorModel& sensor,
@@ -230,7 +228,7 @@ Result<SensorPath> plan_path(const RayScene& scene, const SensorModel& sensor,
   }
   if (auto followed = follow_surface(scene, sensor, poses); !followed)
     return tl::unexpected(followed.error());
-  // A hand farther from its object moves in a larger volume: the tremor grows along.
+  // The tremor scales with the size of the measurement volume.
   add_tremor(options, sensor.volume.size_mm.z() / 15.0, random, poses);
   return SensorPath::from_poses(std::move(poses));
 }

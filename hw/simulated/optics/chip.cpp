@@ -20,15 +20,15 @@ constexpr int kCodes = 4096;
 using Values = Eigen::Map<Eigen::ArrayXf>;
 using Stored = Eigen::Map<const Eigen::ArrayXf>;
 
-// The normal distribution's values at equal steps of probability: each by Newton's method from the
-// one before.
+// Quantiles of the normal distribution at equal steps of probability; each by Newton's method from
+// the previous one.
 std::vector<float> normal_quantiles() {
   std::vector<float> values(kNormals);
   double z = -5.0;
   for (int i = 0; i < kNormals / 2; ++i) {
     const double wanted = (i + 0.5) / kNormals;
-    // The integral is convex below the mean: from the left its tangents overshoot once, then close
-    // in from the right.
+    // The integral is convex below the mean: Newton's method overshoots once, then converges from
+    // the right.
     for (double step = 1.0; std::abs(step) > 1e-7;) {
       const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
       step = (wanted - 0.5 * std::erfc(-z / std::numbers::sqrt2)) / density;
@@ -63,7 +63,7 @@ cv::Mat make_speckle(const cv::Mat& white, double size_px) {
     energy += kernel.back() * kernel.back();
   }
   for (double& weight : kernel) weight /= std::sqrt(energy);
-  // Around its edges it goes on as at the opposite ones.
+  // Periodic: continues across an edge with the values of the opposite one.
   cv::Mat around;
   cv::copyMakeBorder(white, around, half, half, half, half, cv::BORDER_WRAP);
   cv::Mat speckle;
@@ -71,8 +71,7 @@ cv::Mat make_speckle(const cv::Mat& white, double size_px) {
   return speckle(cv::Rect(half, half, white.cols, white.rows)).clone();
 }
 
-// A store of random numbers that is read along an image's rows from a random place on; it comes
-// round.
+// A table of random numbers, read along the rows of an image from a random start; it is periodic.
 class ShiftedStore {
  public:
   ShiftedStore(const cv::Mat& store, Random& random)
@@ -80,7 +79,7 @@ class ShiftedStore {
         shift_u_(static_cast<int>(random.below(kSpeckleSize))),
         shift_v_(static_cast<int>(random.below(kSpeckleSize))) {}
 
-  // Calls visit(values of row v, values of the store) for runs over which it does not come round.
+  // Calls visit(values of row v, values of the table) for each run without a wrap-around.
   template <typename Visit>
   void visit(int v, std::span<float> row, const Visit& visit) const {
     const float* stored = store_.ptr<float>((v + shift_v_) % kSpeckleSize);
@@ -99,8 +98,8 @@ class ShiftedStore {
 
 }  // namespace
 
-// Shot and read noise of one read-out, row by row. Of an average of exposures it is that of their
-// mean: a sum of independent normals is a normal.
+// Shot and read noise of one read-out, row by row. The mean of several exposures also has normal
+// noise, so its noise is drawn only once.
 class Chip::Noise {
  public:
   Noise(const Chip& chip, const ReadOut& how, Random& random)
@@ -132,7 +131,7 @@ class Chip::Noise {
   const std::vector<float>& normals_;
   float well_, read_e2_, scale_;
   Random& random_;
-  std::unique_ptr<const ShiftedStore> stored_;  // null: each value is drawn
+  std::unique_ptr<const ShiftedStore> stored_;  // null: draw each value anew
 };
 
 Chip::Chip(const ChipModel& model)
@@ -160,7 +159,7 @@ cv::Mat Chip::read_out(const Light& light, const ReadOut& how) const {
     const Stored ambient(light.ambient.ptr<float>(v), columns);
     Values values(row.data(), columns);
     if (how.noise) {
-      // The mean grain of the exposures.
+      // The mean speckle of the exposures.
       values.setZero();
       for (const ShiftedStore& speckle : speckles)
         speckle.visit(v, row, [contrast](auto grain, const auto& stored) {
@@ -186,7 +185,7 @@ cv::Mat Chip::read_out_color(const cv::Mat& light, const ReadOut& how) const {
     std::copy_n(light.ptr<float>(v), row.size(), row.begin());
     if (how.noise) noise.add(v, row);
     std::transform(row.begin(), row.end(), image.ptr<std::uint8_t>(v), [&](float value) {
-      // Never negative, and the inner loop of a color image.
+      // Faster than std::lround in this inner loop; the value is never negative.
       // NOLINTNEXTLINE(bugprone-incorrect-roundings)
       return codes_[static_cast<std::size_t>(std::clamp(value, 0.0F, 1.0F) * (kCodes - 1) + 0.5F)];
     });

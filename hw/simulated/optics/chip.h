@@ -1,4 +1,5 @@
-/// @file  From light on a chip to the numbers of an image: speckle, shot noise, read noise.
+/// @file  Simulates a camera chip: converts light to pixel values with speckle, shot and read
+/// noise.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +11,24 @@
 
 namespace flytri::simulated {
 
-/// A chip with its store of random numbers. Immutable; `read_out` depends on its arguments alone.
+/// A chip with a table of random numbers. Immutable; `read_out` depends only on its arguments.
 class Chip {
  public:
   explicit Chip(const ChipModel& model);
 
-  /// What one exposure reads out.
+  /// Light on the chip during one exposure.
   struct Light {
-    cv::Mat line;     ///< CV_32FC1, share of full scale, of the patterned light: it has speckle
-    cv::Mat ambient;  ///< CV_32FC1, share of full scale, of all other light; the same size
+    cv::Mat line;     ///< CV_32FC1, share of full scale; light of the pattern, which has speckle
+    cv::Mat ambient;  ///< CV_32FC1, share of full scale; all other light, same size
   };
   struct ReadOut {
     int bits = 8;       ///< 8 or 16
-    int exposures = 1;  ///< >= 1; more are averaged
-    bool noise = true;  ///< off: neither speckle nor any other noise
+    int exposures = 1;  ///< >= 1, averaged
+    bool noise = true;  ///< false: no noise and no speckle
     std::uint64_t seed = 1;
     std::uint64_t stream = 0;  ///< number of the frame
-    /// Shot and read noise are taken from a store that is shifted from frame to frame: as white
-    /// within an image, three times as fast, but the store comes round.
+    /// Take shot and read noise from the table, shifted from frame to frame. Three times faster and
+    /// white within an image, but the values repeat.
     bool stored_noise = false;
   };
   /// @return CV_8UC1 or CV_16UC1

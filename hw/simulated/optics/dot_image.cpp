@@ -12,7 +12,7 @@ constexpr double kWhiteLevel = 0.7;
 constexpr double kBlackLevel = 0.02;
 constexpr int kSubpixels = 4;
 
-// A place on the target as the nearest dot sees it.
+// A place on the target, relative to the nearest dot.
 struct AtDot {
   double squared_distance_mm2;  // from the dot's center
   double radius_mm;             // of the dot
@@ -35,7 +35,7 @@ AtDot at_dot(const calibration::DotTarget& target, const Vec2& p) {
 DotImage::DotImage(const CameraModel& camera, const calibration::DotTarget& target)
     : camera_(camera), target_(target), directions_(camera.pixel_directions()) {}
 
-// Where each pixel's center looks on the plane.
+// The point of the plane that each pixel center sees.
 std::vector<Vec2> DotImage::places_on_plane(double z_mm) const {
   std::vector<Vec2> places;
   places.reserve(directions_.size());
@@ -45,9 +45,9 @@ std::vector<Vec2> DotImage::places_on_plane(double z_mm) const {
   return places;
 }
 
-// Of the piece of the plane that a pixel sees: nearly a parallelogram with these sides.
+// Bright share of the area that a pixel sees: nearly a parallelogram with these sides.
 double DotImage::bright_share(const Vec2& place, const Vec2& right, const Vec2& down) const {
-  // No part of it is farther from its middle than this.
+  // Largest distance of a point of the area from its middle.
   const double reach_mm = 0.5 * (right.lpNorm<1>() + down.lpNorm<1>());
   const AtDot middle = at_dot(target_, place);
   if (middle.inside(reach_mm)) return 1.0;

@@ -1,4 +1,4 @@
-/// @file  The calibration target's dots as a camera sees them.
+/// @file  Simulates the image of the dot target.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,12 +8,12 @@
 
 namespace flytri::simulated {
 
-/// A camera in front of the target: bright dots on black under even light. Immutable.
+/// A camera in front of the target: bright dots on black, evenly lit. Immutable.
 class DotImage {
  public:
   DotImage(const CameraModel& camera, const calibration::DotTarget& target);
 
-  /// The target at z = `z_mm`.
+  /// The image of the target at z = `z_mm`.
   /// @return  CV_32FC1, share of full scale, without noise
   [[nodiscard]] cv::Mat light(double z_mm) const;
 

@@ -1,4 +1,4 @@
-/// @file  What GridLight does in one cell: the light of its pixels, from those of its corners.
+/// @file  GridLight in one cell: interpolates the light of the pixels from the corners.
 #include <algorithm>
 #include <cmath>
 
@@ -7,17 +7,17 @@
 namespace flytri::simulated {
 namespace {
 
-// Fainter than a tenth of the last bit of eight: not spread.
+// Light below a tenth of one gray value (8 bits) is ignored.
 constexpr float kFaint = 4e-4F;
-// The two moments, by half the exposure, whose mean is that of the whole (Gauss, two points).
+// Two-point Gauss quadrature over the exposure: the two times, in half exposures from the middle.
 const float kGaussPlace = 1.0F / std::sqrt(3.0F);
 
 }  // namespace
 
-// What varies slowly between nodes.
+// Values that vary slowly between nodes and are interpolated.
 struct GridLight::Value {
   float across, blur, distance_mm;
-  float brightness;  // of what passes
+  float brightness;  // of the light that passes
   float begin_shift, end_shift;
 
   static Value of(const GridNode& node) {
@@ -61,7 +61,7 @@ void GridLight::light_block(const LineExposure& exposure, const cv::Point& at,
   const LineProfile::Section section = slide_.profile().section(mean.blur);
   cv::Matx<float, kStep_px, kStep_px> values;
   float brightest = 0.0F;
-  // Down each row of pixels from its left to its right end.
+  // Interpolates along each row of pixels from left to right.
   for (int j = 0; j < kStep_px; ++j) {
     const float down = static_cast<float>(j) / kStep_px;
     const auto mix = [&](float above, float below) { return above + down * (below - above); };
@@ -103,7 +103,7 @@ void GridLight::light_pixels(const LineExposure& exposure, const Cell& cell, con
   }
 }
 
-// Between the directions of nodes: true to 0.001 px, as distortion bends them.
+// Interpolated between nodes; the error by lens distortion is 0.001 px.
 Vec3f GridLight::pixel_direction(const Cell& cell, int i, int j) const {
   const Vec3f* above = &directions_[static_cast<std::size_t>(cell.row) * columns_ + cell.column];
   const Vec3f* below = above + columns_;

@@ -9,12 +9,11 @@
 namespace flytri::simulated {
 namespace {
 
-// A surface is flat where a line over two steps departs from straight by no more than this: what
-// such a bend does within one step.
+// Largest deviation from straight within a coarse step, for a surface that counts as flat.
 constexpr double kFlat_px = 0.02;
-// Between nodes of one surface the distance changes by no more than this, by the nodes' distance.
+// Largest slope between nodes of the same surface (change of depth per distance).
 constexpr double kMaxSlope = 5.0;
-// By how much, as a tangent, the sensor's motion may shift a line's light within the exposure.
+// Largest shift of a line's light by motion during the exposure, as a tangent on the slide.
 double largest_shift(const LineExposure& exposure, const ProjectorModel& projector,
                      const Vec3& camera) {
   const Vec3 origin = Vec3::Zero();
@@ -22,11 +21,11 @@ double largest_shift(const LineExposure& exposure, const ProjectorModel& project
   double largest_mm = 0.0;
   for (const Isometry& T_then_middle : exposure.T_then_middle)
     largest_mm = std::max(largest_mm, (T_then_middle * origin - origin).norm());
-  // Twice as much where the surface is steep; places off the middle move a little more.
+  // Factor 2 as an allowance for steep surface and for places off the middle.
   return 2.0 * baseline * largest_mm / projector.center().norm();
 }
 
-// Some corner is near a line, or a line runs between corners of one surface.
+// Whether a corner is near a line, or a line runs between the corners of one surface.
 bool may_be_lit(const GridNodes::Corners& corners, double slack, bool one_surface) {
   const GridNode* first = nullptr;
   for (const GridNode* corner : corners) {
@@ -43,7 +42,7 @@ bool dark(const GridNodes::Corners& corners) {
                      [](const GridNode* corner) { return corner->shadow == Shadow::kDark; });
 }
 
-// Whether lit and dark nodes lie about this one.
+// Whether both lit and dark nodes are around this one.
 bool at_shadow_edge(const GridNodes& nodes, int column, int row) {
   bool lit = false;
   bool dark = false;
@@ -56,7 +55,7 @@ bool at_shadow_edge(const GridNodes& nodes, int column, int row) {
   return lit && dark;
 }
 
-// The shadow that all coarse nodes around a node share; unknown where they do not.
+// The common shadow state of all coarse nodes around a node; unknown if they differ.
 Shadow shadow_around(const GridNodes& nodes, int column, int row) {
   const GridNode* first = nodes.at(column - column % 2, row - row % 2);
   for (int j = row - row % 2; j <= row + row % 2; j += 2)
@@ -80,7 +79,7 @@ GridLight::GridLight(const SensorModel& sensor, Pattern pattern)
     for (int column = 0; column < columns_; ++column)
       directions_.push_back(
           camera_.direction({1.0 * kStep_px * column, 1.0 * kStep_px * row}).cast<float>());
-  // In tiles of four by two, so that the eight rays of a packet run close to each other.
+  // Order in tiles of four by two, so that the eight rays of a packet are close to each other.
   for (int row = 0; row < rows_; row += 4)
     for (int column = 0; column < columns_; column += 8)
       for (int j = row; j < std::min(row + 4, rows_); j += 2)
@@ -157,7 +156,7 @@ SlidePoint GridLight::slide_point(const GridNode& node) const {
                       (position_mm - camera_.center()) / node.distance_mm, node.across, node.blur);
 }
 
-// Room light varies slowly over an image: the coarse nodes say enough of it.
+// Room light varies slowly, so the coarse nodes are sufficient.
 cv::Mat GridLight::ambient_light(const LineExposure& exposure, const GridNodes& nodes) const {
   cv::Mat coarse = cv::Mat::zeros(rows_ / 2 + 1, columns_ / 2 + 1, CV_32FC1);
   for (int row = 0; row < coarse.rows; ++row)
@@ -172,7 +171,7 @@ cv::Mat GridLight::ambient_light(const LineExposure& exposure, const GridNodes& 
   cv::Mat fine;
   constexpr int kCoarse_px = 2 * kStep_px;
   cv::resize(coarse, fine, {}, kCoarse_px, kCoarse_px, cv::INTER_LINEAR);
-  // There a node lies in the middle of its block; in the image it is the left upper pixel.
+  // In the coarse image a node is the middle of its block; in the full image, the left upper pixel.
   return fine(
       cv::Rect(kCoarse_px / 2, kCoarse_px / 2, camera_.size.width_px, camera_.size.height_px));
 }
@@ -215,13 +214,13 @@ void GridLight::cast_coarse_shadows(const LineExposure& exposure, std::span<cons
   cast_shadows(exposure, asked, nodes);
 }
 
-// Seen from all corners of a coarse cell the surface goes on straight to both sides, and so does
-// light or shadow.
+// Whether the surface and its shadow continue straight on both sides of all corners of a coarse
+// cell.
 bool GridLight::flat(int column, int row, const GridNodes& nodes) const {
   const Corners corners = nodes.corners(column, row, 2);
   if (!smooth(corners, 2)) return false;
   const Shadow shadow = corners[0]->shadow;
-  // In the middle a parabola departs from its chord by an eighth of its second difference.
+  // A parabola deviates from its chord by at most 1/8 of its second difference.
   const auto limit = static_cast<float>(8.0 * kFlat_px / camera_.focal_px);
   for (const int j : {0, 2})
     for (const int i : {0, 2}) {
@@ -241,14 +240,15 @@ bool GridLight::flat(int column, int row, const GridNodes& nodes) const {
   return true;
 }
 
-// At a depth step the numbers of lines before the corners tell nothing.
+// At a depth step, the line numbers of the corners do not show whether a line runs through the
+// cell.
 void GridLight::add_fine_cell(const Cell& cell, double shift, const GridNodes& nodes,
                               std::vector<Cell>& cells) const {
   const Corners corners = nodes.corners(cell.column, cell.row, 1);
   if (may_be_lit(corners, shift, smooth(corners, 1))) cells.push_back(cell);
 }
 
-// Flat cells stay as they are; the others are quartered, and their new nodes traced.
+// Keeps flat cells; splits the others into four and traces their new nodes.
 std::vector<GridLight::Cell> GridLight::refine(const LineExposure& exposure,
                                                std::span<const Cell> coarse, double shift,
                                                GridNodes& nodes) const {
@@ -274,7 +274,7 @@ std::vector<GridLight::Cell> GridLight::refine(const LineExposure& exposure,
   return cells;
 }
 
-// Between coarse nodes that are all lit or all dark, so are the others.
+// Nodes between coarse nodes that are all lit, or all dark, get the same state without a ray.
 void GridLight::cast_fine_shadows(const LineExposure& exposure, std::span<const Cell> cells,
                                   GridNodes& nodes) const {
   std::vector<int> asked;
@@ -302,14 +302,15 @@ void GridLight::shine(const LineExposure& exposure, GridNode& node) const {
   node.brightness = static_cast<float>(slide_.brightness(exposure, point, hit));
   const double begin = slide_.shift(point, exposure.T_then_middle.front());
   const double end = slide_.shift(point, exposure.T_then_middle.back());
-  // The moments are the middles of equal parts of the exposure: it begins and ends farther out.
+  // The moments are the middles of equal parts of the exposure; its begin and end are farther out.
   const auto moments = static_cast<double>(exposure.T_then_middle.size());
   const double farther = moments > 1.0 ? moments / (moments - 1.0) : 1.0;
   node.begin_shift = static_cast<float>(0.5 * (begin + end) + 0.5 * farther * (begin - end));
   node.end_shift = static_cast<float>(0.5 * (begin + end) + 0.5 * farther * (end - begin));
 }
 
-// A shadow's edge is about as wide as a cell: what passes is asked of its nodes.
+// The edge of a shadow is about as wide as a cell: computing the passing light at the nodes
+// suffices.
 void GridLight::shine(const LineExposure& exposure, std::span<const Cell> cells,
                       GridNodes& nodes) const {
   std::vector<bool> done(static_cast<std::size_t>(columns_) * rows_, false);

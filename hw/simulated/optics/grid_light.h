@@ -1,11 +1,11 @@
-/// @file  The light that the chip gets under one line pattern, traced on a grid and interpolated.
+/// @file  Computes the light of one line pattern on the chip, traced on a grid and interpolated.
 ///
-/// A quick LineLight: rays go through every eighth pixel, near a line through every fourth unless
-/// the surface is flat there, and between them what varies slowly (place on the slide, brightness,
-/// defocus, motion) is interpolated, so that each pixel costs two looks at the line's profile. At
-/// silhouettes every pixel is traced as in LineLight.
-/// What is lost: features of a surface thinner than eight pixels that no ray meets; the edges of
-/// shadows are no sharper than four pixels.
+/// A fast approximation of LineLight. Traces a ray for every eighth pixel; near a line for every
+/// fourth, unless the surface is flat there. Between the rays, slowly varying values (place on the
+/// slide, brightness, defocus, motion) are interpolated, so that each pixel needs only two look-ups
+/// of the line profile. At silhouettes, every pixel is traced as in LineLight. Limits: surface
+/// features smaller than eight pixels may be missed, and shadow edges are at least four pixels
+/// wide.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -27,15 +27,15 @@ class GridLight {
   [[nodiscard]] Chip::Light light(const LineExposure& exposure) const;
 
  private:
-  /// Nodes are this far apart: a bend of 1 mm radius seen by the sensor for teeth departs from a
-  /// straight line by 1.3 um in between.
+  /// Distance of the nodes. Over this distance, a surface with 1 mm radius of curvature deviates
+  /// from a straight line by 1.3 µm (intra-oral sensor).
   static constexpr int kStep_px = 4;
 
   using Corners = GridNodes::Corners;
   struct Value;
   struct Cell {
-    int column, row;  // of its left upper node
-    int size;         // in nodes: 2 where the surface is flat, else 1
+    int column, row;  // of the left upper node
+    int size;         // in nodes: 2 if the surface is flat, else 1
   };
 
   void trace(const LineExposure& exposure, std::span<const int> which, GridNodes& nodes) const;

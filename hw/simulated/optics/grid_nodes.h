@@ -1,4 +1,4 @@
-/// @file  The places on a surface that the rays of one exposure met, on a grid over the image.
+/// @file  The surface points hit by the rays of one exposure, on a grid over the image.
 #pragma once
 
 #include <array>
@@ -9,33 +9,35 @@
 
 namespace flytri::simulated {
 
-/// kUnknown: nobody has asked.
+/// kUnknown: not computed.
 enum class Shadow : std::uint8_t { kUnknown, kLit, kDark };
 
-/// What one ray met; sensor frame, single precision.
+/// Result of one ray; sensor frame, single precision.
 struct GridNode {
-  bool met = false;   ///< anything at all
-  bool seen = false;  ///< a surface that the slide's lines reach and the camera sees well
+  bool met = false;   ///< the ray hit a surface
+  bool seen = false;  ///< the lines of the slide reach the point, and the camera does not see it at
+                      ///< a flat angle
   Shadow shadow = Shadow::kUnknown;
-  std::uint8_t before = 0;     ///< number of lines on the slide that lie before its place
+  std::uint8_t before = 0;     ///< number of lines on the slide before its place
   std::uint32_t triangle = 0;  ///< of the scene's mesh
-  float u = 0.0F, v = 0.0F;    ///< weights of its second and third vertex
+  float u = 0.0F, v = 0.0F;    ///< weights of the second and third vertex
   Vec3f position_mm, normal;
   float facing = 0.0F;       ///< cosine between normal and line of sight
   float distance_mm = 0.0F;  ///< from the camera
   float across = 0.0F;       ///< place on the slide
-  float blur = 0.0F;         ///< of the projector there
-  float away = 0.0F;         ///< from the nearest line's light; negative where it is lit
-  // Of lit nodes:
-  float share = 1.0F;       ///< of the pupil's light that passes what stands in its way
-  float brightness = 0.0F;  ///< the share left out
-  float begin_shift = 0.0F, end_shift = 0.0F;  ///< of the place, by motion during the exposure
+  float blur = 0.0F;         ///< of the projector at this point
+  float away = 0.0F;  ///< distance on the slide from the nearest line's light; negative if lit
+  // Only of lit nodes:
+  float share = 1.0F;       ///< share of the pupil's light that is not blocked
+  float brightness = 0.0F;  ///< without the factor `share`
+  float begin_shift = 0.0F,
+        end_shift = 0.0F;  ///< shift of the place on the slide by motion during the exposure
 };
 
-/// The traced nodes of one exposure, by column and row.
+/// Traced nodes of one exposure, by column and row.
 class GridNodes {
  public:
-  /// Left and right above, left and right below; null where nothing was traced.
+  /// Upper left, upper right, lower left, lower right; null if not traced.
   using Corners = std::array<const GridNode*, 4>;
 
   GridNodes(int columns, int rows)
@@ -50,9 +52,9 @@ class GridNodes {
     places_[node] = static_cast<int>(list_.size());
     list_.push_back(what);
   }
-  /// Of a traced node; valid until nodes are added.
+  /// A traced node; the reference is valid until a node is added.
   [[nodiscard]] GridNode& operator[](int node) { return list_[places_[node]]; }
-  /// Valid until nodes are added. Null outside the grid and where nothing was traced.
+  /// The pointer is valid until a node is added. Null outside the grid or if not traced.
   [[nodiscard]] const GridNode* at(int column, int row) const {
     if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return nullptr;
     const int place = places_[index(column, row)];

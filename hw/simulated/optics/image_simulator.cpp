@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/imaging/srgb.h"
 #include "hw/simulated/optics/chip.h"
 #include "hw/simulated/optics/grid_light.h"
@@ -15,14 +16,13 @@
 namespace flytri::simulated {
 namespace {
 
-// Moments of an exposure whose mean is taken.
+// Number of moments that are averaged over an exposure.
 constexpr int kMotionSteps = 5;
-// Room light varies slowly over an image: traced once in a block of this many pixels a side.
+// Room light varies slowly: one ray per block with this side length.
 constexpr int kAmbientBlock_px = 8;
-// Colors are told apart at about this distance on a finely meshed surface: in real time one ray
-// serves a block of this many pixels a side.
+// In real time, one ray per block with this side length; about the color resolution of a fine mesh.
 constexpr int kTextureBlock_px = 5;
-// Depths beyond the volume that are still seen, by the volume's depth.
+// Depth range outside the volume that is still simulated, in volume depths.
 constexpr double kSeenMargin = 1.5;
 
 LensBlur make_blur(const CameraModel& camera, const calibration::MeasurementVolume& volume) {
@@ -31,12 +31,12 @@ LensBlur make_blur(const CameraModel& camera, const calibration::MeasurementVolu
   return {camera, std::max(middle_mm - margin_mm, 0.3 * middle_mm), middle_mm + margin_mm};
 }
 
-// How many blocks of `step_px` pixels a side cover an image.
+// Number of blocks of `step_px` x `step_px` pixels that cover an image.
 cv::Size block_count(ImageSize size, int step_px) {
   return {(size.width_px + step_px - 1) / step_px, (size.height_px + step_px - 1) / step_px};
 }
 
-// Directions of the middles of blocks, row by row.
+// Directions of the block centers, row by row.
 std::vector<Vec3> block_directions(const CameraModel& camera, int step_px) {
   const cv::Size blocks = block_count(camera.size, step_px);
   std::vector<Vec3> directions;
@@ -49,7 +49,7 @@ std::vector<Vec3> block_directions(const CameraModel& camera, int step_px) {
   return directions;
 }
 
-// Linear share of white, by channel.
+// Linear color, share of white by channel.
 std::vector<cv::Vec3f> linear_colors(const TriangleMesh& mesh) {
   std::vector<cv::Vec3f> colors;
   for (const SurfacePoint& vertex : mesh.vertices) {
@@ -95,9 +95,9 @@ struct ImageSimulator::Parts {
   std::vector<cv::Vec3f> colors;  // by vertex
   std::vector<float> albedo;      // by vertex, for the grey camera
   LensBlur blur, texture_blur;
-  int texture_step_px;                   // one ray serves a block of this many pixels a side
+  int texture_step_px;                   // side length of a block with one ray
   std::vector<Vec3> texture_directions;  // by block
-  // For one way of tracing or the other.
+  // Only one of the following groups is used, depending on Tracing.
   std::vector<Vec3> directions;  // by pixel
   std::vector<LineLight> lines;  // by Pattern
   std::vector<GridLight> grids;  // by Pattern
@@ -131,7 +131,7 @@ cv::Mat ImageSimulator::Parts::ambient_light(const Isometry& T_model_sensor) con
   return light;
 }
 
-// The flash sits around the texture camera's pupil: it casts no shadow that the camera could see.
+// The flash surrounds the pupil of the texture camera, so the camera sees no shadows.
 cv::Vec3f ImageSimulator::Parts::flash_light(const Isometry& T_model_sensor,
                                              const RayHit& hit) const {
   constexpr double kFlashWhiteLevel = 0.8;  // a white surface in the middle of the volume
@@ -163,11 +163,10 @@ cv::Mat ImageSimulator::Parts::flash_image(const Isometry& T_model_sensor) const
 }
 
 Result<void> ImageOptions::validate() const {
-  if (bits != 8 && bits != 16)
-    return fail(ErrorCode::kBadOption, "bits must be 8 or 16, not {}", bits);
-  if (exposures < 1 || exposures > 1000)
-    return fail(ErrorCode::kBadOption, "exposures must be in 1..1000, not {}", exposures);
-  return {};
+  return OptionCheck("ImageOptions")
+      .must("bits", bits, bits == 8 || bits == 16, "8 or 16")
+      .in_range("exposures", exposures, 1, 1000)
+      .result();
 }
 
 Result<ImageSimulator> ImageSimulator::create(const TriangleMesh& mesh, const SensorModel& sensor,
@@ -210,11 +209,11 @@ cv::Mat ImageSimulator::texture_image(const Isometry& T_model_sensor, std::uint6
   const bool grid = options.tracing == Tracing::kGrid;
   cv::Mat light = parts_->flash_image(T_model_sensor);
   if (grid) {
-    // What is interpolated is as soft as the lens would leave it.
+    // The interpolation blurs about as much as the lens would.
     cv::resize(light, light, {}, kTextureBlock_px, kTextureBlock_px, cv::INTER_LINEAR);
     light = light(cv::Rect(0, 0, camera.size.width_px, camera.size.height_px));
   } else {
-    // Its small aperture leaves the blur of the volume's middle nearly everywhere.
+    // The aperture is small, so the blur of the volume's middle is nearly right everywhere.
     cv::filter2D(light, light, -1, parts_->texture_blur.kernel(camera.center().norm()));
   }
   return parts_->chip.read_out_color(

@@ -8,14 +8,14 @@ namespace flytri::simulated {
 namespace {
 
 constexpr double kRadiusStep_px = 0.05;
-// Numbers that the processor handles at once.
+// Numbers that the processor computes at once (SIMD).
 constexpr int kVector = 8;
 using Vector = Eigen::Array<float, kVector, 1>;
-// A block of pixels reads each kernel row from up to this many places before its start.
+// Size of a block of pixels. A block reads each kernel row from up to kPad places before its start.
 constexpr int kBlock = 4;
 constexpr int kPad = kBlock - 1;
 
-// The disk cut into points, as offsets in px.
+// Sample points of the disk, in px.
 std::vector<Vec2> disk_points(double radius_px) {
   std::vector<Vec2> points;
   for (int j = -6; j <= 6; ++j)
@@ -26,7 +26,7 @@ std::vector<Vec2> disk_points(double radius_px) {
   return points;
 }
 
-// Share of a Gaussian around `center_px` that falls on each pixel of a row -half..half.
+// Integral of a Gaussian around `center_px` over each pixel of a row -half..half.
 std::vector<double> pixel_shares(double center_px, double sigma_px, int half) {
   const double scale = 1.0 / (std::numbers::sqrt2 * sigma_px);
   std::vector<double> shares;
@@ -36,7 +36,7 @@ std::vector<double> pixel_shares(double center_px, double sigma_px, int half) {
   return shares;
 }
 
-// Pixels that the light of a row of a block spreads over, in whole vectors.
+// Width in pixels of the blurred row of a block, rounded up to whole vectors.
 int block_width(int kernel_width) {
   return (kernel_width + kBlock - 1 + kVector - 1) / kVector * kVector;
 }
@@ -66,7 +66,7 @@ cv::Mat make_kernel(double radius_px, double sigma_px) {
 LensBlur::LensBlur(const CameraModel& camera, double nearest_mm, double farthest_mm)
     : camera_(camera) {
   const double largest = std::max(radius_px(nearest_mm), radius_px(farthest_mm));
-  // A kernel needs some extent to be summed over.
+  // Lower limit, so that the sum over the kernel is accurate.
   const double sigma_px = std::max(camera.diffraction_sigma_px, 0.2);
   for (double radius = 0.0; radius <= largest + kRadiusStep_px; radius += kRadiusStep_px)
     kernels_.push_back(make_kernel(radius, sigma_px));
@@ -127,7 +127,7 @@ void LensBlur::spread(const cv::Matx44f& light, int u, int v, double distance_mm
   for (int j = 0; j < kBlock; ++j) {
     const float* row_light = light.val + static_cast<std::ptrdiff_t>(kBlock) * j;
     if (row_light[0] + row_light[1] + row_light[2] + row_light[3] <= 0.0F) continue;
-    // In registers, which what is written below cannot change.
+    // Copies in registers, so that the compiler need not reload them after the writes below.
     const Vector light_0 = Vector::Constant(row_light[0]);
     const Vector light_1 = Vector::Constant(row_light[1]);
     const Vector light_2 = Vector::Constant(row_light[2]);

@@ -1,4 +1,4 @@
-/// @file  How a camera's lens spreads the light of one pixel over its neighbors.
+/// @file  Simulates how a camera lens spreads the light of a pixel over its neighbors.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,18 +8,18 @@
 
 namespace flytri::simulated {
 
-/// Kernels of defocus (a disk), diffraction (a Gaussian) and the pixel's own area. Immutable.
+/// Blur kernels from defocus (disk), diffraction (Gaussian) and the pixel's area. Immutable.
 class LensBlur {
  public:
-  /// @param nearest_mm, farthest_mm  distances from the pupil that will be asked for
+  /// @param nearest_mm,  farthest_mm range of distances from the pupil that will be used
   LensBlur(const CameraModel& camera, double nearest_mm, double farthest_mm);
 
   /// Square kernel with odd sides and sum 1, CV_32FC1.
   [[nodiscard]] const cv::Mat& kernel(double distance_mm) const;
   /// Adds `light` at a pixel, spread by the kernel. `image` is CV_32FC1.
   void spread(float light, int u, int v, double distance_mm, cv::Mat& image) const;
-  /// The same for a block of pixels at one distance, of which (u, v) is the left upper; those
-  /// outside the image are left out.
+  /// The same for a block of pixels at one distance with left upper pixel (u, v); pixels outside
+  /// the image are skipped.
   void spread(const cv::Matx44f& light, int u, int v, double distance_mm, cv::Mat& image) const;
 
  private:
@@ -28,7 +28,7 @@ class LensBlur {
 
   CameraModel camera_;
   std::vector<cv::Mat> kernels_;  // by radius
-  // The same, with kPad zeros before each row and zeros after it, to be read in whole vectors.
+  // The same with kPad zeros before and zeros after each row, so that whole vectors can be read.
   std::vector<cv::Mat> padded_;
 };
 

@@ -7,18 +7,18 @@
 namespace flytri::simulated {
 namespace {
 
-// Pixels around a shadow's edge where the pupil is sampled.
+// Distance from a shadow's edge, in pixels, within which the pupil is sampled.
 constexpr int kPenumbra_px = 6;
-// Rays along a line are this many pixels apart.
+// Distance of guiding rays along a line, in pixels.
 constexpr double kGuideStep_px = 2.0;
-// Guiding rays besides a line's middle, by the reach of its light, and how far around each ray
-// pixels are traced: the three strips overlap.
+// Offset of the two side rays from the line's middle, and half width of the traced strip around
+// each ray; both as a share of the reach of the light. The three strips overlap.
 constexpr double kSide = 0.6;
 constexpr double kStripShare = 0.5;
 
 }  // namespace
 
-// A pixel that sees the line's light.
+// A pixel lit by the line.
 struct LineLight::Spot {
   int pixel = 0;
   SlidePoint point;
@@ -45,7 +45,7 @@ cv::Mat LineLight::image(const LineExposure& exposure) const {
   return light;
 }
 
-// Rays through the middle and both edges of each line show where its light falls.
+// Traces rays through the middle and both sides of each line to find the pixels that it lights.
 std::vector<int> LineLight::pixels_near_lines(const LineExposure& exposure) const {
   const ProjectorModel& projector = slide_.projector();
   cv::Mat near = cv::Mat::zeros(camera_.size.height_px, camera_.size.width_px, CV_8UC1);
@@ -72,7 +72,7 @@ std::vector<int> LineLight::pixels_near_lines(const LineExposure& exposure) cons
   return pixels;
 }
 
-// Marks the pixels across the line at a lit point: as far as its light reaches at that depth.
+// Marks the pixels across the line at a lit point, up to the reach of the light at that depth.
 void LineLight::mark_around(const Vec3& p_sensor, cv::Mat& near) const {
   const auto pixel = camera_.project(p_sensor);
   if (!pixel || !camera_.sees(*pixel)) return;
@@ -117,8 +117,8 @@ void LineLight::light_spot(const LineExposure& exposure, const RayHit& hit, Spot
   spot.light = slide_.light(exposure, *point, hit);
 }
 
-// Full shadow is asked of the pupil's middle; near a shadow's edge several places of the pupil say
-// how much of the light arrives.
+// Tests for full shadow with one ray to the middle of the pupil; near a shadow's edge, several
+// points of the pupil determine the share of light.
 void LineLight::cast_shadows(const LineExposure& exposure, std::vector<Spot>& spots) const {
   const cv::Size size(camera_.size.width_px, camera_.size.height_px);
   cv::Mat lit = cv::Mat::zeros(size, CV_8UC1);

@@ -1,4 +1,4 @@
-/// @file  The light of one line pattern on a surface, as the measurement camera's chip gets it.
+/// @file  Computes the light of one line pattern on the chip of the measurement camera.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,7 +8,7 @@
 
 namespace flytri::simulated {
 
-/// Every pixel near a line is traced. What stays the same from frame to frame is kept; immutable.
+/// Traces every pixel near a line. Immutable.
 class LineLight {
  public:
   LineLight(const SensorModel& sensor, Pattern pattern);

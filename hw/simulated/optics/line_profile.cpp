@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kBlurs = 48;
 constexpr int kOffsets = 384;
-constexpr int kChords = 41;  // strips into which the disk of defocus is cut
+constexpr int kChords = 41;  // number of strips that approximate the defocus disk
 
 }  // namespace
 
@@ -25,7 +25,8 @@ LineProfile::LineProfile(const ProjectorModel& projector, double max_blur)
 }
 
 double LineProfile::compute(double offset, double blur) const {
-  // A box under a Gaussian is a difference of error functions; the disk's strips add up.
+  // A box convolved with a Gaussian is a difference of error functions; sum over the strips of the
+  // disk.
   const double scale = 1.0 / (std::numbers::sqrt2 * sigma_);
   double sum = 0.0;
   double weights = 0.0;

@@ -1,4 +1,4 @@
-/// @file  The brightness across a projected line, in focus and out of it.
+/// @file  The brightness across a projected line, depending on defocus.
 #pragma once
 
 #include <cmath>
@@ -8,17 +8,17 @@
 
 namespace flytri::simulated {
 
-/// Light of a slit of unit brightness behind a thin lens: the slit's box, spread by the disk of
-/// defocus and by diffraction. All lengths are tangents on the slide. Immutable.
+/// Light of a slit of unit brightness behind a thin lens: a box, blurred by the defocus disk and by
+/// diffraction. All lengths are tangents on the slide. Immutable.
 class LineProfile {
  public:
-  /// @param max_blur  largest disk radius that will be asked for
+  /// @param max_blur  largest disk radius that will be used
   LineProfile(const ProjectorModel& projector, double max_blur);
 
-  /// Brightness at `offset` from the line's middle under a disk of radius `blur`. Its integral over
-  /// the offset is the slit's width, whatever the blur.
+  /// Brightness at `offset` from the line's middle with a blur disk of radius `blur`. The integral
+  /// over the offset is always the slit's width.
   [[nodiscard]] double operator()(double offset, double blur) const;
-  /// The profile under one disk, for many offsets.
+  /// The profile for one blur radius, for fast evaluation at many offsets.
   class Section {
    public:
     [[nodiscard]] float operator()(float offset) const {
@@ -32,14 +32,14 @@ class LineProfile {
 
    private:
     friend class LineProfile;
-    const float* near_;  // table at the next smaller blur
-    const float* far_;   // and at the next larger
+    const float* near_;  // table row of the next smaller blur
+    const float* far_;   // table row of the next larger blur
     float ty_, steps_, last_;
   };
-  /// Valid as long as the profile.
+  /// Valid while the profile exists.
   [[nodiscard]] Section section(double blur) const;
 
-  /// Beyond this offset there is no light.
+  /// Largest offset with light.
   [[nodiscard]] double reach(double blur) const { return half_width_ + blur + kSigmas * sigma_; }
 
  private:

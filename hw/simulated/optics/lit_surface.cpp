@@ -23,7 +23,7 @@ class Illumination {
 
   [[nodiscard]] bool lit(const SurfacePoint& vertex, const Exposure& exposure) const {
     const Vec3 p_model = vertex.position_mm.cast<double>();
-    // Most vertices are far away: the sphere about the volume is asked before anything else.
+    // Fast rejection by a sphere around the volume: most vertices are far away.
     if ((p_model - exposure.T_model_sensor.translation()).squaredNorm() > reach_mm_ * reach_mm_) {
       return false;
     }

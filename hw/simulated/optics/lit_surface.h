@@ -1,5 +1,4 @@
-/// @file  Which places of a scanned mesh could be measured: those on which a line lay in sight of
-/// the camera.
+/// @file  Counts how often each place of a scanned mesh was lit by a line and seen by the camera.
 #pragma once
 
 #include <span>
@@ -11,16 +10,16 @@
 
 namespace flytri::simulated {
 
-/// One exposure under a line pattern.
+/// Pattern and sensor pose of one exposure.
 struct Exposure {
   Pattern pattern = Pattern::kVertical;
   Isometry T_model_sensor = Isometry::Identity();
 };
 
-/// The number of exposures in which each vertex was within the width of a line, inside the
-/// measurement volume, in sight of camera and projector, and not too flat to be localized
-/// (ViewOptions::min_cosine). Motion during the exposure is left out.
-/// @returns parallel to the vertices of the scene's mesh.
+/// For each vertex, the number of exposures in which it was within the width of a line, inside the
+/// measurement volume, visible from camera and projector, and not at a too flat angle
+/// (ViewOptions::min_cosine). Ignores motion during the exposure.
+/// @return  one number per vertex of the scene's mesh
 [[nodiscard]] std::vector<double> count_lit(const RayScene& scene, const SensorModel& sensor,
                                             std::span<const Exposure> exposures,
                                             const Workers& workers);

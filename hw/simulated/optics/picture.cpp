@@ -4,19 +4,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "hw/simulated/optics/ray_scene.h"
 
 namespace flytri::simulated {
 namespace {
 
-// Of the light, what comes from everywhere and what comes from the lamp beside the eye.
+// Shares of ambient light and of the lamp beside the viewer.
 constexpr double kSkyShare = 0.55;
 constexpr double kLampShare = 0.45;
-// Crevices are darkened by what is within this share of the mesh's radius.
+// Range of the darkening of crevices, as a share of the mesh's radius.
 constexpr double kOcclusionReach = 0.12;
 
-// Draws one mesh; immutable, so that rows may be drawn at once.
+// Draws one mesh. Immutable, so that rows can be drawn in parallel.
 class Painter {
  public:
   Painter(const TexturedMesh& textured, const PictureOptions& options)
@@ -68,7 +69,7 @@ class Painter {
     return std::min(sky + direct, 1.0) * albedo(*hit);
   }
 
-  // Share of the sky that is seen from a place, cosine weighted.
+  // Visible share of the sky at a place, weighted by the cosine (ambient occlusion).
   double openness(const RayHit& hit, const Vec3& normal, double u, double v) const {
     if (options_.occlusion_rays == 0) return 1.0;
     Random random(static_cast<std::uint64_t>(std::lround(u * 64.0)),
@@ -114,18 +115,15 @@ class Painter {
 }  // namespace
 
 Result<void> PictureOptions::validate() const {
-  if (size.width_px < 1 || size.height_px < 1)
-    return fail(ErrorCode::kBadOption, "size must be at least 1 x 1, not {} x {}", size.width_px,
-                size.height_px);
-  if (!(from_direction.cross(up).norm() > 1e-9))
-    return fail(ErrorCode::kBadOption, "up must not lie along from_direction");
-  if (!(zoom > 0.0)) return fail(ErrorCode::kBadOption, "zoom must be above 0, not {}", zoom);
-  if (samples_per_axis < 1 || samples_per_axis > 8)
-    return fail(ErrorCode::kBadOption, "samples_per_axis must be in 1..8, not {}",
-                samples_per_axis);
-  if (occlusion_rays < 0 || occlusion_rays > 256)
-    return fail(ErrorCode::kBadOption, "occlusion_rays must be in 0..256, not {}", occlusion_rays);
-  return {};
+  return OptionCheck("PictureOptions")
+      .at_least("size.width_px", size.width_px, 1)
+      .at_least("size.height_px", size.height_px, 1)
+      .must("up", "along from_direction", from_direction.cross(up).norm() > 1e-9,
+            "across from_direction")
+      .positive("zoom", zoom)
+      .in_range("samples_per_axis", samples_per_axis, 1, 8)
+      .in_range("occlusion_rays", occlusion_rays, 0, 256)
+      .result();
 }
 
 Result<cv::Mat> draw_picture(const TexturedMesh& mesh, const PictureOptions& options,

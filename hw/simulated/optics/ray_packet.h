@@ -1,4 +1,4 @@
-/// @file  Eight rays at once, in the numbers that a processor handles at once.
+/// @file  Eight rays that are traced together (SIMD).
 #pragma once
 
 #include <Eigen/Core>
@@ -10,21 +10,21 @@
 
 namespace flytri::simulated {
 
-/// Rays from one place, in any frame, and what they met. Single precision: 0.01 um at the distance
-/// of a sensor for teeth.
+/// Rays from one origin, in any frame, and their hits. Single precision has an error of 0.01 µm at
+/// the working distance of the intra-oral sensor.
 struct RayPacket {
   static constexpr int kSize = 8;
   using Numbers = Eigen::Array<float, kSize, 1>;
   using Vectors = std::array<Numbers, 3>;  ///< x, y and z
 
   Vectors directions;  ///< unit
-  // The answer:
-  Numbers distances_mm;  ///< infinite where nothing was met
-  Vectors normals;       ///< unit, of the flat triangle, outwards
+  // Result:
+  Numbers distances_mm;  ///< infinite if nothing was hit
+  Vectors normals;       ///< unit normals of the flat triangles, outwards
   std::array<std::uint32_t, kSize> triangles{};
-  Numbers u, v;  ///< barycentric, of the triangle's second and third vertex
+  Numbers u, v;  ///< barycentric coordinates: weights of the second and third vertex
 
-  /// Sets the rays; those beyond `rays` repeat its last, so that nothing is ever undefined.
+  /// Sets the rays. With fewer than eight, the last one is repeated, so that no value is undefined.
   void aim(std::span<const Vec3f> rays) {
     for (std::size_t i = 0; i < kSize; ++i)
       for (int axis = 0; axis < 3; ++axis)
@@ -32,7 +32,7 @@ struct RayPacket {
   }
 };
 
-/// Each of the vectors, rotated.
+/// Rotates each of the vectors.
 [[nodiscard]] inline RayPacket::Vectors rotated(const Eigen::Matrix3f& R,
                                                 const RayPacket::Vectors& v) {
   const auto row = [&](int i) -> RayPacket::Numbers {

@@ -1,4 +1,4 @@
-/// @file  How bright a surface looks by itself and under the light of the room.
+/// @file  Albedo of a surface, and its brightness under room light.
 #pragma once
 
 #include <span>
@@ -7,17 +7,18 @@
 
 namespace flytri::simulated {
 
-/// What a surface sends back of the light on it, at a hit: 0..1.
+/// Reflected share of the light at a hit, 0..1.
 /// @param albedo  by vertex
 [[nodiscard]] double albedo_at(const TriangleMesh& mesh, std::span<const float> albedo,
                                const RayHit& hit);
 
-/// The same at a place of a triangle: `u` and `v` are the weights of its second and third vertex.
+/// The same at a point of a triangle; `u` and `v` are the weights of its second and third vertex.
 [[nodiscard]] float albedo_at(const TriangleMesh& mesh, std::span<const float> albedo,
                               std::uint32_t triangle, float u, float v);
 
-/// Room light comes from everywhere above the surface, most of it from behind the sensor.
-/// @param level  of a white surface that faces the camera, share of full scale
+/// Brightness under room light, which comes from all directions above the surface, mostly from
+/// behind the sensor.
+/// @param level  brightness of a white surface that faces the camera, share of full scale
 /// @param facing  absolute cosine between normal and line of sight
 [[nodiscard]] double room_light(double level, double albedo, double facing);
 

@@ -5,7 +5,8 @@
 namespace flytri::simulated {
 namespace {
 
-// The structured bindings below stop compiling when a model gains a member: none is forgotten.
+// The structured bindings below do not compile when a struct gets a new member, so that none is
+// forgotten.
 class Fingerprint {
  public:
   [[nodiscard]] std::uint64_t value() const { return value_; }

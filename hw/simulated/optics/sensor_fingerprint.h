@@ -1,5 +1,4 @@
-/// @file  A number that tells sensor models apart, so that what was made for one is not taken for
-/// another.
+/// @file  A hash that identifies a sensor model, used as the key of cached calibrations.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +7,7 @@
 
 namespace flytri::simulated {
 
-/// FNV-1a over the bits of every number of the model: another in any of them is another
-/// fingerprint.
+/// FNV-1a hash over the bits of all numbers of the model.
 /// @source  Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", IETF draft.
 [[nodiscard]] std::uint64_t fingerprint(const SensorModel& sensor);
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 
 double ThinLens::blur_radius_mm(double distance_mm) const {
@@ -18,7 +20,7 @@ Vec2 LensDistortion::distort(const Vec2& ideal) const {
 }
 
 Vec2 LensDistortion::undistort(const Vec2& distorted) const {
-  // Newton's steps double the digits: after one this small all of them are right.
+  // Newton's method converges quadratically: after a step this small, the result is exact.
   constexpr int kMaxSteps = 8;
   constexpr double kExactEnough = 1e-7;
   Vec2 ideal = distorted;
@@ -87,46 +89,40 @@ Vec3 ProjectorModel::sheet_normal(LineIndex n) const {
 
 namespace {
 
-Result<void> validate_camera(const CameraModel& camera, const char* name) {
-  if (camera.size.width_px < 1 || camera.size.height_px < 1)
-    return fail(ErrorCode::kBadOption, "{}: the image has no pixels", name);
-  if (!(camera.focal_px > 0.0))
-    return fail(ErrorCode::kBadOption, "{}.focal_px must be above 0, not {}", name,
-                camera.focal_px);
-  if (!(camera.lens.focus_mm > 0.0) || !(camera.lens.aperture_radius_mm >= 0.0))
-    return fail(ErrorCode::kBadOption, "{}.lens: focus_mm must be above 0, aperture at least 0",
-                name);
-  return {};
+void check_lens(const ThinLens& lens, const std::string& owner, OptionCheck& check) {
+  check.positive(owner + ".lens.focus_mm", lens.focus_mm)
+      .not_negative(owner + ".lens.aperture_radius_mm", lens.aperture_radius_mm);
 }
 
-Result<void> validate_projector(const ProjectorModel& projector, Pattern pattern) {
-  if (projector.pattern != pattern || projector.line_across.empty())
-    return fail(ErrorCode::kBadOption, "projectors: the {} one is missing or has no lines",
-                to_string(pattern));
-  if (!(projector.lens.focus_mm > 0.0) || !(projector.lens.aperture_radius_mm >= 0.0))
-    return fail(ErrorCode::kBadOption,
-                "{} projector.lens: focus_mm must be above 0, aperture at least 0",
-                to_string(pattern));
-  return {};
+void check_camera(const CameraModel& camera, const std::string& name, OptionCheck& check) {
+  check.at_least(name + ".size.width_px", camera.size.width_px, 1)
+      .at_least(name + ".size.height_px", camera.size.height_px, 1)
+      .positive(name + ".focal_px", camera.focal_px);
+  check_lens(camera.lens, name, check);
+}
+
+void check_projector(const ProjectorModel& projector, Pattern pattern, OptionCheck& check) {
+  const std::string name = fmt::format("projector({})", to_string(pattern));
+  check.must(name + ".pattern", to_string(projector.pattern), projector.pattern == pattern,
+             to_string(pattern))
+      .at_least(name + ".line_count", projector.line_count(), 1);
+  check_lens(projector.lens, name, check);
 }
 
 }  // namespace
 
 Result<void> SensorModel::validate() const {
-  if (!(volume.size_mm.minCoeff() > 0.0))
-    return fail(ErrorCode::kBadOption, "volume.size_mm must be above 0 in every direction");
-  if (auto valid = validate_camera(camera, "camera"); !valid) return valid;
-  if (auto valid = validate_camera(texture_camera, "texture_camera"); !valid) return valid;
-  for (const Pattern pattern : kPatterns)
-    if (auto valid = validate_projector(projector(pattern), pattern); !valid) return valid;
-  if (!(chip.full_well_e > 0.0) || !(chip.line_level > 0.0) || !(chip.speckle_size_px > 0.0))
-    return fail(ErrorCode::kBadOption,
-                "chip: full_well_e, line_level and speckle_size_px must be above 0");
-  if (!(exposure_s > 0.0) || !(frame_period_s >= exposure_s))
-    return fail(ErrorCode::kBadOption,
-                "exposure_s must be above 0 and at most frame_period_s, not {} and {}", exposure_s,
-                frame_period_s);
-  return {};
+  OptionCheck check("SensorModel");
+  check.positive("volume.size_mm", volume.size_mm.minCoeff());
+  check_camera(camera, "camera", check);
+  check_camera(texture_camera, "texture_camera", check);
+  for (const Pattern pattern : kPatterns) check_projector(projector(pattern), pattern, check);
+  return check.positive("chip.full_well_e", chip.full_well_e)
+      .positive("chip.line_level", chip.line_level)
+      .positive("chip.speckle_size_px", chip.speckle_size_px)
+      .positive("exposure_s", exposure_s)
+      .must("frame_period_s", frame_period_s, frame_period_s >= exposure_s, "at least exposure_s")
+      .result();
 }
 
 }  // namespace flytri::simulated

@@ -1,7 +1,7 @@
-/// @file  What a virtual sensor is made of: two cameras and two line projectors with real lenses.
+/// @file  Model of a virtual sensor: two cameras and two line projectors with real lenses.
 ///
-/// Nothing here knows the calibration's polynomials: cameras and projectors are thin lenses with
-/// distortion, mounted as hands mount them.
+/// Cameras and projectors are thin lenses with distortion and slight mounting errors. The model
+/// does not use the polynomials of the calibration.
 /// @source  Arold et al., "Sensor Setup" and "Physical Optimization".
 #pragma once
 
@@ -19,11 +19,11 @@
 
 namespace flytri::simulated {
 
-/// A thin lens: what is out of focus spreads over a disk.
+/// A thin lens: a point out of focus is spread over a disk.
 struct ThinLens {
   double aperture_radius_mm = 0.0;  ///< >= 0, of the pupil
   double focus_mm = 1.0;            ///< > 0, distance of the plane in focus
-  /// Radius, at distance `distance_mm`, of the disk into which the lens spreads a point in focus.
+  /// Radius of the blur disk at distance `distance_mm`.
   [[nodiscard]] double blur_radius_mm(double distance_mm) const;
 };
 
@@ -44,13 +44,13 @@ struct CameraModel {
   Vec2 principal_px = Vec2::Zero();
   LensDistortion distortion;
   ThinLens lens;
-  double diffraction_sigma_px = 0.5;  ///< >= 0, blur that is there even in focus
+  double diffraction_sigma_px = 0.5;  ///< >= 0, blur in focus
 
-  /// Where the chief ray of a sensor-frame point meets the image; none behind the camera.
+  /// Image point of a point in the sensor frame; none behind the camera.
   [[nodiscard]] std::optional<Pixel> project(const Vec3& p_sensor) const;
-  /// Unit direction, in the sensor frame, of the chief ray that a pixel sees.
+  /// Unit direction of the chief ray of a pixel, in the sensor frame.
   [[nodiscard]] Vec3 direction(const Pixel& pixel) const;
-  /// The pupil in the sensor frame, mm.
+  /// Center of the pupil in the sensor frame, mm.
   [[nodiscard]] Vec3 center() const { return T_sensor_camera.translation(); }
   [[nodiscard]] bool sees(const Pixel& pixel) const;
   /// `direction` of every pixel's center, row by row.
@@ -63,43 +63,45 @@ struct CameraModel {
 struct ProjectorModel {
   Pattern pattern = Pattern::kVertical;
   Isometry T_sensor_projector = Isometry::Identity();
-  std::vector<double> line_across;  ///< where each line lies on the slide, rising
-  double half_width_across = 0.0;   ///< half of a line's width on the slide
-  double half_length_along = 1.0;   ///< the lines end here
+  std::vector<double> line_across;  ///< position of each line on the slide, increasing
+  double half_width_across = 0.0;   ///< half width of a line on the slide
+  double half_length_along = 1.0;   ///< half length of the lines
   LensDistortion distortion;
   ThinLens lens;
-  double diffraction_sigma = 0.0;  ///< blur that is there even in focus, as a tangent
+  double diffraction_sigma = 0.0;  ///< blur in focus, as a tangent
 
   [[nodiscard]] Vec3 center() const { return T_sensor_projector.translation(); }
-  /// Direction, in the sensor frame, of the light from a place on the slide. Not unit.
+  /// Direction of the light from a place on the slide, in the sensor frame; not a unit vector.
   [[nodiscard]] Vec3 direction(double across, double along) const;
-  /// Place on the slide from which a sensor-frame point is lit; none behind the projector.
+  /// Place on the slide that lights a point of the sensor frame; none behind the projector.
   [[nodiscard]] std::optional<Vec2> slide_place(const Vec3& p_sensor) const;
   [[nodiscard]] int line_count() const { return static_cast<int>(line_across.size()); }
-  /// Unit normal, in the sensor frame, of line n's light sheet; distortion bends it a little.
+  /// Unit normal of the light sheet of line n, in the sensor frame; distortion bends the sheet a
+  /// little.
   [[nodiscard]] Vec3 sheet_normal(LineIndex n) const;
 };
 
-/// How a camera chip turns light into numbers.
+/// Properties of a camera chip.
 struct ChipModel {
   double full_well_e = 9000.0;     ///< > 0, electrons at full scale
   double read_noise_e = 12.0;      ///< >= 0
   double black_level = 0.02;       ///< 0..0.5, of full scale
-  double speckle_contrast = 0.07;  ///< 0..1, standard deviation of the light by its mean
+  double speckle_contrast = 0.07;  ///< 0..1, standard deviation divided by the mean
   double speckle_size_px = 1.5;    ///< > 0, correlation length of the speckle
-  double line_level = 0.6;         ///< > 0, of full scale: a white surface under a line, mid-volume
-  double ambient_level = 0.02;     ///< >= 0, of full scale: the same surface under room light
+  /// > 0, share of full scale: white surface under a line in the middle of the volume.
+  double line_level = 0.6;
+  double ambient_level = 0.02;  ///< >= 0, share of full scale: the same surface under room light
 };
 
-/// A complete sensor. The sensor frame is that of its calibration: origin in the middle of the
-/// volume, z away from the camera.
+/// A complete sensor. Sensor frame as in the calibration: origin in the middle of the volume, z
+/// away from the camera.
 struct SensorModel {
   calibration::MeasurementVolume volume;
   CameraModel camera;
   CameraModel texture_camera;
   std::array<ProjectorModel, 2> projectors;  ///< by Pattern
   ChipModel chip;
-  calibration::DotTarget dots;  ///< the target that suits its volume
+  calibration::DotTarget dots;  ///< dot target that fits the volume
   double exposure_s = 0.01;     ///< > 0, of a measurement frame
   double frame_period_s = 1.0 / 30.0;
   double depth_sigma_mm = 0.03;  ///< > 0, typical uncertainty of one point along z
@@ -107,14 +109,14 @@ struct SensorModel {
   [[nodiscard]] const ProjectorModel& projector(Pattern pattern) const {
     return projectors[static_cast<std::size_t>(pattern)];
   }
-  /// Names the first part that cannot be.
+  /// The error names the first invalid part.
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// The paper's sensor for teeth: 20 x 15 x 15 mm, 10 vertical and 7 horizontal lines, 30 um.
+/// The paper's sensor for teeth: 20 x 15 x 15 mm, 10 vertical and 7 horizontal lines, 30 µm.
 [[nodiscard]] SensorModel intraoral_sensor();
 
-/// The paper's sensor for faces: 200 x 150 x 100 mm, 12 vertical and 9 horizontal lines, 120 um.
+/// The paper's sensor for faces: 200 x 150 x 100 mm, 12 vertical and 9 horizontal lines, 120 µm.
 [[nodiscard]] SensorModel face_sensor();
 
 }  // namespace flytri::simulated

@@ -11,8 +11,10 @@ Result<SensorPath> SensorPath::from_poses(std::vector<PathPose> poses) {
   if (poses.empty()) return fail(ErrorCode::kBadOption, "a path needs at least one pose");
   for (std::size_t i = 1; i < poses.size(); ++i)
     if (!(poses[i].time_s > poses[i - 1].time_s))
-      return fail(ErrorCode::kBadOption, "pose {} of the path: its time {} s does not rise", i,
-                  poses[i].time_s);
+      return fail(
+          ErrorCode::kBadOption,
+          "pose {} of the path: its time {} s is not later than the time of the pose before", i,
+          poses[i].time_s);
   return SensorPath(std::move(poses));
 }
 
@@ -32,7 +34,7 @@ Result<SensorPath> read_path(const std::filesystem::path& truth_file) {
   const Result<io::Truth> truth = io::read_truth(truth_file);
   if (!truth) return tl::unexpected(truth.error());
   if (truth->poses.empty())
-    return fail(ErrorCode::kInsufficient, "{}: lists no pose", truth_file.string());
+    return fail(ErrorCode::kInsufficient, "{}: the file contains no pose", truth_file.string());
   std::vector<PathPose> poses;
   for (const io::TruthPose& pose : truth->poses)
     poses.push_back({pose.time_s, pose.T_model_sensor});

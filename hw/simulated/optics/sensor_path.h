@@ -1,4 +1,4 @@
-/// @file  How a hand moves the sensor over a mesh: a pose for every moment.
+/// @file  The path of the sensor over a mesh: its pose at any time.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@
 
 namespace flytri::simulated {
 
-/// Where the sensor is at one moment.
+/// Sensor pose at one time.
 struct PathPose {
   double time_s = 0.0;
   Isometry T_model_sensor = Isometry::Identity();
 };
 
-/// A movement of the sensor, known at any time.
+/// A movement of the sensor, interpolated between given poses.
 class SensorPath {
  public:
-  /// @param poses  at least one, times rising
+  /// @param poses  at least one, with increasing times
   /// @errors  kBadOption.
   [[nodiscard]] static Result<SensorPath> from_poses(std::vector<PathPose> poses);
 
-  /// Between the given poses; before the first and after the last the sensor rests.
+  /// Interpolates between the given poses; before the first and after the last, the sensor rests.
   [[nodiscard]] Isometry T_model_sensor(double time_s) const;
   [[nodiscard]] double start_s() const { return poses_.front().time_s; }
   [[nodiscard]] double end_s() const { return poses_.back().time_s; }
@@ -35,30 +35,31 @@ class SensorPath {
   std::vector<PathPose> poses_;
 };
 
-/// kQuadrant: half of a dental arch, straight from above, then tilted outwards and inwards.
-/// kArch: the same over the whole arch. kOrbit: once around the mesh, rising and sinking.
+/// kQuadrant: half of a dental arch, first from above, then tilted outwards and inwards. kArch: the
+/// same over the whole arch. kOrbit: one turn around the mesh with up and down movement.
 enum class PathKind { kQuadrant, kArch, kOrbit };
 
 struct PathOptions {
   PathKind kind = PathKind::kArch;
-  double duration_s = 1000.0 / 30.0;  ///< > 0. The paper's 1000 views at 30 a second.
-  Vec3 up = Vec3::UnitZ();     ///< arch: from the teeth towards the opposing ones. Orbit: the axis.
-  Vec3 front = Vec3::UnitY();  ///< arch: from the throat to the incisors. Not along `up`.
-  double tilt_rad = 0.785;     ///< 0..1.2, of an arch's second and third pass: 45 degrees
-  double speed_variation = 0.25;  ///< 0..0.9, share by which the hand's speed rises and falls
-  double tremor_mm = 0.15;        ///< >= 0, standard deviation of the hand's wander
-  double tremor_rad = 0.01;       ///< >= 0, of its turning
-  std::uint64_t seed = 1;         ///< each number is another hand
+  double duration_s = 1000.0 / 30.0;  ///< > 0; default: the paper's 1000 views at 30 Hz
+  Vec3 up = Vec3::UnitZ();            ///< arch: towards the opposing teeth; orbit: the axis
+  Vec3 front = Vec3::UnitY();     ///< arch: from the throat to the incisors; not parallel to `up`
+  double tilt_rad = 0.785;        ///< 0..1.2, tilt in an arch's second and third pass; default 45°
+  double speed_variation = 0.25;  ///< 0..0.9, relative variation of the hand's speed
+  double tremor_mm = 0.15;        ///< >= 0, standard deviation of the hand's random translation
+  double tremor_rad = 0.01;       ///< >= 0, standard deviation of its random rotation
+  std::uint64_t seed = 1;         ///< random seed of the hand's movement
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// A path over any mesh: rays find the surface, so that it stays in the measurement volume.
-/// @errors  kBadOption; kInsufficient: no surface was found where the path leads.
+/// Plans a path over any mesh. Uses rays to find the surface and keeps it in the measurement
+/// volume.
+/// @errors  kBadOption; kInsufficient: no surface was found along the path.
 [[nodiscard]] Result<SensorPath> plan_path(const RayScene& scene, const SensorModel& sensor,
                                            const PathOptions& options);
 
 /// The poses of a truth.json, see docs/formats.md.
-/// @errors  As read_truth; kInsufficient: it lists no pose.
+/// @errors  As read_truth; kInsufficient: it contains no pose.
 [[nodiscard]] Result<SensorPath> read_path(const std::filesystem::path& truth_file);
 
 }  // namespace flytri::simulated

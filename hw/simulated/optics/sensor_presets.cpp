@@ -1,4 +1,4 @@
-/// @file  The two sensors of the paper, laid out from its numbers.
+/// @file  Models of the two sensors of the paper, built from its numbers.
 #include <cmath>
 #include <numbers>
 
@@ -7,23 +7,24 @@
 namespace flytri::simulated {
 namespace {
 
-// Paper, "Physical Optimization": deep gaps stay visible up to about this angle.
+// Paper, section "Physical Optimization": the interior of narrow gaps is visible up to about this
+// angle.
 constexpr double kTriangulationAngle_rad = 7.0 * std::numbers::pi / 180.0;
 
-// What the two sensors differ in.
+// Parameters in which the two sensors differ.
 struct Layout {
   Vec3 volume_mm;
   double distance_mm;  // camera and projectors to the middle of the volume
   double focal_px;
-  double focus_mm;                 // in front of the volume, see the paper, "Line Indexing"
+  double focus_mm;                 // in front of the volume, see the paper, section "Line Indexing"
   double camera_aperture_mm;       // radius
-  double projector_aperture_mm;    // radius; larger than the camera's against speckle
-  double line_width_mm;            // of the slide's line on the object, in focus
+  double projector_aperture_mm;    // radius; larger than the camera's, to reduce speckle
+  double line_width_mm;            // width of a line on the object, in focus
   std::array<int, 2> line_counts;  // by Pattern
   double texture_focal_px;
 };
 
-// Looks from `center_mm` at the origin; `across` is the sensor axis that its x follows.
+// Pose at `center_mm` that looks at the origin; its x axis is close to `across`.
 Isometry look_at_origin(const Vec3& center_mm, const Vec3& across, double roll_rad) {
   const Vec3 z = (-center_mm).normalized();
   const Vec3 y = z.cross(across).normalized();
@@ -39,7 +40,7 @@ Isometry look_at_origin(const Vec3& center_mm, const Vec3& across, double roll_r
 CameraModel make_camera(const Layout& layout) {
   CameraModel camera;
   camera.size = {1024, 768};
-  // Mounted by hand: a little rolled and tilted, the chip a little off the axis.
+  // Mounting errors: a little rolled and tilted, the chip a little off the axis.
   camera.T_sensor_camera = look_at_origin({0.0, 0.0, -layout.distance_mm}, Vec3::UnitX(), 0.004);
   camera.T_sensor_camera.rotate(Eigen::AngleAxisd(0.0015, Vec3(0.8, 0.6, 0.0)));
   camera.focal_px = layout.focal_px;
@@ -53,7 +54,7 @@ CameraModel make_camera(const Layout& layout) {
 CameraModel make_texture_camera(const Layout& layout) {
   CameraModel camera;
   camera.size = {1280, 960};
-  // Beside the measurement camera, opposite to the projectors.
+  // Beside the measurement camera, on the side away from the projectors.
   const Vec3 center = layout.distance_mm * Vec3(-0.11, -0.07, -1.05);
   camera.T_sensor_camera = look_at_origin(center, Vec3::UnitX(), -0.006);
   camera.focal_px = layout.texture_focal_px;
@@ -81,7 +82,7 @@ ProjectorModel make_projector(const Layout& layout, Pattern pattern) {
   projector.half_width_across = 0.5 * layout.line_width_mm / distance_mm;
   projector.diffraction_sigma = 0.2 * layout.line_width_mm / distance_mm;
   projector.half_length_along = 0.75 * layout.volume_mm.head<2>().maxCoeff() / distance_mm;
-  // Equally spaced over the middle of the volume.
+  // Lines at equal distances in the middle plane of the volume.
   for (int n = 0; n < count; ++n) {
     const Vec3 target = (n - 0.5 * (count - 1)) * extent_mm / count * across;
     projector.line_across.push_back(projector.slide_place(target)->x());

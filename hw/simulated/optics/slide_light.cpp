@@ -8,10 +8,10 @@
 namespace flytri::simulated {
 namespace {
 
-// Lines are traced this far outside the volume; farther away their light is too faint to matter.
+// Lines are traced this far outside the volume; farther away their light is negligible.
 constexpr double kDepthMargin = 1.0;  // by the volume's depth
 constexpr int kPupilPoints = 7;
-// A line moves at most about this much during an exposure.
+// Assumed largest movement of a line during an exposure.
 constexpr double kMotion_px = 8.0;
 
 double largest_blur(const ProjectorModel& projector, const SensorModel& sensor) {
@@ -28,7 +28,7 @@ SlideLight::SlideLight(const SensorModel& sensor, Pattern pattern)
       R_projector_sensor_(projector_.T_sensor_projector.linear().transpose()),
       center_mm_(projector_.center()),
       focal_px_(sensor.camera.focal_px) {
-  // The camera's blur lowers the peak as widths of Gaussians add.
+  // The camera's blur lowers the peak: the squared widths of the Gaussians add up.
   const double middle_mm = projector_.center().norm();
   const double blur = projector_.lens.blur_radius_mm(middle_mm) / middle_mm;
   const double peak = profile_(0.0, blur);
@@ -78,7 +78,7 @@ double SlideLight::reach(double blur) const {
 }
 
 double SlideLight::shift(const SlidePoint& point, const Isometry& T_then_middle) const {
-  // How far the slide's place moves for each mm along the ray.
+  // Movement of the place on the slide per mm along the ray.
   const Vec3 view_projector = R_projector_sensor_ * point.view;
   const double slope =
       (view_projector.x() - point.p_projector.x() / point.p_projector.z() * view_projector.z()) /
@@ -120,8 +120,8 @@ bool SlideLight::shadowed(const LineExposure& exposure, const SlidePoint& point)
                                 exposure.T_model_sensor * projector_.center());
 }
 
-// Each place of the pupil throws its own sharp line, shifted by the defocus: a partly hidden pupil
-// shifts the line's middle.
+// Each point of the pupil projects its own sharp line, shifted by the defocus. So a partly hidden
+// pupil shifts the middle of the line.
 double SlideLight::penumbra_share(const LineExposure& exposure, const SlidePoint& point) const {
   const double offset = from_nearest_line(point.across);
   const Vec3 across = projector_.T_sensor_projector.linear().col(0);

@@ -19,8 +19,8 @@ SlidePlaces::SlidePlaces(const ProjectorModel& projector, const Vec3& camera_cen
       half_length_along_(static_cast<float>(projector.half_length_along)),
       lines_(projector.line_across.begin(), projector.line_across.end()) {}
 
-// As LensDistortion::undistort. From the two digits that mild distortion leaves, two of Newton's
-// steps lead to all that single precision has.
+// As LensDistortion::undistort. The distortion is small, so two steps of Newton's method give full
+// single precision.
 std::array<SlidePlaces::Numbers, 2> SlidePlaces::undistort(const Numbers& x_distorted,
                                                            const Numbers& y_distorted) const {
   Numbers x = x_distorted;
@@ -48,7 +48,7 @@ SlidePlaces::Places SlidePlaces::find(const RayPacket& packet) const {
   const RayPacket::Vectors& normal = packet.normals;
   places.facing = -(view[0] * normal[0] + view[1] * normal[1] + view[2] * normal[2]);
   const auto met = packet.distances_mm.isFinite();
-  // Somewhere for those that met nothing: their numbers stay finite.
+  // An arbitrary distance for rays without a hit, so that all numbers stay finite.
   const Numbers distance_mm = met.select(packet.distances_mm, 1.0F);
   RayPacket::Vectors p = rotated(R_projector_sensor_, view);
   for (int axis = 0; axis < 3; ++axis)

@@ -1,5 +1,4 @@
-/// @file  From eight points that a camera sees to the places on a projector's slide that light
-/// them.
+/// @file  Computes, for eight points at once, the places on a projector's slide that light them.
 #pragma once
 
 #include <vector>
@@ -9,24 +8,25 @@
 
 namespace flytri::simulated {
 
-/// What SlideLight::point says of one point, in single precision for eight. Immutable.
+/// SlideLight::point for eight points at once, in single precision. Immutable.
 class SlidePlaces {
  public:
   using Numbers = RayPacket::Numbers;
 
-  /// @param camera_center_mm  where the rays come from, sensor frame
+  /// @param camera_center_mm  origin of the rays, sensor frame
   SlidePlaces(const ProjectorModel& projector, const Vec3& camera_center_mm);
 
-  /// Tangents on the slide, as everywhere.
+  /// Places on the slide, as tangents.
   struct Places {
     Numbers across;
-    Numbers blur;    ///< radius of the projector's defocus
+    Numbers blur;    ///< radius of the projector's blur disk
     Numbers offset;  ///< from the nearest line
-    Numbers before;  ///< the number of lines that lie before it
+    Numbers before;  ///< number of lines before the place
     Numbers facing;  ///< cosine between the surface's normal and the line of sight
-    Eigen::Array<bool, RayPacket::kSize, 1> seen;  ///< as SlideLight::point returns a point
+    /// Whether SlideLight::point would return a point.
+    Eigen::Array<bool, RayPacket::kSize, 1> seen;
   };
-  /// @param packet  answered, sensor frame
+  /// @param packet  traced rays, sensor frame
   [[nodiscard]] Places find(const RayPacket& packet) const;
 
  private:

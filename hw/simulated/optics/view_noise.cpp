@@ -1,13 +1,14 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/check_options.h"
 #include "core/base/random.h"
 #include "hw/simulated/optics/view_simulator.h"
 
 namespace flytri::simulated {
 namespace {
 
-// A Gaussian whose squares sum to one: it keeps the variance of white noise.
+// A Gaussian kernel whose squares sum to one, so that it keeps the variance of white noise.
 std::vector<double> unit_energy_gaussian(double sigma) {
   const int radius = static_cast<int>(std::ceil(4.0 * sigma));
   std::vector<double> kernel;
@@ -33,12 +34,10 @@ std::vector<double> correlated_normals(std::size_t count, const std::vector<doub
 }  // namespace
 
 Result<void> ViewNoise::validate() const {
-  if (!(sigma_mm >= 0.0))
-    return fail(ErrorCode::kBadOption, "sigma_mm must be at least 0, not {}", sigma_mm);
-  if (!(correlation_samples >= 0.0 && correlation_samples <= 1000.0))
-    return fail(ErrorCode::kBadOption, "correlation_samples must be in 0..1000, not {}",
-                correlation_samples);
-  return {};
+  return OptionCheck("ViewNoise")
+      .not_negative("sigma_mm", sigma_mm)
+      .in_range("correlation_samples", correlation_samples, 0.0, 1000.0)
+      .result();
 }
 
 View add_noise(const View& ideal, const ViewNoise& noise, std::uint64_t stream) {

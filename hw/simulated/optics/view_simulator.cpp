@@ -5,15 +5,17 @@
 #include <span>
 #include <vector>
 
+#include "core/base/check_options.h"
+
 namespace flytri::simulated {
 namespace {
 
-// How far a point may lie from the middle of its row, px. One secant step reaches this on any
-// surface that is smooth over a row.
+// Largest distance of a point from the middle of its row, px. On smooth surface, one secant step is
+// enough.
 constexpr double kRowTolerance_px = 0.02;
 constexpr int kSecantSteps = 3;
 
-// One place where a light sheet meets the surface.
+// A point where a light sheet meets the surface.
 struct SheetPoint {
   double slide_along = 0.0;
   Vec3 position_mm;  // sensor frame
@@ -34,7 +36,7 @@ class SheetTracer {
         projector_(projector),
         n_(n) {}
 
-  // All profiles of the sheet, by the order in which the camera's rows rise.
+  // All profiles of the sheet, by increasing camera row.
   std::vector<Profile> profiles() const {
     const std::vector<std::optional<SheetPoint>> samples = coarse_samples();
     std::vector<Profile> found;
@@ -52,8 +54,8 @@ class SheetTracer {
     return {T_model_sensor_ * projector_.center(), T_model_sensor_.linear() * direction};
   }
 
-  // The hit as the camera would see it, or none where it is out of the image, of the volume, or
-  // too flat. Whether something is in the way is not asked here.
+  // The hit as seen by the camera; none if it is outside the image or the volume, or at a too flat
+  // angle. Does not check whether something hides it.
   std::optional<SheetPoint> sheet_point(double slide_along,
                                         const std::optional<RayHit>& hit) const {
     if (!hit) return std::nullopt;
@@ -72,7 +74,7 @@ class SheetTracer {
     return point;
   }
 
-  // About one sample a camera row, by rising row.
+  // About one sample per camera row, by increasing row.
   std::vector<std::optional<SheetPoint>> coarse_samples() const {
     const int count =
         static_cast<int>(2.0 * projector_.half_length_along * sensor_.camera.focal_px) + 2;
@@ -91,7 +93,7 @@ class SheetTracer {
     return samples;
   }
 
-  // Points in every whole row between two neighboring samples.
+  // Adds a point in every whole row between two neighboring samples.
   void add_rows(const SheetPoint& a, const SheetPoint& b, std::vector<Profile>& found) const {
     const double rows = b.pixel.along_px - a.pixel.along_px;
     if (rows <= 0.0 || rows > options_.max_stretch) return;
@@ -120,7 +122,7 @@ class SheetTracer {
                            T_model_sensor_ * sensor_.camera.center());
   }
 
-  // Continues the last profile, or opens one where the surface is interrupted.
+  // Appends to the last profile, or starts a new one if the surface is interrupted.
   void append(const SheetPoint& point, double row, std::vector<Profile>& found) const {
     if (found.empty() || interrupted(found.back().points.back(), point, row))
       found.push_back({n_, projector_.sheet_normal(n_), {}});
@@ -150,17 +152,13 @@ class SheetTracer {
 }  // namespace
 
 Result<void> ViewOptions::validate() const {
-  if (!(min_cosine >= 0.0 && min_cosine < 1.0))
-    return fail(ErrorCode::kBadOption, "min_cosine must be in 0..1, not {}", min_cosine);
-  if (!(max_stretch > 1.0))
-    return fail(ErrorCode::kBadOption, "max_stretch must be above 1, not {}", max_stretch);
-  if (min_profile_points < 2)
-    return fail(ErrorCode::kBadOption, "min_profile_points must be at least 2, not {}",
-                min_profile_points);
-  if (!(volume_margin_mm >= 0.0))
-    return fail(ErrorCode::kBadOption, "volume_margin_mm must be at least 0, not {}",
-                volume_margin_mm);
-  return {};
+  return OptionCheck("ViewOptions")
+      .must("min_cosine", min_cosine, min_cosine >= 0.0 && min_cosine < 1.0,
+            "at least 0 and below 1")
+      .above("max_stretch", max_stretch, 1.0)
+      .at_least("min_profile_points", min_profile_points, 2)
+      .not_negative("volume_margin_mm", volume_margin_mm)
+      .result();
 }
 
 Result<ViewSimulator> ViewSimulator::create(const TriangleMesh& mesh, const SensorModel& sensor,

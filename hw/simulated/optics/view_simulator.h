@@ -1,6 +1,6 @@
-/// @file  From a mesh and a pose, the view that an ideal sensor would measure, and noise for it.
+/// @file  Simulates the view that an ideal sensor measures of a mesh, and adds noise.
 ///
-/// @source  Arold et al., "Simulation": a virtual sensor acquires views from a model.
+/// @source  Arold et al., section "Simulation": a virtual sensor acquires views from a model.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +14,32 @@
 namespace flytri::simulated {
 
 struct ViewOptions {
-  /// 0..1. Light that falls or leaves flatter than this cosine is too weak to be localized.
+  /// 0..1. Least cosine of the angle of incidence and of view; at flatter angles the light is too
+  /// weak.
   double min_cosine = 0.17;
-  /// > 1. Neighbors farther apart than this many pixel footprints belong to two profiles: a depth
-  /// step, not a slope that could be measured.
+  /// > 1. Neighbors farther apart than this many pixel footprints belong to two profiles, because
+  /// there is a depth step between them.
   double max_stretch = 5.0;
-  /// >= 2. A localization drops shorter pieces.
+  /// >= 2. Shorter profiles are dropped, as in the localization.
   int min_profile_points = 6;
-  /// >= 0, outside the measurement volume a line has no index.
+  /// >= 0. Points farther than this outside the measurement volume are dropped, because their line
+  /// index would be unknown.
   double volume_margin_mm = 0.0;
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// A sensor that looks at a mesh and delivers views without error. Immutable and thread-safe.
+/// A sensor that measures a mesh without error. Immutable and thread-safe.
 class ViewSimulator {
  public:
   /// @param mesh  model frame, mm, triangles counter-clockwise from outside.
-  /// @errors  kBadOption for a sensor or options that cannot be, kInsufficient for an empty mesh.
+  /// @errors  kBadOption: invalid sensor or options; kInsufficient: empty mesh.
   [[nodiscard]] static Result<ViewSimulator> create(const TriangleMesh& mesh,
                                                     const SensorModel& sensor,
                                                     const ViewOptions& options = {});
 
-  /// The view under one pattern with the sensor at T_model_sensor. Every point lies on the mesh and
-  /// on its light sheet, is lit by the projector and seen by the camera, and sits in one whole row
-  /// (column) of the camera's image. `deviation_mm` is the sensor's typical uncertainty along z.
+  /// The view under one pattern with the sensor at T_model_sensor. Every point is on the mesh and
+  /// on its light sheet, is lit by the projector and seen by the camera, and is in the middle of a
+  /// row (column) of the camera image. `deviation_mm` is the sensor's typical uncertainty along z.
   [[nodiscard]] View trace(Pattern pattern, const Isometry& T_model_sensor) const;
 
   [[nodiscard]] const SensorModel& sensor() const { return sensor_; }
@@ -52,18 +54,19 @@ class ViewSimulator {
   ViewOptions options_;
 };
 
-/// The noise of single points, as the paper's toolbox adds it.
+/// Noise of single points, as in the paper's simulation toolbox.
 struct ViewNoise {
-  double sigma_mm = 0.03;  ///< >= 0, standard deviation along z. The paper's intra-oral sensor.
-  /// >= 0. Neighbors along a line share noise: white noise is smoothed by a Gaussian of this
-  /// standard deviation in samples and brought back to `sigma_mm`. 0 is white.
+  /// >= 0, standard deviation along z; default: the paper's intra-oral sensor.
+  double sigma_mm = 0.03;
+  /// >= 0. Correlation of the noise along a line: white noise is smoothed by a Gaussian with this
+  /// standard deviation in samples, then scaled to `sigma_mm`. 0: white noise.
   double correlation_samples = 0.0;
   std::uint64_t seed = 1;
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// `ideal` with each point moved along z. Points, profiles and order stay, so an error can be
-/// formed point by point. `stream` numbers the view: the same numbers give the same noise.
+/// A copy of `ideal` with each point moved along z. Points, profiles and their order are the same,
+/// so that errors can be computed point by point. Equal `stream` and seed give equal noise.
 [[nodiscard]] View add_noise(const View& ideal, const ViewNoise& noise, std::uint64_t stream);
 
 }  // namespace flytri::simulated

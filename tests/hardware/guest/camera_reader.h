@@ -1,4 +1,4 @@
-/// @file  Reads a real camera for a while, as a capture loop does, and keeps what came.
+/// @file  Reads a camera like a capture loop and stores the frames.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace flytri::testing {
 
-/// Frames without their images.
+/// A frame without its image.
 struct ReadFrame {
   double time_s = 0.0;
   std::int64_t sequence = 0;
@@ -25,15 +25,15 @@ class CameraReader {
   [[nodiscard]] v4l2::V4l2Camera& camera() { return *camera_; }
   void start();
 
-  /// Reads until so many frames more have come. Fails the test after `limit_s`.
+  /// Reads the given number of frames. Fails the test after `limit_s`.
   void read(int frames, double limit_s = 20.0);
-  /// Reads until the status is as wanted, with or without frames. Fails the test after `limit_s`.
+  /// Reads until the status fulfills the condition. Fails the test after `limit_s`.
   void read_until(const std::function<bool(const device::CameraStatus&)>& wanted,
                   double limit_s = 20.0);
 
   [[nodiscard]] const std::vector<ReadFrame>& frames() const { return frames_; }
   [[nodiscard]] const cv::Mat& last_image() const { return last_image_; }
-  /// Fails the test unless times and sequence numbers rise.
+  /// Fails the test unless times and sequence numbers increase.
   void expect_order() const;
 
  private:

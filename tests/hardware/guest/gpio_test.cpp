@@ -1,5 +1,5 @@
-// The lights on GPIO chips on USB: the kernel's ftdi_sio and hid-mcp2221, and devices played by
-// usb_devices.
+// Tests the lights on USB GPIO chips with the kernel drivers ftdi_sio and hid-mcp2221, on devices
+// emulated by flytri_usb_devices.
 
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -22,8 +22,8 @@ namespace flytri {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::order;
-using testing::shining;
+using testing::lit_pins;
+using testing::send_command;
 using testing::wait_until;
 
 constexpr unsigned kDarkPins = 0;
@@ -43,9 +43,9 @@ std::unique_ptr<gpio::GpioLightSwitch> make_switch(const gpio::LightWiring& wiri
 
 class GpioTest : public ::testing::Test {
  protected:
-  GpioTest() { testing::mend_all(); }
+  GpioTest() { testing::restore_all(); }
 
-  // Wants a light and waits until the device was told.
+  // Requests a light and waits until the request was carried out.
   static void turn_on(gpio::GpioLightSwitch& lights, device::Light light) {
     const auto before = lights.status().switched;
     ASSERT_GT(lights.post({light, 0.0}), 0);
@@ -53,42 +53,42 @@ class GpioTest : public ::testing::Test {
   }
 };
 
-TEST_F(GpioTest, EachLightShinesAloneOnBothChips) {
+TEST_F(GpioTest, TurnsOnOneLightAtATimeOnBothChips) {
   for (const char* label : {kFtdi, kMcp}) {
     SCOPED_TRACE(label);
     const auto lights = make_switch(wiring(label));
     const auto started = lights->start();
     ASSERT_TRUE(started) << started.error().message;
-    EXPECT_EQ(shining(), kDarkPins);
+    EXPECT_EQ(lit_pins(), kDarkPins);
     for (const auto& [light, pins] :
          {std::pair{device::Light::kVertical, kVerticalPins},
           std::pair{device::Light::kHorizontal, kHorizontalPins},
           std::pair{device::Light::kFlash, kFlashPins}, std::pair{device::Light::kDark, kDarkPins},
           std::pair{device::Light::kVertical, kVerticalPins}}) {
       ASSERT_NO_FATAL_FAILURE(turn_on(*lights, light));
-      EXPECT_EQ(shining(), pins);
+      EXPECT_EQ(lit_pins(), pins);
     }
     lights->stop();
-    EXPECT_EQ(shining(), kDarkPins);
+    EXPECT_EQ(lit_pins(), kDarkPins);
   }
 }
 
-TEST_F(GpioTest, PolarityIsTurned) {
+TEST_F(GpioTest, InvertsActiveLowLines) {
   gpio::LightWiring inverted = wiring(kFtdi);
   inverted.vertical.active_low = true;
   inverted.flash.reset();
   const auto lights = make_switch(inverted);
   ASSERT_TRUE(lights->start());
-  EXPECT_EQ(shining(), kVerticalPins);  // which is dark
+  EXPECT_EQ(lit_pins(), kVerticalPins);  // the inverted line is high while dark
   ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kVertical));
-  EXPECT_EQ(shining(), kDarkPins);
+  EXPECT_EQ(lit_pins(), kDarkPins);
   ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kHorizontal));
-  EXPECT_EQ(shining(), kVerticalPins | kHorizontalPins);
+  EXPECT_EQ(lit_pins(), kVerticalPins | kHorizontalPins);
   lights->stop();
-  EXPECT_EQ(shining(), kVerticalPins);
+  EXPECT_EQ(lit_pins(), kVerticalPins);
 }
 
-TEST_F(GpioTest, ChipThatIsHeldIsRefusedAndTheHolderNamed) {
+TEST_F(GpioTest, RefusesAChipInUseAndReportsTheUser) {
   const auto holder = make_switch(wiring(kFtdi));
   ASSERT_TRUE(holder->start());
   const auto second = make_switch(wiring(kFtdi));
@@ -98,7 +98,7 @@ TEST_F(GpioTest, ChipThatIsHeldIsRefusedAndTheHolderNamed) {
   EXPECT_THAT(refused.error().message, HasSubstr("held by flytri"));
 }
 
-TEST_F(GpioTest, WrongPermissionsAreNamed) {
+TEST_F(GpioTest, ReportsMissingPermissions) {
   const auto check = [] {
     if (setuid(65534) != 0) std::_Exit(2);
     const auto refused = make_switch(wiring(kFtdi))->start();
@@ -108,33 +108,33 @@ TEST_F(GpioTest, WrongPermissionsAreNamed) {
   EXPECT_EXIT(check(), ::testing::ExitedWithCode(0), "");
 }
 
-TEST_F(GpioTest, UnpluggedInMidScanGoesOnWithItsLightUnderAnotherNumber) {
+TEST_F(GpioTest, ReconnectsUnderAnotherNumberAndRestoresTheLight) {
   const auto lights = make_switch(wiring(kFtdi));
   ASSERT_TRUE(lights->start());
   ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kVertical));
   const std::string node_before = gpio::find_chip(gpio::list_chips(), {kFtdi, "", ""})->device.node;
-  order("unplug ftdi");
+  send_command("unplug ftdi");
   wait_until([&] { return lights->status().state == device::LightSwitchState::kLost; });
-  EXPECT_EQ(shining(), kDarkPins);
+  EXPECT_EQ(lit_pins(), kDarkPins);
   lights->post({device::Light::kHorizontal, 0.0});
-  // The other chip takes its number.
-  order("unplug mcp");
+  // The other chip gets the number of the first.
+  send_command("unplug mcp");
   wait_until([] { return device::list_device_nodes("gpio").empty(); });
-  order("plug mcp");
+  send_command("plug mcp");
   wait_until([] { return device::list_device_nodes("gpio").size() == 1; }, testing::kPlugging_s);
-  order("plug ftdi");
+  send_command("plug ftdi");
   wait_until([&] { return lights->status().returned == 1; });
-  wait_until([] { return shining() == kHorizontalPins; });
+  wait_until([] { return lit_pins() == kHorizontalPins; });
   ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kFlash));
-  EXPECT_EQ(shining(), kFlashPins);
+  EXPECT_EQ(lit_pins(), kFlashPins);
   EXPECT_NE(gpio::find_chip(gpio::list_chips(), {kFtdi, "", ""})->device.node, node_before);
   EXPECT_EQ(lights->status().lost, 1);
   EXPECT_EQ(lights->status().state, device::LightSwitchState::kRunning);
 }
 
-// What a scan does: with each frame the other light is wanted. A chip that blocks for twelve
-// seconds an order costs neither a frame nor the time of whoever wants the light.
-TEST_F(GpioTest, MuteChipHoldsNeitherTheCallerNorTheCameraUp) {
+// As in a scan, each frame requests the other light. A chip that blocks for twelve seconds per
+// command must neither cost frames nor delay the caller.
+TEST_F(GpioTest, AMuteChipBlocksNeitherTheCallerNorTheCamera) {
   const auto lights = make_switch(wiring(kMcp));
   ASSERT_TRUE(lights->start());
   ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kVertical));
@@ -143,7 +143,7 @@ TEST_F(GpioTest, MuteChipHoldsNeitherTheCallerNorTheCameraUp) {
   settings.rate_hz = 25.0;
   testing::CameraReader reader({"", "M0001", ""}, settings);
   ASSERT_NO_FATAL_FAILURE(reader.start());
-  order("mute mcp");
+  send_command("mute mcp");
   const device::Clock clock = device::machine_clock();
   double slowest_post_s = 0.0;
   for (int i = 0; i < 50; ++i) {
@@ -155,15 +155,15 @@ TEST_F(GpioTest, MuteChipHoldsNeitherTheCallerNorTheCameraUp) {
   EXPECT_LT(slowest_post_s, 0.01);
   EXPECT_EQ(reader.camera().status().dropped, 0);
   EXPECT_THAT(lights->status().message, HasSubstr("has not answered"));
-  order("unmute mcp");
-  // The last request is served when the chip is through with what it did not answer.
+  send_command("unmute mcp");
+  // The last request is carried out when the unanswered call has ended.
   wait_until([&] { return lights->status().switched == 3; }, 60.0);
-  EXPECT_EQ(shining(), kVerticalPins);
+  EXPECT_EQ(lit_pins(), kVerticalPins);
   EXPECT_GT(lights->status().slowest_s, 4.0);
   EXPECT_EQ(lights->status().skipped, 48);
 }
 
-// A folder of pictures for the camera: all of one brightness for each light.
+// A folder of images for the camera; each light has one brightness.
 class LitPictures {
  public:
   static constexpr int kVerticalGrey = 200;
@@ -182,8 +182,8 @@ class LitPictures {
   }
 };
 
-// A frame that began after a light was told to shine, and before the next, shows that light alone.
-TEST_F(GpioTest, FramesShowTheLightThatShoneWhileTheyExposed) {
+// A frame exposed between two light changes shows only that light.
+TEST_F(GpioTest, FramesShowTheLightOfTheirExposure) {
   device::CameraSettings settings;
   settings.size = {320, 240};
   settings.rate_hz = 25.0;
@@ -197,14 +197,14 @@ TEST_F(GpioTest, FramesShowTheLightThatShoneWhileTheyExposed) {
     const bool vertical = i % 2 == 0;
     ASSERT_NO_FATAL_FAILURE(
         turn_on(*lights, vertical ? device::Light::kVertical : device::Light::kHorizontal));
-    // The first may have been exposed before, or have seen both.
+    // The first frame may have been exposed before the change, or show both lights.
     ASSERT_NO_FATAL_FAILURE(reader.read(2));
     EXPECT_EQ(reader.last_image().at<std::uint8_t>(120, 160),
               vertical ? LitPictures::kVerticalGrey : LitPictures::kHorizontalGrey);
   }
 }
 
-// The end of a program with a light on.
+// Ends a program while a light is on.
 void end_with_light_on(const char* label, const std::function<void()>& end) {
   const pid_t program = fork();
   ASSERT_GE(program, 0);
@@ -216,14 +216,14 @@ void end_with_light_on(const char* label, const std::function<void()>& end) {
     wait_until([&] { return lights->status().switched == 1; });
     end();
   }
-  wait_until([] { return shining() == kVerticalPins; });
+  wait_until([] { return lit_pins() == kVerticalPins; });
   int status = 0;
   waitpid(program, &status, 0);
-  wait_until([] { return shining() == kDarkPins; });
+  wait_until([] { return lit_pins() == kDarkPins; });
 }
 
-TEST_F(GpioTest, LightsGoDarkHoweverTheProgramEnds) {
-  // A signal to the whole group, as from the terminal, meets the guard, too.
+TEST_F(GpioTest, LightsTurnDarkWhenTheProgramCrashesOrIsKilled) {
+  // A signal to the whole process group, as from the terminal, also reaches the guard.
   const auto interrupt_group = [] {
     kill(0, SIGINT);
     pause();
@@ -238,13 +238,13 @@ TEST_F(GpioTest, LightsGoDarkHoweverTheProgramEnds) {
   }
 }
 
-TEST_F(GpioTest, GuardIsDismissedByAnOrderlyEnd) {
+TEST_F(GpioTest, StopEndsTheGuard) {
   const auto lights = make_switch(wiring(kFtdi));
   ASSERT_TRUE(lights->start());
   ASSERT_NO_FATAL_FAILURE(turn_on(*lights, device::Light::kVertical));
   lights->stop();
-  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no child is left
-  // Nobody holds the lines any more.
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no child process is left
+  // All lines are free.
   for (const gpio::GpioChip& chip : gpio::list_chips())
     for (const gpio::GpioLine& line : chip.lines) EXPECT_EQ(line.consumer, "");
 }

@@ -24,9 +24,9 @@ bool all_are_there() {
 
 }  // namespace
 
-void order(const std::string& line) { std::ofstream("/tmp/usb") << line << std::endl; }
+void send_command(const std::string& line) { std::ofstream("/tmp/usb") << line << std::endl; }
 
-unsigned shining() {
+unsigned lit_pins() {
   std::ifstream log("/tmp/lights");
   double time_s = 0.0;
   unsigned pins = 0;
@@ -43,10 +43,10 @@ void wait_until(const std::function<bool()>& reached, double limit_s) {
   }
 }
 
-void mend_all() {
+void restore_all() {
   for (const char* line :
        {"thaw camera", "unmute mcp", "plug camera", "plug camera2", "plug ftdi", "plug mcp"})
-    order(line);
+    send_command(line);
   wait_until(all_are_there, kPlugging_s);
 }
 

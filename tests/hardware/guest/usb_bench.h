@@ -1,4 +1,4 @@
-/// @file  Orders to the program that plays the USB devices, and what it says.
+/// @file  Controls the program that emulates the USB devices.
 #pragma once
 
 #include <functional>
@@ -6,20 +6,20 @@
 
 namespace flytri::testing {
 
-/// Sends it a line, e.g. "unplug camera".
-void order(const std::string& line);
+/// Sends a command, e.g. "unplug camera".
+void send_command(const std::string& line);
 
-/// The pins that shine, as bits: 0 vertical, 1 horizontal, 2 flash.
-[[nodiscard]] unsigned shining();
+/// The pins that are on, as bits: 0 vertical, 1 horizontal, 2 flash.
+[[nodiscard]] unsigned lit_pins();
 
-/// Waits for a state of the machine. Fails the test after `limit_s`.
+/// Waits until the condition is fulfilled. Fails the test after `limit_s`.
 void wait_until(const std::function<bool()>& reached, double limit_s = 20.0);
 
-/// The longest that plugging in takes: this kernel's driver of the MCP2221 hears no answers before
-/// it is through with its start, and waits four seconds for each of six.
+/// Longest time to plug in a device. This kernel's driver for the MCP2221 ignores answers during
+/// its start, and waits four seconds for each of six.
 inline constexpr double kPlugging_s = 60.0;
 
-/// Plugs in all devices and ends their faults, and waits until the kernel has them.
-void mend_all();
+/// Plugs in all devices, ends their faults, and waits until the kernel has detected them.
+void restore_all();
 
 }  // namespace flytri::testing

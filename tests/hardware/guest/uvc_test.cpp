@@ -1,4 +1,4 @@
-// Cameras on USB: the kernel's uvcvideo, and devices played by usb_devices.
+// Tests USB cameras with the kernel driver uvcvideo, on devices emulated by flytri_usb_devices.
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@ namespace flytri {
 namespace {
 
 using testing::CameraReader;
-using testing::order;
+using testing::send_command;
 
-const device::CameraMatch kMono{"", "M0001", ""};   // in bulk
-const device::CameraMatch kColor{"", "C0002", ""};  // isochronous
+const device::CameraMatch kMono{"", "M0001", ""};   // bulk transfers
+const device::CameraMatch kColor{"", "C0002", ""};  // isochronous transfers
 constexpr double kRate_hz = 25.0;
 
 device::CameraSettings settings(device::PixelFormat format = device::PixelFormat::kGrey8) {
@@ -29,18 +29,19 @@ device::CameraSettings settings(device::PixelFormat format = device::PixelFormat
 
 class UvcTest : public ::testing::Test {
  protected:
-  UvcTest() { testing::mend_all(); }
+  UvcTest() { testing::restore_all(); }
 
-  // Whether the driver hands damaged images on, as of the next plugging in; else it drops them.
+  // Sets whether the driver passes on damaged images or drops them; applies when a camera is
+  // plugged in.
   static void hand_on_damaged(bool wanted) {
     std::ofstream("/sys/module/uvcvideo/parameters/nodrop") << (wanted ? 1 : 0);
-    order("unplug camera");
+    send_command("unplug camera");
     testing::wait_until([] { return !v4l2::find_camera(*v4l2::kernel_video_system(), kMono); });
-    testing::mend_all();
+    testing::restore_all();
   }
 };
 
-TEST_F(UvcTest, StreamsAtItsRateWithoutLoss) {
+TEST_F(UvcTest, StreamsAtTheSetRateWithoutLoss) {
   for (const device::CameraMatch& match : {kMono, kColor}) {
     SCOPED_TRACE(match.serial);
     CameraReader reader(match, settings());
@@ -56,8 +57,8 @@ TEST_F(UvcTest, StreamsAtItsRateWithoutLoss) {
   }
 }
 
-// The dim ground of the picture is even: 16 to 47 in each format.
-TEST_F(UvcTest, EveryFormatShowsThePicture) {
+// The dark background of the image is uniform: 16 to 47 in each format.
+TEST_F(UvcTest, ShowsTheImageInEveryFormat) {
   for (const device::PixelFormat format :
        {device::PixelFormat::kGrey8, device::PixelFormat::kYuyv, device::PixelFormat::kMjpeg}) {
     for (const device::Channels channels : {device::Channels::kGrey, device::Channels::kRgb}) {
@@ -73,7 +74,7 @@ TEST_F(UvcTest, EveryFormatShowsThePicture) {
       double darkest = 0.0;
       double brightest = 0.0;
       cv::minMaxLoc(reader.last_image().reshape(1), &darkest, &brightest);
-      EXPECT_LE(brightest - darkest, 2.0);  // what JPEG rounds
+      EXPECT_LE(brightest - darkest, 2.0);  // rounding of JPEG
       EXPECT_LE(brightest, 48.0);
       EXPECT_GT(brightest, 0.0);
       EXPECT_EQ(reader.camera().status().undecodable, 0);
@@ -81,7 +82,7 @@ TEST_F(UvcTest, EveryFormatShowsThePicture) {
   }
 }
 
-TEST_F(UvcTest, IsSetByHandAndReadBack) {
+TEST_F(UvcTest, SetsControlsAndReadsThemBack) {
   device::CameraSettings wanted = settings();
   wanted.exposure_s = 0.005;
   wanted.gain = 20.0;
@@ -106,12 +107,12 @@ TEST_F(UvcTest, IsSetByHandAndReadBack) {
   EXPECT_GE(automatics, 3);
 }
 
-TEST_F(UvcTest, ImagesThatTheDriverDropsAreGapsThatAreCounted) {
+TEST_F(UvcTest, CountsImagesDroppedByTheDriver) {
   CameraReader reader(kMono, settings());
   ASSERT_NO_FATAL_FAILURE(reader.start());
   for (const char* fault : {"short camera", "error camera"}) {
     ASSERT_NO_FATAL_FAILURE(reader.read(5));
-    order(fault);
+    send_command(fault);
   }
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
   reader.expect_order();
@@ -119,18 +120,18 @@ TEST_F(UvcTest, ImagesThatTheDriverDropsAreGapsThatAreCounted) {
   EXPECT_EQ(reader.camera().status().flagged, 0);
 }
 
-TEST_F(UvcTest, DamagedImagesThatTheDriverHandsOnAreMarkedAndCounted) {
+TEST_F(UvcTest, MarksAndCountsDamagedImages) {
   hand_on_damaged(true);
   CameraReader reader(kMono, settings());
   ASSERT_NO_FATAL_FAILURE(reader.start());
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
-  order("short camera");
+  send_command("short camera");
   reader.read_until([](const device::CameraStatus& status) { return status.short_frames == 1; });
   EXPECT_TRUE(reader.frames().back().damaged);
   // The lower half is missing.
   EXPECT_EQ(reader.last_image().at<std::uint8_t>(239, 0), 0);
   EXPECT_GT(reader.last_image().at<std::uint8_t>(0, 0), 0);
-  order("error camera");
+  send_command("error camera");
   reader.read_until([](const device::CameraStatus& status) { return status.flagged == 2; });
   EXPECT_TRUE(reader.frames().back().damaged);
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
@@ -140,28 +141,28 @@ TEST_F(UvcTest, DamagedImagesThatTheDriverHandsOnAreMarkedAndCounted) {
   hand_on_damaged(false);
 }
 
-TEST_F(UvcTest, FrozenCameraIsNoticedAndGoesOn) {
+TEST_F(UvcTest, DetectsAFrozenCameraAndContinues) {
   CameraReader reader(kMono, settings());
   ASSERT_NO_FATAL_FAILURE(reader.start());
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
-  order("freeze camera");
+  send_command("freeze camera");
   reader.read_until(
       [](const device::CameraStatus& s) { return s.state == device::CameraState::kFrozen; });
-  order("thaw camera");
+  send_command("thaw camera");
   reader.read_until(
       [](const device::CameraStatus& s) { return s.state == device::CameraState::kRunning; });
   EXPECT_EQ(reader.camera().status().restarted, 0);
-  // For so long that it is set up anew.
-  order("freeze camera");
+  // Long enough for a restart.
+  send_command("freeze camera");
   reader.read_until([](const device::CameraStatus& status) { return status.restarted == 1; });
-  order("thaw camera");
+  send_command("thaw camera");
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
   reader.expect_order();
   EXPECT_EQ(reader.camera().status().frozen, 2);
   EXPECT_EQ(reader.camera().status().lost, 0);
 }
 
-TEST_F(UvcTest, UnpluggedInMidStreamGoesOnAsItWasWhenItIsBack) {
+TEST_F(UvcTest, ReconnectsWithTheSameSettingsAfterUnplugging) {
   for (const auto& [name, match] : {std::pair{"camera", kMono}, std::pair{"camera2", kColor}}) {
     SCOPED_TRACE(name);
     device::CameraSettings wanted = settings();
@@ -169,21 +170,21 @@ TEST_F(UvcTest, UnpluggedInMidStreamGoesOnAsItWasWhenItIsBack) {
     CameraReader reader(match, wanted);
     ASSERT_NO_FATAL_FAILURE(reader.start());
     ASSERT_NO_FATAL_FAILURE(reader.read(10));
-    order(std::string("unplug ") + name);
+    send_command(std::string("unplug ") + name);
     reader.read_until([](const device::CameraStatus& s) { return s.lost == 1; });
     EXPECT_EQ(reader.camera().status().state, device::CameraState::kLost);
-    order(std::string("plug ") + name);
+    send_command(std::string("plug ") + name);
     reader.read_until([](const device::CameraStatus& s) { return s.returned == 1; });
     ASSERT_NO_FATAL_FAILURE(reader.read(10));
     reader.expect_order();
     EXPECT_EQ(reader.frames().size(), 20U);
     EXPECT_EQ(reader.camera().status().restarted, 0);
-    // What it forgot was set again.
+    // The settings that the camera lost were set again.
     EXPECT_DOUBLE_EQ(*reader.camera().read_back().exposure_s, 0.007);
   }
 }
 
-TEST_F(UvcTest, OneOfTwoIsUnpluggedAndTheOtherLosesNothing) {
+TEST_F(UvcTest, UnpluggingOneCameraCostsNoFramesOfTheOther) {
   device::CameraSettings wanted = settings(device::PixelFormat::kMjpeg);
   wanted.channels = device::Channels::kRgb;
   CameraReader mono(kMono, settings());
@@ -192,9 +193,9 @@ TEST_F(UvcTest, OneOfTwoIsUnpluggedAndTheOtherLosesNothing) {
   ASSERT_NO_FATAL_FAILURE(color.start());
   std::thread other([&] {
     color.read(5);
-    order("unplug camera2");
+    send_command("unplug camera2");
     color.read_until([](const device::CameraStatus& status) { return status.lost == 1; });
-    order("plug camera2");
+    send_command("plug camera2");
     color.read(10);
   });
   mono.read(60);

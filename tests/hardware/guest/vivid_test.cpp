@@ -1,4 +1,5 @@
-// The camera that the kernel's vivid driver plays, with the faults that it can be told to have.
+// Tests the camera emulated by the kernel's vivid driver, and the faults that the driver can
+// simulate.
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -23,9 +24,9 @@ using ::testing::HasSubstr;
 const device::CameraMatch kFirst{"vivid-000-vid-cap", "", ""};
 const device::CameraMatch kSecond{"vivid-001-vid-cap", "", ""};
 
-// The driver's own controls that make it fail.
+// Controls of the driver that cause faults.
 enum class Fault : std::uint32_t {
-  kDropBuffers = 0x00f0f040,  // of a hundred
+  kDropBuffers = 0x00f0f040,  // percent
   kDisconnect,
   kFlagBuffer,
   kRefuseBuffers,
@@ -61,7 +62,7 @@ double mean_rate_hz(const std::vector<testing::ReadFrame>& frames) {
   return static_cast<double>(frames.size() - 1) / (frames.back().time_s - frames.front().time_s);
 }
 
-TEST(Vivid, StreamsAtItsRateWithoutLoss) {
+TEST(Vivid, StreamsAtTheSetRateWithoutLoss) {
   CameraReader reader(kFirst, settings());
   ASSERT_NO_FATAL_FAILURE(reader.start());
   ASSERT_NO_FATAL_FAILURE(reader.read(50));
@@ -74,9 +75,9 @@ TEST(Vivid, StreamsAtItsRateWithoutLoss) {
   EXPECT_EQ(reader.camera().read_back().rate_hz, 50.0);
 }
 
-// The driver's color bars are of three quarters of full scale, and black. YUYV has its luminance
-// within 16 to 235.
-TEST(Vivid, EveryFormatGivesTheSamePicture) {
+// The driver's color bars have 75 % of full scale, or black. In YUYV the luminance is within 16 to
+// 235.
+TEST(Vivid, GivesTheSameImageInEveryFormat) {
   const struct {
     device::PixelFormat format;
     device::Channels channels;
@@ -105,7 +106,7 @@ TEST(Vivid, EveryFormatGivesTheSamePicture) {
   }
 }
 
-TEST(Vivid, GainIsSetAndReadBackAndItsAutomaticTurnedOff) {
+TEST(Vivid, SetsGainAndTurnsAutomaticGainOff) {
   device::CameraSettings wanted = settings();
   wanted.gain = 77.0;
   CameraReader reader(kFirst, wanted);
@@ -117,21 +118,21 @@ TEST(Vivid, GainIsSetAndReadBackAndItsAutomaticTurnedOff) {
     }
 }
 
-TEST(Vivid, RefusesWhatItDoesNotHave) {
+TEST(Vivid, RefusesUnsupportedSizesAndControls) {
   device::CameraSettings wanted = settings();
   wanted.size = {333, 111};
   CameraReader size(kFirst, wanted);
-  EXPECT_THAT(size.camera().start().error().message, HasSubstr("it has"));
+  EXPECT_THAT(size.camera().start().error().message, HasSubstr("choose one of"));
   wanted = settings(device::PixelFormat::kMjpeg);
   CameraReader format(kFirst, wanted);
   EXPECT_EQ(format.camera().start().error().code, ErrorCode::kBadOption);
   wanted = settings();
   wanted.focus = 3.0;
   CameraReader focus(kFirst, wanted);
-  EXPECT_THAT(focus.camera().start().error().message, HasSubstr("has no focus"));
+  EXPECT_THAT(focus.camera().start().error().message, HasSubstr("has no control focus"));
 }
 
-TEST(Vivid, IsListedAndSaysThatItIsBusy) {
+TEST(Vivid, IsListedAsBusyWhileInUse) {
   const device::CameraDescription idle = listed(kFirst.name);
   EXPECT_EQ(idle.node, "/dev/video10");
   EXPECT_TRUE(idle.problems.empty());
@@ -146,7 +147,7 @@ TEST(Vivid, IsListedAndSaysThatItIsBusy) {
   ASSERT_NO_FATAL_FAILURE(reader.read(3));
 }
 
-TEST(Vivid, TwoRunAtOnce) {
+TEST(Vivid, RunsTwoCamerasAtOnce) {
   CameraReader first(kFirst, settings());
   CameraReader second(kSecond, settings(device::PixelFormat::kYuyv));
   ASSERT_NO_FATAL_FAILURE(first.start());
@@ -162,7 +163,7 @@ TEST(Vivid, TwoRunAtOnce) {
   EXPECT_EQ(second.camera().status().dropped, 0);
 }
 
-TEST(VividFault, DroppedBuffersAreCounted) {
+TEST(VividFault, CountsDroppedBuffers) {
   CameraReader reader(kFirst, settings());
   ASSERT_NO_FATAL_FAILURE(reader.start());
   inject(Fault::kDropBuffers, 30);
@@ -173,7 +174,7 @@ TEST(VividFault, DroppedBuffersAreCounted) {
   EXPECT_EQ(reader.camera().status().dropped, missing);
 }
 
-TEST(VividFault, FlaggedBufferIsDamagedAndCounted) {
+TEST(VividFault, MarksAndCountsDamagedBuffers) {
   CameraReader reader(kFirst, settings());
   ASSERT_NO_FATAL_FAILURE(reader.start());
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
@@ -185,7 +186,7 @@ TEST(VividFault, FlaggedBufferIsDamagedAndCounted) {
             1);
 }
 
-TEST(VividFault, RefusedStartSaysWhyAndTheNextOneWorks) {
+TEST(VividFault, ReportsAFailedStartAndCanStartAgain) {
   for (const Fault fault : {Fault::kRefuseBuffers, Fault::kRefuseStream}) {
     CameraReader reader(kFirst, settings());
     inject(fault);
@@ -198,7 +199,7 @@ TEST(VividFault, RefusedStartSaysWhyAndTheNextOneWorks) {
   }
 }
 
-TEST(VividFault, BrokenStreamIsStartedAgain) {
+TEST(VividFault, RestartsABrokenStream) {
   for (const Fault fault : {Fault::kRefuseQueuing, Fault::kBreakStream}) {
     CameraReader reader(kFirst, settings());
     ASSERT_NO_FATAL_FAILURE(reader.start());
@@ -211,7 +212,7 @@ TEST(VividFault, BrokenStreamIsStartedAgain) {
   }
 }
 
-TEST(VividFault, WrongPermissionsAreNamed) {
+TEST(VividFault, ReportsMissingPermissions) {
   const auto check = [] {
     if (setuid(65534) != 0) std::_Exit(2);
     const device::CameraDescription denied = listed(kFirst.name);
@@ -226,8 +227,8 @@ TEST(VividFault, WrongPermissionsAreNamed) {
   EXPECT_EXIT(check(), ::testing::ExitedWithCode(0), "");
 }
 
-// Disconnected as a cable would: the driver takes the camera away and must be loaded again.
-TEST(VividFault, DisconnectedCameraIsLostAndGoesOnWhenItIsBack) {
+// Like pulling the cable: the driver removes the camera and must be loaded again.
+TEST(VividFault, ReconnectsADisconnectedCamera) {
   CameraReader reader(kFirst, settings());
   ASSERT_NO_FATAL_FAILURE(reader.start());
   ASSERT_NO_FATAL_FAILURE(reader.read(5));
@@ -235,7 +236,7 @@ TEST(VividFault, DisconnectedCameraIsLostAndGoesOnWhenItIsBack) {
   reader.read_until([](const device::CameraStatus& status) { return status.lost == 1; });
   EXPECT_EQ(reader.camera().status().state, device::CameraState::kLost);
   ASSERT_EQ(std::system("rmmod vivid"), 0);
-  // Under other numbers.
+  // With other device numbers.
   ASSERT_EQ(std::system("insmod /modules/vivid.ko n_devs=2 node_types=0x1,0x1 num_inputs=1,1 "
                         "input_types=0,0 vid_cap_nr=20,21"),
             0);

@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By how much a residual may be larger: images have 8 bits before they are averaged, and color is
-/// compressed.
+/// Largest allowed ratio of the residuals: images have only 8 bits before averaging, and color
+/// images are compressed.
 constexpr double kAsGood = 1.2;
 
 std::string_view file_of(calibration::ShotKind kind) {
@@ -50,13 +50,13 @@ Result<void> write_picture(const fs::path& file, const cv::Mat& image) {
   return io::write_file(file, {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
 }
 
-/// What the cameras see of one target at one depth.
+/// Writes the images of one target at one depth.
 Result<void> write_placement(const fs::path& folder, const simulated::CalibrationCamera& camera,
                              calibration::TargetFace face, double z_mm) {
   if (auto made = io::create_folder(folder); !made) return made;
   std::uint64_t stream = 0;
   for (const calibration::ShotKind kind : calibration::shots_of(face)) {
-    // The cameras go on with the pictures of the first shot under that light.
+    // The second vertical shot uses the same pictures as the first.
     if (kind == calibration::ShotKind::kVerticalAgain) continue;
     for (int i = 0; i < shots::RigShotOptions().exposures; ++i) {
       const auto file = folder / fmt::format("{}_{}", i, file_of(kind));
@@ -78,10 +78,10 @@ std::array<Residual, 6> residuals_of(const calibration::Calibration& calibration
   const auto depth = [&](Pattern pattern) {
     return kMicrons * calibration.of(pattern).depth_residual_mm.rms;
   };
-  return {Residual{"Z vertical", "um", depth(Pattern::kVertical)},
-          Residual{"Z horizontal", "um", depth(Pattern::kHorizontal)},
-          Residual{"X", "um", kMicrons * calibration.x_mm.residual.rms},
-          Residual{"Y", "um", kMicrons * calibration.y_mm.residual.rms},
+  return {Residual{"Z vertical", "µm", depth(Pattern::kVertical)},
+          Residual{"Z horizontal", "µm", depth(Pattern::kHorizontal)},
+          Residual{"X", "µm", kMicrons * calibration.x_mm.residual.rms},
+          Residual{"Y", "µm", kMicrons * calibration.y_mm.residual.rms},
           Residual{"U", "px", calibration.texture_u_px.residual.rms},
           Residual{"V", "px", calibration.texture_v_px.residual.rms}};
 }
@@ -99,7 +99,7 @@ Result<void> write_targets(const fs::path& folder) {
   const std::vector<calibration::Placement> placements = calibration::placements_of(plan);
   std::vector<Result<void>> done(placements.size());
   Workers().for_each(placements.size(), [&](std::size_t i) {
-    // The seed tells the noise of the placements apart.
+    // Different seeds give each placement different noise.
     const auto camera = simulated::CalibrationCamera::create(
         (*shots)->sensor(), {.exposures = 1, .bits = 8, .seed = i + 1});
     done[i] = camera ? write_placement(folder / "pictures" / std::to_string(i + 1), *camera,
@@ -125,8 +125,9 @@ Result<void> check_fits(const fs::path& folder) {
     is_as_good &= is[i].rms <= kAsGood * should[i].rms;
   }
   if (is_as_good) return {};
-  return fail(ErrorCode::kInconsistent,
-              "the calibration fits its images worse than without devices");
+  return fail(
+      ErrorCode::kInconsistent,
+      "the residuals of the recorded calibration are too large compared with the simulated one");
 }
 
 }  // namespace flytri::scan

@@ -1,5 +1,4 @@
-/// @file  A calibration at the chair in the virtual machine: its targets as pictures, and what came
-/// of them.
+/// @file  Images for a guided calibration in the virtual machine, and the check of its result.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +7,17 @@
 
 namespace flytri::scan {
 
-/// Of the volume: the depths at which both targets stand.
+/// Number of depths for each target.
 inline constexpr int kPlanes = 5;
 
-/// Writes rig.json, and into "pictures/PLACEMENT/", from 1 on in the order in which the dialog asks
-/// for them, what the USB cameras see of the target there under each light: as many exposures as
-/// are averaged, each with its own noise.
+/// Writes rig.json and the images of all placements. The folder "pictures/PLACEMENT/" (numbered
+/// from 1 in the order of the dialog) has the images of the USB cameras under each light: one per
+/// averaged exposure, each with different noise.
 /// @errors  As SimulatedShots::create, create_folder and write_file.
 [[nodiscard]] Result<void> write_targets(const std::filesystem::path& folder);
 
-/// That the residuals of recorded/calibration.json are those of simulated/calibration.json, which
-/// was made of images of the same targets without devices.
+/// Checks that the residuals of recorded/calibration.json are not larger than those of
+/// simulated/calibration.json, which was made from the same targets without devices.
 /// @errors  As read_calibration; kInconsistent: they are larger.
 [[nodiscard]] Result<void> check_fits(const std::filesystem::path& folder);
 

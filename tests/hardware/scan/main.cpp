@@ -1,14 +1,14 @@
-// A scan for the USB cameras of the virtual machine, and what became of it.
+// Creates the images of a scan for the USB cameras of the virtual machine, and checks the results.
 //
-//     flytri_hardware_scan take FOLDER      pictures/, rig.json, calibration.json, and simulated/,
-//                                           the recording that a perfect rig would make
-//     flytri_hardware_scan check FOLDER     that each frame of recorded/ shows what it is said to;
-//                                           writes its truth. Once: its times are changed
-//     flytri_hardware_scan compare FOLDER   that recorded.json is as good as simulated.json, both
-//                                           of flytri evaluate
-//     flytri_hardware_scan targets FOLDER   of a calibration: pictures/, rig.json
-//     flytri_hardware_scan fits FOLDER      that recorded/calibration.json fits its images as well
-//                                           as simulated/calibration.json fits its own
+//     flytri_hardware_scan take FOLDER      writes pictures/, rig.json, calibration.json, and
+//                                           simulated/, the recording of a perfect rig
+//     flytri_hardware_scan check FOLDER     checks the labels of all frames of recorded/ and writes
+//                                           its truth. Run it once only: it changes the frame times
+//     flytri_hardware_scan compare FOLDER   checks that recorded.json is as good as simulated.json;
+//                                           both are reports of flytri evaluate
+//     flytri_hardware_scan targets FOLDER   writes pictures/ and rig.json of a calibration
+//     flytri_hardware_scan fits FOLDER      checks that recorded/calibration.json has residuals as
+//                                           small as simulated/calibration.json
 
 #include <fmt/format.h>
 
@@ -33,25 +33,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Exposures of a flash: the texture camera keeps no step with the other, one of its own must fit.
+/// Duration of a flash in frames. The cameras are not synchronized, so two are needed to contain a
+/// whole exposure of the texture camera.
 constexpr int kFlashFrames = 2;
-/// Of the moments at which the hand moves under a pattern: what must have been recorded.
+/// Share of the moments with a moving hand and a pattern that must have been recorded.
 constexpr double kEnough = 0.85;
-/// By how much the time of a texture frame may miss its moment: at less than half of the time
-/// between two no other moment is meant. The camera exposes a quarter of it later.
+/// Largest time error of a texture frame: half of the time between two moments, so that the moment
+/// is unique. It includes the camera's delay of a quarter of that time.
 constexpr double kTextureOff_s = 0.5 / kRate_hz;
-/// By how much other frames of the same scan may be worse. As it stands a result hangs on the noise
-/// of its first view, which is that of single points, 30 um, over some hundred of them.
+/// Largest allowed increase of an error, mm. "as_it_stands" depends on the noise of the first view,
+/// which is that of single points (30 µm) averaged over some hundred of them.
 struct Gauge {
   const char* name;
   double as_good_mm;
 };
 constexpr std::array kGauges = {Gauge{"as_it_stands", 0.01}, Gauge{"best_fit", 0.001}};
 constexpr double kAsComplete = 0.01;
-/// Of chromaticity: the picture is compressed on its way.
+/// Largest allowed increase of the chromaticity error; the images are compressed.
 constexpr double kAsColored = 0.005;
 
-/// The patterns alternate; of the exposures of a flash one is kept, the others are nothing.
+/// Kind of each exposure: the patterns alternate; of the exposures under a flash, one is used and
+/// the others are skipped.
 std::optional<FrameKind> kind_of(std::size_t number) {
   constexpr auto kPeriod = static_cast<std::size_t>(kFlashPeriod_s * kRate_hz);
   const std::size_t since_flash = number % kPeriod;
@@ -81,12 +83,13 @@ Result<void> take(const fs::path& folder) {
   const Workers workers;
   const ScanOptions options;
   if (auto made = io::create_folder(folder); !made) return made;
-  const auto calibration = simulated::kept_sensor_calibration(options.sensor, folder, workers, {});
+  const auto calibration =
+      simulated::cached_sensor_calibration(options.sensor, folder, workers, {});
   if (!calibration) return tl::unexpected(calibration.error());
   auto written = io::write_calibration(folder / "calibration.json", *calibration);
   if (written)
     written = rig::write_rig(folder / "rig.json", vm_rig(options.sensor, "calibration.json"));
-  // The pictures are shown over and over: the recording ends before they begin anew.
+  // The pictures repeat: the recording must end before they start again.
   const double duration_s = (options.resting + options.moving - 1) / kRate_hz;
   if (written) written = io::write_file(folder / "duration", fmt::format("{}\n", duration_s));
   if (!written) return written;
@@ -97,14 +100,15 @@ Result<void> take(const fs::path& folder) {
 }
 
 struct Labels {
-  std::vector<Shown> shown;    ///< by frame, of those whose label is right
-  std::vector<double> time_s;  ///< by frame, of the same
-  int other = 0;               ///< the picture is of another light
-  int mixed = 0;               ///< no picture: another light got into the exposure
-  int backward = 0;            ///< not later than the frame before
+  std::vector<Shown> shown;    ///< for each correctly labeled frame
+  std::vector<double> time_s;  ///< for each of these frames
+  int other = 0;               ///< frames that show another light
+  int mixed = 0;               ///< frames that show more than one light
+  int backward = 0;            ///< frames not later than the one before
 };
 
-/// Each camera shows a moment once. Just before and after a flash both may show the same.
+/// Each camera shows each moment once. Just before and after a flash, both cameras may show the
+/// same.
 bool is_backward(const Shown& before, const Shown& shown) {
   const bool is_same_camera =
       (before.kind == FrameKind::kTexture) == (shown.kind == FrameKind::kTexture);
@@ -127,7 +131,7 @@ Result<Labels> read_labels(const io::Recording& recording, const PictureFinder& 
   return labels;
 }
 
-/// Frames of the moving hand.
+/// Number of frames with a moving hand.
 int count_moving(const Labels& labels, const ScanOptions& options, bool texture) {
   return static_cast<int>(
       std::count_if(labels.shown.begin(), labels.shown.end(), [&](const Shown& shown) {
@@ -136,8 +140,8 @@ int count_moving(const Labels& labels, const ScanOptions& options, bool texture)
       }));
 }
 
-/// The largest difference between the time of a texture frame and that of its moment, which the
-/// last frame before it of the other camera tells.
+/// Largest difference between the time of a texture frame and that of its moment, which is computed
+/// from the last frame of the other camera before it.
 double texture_off_s(const Labels& labels) {
   double off_s = 0.0;
   std::optional<std::size_t> pattern;
@@ -163,20 +167,22 @@ Result<void> judge(const Labels& labels, const ScanOptions& options) {
   fmt::print(
       "{} frames show what their label says, bit for bit; {} show another light, {} more than one, "
       "{} an earlier moment than the frame before\n"
-      "of the moving hand {} under a pattern, {} expected, and {} under the flash, {} expected; "
-      "these at most {:.0f} ms off their moment\n",
+      "frames with a moving hand: {} under a pattern, {} expected; {} under the flash, {} "
+      "expected, "
+      "with time errors of at most {:.0f} ms\n",
       labels.shown.size(), labels.other, labels.mixed, labels.backward, patterns, wanted, textures,
       flashes, 1e3 * off_s);
   if (labels.other + labels.mixed + labels.backward > 0 || off_s > kTextureOff_s)
-    return fail(ErrorCode::kInconsistent, "the recording does not show what it says");
-  // The first flash and the last may be at the ends of the scan.
+    return fail(ErrorCode::kInconsistent,
+                "the recording has frames with a wrong label or a wrong time");
+  // One flash may be missing at the ends of the scan.
   if (patterns < kEnough * wanted || textures < flashes - 1)
-    return fail(ErrorCode::kInsufficient, "too little of the scan was recorded");
+    return fail(ErrorCode::kInsufficient, "too few frames of the scan were recorded");
   return {};
 }
 
-/// The recording's times are those of the guest: they are brought to the pace of the hand, by whose
-/// speed the gaps are judged that a pose may be interpolated over.
+/// Scales the guest's times in the recording to the real speed of the hand, because the
+/// reconstruction judges gaps by that speed.
 Result<void> set_pace(const fs::path& recording, double pace) {
   const fs::path file = recording / "recording.json";
   const auto text = io::read_file(file);
@@ -223,7 +229,7 @@ Result<void> compare(const fs::path& folder) {
     const auto value = [&](const nlohmann::json& of, const char* key) {
       return of.at(key).get<double>();
     };
-    fmt::print("{}: RMS {:.1f} um recorded, {:.1f} simulated; complete {:.2f} %, {:.2f} %\n", gauge,
+    fmt::print("{}: RMS {:.1f} µm recorded, {:.1f} simulated; complete {:.2f} %, {:.2f} %\n", gauge,
                1e3 * value(is, "rms_mm"), 1e3 * value(should, "rms_mm"),
                100.0 * value(is, "complete_surface_share"),
                100.0 * value(should, "complete_surface_share"));
@@ -239,7 +245,8 @@ Result<void> compare(const fs::path& folder) {
              color(*recorded, "median_by_chance"));
   is_as_good &= color(*recorded, "median") <= color(*simulated, "median") + kAsColored;
   if (is_as_good) return {};
-  return fail(ErrorCode::kInconsistent, "the recording is worse than the simulated one");
+  return fail(ErrorCode::kInconsistent,
+              "the results of the recording are worse than those of the simulated one");
 }
 
 Result<void> run(std::string_view word, const fs::path& folder) {
@@ -248,7 +255,7 @@ Result<void> run(std::string_view word, const fs::path& folder) {
   if (word == "compare") return compare(folder);
   if (word == "targets") return write_targets(folder);
   if (word == "fits") return check_fits(folder);
-  return fail(ErrorCode::kBadOption, "no such word: {}", word);
+  return fail(ErrorCode::kBadOption, "unknown command: {}", word);
 }
 
 }  // namespace
@@ -256,7 +263,7 @@ Result<void> run(std::string_view word, const fs::path& folder) {
 
 int main(int count, char** words) {
   if (count != 3) {
-    fmt::print(stderr, "flytri_hardware_scan take|check|compare|targets|fits FOLDER\n");
+    fmt::print(stderr, "usage: flytri_hardware_scan take|check|compare|targets|fits FOLDER\n");
     return 2;
   }
   const auto done = flytri::scan::run(words[1], words[2]);

@@ -1,4 +1,4 @@
-/// @file  Finds the picture that a recorded frame shows, by its pixels alone.
+/// @file  Identifies the picture that a recorded frame shows, by its pixels.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 
 namespace flytri::scan {
 
-/// Reads the pictures that the cameras were given, color as it is decoded. A frame shows one of
-/// them if all bits agree: an exposure that another light got into agrees with none.
+/// Reads the pictures of the cameras; color pictures are decoded. A frame shows a picture if all
+/// bits agree, so a frame with mixed lights shows none.
 class PictureFinder {
  public:
-  /// @param folder  as ScanPictures::write leaves it
-  /// @param count   of numbers
-  /// @param color   what the texture camera sends
-  /// @errors  As read_file; kBadFormat: a picture that cannot be decoded.
+  /// @param folder  written by ScanPictures::write
+  /// @param count  how many numbers there are
+  /// @param color  image size of the texture camera
+  /// @errors  As read_file; kBadFormat: a picture cannot be decoded.
   [[nodiscard]] static Result<PictureFinder> read(const std::filesystem::path& folder,
                                                   std::size_t count, const ImageSize& color);
 

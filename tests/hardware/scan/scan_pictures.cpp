@@ -12,7 +12,7 @@ namespace {
 std::vector<Moment> moments_of(const ScanOptions& options, const simulated::SensorPath& path) {
   std::vector<Moment> moments;
   for (int i = 0; i < options.resting + options.moving; ++i) {
-    // Before its start the path rests.
+    // Before the start of the path, the sensor rests.
     const double time_s = (i - options.resting) * options.sensor.frame_period_s;
     moments.push_back({time_s, path.T_model_sensor(time_s)});
   }

@@ -1,4 +1,4 @@
-/// @file  A scan as pictures: at each moment what both cameras see under each light.
+/// @file  Simulates what both cameras see under each light at each moment of a scan.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace flytri::scan {
 
-/// A moment of the scan: its number is that of the camera's exposure.
+/// A moment of the scan; its number is the number of the camera's exposure.
 struct Moment {
   double time_s = 0.0;  ///< on the path
   Isometry T_model_sensor = Isometry::Identity();
@@ -20,13 +20,13 @@ struct Moment {
 
 struct ScanOptions {
   simulated::SensorModel sensor = simulated::intraoral_sensor();
-  /// >= 0. Moments at which the hand rests where it will begin: the rig learns its latency.
+  /// >= 0. Number of moments before the hand starts to move; the rig learns its latency meanwhile.
   int resting = 40;
   int moving = 100;  ///< > 0
   simulated::PathOptions path = {.kind = simulated::PathKind::kQuadrant, .duration_s = 10.0};
 };
 
-/// The moments of a scan, and what is seen at them.
+/// The moments of a scan and their images.
 class ScanPictures {
  public:
   /// @errors  As make_sample_jaw and LitScene::create.
@@ -35,12 +35,12 @@ class ScanPictures {
 
   [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
-  /// What the measurement camera sees, or under the flash the texture camera: CV_8UC1, 1024x768, or
-  /// CV_8UC3 in R, G, B order, 1280x960. The resting hand's pictures differ in their noise.
+  /// Image of the measurement camera (CV_8UC1, 1024x768), or of the texture camera under the flash
+  /// (CV_8UC3, R, G, B order, 1280x960). While the hand rests, the images differ in their noise.
   [[nodiscard]] cv::Mat picture(std::size_t number, FrameKind kind) const;
 
-  /// Writes "NUMBER_LIGHT.grey" of both patterns and the flash, and "NUMBER_flash.jpg", as the USB
-  /// cameras take them.
+  /// Writes "NUMBER_LIGHT.grey" for both patterns and the flash, and "NUMBER_flash.jpg", in the
+  /// format of the emulated USB cameras.
   /// @errors  As write_file.
   [[nodiscard]] Result<void> write(const std::filesystem::path& folder,
                                    const Workers& workers) const;

@@ -1,4 +1,4 @@
-/// @file  The truth beside a recording of the pictures of a scan, as flytri evaluate reads it.
+/// @file  Writes the truth of a recorded scan for flytri evaluate.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@
 
 namespace flytri::scan {
 
-/// Which picture a frame of the recording shows.
+/// The picture that a recorded frame shows.
 struct Shown {
-  std::size_t number = 0;  ///< of the moment
+  std::size_t number = 0;  ///< number of the moment
   FrameKind kind = FrameKind::kVertical;
   bool operator==(const Shown&) const = default;
 };
 
-/// Writes truth.json and the mesh, with what of it was lit, beside the recording.
-/// @param shown  by frame of the recording
+/// Writes truth.json and the mesh, with its lit places, to the recording.
+/// @param shown  for each frame of the recording
 /// @errors  As open_recording, write_truth and write_ply.
 [[nodiscard]] Result<void> write_scan_truth(const std::filesystem::path& recording,
                                             const ScanPictures& pictures,

@@ -1,4 +1,4 @@
-/// @file  The rig of the virtual machine: cameras and a chip of tests/hardware/usb.
+/// @file  The rig of the virtual machine: emulated cameras and chip of tests/hardware/usb.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace flytri::scan {
 
-/// Of both cameras. The guest is slow: its clock has six ticks for one of the hand's.
+/// Rate of both cameras. The guest is slow: the hand is simulated at 30 Hz, six times as fast.
 inline constexpr double kRate_hz = 5.0;
 inline constexpr double kFlashPeriod_s = 4.0;
 

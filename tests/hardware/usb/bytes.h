@@ -1,4 +1,4 @@
-/// @file  Bytes as USB sends them: least significant first.
+/// @file  Helpers for bytes in USB order (least significant first).
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ void append(Bytes& bytes, std::span<const std::uint8_t> more);
 
 void append_number(Bytes& bytes, std::uint32_t value, int length);
 
-/// Bytes that are missing count as 0.
+/// Missing bytes count as 0.
 [[nodiscard]] std::uint32_t read_number(std::span<const std::uint8_t> bytes, std::size_t offset,
                                         std::size_t length);
 
-/// A descriptor: its length goes before what is given.
+/// A descriptor: the content with its length in front.
 [[nodiscard]] Bytes descriptor(const Bytes& content);
 
 }  // namespace flytri::usb

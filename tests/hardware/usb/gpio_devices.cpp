@@ -40,24 +40,24 @@ constexpr std::uint8_t kSetBitMode = 0x0b;
 constexpr std::uint8_t kReadPins = 0x0c;
 constexpr std::uint8_t kReadMemory = 0x90;
 constexpr std::uint8_t kCbusMode = 0x20;
-// Two bytes of status stand before all data, sixteen milliseconds apart where there are none.
+// Two status bytes precede all data; without data they are sent every 16 ms.
 const Bytes kIdleStatus = {0x01, 0x60};
 constexpr double kStatusPeriod_s = 0.016;
 
-// Words of the memory that say what the pins are for; 8 means GPIO.
+// Words of the memory that configure the pins; 8 means GPIO.
 Bytes ft232h_memory(std::uint16_t word) {
   if (word == 0x0d) return {0x80, 0x08};
   if (word == 0x0e) return {0x88, 0x00};
   return {0, 0};
 }
 
-// Orders of the MCP2221.
+// Commands of the MCP2221.
 constexpr std::uint8_t kStatus = 0x10;
 constexpr std::uint8_t kSetLines = 0x50;
 constexpr std::uint8_t kGetLines = 0x51;
 constexpr std::size_t kReportBytes = 64;
 
-// 64 bytes in and out, of nobody's usage.
+// 64 bytes in and out, with vendor-defined usage.
 const Bytes kReportDescriptor = {0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x02,
                                  0x15, 0x00, 0x26, 0xff, 0x00, 0x75, 0x08, 0x95, 0x40,
                                  0x81, 0x02, 0x09, 0x03, 0x95, 0x40, 0x91, 0x02, 0xc0};
@@ -121,34 +121,35 @@ Mcp2221::Mcp2221(int port, LightPins& pins)
 std::optional<Bytes> Mcp2221::control(const Setup& setup, const Bytes&) {
   constexpr std::uint16_t kReport = 0x2200;
   if (setup.is_standard() && setup.kind == 0x81 && setup.value == kReport) return kReportDescriptor;
-  // What remains of its class sets how often it may be silent, which it is not.
+  // The other class requests set the idle rate, which has no effect here.
   return setup.is_standard() || setup.kind & 0x80 ? std::nullopt : std::optional(Bytes{});
 }
 
 void Mcp2221::receive(const Transfer& transfer) {
   if (mute_ || transfer.data.empty()) return;
-  answers_.push_back(follow(transfer.data));
-  hand_over();
+  answers_.push_back(execute_report(transfer.data));
+  send_answers();
 }
 
-// Of each line: whether to change its value, the value; whether to change its direction, that.
-Bytes Mcp2221::follow(const Bytes& order) {
+// Four bytes per line: whether to change the value, the value, whether to change the direction, the
+// direction.
+Bytes Mcp2221::execute_report(const Bytes& command) {
   Bytes answer(kReportBytes, 0);
-  answer[0] = order[0];
-  const auto at = [&](std::size_t i) { return i < order.size() ? order[i] : std::uint8_t{0}; };
+  answer[0] = command[0];
+  const auto at = [&](std::size_t i) { return i < command.size() ? command[i] : std::uint8_t{0}; };
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     Line& line = lines_[i];
-    if (order[0] == kSetLines) {
+    if (command[0] == kSetLines) {
       if (at(2 + 4 * i) != 0) line.value = at(3 + 4 * i);
       if (at(4 + 4 * i) != 0) line.direction = at(5 + 4 * i);
       for (std::size_t k = 2 + 4 * i; k < 6 + 4 * i; ++k) answer[k] = at(k);
-    } else if (order[0] == kGetLines) {
+    } else if (command[0] == kGetLines) {
       answer[2 + 2 * i] = line.value;
       answer[3 + 2 * i] = line.direction;
     }
   }
-  // The speed of its other bus is accepted as told.
-  if (order[0] == kStatus) answer[3] = at(3);
+  // Any speed of the I2C bus is accepted.
+  if (command[0] == kStatus) answer[3] = at(3);
   show();
   return answer;
 }
@@ -160,12 +161,12 @@ void Mcp2221::show() {
   pins_.set("mcp2221", pins, now_s());
 }
 
-void Mcp2221::hand_over() {
+void Mcp2221::send_answers() {
   for (; !waiting_.empty() && !answers_.empty(); waiting_.pop_front(), answers_.pop_front())
     port_.complete(waiting_.front(), answers_.front());
 }
 
-void Mcp2221::obey(std::string_view word) {
+void Mcp2221::execute(std::string_view word) {
   if (word == "mute") mute_ = true;
   if (word == "unmute") mute_ = false;
 }

@@ -1,4 +1,4 @@
-/// @file  USB chips with GPIO lines that switch the lights: FT232H and MCP2221.
+/// @file  Emulated USB chips with GPIO lines for the lights: FT232H and MCP2221.
 #pragma once
 
 #include <array>
@@ -17,18 +17,18 @@ class Ft232h final : public UsbDevice {
   std::optional<Bytes> control(const Setup& setup, const Bytes& data) override;
   void receive(const Transfer&) override {}
   void transfer_waits() override;
-  void obey(std::string_view) override {}
+  void execute(std::string_view) override {}
   void reset() override;
   void do_work(double now_s) override;
   double next_work_s() const override { return waiting_.empty() ? kNever_s : next_status_s_; }
 
   LightPins& pins_;
-  std::uint8_t latched_ = 0;  // values, and in the high half directions: 1 is output
+  std::uint8_t latched_ = 0;  // low half: values; high half: directions, 1 is output
   double next_status_s_ = 0.0;
 };
 
-/// An MCP2221, for the kernel's hid-mcp2221: four GPIO lines, set one at a time.
-/// Words: "mute", it takes orders and neither follows nor answers them; "unmute".
+/// An MCP2221, for the kernel's hid-mcp2221: four GPIO lines, set one at a time. Commands: "mute":
+/// the chip receives commands, but neither executes nor answers them; "unmute".
 class Mcp2221 final : public UsbDevice {
  public:
   Mcp2221(int port, LightPins& pins);
@@ -40,13 +40,13 @@ class Mcp2221 final : public UsbDevice {
   };
   std::optional<Bytes> control(const Setup& setup, const Bytes& data) override;
   void receive(const Transfer& transfer) override;
-  void transfer_waits() override { hand_over(); }
-  void obey(std::string_view word) override;
+  void transfer_waits() override { send_answers(); }
+  void execute(std::string_view word) override;
   void reset() override;
   void do_work(double) override {}
 
-  [[nodiscard]] Bytes follow(const Bytes& order);
-  void hand_over();
+  [[nodiscard]] Bytes execute_report(const Bytes& command);
+  void send_answers();
   void show();
 
   LightPins& pins_;

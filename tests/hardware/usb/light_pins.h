@@ -1,4 +1,4 @@
-/// @file  What shines: the pins of all chips together, with their history for exposures.
+/// @file  State of the light pins of all chips, with their history.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@ namespace flytri::usb {
 /// Pins are bits: 0 vertical, 1 horizontal, 2 flash.
 class LightPins {
  public:
-  /// @param log  each change is appended to it as a line "TIME_S PINS"
+  /// @param log  file; each change is appended as a line "TIME_S PINS"
   explicit LightPins(std::string log) : log_(std::move(log)) {}
 
   void set(const std::string& chip, unsigned pins, double now_s);
 
-  /// Share of a time in which a pin was on, 0..1. What is longer ago than two seconds is forgotten.
+  /// Share of a time interval in which a pin was on, 0..1. The history covers two seconds.
   [[nodiscard]] double share(int pin, double from_s, double to_s) const;
 
  private:

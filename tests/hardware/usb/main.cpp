@@ -1,12 +1,12 @@
-// Plays USB cameras and GPIO chips to the kernel, on its virtual host controller.
+// Emulates USB cameras and GPIO chips on the kernel's virtual host controller.
 //
 //     usb_devices NAME... [--pictures FOLDER]
 //
-// NAME: camera (bulk), camera2 (isochronous), texture (bulk, in color; after the camera whose
-// moments it sees), ftdi, mcp. They are plugged in at the start. The pictures are shown to camera
-// and texture. Orders come through the FIFO /tmp/usb, a line each: WORD NAME, where WORD is plug,
-// unplug, or one that the device knows (uvc_camera.h, gpio_devices.h). What shines is appended to
-// /tmp/lights (light_pins.h).
+// NAME: camera (bulk), camera2 (isochronous), texture (bulk, in color; must come after camera,
+// because it shows the same moments), ftdi, mcp. All devices are plugged in at the start. camera
+// and texture show the pictures of FOLDER. The FIFO /tmp/usb receives commands, one per line:
+// COMMAND NAME, where COMMAND is plug, unplug, or a command of the device (uvc_camera.h,
+// gpio_devices.h). Changes of the light pins are appended to /tmp/lights (light_pins.h).
 
 #include <fcntl.h>
 #include <poll.h>
@@ -53,8 +53,8 @@ std::unique_ptr<UsbDevice> make_device(const std::string& name, const Devices& d
   return nullptr;
 }
 
-// Lines that have come whole are carried out.
-void take_orders(int fifo, std::string& text, Devices& devices) {
+// Executes complete lines.
+void execute_commands(int fifo, std::string& text, Devices& devices) {
   std::array<char, 256> buffer{};
   const ssize_t length = read(fifo, buffer.data(), buffer.size());
   if (length > 0) text.append(buffer.data(), static_cast<std::size_t>(length));
@@ -65,7 +65,7 @@ void take_orders(int fifo, std::string& text, Devices& devices) {
     const auto found =
         space == std::string::npos ? devices.end() : devices.find(line.substr(space + 1));
     if (found == devices.end())
-      std::fprintf(stderr, "usb_devices: no such order: %s\n", line.c_str());
+      std::fprintf(stderr, "usb_devices: unknown command: %s\n", line.c_str());
     else
       found->second->command(line.substr(0, space));
   }
@@ -79,7 +79,7 @@ int timeout_ms(const Devices& devices, double now_s) {
 
 [[noreturn]] void run(int fifo, Devices& devices) {
   const device::Clock clock = device::machine_clock();
-  std::string orders;
+  std::string commands;
   for (;;) {
     std::vector<pollfd> waiting = {{fifo, POLLIN, 0}};
     std::vector<UsbDevice*> asked;
@@ -92,7 +92,7 @@ int timeout_ms(const Devices& devices, double now_s) {
     for (std::size_t i = 0; i < asked.size(); ++i)
       if (waiting[i + 1].revents != 0 && asked[i]->socket() == waiting[i + 1].fd)
         asked[i]->answer();
-    if (waiting[0].revents != 0) take_orders(fifo, orders, devices);
+    if (waiting[0].revents != 0) execute_commands(fifo, commands, devices);
     for (const auto& [name, device] : devices) device->work(clock.now_s());
   }
 }
@@ -104,7 +104,7 @@ int main(int count, char** words) {
   using namespace flytri::usb;
   signal(SIGPIPE, SIG_IGN);
   mkfifo("/tmp/usb", 0600);
-  // Held open for writing, too: it does not end when a writer goes.
+  // Also opened for writing, so that the FIFO stays open when a writer closes it.
   const int fifo = open("/tmp/usb", O_RDWR | O_NONBLOCK | O_CLOEXEC);
   LightPins pins("/tmp/lights");
   Devices devices;
@@ -118,7 +118,7 @@ int main(int count, char** words) {
     }
     auto device = make_device(words[i], devices, pictures, pins);
     if (!device) {
-      std::fprintf(stderr, "usb_devices: no such device: %s\n", words[i]);
+      std::fprintf(stderr, "usb_devices: unknown device: %s\n", words[i]);
       return 2;
     }
     device->command("plug");

@@ -15,12 +15,12 @@ namespace flytri::usb {
 namespace {
 
 constexpr std::uint8_t kBright = 240;
-constexpr std::uint8_t kDimmest = 16;  // black where luminance has a limited range
+constexpr std::uint8_t kDimmest = 16;  // black for luminance with limited range
 
-/// Of an exposure: what is missing to it is jitter of the times.
+/// Share of an exposure that counts as all of it, to allow for jitter.
 constexpr double kWhole = 0.999;
 
-// Where a light is on for a part of the time, it is as much brighter.
+// A light that is on for a part of the exposure adds that part of its brightness.
 void brighten(std::uint8_t& pixel, double share) {
   pixel = static_cast<std::uint8_t>(std::lround(pixel + share * (kBright - pixel)));
 }
@@ -51,7 +51,7 @@ Bytes encode(const Bytes& grey, UvcFormat format, const UvcSize& size) {
   return yuyv;
 }
 
-// By a table: the guest is slow.
+// A look-up table, because the guest is slow.
 std::array<std::uint8_t, 256> dimmed(double share) {
   std::array<std::uint8_t, 256> table{};
   for (std::size_t value = 0; value < table.size(); ++value)
@@ -103,7 +103,7 @@ Bytes Picture::grey(const simulated::Exposure& exposure) const {
   return image;
 }
 
-// The flash is the only light that a color camera is for.
+// The color camera shows only the flash.
 Bytes Picture::color(const simulated::Exposure& exposure) const {
   if (exposure.flash <= 0.0) return black_;
   std::ifstream file(file_of(exposure.number % count_, "flash.jpg"), std::ios::binary);

@@ -1,4 +1,4 @@
-/// @file  What the camera sees: the light of the pins while it exposed.
+/// @file  Composes the camera image from the lights that were on during the exposure.
 #pragma once
 
 #include <string>
@@ -7,27 +7,27 @@
 
 namespace flytri::usb {
 
-/// Shares of an exposure in which a light shone, 0..1.
+/// For each light, the share of the exposure in which it was on, 0..1.
 struct Exposure {
-  std::uint32_t number = 0;  ///< of the picture
+  std::uint32_t number = 0;  ///< number of the picture
   double vertical = 0.0;
   double horizontal = 0.0;
   double flash = 0.0;
 };
 
-/// Pictures of one size. Without a folder: a dim ground that changes from picture to picture, a
-/// bright column in the middle for the vertical light, a bright row for the horizontal one, all
-/// bright for the flash. With a folder: its pictures for each light, added up.
+/// Images of one size. Without a folder: a test image with a dark background that changes from
+/// image to image, plus a bright column in the middle (vertical light), a bright row (horizontal
+/// light) or full brightness (flash). With a folder: the sum of its images for each light.
 class Picture {
  public:
-  /// @param folder  of files "NUMBER_LIGHT.grey", 0_vertical.grey and on, where LIGHT is dark,
-  ///                vertical, horizontal or flash, each width x height bytes; shown over and over,
-  ///                one of each light a number; a file that is missing is black. For a color
-  ///                camera, "NUMBER_flash.jpg": what it sends under the flash. Empty: no folder.
-  /// @param color   what MJPEG shows of a folder
+  /// @param folder  with files "NUMBER_LIGHT.grey", from 0_vertical.grey on, where LIGHT is dark,
+  ///                vertical, horizontal or flash; each has width x height bytes. The numbers are
+  ///                shown in turn, repeatedly; a missing file counts as black. For a color camera,
+  ///                "NUMBER_flash.jpg" is the image under the flash. Empty: no folder.
+  /// @param color  whether MJPEG shows the color images of the folder
   Picture(const UvcSize& size, std::string folder, bool color);
 
-  /// As the camera sends it.
+  /// The image data in the given format.
   [[nodiscard]] Bytes image(const Exposure& exposure, UvcFormat format) const;
 
  private:
@@ -39,8 +39,8 @@ class Picture {
 
   const UvcSize size_;
   const std::string folder_;
-  std::uint32_t count_ = 0;  // of numbers in the folder
-  Bytes black_;              // as a color camera sends it; empty: it is none
+  std::uint32_t count_ = 0;  // how many numbers the folder has
+  Bytes black_;              // black image of a color camera; empty for other cameras
 };
 
 }  // namespace flytri::usb

@@ -55,7 +55,7 @@ void UsbDevice::command(std::string_view word) {
   else if (word == "unplug")
     set_plugged(false);
   else
-    obey(word);
+    execute(word);
 }
 
 void UsbDevice::set_plugged(bool wanted) {
@@ -73,7 +73,7 @@ void UsbDevice::work(double now_s) {
 }
 
 double UsbDevice::due_s() const {
-  // The kernel needs a moment to be through with the last one: it is asked again and again.
+  // Retry, because the kernel needs a moment to finish with the previous device.
   if (wanted_ && !port_.plugged()) return 0.0;
   return port_.plugged() ? next_work_s() : kNever_s;
 }
@@ -120,7 +120,7 @@ void UsbDevice::answer_control(const Transfer& transfer) {
     data = Bytes{1};
   else
     data = control(setup, transfer.data);
-  // Orders that every device takes, and that need no answer: address, configuration, features.
+  // Standard requests that need no answer data: address, configuration, features.
   if (!data && setup.is_standard() && !(setup.kind & kToHost)) data = Bytes{};
   if (!data) {
     port_.stall(transfer);

@@ -1,4 +1,4 @@
-/// @file  A USB device played by this program: what all devices answer alike.
+/// @file  Base class of the emulated USB devices, with the answers that are common to all.
 #pragma once
 
 #include <deque>
@@ -10,7 +10,7 @@
 
 namespace flytri::usb {
 
-/// What a device says that it is.
+/// Identification of a device.
 struct Identity {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
@@ -34,36 +34,36 @@ struct Setup {
 
 class UsbDevice {
  public:
-  /// @param configuration  all descriptors of the only configuration, but the first of them
+  /// @param configuration  all descriptors of the only configuration, except the first
   UsbDevice(int port, Identity identity, int interfaces, const Bytes& configuration);
   virtual ~UsbDevice() = default;
   UsbDevice(const UsbDevice&) = delete;
   UsbDevice& operator=(const UsbDevice&) = delete;
 
-  /// A word from outside: plug, unplug, or one that the device knows.
+  /// Executes a command: plug, unplug, or a command of the device.
   void command(std::string_view word);
-  /// Answers one request; to be called when the socket has something to read.
+  /// Answers one request. Call it when the socket has data.
   void answer();
-  /// Does what is due by now.
+  /// Does the work that is due.
   void work(double now_s);
-  /// When there is something to do next.
+  /// When the next work is due.
   [[nodiscard]] double due_s() const;
   [[nodiscard]] int socket() const { return port_.socket(); }
 
  protected:
-  /// Requests of class and vendor, and standard ones that are not answered for all devices.
-  /// @return  data to the host, of any length; nothing: the device refuses
+  /// Handles class and vendor requests, and standard requests that this class does not handle.
+  /// @return  data to the host, of any length; nothing to refuse the request
   [[nodiscard]] virtual std::optional<Bytes> control(const Setup& setup, const Bytes& data) = 0;
   virtual void receive(
-      const Transfer& transfer) = 0;  ///< data from the host came, and is confirmed
+      const Transfer& transfer) = 0;  ///< data from the host arrived and was confirmed
   virtual void transfer_waits() = 0;  ///< the host waits for data: see waiting_
-  virtual void obey(std::string_view word) = 0;
-  virtual void reset() = 0;  ///< it was plugged in, or unplugged
+  virtual void execute(std::string_view word) = 0;
+  virtual void reset() = 0;  ///< called after plugging in or unplugging
   virtual void do_work(double now_s) = 0;
   [[nodiscard]] virtual double next_work_s() const { return kNever_s; }
 
   static constexpr double kNever_s = std::numeric_limits<double>::infinity();
-  std::deque<Transfer> waiting_;  ///< for data of ours, in their order
+  std::deque<Transfer> waiting_;  ///< transfers that wait for data, in order
   VirtualPort port_;
 
  private:
@@ -76,7 +76,7 @@ class UsbDevice {
 
   const Identity identity_;
   Bytes configuration_;
-  bool wanted_ = false;  // to be plugged in
+  bool wanted_ = false;  // whether it shall be plugged in
 };
 
 }  // namespace flytri::usb

@@ -10,7 +10,7 @@ namespace flytri::usb {
 
 namespace {
 
-// Requests of the class (A.8 of its definition).
+// Requests of the UVC class (section A.8 of its definition).
 constexpr std::uint8_t kSetCurrent = 0x01;
 constexpr std::uint8_t kGetMinimum = 0x82;
 constexpr std::uint8_t kGetMaximum = 0x83;
@@ -19,32 +19,32 @@ constexpr std::uint8_t kGetLength = 0x85;
 constexpr std::uint8_t kGetInformation = 0x86;
 constexpr std::uint8_t kSetInterface = 11;
 constexpr std::uint8_t kClearFeature = 1;
-// Of the lens: exposure mode, priority and time, focus and its automatic.
+// Controls of the lens entity.
 constexpr std::uint8_t kExposureMode = 0x02;
 constexpr std::uint8_t kExposurePriority = 0x03;
 constexpr std::uint8_t kExposureTime = 0x04;
 constexpr std::uint8_t kFocus = 0x06;
 constexpr std::uint8_t kFocusAutomatic = 0x08;
-// Of the processing: gain, white balance and its automatic.
+// Controls of the processing entity.
 constexpr std::uint8_t kGain = 0x04;
 constexpr std::uint8_t kWhiteBalance = 0x0a;
 constexpr std::uint8_t kWhiteBalanceAutomatic = 0x0b;
-// Both negotiate a stream: trying and committing.
+// The negotiation of a stream uses "probe" and "commit".
 constexpr std::uint8_t kCommit = 0x02;
 constexpr std::size_t kNegotiationBytes = 26;
 constexpr double kInterval_s = 100e-9;
 constexpr double kExposureUnit_s = 100e-6;
 constexpr double kMicroframe_s = 125e-6;
-/// Of a period: by so much a camera beside another one exposes later.
+/// Delay, in periods, of the exposures of a camera relative to the one in `beside`.
 constexpr double kBehind = 0.25;
-// Bits of a payload's head.
+// Bits of a payload header.
 constexpr std::uint8_t kEndOfHead = 0x80;
 constexpr std::uint8_t kError = 0x40;
 constexpr std::uint8_t kEndOfFrame = 0x02;
 constexpr std::uint8_t kHeadBytes = 2;
 
-// As a camera comes from the shop: every automatic on. Exposure modes are bits: manual, automatic,
-// shutter by hand, aperture by hand.
+// Factory settings: all automatic modes on. Exposure modes are bits: manual, automatic, shutter
+// priority, aperture priority.
 std::vector<UvcControl> factory_controls() {
   return {{kLensEntity, kExposureMode, 1, 1, 8, 0x0f, 8},
           {kLensEntity, kExposurePriority, 1, 0, 1, 1, 1},
@@ -73,7 +73,7 @@ std::optional<Bytes> UvcCamera::control(const Setup& setup, const Bytes& data) {
   if (setup.is_standard()) {
     if (setup.request == kSetInterface && interface == kStreamInterface && options_.isochronous)
       stream(setup.value != 0);
-    // So a bulk stream is ended.
+    // The host ends a bulk stream in this way.
     constexpr std::uint8_t kOfEndpoint = 2;
     if (setup.request == kClearFeature && setup.kind == kOfEndpoint && !options_.isochronous)
       stream(false);
@@ -108,7 +108,7 @@ std::optional<Bytes> UvcCamera::answer_entity(const Setup& setup, const Bytes& d
       io::append_number(answer, static_cast<std::uint32_t>(found->bytes), 2);
       break;
     case kGetInformation:
-      answer = {3};  // may be read and set
+      answer = {3};  // can be read and set
       break;
     default:
       io::append_number(answer, found->value, found->bytes);
@@ -170,7 +170,7 @@ void UvcCamera::reset() {
   controls_ = factory_controls();
 }
 
-void UvcCamera::obey(std::string_view word) {
+void UvcCamera::execute(std::string_view word) {
   if (word == "freeze") frozen_ = true;
   if (word == "thaw") frozen_ = false;
   if (word == "short") next_short_ = true;
@@ -185,7 +185,7 @@ std::uint32_t UvcCamera::number_at(double time_s) const {
   return static_cast<std::uint32_t>(std::max(number, 0.0));
 }
 
-// The exposure that ends now; with the one before still on its way, it is lost.
+// Takes the exposure that ends now. It is lost if the previous image is still being sent.
 void UvcCamera::expose(double time_s) {
   const std::uint32_t own_number = exposures_++;
   exposed_s_ = time_s;
@@ -238,7 +238,7 @@ void UvcCamera::send_packets(double time_s) {
 void UvcCamera::do_work(double time_s) {
   if (streaming_ && time_s >= next_frame_s_) {
     expose(time_s);
-    // One that is late does not catch up.
+    // If late, do not try to catch up.
     next_frame_s_ = std::max(next_frame_s_ + interval_ * kInterval_s, time_s);
   }
   if (options_.isochronous)

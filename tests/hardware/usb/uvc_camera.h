@@ -1,4 +1,4 @@
-/// @file  A USB camera, for the kernel's uvcvideo: it sees what the pins light.
+/// @file  An emulated USB camera for the kernel's uvcvideo driver; it shows the lights of the pins.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,10 @@ class UvcCamera;
 struct UvcCameraOptions {
   std::string name;
   std::string serial;
-  bool isochronous = false;  ///< else it streams in bulk
-  std::string pictures;      ///< folder, as Picture takes it
-  bool color = false;        ///< with pictures, in MJPEG
-  /// Sees the same moments as this camera, which lives longer; null: its own exposures count.
+  bool isochronous = false;  ///< else bulk transfers
+  std::string pictures;      ///< folder, see Picture
+  bool color = false;        ///< color images from the folder, in MJPEG
+  /// Show the same moments as this camera, which must exist longer; null: count own exposures.
   const UvcCamera* beside = nullptr;
 };
 
@@ -33,21 +33,21 @@ struct UvcControl {
   std::uint32_t value;
 };
 
-/// Words: "freeze", no frames though it streams; "thaw"; "short", half of the next frame is
-/// missing; "error", the next frame is said to be damaged; "place:NAME", the pictures are those of
-/// that folder in its own.
+/// Commands: "freeze": stop sending frames; "thaw": send frames again; "short": half of the next
+/// frame is missing; "error": the next frame is marked as damaged; "place:NAME": show the pictures
+/// of this subfolder.
 class UvcCamera final : public UsbDevice {
  public:
   UvcCamera(int port, const UvcCameraOptions& options, const LightPins& pins);
 
-  /// Number of the exposure whose end is nearest, also of one to come.
+  /// Number of the exposure whose end is nearest to `time_s`, including future ones.
   [[nodiscard]] std::uint32_t number_at(double time_s) const;
 
  private:
   std::optional<Bytes> control(const Setup& setup, const Bytes& data) override;
   void receive(const Transfer&) override {}
   void transfer_waits() override;
-  void obey(std::string_view word) override;
+  void execute(std::string_view word) override;
   void reset() override;
   void do_work(double now_s) override;
   double next_work_s() const override;
@@ -74,15 +74,15 @@ class UvcCamera final : public UsbDevice {
   bool frozen_ = false;
   bool next_short_ = false;
   bool next_error_ = false;
-  bool error_ = false;      // of the image on its way
-  double exposed_s_ = 0.0;  // the end of the latest exposure
+  bool error_ = false;      // the image being sent is damaged
+  double exposed_s_ = 0.0;  // end of the latest exposure
   double next_frame_s_ = 0.0;
   double next_packets_s_ = 0.0;
   std::uint32_t exposures_ = 0;
-  std::string place_;  // folder in that of the pictures
+  std::string place_;  // subfolder of the pictures
   std::unique_ptr<Picture> picture_;
-  Bytes image_;           // on its way; empty: none
-  std::size_t sent_ = 0;  // of the image
+  Bytes image_;           // image being sent; empty: none
+  std::size_t sent_ = 0;  // bytes sent of the image
   std::uint8_t frame_bit_ = 0;
 };
 

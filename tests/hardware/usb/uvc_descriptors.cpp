@@ -33,8 +33,8 @@ Bytes endpoint(std::uint8_t kind, std::uint16_t size, std::uint8_t interval) {
   return descriptor(content);
 }
 
-// Exposure mode and priority, exposure, focus and its automatic; gain, white balance and its
-// automatic.
+// Lens entity: exposure mode, priority and time, focus, automatic focus. Processing entity: gain,
+// white balance, automatic white balance.
 Bytes entities() {
   Bytes lens = {kLensEntity, 0x01, 0x02, 0, 0, 0, 0, 0, 0, 0, 0, 3};
   io::append_number(lens, 1U << 1 | 1U << 2 | 1U << 3 | 1U << 5 | 1U << 17, 3);
@@ -53,7 +53,7 @@ Bytes control_interface() {
   Bytes header;
   io::append_number(header, 0x0100, 2);
   io::append_number(header, static_cast<std::uint32_t>(kHeaderBytes + parts.size()), 2);
-  io::append_number(header, 6'000'000, 4);  // ticks of its clock in a second
+  io::append_number(header, 6'000'000, 4);  // clock frequency, Hz
   append(header, Bytes{1, kStreamInterface});
   Bytes all = interface(kControlInterface, 0, 0, 1);
   append(all, video_descriptor(1, header));
@@ -61,7 +61,7 @@ Bytes control_interface() {
   return all;
 }
 
-// The four letters as the class names formats, or "Y800" and "YUY2" as others do.
+// GUID of a format from its four letters.
 Bytes guid(const char (&letters)[5]) {
   Bytes bytes(letters, letters + 4);
   append(bytes, Bytes{0, 0, 0x10, 0, 0x80, 0, 0, 0xaa, 0, 0x38, 0x9b, 0x71});
@@ -89,7 +89,7 @@ Bytes uncompressed(UvcFormat format, const Bytes& name, std::uint8_t bits_per_pi
   append(content, Bytes{bits_per_pixel, 1, 0, 0, 0, 0});
   Bytes all = video_descriptor(4, content);
   for (std::size_t i = 0; i < kUvcSizes.size(); ++i) append(all, frame(5, format, i));
-  // As BT.601 has it, and sRGB.
+  // Color matching: BT.601 matrix, sRGB.
   append(all, video_descriptor(13, Bytes{1, 1, 4}));
   return all;
 }

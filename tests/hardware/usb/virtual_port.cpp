@@ -52,15 +52,15 @@ bool VirtualPort::plug() {
   if (plugged()) return true;
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return false;
-  // A whole camera image may be on its way.
+  // The buffer must hold a whole camera image.
   const int room = 1 << 20;
   setsockopt(ends[0], SOL_SOCKET, SO_SNDBUF, &room, sizeof room);
-  const std::string order = std::to_string(number_) + " " + std::to_string(ends[1]) + " " +
-                            std::to_string(0x10000 + number_) + " " +
-                            std::to_string(static_cast<int>(speed_));
+  const std::string attach = std::to_string(number_) + " " + std::to_string(ends[1]) + " " +
+                             std::to_string(0x10000 + number_) + " " +
+                             std::to_string(static_cast<int>(speed_));
   const int controller = open("/sys/devices/platform/vhci_hcd.0/attach", O_WRONLY | O_CLOEXEC);
   const bool taken =
-      controller >= 0 && write(controller, order.data(), order.size()) == std::ssize(order);
+      controller >= 0 && write(controller, attach.data(), attach.size()) == std::ssize(attach);
   if (controller >= 0) close(controller);
   close(ends[1]);
   if (taken)

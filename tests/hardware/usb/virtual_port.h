@@ -1,5 +1,5 @@
-/// @file  A socket of the kernel's virtual USB host controller (vhci_hcd), spoken to by the USB/IP
-/// protocol on a pair of sockets of this machine.
+/// @file  A port of the kernel's virtual USB host controller (vhci_hcd), controlled by the USB/IP
+/// protocol through a local socket pair.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@ enum class Speed { kFull = 2, kHigh = 3 };
 /// A packet of an isochronous transfer.
 struct IsoPacket {
   std::uint32_t offset = 0;
-  std::uint32_t length = 0;  ///< room for data
+  std::uint32_t length = 0;  ///< capacity for data
 };
 
-/// What the host asks of the device.
+/// A request of the host to the device.
 struct Transfer {
   std::uint32_t number = 0;
   unsigned endpoint = 0;
   bool to_host = false;
-  std::uint32_t length = 0;             ///< room for data to the host
-  std::array<std::uint8_t, 8> setup{};  ///< of endpoint 0
+  std::uint32_t length = 0;             ///< capacity for data to the host
+  std::array<std::uint8_t, 8> setup{};  ///< setup packet of endpoint 0
   Bytes data;                           ///< from the host
   std::vector<IsoPacket> packets;       ///< empty: not isochronous
 };
 
-/// The host takes a transfer back.
+/// The host cancels a transfer.
 struct Cancellation {
   std::uint32_t number = 0;
   std::uint32_t transfer = 0;
@@ -42,22 +42,23 @@ class VirtualPort {
   VirtualPort(const VirtualPort&) = delete;
   VirtualPort& operator=(const VirtualPort&) = delete;
 
-  /// @return  false: the kernel is not through with the device that was there before
+  /// @return  false if the kernel has not finished with the previous device yet
   [[nodiscard]] bool plug();
   void unplug();
   [[nodiscard]] bool plugged() const { return socket_ >= 0; }
-  /// To be polled; -1: nothing is plugged in.
+  /// Socket to poll; -1 if nothing is plugged in.
   [[nodiscard]] int socket() const { return socket_; }
 
-  /// The next request; waits for it. Nothing: the kernel hung up, and all is unplugged.
+  /// Waits for the next request. Nothing if the kernel closed the connection; the device is then
+  /// unplugged.
   [[nodiscard]] std::optional<std::variant<Transfer, Cancellation>> receive();
 
   void complete(const Transfer& transfer, const Bytes& data);
-  /// The endpoint refuses.
+  /// Refuses the transfer (STALL).
   void stall(const Transfer& transfer);
   /// @param packets  the data of each packet
   void complete_packets(const Transfer& transfer, const std::vector<Bytes>& packets);
-  /// @param was_waiting  the transfer was not complete yet, and will not be
+  /// @param was_waiting  the transfer was not complete
   void confirm(const Cancellation& cancellation, bool was_waiting);
 
  private:

@@ -5,7 +5,7 @@
 namespace flytri {
 namespace {
 
-TEST(Progress, PartsAddUpToTheStage) {
+TEST(Progress, SharesOfPartsAddUpToTheWholeStage) {
   const Progress progress;
   progress.begin_stage("Meshing", 2);
   EXPECT_EQ(progress.snapshot().stage, "Meshing");
@@ -19,7 +19,7 @@ TEST(Progress, PartsAddUpToTheStage) {
   EXPECT_DOUBLE_EQ(progress.snapshot().fraction, 0.75);
 }
 
-TEST(Progress, NeverTellsMoreThanAll) {
+TEST(Progress, FractionNeverExceedsOne) {
   const Progress progress;
   progress.begin_stage("Meshing");
   progress.advance(1.5);
@@ -28,13 +28,13 @@ TEST(Progress, NeverTellsMoreThanAll) {
   EXPECT_EQ(progress.snapshot().fraction, 0.0);
 }
 
-TEST(Progress, CancellingAPartCancelsAll) {
+TEST(Progress, CancelingAPartCancelsTheWholeWork) {
   const Progress progress;
   progress.part(0.5).cancel();
   EXPECT_TRUE(progress.cancelled());
 }
 
-TEST(Progress, AWatchIsToldOfEveryAdvance) {
+TEST(Progress, WatchIsCalledAtEveryAdvance) {
   std::vector<double> told;
   const Progress progress([&](const Progress::Snapshot& step) { told.push_back(step.fraction); });
   progress.begin_stage("Meshing", 4);

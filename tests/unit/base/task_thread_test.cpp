@@ -8,7 +8,7 @@
 namespace flytri {
 namespace {
 
-TEST(TaskThread, DoesTasksInTheirOrder) {
+TEST(TaskThread, RunsTasksInOrder) {
   std::vector<int> done;
   TaskThread thread;
   for (int i = 0; i < 100; ++i) thread.post([&done, i] { done.push_back(i); });
@@ -18,7 +18,7 @@ TEST(TaskThread, DoesTasksInTheirOrder) {
   EXPECT_EQ(thread.pending(), 0U);
 }
 
-TEST(TaskThread, ATaskMayPostTheNext) {
+TEST(TaskThread, ATaskMayPostAnotherTask) {
   std::atomic<int> count = 0;
   TaskThread thread(TaskThread::Priority::kBackground);
   thread.post([&] {
@@ -29,7 +29,7 @@ TEST(TaskThread, ATaskMayPostTheNext) {
   EXPECT_EQ(count, 2);
 }
 
-TEST(TaskThread, StoppedItDropsWhatWaits) {
+TEST(TaskThread, StopDropsWaitingTasks) {
   std::atomic<bool> goes_on = false;
   std::atomic<int> count = 0;
   TaskThread thread;

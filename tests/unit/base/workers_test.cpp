@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kCount = 1000;
 
-TEST(Workers, CallEveryIndexOnceAndAdvanceByOneStep) {
+TEST(Workers, CallTheBodyOnceForEveryIndexAndAdvanceByOneStep) {
   for (const std::size_t grain : {1U, 7U, 5000U}) {
     const Progress progress;
     progress.begin_stage("Counting", 2);
@@ -17,12 +17,12 @@ TEST(Workers, CallEveryIndexOnceAndAdvanceByOneStep) {
     EXPECT_TRUE(Workers(4).for_each_unless_cancelled(
         kCount, [&](std::size_t i) { ++calls[i]; }, progress, grain));
     EXPECT_EQ(calls, std::vector<int>(kCount, 1));
-    // A thousand shares, each rounded to 1e-16.
+    // The sum of a thousand shares, each rounded to 1e-16.
     EXPECT_NEAR(progress.snapshot().fraction, 0.5, 1e-12);
   }
 }
 
-TEST(Workers, ALoopOverNothingIsAStepToo) {
+TEST(Workers, AnEmptyLoopAdvancesByOneStepToo) {
   const Progress progress;
   progress.begin_stage("Counting", 2);
   EXPECT_TRUE(Workers(2).for_each_unless_cancelled(
@@ -30,7 +30,7 @@ TEST(Workers, ALoopOverNothingIsAStepToo) {
   EXPECT_DOUBLE_EQ(progress.snapshot().fraction, 0.5);
 }
 
-TEST(Workers, EndWithTheTasksThatHaveBegunWhenCancelled) {
+TEST(Workers, FinishOnlyRunningTasksAfterCancellation) {
   constexpr std::size_t kGrain = 10;
   for (const int threads : {1, 4}) {
     const Progress progress;
@@ -38,18 +38,18 @@ TEST(Workers, EndWithTheTasksThatHaveBegunWhenCancelled) {
     const bool complete = Workers(threads).for_each_unless_cancelled(
         kCount,
         [&](std::size_t /*i*/) {
-          // Who comes while the one of the 25th call is held up by the machine cancels, too.
+          // The task of the 25th call may be delayed by the machine, so later tasks cancel too.
           if (++calls >= 25) progress.cancel();
         },
         progress, kGrain);
     EXPECT_FALSE(complete);
     EXPECT_GE(calls, 25U);
-    // The task of the 25th call, and at most one of each other thread.
+    // The task of the 25th call, and at most one task of each other thread.
     EXPECT_LE(calls, 25U + kGrain * static_cast<std::size_t>(threads));
   }
 }
 
-TEST(Workers, CancelledInTheLastTaskAllIsDone) {
+TEST(Workers, CancellationInTheLastTaskStillCompletesTheLoop) {
   const Progress progress;
   EXPECT_TRUE(Workers(1).for_each_unless_cancelled(
       kCount,
@@ -59,7 +59,7 @@ TEST(Workers, CancelledInTheLastTaskAllIsDone) {
       progress, 10));
 }
 
-TEST(ForEachInOrder, RisesAndEndsWhenCancelled) {
+TEST(ForEachInOrder, CallsInRisingOrderAndStopsWhenCanceled) {
   const Progress progress;
   std::vector<std::size_t> seen;
   const auto body = [&](std::size_t i) {

@@ -14,7 +14,7 @@ bool keeps(const EditStack& stack, double seen_at_s, const Vec3f& position = Vec
   return EditFilter(stack.state()).keeps(position, normal, seen_at_s);
 }
 
-TEST(Edits, TrimTakesWhatWasSeenBeforeItAndLetsTheSurfaceGrowAnew) {
+TEST(Edits, TrimRemovesEarlierSurfaceAndAllowsNewSurface) {
   EditStack stack;
   stack.push(stroke(EditKind::kTrim, 5.0));
   EXPECT_FALSE(keeps(stack, 4.0));
@@ -22,7 +22,7 @@ TEST(Edits, TrimTakesWhatWasSeenBeforeItAndLetsTheSurfaceGrowAnew) {
   EXPECT_TRUE(keeps(stack, 5.1));
 }
 
-TEST(Edits, ABrushReachesItsBallAndWhatFacesTheUserAlone) {
+TEST(Edits, ABrushReachesOnlySurfaceInItsBallThatFacesTheUser) {
   EditStack stack;
   stack.push(stroke(EditKind::kTrim, 5.0));
   EXPECT_FALSE(keeps(stack, 1.0, Vec3f(0.99F, 0, 0)));
@@ -30,7 +30,7 @@ TEST(Edits, ABrushReachesItsBallAndWhatFacesTheUserAlone) {
   EXPECT_TRUE(keeps(stack, 1.0, Vec3f::Zero(), -Vec3f::UnitZ()));
 }
 
-TEST(Edits, ALockKeepsWhatIsThereAndWhatComesOut) {
+TEST(Edits, ALockKeepsEarlierSurfaceAndRejectsNewSurface) {
   EditStack stack;
   stack.push(stroke(EditKind::kLock, 5.0));
   stack.push(stroke(EditKind::kTrim, 8.0));
@@ -39,14 +39,14 @@ TEST(Edits, ALockKeepsWhatIsThereAndWhatComesOut) {
   EXPECT_FALSE(keeps(stack, 9.0));
 }
 
-TEST(Edits, AnotherLockDoesNotOpenTheFirst) {
+TEST(Edits, ASecondLockDoesNotEndTheFirst) {
   EditStack stack;
   stack.push(stroke(EditKind::kLock, 5.0));
   stack.push(stroke(EditKind::kLock, 8.0));
   EXPECT_FALSE(keeps(stack, 6.0));
 }
 
-TEST(Edits, UnlockingLetsInWhatComesLaterAndNotWhatWasRefused) {
+TEST(Edits, UnlockAllowsLaterSurfaceButNotSurfaceRejectedBefore) {
   EditStack stack;
   stack.push(stroke(EditKind::kLock, 5.0));
   stack.push(stroke(EditKind::kUnlock, 10.0));
@@ -57,7 +57,7 @@ TEST(Edits, UnlockingLetsInWhatComesLaterAndNotWhatWasRefused) {
   EXPECT_FALSE(keeps(stack, 4.0));
 }
 
-TEST(EditStack, UndoAndRedoWalkThroughTheStates) {
+TEST(EditStack, UndoAndRedoGoThroughTheStates) {
   EditStack stack;
   EXPECT_FALSE(stack.can_undo());
   stack.push(stroke(EditKind::kTrim, 1.0));
@@ -74,7 +74,7 @@ TEST(EditStack, UndoAndRedoWalkThroughTheStates) {
   EXPECT_TRUE(keeps(stack, 0.5));
 }
 
-TEST(EditStack, ANewEditForgetsWhatWasUndone) {
+TEST(EditStack, ANewEditDiscardsUndoneEdits) {
   EditStack stack;
   stack.push(stroke(EditKind::kTrim, 1.0));
   stack.undo();
@@ -84,7 +84,7 @@ TEST(EditStack, ANewEditForgetsWhatWasUndone) {
   EXPECT_EQ(stack.state()->front()->kind, EditKind::kLock);
 }
 
-TEST(EditStack, NothingToUndoOrRedoIsNoChange) {
+TEST(EditStack, UndoAndRedoDoNothingWithoutEdits) {
   EditStack stack;
   stack.undo();
   stack.redo();

@@ -27,14 +27,15 @@ TEST(BestFit, RecoversAMotionInBothDirections) {
     const TriangleMesh result = transformed(waves(), T);
     const BestFit fit = best_fit(result, waves(), {}, Workers(1)).value();
     EXPECT_EQ(fit.outcome, BestFitOutcome::kConverged);
-    // Positions are floats: 8 mm resolve to half a nanometer, a sum of them to little more.
+    // Positions are floats: at 8 mm their resolution is half a nanometer, that of a sum little
+    // more.
     const Twist rest = log_twist(fit.T_truth_result * T);
     EXPECT_LT(rest.head<3>().norm(), 1e-6);
     EXPECT_LT(rest.tail<3>().norm(), 1e-5);
   }
 }
 
-TEST(BestFit, OutliersDoNotPull) {
+TEST(BestFit, OutliersDoNotAffectTheFit) {
   TriangleMesh result = transformed(waves(), small_motion());
   Random random(11);
   for (SurfacePoint& vertex : result.vertices) {
@@ -42,13 +43,13 @@ TEST(BestFit, OutliersDoNotPull) {
     vertex.position_mm.z() += static_cast<float>(far_mm);
   }
   const BestFit fit = best_fit(result, waves(), {}, Workers(1)).value();
-  // 0.01 mm of noise over 4000 vertices leaves well under a micron; the outliers' mean, not
-  // suppressed, would be 75 um.
+  // 0.01 mm of noise over 4000 vertices leaves an error well below 1 µm. The outliers would cause
+  // 75 µm if they were not suppressed.
   const Twist rest = log_twist(fit.T_truth_result * small_motion());
   EXPECT_LT(rest.tail<3>().norm(), 2e-3);
 }
 
-TEST(BestFit, FreeDirectionsStayAsTheyAre) {
+TEST(BestFit, UndeterminedDirectionsDoNotChange) {
   const TriangleMesh plane =
       height_field({.half_width_mm = 5.0, .step_mm = 0.5}, [](double, double) { return 0.0; });
   Isometry T = Isometry::Identity();
@@ -66,7 +67,7 @@ TEST(BestFit, OneThreadAndManyGiveTheSameBits) {
   EXPECT_EQ(one.iterations, many.iterations);
 }
 
-TEST(BestFit, RefusesWhatCannotBeFitted) {
+TEST(BestFit, RejectsEmptyMeshesAndBadOptions) {
   EXPECT_EQ(best_fit({}, waves(), {}, Workers(1)).error().code, ErrorCode::kInsufficient);
   EXPECT_EQ(best_fit(waves(), {}, {}, Workers(1)).error().code, ErrorCode::kInsufficient);
   EXPECT_EQ(best_fit(waves(), waves(), {.max_iterations = 0}, Workers(1)).error().code,

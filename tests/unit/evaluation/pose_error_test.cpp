@@ -25,7 +25,7 @@ Isometry moved(double angle_rad, const Vec3& t_mm) {
   return exp_twist(twist);
 }
 
-// True poses along a path; the found ones lie in a world of their own.
+// True poses along a path; the estimated poses are in another world frame.
 std::vector<PosePair> path(const Isometry& T_world_model) {
   std::vector<PosePair> views;
   for (int i = 0; i < 20; ++i) {
@@ -37,33 +37,33 @@ std::vector<PosePair> path(const Isometry& T_world_model) {
 
 const std::vector<Vec3> kCorners = volume_corners(Vec3(20.0, 15.0, 15.0));
 
-TEST(PoseErrorAtPoints, AnotherWorldFrameIsNoError) {
+TEST(PoseErrorAtPoints, AnotherWorldFrameCausesNoError) {
   const PoseError error = pose_error(path(moved(1.0, Vec3(5, -40, 9))), kCorners);
   EXPECT_NEAR(error.first_view_mm, 0.0, 1e-10);
   EXPECT_NEAR(error.best_fit_mm, 0.0, 1e-10);
 }
 
-TEST(PoseErrorAtPoints, AShiftOfHalfTheViewsIsFoundAsItIs) {
+TEST(PoseErrorAtPoints, MeasuresAShiftOfHalfTheViews) {
   std::vector<PosePair> views = path(Isometry::Identity());
   const Vec3 shift_mm(0.0, 0.0, 0.1);
-  // First and second in turn, so that no rotation can take up the shift to first order.
+  // Every second view, so that to first order no rotation can compensate the shift.
   for (std::size_t i = 1; i < views.size(); i += 2)
     views[i].T_world_sensor = Eigen::Translation3d(shift_mm) * views[i].T_world_sensor;
   const PoseError error = pose_error(views, kCorners);
   EXPECT_NEAR(error.first_view_mm, 0.1 / std::sqrt(2.0), 1e-10);
-  // A common shift by half leaves 0.05 mm everywhere; a rotation takes up a few per cent of it.
+  // A common shift by half leaves 0.05 mm everywhere; a rotation compensates a few percent of it.
   EXPECT_LE(error.best_fit_mm, 0.05);
   EXPECT_GT(error.best_fit_mm, 0.045);
 }
 
-TEST(PoseErrorAtPoints, AWrongFirstViewCostsTheFirstGaugeAlone) {
+TEST(PoseErrorAtPoints, AWrongFirstViewAffectsOnlyTheFirstViewGauge) {
   std::vector<PosePair> views = path(Isometry::Identity());
   views[0].T_world_sensor = views[0].T_world_sensor * moved(0.01, Vec3::Zero());
   const PoseError error = pose_error(views, kCorners);
   EXPECT_GT(error.first_view_mm, 5.0 * error.best_fit_mm);
 }
 
-TEST(PoseErrorAtPoints, IsNothingWithoutViews) {
+TEST(PoseErrorAtPoints, IsZeroWithoutViews) {
   EXPECT_EQ(pose_error({}, kCorners).first_view_mm, 0.0);
   EXPECT_EQ(pose_error({}, kCorners).best_fit_mm, 0.0);
 }
@@ -78,7 +78,7 @@ TEST(VolumeCorners, SpanTheBoxAroundTheOrigin) {
   EXPECT_EQ(sum, Vec3(0.0, 0.0, 0.0));
 }
 
-TEST(PoseError, AMotionOfTheWholeWorldIsNoError) {
+TEST(PoseError, AMotionOfTheWholeWorldCausesNoError) {
   auto views = scan_cusps(4, SceneSensor{}, 1).views;
   const auto truth = poses_of(views);
   Twist twist;
@@ -89,17 +89,18 @@ TEST(PoseError, AMotionOfTheWholeWorldIsNoError) {
   EXPECT_NEAR(error.best_fit_mm, 0.0, 1e-9);
 }
 
-TEST(PoseError, AnErrorOfTheFirstViewAloneMovesTheRestInItsGauge) {
+TEST(PoseError, AnErrorOfTheFirstViewMovesTheOthersInItsGauge) {
   auto views = scan_cusps(10, SceneSensor{}, 2).views;
   const auto truth = poses_of(views);
   views[0].T_world_sensor.translation().x() += 0.1;
   const PoseError error = pose_error(views, truth);
-  // Nine of ten views are 0.1 mm off as it stands; the best fit leaves a tenth of that, and sqrt.
+  // In the first-view gauge, nine of ten views have an error of 0.1 mm. The best fit has a tenth of
+  // the mean square.
   EXPECT_NEAR(error.first_view_mm, 0.1 * std::sqrt(0.9), 0.01);
   EXPECT_LT(error.best_fit_mm, 0.035);
 }
 
-TEST(PointError, IsTheNoiseWhereThePosesAreRight) {
+TEST(PointError, EqualsTheNoiseIfThePosesAreRight) {
   SceneSensor ideal_sensor;
   ideal_sensor.noise_mm = 1e-9;
   const auto ideal = scan_cusps(6, ideal_sensor, 3).views;

@@ -33,7 +33,7 @@ TEST(ClosestOnTriangle, NoPointOfAFineGridIsCloser) {
       }
     const float found = (p - point).norm();
     EXPECT_LE(found, best + 1e-4F);
-    // A grid point lies within a grid step of the closest point.
+    // Some grid point is within a grid step of the closest point.
     EXPECT_GE(found, best - ((b - a).norm() + (c - a).norm()) / kGrid);
   }
 }
@@ -72,7 +72,7 @@ TEST(DistanceStatistics, MeetTheirDefinitions) {
   EXPECT_DOUBLE_EQ(statistics.rms_mm, std::sqrt(100.0 * 201.0 / 6.0));
 }
 
-TEST(SurfaceError, AnOffsetIsFoundAsItIs) {
+TEST(SurfaceError, MeasuresAnOffset) {
   Isometry T = Isometry::Identity();
   T.translation().z() = 0.03;
   const SurfaceError error =
@@ -82,7 +82,7 @@ TEST(SurfaceError, AnOffsetIsFoundAsItIs) {
   EXPECT_EQ(error.completeness.near_surface, 1.0);
 }
 
-TEST(SurfaceError, FarVerticesAreCounted) {
+TEST(SurfaceError, CountsFarVertices) {
   TriangleMesh result = plane();
   for (std::size_t i = 0; i < result.vertices.size(); i += 2)
     result.vertices[i].position_mm.z() = 0.2F;
@@ -91,8 +91,8 @@ TEST(SurfaceError, FarVerticesAreCounted) {
   EXPECT_DOUBLE_EQ(error.far_share, std::ceil(count / 2.0) / count);
 }
 
-TEST(SurfaceError, CompletenessKnowsTheSurfaceBetweenVertices) {
-  // Two large triangles have four vertices: the surface is whole, its vertices are few.
+TEST(SurfaceError, CompletenessIncludesTheSurfaceBetweenVertices) {
+  // Two large triangles have only four vertices: the surface is complete, but has few vertices.
   const TriangleMesh coarse =
       height_field({.half_width_mm = 5.0, .step_mm = 10.0}, [](double, double) { return 0.0; });
   const SurfaceError error = surface_error(coarse, plane(), {}, {}, Workers(1)).value();
@@ -114,7 +114,7 @@ TEST(SurfaceError, OnlySelectedVerticesCount) {
               0.03);
 }
 
-TEST(SurfaceError, RefusesWhatCannotBeCompared) {
+TEST(SurfaceError, RejectsInputThatCannotBeCompared) {
   EXPECT_EQ(surface_error({}, plane(), {}, {}, Workers(1)).error().code, ErrorCode::kInsufficient);
   EXPECT_EQ(surface_error(plane(), plane(), {true}, {}, Workers(1)).error().code,
             ErrorCode::kInconsistent);

@@ -24,7 +24,7 @@ std::vector<Vec3f> random_points(std::size_t count, double extent_mm) {
   return points;
 }
 
-/// All points within the radius, nearest first, by looking at each.
+/// Brute force: all points within the radius, nearest first.
 std::vector<Neighbor> brute_force(const std::vector<Vec3f>& points, const Vec3f& center,
                                   float radius) {
   std::vector<Neighbor> found;
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> indices(const std::vector<Neighbor>& neighbors) {
 /// Search radius relative to the cell: smaller, equal, larger.
 class PointGridRadius : public ::testing::TestWithParam<float> {};
 
-TEST_P(PointGridRadius, FindsWhatBruteForceFinds) {
+TEST_P(PointGridRadius, FindsTheSamePointsAsBruteForce) {
   const std::vector<Vec3f> points = random_points(3000, 2.0);
   const PointGrid grid(points, 0.3F);
   std::vector<Neighbor> found;
@@ -74,9 +74,9 @@ TEST_P(PointGridRadius, FindsWhatBruteForceFinds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(reduction::Cells, PointGridRadius, ::testing::Values(0.4F, 1.0F, 3.7F));
+INSTANTIATE_TEST_SUITE_P(Cells, PointGridRadius, ::testing::Values(0.4F, 1.0F, 3.7F));
 
-TEST(PointGrid, EqualPointsAreAllFoundAndTheFirstIsTheNearest) {
+TEST(PointGrid, FindsAllEqualPointsAndReturnsTheFirstAsNearest) {
   const std::vector<Vec3f> points(3, Vec3f(1, 2, 3));
   const PointGrid grid(points, 1.0F);
   std::vector<Neighbor> found;

@@ -23,7 +23,7 @@ TEST(Rigid, LogInvertsExpForSmallAndLargeTwists) {
   }
 }
 
-TEST(Rigid, InterpolationMeetsBothEnds) {
+TEST(Rigid, InterpolationEqualsBothPosesAtItsEnds) {
   Random random(2);
   const Isometry T_a_b = exp_twist(random_twist(random, 0.5));
   const Isometry T_a_c = exp_twist(random_twist(random, 0.5));

@@ -16,7 +16,7 @@ TEST(CubicCurve, PassesThroughItsKnotsAndIsExactOnStraightLines) {
   for (const double t : parameters) points.push_back(Vec3(1, -2, 0.5) * t + Vec3(3, 4, 5));
   const CubicCurve curve(parameters, points);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // Knots are held in single precision: 5 mm resolves 5e-7 mm.
+    // Knots are stored in single precision: at 5 mm the resolution is 5e-7 mm.
     EXPECT_LT((curve.at(static_cast<double>(i)).position_mm - points[i]).norm(), 2e-6);
   }
   EXPECT_LT((curve.at(2.5).position_mm - (Vec3(1, -2, 0.5) * 2.75 + Vec3(3, 4, 5))).norm(), 2e-6);
@@ -31,7 +31,7 @@ TEST(CubicCurve, ConvergesOnACircleWithTheFourthPowerOfTheSpacing) {
       points.emplace_back(std::cos(parameters.back()), std::sin(parameters.back()), 0);
     }
     const CubicCurve curve(parameters, points);
-    double worst = 0;  // away from the ends, where the natural spline is of second order
+    double worst = 0;  // without the ends, where the natural spline is only of second order
     for (double x = 0.3 * knots; x < 0.7 * knots; x += 0.07) {
       worst = std::max(worst, std::abs(curve.at(x).position_mm.norm() - 1.0));
     }
@@ -51,7 +51,7 @@ std::vector<ProfilePoint> noisy_arc(double radius_mm, double noise_mm, Random& r
   return points;
 }
 
-TEST(Smoothing, RemovesNoiseAndLeavesEndsAndCurvatureInPlace) {
+TEST(Smoothing, RemovesNoiseAndKeepsEndsAndCurvature) {
   Random random(3);
   double error = 0.0, bias = 0.0, first = 0.0, last = 0.0;
   int count = 0;
@@ -71,12 +71,12 @@ TEST(Smoothing, RemovesNoiseAndLeavesEndsAndCurvatureInPlace) {
   }
   EXPECT_LT(std::sqrt(error / count), 0.4 * 0.03);
   EXPECT_LT(std::abs(bias / count), 0.001);
-  // The end is known to about 0.6 sigma; the mean of 40 runs to a sixth of that.
+  // The uncertainty of the end is about 0.6 sigma; that of the mean of 40 runs a sixth of it.
   EXPECT_LT(std::abs(first / kRuns), 0.012);
   EXPECT_LT(std::abs(last / kRuns), 0.005);
 }
 
-TEST(Smoothing, LeavesIdealPointsAlone) {
+TEST(Smoothing, DoesNotChangeIdealPoints) {
   std::vector<ProfilePoint> points;
   for (int i = 0; i < 50; ++i) {
     points.push_back({Vec3(0.02 * i, 0, 0.001 * i), Vec3f(0, 0, 0.03F), static_cast<float>(i)});

@@ -10,7 +10,7 @@ namespace {
 using testing::analytic_calibration;
 using testing::AnalyticSensor;
 
-/// The trace of line n on a surface z(along), as a perfect localization would give it.
+/// The trace of line n on a surface z(along), without localization errors.
 template <typename Depth>
 localization::LineTrace trace_of(Pattern pattern, int n, Depth depth) {
   const AnalyticSensor sensor;
@@ -38,7 +38,7 @@ TEST(IndexLines, EveryLineInsideTheVolumeKeepsItsNumber) {
   }
 }
 
-TEST(IndexLines, ATraceThatLeavesTheVolumeIsCutThere) {
+TEST(IndexLines, CutsATraceThatLeavesTheVolume) {
   const auto trace =
       trace_of(Pattern::kVertical, 2, [](int along) { return 3.0 + 0.0125 * (along - 40); });
   IndexOptions options;
@@ -46,12 +46,12 @@ TEST(IndexLines, ATraceThatLeavesTheVolumeIsCutThere) {
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, options);
   ASSERT_GE(indexed.traces.size(), 1U);
   const localization::LineTrace& kept = indexed.traces[0].samples;
-  EXPECT_NEAR(kept.back().along_px, 200, 3);  // there z is 5, the end of the volume
+  EXPECT_NEAR(kept.back().along_px, 200, 3);  // z is 5 there, the end of the volume
   EXPECT_GT(indexed.counts.outside_areas, 20);
 }
 
-TEST(IndexLines, WidthGivesAwayALineFromBehindTheVolume) {
-  // Far behind the volume line 2 runs through the area of a neighbor, where lines are narrow.
+TEST(IndexLines, RejectsALineBehindTheVolumeByItsWidth) {
+  // Far behind the volume, line 2 runs through the area of a neighbor.
   const AnalyticSensor sensor;
   double z = 5.0;
   const auto& rows = analytic_calibration().of(Pattern::kVertical).lines;
@@ -65,15 +65,15 @@ TEST(IndexLines, WidthGivesAwayALineFromBehindTheVolume) {
   while (labeled_at(z) == 2 || labeled_at(z) == -1) z += 0.25;
   localization::LineTrace trace = trace_of(Pattern::kVertical, 2, [z](int) { return z + 1.0; });
   for (localization::LineSample& sample : trace)
-    sample.width_px *= 1.5F;  // defocus grows faster out there
+    sample.width_px *= 1.5F;  // defocus grows faster outside the volume
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
   EXPECT_TRUE(indexed.traces.empty());
   EXPECT_GT(indexed.counts.wrong_width, 0);
   EXPECT_EQ(indexed.counts.indexed, 0);
 }
 
-TEST(IndexLines, ALineThatGoesOnAsAFarOneIsCutAtTheStep) {
-  // Behind the depth step another line, far away, comes out where this one ended.
+TEST(IndexLines, CutsALineThatContinuesAsADistantLineAfterADepthStep) {
+  // After the depth step, a distant line continues where this one ended.
   localization::LineTrace trace = trace_of(Pattern::kVertical, 2, [](int) { return 1.0; });
   constexpr int kStep_px = 190;
   for (localization::LineSample& sample : trace) {
@@ -89,21 +89,21 @@ TEST(IndexLines, ALineThatGoesOnAsAFarOneIsCutAtTheStep) {
   EXPECT_EQ(indexed.counts.indexed, static_cast<int>(kept.size()));
 }
 
-TEST(IndexLines, SingleWidthsThatAreOffCostNothing) {
+TEST(IndexLines, SingleWrongWidthsAreIgnored) {
   localization::LineTrace trace = trace_of(Pattern::kVertical, 2, [](int) { return 1.0; });
   for (std::size_t i = 0; i < trace.size(); i += 7) trace[i].width_px *= 2.0F;
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
   EXPECT_EQ(indexed.counts.indexed, static_cast<int>(trace.size()));
 }
 
-TEST(IndexLines, FewSamplesAreCountedAsShort) {
+TEST(IndexLines, CountsShortSegments) {
   localization::LineTrace trace = trace_of(Pattern::kVertical, 1, [](int) { return 0.0; });
   trace.resize(3);
   const auto indexed = index_lines({trace}, analytic_calibration(), Pattern::kVertical, {});
   EXPECT_EQ(indexed.counts.short_segments, 3);
 }
 
-TEST(IndexLines, OptionsAreChecked) {
+TEST(IndexLines, RejectsBadOptions) {
   EXPECT_TRUE(IndexOptions{}.validate().has_value());
   EXPECT_FALSE((IndexOptions{.area_margin = 0.5}.validate().has_value()));
   EXPECT_FALSE((IndexOptions{.max_width_ratio = 0.9}.validate().has_value()));

@@ -11,8 +11,8 @@ namespace {
 
 using testing::AnalyticSensor;
 
-/// A sensor whose unique areas nearly touch, and that focuses in front of its volume: the hard case
-/// for labels, and what the paper proposes for it.
+/// A sensor whose unique areas almost touch, focused in front of its volume: the difficult case for
+/// line indexing, and the focus that the paper proposes for it.
 AnalyticSensor tight_sensor() {
   AnalyticSensor sensor;
   sensor.projector_mm = 14.0;
@@ -20,7 +20,7 @@ AnalyticSensor tight_sensor() {
   return sensor;
 }
 
-/// Points of planes at some depths, by what became of them.
+/// Numbers of points of planes at some depths, by result.
 struct Labels {
   int localized = 0;
   int right = 0;
@@ -40,7 +40,7 @@ Labels label_planes(const AnalyticSensor& sensor, const calibration::Calibration
       labels.localized += measured->counts.localized;
       for (const Profile& profile : measured->view.profiles) {
         for (const ProfilePoint& point : profile.points) {
-          // Noise is 0.01 mm; a wrong label is off by nearly the depth of the volume.
+          // Noise is 0.01 mm; a wrong line index causes an error of nearly the depth of the volume.
           ++(std::abs(point.position_mm.z() - z) < 0.3 ? labels.right : labels.wrong);
         }
       }
@@ -49,7 +49,7 @@ Labels label_planes(const AnalyticSensor& sensor, const calibration::Calibration
   return labels;
 }
 
-TEST(LabelRate, InsideTheVolumeNothingIsLostOutsideLittleIsWrong) {
+TEST(LabelRate, LosesNothingInsideTheVolumeAndFewLabelsAreWrongOutside) {
   const AnalyticSensor sensor = tight_sensor();
   const auto calibration = calibration::calibrate(testing::draw_set(sensor, 9), {}, Workers(2), {});
   ASSERT_TRUE(calibration.has_value()) << calibration.error().message;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "hw/simulated/optics/view_simulator.h"
 #include "tests/support/orthographic_calibration.h"
 
 namespace flytri::live {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kSpacing_mm = 0.05;
 
-/// Lines over the plane z = 0 of 10 x 10 mm, seen by a sensor that looks along -z of the world.
+/// Lines on the plane z = 0 of 10 x 10 mm, seen by a sensor that looks along -z of the world.
 AlignedView plane_view(Pattern pattern, double time_s, double line_offset_mm = 0.0) {
   auto view = std::make_shared<View>();
   view->pattern = pattern;
@@ -20,7 +21,7 @@ AlignedView plane_view(Pattern pattern, double time_s, double line_offset_mm = 0
     Profile profile{LineIndex(0), Vec3::UnitX(), {}};
     for (double along = 0.0; along < 10.0; along += kSpacing_mm) {
       ProfilePoint point;
-      // The sensor's y and z point against those of the world.
+      // The sensor's y and z axes are opposite to those of the world.
       point.position_mm =
           pattern == Pattern::kVertical ? Vec3(across, -along, 0.0) : Vec3(along, -across, 0.0);
       point.deviation_mm = Vec3f(0, 0, 0.03F);
@@ -38,7 +39,7 @@ const editing::EditFilter& no_edits() {
   return filter;
 }
 
-/// Both patterns at `rounds` places, until the lines lie as close as the cells.
+/// Both patterns at `rounds` places, so that the line spacing is as small as the cells.
 LiveSurface scanned_plane(int rounds = 5) {
   LiveSurface surface = LiveSurface::create().value();
   double time_s = 0.0;
@@ -69,15 +70,15 @@ TEST(LiveSurface, APlaneBecomesSurfelsThatFaceTheSensor) {
   }
 }
 
-TEST(LiveSurface, TheAreaIsThatOfThePlane) {
+TEST(LiveSurface, AreaEqualsThatOfThePlane) {
   LiveSurface surface = scanned_plane();
   (void)surface.publish();
-  // Cells of 0.22 mm stick out over the border.
+  // Cells of 0.22 mm extend over the border.
   EXPECT_NEAR(surface.area_mm2(), 100.0, 8.0);
   EXPECT_GT(surface.good_share(), 0.9);
 }
 
-TEST(LiveSurface, LinesOfOnePatternAloneCoverThinly) {
+TEST(LiveSurface, LinesOfOnlyOnePatternGiveThinCoverage) {
   LiveSurface surface = LiveSurface::create().value();
   for (int i = 0; i < 10; ++i) {
     surface.add(plane_view(Pattern::kVertical, 0.1 * i, 0.1 * i), no_edits());
@@ -88,7 +89,7 @@ TEST(LiveSurface, LinesOfOnePatternAloneCoverThinly) {
   EXPECT_EQ(surface.good_share(), 0.0);
 }
 
-/// A scanned plane where no horizontal line has crossed a band around y = 4.95 mm.
+/// A scanned plane; no horizontal line crosses a band around y = 4.95 mm.
 LiveSurface plane_with_band(double width_mm) {
   LiveSurface surface = LiveSurface::create().value();
   double time_s = 0.0;
@@ -114,8 +115,8 @@ Coverage coverage_at(LiveSurface& surface, const Vec3f& p_mm) {
       ->coverage;
 }
 
-TEST(LiveSurface, ACubeThatLinesMissedIsCoveredAsMostAroundItAre) {
-  // The world's y points against the sensor's; cubes have edges of 0.9 mm.
+TEST(LiveSurface, ACubeWithoutLinesHasTheCoverageOfItsNeighbors) {
+  // The world's y axis is opposite to the sensor's; cubes have edges of 0.9 mm.
   const Vec3f middle(5.0F, 4.95F, 0.0F);
   LiveSurface missed_one = plane_with_band(0.95);
   EXPECT_EQ(coverage_at(missed_one, middle), Coverage::kGood);
@@ -131,7 +132,7 @@ TEST(LiveSurface, OneViewHasNormalsAcrossItsLines) {
   }
 }
 
-TEST(LiveSurface, BlocksThatDoNotChangeStayTheSameObjects) {
+TEST(LiveSurface, UnchangedBlocksStayTheSameObjects) {
   LiveSurface surface = scanned_plane();
   const SurfelModel before = surface.publish();
   EXPECT_EQ(surface.publish(), before);
@@ -147,7 +148,7 @@ TEST(LiveSurface, BlocksThatDoNotChangeStayTheSameObjects) {
   }
 }
 
-TEST(LiveSurface, AnyPrefixOfABlockIsSpreadOverIt) {
+TEST(LiveSurface, TheFirstSurfelsOfABlockCoverItEvenly) {
   LiveSurface surface = scanned_plane();
   for (const auto& block : surface.publish()) {
     if (block->surfels.size() < 100) continue;
@@ -159,12 +160,12 @@ TEST(LiveSurface, AnyPrefixOfABlockIsSpreadOverIt) {
     };
     const Vec3f all = mean(block->surfels.begin(), block->surfels.end());
     const Vec3f some = mean(block->surfels.begin(), block->surfels.begin() + half);
-    // A block is 3.6 mm wide: the mean of 25 random places is within 3 x 1 mm / 5 of the middle.
+    // A block is 3.6 mm wide: the mean of 25 random places is within 3 x 1 mm / 5 of the center.
     EXPECT_LT((all - some).norm(), 0.7F);
   }
 }
 
-TEST(LiveSurface, WhatTheEditsDoNotKeepIsNeitherAddedNorLeft) {
+TEST(LiveSurface, EditsRemoveSurfaceAndRejectNewSurface) {
   editing::EditStack edits;
   edits.push({editing::EditKind::kTrim, 100.0, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 2.0F}}});
   const editing::EditFilter filter(edits.state());
@@ -182,7 +183,7 @@ TEST(LiveSurface, WhatTheEditsDoNotKeepIsNeitherAddedNorLeft) {
   }
 }
 
-TEST(LiveSurface, TakesTheColorThatATextureFrameSees) {
+TEST(LiveSurface, TakesTheColorOfATextureFrame) {
   LiveSurface surface = scanned_plane();
   (void)surface.publish();
   const calibration::Calibration calibration =
@@ -196,6 +197,58 @@ TEST(LiveSurface, TakesTheColorThatATextureFrameSees) {
     ASSERT_TRUE(surfel.textured);
     EXPECT_NEAR(surfel.color[0], 200, 1);
     EXPECT_NEAR(surfel.color[2], 50, 1);
+  }
+}
+
+/// What the surfels say of their error along the normal, and what it is.
+struct SigmaAndError {
+  double sigma_mm = 0.0, error_mm = 0.0;  ///< root mean squares
+};
+
+/// Views of a plane by a sensor tilted against it, with the noise of the virtual sensor along its
+/// line of sight.
+SigmaAndError sigma_and_error(double tilt_rad, double correlation_samples) {
+  Isometry T_world_sensor = Isometry::Identity();
+  T_world_sensor.linear() = (Eigen::AngleAxisd(M_PI, Vec3::UnitX()) *
+                             Eigen::AngleAxisd(tilt_rad, Vec3(1, 1, 0).normalized()))
+                                .toRotationMatrix();
+  // Across the cells' middle, so that noise moves no point into another cell.
+  const double height_mm = 0.5;
+  LiveSurface surface = LiveSurface::create({.cell_mm = 1.0}).value();
+  for (int v = 0; v < 12; ++v) {
+    View ideal;
+    ideal.pattern = kPatterns[static_cast<std::size_t>(v % 2)];
+    ideal.time_s = 0.033 * (v + 1);
+    for (double across = 0.25; across < 60.0; across += 1.0) {
+      Profile profile{LineIndex(0), Vec3::UnitX(), {}};
+      for (double along = 0.0; along < 60.0; along += 0.2) {
+        const Vec3 p_world = ideal.pattern == Pattern::kVertical ? Vec3(across, along, height_mm)
+                                                                 : Vec3(along, across, height_mm);
+        profile.points.push_back({T_world_sensor.inverse() * p_world, {}});
+      }
+      ideal.profiles.push_back(std::move(profile));
+    }
+    const simulated::ViewNoise noise{.sigma_mm = 0.03, .correlation_samples = correlation_samples};
+    auto view = std::make_shared<View>(add_noise(ideal, noise, static_cast<std::uint64_t>(v)));
+    surface.add({view, T_world_sensor}, no_edits());
+  }
+  SigmaAndError mean;
+  const std::vector<Surfel> surfels = surfels_of(surface.publish());
+  for (const Surfel& surfel : surfels) {
+    mean.sigma_mm += surfel.sigma_mm * surfel.sigma_mm;
+    mean.error_mm += std::pow(surfel.position_mm.z() - height_mm, 2);
+  }
+  const auto count = static_cast<double>(surfels.size());
+  return {std::sqrt(mean.sigma_mm / count), std::sqrt(mean.error_mm / count)};
+}
+
+TEST(LiveSurface, SigmaIsTheErrorAlongTheNormal) {
+  // The noise of samples k apart correlates as exp(-(k / 1.5)^2), see reduction::MeanVariance.
+  const double correlation_samples = 0.5 * reduction::kNoiseLengthSamples;
+  for (const double tilt_rad : {0.0, 0.5, 1.0}) {
+    const SigmaAndError is = sigma_and_error(tilt_rad, correlation_samples);
+    // 3600 cells tell the error to 2 %; at 1 rad the tenth for the normal adds 2 %.
+    EXPECT_NEAR(is.sigma_mm / is.error_mm, 1.0, 0.1) << "tilted by " << tilt_rad;
   }
 }
 
@@ -213,7 +266,7 @@ TEST(LiveSurface, SaysWhenAViewTellsNothingNew) {
   EXPECT_EQ(share, 1.0);
 }
 
-TEST(LiveSurface, NamesTheOptionThatIsWrong) {
+TEST(LiveSurface, NamesTheBadOption) {
   LiveSurfaceOptions options;
   options.normal_cells = 0;
   const auto surface = LiveSurface::create(options);

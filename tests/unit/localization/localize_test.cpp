@@ -26,7 +26,7 @@ std::vector<LineTrace> localize(const cv::Mat& image, Pattern pattern,
   return traces ? *traces : std::vector<LineTrace>{};
 }
 
-/// What is left between a trace and the truth.
+/// Deviations of a trace from the truth.
 struct Statistics {
   int count = 0;
   double bias_px = 0, rms_px = 0, mean_sigma_px = 0, mean_width_px = 0, mean_amplitude = 0;
@@ -53,8 +53,9 @@ Statistics compare(const std::vector<LineTrace>& traces, const TrueLine& line) {
   return s;
 }
 
-/// Smallest possible standard deviation of the position of a Gaussian under the image's noise, all
-/// pixels used, height and background known (they do not couple to the position).
+/// Cramer-Rao bound: smallest possible standard deviation of the position of a Gaussian with the
+/// image's noise, if all pixels are used and height and background are known (they are not
+/// correlated with the position).
 double cramer_rao_px(const LineImage& image, double sigma, double amplitude) {
   double information = 0;
   for (double t = -8 * sigma; t <= 8 * sigma; t += 1.0) {
@@ -123,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, LocalizeNoise,
                                            NoiseCase{"SpeckleWide", 3.4, 0.02, 0.15}),
                          [](const auto& tested) { return tested.param.name; });
 
-TEST_P(LocalizeNoise, ComesNearTheCramerRaoBoundAndKnowsIt) {
+TEST_P(LocalizeNoise, NoiseIsNearTheCramerRaoBoundAndStatedCorrectly) {
   const NoiseCase& noise = GetParam();
   LineImage image;
   image.along_count = 1200;
@@ -141,10 +142,10 @@ TEST_P(LocalizeNoise, ComesNearTheCramerRaoBoundAndKnowsIt) {
   RecordProperty("rms_over_bound", std::to_string(s.rms_px / bound));
   RecordProperty("three_point_rms_over_bound", std::to_string(paper.rms_px / bound));
   EXPECT_LT(s.rms_px, 1.03 * paper.rms_px);
-  // Tapering the window at the flanks and not knowing the noise beforehand cost at most a quarter;
-  // the three-point fit after 1.5 px of smoothing is 1.05 to 3 times the bound.
+  // The tapered window and the unknown noise cost at most a quarter. The three-point fit after 1.5
+  // px of smoothing has 1.05 to 3 times the bound.
   EXPECT_LT(s.rms_px, 1.25 * bound);
-  EXPECT_GT(s.rms_px, 0.93 * bound);  // 1200 samples tell the RMS to 2 %
+  EXPECT_GT(s.rms_px, 0.93 * bound);  // 1200 samples give the RMS to 2 %
   EXPECT_NEAR(s.mean_sigma_px / s.rms_px, 1.0, 0.15);
 }
 
@@ -170,7 +171,7 @@ TEST(Localize, FollowsSteepLines) {
   EXPECT_LT(s.rms_px, 0.03);
 }
 
-TEST(Localize, SaturatedPeaksAreFittedByTheirFlanks) {
+TEST(Localize, FitsSaturatedPeaksByTheirFlanks) {
   LineImage image;
   TrueLine line = slanted_line();
   line.amplitude = [](double) { return 600.0; };  // clipped for 1.3 sigma to each side
@@ -192,17 +193,17 @@ TEST(Localize, AmbientGradientDoesNotMoveTheLine) {
   EXPECT_LT(std::abs(s.bias_px), 0.005);
 }
 
-TEST(Localize, LinesCloseTogetherStayTwo) {
+TEST(Localize, SeparatesLinesThatAreCloseTogether) {
   TrueLine left = slanted_line(), right = slanted_line();
   right.across_px = [](double r) { return 90.3 + 0.07 * r + 14.0; };  // 2.8 widths apart
   const auto traces = localize(draw({}, {left, right}, Pattern::kVertical), Pattern::kVertical);
   ASSERT_EQ(traces.size(), 2U);
-  // The tail of the neighbor reaches into the fit: less than a thousandth of the line's height.
+  // The tail of the neighbor is inside the fit window: less than a thousandth of the line's height.
   EXPECT_LT(std::abs(compare({traces[0]}, left).bias_px), 0.05);
   EXPECT_LT(std::abs(compare({traces[1]}, right).bias_px), 0.05);
 }
 
-TEST(Localize, SpeckledWideLineStaysOne) {
+TEST(Localize, DoesNotSplitAWideLineWithSpeckle) {
   LineImage image;
   image.speckle_contrast = 0.2;
   TrueLine line = slanted_line();
@@ -212,9 +213,9 @@ TEST(Localize, SpeckledWideLineStaysOne) {
   EXPECT_GT(traces[0].size(), 225U);
 }
 
-TEST(Localize, EndsInsideTheImageAreTrimmed) {
+TEST(Localize, TrimsEndsInsideTheImage) {
   TrueLine line = slanted_line();
-  // The blur along the line lets the light fade over its own width beyond the end at row 120.
+  // Beyond the end at row 120, blur along the line makes the light decrease over the line's width.
   line.amplitude = [](double r) { return 60.0 * std::erfc((r - 120.0) / (2.1 * std::sqrt(2.0))); };
   const auto traces = localize(draw({}, {line}, Pattern::kVertical), Pattern::kVertical);
   ASSERT_EQ(traces.size(), 1U);
@@ -232,7 +233,7 @@ TEST(Localize, DepthStepCutsTheTrace) {
   EXPECT_GE(traces[1].front().along_px, 120);
 }
 
-TEST(Localize, NoiseAloneHasNoLines) {
+TEST(Localize, FindsNoLinesInNoise) {
   LineImage image;
   image.along_count = image.across_count = 500;
   EXPECT_TRUE(localize(draw(image, {}, Pattern::kVertical), Pattern::kVertical).empty());
@@ -240,7 +241,7 @@ TEST(Localize, NoiseAloneHasNoLines) {
   EXPECT_TRUE(localize(blank, Pattern::kHorizontal).empty());
 }
 
-TEST(Localize, RefusesOtherImagesAndBadOptions) {
+TEST(Localize, RejectsWrongImagesAndBadOptions) {
   EXPECT_EQ(localize_lines(cv::Mat(), Pattern::kVertical, {}).error().code, ErrorCode::kBadFormat);
   const cv::Mat color(10, 10, CV_8UC3);
   EXPECT_EQ(localize_lines(color, Pattern::kVertical, {}).error().code, ErrorCode::kBadFormat);
@@ -250,7 +251,7 @@ TEST(Localize, RefusesOtherImagesAndBadOptions) {
   EXPECT_EQ(localize_lines(gray, Pattern::kVertical, options).error().code, ErrorCode::kBadOption);
 }
 
-TEST(Localize, TinyImagesAreSurvived) {
+TEST(Localize, AcceptsTinyImages) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 200), cv::Size(200, 3), cv::Size(9, 9)}) {
     const cv::Mat gray(size, CV_8UC1, cv::Scalar(20));
     EXPECT_TRUE(localize(gray, Pattern::kVertical).empty());

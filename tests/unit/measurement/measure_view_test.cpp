@@ -15,7 +15,7 @@ Frame plane_frame(Pattern pattern, FrameKind kind, double z_mm) {
   return {FrameIndex(7), kind, 0.25, draw_lines(AnalyticSensor{}, pattern, z_mm, 99)};
 }
 
-TEST(MeasureView, APlaneIsMeasuredWhereItIs) {
+TEST(MeasureView, MeasuresAPlaneAtItsTruePlace) {
   for (const Pattern pattern : kPatterns) {
     const FrameKind kind =
         pattern == Pattern::kVertical ? FrameKind::kVertical : FrameKind::kHorizontal;
@@ -34,7 +34,7 @@ TEST(MeasureView, APlaneIsMeasuredWhereItIs) {
         expected += std::pow(point.deviation_mm.z(), 2);
       }
     }
-    EXPECT_NEAR(std::sqrt(square / expected), 1.0, 0.15);  // the noise is what it says
+    EXPECT_NEAR(std::sqrt(square / expected), 1.0, 0.15);  // the stated noise is right
   }
 }
 
@@ -48,7 +48,7 @@ TEST(MeasureView, CountsAddUp) {
   EXPECT_EQ(counts.index.indexed, counts.points + counts.short_profiles);
 }
 
-TEST(MeasureView, TellsThePatternOfUnknownFrames) {
+TEST(MeasureView, RecognizesThePatternOfUnknownFrames) {
   for (const Pattern pattern : kPatterns) {
     const auto measured =
         measure_view(plane_frame(pattern, FrameKind::kUnknown, -2.0), analytic_calibration(), {});
@@ -58,8 +58,9 @@ TEST(MeasureView, TellsThePatternOfUnknownFrames) {
   }
 }
 
-TEST(MeasureView, AFrameThatStraddlesTheSwitchIsAmbiguous) {
-  // A rolling exposure: the upper half shows one pattern, the lower half the other.
+TEST(MeasureView, AFrameWithBothPatternsIsAmbiguous) {
+  // A rolling shutter during the switch: the upper half shows one pattern, the lower half the
+  // other.
   Frame frame = plane_frame(Pattern::kVertical, FrameKind::kUnknown, 0.0);
   const cv::Mat other = draw_lines(AnalyticSensor{}, Pattern::kHorizontal, 0.0, 5);
   const int half = frame.image.rows / 2;
@@ -70,7 +71,7 @@ TEST(MeasureView, AFrameThatStraddlesTheSwitchIsAmbiguous) {
   EXPECT_TRUE(measured->view.profiles.empty());
 }
 
-TEST(MeasureView, NothingToSeeIsAnOutcome) {
+TEST(MeasureView, ABlankFrameIsAnOutcome) {
   for (const FrameKind kind : {FrameKind::kVertical, FrameKind::kUnknown}) {
     const Frame dark{FrameIndex(0), kind, 0.0, cv::Mat(320, 420, CV_8UC1, cv::Scalar(5))};
     const auto measured = measure_view(dark, analytic_calibration(), {});
@@ -79,7 +80,7 @@ TEST(MeasureView, NothingToSeeIsAnOutcome) {
   }
 }
 
-TEST(MeasureView, RefusesWhatIsNotAMeasurementFrame) {
+TEST(MeasureView, RejectsFramesThatAreNotMeasurementFrames) {
   Frame frame = plane_frame(Pattern::kVertical, FrameKind::kTexture, 0.0);
   EXPECT_EQ(measure_view(frame, analytic_calibration(), {}).error().code, ErrorCode::kBadOption);
   frame.kind = FrameKind::kVertical;

@@ -11,10 +11,10 @@ BoundaryLoop rim(double width_mm) {
   return loop;
 }
 
-TEST(CoverageHoles, AreThoseWideEnoughTheWidestFirstWithoutTheBorder) {
+TEST(CoverageHoles, AreWideEnoughSortedByWidthAndWithoutTheBorder) {
   BoundaryLoop border = rim(40.0);
   border.is_outer = true;
-  // A long crack encloses more than a hole that is wider.
+  // A long crack has a larger area than a hole that is wider.
   BoundaryLoop crack = rim(0.45);
   crack.area_mm2 = 50.0;
   const auto holes = coverage_holes({border, rim(0.6), crack, rim(3.0)});

@@ -10,7 +10,7 @@
 namespace flytri::meshing {
 namespace {
 
-TEST(HalfEdges, AreThoseOfTheTrianglesInOrder) {
+TEST(HalfEdges, AreTheSortedEdgesOfTheTriangles) {
   constexpr std::uint32_t kVertices = 30;
   Random random(5);
   TriangleMesh mesh;

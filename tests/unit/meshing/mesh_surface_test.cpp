@@ -11,14 +11,14 @@
 namespace flytri::meshing {
 namespace {
 
-/// Points on the upper half of a sphere, evenly, without those that `leave_out` names.
+/// Evenly spaced points on the upper half of a sphere, without those that `leave_out` selects.
 PointCloud half_sphere(double radius_mm, double spacing_mm, double noise_mm,
                        const std::function<bool(const Vec3&)>& leave_out) {
   PointCloud points;
   Random random(1);
   const auto count = static_cast<int>(2 * M_PI * radius_mm * radius_mm / (spacing_mm * spacing_mm));
   for (int i = 0; i < count; ++i) {
-    // Fibonacci lattice: even without a grid.
+    // Fibonacci lattice: even spacing without a grid.
     const double z = 1.0 - (i + 0.5) / count;
     const double r = std::sqrt(1.0 - z * z);
     const double angle = i * M_PI * (3.0 - std::sqrt(5.0));
@@ -45,8 +45,8 @@ SurfaceMesh mesh_of(const PointCloud& points, int threads = 2) {
 TEST(MeshSurface, VerticesLieOnTheSphereAndTrianglesFaceOutwards) {
   const SurfaceMesh surface = mesh_of(half_sphere(kRadiusMm, kSpacingMm, 0.0, none));
   for (const SurfacePoint& vertex : surface.mesh.vertices) {
-    // Tangent planes lie outside of a sphere by s^2 / 2r, at s = 1 spacing: 1.25 um, more at the
-    // rim.
+    // Tangent planes are outside the sphere by s^2 / 2r, for s = 1 spacing 1.25 µm; more at the
+    // border.
     EXPECT_NEAR(vertex.position_mm.norm(), kRadiusMm, 0.006);
   }
   for (const Triangle& t : surface.mesh.triangles) {
@@ -75,7 +75,7 @@ TEST(MeshSurface, IsAnOrientedManifold) {
   for (const auto& [edge, count] : directed) EXPECT_EQ(count, 1);
 }
 
-TEST(MeshSurface, LeavesAHoleOpenAndMeasuresIt) {
+TEST(MeshSurface, KeepsAHoleOpenAndMeasuresIt) {
   constexpr double kHoleRad = 0.3;
   const auto in_hole = [](const Vec3& n) { return std::acos(n.z()) < kHoleRad; };
   const SurfaceMesh surface = mesh_of(half_sphere(kRadiusMm, kSpacingMm, 0.0, in_hole));
@@ -84,20 +84,20 @@ TEST(MeshSurface, LeavesAHoleOpenAndMeasuresIt) {
   const BoundaryLoop& hole = surface.boundaries[1];
   EXPECT_FALSE(hole.is_outer);
   const double radius_mm = kRadiusMm * std::sin(kHoleRad);
-  // The rim follows the grid within about a spacing of the mesh.
+  // The border follows the grid to about one spacing of the mesh.
   EXPECT_NEAR(std::sqrt(hole.area_mm2 / M_PI), radius_mm, 0.2);
   EXPECT_NEAR(hole.width_mm, 2.0 * radius_mm, 0.4);
   EXPECT_GT(hole.normal.z(), 0.99F);
   EXPECT_NEAR(hole.center_mm.head<2>().norm(), 0.0, 0.1);
 }
 
-TEST(MeshSurface, ASlotNarrowerThanTheLinesAreApartIsClosed) {
+TEST(MeshSurface, ClosesASlotNarrowerThanTheLineSpacing) {
   const auto in_slot = [](const Vec3& n) { return std::abs(n.x()) * kRadiusMm < 0.12; };
   const SurfaceMesh surface = mesh_of(half_sphere(kRadiusMm, kSpacingMm, 0.0, in_slot));
   EXPECT_EQ(surface.boundaries.size(), 1U);
 }
 
-TEST(MeshSurface, ALineOfPointsIsNoSurface) {
+TEST(MeshSurface, ASingleLineOfPointsIsNotASurface) {
   PointCloud points = half_sphere(kRadiusMm, kSpacingMm, 0.0, none);
   for (int i = 0; i < 100; ++i) {
     SurfacePoint point;

@@ -7,14 +7,15 @@ namespace {
 
 constexpr std::uint32_t kCells = 20;
 
-/// A comb: its rim is three times as long as the border of the square around it.
+/// A hole in the shape of a comb: its boundary is three times as long as the border of the square
+/// around it.
 bool is_in_comb(std::uint32_t column, std::uint32_t row) {
   const bool is_spine = row == 2 && column >= 2 && column < 18;
   const bool is_tooth = column % 2 == 0 && column >= 2 && column < 18 && row >= 3 && row < 17;
   return is_spine || is_tooth;
 }
 
-/// A square in the plane z = 0, seen from above, its cells a millimeter wide.
+/// A square in the plane z = 0, seen from above, with cells of 1 mm.
 TriangleMesh square_without(bool (*is_cut_out)(std::uint32_t column, std::uint32_t row)) {
   TriangleMesh mesh;
   for (std::uint32_t row = 0; row <= kCells; ++row) {
@@ -36,7 +37,7 @@ TriangleMesh square_without(bool (*is_cut_out)(std::uint32_t column, std::uint32
   return mesh;
 }
 
-TEST(FindBoundaries, TheBorderIsWhatEnclosesMostHoweverRaggedAHoleIs) {
+TEST(FindBoundaries, TheLoopWithTheLargestAreaIsTheBorderEvenIfAHoleIsLonger) {
   const std::vector<BoundaryLoop> loops = find_boundaries(square_without(is_in_comb));
   ASSERT_EQ(loops.size(), 2U);
   EXPECT_TRUE(loops[0].is_outer);
@@ -44,10 +45,11 @@ TEST(FindBoundaries, TheBorderIsWhatEnclosesMostHoweverRaggedAHoleIs) {
   EXPECT_FALSE(loops[1].is_outer);
   EXPECT_NEAR(loops[1].area_mm2, 128.0, 1e-3);
   EXPECT_GT(loops[1].perimeter_mm, 3.0 * loops[0].perimeter_mm);
-  EXPECT_NEAR(loops[1].width_mm, 1.25, 0.1) << "where a tooth leaves the spine, both a cell wide";
+  EXPECT_NEAR(loops[1].width_mm, 1.25, 0.1)
+      << "where a tooth of the comb meets its spine; both are one cell wide";
 }
 
-TEST(FindBoundaries, AHoleAroundAPieceIsAsWideAsTheGapBetweenThem) {
+TEST(FindBoundaries, AHoleAroundAComponentIsAsWideAsTheGapBetweenThem) {
   const auto is_in_ring = [](std::uint32_t column, std::uint32_t row) {
     const bool is_within = column >= 4 && column < 16 && row >= 4 && row < 16;
     const bool is_piece = column >= 6 && column < 15 && row >= 5 && row < 15;
@@ -63,7 +65,7 @@ TEST(FindBoundaries, AHoleAroundAPieceIsAsWideAsTheGapBetweenThem) {
   EXPECT_TRUE(loops[2].is_outer);
 }
 
-TEST(FindBoundaries, AHoleThatIsClosedButForItsTrianglesHasNoWidth) {
+TEST(FindBoundaries, AHoleWithoutAreaHasNoWidth) {
   const auto is_in_cell = [](std::uint32_t column, std::uint32_t row) {
     return column == 10 && row == 10;
   };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPixel_mm = 0.02;
 
-/// Somewhere in space, turned: no width may depend on where a line lies.
+/// An arbitrary pose: the width must not depend on the position of the line.
 Vec3 placed(double x_mm, double y_mm, double z_mm = 0.0) {
   static const Isometry T = Eigen::Translation3d(7.0, -3.0, 11.0) *
                             Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -0.5).normalized());
@@ -20,7 +20,7 @@ Vec3 placed(double x_mm, double y_mm, double z_mm = 0.0) {
 }
 Vec3 up() { return placed(0.0, 0.0, 1.0) - placed(0.0, 0.0, 0.0); }
 
-/// A circle whose radius goes in and out by a depth, once for each of its teeth.
+/// A circle with teeth: its radius varies by a depth, once per tooth.
 std::vector<Vec3> ragged_circle(double radius_mm, double depth_mm, int teeth) {
   constexpr int kCorners = 1440;
   std::vector<Vec3> rim;
@@ -32,22 +32,22 @@ std::vector<Vec3> ragged_circle(double radius_mm, double depth_mm, int teeth) {
   return rim;
 }
 
-TEST(WidestPlace, OfACircleIsItself) {
+TEST(WidestPlace, OfACircleIsItsDiameter) {
   const WidestPlace widest = widest_place(ragged_circle(1.0, 0.0, 0), {}, up());
   EXPECT_NEAR(widest.width_mm, 2.0, 2.0 * kPixel_mm);
   EXPECT_LT((widest.center_mm - placed(0.0, 0.0)).norm(), 2.0 * kPixel_mm);
 }
 
-TEST(WidestPlace, TeethOfTheRimDoNotCount) {
-  // Half of what they enclose together is not open in any useful sense.
+TEST(WidestPlace, IgnoresTeethOfTheBoundary) {
+  // The area between the teeth is too narrow to count.
   const WidestPlace widest = widest_place(ragged_circle(1.0, 1.0, 40), {}, up());
   EXPECT_NEAR(widest.width_mm, 2.0, 0.15);
 }
 
-TEST(WidestPlace, OfABandAroundAJawIsWhereItIsWidestNotInTheMiddleOfTheJaw) {
+TEST(WidestPlace, OfABandAroundAJawIsAtItsWidestPlaceNotInTheMiddleOfTheJaw) {
   constexpr int kSteps = 400;
   constexpr double kRadius_mm = 25.0, kHalf_mm = 0.5;
-  // A bulge of another half millimeter to either side, at a quarter of the way.
+  // At a quarter of its length, the band is wider by half a millimeter on each side.
   const auto half_width_mm = [](int i) {
     return kHalf_mm + 0.5 * std::exp(-std::pow((i - 100) / 15.0, 2));
   };
@@ -60,14 +60,14 @@ TEST(WidestPlace, OfABandAroundAJawIsWhereItIsWidestNotInTheMiddleOfTheJaw) {
   for (int i = 0; i <= kSteps; ++i) add(i, 1.0);
   for (int i = kSteps; i >= 0; --i) add(i, -1.0);
   const WidestPlace widest = widest_place(rim, {}, up());
-  // Such a line is seen in coarser pixels.
+  // Such a long line uses larger pixels.
   EXPECT_NEAR(widest.width_mm, 2.0, 0.12);
   const Vec3 bulge = placed(kRadius_mm * std::sqrt(0.5), kRadius_mm * std::sqrt(0.5), 1.0);
   EXPECT_LT((widest.center_mm - bulge).norm(), 0.5);
 }
 
-TEST(WidestPlace, AroundAnIslandIsBesideIt) {
-  // A tooth that no line joins to the gum: off the middle, and higher.
+TEST(WidestPlace, WithAnIslandIsBesideIt) {
+  // A tooth that is not connected to the gum: not in the middle, and higher.
   std::vector<Vec3> tooth;
   for (const auto& [x, y] : {std::pair(-0.7, -0.4), {0.1, -0.4}, {0.1, 0.4}, {-0.7, 0.4}})
     tooth.push_back(placed(x, y, 0.5));
@@ -77,7 +77,7 @@ TEST(WidestPlace, AroundAnIslandIsBesideIt) {
   EXPECT_LT((widest.center_mm - placed(0.55, 0.0)).norm(), 0.05);
 }
 
-TEST(WidestPlace, OfALineThatEnclosesNothingIsNone) {
+TEST(WidestPlace, OfALineWithoutAreaIsZero) {
   const std::vector<Vec3> there_and_back = {placed(0.0, 0.0), placed(5.0, 0.0), placed(5.0, 1e-4)};
   const WidestPlace widest = widest_place(there_and_back, {}, up());
   EXPECT_LE(widest.width_mm, kPixel_mm);

@@ -14,7 +14,7 @@ using testing::SceneSensor;
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Normal of the cusped surface, towards the sensor (-z).
+/// Normal of the surface with cusps, towards the sensor (-z).
 Vec3 true_normal(const Vec3& p_model) {
   constexpr double kStep = 1e-4;
   const auto z = testing::cusped_height;
@@ -25,7 +25,7 @@ Vec3 true_normal(const Vec3& p_model) {
   return Vec3(dx, dy, -1.0).normalized();
 }
 
-/// Angles between estimated and true normals. The scan's first pose is the model's own frame.
+/// Angles between estimated and true normals. The scan's first pose is the frame of the model.
 std::vector<double> angle_errors(const std::vector<AlignedView>& views,
                                  const std::vector<ViewNormals>& normals) {
   std::vector<double> errors;
@@ -51,12 +51,13 @@ TEST(CrossingNormals, FollowTheSurface) {
   ASSERT_TRUE(normals.has_value());
   const auto errors = angle_errors(views, *normals);
   ASSERT_FALSE(errors.empty());
-  // Within a cell of 0.34 mm the flanks turn by some 5 degrees, the rims of the cusps by 40.
+  // Within a cell of 0.34 mm, the normals of flanks change by about 5 degrees, at the edges of
+  // cusps by 40.
   EXPECT_LT(errors[errors.size() / 2], 6.0 * kDegree);
   EXPECT_LT(errors[errors.size() * 95 / 100], 32.0 * kDegree);
 }
 
-TEST(CrossingNormals, NoiseCostsFewDegrees) {
+TEST(CrossingNormals, NoiseChangesNormalsByAFewDegrees) {
   const auto views = scan_cusps(60, SceneSensor{}, 2).views;
   const auto normals = crossing_normals(views, {}, Workers(2));
   ASSERT_TRUE(normals.has_value());
@@ -64,7 +65,7 @@ TEST(CrossingNormals, NoiseCostsFewDegrees) {
   EXPECT_LT(errors[errors.size() / 2], 8.0 * kDegree);
 }
 
-TEST(CrossingNormals, OnePatternAloneGivesTheNormalWithinTheSheet) {
+TEST(CrossingNormals, OnlyOnePatternGivesTheNormalWithinTheSheet) {
   const auto views = scan_cusps(1, SceneSensor{}, 3).views;
   const auto normals = crossing_normals(views, {}, Workers(1));
   ASSERT_TRUE(normals.has_value());

@@ -13,7 +13,7 @@ namespace {
 const std::vector<std::string> kSteps = {"Refining all views together", "Calculating normals",
                                          "Thinning points", "Meshing", "Texturing"};
 
-/// A small scan with texture; its sensor looks along z, and so does the texture camera.
+/// A small scan with texture; sensor and texture camera look along z.
 class FinishScan : public ::testing::Test {
  protected:
   static constexpr int kViews = 16;
@@ -38,7 +38,7 @@ class FinishScan : public ::testing::Test {
       testing::orthographic_calibration({20, 15, 15}, {640, 480}, 25.0);
 };
 
-TEST_F(FinishScan, TellsOfEveryStepAndNeverFallsBack) {
+TEST_F(FinishScan, ReportsEveryStageAndNeverGoesBack) {
   std::vector<Progress::Snapshot> told;
   const auto finished = finish(Progress([&](const auto& step) { told.push_back(step); }));
   ASSERT_TRUE(finished.has_value()) << finished.error().message;
@@ -53,7 +53,7 @@ TEST_F(FinishScan, TellsOfEveryStepAndNeverFallsBack) {
       last = 0.0;
     }
     EXPECT_GE(now.fraction, last) << now.stage;
-    // No single advance is most of a step: the bar moves.
+    // No single advance is most of a stage, so that the progress bar moves.
     EXPECT_LT(now.fraction - last, 0.75) << now.stage;
     last = now.fraction;
   }
@@ -61,7 +61,7 @@ TEST_F(FinishScan, TellsOfEveryStepAndNeverFallsBack) {
   EXPECT_EQ(steps, kSteps);
 }
 
-TEST_F(FinishScan, CancelledInAnyStepItStopsThere) {
+TEST_F(FinishScan, StopsInTheStageInWhichItIsCanceled) {
   for (const std::string& step : kSteps) {
     for (const double fraction : {0.0, 0.3, 0.8}) {
       Progress progress;
@@ -74,7 +74,7 @@ TEST_F(FinishScan, CancelledInAnyStepItStopsThere) {
       const auto finished = finish(progress);
       ASSERT_FALSE(finished.has_value()) << step;
       EXPECT_EQ(finished.error().code, ErrorCode::kCancelled);
-      // One thread: what had begun ends, nothing else begins.
+      // One thread: the running task is finished, no other task starts.
       EXPECT_LE(told_after.size(), 2U) << step << " at " << fraction;
       for (const std::string& stage : told_after) EXPECT_EQ(stage, step);
     }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSpacing = 0.02;  // of samples along a line, mm
 constexpr double kSigma = 0.02;    // of a sample along z, mm
 
-/// Views of the height field z(x, y) over 0..1 mm: each one has lines along y, 0.25 mm apart.
+/// Views of the height field z(x, y) on 0..1 mm. Each view has lines along y, 0.25 mm apart.
 std::vector<SurfaceSample> scan(const std::function<double(double, double)>& height, int view_count,
                                 double sigma) {
   Random random(3);
@@ -54,7 +54,7 @@ TEST(Reduce, AnyOrderOfSamplesAndAnyThreadsGiveTheSameBits) {
   EXPECT_TRUE(same_bits(first->points, second->points));
 }
 
-TEST(Reduce, TheStatedUncertaintyIsTheOneObserved) {
+TEST(Reduce, StatedUncertaintyMatchesTheScatter) {
   const auto reduced =
       reduce_samples(scan(flat, 80, kSigma), {.noise_length_samples = 0.01}, Workers());
   ASSERT_TRUE(reduced);
@@ -63,12 +63,12 @@ TEST(Reduce, TheStatedUncertaintyIsTheOneObserved) {
     const double ratio = p.position_mm.z() / p.sigma_mm;
     chi2 += ratio * ratio;
   }
-  // Below 1: the uncertainty is raised where few views disagree by chance.
+  // Below 1: the uncertainty is increased where a few views differ by chance.
   EXPECT_GT(std::sqrt(chi2 / reduced->points.size()), 0.6);
   EXPECT_LT(std::sqrt(chi2 / reduced->points.size()), 1.1);
 }
 
-TEST(Reduce, OutliersThatOtherViewsContradictVanish) {
+TEST(Reduce, RemovesOutliersThatOtherViewsContradict) {
   std::vector<SurfaceSample> samples = scan(flat, 60, kSigma);
   Random random(5);
   for (int i = 0; i < 50; ++i) {
@@ -84,14 +84,14 @@ TEST(Reduce, OutliersThatOtherViewsContradictVanish) {
   }
 }
 
-TEST(Reduce, TheTwoSidesOfAThinPlateStayApart) {
+TEST(Reduce, SeparatesTheTwoSidesOfAThinPlate) {
   std::vector<SurfaceSample> samples = scan(flat, 40, 0.005);
   const std::size_t front = samples.size();
   for (std::size_t i = 0; i < front; ++i) {
     SurfaceSample back = samples[i];
-    back.position_mm.z() += 0.05F;  // thinner than a cell is long
+    back.position_mm.z() += 0.05F;  // the plate is thinner than the length of a cell
     back.normal = Vec3f::UnitZ();
-    back.view = ViewIndex(back.view.value + 1000);  // a view sees one side
+    back.view = ViewIndex(back.view.value + 1000);  // each view sees only one side
     samples.push_back(back);
   }
   const auto reduced = reduce_samples(samples, {}, Workers());
@@ -101,8 +101,8 @@ TEST(Reduce, TheTwoSidesOfAThinPlateStayApart) {
   }
 }
 
-TEST(Reduce, TwoGroovesAtTheResolutionLimitAreStillTwo) {
-  // A line of six pixels: 0.12 mm wide. Grooves across x, two line widths apart.
+TEST(Reduce, ResolvesTwoGroovesAtTheResolutionLimit) {
+  // A line of six pixels is 0.12 mm wide. The grooves are two line widths apart in x.
   constexpr double kPitch = 0.24;
   const auto grooves = [](double x, double /*y*/) {
     if (std::abs(x - 0.5) > kPitch) return 0.0;
@@ -120,22 +120,22 @@ TEST(Reduce, TwoGroovesAtTheResolutionLimitAreStillTwo) {
     }
     return sum / count;
   };
-  // The ridge between keeps more than half of the grooves' depth of 0.05 mm.
+  // The ridge between the grooves keeps more than half of their depth of 0.05 mm.
   const double ridge = mean_height(0.5);
   EXPECT_GT(mean_height(0.5 - kPitch / 2) - ridge, 0.025);
   EXPECT_GT(mean_height(0.5 + kPitch / 2) - ridge, 0.025);
 }
 
-TEST(Reduce, BadOptionsAreNamed) {
+TEST(Reduce, NamesBadOptions) {
   const auto reduced = reduce_samples({}, {.outlier_sigmas = -1.0}, Workers(1));
   ASSERT_FALSE(reduced);
   EXPECT_NE(reduced.error().message.find("outlier_sigmas"), std::string::npos);
 }
 
-TEST(MeanVarianceShare, IsWhatCorrelatedNoiseShows) {
+TEST(MeanVarianceShare, MatchesCorrelatedNoise) {
   EXPECT_DOUBLE_EQ(MeanVariance(1.5).share(1), 1.0);
-  EXPECT_NEAR(MeanVariance(0.01).share(4), 0.25, 1e-12);  // white
-  EXPECT_NEAR(MeanVariance(1e6).share(4), 1.0, 1e-9);     // all alike
+  EXPECT_NEAR(MeanVariance(0.01).share(4), 0.25, 1e-12);  // white noise
+  EXPECT_NEAR(MeanVariance(1e6).share(4), 1.0, 1e-9);     // fully correlated
 }
 
 }  // namespace

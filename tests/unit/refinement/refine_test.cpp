@@ -21,39 +21,40 @@ Refinement refine(std::vector<AlignedView>& views, int threads = 2) {
   return *result;
 }
 
-TEST(RefineJointly, PullsADriftOf300MicronsDownToTheNoiseLimit) {
+TEST(RefineJointly, ReducesADriftOf300MicrometersToTheNoiseLimit) {
   const auto truth = scan_cusps(kViews, SceneSensor{}, 1).views;
   auto views = with_drift(truth, 0.3, 2);
   const double before_mm = displacement_rms_mm(views, truth);
   ASSERT_GT(before_mm, 0.08);
   refine(views);
-  // 40 views of 4,500 points with 30 um each; in the gauge of the first view, whose own pose error
-  // (about 6 um at its rim) counts.
+  // 40 views of 4,500 points with 30 µm of noise. The gauge of the first view includes the error of
+  // its pose (about 6 µm at its border).
   EXPECT_LT(displacement_rms_mm(views, truth), 0.015);
 }
 
-TEST(RefineJointly, IdealDataStartedAtTheTruthStaysThere) {
+TEST(RefineJointly, IdealDataStaysAtTheTruth) {
   SceneSensor sensor;
   sensor.noise_mm = 1e-6;
   const auto truth = scan_cusps(kViews, sensor, 3).views;
   auto views = truth;
   refine(views);
-  // What a quadric misses of the cusps within a cell of half a millimeter.
+  // The error of a quadric at cusps within a cell of 0.5 mm.
   EXPECT_LT(displacement_rms_mm(views, truth), 0.003);
 }
 
-TEST(RefineJointly, NoiseDoesNotPullItAwayFromTheTruth) {
+TEST(RefineJointly, NoiseCausesNoBias) {
   const auto truth = scan_cusps(kViews, SceneSensor{}, 4).views;
   auto once = truth;
   refine(once);
   auto twice = once;
   refine(twice);
   EXPECT_LT(displacement_rms_mm(once, truth), 0.015);
-  // A biased estimator would go on wandering; this one trembles as data change cells.
+  // A biased estimator would move further in each step; this one varies only because data change
+  // cells.
   EXPECT_LT(displacement_rms_mm(twice, once), 0.008);
 }
 
-TEST(RefineJointly, KeepsTheFirstViewWhereItIs) {
+TEST(RefineJointly, DoesNotMoveTheFirstView) {
   const auto truth = scan_cusps(10, SceneSensor{}, 5).views;
   auto views = with_drift(truth, 0.1, 6);
   refine(views);
@@ -71,10 +72,10 @@ TEST(RefineJointly, OneThreadAndManyGiveTheSameBits) {
   }
 }
 
-TEST(RefineJointly, NamesAViewThatContradictsTheOthers) {
+TEST(RefineJointly, ReportsAViewThatContradictsTheOthers) {
   const auto truth = scan_cusps(kViews, SceneSensor{}, 9).views;
   auto views = truth;
-  // A view of another place, taken for one of this.
+  // A view of another place, inserted as a view of this place.
   View foreign = *views[20].view;
   for (Profile& profile : foreign.profiles) {
     for (ProfilePoint& point : profile.points) point.position_mm.z() *= -1.0;
@@ -87,7 +88,7 @@ TEST(RefineJointly, NamesAViewThatContradictsTheOthers) {
   }
 }
 
-TEST(RefineJointly, RefusesOptionsOutOfRange) {
+TEST(RefineJointly, RejectsOptionsOutOfRange) {
   auto views = scan_cusps(2, SceneSensor{}, 10).views;
   JointRefineOptions options;
   options.max_steps = 0;
@@ -97,7 +98,8 @@ TEST(RefineJointly, RefusesOptionsOutOfRange) {
   EXPECT_NE(result.error().message.find("max_steps"), std::string::npos);
 }
 
-/// A system of random cells and views whose cells satisfy M M^T <= D, as eliminated surfaces do.
+/// A system of random cells and views that satisfies M M^T <= D, as after the elimination of
+/// surfaces.
 ReducedSystem random_system(int view_count, Random& random) {
   std::vector<Vec3> centers;
   for (int v = 0; v < view_count; ++v) centers.emplace_back(v, random.normal(), random.normal());
@@ -129,13 +131,13 @@ TEST(ReducedSystem, SolutionSatisfiesTheNormalEquations) {
   ReducedSystem system = random_system(kCount, random);
   system.finish(workers);
   const Eigen::VectorXd x = *system.solve(workers);
-  // -g comes back from H x; the tolerance is that of the conjugate gradients.
+  // H x must equal -g, within the tolerance of the conjugate gradients.
   Eigen::VectorXd y = system.apply(x, workers);
   EXPECT_GT(x.norm(), 0.0);
   EXPECT_LT((system.gradient() + y).norm(), 1e-4 * system.gradient().norm());
 }
 
-TEST(RefineByMetaviews, PullsADriftDown) {
+TEST(RefineByMetaviews, ReducesADrift) {
   const auto truth = scan_cusps(kViews, SceneSensor{}, 1).views;
   auto views = with_drift(truth, 0.3, 2);
   const double before_mm = displacement_rms_mm(views, truth);
@@ -143,11 +145,11 @@ TEST(RefineByMetaviews, PullsADriftDown) {
   ASSERT_TRUE(refined.has_value());
   EXPECT_LT(displacement_rms_mm(views, truth), 0.25 * before_mm);
   EXPECT_TRUE(views[0].T_world_sensor.isApprox(truth[0].T_world_sensor, 1e-9));
-  // Rounds move ever less.
+  // Each round moves the views less.
   EXPECT_LT(refined->moved_mm.back(), 0.1 * refined->moved_mm.front());
 }
 
-TEST(RefineByMetaviews, SaysWhenNothingOverlaps) {
+TEST(RefineByMetaviews, ReportsThatNothingOverlaps) {
   auto views = scan_cusps(2, SceneSensor{}, 1).views;
   views[1].T_world_sensor.translation().x() += 500.0;
   const auto refined = refine_by_metaviews(views, {}, {});
@@ -155,7 +157,7 @@ TEST(RefineByMetaviews, SaysWhenNothingOverlaps) {
   EXPECT_EQ(refined->outcome, RefineOutcome::kNoOverlap);
 }
 
-TEST(RefineByMetaviews, CanBeStoppedAndThenChangesNothing) {
+TEST(RefineByMetaviews, ChangesNothingWhenCanceled) {
   const auto truth = scan_cusps(5, SceneSensor{}, 1).views;
   auto views = truth;
   const Progress progress;

@@ -8,9 +8,9 @@ namespace flytri::registration {
 namespace {
 
 constexpr double kRadiusMm = 10.0;
-constexpr double kSideMm = 1.6;  // of a place by default
+constexpr double kSideMm = 1.6;  // default side of a place
 
-/// A crossing in the middle of place (i, j) of a source that stands in the world's origin.
+/// A crossing in the center of place (i, j) of a source at the origin of the world.
 Crossing crossing_at(int i, int j, double sigmas) {
   Crossing c;
   c.p_mm = Vec3((i + 0.5) * kSideMm, (j + 0.5) * kSideMm, 0.3 * i);
@@ -37,11 +37,11 @@ TEST(Agreement, CountsPlacesNotCrossings) {
   }
   const Agreement agreement = judge(crossings, Isometry::Identity(), kRadiusMm);
   EXPECT_EQ(agreement.places, 5);
-  // What the six unknowns of a fit can always bring about proves nothing.
+  // Six places always agree, because the fit has six unknowns: they prove nothing.
   EXPECT_EQ(agreement.evidence, 0.0);
 }
 
-TEST(Agreement, PlacesStandStillInTheSource) {
+TEST(Agreement, PlacesAreFixedInTheSourceFrame) {
   const Isometry T_world_source = exp_twist((Twist() << 0.3, -0.8, 1.1, 30, -50, 8).finished());
   std::vector<Crossing> crossings;
   for (int i = 0; i < 20; ++i) {
@@ -51,7 +51,7 @@ TEST(Agreement, PlacesStandStillInTheSource) {
   EXPECT_EQ(judge(crossings, T_world_source, kRadiusMm).places, 20);
 }
 
-TEST(Agreement, NearCrossingsAgreeHoweverCertain) {
+TEST(Agreement, NearCrossingsAlwaysAgree) {
   std::vector<Crossing> crossings;
   for (int i = 0; i < 20; ++i) {
     crossings.push_back(crossing_at(i, 0, 1.0));
@@ -61,7 +61,7 @@ TEST(Agreement, NearCrossingsAgreeHoweverCertain) {
   EXPECT_EQ(judge(crossings, Isometry::Identity(), kRadiusMm).agreeing, 10);
 }
 
-TEST(Agreement, OptionsOutOfRangeAreNamed) {
+TEST(Agreement, NamesOptionsOutOfRange) {
   AgreementOptions options;
   options.max_sigmas = 1.0;
   EXPECT_FALSE(options.validate());

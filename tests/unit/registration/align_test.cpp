@@ -49,19 +49,19 @@ TEST(Align, RecoversKnownMotionInBothDirections) {
     const Alignment back = align_view(pair.target, pair.source, Isometry::Identity()).value();
     EXPECT_EQ(there.outcome, AlignOutcome::kAligned);
     EXPECT_EQ(back.outcome, AlignOutcome::kAligned);
-    // 70 crossings of two lines smoothed to about 10 µm each; the worst direction is a few times
-    // weaker than the best.
+    // 70 crossings of two lines, each smoothed to about 10 µm; the worst direction is a few times
+    // less certain than the best.
     EXPECT_LT(displacement_mm(pair.source, there.T_target_source, pair.T_target_source), 0.03);
     EXPECT_LT(displacement_mm(pair.target, back.T_target_source, pair.T_target_source.inverse()),
               0.03);
   }
 }
 
-TEST(Align, IdealDataIsLimitedByItsSamplingAlone) {
+TEST(Align, IdealDataIsLimitedOnlyByItsSampling) {
   const Pair pair = make_pair(3, 0.0);
   const Alignment ideal = align_view(pair.source, pair.target, Isometry::Identity()).value();
   ASSERT_TRUE(ideal.aligned());
-  // Splines through points 0.04 mm apart on cusps of 0.1 mm radius.
+  // Error of splines through points 0.04 mm apart, on cusps of 0.1 mm radius.
   EXPECT_LT(displacement_mm(pair.source, ideal.T_target_source, pair.T_target_source), 0.003);
 }
 
@@ -73,7 +73,7 @@ TEST(Align, ThePapersWeightsAndResidualFindTheSameMotion) {
       align_view(pair.source, pair.target, Isometry::Identity(), options).value();
   EXPECT_LT(displacement_mm(pair.source, by_depth.T_target_source, pair.T_target_source), 0.03);
 
-  // Point to point slides only slowly along the surface: more iterations, and a worse end.
+  // Point-to-point converges slowly along the surface: more iterations and a less accurate result.
   options.residual = ResidualKind::kPointToPoint;
   options.max_iterations = 200;
   const Alignment to_point =
@@ -82,7 +82,7 @@ TEST(Align, ThePapersWeightsAndResidualFindTheSameMotion) {
             0.5 * displacement_mm(pair.source, Isometry::Identity(), pair.T_target_source));
 }
 
-TEST(Align, SurfacesThatSlideInThemselvesAreReportedNotGuessed) {
+TEST(Align, ReportsSurfacesThatCanSlideAlongThemselves) {
   const testing::HeightField plane = [](double x, double y) { return 0.1 * x - 0.05 * y; };
   const testing::HeightField ridge = [](double x, double) { return 1.5 * std::sin(x); };
   for (const auto& height : {plane, ridge}) {
@@ -91,7 +91,7 @@ TEST(Align, SurfacesThatSlideInThemselvesAreReportedNotGuessed) {
       const Alignment alignment =
           align_view(pair.source, pair.target, Isometry::Identity()).value();
       EXPECT_EQ(alignment.outcome, AlignOutcome::kUndetermined) << alignment.uncertainty_mm;
-      // The directions that are unknown stay with the prediction.
+      // Undetermined directions keep the prediction.
       EXPECT_LT(alignment.moved_mm, 1.5);
     }
   }
@@ -111,7 +111,7 @@ TEST(Align, ViewsOfDifferentPlacesDoNotAlign) {
   EXPECT_EQ(aligned, 0);
 }
 
-TEST(Align, BadOptionsAreRefused) {
+TEST(Align, RejectsBadOptions) {
   AlignOptions options;
   options.start_distance_share = -1.0;
   const Pair pair = make_pair(1, 0.03);

@@ -7,7 +7,7 @@
 namespace flytri::registration {
 namespace {
 
-/// A random walk through space: curls back on itself, so that the search has many minima.
+/// A random walk through space: it comes close to itself, so that the search has many minima.
 PreparedProfile random_profile(std::size_t knots, double roughness, Random& random) {
   std::vector<double> parameters;
   std::vector<Vec3> points;
@@ -46,7 +46,7 @@ TEST(ClosestPair, HierarchicalSearchEqualsBruteForce) {
   EXPECT_GT(found, 100);
 }
 
-TEST(ClosestPair, TiesGoToTheFirstPairWhateverTheSearch) {
+TEST(ClosestPair, EqualDistancesGiveTheFirstPairInBothSearches) {
   std::vector<double> parameters;
   std::vector<Vec3> along_x, above;
   for (int i = 0; i < 40; ++i) {

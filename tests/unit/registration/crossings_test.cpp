@@ -16,9 +16,9 @@ PreparedView view_at(double x_mm, Pattern pattern) {
       .moved(T_world_sensor);
 }
 
-TEST(Crossings, CurvesInLikeLightSheetsAreNone) {
-  // Two curves in one plane meet wherever the sensor stood: that would draw every view onto an
-  // earlier one of the same pattern.
+TEST(Crossings, CurvesInTheSameLightSheetAreNotCrossings) {
+  // Two curves in one plane always meet, independent of the surface. Such crossings would pull
+  // every view onto an earlier view of the same pattern.
   const PreparedView earlier = view_at(0.0, Pattern::kVertical);
   const PreparedView* const metaview[] = {&earlier};
   CrossingLimits limits;

@@ -11,7 +11,7 @@ ViewExtent extent_at(const Vec3& center_mm, const Vec3& direction) {
   return {center_mm, direction, Vec3::UnitZ(), 7.0};
 }
 
-TEST(OverlapGrid, FindsWhatAComparisonWithEveryViewFinds) {
+TEST(OverlapGrid, FindsTheSameViewsAsBruteForce) {
   Random random(1);
   OverlapGrid grid(5.0);
   for (int i = 0; i < 300; ++i) {
@@ -20,7 +20,7 @@ TEST(OverlapGrid, FindsWhatAComparisonWithEveryViewFinds) {
   }
   const ViewExtent around = extent_at(Vec3(1, 2, 3), Vec3::UnitX());
   std::vector<std::size_t> expected, actual;
-  for (std::size_t i = 1; i < grid.size(); i += 2) {  // the crossed half
+  for (std::size_t i = 1; i < grid.size(); i += 2) {  // the half with crossed lines
     if ((grid.extent(i).center_mm - around.center_mm).norm() < 2.4 * 7.0) expected.push_back(i);
   }
   for (const Overlap& overlap : grid.overlapping(around)) actual.push_back(overlap.view);

@@ -20,7 +20,7 @@ calibration::Calibration six_sided_calibration() {
   return testing::orthographic_calibration({20, 20, 20}, {640, 480}, 20.0);
 }
 
-/// A wave over the xy plane that faces the camera, 10 mm wide; higher waves have steeper flanks.
+/// A wavy surface that faces the camera, 10 mm wide; higher waves have steeper flanks.
 TriangleMesh wave(float height_mm) {
   constexpr std::uint32_t kCount = 60;
   TriangleMesh mesh;
@@ -74,7 +74,8 @@ TEST(AtlasCharts, EveryTriangleIsInOneChartAndNoTexelInTwoTriangles) {
     }
     EXPECT_EQ(std::count(charts_of.begin(), charts_of.end(), 1),
               static_cast<std::ptrdiff_t>(charts_of.size()));
-    // A center on an edge may fall to either side when the corner of the chart is added.
+    // Rounding may move a center on an edge to the other side when the corner of the chart is
+    // added.
     EXPECT_LE(texels - taken.size(), texels / 1000);
   }
 }
@@ -95,7 +96,7 @@ TEST(AtlasCharts, PackedChartsDoNotOverlap) {
   EXPECT_FALSE(pack_charts(charts, 16));
 }
 
-TEST(BakeAtlas, ColorsAreWhereTheCameraSawThem) {
+TEST(BakeAtlas, ColorsAreAtTheRightPlaces) {
   TriangleMesh mesh = wave(0.5F);
   const std::vector<TextureFrame> frames = {two_colors()};
   const auto baked = bake_atlas(mesh, frames, six_sided_calibration(), {}, Workers(2));
@@ -110,8 +111,8 @@ TEST(BakeAtlas, ColorsAreWhereTheCameraSawThem) {
   EXPECT_GT(error.median_by_chance, 0.1);
 }
 
-/// A camera before each of the six sides of a sphere about the origin; its image at U, V shows the
-/// color of direction.
+/// A camera in front of each of the six sides of a sphere at the origin. A pixel shows the color of
+/// its direction.
 template <typename ColorOf>
 std::vector<TextureFrame> six_sides(float radius_mm, const ColorOf& color_of) {
   std::vector<TextureFrame> frames;
@@ -136,7 +137,7 @@ std::vector<TextureFrame> six_sides(float radius_mm, const ColorOf& color_of) {
   return frames;
 }
 
-TEST(BakeAtlas, PatternOfASphereIsRecovered) {
+TEST(BakeAtlas, RecoversThePatternOfASphere) {
   TriangleMesh sphere = colored_sphere().mesh;
   const float radius_mm = sphere.vertices.front().position_mm.norm();
   const auto color_of = [](const Vec3f& direction) {
@@ -147,7 +148,7 @@ TEST(BakeAtlas, PatternOfASphereIsRecovered) {
   const auto baked =
       bake_atlas(sphere, six_sides(radius_mm, color_of), six_sided_calibration(), {}, Workers(2));
   ASSERT_TRUE(baked.has_value());
-  // Every direction is within 55 degrees of one camera's, far from grazing.
+  // Every direction is within 55 degrees of one camera, so no surface is at grazing incidence.
   EXPECT_EQ(baked->texels.untextured, 0U);
   double sum = 0.0;
   for (std::size_t i = 0; i < baked->model.uv.size(); ++i) {
@@ -157,7 +158,7 @@ TEST(BakeAtlas, PatternOfASphereIsRecovered) {
     const Rgb truth = color_of(baked->model.mesh.vertices[i].position_mm.normalized());
     for (int c = 0; c < 3; ++c) {
       const double difference = std::abs(found[c] - truth[static_cast<std::size_t>(c)]);
-      // The highest intensity is taken from pixels up to the facets' sag and a texel away.
+      // The highest intensity may come from a pixel that is a texel and the sag of a facet away.
       EXPECT_LT(difference, 16.0) << "vertex " << i;
       sum += difference;
     }
@@ -165,7 +166,7 @@ TEST(BakeAtlas, PatternOfASphereIsRecovered) {
   EXPECT_LT(sum / static_cast<double>(3 * baked->model.uv.size()), 3.0);
 }
 
-TEST(BakeAtlas, WhatLiesBehindAnotherFaceIsNotPainted) {
+TEST(BakeAtlas, HiddenSurfaceIsNotPainted) {
   TriangleMesh mesh = wave(0.5F);
   const TriangleMesh front = mesh;
   const auto count = static_cast<std::uint32_t>(front.vertices.size());
@@ -192,7 +193,7 @@ TEST(BakeAtlas, WhatLiesBehindAnotherFaceIsNotPainted) {
   EXPECT_GE(green, static_cast<std::size_t>(count));
 }
 
-TEST(BakeAtlas, WhatNoFrameSawKeepsTheColorOfItsVertices) {
+TEST(BakeAtlas, UnobservedSurfaceKeepsTheColorOfItsVertices) {
   TriangleMesh mesh = wave(0.5F);
   for (SurfacePoint& vertex : mesh.vertices) vertex.color = {10, 200, 30};
   const auto baked = bake_atlas(mesh, {}, six_sided_calibration(), {}, Workers(2));
@@ -201,7 +202,7 @@ TEST(BakeAtlas, WhatNoFrameSawKeepsTheColorOfItsVertices) {
   EXPECT_LT(evaluation::color_error(baked->model, mesh, 0.01, Workers(1)).percentile_95, 1e-6);
 }
 
-TEST(BakeAtlas, AnAtlasWithTooLittleRoomHasCoarserTexels) {
+TEST(BakeAtlas, ASmallAtlasHasLargerTexels) {
   const TriangleMesh mesh = wave(0.5F);
   AtlasOptions small;
   small.max_side_px = 64;
@@ -213,7 +214,7 @@ TEST(BakeAtlas, AnAtlasWithTooLittleRoomHasCoarserTexels) {
   EXPECT_GT(coarse->texel_mm, 2.0 * fine->texel_mm);
 }
 
-TEST(BakeAtlas, SameBitsForAnyNumberOfThreads) {
+TEST(BakeAtlas, AnyNumberOfThreadsGivesTheSameBits) {
   const TriangleMesh mesh = wave(2.0F);
   const std::vector<TextureFrame> frames = {two_colors()};
   const auto one = bake_atlas(mesh, frames, six_sided_calibration(), {}, Workers(1));
@@ -223,7 +224,7 @@ TEST(BakeAtlas, SameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one->model.uv, four->model.uv);
 }
 
-TEST(BakeAtlas, BadInputIsRefused) {
+TEST(BakeAtlas, RejectsBadInput) {
   AtlasOptions options;
   options.max_side_px = 1000;
   EXPECT_EQ(bake_atlas(wave(1.0F), {}, six_sided_calibration(), options, Workers(1)).error().code,

@@ -29,7 +29,7 @@ ColorCounts color(PointCloud& points, const std::vector<TextureFrame>& frames) {
   return *counts;
 }
 
-TEST(ColorPoints, TakesThePixelThatSeesThePoint) {
+TEST(ColorPoints, TakesTheColorOfThePixelThatSeesThePoint) {
   TextureFrame frame = frame_of({200, 100, 50});
   frame.image.colRange(320, 640) = cv::Scalar(50, 100, 200);
   PointCloud points = {point_at(-5, 0, 0), point_at(5, 0, 0)};
@@ -38,7 +38,7 @@ TEST(ColorPoints, TakesThePixelThatSeesThePoint) {
   EXPECT_EQ(points[1].color, (Rgb{50, 100, 200}));
 }
 
-TEST(ColorPoints, WhatLiesBehindIsNotColored) {
+TEST(ColorPoints, HiddenPointsAreNotColored) {
   TextureFrame frame = frame_of({10, 200, 10});
   PointCloud points = {point_at(0, 0, -3), point_at(0.01F, 0, 3)};
   TextureOptions options;
@@ -51,18 +51,18 @@ TEST(ColorPoints, WhatLiesBehindIsNotColored) {
 
 TEST(ColorPoints, AveragesTheColorAndTakesTheHighestIntensity) {
   PointCloud points = {point_at(0, 0, 0)};
-  // The same hue, once in the shade: the brighter pixel's intensity stays.
+  // The same color, once in shadow: the intensity of the brighter pixel is kept.
   color(points, {frame_of({40, 40, 40}), frame_of({180, 180, 180})});
   EXPECT_EQ(points[0].color, (Rgb{180, 180, 180}));
 }
 
-TEST(ColorPoints, ASaturatedPixelTellsNothing) {
+TEST(ColorPoints, IgnoresSaturatedPixels) {
   PointCloud points = {point_at(0, 0, 0)};
   color(points, {frame_of({255, 255, 255}), frame_of({120, 60, 30})});
   EXPECT_EQ(points[0].color, (Rgb{120, 60, 30}));
 }
 
-TEST(ColorPoints, UnobservedPointsTakeTheColorBesideThem) {
+TEST(ColorPoints, UnobservedPointsTakeTheColorOfTheirNeighbors) {
   PointCloud points = {point_at(0, 0, 0), point_at(0.5F, 0, 0), point_at(0, 0, 40)};
   points[1].normal = Vec3f::UnitX();  // turned away
   const ColorCounts counts = color(points, {frame_of({120, 60, 30})});
@@ -72,7 +72,7 @@ TEST(ColorPoints, UnobservedPointsTakeTheColorBesideThem) {
   EXPECT_EQ(points[1].color, points[0].color);
 }
 
-TEST(ColorPoints, AnImageOfAnotherCameraIsRefused) {
+TEST(ColorPoints, RejectsAnImageOfAnotherCamera) {
   PointCloud points = {point_at(0, 0, 0)};
   const TextureFrame small{cv::Mat(10, 10, CV_8UC3), Isometry::Identity()};
   const auto counts = color_points(points, std::vector{small}, orthographic(), {}, Workers(1));

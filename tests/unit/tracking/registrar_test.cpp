@@ -14,7 +14,7 @@ namespace {
 
 using testing::SceneSensor;
 
-/// A hand over the scene: two slow loops with tremor, at t in s.
+/// Pose of the hand at time t in s: two slow loops with tremor.
 Isometry hand_pose(double t) {
   Twist twist;
   twist << 0.15 * std::sin(0.9 * t), 0.12 * std::cos(0.7 * t), 0.4 * std::sin(0.5 * t),
@@ -39,7 +39,7 @@ struct Errors {
   int registered = 0;
 };
 
-/// Errors in the first-view gauge, over registered views.
+/// Pose errors of registered views in the first-view gauge.
 Errors errors_of(const std::vector<RegisteredView>& views,
                  const std::function<Isometry(double)>& T_scene_sensor) {
   Errors errors;
@@ -58,7 +58,7 @@ Errors errors_of(const std::vector<RegisteredView>& views,
   return errors;
 }
 
-TEST(Registrar, KeepsTrackOfAHand) {
+TEST(Registrar, TracksAHand) {
   Registrar registrar = Registrar::create().value();
   for (int frame = 0; frame < 150; ++frame) {
     registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
@@ -68,9 +68,9 @@ TEST(Registrar, KeepsTrackOfAHand) {
   EXPECT_LT(errors.rms_mm, 0.03);
 }
 
-TEST(Registrar, FindsBackAfterALoss) {
+TEST(Registrar, ResumesAfterALoss) {
   Registrar registrar = Registrar::create().value();
-  // 1 s of nothing, then the sensor is back where it was at 1 s, a little off.
+  // 1 s without surface, then the sensor is back near its pose at 1 s.
   const auto pose = [](double t) {
     return t < 2.5 ? hand_pose(t) : exp_twist(Twist::Constant(0.03)) * hand_pose(t - 2.5);
   };
@@ -86,7 +86,7 @@ TEST(Registrar, FindsBackAfterALoss) {
   EXPECT_LT(errors.worst_mm, 0.1);
 }
 
-TEST(Registrar, SameBitsFromRunToRun) {
+TEST(Registrar, EveryRunGivesTheSameBits) {
   const auto run = [] {
     Registrar registrar = Registrar::create().value();
     for (int frame = 0; frame < 30; ++frame) {
@@ -100,7 +100,7 @@ TEST(Registrar, SameBitsFromRunToRun) {
   }
 }
 
-TEST(Registrar, NeverEntersAtAPlaceItHasNotSeen) {
+TEST(Registrar, NeverResumesAtAnUnknownPlace) {
   const testing::HeightField elsewhere = [](double x, double y) {
     return testing::cusped_height(y + 41.0, 23.0 - x);
   };
@@ -137,7 +137,7 @@ TEST(Registrar, StartsAtTheFirstUsableView) {
   EXPECT_EQ(errors_of(views, hand_pose).registered, 20);
 }
 
-TEST(Registrar, ProposesTheRichestPairOnceInterrupted) {
+TEST(Registrar, ProposesThePairWithMostPointsWhenInterrupted) {
   RegistrarOptions options;
   options.patience_views = 3;
   Registrar registrar = Registrar::create(options).value();
@@ -163,21 +163,22 @@ TEST(Registrar, ProposesTheRichestPairOnceInterrupted) {
   EXPECT_EQ(proposal->second.view->frame, FrameIndex(7));
 }
 
-TEST(Registrar, ViewsOfAFastHandAreRightOrRejected) {
-  // Each view overlaps the one before by half: little evidence, and lines that run alike invite
-  // a view to stay where the former one was.
+TEST(Registrar, ViewsOfAFastHandAreEitherRightOrRejected) {
+  // Each view overlaps the previous one by half: there is little evidence, and parallel lines may
+  // pull a view to the pose of the previous view.
   for (const double haste : {4.0, 8.0, 16.0}) {
     const auto path = [&](double t) { return hand_pose(haste * t); };
     Registrar registrar = Registrar::create().value();
     for (int frame = 0; frame < 60; ++frame) {
       registrar.add(scene_view(frame, path(frame / 30.0), {}));
     }
-    // Well below the relief and the spacing of the lines, the size of wrong places.
+    // Well below the height of the relief and the line spacing, which are typical errors of a wrong
+    // pose.
     EXPECT_LT(errors_of(registrar.finish(), path).worst_mm, 0.3) << haste;
   }
 }
 
-TEST(Registrar, GoesOnAfterAHandWasInterrupted) {
+TEST(Registrar, ContinuesAfterAnInterruption) {
   Registrar registrar = Registrar::create().value();
   int seen = 0;
   for (int frame = 0; frame < 130; ++frame) {
@@ -190,7 +191,7 @@ TEST(Registrar, GoesOnAfterAHandWasInterrupted) {
   EXPECT_LT(errors.worst_mm, 0.1);
 }
 
-TEST(Registrar, ASettledScanStaysTheScanUntilTheEnd) {
+TEST(Registrar, AScanWithEnoughViewsIsNeverReplaced) {
   constexpr int kBefore = 20, kAfter = 40;
   const auto elsewhere = [](double t) {
     return make_isometry(Eigen::Quaterniond::Identity(), Vec3(150.0, 60.0, 0.0)) * hand_pose(t);
@@ -207,7 +208,7 @@ TEST(Registrar, ASettledScanStaysTheScanUntilTheEnd) {
     const bool is_settled = settled_views <= kBefore;
     EXPECT_EQ(registrar.interrupted(), is_settled);
     EXPECT_EQ(registrar.aligned_views().size(), is_settled ? kBefore : kAfter);
-    // The world of a scan that is finished for good is free.
+    // After the end of a scan its world frame may change.
     int registered = 0;
     for (const RegisteredView& view : registrar.finish()) {
       registered += view.fate == ViewFate::kRegistered ? 1 : 0;
@@ -230,7 +231,7 @@ TEST(Registrar, SkippedViewsAreInterpolated) {
   EXPECT_GE(interpolated, 28);
 }
 
-TEST(Registrar, ViewsWhoseTimeDoesNotRiseAreRejectedAlone) {
+TEST(Registrar, RejectsOnlyViewsWhoseTimeDoesNotRise) {
   Registrar registrar = Registrar::create().value();
   for (int frame = 0; frame < 12; ++frame) {
     auto view = std::make_shared<View>(*scene_view(frame, hand_pose(frame / 30.0), {}));
@@ -256,7 +257,7 @@ TEST(Registrar, ASkippedViewIsInterpolated) {
   EXPECT_EQ(views[41].fate, ViewFate::kRegistered);
 }
 
-TEST(Registrar, RetiredViewsKeepTheirPlaceAndLetGoOfTheirPoints) {
+TEST(Registrar, RetiredViewsKeepTheirPoseButNotTheirPoints) {
   Registrar registrar = Registrar::create().value();
   const auto add = [&](int begin, int end) {
     for (int frame = begin; frame < end; ++frame) {
@@ -275,7 +276,7 @@ TEST(Registrar, RetiredViewsKeepTheirPlaceAndLetGoOfTheirPoints) {
   EXPECT_EQ(views[30].view->point_count(), 0U);
 }
 
-TEST(Registrar, TellsEachViewOfItsGrowthOnce) {
+TEST(Registrar, ReportsEachNewViewOnce) {
   Registrar registrar = Registrar::create().value();
   std::size_t told = 0;
   for (int frame = 0; frame < 40; ++frame) {
@@ -288,7 +289,7 @@ TEST(Registrar, TellsEachViewOfItsGrowthOnce) {
   EXPECT_TRUE(registrar.take_growth().added.empty());
 }
 
-TEST(Registrar, TakesOverBetterPosesAndCarriesLaterViewsAlong) {
+TEST(Registrar, AppliesBetterPosesAndMovesLaterViewsWithThem) {
   Registrar registrar = Registrar::create().value();
   for (int frame = 0; frame < 30; ++frame) {
     (void)registrar.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
@@ -305,7 +306,7 @@ TEST(Registrar, TakesOverBetterPosesAndCarriesLaterViewsAlong) {
   }
 }
 
-TEST(Registrar, GoesOnFromViewsThatWereKept) {
+TEST(Registrar, ContinuesASavedScan) {
   Registrar first = Registrar::create().value();
   for (int frame = 0; frame < 60; ++frame) {
     (void)first.add(scene_view(frame, hand_pose(frame / 30.0), SceneSensor()));
@@ -320,22 +321,22 @@ TEST(Registrar, GoesOnFromViewsThatWereKept) {
   EXPECT_EQ(registered, 30);
 }
 
-/// A hand that goes 10 mm/s along x, from x = 0 at 0 s.
+/// A hand that moves at 10 mm/s along x, from x = 0 at 0 s.
 Isometry straight_pose(double t) {
   const double tremor_mm = 0.06 * std::sin(47.0 * t);
   return Isometry(Eigen::Translation3d(10.0 * t, tremor_mm, 0.0));
 }
 
-TEST(Registrar, FindsBackWhereItWasNotAskedTo) {
-  // Scanned are 25 mm, the last of them are proposed; the hand comes back near the first, turned,
-  // and nearer to the surface than it was.
+TEST(Registrar, ResumesAtAnotherPlaceThanProposed) {
+  // 25 mm are scanned; the proposal is near their end. The hand resumes near their start, turned
+  // and closer to the surface than before.
   const Isometry T_straight_held = exp_twist((Twist() << 0, 0, 0.15, 0.5, 0.5, 1.5).finished());
   Registrar registrar = Registrar::create().value();
   for (int frame = 0; frame < 75; ++frame) {
     (void)registrar.add(scene_view(frame, straight_pose(frame / 30.0), {}));
   }
   RegisteredView back;
-  // A second: longer no user holds still.
+  // One second: users do not hold still for longer.
   for (int frame = 105; frame < 135 && back.fate != ViewFate::kRegistered; ++frame) {
     const Isometry T_world_sensor = straight_pose((frame - 105) / 30.0) * T_straight_held;
     back = registrar.add(scene_view(frame, T_world_sensor, {}));
@@ -348,13 +349,13 @@ TEST(Registrar, FindsBackWhereItWasNotAskedTo) {
   EXPECT_EQ(back.fate, ViewFate::kRegistered);
 }
 
-TEST(Registrar, TellsHowNearALostViewIs) {
+TEST(Registrar, ReportsHowCloseALostViewIsToResuming) {
   Registrar registrar = Registrar::create().value();
   EXPECT_EQ(registrar.entry_share(), 1.0);
   for (int frame = 0; frame < 60; ++frame) {
     (void)registrar.add(scene_view(frame, straight_pose(frame / 30.0), {}));
   }
-  // Back from 40 mm beyond the end of what was scanned.
+  // The hand returns from 40 mm beyond the end of the scanned part.
   std::vector<double> shares;
   for (int frame = 90; frame < 270; ++frame) {
     const Isometry T_world_sensor = straight_pose(6.0 - (frame - 90) / 30.0);
@@ -371,7 +372,7 @@ TEST(Registrar, TellsHowNearALostViewIs) {
            static_cast<double>(end - begin);
   };
   const std::size_t count = shares.size();
-  // These waves are alike everywhere, so that much fits at a wrong place, too.
+  // These waves look similar everywhere, so a wrong place also fits well.
   EXPECT_GT(mean(count - 10, count), mean(0, count / 2) + 0.05);
   EXPECT_LT(*std::max_element(shares.begin(), shares.end()), 1.0);
 }

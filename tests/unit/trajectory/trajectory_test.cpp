@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kArm_mm = 10.0;
 
-/// A cubic in time about one axis: what a local cubic reproduces exactly.
+/// A motion that is cubic in time about one axis: a local cubic reproduces it exactly.
 Isometry cubic_pose(double t) {
   Twist twist;
   const double angle = 0.3 * t - 0.2 * t * t + 0.1 * t * t * t;
@@ -31,8 +31,8 @@ TEST(Trajectory, InterpolatesCubicMotionsExactlyAtUnevenTimes) {
   for (double t = 0.12; t < 0.6; t += 0.031) {
     const auto T = trajectory.interpolate(t, 0.5);
     ASSERT_TRUE(T);
-    // Rotation and translation are relative to a turned reference, so translation mixes with
-    // rotation: exact up to terms of fourth order in the step.
+    // Rotation and translation are relative to a rotated reference, so they are coupled: exact up
+    // to terms of fourth order in the step.
     EXPECT_LT(pose_distance_mm(*T, cubic_pose(t), kArm_mm), 2e-3);
   }
   const auto at_knot = trajectory.interpolate(0.35, 0.5);
@@ -40,7 +40,7 @@ TEST(Trajectory, InterpolatesCubicMotionsExactlyAtUnevenTimes) {
   EXPECT_LT(pose_distance_mm(*at_knot, cubic_pose(0.35), kArm_mm), 1e-12);
 }
 
-TEST(Trajectory, DoesNotInventPosesOutsideOrAcrossGaps) {
+TEST(Trajectory, GivesNoPosesOutsideOrAcrossGaps) {
   Trajectory trajectory(kArm_mm);
   for (const double t : {0.0, 0.1, 0.2, 2.0, 2.1}) trajectory.set(t, swinging_pose(t));
   EXPECT_FALSE(trajectory.interpolate(-0.01, 0.5));
@@ -59,7 +59,7 @@ TEST(Trajectory, PredictsSmoothMotionByTimeNotByCount) {
   EXPECT_GT(later.prior.translation_mm, next.prior.translation_mm);
 }
 
-TEST(Trajectory, StatedUncertaintyCoversTheErrorsOfATremblingHand) {
+TEST(Trajectory, StatedUncertaintyIncludesATremblingHand) {
   Random random(5);
   Trajectory trajectory(kArm_mm);
   int covered = 0, count = 0;
@@ -78,7 +78,7 @@ TEST(Trajectory, StatedUncertaintyCoversTheErrorsOfATremblingHand) {
   EXPECT_GT(covered, 0.95 * count);
 }
 
-TEST(PathFit, RansacFindsThePlantedOutliersAndNoOthers) {
+TEST(PathFit, RansacFindsExactlyTheInsertedOutliers) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Random random(seed);
     std::vector<TimedPose> poses;
@@ -95,7 +95,7 @@ TEST(PathFit, RansacFindsThePlantedOutliersAndNoOthers) {
     options.seed = seed;
     const PathOutliers found = find_outliers(poses, options);
     EXPECT_EQ(found.outliers, planted);
-    // Back projection: the curve passes where the outliers should have been.
+    // The curve passes through the true poses of the outliers.
     for (const std::size_t i : planted) {
       const double t = poses[i].time_s;
       EXPECT_LT(pose_distance_mm(found.curve.at(t), swinging_pose(t), kArm_mm), 0.1);

@@ -26,7 +26,7 @@ localization::LineTrace straight_trace(int first, int last, double z_mm) {
   return trace;
 }
 
-TEST(Triangulate, PointsLieOnTheSurface) {
+TEST(Triangulate, PointsAreOnTheSurface) {
   const AnalyticSensor sensor;
   const auto result = triangulate(one_trace(straight_trace(40, 280, 2.0)), analytic_calibration(),
                                   Pattern::kVertical, {});
@@ -40,7 +40,7 @@ TEST(Triangulate, PointsLieOnTheSurface) {
   }
 }
 
-TEST(Triangulate, DeviationIsWhatOneSigmaMoves) {
+TEST(Triangulate, DeviationIsTheDisplacementByOneSigma) {
   const localization::LineTrace trace = straight_trace(40, 280, 2.0);
   localization::LineTrace moved = trace;
   for (localization::LineSample& sample : moved) sample.across_px += sample.sigma_px;
@@ -49,12 +49,13 @@ TEST(Triangulate, DeviationIsWhatOneSigmaMoves) {
   for (std::size_t i = 0; i < trace.size(); ++i) {
     const ProfilePoint& point = at.view.profiles[0].points[i];
     const Vec3 step = by.view.profiles[0].points[i].position_mm - point.position_mm;
-    // The lateral derivative is taken every 16 rows, which this near camera sees change by 1 %.
+    // The lateral derivative is computed every 16 rows; for this near camera it changes by 1 % over
+    // this distance.
     EXPECT_LT((step - point.deviation_mm.cast<double>()).norm(), 0.02 * step.norm());
   }
 }
 
-TEST(Triangulate, GapsAndJumpsSeparateProfiles) {
+TEST(Triangulate, CutsProfilesAtGapsAndJumps) {
   localization::LineTrace trace = straight_trace(40, 100, 2.0);
   const localization::LineTrace after_gap = straight_trace(104, 150, 2.0),
                                 after_jump = straight_trace(150, 200, 0.0);
@@ -66,7 +67,7 @@ TEST(Triangulate, GapsAndJumpsSeparateProfiles) {
   EXPECT_EQ(result.view.profiles[2].points.front().along_px, 150.0F);
 }
 
-TEST(Triangulate, PiecesTooShortAreCounted) {
+TEST(Triangulate, CountsShortProfiles) {
   localization::LineTrace trace = straight_trace(40, 42, 2.0);
   const auto result = triangulate(one_trace(trace), analytic_calibration(), Pattern::kVertical, {});
   EXPECT_TRUE(result.view.profiles.empty());

@@ -101,9 +101,9 @@ TEST(CalibrationDesk, ShowsWhatTheCameraSeesWithItsLines) {
 TEST(CalibrationDesk, ARefusedShotIsToldAndItsPlaceStaysWanted) {
   const TemporaryFolder folder;
   const auto shots = make_shots();
-  shots::SimulatedMishap mishap;
-  mishap.lights_swapped = true;
-  ASSERT_TRUE(shots->set_mishap(mishap));
+  shots::ShotFaults faults;
+  faults.lights_swapped = true;
+  ASSERT_TRUE(shots->set_faults(faults));
   CalibrationDesk desk(calibration_job(folder.path(), shots));
   ASSERT_TRUE(wait_until_it_waits(desk));
   desk.take();
@@ -148,8 +148,8 @@ TEST(CalibrationDesk, DevicesThatGoAreToldWithTheirRemedyAndLetGo) {
 TEST(CalibrationDesk, ACheckOnAPlaneHoldsWithTheSensorsOwnCalibration) {
   const TemporaryFolder folder;
   const auto calibration = std::make_shared<const calibration::Calibration>(
-      simulated::kept_sensor_calibration(simulated::intraoral_sensor(), folder.path(), Workers(),
-                                         {})
+      simulated::cached_sensor_calibration(simulated::intraoral_sensor(), folder.path(), Workers(),
+                                           {})
           .value());
   DeskJob job;
   job.task = ui::CalibrationTask::kCheckOnPlane;

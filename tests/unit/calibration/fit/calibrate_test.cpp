@@ -12,7 +12,7 @@ using testing::AnalyticSensor;
 using testing::draw_set;
 using ::testing::HasSubstr;
 
-/// Drawn once: the refusals take copies and spoil them.
+/// Created once; the rejection tests modify copies.
 const CalibrationSet& good_set() {
   static const CalibrationSet kSet = draw_set(AnalyticSensor{}, 9);
   return kSet;
@@ -27,7 +27,7 @@ const Calibration& good_calibration() {
   return kCalibration;
 }
 
-TEST(Calibrate, EveryLineIsLocatedWhereItIs) {
+TEST(Calibrate, LocatesEveryLineAtItsTruePosition) {
   const AnalyticSensor sensor;
   const Calibration& calibration = good_calibration();
   for (const Pattern pattern : kPatterns) {
@@ -39,9 +39,10 @@ TEST(Calibrate, EveryLineIsLocatedWhereItIs) {
           const LinePixel pixel{double(along), sensor.across_px(pattern, n, along, z)};
           const Vec3 found = calibration.locate(pattern, LineIndex(n), pixel);
           const Vec3 truth = sensor.back_project(to_pixel(pattern, pixel), z);
-          // 0.02 px of localization noise are 8 um of depth in one row; all rows together leave 1.
+          // 0.02 px of localization noise are 8 µm of depth in one row; the fit over all rows
+          // leaves 1 µm.
           EXPECT_NEAR(found.z(), truth.z(), 1.5e-3) << n << " " << along << " " << z;
-          // A pixel is 48 um wide; the cubic meets the barrel distortion to a twentieth of that.
+          // A pixel is 48 µm wide; the cubic fits the barrel distortion to a twentieth of this.
           EXPECT_LT((found - truth).head<2>().norm(), 3e-3);
         }
       }
@@ -49,7 +50,7 @@ TEST(Calibrate, EveryLineIsLocatedWhereItIs) {
   }
 }
 
-TEST(Calibrate, AreasAreWhereLinesAreInsideTheVolume) {
+TEST(Calibrate, AreasCoverTheLinesInsideTheVolume) {
   const AnalyticSensor sensor;
   const Calibration& calibration = good_calibration();
   for (const Pattern pattern : kPatterns) {
@@ -65,7 +66,7 @@ TEST(Calibrate, AreasAreWhereLinesAreInsideTheVolume) {
   }
 }
 
-TEST(Calibrate, TextureCameraIsMet) {
+TEST(Calibrate, ProjectsToTheTextureCamera) {
   const AnalyticSensor sensor;
   for (const Vec3& p : {Vec3(0, 0, 0), Vec3(5, -4, 3), Vec3(-6, 5, -4)}) {
     const Pixel truth = sensor.project(p);
@@ -75,7 +76,7 @@ TEST(Calibrate, TextureCameraIsMet) {
   }
 }
 
-TEST(Calibrate, SheetNormalsAreThoseOfTheProjector) {
+TEST(Calibrate, SheetNormalsEqualThoseOfTheProjector) {
   const AnalyticSensor sensor;
   const Calibration& calibration = good_calibration();
   for (int n = 0; n < sensor.line_counts[0]; ++n) {
@@ -98,7 +99,7 @@ TEST(Calibrate, OneThreadAndTwoGiveTheSameBits) {
 
 TEST(Calibrate, LinesMayLeaveTheImage) {
   AnalyticSensor sensor;
-  sensor.line_spacing_mm = 3.4;  // the outer lines are in the image near z = 0 only
+  sensor.line_spacing_mm = 3.4;  // the outer lines are in the image only near z = 0
   const auto calibration = calibrate_quietly(draw_set(sensor, 9));
   ASSERT_TRUE(calibration.has_value()) << calibration.error().message;
   const double across = sensor.across_px(Pattern::kVertical, 0, 160, 1.0);
@@ -117,7 +118,7 @@ CalibrationSet deep_copy(CalibrationSet set) {
   return set;
 }
 
-/// One way to spoil a set, and what the refusal must say.
+/// A defect of a set, and a part of the error message.
 struct Refusal {
   const char* name;
   void (*spoil)(CalibrationSet&);
@@ -177,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"Missing", [](CalibrationSet& set) { set.planes[8].dots.release(); }, "z8_d.png"}),
     [](const auto& tested) { return tested.param.name; });
 
-TEST_P(CalibrateRefuses, SetsThatCannotBeFittedByName) {
+TEST_P(CalibrateRefuses, SetsThatCannotBeFitted) {
   CalibrationSet set = deep_copy(good_set());
   GetParam().spoil(set);
   const auto calibration = calibrate_quietly(set);
@@ -185,7 +186,7 @@ TEST_P(CalibrateRefuses, SetsThatCannotBeFittedByName) {
   EXPECT_THAT(calibration.error().message, HasSubstr(GetParam().says));
 }
 
-TEST(Calibrate, CanBeCancelled) {
+TEST(Calibrate, CanBeCanceled) {
   const Progress progress;
   progress.cancel();
   EXPECT_EQ(calibrate(good_set(), {}, Workers(1), progress).error().code, ErrorCode::kCancelled);

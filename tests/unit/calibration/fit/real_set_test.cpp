@@ -13,14 +13,15 @@ namespace {
 
 const std::filesystem::path kSet = testing::shared_data() / "calibration-intraoral";
 
-TEST(RealCalibrationSet, IsFittedToTheLimitOfItsPolynomials) {
+TEST(RealCalibrationSet, ResidualsAreAtTheLimitOfThePolynomials) {
   if (!std::filesystem::exists(kSet)) GTEST_SKIP() << "needs " << kSet;
   const auto set = io::read_calibration_set(kSet);
   ASSERT_TRUE(set.has_value()) << set.error().message;
   const auto calibration = calibrate(*set, {}, Workers(2), {});
   ASSERT_TRUE(calibration.has_value()) << calibration.error().message;
-  // Single samples scatter by their localization noise, 4 um; the fit to 13,000 of them a line does
-  // not. Noise-free fits of this sensor reach 0.5 um laterally and 0.15 px in the texture.
+  // Single samples scatter by their localization noise, 4 µm; the fit to 13,000 samples per line is
+  // far more accurate. Noise-free fits of this sensor reach 0.5 µm laterally and 0.15 px in the
+  // texture.
   for (const Pattern pattern : kPatterns) {
     EXPECT_LT(calibration->of(pattern).depth_residual_mm.rms, 6e-3);
     EXPECT_LT(calibration->of(pattern).width_residual_px.rms, 0.1);
@@ -33,9 +34,10 @@ TEST(RealCalibrationSet, IsFittedToTheLimitOfItsPolynomials) {
   EXPECT_EQ(calibration->of(Pattern::kHorizontal).line_count(), 7);
 }
 
-/// Depth of each line averaged over 64 rows of a plane, against the plane's own z, with the plane
-/// left out of the fit: what the calibration is off by, without the noise of single samples.
-TEST(RealCalibrationSet, APlaneThatWasLeftOutIsMetToTwoMicrometres) {
+/// Compares the depth of each line, averaged over 64 rows of a plane, with the plane's z. The fit
+/// does not use this plane, so this is the error of the calibration without the noise of single
+/// samples.
+TEST(RealCalibrationSet, APlaneNotUsedInTheFitIsMeasuredToTwoMicrometers) {
   if (!std::filesystem::exists(kSet)) GTEST_SKIP() << "needs " << kSet;
   auto set = io::read_calibration_set(kSet);
   ASSERT_TRUE(set.has_value());

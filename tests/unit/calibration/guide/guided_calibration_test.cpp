@@ -26,7 +26,7 @@ CalibrationPlan plan_of(const AnalyticSensor& sensor) {
   return plan;
 }
 
-/// What the sensor sees of a target at a depth.
+/// The image of a target at a depth.
 cv::Mat draw_anew(ShotKind kind, double z_mm) {
   const AnalyticSensor sensor;
   const DotTarget dots{1.0, 0.5, 0.8};
@@ -49,7 +49,7 @@ cv::Mat draw_anew(ShotKind kind, double z_mm) {
   return image;
 }
 
-/// The same, drawn once: most tests take the same good shots.
+/// The same, cached: most tests use the same good shots.
 cv::Mat draw(ShotKind kind, double z_mm) {
   static std::map<std::pair<ShotKind, double>, cv::Mat> drawn;
   cv::Mat& image = drawn[{kind, z_mm}];
@@ -73,7 +73,7 @@ void take_until(GuidedCalibration& session, std::size_t plane, ShotKind kind) {
   }
 }
 
-TEST(GuidedCalibration, GoodShotsGiveWhatTheOfflineFitGives) {
+TEST(GuidedCalibration, GoodShotsGiveTheSameResultAsTheOfflineFit) {
   for (const PlacementOrder order : {PlacementOrder::kByPlane, PlacementOrder::kByTarget}) {
     GuidedCalibration session = begin(order);
     take_until(session, kPlanes, ShotKind::kDark);
@@ -88,7 +88,8 @@ TEST(GuidedCalibration, GoodShotsGiveWhatTheOfflineFitGives) {
                 offline->of(pattern).depth_residual_mm.rms);
     }
     ASSERT_EQ(fit->planes.size(), std::size_t(kPlanes));
-    // Thousands of samples of 0.02 px, 8 um, average to well below 1 um; the cubic adds as much.
+    // The mean of thousands of samples with 0.02 px or 8 µm of noise is well below 1 µm; the cubic
+    // adds about as much.
     for (const PlaneResidual& plane : fit->planes) {
       EXPECT_LT(std::abs(plane.offset_mm[0]), 2e-3) << plane.z_mm;
       EXPECT_LT(std::abs(plane.offset_mm[1]), 2e-3) << plane.z_mm;
@@ -96,7 +97,7 @@ TEST(GuidedCalibration, GoodShotsGiveWhatTheOfflineFitGives) {
   }
 }
 
-/// One thing that can go wrong with one shot, and what must be said of it.
+/// A fault of one shot, and the expected verdict.
 struct Mishap {
   const char* name;
   std::size_t plane;
@@ -163,11 +164,11 @@ const std::vector<Mishap>& mishaps() {
       {"LampTurnedOn", 2, kVertical, changed(kVertical, [](cv::Mat& i) { i += 40; }),
        kRoomLightChanged, "brighter"},
       {"PlaneMoved", 2, kVerticalAgain, misplaced(kVerticalAgain, 0.1), kPlaneMoved, "moved"},
-      {"StageNotMoved", 1, kVertical, misplaced(kVertical, -2.0), kWrongDepth, "where they were"},
+      {"StageNotMoved", 1, kVertical, misplaced(kVertical, -2.0), kWrongDepth, "still where"},
       {"StageMovedTooFar", 3, kVertical, misplaced(kVertical, 0.3), kWrongDepth, "z = 1.3"},
       {"MovedBeforeHorizontal", 3, kHorizontal, misplaced(kHorizontal, 0.2), kWrongDepth,
        "horizontal lines"},
-      {"StageMovedBackwards", 1, kDots, misplaced(kDots, -4.0), kWrongDepth, "not smaller"},
+      {"StageMovedBackwards", 1, kDots, misplaced(kDots, -4.0), kWrongDepth, "should be smaller"},
       {"DotsElsewhere", 4, kDots, misplaced(kDots, 0.2), kWrongDepth, "dots"},
       {"TargetShifted", 3, kDots,
        changed(kDots,
@@ -210,7 +211,7 @@ class GuidedCalibrationRefuses : public ::testing::TestWithParam<Mishap> {};
 INSTANTIATE_TEST_SUITE_P(Shots, GuidedCalibrationRefuses, ::testing::ValuesIn(mishaps()),
                          [](const auto& tested) { return tested.param.name; });
 
-TEST_P(GuidedCalibrationRefuses, AndBeginsThePlacementAnew) {
+TEST_P(GuidedCalibrationRefuses, FaultyShotsAndRestartsThePlacement) {
   const Mishap& mishap = GetParam();
   GuidedCalibration session = begin();
   ASSERT_NO_FATAL_FAILURE(take_until(session, mishap.plane, mishap.kind));
@@ -221,11 +222,11 @@ TEST_P(GuidedCalibrationRefuses, AndBeginsThePlacementAnew) {
   EXPECT_NE(remedy_of(verdict.fault), "");
   EXPECT_TRUE(session.wanted()->begins_placement);
   EXPECT_EQ(session.wanted()->placement, shot->placement);
-  ASSERT_NO_FATAL_FAILURE(take_until(session, mishap.plane, mishap.kind));  // now it is done right
+  ASSERT_NO_FATAL_FAILURE(take_until(session, mishap.plane, mishap.kind));  // now with a good shot
   EXPECT_TRUE(session.take(draw(mishap.kind, shot->z_mm)).good());
 }
 
-TEST(GuidedCalibration, GoesOnWhereItStopped) {
+TEST(GuidedCalibration, ContinuesAStoppedSession) {
   GuidedCalibration first = begin();
   ASSERT_NO_FATAL_FAILURE(take_until(first, 3, ShotKind::kDots));
   GuidedCalibration second = begin();
@@ -243,12 +244,12 @@ TEST(GuidedCalibration, APlaneTakenAgainReplacesTheOldOne) {
   EXPECT_EQ(session.placement_before(), 7u);  // the dots of plane 3
   session.reopen(7);
   EXPECT_EQ(session.wanted()->placement, 7u);
-  EXPECT_FALSE(session.is_done(8));  // what was in hand is taken anew, too
+  EXPECT_FALSE(session.is_done(8));  // the unfinished placement is taken again, too
   ASSERT_NO_FATAL_FAILURE(take_until(session, kPlanes, ShotKind::kDark));
   EXPECT_TRUE(session.is_complete());
 }
 
-TEST(GuidedCalibration, RefusesPlansThatGiveNoCalibration) {
+TEST(GuidedCalibration, RejectsInvalidPlans) {
   CalibrationPlan plan = plan_of(AnalyticSensor{});
   plan.z_mm.resize(4);
   EXPECT_EQ(GuidedCalibration::create(plan).error().code, ErrorCode::kInsufficient);

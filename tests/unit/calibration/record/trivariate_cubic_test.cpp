@@ -30,7 +30,7 @@ TEST(TrivariateCubic, IsTheSumOfItsTerms) {
   EXPECT_NEAR(cubic(p), sum, 1e-12);
 }
 
-TEST(TrivariateCubic, ItsGradientIsThatOfCentralDifferences) {
+TEST(TrivariateCubic, GradientEqualsCentralDifferences) {
   constexpr double kStep_mm = 1e-3;
   Random random(2);
   for (int i = 0; i < 20; ++i) {
@@ -39,7 +39,7 @@ TEST(TrivariateCubic, ItsGradientIsThatOfCentralDifferences) {
     const Vec3 gradient = cubic.gradient(p);
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 step = kStep_mm * Vec3::Unit(axis);
-      // Off by the third derivative, at most 6 c / half_range^3, times step^2 / 6.
+      // The error is the third derivative, at most 6 c / half_range^3, times step^2 / 6.
       EXPECT_NEAR(gradient[axis], (cubic(p + step) - cubic(p - step)) / (2 * kStep_mm), 1e-7);
     }
   }

@@ -16,7 +16,7 @@ using testing::AnalyticSensor;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-constexpr double kNoise_px = 0.1;  // of single points, as of 8-bit images with speckle
+constexpr double kNoise_px = 0.1;  // of single points, as in 8-bit images with speckle
 
 using Surface = std::function<double(double x_mm, double y_mm)>;  // depth; NaN: nothing there
 
@@ -31,7 +31,8 @@ Surface sphere(double x_mm, double y_mm, double z_mm, double radius_mm) {
   };
 }
 
-/// The sensor as it is now looks at a surface; its points come from the calibration of old.
+/// The present, possibly disturbed sensor looks at a surface; the points are computed with the old
+/// calibration.
 View look(const AnalyticSensor& sensor, Pattern pattern, const Surface& surface, double time_s,
           std::uint64_t seed) {
   const Calibration& calibration = analytic_calibration();
@@ -43,7 +44,7 @@ View look(const AnalyticSensor& sensor, Pattern pattern, const Surface& surface,
     for (int along = 10; along < int(rows.size()) - 10; ++along) {
       const LineRow& row = rows[std::size_t(along)];
       double z = 0.0, across = 0.0;
-      for (int i = 0; i < 8; ++i) {  // lines wander slowly with the depth: each step gains a digit
+      for (int i = 0; i < 8; ++i) {  // lines move slowly with the depth: each step gains a digit
         across = sensor.across_px(pattern, n, along, z);
         const Vec3 p = sensor.back_project(to_pixel(pattern, {double(along), across}), z);
         z = surface(p.x(), p.y());
@@ -71,7 +72,7 @@ const std::vector<Surface>& plane_places() {
   return kPlaces;
 }
 
-/// The object rests at each of the places; sensors by pattern, since projectors are two.
+/// The object is at rest at each place. One sensor per pattern, because there are two projectors.
 std::vector<VerificationPose> rest(const std::array<AnalyticSensor, 2>& sensors,
                                    const std::vector<Surface>& places, std::uint64_t seed) {
   std::vector<VerificationPose> poses;
@@ -94,7 +95,7 @@ std::string all_of(const VerificationReport& report) {
   std::string text = fmt::format("{} {}\n", to_string(report.outcome), report.reason);
   for (const VerificationFigure& figure : report.figures) {
     text +=
-        fmt::format("{}: {:.1f} +- {:.1f} of {:.1f} um\n", figure.name, 1e3 * figure.deviation_mm,
+        fmt::format("{}: {:.1f} +- {:.1f} of {:.1f} µm\n", figure.name, 1e3 * figure.deviation_mm,
                     1e3 * figure.uncertainty_mm, 1e3 * figure.limit_mm);
   }
   return text;
@@ -107,8 +108,8 @@ TEST(Verification, NoFalseAlarmsOnAPlane) {
   }
 }
 
-TEST(Verification, UncertaintiesAreThoseThatDeviationsHave) {
-  std::vector<double> squares(10, 0.0);  // of all figures but the scatter
+TEST(Verification, StatedUncertaintiesMatchTheDeviations) {
+  std::vector<double> squares(10, 0.0);  // of all figures except the scatter
   constexpr int kSeeds = 25;
   for (std::uint64_t seed = 100; seed < 100 + kSeeds; ++seed) {
     const VerificationReport report = on_plane({}, seed);
@@ -118,24 +119,24 @@ TEST(Verification, UncertaintiesAreThoseThatDeviationsHave) {
       squares[i] += std::pow(figure.deviation_mm / figure.uncertainty_mm, 2) / kSeeds;
     }
   }
-  // Systematic deviations of the calibration, some of its 1 um, come on top of the noise.
+  // Systematic errors of the calibration, a part of its 1 µm, add to the noise.
   for (const double square : squares) {
     EXPECT_GT(square, 0.3);
     EXPECT_LT(square, 9.0);
   }
 }
 
-/// What happened to the sensor, and what must be said of it.
+/// A disturbance of the sensor, and a part of the expected message.
 struct Disturbance {
   const char* name;
   std::function<void(std::array<AnalyticSensor, 2>&)> happens;
   const char* says;
 };
 
-class HoldCheckOnPlane : public ::testing::TestWithParam<Disturbance> {};
+class VerificationOnPlane : public ::testing::TestWithParam<Disturbance> {};
 
 INSTANTIATE_TEST_SUITE_P(
-    Finds, HoldCheckOnPlane,
+    Finds, VerificationOnPlane,
     ::testing::Values(
         Disturbance{"VerticalProjectorTurned", [](auto& s) { s[0].turn_rad = 0.2e-3; },
                     "different depths"},
@@ -147,12 +148,12 @@ INSTANTIATE_TEST_SUITE_P(
                     "the vertical projector has rolled"},
         Disturbance{"CameraRefocused", [](auto& s) { s[0].focal_px = s[1].focal_px *= 1.002; },
                     "another scale"},
-        // What distorts the image from its middle to its corners scales it, for the most part.
+        // A distortion that grows from the center to the corners is mostly a change of scale.
         Disturbance{"LensDistorted", [](auto& s) { s[0].distortion = s[1].distortion -= 0.2; },
                     "another scale"}),
     [](const auto& tested) { return tested.param.name; });
 
-TEST_P(HoldCheckOnPlane, WhatHappenedToTheSensor) {
+TEST_P(VerificationOnPlane, NamesTheDisturbance) {
   std::array<AnalyticSensor, 2> sensors;
   GetParam().happens(sensors);
   const VerificationReport report = on_plane(sensors);
@@ -160,7 +161,7 @@ TEST_P(HoldCheckOnPlane, WhatHappenedToTheSensor) {
   EXPECT_THAT(report.meanings, Contains(HasSubstr(GetParam().says))) << all_of(report);
 }
 
-TEST(Verification, AMovingPlaneServesToo) {
+TEST(Verification, WorksWithAMovingPlane) {
   std::array<AnalyticSensor, 2> sensors;
   const auto record = [&] {
     std::vector<View> views;
@@ -179,7 +180,7 @@ TEST(Verification, AMovingPlaneServesToo) {
   EXPECT_EQ(turned.outcome, VerificationOutcome::kBroken) << all_of(turned);
 }
 
-TEST(Verification, DirtOnThePlaneDoesNotMatterAndAHandDoes) {
+TEST(Verification, IgnoresDirtOnThePlaneButRejectsAHandInView) {
   std::vector<Surface> places;
   for (const Surface& place : plane_places()) {
     places.emplace_back([place](double x, double y) {  // a crumb
@@ -196,9 +197,9 @@ TEST(Verification, DirtOnThePlaneDoesNotMatterAndAHandDoes) {
   EXPECT_THAT(hand->reason, HasSubstr("nothing else"));
 }
 
-TEST(Verification, TooLittleIsUnclear) {
+TEST(Verification, IsUnclearWithTooLittleData) {
   std::vector<VerificationPose> poses = rest({}, plane_places(), 5);
-  for (VerificationPose& pose : poses) pose.views.pop_back();  // vertical lines alone
+  for (VerificationPose& pose : poses) pose.views.pop_back();  // vertical lines only
   const auto one_pattern = check_on_plane(poses, analytic_calibration());
   EXPECT_EQ(one_pattern->outcome, VerificationOutcome::kUnclear);
   EXPECT_THAT(one_pattern->reason, HasSubstr("one of the patterns"));
@@ -230,24 +231,24 @@ TEST(Verification, NoFalseAlarmsOnASphere) {
   }
 }
 
-TEST(Verification, ASphereOfAnotherSizeIsMeasured) {
+TEST(Verification, DetectsASphereOfAnotherSize) {
   const VerificationReport report = on_sphere({}, 10.3);
   EXPECT_EQ(report.outcome, VerificationOutcome::kBroken) << all_of(report);
   EXPECT_NEAR(report.figures[0].deviation_mm, -0.3, 4 * report.figures[0].uncertainty_mm + 5e-3);
-  EXPECT_THAT(report.meanings, Contains(HasSubstr("Sizes are off")));
+  EXPECT_THAT(report.meanings, Contains(HasSubstr("sizes are wrong")));
 }
 
-TEST(Verification, ASphereShowsThatAProjectorTurned) {
+TEST(Verification, DetectsATurnedProjectorWithASphere) {
   std::array<AnalyticSensor, 2> sensors;
   sensors[0].turn_rad = 0.2e-3;
   const VerificationReport report = on_sphere(sensors, 10.0);
   EXPECT_EQ(report.outcome, VerificationOutcome::kBroken) << all_of(report);
-  // 0.2 mrad at 55 mm are 11 um across the lines, and by the baseline of 8 mm 76 um in depth.
+  // 0.2 mrad at 55 mm are 11 µm across the lines and, with the baseline of 8 mm, 76 µm in depth.
   EXPECT_NEAR(std::abs(report.figures[1].deviation_mm), 0.076, 0.012);
   EXPECT_THAT(report.meanings, Contains(HasSubstr("different depths")));
 }
 
-TEST(Verification, RefusesBadOptions) {
+TEST(Verification, RejectsBadOptions) {
   EXPECT_EQ(check_on_sphere({}, 0.0, analytic_calibration()).error().code, ErrorCode::kBadOption);
   VerificationOptions options;
   options.noise_factor = 0.0;

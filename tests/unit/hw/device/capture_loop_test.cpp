@@ -14,12 +14,12 @@ namespace {
 using testing::ScriptedSensor;
 using Script = std::deque<ScriptedSensor::Step>;
 
-// Waits for a state that the loop's thread is about to reach.
+// Waits until the loop's thread has reached a state.
 void wait_for(const CaptureLoop& loop, SensorState state) {
   while (loop.status().state != state) std::this_thread::yield();
 }
 
-TEST(CaptureLoop, HandsOnEveryFrameInOrder) {
+TEST(CaptureLoop, PassesOnEveryFrameInOrder) {
   Script script;
   for (int i = 0; i < 100; ++i) script.push_back(ScriptedSensor::frame(i, 0.01 * i));
   std::vector<int> seen;
@@ -31,7 +31,7 @@ TEST(CaptureLoop, HandsOnEveryFrameInOrder) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(seen[i], i);
 }
 
-TEST(CaptureLoop, GoesOnWhenALostSensorComesBack) {
+TEST(CaptureLoop, ContinuesWhenALostSensorIsBack) {
   Script script = {ScriptedSensor::frame(0, 0.0), ScriptedSensor::nothing(SensorState::kLost),
                    ScriptedSensor::nothing(SensorState::kLost),
                    ScriptedSensor::nothing(SensorState::kRunning), ScriptedSensor::frame(1, 1.0)};
@@ -43,7 +43,7 @@ TEST(CaptureLoop, GoesOnWhenALostSensorComesBack) {
   EXPECT_EQ(times, (std::vector<double>{0.0, 1.0}));
 }
 
-TEST(CaptureLoop, LeavesTheMessageOfAFailedSensorToBeRead) {
+TEST(CaptureLoop, KeepsTheMessageOfAFailedSensor) {
   Script script = {ScriptedSensor::frame(0, 0.0), ScriptedSensor::failure("unplugged; plug it in"),
                    ScriptedSensor::frame(1, 1.0)};
   int count = 0;
@@ -52,10 +52,10 @@ TEST(CaptureLoop, LeavesTheMessageOfAFailedSensorToBeRead) {
   wait_for(loop, SensorState::kFailed);
   EXPECT_EQ(loop.status().message, "unplugged; plug it in");
   loop.stop();
-  EXPECT_EQ(count, 1) << "what comes after a failure is not asked for";
+  EXPECT_EQ(count, 1) << "the loop must not ask for frames after a failure";
 }
 
-TEST(CaptureLoop, StopsInTheMiddleOfAnEndlessStream) {
+TEST(CaptureLoop, StopsDuringAnEndlessStream) {
   std::promise<void> running;
   Script script(200000, ScriptedSensor::nothing(SensorState::kRunning));
   script.push_front(ScriptedSensor::frame(0, 0.0));

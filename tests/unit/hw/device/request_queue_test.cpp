@@ -5,7 +5,7 @@
 namespace flytri::device {
 namespace {
 
-TEST(RequestQueue, OfThoseThatAreDueTheLastCounts) {
+TEST(RequestQueue, ReturnsOnlyTheLastDueRequest) {
   RequestQueue queue;
   EXPECT_FALSE(queue.first_due_s());
   EXPECT_EQ(queue.post({Light::kVertical, 1.0}), 1);
@@ -23,8 +23,8 @@ TEST(RequestQueue, OfThoseThatAreDueTheLastCounts) {
   EXPECT_FALSE(queue.is_due(9.0));
 }
 
-// The order of posting counts, not that of the times: one that is due waits behind one that is not.
-TEST(RequestQueue, NobodyOvertakes) {
+// Requests keep the order of posting: a due request waits for an earlier one that is not due yet.
+TEST(RequestQueue, KeepsTheOrderOfPosting) {
   RequestQueue queue;
   queue.post({Light::kVertical, 5.0});
   queue.post({Light::kDark, 0.0});
@@ -32,7 +32,7 @@ TEST(RequestQueue, NobodyOvertakes) {
   EXPECT_EQ(queue.take_due(5.0)->request.request.light, Light::kDark);
 }
 
-TEST(RequestQueue, ClearedItCountsAnew) {
+TEST(RequestQueue, ClearResetsTheNumbers) {
   RequestQueue queue;
   queue.post({Light::kVertical, 5.0});
   queue.clear();

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLong_s = 60.0;
 
-/// Says what it is told to, one call of next() each; then it is silent.
+/// Returns the next scripted result at each call of next(); after the last one, no frames.
 class ScriptedCamera final : public Camera {
  public:
   struct Line {
@@ -34,7 +34,7 @@ class ScriptedCamera final : public Camera {
     status_.state = CameraState::kIdle;
   }
   Result<std::optional<CameraFrame>> next(double timeout_s) override {
-    // Setting up: as long as the test says.
+    // Simulates a restart that takes as long as the test wants.
     while (is_setting_up) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::unique_lock lock(mutex_);
     if (status_.state == CameraState::kIdle)
@@ -55,7 +55,7 @@ class ScriptedCamera final : public Camera {
     const std::lock_guard lock(mutex_);
     return status_;
   }
-  CameraSettings asked() const override { return {}; }
+  CameraSettings requested() const override { return {}; }
   CameraSettings read_back() const override { return {}; }
   std::string name() const override { return "scripted"; }
 
@@ -68,7 +68,7 @@ class ScriptedCamera final : public Camera {
     frame.sequence = sequence;
     say({std::optional(frame), CameraState::kRunning, returned});
   }
-  std::size_t unsaid() const {
+  std::size_t remaining() const {
     const std::lock_guard lock(mutex_);
     return lines_.size();
   }
@@ -94,13 +94,13 @@ class ThreadedCameraTest : public ::testing::Test {
   ScriptedCamera* scripted_ = nullptr;
 };
 
-TEST_F(ThreadedCameraTest, NoFrameIsMissingHoweverLateTheReaderComes) {
+TEST_F(ThreadedCameraTest, LosesNoFrameWhenTheReaderIsSlow) {
   constexpr std::int64_t kFrames = 30;
   for (std::int64_t i = 0; i < kFrames; ++i) scripted_->say_frame(i);
   ASSERT_TRUE(camera_->start());
-  // What nobody takes waits in the driver, but for a few.
+  // Except for a short queue, frames that are not fetched stay in the driver.
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  EXPECT_GT(scripted_->unsaid(), 15U);
+  EXPECT_GT(scripted_->remaining(), 15U);
   for (std::int64_t i = 0; i < kFrames; ++i) {
     const auto frame = camera_->next(kLong_s);
     ASSERT_TRUE(frame && *frame);
@@ -110,7 +110,7 @@ TEST_F(ThreadedCameraTest, NoFrameIsMissingHoweverLateTheReaderComes) {
   EXPECT_FALSE(*camera_->next(0.0));
 }
 
-TEST_F(ThreadedCameraTest, ACameraThatIsBeingSetUpHoldsNobodyUp) {
+TEST_F(ThreadedCameraTest, ARestartOfTheCameraDoesNotBlockTheReader) {
   scripted_->is_setting_up = true;
   ASSERT_TRUE(camera_->start());
   for (int i = 0; i < 100; ++i) {
@@ -123,12 +123,12 @@ TEST_F(ThreadedCameraTest, ACameraThatIsBeingSetUpHoldsNobodyUp) {
   EXPECT_EQ((**camera_->next(kLong_s)).sequence, 7);
 }
 
-TEST_F(ThreadedCameraTest, TheStatusIsThatOfTheFrameThatWasTaken) {
+TEST_F(ThreadedCameraTest, StatusBelongsToTheFrameReturnedLast) {
   scripted_->say_frame(0);
   scripted_->say({std::optional<CameraFrame>(), CameraState::kLost});
   scripted_->say_frame(4, 1);
   ASSERT_TRUE(camera_->start());
-  while (scripted_->unsaid() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (scripted_->remaining() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ((**camera_->next(kLong_s)).sequence, 0);
   EXPECT_EQ(camera_->status().returned, 0);
   EXPECT_EQ(camera_->status().state, CameraState::kRunning);
@@ -138,7 +138,7 @@ TEST_F(ThreadedCameraTest, TheStatusIsThatOfTheFrameThatWasTaken) {
   EXPECT_EQ(camera_->status().returned, 1);
 }
 
-TEST_F(ThreadedCameraTest, AnErrorIsSaidAtItsPlaceAndStays) {
+TEST_F(ThreadedCameraTest, AnErrorComesInOrderAndStays) {
   scripted_->say_frame(0);
   scripted_->say({tl::unexpected(Error{ErrorCode::kNotFound, "gone"})});
   ASSERT_TRUE(camera_->start());
@@ -147,7 +147,7 @@ TEST_F(ThreadedCameraTest, AnErrorIsSaidAtItsPlaceAndStays) {
   EXPECT_EQ(camera_->next(0.0).error().message, "gone");
 }
 
-TEST_F(ThreadedCameraTest, SaysWhyItDoesNotStartAndStartsAfterAStop) {
+TEST_F(ThreadedCameraTest, ReportsAFailedStartAndStartsAgainAfterStop) {
   EXPECT_EQ(camera_->next(0.0).error().message, "the camera was not started");
   scripted_->start_error = Error{ErrorCode::kNotFound, "no such camera"};
   EXPECT_EQ(camera_->start().error().message, "no such camera");

@@ -16,8 +16,8 @@
 namespace flytri::gpio {
 namespace {
 
-// A file in the place of the chip, which tells when it is opened. It takes no order: a guard that
-// acts tries again for half a minute, and ends.
+// Uses a file in place of the chip and detects when it is opened. The file is no GPIO chip, so an
+// active guard retries for half a minute and then ends.
 class DarkGuardTest : public ::testing::Test {
  protected:
   DarkGuardTest() {
@@ -26,8 +26,8 @@ class DarkGuardTest : public ::testing::Test {
   }
   ~DarkGuardTest() override { close(opened_); }
 
-  [[nodiscard]] DarkOrder order() const { return {chip_.string(), "label", {0, 1}, {0, 1}}; }
-  // Whether somebody opens the chip within the time.
+  [[nodiscard]] DarkRequest order() const { return {chip_.string(), "label", {0, 1}, {0, 1}}; }
+  // Whether the chip is opened within the time.
   [[nodiscard]] bool is_opened(int timeout_ms) const {
     pollfd waiting{opened_, POLLIN, 0};
     return poll(&waiting, 1, timeout_ms) == 1;
@@ -38,7 +38,7 @@ class DarkGuardTest : public ::testing::Test {
   int opened_ = inotify_init1(IN_CLOEXEC);
 };
 
-TEST_F(DarkGuardTest, TurnsToTheChipWhenTheProgramDies) {
+TEST_F(DarkGuardTest, OpensTheChipWhenTheProgramIsKilled) {
   std::array<int, 2> lives{};
   ASSERT_EQ(pipe(lives.data()), 0);
   const pid_t program = fork();
@@ -46,7 +46,7 @@ TEST_F(DarkGuardTest, TurnsToTheChipWhenTheProgramDies) {
     close(lives[1]);
     const auto guard = DarkGuard::start(order());
     char word = 0;
-    // Killed while it waits, as by an unhandled signal: nothing is dismissed.
+    // Killed while it waits, so the guard is not dismissed.
     _exit(guard ? static_cast<int>(read(lives[0], &word, 1)) : 1);
   }
   close(lives[0]);
@@ -57,13 +57,13 @@ TEST_F(DarkGuardTest, TurnsToTheChipWhenTheProgramDies) {
   close(lives[1]);
 }
 
-TEST_F(DarkGuardTest, DismissedItLeavesTheChipAlone) {
+TEST_F(DarkGuardTest, ADismissedGuardDoesNotOpenTheChip) {
   { const auto guard = DarkGuard::start(order()).value(); }
-  // It has ended: its process was waited for.
+  // The guard process has ended; the destructor waited for it.
   EXPECT_FALSE(is_opened(0));
 }
 
-TEST_F(DarkGuardTest, HoldsNoFileOfTheProgram) {
+TEST_F(DarkGuardTest, KeepsNoFileOfTheProgramOpen) {
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe(ends.data()), 0);
   const auto guard = DarkGuard::start(order()).value();
@@ -71,11 +71,11 @@ TEST_F(DarkGuardTest, HoldsNoFileOfTheProgram) {
   pollfd waiting{ends[0], POLLIN, 0};
   ASSERT_EQ(poll(&waiting, 1, 60'000), 1);
   char byte = 0;
-  EXPECT_EQ(read(ends[0], &byte, 1), 0) << "the pipe's other end is open still";
+  EXPECT_EQ(read(ends[0], &byte, 1), 0) << "the guard keeps the other end of the pipe open";
   close(ends[0]);
 }
 
-TEST_F(DarkGuardTest, AProgramWithLightsIsNotStoppedFromTheKeyboard) {
+TEST_F(DarkGuardTest, AProgramWithLightsIgnoresCtrlZ) {
   const auto stop_action = [] {
     struct sigaction action {};
     sigaction(SIGTSTP, nullptr, &action);
@@ -89,7 +89,7 @@ TEST_F(DarkGuardTest, AProgramWithLightsIsNotStoppedFromTheKeyboard) {
   EXPECT_EQ(stop_action(), SIG_DFL);
 }
 
-TEST_F(DarkGuardTest, WhatTheProgramItselfDoesWhenItIsStoppedRemains) {
+TEST_F(DarkGuardTest, KeepsTheProgramsOwnHandlerOfCtrlZ) {
   std::signal(SIGTSTP, [](int) {});
   { const auto guard = DarkGuard::start(order()).value(); }
   EXPECT_NE(std::signal(SIGTSTP, SIG_DFL), SIG_DFL);

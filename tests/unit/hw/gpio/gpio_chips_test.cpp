@@ -14,7 +14,7 @@ GpioChip chip(const std::string& label, const std::string& serial) {
           {}};
 }
 
-TEST(FindChip, FindsByLabelOrBySerialAmongTheSame) {
+TEST(FindChip, FindsByLabelAndSerialNumber) {
   const std::vector<GpioChip> chips = {chip("ftdi-cbus", "1"), chip("ftdi-cbus", "2"),
                                        chip("mcp2221_gpio", "3")};
   EXPECT_EQ(find_chip(chips, {"mcp2221_gpio", "", ""})->device.serial, "3");
@@ -26,7 +26,7 @@ TEST(FindChip, FindsByLabelOrBySerialAmongTheSame) {
   EXPECT_THAT(none.error().message, HasSubstr("mcp2221_gpio"));
 }
 
-TEST(FindChip, ChipThatMayNotBeOpenedIsTheCauseOnlyWhereNoOtherMatches) {
+TEST(FindChip, ReportsMissingPermissionOnlyIfNoOtherChipMatches) {
   GpioChip closed = chip("", "9");
   closed.problems.push_back({ErrorCode::kNotPermitted, "not permitted"});
   const ChipMatch match{"ftdi-cbus", "", ""};
@@ -34,7 +34,7 @@ TEST(FindChip, ChipThatMayNotBeOpenedIsTheCauseOnlyWhereNoOtherMatches) {
   EXPECT_EQ(find_chip({closed, chip("ftdi-cbus", "1")}, match)->device.serial, "1");
 }
 
-TEST(FindLine, FindsByNameOrNumberAndNamesTheHolder) {
+TEST(FindLine, FindsByNameOrNumberAndReportsWhoUsesIt) {
   const GpioChip ftdi = chip("ftdi-cbus", "1");
   EXPECT_EQ(*find_line(ftdi, {"C0", std::nullopt}), 0U);
   EXPECT_EQ(*find_line(ftdi, {"", 2}), 2U);

@@ -16,7 +16,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// The lights of a chip that does as the test says, and outlives the lines that are held.
+// A chip controlled by the test; it exists longer than the lines.
 class FakeChip {
  public:
   std::atomic<bool> plugged{true};
@@ -86,7 +86,7 @@ class GpioLightSwitchTest : public ::testing::Test {
         std::move(*GpioLightSwitch::create(open, {.search_period_s = 0.002, .slow_call_s = 0.01}));
   }
 
-  // The switch works on a thread of its own; a minute is for machines that stand still.
+  // The switch has its own thread. The limit of a minute allows for busy machines.
   void wait_until(const std::function<bool(const device::LightSwitchStatus&)>& reached) {
     const device::Clock clock = device::machine_clock();
     const double end_s = clock.now_s() + 60.0;
@@ -106,7 +106,7 @@ class GpioLightSwitchTest : public ::testing::Test {
   std::unique_ptr<GpioLightSwitch> switch_;
 };
 
-TEST_F(GpioLightSwitchTest, CarriesOutRequestsAndReportsWhen) {
+TEST_F(GpioLightSwitchTest, CarriesOutRequestsAndReportsTheirTimes) {
   ASSERT_TRUE(switch_->start());
   const double before_s = device::machine_clock().now_s();
   post_and_wait(device::Light::kVertical);
@@ -130,7 +130,7 @@ TEST_F(GpioLightSwitchTest, WaitsForTheTimeOfARequest) {
   EXPECT_GE(switch_->take_done()[0].before_s, due_s);
 }
 
-TEST_F(GpioLightSwitchTest, AllIsDarkAfterStopAndRequestsAreRefused) {
+TEST_F(GpioLightSwitchTest, IsDarkAndRefusesRequestsAfterStop) {
   ASSERT_TRUE(switch_->start());
   post_and_wait(device::Light::kHorizontal);
   switch_->stop();
@@ -141,7 +141,7 @@ TEST_F(GpioLightSwitchTest, AllIsDarkAfterStopAndRequestsAreRefused) {
   EXPECT_EQ(switch_->post({device::Light::kVertical, 0.0}), 1);
 }
 
-TEST_F(GpioLightSwitchTest, ABlockedChipDelaysNobodyAndOnlyTheLastRequestIsCarriedOut) {
+TEST_F(GpioLightSwitchTest, ABlockedChipDoesNotDelayTheCallerAndOnlyTheLastRequestIsCarriedOut) {
   ASSERT_TRUE(switch_->start());
   chip_->mute();
   switch_->post({device::Light::kVertical, 0.0});
@@ -160,7 +160,7 @@ TEST_F(GpioLightSwitchTest, ABlockedChipDelaysNobodyAndOnlyTheLastRequestIsCarri
   EXPECT_GT(done[0].after_s - done[0].before_s, 0.02);
 }
 
-TEST_F(GpioLightSwitchTest, UnpluggedWhileIdleIsNoticedAndTheLightComesBack) {
+TEST_F(GpioLightSwitchTest, DetectsUnpluggingWhileIdleAndRestoresTheLight) {
   ASSERT_TRUE(switch_->start());
   post_and_wait(device::Light::kVertical);
   chip_->plugged = false;
@@ -177,7 +177,7 @@ TEST_F(GpioLightSwitchTest, UnpluggedWhileIdleIsNoticedAndTheLightComesBack) {
   EXPECT_THAT(chip_->lights(), ElementsAre(device::Light::kVertical, device::Light::kHorizontal));
 }
 
-TEST_F(GpioLightSwitchTest, NoLightComesOnWhereTheChipIsBackOnlyAfterStop) {
+TEST_F(GpioLightSwitchTest, TurnsOnNoLightIfTheChipIsBackAfterStop) {
   ASSERT_TRUE(switch_->start());
   post_and_wait(device::Light::kVertical);
   chip_->plugged = false;
@@ -196,7 +196,7 @@ TEST_F(GpioLightSwitchTest, NoLightComesOnWhereTheChipIsBackOnlyAfterStop) {
   EXPECT_THAT(chip_->lights(), ElementsAre(device::Light::kVertical, device::Light::kDark));
 }
 
-TEST_F(GpioLightSwitchTest, ReportsARefusedRequestAndOpensTheChipAgain) {
+TEST_F(GpioLightSwitchTest, ReportsARefusedRequestAndReopensTheChip) {
   ASSERT_TRUE(switch_->start());
   chip_->error = EIO;
   switch_->post({device::Light::kVertical, 0.0});
@@ -206,7 +206,7 @@ TEST_F(GpioLightSwitchTest, ReportsARefusedRequestAndOpensTheChipAgain) {
   EXPECT_FALSE(switch_->take_done()[0].accepted);
 }
 
-TEST_F(GpioLightSwitchTest, SaysWhyItDoesNotStart) {
+TEST_F(GpioLightSwitchTest, ReportsAFailedStart) {
   chip_->plugged = false;
   const auto started = switch_->start();
   ASSERT_FALSE(started);
@@ -215,7 +215,7 @@ TEST_F(GpioLightSwitchTest, SaysWhyItDoesNotStart) {
   EXPECT_EQ(switch_->post({device::Light::kVertical, 0.0}), 0);
 }
 
-TEST(LightWiring, NamesWhatIsWrong) {
+TEST(LightWiring, ReportsInvalidSettings) {
   LightWiring wiring{{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, std::nullopt};
   EXPECT_TRUE(wiring.validate());
   wiring.flash = LineMatch{"", 1};

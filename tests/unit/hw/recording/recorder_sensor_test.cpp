@@ -31,7 +31,7 @@ std::deque<ScriptedSensor::Step> frames(int count) {
   return script;
 }
 
-// All frames of a sensor, and the work beside it in between.
+// Reads all frames of a sensor, with background work in between.
 std::vector<Frame> run(device::Sensor& sensor, bool work = true) {
   EXPECT_TRUE(sensor.start());
   std::vector<Frame> taken;
@@ -59,9 +59,9 @@ std::vector<Frame> replay(const fs::path& folder) {
   return run(*sensor);
 }
 
-TEST(RecorderSensor, WhatIsReplayedIsBitForBitWhatWasLive) {
+TEST(RecorderSensor, ReplayedFramesAreBitIdenticalToLiveFrames) {
   const TemporaryFolder folder;
-  // Noise in both depths of grey, and color.
+  // Noise images in 8 and 16 bit grey, and in color.
   std::deque<ScriptedSensor::Step> script;
   cv::RNG random(1);
   for (int i = 0; i < 6; ++i) {
@@ -71,7 +71,7 @@ TEST(RecorderSensor, WhatIsReplayedIsBitForBitWhatWasLive) {
     const FrameKind kind = color ? FrameKind::kTexture
                                  : std::array{FrameKind::kVertical, FrameKind::kHorizontal,
                                               FrameKind::kUnknown}[i % 3];
-    // Times that no short decimal number is.
+    // Times without a short decimal representation.
     script.push_back([=](device::StatusKeeper&) -> Result<std::optional<Frame>> {
       return Frame{FrameIndex(i), kind, i / 30.0 + 1.0 / 7.0, image};
     });
@@ -85,7 +85,7 @@ TEST(RecorderSensor, WhatIsReplayedIsBitForBitWhatWasLive) {
   expect_same(live, replay(folder / "scan"));
 }
 
-TEST(RecorderSensor, WritesBesideTheStreamInTheCaptureLoop) {
+TEST(RecorderSensor, WritesInTheBackgroundOfTheCaptureLoop) {
   const TemporaryFolder folder;
   const auto recorder =
       RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(50)), folder / "scan").value();
@@ -99,7 +99,7 @@ TEST(RecorderSensor, WritesBesideTheStreamInTheCaptureLoop) {
   expect_same(live, replay(folder / "scan"));
 }
 
-TEST(RecorderSensor, AQueueThatIsFullCostsTheRecordingNotTheStream) {
+TEST(RecorderSensor, AFullQueueLosesRecordedFramesButNoLiveFrames) {
   const TemporaryFolder folder;
   const auto recorder = RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(10)),
                                                folder / "scan", {.queue_frames = 4})
@@ -113,7 +113,7 @@ TEST(RecorderSensor, AQueueThatIsFullCostsTheRecordingNotTheStream) {
   EXPECT_EQ(replay(folder / "scan").size(), 4U);
 }
 
-TEST(RecorderSensor, AFolderThatCannotBeMadeDoesNotEndTheScan) {
+TEST(RecorderSensor, TheScanContinuesIfTheFolderCannotBeCreated) {
   const TemporaryFolder folder;
   ASSERT_TRUE(std::ofstream(folder / "file") << "in the way");
   const auto recorder =
@@ -121,11 +121,11 @@ TEST(RecorderSensor, AFolderThatCannotBeMadeDoesNotEndTheScan) {
           .value();
   EXPECT_EQ(run(*recorder).size(), 5U);
   EXPECT_EQ(recorder->recorder_status().lost, 5);
-  EXPECT_NE(recorder->status().message.find("scan goes on"), std::string::npos);
+  EXPECT_NE(recorder->status().message.find("scan continues"), std::string::npos);
   recorder->stop();
 }
 
-TEST(RecorderSensor, ADiskThatFailsInTheMiddleEndsTheRecordingAlone) {
+TEST(RecorderSensor, AWriteErrorEndsTheRecordingButNotTheScan) {
   const TemporaryFolder folder;
   const auto recorder =
       RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(8)), folder / "scan").value();
@@ -135,14 +135,14 @@ TEST(RecorderSensor, ADiskThatFailsInTheMiddleEndsTheRecordingAlone) {
     if (i == 3) fs::remove_all(folder / "scan" / "frames");
     recorder->work_in_background(0.0);
   }
-  // The images went with the folder, and nothing was listed yet.
+  // The images were deleted with the folder, and no list was written yet.
   EXPECT_EQ(recorder->recorder_status().written, 0);
   EXPECT_EQ(recorder->recorder_status().lost, 8);
-  EXPECT_NE(recorder->status().message.find("ended after 0 frames"), std::string::npos);
+  EXPECT_NE(recorder->status().message.find("stopped after 0 frames"), std::string::npos);
   recorder->stop();
 }
 
-TEST(RecorderSensor, AFullDiskKeepsWhatWasWrittenAndTellsHowMuch) {
+TEST(RecorderSensor, AfterAFullDiskTheWrittenFramesStayAndAreCounted) {
   const TemporaryFolder folder;
   std::deque<ScriptedSensor::Step> script = frames(5);
   cv::Mat noise(256, 256, CV_8UC1);
@@ -159,12 +159,12 @@ TEST(RecorderSensor, AFullDiskKeepsWhatWasWrittenAndTellsHowMuch) {
   EXPECT_TRUE(recorder->recorder_status().has_ended);
   EXPECT_EQ(recorder->recorder_status().written, 3);
   EXPECT_EQ(recorder->recorder_status().lost, 2);
-  EXPECT_NE(recorder->status().message.find("ended after 3 frames"), std::string::npos);
+  EXPECT_NE(recorder->status().message.find("stopped after 3 frames"), std::string::npos);
   recorder->stop();
   EXPECT_EQ(replay(folder / "scan").size(), 3U);
 }
 
-TEST(RecorderSensor, StartingALostSensorAgainLeavesTheRecordingAlone) {
+TEST(RecorderSensor, StartOfALostSensorDoesNotChangeTheRecording) {
   const TemporaryFolder folder;
   std::deque<ScriptedSensor::Step> script = frames(2);
   script.push_back(ScriptedSensor::nothing(device::SensorState::kLost));
@@ -178,20 +178,20 @@ TEST(RecorderSensor, StartingALostSensorAgainLeavesTheRecordingAlone) {
   EXPECT_EQ(replay(folder / "scan").size(), 2U);
 }
 
-TEST(RecorderSensor, ACrashLeavesARecordingOfAllButTheLastSeconds) {
+TEST(RecorderSensor, ACrashLosesOnlyTheLastSeconds) {
   const TemporaryFolder folder;
   {
     const auto recorder = RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(100)),
                                                  folder / "scan", {.list_period_s = 1.0})
                               .value();
     run(*recorder);
-    // No stop(): as if the process had ended here.
+    // No stop(), as if the process had crashed here.
   }
   EXPECT_EQ(replay(folder / "scan").size(), 91U);
 }
 
-// Writes frames in a process of its own and tells the number of each that is written.
-[[noreturn]] void record_and_tell(const fs::path& folder, int pipe) {
+// Records in its own process and sends the number of each written frame through the pipe.
+[[noreturn]] void record_and_report(const fs::path& folder, int pipe) {
   const auto recorder =
       RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(100'000)), folder).value();
   if (!recorder->start()) _exit(1);
@@ -202,28 +202,28 @@ TEST(RecorderSensor, ACrashLeavesARecordingOfAllButTheLastSeconds) {
   }
 }
 
-TEST(RecorderSensor, KilledItHasAllButTheLastSecond) {
+TEST(RecorderSensor, AKilledProcessLosesOnlyTheLastSecond) {
   for (const int last : {40, 111, 256}) {
     const TemporaryFolder folder;
     std::array<int, 2> pipe{};
     ASSERT_EQ(::pipe(pipe.data()), 0);
     const pid_t child = fork();
-    if (child == 0) record_and_tell(folder / "scan", pipe[1]);
+    if (child == 0) record_and_report(folder / "scan", pipe[1]);
     int number = -1;
     while (number < last) ASSERT_EQ(read(pipe[0], &number, sizeof number), ssize_t{sizeof number});
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     close(pipe[0]);
     close(pipe[1]);
-    // Each image that is listed is whole, and the list goes up to the last second at 30 Hz.
+    // Each listed image is complete, and at most the last second (30 frames) is missing.
     const std::vector<Frame> kept = replay(folder / "scan");
     EXPECT_GE(static_cast<int>(kept.size()), last + 1 - 30);
     EXPECT_EQ(kept.size(), io::open_recording(folder / "scan")->frames.size());
   }
 }
 
-// A sensor that cannot be started, or whose frames never come.
-TEST(RecorderSensor, WithoutAFrameTheFolderIsAsItWas) {
+// A sensor that cannot be started or that delivers no frames.
+TEST(RecorderSensor, WithoutAFrameTheFolderStaysUnchanged) {
   class Absent final : public ScriptedSensor {
    public:
     Absent() : ScriptedSensor({}) {}
@@ -242,7 +242,7 @@ TEST(RecorderSensor, WithoutAFrameTheFolderIsAsItWas) {
       RecorderSensor::create(std::make_shared<ScriptedSensor>(frames(0)), folder / "scan").value();
   run(*silent);
   silent->stop();
-  // The recording that lies there is not given up for nothing.
+  // The existing recording is not overwritten.
   EXPECT_EQ(replay(folder / "scan").size(), 3U);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ManualClock;
 
-// Ten frames a tenth of a second apart; the first at 3 s, as recordings of others may begin.
+// Ten frames at 10 Hz; the first at 3 s, because recordings need not start at 0.
 class ReplayTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -33,7 +33,7 @@ class ReplayTest : public ::testing::Test {
   ManualClock clock_;
 };
 
-TEST_F(ReplayTest, GoesAtItsOwnSpeedTimesAFactor) {
+TEST_F(ReplayTest, ReplaysAtAMultipleOfTheRecordedSpeed) {
   const auto sensor = open(2.0);
   ASSERT_TRUE(sensor->start());
   const double start_s = clock_.now_s();
@@ -48,7 +48,7 @@ TEST_F(ReplayTest, GoesAtItsOwnSpeedTimesAFactor) {
   EXPECT_FALSE(sensor->next(1.0).value());
 }
 
-TEST_F(ReplayTest, WaitsNoLongerThanItMay) {
+TEST_F(ReplayTest, WaitsNoLongerThanTheTimeout) {
   const auto sensor = open(1.0);
   ASSERT_TRUE(sensor->start());
   EXPECT_TRUE(sensor->next(0.03).value());
@@ -56,7 +56,7 @@ TEST_F(ReplayTest, WaitsNoLongerThanItMay) {
   EXPECT_NEAR(clock_.now_s(), 100.03, 1e-6);
 }
 
-TEST_F(ReplayTest, ADamagedFrameCostsItselfAndIsNamed) {
+TEST_F(ReplayTest, SkipsAndReportsADamagedFrame) {
   std::ofstream(folder_.path() / "frames/000004.png") << "no image";
   std::filesystem::remove(folder_.path() / "frames/000007.png");
   const auto sensor = open(0.0);
@@ -79,8 +79,8 @@ TEST_F(ReplayTest, DecodesAheadAndDeliversInOrder) {
   EXPECT_EQ(indices, (std::vector{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
-// Who has other work to do beside it, as a recorder, would else ask over and over.
-TEST_F(ReplayTest, SaysWhereNothingIsLeftToDecodeAhead) {
+// Otherwise a caller with other background work, such as a recorder, would poll in vain.
+TEST_F(ReplayTest, ReportsThatNothingIsLeftToDecode) {
   const auto sensor = open(1.0);
   EXPECT_FALSE(sensor->work_in_background(0.0));
   ASSERT_TRUE(sensor->start());
@@ -90,7 +90,7 @@ TEST_F(ReplayTest, SaysWhereNothingIsLeftToDecodeAhead) {
   EXPECT_TRUE(sensor->work_in_background(0.0));
 }
 
-TEST_F(ReplayTest, BeginsAnewAfterItsEnd) {
+TEST_F(ReplayTest, CanBeRestartedAfterTheEnd) {
   const auto sensor = open(0.0);
   for (int round = 0; round < 2; ++round) {
     ASSERT_TRUE(sensor->start());
@@ -100,7 +100,7 @@ TEST_F(ReplayTest, BeginsAnewAfterItsEnd) {
   }
 }
 
-TEST_F(ReplayTest, NamesWhatIsNotThere) {
+TEST_F(ReplayTest, ReportsMissingFiles) {
   EXPECT_FALSE(ReplaySensor::open(folder_ / "nowhere", {}, clock_.clock()));
   const auto bad = ReplaySensor::open(folder_.path(), {.speed = -1.0}, clock_.clock());
   ASSERT_FALSE(bad);

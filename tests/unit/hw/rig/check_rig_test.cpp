@@ -17,7 +17,7 @@ using testing::FakeVideoSystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// A rig of two cameras and a chip, all of which are there.
+// A rig of two cameras and a chip, all present.
 class CheckRigTest : public ::testing::Test {
  protected:
   CheckRigTest() {
@@ -49,9 +49,9 @@ class CheckRigTest : public ::testing::Test {
   RigSettings rig_;
 };
 
-TEST_F(CheckRigTest, FindsNothingWhereAllIsThere) { EXPECT_THAT(problems(), IsEmpty()); }
+TEST_F(CheckRigTest, FindsNoProblemIfAllDevicesArePresent) { EXPECT_THAT(problems(), IsEmpty()); }
 
-TEST_F(CheckRigTest, NamesEveryDeviceThatIsMissing) {
+TEST_F(CheckRigTest, ReportsEveryMissingDevice) {
   measurement_->present = texture_->present = false;
   chips_.clear();
   rig_.calibration = "/nowhere/calibration.json";
@@ -59,27 +59,27 @@ TEST_F(CheckRigTest, NamesEveryDeviceThatIsMissing) {
                                       HasSubstr("\"ftdi-cbus\""), HasSubstr("calibration.json")));
 }
 
-TEST_F(CheckRigTest, NamesALineThatIsHeldAndOneThatIsMissing) {
+TEST_F(CheckRigTest, ReportsALineInUseAndAMissingLine) {
   chips_[0].lines[1].consumer = "another program";
   rig_.lights.flash->offset = 4;
   EXPECT_THAT(problems(),
               ElementsAre(HasSubstr("held by another program"), HasSubstr("its lines are 0 to 3")));
 }
 
-TEST_F(CheckRigTest, NamesALineThatTwoLightsHave) {
+TEST_F(CheckRigTest, ReportsALineSharedByTwoLights) {
   chips_[0].lines[2].name = "C2";
   rig_.lights.horizontal = {"C2", std::nullopt};
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("two lights have the same one")));
 }
 
-TEST_F(CheckRigTest, OneCameraCannotBeBoth) {
+TEST_F(CheckRigTest, ReportsACameraUsedForMeasurementAndTexture) {
   texture_->present = false;
   rig_.texture->match = {"", "M1", ""};
   rig_.texture->settings.format = device::PixelFormat::kGrey8;
   EXPECT_THAT(problems(), ElementsAre(HasSubstr("both the measurement and the texture camera")));
 }
 
-TEST_F(CheckRigTest, WithoutTextureNeedsNeitherItsCameraNorAFlash) {
+TEST_F(CheckRigTest, WithoutTextureNeedsNoTextureCameraAndNoFlash) {
   texture_->present = false;
   rig_.texture.reset();
   rig_.lights.flash.reset();

@@ -32,7 +32,7 @@ class FrameMergerTest : public ::testing::Test {
   FrameMergerTest() : merger_({.start_s = 10.0, .flash_s = 0.1, .patience_s = kPatience_s}) {}
 
   void pattern(double time_s) { merger_.add_pattern(Pattern::kVertical, image(0), time_s, time_s); }
-  /// All that comes out, as times since the start.
+  /// Times since the start of all frames that are ready.
   std::vector<double> taken(double now_s, bool texture_comes = true) {
     std::vector<double> times_s;
     while (const auto frame = merger_.next(now_s, texture_comes)) {
@@ -46,7 +46,7 @@ class FrameMergerTest : public ::testing::Test {
   std::size_t count_ = 0;
 };
 
-TEST_F(FrameMergerTest, PatternsComeAtOnceWhereNoFlashIsAhead) {
+TEST_F(FrameMergerTest, DeliversPatternsAtOnceIfNoFlashIsPlanned) {
   pattern(10.5);
   pattern(10.75);
   EXPECT_EQ(taken(10.75), (std::vector{0.5, 0.75}));
@@ -59,12 +59,12 @@ TEST_F(FrameMergerTest, APatternAfterAFlashWaitsForItsImage) {
   EXPECT_EQ(taken(10.75), std::vector{0.25});
   merger_.add_texture(image(9), flash_of(10.5, 0.5), 10.8);
   EXPECT_TRUE(taken(10.8).empty());
-  // Now it is known that no brighter one follows.
+  // The dark frame shows that no brighter image of the flash follows.
   merger_.add_texture(image(0), dark_at(10.625), 10.85);
   EXPECT_EQ(taken(10.85), (std::vector{0.5, 0.75}));
 }
 
-TEST_F(FrameMergerTest, NothingWaitsLongerThanPatienceNorForACameraThatIsAway) {
+TEST_F(FrameMergerTest, WaitsAtMostThePatienceTimeAndNotForALostCamera) {
   merger_.flash_at(10.5);
   pattern(10.75);
   EXPECT_TRUE(taken(10.75 + kPatience_s).empty());
@@ -73,7 +73,7 @@ TEST_F(FrameMergerTest, NothingWaitsLongerThanPatienceNorForACameraThatIsAway) {
   EXPECT_EQ(taken(11.25, false), std::vector{1.25});
 }
 
-TEST_F(FrameMergerTest, OfOneFlashTheBrightestImageIsTaken) {
+TEST_F(FrameMergerTest, UsesTheBrightestImageOfAFlash) {
   for (const auto& [value, area] : {std::pair{1, 0.2}, {2, 0.5}, {3, 0.51}})
     merger_.add_texture(image(value), flash_of(10.5 + 0.01 * value, area), 10.6);
   merger_.add_texture(image(0), dark_at(10.7), 10.7);
@@ -81,11 +81,11 @@ TEST_F(FrameMergerTest, OfOneFlashTheBrightestImageIsTaken) {
   const auto texture = merger_.next(10.75, true);
   ASSERT_TRUE(texture);
   EXPECT_EQ(texture->kind, FrameKind::kTexture);
-  // The third is brighter by less than noise.
+  // The third image is brighter only within the noise.
   EXPECT_EQ(texture->image.at<std::uint8_t>(0, 0), 2);
 }
 
-TEST_F(FrameMergerTest, WhatComesAfterALaterOneIsGivenUpAndCounted) {
+TEST_F(FrameMergerTest, DropsAndCountsFramesThatArriveAfterALaterOne) {
   merger_.flash_at(10.5);
   pattern(10.75);
   EXPECT_EQ(taken(11.5), std::vector{0.75});

@@ -5,7 +5,7 @@
 namespace flytri::rig {
 namespace {
 
-// A camera at 10 Hz whose faults are those that a test writes into its status.
+// A camera at 10 Hz; the test sets the faults in its status.
 class FaultyCamera final : public device::Camera {
  public:
   Result<void> start() override {
@@ -21,7 +21,7 @@ class FaultyCamera final : public device::Camera {
     return frame;
   }
   [[nodiscard]] device::CameraStatus status() const override { return status_; }
-  [[nodiscard]] device::CameraSettings asked() const override { return read_back(); }
+  [[nodiscard]] device::CameraSettings requested() const override { return read_back(); }
   [[nodiscard]] device::CameraSettings read_back() const override {
     device::CameraSettings settings;
     settings.rate_hz = 10.0;
@@ -41,10 +41,10 @@ class RigCameraReaderTest : public ::testing::Test {
  protected:
   RigCameraReaderTest() { EXPECT_TRUE(reader_.start()); }
 
-  // Whether stamps tell of a beat by now.
-  [[nodiscard]] bool knows_beat() {
+  // Whether the exposure times are learned.
+  [[nodiscard]] bool knows_exposure_times() {
     constexpr double kTime_s = 200.03;
-    return reader_.labeler().beat().clock.next_stamp_s(kTime_s) != kTime_s;
+    return reader_.labeler().timing().clock.next_stamp_s(kTime_s) != kTime_s;
   }
   void label_some() {
     for (int i = 0; i < 10; ++i) (void)reader_.label(*reader_.next(0.0).value());
@@ -54,7 +54,7 @@ class RigCameraReaderTest : public ::testing::Test {
   RigCameraReader reader_{camera_, 0.0};
 };
 
-TEST_F(RigCameraReaderTest, DamagedFramesAreCountedAndKeptBack) {
+TEST_F(RigCameraReaderTest, CountsAndSkipsDamagedFrames) {
   camera_->is_damaged = true;
   EXPECT_FALSE(reader_.next(0.0).value());
   camera_->is_damaged = false;
@@ -62,18 +62,18 @@ TEST_F(RigCameraReaderTest, DamagedFramesAreCountedAndKeptBack) {
   EXPECT_EQ(reader_.status().damaged, 1);
 }
 
-// Its exposures then begin at other times than before.
-TEST_F(RigCameraReaderTest, TheBeatBeginsAnewWithEachStream) {
+// After a restart, the exposures begin at other times than before.
+TEST_F(RigCameraReaderTest, LearnsTheExposureTimesAgainAfterEachRestart) {
   for (std::int64_t device::CameraStatus::*count :
        {&device::CameraStatus::returned, &device::CameraStatus::restarted}) {
     label_some();
-    EXPECT_TRUE(knows_beat());
+    EXPECT_TRUE(knows_exposure_times());
     ++(camera_->faults().*count);
     EXPECT_TRUE(reader_.next(0.0).value());
-    EXPECT_FALSE(knows_beat());
+    EXPECT_FALSE(knows_exposure_times());
   }
   label_some();
-  EXPECT_TRUE(knows_beat());
+  EXPECT_TRUE(knows_exposure_times());
 }
 
 }  // namespace

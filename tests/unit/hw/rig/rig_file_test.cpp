@@ -53,12 +53,12 @@ TEST(RigFile, ReadsEveryKeyAndIgnoresUnknownOnes) {
   EXPECT_EQ(rig.calibration, "calibration.json");
 }
 
-TEST(RigFile, WhatIsWrittenReadsBackTheSame) {
+TEST(RigFile, WritingAndReadingGivesTheSameSettings) {
   const std::string text = rig_to_json(parse_rig(kRig, "rig.json").value());
   EXPECT_EQ(rig_to_json(parse_rig(text, "again").value()), text);
 }
 
-TEST(RigFile, AMissingOrMalformedKeyNamesFileKeyAndWhatWasExpected) {
+TEST(RigFile, ReportsFileAndKeyAndExpectedValueOfABadKey) {
   const auto message = [](const std::string& from, const std::string& to) {
     const auto rig = parse_rig(replaced(from, to), "chair.json");
     return rig ? std::string("no error") : rig.error().message;
@@ -73,7 +73,7 @@ TEST(RigFile, AMissingOrMalformedKeyNamesFileKeyAndWhatWasExpected) {
   EXPECT_THAT(message(", \"flash\": {\"line\": 2}", ""), HasSubstr("flash"));
 }
 
-TEST(RigFile, TheCalibrationLiesBesideTheFile) {
+TEST(RigFile, CalibrationPathIsRelativeToTheFile) {
   const TemporaryFolder folder;
   ASSERT_TRUE(io::write_file(folder.path() / "rig.json", kRig));
   const RigSettings rig = read_rig(folder.path() / "rig.json").value();

@@ -10,21 +10,22 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(RigMessage, IsEmptyWhereNothingIsWrong) {
+TEST(RigMessage, IsEmptyIfNothingIsWrong) {
   RigStatus status;
   status.texture.emplace();
   EXPECT_EQ(rig_message(status, ""), "");
 }
 
-TEST(RigMessage, WhatTheImagesSayOfTheLightsIsNotToldOfDevicesThatAreAway) {
+TEST(RigMessage, ReportsNoLightFaultWhileADeviceIsUnplugged) {
   RigStatus status;
   status.measurement.fault = sync::LightFault::kNoVertical;
-  EXPECT_THAT(rig_message(status, ""), HasSubstr("vertical lines never show"));
-  status.lights.message = "the switch of the lights was unplugged";
-  EXPECT_THAT(rig_message(status, ""), AllOf(HasSubstr("unplugged"), Not(HasSubstr("never show"))));
+  EXPECT_THAT(rig_message(status, ""), HasSubstr("No image shows the vertical lines"));
+  status.lights.message = "the light switch was unplugged";
+  EXPECT_THAT(rig_message(status, ""),
+              AllOf(HasSubstr("unplugged"), Not(HasSubstr("No image shows"))));
 }
 
-TEST(RigMessage, AFlashThatTheTextureCameraSeesIsNotMissing) {
+TEST(RigMessage, ReportsNoMissingFlashIfTheTextureCameraSeesIt) {
   RigStatus status;
   status.measurement.fault = sync::LightFault::kNoFlash;
   EXPECT_THAT(rig_message(status, ""), HasSubstr("flash never shows"));
@@ -34,7 +35,7 @@ TEST(RigMessage, AFlashThatTheTextureCameraSeesIsNotMissing) {
   EXPECT_THAT(rig_message(status, ""), HasSubstr("flash never shows"));
 }
 
-TEST(RigMessage, TellsOfBothCameras) {
+TEST(RigMessage, ContainsTheMessagesOfBothCameras) {
   RigStatus status;
   status.measurement.camera.message = "mono is away.";
   status.texture.emplace();

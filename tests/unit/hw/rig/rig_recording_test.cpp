@@ -1,4 +1,5 @@
-/// @file  What a rig records is what it delivered, also when its camera is unplugged meanwhile.
+/// @file  A rig records exactly the frames that it delivers, even if its camera is unplugged
+/// meanwhile.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -27,7 +28,7 @@ void run(recording::RecorderSensor& recorder, const SimulatedRig& rig, double du
   }
 }
 
-TEST(RigRecording, IsBitForBitWhatWasLiveAlsoAcrossALoss) {
+TEST(RigRecording, IsBitIdenticalToTheLiveFramesEvenAfterUnplugging) {
   SimulatedRigOptions options;
   options.measurement.noise = options.texture.noise = 0.004;
   options.texture.latency_s = 0.06;
@@ -40,7 +41,8 @@ TEST(RigRecording, IsBitForBitWhatWasLiveAlsoAcrossALoss) {
   run(*recorder, rig, 4.0, live);
   rig.measurement->set_plugged(false);
   run(*recorder, rig, 1.0, live);
-  // What came until now is listed while the device is away: a crash would cost no more than that.
+  // The list already contains the frames so far, so a crash while the device is unplugged would not
+  // lose them.
   EXPECT_TRUE(io::open_recording(folder / "scan"));
   rig.measurement->set_plugged(true);
   run(*recorder, rig, 3.0, live);

@@ -41,7 +41,7 @@ int count(const std::vector<Frame>& frames, FrameKind kind) {
                                         [&](const Frame& frame) { return frame.kind == kind; }));
 }
 
-/// Every frame shows what its kind says, and time rises.
+/// Checks that every frame shows the light of its label and that times increase.
 void expect_true(const std::vector<Frame>& frames) {
   double before_s = 0.0;
   std::size_t index = 0;
@@ -55,7 +55,8 @@ void expect_true(const std::vector<Frame>& frames) {
       EXPECT_GT(light.area, 0.1);
     } else {
       EXPECT_EQ(frame.image.type(), CV_8UC1);
-      // Lights that go dark of themselves leave a frame without light, which is not misnamed.
+      // When the switch is unplugged, lights turn dark by themselves: a frame without light is not
+      // a wrong label.
       if (light.line_places == 0) continue;
       EXPECT_GT(
           frame.kind == FrameKind::kVertical ? light.column_share() : 1.0 - light.column_share(),
@@ -64,12 +65,12 @@ void expect_true(const std::vector<Frame>& frames) {
   }
 }
 
-TEST(RigSensor, RunsTheSequenceOfThePaper) {
+TEST(RigSensor, RunsTheLightSequenceOfThePaper) {
   const SimulatedRig rig = make_simulated_rig(usual());
   ASSERT_TRUE(rig.sensor->start());
   const auto frames = run(rig, 10.0);
   expect_true(frames);
-  // Some 27 patterns and one flash a second, once the latency is known.
+  // About 27 patterns and one flash per second, once the latency is known.
   EXPECT_GT(count(frames, FrameKind::kVertical), 110);
   EXPECT_GT(count(frames, FrameKind::kHorizontal), 110);
   EXPECT_GE(count(frames, FrameKind::kTexture), 6);
@@ -82,7 +83,7 @@ TEST(RigSensor, RunsTheSequenceOfThePaper) {
   EXPECT_EQ(rig.sensor->status().delivered, static_cast<std::int64_t>(frames.size()));
 }
 
-TEST(RigSensor, ThePatternsGoOnAlternatingAcrossAFlash) {
+TEST(RigSensor, PatternsContinueToAlternateAfterAFlash) {
   const SimulatedRig rig = make_simulated_rig(usual());
   ASSERT_TRUE(rig.sensor->start());
   run(rig, 3.0);
@@ -97,7 +98,7 @@ TEST(RigSensor, ThePatternsGoOnAlternatingAcrossAFlash) {
   EXPECT_LE(repeated, 1);
 }
 
-TEST(RigSensor, IsDarkAfterStopAndStartsAgain) {
+TEST(RigSensor, IsDarkAfterStopAndCanBeRestarted) {
   const SimulatedRig rig = make_simulated_rig(usual());
   ASSERT_TRUE(rig.sensor->start());
   run(rig, 2.0);
@@ -113,7 +114,7 @@ TEST(RigSensor, IsDarkAfterStopAndStartsAgain) {
   EXPECT_GT(frames.size(), 60U);
 }
 
-TEST(RigSensor, AnUnpluggedCameraIsLostAndComesBack) {
+TEST(RigSensor, ReconnectsAnUnpluggedCamera) {
   const SimulatedRig rig = make_simulated_rig(usual());
   ASSERT_TRUE(rig.sensor->start());
   run(rig, 3.0);
@@ -128,7 +129,7 @@ TEST(RigSensor, AnUnpluggedCameraIsLostAndComesBack) {
   EXPECT_GT(frames.size(), 90U);
 }
 
-TEST(RigSensor, LightsThatAreUnpluggedLoseTheSensorButNoFrameIsWronglyNamed) {
+TEST(RigSensor, UnpluggedLightsMakeTheSensorLostWithoutWrongLabels) {
   const SimulatedRig rig = make_simulated_rig(usual());
   ASSERT_TRUE(rig.sensor->start());
   auto frames = run(rig, 3.0);
@@ -145,7 +146,7 @@ TEST(RigSensor, LightsThatAreUnpluggedLoseTheSensorButNoFrameIsWronglyNamed) {
   expect_true(frames);
 }
 
-TEST(RigSensor, GoesOnWithoutItsTextureCameraAndSaysSo) {
+TEST(RigSensor, ContinuesWithoutTextureCameraAndReportsIt) {
   const SimulatedRig rig = make_simulated_rig(usual());
   ASSERT_TRUE(rig.sensor->start());
   run(rig, 3.0);
@@ -156,7 +157,7 @@ TEST(RigSensor, GoesOnWithoutItsTextureCameraAndSaysSo) {
   EXPECT_NE(rig.sensor->status().message, "");
 }
 
-TEST(RigSensor, SwappedProjectorsAreNamedAndFramesShowWhatTheySay) {
+TEST(RigSensor, ReportsSwappedProjectorsAndLabelsFramesByWhatTheyShow) {
   SimulatedRigOptions options = usual();
   options.lights.faults.is_swapped = true;
   const SimulatedRig rig = make_simulated_rig(options);
@@ -167,11 +168,11 @@ TEST(RigSensor, SwappedProjectorsAreNamedAndFramesShowWhatTheySay) {
   EXPECT_NE(rig.sensor->status().message.find("swapped"), std::string::npos);
 }
 
-TEST(RigSensor, WhereAnImageDisagreesWithTheClockNoFrameIsTaken) {
+TEST(RigSensor, DropsFramesWhoseImageContradictsThePrediction) {
   const SimulatedRig rig = make_simulated_rig(usual());
   ASSERT_TRUE(rig.sensor->start());
   auto frames = run(rig, 3.0);
-  // Plugs that were exchanged in mid-scan: the clock stays sure.
+  // Swapped cables during the scan: the prediction stays certain.
   rig.lights->set_faults({.is_swapped = true});
   const auto after = run(rig, 4.0);
   frames.insert(frames.end(), after.begin(), after.end());
@@ -181,7 +182,7 @@ TEST(RigSensor, WhereAnImageDisagreesWithTheClockNoFrameIsTaken) {
             20);
 }
 
-TEST(RigSensor, ASwitchThatBlocksAndDoesNothingNeverStallsCapture) {
+TEST(RigSensor, AnUnresponsiveSwitchDoesNotBlockTheCapture) {
   SimulatedRigOptions options = usual();
   options.lights.call_s = 4.0;
   options.lights.faults.is_mute = true;
@@ -194,7 +195,7 @@ TEST(RigSensor, ASwitchThatBlocksAndDoesNothingNeverStallsCapture) {
   EXPECT_NE(rig.sensor->status().message, "");
 }
 
-TEST(RigSensor, RunsWithoutTexture) {
+TEST(RigSensor, RunsWithoutTextureCamera) {
   SimulatedRigOptions options = usual();
   options.has_texture = false;
   const SimulatedRig rig = make_simulated_rig(options);

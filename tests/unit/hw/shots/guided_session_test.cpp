@@ -27,7 +27,7 @@ std::shared_ptr<SimulatedShots> make_shots() {
   return SimulatedShots::create(simulated::intraoral_sensor()).value();
 }
 
-/// Takes good shots until the one of `kind` on plane `plane` is wanted.
+/// Takes good shots until the shot `kind` of plane `plane` is next.
 void take_until(GuidedSession& session, std::size_t plane, calibration::ShotKind kind) {
   while (const auto shot = session.guide().wanted()) {
     if (shot->place.plane == plane && shot->kind == kind) return;
@@ -37,7 +37,7 @@ void take_until(GuidedSession& session, std::size_t plane, calibration::ShotKind
   }
 }
 
-TEST(GuidedSession, IsInterruptedGoesOnAndGivesWhatTheOfflineCommandGives) {
+TEST(GuidedSession, ContinuesAfterAnInterruptionWithTheSameResultAsTheOfflineCommand) {
   const TemporaryFolder folder;
   const auto shots = make_shots();
   {
@@ -46,7 +46,7 @@ TEST(GuidedSession, IsInterruptedGoesOnAndGivesWhatTheOfflineCommandGives) {
   }
   auto session = GuidedSession::open(folder.path(), small_plan(), shots).value();
   EXPECT_EQ(session.restored(), 5);  // both targets of two planes, the white plane of the third
-  EXPECT_TRUE(session.complaints().empty());
+  EXPECT_TRUE(session.problems().empty());
   EXPECT_EQ(session.guide().wanted()->kind, calibration::ShotKind::kDots);
   ASSERT_NO_FATAL_FAILURE(take_until(session, kPlanes, calibration::ShotKind::kDark));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "calibration-set.json"));
@@ -62,13 +62,13 @@ TEST(GuidedSession, IsInterruptedGoesOnAndGivesWhatTheOfflineCommandGives) {
   for (const Pattern pattern : kPatterns) {
     const double rms_mm = offline->of(pattern).depth_residual_mm.rms;
     EXPECT_EQ(fit->calibration.of(pattern).depth_residual_mm.rms, rms_mm);
-    EXPECT_NEAR(written->of(pattern).depth_residual_mm.rms, rms_mm, 1e-8);  // its digits in JSON
+    EXPECT_NEAR(written->of(pattern).depth_residual_mm.rms, rms_mm, 1e-8);  // rounded in JSON
     EXPECT_LT(rms_mm, 6e-3);  // as of the shared set: localization noise of single samples
   }
   EXPECT_EQ(fit->calibration.x_mm.residual.rms, offline->x_mm.residual.rms);
 }
 
-TEST(GuidedSession, ADamagedImageIsTakenAgain) {
+TEST(GuidedSession, TakesADamagedImageAgain) {
   const TemporaryFolder folder;
   {
     auto session = GuidedSession::open(folder.path(), small_plan(), make_shots()).value();
@@ -76,13 +76,13 @@ TEST(GuidedSession, ADamagedImageIsTakenAgain) {
   }
   ASSERT_TRUE(io::write_file(folder.path() / "z00_h.png", "no image").has_value());
   const auto session = GuidedSession::open(folder.path(), small_plan(), make_shots()).value();
-  ASSERT_EQ(session.complaints().size(), 1U);
-  EXPECT_THAT(session.complaints().front(), HasSubstr("z00_h.png"));
+  ASSERT_EQ(session.problems().size(), 1U);
+  EXPECT_THAT(session.problems().front(), HasSubstr("z00_h.png"));
   EXPECT_EQ(session.guide().wanted()->placement, 0U);
   EXPECT_TRUE(session.guide().is_done(1));
 }
 
-TEST(GuidedSession, AFolderKeepsItsPlan) {
+TEST(GuidedSession, RefusesAFolderWithAnotherPlan) {
   const TemporaryFolder folder;
   ASSERT_TRUE(GuidedSession::open(folder.path(), small_plan(), make_shots()).has_value());
   const auto other =
@@ -91,7 +91,7 @@ TEST(GuidedSession, AFolderKeepsItsPlan) {
   EXPECT_EQ(other.error().code, ErrorCode::kInconsistent);
 }
 
-TEST(GuidedSession, APlaneThatIsTakenAgainIsGoneFromTheDiskFirst) {
+TEST(GuidedSession, DeletesTheImagesOfAReopenedPlane) {
   const TemporaryFolder folder;
   auto session = GuidedSession::open(folder.path(), small_plan(), make_shots()).value();
   ASSERT_NO_FATAL_FAILURE(take_until(session, 1, calibration::ShotKind::kDark));
@@ -100,82 +100,82 @@ TEST(GuidedSession, APlaneThatIsTakenAgainIsGoneFromTheDiskFirst) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "z00_h.png"));
 }
 
-/// Something that goes wrong with the virtual sensor and its stage, and what must be said of it.
-struct Mishap {
+/// A fault of the virtual sensor or its stage, and the expected verdict.
+struct FaultCase {
   const char* name;
   std::size_t plane;
   calibration::ShotKind kind;
-  std::function<void(SimulatedMishap&, simulated::SensorModel)> cause;
+  std::function<void(ShotFaults&, simulated::SensorModel)> cause;
   calibration::ShotFault fault;
 };
 
-const std::vector<Mishap>& mishaps() {
-  using enum ShotKind;
-  static const std::vector<Mishap> kMishaps = {
+const std::vector<FaultCase>& fault_cases() {
+  using enum calibration::ShotKind;
+  static const std::vector<FaultCase> kFaultCases = {
       {"Defocused", 1, kVertical,
-       [](SimulatedMishap& mishap, simulated::SensorModel sensor) {
+       [](ShotFaults& faults, simulated::SensorModel sensor) {
          sensor.camera.lens.aperture_radius_mm *= 3.0;
-         mishap.sensor = sensor;
+         faults.sensor = sensor;
        },
        calibration::ShotFault::kDefocused},
       {"TooDark", 0, kVertical,
-       [](SimulatedMishap& mishap, simulated::SensorModel sensor) {
+       [](ShotFaults& faults, simulated::SensorModel sensor) {
          sensor.chip.line_level *= 0.05;
-         mishap.sensor = sensor;
+         faults.sensor = sensor;
        },
        calibration::ShotFault::kTooDark},
       {"Saturated", 0, kVertical,
-       [](SimulatedMishap& mishap, simulated::SensorModel sensor) {
+       [](ShotFaults& faults, simulated::SensorModel sensor) {
          sensor.chip.line_level *= 3.0;
-         mishap.sensor = sensor;
+         faults.sensor = sensor;
        },
        calibration::ShotFault::kSaturated},
       {"StrayLight", 0, kDark,
-       [](SimulatedMishap& mishap, simulated::SensorModel sensor) {
+       [](ShotFaults& faults, simulated::SensorModel sensor) {
          sensor.chip.ambient_level = 0.4;
-         mishap.sensor = sensor;
+         faults.sensor = sensor;
        },
        calibration::ShotFault::kStrayLight},
       {"PlaneMoved", 1, kVerticalAgain,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) { mishap.depth_error_mm = 0.05; },
+       [](ShotFaults& faults, const simulated::SensorModel&) { faults.depth_error_mm = 0.05; },
        calibration::ShotFault::kPlaneMoved},
       {"WrongDepth", 3, kVertical,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) { mishap.depth_error_mm = 0.3; },
+       [](ShotFaults& faults, const simulated::SensorModel&) { faults.depth_error_mm = 0.3; },
        calibration::ShotFault::kWrongDepth},
       {"DotsCovered", 0, kDots,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) {
-         mishap.covered = {440, 320, 160, 160};
+       [](ShotFaults& faults, const simulated::SensorModel&) {
+         faults.covered = {440, 320, 160, 160};
        },
        calibration::ShotFault::kMarkersHidden},
       {"LightsSwapped", 0, kVertical,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) { mishap.lights_swapped = true; },
+       [](ShotFaults& faults, const simulated::SensorModel&) { faults.lights_swapped = true; },
        calibration::ShotFault::kOtherPattern},
       {"LightStaysOn", 0, kDark,
-       [](SimulatedMishap& mishap, const simulated::SensorModel&) { mishap.lights_stay_on = true; },
+       [](ShotFaults& faults, const simulated::SensorModel&) { faults.lights_stay_on = true; },
        calibration::ShotFault::kLightStaysOn}};
-  return kMishaps;
+  return kFaultCases;
 }
 
-/// One session, in which everything goes wrong at its time and is then set right.
-TEST(GuidedSession, EachMishapIsRefusedForItsOwnReasonAndTheSessionGoesOn) {
+/// In one session, each fault occurs once and is then corrected.
+TEST(GuidedSession, RefusesEachFaultWithItsReasonAndContinues) {
   const TemporaryFolder folder;
   const auto shots = make_shots();
   auto session = GuidedSession::open(folder.path(), small_plan(), shots).value();
-  std::vector<Mishap> in_order = mishaps();
-  std::stable_sort(in_order.begin(), in_order.end(), [](const Mishap& a, const Mishap& b) {
+  std::vector<FaultCase> in_order = fault_cases();
+  std::stable_sort(in_order.begin(), in_order.end(), [](const FaultCase& a, const FaultCase& b) {
     return std::pair(a.plane, a.kind) < std::pair(b.plane, b.kind);
   });
-  for (const Mishap& mishap : in_order) {
-    SCOPED_TRACE(mishap.name);
-    ASSERT_NO_FATAL_FAILURE(take_until(session, mishap.plane, mishap.kind));
-    SimulatedMishap cause;
-    mishap.cause(cause, shots->sensor());
-    ASSERT_TRUE(shots->set_mishap(cause).has_value());
+  for (const FaultCase& test : in_order) {
+    SCOPED_TRACE(test.name);
+    ASSERT_NO_FATAL_FAILURE(take_until(session, test.plane, test.kind));
+    ShotFaults faults;
+    test.cause(faults, shots->sensor());
+    ASSERT_TRUE(shots->set_faults(faults).has_value());
     const auto outcome = session.shoot({});
     ASSERT_TRUE(outcome.has_value());
-    EXPECT_EQ(outcome->verdict.fault, mishap.fault) << outcome->verdict.finding;
+    EXPECT_EQ(outcome->verdict.fault, test.fault) << outcome->verdict.finding;
     EXPECT_TRUE(session.guide().wanted()->begins_placement);
-    ASSERT_TRUE(shots->set_mishap({}).has_value());
+    ASSERT_TRUE(shots->set_faults({}).has_value());
   }
   ASSERT_NO_FATAL_FAILURE(take_until(session, kPlanes, calibration::ShotKind::kDark));
   EXPECT_TRUE(session.finish(Workers(2), {}).has_value());

@@ -17,7 +17,8 @@ constexpr double kNoise = 0.02;
 
 SimulatedRig make_rig() {
   testing::SimulatedRigOptions options;
-  options.measurement.latency_s = 0.1;  // three frames: what arrives after a switch is older
+  options.measurement.latency_s =
+      0.1;  // three frames, so that frames arriving right after a switch are older
   options.texture.latency_s = 0.1;
   options.measurement.noise = kNoise;
   return make_simulated_rig(options);
@@ -36,11 +37,11 @@ double difference(const cv::Mat& image, const cv::Mat& scene) {
   return cv::norm(image, expected, cv::NORM_L1) / scale / static_cast<double>(image.total());
 }
 
-TEST(RigShots, EachShotShowsItsLightAlone) {
+TEST(RigShots, EachShotShowsOnlyItsLight) {
   const SimulatedRig rig = make_rig();
   const auto shots = make_shots(rig);
   ASSERT_TRUE(shots->start().has_value());
-  using enum ShotKind;
+  using enum calibration::ShotKind;
   for (const auto& [kind, light] :
        std::initializer_list<std::pair<calibration::ShotKind, device::Light>>{
            {kDark, device::Light::kDark},
@@ -51,7 +52,7 @@ TEST(RigShots, EachShotShowsItsLightAlone) {
     const auto image = shots->take(kind, 0.0, {});
     ASSERT_TRUE(image.has_value()) << image.error().message;
     EXPECT_EQ(image->type(), CV_16UC1);
-    // Sixteen exposures leave a quarter of the noise; another light differs by a tenth.
+    // Sixteen exposures reduce the noise to a quarter; another light would differ by a tenth.
     EXPECT_LT(difference(*image, striped_scene(light, 0.0)), 0.3 * kNoise) << to_string(kind);
   }
   const auto color = shots->take(kDotsTexture, 0.0, {});
@@ -60,7 +61,7 @@ TEST(RigShots, EachShotShowsItsLightAlone) {
   EXPECT_LT(difference(*color, testing::colored_scene(device::Light::kFlash, 0.0)), 0.01);
 }
 
-TEST(RigShots, LightsAreDarkAfterwards) {
+TEST(RigShots, LightsAreDarkAfterStop) {
   SimulatedRig rig = make_rig();
   {
     const auto shots = make_shots(rig);
@@ -70,7 +71,7 @@ TEST(RigShots, LightsAreDarkAfterwards) {
   EXPECT_EQ(rig.lights->status().state, device::LightSwitchState::kIdle);
 }
 
-TEST(RigShots, ACameraThatIsUnpluggedIsNamed) {
+TEST(RigShots, ReportsAnUnpluggedCamera) {
   const SimulatedRig rig = make_rig();
   const auto shots = make_shots(rig);
   ASSERT_TRUE(shots->start().has_value());
@@ -82,7 +83,7 @@ TEST(RigShots, ACameraThatIsUnpluggedIsNamed) {
   EXPECT_TRUE(shots->take(calibration::ShotKind::kVertical, 0.0, {}).has_value());
 }
 
-TEST(RigShots, LightsThatAreUnpluggedAreNamed) {
+TEST(RigShots, ReportsAnUnpluggedLightSwitch) {
   const SimulatedRig rig = make_rig();
   const auto shots = make_shots(rig);
   ASSERT_TRUE(shots->start().has_value());
@@ -92,7 +93,7 @@ TEST(RigShots, LightsThatAreUnpluggedAreNamed) {
   EXPECT_EQ(image.error().code, ErrorCode::kNotFound);
 }
 
-TEST(RigShots, ARigWithoutTextureCameraIsRefused) {
+TEST(RigShots, RefusesARigWithoutTextureCamera) {
   SimulatedRig rig = make_rig();
   const auto shots =
       RigShots::create({rig.measurement, nullptr, rig.lights, rig.clock.clock()}, "rig");

@@ -14,7 +14,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// As a guided session takes it: the near planes are not clipped.
+/// Calibrated with the exposure of a guided session, so that near planes are not overexposed.
 const calibration::Calibration& calibration() {
   static const calibration::Calibration kCalibration = [] {
     simulated::CalibrationSetOptions options;
@@ -35,43 +35,43 @@ calibration::VerificationReport look_at_plane(SimulatedShots& shots) {
   return calibration::check_on_plane(poses, calibration()).value();
 }
 
-TEST(HoldShots, TheVirtualSensorHoldsItsCalibrationWhateverTheNoise) {
+TEST(VerificationShots, TheUnchangedVirtualSensorPassesForEachNoiseSeed) {
   for (const std::uint64_t seed : {11U, 12U, 13U, 14U}) {
     const auto shots =
         SimulatedShots::create(simulated::intraoral_sensor(), {.seed = seed}).value();
     const calibration::VerificationReport report = look_at_plane(*shots);
     EXPECT_EQ(report.outcome, calibration::VerificationOutcome::kValid) << report.reason;
     for (const calibration::VerificationFigure& figure : report.figures) {
-      EXPECT_TRUE(figure.good()) << figure.name << " " << 1e3 * figure.deviation_mm << " um of "
+      EXPECT_TRUE(figure.good()) << figure.name << " " << 1e3 * figure.deviation_mm << " µm of "
                                  << 1e3 * figure.limit_mm;
     }
   }
 }
 
-TEST(HoldShots, AProjectorTurnedByAFifthOfAMilliradianIsFound) {
+TEST(VerificationShots, DetectsAProjectorRotationOf0_2Milliradians) {
   const auto shots = SimulatedShots::create(simulated::intraoral_sensor()).value();
-  SimulatedMishap mishap;
-  mishap.sensor = shots->sensor();
-  mishap.sensor->projectors[0].T_sensor_projector.rotate(Eigen::AngleAxisd(0.2e-3, Vec3::UnitY()));
-  ASSERT_TRUE(shots->set_mishap(mishap).has_value());
+  ShotFaults faults;
+  faults.sensor = shots->sensor();
+  faults.sensor->projectors[0].T_sensor_projector.rotate(Eigen::AngleAxisd(0.2e-3, Vec3::UnitY()));
+  ASSERT_TRUE(shots->set_faults(faults).has_value());
   const calibration::VerificationReport report = look_at_plane(*shots);
   EXPECT_EQ(report.outcome, calibration::VerificationOutcome::kBroken);
-  // 0.2 mrad at 80 mm are 16 um across the lines, at 7 degrees of triangulation 130 um in depth.
+  // 0.2 mrad at 80 mm are 16 µm across the lines; at 7° triangulation angle, 130 µm in depth.
   EXPECT_NEAR(std::abs(report.figures[0].deviation_mm), 0.130, 0.015);
   EXPECT_THAT(report.meanings, Contains(HasSubstr("different depths")));
 }
 
-TEST(HoldShots, ACameraThatMovedByTwentyMicrometresIsFound) {
+TEST(VerificationShots, DetectsACameraShiftOf20Micrometers) {
   const auto shots = SimulatedShots::create(simulated::intraoral_sensor()).value();
-  SimulatedMishap mishap;
-  mishap.sensor = shots->sensor();
-  mishap.sensor->camera.T_sensor_camera.pretranslate(Vec3(0.02, 0.0, 0.0));
-  ASSERT_TRUE(shots->set_mishap(mishap).has_value());
+  ShotFaults faults;
+  faults.sensor = shots->sensor();
+  faults.sensor->camera.T_sensor_camera.pretranslate(Vec3(0.02, 0.0, 0.0));
+  ASSERT_TRUE(shots->set_faults(faults).has_value());
   EXPECT_EQ(look_at_plane(*shots).outcome, calibration::VerificationOutcome::kBroken);
 }
 
-TEST(HoldShots, AnObjectThatMovesWhileItIsToRestIsRefused) {
-  /// Steps back before every shot.
+TEST(VerificationShots, RefusesAMovingObject) {
+  /// The object moves away before every shot.
   class Sliding final : public ShotSource {
    public:
     Result<void> start() override { return {}; }
@@ -94,7 +94,7 @@ TEST(HoldShots, AnObjectThatMovesWhileItIsToRestIsRefused) {
   Sliding sliding;
   const auto pose = take_verification_pose(sliding, 0.0, calibration(), {});
   ASSERT_FALSE(pose.has_value());
-  EXPECT_THAT(pose.error().message, HasSubstr("moved by 40 um"));
+  EXPECT_THAT(pose.error().message, HasSubstr("moved by 40 µm"));
 }
 
 }  // namespace

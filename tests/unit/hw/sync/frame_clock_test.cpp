@@ -9,28 +9,28 @@ namespace {
 
 constexpr double kPeriod_s = 0.04;
 
-TEST(FrameClock, TakesTheJitterOutOfStamps) {
+TEST(FrameClock, RemovesJitterFromStamps) {
   FrameClock clock({.period_s = kPeriod_s});
   Random random(1);
   double worst_s = 0.0;
   for (int i = 0; i < 200; ++i) {
-    const double beat_s = 10.0 + i * kPeriod_s;
-    const double stamp_s = clock.add(beat_s + random.uniform(-0.005, 0.005));
-    // Uniform jitter of 5 ms has a standard deviation of 2.9 ms; the end of a line over 64 stamps
-    // is uncertain by 2 / sqrt(64) of it, 0.7 ms.
-    if (i > 64) worst_s = std::max(worst_s, std::abs(stamp_s - beat_s));
+    const double true_s = 10.0 + i * kPeriod_s;
+    const double stamp_s = clock.add(true_s + random.uniform(-0.005, 0.005));
+    // Uniform jitter of ±5 ms has a standard deviation of 2.9 ms. At the end of a line fitted to 64
+    // stamps, the uncertainty is 2 / sqrt(64) of it, 0.7 ms.
+    if (i > 64) worst_s = std::max(worst_s, std::abs(stamp_s - true_s));
   }
   EXPECT_LT(worst_s, 0.0025);
 }
 
-TEST(FrameClock, LearnsAPeriodThatWasPromisedWrongly) {
+TEST(FrameClock, LearnsThePeriodIfTheNominalOneIsWrong) {
   FrameClock clock({.period_s = 1.0 / 30.0});
   for (int i = 0; i < 40; ++i) clock.add(3.0 + i * kPeriod_s);
   EXPECT_NEAR(clock.period_s(), kPeriod_s, 1e-9);
   EXPECT_NEAR(clock.next_stamp_s(100.01), 100.04, 1e-6);
 }
 
-TEST(FrameClock, DroppedFramesLeaveTheBeatAsItIs) {
+TEST(FrameClock, DroppedFramesDoNotChangeTheFit) {
   FrameClock clock({.period_s = kPeriod_s});
   Random random(2);
   for (int i = 0; i < 200; ++i) {
@@ -39,7 +39,7 @@ TEST(FrameClock, DroppedFramesLeaveTheBeatAsItIs) {
   }
 }
 
-TEST(FrameClock, FollowsACameraThatStartsAgain) {
+TEST(FrameClock, AdaptsToARestartedCamera) {
   FrameClock clock({.period_s = kPeriod_s});
   for (int i = 0; i < 50; ++i) clock.add(i * kPeriod_s);
   for (int i = 0; i < 50; ++i) {
@@ -49,7 +49,7 @@ TEST(FrameClock, FollowsACameraThatStartsAgain) {
   }
 }
 
-TEST(FrameClock, NeverMovesAStampFarOrBack) {
+TEST(FrameClock, NeverMovesAStampFarOrBackwards) {
   FrameClock clock({.period_s = kPeriod_s, .max_correction = 0.25});
   Random random(3);
   double stamp_s = 0.0, before_s = -1.0;
@@ -62,7 +62,7 @@ TEST(FrameClock, NeverMovesAStampFarOrBack) {
   }
 }
 
-TEST(FrameClock, NamesABadOption) {
+TEST(FrameClock, RefusesBadOptions) {
   EXPECT_FALSE(FrameClockOptions{.period_s = 0.0}.validate());
   EXPECT_FALSE(FrameClockOptions{.memory = 2}.validate());
   EXPECT_FALSE(FrameClockOptions{.max_correction = 0.6}.validate());

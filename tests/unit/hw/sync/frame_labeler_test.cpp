@@ -28,33 +28,33 @@ void expect_all_right(const lab::LabelTrialResult& result, double in_step_within
   ASSERT_TRUE(result.in_step_after_s);
   EXPECT_LT(*result.in_step_after_s, in_step_within_s);
   EXPECT_EQ(result.wrong, 0);
-  // One at most is given up: when the plan goes from two frames a pattern to one.
+  // At most one frame is lost, when the plan changes from two frames per pattern to one.
   EXPECT_GE(result.right, result.whole - 1);
   EXPECT_GT(result.whole, 100);
   EXPECT_LT(result.largest_mixture, 0.1);
 }
 
-TEST(FrameLabeler, LabelsAllWholeFramesWhateverTheLatency) {
+TEST(FrameLabeler, LabelsAllUnmixedFramesForAnyLatency) {
   for (const double periods : {0.0, 0.37, 1.0, 1.5, 2.2, 3.0}) {
     SCOPED_TRACE(periods);
     lab::LabelTrialOptions options = usual();
     options.camera.latency_s = periods * kCameraPeriod_s;
     const lab::LabelTrialResult result = run(options);
     expect_all_right(result, 4.0);
-    // An eighth of a period is what the plan needs.
+    // The plan needs the latency to 1/8 period.
     EXPECT_NEAR(result.latency_error_s, 0.0, kCameraPeriod_s / 8.0);
     EXPECT_EQ(result.fault, LightFault::kNone);
   }
 }
 
-TEST(FrameLabeler, JitterAndDroppedFramesCostNothing) {
+TEST(FrameLabeler, LosesNoLabelsByJitterAndDroppedFrames) {
   lab::LabelTrialOptions options = usual();
   options.camera.jitter_s = 0.006;
   options.camera.dropped_share = 0.1;
   expect_all_right(run(options), 4.0);
 }
 
-TEST(FrameLabeler, ARollingShutterGetsTwoFramesAPattern) {
+TEST(FrameLabeler, UsesTwoFramesPerPatternForARollingShutter) {
   lab::LabelTrialOptions options = usual();
   options.camera.exposure_s = 0.01;
   options.camera.readout_s = 0.02;
@@ -63,7 +63,7 @@ TEST(FrameLabeler, ARollingShutterGetsTwoFramesAPattern) {
   EXPECT_GT(result.whole, result.straddled / 2);
 }
 
-TEST(FrameLabeler, WhileNothingIsInFrontOfItTheClockDecides) {
+TEST(FrameLabeler, LabelsByTimeIfNoObjectIsVisible) {
   lab::LabelTrialOptions options = usual();
   const lab::LabelTrialResult result = run(options, [](device::Light light, double time_s) {
     return testing::striped_scene(time_s > 104.0 && time_s < 109.0 ? device::Light::kDark : light,
@@ -72,7 +72,7 @@ TEST(FrameLabeler, WhileNothingIsInFrontOfItTheClockDecides) {
   expect_all_right(result, 4.0);
 }
 
-TEST(FrameLabeler, ASwappedCableIsNamedAndFramesKeepTheNameOfWhatTheyShow) {
+TEST(FrameLabeler, ReportsSwappedCablesAndLabelsFramesByWhatTheyShow) {
   lab::LabelTrialOptions options = usual();
   options.lights.faults.is_swapped = true;
   const lab::LabelTrialResult result = run(options);
@@ -80,20 +80,20 @@ TEST(FrameLabeler, ASwappedCableIsNamedAndFramesKeepTheNameOfWhatTheyShow) {
   EXPECT_EQ(result.fault, LightFault::kSwapped);
 }
 
-TEST(FrameLabeler, ASwitchThatDoesNotActIsNamed) {
+TEST(FrameLabeler, ReportsASwitchWithoutEffect) {
   lab::LabelTrialOptions options = usual();
   options.lights.faults.is_mute = true;
   const lab::LabelTrialResult nothing = run(options);
   EXPECT_EQ(nothing.fault, LightFault::kNothingSeen);
   EXPECT_EQ(nothing.wrong, 0);
-  // It stopped acting while a pattern was lit.
+  // The switch stopped working while a pattern was on.
   const lab::LabelTrialResult stuck = run(options, [](device::Light, double time_s) {
     return testing::striped_scene(device::Light::kVertical, time_s);
   });
   EXPECT_EQ(stuck.fault, LightFault::kStuck);
 }
 
-TEST(FrameLabeler, AProjectorThatNeverShinesIsNamed) {
+TEST(FrameLabeler, ReportsAProjectorThatIsAlwaysDark) {
   lab::LabelTrialOptions options = usual();
   options.lights.faults.no_horizontal = true;
   EXPECT_EQ(run(options).fault, LightFault::kNoHorizontal);
@@ -103,14 +103,14 @@ TEST(FrameLabeler, AProjectorThatNeverShinesIsNamed) {
   EXPECT_EQ(run(options).fault, LightFault::kNoFlash);
 }
 
-TEST(FrameLabeler, FollowsALatencyThatDrifts) {
-  // The camera's clock runs off by a third of a percent: its period is learned, not believed.
+TEST(FrameLabeler, AdaptsToADriftingLatency) {
+  // The camera's clock is wrong by 0.33 %: the true period is learned.
   lab::LabelTrialOptions options = usual();
   options.camera.settings.rate_hz = 30.1;
   expect_all_right(run(options), 4.0);
 }
 
-TEST(FrameLabeler, NamesEveryFaultWithItsRemedy) {
+TEST(FrameLabeler, HasAMessageForEveryFault) {
   for (const LightFault fault : {LightFault::kSwapped, LightFault::kStuck, LightFault::kNoVertical,
                                  LightFault::kNoHorizontal, LightFault::kNoFlash})
     EXPECT_NE(message_of(fault).find("cable"), std::string::npos);

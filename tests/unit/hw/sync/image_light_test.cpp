@@ -10,7 +10,7 @@
 namespace flytri::sync {
 namespace {
 
-/// Lines 6 px wide, 80 px apart, over a patch of the image.
+/// Lines 6 px wide at distances of 80 px in a part of the image.
 cv::Mat lines(Pattern pattern, const cv::Rect& patch, int level) {
   cv::Mat image(480, 640, CV_8UC1, cv::Scalar(8));
   for (int v = patch.y; v < patch.y + patch.height; ++v)
@@ -26,14 +26,14 @@ cv::Mat lines(Pattern pattern, const cv::Rect& patch, int level) {
 
 constexpr int kWide = 640, kHigh = 480;
 
-TEST(ImageLight, TellsThePatternsApartWhereverTheyAre) {
+TEST(ImageLight, DistinguishesThePatternsAnywhereInTheImage) {
   for (const cv::Rect& patch : {cv::Rect(0, 0, kWide, kHigh), cv::Rect(200, 100, 170, 170)}) {
     EXPECT_GT(measure_image_light(lines(Pattern::kVertical, patch, 100)).column_share(), 0.95);
     EXPECT_LT(measure_image_light(lines(Pattern::kHorizontal, patch, 100)).column_share(), 0.05);
   }
 }
 
-TEST(ImageLight, NoiseAloneIsNoLine) {
+TEST(ImageLight, FindsNoLinesInNoise) {
   for (const double sigma : {0.2, 1.0, 5.0, 20.0}) {
     cv::Mat image(768, 1024, CV_8UC1);
     cv::RNG random(7);
@@ -42,30 +42,30 @@ TEST(ImageLight, NoiseAloneIsNoLine) {
   }
 }
 
-TEST(ImageLight, DepthOfTheImageDoesNotMatter) {
+TEST(ImageLight, Gives8And16BitImagesTheSameResult) {
   const cv::Mat eight = lines(Pattern::kVertical, {0, 0, kWide, kHigh}, 100);
   cv::Mat sixteen;
   eight.convertTo(sixteen, CV_16U, 257.0);
   const ImageLight a = measure_image_light(eight), b = measure_image_light(sixteen);
-  // Full scale is 255 and 65535, 257 times as much: only sums of floats differ.
+  // 65535 = 257 * 255, so only rounding differs.
   EXPECT_NEAR(a.along_columns, b.along_columns, 1e-6);
   EXPECT_NEAR(a.area, b.area, 1e-6);
   EXPECT_EQ(a.line_places, b.line_places);
 }
 
-TEST(ImageLight, IsLinearInTheShareOfEachPattern) {
+TEST(ImageLight, IsLinearInTheLightOfEachPattern) {
   const cv::Rect all(0, 0, kWide, kHigh);
   const cv::Mat v = lines(Pattern::kVertical, all, 100), h = lines(Pattern::kHorizontal, all, 100);
   const double pure = measure_image_light(v).along_columns;
   for (const double share : {0.2, 0.5, 0.8}) {
     cv::Mat mixed;
     cv::addWeighted(v, share, h, 1.0 - share, 0.0, mixed);
-    // A tenth of it: where lines cross, the top-hat of one holds part of the other.
+    // Tolerance 10 %: at crossings, the top-hat of one line contains part of the other.
     EXPECT_NEAR(measure_image_light(mixed).along_columns / pure, share, 0.1) << share;
   }
 }
 
-TEST(ImageLight, AnAreaIsNoLine) {
+TEST(ImageLight, FindsNoLinesInAnArea) {
   cv::Mat image(480, 640, CV_8UC1, cv::Scalar(8));
   image(cv::Rect(150, 100, 300, 250)).setTo(150);
   const ImageLight light = measure_image_light(image);
@@ -73,7 +73,7 @@ TEST(ImageLight, AnAreaIsNoLine) {
   EXPECT_LT(light.along_columns + light.along_rows, 0.05 * light.area);
 }
 
-TEST(ImageLight, TellsFramesOfTheVirtualSensorApart) {
+TEST(ImageLight, DistinguishesFramesOfTheVirtualSensor) {
   const TriangleMesh jaw = sample_jaw::make_sample_jaw({}, Workers()).value();
   for (const int bits : {8, 16}) {
     const auto simulator =
@@ -94,7 +94,7 @@ TEST(ImageLight, TellsFramesOfTheVirtualSensorApart) {
   }
 }
 
-TEST(ImageLight, TellsFramesOfAnIndependentRendererApart) {
+TEST(ImageLight, DistinguishesFramesOfAnIndependentRenderer) {
   const auto folder = testing::shared_data() / "recording-quadrant";
   const auto recording = io::open_recording(folder);
   if (!recording) GTEST_SKIP() << "needs " << folder;

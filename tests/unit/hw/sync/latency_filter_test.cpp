@@ -10,7 +10,8 @@ namespace {
 constexpr double kFramePeriod_s = 1.0 / 30.0;
 constexpr double kLatency_s = 0.045;
 
-/// After 400 frames that collect light for `window_s`, while the patterns stay for random times.
+/// The estimate after 400 frames with an exposure window of `window_s` and random pattern
+/// durations.
 LatencyEstimate learn(const LatencyOptions& options, double window_s) {
   LatencyFilter filter(options);
   LightHistory history;
@@ -42,9 +43,9 @@ TEST(LatencyFilter, LearnsLatencyAndWindow) {
   EXPECT_LT(estimate.swapped, 0.01);
 }
 
-// The first and the last rows of a rolling shutter may show nothing of the scene: images look as if
-// light got in for a shorter time.
-TEST(LatencyFilter, NoImageTalksItOutOfTheWindowThatIsTold) {
+// With a rolling shutter, the first and last rows may not see the object; the window then looks
+// shorter than it is.
+TEST(LatencyFilter, NeverEstimatesAWindowBelowTheMinimum) {
   LatencyOptions options;
   options.min_window_s = 0.03;
   const LatencyEstimate estimate = learn(options, 0.01);
@@ -52,7 +53,7 @@ TEST(LatencyFilter, NoImageTalksItOutOfTheWindowThatIsTold) {
   EXPECT_NEAR(estimate.latency_s, kLatency_s, 0.004);
 }
 
-TEST(LatencyFilter, AWindowBeyondAllThatAreThoughtPossibleIsTheLongestOfThem) {
+TEST(LatencyFilter, LimitsTheWindowToTheLongestOfTheGrid) {
   LatencyOptions options;
   options.min_window_s = 1.0;
   EXPECT_NEAR(learn(options, 0.045).window_s, 1.5 * kFramePeriod_s, 1e-9);

@@ -10,13 +10,13 @@ device::LightSwitching switching(std::int64_t request, device::Light light, doub
   return {request, light, before_s, after_s, true};
 }
 
-TEST(LightHistory, IsDarkAtFirst) {
+TEST(LightHistory, StartsDark) {
   const LightTimes times = LightHistory().times(1.0, 3.0);
   EXPECT_DOUBLE_EQ(times.lit(device::Light::kDark), 2.0);
   EXPECT_DOUBLE_EQ(times.changing_s, 0.0);
 }
 
-TEST(LightHistory, SharesOutTimeBetweenLightsAndCalls) {
+TEST(LightHistory, DividesTimeBetweenLightsAndDeviceCalls) {
   LightHistory history;
   history.switched(switching(1, device::Light::kVertical, 1.0, 1.25));
   history.switched(switching(2, device::Light::kHorizontal, 2.0, 2.5));
@@ -27,7 +27,7 @@ TEST(LightHistory, SharesOutTimeBetweenLightsAndCalls) {
   EXPECT_DOUBLE_EQ(times.changing_s, 0.75);
 }
 
-TEST(LightHistory, KnowsNothingAfterARequestIsDueUntilItIsDone) {
+TEST(LightHistory, LightIsUnknownFromDueTimeUntilTheRequestIsDone) {
   LightHistory history;
   history.switched(switching(1, device::Light::kVertical, 0.0, 0.0));
   history.posted(2, 5.0);
@@ -40,7 +40,7 @@ TEST(LightHistory, KnowsNothingAfterARequestIsDueUntilItIsDone) {
   EXPECT_DOUBLE_EQ(times.lit(device::Light::kFlash), 1.25);
 }
 
-TEST(LightHistory, ARefusedRequestChangesNothingAndASkippedOneIsForgotten) {
+TEST(LightHistory, IgnoresRefusedAndSkippedRequests) {
   LightHistory history;
   history.posted(1, 1.0);
   history.posted(2, 2.0);

@@ -15,7 +15,7 @@ using testing::FakeCamera;
 using testing::FakeVideoSystem;
 using ::testing::HasSubstr;
 
-// Two cameras of the same make, and the metadata file of the first.
+// Two cameras of the same model, the metadata device file of the first, and another camera.
 class FindCameraTest : public ::testing::Test {
  protected:
   FindCameraTest() {
@@ -38,13 +38,13 @@ class FindCameraTest : public ::testing::Test {
   std::vector<std::shared_ptr<FakeCamera>> cameras_;
 };
 
-TEST_F(FindCameraTest, FindsByAnyPartOfTheRuleThatIsGiven) {
+TEST_F(FindCameraTest, FindsByAnyGivenField) {
   EXPECT_EQ(find_camera(system_, {"Color", "", ""})->node, "/dev/video3");
   EXPECT_EQ(find_camera(system_, {"", "M1", ""})->node, "/dev/video0");
   EXPECT_EQ(find_camera(system_, {"Mono", "", "1-2"})->node, "/dev/video2");
 }
 
-TEST_F(FindCameraTest, SaysWhatThereIsWhereNoneOrSeveralMatch) {
+TEST_F(FindCameraTest, ListsTheCamerasIfNoneOrSeveralMatch) {
   const auto none = find_camera(system_, {"Mono", "M", ""});
   EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
   EXPECT_THAT(none.error().message, HasSubstr("Color Camera (/dev/video3)"));
@@ -53,7 +53,7 @@ TEST_F(FindCameraTest, SaysWhatThereIsWhereNoneOrSeveralMatch) {
   EXPECT_THAT(several.error().message, HasSubstr("serial M2"));
 }
 
-TEST_F(FindCameraTest, ListsEveryCameraWithWhatIsWrongWithIt) {
+TEST_F(FindCameraTest, ListsEveryCameraWithItsProblems) {
   cameras_[0]->open_error = EACCES;
   cameras_[1]->open_error = EACCES;
   cameras_[2]->errors[VIDIOC_REQBUFS] = EBUSY;
@@ -83,7 +83,8 @@ TEST_F(FindCameraTest, ChecksSettingsWithoutStarting) {
   settings.size = {8, 2};
   const auto problems = check_camera(system_, {"Color", "", ""}, settings);
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_THAT(problems[0].message, HasSubstr("has no GREY of 8 x 2; it has GREY 4 x 2"));
+  EXPECT_THAT(problems[0].message,
+              HasSubstr("does not offer GREY with 8 x 2 pixels: choose one of GREY 4 x 2"));
   EXPECT_EQ(check_camera(system_, {"Blue", "", ""}, settings)[0].code, ErrorCode::kNotFound);
   EXPECT_EQ(cameras_[3]->streaming, 0);
 }

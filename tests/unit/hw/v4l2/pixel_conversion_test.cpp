@@ -10,7 +10,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-TEST(PixelConversion, GreyComesAsItIsWithoutThePaddingOfItsLines) {
+TEST(PixelConversion, CopiesGreyPixelsWithoutPadding) {
   const BufferLayout layout{device::PixelFormat::kGrey8, {3, 2}, 4};
   const auto converted = convert(Bytes{1, 2, 3, 99, 4, 5, 6}, layout, device::Channels::kGrey);
   EXPECT_EQ(converted.outcome, Conversion::kDone);
@@ -18,7 +18,7 @@ TEST(PixelConversion, GreyComesAsItIsWithoutThePaddingOfItsLines) {
   EXPECT_EQ(cv::norm(converted.image, expected, cv::NORM_INF), 0.0);
 }
 
-TEST(PixelConversion, HighestBitOfAPixelIsTheHighestOfSixteen) {
+TEST(PixelConversion, ShiftsPixelsToTheFullScaleOf16Bits) {
   const struct {
     device::PixelFormat format;
     int bits;
@@ -36,9 +36,9 @@ TEST(PixelConversion, HighestBitOfAPixelIsTheHighestOfSixteen) {
   }
 }
 
-// BT.601, limited range: R = 1.164 (Y - 16) + 1.596 (V - 128), and so on; the two pixels share
-// their color. Fixed-point arithmetic may be off by one.
-TEST(PixelConversion, YuyvBecomesRedGreenBlueOrItsLuminance) {
+// BT.601, limited range: R = 1.164 (Y - 16) + 1.596 (V - 128), and so on. Both pixels have the same
+// color. Fixed-point arithmetic may differ by one.
+TEST(PixelConversion, ConvertsYuyvToRgbOrLuminance) {
   const Bytes bytes{81, 90, 145, 240};  // 81, 90, 240 is pure red
   const BufferLayout layout{device::PixelFormat::kYuyv, {2, 1}, 4};
   const auto color = convert(bytes, layout, device::Channels::kRgb);
@@ -52,7 +52,7 @@ TEST(PixelConversion, YuyvBecomesRedGreenBlueOrItsLuminance) {
   EXPECT_EQ(grey.image.at<std::uint8_t>(0, 1), 145);
 }
 
-TEST(PixelConversion, RowsThatAreMissingOrCutOffAreBlack) {
+TEST(PixelConversion, MissingAndIncompleteRowsAreBlack) {
   const BufferLayout layout{device::PixelFormat::kGrey8, {3, 3}, 3};
   const auto converted = convert(Bytes{1, 2, 3, 4, 5}, layout, device::Channels::kGrey);
   EXPECT_EQ(converted.outcome, Conversion::kShort);
@@ -65,18 +65,18 @@ struct Jpeg {
   BufferLayout layout{device::PixelFormat::kMjpeg, {32, 16}, 0};
   Bytes bytes;
   Jpeg() {
-    // Blue in the order of OpenCV.
+    // Blue, in OpenCV's channel order.
     const cv::Mat image(16, 32, CV_8UC3, cv::Scalar(200, 30, 10));
     cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, 100});
   }
 };
 
-TEST(PixelConversion, JpegIsDecodedAlsoWithZerosBehindIt) {
+TEST(PixelConversion, DecodesJpegFollowedByZeros) {
   Jpeg jpeg;
   jpeg.bytes.resize(jpeg.bytes.size() + 100, 0);
   const auto converted = convert(jpeg.bytes, jpeg.layout, device::Channels::kRgb);
   ASSERT_EQ(converted.outcome, Conversion::kDone);
-  // The color space of JPEG rounds.
+  // The color conversion of JPEG rounds.
   const auto pixel = converted.image.at<cv::Vec3b>(8, 8);
   EXPECT_NEAR(pixel[0], 10, 3);
   EXPECT_NEAR(pixel[1], 30, 3);
@@ -84,7 +84,7 @@ TEST(PixelConversion, JpegIsDecodedAlsoWithZerosBehindIt) {
   EXPECT_EQ(convert(jpeg.bytes, jpeg.layout, device::Channels::kGrey).image.type(), CV_8UC1);
 }
 
-TEST(PixelConversion, DamagedJpegIsBlackAndSaidToBeSo) {
+TEST(PixelConversion, DamagedJpegIsBlackAndReported) {
   Jpeg jpeg;
   Bytes cut = jpeg.bytes;
   cut.resize(cut.size() / 2);

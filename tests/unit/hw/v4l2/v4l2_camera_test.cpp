@@ -19,7 +19,7 @@ using testing::ManualClock;
 
 constexpr double kPeriod_s = 0.1;
 
-// A fake camera of 4 x 2 grey pixels at 10 Hz, and what reads it.
+// A fake camera with 4 x 2 grey pixels at 10 Hz, and the V4l2Camera that reads it.
 class V4l2CameraTest : public ::testing::Test {
  protected:
   V4l2CameraTest() {
@@ -40,7 +40,7 @@ class V4l2CameraTest : public ::testing::Test {
     ASSERT_TRUE(started) << started.error().message;
   }
 
-  // A frame arrives one period after the one before.
+  // Delivers a frame one period after the previous one.
   FakeBuffer& deliver(std::uint32_t sequence) {
     clock_.turn(kPeriod_s);
     fake_->frames.push_back({std::vector<std::uint8_t>(8, 7), sequence, clock_.now_s() - 0.01});
@@ -66,7 +66,7 @@ class V4l2CameraTest : public ::testing::Test {
   std::unique_ptr<V4l2Camera> camera_;
 };
 
-TEST_F(V4l2CameraTest, DeliversImagesWithTheDriversTimeAndNumber) {
+TEST_F(V4l2CameraTest, DeliversImagesWithTimeAndNumberOfTheDriver) {
   start();
   deliver(0).bytes = {1, 2, 3, 4, 5, 6, 7, 8};
   const device::CameraFrame frame = take();
@@ -81,7 +81,7 @@ TEST_F(V4l2CameraTest, DeliversImagesWithTheDriversTimeAndNumber) {
   EXPECT_EQ(camera_->status().delivered, 2);
 }
 
-TEST_F(V4l2CameraTest, CountsGapsAlsoWhereTheNumberTurnsOver) {
+TEST_F(V4l2CameraTest, CountsGapsAcrossAWrapAroundOfTheNumber) {
   start();
   deliver(0);
   take();
@@ -109,18 +109,18 @@ TEST_F(V4l2CameraTest, MarksAndCountsDamagedFrames) {
   EXPECT_EQ(camera_->status().delivered, 3);
 }
 
-TEST_F(V4l2CameraTest, TakesTheTimeOfArrivalWhereTheStampIsNone) {
+TEST_F(V4l2CameraTest, ReplacesImplausibleTimesByTheTimeOfArrival) {
   start();
   deliver(0).monotonic = false;
   EXPECT_EQ(take().time_s, clock_.now_s());
-  deliver(1).time_s = clock_.now_s() + 1.0;  // of the future
+  deliver(1).time_s = clock_.now_s() + 1.0;  // in the future
   EXPECT_EQ(take().time_s, clock_.now_s());
   deliver(2).time_s = 1.0;  // backwards
   EXPECT_EQ(take().time_s, clock_.now_s());
   EXPECT_EQ(camera_->status().restamped, 3);
 }
 
-TEST_F(V4l2CameraTest, GoesOnAfterItWasUnpluggedUnderAnotherNode) {
+TEST_F(V4l2CameraTest, ReconnectsUnderAnotherDeviceFile) {
   start();
   deliver(0);
   const std::int64_t before = take().sequence;
@@ -140,7 +140,7 @@ TEST_F(V4l2CameraTest, GoesOnAfterItWasUnpluggedUnderAnotherNode) {
   EXPECT_EQ(camera_->status().restarted, 0);
 }
 
-TEST_F(V4l2CameraTest, StartsABrokenStreamAgain) {
+TEST_F(V4l2CameraTest, RestartsABrokenStream) {
   start();
   deliver(0).error = EIO;
   expect_none(0.0);
@@ -154,7 +154,7 @@ TEST_F(V4l2CameraTest, StartsABrokenStreamAgain) {
   take();
 }
 
-TEST_F(V4l2CameraTest, FrozenCountsOnceAndIsSetUpAnewUntilFramesCome) {
+TEST_F(V4l2CameraTest, CountsFrozenOnceAndRestartsUntilFramesArrive) {
   start();
   deliver(0);
   take();
@@ -172,7 +172,7 @@ TEST_F(V4l2CameraTest, FrozenCountsOnceAndIsSetUpAnewUntilFramesCome) {
   EXPECT_EQ(camera_->status().message, "");
 }
 
-TEST_F(V4l2CameraTest, OneLongWaitWithoutAFrameIsFrozenToo) {
+TEST_F(V4l2CameraTest, IsFrozenAfterOneLongWaitWithoutAFrame) {
   start();
   expect_none(3.0);
   EXPECT_EQ(camera_->status().state, device::CameraState::kFrozen);
@@ -182,7 +182,7 @@ TEST_F(V4l2CameraTest, OneLongWaitWithoutAFrameIsFrozenToo) {
   EXPECT_EQ(camera_->status().restarted, 1);
 }
 
-TEST_F(V4l2CameraTest, ASlowCameraIsNotSetUpAnewBetweenItsFrames) {
+TEST_F(V4l2CameraTest, DoesNotRestartASlowCamera) {
   settings_.rate_hz = 0.4;
   start();
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -194,7 +194,7 @@ TEST_F(V4l2CameraTest, ASlowCameraIsNotSetUpAnewBetweenItsFrames) {
   EXPECT_EQ(camera_->status().restarted, 0);
 }
 
-TEST_F(V4l2CameraTest, StopLetsTheCameraGo) {
+TEST_F(V4l2CameraTest, StopReleasesTheCamera) {
   start();
   EXPECT_EQ(fake_->streaming, 1);
   camera_->stop();
@@ -204,7 +204,7 @@ TEST_F(V4l2CameraTest, StopLetsTheCameraGo) {
   EXPECT_EQ(camera_->status().state, device::CameraState::kRunning);
 }
 
-TEST_F(V4l2CameraTest, SaysWhyItDoesNotStart) {
+TEST_F(V4l2CameraTest, ReportsAFailedStart) {
   const auto expect_failure = [&](ErrorCode code, const std::string& remedy) {
     make_camera();
     const auto started = camera_->start();
@@ -224,7 +224,7 @@ TEST_F(V4l2CameraTest, SaysWhyItDoesNotStart) {
   expect_failure(ErrorCode::kBadOption, "USB bus is too slow");
   fake_->errors.clear();
   settings_.format = device::PixelFormat::kGrey12;
-  expect_failure(ErrorCode::kBadOption, "it has GREY 4 x 2");
+  expect_failure(ErrorCode::kBadOption, "choose one of GREY 4 x 2");
   fake_->present = false;
   expect_failure(ErrorCode::kNotFound, "plug it in");
 }

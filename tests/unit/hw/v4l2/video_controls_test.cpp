@@ -37,7 +37,7 @@ class VideoControlsTest : public ::testing::Test {
   std::unique_ptr<VideoDevice> device_;
 };
 
-TEST_F(VideoControlsTest, AutomaticModesAreOffEvenWhereNothingElseIsAsked) {
+TEST_F(VideoControlsTest, TurnsAutomaticModesOffEvenWithoutRequestedValues) {
   const auto read_back = set({});
   ASSERT_TRUE(read_back) << read_back.error().message;
   EXPECT_EQ(value(V4L2_CID_EXPOSURE_AUTO), V4L2_EXPOSURE_MANUAL);
@@ -48,7 +48,7 @@ TEST_F(VideoControlsTest, AutomaticModesAreOffEvenWhereNothingElseIsAsked) {
   EXPECT_EQ(read_back->focus, std::nullopt);
 }
 
-TEST_F(VideoControlsTest, WhatIsAskedIsSetInTheCamerasStepsAndReadBack) {
+TEST_F(VideoControlsTest, SetsValuesInStepsOfTheCameraAndReadsThemBack) {
   device::CameraSettings settings;
   settings.exposure_s = 0.00333;
   settings.gain = 20.4;
@@ -59,20 +59,21 @@ TEST_F(VideoControlsTest, WhatIsAskedIsSetInTheCamerasStepsAndReadBack) {
   EXPECT_EQ(read_back->gain, 20.0);
 }
 
-TEST_F(VideoControlsTest, RefusesWhatTheCameraDoesNotHave) {
+TEST_F(VideoControlsTest, RefusesMissingControlsAndValuesOutOfRange) {
   device::CameraSettings settings;
   settings.exposure_s = 1.0;
-  EXPECT_THAT(set(settings).error().message, HasSubstr("exposure_s is 1, it takes 0.0001 to 0.5"));
+  EXPECT_THAT(set(settings).error().message,
+              HasSubstr("exposure_s is 1, but must be in 0.0001 to 0.5"));
   settings.exposure_s.reset();
   settings.gain = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(set(settings).error().message, HasSubstr("it takes 0 to 63"));
+  EXPECT_THAT(set(settings).error().message, HasSubstr("must be in 0 to 63"));
   settings.gain.reset();
   settings.focus = 1.0;
-  EXPECT_THAT(set(settings).error().message, HasSubstr("has no focus"));
+  EXPECT_THAT(set(settings).error().message, HasSubstr("has no control focus"));
   EXPECT_EQ(set(settings).error().code, ErrorCode::kBadOption);
 }
 
-TEST_F(VideoControlsTest, AControlThatAnAutomaticModeHoldsIsNoMatterOfTheUsersRights) {
+TEST_F(VideoControlsTest, ReportsAControlLockedByAnAutomaticMode) {
   fake_->errors[VIDIOC_S_CTRL] = EACCES;
   fake_->controls[V4L2_CID_AUTOGAIN].value = 0;
   const auto failed = set({});
@@ -81,7 +82,7 @@ TEST_F(VideoControlsTest, AControlThatAnAutomaticModeHoldsIsNoMatterOfTheUsersRi
   EXPECT_THAT(failed.error().message, HasSubstr("automatic mode"));
 }
 
-TEST_F(VideoControlsTest, NamesTheControlThatFails) {
+TEST_F(VideoControlsTest, ReportsWhichControlFailed) {
   fake_->errors[VIDIOC_S_CTRL] = EIO;
   const auto failed = set({});
   ASSERT_FALSE(failed);

@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-/// Small, with every kind of entry: a line that begins late, and rows that are not calibrated.
+/// A small calibration with every kind of entry: a line that starts late, rows without calibration.
 calibration::Calibration sample_calibration() {
   calibration::Calibration calibration;
   calibration.volume.size_mm = {20, 15, 15};
@@ -83,7 +83,7 @@ TEST(CalibrationJson, IgnoresUnknownKeys) {
   EXPECT_TRUE(parse_calibration(root.dump(), "c.json").has_value());
 }
 
-TEST(CalibrationJson, EveryKeyIsNeededAndNamed) {
+TEST(CalibrationJson, EveryKeyIsRequiredAndReported) {
   const json whole = sample_json().flatten();
   for (const auto& [pointer, value] : whole.items()) {
     json root = sample_json();
@@ -98,14 +98,14 @@ TEST(CalibrationJson, EveryKeyIsNeededAndNamed) {
   }
 }
 
-/// A value put at a place, and the key that the refusal names.
+/// A wrong value at a place, and the key that the message must contain.
 struct Damage {
   const char* pointer;
   json value;
   const char* says;
 };
 
-TEST(CalibrationJson, RefusesValuesOutOfRangeByKey) {
+TEST(CalibrationJson, ReportsTheKeyOfValuesOutOfRange) {
   const json nan = nullptr;  // JSON writes NaN as null
   const Damage damages[] = {
       {"/version", 2, "version"},

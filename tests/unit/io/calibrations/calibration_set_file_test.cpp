@@ -28,7 +28,7 @@ calibration::CalibrationSet small_set() {
   return set;
 }
 
-TEST(CalibrationSetFile, WhatIsWrittenIsRead) {
+TEST(CalibrationSetFile, ReadsWhatItWrote) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_calibration_set(folder.path(), small_set()));
   const Result<calibration::CalibrationSet> set = read_calibration_set(folder.path());
@@ -42,7 +42,7 @@ TEST(CalibrationSetFile, WhatIsWrittenIsRead) {
   EXPECT_EQ(set->planes[1].dots_texture.at<cv::Vec3b>(0, 0), cv::Vec3b(1, 2, 3));
 }
 
-TEST(CalibrationSetFile, OddImagesAreNamed) {
+TEST(CalibrationSetFile, ReportsImagesOfAnotherSizeOrType) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_calibration_set(folder.path(), small_set()));
   ASSERT_TRUE(write_png(folder / "z01_h.png", cv::Mat(5, 6, CV_16UC1, cv::Scalar(0))));

@@ -22,7 +22,7 @@ std::size_t entries_in(const std::filesystem::path& folder) {
                                                 std::filesystem::directory_iterator()));
 }
 
-TEST(AtomicFile, ReplacesAtOnceOrNotAtAll) {
+TEST(AtomicFile, ReplacesCompletelyOrNotAtAll) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "a.bin";
   ASSERT_TRUE(write_file(path, "old"));
@@ -53,8 +53,52 @@ TEST(AtomicFile, FullDiskKeepsTheOldFile) {
   EXPECT_EQ(entries_in(folder.path()), 1U);
 }
 
-// The recorder and the case write at the same time.
-TEST(AtomicFile, PermissionsAreThoseOfTheProcessWhateverOtherThreadsWrite) {
+AtomicFile prepared(const std::filesystem::path& path, std::string_view bytes) {
+  AtomicFile file = AtomicFile::create(path).value();
+  EXPECT_TRUE(file.write(bytes));
+  return file;
+}
+
+std::vector<AtomicFile> two_files(const TemporaryFolder& folder) {
+  std::vector<AtomicFile> files;
+  files.push_back(prepared(folder / "a.bin", "new a"));
+  files.push_back(prepared(folder / "b.bin", "new b"));
+  return files;
+}
+
+TEST(CommitTogether, ReplacesAllFiles) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder / "a.bin", "old a"));
+  ASSERT_TRUE(commit_together(two_files(folder)));
+  EXPECT_EQ(*read_file(folder / "a.bin"), "new a");
+  EXPECT_EQ(*read_file(folder / "b.bin"), "new b");
+  EXPECT_EQ(entries_in(folder.path()), 2U);
+}
+
+// A folder gets the name of the second file before its rename, which therefore fails.
+TEST(CommitTogether, RestoresTheFirstFileIfTheSecondFails) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder / "a.bin", "old a"));
+  std::vector<AtomicFile> files = two_files(folder);
+  ASSERT_TRUE(create_folder(folder / "b.bin"));
+  const Result<void> committed = commit_together(std::move(files));
+  ASSERT_FALSE(committed);
+  EXPECT_THAT(committed.error().message, HasSubstr("b.bin: cannot be written"));
+  EXPECT_EQ(*read_file(folder / "a.bin"), "old a");
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "b.bin"));
+  EXPECT_EQ(entries_in(folder.path()), 2U);
+}
+
+TEST(CommitTogether, RemovesTheFirstFileIfTheSecondFails) {
+  const TemporaryFolder folder;
+  std::vector<AtomicFile> files = two_files(folder);
+  ASSERT_TRUE(create_folder(folder / "b.bin"));
+  EXPECT_FALSE(commit_together(std::move(files)));
+  EXPECT_EQ(entries_in(folder.path()), 1U);
+}
+
+// The recorder and the case write at the same time, each on its own thread.
+TEST(AtomicFile, PermissionsFollowTheUmaskWhileOtherThreadsWrite) {
   const TemporaryFolder folder;
   const mode_t former = ::umask(027);
   std::vector<std::thread> threads;
@@ -74,7 +118,7 @@ TEST(AtomicFile, PermissionsAreThoseOfTheProcessWhateverOtherThreadsWrite) {
   }
 }
 
-TEST(AtomicFile, SaysWhatToDoAboutAMissingFolder) {
+TEST(AtomicFile, MissingFolderIsReportedWithARemedy) {
   const TemporaryFolder folder;
   const Result<void> written = write_file(folder / "none/a.bin", "x");
   ASSERT_FALSE(written);
@@ -86,7 +130,7 @@ TEST(AtomicFile, FoldersWithoutPermissionAreRefused) {
   const TemporaryFolder folder;
   std::filesystem::permissions(
       folder.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  // Root may write anywhere, so the test steps down for this one call.
+  // Root may write anywhere: for this call the test becomes another user.
   const bool is_root = ::geteuid() == 0;
   constexpr uid_t kNobody = 65534;
   if (is_root) {
@@ -103,7 +147,7 @@ TEST(AtomicFile, FoldersWithoutPermissionAreRefused) {
   EXPECT_THAT(written.error().message, HasSubstr("change the permissions"));
 }
 
-TEST(ReadFile, NamesWhatCannotBeRead) {
+TEST(ReadFile, RefusesMissingFilesFoldersAndDevices) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_file(folder / "none").error().code, ErrorCode::kNotFound);
   EXPECT_EQ(read_file(folder.path()).error().code, ErrorCode::kBadFormat);

@@ -27,7 +27,7 @@ TEST_P(Png, KeepsEveryPixel) {
   EXPECT_EQ(cv::norm(*back, image, cv::NORM_INF), 0.0);
 }
 
-TEST_P(Png, TheQuickWayKeepsEveryPixelToo) {
+TEST_P(Png, CameraPngKeepsEveryPixel) {
   for (const cv::Mat& image :
        {random_image(GetParam()), cv::Mat(random_image(GetParam())(cv::Rect(3, 2, 31, 30))),
         cv::Mat(cv::Mat::zeros(5, 1, GetParam()))}) {
@@ -63,7 +63,7 @@ TEST(PngColor, RedComesFirst) {
   EXPECT_EQ(decode_png(*encode_png(red), "red.png")->at<cv::Vec3b>(0, 0), cv::Vec3b(200, 10, 20));
 }
 
-TEST(PngColor, RefusesTypesThatPngOrTheContractLacks) {
+TEST(PngColor, RefusesOtherImageTypes) {
   EXPECT_FALSE(encode_png(cv::Mat()));
   EXPECT_FALSE(encode_png(cv::Mat(4, 4, CV_32FC1, cv::Scalar(0))));
   EXPECT_FALSE(encode_png(cv::Mat(4, 4, CV_8UC4, cv::Scalar(0))));

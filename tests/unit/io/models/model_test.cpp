@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
+#include "core/io/models/model_formats.h"
 #include "core/io/models/obj.h"
 #include "core/io/models/stl.h"
 #include "tests/support/colored_sphere.h"
@@ -18,8 +21,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Calls `compare(index in a, index in b)` for the corners of all triangles in their order: formats
-/// may leave out unused vertices and number the others anew.
+/// Calls `compare(index in a, index in b)` for the corners of all triangles in order: a format may
+/// omit unused vertices and change indices.
 template <typename Compare>
 void for_each_corner(const TexturedMesh& a, const TexturedMesh& b, const Compare& compare) {
   ASSERT_EQ(a.mesh.triangles.size(), b.mesh.triangles.size());
@@ -31,7 +34,7 @@ void for_each_corner(const TexturedMesh& a, const TexturedMesh& b, const Compare
 void expect_same_surface(const TexturedMesh& a, const TexturedMesh& b) {
   for_each_corner(a, b, [&](std::uint32_t i, std::uint32_t j) {
     ASSERT_EQ(a.mesh.vertices[i].position_mm, b.mesh.vertices[j].position_mm);
-    // Normals are normalized once more where a format requires it: a rounding error.
+    // Some formats require normalized normals: a rounding error.
     ASSERT_LT((a.mesh.vertices[i].normal - b.mesh.vertices[j].normal).norm(), 1e-6F);
   });
 }
@@ -45,7 +48,7 @@ void expect_same_colors(const TexturedMesh& a, const TexturedMesh& b) {
 void expect_same_texture(const TexturedMesh& a, const TexturedMesh& b) {
   ASSERT_EQ(b.uv.size(), b.mesh.vertices.size());
   for_each_corner(a, b, [&](std::uint32_t i, std::uint32_t j) {
-    // OBJ turns v over and back: a rounding error of numbers up to 1.
+    // OBJ stores 1 - v: a rounding error of numbers up to 1.
     ASSERT_LT((a.uv[i] - b.uv[j]).norm(), 1e-6F);
   });
   ASSERT_EQ(a.atlas.size(), b.atlas.size());
@@ -110,16 +113,18 @@ TEST(Model, StlKeepsTriangles) {
                 model.mesh.vertices[model.mesh.triangles[i][c]].position_mm);
     }
   }
-  // Computed normals of a sphere point along its radius, as well as facets of 0.2 rad let them.
+  // The computed normals of a sphere point along the radius, within the accuracy of facets of 0.2
+  // rad.
   for (const SurfacePoint& point : back->mesh.vertices) {
     EXPECT_GT(point.normal.dot(point.position_mm.normalized()), 0.98F);
   }
 }
 
-TEST(Model, UnknownEndingListsTheKnownOnes) {
+TEST(Model, UnknownExtensionListsTheKnownOnes) {
   const Result<void> written = write_model("a.xyz", colored_sphere());
   ASSERT_FALSE(written);
-  EXPECT_THAT(written.error().message, HasSubstr(".glb, .ply, .stl or .obj"));
+  EXPECT_EQ(written.error().message, "a.xyz: unknown model format; the name must end in " +
+                                         extension_list(FormatUse::kWrite));
   EXPECT_FALSE(check_model_path("noending"));
   EXPECT_FALSE(read_model("a.xyz"));
 }
@@ -142,16 +147,94 @@ TEST(Model, DamagedModelsAreNotWritten) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.glb"));
 }
 
-TEST(Model, FullDiskLeavesNothingHalfWritten) {
-  const TemporaryFolder folder;
+/// Names in a folder with the bytes of each file; subfolders count as empty files.
+std::map<std::string, std::string> contents_of(const TemporaryFolder& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    contents[entry.path().filename().string()] =
+        entry.is_directory() ? "" : read_file(entry.path()).value();
+  }
+  return contents;
+}
+
+TEST(Model, FullDiskLeavesTheFolderAsItWas) {
   const TexturedMesh model = textured_sphere();
-  for (const char* name : {"a.glb", "a.ply", "a.stl", "a.obj"}) {
-    const FullDisk disk(3000);
-    const Result<void> written = write_model(folder / name, model);
+  for (const ModelFormat& format : model_formats()) {
+    const TemporaryFolder folder;
+    const std::string name = "a" + std::string(format.extension);
+    for (const std::filesystem::path& file : files_of_model(folder / name)) {
+      ASSERT_TRUE(write_file(file, "former"));
+    }
+    const auto before = contents_of(folder);
+    Result<void> written;
+    {
+      const FullDisk disk(3000);
+      written = write_model(folder / name, model);
+    }
     ASSERT_FALSE(written) << name;
     EXPECT_EQ(written.error().code, ErrorCode::kWriteFailed);
-    EXPECT_THAT(written.error().message, HasSubstr(name));
-    EXPECT_FALSE(std::filesystem::exists(folder / name));
+    EXPECT_THAT(written.error().message, HasSubstr((folder / "a.").string()));
+    EXPECT_EQ(contents_of(folder), before) << name;
+  }
+}
+
+// The texture would fit on the disk, the surface does not.
+TEST(Model, ObjLeavesNoTextureWithoutItsSurface) {
+  const TexturedMesh model = textured_sphere();
+  const TemporaryFolder trial;
+  ASSERT_TRUE(write_model(trial / "a.obj", model));
+  const auto size_of = [&](const char* name) { return std::filesystem::file_size(trial / name); };
+  ASSERT_LT(size_of("a.png"), size_of("a.obj") - 1);
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder / "a.png", "former"));
+  const auto before = contents_of(folder);
+  {
+    const FullDisk disk(size_of("a.obj") - 1);
+    EXPECT_FALSE(write_model(folder / "a.obj", model));
+  }
+  EXPECT_EQ(contents_of(folder), before);
+}
+
+TEST(Model, ObjIsNotWrittenWithoutItsMaterial) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(create_folder(folder / "a.mtl"));
+  ASSERT_TRUE(write_file(folder / "a.png", "former"));
+  const auto before = contents_of(folder);
+  EXPECT_FALSE(write_model(folder / "a.obj", textured_sphere()));
+  EXPECT_EQ(contents_of(folder), before);
+}
+
+TEST(ModelFormats, NoTwoFormatsWriteTheSameFile) {
+  std::set<std::filesystem::path> files;
+  for (const ModelFormat& format : model_formats()) {
+    for (const auto& file : files_of_model("jaw" + std::string(format.extension))) {
+      EXPECT_TRUE(files.insert(file).second) << file;
+    }
+  }
+}
+
+TEST(ModelFormats, WriteExactlyTheFilesInTheTable) {
+  for (const ModelFormat& format : model_formats()) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / ("jaw" + std::string(format.extension));
+    ASSERT_TRUE(write_model(path, textured_sphere()));
+    EXPECT_EQ(contents_of(folder).size(), 1 + format.companions.size()) << path;
+    for (const std::filesystem::path& file : files_of_model(path)) {
+      EXPECT_TRUE(std::filesystem::exists(file)) << file;
+    }
+  }
+}
+
+TEST(ModelFormats, KeepWhatTheTableSays) {
+  TexturedMesh model = textured_sphere();
+  for (SurfacePoint& point : model.mesh.vertices) point.sigma_mm = 0.5F;
+  for (const ModelFormat& format : model_formats()) {
+    if (format.read == nullptr) continue;
+    const Result<TexturedMesh> back = there_and_back(model, "a" + std::string(format.extension));
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(!back->atlas.empty(), format.holds_texture) << format.extension;
+    EXPECT_EQ(back->mesh.vertices[0].sigma_mm == 0.5F, format.holds_uncertainty)
+        << format.extension;
   }
 }
 
@@ -169,10 +252,11 @@ TEST(Model, TruncatedFilesAreRefused) {
   }
 }
 
-TEST(Obj, DamageIsNamedByLine) {
+TEST(Obj, DamageIsReportedWithItsLine) {
   const Result<ObjText> obj = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "a.obj");
   ASSERT_FALSE(obj);
-  EXPECT_EQ(obj.error().message, "a.obj: line 4 is damaged, or names what does not exist");
+  EXPECT_EQ(obj.error().message,
+            "a.obj: line 4 is damaged or refers to a missing vertex, normal or texture coordinate");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TEST(Ply, ReadsTextInAnyOrderWithExtras) {
+TEST(Ply, ReadsTextWithPropertiesInAnyOrder) {
   const Result<PlyMesh> ply = parse_ply(
       "ply\r\nformat ascii 1.0\ncomment hand made\nelement vertex 4\nproperty int lit\n"
       "property double z\nproperty float y\nproperty float x\nproperty list uchar int rings\n"
@@ -60,23 +60,23 @@ TEST_P(BadPlyText, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     Texts, BadPlyText,
     ::testing::Values(
-        BadPly{"", "not a PLY file"}, BadPly{"solid\n", "not a PLY file"},
+        BadPly{"", "is not a PLY file"}, BadPly{"solid\n", "is not a PLY file"},
         BadPly{"ply\nformat binary_big_endian 1.0\n", "line 2"},
         BadPly{PLY_HEAD "4000000000000\n" PLY_XYZ "end_header\n0 0 0\n", "truncated PLY"},
         BadPly{PLY_HEAD "1000\nend_header\n", "truncated PLY"},
-        BadPly{PLY_HEAD "1\nproperty float x\nend_header\n0\n", "expected an element"},
-        BadPly{PLY_HEAD "1\n" PLY_XYZ "end_header\n0 nan 0\n", "vertex 0 is not a number"},
+        BadPly{PLY_HEAD "1\nproperty float x\nend_header\n0\n", "no element \"vertex\""},
+        BadPly{PLY_HEAD "1\n" PLY_XYZ "end_header\n0 nan 0\n", "vertex 0 has a coordinate"},
         BadPly{PLY_HEAD "1\n" PLY_XYZ "end_header\n0 0 zero\n", "truncated or damaged"},
         BadPly{PLY_HEAD "1\n" PLY_XYZ
                         "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
                         "0 0 0\n3 0 0 1\n",
-               "a face names vertex 1"}));
+               "a face refers to vertex 1"}));
 #undef PLY_HEAD
 #undef PLY_XYZ
 
 TEST(Ply, ReadsTheTruthOfTheRealRecording) {
   const std::filesystem::path path = testing::shared_data() / "recording-quadrant/jaw.ply";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no recordings beside the checkout";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the shared recordings are missing";
   const Result<PlyMesh> jaw = read_ply(path);
   ASSERT_TRUE(jaw) << jaw.error().message;
   EXPECT_EQ(jaw->mesh.vertices.size(), 50643U);

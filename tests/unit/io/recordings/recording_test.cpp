@@ -17,7 +17,7 @@ Frame frame_of(FrameKind kind, double time_s, double value) {
   return {FrameIndex(0), kind, time_s, cv::Mat(6, 8, type, cv::Scalar::all(value))};
 }
 
-/// Vertical, horizontal, texture; the third image is 30 everywhere.
+/// A vertical, a horizontal and a texture frame; all pixels of the texture frame are 30.
 void write_three_frames(const std::filesystem::path& folder) {
   Result<RecordingWriter> writer = RecordingWriter::create(folder, "calibration.json");
   ASSERT_TRUE(writer) << writer.error().message;
@@ -27,7 +27,7 @@ void write_three_frames(const std::filesystem::path& folder) {
   ASSERT_TRUE(writer->write_list());
 }
 
-TEST(Recording, WhatIsWrittenIsRead) {
+TEST(Recording, ReadsWhatItWrote) {
   const TemporaryFolder folder;
   write_three_frames(folder / "scan");
   const Result<Recording> recording = open_recording(folder / "scan");
@@ -41,7 +41,7 @@ TEST(Recording, WhatIsWrittenIsRead) {
   EXPECT_EQ(frame->image.at<std::uint16_t>(5, 7), 65535);
 }
 
-TEST(Recording, DamagedFileCostsThatFrameAlone) {
+TEST(Recording, ADamagedFileAffectsOnlyItsFrame) {
   const TemporaryFolder folder;
   write_three_frames(folder.path());
   const std::filesystem::path damaged = folder / "frames/000001.png";
@@ -57,7 +57,7 @@ TEST(Recording, DamagedFileCostsThatFrameAlone) {
   EXPECT_EQ(load_frame(*recording, FrameIndex(1)).error().code, ErrorCode::kNotFound);
 }
 
-TEST(Recording, WithoutCloseItIsNoRecording) {
+TEST(Recording, WithoutAListItIsNotARecording) {
   const TemporaryFolder folder;
   {
     Result<RecordingWriter> writer = RecordingWriter::create(folder.path());
@@ -66,7 +66,7 @@ TEST(Recording, WithoutCloseItIsNoRecording) {
   EXPECT_EQ(open_recording(folder.path()).error().code, ErrorCode::kNotFound);
 }
 
-TEST(Recording, WriterRefusesWhatTheReaderWould) {
+TEST(Recording, WriterRefusesWhatTheReaderRefuses) {
   const TemporaryFolder folder;
   Result<RecordingWriter> writer = RecordingWriter::create(folder.path());
   EXPECT_EQ(writer->write_list().error().code, ErrorCode::kInsufficient);
@@ -84,7 +84,7 @@ struct BadText {
 
 class BadRecording : public ::testing::TestWithParam<BadText> {};
 
-TEST_P(BadRecording, IsRefusedWithFilePlaceAndExpectation) {
+TEST_P(BadRecording, IsRefusedWithFileAndKey) {
   const Result<Recording> recording = parse_recording(GetParam().text, "r.json");
   ASSERT_FALSE(recording);
   EXPECT_THAT(recording.error().message, HasSubstr("r.json: "));
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"{\n \"version\": NaN }", "not valid JSON at line 2"},
         BadText{R"({"version":1,"frames":[]})", "\"format\": expected this key"},
         BadText{R"({"format":"flytri.recording","version":2,"frames":[]})",
-                "\"version\": expected 1; this program reads no other version"},
+                "\"version\": expected 1; this version of flytri reads no other"},
         BadText{R"({"format":"flytri.recording","version":1})", "\"frames\": expected this key"},
         BadText{R"({"format":"flytri.recording","version":1,"frames":[]})", "is empty"},
         BadText{
@@ -125,7 +125,7 @@ TEST(Recording, UnknownKeysAreIgnored) {
 
 TEST(Recording, RealRecordingOpens) {
   const std::filesystem::path folder = testing::shared_data() / "recording-quadrant";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no recordings beside the checkout";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the shared recordings are missing";
   const Result<Recording> recording = open_recording(folder);
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_EQ(recording->frames.size(), 210U);

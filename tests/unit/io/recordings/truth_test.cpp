@@ -8,7 +8,7 @@
 namespace flytri::io {
 namespace {
 
-TEST(Truth, WhatIsWrittenIsRead) {
+TEST(Truth, ReadsWhatItWrote) {
   const TemporaryFolder folder;
   Truth truth{"jaw.ply", {}};
   Twist twist;
@@ -20,11 +20,11 @@ TEST(Truth, WhatIsWrittenIsRead) {
   EXPECT_EQ(back->mesh, folder / "jaw.ply");
   ASSERT_EQ(back->poses.size(), 1U);
   EXPECT_EQ(back->poses[0].frame, FrameIndex(3));
-  // The way through a quaternion costs a few rounding errors of numbers below 10.
+  // The conversion to a quaternion and back causes rounding errors of numbers below 10.
   EXPECT_TRUE(back->poses[0].T_model_sensor.isApprox(truth.poses[0].T_model_sensor, 1e-14));
 }
 
-TEST(Truth, RefusesWhatIsNoRotation) {
+TEST(Truth, RefusesARotationThatIsNotOne) {
   const Result<Truth> truth = parse_truth(
       R"({"format":"flytri.truth","version":1,"mesh":"m.ply","poses":[{"frame":0,"file":"f","time_s":0,
           "q_wxyz":[1,1,0,0],"t_mm":[0,0,0]}]})",

@@ -121,15 +121,15 @@ TEST(KeyMap, ConfirmExportsWhatIsTicked) {
   view.scan = scan_in(scan::ScanPhase::kFinished);
   WindowState state;
   state.dialog = Dialog::kExport;
-  state.export_form = {"/tmp", "jaw", {true, false, true, false}, true};
+  state.export_form = {"/tmp", "jaw", {".glb", ".stl"}, true};
   std::vector<Command> commands;
   perform(Action::kConfirm, view, state, commands);
   ASSERT_EQ(commands.size(), 1U);
   const auto& command = std::get<Export>(commands.front());
   EXPECT_EQ(command.folder, "/tmp");
   EXPECT_EQ(command.name, "jaw");
-  EXPECT_EQ(command.formats, (std::vector{ExportFormat::kGlb, ExportFormat::kStl}));
-  state.export_form.is_chosen = {};
+  EXPECT_EQ(command.formats, (std::vector<std::string_view>{".glb", ".stl"}));
+  state.export_form.formats = {};
   EXPECT_FALSE(action_state(Action::kConfirm, view, state).is_enabled);
 }
 

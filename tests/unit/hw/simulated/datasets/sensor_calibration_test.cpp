@@ -16,14 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The files in a folder.
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
   return files;
 }
 
-// Of depths along each line that the camera sees in whole rows: the root mean square error, mm.
+// RMS depth error along each line at whole camera rows, mm.
 double depth_error_mm(const SensorModel& sensor, const calibration::Calibration& calibration,
                       Pattern pattern) {
   const ProjectorModel& projector = sensor.projector(pattern);
@@ -38,7 +37,7 @@ double depth_error_mm(const SensorModel& sensor, const calibration::Calibration&
       const auto seen = [&](double along) {
         return to_line_pixel(pattern, sensor.camera.project(at(along)).value());
       };
-      // The place on the line that lies in the middle of a row, by the secant's slope.
+      // Finds the place on the line in the middle of a row by the secant method.
       double along = 0.05 * projector.half_length_along * (n % 3);
       for (int step = 0; step < 5; ++step) {
         const double slope = (seen(along + 1e-5).along_px - seen(along).along_px) / 1e-5;
@@ -54,21 +53,21 @@ double depth_error_mm(const SensorModel& sensor, const calibration::Calibration&
   return std::sqrt(squares / count);
 }
 
-TEST(SensorCalibration, IsKeptAndMadeAgainWhereTheFileIsDamaged) {
+TEST(SensorCalibration, IsCachedAndComputedAgainIfTheFileIsDamaged) {
   const TemporaryFolder folder;
   const SensorModel sensor = intraoral_sensor();
   const fs::path cache = folder.path() / "cache";
-  const auto ask = [&] { return kept_sensor_calibration(sensor, cache, Workers(), {}).value(); };
+  const auto ask = [&] { return cached_sensor_calibration(sensor, cache, Workers(), {}).value(); };
 
   const calibration::Calibration made = ask();
   for (const Pattern pattern : kPatterns)
-    // 3 um is what the cubic leaves over the whole volume, see docs/figures.md.
+    // The cubic polynomial leaves an error of 3 µm over the whole volume, see docs/figures.md.
     EXPECT_LT(depth_error_mm(sensor, made, pattern), 0.006) << to_string(pattern);
   ASSERT_EQ(files_in(cache).size(), 1U);
   const fs::path file = files_in(cache).front();
   const std::string whole = io::read_file(file).value();
 
-  // A mark that only the kept one has.
+  // Changes the cached file, to recognize it.
   calibration::Calibration marked = made;
   marked.volume.size_mm.x() += 1.0;
   ASSERT_TRUE(io::write_calibration(file, marked));
@@ -80,7 +79,7 @@ TEST(SensorCalibration, IsKeptAndMadeAgainWhereTheFileIsDamaged) {
   EXPECT_EQ(files_in(cache).size(), 1U);
 }
 
-TEST(SensorFingerprint, IsThatOfTheContent) {
+TEST(SensorFingerprint, DependsOnlyOnTheContent) {
   const std::uint64_t print = fingerprint(intraoral_sensor());
   EXPECT_EQ(fingerprint(intraoral_sensor()), print);
   EXPECT_NE(fingerprint(face_sensor()), print);

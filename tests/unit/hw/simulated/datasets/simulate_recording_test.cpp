@@ -15,7 +15,7 @@
 namespace flytri::simulated {
 namespace {
 
-// A quarter of the pixels: quick, and nothing here depends on their number.
+// A quarter of the pixels, to be fast; the tests do not depend on their number.
 SensorModel small_sensor() {
   SensorModel sensor = intraoral_sensor();
   for (CameraModel* camera : {&sensor.camera, &sensor.texture_camera}) {
@@ -37,7 +37,7 @@ RecordingOptions second_over_a_ball() {
 
 TriangleMesh ball() { return sphere(Vec3::Zero(), 12.0, 30); }
 
-TEST(SimulateRecording, WritesWhatItSawAndWhereItWas) {
+TEST(SimulateRecording, WritesFramesAndTruePoses) {
   const TemporaryFolder folder;
   const auto counts =
       simulate_recording(ball(), second_over_a_ball(), folder / "scan", Workers(2), Progress());
@@ -50,7 +50,7 @@ TEST(SimulateRecording, WritesWhatItSawAndWhereItWas) {
   EXPECT_EQ(recording->frames[0].kind, FrameKind::kVertical);
   EXPECT_EQ(recording->frames[1].kind, FrameKind::kHorizontal);
   EXPECT_EQ(recording->frames[15].kind, FrameKind::kTexture);
-  // The alternation goes on across the texture frame.
+  // The patterns continue to alternate after the texture frame.
   EXPECT_NE(recording->frames[14].kind, recording->frames[16].kind);
   EXPECT_TRUE(io::load_frame(*recording, FrameIndex(15)));
   const auto truth = io::read_truth(folder / "scan" / "truth.json");
@@ -66,7 +66,7 @@ TEST(SimulateRecording, WritesWhatItSawAndWhereItWas) {
   EXPECT_LT(static_cast<std::size_t>(dark), lit->second.size());
 }
 
-TEST(SimulateRecording, OneThreadAndManyGiveTheSameBits) {
+TEST(SimulateRecording, IsBitIdenticalForAnyNumberOfThreads) {
   const TemporaryFolder folder;
   RecordingOptions options = second_over_a_ball();
   options.path.duration_s = 0.2;
@@ -81,7 +81,7 @@ TEST(SimulateRecording, OneThreadAndManyGiveTheSameBits) {
   }
 }
 
-TEST(SimulateRecording, FaultsDropFramesHidePatternsAndTakeTheSensorAway) {
+TEST(SimulateRecording, SimulatesDroppedFramesUnknownPatternsAndALiftedSensor) {
   const TemporaryFolder folder;
   RecordingOptions options = second_over_a_ball();
   options.path.duration_s = 2.0;
@@ -99,11 +99,11 @@ TEST(SimulateRecording, FaultsDropFramesHidePatternsAndTakeTheSensorAway) {
   const auto truth = io::read_truth(folder / "scan" / "truth.json");
   for (const io::TruthPose& pose : truth->poses)
     farthest_mm = std::max(farthest_mm, pose.T_model_sensor.translation().norm());
-  // Three depths of the volume from the ball's surface.
+  // Three volume depths from the surface of the sphere.
   EXPECT_GT(farthest_mm, 45.0);
 }
 
-TEST(SimulateRecording, StoppedItLeavesAShorterRecordingOrNone) {
+TEST(SimulateRecording, LeavesAShorterRecordingOrNoneWhenCancelled) {
   const TemporaryFolder folder;
   const Progress progress;
   progress.cancel();
@@ -113,7 +113,7 @@ TEST(SimulateRecording, StoppedItLeavesAShorterRecordingOrNone) {
   EXPECT_FALSE(std::filesystem::exists(folder / "scan" / "recording.json"));
 }
 
-TEST(SimulateRecording, NamesTheBadOption) {
+TEST(SimulateRecording, RefusesBadOptions) {
   const TemporaryFolder folder;
   RecordingOptions options = second_over_a_ball();
   options.faults.dropped_share = 2.0;
@@ -122,7 +122,7 @@ TEST(SimulateRecording, NamesTheBadOption) {
   EXPECT_NE(counts.error().message.find("dropped_share"), std::string::npos);
 }
 
-TEST(SimulateCalibrationSet, HasEveryPlaneOfTheVolume) {
+TEST(SimulateCalibrationSet, HasPlanesThroughTheWholeVolume) {
   const auto set =
       take_calibration_set({.sensor = small_sensor(), .exposures = 2}, Workers(2), Progress());
   ASSERT_TRUE(set) << set.error().message;
@@ -136,7 +136,7 @@ TEST(SimulateCalibrationSet, HasEveryPlaneOfTheVolume) {
   }
 }
 
-TEST(SimulateCalibrationSet, DotsLieOnTheirGrid) {
+TEST(SimulateCalibrationSet, DotsAreOnTheirGrid) {
   const SensorModel sensor = intraoral_sensor();
   const auto set =
       take_calibration_set({.sensor = sensor, .plane_count = 5, .exposures = 1, .noise = false},
@@ -150,7 +150,7 @@ TEST(SimulateCalibrationSet, DotsLieOnTheirGrid) {
   };
   EXPECT_GT(value_at(3.0, -2.0), 40000);
   EXPECT_LT(value_at(3.5, -2.5), 8000);
-  // Markers reach where other dots do not.
+  // Markers are larger than other dots.
   EXPECT_GT(value_at(1.33, 0.0), 30000);
   EXPECT_LT(value_at(2.40, 0.0), 8000);
 }

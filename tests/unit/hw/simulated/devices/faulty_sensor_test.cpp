@@ -41,27 +41,27 @@ Pass run(FaultySensor& sensor) {
   }
 }
 
-TEST(FaultySensor, DropsAndHidesAsOftenAsItIsTold) {
+TEST(FaultySensor, DropsFramesAndHidesPatternsAtTheGivenRates) {
   const ManualClock clock;
   const auto sensor = make_sensor({.dropped_share = 0.2, .unknown_share = 0.5}, clock);
   const Pass result = run(*sensor);
-  // Four standard deviations of a binomial count.
+  // Tolerances: four standard deviations of a binomial count.
   EXPECT_NEAR(static_cast<double>(result.indices.size()), 800.0, 51.0);
   EXPECT_NEAR(result.unknown, 0.5 * static_cast<double>(result.indices.size()), 57.0);
   EXPECT_EQ(sensor->status().delivered + sensor->status().dropped, kFrames);
 }
 
-TEST(FaultySensor, LateFramesComeInOrderAndNoneIsLost) {
+TEST(FaultySensor, DelayedFramesArriveInOrderWithoutLoss) {
   const ManualClock clock;
   const auto sensor = make_sensor({.delayed_share = 0.3, .max_delay_s = 0.2}, clock);
   const Pass result = run(*sensor);
   ASSERT_EQ(result.indices.size(), static_cast<std::size_t>(kFrames));
   for (int i = 0; i < kFrames; ++i) EXPECT_EQ(result.indices[i], i);
-  // About 300 delays of a tenth of a second in the mean.
+  // About 300 delays of 0.1 s on average.
   EXPECT_NEAR(clock.now_s() - 100.0, 30.0, 8.0);
 }
 
-TEST(FaultySensor, GoesAwayAndComesBack) {
+TEST(FaultySensor, DisconnectsAndReconnects) {
   const ManualClock clock;
   const auto sensor = make_sensor({.lost_share = 0.02, .max_lost_frames = 10}, clock);
   const Pass result = run(*sensor);
@@ -70,7 +70,7 @@ TEST(FaultySensor, GoesAwayAndComesBack) {
   EXPECT_EQ(sensor->status().delivered + sensor->status().dropped, kFrames);
 }
 
-TEST(FaultySensor, FailsForGoodUntilItIsStartedAgain) {
+TEST(FaultySensor, FailsUntilItIsRestarted) {
   const ManualClock clock;
   const auto sensor = make_sensor({.fails_after = 7}, clock);
   EXPECT_EQ(run(*sensor).indices.size(), 7U);
@@ -79,7 +79,7 @@ TEST(FaultySensor, FailsForGoodUntilItIsStartedAgain) {
   EXPECT_EQ(run(*sensor).indices.size(), 7U);
 }
 
-TEST(FaultySensor, TheSeedDecides) {
+TEST(FaultySensor, FaultsDependOnTheSeed) {
   const ManualClock clock;
   const FaultOptions options{.dropped_share = 0.3, .lost_share = 0.01};
   FaultOptions other = options;

@@ -34,15 +34,15 @@ std::shared_ptr<LiveSensor> make_sensor(const ManualClock& clock) {
       .value();
 }
 
-// The next frame of a running sensor.
+// Waits for the next frame of a running sensor.
 Frame next_frame(LiveSensor& sensor) {
   for (int i = 0; i < 10; ++i)
     if (auto frame = sensor.next(0.05).value()) return *std::move(frame);
-  ADD_FAILURE() << "no frame came";
+  ADD_FAILURE() << "no frame arrived";
   return {};
 }
 
-TEST(LiveSensor, FramesComeAtTheirTimesWithPatternsInTurn) {
+TEST(LiveSensor, DeliversFramesOnTimeWithAlternatingPatterns) {
   const ManualClock clock;
   const auto sensor = make_sensor(clock);
   ASSERT_TRUE(sensor->start());
@@ -52,7 +52,7 @@ TEST(LiveSensor, FramesComeAtTheirTimesWithPatternsInTurn) {
     const Frame frame = next_frame(*sensor);
     EXPECT_EQ(frame.index.value, i);
     EXPECT_NEAR(frame.time_s, i / 30.0, 1e-12);
-    // No frame before its exposure is over.
+    // A frame arrives only after its exposure.
     EXPECT_GE(clock.now_s() - 100.0, frame.time_s + 0.005 - 1e-9);
     EXPECT_LT(clock.now_s() - before_s, 0.035);
     kinds.push_back(frame.kind);
@@ -64,7 +64,7 @@ TEST(LiveSensor, FramesComeAtTheirTimesWithPatternsInTurn) {
   EXPECT_EQ(sensor->status().dropped, 0);
 }
 
-TEST(LiveSensor, BehindItDropsAndCountsAndIsOnTimeAgain) {
+TEST(LiveSensor, DropsAndCountsFramesWhenTooSlowAndCatchesUp) {
   const ManualClock clock;
   const auto sensor = make_sensor(clock);
   ASSERT_TRUE(sensor->start());
@@ -74,10 +74,10 @@ TEST(LiveSensor, BehindItDropsAndCountsAndIsOnTimeAgain) {
   EXPECT_NEAR(late.time_s, 3.0 / 30.0, 1e-12);
   EXPECT_EQ(late.index.value, 1);
   EXPECT_EQ(sensor->status().dropped, 2);
-  EXPECT_NE(late.kind, first.kind) << "what is taken alternates, whatever was dropped";
+  EXPECT_NE(late.kind, first.kind) << "taken frames alternate even after dropped ones";
 }
 
-TEST(LiveSensor, WaitsNoLongerThanItMay) {
+TEST(LiveSensor, WaitsNoLongerThanTheTimeout) {
   const ManualClock clock;
   const auto sensor = make_sensor(clock);
   ASSERT_TRUE(sensor->start());
@@ -87,7 +87,7 @@ TEST(LiveSensor, WaitsNoLongerThanItMay) {
   EXPECT_NEAR(clock.now_s() - before_s, 0.01, 1e-9);
 }
 
-TEST(LiveSensor, TellsTheTruthOfEachFrame) {
+TEST(LiveSensor, ProvidesTheTruePoseOfEachFrame) {
   const ManualClock clock;
   const auto sensor = make_sensor(clock);
   ASSERT_TRUE(sensor->start());
@@ -99,7 +99,7 @@ TEST(LiveSensor, TellsTheTruthOfEachFrame) {
   EXPECT_EQ(sensor->T_model_sensor().matrix(), truth.back().T_model_sensor.matrix());
 }
 
-// Of the default sensor, from as few images as will do.
+// The calibration of the default sensor, from as few images as possible.
 std::shared_ptr<const calibration::Calibration> calibration() {
   static const auto shared = [] {
     const auto set =
@@ -110,7 +110,7 @@ std::shared_ptr<const calibration::Calibration> calibration() {
   return shared;
 }
 
-TEST(LiveSensor, ItsImagesGiveViewsThatLieOnTheObject) {
+TEST(LiveSensor, ViewsMeasuredFromItsImagesAreOnTheObject) {
   const ManualClock clock;
   const auto sensor = make_sensor(clock);
   const MeshDistance surface(jaw());
@@ -130,13 +130,13 @@ TEST(LiveSensor, ItsImagesGiveViewsThatLieOnTheObject) {
   }
   ASSERT_GT(off_mm.size(), 5000U);
   std::sort(off_mm.begin(), off_mm.end());
-  // 8 um in the median with all noise, see docs/figures.md; here the mesh is coarser, the hand
+  // The median is 8 µm with all noise, see docs/figures.md; here the mesh is coarser and the hand
   // faster.
   EXPECT_LT(quantile_of(off_mm, 0.5), 0.015);
   EXPECT_LT(quantile_of(off_mm, 0.98), 0.1);
 }
 
-TEST(LiveSensor, AwayNothingIsMeasured) {
+TEST(LiveSensor, MeasuresNothingWhenLiftedOff) {
   const ManualClock clock;
   const auto sensor = make_sensor(clock);
   sensor->take_away();

@@ -28,13 +28,13 @@ Hand make_hand(const HandOptions& options = {}) {
   return Hand(jaw_scene(), intraoral_sensor(), short_path(), options);
 }
 
-// A place on the other side of the jaw, seen from above and a little from the side.
+// Aims at a place on the other side of the jaw, from above and a little from the side.
 device::HandAim far_aim() {
   const auto hit = jaw_scene().first_hit({Vec3(-20.0, 5.0, 60.0), -Vec3::UnitZ()});
   return {hit->point_mm, Vec3(0.3, 0.0, 1.0).normalized(), Vec3::UnitX()};
 }
 
-// Fastest speed and turn between hundredths of a second until `until_s`.
+// Largest speed and rotation speed until `until_s`, in steps of 0.01 s.
 struct Fastest {
   double mm_s = 0.0;
   double rad_s = 0.0;
@@ -55,61 +55,61 @@ Fastest watch(Hand& hand, double from_s, double until_s) {
   return fastest;
 }
 
-TEST(Hand, FollowsThePathThereAndBack) {
+TEST(Hand, FollowsThePathForwardsAndBackwards) {
   const SensorPath path = short_path();
   Hand hand = make_hand();
-  // It sets out from rest: half the time it takes to be at full pace is lost.
+  // The hand starts from rest, which costs half of the acceleration time.
   hand.advance(3.0);
   const Isometry off =
       path.T_model_sensor(path.start_s() + 2.8).inverse() * hand.T_model_sensor(3.0);
-  // What is left is the length of a step, about 0.1 mm at the speed of this path.
+  // The remaining difference is one time step, about 0.1 mm at this speed.
   EXPECT_LT(off.translation().norm(), 0.3);
   Hand other = make_hand();
   watch(other, 0.0, 12.6);
-  // There and back again, each with a stop at its end, it is where it began.
+  // After moving forwards and backwards, with a stop at each end, it is back at the start.
   EXPECT_LT(
       (other.T_model_sensor(12.6).translation() - path.T_model_sensor(path.start_s()).translation())
           .norm(),
       2.0);
 }
 
-TEST(Hand, ArrivesWhereThePointerIsAtAHandsSpeed) {
+TEST(Hand, MovesToThePointerAtTheSpeedOfAHand) {
   Hand hand = make_hand();
   hand.advance(1.0);
   hand.follow_pointer(far_aim());
   const Fastest fastest = watch(hand, 1.0, 7.0);
   const Isometry T_model_sensor = hand.T_model_sensor(7.0);
-  // The target lies on the sensor's axis, within the volume.
+  // The target is on the sensor's axis, inside the volume.
   const Vec3 target = T_model_sensor.inverse() * far_aim().target_mm;
   EXPECT_LT(target.head<2>().norm(), 0.1);
   EXPECT_LT(std::abs(target.z()), 7.5);
   EXPECT_LT((T_model_sensor.linear().col(2) + far_aim().towards_sensor).norm(), 0.01);
-  // Sideways and along the view each keep the limit of 20 mm/s.
+  // Lateral and depth movement each have a limit of 20 mm/s.
   EXPECT_LT(fastest.mm_s, 20.0 * std::sqrt(2.0) + 0.1);
   EXPECT_LT(fastest.rad_s, 0.81);
   EXPECT_GT(fastest.mm_s, 10.0);
 }
 
-TEST(Hand, AwayThereIsNothingInTheVolume) {
+TEST(Hand, NothingIsInTheVolumeWhenLiftedOff) {
   Hand hand = make_hand();
   hand.advance(1.0);
   const Isometry T_model_before = hand.T_model_sensor(1.0);
   hand.take_away();
   watch(hand, 1.0, 3.0);
   const Vec3 moved = T_model_before.inverse() * hand.T_model_sensor(3.0).translation();
-  // Three volumes up from where the step ended in which it was told.
+  // Three volume depths above the pose at the request.
   EXPECT_NEAR(moved.z(), -45.0, 0.5);
   EXPECT_LT(moved.head<2>().norm(), 0.5);
 }
 
-TEST(Hand, ComesBackToWhereItLeftThePathAndHoldsStill) {
+TEST(Hand, ReturnsToWhereItLeftThePathAndHoldsStill) {
   Hand hand = make_hand();
   hand.advance(1.0);
   const Isometry T_model_left = hand.T_model_sensor(1.0);
   hand.take_away();
   hand.advance(3.0);
   hand.follow_path();
-  // It takes 0.56 s through the air, holds for half a second, and sets out from rest.
+  // The hand moves back for 0.56 s, holds still for 0.5 s, and then starts from rest.
   for (const double time_s : {3.7, 4.0}) {
     hand.advance(time_s);
     const Isometry off = T_model_left.inverse() * hand.T_model_sensor(time_s);
@@ -120,7 +120,7 @@ TEST(Hand, ComesBackToWhereItLeftThePathAndHoldsStill) {
   EXPECT_GT((T_model_left.inverse() * hand.T_model_sensor(6.0)).translation().norm(), 5.0);
 }
 
-TEST(Hand, IsPutBackElsewhere) {
+TEST(Hand, CanBePutBackElsewhere) {
   Hand hand = make_hand();
   hand.advance(1.0);
   hand.take_away();
@@ -130,11 +130,11 @@ TEST(Hand, IsPutBackElsewhere) {
   const Vec3 target = hand.T_model_sensor(5.0).inverse() * far_aim().target_mm;
   EXPECT_LT(target.head<2>().norm(), 0.1);
   EXPECT_LT(std::abs(target.z()), 7.5);
-  // Through the air at six times the speed.
+  // When lifted off, the hand is six times as fast.
   EXPECT_LT(fastest.mm_s, 140.0);
 }
 
-TEST(Hand, NeverJumpsWhateverItIsTold) {
+TEST(Hand, NeverJumpsForAnySequenceOfRequests) {
   Hand hand = make_hand();
   double time_s = 0.0;
   const auto calm = [&](double duration_s, double limit_mm_s) {
@@ -142,7 +142,7 @@ TEST(Hand, NeverJumpsWhateverItIsTold) {
     time_s += duration_s;
     EXPECT_LT(fastest.mm_s, limit_mm_s) << "before " << time_s << " s";
   };
-  // The path's own speed and the way back to it add up.
+  // The speeds on the path and back to the path add up.
   constexpr double kCalm_mm_s = 80.0;
   calm(0.5, kCalm_mm_s);
   hand.follow_pointer(far_aim());
@@ -157,7 +157,7 @@ TEST(Hand, NeverJumpsWhateverItIsTold) {
   calm(2.0, 200.0);
 }
 
-TEST(Hand, TheSameOrdersAtTheSameTimesGiveTheSameBits) {
+TEST(Hand, EqualRequestsAtEqualTimesGiveIdenticalPoses) {
   const auto run = [] {
     Hand hand = make_hand();
     hand.advance(0.71);

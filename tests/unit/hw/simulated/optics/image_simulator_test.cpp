@@ -38,7 +38,7 @@ ImageSimulator noise_free(const TriangleMesh& mesh, const SensorModel& sensor) {
   return ImageSimulator::create(mesh, sensor, {.bits = 16, .noise = false}).value();
 }
 
-// Centroid of the light around `across_px` in a row (column) above the background, and its width.
+// Centroid and width of the light above the background around `across_px` in a row (column).
 struct Section {
   double center_px = 0.0;
   double sigma_px = 0.0;
@@ -61,7 +61,7 @@ Section section(const cv::Mat& image, Pattern pattern, int along, double across_
   return {center, std::sqrt(std::max(second / sum - center * center, 0.0))};
 }
 
-TEST(ImageSimulator, LinesLieWhereTheViewHasThem) {
+TEST(ImageSimulator, LinesAreWhereTheSimulatedViewHasThem) {
   const SensorModel sensor = intraoral_sensor();
   const auto views = ViewSimulator::create(gentle_waves(), sensor).value();
   const ImageSimulator images = noise_free(gentle_waves(), sensor);
@@ -79,7 +79,7 @@ TEST(ImageSimulator, LinesLieWhereTheViewHasThem) {
         const double center = section(image, pattern, static_cast<int>(profile.points[i].along_px),
                                       seen.across_px, 14)
                                   .center_px;
-        // Defocus that changes across a line on a slope shifts its centroid by some hundredths.
+        // On a slope, the defocus changes across a line, which shifts its centroid by some 0.01 px.
         EXPECT_NEAR(center, seen.across_px, 0.1);
         squares += (center - seen.across_px) * (center - seen.across_px);
         ++count;
@@ -95,7 +95,8 @@ TEST(ImageSimulator, LinesWidenAwayFromTheFocusAsInThePaper) {
       height_field({.half_width_mm = 40.0, .step_mm = 80.0}, [](double, double) { return 0.0; }));
   const ImageSimulator images = noise_free(plane, sensor);
   const auto views = ViewSimulator::create(plane, sensor).value();
-  // Paper, "Physical Optimization": 4 to 9 pixels; full width at half maximum of a Gaussian.
+  // Paper, section "Physical Optimization": 4 to 9 pixels; full width at half maximum of a
+  // Gaussian.
   const auto width_px = [&](double z_mm) {
     Isometry T_model_sensor = Isometry::Identity();
     T_model_sensor.translation().z() = -z_mm;
@@ -117,7 +118,7 @@ TEST(ImageSimulator, LinesWidenAwayFromTheFocusAsInThePaper) {
 }
 
 TEST(ImageSimulator, ShadowsAreDark) {
-  // A wall at x = 0, 5 mm high, between a line's foot and the projector on the right.
+  // A wall at x = 0, 5 mm high, between the lit floor and the projector on the right.
   const TriangleMesh mesh =
       white(height_field({.half_width_mm = 14.0, .step_mm = 0.05},
                          [](double x, double) { return x > 0.0 && x < 1.5 ? -3.0 : 3.0; }));
@@ -126,7 +127,7 @@ TEST(ImageSimulator, ShadowsAreDark) {
       noise_free(mesh, sensor)
           .measurement_image(Pattern::kVertical, resting_at(Isometry::Identity()), 0.0, 0);
   const auto views = ViewSimulator::create(mesh, sensor).value();
-  // Where the camera sees the floor that the wall hides from the projector: nothing but room light.
+  // Floor that the camera sees but that is in the wall's shadow: only room light.
   const double floor_level = sensor.chip.black_level + sensor.chip.ambient_level;
   const Pixel hidden = sensor.camera.project({-0.35, 0.0, 3.0}).value();
   const auto value =
@@ -134,14 +135,14 @@ TEST(ImageSimulator, ShadowsAreDark) {
   EXPECT_LT(value / 65535.0, 1.2 * floor_level);
 }
 
-TEST(ImageSimulator, MotionSmearsLinesOnASlope) {
+TEST(ImageSimulator, MotionBlursLinesOnASlope) {
   const TriangleMesh slope = white(height_field({.half_width_mm = 30.0, .step_mm = 60.0},
                                                 [](double x, double) { return 0.3 * x; }));
   SensorModel sensor = intraoral_sensor();
   sensor.exposure_s = 0.02;
   Isometry T_before = Isometry::Identity();
   Isometry T_after = Isometry::Identity();
-  // 100 mm/s towards the surface: 2 mm in the exposure.
+  // 100 mm/s towards the surface: 2 mm during the exposure.
   T_before.translation().z() = -1.0;
   T_after.translation().z() = 1.0;
   const auto path = SensorPath::from_poses({{-0.01, T_before}, {0.01, T_after}}).value();
@@ -157,13 +158,14 @@ TEST(ImageSimulator, MotionSmearsLinesOnASlope) {
     return section(image, Pattern::kVertical, static_cast<int>(point.along_px), pixel.u_px, 20);
   };
   EXPECT_NEAR(measure(*moving).center_px, measure(*still).center_px, 0.15);
-  // 2 mm of depth at about 5.8 px/mm, uniformly: 11.6 px / sqrt(12) = 3.3 px, added in squares.
+  // Uniform motion of 2 mm at about 5.8 px/mm: 11.6 px / sqrt(12) = 3.3 px, added to the squared
+  // width.
   const double added_px =
       std::sqrt(std::pow(measure(*moving).sigma_px, 2) - std::pow(measure(*still).sigma_px, 2));
   EXPECT_NEAR(added_px, 3.3, 0.5);
 }
 
-TEST(ImageSimulator, ManyThreadsGiveTheBitsOfOneAndStreamsDiffer) {
+TEST(ImageSimulator, IsBitIdenticalForAnyNumberOfThreadsAndStreamsDiffer) {
   const auto simulator = ImageSimulator::create(gentle_waves(), intraoral_sensor()).value();
   const SensorPath path = resting_at(Isometry::Identity());
   std::vector<cv::Mat> images(3);
@@ -188,13 +190,13 @@ TEST(ImageSimulator, TextureShowsTheColors) {
   EXPECT_LT(middle[1], 80);
 }
 
-TEST(ImageSimulator, NamesTheBadOption) {
+TEST(ImageSimulator, RefusesBadOptions) {
   const auto simulator = ImageSimulator::create(gentle_waves(), intraoral_sensor(), {.bits = 12});
   ASSERT_FALSE(simulator);
   EXPECT_NE(simulator.error().message.find("bits"), std::string::npos);
 }
 
-TEST(LineProfile, KeepsItsLightWhateverTheBlur) {
+TEST(LineProfile, KeepsItsTotalLightForAnyBlur) {
   const ProjectorModel projector = intraoral_sensor().projector(Pattern::kVertical);
   const double half = projector.half_width_across;
   const LineProfile profile(projector, 4.0 * half);
@@ -218,10 +220,10 @@ TEST(LensBlur, KernelsSumToOneAndWidenWithDefocus) {
     return second;
   };
   EXPECT_NEAR(cv::sum(blur.kernel(90.0))[0], 1.0, 1e-5);
-  // In focus: diffraction and the pixel's own area, 1/12.
+  // In focus: diffraction, and 1/12 from the pixel area.
   EXPECT_NEAR(spread(camera.lens.focus_mm), std::pow(camera.diffraction_sigma_px, 2) + 1.0 / 12.0,
               0.03);
-  // A disk adds a quarter of its squared radius.
+  // A disk adds a quarter of its squared radius to the variance.
   const double radius = camera.lens.blur_radius_mm(90.0) / 90.0 * camera.focal_px;
   EXPECT_NEAR(spread(90.0) - spread(camera.lens.focus_mm), 0.25 * radius * radius,
               0.08 * radius * radius);
@@ -232,7 +234,7 @@ TEST(DotImage, IsBrightWhereDotsAre) {
   const cv::Mat light = DotImage(sensor.camera, sensor.dots).light(0.0);
   double dark = 0.0, bright = 0.0;
   cv::minMaxLoc(light, &dark, &bright);
-  // Six whole pitches each way, away from the markers.
+  // An area of six pitches each way, away from the markers.
   const auto pixel = [&](double x, double y) {
     const Pixel at = sensor.camera.project({x, y, 0.0}).value();
     return cv::Point(static_cast<int>(std::lround(at.u_px)),
@@ -240,16 +242,17 @@ TEST(DotImage, IsBrightWhereDotsAre) {
   };
   const cv::Rect six(pixel(-8.5, -4.5), pixel(-2.5, 1.5));
   const double share = (cv::mean(light(six))[0] - dark) / (bright - dark);
-  // Half the pitch wide. Six pitches are 300 px: cut to whole pixels, to about a percent.
+  // Dots have a diameter of half the pitch. Six pitches are 300 px, so rounding to whole pixels
+  // changes about 1 %.
   EXPECT_NEAR(share, 0.25 * 0.25 * std::numbers::pi, 0.003);
   const auto value = [&](double x, double y) { return light.at<float>(pixel(x, y)); };
   EXPECT_LT(value(0.0, 2.0 + 0.5), dark + 0.01);
-  // Between a dot's radius and a marker's.
+  // At a distance between a dot's radius and a marker's.
   EXPECT_GT(value(0.0, 2.0 + 0.32), 0.5 * bright);
   EXPECT_LT(value(0.0, 3.0 + 0.32), 0.5 * bright);
 }
 
-TEST(Chip, NoiseHasShotReadAndSpecklePartsThatAveragesLower) {
+TEST(Chip, HasShotReadAndSpeckleNoiseThatAveragingReduces) {
   ChipModel model;
   model.speckle_contrast = 0.1;
   const Chip chip(model);
@@ -265,21 +268,21 @@ TEST(Chip, NoiseHasShotReadAndSpecklePartsThatAveragesLower) {
       return exposures * std::pow(deviation[0] / 65535.0, 2);
     };
     const double read = std::pow(model.read_noise_e / model.full_well_e, 2);
-    // 262,144 pixels: variances to about 1 %; speckle is correlated, so allow 5 %.
+    // 262,144 pixels give variances to about 1 %. Speckle is correlated: allow 5 %.
     EXPECT_NEAR(variance_at(0.0F, 0.4F), 0.4 / model.full_well_e + read, 0.03 * 0.4 / 9000.0);
     EXPECT_NEAR(variance_at(0.4F, 0.0F), 0.4 / model.full_well_e + read + 0.04 * 0.04,
                 0.05 * 0.04 * 0.04);
   }
 }
 
-// A step in front of waves: silhouettes and shadows beside smooth surfaces.
+// Waves with a step: has silhouettes and shadows as well as smooth surface.
 TriangleMesh stepped_waves() {
   return white(height_field({.half_width_mm = 14.0, .step_mm = 0.1}, [](double x, double y) {
     return 1.5 * std::sin(0.5 * x) * std::cos(0.6 * y) - (std::abs(x - 2.0) < 2.5 ? 2.0 : 0.0);
   }));
 }
 
-TEST(ImageSimulator, TheGridShowsWhatEveryPixelShows) {
+TEST(ImageSimulator, GridTracingGivesTheImageOfEveryPixelTracing) {
   const SensorModel sensor = intraoral_sensor();
   Isometry T_later = Isometry::Identity();
   T_later.translation() = Vec3(0.4, 0.2, 0.1);
@@ -297,14 +300,15 @@ TEST(ImageSimulator, TheGridShowsWhatEveryPixelShows) {
     cv::absdiff(exact, image(Tracing::kGrid), difference);
     const cv::Mat lit = exact > 0.1 * 65535;
     ASSERT_GT(cv::countNonZero(lit), 50000);
-    // One percent of full scale is the noise of an exposure.
+    // The noise of one exposure is 1 % of full scale.
     EXPECT_LT(cv::mean(difference, lit)[0], 0.005 * 65535);
     const cv::Mat off = (difference > 0.05 * 65535) & lit;
     EXPECT_LT(cv::countNonZero(off), 0.005 * cv::countNonZero(lit)) << to_string(pattern);
   }
 }
 
-// From each line sample of the one image to the nearest of the other in its row: sorted, px.
+// Sorted distances from each line sample of one image to the nearest sample in the same row of the
+// other, px.
 std::vector<double> line_differences_px(const cv::Mat& from, const cv::Mat& to, Pattern pattern) {
   const std::vector<localization::LineTrace> lines =
       localization::localize_lines(from, pattern, {}).value();
@@ -316,7 +320,7 @@ std::vector<double> line_differences_px(const cv::Mat& from, const cv::Mat& to, 
       double nearest_px = 1e9;
       for (const localization::LineTrace& near : other) {
         const int row = sample.along_px - near.front().along_px;
-        // A trace may miss some of its rows.
+        // A trace may lack some rows.
         for (int i = std::min(row, static_cast<int>(near.size()) - 1);
              i >= 0 && near[i].along_px >= sample.along_px; --i)
           if (near[i].along_px == sample.along_px)
@@ -328,7 +332,7 @@ std::vector<double> line_differences_px(const cv::Mat& from, const cv::Mat& to, 
   return differences;
 }
 
-TEST(ImageSimulator, LinesOfTheGridLieWhereThoseOfEveryPixelLie) {
+TEST(ImageSimulator, GridTracingKeepsTheLinePositions) {
   const SensorModel sensor = intraoral_sensor();
   for (const Pattern pattern : kPatterns) {
     const auto image = [&](Tracing tracing) {
@@ -340,15 +344,15 @@ TEST(ImageSimulator, LinesOfTheGridLieWhereThoseOfEveryPixelLie) {
     const std::vector<double> off_px =
         line_differences_px(image(Tracing::kEveryPixel), image(Tracing::kGrid), pattern);
     ASSERT_GT(off_px.size(), 3000U);
-    // A flat cell is off by 0.02 px at most; localization in the presence of noise by 0.06 at best.
+    // The error of a flat cell is at most 0.02 px; localization with noise has at least 0.06 px.
     EXPECT_LT(quantile_of(off_px, 0.5), 0.02) << to_string(pattern);
-    // Beside silhouettes and in the edges of shadows.
+    // At silhouettes and shadow edges, errors are larger.
     EXPECT_LT(quantile_of(off_px, 0.95), 0.15) << to_string(pattern);
     EXPECT_LT(quantile_of(off_px, 0.98), 0.5) << to_string(pattern);
   }
 }
 
-TEST(ImageSimulator, StoredNoiseIsAsStrongAndWhiteAsDrawnNoise) {
+TEST(ImageSimulator, NoiseFromTheTableIsAsStrongAndWhiteAsDrawnNoise) {
   const ChipModel model;
   const Chip chip(model);
   const Chip::Light light{cv::Mat::zeros(400, 600, CV_32FC1),
@@ -366,7 +370,7 @@ TEST(ImageSimulator, StoredNoiseIsAsStrongAndWhiteAsDrawnNoise) {
     EXPECT_NEAR(mean[0], (0.3 + model.black_level) * 65535.0, 0.02 * sigma);
     EXPECT_NEAR(spread[0], sigma, 0.01 * sigma);
     image = (image - mean[0]) / sigma;
-    // Of 240,000 independent products the mean is 0.002.
+    // The mean of 240,000 independent products has a standard deviation of 0.002.
     EXPECT_LT(std::abs(cv::mean(image.colRange(1, 600).mul(image.colRange(0, 599)))[0]), 0.01);
     if (!before.empty()) {
       EXPECT_LT(std::abs(cv::mean(image.mul(before))[0]), 0.01);

@@ -8,7 +8,7 @@
 namespace flytri::simulated {
 namespace {
 
-/// For each vertex the distance to the nearest point of the views, mm.
+/// Distance of each vertex to the nearest point of the views, mm.
 std::vector<double> distances(const TriangleMesh& mesh, const std::vector<Exposure>& exposures,
                               const ViewSimulator& simulator) {
   std::vector<double> nearest(mesh.vertices.size(), 1e9);
@@ -27,7 +27,7 @@ std::vector<double> distances(const TriangleMesh& mesh, const std::vector<Exposu
   return nearest;
 }
 
-TEST(CountLit, IsWhereViewsHavePoints) {
+TEST(CountLit, CountsVerticesNearMeasuredPoints) {
   const TriangleMesh ball = sphere(Vec3(0.0, 0.0, 6.0), 6.0, 60);
   const auto simulator = ViewSimulator::create(ball, intraoral_sensor());
   ASSERT_TRUE(simulator.has_value());
@@ -42,11 +42,11 @@ TEST(CountLit, IsWhereViewsHavePoints) {
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == 0.0) continue;
     ++lit;
-    // Half a line's width, drawn out where the surface is steep.
+    // Half the width of a line; more on steep surface.
     EXPECT_LT(distance_mm[i], 0.5) << ball.vertices[i].position_mm.transpose();
   }
   EXPECT_GT(lit, 50U);
-  // What lies on a line's middle is lit; the last points of a line may be too flat or hidden.
+  // Vertices on the middle of a line are lit, except at the ends of lines (too flat, or hidden).
   std::size_t missed = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     missed += distance_mm[i] < 0.02 && counts[i] == 0.0 ? 1U : 0U;
@@ -54,7 +54,7 @@ TEST(CountLit, IsWhereViewsHavePoints) {
   EXPECT_LE(missed, lit / 50);
 }
 
-TEST(CountLit, TheFarSideStaysDark) {
+TEST(CountLit, IsZeroOnTheFarSide) {
   const TriangleMesh ball = sphere(Vec3(0.0, 0.0, 6.0), 6.0, 30);
   const auto simulator = ViewSimulator::create(ball, intraoral_sensor());
   ASSERT_TRUE(simulator.has_value());

@@ -15,7 +15,7 @@ PictureOptions small() {
   return options;
 }
 
-TEST(Picture, ShowsTheSphereInTheMiddleOnTheBackground) {
+TEST(Picture, ShowsTheSphereInTheMiddleOfTheBackground) {
   TexturedMesh ball{sphere(Vec3(5.0, 0.0, 0.0), 2.0, 20), {}, {}};
   for (SurfacePoint& vertex : ball.mesh.vertices) vertex.color = {200, 50, 50};
   const cv::Mat image = draw_picture(ball, small(), Workers(1)).value();
@@ -24,7 +24,7 @@ TEST(Picture, ShowsTheSphereInTheMiddleOnTheBackground) {
   EXPECT_GT(middle[0], 3 * middle[1]);
 }
 
-TEST(Picture, TheAtlasGoesBeforeVertexColors) {
+TEST(Picture, PrefersTheAtlasToVertexColors) {
   TexturedMesh patch{
       height_field({.half_width_mm = 1.0, .step_mm = 2.0}, [](double, double) { return 0.0; }),
       {},
@@ -36,14 +36,14 @@ TEST(Picture, TheAtlasGoesBeforeVertexColors) {
   EXPECT_GT(middle[1], 100);
 }
 
-TEST(Picture, OneThreadAndManyGiveTheSameBits) {
+TEST(Picture, IsBitIdenticalForAnyNumberOfThreads) {
   const TexturedMesh ball{sphere(Vec3::Zero(), 2.0, 12), {}, {}};
   const cv::Mat a = draw_picture(ball, small(), Workers(1)).value();
   const cv::Mat b = draw_picture(ball, small(), Workers(2)).value();
   EXPECT_TRUE(std::equal(a.begin<cv::Vec3b>(), a.end<cv::Vec3b>(), b.begin<cv::Vec3b>()));
 }
 
-TEST(Picture, RefusesAViewAlongItsOwnUpDirection) {
+TEST(Picture, RefusesAViewAlongTheUpDirection) {
   PictureOptions options = small();
   options.up = options.from_direction;
   const TexturedMesh ball{sphere(Vec3::Zero(), 2.0, 6), {}, {}};

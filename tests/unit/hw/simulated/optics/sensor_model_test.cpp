@@ -14,7 +14,7 @@ class SensorModels : public ::testing::TestWithParam<SensorModel (*)()> {
   const SensorModel sensor = GetParam()();
 };
 
-TEST_P(SensorModels, CameraRaysGoThroughWhatTheyShow) {
+TEST_P(SensorModels, PixelDirectionIsTheInverseOfProjection) {
   for (const CameraModel& camera : {sensor.camera, sensor.texture_camera})
     for (const double x : {-0.4, 0.0, 0.4})
       for (const double z : {-0.5, 0.5}) {
@@ -25,7 +25,7 @@ TEST_P(SensorModels, CameraRaysGoThroughWhatTheyShow) {
       }
 }
 
-TEST_P(SensorModels, ProjectorLightsThePlaceItAimsAt) {
+TEST_P(SensorModels, SlidePlaceIsTheInverseOfProjectorDirection) {
   for (const Pattern pattern : kPatterns) {
     const ProjectorModel& projector = sensor.projector(pattern);
     const Vec3 p =
@@ -34,12 +34,13 @@ TEST_P(SensorModels, ProjectorLightsThePlaceItAimsAt) {
   }
 }
 
-TEST_P(SensorModels, ShowsTheWholeVolumeInBothCameras) {
+TEST_P(SensorModels, BothCamerasSeeTheWholeVolume) {
   for (const double x : {-0.5, 0.5})
     for (const double y : {-0.5, 0.5})
       for (const double z : {-0.5, 0.0, 0.5}) {
         const Vec3 p = sensor.volume.size_mm.cwiseProduct(Vec3(x, y, z));
-        // The measurement camera may lose a pixel row or two at the near corners by its mounting.
+        // By mounting errors, the measurement camera may miss one or two pixel rows at the near
+        // corners.
         const Vec3 inner = p.cwiseProduct(Vec3(0.97, 0.97, 1.0));
         EXPECT_TRUE(sensor.camera.sees(sensor.camera.project(inner).value())) << p.transpose();
         EXPECT_TRUE(sensor.texture_camera.sees(sensor.texture_camera.project(inner).value()))
@@ -47,7 +48,7 @@ TEST_P(SensorModels, ShowsTheWholeVolumeInBothCameras) {
       }
 }
 
-TEST_P(SensorModels, TriangulatesUnderSevenDegrees) {
+TEST_P(SensorModels, TriangulationAngleIsSevenDegrees) {
   for (const Pattern pattern : kPatterns) {
     const Vec3 to_projector = sensor.projector(pattern).center().normalized();
     const double angle_rad = std::acos(to_projector.dot(sensor.camera.center().normalized()));
@@ -55,7 +56,7 @@ TEST_P(SensorModels, TriangulatesUnderSevenDegrees) {
   }
 }
 
-// Where line n is seen in the row (column) through the image of `place` on the slide, at depth z.
+// Image of the point `along` of line n at depth z.
 LinePixel seen_at(const SensorModel& sensor, Pattern pattern, int n, double along, double z_mm) {
   const ProjectorModel& projector = sensor.projector(pattern);
   const Vec3 direction = projector.direction(projector.line_across[n], along);
@@ -63,7 +64,7 @@ LinePixel seen_at(const SensorModel& sensor, Pattern pattern, int n, double alon
   return to_line_pixel(pattern, sensor.camera.project(p).value());
 }
 
-// The row's across position of line n at depth z: the slide place is searched by secant.
+// Position of line n in a row at depth z; finds the place on the slide by the secant method.
 double across_in_row(const SensorModel& sensor, Pattern pattern, int n, double row, double z_mm) {
   double a = -0.05;
   double b = 0.05;
@@ -78,7 +79,7 @@ double across_in_row(const SensorModel& sensor, Pattern pattern, int n, double r
   return seen_at(sensor, pattern, n, b, z_mm).across_px;
 }
 
-TEST_P(SensorModels, EveryLineHasAnAreaOfItsOwnInTheVolume) {
+TEST_P(SensorModels, LinesHaveSeparateImageAreasInTheVolume) {
   const double half_depth_mm = 0.5 * sensor.volume.size_mm.z();
   for (const Pattern pattern : kPatterns) {
     const int rows =
@@ -100,7 +101,7 @@ TEST_P(SensorModels, AreValid) { EXPECT_TRUE(sensor.validate()); }
 
 INSTANTIATE_TEST_SUITE_P(Both, SensorModels, ::testing::Values(&intraoral_sensor, &face_sensor));
 
-TEST(SensorModel, NamesThePartThatCannotBe) {
+TEST(SensorModel, ReportsTheInvalidPart) {
   SensorModel sensor = intraoral_sensor();
   sensor.texture_camera.focal_px = -1.0;
   ASSERT_FALSE(sensor.validate());

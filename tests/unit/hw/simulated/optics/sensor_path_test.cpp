@@ -18,7 +18,7 @@ TriangleMesh coarse_jaw() {
   return sample_jaw::make_sample_jaw({.tooth_cell_mm = 0.4, .gum_cell_mm = 0.6}, Workers()).value();
 }
 
-// Points of views taken along a path: fewest and mean.
+// Smallest and mean number of points of the views along a path.
 struct PointCounts {
   std::size_t fewest = 1000000;
   double mean = 0.0;
@@ -35,7 +35,7 @@ PointCounts count_points(const ViewSimulator& simulator, const SensorPath& path,
   return counts;
 }
 
-TEST(SensorPath, RestsOutsideItsTimeAndInterpolatesInside) {
+TEST(SensorPath, InterpolatesAndRestsBeforeAndAfter) {
   Isometry T = Isometry::Identity();
   T.translation() = Vec3(2.0, 0.0, 0.0);
   const auto path = SensorPath::from_poses({{1.0, Isometry::Identity()}, {2.0, T}}).value();
@@ -44,7 +44,7 @@ TEST(SensorPath, RestsOutsideItsTimeAndInterpolatesInside) {
   EXPECT_EQ(path.T_model_sensor(9.0).translation().x(), 2.0);
 }
 
-TEST(SensorPath, RefusesTimesThatDoNotRise) {
+TEST(SensorPath, RefusesTimesThatDoNotIncrease) {
   const auto path =
       SensorPath::from_poses({{1.0, Isometry::Identity()}, {1.0, Isometry::Identity()}});
   EXPECT_EQ(path.error().code, ErrorCode::kBadOption);
@@ -55,7 +55,7 @@ TEST(SensorPath, ArchKeepsTheSurfaceOfAJawInTheVolume) {
   for (const PathKind kind : {PathKind::kArch, PathKind::kQuadrant}) {
     const auto path = plan_path(simulator.scene(), simulator.sensor(), {.kind = kind}).value();
     const PointCounts counts = count_points(simulator, path, 60);
-    // A view of the paper has 4,500 points; one that registration could not use has some hundreds.
+    // The paper's views have 4,500 points; views with only some hundreds cannot be registered.
     EXPECT_GT(counts.fewest, 1000U);
     EXPECT_GT(counts.mean, 3500.0);
     EXPECT_LT(counts.mean, 6500.0);
@@ -76,13 +76,13 @@ TEST(SensorPath, MovesLikeAHand) {
   for (double time_s = 0.0; time_s < path.end_s() - 0.034; time_s += 0.1) {
     const Isometry T_then_now =
         path.T_model_sensor(time_s).inverse() * path.T_model_sensor(time_s + 1.0 / 30.0);
-    // 60 mm and 120 degrees a second are quick for a hand that scans.
+    // 60 mm/s and 120 °/s are fast for a scanning hand.
     EXPECT_LT(T_then_now.translation().norm(), 2.0) << "at " << time_s << " s";
     EXPECT_LT(rotation_angle(T_then_now), 0.07) << "at " << time_s << " s";
   }
 }
 
-TEST(SensorPath, TheSeedDecides) {
+TEST(SensorPath, DependsOnTheSeed) {
   const RayScene scene(coarse_jaw());
   const auto at = [&](std::uint64_t seed) {
     return plan_path(scene, intraoral_sensor(), {.seed = seed})
@@ -107,7 +107,7 @@ TEST(SensorPath, IsReadFromATruthFile) {
   EXPECT_TRUE(path.T_model_sensor(1.5).isApprox(T, 1e-12));
 }
 
-TEST(SensorPath, NamesTheBadOptionAndTheMissingSurface) {
+TEST(SensorPath, RefusesBadOptionsAndReportsAMissingSurface) {
   const RayScene scene(coarse_jaw());
   const auto bad = plan_path(scene, intraoral_sensor(), {.duration_s = -1.0});
   ASSERT_FALSE(bad);

@@ -12,8 +12,8 @@
 namespace flytri::simulated {
 namespace {
 
-// Eight rays at once, in single precision, say what one ray after the other says in double.
-TEST(SlidePlaces, AreThoseOfEveryPointAlone) {
+// Eight points at once in single precision give the same as single points in double precision.
+TEST(SlidePlaces, AgreeWithSlideLightPoint) {
   const SensorModel sensor = intraoral_sensor();
   const RayScene scene(height_field({.half_width_mm = 9.0, .step_mm = 0.3}, [](double x, double y) {
     return 3.0 * std::sin(0.6 * x) * std::cos(0.5 * y);
@@ -44,7 +44,7 @@ TEST(SlidePlaces, AreThoseOfEveryPointAlone) {
         ASSERT_EQ(places.seen[i], point.has_value());
         (point ? seen : missed) += 1;
         if (!point) continue;
-        // At about 4300 px to a tangent: 0.004 px.
+        // 1e-6 corresponds to 0.004 px (focal length about 4300 px).
         EXPECT_NEAR(places.across[i], point->across, 1e-6);
         EXPECT_NEAR(places.offset[i], slide.from_nearest_line(point->across), 1e-6);
         EXPECT_NEAR(places.blur[i], point->blur, 1e-6);

@@ -11,8 +11,7 @@
 namespace flytri::simulated {
 namespace {
 
-// A bumpy patch that reaches through most of the intra-oral volume's depth, bumps facing the
-// sensor.
+// A bumpy surface through most of the depth of the intra-oral volume; the bumps face the sensor.
 TriangleMesh bumpy_patch() {
   return height_field({.half_width_mm = 12.0, .step_mm = 0.25}, [](double x, double y) {
     return 2.0 * std::sin(0.5 * x) * std::cos(0.6 * y) + 0.1 * x;
@@ -23,14 +22,14 @@ ViewSimulator simulator_of(const TriangleMesh& mesh) {
   return ViewSimulator::create(mesh, intraoral_sensor()).value();
 }
 
-// Signed distance of a point on the height field to the triangle it lies over.
+// Signed distance of a point to the triangle of the height field below it.
 double distance_to_hit(const RayScene& scene, const Vec3& p_model) {
   const Vec3 from = p_model - 5.0 * Vec3::UnitZ();
   const auto hit = scene.first_hit({from, Vec3::UnitZ()});
   return hit ? (hit->point_mm - p_model).dot(hit->normal) : 1.0;
 }
 
-TEST(ViewSimulator, PointsLieOnTheMesh) {
+TEST(ViewSimulator, PointsAreOnTheMesh) {
   const ViewSimulator simulator = simulator_of(bumpy_patch());
   const Isometry T_model_sensor =
       exp_twist((Twist() << 0.1, -0.05, 0.3, 0.4, -0.3, 1.0).finished());
@@ -39,20 +38,20 @@ TEST(ViewSimulator, PointsLieOnTheMesh) {
     ASSERT_GT(view.point_count(), 2000U);
     for (const Profile& profile : view.profiles)
       for (const ProfilePoint& point : profile.points)
-        // Ray casting in single precision at coordinates of some 10 mm.
+        // Tolerance for ray casting in single precision at coordinates of some 10 mm.
         EXPECT_NEAR(distance_to_hit(simulator.scene(), T_model_sensor * point.position_mm), 0.0,
                     1e-5);
   }
 }
 
-TEST(ViewSimulator, PointsLieOnTheirLightSheet) {
+TEST(ViewSimulator, PointsAreOnTheirLightSheet) {
   const ViewSimulator simulator = simulator_of(bumpy_patch());
   for (const Pattern pattern : kPatterns) {
     const ProjectorModel& projector = simulator.sensor().projector(pattern);
     for (const Profile& profile : simulator.trace(pattern, Isometry::Identity()).profiles)
       for (const ProfilePoint& point : profile.points) {
         const Vec2 place = projector.slide_place(point.position_mm).value();
-        // 1e-5 mm at 80 mm.
+        // Corresponds to about 1e-5 mm at 80 mm.
         EXPECT_NEAR(place.x(), projector.line_across[profile.line.at()], 2e-7);
         // The projector's distortion bends a sheet by some micrometers.
         const Vec3 from_projector = point.position_mm - projector.center();
@@ -61,7 +60,7 @@ TEST(ViewSimulator, PointsLieOnTheirLightSheet) {
   }
 }
 
-TEST(ViewSimulator, PointsSitInWholeRowsThatRise) {
+TEST(ViewSimulator, PointsAreInIncreasingWholeRows) {
   const ViewSimulator simulator = simulator_of(bumpy_patch());
   for (const Pattern pattern : kPatterns)
     for (const Profile& profile : simulator.trace(pattern, Isometry::Identity()).profiles) {
@@ -75,8 +74,8 @@ TEST(ViewSimulator, PointsSitInWholeRowsThatRise) {
     }
 }
 
-TEST(ViewSimulator, AStepSplitsProfilesAndHidesWhatItShadows) {
-  // The right half lies 4 mm deeper: its edge hides a strip from the projector or the camera.
+TEST(ViewSimulator, AStepSplitsProfilesAndHidesSurface) {
+  // One half is 4 mm deeper: the edge hides a strip from the projector or the camera.
   const TriangleMesh mesh = height_field({.half_width_mm = 12.0, .step_mm = 0.1},
                                          [](double, double y) { return y < 0.05 ? -2.0 : 2.0; });
   const View view = simulator_of(mesh).trace(Pattern::kVertical, Isometry::Identity());
@@ -98,7 +97,7 @@ TEST(ViewSimulator, SurfaceOutsideTheVolumeIsNotMeasured) {
   EXPECT_EQ(simulator.trace(Pattern::kVertical, T_model_sensor).point_count(), 0U);
 }
 
-TEST(ViewSimulator, ManyThreadsGiveTheBitsOfOne) {
+TEST(ViewSimulator, IsBitIdenticalForAnyNumberOfThreads) {
   const ViewSimulator simulator = simulator_of(bumpy_patch());
   std::vector<View> views(8);
   const auto trace_one = [&](std::size_t i) {
@@ -121,7 +120,7 @@ TEST(ViewSimulator, RefusesAnEmptyMeshAndBadOptions) {
   EXPECT_NE(bad.error().message.find("max_stretch"), std::string::npos);
 }
 
-// One long profile of `count` points on the z = 0 line.
+// One long profile with `count` points at z = 0.
 View straight_view(int count) {
   View view;
   view.profiles.push_back({LineIndex(0), Vec3::UnitX(), std::vector<ProfilePoint>(count)});
@@ -129,7 +128,7 @@ View straight_view(int count) {
   return view;
 }
 
-TEST(ViewNoise, HasTheAskedDeviationAndCorrelation) {
+TEST(ViewNoise, HasTheRequestedDeviationAndCorrelation) {
   const int count = 100000;
   const double length = 1.5;
   const View ideal = straight_view(count);
@@ -140,14 +139,16 @@ TEST(ViewNoise, HasTheAskedDeviationAndCorrelation) {
     for (int lag = 0; lag < 5; ++lag)
       products[lag] += noisy.profiles[0].points[i].position_mm.z() *
                        noisy.profiles[0].points[i + lag].position_mm.z() / count;
-  // 100,000 samples, about 20,000 independent ones: 0.5 % of sigma, five times that allowed.
+  // 100,000 samples with about 20,000 independent ones determine sigma to 0.5 %; five times that is
+  // allowed.
   EXPECT_NEAR(std::sqrt(products[0]), 0.03, 0.03 * 0.025);
-  // White noise under a Gaussian of standard deviation L: exp(-lag^2 / (4 L^2)).
+  // Autocorrelation of white noise smoothed by a Gaussian with standard deviation L: exp(-lag^2 /
+  // (4 L^2)).
   for (int lag = 1; lag < 5; ++lag)
     EXPECT_NEAR(products[lag] / products[0], std::exp(-lag * lag / (4.0 * length * length)), 0.03);
 }
 
-TEST(ViewNoise, MovesPointsAlongDepthOnlyAndDependsOnTheStream) {
+TEST(ViewNoise, MovesPointsOnlyAlongZAndDependsOnTheStream) {
   const View ideal = straight_view(50);
   const ViewNoise noise{.sigma_mm = 0.03, .seed = 7};
   const View a = add_noise(ideal, noise, 1);

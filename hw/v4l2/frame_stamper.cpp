@@ -1,26 +1,26 @@
-#include "hw/v4l2/frame_counter.h"
+#include "hw/v4l2/frame_stamper.h"
 
 #include <algorithm>
 
 namespace flytri::v4l2 {
 
-void FrameCounter::begin_stream(double period_s) {
+void FrameStamper::begin_stream(double period_s) {
   first_of_stream_ = true;
   period_s_ = period_s;
 }
 
-std::int64_t FrameCounter::next_sequence(std::uint32_t driver_sequence,
+std::int64_t FrameStamper::next_sequence(std::uint32_t driver_sequence,
                                          device::CameraStatus& status) {
   std::int64_t step = 2;
   if (!first_of_stream_) {
-    // Unsigned, so that it is right across the turn from the largest number to 0.
+    // Unsigned arithmetic is also right when the number wraps around to 0.
     const std::uint32_t counted = driver_sequence - driver_sequence_;
-    // Drivers that do not count, or count backwards, tell nothing of gaps.
+    // If a driver does not count, or counts backwards, gaps are unknown.
     constexpr std::uint32_t kBackwards = 1u << 31;
     step = counted == 0 || counted >= kBackwards ? 1 : counted;
     status.dropped += step - 1;
   } else if (driver_sequence < 1000) {
-    // Frames that were dropped before the first one came; a larger number is no such count.
+    // Frames dropped before the first one arrived; a larger number cannot be such a count.
     step += driver_sequence;
     status.dropped += driver_sequence;
   }
@@ -29,18 +29,18 @@ std::int64_t FrameCounter::next_sequence(std::uint32_t driver_sequence,
   return sequence_ + step;
 }
 
-double FrameCounter::next_time_s(const StreamedImage& image, double arrival_s,
+double FrameStamper::next_time_s(const StreamedImage& image, double arrival_s,
                                  device::CameraStatus& status) {
-  // Drivers that name the planned end of an exposure are up to one ahead.
+  // Some drivers give the planned end of the exposure, up to one period in the future.
   const double latest_s = arrival_s + period_s_;
   if (image.time_s && *image.time_s > time_s_ && *image.time_s <= latest_s) return *image.time_s;
   ++status.restamped;
-  // The least step that the clock of the stamps has, should two arrive at once.
+  // Resolution of the stamps; needed if two frames arrive at the same time.
   constexpr double kLeastStep = 1e-6;
   return std::max(arrival_s, time_s_ + kLeastStep);
 }
 
-device::CameraFrame FrameCounter::enter(const StreamedImage& image, double arrival_s,
+device::CameraFrame FrameStamper::enter(const StreamedImage& image, double arrival_s,
                                         device::CameraStatus& status) {
   device::CameraFrame frame;
   frame.image = image.converted.image;

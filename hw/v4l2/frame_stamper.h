@@ -1,5 +1,4 @@
-/// @file  Makes frames of streamed images: running numbers, times that rise, counts of what is
-/// wrong.
+/// @file  Turns streamed images into frames with increasing numbers and times; counts faults.
 #pragma once
 
 #include "hw/device/camera.h"
@@ -7,14 +6,15 @@
 
 namespace flytri::v4l2 {
 
-class FrameCounter {
+class FrameStamper {
  public:
-  /// The driver counts from 0 again; what was missed in between is one gap.
-  /// @param period_s  > 0, of frames
+  /// Call when a stream starts: the driver counts from 0 again. Frames missed since the last stream
+  /// count as one gap.
+  /// @param period_s  > 0, frame period
   void begin_stream(double period_s);
 
-  /// @param arrival_s  when the image was taken from the driver; not before the call before
-  /// @param status  what is wrong with it is counted here
+  /// @param arrival_s  when the image was taken from the driver; never decreases
+  /// @param status  its fault counts are updated
   [[nodiscard]] device::CameraFrame enter(const StreamedImage& image, double arrival_s,
                                           device::CameraStatus& status);
 
@@ -24,8 +24,8 @@ class FrameCounter {
   [[nodiscard]] double next_time_s(const StreamedImage& image, double arrival_s,
                                    device::CameraStatus& status);
 
-  std::int64_t sequence_ = -2;  // the last one's; so that the first one is 0
-  double time_s_ = 0.0;         // the last one's
+  std::int64_t sequence_ = -2;  // of the last frame; starts so that the first frame gets 0
+  double time_s_ = 0.0;         // of the last frame
   double period_s_ = 0.0;
   bool first_of_stream_ = true;
   std::uint32_t driver_sequence_ = 0;

@@ -1,0 +1,54 @@
+/// @file  Files that appear complete or not at all, one by one or several together.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace flytri::io {
+
+/// A file that is being written. The bytes go into a temporary file in the same folder; commit()
+/// gives it its name. Without commit() nothing is left behind, and a former file stays as it was.
+class AtomicFile {
+ public:
+  /// @errors  kNotFound (no such folder), kNotPermitted, kWriteFailed.
+  [[nodiscard]] static Result<AtomicFile> create(const std::filesystem::path& path);
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  ~AtomicFile();
+
+  /// @errors  kWriteFailed: the disk or quota is full, or the device fails.
+  [[nodiscard]] Result<void> write(std::string_view bytes);
+  /// Waits until the disk has all bytes; the file does not have its name yet.
+  /// @errors  kWriteFailed.
+  [[nodiscard]] Result<void> sync();
+  /// Waits until the disk has all bytes, then renames. Write nothing afterwards.
+  /// @errors  kWriteFailed, kNotPermitted.
+  [[nodiscard]] Result<void> commit();
+  /// Renames without waiting for the disk: the file survives the end of this process, but a power
+  /// failure only after sync_file().
+  /// @errors  As commit.
+  [[nodiscard]] Result<void> commit_unsynced();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  AtomicFile(std::filesystem::path path, std::string temporary, int descriptor);
+  void discard();
+
+  std::filesystem::path path_;
+  std::string temporary_;
+  int descriptor_ = -1;  ///< -1: committed, moved from or discarded
+};
+
+/// Commits files that belong together: all of them or none. They are renamed in this order, so put
+/// the file that refers to the others last. After a failure each former file is back.
+/// @errors  As AtomicFile::commit.
+[[nodiscard]] Result<void> commit_together(std::vector<AtomicFile> files);
+
+}  // namespace flytri::io
