@@ -39,12 +39,15 @@ endfunction()
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 
-# add_manual_page(PROGRAM): makes it from the program's help and what manual/ adds to it.
+# add_manual_page(PROGRAM): makes it from the program's help and what manual/ adds to it. In a cross build
+# an emulator runs the program.
+list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
 function(add_manual_page program)
+  string(STRIP "${emulator} $<TARGET_FILE:${program}>" command)
   add_made_file(${program}.help2man
     COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${FLYTRI_RELEASE_EPOCH} TZ=UTC LC_ALL=C.UTF-8
             ${HELP2MAN} --no-info --locale=C.UTF-8 --help-option=--help-all "--source=flytri ${PROJECT_VERSION}"
-            --include=manual/exit_status.man --opt-include=manual/${program}.man $<TARGET_FILE:${program}>
+            --include=manual/exit_status.man --opt-include=manual/${program}.man "${command}"
     DEPENDS ${program} manual/${program}.man manual/exit_status.man)
   add_made_file(${program}.1 COMMAND sed -f manual/option_names.sed ${made}/${program}.help2man
                 DEPENDS manual/option_names.sed ${made}/${program}.help2man)
@@ -66,6 +69,7 @@ foreach(size 16 22 24 32 48 64 128 256 512)
   install(FILES ${made}/${size}.png DESTINATION ${icons}/${size}x${size}/apps RENAME flytri.png)
 endforeach()
 add_custom_target(package_files ALL DEPENDS ${made_files})
+add_dependencies(package_files flytri flytri-lab flytri_core)
 configure_file(desktop/org.flytri.Flytri.metainfo.xml.in ${made}/org.flytri.Flytri.metainfo.xml @ONLY)
 
 install(TARGETS flytri flytri-lab DESTINATION bin)

@@ -85,7 +85,7 @@ write_sources() {
 # All mounts below the root, the caller's own among them.
 umount_root() {
   local mounted
-  findmnt -rno TARGET | grep "^$root/" | sort -r | while read -r mounted; do umount "$mounted"; done
+  findmnt -rno TARGET | awk -v "root=$root/" 'index($0, root) == 1' | sort -r | while read -r mounted; do umount "$mounted"; done
 }
 
 remove_root() {
