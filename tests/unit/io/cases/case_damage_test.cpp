@@ -327,7 +327,7 @@ TEST(CaseDamage, LimitsTheRecordsThatWaitForAFullDisk) {
     }
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code, ErrorCode::kInsufficient);
-    EXPECT_THAT(written.error().message, HasSubstr("is lost"));
+    EXPECT_THAT(written.error().message, HasSubstr("are lost"));
   }
   expect_done(file.commit());
   EXPECT_EQ(file.load_stage(kDamagedStage).value().views.size(), waiting);
