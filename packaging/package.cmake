@@ -41,10 +41,14 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 
 # add_manual_page(PROGRAM): makes it from the program's help and what manual/ adds to it.
 function(add_manual_page program)
+  set(run $<TARGET_FILE:${program}>)
+  if(CMAKE_CROSSCOMPILING_EMULATOR)
+    set(run "${CMAKE_CROSSCOMPILING_EMULATOR} ${run}")
+  endif()
   add_made_file(${program}.help2man
     COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${FLYTRI_RELEASE_EPOCH} TZ=UTC LC_ALL=C.UTF-8
             ${HELP2MAN} --no-info --locale=C.UTF-8 --help-option=--help-all "--source=flytri ${PROJECT_VERSION}"
-            --include=manual/exit_status.man --opt-include=manual/${program}.man $<TARGET_FILE:${program}>
+            --include=manual/exit_status.man --opt-include=manual/${program}.man ${run}
     DEPENDS ${program} manual/${program}.man manual/exit_status.man)
   add_made_file(${program}.1 COMMAND sed -f manual/option_names.sed ${made}/${program}.help2man
                 DEPENDS manual/option_names.sed ${made}/${program}.help2man)
