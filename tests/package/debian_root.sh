@@ -1,15 +1,16 @@
 # shellcheck shell=bash disable=SC2154  # The caller sets work and root.
 # Fresh Debian systems in a folder, for the checks beside this file, which source it.
-# Needs root, the network and debootstrap. The caller sets: work, a folder for all that is kept;
+# Needs root, the network, debootstrap and wget. The caller sets: work, a folder for all that is kept;
 # root, where the system goes.
 mirror=http://deb.debian.org/debian
 
 # needs WHAT TOOL...: ends the check named WHAT as skipped where a tool, root or mounts are missing.
 # Mounts live in a namespace of the script's own, and end with it: it starts itself again there.
-#     needs 'the package test' debootstrap lintian -- "$@"
+#     needs 'the package test' lintian -- "$@"
 needs() {
   local what=$1 missing=
   shift
+  set -- debootstrap wget "$@"
   while [ "$1" != -- ]; do
     command -v "$1" > /dev/null || missing+=" $1"
     shift
@@ -42,11 +43,12 @@ check() {
   fi
 }
 
-in_root() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 HOME=/root DEBIAN_FRONTEND=noninteractive "$@"; }
+in_root() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 HOME=/root \
+  DEBIAN_FRONTEND=noninteractive CCACHE_DIR=/ccache "$@"; }
 
 # fresh_root RELEASE [ARCHITECTURE]: makes the bare system of a release, by its name, up to date. It
-# is kept for a week, and the packages that apt fetches for longer. A second architecture's packages
-# can be installed, too.
+# is kept for a week; the packages that apt fetches, and what ccache has where it is installed, for
+# longer. A second architecture's packages can be installed, too.
 fresh_root() {
   local release=$1 base=$work/base-$1.tar
   find "$work" -maxdepth 1 -name "base-$release.tar" -mtime +7 -delete
@@ -65,7 +67,10 @@ fresh_root() {
   write_sources "$release" > "$root/etc/apt/sources.list"
   cp /etc/resolv.conf "$root/etc/"
   echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/fast"
-  mkdir -p "$work/debs-$release/partial"
+  # Mirrors of a release to come may be late.
+  echo 'Acquire::Check-Valid-Until "false";' > "$root/etc/apt/apt.conf.d/late"
+  mkdir -p "$work/debs-$release/partial" "$work/ccache" "$root/ccache"
+  mount --bind "$work/ccache" "$root/ccache"
   mount --bind "$work/debs-$release" "$root/var/cache/apt/archives"
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
@@ -85,7 +90,8 @@ write_sources() {
 # All mounts below the root, the caller's own among them.
 umount_root() {
   local mounted
-  findmnt -rno TARGET | awk -v "root=$root/" 'index($0, root) == 1' | sort -r | while read -r mounted; do umount "$mounted"; done
+  findmnt -rno TARGET | awk -v below="$root/" 'index($0, below) == 1' | sort -r |
+    while read -r mounted; do umount "$mounted"; done
 }
 
 remove_root() {
