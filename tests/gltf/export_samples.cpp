@@ -11,10 +11,12 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   const flytri::Result<void> written =
       flytri::io::create_folder(folder)
-          .and_then(
-              [&] { return io::write_model(folder / "textured.glb", flytri::textured_sphere()); })
-          .and_then(
-              [&] { return io::write_model(folder / "colored.glb", flytri::colored_sphere()); });
+          .and_then([&] {
+            return flytri::io::write_model(folder / "textured.glb", flytri::textured_sphere());
+          })
+          .and_then([&] {
+            return flytri::io::write_model(folder / "colored.glb", flytri::colored_sphere());
+          });
   if (!written) std::fprintf(stderr, "%s\n", written.error().message.c_str());
   return written ? 0 : 1;
 }

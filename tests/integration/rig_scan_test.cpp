@@ -119,7 +119,7 @@ FrameCounts expect_true(const io::Recording& recording, const SimulatedRig& rig,
     const Frame frame = io::load_frame(recording, FrameIndex(i)).value();
     ++(frame.kind == FrameKind::kTexture ? counts.texture : counts.measurement);
     EXPECT_EQ(cv::norm(frame.image, true_image(frame, rig, stage), cv::NORM_INF), 0.0)
-        << "frame " << i << ", " << to_string(frame.kind) << ", at " << frame.time_s << " s";
+        << "frame " << i << ", " << io::to_string(frame.kind) << ", at " << frame.time_s << " s";
   }
   return counts;
 }
