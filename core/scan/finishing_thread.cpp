@@ -10,7 +10,7 @@ namespace {
 /// Registers what could not be registered during the scan, then lists all registered views.
 reconstruct::ScannedViews collect(FinishingInput& input, const Progress& progress) {
   reconstruct::ScannedViews scanned;
-  progress.begin_stage("Registering what was lost");
+  progress.begin_stage(reconstruct::kRecovering);
   for (const tracking::RegisteredView& view :
        input.registrar->finish(tracking::Registrar::World::kUnchanged, progress)) {
     if (view.fate == tracking::ViewFate::kRejected || view.view->profiles.empty()) continue;

@@ -116,8 +116,8 @@ absent 'bad calibrations' out.ply
 
 # The demo. Its picture must not replace the texture of its OBJ.
 expect 'demo' 0 '^wrote demo/preview\.png' "$flytri" demo --duration 2 -o demo
-expect 'the recording of the demo' 0 '^wrote again\.obj' "$flytri" reconstruct demo/scan -o again.obj
-cmp demo/jaw.png again.png > log 2>&1 || fail 'demo/jaw.png is not the texture of demo/jaw.obj'
+# So short a scan has no texture: nothing else may take the place of it.
+[ ! -e demo/jaw.png ] || fail 'demo/jaw.png is not the texture of demo/jaw.obj'
 
 # Truth.
 bad_copy bad && rm bad/truth.json

@@ -18,7 +18,7 @@ ActionState panel_state(const Situation& now) {
 /// What all tasks have in common.
 ActionState task_state(const Situation& now) {
   if (!now.view.calibration) return disabled(kNotForRecordings);
-  if (now.state.dialog != Dialog::kCalibration) return disabled("open Calibration first");
+  if (now.state.dialog != Dialog::kCalibration) return disabled("open Calibration");
   return only_if(!now.is_calibrating(), "running");
 }
 
@@ -45,11 +45,11 @@ void begin_calibration(const ActionRunner& run) {
 
 ActionState previous_place_state(const Situation& now) {
   if (!now.view.calibration) return disabled(kNotForRecordings);
-  if (!now.is_calibrating()) return disabled("only while calibrating");
+  if (!now.is_calibrating()) return disabled("not calibrating");
   const RunningCalibration& running = *now.view.calibration->running;
   const bool waits =
       running.step == CalibrationStep::kTarget || running.step == CalibrationStep::kRefused;
-  return only_if(waits && previous_place(running), "no images taken yet");
+  return only_if(waits && previous_place(running), "no images yet");
 }
 
 void retake_previous_place(const ActionRunner& run) {

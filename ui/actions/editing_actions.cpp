@@ -42,7 +42,7 @@ void scale_brush(const ActionRunner& run, double factor) {
 }
 
 ActionState remove_measurement_state(const Situation& now) {
-  return only_if(!now.view.measurements.empty(), "no distances yet");
+  return only_if(!now.view.measurements.empty(), "none yet");
 }
 
 void remove_last_measurement(const ActionRunner& run) {

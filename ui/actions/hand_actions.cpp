@@ -11,10 +11,10 @@ constexpr double kTilt_rad = 0.035;  ///< of the sensor, for a press
 /// Of the picture's height: the drag that turns the camera as much as a press does.
 constexpr double kDragShare = 0.04;
 
-constexpr const char* kSimulatedOnly = "simulated sensor only";
+constexpr const char* kSimulatedOnly = "simulated only";
 
 ActionState arrow_state(const Situation& now) {
-  return enabled(now.steers_by_hand() ? "moves the sensor" : "turns the view");
+  return enabled(now.steers_by_hand() ? "moves sensor" : "turns the view");
 }
 
 /// @param kRight, kDown  direction in the picture
@@ -32,7 +32,7 @@ void turn_or_move(const ActionRunner& run) {
 }
 
 ActionState steer_state(const Situation& now) {
-  return only_if(now.steers_by_hand(), "turn on By hand first");
+  return only_if(now.steers_by_hand(), "By hand is off");
 }
 
 template <int kRight, int kDown>

@@ -28,11 +28,11 @@ TEST(RigMessage, ReportsNoLightFaultWhileADeviceIsUnplugged) {
 TEST(RigMessage, ReportsNoMissingFlashIfTheTextureCameraSeesIt) {
   RigStatus status;
   status.measurement.fault = sync::LightFault::kNoFlash;
-  EXPECT_THAT(rig_message(status, ""), HasSubstr("flash never shows"));
+  EXPECT_THAT(rig_message(status, ""), HasSubstr("No image shows the flash"));
   status.texture.emplace();
   EXPECT_EQ(rig_message(status, ""), "");
   status.texture->fault = sync::LightFault::kNoFlash;
-  EXPECT_THAT(rig_message(status, ""), HasSubstr("flash never shows"));
+  EXPECT_THAT(rig_message(status, ""), HasSubstr("No image shows the flash"));
 }
 
 TEST(RigMessage, ContainsTheMessagesOfBothCameras) {
