@@ -365,7 +365,9 @@ TEST(CaseDamage, AfterAKillAllCommitsAreThere) {
     const pid_t writer = ::fork();
     if (writer == 0) write_until_killed(path, ends[1]);
     ::close(ends[1]);
-    std::this_thread::sleep_for(std::chrono::milliseconds(10 + random.below(60)));
+    // However slow the machine is, each writer commits at least once.
+    ASSERT_EQ(::read(ends[0], &last_committed, sizeof(last_committed)), sizeof(last_committed));
+    std::this_thread::sleep_for(std::chrono::milliseconds(random.below(60)));
     ::kill(writer, SIGKILL);
     ::waitpid(writer, nullptr, 0);
     for (std::int32_t i = 0; ::read(ends[0], &i, sizeof(i)) == sizeof(i);) last_committed = i;
@@ -381,7 +383,6 @@ TEST(CaseDamage, AfterAKillAllCommitsAreThere) {
       ASSERT_TRUE(same_bits(*stored.view, view_of(stored.view->frame.value)));
     }
   }
-  EXPECT_GT(last_committed, 12) << "the writer was killed before it wrote anything";
 }
 
 }  // namespace
