@@ -455,23 +455,6 @@ TEST(LiveScan, CommandsWhileFinishingDoNotDisturbIt) {
   EXPECT_TRUE(second->has_each_placed_view_once());
 }
 
-TEST(LiveScan, ALaterJournalGetsAlsoViewsThatJoinAfterIt) {
-  Scene scene;
-  scene.away_from_s = 30 * kPeriod_s;
-  scene.away_to_s = 60 * kPeriod_s;
-  // The views there overlap with no other, until the sensor has returned.
-  scene.comes_back_beside_mm = 40.0;
-  const auto scan = make_scan(options_for(scene));
-  scan->start();
-  offer(*scan, 0, 75);
-  ASSERT_EQ(scan->snapshot()->phase, ScanPhase::kContinuation);
-  const auto notes = std::make_shared<Notes>();
-  scan->keep_in(notes);
-  offer(*scan, 75, 240);
-  EXPECT_EQ(notes->poses.count(65), 1U) << "the views from beside have not joined";
-  EXPECT_TRUE(notes->has_each_placed_view_once());
-}
-
 TEST(LiveScan, NamesTheOptionThatIsWrong) {
   LiveScanOptions options;
   const auto scan = LiveScan::create(std::make_shared<calibration::Calibration>(), options);
