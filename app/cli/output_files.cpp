@@ -17,8 +17,8 @@ class Claims {
  public:
   Result<void> claim(const fs::path& file, const fs::path& output) {
     std::error_code unknown;
-    fs::path place = fs::weakly_canonical(file, unknown);
-    const auto [claimed, is_new] = outputs_.try_emplace(unknown ? file : std::move(place), output);
+    const fs::path place = fs::weakly_canonical(file, unknown);
+    const auto [claimed, is_new] = outputs_.try_emplace(unknown ? file : place, output);
     if (is_new) return {};
     return fail(ErrorCode::kBadOption,
                 "{}: two outputs would write this file: {} and {}; rename one of them",

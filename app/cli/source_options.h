@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "app/cli/command.h"
 #include "app/session/source.h"
 #include "core/io/models/model_formats.h"
@@ -10,24 +13,31 @@
 namespace flytri::cli {
 
 inline void add_source_options(CLI::App& command, session::SourceChoice& source) {
-  const auto recording = command.add_option(
-      "--recording", source.recording, "Replay this recording instead of using the virtual sensor");
-  const auto rig =
-      command.add_option("--rig", source.rig, "Scan with the devices that this rig.json describes")
-          ->excludes(recording);
+  std::vector<CLI::Option*> paths;
+  for (const session::SourceRow& row : session::source_table()) {
+    const auto choose = [&source, &row](const std::string& path) {
+      source.name = row.name;
+      source.path = path;
+    };
+    paths.push_back(
+        command.add_option_function<std::string>(fmt::format("--{}", row.name), choose, row.help));
+  }
   command.add_option("--calibration", source.calibration,
-                     "Calibration to use. Default: the one that the recording or rig names");
+                     "Calibration to use. Default: the one that the source names");
   command
       .add_option("--speed", source.replay_speed,
                   "Speed of the replay; 1: as recorded, 0: as fast as possible")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  command
-      .add_option("--mesh", source.mesh,
-                  fmt::format("Model that the virtual sensor scans ({}). Default: the sample jaw",
-                              io::extension_list(io::FormatUse::kRead)))
-      ->excludes(recording)
-      ->excludes(rig);
+  paths.push_back(command.add_option(
+      "--mesh", source.mesh,
+      fmt::format("Model that the virtual sensor scans ({}). Default: the sample jaw",
+                  io::extension_list(io::FormatUse::kRead))));
+  for (CLI::Option* one : paths) {
+    for (CLI::Option* other : paths) {
+      if (one != other) one->excludes(other);
+    }
+  }
 }
 
 }  // namespace flytri::cli

@@ -56,18 +56,18 @@ CalibrationController::CalibrationController(SourceController& source, StageCont
 
 void CalibrationController::begin(const ui::BeginCalibration& command) {
   if (!state() || run_ != nullptr || is_closing_ || !stages_.may_leave()) return;
-  const auto& rig = source_.choice().rig;
+  const bool has_rig = source_.choice().is_rig();
   const bool checks = command.task != ui::CalibrationTask::kCalibrate;
   if (checks && source_.calibration() == nullptr) return;
-  if (command.task == ui::CalibrationTask::kCheckOnSphere && !rig) return;
+  if (command.task == ui::CalibrationTask::kCheckOnSphere && !has_rig) return;
   stages_.pause();
   source_.lend();
   CalibrationJob job;
   job.task = command.task;
   if (!checks) job.folder = command.folder;
   shots::ShotChoice shots;
-  shots.simulated = !rig;
-  if (rig) shots.rig = *rig;
+  shots.simulated = !has_rig;
+  if (has_rig) shots.rig = source_.choice().path;
   job.open_source = [shots] { return shots::open_shots(shots); };
   job.begin_work = [command, calibration =
                                  source_.calibration()](std::shared_ptr<shots::ShotSource> source) {
@@ -117,17 +117,17 @@ void CalibrationController::use() {
 }
 
 std::string CalibrationController::why_not_used() const {
-  if (!source_.choice().rig) return "the virtual sensor has its own calibration";
+  if (source_.choice().is_virtual()) return "the virtual sensor has its own calibration";
   if (stages_.has_unsaved()) return "save the scans in a case first";
   return {};
 }
 
 std::optional<ui::CalibrationState> CalibrationController::state() const {
-  if (source_.choice().recording) return std::nullopt;
+  if (!source_.choice().is_rig() && !source_.choice().is_virtual()) return std::nullopt;
   ui::CalibrationState state;
   state.folder = proposed_folder_.string();
   state.has_calibration = source_.calibration() != nullptr;
-  state.is_simulated = !source_.choice().rig;
+  state.is_simulated = source_.choice().is_virtual();
   state.why_not_used = why_not_used();
   if (run_ != nullptr) state.running = run_->state();
   return state;

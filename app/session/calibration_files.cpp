@@ -64,7 +64,7 @@ Result<std::filesystem::path> adopt_calibration(const SourceChoice& choice,
   const auto bytes = io::read_file(calibration);
   if (!bytes) return tl::unexpected(bytes.error());
   auto place = choice.calibration ? Result<std::filesystem::path>(*choice.calibration)
-                                  : place_in_rig(*choice.rig);
+                                  : place_in_rig(choice.path);
   if (!place) return place;
   if (auto kept = keep_former(*place); !kept) return tl::unexpected(kept.error());
   if (auto written = io::write_file(*place, *bytes); !written)

@@ -98,7 +98,7 @@ ui::DeviceState lights_state(const gpio::LightWiring& wiring, const rig::RigStat
 }  // namespace
 
 Result<rig::RigSettings> chosen_rig(const SourceChoice& choice) {
-  Result<rig::RigSettings> rig = rig::read_rig(*choice.rig);
+  Result<rig::RigSettings> rig = rig::read_rig(choice.path);
   if (rig && choice.calibration) rig->calibration = choice.calibration;
   return rig;
 }

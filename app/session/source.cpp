@@ -1,5 +1,7 @@
 #include "app/session/source.h"
 
+#include <array>
+
 #include "app/session/rig_devices.h"
 #include "app/session/user_folders.h"
 #include "assets/sample_jaw/sample_jaw.h"
@@ -55,13 +57,13 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
     if (!calibration) return tl::unexpected(calibration.error());
     options.calibration = std::make_shared<const calibration::Calibration>(std::move(*calibration));
   }
-  auto sensor = recording::ReplaySensor::open(*choice.recording, options, device::machine_clock());
+  auto sensor = recording::ReplaySensor::open(choice.path, options, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
     return fail(ErrorCode::kBadOption,
                 "{}: names no calibration; give one with --calibration FILE (made with flytri "
                 "calibrate)",
-                (*choice.recording / "recording.json").string());
+                (choice.path / "recording.json").string());
   }
   return Source{ui::SourceKind::kRecording, *sensor, nullptr, (*sensor)->calibration(),
                 std::nullopt};
@@ -76,18 +78,30 @@ Result<Source> open_rig_source(const SourceChoice& choice) {
     return fail(ErrorCode::kBadOption,
                 "{}: names no \"calibration\"; calibrate here (C) or with flytri calibrate --live, "
                 "and name the file in rig.json or with --calibration FILE",
-                choice.rig->string());
+                choice.path.string());
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),
                 RigSource{*sensor, *rig}};
 }
 
+constexpr std::array kSources = {
+    SourceRow{kRecordingSource, "Replay this recording instead of using the virtual sensor",
+              open_recording_source},
+    SourceRow{kRigSource, "Scan with the devices that this rig.json describes", open_rig_source}};
+
+Result<Source> open_chosen(const SourceChoice& choice, const Progress& progress) {
+  for (const SourceRow& row : kSources) {
+    if (row.name == choice.name) return row.open(choice);
+  }
+  return open_virtual_sensor(choice, progress);
+}
+
 }  // namespace
 
+std::span<const SourceRow> source_table() { return kSources; }
+
 Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
-  auto source = choice.recording ? open_recording_source(choice)
-                : choice.rig     ? open_rig_source(choice)
-                                 : open_virtual_sensor(choice, progress);
+  auto source = open_chosen(choice, progress);
   if (!source || !choice.fault_seed) return source;
   simulated::FaultOptions faults;
   faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;

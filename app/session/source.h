@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "core/base/progress.h"
 #include "core/calibration/record/calibration.h"
@@ -16,15 +18,21 @@
 
 namespace flytri::session {
 
+/// Names in source_table().
+inline constexpr std::string_view kRecordingSource = "recording";
+inline constexpr std::string_view kRigSource = "rig";
+
 /// The source that the user chose.
 struct SourceChoice {
-  std::optional<std::filesystem::path> recording;  ///< a folder to replay
-  std::optional<std::filesystem::path> rig;        ///< a rig.json: real devices
-  std::optional<std::filesystem::path>
-      calibration;                            ///< replaces the one that the recording or rig names
-  double replay_speed = 1.0;                  ///< > 0; 0: as fast as possible
-  std::optional<std::filesystem::path> mesh;  ///< the object that the virtual sensor scans
-  std::optional<std::uint64_t> fault_seed;    ///< for tests: makes the source fail now and then
+  std::string_view name;       ///< in source_table(); empty: the virtual sensor
+  std::filesystem::path path;  ///< the recording's folder, the rig's file; as the name asks
+  std::optional<std::filesystem::path> calibration;  ///< replaces the one that the source names
+  double replay_speed = 1.0;                         ///< > 0; 0: as fast as possible
+  std::optional<std::filesystem::path> mesh;         ///< the object that the virtual sensor scans
+  std::optional<std::uint64_t> fault_seed;  ///< for tests: makes the source fail now and then
+
+  [[nodiscard]] bool is_virtual() const { return name.empty(); }
+  [[nodiscard]] bool is_rig() const { return name == kRigSource; }
 };
 
 /// The rig of a source with devices.
@@ -40,6 +48,16 @@ struct Source {
   std::shared_ptr<const calibration::Calibration> calibration;
   std::optional<RigSource> rig;
 };
+
+/// A kind of source. To add one, add its row: the command line makes an option of it.
+struct SourceRow {
+  std::string_view name;  ///< the option is --NAME PATH
+  const char* help;
+  Result<Source> (*open)(const SourceChoice& choice);
+};
+
+/// All sources but the virtual sensor, which is used where none is chosen.
+[[nodiscard]] std::span<const SourceRow> source_table();
 
 /// The first use of the virtual sensor takes seconds, because it is calibrated then.
 /// @errors  As for reading the recording, the rig, the calibration or the mesh; kCancelled.

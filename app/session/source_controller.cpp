@@ -64,7 +64,7 @@ void SourceController::retry() {
 }
 
 void SourceController::check_devices() {
-  if (!choice_.rig || checked_.is_checking) return;
+  if (!choice_.is_rig() || checked_.is_checking) return;
   // While the devices run they report their own problems. A check would only find them in use.
   if (is_running()) {
     checked_.problems.clear();
@@ -148,7 +148,7 @@ ui::SourceState SourceController::state() const {
 }
 
 std::optional<ui::DevicesState> SourceController::devices_state() const {
-  if (!choice_.rig) return std::nullopt;
+  if (!choice_.is_rig()) return std::nullopt;
   const ui::SourceState source = state();
   ui::DevicesState devices = checked_;
   if (source_.rig)

@@ -10,13 +10,13 @@ void BackgroundRefinement::run_if_more(std::size_t view_count, double growth,
   if (static_cast<double>(view_count) <= growth * static_cast<double>(refined_count_)) return;
   is_running_ = true;
   refined_count_ = view_count;
-  background_.post([this, views = collect()]() mutable {
+  background_.post([this, views = collect(), discarded = discarded_runs_]() mutable {
     const auto refined =
         refinement::refine_jointly(views, options_.refinement, Workers(1), progress_);
     release_free_memory();
-    ask_([this, done = refined.has_value(), views = std::move(views)] {
+    ask_([this, done = refined.has_value(), views = std::move(views), discarded] {
       is_running_ = false;
-      if (done) take_(views);
+      if (done && discarded == discarded_runs_) take_(views);
     });
   });
 }

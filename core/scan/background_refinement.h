@@ -40,6 +40,8 @@ class BackgroundRefinement {
     run_if_more(view_count, 1.0, collect);
   }
   [[nodiscard]] bool is_running() const { return is_running_; }
+  /// The poses of a run that is not done are no longer wanted: the scan got better ones meanwhile.
+  void discard_run() { ++discarded_runs_; }
   /// Cancels the present run and all later ones.
   void cancel() const { progress_.cancel(); }
 
@@ -53,6 +55,7 @@ class BackgroundRefinement {
   const Take take_;
   Progress progress_;
   std::size_t refined_count_ = 0;  ///< views when the last run began
+  int discarded_runs_ = 0;
   bool is_running_ = false;
 };
 

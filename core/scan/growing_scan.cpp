@@ -357,6 +357,7 @@ void GrowingScan::take_result(Result<reconstruct::FinishedScan> finished) {
     step(ScanEvent::kNoResult);
     return model_.look_for_holes();
   }
+  refinement_.discard_run();
   take_refined(finished->views);
   auto result = std::make_shared<const reconstruct::FinishedScan>(std::move(*finished));
   journal([result](ScanJournal& journal) { journal.keep_result(*result); });
@@ -383,6 +384,7 @@ void GrowingScan::keep_in(std::shared_ptr<ScanJournal> to) {
   });
   model_.with_textures([this](const std::vector<PlacedTexture>& all) {
     std::vector<Frame> frames;
+    frames.reserve(all.size());
     for (const PlacedTexture& placed : all) frames.push_back(placed.frame);
     journal([frames = std::move(frames)](ScanJournal& journal) {
       for (const Frame& frame : frames) journal.keep_texture(frame);

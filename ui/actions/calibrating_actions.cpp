@@ -23,13 +23,13 @@ ActionState task_state(const Situation& now) {
 }
 
 ActionState check_on_plane_state(const Situation& now) {
-  const ActionState task = task_state(now);
+  ActionState task = task_state(now);
   if (!task.is_enabled) return task;
   return only_if(now.view.calibration->has_calibration, "no calibration yet");
 }
 
 ActionState check_on_sphere_state(const Situation& now) {
-  const ActionState check = check_on_plane_state(now);
+  ActionState check = check_on_plane_state(now);
   if (!check.is_enabled) return check;
   if (now.view.calibration->is_simulated) return disabled("real sensor only");
   const auto diameter_mm = typed_length_mm(now.state.calibration_form.sphere_diameter_mm);

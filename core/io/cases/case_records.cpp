@@ -214,7 +214,7 @@ Result<void> CaseRecords::write(PendingWrite pending) {
                 database_.name());
   }
   // Only commit() tries again: what waits may be much.
-  const Result<void> begun =
+  Result<void> begun =
       failure_ && !is_read_only() ? Result<void>(tl::unexpected(*failure_)) : begin();
   if (!begun && is_read_only()) return begun;
   pending_.push_back(std::move(pending));

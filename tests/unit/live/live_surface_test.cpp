@@ -214,7 +214,9 @@ SigmaAndError sigma_and_error(double tilt_rad, double correlation_samples) {
                                 .toRotationMatrix();
   // In the middle of cells, so that noise moves no point into another.
   const double height_mm = 0.5;
-  LiveSurface surface = LiveSurface::create({.cell_mm = 1.0}).value();
+  LiveSurfaceOptions options;
+  options.cell_mm = 1.0;
+  LiveSurface surface = LiveSurface::create(options).value();
   for (int v = 0; v < 12; ++v) {
     View ideal;
     ideal.pattern = kPatterns[static_cast<std::size_t>(v % 2)];

@@ -49,7 +49,8 @@ TEST(CalibrationFiles, NamesTheFirstCalibrationInTheRig) {
   ASSERT_TRUE(io::write_file(made, "new"));
   ASSERT_TRUE(rig::write_rig(rig, small_rig()));
   SourceChoice choice;
-  choice.rig = rig;
+  choice.name = kRigSource;
+  choice.path = rig;
   const auto adopted = adopt_calibration(choice, made);
   ASSERT_TRUE(adopted.has_value()) << adopted.error().message;
   EXPECT_EQ(*adopted, folder.path() / "calibration.json");
@@ -63,7 +64,8 @@ TEST(CalibrationFiles, KeepsTheFormerCalibration) {
   ASSERT_TRUE(io::write_file(made, "new"));
   ASSERT_TRUE(io::write_file(named, "old"));
   SourceChoice choice;
-  choice.rig = folder.path() / "rig.json";
+  choice.name = kRigSource;
+  choice.path = folder.path() / "rig.json";
   choice.calibration = named;
   ASSERT_TRUE(adopt_calibration(choice, made).has_value());
   EXPECT_EQ(io::read_file(named).value(), "new");
@@ -78,7 +80,8 @@ TEST(CalibrationFiles, LeavesADamagedRigFileUnchanged) {
   ASSERT_TRUE(io::write_file(made, "new"));
   ASSERT_TRUE(io::write_file(rig, "{"));
   SourceChoice choice;
-  choice.rig = rig;
+  choice.name = kRigSource;
+  choice.path = rig;
   EXPECT_FALSE(adopt_calibration(choice, made).has_value());
   EXPECT_EQ(io::read_file(rig).value(), "{");
   EXPECT_FALSE(fs::exists(folder.path() / "calibration.json"));

@@ -81,8 +81,9 @@ TEST(DeviceStates, TrustTheImagesMoreThanTheSwitch) {
 TEST(CheckChosenRig, SaysWhyTheFileCannotBeRead) {
   const TemporaryFolder folder;
   SourceChoice choice;
-  choice.rig = folder.path() / "rig.json";
-  std::ofstream(*choice.rig) << "{";
+  choice.name = kRigSource;
+  choice.path = folder.path() / "rig.json";
+  std::ofstream(choice.path) << "{";
   EXPECT_THAT(check_chosen_rig(choice), Contains(HasSubstr("rig.json")));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <optional>
 #include <thread>
 
 #include "core/calibration/fit/calibrate.h"
@@ -41,21 +42,29 @@ bool warns_of_other_calibration(const ui::AppView& view) {
 
 class SessionOnARecording : public ::testing::Test {
  protected:
+  static void SetUpTestSuite() {
+    const auto set = io::read_calibration_set(testing::shared_data() / "calibration-intraoral");
+    if (set) calibration_ = calibration::calibrate(*set, {}, Workers(), Progress()).value();
+  }
+
   void SetUp() override {
     if (!fs::exists(testing::shared_data())) {
       GTEST_SKIP() << "no recording in " << testing::shared_data().string();
     }
     setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
     setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
-    const auto set = io::read_calibration_set(testing::shared_data() / "calibration-intraoral");
-    const auto calibrated = calibration::calibrate(*set, {}, Workers(), Progress());
-    ASSERT_TRUE(io::write_calibration(folder_.path() / "calibration.json", *calibrated));
-    options_.source.recording = testing::shared_data() / "recording-quadrant";
+    ASSERT_TRUE(calibration_);
+    ASSERT_TRUE(io::write_calibration(folder_.path() / "calibration.json", *calibration_));
+    options_.source.name = kRecordingSource;
+    options_.source.path = testing::shared_data() / "recording-quadrant";
     options_.source.calibration = folder_.path() / "calibration.json";
   }
 
   TemporaryFolder folder_;
   SessionOptions options_;
+
+ private:
+  static inline std::optional<calibration::Calibration> calibration_;
 };
 
 TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
@@ -142,7 +151,7 @@ TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
   session.scan()->wait_until_idle();
   // Each limit stops the creation at another place: tables, fields, calibration.
   int failures = 0;
-  for (rlim_t size = 4096;; size += 4096) {
+  for (rlim_t size = 4096;; size += size / 4) {
     {
       const testing::FileSizeLimit limit(size);
       session.carry_out(ui::NewCase{path_of(size), "", {}});
@@ -209,7 +218,8 @@ TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
 }
 
 TEST_F(SessionOnARecording, SaysWhyASourceCannotBeOpened) {
-  options_.source.recording = folder_.path() / "nothing";
+  options_.source.name = kRecordingSource;
+  options_.source.path = folder_.path() / "nothing";
   Session session(options_);
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.is_lost; }));
   EXPECT_NE(session.view().source.message.find("nothing"), std::string::npos);
