@@ -19,7 +19,7 @@ Bytes interface(std::uint8_t endpoints, const Bytes& device_class) {
 
 Bytes endpoint(std::uint8_t address, std::uint8_t kind, std::uint16_t size, std::uint8_t interval) {
   Bytes content = {5, address, kind};
-  io::append_number(content, size, 2);
+  append_number(content, size, 2);
   content.push_back(interval);
   return descriptor(content);
 }

@@ -25,7 +25,7 @@ void brighten(std::uint8_t& pixel, double share) {
   pixel = static_cast<std::uint8_t>(std::lround(pixel + share * (kBright - pixel)));
 }
 
-Bytes test_picture(const UvcSize& size, const simulated::Exposure& exposure) {
+Bytes test_picture(const UvcSize& size, const Exposure& exposure) {
   const std::uint8_t ground = static_cast<std::uint8_t>(kDimmest + exposure.number % 32);
   Bytes image(std::size_t{size.width} * size.height, ground);
   for (std::uint32_t row = 0; row < size.height; ++row)
@@ -87,13 +87,13 @@ void Picture::add(Bytes& image, const char* light, std::uint32_t number, double 
     image[i] = static_cast<std::uint8_t>(std::min(255, image[i] + table[lit[i]]));
 }
 
-Bytes Picture::image(const simulated::Exposure& exposure, UvcFormat format) const {
+Bytes Picture::image(const Exposure& exposure, UvcFormat format) const {
   if (count_ == 0) return encode(test_picture(size_, exposure), format, size_);
   if (format == UvcFormat::kMjpeg && !black_.empty()) return color(exposure);
   return encode(grey(exposure), format, size_);
 }
 
-Bytes Picture::grey(const simulated::Exposure& exposure) const {
+Bytes Picture::grey(const Exposure& exposure) const {
   Bytes image(std::size_t{size_.width} * size_.height);
   const std::uint32_t number = exposure.number % count_;
   add(image, "dark.grey", number, 1.0 - exposure.vertical - exposure.horizontal - exposure.flash);
@@ -104,7 +104,7 @@ Bytes Picture::grey(const simulated::Exposure& exposure) const {
 }
 
 // The color camera shows only the flash.
-Bytes Picture::color(const simulated::Exposure& exposure) const {
+Bytes Picture::color(const Exposure& exposure) const {
   if (exposure.flash <= 0.0) return black_;
   std::ifstream file(file_of(exposure.number % count_, "flash.jpg"), std::ios::binary);
   const Bytes whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

@@ -30,9 +30,9 @@ Bytes device_descriptor(const Identity& identity) {
   Bytes content = {kDeviceDescriptor, 0, 2};
   append(content, identity.device_class);
   content.push_back(64);
-  io::append_number(content, identity.vendor, 2);
-  io::append_number(content, identity.product, 2);
-  io::append_number(content, identity.version, 2);
+  append_number(content, identity.vendor, 2);
+  append_number(content, identity.product, 2);
+  append_number(content, identity.version, 2);
   const std::uint8_t serial_text = identity.serial.empty() ? 0 : 3;
   append(content, Bytes{1, 2, serial_text, 1});
   return descriptor(content);
@@ -43,7 +43,7 @@ Bytes device_descriptor(const Identity& identity) {
 UsbDevice::UsbDevice(int port, Identity identity, int interfaces, const Bytes& configuration)
     : port_(port, identity.speed), identity_(std::move(identity)) {
   Bytes head = {kConfigurationDescriptor};
-  io::append_number(head, static_cast<std::uint32_t>(configuration.size() + 9), 2);
+  append_number(head, static_cast<std::uint32_t>(configuration.size() + 9), 2);
   append(head, Bytes{static_cast<std::uint8_t>(interfaces), 1, 0, 0x80, 250});
   configuration_ = descriptor(head);
   append(configuration_, configuration);

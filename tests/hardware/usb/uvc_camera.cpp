@@ -96,22 +96,22 @@ std::optional<Bytes> UvcCamera::answer_entity(const Setup& setup, const Bytes& d
       found->value = read_number(data, 0, static_cast<std::size_t>(found->bytes));
       break;
     case kGetMinimum:
-      io::append_number(answer, found->minimum, found->bytes);
+      append_number(answer, found->minimum, found->bytes);
       break;
     case kGetMaximum:
-      io::append_number(answer, found->maximum, found->bytes);
+      append_number(answer, found->maximum, found->bytes);
       break;
     case kGetResolution:
-      io::append_number(answer, found->resolution, found->bytes);
+      append_number(answer, found->resolution, found->bytes);
       break;
     case kGetLength:
-      io::append_number(answer, static_cast<std::uint32_t>(found->bytes), 2);
+      append_number(answer, static_cast<std::uint32_t>(found->bytes), 2);
       break;
     case kGetInformation:
       answer = {3};  // can be read and set
       break;
     default:
-      io::append_number(answer, found->value, found->bytes);
+      append_number(answer, found->value, found->bytes);
   }
   return answer;
 }
@@ -131,10 +131,10 @@ std::optional<Bytes> UvcCamera::negotiate(const Setup& setup, const Bytes& data)
   if (setup.request == kGetLength) return Bytes{kNegotiationBytes, 0};
   if (setup.request == kGetInformation) return Bytes{3};
   Bytes agreed = {1, 0, static_cast<std::uint8_t>(format_), static_cast<std::uint8_t>(size_ + 1)};
-  io::append_number(agreed, interval_, 4);
+  append_number(agreed, interval_, 4);
   agreed.resize(18);
-  io::append_number(agreed, uvc_image_bytes(format_, kUvcSizes[size_]), 4);
-  io::append_number(agreed, options_.isochronous ? kIsochronousBytes : kBulkBytes, 4);
+  append_number(agreed, uvc_image_bytes(format_, kUvcSizes[size_]), 4);
+  append_number(agreed, options_.isochronous ? kIsochronousBytes : kBulkBytes, 4);
   return agreed;
 }
 
@@ -194,7 +194,7 @@ void UvcCamera::expose(double time_s) {
       time_s - std::min(control_value(kLensEntity, kExposureTime) * kExposureUnit_s,
                         interval_ * kInterval_s);
   const std::uint32_t number = options_.beside ? options_.beside->number_at(time_s) : own_number;
-  const simulated::Exposure exposure{number, pins_.share(0, begin_s, time_s),
+  const Exposure exposure{number, pins_.share(0, begin_s, time_s),
                                      pins_.share(1, begin_s, time_s),
                                      pins_.share(2, begin_s, time_s)};
   image_ = picture_->image(exposure, format_);

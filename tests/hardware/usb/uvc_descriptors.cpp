@@ -28,7 +28,7 @@ Bytes interface(std::uint8_t number, std::uint8_t alternative, std::uint8_t endp
 
 Bytes endpoint(std::uint8_t kind, std::uint16_t size, std::uint8_t interval) {
   Bytes content = {kEndpoint, kStreamEndpoint, kind};
-  io::append_number(content, size, 2);
+  append_number(content, size, 2);
   content.push_back(interval);
   return descriptor(content);
 }
@@ -37,9 +37,9 @@ Bytes endpoint(std::uint8_t kind, std::uint16_t size, std::uint8_t interval) {
 // white balance, automatic white balance.
 Bytes entities() {
   Bytes lens = {kLensEntity, 0x01, 0x02, 0, 0, 0, 0, 0, 0, 0, 0, 3};
-  io::append_number(lens, 1U << 1 | 1U << 2 | 1U << 3 | 1U << 5 | 1U << 17, 3);
+  append_number(lens, 1U << 1 | 1U << 2 | 1U << 3 | 1U << 5 | 1U << 17, 3);
   Bytes processing = {kProcessingEntity, kLensEntity, 0, 0, 2};
-  io::append_number(processing, 1U << 6 | 1U << 9 | 1U << 12, 2);
+  append_number(processing, 1U << 6 | 1U << 9 | 1U << 12, 2);
   processing.push_back(0);
   Bytes all = video_descriptor(2, lens);
   append(all, video_descriptor(5, processing));
@@ -51,9 +51,9 @@ Bytes control_interface() {
   const Bytes parts = entities();
   constexpr std::size_t kHeaderBytes = 13;
   Bytes header;
-  io::append_number(header, 0x0100, 2);
-  io::append_number(header, static_cast<std::uint32_t>(kHeaderBytes + parts.size()), 2);
-  io::append_number(header, 6'000'000, 4);  // clock frequency, Hz
+  append_number(header, 0x0100, 2);
+  append_number(header, static_cast<std::uint32_t>(kHeaderBytes + parts.size()), 2);
+  append_number(header, 6'000'000, 4);  // clock frequency, Hz
   append(header, Bytes{1, kStreamInterface});
   Bytes all = interface(kControlInterface, 0, 0, 1);
   append(all, video_descriptor(1, header));
@@ -72,14 +72,14 @@ Bytes frame(std::uint8_t subtype, UvcFormat format, std::size_t index) {
   const UvcSize& size = kUvcSizes[index];
   const std::uint32_t bytes = uvc_image_bytes(format, size);
   Bytes content = {static_cast<std::uint8_t>(index + 1), 0};
-  io::append_number(content, size.width, 2);
-  io::append_number(content, size.height, 2);
-  io::append_number(content, bytes * 8 * 10, 4);
-  io::append_number(content, bytes * 8 * 50, 4);
-  io::append_number(content, bytes, 4);
-  io::append_number(content, kUvcIntervals[1], 4);
+  append_number(content, size.width, 2);
+  append_number(content, size.height, 2);
+  append_number(content, bytes * 8 * 10, 4);
+  append_number(content, bytes * 8 * 50, 4);
+  append_number(content, bytes, 4);
+  append_number(content, kUvcIntervals[1], 4);
   content.push_back(kUvcIntervals.size());
-  for (const std::uint32_t interval : kUvcIntervals) io::append_number(content, interval, 4);
+  for (const std::uint32_t interval : kUvcIntervals) append_number(content, interval, 4);
   return video_descriptor(subtype, content);
 }
 
@@ -109,7 +109,7 @@ Bytes formats() {
   append(parts, mjpeg());
   constexpr std::size_t kHeaderBytes = 16;
   Bytes header = {3};
-  io::append_number(header, static_cast<std::uint32_t>(kHeaderBytes + parts.size()), 2);
+  append_number(header, static_cast<std::uint32_t>(kHeaderBytes + parts.size()), 2);
   append(header, Bytes{kStreamEndpoint, 0, kOutputTerminal, 0, 0, 0, 1, 0, 0, 0});
   Bytes all = video_descriptor(1, header);
   append(all, parts);
