@@ -44,7 +44,8 @@ check() {
 }
 
 in_root() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 HOME=/root \
-  DEBIAN_FRONTEND=noninteractive CCACHE_DIR=/ccache "$@"; }
+  DEBIAN_FRONTEND=noninteractive CCACHE_DIR=/ccache \
+  NODE_EXTRA_CA_CERTS=/etc/ssl/certs/ca-certificates.crt "$@"; }
 
 # fresh_root RELEASE [ARCHITECTURE]: makes the bare system of a release, by its name, up to date. It
 # is kept for a week; the packages that apt fetches, and what ccache has where it is installed, for
@@ -66,6 +67,9 @@ fresh_root() {
   fi
   write_sources "$release" > "$root/etc/apt/sources.list"
   cp /etc/resolv.conf "$root/etc/"
+  # A network may have certificates of its own. ca-certificates takes them up when it is installed.
+  mkdir -p "$root/usr/local/share"
+  [ ! -d /usr/local/share/ca-certificates ] || cp -r /usr/local/share/ca-certificates "$root/usr/local/share/"
   echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/fast"
   # Mirrors of a release to come may be late.
   echo 'Acquire::Check-Valid-Until "false";' > "$root/etc/apt/apt.conf.d/late"
