@@ -32,6 +32,7 @@ GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibra
       pictures_(kPictureShare * half_diagonal_mm(*calibration_), half_diagonal_mm(*calibration_)),
       distance_(calibration_->volume.size_mm.z()),
       journal_(options.journal, options.now_s),
+      background_thread_(options.background),
       refinement_({options.finish.refinement, options.refine_growth, options.min_refine_views},
                   background_thread_, ask_,
                   [this](const std::vector<AlignedView>& refined) {

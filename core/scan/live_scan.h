@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/result.h"
+#include "core/base/task_thread.h"
 #include "core/calibration/record/calibration.h"
 #include "core/editing/edits.h"
 #include "core/live/live_surface.h"
@@ -38,6 +39,9 @@ struct LiveScanOptions {
   int min_refine_views = 60;
   /// > 0. Shortest time between two searches for holes, s.
   double holes_period_s = 4.0;
+  /// Of the optimization and the search for holes. Tests raise it: on a busy machine they would
+  /// wait.
+  TaskThread::Priority background = TaskThread::Priority::kBackground;
   /// Monotonic seconds. Must be set.
   std::function<double()> now_s;
   /// Null: the scan is not saved.

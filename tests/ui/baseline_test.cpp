@@ -22,8 +22,8 @@ constexpr int kReduction = 4;
 /// A pixel differs if a channel differs by more than this, of 255. Another rasterizer moves edges
 /// by parts of a pixel, and animations may be at another phase.
 constexpr double kVisible = 24.0;
-/// Share of pixels that may differ: about two lines of text. Other releases of Mesa and of the fonts
-/// change up to 0.8 %.
+/// Share of pixels that may differ: about two lines of text. Other releases of Mesa and of the
+/// fonts change up to 0.8 %.
 constexpr double kTolerance = 0.01;
 
 /// Means over squares of kReduction pixels.

@@ -51,7 +51,7 @@ class SmallestWindow : public ::testing::TestWithParam<double> {
 
   void show(const std::string& state) {
     window_->cancel_all();
-    window_->show(state);
+    window_->ask("tell " + state);  // check() waits
   }
   void check(const std::string& what) {
     window_->ask("wait 2");

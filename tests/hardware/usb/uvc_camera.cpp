@@ -194,9 +194,8 @@ void UvcCamera::expose(double time_s) {
       time_s - std::min(control_value(kLensEntity, kExposureTime) * kExposureUnit_s,
                         interval_ * kInterval_s);
   const std::uint32_t number = options_.beside ? options_.beside->number_at(time_s) : own_number;
-  const Exposure exposure{number, pins_.share(0, begin_s, time_s),
-                                     pins_.share(1, begin_s, time_s),
-                                     pins_.share(2, begin_s, time_s)};
+  const Exposure exposure{number, pins_.share(0, begin_s, time_s), pins_.share(1, begin_s, time_s),
+                          pins_.share(2, begin_s, time_s)};
   image_ = picture_->image(exposure, format_);
   if (std::exchange(next_short_, false)) image_.resize(image_.size() / 2);
   error_ = std::exchange(next_error_, false);

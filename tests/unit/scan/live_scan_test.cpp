@@ -81,6 +81,7 @@ LiveScanOptions options_for(const Scene& scene) {
   options.measure_frame = [scene](const Frame& frame) { return scene.measure(frame); };
   options.max_frames_underway = 1000;  // a busy machine must not lose frames
   options.max_views_waiting = 1000;
+  options.background = TaskThread::Priority::kNormal;
   return options;
 }
 

@@ -55,6 +55,7 @@ class SessionOnARecording : public ::testing::Test {
     setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
     ASSERT_TRUE(calibration_);
     ASSERT_TRUE(io::write_calibration(folder_.path() / "calibration.json", *calibration_));
+    options_.scan.background = TaskThread::Priority::kNormal;
     options_.source.name = kRecordingSource;
     options_.source.path = testing::shared_data() / "recording-quadrant";
     options_.source.calibration = folder_.path() / "calibration.json";
