@@ -297,7 +297,7 @@ TEST_F(RealWindow, APassphraseIsTypedTwice) {
 }
 
 TEST_F(RealWindow, TheListOfCasesIsSearched) {
-  show("empty_case");
+  show("unnamed");
   window().key("d");
   window().click("tab_open");
   window().type("chidi");
