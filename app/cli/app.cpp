@@ -16,6 +16,7 @@ namespace {
 struct AppArguments {
   session::SourceChoice source;
   ui::AppWindowOptions window;
+  bool scans_at_once = false;
 };
 
 /// Plays a sound when the scan is lost and when it continues.
@@ -32,12 +33,14 @@ void play_sounds(const ui::AppView& view, scan::ScanPhase& heard, ui::SoundPlaye
 
 /// @param progress  is canceled when a signal ends the program
 Result<void> run(const AppArguments& arguments, const Progress& progress) {
-  auto window = ui::AppWindow::create(arguments.window);
+  ui::AppWindowOptions window_options = arguments.window;
+  window_options.shows_case_dialog = !arguments.scans_at_once;
+  auto window = ui::AppWindow::create(window_options);
   if (!window) return tl::unexpected(window.error());
   session::SessionOptions options;
   options.source = arguments.source;
   session::Session session(options);
-  session.carry_out(ui::StartScan{});
+  if (arguments.scans_at_once) session.carry_out(ui::StartScan{});
   ui::SoundPlayer sounds;
   scan::ScanPhase heard = scan::ScanPhase::kPreview;
   std::vector<ui::Command> commands;
@@ -61,6 +64,8 @@ void add_app_command(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("app", "Open the scanning window; flytri without a command does the same");
   add_source_options(*command, arguments->source);
+  command->add_flag("--scan", arguments->scans_at_once,
+                    "Start scanning at once. Default: choose or name a case first");
   command
       ->add_option("--scale", arguments->window.content_scale,
                    "Size of texts and buttons, 0.5 to 4. Default: as the screen asks")
@@ -69,7 +74,7 @@ void add_app_command(CLI::App& app, Invocation& invocation) {
                       "For tests: random faults of the source, from this seed");
   command->add_option("--control", arguments->window.control_socket,
                       "For tests: Unix socket through which a program controls the window");
-  command->footer("Example: flytri app");
+  command->footer("Example: flytri app --scan");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
   });

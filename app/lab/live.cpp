@@ -231,9 +231,21 @@ void print(const std::vector<ui::FrameTimes>& all) {
   }
 }
 
-/// Scans and measures. The scan is discarded.
+/// An empty folder that is removed at the end.
+struct ScratchFolder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("flytri-lab-{}", ::getpid());
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+/// Scans and measures. The scan is saved as always, and then discarded.
 Result<nlohmann::json> run_live(const BenchArguments& arguments, ui::AppWindow& window) {
+  const ScratchFolder scratch;
   session::SessionOptions options;
+  options.unnamed_folder = scratch.path;
   options.source = arguments.source;
   session::Session session(options);
   Bench bench(session, window);

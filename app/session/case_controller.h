@@ -1,6 +1,7 @@
 /// @file  Controls the case of a session: creates, opens and describes it.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -14,13 +15,21 @@ namespace flytri::session {
 
 class CaseController {
  public:
-  CaseController(const SourceController& source, StageController& stages,
-                 BackgroundWork& background, Notices& notices);
+  /// @param unnamed_folder  of scans that have no case yet
+  CaseController(std::filesystem::path unnamed_folder, const SourceController& source,
+                 StageController& stages, BackgroundWork& background, Notices& notices);
 
-  /// Creates a case. What was scanned without a case is saved in it. If another case is open, that
-  /// one keeps its scans, and the new case begins empty. On failure nothing changes.
+  /// Saves the scans in an unnamed case, unless a case is open: so nothing that was scanned is lost
+  /// when the program ends.
+  void save_unnamed();
+  /// Creates a case. The unnamed case, if one is open, becomes this one. If a named case is open,
+  /// that one keeps its scans, and the new case begins empty. On failure nothing changes.
   void create(const ui::NewCase& command);
   void open(const ui::OpenCase& command);
+  /// Deletes an unnamed case. Does nothing to other files.
+  void discard(const ui::DiscardCase& command);
+  /// Before the end: removes the unnamed case if nothing was scanned.
+  void close();
   void set_fields(const ui::SetCaseFields& command);
   /// Warns if the case was scanned with another calibration than the source's.
   void warn_of_other_calibration();
@@ -31,10 +40,15 @@ class CaseController {
  private:
   [[nodiscard]] CaseStore* store() const { return stages_.store().get(); }
   bool refuses_while_finishing();
+  [[nodiscard]] bool is_unnamed() const;
+  void name_unnamed(const ui::NewCase& command);
+  /// Turns to another case; null: to none.
+  void replace_by(std::shared_ptr<CaseStore> store);
   void accept_opened(const std::string& passphrase);
   void list_cases();
   void report_failure();
 
+  const std::filesystem::path unnamed_folder_;
   const SourceController& source_;
   StageController& stages_;
   BackgroundWork& background_;

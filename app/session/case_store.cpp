@@ -35,6 +35,21 @@ std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& fi
       reconstruct::finished_scan_of(std::move(*model)));
 }
 
+/// A stage that cannot be read may have views.
+StagesWithViews find_views(io::CaseFile& file) {
+  StagesWithViews found = {};
+  for (const io::ScanStage stage : io::kScanStages) {
+    const auto counts = file.counts(stage);
+    found[static_cast<std::size_t>(stage)] = !counts || counts->views > 0;
+  }
+  return found;
+}
+
+bool has_any_views(io::CaseFile& file) {
+  const StagesWithViews found = find_views(file);
+  return std::find(found.begin(), found.end(), true) != found.end();
+}
+
 }  // namespace
 
 /// Writes one stage of the case.
@@ -79,15 +94,31 @@ class CaseStore::Journal final : public scan::ScanJournal {
   editing::EditList edits_ = editing::EditStack().state();
 };
 
+CaseStore::CaseStore(io::CaseFile file)
+    : file_(std::move(file)), stages_with_views_(find_views(file_)) {
+  update_status();
+}
+
+void CaseStore::update_status() {
+  const std::lock_guard lock(status_mutex_);
+  status_.path = file_.path().string();
+  status_.is_read_only = file_.is_read_only();
+  status_.damage = file_.damage();
+}
+
 void CaseStore::write(const std::function<Result<void>(io::CaseFile&)>& writing) {
   const std::lock_guard lock(mutex_);
-  if (auto written = writing(file_); !written) {
+  const Result<void> written = writing(file_);
+  const bool has_waiting = file_.has_waiting();
+  const std::lock_guard status_lock(status_mutex_);
+  status_.is_read_only = file_.is_read_only();
+  if (!written) {
     const ErrorCode code = written.error().code;
-    const bool is_retried = file_.has_waiting() &&
-                            (code == ErrorCode::kWriteFailed || code == ErrorCode::kNotPermitted);
-    (is_retried ? waiting_failure_ : loss_) = written.error().message;
+    const bool is_retried =
+        has_waiting && (code == ErrorCode::kWriteFailed || code == ErrorCode::kNotPermitted);
+    (is_retried ? status_.waiting_failure : status_.loss) = written.error().message;
   }
-  if (!file_.has_waiting()) waiting_failure_.clear();
+  if (!has_waiting) status_.waiting_failure.clear();
 }
 
 std::shared_ptr<scan::ScanJournal> CaseStore::journal(io::ScanStage stage) {
@@ -158,39 +189,52 @@ Result<void> CaseStore::remove_measurement(std::int64_t id) {
   return file_.commit();
 }
 
-Result<bool> CaseStore::has_views(io::ScanStage stage) {
+bool CaseStore::has_views() {
   const std::lock_guard lock(mutex_);
-  const auto counts = file_.counts(stage);
-  if (!counts) return tl::unexpected(counts.error());
-  return counts->views > 0;
+  return has_any_views(file_);
+}
+
+Result<void> CaseStore::move_to(const std::filesystem::path& path, const std::string& passphrase,
+                                const io::CaseFields& fields) {
+  const std::lock_guard lock(mutex_);
+  // The fields come last: nothing about a patient is written into a file that is not encrypted.
+  Result<void> moved = file_.move_to(path, {.passphrase = passphrase})
+                           .and_then([&] { return file_.write_fields(fields); })
+                           .and_then([&] { return file_.commit(); });
+  update_status();
+  return moved;
 }
 
 std::string CaseStore::path() const {
-  const std::lock_guard lock(mutex_);
-  return file_.path().string();
+  const std::lock_guard lock(status_mutex_);
+  return status_.path;
 }
 
 bool CaseStore::is_read_only() const {
-  const std::lock_guard lock(mutex_);
-  return file_.is_read_only();
+  const std::lock_guard lock(status_mutex_);
+  return status_.is_read_only;
 }
 
 std::vector<std::string> CaseStore::damage() const {
-  const std::lock_guard lock(mutex_);
-  return file_.damage();
+  const std::lock_guard lock(status_mutex_);
+  return status_.damage;
 }
 
 std::string CaseStore::failure() const {
-  const std::lock_guard lock(mutex_);
-  return loss_.empty() ? waiting_failure_ : loss_;
+  const std::lock_guard lock(status_mutex_);
+  return status_.loss.empty() ? status_.waiting_failure : status_.loss;
 }
 
-std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {
-  struct Found {
-    std::filesystem::path path;
-    std::time_t modified = 0;
-  };
-  std::vector<Found> found;
+namespace {
+
+struct FoundCase {
+  std::filesystem::path path;
+  std::time_t modified = 0;
+};
+
+/// The case files in a folder, the latest first.
+std::vector<FoundCase> find_cases(const std::filesystem::path& folder) {
+  std::vector<FoundCase> found;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     struct stat about = {};
@@ -199,18 +243,46 @@ std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {
     found.push_back({entry.path(), about.st_mtime});
   }
   std::sort(found.begin(), found.end(),
-            [](const Found& a, const Found& b) { return a.modified > b.modified; });
+            [](const FoundCase& a, const FoundCase& b) { return a.modified > b.modified; });
+  return found;
+}
+
+}  // namespace
+
+std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {
   std::vector<ui::KnownCase> known;
-  for (const Found& item : found) {
+  for (const FoundCase& item : find_cases(folder)) {
     ui::KnownCase entry;
     entry.path = item.path.string();
     entry.modified = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(item.modified));
     auto file = io::CaseFile::open(item.path, {.passphrase = {}, .read_only = true});
     if (file) {
-      if (const auto fields = file->fields()) entry.patient = fields->patient_name;
+      const io::CaseFields fields = file->fields().value_or(io::CaseFields{});
+      entry.patient = fields.patient_name;
+      entry.number = fields.patient_id;
     } else {
       entry.is_encrypted = file.error().code == ErrorCode::kInconsistent;
     }
+    known.push_back(std::move(entry));
+  }
+  return known;
+}
+
+std::vector<ui::KnownCase> unnamed_cases(const std::filesystem::path& folder) {
+  std::vector<ui::KnownCase> known;
+  for (const FoundCase& item : find_cases(folder)) {
+    // Fails for the case that this or another program scans into now.
+    auto file = io::CaseFile::open(item.path, {.passphrase = {}, .read_only = true});
+    if (!file) continue;
+    if (!has_any_views(*file)) {
+      file = tl::unexpected(Error{});
+      io::remove_case(item.path);
+      continue;
+    }
+    ui::KnownCase entry;
+    entry.path = item.path.string();
+    entry.modified = fmt::format("{:%Y-%m-%d %H:%M}", fmt::localtime(item.modified));
+    entry.is_unnamed = true;
     known.push_back(std::move(entry));
   }
   return known;

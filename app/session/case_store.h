@@ -1,6 +1,7 @@
 /// @file  The open case of a session, shared by the threads that read and write it.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -22,10 +23,12 @@ struct OpenedStage {
   double last_time_s = 0.0;
 };
 
+using StagesWithViews = std::array<bool, io::kScanStages.size()>;
+
 /// Thread-safe.
 class CaseStore : public std::enable_shared_from_this<CaseStore> {
  public:
-  explicit CaseStore(io::CaseFile file) : file_(std::move(file)) {}
+  explicit CaseStore(io::CaseFile file);
 
   /// The journal that saves a scan of this stage.
   [[nodiscard]] std::shared_ptr<scan::ScanJournal> journal(io::ScanStage stage);
@@ -38,10 +41,18 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] Result<std::int64_t> add_measurement(io::ScanStage stage,
                                                      const io::Measurement& added);
   [[nodiscard]] Result<void> remove_measurement(std::int64_t id);
-  [[nodiscard]] Result<bool> has_views(io::ScanStage stage);
+  /// True if a stage has views, or cannot be read.
+  [[nodiscard]] bool has_views();
+  /// Moves the case to another file, see CaseFile::move_to, and writes the fields there. Journals
+  /// go on in the new file. Takes seconds if the scans are long.
+  [[nodiscard]] Result<void> move_to(const std::filesystem::path& path,
+                                     const std::string& passphrase, const io::CaseFields& fields);
 
+  // The window asks for these in each frame: they do not wait for a write.
   [[nodiscard]] std::string path() const;
   [[nodiscard]] bool is_read_only() const;
+  /// Whether each stage had views when the case was opened.
+  [[nodiscard]] StagesWithViews stages_with_views() const { return stages_with_views_; }
   /// The damage that was found, one line each.
   [[nodiscard]] std::vector<std::string> damage() const;
   /// Why something is not saved; empty: everything is. A failure is over as soon as all that waited
@@ -50,16 +61,30 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
 
  private:
   class Journal;
+  struct Status {
+    std::string path;
+    bool is_read_only = false;
+    std::vector<std::string> damage;
+    std::string waiting_failure;  ///< of records that will be written again
+    std::string loss;             ///< of records that will not
+  };
   /// Calls `writing` and remembers a failure.
   void write(const std::function<Result<void>(io::CaseFile&)>& writing);
+  /// Makes the state of the file known.
+  void update_status();
 
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   io::CaseFile file_;
-  std::string waiting_failure_;  ///< of records that will be written again
-  std::string loss_;             ///< of records that will not
+  const StagesWithViews stages_with_views_;
+  mutable std::mutex status_mutex_;
+  Status status_;
 };
 
 /// The cases in a folder, the latest first.
 [[nodiscard]] std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder);
+
+/// The unnamed cases in a folder that no program has open, the latest first. Removes those without
+/// views.
+[[nodiscard]] std::vector<ui::KnownCase> unnamed_cases(const std::filesystem::path& folder);
 
 }  // namespace flytri::session

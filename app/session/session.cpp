@@ -30,11 +30,12 @@ Session::Session(SessionOptions options)
     : settings_(read_settings(settings_path())),
       source_(std::move(options.source), background_, notices_,
               [this] {
+                if (stages_.is_started()) case_.save_unnamed();
                 case_.warn_of_other_calibration();
                 stages_.show();
               }),
       stages_(with_clock(std::move(options.scan)), source_, background_, notices_),
-      case_(source_, stages_, background_, notices_),
+      case_(std::move(options.unnamed_folder), source_, stages_, background_, notices_),
       calibration_(source_, stages_, background_, notices_),
       exports_(background_, notices_) {
   source_.open();
@@ -45,6 +46,7 @@ Session::~Session() {
   calibration_.stop();
   source_.stop();
   background_.stop();
+  case_.close();
 }
 
 double Session::now_s() const { return device::machine_clock().now_s(); }
@@ -52,7 +54,10 @@ double Session::now_s() const { return device::machine_clock().now_s(); }
 void Session::carry_out(const ui::Command& command) {
   std::visit(
       Overloaded{
-          [&](const ui::StartScan&) { stages_.start(); },
+          [&](const ui::StartScan&) {
+            case_.save_unnamed();
+            stages_.start();
+          },
           [&](const ui::PauseScan&) { stages_.pause(); },
           [&](const ui::ResumeScan&) { stages_.start(); },
           [&](const ui::Finish&) { stages_.finish(); },
@@ -66,6 +71,7 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::SelectStage& selected) { stages_.select(selected.stage); },
           [&](const ui::NewCase& wanted) { case_.create(wanted); },
           [&](const ui::OpenCase& wanted) { case_.open(wanted); },
+          [&](const ui::DiscardCase& wanted) { case_.discard(wanted); },
           [&](const ui::SetCaseFields& fields) { case_.set_fields(fields); },
           [&](const ui::SteerHand& steering) { source_.steer(steering); },
           [&](const ui::PointHand& pointing) { point_hand(pointing); },

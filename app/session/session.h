@@ -1,6 +1,7 @@
 /// @file  What stands behind the window: carries out its commands and says what it shows.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include "app/session/background_work.h"
@@ -10,6 +11,7 @@
 #include "app/session/notices.h"
 #include "app/session/source_controller.h"
 #include "app/session/stage_controller.h"
+#include "app/session/user_folders.h"
 #include "core/scan/live_scan.h"
 #include "ui/state/app_view.h"
 #include "ui/state/command.h"
@@ -19,6 +21,8 @@ namespace flytri::session {
 struct SessionOptions {
   SourceChoice source;
   scan::LiveScanOptions scan;  ///< the session sets now_s and journal
+  /// Of scans that have no case yet.
+  std::filesystem::path unnamed_folder = unnamed_cases_folder();
 };
 
 /// Connects the controllers. Used by the window's thread only; long work runs in the background.

@@ -21,11 +21,13 @@ bool StageController::may_leave() const {
   });
 }
 
-bool StageController::has_unsaved() const {
-  return store_ == nullptr && std::any_of(scans_.begin(), scans_.end(), [](const auto& scan) {
-           return scan != nullptr && !scan->snapshot()->model.empty();
-         });
+bool StageController::has_model() const {
+  return std::any_of(scans_.begin(), scans_.end(), [](const auto& scan) {
+    return scan != nullptr && !scan->snapshot()->model.empty();
+  });
 }
+
+bool StageController::has_unsaved() const { return store_ == nullptr && has_model(); }
 
 void StageController::start() {
   if (!may_leave()) return;
@@ -156,9 +158,12 @@ void StageController::forget() {
 void StageController::show_in(ui::AppView& view) {
   if (scan()) view.scan = scan()->snapshot();
   view.is_scanning = is_started_;
+  view.is_loading = is_loading_[stage_];
   view.stage = static_cast<io::ScanStage>(stage_);
   for (std::size_t i = 0; i < scans_.size(); ++i) {
-    view.stage_has_data[i] = scans_[i] != nullptr && !scans_[i]->snapshot()->model.empty();
+    view.stage_has_data[i] = scans_[i] != nullptr
+                                 ? !scans_[i]->snapshot()->model.empty()
+                                 : store_ != nullptr && store_->stages_with_views()[i];
   }
   view.measurements = measurements_[stage_];
   if (view.scan == nullptr || view.scan->failure == reported_failure_) return;

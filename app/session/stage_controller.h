@@ -54,8 +54,12 @@ class StageController {
   [[nodiscard]] const std::shared_ptr<CaseStore>& store() const { return store_; }
   /// False while a scan is finishing, see scan::may_leave().
   [[nodiscard]] bool may_leave() const;
+  /// True if a stage shows something that was scanned.
+  [[nodiscard]] bool has_model() const;
   /// True if a scan would be lost by forget().
   [[nodiscard]] bool has_unsaved() const;
+  /// The user has started to scan, and has not paused since.
+  [[nodiscard]] bool is_started() const { return is_started_; }
   /// Adds what the window shows of the stages, and reports a failed finishing.
   void show_in(ui::AppView& view);
 

@@ -25,6 +25,9 @@ fs::path base(const char* variable, const char* fallback) {
 fs::path config_folder() { return base("XDG_CONFIG_HOME", ".config") / "flytri"; }
 fs::path cache_folder() { return base("XDG_CACHE_HOME", ".cache") / "flytri"; }
 fs::path data_folder() { return base("XDG_DATA_HOME", ".local/share") / "flytri"; }
+fs::path unnamed_cases_folder() {
+  return base("XDG_STATE_HOME", ".local/state") / "flytri" / "unnamed";
+}
 fs::path documents_folder() { return base("XDG_DOCUMENTS_DIR", "Documents"); }
 
 }  // namespace flytri::session

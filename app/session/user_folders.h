@@ -6,9 +6,10 @@
 
 namespace flytri::session {
 
-[[nodiscard]] std::filesystem::path config_folder();     ///< settings
-[[nodiscard]] std::filesystem::path cache_folder();      ///< files that can be computed again
-[[nodiscard]] std::filesystem::path data_folder();       ///< cases
-[[nodiscard]] std::filesystem::path documents_folder();  ///< exported files
+[[nodiscard]] std::filesystem::path config_folder();         ///< settings
+[[nodiscard]] std::filesystem::path cache_folder();          ///< files that can be computed again
+[[nodiscard]] std::filesystem::path data_folder();           ///< cases
+[[nodiscard]] std::filesystem::path unnamed_cases_folder();  ///< scans that have no case yet
+[[nodiscard]] std::filesystem::path documents_folder();      ///< exported files
 
 }  // namespace flytri::session

@@ -172,6 +172,26 @@ struct FakeScan::Parts {
     return view;
   }
 
+  [[nodiscard]] AppView unnamed() const {
+    AppView view = paused();
+    view.file.path = "/home/clinic/.local/state/flytri/unnamed/2031-05-02-104211-7.flytri";
+    view.file.is_unnamed = true;
+    view.file.fields = {};
+    ui::KnownCase earlier;
+    earlier.path = "/home/clinic/.local/state/flytri/unnamed/2031-05-02-094503-6.flytri";
+    earlier.modified = "Today 09:47";
+    earlier.is_unnamed = true;
+    view.file.known.insert(view.file.known.begin(), earlier);
+    return view;
+  }
+
+  [[nodiscard]] AppView not_saved() const {
+    AppView view = scanning();
+    view.file.failure =
+        "Rivera-2031.flytri: no space left; free some space or choose another folder";
+    return view;
+  }
+
   [[nodiscard]] AppView no_sensor() const {
     AppView view = paused();
     view.source.hand.reset();
@@ -246,6 +266,8 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
       [&] { return parts.failed(); },
       [&] { return parts.no_sensor(); },
       [] { return Parts::without_case(); },
+      [&] { return parts.unnamed(); },
+      [&] { return parts.not_saved(); },
       [&] { return parts.with_devices(running_devices()); },
       [&] { return parts.with_faulty_devices(); },
       [&] { return parts.calibrating(waiting_calibration()); },

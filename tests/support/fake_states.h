@@ -6,8 +6,9 @@
 namespace flytri::testing {
 
 inline constexpr std::array kFakeStates = {
-    "ready",         "preview",     "scanning",     "near",        "paused",     "lost",
-    "finishing",     "finished",    "failed",       "no_sensor",   "empty_case", "devices",
-    "devices_wrong", "calibrating", "shot_refused", "set_refused", "calibrated", "check_broken"};
+    "ready",       "preview",      "scanning",    "near",       "paused",
+    "lost",        "finishing",    "finished",    "failed",     "no_sensor",
+    "empty_case",  "unnamed",      "not_saved",   "devices",    "devices_wrong",
+    "calibrating", "shot_refused", "set_refused", "calibrated", "check_broken"};
 
 }  // namespace flytri::testing

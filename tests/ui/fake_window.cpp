@@ -4,6 +4,8 @@
 ///
 /// Over the control channel, `tell NAME` shows another state. Each frame advances the time by 1/60
 /// s, so that motion is the same in every run.
+#include <imgui.h>
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -62,6 +64,8 @@ int run(const Arguments& arguments) {
     fmt::print(stderr, "fake_window: {}\n", window.error().message);
     return 77;
   }
+  // Its frames are shorter than their time: a key would repeat before the finger is off it.
+  ImGui::GetIO().KeyRepeatDelay = 1e9F;
   const flytri::testing::FakeScan scans;
   FakeProgram program{scans, {}};
   program.show(arguments.state);

@@ -252,11 +252,75 @@ TEST_F(RealWindow, TypedTextSendsNoCommand) {
   window().key("d");
   EXPECT_EQ(window().state()["dialog"], "case");
   window().click("patient");
+  (void)window().commands();
   window().type("Zoe Finch");
   EXPECT_EQ(window().commands(), Names{});
   EXPECT_EQ(after_click("confirm"), Names{"NewCase"});
   window().ask("wait 2");
   EXPECT_EQ(window().state()["dialog"], "none");
+}
+
+TEST_F(RealWindow, TabMovesBetweenTheFieldsOfACaseAndEnterCreatesIt) {
+  show("empty_case");
+  window().key("d");
+  window().type("Zoe Finch");
+  window().key("Tab");
+  window().type("12.3.84");
+  window().key("Tab");
+  window().type("77");
+  const nlohmann::json form = window().state()["case_form"];
+  EXPECT_EQ(form["patient"], "Zoe Finch");
+  EXPECT_EQ(form["birth_date"], "12.3.84");
+  EXPECT_EQ(form["number"], "77");
+  (void)window().commands();
+  EXPECT_EQ(after_key("Return"), Names{}) << "that is no date";
+  window().click("birth_date");
+  window().key("ctrl+a");
+  window().type("1984-03-12");
+  EXPECT_EQ(after_key("Return"), Names{"NewCase"});
+  window().ask("wait 2");
+  EXPECT_EQ(window().state()["dialog"], "none");
+}
+
+TEST_F(RealWindow, APassphraseIsTypedTwice) {
+  show("empty_case");
+  window().key("d");
+  window().type("Zoe Finch");
+  window().click("passphrase");
+  window().type("secret");
+  EXPECT_EQ(window().state()["case_form"]["path"].get<std::string>().find("Zoe"), std::string::npos)
+      << "an encrypted case does not name its patient";
+  EXPECT_EQ(after_click("confirm"), Names{});
+  window().click("passphrase_again");
+  window().type("secret");
+  EXPECT_EQ(after_key("Return"), Names{"NewCase"});
+}
+
+TEST_F(RealWindow, TheListOfCasesIsSearched) {
+  show("unnamed");
+  window().key("d");
+  window().click("tab_open");
+  window().type("chidi");
+  const std::string path = window().state()["case_form"]["path"];
+  EXPECT_NE(path.find("Okafor"), std::string::npos);
+  EXPECT_EQ(after_key("Return"), Names{"OpenCase"});
+}
+
+TEST_F(RealWindow, AnUnnamedCaseIsDiscardedOnlyAfterAQuestion) {
+  show("unnamed");
+  window().key("d");
+  window().click("tab_open");
+  window().click("known_1");
+  EXPECT_EQ(after_click("discard"), Names{});
+  window().key("Escape");
+  EXPECT_EQ(window().state()["dialog"], "case") << "Escape takes the question back";
+  window().click("discard");
+  EXPECT_EQ(after_click("confirm"), Names{"DiscardCase"});
+}
+
+TEST_F(RealWindow, ScanningPausesBehindTheDialogOfCases) {
+  show("scanning");
+  EXPECT_EQ(after_key("d"), Names{"PauseScan"});
 }
 
 TEST_F(RealWindow, AClickBesideADialogClosesIt) {

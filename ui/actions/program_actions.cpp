@@ -44,6 +44,12 @@ void change_scale(const ActionRunner& run, double step) {
   run.send(ChangeSettings{settings});
 }
 
+/// Typing needs both hands: scanning pauses.
+void toggle_cases(const ActionRunner& run) {
+  if (run.state.dialog != Dialog::kCase && run.view.is_scanning) run.send(PauseScan{});
+  run.toggle(Dialog::kCase);
+}
+
 /// Why the main button of the calibration panel does nothing now; empty: it does something.
 std::string why_not_confirmed(const CalibrationState& calibration) {
   if (!calibration.running) return "choose a task first";
@@ -72,8 +78,9 @@ bool can_confirm(const Situation& now) {
     case Dialog::kExport:
       return !now.view.exports.is_running && !form.name.empty() && !form.formats.empty();
     case Dialog::kCase:
+      if (!problem_of(case_form).empty()) return false;
       if (case_form.tab == CaseTab::kFields) return !now.view.file.is_read_only;
-      return now.may_leave() && !case_form.path.empty();
+      return now.may_leave() && !now.view.file.is_moving && !now.view.file.is_opening;
     case Dialog::kNone:
       return false;
     case Dialog::kHelp:
@@ -98,6 +105,7 @@ Export requested_export(const ExportForm& form) {
 }
 
 Command requested_case(const CaseForm& form) {
+  if (form.discards) return DiscardCase{form.path};
   switch (form.tab) {
     case CaseTab::kFields:
       return SetCaseFields{form.fields};
@@ -118,6 +126,12 @@ void confirm_case(const ActionRunner& run) {
   CaseForm& form = run.state.case_form;
   run.send(requested_case(form));
   form.passphrase.clear();
+  form.passphrase_again.clear();
+  if (form.discards) {
+    form.discards = false;
+    form.path.clear();
+    return;
+  }
   form.is_asked = true;
   // A new or opened case keeps the dialog until it is there: opening may fail, or ask for a
   // passphrase.
@@ -178,6 +192,10 @@ void cancel(const ActionRunner& run) {
     case CancelTarget::kCalibration:
       return run.send(EndCalibration{});
     case CancelTarget::kDialog:
+      if (run.state.dialog == Dialog::kCase && run.state.case_form.discards) {
+        run.state.case_form.discards = false;
+        return;
+      }
       run.state.dialog = Dialog::kNone;
       return;
     case CancelTarget::kTool:
@@ -204,7 +222,7 @@ constexpr std::array kProgramActions = {
               .id = "case",
               .name = "Cases",
               .shortcut = {GLFW_KEY_D, "D"},
-              .perform = toggle_dialog<Dialog::kCase>,
+              .perform = toggle_cases,
               .works_in = in(Dialog::kCase)},
     ActionRow{.action = Action::kSettings,
               .id = "settings",

@@ -10,6 +10,7 @@ namespace {
 ActionState scan_state(const Situation& now) {
   const bool can_toggle =
       now.accepts(scan::ScanEvent::kStart) || now.accepts(scan::ScanEvent::kPause);
+  if (now.view.file.is_opening || now.view.is_loading) return disabled("opening the case");
   if (!can_toggle) return disabled("finishing");
   if (now.is_finished()) return enabled("finished");
   if (now.view.file.is_read_only) return disabled("the case is read-only");

@@ -77,6 +77,15 @@ nlohmann::json actions_as_json(const AppView& view, const WindowState& state) {
   return actions;
 }
 
+/// What is typed, but no passphrase.
+nlohmann::json case_form_as_json(const CaseForm& form) {
+  return {{"patient", form.fields.patient_name},
+          {"birth_date", form.fields.birth_date},
+          {"number", form.fields.patient_id},
+          {"path", form.path},
+          {"problem", problem_of(form)}};
+}
+
 }  // namespace
 
 void ControlAnswers::ask(const AppView& view, WindowState& state, std::vector<Command>& commands) {
@@ -142,6 +151,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"time_left", time_left(frame.view)},
       {"frames", frames_as_json(frame.view)},
       {"dialog", to_string(state.dialog)},
+      {"case_form", case_form_as_json(state.case_form)},
       {"tool", to_string(state.tool)},
       {"color_mode", to_string(state.color_mode)},
       {"texture_blend", state.texture_blend},

@@ -61,6 +61,7 @@ bool text_field(const PanelContext& context, Rect row, const TextFieldLook& look
   ImGui::SetNextItemWidth(row.width);
   context.places.set(look.id, {row.x, row.y, row.width, context.px(36.0F)});
   const std::string id = std::string("##") + look.id;
+  if (look.takes_focus) ImGui::SetKeyboardFocusHere();
   return ImGui::InputText(id.c_str(), &text,
                           look.is_secret ? ImGuiInputTextFlags_Password : ImGuiInputTextFlags_None);
 }

@@ -28,6 +28,7 @@ struct TextFieldLook {
   const char* id = "";
   const char* label = "";
   bool is_secret = false;
+  bool takes_focus = false;  ///< in this frame
 };
 inline constexpr float kFieldRow = 68.0F;  ///< height with the label, in units
 

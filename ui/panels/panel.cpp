@@ -28,17 +28,17 @@ ButtonLook look_of(const PanelContext& context, Action action, const ActionLook&
   return button;
 }
 
-constexpr ImGuiWindowFlags kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags kPlain =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 
 ImGuiWindowFlags flags_of(Layer layer) {
   switch (layer) {
     case Layer::kFixed:
-      return ImGuiWindowFlags_NoBringToFrontOnFocus;
+      return ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
     case Layer::kOver:
-      return ImGuiWindowFlags_NoFocusOnAppearing;
+      return ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
     case Layer::kDialog:
-      break;
+      break;  // Tab moves between the fields of a dialog.
   }
   return ImGuiWindowFlags_None;
 }

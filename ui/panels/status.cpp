@@ -25,10 +25,18 @@ Status scanning_status(const AppView& view) {
 }  // namespace
 
 Status status_of(const AppView& view) {
+  if (view.file.is_opening || view.is_loading) {
+    return {kNeutral, icon::kCase, "Opening", "The case is being read"};
+  }
   if (view.scan != nullptr && view.scan->phase == scan::ScanPhase::kFinishing) {
     return {kCaution, icon::kResume, "Processing", "Keep the sensor ready"};
   }
   if (view.source.is_lost) return {kBad, icon::kWarning, "No sensor", view.source.message};
+  const bool is_lost = view.is_scanning && view.scan != nullptr &&
+                       view.scan->phase == scan::ScanPhase::kContinuation;
+  if (!view.file.failure.empty() && !is_lost) {
+    return {kBad, icon::kWarning, "Not saved", view.file.failure};
+  }
   if (view.scan != nullptr && view.scan->phase == scan::ScanPhase::kFinished) {
     return {kGood, icon::kSaved, "Finished", "Export the model, or resume scanning"};
   }

@@ -13,13 +13,16 @@ namespace flytri::ui {
 namespace {
 
 std::string case_title(const CaseState& file) {
-  if (file.path.empty()) return "No case";
+  if (file.path.empty() || file.is_unnamed) return "No case yet";
   return file.fields.patient_name.empty() ? "Unnamed case" : file.fields.patient_name;
 }
 
 std::string case_subtitle(const CaseState& file) {
-  if (file.path.empty()) return "Not saved";
+  if (!file.failure.empty()) return "NOT SAVED";
   if (file.is_read_only) return "Read-only";
+  if (file.is_moving) return "Saving\u2026";
+  if (file.path.empty()) return "Name it here";
+  if (file.is_unnamed) return "Saved without a name";
   const char* saved = file.is_saved ? "Saved" : "Saving\u2026";
   if (file.fields.patient_id.empty()) return saved;
   return file.fields.patient_id + " \u00b7 " + saved;
@@ -42,7 +45,9 @@ void draw_case(const PanelContext& context, const Rect& box) {
   const float half = inner.height / 2.0F;
   draw_text(inner.take_top(half), {theme.fonts.strong, kText, Align::kLeft},
             case_title(context.view.file));
-  draw_text(inner, {theme.fonts.small, kTextQuiet, Align::kLeft}, case_subtitle(context.view.file));
+  const CaseState& file = context.view.file;
+  draw_text(inner, {theme.fonts.small, file.failure.empty() ? kTextQuiet : kBad, Align::kLeft},
+            case_subtitle(file));
 }
 
 void draw_stages(const PanelContext& context, Rect row) {

@@ -23,13 +23,19 @@ struct KnownCase {
   std::string patient;   ///< empty if the case is encrypted or has none
   std::string modified;  ///< date and time, as shown
   bool is_encrypted = false;
+  std::string number = {};  ///< the patient's or the case's
+  bool is_unnamed = false;  ///< a scan that was never saved in a case
 };
 
-/// The case that is open. Scanning works without one.
+/// The case that is open. A scan without a case is saved in an unnamed one.
 struct CaseState {
-  std::string path;  ///< empty: no case is open, scans are not saved
+  std::string path;  ///< empty: no case is open yet
+  bool is_unnamed = false;
   io::CaseFields fields;
-  bool is_saved = true;  ///< the whole scan is on disk, except for the last second
+  bool is_saved = true;     ///< the whole scan is on disk, except for the last second
+  std::string failure;      ///< why the scan is not saved, and what to do; empty: it is
+  bool is_opening = false;  ///< another case is being opened
+  bool is_moving = false;   ///< the unnamed case is becoming a named one
   bool is_encrypted = false;
   bool is_read_only = false;  ///< damaged, or open in another program; `message` says which
   std::string message;        ///< why the case could not be opened, or what could be read of it
@@ -96,7 +102,8 @@ struct AppView {
   double now_s = 0.0;                              ///< monotonic; drives all animation
   std::shared_ptr<const scan::ScanSnapshot> scan;  ///< of the current stage; null: nothing yet
   bool is_scanning = false;                        ///< started and not paused
-  Vec3 volume_mm = {20.0, 15.0, 15.0};             ///< the sensor's measurement volume
+  bool is_loading = false;              ///< the current stage is being read from its case
+  Vec3 volume_mm = {20.0, 15.0, 15.0};  ///< the sensor's measurement volume
 
   CaseState file;
   io::ScanStage stage = io::ScanStage::kUpper;

@@ -22,6 +22,7 @@ std::string_view name_of(const Command& command) {
       "Export",
       "NewCase",
       "OpenCase",
+      "DiscardCase",
       "SetCaseFields",
       "SteerHand",
       "FollowPath",

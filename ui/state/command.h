@@ -53,6 +53,10 @@ struct OpenCase {
   std::string path;
   std::string passphrase;
 };
+/// Deletes an unnamed case.
+struct DiscardCase {
+  std::string path;
+};
 struct SetCaseFields {
   io::CaseFields fields;
 };
@@ -106,8 +110,8 @@ struct Quit {};
 using Command =
     std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement, RemoveMeasurement,
                  Finish, CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, NewCase,
-                 OpenCase, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
-                 ChangeSettings, CheckDevices, BeginCalibration, TakeCalibrationImages,
+                 OpenCase, DiscardCase, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
+                 PointHand, ChangeSettings, CheckDevices, BeginCalibration, TakeCalibrationImages,
                  RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".

@@ -14,6 +14,7 @@
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/scene_options.h"
 #include "ui/state/app_view.h"
+#include "ui/state/case_form.h"
 #include "ui/state/result_number.h"
 
 namespace flytri::ui {
@@ -60,17 +61,6 @@ struct ExportForm {
   /// Extensions, as in io::model_formats().
   std::set<std::string_view> formats = {io::model_formats().front().extension};
   bool is_edited = false;  ///< else folder and name are those proposed
-};
-
-enum class CaseTab { kFields, kNew, kOpen };
-
-struct CaseForm {
-  CaseTab tab = CaseTab::kNew;  ///< kFields only while a case is open
-  io::CaseFields fields;
-  std::string path;
-  std::string passphrase;
-  bool is_asked = false;        ///< the command was sent; the dialog closes when the case is open
-  bool is_path_edited = false;  ///< false: the path is proposed from the fields
 };
 
 struct CalibrationForm {

@@ -103,7 +103,10 @@ std::vector<KeyEvent> ImGuiHost::begin_frame(const ImageSize& size, double now_s
   std::vector<KeyEvent> presses;
   for (const InputEvent& event : window_.input().take_frame()) {
     const auto* key = std::get_if<KeyEvent>(&event);
-    if (key != nullptr && key->is_down && !io.WantTextInput) presses.push_back(*key);
+    // Enter ends a line of text, and confirms the dialog in the same stroke.
+    const bool is_text = io.WantTextInput && key != nullptr && key->key != GLFW_KEY_ENTER &&
+                         key->key != GLFW_KEY_KP_ENTER;
+    if (key != nullptr && key->is_down && !is_text) presses.push_back(*key);
     std::visit(Feed{io}, event);
   }
   ImGui_ImplOpenGL3_NewFrame();

@@ -47,7 +47,7 @@ Result<CaseFile> CaseFile::create(const std::filesystem::path& path, const CaseO
   if (filled) filled = file.commit();
   if (filled) return file;
   file.records_.reset();
-  remove_case_files(path);
+  remove_case(path);
   return tl::unexpected(filled.error());
 }
 
@@ -153,5 +153,21 @@ Result<void> CaseFile::clear_stage(ScanStage stage) {
 }
 
 Result<void> CaseFile::commit() { return records_->commit(); }
+
+Result<void> CaseFile::move_to(const std::filesystem::path& path, const CaseOptions& options) {
+  if (Result<void> committed = commit(); !committed) return committed;
+  auto target = CaseRecords::create(path, options);
+  if (!target) return tl::unexpected(target.error());
+  auto records = std::make_unique<CaseRecords>(*std::move(target));
+  if (Result<void> copied = records_->copy_to(*records); !copied) {
+    records.reset();
+    remove_case(path);
+    return copied;
+  }
+  records_ = std::move(records);
+  remove_case(path_);
+  path_ = path;
+  return {};
+}
 
 }  // namespace flytri::io

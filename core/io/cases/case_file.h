@@ -185,6 +185,10 @@ class CaseFile {
   /// failure may cost more, back to the last checkpoint of the log (every 8 MiB), but the case
   /// stays consistent.
   [[nodiscard]] Result<void> commit();
+  /// Commits, and moves the case to another file, which may be encrypted. On failure the case stays
+  /// where it is, and no other file is left.
+  /// @errors  As create; kBadFormat: a record is damaged.
+  [[nodiscard]] Result<void> move_to(const std::filesystem::path& path, const CaseOptions& options);
 
   [[nodiscard]] Result<StageCounts> counts(ScanStage stage);
   /// Loads everything of a stage that can be read. Its list of damage names the rest.
@@ -198,5 +202,9 @@ class CaseFile {
   std::filesystem::path path_;
   std::unique_ptr<CaseRecords> records_;
 };
+
+/// Removes the file of a case, and those that SQLite keeps beside it. Does nothing if there is
+/// none.
+void remove_case(const std::filesystem::path& path);
 
 }  // namespace flytri::io

@@ -258,6 +258,26 @@ Result<void> CaseRecords::commit() {
   return {};
 }
 
+Result<void> CaseRecords::copy_to(CaseRecords& target) {
+  // What is not committed is in memory, too.
+  constexpr std::size_t kCommittedBytes = std::size_t{16} << 20U;
+  constexpr RecordRange kAll = {0, std::numeric_limits<std::int64_t>::max() - 1};
+  Result<void> copied;
+  for (const CaseTable table : kCaseTables) {
+    const auto damage = walk(table, kAll, [&](std::int64_t id, std::string_view data) {
+      if (copied) copied = target.replace(table, id, data);
+      if (copied && target.pending_bytes_ > kCommittedBytes) copied = target.commit();
+      return Result<void>();
+    });
+    if (!damage) return tl::unexpected(damage.error());
+    if (!copied) return copied;
+    if (!damage->empty()) {
+      return fail(ErrorCode::kBadFormat, "{}: damaged: {}", database_.name(), damage->front());
+    }
+  }
+  return target.commit();
+}
+
 Result<std::optional<std::string>> CaseRecords::find(CaseTable table, std::int64_t id) {
   std::optional<std::string> found;
   const auto damage = walk(table, {id, id}, [&](std::int64_t, std::string_view data) {

@@ -53,6 +53,10 @@ class CaseRecords {
   [[nodiscard]] Result<void> erase(CaseTable table, const RecordRange& range);
   [[nodiscard]] Result<void> commit();
 
+  /// Copies all records to an empty case, and commits there.
+  /// @errors  kBadFormat: a record cannot be read.
+  [[nodiscard]] Result<void> copy_to(CaseRecords& target);
+
   /// None: there is no such record.
   /// @errors  Also kBadFormat: the record is damaged.
   [[nodiscard]] Result<std::optional<std::string>> find(CaseTable table, std::int64_t id);

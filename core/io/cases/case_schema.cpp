@@ -176,7 +176,7 @@ std::string_view name_of(CaseTable table) {
   return kNames[static_cast<std::size_t>(table)];
 }
 
-void remove_case_files(const fs::path& path) {
+void remove_case(const fs::path& path) {
   std::error_code ignored;
   for (const char* ending : {"", "-wal", "-shm"}) fs::remove(path.string() + ending, ignored);
 }
@@ -186,7 +186,7 @@ Result<CaseDatabase> create_case_database(const fs::path& path, const std::strin
     return tl::unexpected(created.error());
   }
   Result<CaseDatabase> database = fill_new(path, passphrase);
-  if (!database) remove_case_files(path);
+  if (!database) remove_case(path);
   return database;
 }
 

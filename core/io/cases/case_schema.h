@@ -48,9 +48,6 @@ struct CaseDatabase {
 [[nodiscard]] Result<CaseDatabase> create_case_database(const std::filesystem::path& path,
                                                         const std::string& passphrase);
 
-/// Removes the file and the files that SQLite keeps next to it.
-void remove_case_files(const std::filesystem::path& path);
-
 /// @errors  As CaseFile::open.
 [[nodiscard]] Result<CaseDatabase> open_case_database(const std::filesystem::path& path,
                                                       const CaseOptions& options);

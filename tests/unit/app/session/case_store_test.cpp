@@ -4,7 +4,7 @@
 
 #include "core/io/models/glb.h"
 #include "tests/support/case_samples.h"
-#include "tests/support/file_size_limit.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::session {
@@ -65,7 +65,7 @@ TEST(CaseStore, AFailureIsOverOnceEverythingIsSaved) {
   const auto store = new_store(folder.path() / "a.flytri");
   const auto journal = store->journal(kStage);
   {
-    const testing::FileSizeLimit limit(1);
+    const FullDisk limit(1);
     journal->keep_view(testing::sample_view(0, 2, 300));
     journal->commit();
     EXPECT_THAT(store->failure(), HasSubstr("a.flytri"));

@@ -8,10 +8,11 @@
 #include <optional>
 #include <thread>
 
+#include "app/session/user_folders.h"
 #include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
-#include "tests/support/file_size_limit.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
@@ -53,6 +54,8 @@ class SessionOnARecording : public ::testing::Test {
     }
     setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
     setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
+    setenv("XDG_STATE_HOME", folder_.path().c_str(), 1);
+    options_.unnamed_folder = unnamed_cases_folder();
     ASSERT_TRUE(calibration_);
     ASSERT_TRUE(io::write_calibration(folder_.path() / "calibration.json", *calibration_));
     options_.scan.background = TaskThread::Priority::kNormal;
@@ -96,6 +99,68 @@ TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
   auto stored = io::CaseFile::open(path, {.passphrase = {}, .read_only = true});
   ASSERT_FALSE(stored) << "one program at a time has a case open for writing";
   EXPECT_GT(scanned, 60);
+}
+
+TEST_F(SessionOnARecording, AScanWithoutACaseIsFoundAgainAndCanBeNamed) {
+  {
+    Session session(options_);
+    session.carry_out(ui::StartScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
+    EXPECT_TRUE(session.view().file.is_unnamed);
+  }
+  const std::string named = (folder_.path() / "cases" / "late.flytri").string();
+  std::string unnamed;
+  {
+    Session session(options_);
+    ASSERT_TRUE(wait_for(session, [](const auto& view) {
+      return view.file.known.size() == 1 && view.file.known.front().is_unnamed;
+    }));
+    unnamed = session.view().file.known.front().path;
+    session.carry_out(ui::OpenCase{unnamed, ""});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) {
+      return view.scan != nullptr && !view.scan->model.empty();
+    }));
+    io::CaseFields fields;
+    fields.patient_name = "Late";
+    session.carry_out(ui::NewCase{named, "secret", fields});
+    ASSERT_TRUE(wait_for(session, [&](const auto& view) { return view.file.path == named; }));
+    EXPECT_FALSE(session.view().file.is_unnamed);
+    EXPECT_FALSE(session.view().scan->model.empty());
+    EXPECT_FALSE(fs::exists(unnamed));
+    // The scan goes on in the named case.
+    session.carry_out(ui::StartScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+  }
+  auto stored = io::CaseFile::open(named, {.passphrase = "secret"});
+  ASSERT_TRUE(stored) << stored.error().message;
+  EXPECT_EQ(stored->fields()->patient_name, "Late");
+  EXPECT_GT(stored->counts(io::ScanStage::kUpper)->views, 40);
+}
+
+TEST_F(SessionOnARecording, AnUnnamedCaseCanBeDiscarded) {
+  {
+    Session session(options_);
+    session.carry_out(ui::StartScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 10; }));
+  }
+  Session session(options_);
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.file.known.size() == 1; }));
+  const std::string path = session.view().file.known.front().path;
+  session.carry_out(ui::DiscardCase{options_.source.path.string()});
+  session.carry_out(ui::DiscardCase{path});
+  EXPECT_TRUE(wait_for(session, [](const auto& view) { return view.file.known.empty(); }));
+  EXPECT_FALSE(fs::exists(path));
+  EXPECT_TRUE(fs::exists(options_.source.path)) << "only unnamed cases are deleted";
+}
+
+TEST_F(SessionOnARecording, NothingIsLeftOfASessionWithoutAScan) {
+  {
+    Session session(options_);
+    session.carry_out(ui::StartScan{});
+    session.carry_out(ui::PauseScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+  }
+  EXPECT_TRUE(!fs::exists(options_.unnamed_folder) || fs::is_empty(options_.unnamed_folder));
 }
 
 TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
@@ -154,7 +219,7 @@ TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
   int failures = 0;
   for (rlim_t size = 4096;; size += size / 4) {
     {
-      const testing::FileSizeLimit limit(size);
+      const FullDisk limit(size);
       session.carry_out(ui::NewCase{path_of(size), "", {}});
     }
     if (session.view().file.path == path_of(size)) break;
@@ -181,13 +246,13 @@ TEST_F(SessionOnARecording, WhileFinishingNoOtherCaseOrStageCanBeChosen) {
   session.carry_out(ui::StartScan{});
   const ui::AppView view = session.view();
   EXPECT_NE(view.file.message.find("finishing"), std::string::npos);
-  EXPECT_EQ(view.file.path, "");
+  EXPECT_TRUE(view.file.is_unnamed);
   EXPECT_EQ(view.stage, io::ScanStage::kUpper);
   EXPECT_FALSE(view.is_scanning);
   session.carry_out(ui::CancelFinish{});
   session.scan()->wait_until_idle();
   session.carry_out(ui::NewCase{(folder_.path() / "late.flytri").string(), "", {}});
-  EXPECT_NE(session.view().file.path, "");
+  EXPECT_TRUE(wait_for(session, [](const auto& view) { return !view.file.is_unnamed; }));
 }
 
 TEST_F(SessionOnARecording, WarnsOfACaseOfAnotherCalibration) {

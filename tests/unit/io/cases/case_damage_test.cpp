@@ -13,14 +13,13 @@
 #include "core/io/cases/sqlite.h"
 #include "core/io/files/file_bytes.h"
 #include "tests/support/case_samples.h"
-#include "tests/support/file_size_limit.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::io {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::FileSizeLimit;
 using ::testing::HasSubstr;
 using testing::same_bits;
 using testing::sample_edit;
@@ -253,7 +252,7 @@ TEST(CaseDamage, AfterAFullDiskNothingIsLost) {
   CaseFile file = CaseFile::create(path, {}).value();
   int committed = 0;
   {
-    const FileSizeLimit limit(1U << 20U);
+    const FullDisk limit(1U << 20U);
     Result<void> written;
     for (; committed < 1000; ++committed) {
       written = file.append_view(kDamagedStage, view_of(committed)).and_then([&] {
@@ -294,7 +293,7 @@ TEST(CaseDamage, AfterAFullDiskAllRecordsOfAListAreSaved) {
   }
   expect_done(file.commit());
   {
-    const FileSizeLimit limit(1);
+    const FullDisk limit(1);
     // More than the database keeps in memory: this fails at once, and so does each later write.
     const std::string model(std::size_t{8} << 20U, 'x');
     EXPECT_FALSE(file.write_result(kDamagedStage, {model, "{\"a\": 1}", {}}));
@@ -317,7 +316,7 @@ TEST(CaseDamage, LimitsTheRecordsThatWaitForAFullDisk) {
   CaseFile file = CaseFile::create(folder / "a.flytri", options).value();
   std::size_t waiting = 0;
   {
-    const FileSizeLimit limit(1);
+    const FullDisk limit(1);
     Result<void> written;
     for (int i = 0; i < 1000; ++i) {
       written = file.append_view(kDamagedStage, sample_view(i, 2, 300));
@@ -336,7 +335,7 @@ TEST(CaseDamage, LimitsTheRecordsThatWaitForAFullDisk) {
 TEST(CaseDamage, IfACaseCannotBeCreatedNoFileIsLeft) {
   const TemporaryFolder folder;
   {
-    const FileSizeLimit limit(20000);
+    const FullDisk limit(20000);
     EXPECT_EQ(CaseFile::create(folder / "a.flytri", {}).error().code, ErrorCode::kWriteFailed);
   }
   EXPECT_TRUE(fs::is_empty(folder.path()));

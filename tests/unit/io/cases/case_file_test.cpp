@@ -6,6 +6,7 @@
 
 #include "core/io/files/file_bytes.h"
 #include "tests/support/case_samples.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::io {
@@ -329,6 +330,44 @@ TEST(CaseFile, ReadOnlyChangesNothing) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::kNotPermitted);
   EXPECT_EQ(all_bytes(folder.path()), before);
+}
+
+TEST(CaseFile, MovesIntoAnEncryptedFile) {
+  const TemporaryFolder folder;
+  const fs::path from = folder.path() / "from.flytri", to = folder.path() / "to.flytri";
+  CaseFile file = new_case(from);
+  fill(file);
+  expect_done(file.move_to(to, {"secret"}));
+  EXPECT_EQ(file.path(), to);
+  EXPECT_FALSE(fs::exists(from));
+  // It goes on there.
+  expect_done(file.append_view(kStage, sample_view(11, 2, 20)));
+  expect_done(file.commit());
+  file = new_case(folder.path() / "other.flytri");
+  EXPECT_FALSE(CaseFile::open(to)) << "encrypted";
+  CaseFile moved = opened(to, {"secret"});
+  const StoredStage stage = loaded(moved);
+  EXPECT_EQ(stage.views.size(), 11U);
+  EXPECT_TRUE(same_bits(*stage.views[3].view, sample_view(3, 2, 20)));
+  EXPECT_EQ(stage.texture_frames.size(), 1U);
+  EXPECT_EQ(moved.fields().value(), kFields);
+}
+
+TEST(CaseFile, StaysWhereItIsIfItCannotBeMoved) {
+  const TemporaryFolder folder;
+  const fs::path from = folder.path() / "from.flytri", taken = folder.path() / "taken.flytri";
+  CaseFile file = new_case(from);
+  fill(file);
+  expect_done(write_file(taken, "somebody's"));
+  EXPECT_FALSE(file.move_to(taken, {}));
+  EXPECT_EQ(read_file(taken).value(), "somebody's");
+  {
+    const FullDisk disk(20'000);
+    EXPECT_FALSE(file.move_to(folder.path() / "full.flytri", {}));
+  }
+  EXPECT_FALSE(fs::exists(folder.path() / "full.flytri"));
+  EXPECT_EQ(file.path(), from);
+  EXPECT_EQ(loaded(file).views.size(), 10U);
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+#include "ui/panels/status.h"
+
+#include <gtest/gtest.h>
+
+namespace flytri::ui {
+namespace {
+
+AppView scanning(scan::ScanPhase phase) {
+  AppView view;
+  auto scan = std::make_shared<scan::ScanSnapshot>();
+  scan->phase = phase;
+  view.scan = scan;
+  view.is_scanning = true;
+  return view;
+}
+
+TEST(Status, SaysThatTheScanIsNotSavedUntilItIs) {
+  AppView view = scanning(scan::ScanPhase::kMeasurement);
+  EXPECT_EQ(status_of(view).text, "Scanning");
+  view.file.failure = "a.flytri: no space left";
+  EXPECT_EQ(status_of(view).text, "Not saved");
+  EXPECT_EQ(status_of(view).hint, "a.flytri: no space left");
+  EXPECT_EQ(status_of(view).color, kBad);
+  view.file.failure.clear();
+  EXPECT_EQ(status_of(view).text, "Scanning");
+}
+
+TEST(Status, ALostScanIsSaidFirst) {
+  AppView view = scanning(scan::ScanPhase::kContinuation);
+  view.file.failure = "no space left";
+  EXPECT_EQ(status_of(view).text, "Tracking lost");
+}
+
+TEST(Status, SaysThatACaseIsBeingRead) {
+  AppView view;
+  view.is_loading = true;
+  EXPECT_EQ(status_of(view).text, "Opening");
+}
+
+}  // namespace
+}  // namespace flytri::ui
