@@ -223,6 +223,7 @@ SigmaAndError sigma_and_error(double tilt_rad, double correlation_samples) {
                                                                  : Vec3(along, across, height_mm);
         ProfilePoint point;
         point.position_mm = T_world_sensor.inverse() * p_world;
+        point.deviation_mm = Vec3f::Zero();
         profile.points.push_back(point);
       }
       ideal.profiles.push_back(std::move(profile));
