@@ -9,6 +9,7 @@ uniform vec3 sigma_ramp[5];  // at 0, 1/4, .. 1 of max_sigma_mm
 
 const vec3 kPlaster = vec3(0.886, 0.871, 0.831);
 const vec3 kLockTint = vec3(0.36, 0.47, 0.80);
+const vec3 kTrimTint = vec3(0.86, 0.25, 0.20);
 
 vec3 sigma_color(float sigma_mm) {
   float at = clamp(sigma_mm / max_sigma_mm, 0.0, 1.0) * 4.0;
@@ -16,6 +17,7 @@ vec3 sigma_color(float sigma_mm) {
   return mix(sigma_ramp[below], sigma_ramp[below + 1], at - float(below));
 }
 
-vec3 tinted(vec3 color, bool is_locked) {
-  return is_locked ? mix(color, kLockTint, 0.5) : color;
+vec3 tinted(vec3 color, bool is_locked, bool is_to_trim) {
+  if (is_locked) return mix(color, kLockTint, 0.5);
+  return is_to_trim ? mix(color, kTrimTint, 0.6) : color;
 }

@@ -5,7 +5,7 @@ in vec3 p_eye;
 in vec3 n_eye;
 in vec2 atlas_uv;
 in vec3 base_color;
-in float lock;
+in vec2 tints;
 out vec4 pixel;
 
 uniform sampler2D atlas;
@@ -21,5 +21,5 @@ void main() {
   }
   vec3 n = normalize(n_eye);
   vec3 towards_eye = normalize(-p_eye);
-  pixel = vec4(lit(tinted(color, lock > 0.5), n, towards_eye), dot(n, towards_eye));
+  pixel = vec4(lit(tinted(color, tints.x > 0.5, tints.y > 0.5), n, towards_eye), dot(n, towards_eye));
 }

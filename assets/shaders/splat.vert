@@ -4,7 +4,7 @@
 layout(location = 0) in vec3 position_mm;  // world
 layout(location = 1) in vec4 normal;       // world, unit
 layout(location = 2) in vec2 radius_sigma_mm;
-layout(location = 3) in vec4 color_flags;  // sRGB; alpha holds bits: 1 textured, 2 good, 4 locked
+layout(location = 3) in vec4 color_flags;  // sRGB; alpha holds bits: 1 textured, 2 good, 4 locked, 8 to trim
 
 uniform mat4 T_eye_world;
 uniform mat4 P_clip_eye;
@@ -49,6 +49,6 @@ void main() {
   gl_PointSize = 2.0 * sqrt(half_square);
   int flags = int(color_flags.a * 255.0 + 0.5);
   vec3 towards_eye = normalize(-p);
-  color = vec4(lit(tinted(surface_color(flags), (flags & 4) != 0), n, towards_eye),
+  color = vec4(lit(tinted(surface_color(flags), (flags & 4) != 0, (flags & 8) != 0), n, towards_eye),
                dot(n, towards_eye));
 }

@@ -5,9 +5,12 @@
 namespace flytri::editing {
 namespace {
 
+bool holds(const BrushDab& dab, const Vec3f& position_mm) {
+  return (position_mm - dab.center_mm).squaredNorm() <= dab.radius_mm * dab.radius_mm;
+}
+
 bool reaches(const BrushDab& dab, const Vec3f& position_mm, const Vec3f& normal) {
-  return (position_mm - dab.center_mm).squaredNorm() <= dab.radius_mm * dab.radius_mm &&
-         normal.dot(dab.normal) > 0.0F;
+  return holds(dab, position_mm) && normal.dot(dab.normal) > 0.0F;
 }
 
 bool reaches(const Edit& edit, const Vec3f& position_mm, const Vec3f& normal) {
@@ -16,6 +19,18 @@ bool reaches(const Edit& edit, const Vec3f& position_mm, const Vec3f& normal) {
 }
 
 }  // namespace
+
+EditList difference(const EditList& one, const EditList& other) {
+  auto all = std::make_shared<EditSequence>();
+  const auto add_missing = [&](const EditSequence& edits, const EditSequence& in) {
+    for (const auto& edit : edits) {
+      if (std::find(in.begin(), in.end(), edit) == in.end()) all->push_back(edit);
+    }
+  };
+  add_missing(*one, *other);
+  add_missing(*other, *one);
+  return all;
+}
 
 EditStack::EditStack() : states_{std::make_shared<const EditSequence>()} {}
 
@@ -52,6 +67,26 @@ EditFilter::EditFilter(const EditList& edits) : edits_(edits) {
     }
     strokes_.push_back(std::move(stroke));
   }
+}
+
+bool EditFilter::Stroke::touches(const Vec3f& position_mm) const {
+  return box.contains(position_mm) &&
+         std::any_of(edit->dabs.begin(), edit->dabs.end(),
+                     [&](const BrushDab& dab) { return holds(dab, position_mm); });
+}
+
+bool EditFilter::touches(const Vec3f& position_mm) const {
+  return std::any_of(strokes_.begin(), strokes_.end(),
+                     [&](const Stroke& stroke) { return stroke.touches(position_mm); });
+}
+
+std::vector<double> EditFilter::times_at(const Vec3f& position_mm) const {
+  std::vector<double> times_s;
+  for (const Stroke& stroke : strokes_) {
+    if (stroke.touches(position_mm)) times_s.push_back(stroke.edit->made_at_s);
+  }
+  std::sort(times_s.begin(), times_s.end());
+  return times_s;
 }
 
 bool EditFilter::keeps(const Vec3f& position_mm, const Vec3f& normal, double seen_at_s) const {

@@ -35,6 +35,9 @@ struct Edit {
 using EditSequence = std::vector<std::shared_ptr<const Edit>>;
 using EditList = std::shared_ptr<const EditSequence>;
 
+/// The edits that only one of the two lists has.
+[[nodiscard]] EditList difference(const EditList& one, const EditList& other);
+
 /// The undo and redo history of edits.
 class EditStack {
  public:
@@ -66,12 +69,18 @@ class EditFilter {
   [[nodiscard]] bool empty() const { return edits_->empty(); }
   /// @param seen_at_s  time of the frame that measured the sample
   [[nodiscard]] bool keeps(const Vec3f& position_mm, const Vec3f& normal, double seen_at_s) const;
+  /// Whether a dab of an edit holds this place, whatever its normal.
+  [[nodiscard]] bool touches(const Vec3f& position_mm) const;
+  /// Times of the edits that touch this place, by rising time. All samples of the place that were
+  /// seen after one of them and up to the next are kept or removed together.
+  [[nodiscard]] std::vector<double> times_at(const Vec3f& position_mm) const;
 
  private:
   /// A stroke and its bounding box.
   struct Stroke {
     std::shared_ptr<const Edit> edit;
     Eigen::AlignedBox3f box;
+    [[nodiscard]] bool touches(const Vec3f& position_mm) const;
   };
   EditList edits_;
   std::vector<Stroke> strokes_;

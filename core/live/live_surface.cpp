@@ -1,6 +1,5 @@
 #include "core/live/live_surface.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -15,28 +14,14 @@ namespace {
 constexpr double kCellSpacings = 4.5;
 /// Radius of a surfel in cells. Neighbors overlap wherever the centers lie in their cells.
 constexpr float kRadiusCells = 0.85F;
-/// If the second eigenvalue is below this share of the largest, all profiles run in one direction.
-constexpr float kCrossingShare = 0.05F;
-
+/// Sums are multiples of 2^-bits: positions of 0.06 nm, variances of 60 fm^2, directions of 1e-9.
+constexpr int kOffsetBits = 24, kCovarianceBits = 44, kDirectionBits = 30;
 /// Direction of a profile at point i, from points on both sides; zero if they coincide.
 Vec3f tangent(const Profile& profile, std::size_t i, std::size_t reach) {
   const std::size_t from = i > reach ? i - reach : 0;
   const std::size_t to = std::min(i + reach, profile.points.size() - 1);
   const Vec3 step = profile.points[to].position_mm - profile.points[from].position_mm;
   return step.normalized().cast<float>();
-}
-
-/// The direction most perpendicular to all profiles, towards the sensor. If all profiles run in one
-/// direction: the perpendicular direction that faces the sensor most.
-Vec3f normal_of(const Eigen::Matrix3f& tangents, const Vec3f& towards) {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-  solver.computeDirect(tangents);
-  Vec3f normal = solver.eigenvectors().col(0);
-  if (solver.eigenvalues()[1] < kCrossingShare * solver.eigenvalues()[2]) {
-    const Vec3f along = solver.eigenvectors().col(2);
-    normal = (towards - towards.dot(along) * along).normalized();
-  }
-  return normal.dot(towards) < 0.0F ? Vec3f(-normal) : normal;
 }
 
 /// Whether a changed surfel still looks the same and need not be published: each new point moves a
@@ -48,11 +33,6 @@ bool look_same(const Surfel& now, const Surfel& shown, double cell_mm) {
          std::abs(now.sigma_mm - shown.sigma_mm) <= kSigma * shown.sigma_mm &&
          now.radius_mm == shown.radius_mm && now.color == shown.color &&
          now.textured == shown.textured && now.coverage == shown.coverage;
-}
-
-/// Average area of a plane in each of the cells that it crosses.
-double area_per_cell_mm2(const Vec3f& normal, double cell_mm) {
-  return cell_mm * cell_mm / static_cast<double>(normal.lpNorm<1>());
 }
 
 }  // namespace
@@ -79,7 +59,7 @@ CellKey LiveSurface::key(const Vec3f& p_mm, int cells) const {
   return CellKey::at(p_mm, cell_mm_ * cells);
 }
 
-double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filter) {
+double LiveSurface::add(const AlignedView& view) {
   if (cell_mm_ == 0.0) {
     cell_mm_ = options_.cell_mm > 0.0 ? options_.cell_mm
                                       : kCellSpacings * median_point_spacing_mm({&view, 1});
@@ -90,7 +70,7 @@ double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filt
   }
   ++view_count_;
   std::size_t enough = 0;
-  for (const Profile& profile : view.view->profiles) enough += add_profile(profile, view, filter);
+  for (const Profile& profile : view.view->profiles) enough += add_profile(profile, view);
   refresh_normals();
   for (const std::uint32_t cell : touched_cells_) refresh_cell(cell);
   touched_cells_.clear();
@@ -99,47 +79,84 @@ double LiveSurface::add(const AlignedView& view, const editing::EditFilter& filt
 }
 
 /// @return  number of points at places that enough views had seen before
-std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& view,
-                                     const editing::EditFilter& filter) {
+std::size_t LiveSurface::add_profile(const Profile& profile, const AlignedView& view) {
   const Eigen::Matrix3f R = view.T_world_sensor.linear().cast<float>();
-  const Vec3f towards = -R.col(2);
   const Vec3 span_mm = profile.points.back().position_mm - profile.points.front().position_mm;
   const double spacing_mm = span_mm.norm() / static_cast<double>(profile.points.size() - 1);
   const double reach = 0.5 * options_.normal_cells * cell_mm_ / std::max(spacing_mm, 1e-9);
-  const auto pattern = static_cast<std::size_t>(view.view->pattern);
+  const auto reach_points = static_cast<std::size_t>(std::clamp(reach, 1.0, 64.0));
+  SeenPoint seen;
+  seen.towards = -R.col(2);
+  seen.time_s = view.view->time_s;
+  seen.pattern = static_cast<std::size_t>(view.view->pattern);
   std::size_t enough = 0;
   for (std::size_t i = 0; i < profile.points.size(); ++i) {
     const ProfilePoint& point = profile.points[i];
-    const Vec3f p_mm = (view.T_world_sensor * point.position_mm).cast<float>();
-    if (!filter.empty() && !filter.keeps(p_mm, towards, view.view->time_s)) continue;
-    const std::uint32_t index = cell_at(p_mm);
-    Cell& cell = cells_[index];
-    add_point(cell, p_mm, R * point.deviation_mm);
-    touch(index);
-    NormalCell& around = normal_cells_[cell.normal_cell];
-    const Vec3f o = R * tangent(profile, i, static_cast<std::size_t>(std::clamp(reach, 1.0, 64.0)));
-    around.tangents += o * o.transpose();
-    around.towards += towards;
-    if (around.views[pattern] > options_.enough_views) ++enough;
-    if (around.latest_view[pattern] != view_count_) {
-      around.latest_view[pattern] = view_count_;
-      ++around.views[pattern];
-    }
-    if (!around.touched) touched_normals_.push_back(cell.normal_cell);
-    around.touched = true;
+    seen.position_mm = (view.T_world_sensor * point.position_mm).cast<float>();
+    seen.deviation_mm = R * point.deviation_mm;
+    seen.tangent = R * tangent(profile, i, reach_points);
+    enough += add_point(seen) ? 1 : 0;
   }
   return enough;
 }
 
-void LiveSurface::add_point(Cell& cell, const Vec3f& p_mm, const Vec3f& deviation_mm) const {
-  if (cell.point_count == 0.0F) cell.first_mm = p_mm;
-  cell.sum += p_mm - cell.first_mm;
-  cell.point_count += 1.0F;
+/// @return  whether it is shown at a place that enough views had seen before
+bool LiveSurface::add_point(const SeenPoint& point) {
+  const std::uint32_t index = cell_at(point);
+  Cell& cell = cells_[index];
+  NormalCell& cube = normal_cells_[cell.normal_cell];
+  const bool is_enough = count_view(cube, point);
+  const CellSums added = sums_of(point, cell);
+  if (!add_to_cell(cell, added, point.time_s)) return false;
+  cube.kept += added.directions;
+  ++cube.point_count;
+  touch(index);
+  if (!cube.touched) touched_normals_.push_back(cell.normal_cell);
+  cube.touched = true;
+  return is_enough;
+}
+
+CellSums LiveSurface::sums_of(const SeenPoint& point, Cell& cell) const {
   if (cell.of_view != view_count_) cell.points_of_view = 0;
   cell.of_view = view_count_;
   ++cell.points_of_view;
-  const auto added = static_cast<float>(mean_variance_.added_to_sum(cell.points_of_view));
-  cell.covariance_mm2 += added * deviation_mm * deviation_mm.transpose();
+  CellSums sums;
+  sums.point_count = 1;
+  sums.offset_mm =
+      (point.position_mm.cast<double>() - cell.center_mm.cast<double>()).unaryExpr([](double x) {
+        return rounded<kOffsetBits>(x);
+      });
+  sums.covariance_mm2 = rounded_square<kCovarianceBits>(
+      point.deviation_mm, mean_variance_.added_to_sum(cell.points_of_view));
+  sums.directions.tangents = rounded_square<kDirectionBits>(point.tangent);
+  sums.directions.towards =
+      point.towards.cast<double>().unaryExpr([](double x) { return rounded<kDirectionBits>(x); });
+  return sums;
+}
+
+/// @return  whether the edits keep it
+bool LiveSurface::add_to_cell(Cell& cell, const CellSums& added, double time_s) {
+  if (cell.edited != kNotEdited) {
+    TimeLayer<CellSums>& layer = edited_cells_[cell.edited].layers.at(time_s);
+    layer.content += added;
+    if (!layer.is_kept) return false;
+  }
+  cell.kept += added;
+  return true;
+}
+
+/// @return  whether enough views had seen the cube before
+bool LiveSurface::count_view(NormalCell& cube, const SeenPoint& point) {
+  const bool is_enough = cube.views[point.pattern] > options_.enough_views;
+  if (cube.latest_view[point.pattern] == view_count_) return is_enough;
+  cube.latest_view[point.pattern] = view_count_;
+  if (cube.edited != kNotEdited) {
+    TimeLayer<ViewCounts>& layer = edited_cubes_[cube.edited].layers.at(point.time_s);
+    ++layer.content[point.pattern];
+    if (!layer.is_kept) return is_enough;
+  }
+  ++cube.views[point.pattern];
+  return is_enough;
 }
 
 void LiveSurface::touch(std::uint32_t cell) {
@@ -148,56 +165,56 @@ void LiveSurface::touch(std::uint32_t cell) {
   touched_cells_.push_back(cell);
 }
 
-std::uint32_t LiveSurface::cell_at(const Vec3f& p_mm) {
+std::uint32_t LiveSurface::cell_at(const SeenPoint& point) {
+  const CellKey place = key(point.position_mm, 1);
   const auto [entry, is_new] =
-      cell_index_.try_emplace(key(p_mm, 1), static_cast<std::uint32_t>(cells_.size()));
+      cell_index_.try_emplace(place, static_cast<std::uint32_t>(cells_.size()));
   if (is_new) {
-    cells_.emplace_back();
+    const Vec3 place_in_cells(place[0], place[1], place[2]);
+    cells_.emplace_back().center_mm =
+        (cell_mm_ * (place_in_cells + Vec3::Constant(0.5))).cast<float>();
     surfels_.emplace_back();
-    attach_to_normal_cell(entry->second, p_mm);
-    attach_to_block(entry->second, p_mm);
+    attach_to_normal_cell(entry->second, point);
+    attach_to_block(entry->second, point.position_mm);
+    begin_edited_cell(entry->second, point.towards);
   }
   return entry->second;
 }
 
-void LiveSurface::attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm) {
-  const auto [entry, is_new] = normal_index_.try_emplace(
-      key(p_mm, options_.normal_cells), static_cast<std::uint32_t>(normal_cells_.size()));
-  if (is_new) begin_normal_cell(entry->second, p_mm);
+void LiveSurface::attach_to_normal_cell(std::uint32_t cell, const SeenPoint& point) {
+  const auto [entry, is_new] =
+      normal_index_.try_emplace(key(point.position_mm, options_.normal_cells),
+                                static_cast<std::uint32_t>(normal_cells_.size()));
+  if (is_new) begin_normal_cell(entry->second, point);
   cells_[cell].normal_cell = entry->second;
   normal_cells_[entry->second].cells.push_back(cell);
 }
 
-template <typename Change>
-void LiveSurface::for_each_around(const Vec3f& center_mm, const Change& change) {
-  const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
-  for (int number = 0; number < 27; ++number) {
-    const Eigen::Vector3i step(number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1);
-    const Vec3f there_mm = center_mm + edge_mm * step.cast<float>();
-    const auto found = normal_index_.find(key(there_mm, options_.normal_cells));
-    if (found != normal_index_.end()) change(normal_cells_[found->second]);
-  }
-}
-
-void LiveSurface::begin_normal_cell(std::uint32_t index, const Vec3f& p_mm) {
+void LiveSurface::begin_normal_cell(std::uint32_t index, const SeenPoint& point) {
   const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
   NormalCell& begun = normal_cells_.emplace_back();
-  begun.center_mm = ((p_mm / edge_mm).array().floor() + 0.5F) * edge_mm;
-  for_each_around(begun.center_mm, [&](NormalCell& near) {
-    ++near.around;
+  begun.center_mm = ((point.position_mm / edge_mm).array().floor() + 0.5F) * edge_mm;
+  for_each_around(begun.center_mm, [&](const NormalCell& near) {
+    begun.around += near.has_points ? 1 : 0;
     begun.well_seen_around += near.well_seen ? 1 : 0;
   });
-  // The loop above already counted the cube itself as its own neighbor.
-  for_each_around(begun.center_mm, [&](const NormalCell& near) {
-    if (&near != &normal_cells_[index]) ++begun.around;
-  });
+  begin_edited_cube(index, point.towards);
 }
 
-/// Also updates the surfels of the cubes around.
-void LiveSurface::see_well(NormalCell& seen) {
-  seen.well_seen = true;
-  for_each_around(seen.center_mm, [&](NormalCell& near) {
-    ++near.well_seen_around;
+/// Tells the cubes around what the cube counts as now, and updates their surfels.
+void LiveSurface::count_around(NormalCell& cube) {
+  const bool has_points = cube.point_count > 0;
+  const bool well_seen =
+      has_points && cube.views[0] >= options_.good_views && cube.views[1] >= options_.good_views;
+  const int more_points = (has_points ? 1 : 0) - (cube.has_points ? 1 : 0);
+  const int more_seen = (well_seen ? 1 : 0) - (cube.well_seen ? 1 : 0);
+  if (more_points == 0 && more_seen == 0) return;
+  cube.has_points = has_points;
+  cube.well_seen = well_seen;
+  for_each_around(cube.center_mm, [&](NormalCell& near) {
+    near.around += more_points;
+    near.well_seen_around += more_seen;
+    if (more_seen == 0) return;
     for (const std::uint32_t cell : near.cells) touch(cell);
   });
 }
@@ -227,10 +244,8 @@ void LiveSurface::refresh_normals() {
   for (const std::uint32_t index : touched_normals_) {
     NormalCell& around = normal_cells_[index];
     around.touched = false;
-    around.normal = normal_of(around.tangents, around.towards);
-    const bool well_seen =
-        around.views[0] >= options_.good_views && around.views[1] >= options_.good_views;
-    if (well_seen && !around.well_seen) see_well(around);
+    around.normal = normal_of(around.kept);
+    count_around(around);
     // The other cells of the cube are refreshed too, each time the number of views has doubled.
     const int views = around.views[0] + around.views[1];
     if (views < 2 * around.refreshed_at) continue;
@@ -241,7 +256,8 @@ void LiveSurface::refresh_normals() {
 }
 
 Vec3f LiveSurface::position_mm(const Cell& cell) const {
-  return cell.first_mm + cell.sum / std::max(cell.point_count, 1.0F);
+  const double count = std::max(cell.kept.point_count, 1U);
+  return (cell.center_mm.cast<double>() + cell.kept.offset_mm / count).cast<float>();
 }
 
 /// The average normal of the cubes around a point, weighted by the distance of their centers.
@@ -271,6 +287,14 @@ Vec3f LiveSurface::normal_at(const Vec3f& p_mm, const NormalCell& own) const {
 void LiveSurface::refresh_cell(std::uint32_t index) {
   Cell& cell = cells_[index];
   cell.touched = false;
+  const Surfel surfel = surfel_of(index);
+  const bool becomes_shown =
+      shown(cell) && cell.kept.point_count < 2 * static_cast<std::uint32_t>(options_.min_points);
+  if (becomes_shown || !look_same(surfel, surfels_[index], cell_mm_)) show(index, surfel);
+}
+
+Surfel LiveSurface::surfel_of(std::uint32_t index) {
+  Cell& cell = cells_[index];
   const NormalCell& around = normal_cells_[cell.normal_cell];
   Surfel surfel = surfels_[index];
   surfel.position_mm = position_mm(cell);
@@ -279,112 +303,20 @@ void LiveSurface::refresh_cell(std::uint32_t index) {
     surfel.normal = normal_at(surfel.position_mm, around);
   }
   surfel.radius_mm = kRadiusCells * static_cast<float>(cell_mm_);
-  surfel.sigma_mm = std::sqrt(reduction::variance_across_mm2(cell.covariance_mm2, surfel.normal)) /
-                    std::max(cell.point_count, 1.0F);
+  surfel.sigma_mm = std::sqrt(reduction::variance_across_mm2(matrix_of(cell.kept.covariance_mm2),
+                                                             surfel.normal)) /
+                    static_cast<float>(std::max(cell.kept.point_count, 1U));
   const bool good = 2 * around.well_seen_around > around.around;
   surfel.coverage = good ? Coverage::kGood : Coverage::kThin;
   surfel.textured = cell.color.observed();
   surfel.color = surfel.textured ? cell.color.color() : kUntexturedColor;
-  const bool becomes_shown =
-      shown(cell) && cell.point_count < 2.0F * static_cast<float>(options_.min_points);
-  if (!becomes_shown && look_same(surfel, surfels_[index], cell_mm_)) return;
+  return surfel;
+}
+
+void LiveSurface::show(std::uint32_t index, const Surfel& surfel) {
   surfels_[index] = surfel;
-  if (shown(cell)) join_block(index);
-  blocks_[cell.block].changed = true;
-}
-
-void LiveSurface::cut(const editing::EditFilter& filter, double now_s) {
-  if (filter.empty()) return;
-  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-    Cell& cell = cells_[i];
-    if (cell.point_count == 0.0F) continue;
-    if (filter.keeps(surfels_[i].position_mm, surfels_[i].normal, now_s)) continue;
-    cell.sum = Vec3f::Zero();
-    cell.point_count = 0.0F;
-    cell.covariance_mm2.setZero();
-    cell.of_view = 0;
-    cell.color = {};
-    blocks_[cell.block].changed = true;
-  }
-}
-
-std::vector<std::uint32_t> LiveSurface::cells_around(
-    const Isometry& T_world_sensor, const calibration::Calibration& calibration) const {
-  // No point of the measurement volume is farther from its center.
-  const double reach_mm =
-      (0.5 + options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
-  const Vec3f middle_mm = T_world_sensor.translation().cast<float>();
-  std::vector<std::uint32_t> around;
-  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-    if (shown(cells_[i]) && (surfels_[i].position_mm - middle_mm).norm() <= reach_mm) {
-      around.push_back(i);
-    }
-  }
-  return around;
-}
-
-template <typename Wanted>
-Result<std::vector<std::uint32_t>> LiveSurface::observe(const texture::TextureFrame& frame,
-                                                        const calibration::Calibration& calibration,
-                                                        const Wanted& wanted) {
-  // Use all cells: the others may hide the wanted ones.
-  std::vector<std::uint32_t> around = cells_around(frame.T_world_sensor, calibration);
-  std::vector<SurfacePoint> points;
-  std::vector<texture::ObservedColor> colors;
-  for (const std::uint32_t i : around) {
-    points.push_back({surfels_[i].position_mm, surfels_[i].normal, {}, 0.0F});
-    colors.push_back(cells_[i].color);
-  }
-  if (auto seen =
-          texture::observe_points(points, colors, frame, calibration, options_.texture, Workers(1));
-      !seen) {
-    return tl::unexpected(seen.error());
-  }
-  for (std::size_t k = 0; k < around.size(); ++k) {
-    if (wanted(around[k])) cells_[around[k]].color = colors[k];
-  }
-  return around;
-}
-
-Result<void> LiveSurface::add_color(const texture::TextureFrame& frame,
-                                    const calibration::Calibration& calibration) {
-  const auto around = observe(frame, calibration, [](std::uint32_t) { return true; });
-  if (!around) return tl::unexpected(around.error());
-  for (const std::uint32_t cell : *around) refresh_cell(cell);
-  return {};
-}
-
-Result<void> LiveSurface::recolor(const Isometry& T_world_sensor,
-                                  std::span<const texture::TextureFrame> frames,
-                                  const calibration::Calibration& calibration) {
-  const std::vector<std::uint32_t> forgotten = cells_around(T_world_sensor, calibration);
-  for (const std::uint32_t cell : forgotten) cells_[cell].color = {};
-  const auto is_forgotten = [&](std::uint32_t cell) {
-    return std::binary_search(forgotten.begin(), forgotten.end(), cell);
-  };
-  const double reach_mm =
-      (1.0 + 2.0 * options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
-  for (const texture::TextureFrame& frame : frames) {
-    const Vec3 between_mm = frame.T_world_sensor.translation() - T_world_sensor.translation();
-    if (between_mm.norm() > reach_mm) continue;
-    if (const auto around = observe(frame, calibration, is_forgotten); !around) {
-      return tl::unexpected(around.error());
-    }
-  }
-  for (const std::uint32_t cell : forgotten) refresh_cell(cell);
-  return {};
-}
-
-double LiveSurface::texture_pixels(const Isometry& T_world_sensor,
-                                   const calibration::Calibration& calibration) const {
-  const Isometry T_sensor_world = T_world_sensor.inverse();
-  double pixels = 0.0;
-  for (const std::uint32_t i : cells_around(T_world_sensor, calibration)) {
-    const SurfacePoint point{surfels_[i].position_mm, surfels_[i].normal, {}, 0.0F};
-    pixels += area_per_cell_mm2(point.normal, cell_mm_) *
-              texture::pixels_per_mm2(point, T_sensor_world, calibration, options_.texture);
-  }
-  return pixels;
+  if (shown(cells_[index])) join_block(index);
+  blocks_[cells_[index].block].changed = true;
 }
 
 void LiveSurface::publish_block(Block& block) const {
@@ -395,7 +327,7 @@ void LiveSurface::publish_block(Block& block) const {
     if (!shown(cells_[cell])) continue;
     const Surfel& surfel = surfels_[cell];
     published->surfels.push_back(surfel);
-    const double area_mm2 = area_per_cell_mm2(surfel.normal, cell_mm_);
+    const double area_mm2 = area_per_cell_mm2(surfel.normal);
     block.area_mm2 += area_mm2;
     if (surfel.coverage == Coverage::kGood) block.good_mm2 += area_mm2;
   }

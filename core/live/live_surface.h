@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "core/geometry/cell_key.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/view.h"
+#include "core/live/surface_sums.h"
+#include "core/live/time_layers.h"
 #include "core/reduction/sample_noise.h"
 #include "core/texture/observe.h"
 
@@ -49,6 +52,11 @@ struct LiveSurfaceOptions {
 /// correlated, that of different views is not. Differences between views are not included; the data
 /// reduction includes them. The normal is the direction most perpendicular to all profiles nearby,
 /// as in crossing_normals.
+///
+/// Edits act on whole cells: a dab reaches a cell whose center it holds, if the profiles of the
+/// cube around face the dab. What an edit removes is kept aside, so that to undo or redo an edit
+/// takes milliseconds, however many views there are, and gives the surface that all views give with
+/// the edits in effect, bit for bit.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
 /// reduction during the scan to future work.
 class LiveSurface {
@@ -56,11 +64,15 @@ class LiveSurface {
   /// @errors  kBadOption.
   [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {});
 
-  /// Adds the points of a view that the edits keep.
+  /// Adds the points of a view; those that the edits do not keep are not shown.
   /// @return  share of the points at places that enough views had seen before, 0..1
-  double add(const AlignedView& view, const editing::EditFilter& filter);
-  /// Removes everything seen up to now that the edits do not keep.
-  void cut(const editing::EditFilter& filter, double now_s);
+  double add(const AlignedView& view);
+  /// Shows what these edits keep. Edits that the stack did not have before must be later than all
+  /// views so far, or come before the first view.
+  void set_edits(const editing::EditStack& edits);
+  /// Applies the edits once more, by the normals of all views. Call it after the last of the views
+  /// that were added with the edits known before.
+  void settle_edits();
   /// Colors the surfels that the texture frame shows.
   /// @errors  as observe_points.
   [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
@@ -86,37 +98,47 @@ class LiveSurface {
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
 
  private:
+  static constexpr std::uint32_t kNotEdited = 0xffffffff;
+  static constexpr int kNormalIsOld = -1;  ///< as Cell::normal_of_views
   /// A cell in which points are merged.
   struct Cell {
-    Vec3f sum = Vec3f::Zero();  ///< of positions, relative to the first point
-    Vec3f first_mm = Vec3f::Zero();
-    float point_count = 0.0F;
-    /// Covariance of the sum of all points, world frame.
-    Eigen::Matrix3f covariance_mm2 = Eigen::Matrix3f::Zero();
+    CellSums kept;  ///< of the points that the edits keep
+    Vec3f center_mm = Vec3f::Zero();
     std::uint32_t of_view = 0;         ///< number of the view that added the latest point
     std::uint32_t points_of_view = 0;  ///< number of points that this view added
     std::uint32_t normal_cell = 0;
     std::uint32_t block = 0;
-    int normal_of_views = -1;  ///< number of views of its cube when its normal was last computed
+    std::uint32_t edited = kNotEdited;  ///< its number among edited_cells_
+    int normal_of_views =
+        kNormalIsOld;  ///< number of views of its cube when its normal was last computed
     bool touched = false;
     bool in_block = false;  ///< set when the cell is shown for the first time
     texture::ObservedColor color;
   };
+  using ViewCounts = std::array<int, 2>;  ///< by Pattern
   /// A cube in which the profiles give one normal.
   struct NormalCell {
-    Eigen::Matrix3f tangents = Eigen::Matrix3f::Zero();  ///< sum of o o^T
-    Vec3f towards = Vec3f::Zero();                       ///< sum of directions to the sensor
+    DirectionSums kept;             ///< of the points that the edits keep
+    std::uint64_t point_count = 0;  ///< of these
     Vec3f normal = Vec3f::UnitZ();
     Vec3f center_mm = Vec3f::Zero();
     int around = 0;            ///< cubes with points among this cube and its 26 neighbors
     int well_seen_around = 0;  ///< of these cubes, those well seen
-    bool well_seen = false;
-    std::array<int, 2> views{};                  ///< number of views that saw it, by Pattern
+    bool has_points = false, well_seen = false;  ///< as counted by the cubes around
+    ViewCounts views{};                          ///< number of views that saw it
     std::array<std::uint32_t, 2> latest_view{};  ///< number of the latest of them
+    std::uint32_t edited = kNotEdited;           ///< its number among edited_cubes_
     int refreshed_at = 0;                        ///< number of views when its cells were last
                                                  ///< refreshed
     std::vector<std::uint32_t> cells;
     bool touched = false;
+  };
+  /// A cell or cube whose center is touched by an edit, in effect or not.
+  template <typename Content>
+  struct Edited {
+    std::uint32_t index = 0;
+    TimeLayers<Content> layers;
+    texture::ObservedColor hidden_color;  ///< of a cell: before all of it was removed
   };
   struct Block {
     std::uint64_t place = 0;  ///< see SurfelBlock
@@ -131,25 +153,43 @@ class LiveSurface {
   explicit LiveSurface(const LiveSurfaceOptions& options)
       : options_(options), mean_variance_(options.noise_length_samples) {}
 
-  std::size_t add_profile(const Profile& profile, const AlignedView& view,
-                          const editing::EditFilter& filter);
-  std::uint32_t cell_at(const Vec3f& p_mm);
-  void attach_to_normal_cell(std::uint32_t cell, const Vec3f& p_mm);
+  /// A point of a view, world frame.
+  struct SeenPoint {
+    Vec3f position_mm, deviation_mm, tangent, towards;
+    double time_s = 0.0;
+    std::size_t pattern = 0;
+  };
+  std::size_t add_profile(const Profile& profile, const AlignedView& view);
+  bool add_point(const SeenPoint& point);
+  bool add_to_cell(Cell& cell, const CellSums& added, double time_s);
+  bool count_view(NormalCell& cube, const SeenPoint& point);
+  [[nodiscard]] CellSums sums_of(const SeenPoint& point, Cell& cell) const;
+  std::uint32_t cell_at(const SeenPoint& point);
+  void attach_to_normal_cell(std::uint32_t cell, const SeenPoint& point);
   void attach_to_block(std::uint32_t cell, const Vec3f& p_mm);
   void join_block(std::uint32_t index);
   /// Calls `change` for a cube and each existing neighbor.
   template <typename Change>
-  void for_each_around(const Vec3f& center_mm, const Change& change);
-  void begin_normal_cell(std::uint32_t index, const Vec3f& p_mm);
-  void see_well(NormalCell& seen);
+  void for_each_around(const Vec3f& center_mm, const Change& change) {
+    const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
+    for (int number = 0; number < 27; ++number) {
+      const Eigen::Vector3i step(number % 3 - 1, number / 3 % 3 - 1, number / 9 - 1);
+      const Vec3f there_mm = center_mm + edge_mm * step.cast<float>();
+      const auto found = normal_index_.find(key(there_mm, options_.normal_cells));
+      if (found != normal_index_.end()) change(normal_cells_[found->second]);
+    }
+  }
+  void begin_normal_cell(std::uint32_t index, const SeenPoint& point);
+  void count_around(NormalCell& cube);
   void refresh_normals();
   void refresh_cell(std::uint32_t cell);
-  void add_point(Cell& cell, const Vec3f& p_mm, const Vec3f& deviation_mm) const;
+  [[nodiscard]] Surfel surfel_of(std::uint32_t index);
+  void show(std::uint32_t index, const Surfel& surfel);
   [[nodiscard]] Vec3f position_mm(const Cell& cell) const;
   [[nodiscard]] Vec3f normal_at(const Vec3f& p_mm, const NormalCell& own) const;
   [[nodiscard]] CellKey key(const Vec3f& p_mm, int cells) const;
   [[nodiscard]] bool shown(const Cell& cell) const {
-    return cell.point_count >= static_cast<float>(options_.min_points);
+    return cell.kept.point_count >= static_cast<std::uint32_t>(options_.min_points);
   }
   /// The shown cells that may be in the measurement volume of a sensor at this pose.
   [[nodiscard]] std::vector<std::uint32_t> cells_around(
@@ -161,7 +201,28 @@ class LiveSurface {
                                              const calibration::Calibration& calibration,
                                              const Wanted& wanted);
   void publish_block(Block& block) const;
+  /// Average area of a plane in each of the cells that it crosses.
+  [[nodiscard]] double area_per_cell_mm2(const Vec3f& normal) const {
+    return cell_mm_ * cell_mm_ / static_cast<double>(normal.lpNorm<1>());
+  }
   void touch(std::uint32_t cell);
+
+  // Edits
+  template <typename Place, typename Content>
+  void keep_layers(std::uint32_t index, Place& place, const Content& so_far,
+                   const std::vector<double>& times_s, std::vector<Edited<Content>>& all);
+  void keep_layers_of_cell(std::uint32_t index, const editing::EditFilter& edits);
+  void keep_layers_of_cube(std::uint32_t index, const editing::EditFilter& edits);
+  void begin_edited_cell(std::uint32_t index, const Vec3f& towards);
+  void begin_edited_cube(std::uint32_t index, const Vec3f& towards);
+  template <typename Content, typename Change>
+  void apply_to_layers(TimeLayers<Content>& layers, const Vec3f& center_mm, const Vec3f& normal,
+                       const Change& change) const;
+  void apply_to_cell(Edited<CellSums>& edited, const Vec3f& normal);
+  void apply_to_cube(Edited<ViewCounts>& edited, const Vec3f& normal);
+  [[nodiscard]] Vec3f normal_of_all(const NormalCell& cube) const;
+  void apply_edits(const std::function<bool(const Vec3f& center_mm)>& is_concerned);
+  void refresh_around(const std::vector<std::uint32_t>& cubes);
 
   LiveSurfaceOptions options_;
   reduction::MeanVariance mean_variance_;
@@ -173,6 +234,11 @@ class LiveSurface {
   std::vector<Surfel> surfels_;  ///< parallel to cells_
   std::vector<NormalCell> normal_cells_;
   std::vector<Block> blocks_;
+  editing::EditStack edits_;
+  /// The edits in effect, and all that the stack has.
+  editing::EditFilter filter_{edits_.state()}, known_edits_{edits_.all()};
+  std::vector<Edited<CellSums>> edited_cells_;
+  std::vector<Edited<ViewCounts>> edited_cubes_;
   std::vector<std::uint32_t> touched_normals_, touched_cells_;  ///< by the view that is being added
   double area_mm2_ = 0.0, good_mm2_ = 0.0;
 };

@@ -169,7 +169,8 @@ void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
   for (const AlignedView& view : growth.added) frame_counter_.found(view.view->time_s);
   known_views_ = growth.is_all ? growth.added.size() : known_views_ + growth.added.size();
   if (growth.is_all) {
-    rebuild(true);
+    waiting_ = {};
+    model_.build_in_other_world(aligned_views());
   } else if (!growth.added.empty()) {
     waiting_.views.insert(waiting_.views.end(), growth.added.begin(), growth.added.end());
     if (offered_at_s) waiting_.offered_at_s.push_back(*offered_at_s);
@@ -219,7 +220,7 @@ void GrowingScan::restore(const KeptScan& kept) {
   for (const AlignedView& view : kept.views) journaled_.insert(view.view->frame);
   if (!kept.views.empty()) last_time_s_ = kept.views.back().view->time_s;
   [[maybe_unused]] const tracking::ScanGrowth known = registrar_->take_growth();
-  model_.restore(kept.views, kept.texture_frames, kept.edits.state());
+  model_.restore(kept.views, kept.texture_frames, kept.edits);
   show_edits();
   if (kept.result == nullptr) return model_.look_for_holes();
   phase_ = ScanPhase::kFinished;
@@ -278,7 +279,7 @@ void GrowingScan::pause() {
   hand_over_waiting();
   refinement_.run_if_new(known_views_, [this] { return aligned_views(); });
   // A paused model shows the best poses. A running optimization will do the same at its end.
-  if (!refinement_.is_running()) model_.follow(aligned_views(), edits_.state(), 0.0);
+  if (!refinement_.is_running()) model_.follow(aligned_views(), 0.0);
   model_.look_for_holes();
 }
 
@@ -287,7 +288,7 @@ void GrowingScan::edit(editing::EditKind kind, std::vector<editing::BrushDab> da
   edits_.push({kind, last_time_s_, std::move(dabs)});
   step(ScanEvent::kEdit);
   show_edits();
-  model_.edit(edits_.state(), last_time_s_);
+  model_.set_edits(edits_);
 }
 
 void GrowingScan::change_edits(void (editing::EditStack::*change)()) {
@@ -297,7 +298,7 @@ void GrowingScan::change_edits(void (editing::EditStack::*change)()) {
   if (edits_.state() == before) return;
   step(ScanEvent::kEdit);
   show_edits();
-  rebuild(false);
+  model_.set_edits(edits_);
 }
 
 void GrowingScan::show_edits() {
@@ -309,19 +310,13 @@ void GrowingScan::show_edits() {
   journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
 }
 
-/// Rebuilds the model from all views, including those that were waiting for it.
-void GrowingScan::rebuild(bool is_other) {
-  waiting_ = {};
-  model_.build_anew(aligned_views(), edits_.state(), is_other);
-}
-
 void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
   // A rebuilt model contains all views: views handed over after it would be in it twice.
   hand_over_waiting();
   registrar_->apply(refined);
   const std::vector<AlignedView> views = aligned_views();
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });
-  model_.follow(views, edits_.state(), is_scanning(phase_) ? kToleratedCells : 0.0);
+  model_.follow(views, is_scanning(phase_) ? kToleratedCells : 0.0);
 }
 
 void GrowingScan::finish() {

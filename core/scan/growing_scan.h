@@ -78,7 +78,6 @@ class GrowingScan {
   void retire_past();
   void take_output(FinishingOutput output);
   void take_result(Result<reconstruct::FinishedScan> finished);
-  void rebuild(bool is_other);
   void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }
   void journal_view(const std::shared_ptr<const View>& view);
   [[nodiscard]] bool has_model() const { return known_views_ > 0; }

@@ -26,7 +26,6 @@ LiveModel::LiveModel(live::LiveSurface surface, const live::LiveSurfaceOptions& 
       calibration_(&calibration),
       max_gap_s_(max_gap_s),
       surface_(std::move(surface)),
-      filter_(editing::EditStack().state()),
       trajectory_(0.5 * calibration.volume.size_mm.norm()) {}
 
 Result<LiveModel> LiveModel::create(const live::LiveSurfaceOptions& options,
@@ -39,7 +38,7 @@ Result<LiveModel> LiveModel::create(const live::LiveSurfaceOptions& options,
 void LiveModel::add(std::span<const AlignedView> views) {
   for (const AlignedView& view : views) {
     const bool is_shown = !rebuild_ || !rebuild_->is_other;
-    if (is_shown && surface_.add(view, filter_) > kRedundantShare) {
+    if (is_shown && surface_.add(view) > kRedundantShare) {
       redundant_s_.push_back(view.view->time_s);
     }
     trajectory_.set(view.view->time_s, view.T_world_sensor);
@@ -110,10 +109,10 @@ void LiveModel::replace_texture(PlacedTexture& kept, const Frame& frame,
   std::ignore = rebuild_->surface.recolor(T_world_sensor, frames, *calibration_);
 }
 
-void LiveModel::apply_edits(const editing::EditList& edits, double now_s) {
-  filter_ = editing::EditFilter(edits);
-  surface_.cut(filter_, now_s);
-  if (rebuild_) rebuild_->surface.cut(filter_, now_s);
+void LiveModel::set_edits(const editing::EditStack& edits) {
+  edits_ = edits;
+  surface_.set_edits(edits_);
+  if (rebuild_) rebuild_->surface.set_edits(edits_);
 }
 
 double LiveModel::follow(std::span<const AlignedView> views) {
@@ -145,15 +144,17 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   is_other = is_other || (rebuild_ && rebuild_->is_other);
   // The options were validated when the model was created.
   rebuild_.emplace(Rebuild{*live::LiveSurface::create(options_), std::move(views), is_other});
+  rebuild_->surface.set_edits(edits_);
 }
 
 bool LiveModel::continue_rebuild() {
   if (!rebuild_) return false;
   Rebuild& work = *rebuild_;
   for (std::size_t k = 0; k < kViewsAtOnce && work.views_done < work.views.size(); ++k) {
-    work.surface.add(work.views[work.views_done++], filter_);
+    work.surface.add(work.views[work.views_done++]);
   }
   if (work.views_done < work.views.size()) return true;
+  if (!std::exchange(work.is_settled, true)) work.surface.settle_edits();
   if (work.textures_done < textures_.size()) {
     const PlacedTexture& texture = textures_[work.textures_done++];
     [[maybe_unused]] const auto colored =

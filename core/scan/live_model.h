@@ -37,8 +37,8 @@ class LiveModel {
   void add(std::span<const AlignedView> views);
   /// Colors the surface once the views before and after the frame are known.
   void add_texture(const Frame& frame);
-  /// Removes what new edits trim. To undo edits, rebuild the model.
-  void apply_edits(const editing::EditList& edits, double now_s);
+  /// Shows what these edits keep, at once, see LiveSurface::set_edits.
+  void set_edits(const editing::EditStack& edits);
 
   /// Places later texture frames by these poses of the views.
   /// @return  error of the surface by these poses, mm: the largest displacement of a view since it
@@ -63,6 +63,7 @@ class LiveModel {
     live::LiveSurface surface;
     std::vector<AlignedView> views;
     bool is_other = false;
+    bool is_settled = false;  ///< the edits, by the normals of all views
     std::size_t views_done = 0, textures_done = 0;
   };
 
@@ -78,7 +79,7 @@ class LiveModel {
   const calibration::Calibration* calibration_;
   double max_gap_s_;
   live::LiveSurface surface_;
-  editing::EditFilter filter_;
+  editing::EditStack edits_;
   trajectory::Trajectory trajectory_;
   std::map<FrameIndex, Isometry> added_at_;  ///< T_world_sensor of the views
   std::vector<Frame> waiting_;               ///< texture frames whose pose is not known yet

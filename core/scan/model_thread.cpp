@@ -49,38 +49,35 @@ void ModelThread::add_texture(const Frame& frame) {
 }
 
 void ModelThread::restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames,
-                          editing::EditList edits) {
+                          editing::EditStack edits) {
   thread_.post([this, views = std::move(views), texture_frames = std::move(texture_frames),
                 edits = std::move(edits)] {
-    model_.apply_edits(edits, 0.0);
+    model_.set_edits(edits);
     model_.add(views);
+    model_.surface().settle_edits();
     for (const Frame& frame : texture_frames) model_.add_texture(frame);
     has_grown_since_holes_ = true;
     publish();
   });
 }
 
-void ModelThread::edit(editing::EditList edits, double now_s) {
-  thread_.post([this, edits = std::move(edits), now_s] {
-    model_.apply_edits(edits, now_s);
+void ModelThread::set_edits(editing::EditStack edits) {
+  thread_.post([this, edits = std::move(edits)] {
+    model_.set_edits(edits);
     has_changed_ = has_grown_since_holes_ = true;
     publish_if_due(true);
     if (is_at_rest_) search_holes_if_grown();
   });
 }
 
-void ModelThread::build_anew(std::vector<AlignedView> views, editing::EditList edits,
-                             bool is_other) {
-  thread_.post([this, views = std::move(views), edits = std::move(edits), is_other] {
-    begin_rebuild(views, edits, is_other);
-  });
+void ModelThread::build_in_other_world(std::vector<AlignedView> views) {
+  thread_.post([this, views = std::move(views)] { begin_rebuild(views, true); });
 }
 
-void ModelThread::follow(std::vector<AlignedView> views, editing::EditList edits,
-                         double tolerated_cells) {
-  thread_.post([this, views = std::move(views), edits = std::move(edits), tolerated_cells] {
+void ModelThread::follow(std::vector<AlignedView> views, double tolerated_cells) {
+  thread_.post([this, views = std::move(views), tolerated_cells] {
     const double off_mm = model_.follow(views);
-    if (off_mm > tolerated_cells * model_.surface().cell_mm()) begin_rebuild(views, edits, false);
+    if (off_mm > tolerated_cells * model_.surface().cell_mm()) begin_rebuild(views, false);
   });
 }
 
@@ -95,9 +92,7 @@ void ModelThread::with_textures(std::function<void(const std::vector<PlacedTextu
   thread_.post([this, use = std::move(use)] { use(model_.textures()); });
 }
 
-void ModelThread::begin_rebuild(std::vector<AlignedView> views, const editing::EditList& edits,
-                                bool is_other) {
-  model_.apply_edits(edits, 0.0);
+void ModelThread::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   model_.begin_rebuild(std::move(views), is_other);
   thread_.post([this] { continue_rebuild(); });
 }

@@ -34,14 +34,14 @@ class ModelThread {
   void add_texture(const Frame& frame);
   /// Builds and publishes a saved scan at once, without a search for holes.
   void restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames,
-               editing::EditList edits);
-  void edit(editing::EditList edits, double now_s);
-  /// Rebuilds the model.
-  /// @param is_other  the views have another world frame than before
-  void build_anew(std::vector<AlignedView> views, editing::EditList edits, bool is_other);
+               editing::EditStack edits);
+  /// Applies, undoes or redoes edits, and publishes the model at once.
+  void set_edits(editing::EditStack edits);
+  /// Rebuilds the model from views that have another world frame than before.
+  void build_in_other_world(std::vector<AlignedView> views);
   /// Rebuilds the model only if the surface is off by more than `tolerated_cells`, see
   /// LiveModel::follow.
-  void follow(std::vector<AlignedView> views, editing::EditList edits, double tolerated_cells);
+  void follow(std::vector<AlignedView> views, double tolerated_cells);
   /// Searches for holes now, and after every change until views are added. Not in a finished scan.
   void look_for_holes();
   /// Shows the holes of a finished mesh, as long as the scan is finished.
@@ -58,7 +58,7 @@ class ModelThread {
 
  private:
   // On the thread.
-  void begin_rebuild(std::vector<AlignedView> views, const editing::EditList& edits, bool is_other);
+  void begin_rebuild(std::vector<AlignedView> views, bool is_other);
   void continue_rebuild();
   void publish_if_due(bool at_once);
   void publish();

@@ -114,13 +114,21 @@ void WindowDriver::click(const std::string& id) {
   click_at(place->x_px + place->width_px / 2.0, place->y_px + place->height_px / 2.0);
 }
 
-void WindowDriver::drag_at(double x_px, double y_px, double dx_px, double dy_px) {
+void WindowDriver::press_at(double x_px, double y_px, double dx_px, double dy_px) {
   constexpr int kSteps = 4;
   point(x_px, y_px);
   xdotool({"mousedown", "1"});
   for (int i = 1; i <= kSteps; ++i) point(x_px + dx_px * i / kSteps, y_px + dy_px * i / kSteps);
+}
+
+void WindowDriver::release() {
   xdotool({"mouseup", "1"});
   settle();
+}
+
+void WindowDriver::drag_at(double x_px, double y_px, double dx_px, double dy_px) {
+  press_at(x_px, y_px, dx_px, dy_px);
+  release();
 }
 
 void WindowDriver::drag(const std::string& id, double dx_px, double dy_px) {

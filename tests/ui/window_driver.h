@@ -48,7 +48,10 @@ class WindowDriver {
   /// Clicks in the middle of a button or panel; fails the test if there is none.
   void click(const std::string& id);
   void click_at(double x_px, double y_px);
-  /// Presses the button at one place, moves in steps, and releases it at another.
+  /// Presses the button at one place, and moves in steps to another.
+  void press_at(double x_px, double y_px, double dx_px, double dy_px);
+  void release();
+  /// As press_at, and releases the button.
   void drag_at(double x_px, double y_px, double dx_px, double dy_px);
   /// From the middle of a button or panel.
   void drag(const std::string& id, double dx_px, double dy_px);

@@ -122,6 +122,10 @@ TEST_F(RealWindow, DisabledButtonsAndKeysDoNothing) {
   }
   for (const char* key : {"z", "f", "Tab", "Delete"}) EXPECT_EQ(after_key(key), Names{}) << key;
   EXPECT_EQ(window().state()["tool"], "none");
+  show("scanning");
+  for (const char* key : {"y", "ctrl+shift+z"}) {
+    EXPECT_EQ(after_key(key), Names{}) << key << ", with nothing to redo";
+  }
 }
 
 TEST_F(RealWindow, ColorModesAndTheBlendFollowTheirKeys) {
@@ -165,6 +169,44 @@ TEST_F(RealWindow, ABrushStrokeIsOneEdit) {
   EXPECT_TRUE(has_edited);
   window().key("Escape");
   EXPECT_EQ(window().state()["tool"], "none");
+}
+
+/// Pixels of the drawn window that are clearly red.
+int red_pixels(WindowDriver& window) {
+  const TemporaryFolder folder;
+  const std::filesystem::path shot = folder.path() / "shot.png";
+  window.ask("wait 20");
+  window.ask("shot " + shot.string());
+  const cv::Mat drawn = io::read_png(shot).value();
+  int count = 0;
+  for (int row = 0; row < drawn.rows; ++row) {
+    for (int column = 0; column < drawn.cols; ++column) {
+      const auto& rgb = drawn.at<cv::Vec3b>(row, column);
+      count += rgb[0] > rgb[1] + 40 && rgb[0] > rgb[2] + 40 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST_F(RealWindow, APressedBrushShowsWhatItWillTake) {
+  show("paused");
+  window().ask("do occlusal");
+  window().ask("wait 60");
+  window().key("t");
+  const int before = red_pixels(window());
+  const auto scene = window().where("scene").value();
+  int pressed = 0;
+  for (double y = 0.1; y < 0.9 && pressed == 0; y += 0.05) {
+    window().press_at(scene.x_px + scene.width_px / 2.0, scene.y_px + y * scene.height_px, 30.0,
+                      0.0);
+    const int red = red_pixels(window());
+    (void)window().commands();
+    window().release();
+    if (window().commands() == Names{"EditSurface"}) pressed = red;
+  }
+  // The brush itself is a thin red ring.
+  EXPECT_GT(pressed, before + 1000);
+  window().key("Escape");
 }
 
 TEST_F(RealWindow, TwoClicksOnTheSurfaceMeasure) {

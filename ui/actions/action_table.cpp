@@ -56,7 +56,10 @@ std::optional<Action> action_of(const KeyEvent& press) {
   // A row that asks for Control or Shift goes first; else they do not matter: Ctrl Z is Z.
   for (const int wanted : {modifiers, 0}) {
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const ActionRow& candidate) {
-      return candidate.shortcut.key == press.key && candidate.shortcut.modifiers == wanted;
+      const auto is_pressed = [&](const Shortcut& shortcut) {
+        return shortcut.key == press.key && shortcut.modifiers == wanted;
+      };
+      return is_pressed(candidate.shortcut) || is_pressed(candidate.second);
     });
     if (row == rows.end()) continue;
     if (press.is_repeat && !row->shortcut.repeats) return std::nullopt;

@@ -50,6 +50,7 @@ struct ActionRow {
   const char* id;    ///< of its button, and on the control channel: "scan"
   const char* name;  ///< what it does, in the user's words
   Shortcut shortcut;
+  Shortcut second = {};  ///< another key that does the same; the list of keys does not show it
   ActionState (*state)(const Situation&) = always;
   void (*perform)(const ActionRunner&) = nullptr;
   /// The open dialogs that leave it possible. The list of keys always does.

@@ -60,6 +60,7 @@ constexpr std::array kEditingActions = {
               .id = "redo",
               .name = "Redo",
               .shortcut = {GLFW_KEY_Y, "Y"},
+              .second = {GLFW_KEY_Z, "Ctrl Shift Z", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
               .state = redo_state,
               .perform = send<Redo>},
     ActionRow{.action = Action::kTrim,

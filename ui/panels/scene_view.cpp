@@ -71,22 +71,31 @@ void add_holes(const PanelContext& context, SceneContent& content) {
 }
 
 /// An unlocking stroke removes the locked dabs that it touches.
-void free_locked(const editing::Edit& unlocking, std::vector<editing::BrushDab>& locked) {
+void free_locked(const std::vector<editing::BrushDab>& unlocking,
+                 std::vector<editing::BrushDab>& locked) {
   std::erase_if(locked, [&](const editing::BrushDab& dab) {
-    return std::any_of(unlocking.dabs.begin(), unlocking.dabs.end(),
-                       [&](const editing::BrushDab& by) {
-                         return (dab.center_mm - by.center_mm).norm() < by.radius_mm;
-                       });
+    return std::any_of(unlocking.begin(), unlocking.end(), [&](const editing::BrushDab& by) {
+      return (dab.center_mm - by.center_mm).norm() < by.radius_mm;
+    });
   });
 }
 
-void add_locked(const scan::ScanSnapshot& scan, SceneContent& content) {
-  if (scan.edits == nullptr) return;
-  for (const auto& edit : *scan.edits) {
-    if (edit->kind == editing::EditKind::kUnlock) free_locked(*edit, content.locked);
-    if (edit->kind != editing::EditKind::kLock) continue;
-    content.locked.insert(content.locked.end(), edit->dabs.begin(), edit->dabs.end());
+void add_locks(editing::EditKind kind, const std::vector<editing::BrushDab>& dabs,
+               std::vector<editing::BrushDab>& locked) {
+  if (kind == editing::EditKind::kUnlock) free_locked(dabs, locked);
+  if (kind == editing::EditKind::kLock) locked.insert(locked.end(), dabs.begin(), dabs.end());
+}
+
+/// Tints what is locked, and what the stroke that is being painted will change.
+void add_tints(const PanelContext& context, SceneContent& content) {
+  if (const auto& edits = context.view.scan->edits; edits != nullptr) {
+    for (const auto& edit : *edits) add_locks(edit->kind, edit->dabs, content.tints.locked);
   }
+  const WindowState& state = context.state;
+  if (!has_brush(state.tool)) return;
+  const editing::EditKind kind = kind_of(state.tool);
+  if (kind == editing::EditKind::kTrim) content.tints.to_trim = state.brush.stroke;
+  add_locks(kind, state.brush.stroke, content.tints.locked);
 }
 
 void add_tools(const PanelContext& context, SceneContent& content) {
@@ -109,7 +118,7 @@ SceneContent content_of(const PanelContext& context) {
     add_surface(context, content);
     add_phase(context, content);
     add_holes(context, content);
-    add_locked(*context.view.scan, content);
+    add_tints(context, content);
   }
   add_tools(context, content);
   return content;

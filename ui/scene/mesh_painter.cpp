@@ -27,13 +27,13 @@ std::array<Attribute, 5> mesh_attributes() {
 }
 
 std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-                                    const std::vector<editing::BrushDab>& locked) {
+                                    const Tints& tints) {
   std::vector<MeshVertex> vertices;
   vertices.reserve(mesh.mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
     const SurfacePoint& v = mesh.mesh.vertices[i];
     unsigned flags = coverage[i] == Coverage::kGood ? kGoodFlag : 0U;
-    if (reaches(locked, v.position_mm, v.normal)) flags |= kLockedFlag;
+    flags |= tint_flag(tints, v.position_mm, v.normal);
     vertices.push_back({v.position_mm, packed_normal(v.normal),
                         mesh.uv.empty() ? Eigen::Vector2f(0.0F, 0.0F) : mesh.uv[i],
                         packed_color(v.color, static_cast<std::uint8_t>(flags)), v.sigma_mm});
@@ -59,15 +59,20 @@ MeshPainter::MeshPainter(ShaderProgram program)
 }
 
 void MeshPainter::take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-                       const std::vector<editing::BrushDab>& locked) {
-  const std::vector<MeshVertex> vertices = vertices_of(mesh, coverage, locked);
-  buffer_.assign(std::as_bytes(std::span(vertices)));
+                       const Tints& tints) {
+  retint(mesh, coverage, tints);
   indices_.assign(std::as_bytes(std::span(mesh.mesh.triangles)));
   index_count_ = static_cast<GLsizei>(3 * mesh.mesh.triangles.size());
   has_atlas_ = !mesh.uv.empty() && !mesh.atlas.empty();
   if (has_atlas_) atlas_.assign(mesh.atlas);
   box_mm_.setEmpty();
   for (const SurfacePoint& v : mesh.mesh.vertices) box_mm_.extend(v.position_mm.cast<double>());
+}
+
+void MeshPainter::retint(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
+                         const Tints& tints) {
+  const std::vector<MeshVertex> vertices = vertices_of(mesh, coverage, tints);
+  buffer_.assign(std::as_bytes(std::span(vertices)));
 }
 
 void MeshPainter::paint(const Eye& eye, const SceneOptions& options) const {

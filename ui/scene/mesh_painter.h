@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "core/editing/edits.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/triangle_mesh.h"
 #include "ui/gpu/buffer.h"
@@ -11,6 +10,7 @@
 #include "ui/gpu/texture.h"
 #include "ui/scene/eye.h"
 #include "ui/scene/scene_options.h"
+#include "ui/scene/vertex_format.h"
 
 namespace flytri::ui {
 
@@ -21,9 +21,9 @@ class MeshPainter {
 
   /// Sends a mesh to graphics memory.
   /// @param coverage  by vertex
-  /// @param locked    strokes whose vertices are tinted
-  void take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-            const std::vector<editing::BrushDab>& locked);
+  void take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage, const Tints& tints);
+  /// Sends only the vertices anew, with other tints.
+  void retint(const TexturedMesh& mesh, const std::vector<Coverage>& coverage, const Tints& tints);
   /// Draws into the bound framebuffer. Triangles seen from behind are skipped.
   void paint(const Eye& eye, const SceneOptions& options) const;
 

@@ -9,15 +9,19 @@
 namespace flytri::ui {
 
 void MeshPicture::take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
-                       const std::vector<editing::BrushDab>& locked) {
+                       const Tints& tints) {
   const bool is_known = &mesh == mesh_ && number == number_;
-  if (is_known && are_same(locked, locked_)) return;
-  if (!is_known) coverage_ = coverage_of(mesh.mesh, scanned);
-  painter_.take(mesh, coverage_, locked);
-  surfels_.clear();
+  if (is_known && are_same(tints, tints_)) return;
+  if (is_known) {
+    painter_.retint(mesh, coverage_, tints);
+  } else {
+    coverage_ = coverage_of(mesh.mesh, scanned);
+    painter_.take(mesh, coverage_, tints);
+    surfels_.clear();
+  }
   mesh_ = &mesh;
   number_ = number;
-  locked_ = locked;
+  tints_ = tints;
   is_new_ = true;
 }
 
@@ -37,7 +41,7 @@ PixelBox MeshPicture::update(const Eye& eye, const SceneOptions& options, double
 
 PixelBox MeshPicture::draw_surfels(const SceneOptions& options, double now_s) {
   if (surfels_.empty()) surfels_ = surfels_of(*mesh_, coverage_);
-  const StoreChanges changes = store_.update(surfels_, locked_);
+  const StoreChanges changes = store_.update(surfels_, tints_);
   is_coarse_ = true;
   (void)moving_.update(store_, changes, eye_, options, now_s);
   latest_ms_ = moving_.latest_ms();

@@ -16,7 +16,7 @@ class MeshPicture {
   /// @param number   changes when the mesh does, even at the same address
   /// @param scanned  what the mesh was made of, for its coverage
   void take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
-            const std::vector<editing::BrushDab>& locked);
+            const Tints& tints);
   /// @return  where the picture changed: everywhere or nowhere
   PixelBox update(const Eye& eye, const SceneOptions& options, double now_s);
 
@@ -41,7 +41,7 @@ class MeshPicture {
   SurfelModel surfels_;             ///< of the mesh; empty until they are needed
   const TexturedMesh* mesh_ = nullptr;
   std::uint64_t number_ = 0;
-  std::vector<editing::BrushDab> locked_;
+  Tints tints_;
   bool is_new_ = false;
   bool is_coarse_ = false;
   Eye eye_;

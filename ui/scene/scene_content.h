@@ -11,6 +11,7 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/geometry/view.h"
 #include "core/meshing/surface_mesh.h"
+#include "ui/scene/vertex_format.h"
 
 namespace flytri::ui {
 
@@ -59,7 +60,7 @@ struct SceneContent {
 
   std::vector<MeasuredSegment> measurements;
   std::optional<BrushCursor> brush;
-  std::vector<editing::BrushDab> locked;  ///< tinted on the model
+  Tints tints;
 };
 
 }  // namespace flytri::ui

@@ -79,7 +79,7 @@ SceneRenderer::~SceneRenderer() = default;
 void SceneRenderer::State::update_model(const SceneContent& content, const SceneOptions& options,
                                         const OrbitCamera& camera, const PictureSize& size,
                                         double now_s) {
-  const StoreChanges changes = store.update(model_of(content), content.locked);
+  const StoreChanges changes = store.update(model_of(content), content.tints);
   model_box_mm = store.box_mm();
   eye = make_eye(camera, size, merged(overlay_box_mm(content), model_box_mm));
   const ModelPicture::Done done = model.update(store, changes, eye, options, now_s);
@@ -92,7 +92,7 @@ void SceneRenderer::State::update_model(const SceneContent& content, const Scene
 void SceneRenderer::State::update_mesh(const SceneContent& content, const SceneOptions& options,
                                        const OrbitCamera& camera, const PictureSize& size,
                                        double now_s) {
-  mesh.take(*content.mesh, content.mesh_number, model_of(content), content.locked);
+  mesh.take(*content.mesh, content.mesh_number, model_of(content), content.tints);
   model_box_mm = mesh.box_mm();
   eye = make_eye(camera, size, merged(overlay_box_mm(content), model_box_mm));
   changed_px = mesh.update(eye, options, now_s);

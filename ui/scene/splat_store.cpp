@@ -4,8 +4,6 @@
 #include <array>
 #include <cstddef>
 
-#include "ui/scene/vertex_format.h"
-
 namespace flytri::ui {
 namespace {
 
@@ -28,12 +26,11 @@ std::array<Attribute, 4> splat_attributes() {
            {3, 4, GL_UNSIGNED_BYTE, true, offsetof(SplatVertex, color_flags)}}};
 }
 
-/// @param locked  strokes near it
-SplatVertex vertex_of(const Surfel& surfel, const std::vector<editing::BrushDab>& locked) {
-  unsigned flags = 0;
+/// @param tints  near it
+SplatVertex vertex_of(const Surfel& surfel, const Tints& tints) {
+  unsigned flags = tint_flag(tints, surfel.position_mm, surfel.normal);
   if (surfel.textured) flags |= kTexturedFlag;
   if (surfel.coverage == Coverage::kGood) flags |= kGoodFlag;
-  if (reaches(locked, surfel.position_mm, surfel.normal)) flags |= kLockedFlag;
   return {surfel.position_mm, packed_normal(surfel.normal), Eigen::half(surfel.radius_mm),
           Eigen::half(surfel.sigma_mm),
           packed_color(surfel.color, static_cast<std::uint8_t>(flags))};
@@ -60,17 +57,6 @@ FreshBlock difference(const SurfelBlock* before, const SurfelBlock& now) {
   return fresh;
 }
 
-/// The strokes that reach into a box.
-std::vector<editing::BrushDab> within(const std::vector<editing::BrushDab>& dabs,
-                                      const Eigen::AlignedBox3f& box) {
-  std::vector<editing::BrushDab> near;
-  std::copy_if(dabs.begin(), dabs.end(), std::back_inserter(near),
-               [&](const editing::BrushDab& dab) {
-                 return box.squaredExteriorDistance(dab.center_mm) <= dab.radius_mm * dab.radius_mm;
-               });
-  return near;
-}
-
 }  // namespace
 
 SplatStore::SplatStore()
@@ -80,11 +66,10 @@ SplatStore::SplatStore()
   vertices_.attach(buffer_, sizeof(SplatVertex), splat_attributes());
 }
 
-StoreChanges SplatStore::update(const SurfelModel& model,
-                                const std::vector<editing::BrushDab>& locked) {
+StoreChanges SplatStore::update(const SurfelModel& model, const Tints& tints) {
   StoreChanges changes;
   drop_missing(model, changes);
-  if (!are_same(locked, locked_)) retint(locked, changes);
+  if (!are_same(tints, tints_)) retint(tints, changes);
   for (const auto& block : model) {
     const auto known = blocks_.find(block->place);
     if (known == blocks_.end() || known->second.block != block) store(block, changes);
@@ -122,10 +107,10 @@ void SplatStore::drop_missing(const SurfelModel& model, StoreChanges& changes) {
   }
 }
 
-void SplatStore::retint(const std::vector<editing::BrushDab>& locked, StoreChanges& changes) {
-  const std::vector<editing::BrushDab> before = std::exchange(locked_, locked);
+void SplatStore::retint(const Tints& tints, StoreChanges& changes) {
+  const Tints before = std::exchange(tints_, tints);
   for (const auto& [place, stored] : blocks_) {
-    if (are_same(within(before, stored.box_mm), within(locked_, stored.box_mm))) continue;
+    if (are_same(within(before, stored.box_mm), within(tints_, stored.box_mm))) continue;
     upload(stored, changes);
     changes.fresh.push_back(difference(nullptr, *stored.block));
   }
@@ -164,11 +149,11 @@ PlaceRange SplatStore::place_for(std::size_t count) {
 }
 
 void SplatStore::upload(const StoredBlock& stored, StoreChanges& changes) {
-  const std::vector<editing::BrushDab> dabs = within(locked_, stored.box_mm);
+  const Tints tints = within(tints_, stored.box_mm);
   std::vector<SplatVertex> vertices;
   vertices.reserve(stored.block->surfels.size());
   for (const Surfel& s : stored.block->surfels) {
-    vertices.push_back(vertex_of(s, dabs));
+    vertices.push_back(vertex_of(s, tints));
   }
   buffer_.write(stored.range.first * sizeof(SplatVertex), std::as_bytes(std::span(vertices)));
   changes.uploaded_bytes += vertices.size() * sizeof(SplatVertex);
@@ -176,9 +161,9 @@ void SplatStore::upload(const StoredBlock& stored, StoreChanges& changes) {
 
 void SplatStore::upload_some(const StoredBlock& stored, const std::vector<std::uint32_t>& surfels,
                              StoreChanges& changes) {
-  const std::vector<editing::BrushDab> dabs = within(locked_, stored.box_mm);
+  const Tints tints = within(tints_, stored.box_mm);
   for (const std::uint32_t i : surfels) {
-    const SplatVertex vertex = vertex_of(stored.block->surfels[i], dabs);
+    const SplatVertex vertex = vertex_of(stored.block->surfels[i], tints);
     buffer_.write((stored.range.first + i) * sizeof(SplatVertex),
                   std::as_bytes(std::span(&vertex, 1)));
   }

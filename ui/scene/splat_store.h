@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/editing/edits.h"
 #include "core/geometry/surfel.h"
 #include "ui/gpu/buffer.h"
 #include "ui/scene/range_allocator.h"
+#include "ui/scene/vertex_format.h"
 
 namespace flytri::ui {
 
@@ -38,9 +38,7 @@ class SplatStore {
  public:
   SplatStore();
   /// Replaces the model.
-  /// @param locked  strokes whose surfels are tinted
-  [[nodiscard]] StoreChanges update(const SurfelModel& model,
-                                    const std::vector<editing::BrushDab>& locked);
+  [[nodiscard]] StoreChanges update(const SurfelModel& model, const Tints& tints);
 
   /// By place.
   [[nodiscard]] const std::map<std::uint64_t, StoredBlock>& blocks() const { return blocks_; }
@@ -56,7 +54,7 @@ class SplatStore {
  private:
   void store(const std::shared_ptr<const SurfelBlock>& block, StoreChanges& changes);
   void drop_missing(const SurfelModel& model, StoreChanges& changes);
-  void retint(const std::vector<editing::BrushDab>& locked, StoreChanges& changes);
+  void retint(const Tints& tints, StoreChanges& changes);
   [[nodiscard]] PlaceRange place_for(std::size_t count);
   void sum_up();
   void upload(const StoredBlock& stored, StoreChanges& changes);
@@ -67,7 +65,7 @@ class SplatStore {
   VertexArray vertices_;
   RangeAllocator allocator_;
   std::map<std::uint64_t, StoredBlock> blocks_;
-  std::vector<editing::BrushDab> locked_;
+  Tints tints_;
   std::size_t surfel_count_ = 0;
   float radius_mm_ = 0.0F;
   Eigen::AlignedBox3d box_mm_;

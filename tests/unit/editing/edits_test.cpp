@@ -57,6 +57,30 @@ TEST(Edits, UnlockAllowsLaterSurfaceButNotSurfaceRejectedBefore) {
   EXPECT_FALSE(keeps(stack, 4.0));
 }
 
+TEST(Edits, TellWhenAPlaceWasTouched) {
+  EditStack stack;
+  stack.push(stroke(EditKind::kTrim, 5.0));
+  stack.push(stroke(EditKind::kLock, 8.0, 9.0F));
+  stack.push(stroke(EditKind::kLock, 9.0, 0.5F));
+  const EditFilter filter(stack.state());
+  EXPECT_EQ(filter.times_at(Vec3f::Zero()), (std::vector<double>{5.0, 9.0}));
+  EXPECT_TRUE(filter.touches(Vec3f(9, 0, 0)));
+  EXPECT_FALSE(filter.touches(Vec3f(4, 0, 0)));
+  EXPECT_TRUE(filter.times_at(Vec3f(4, 0, 0)).empty());
+}
+
+TEST(Edits, TheDifferenceHoldsWhatOnlyOneListHas) {
+  EditStack stack;
+  stack.push(stroke(EditKind::kTrim, 5.0));
+  const EditList one = stack.state();
+  stack.push(stroke(EditKind::kTrim, 6.0));
+  const EditList two = stack.state();
+  EXPECT_TRUE(difference(two, two)->empty());
+  ASSERT_EQ(difference(one, two)->size(), 1U);
+  EXPECT_EQ(difference(one, two)->front(), two->back());
+  EXPECT_EQ(difference(two, one)->front(), two->back());
+}
+
 TEST(EditStack, UndoAndRedoGoThroughTheStates) {
   EditStack stack;
   EXPECT_FALSE(stack.can_undo());

@@ -34,18 +34,13 @@ AlignedView plane_view(Pattern pattern, double time_s, double line_offset_mm = 0
   return {view, T_world_sensor};
 }
 
-const editing::EditFilter& no_edits() {
-  static const editing::EditFilter filter(editing::EditStack().state());
-  return filter;
-}
-
 /// Both patterns at `rounds` places, so that the line spacing is as small as the cells.
 LiveSurface scanned_plane(int rounds = 5) {
   LiveSurface surface = LiveSurface::create().value();
   double time_s = 0.0;
   for (int i = 0; i < rounds; ++i) {
     for (const Pattern pattern : kPatterns) {
-      surface.add(plane_view(pattern, time_s += 0.033, 0.2 * i), no_edits());
+      surface.add(plane_view(pattern, time_s += 0.033, 0.2 * i));
     }
   }
   return surface;
@@ -81,7 +76,7 @@ TEST(LiveSurface, AreaEqualsThatOfThePlane) {
 TEST(LiveSurface, LinesOfOnlyOnePatternGiveThinCoverage) {
   LiveSurface surface = LiveSurface::create().value();
   for (int i = 0; i < 10; ++i) {
-    surface.add(plane_view(Pattern::kVertical, 0.1 * i, 0.1 * i), no_edits());
+    surface.add(plane_view(Pattern::kVertical, 0.1 * i, 0.1 * i));
   }
   const std::vector<Surfel> surfels = surfels_of(surface.publish());
   ASSERT_FALSE(surfels.empty());
@@ -94,14 +89,14 @@ LiveSurface plane_with_band(double width_mm) {
   LiveSurface surface = LiveSurface::create().value();
   double time_s = 0.0;
   for (int i = 0; i < 10; ++i) {
-    surface.add(plane_view(Pattern::kVertical, time_s += 0.033, 0.1 * i), no_edits());
+    surface.add(plane_view(Pattern::kVertical, time_s += 0.033, 0.1 * i));
     AlignedView horizontal = plane_view(Pattern::kHorizontal, time_s += 0.033, 0.1 * i);
     auto outside = std::make_shared<View>(*horizontal.view);
     std::erase_if(outside->profiles, [&](const Profile& profile) {
       return std::abs(-profile.points.front().position_mm.y() - 4.95) < 0.5 * width_mm;
     });
     horizontal.view = outside;
-    surface.add(horizontal, no_edits());
+    surface.add(horizontal);
   }
   return surface;
 }
@@ -126,7 +121,7 @@ TEST(LiveSurface, ACubeWithoutLinesHasTheCoverageOfItsNeighbors) {
 
 TEST(LiveSurface, OneViewHasNormalsAcrossItsLines) {
   LiveSurface surface = LiveSurface::create().value();
-  surface.add(plane_view(Pattern::kVertical, 0.1), no_edits());
+  surface.add(plane_view(Pattern::kVertical, 0.1));
   for (const Surfel& surfel : surfels_of(surface.publish())) {
     EXPECT_GT(surfel.normal.z(), 0.999F);
   }
@@ -138,7 +133,7 @@ TEST(LiveSurface, UnchangedBlocksStayTheSameObjects) {
   EXPECT_EQ(surface.publish(), before);
   AlignedView far = plane_view(Pattern::kVertical, 9.0);
   far.T_world_sensor.translation() += Vec3(100, 0, 0);
-  surface.add(far, no_edits());
+  surface.add(far);
   const SurfelModel after = surface.publish();
   EXPECT_GT(after.size(), before.size());
   EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end(),
@@ -168,14 +163,14 @@ TEST(LiveSurface, TheFirstSurfelsOfABlockCoverItEvenly) {
 TEST(LiveSurface, EditsRemoveSurfaceAndRejectNewSurface) {
   editing::EditStack edits;
   edits.push({editing::EditKind::kTrim, 100.0, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 2.0F}}});
-  const editing::EditFilter filter(edits.state());
   const auto in_reach = [](const Surfel& surfel) {
     return (surfel.position_mm - Vec3f(5, 5, 0)).norm() < 1.7F;
   };
   LiveSurface cut = scanned_plane();
-  cut.cut(filter, 50.0);
+  cut.set_edits(edits);
   LiveSurface kept_out = LiveSurface::create().value();
-  kept_out.add(plane_view(Pattern::kVertical, 50.0), filter);
+  kept_out.set_edits(edits);
+  kept_out.add(plane_view(Pattern::kVertical, 50.0));
   for (LiveSurface* surface : {&cut, &kept_out}) {
     const std::vector<Surfel> surfels = surfels_of(surface->publish());
     EXPECT_FALSE(surfels.empty());
@@ -226,13 +221,16 @@ SigmaAndError sigma_and_error(double tilt_rad, double correlation_samples) {
       for (double along = 0.1; along < 60.0; along += 0.2) {
         const Vec3 p_world = ideal.pattern == Pattern::kVertical ? Vec3(across, along, height_mm)
                                                                  : Vec3(along, across, height_mm);
-        profile.points.push_back({T_world_sensor.inverse() * p_world, {}});
+        ProfilePoint point;
+        point.position_mm = T_world_sensor.inverse() * p_world;
+        point.deviation_mm = Vec3f::Zero();
+        profile.points.push_back(point);
       }
       ideal.profiles.push_back(std::move(profile));
     }
     const simulated::ViewNoise noise{.sigma_mm = 0.03, .correlation_samples = correlation_samples};
     auto view = std::make_shared<View>(add_noise(ideal, noise, static_cast<std::uint64_t>(v)));
-    surface.add({view, T_world_sensor}, no_edits());
+    surface.add({view, T_world_sensor});
   }
   SigmaAndError mean;
   const std::vector<Surfel> surfels = surfels_of(surface.publish());
@@ -260,12 +258,28 @@ TEST(LiveSurface, ReportsAViewThatAddsNothingNew) {
   LiveSurface surface = LiveSurface::create(options).value();
   double share = 1.0;
   for (int i = 0; i < 5; ++i) {
-    share = surface.add(plane_view(Pattern::kVertical, 0.1 * i), no_edits());
+    share = surface.add(plane_view(Pattern::kVertical, 0.1 * i));
     EXPECT_EQ(share, 0.0);
   }
-  (void)surface.add(plane_view(Pattern::kVertical, 0.9), no_edits());
-  share = surface.add(plane_view(Pattern::kVertical, 1.0), no_edits());
+  (void)surface.add(plane_view(Pattern::kVertical, 0.9));
+  share = surface.add(plane_view(Pattern::kVertical, 1.0));
   EXPECT_EQ(share, 1.0);
+}
+
+TEST(LiveSurface, AViewOfATrimmedPlaceAddsSomethingNew) {
+  LiveSurfaceOptions options;
+  options.enough_views = 5;
+  LiveSurface surface = LiveSurface::create(options).value();
+  for (int i = 0; i < 7; ++i) surface.add(plane_view(Pattern::kVertical, 0.1 * i));
+  editing::EditStack edits;
+  edits.push({editing::EditKind::kTrim, 0.65, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 20.0F}}});
+  surface.set_edits(edits);
+  EXPECT_TRUE(surface.publish().empty());
+  EXPECT_EQ(surface.add(plane_view(Pattern::kVertical, 0.7)), 0.0);
+  EXPECT_FALSE(surface.publish().empty());
+  edits.undo();
+  surface.set_edits(edits);
+  EXPECT_EQ(surface.add(plane_view(Pattern::kVertical, 0.8)), 1.0);
 }
 
 TEST(LiveSurface, NamesTheBadOption) {

@@ -105,6 +105,17 @@ TEST_F(LiveTexture, WhileTheHandRestsTheFrameStays) {
   EXPECT_EQ(color(), rgb(kRed));
 }
 
+TEST_F(LiveTexture, UndoBringsTheColorBack) {
+  see(0.0, 0.0, kRed);
+  editing::EditStack edits;
+  edits.push({editing::EditKind::kTrim, 0.2, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 20.0F}}});
+  model_.set_edits(edits);
+  EXPECT_TRUE(model_.surface().publish().empty());
+  edits.undo();
+  model_.set_edits(edits);
+  EXPECT_EQ(color(), rgb(kRed));
+}
+
 TEST_F(LiveTexture, ABetterFrameColorsTheSurfaceThatIsBuiltAnew) {
   see(0.0, 0.2, kRed);
   const std::vector<AlignedView> views = {plane_view(Pattern::kVertical, 0.0, 0.2),

@@ -296,6 +296,42 @@ TEST(LiveScan, UndoBringsBackTrimmedPlaces) {
   EXPECT_TRUE(scan->snapshot()->can_redo);
 }
 
+/// Places of all surfels, sorted.
+std::vector<std::array<float, 3>> places_of(const SurfelModel& model) {
+  std::vector<std::array<float, 3>> places;
+  for (const auto& block : model) {
+    for (const Surfel& surfel : block->surfels) {
+      const Vec3f& p_mm = surfel.position_mm;
+      places.push_back({p_mm.x(), p_mm.y(), p_mm.z()});
+    }
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+TEST(LiveScan, RedoOfTwoTrimsRemovesWhatTheyHadRemoved) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->pause();
+  scan->wait_until_idle();
+  const auto full = scan->snapshot();
+  const Surfel middle = full->model[full->model.size() / 2]->surfels.front();
+  for (const float x_mm : {0.0F, 2.5F}) {
+    const Vec3f center_mm = middle.position_mm + Vec3f(x_mm, 0, 0);
+    scan->edit(editing::EditKind::kTrim, {{center_mm, middle.normal, 2.0F}});
+    scan->wait_until_idle();
+  }
+  const auto trimmed = places_of(scan->snapshot()->model);
+  ASSERT_LT(trimmed.size(), surfel_count(full->model) - 100);
+  for (const auto change : {&LiveScan::undo, &LiveScan::undo, &LiveScan::redo, &LiveScan::redo}) {
+    (*scan.*change)();
+    scan->wait_until_idle();
+  }
+  const auto again = places_of(scan->snapshot()->model);
+  EXPECT_TRUE(again == trimmed) << again.size() << " places where " << trimmed.size() << " were";
+}
+
 /// Waits for the search for holes, which runs in the background.
 bool knows_holes_soon(const LiveScan& scan) {
   for (int tries = 0; tries < 3000 && !scan.snapshot()->holes_are_current; ++tries)
@@ -339,6 +375,42 @@ TEST(LiveScan, HolesOfAFinishedScanFollowItsEdits) {
   scan->wait_until_idle();
   ASSERT_TRUE(knows_holes_soon(*scan));
   EXPECT_GT(scan->snapshot()->holes.size(), done->holes.size());
+}
+
+TEST(LiveScan, UndoAndRedoOfAFinishedScanLeadBackToTheEditedSurface) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 60);
+  scan->pause();
+  scan->wait_until_idle();
+  const auto full = scan->snapshot();
+  const Surfel middle = full->model[full->model.size() / 2]->surfels.front();
+  scan->edit(editing::EditKind::kTrim, {{middle.position_mm, middle.normal, 3.0F}});
+  const auto trimmed = finish(*scan);
+  ASSERT_NE(trimmed->result, nullptr) << trimmed->failure;
+  scan->undo();
+  scan->wait_until_idle();
+  const auto undone = scan->snapshot();
+  // The mesh is that of the trimmed scan: it is not shown any more, and Finish makes another.
+  EXPECT_EQ(undone->phase, ScanPhase::kPreview);
+  EXPECT_EQ(undone->result, nullptr);
+  EXPECT_GT(surfel_count(undone->model), surfel_count(trimmed->model) + 100);
+  const auto with_all = finish(*scan);
+  ASSERT_NE(with_all->result, nullptr) << with_all->failure;
+  const auto vertex_near = [&](const reconstruct::FinishedScan& result) {
+    const auto& points = result.points;
+    return std::any_of(points.begin(), points.end(), [&](const SurfacePoint& point) {
+      return (point.position_mm - middle.position_mm).norm() < 1.5F;
+    });
+  };
+  EXPECT_FALSE(vertex_near(*trimmed->result));
+  EXPECT_TRUE(vertex_near(*with_all->result));
+  scan->redo();
+  scan->wait_until_idle();
+  EXPECT_EQ(scan->snapshot()->result, nullptr);
+  // Finishing twice gives slightly different poses, which move a few points to other cells.
+  EXPECT_NEAR(static_cast<double>(surfel_count(scan->snapshot()->model)),
+              static_cast<double>(surfel_count(trimmed->model)), 50.0);
 }
 
 TEST(LiveScan, HighLoadCostsViewsButNoDelay) {

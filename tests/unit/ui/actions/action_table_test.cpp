@@ -34,6 +34,8 @@ TEST(ActionTable, RowsAreInOrderAndNoIdOrKeyServesTwo) {
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;
     EXPECT_TRUE(keys.insert({row.shortcut.key, row.shortcut.modifiers}).second)
         << row.shortcut.text;
+    if (row.second.key == 0) continue;
+    EXPECT_TRUE(keys.insert({row.second.key, row.second.modifiers}).second) << row.second.text;
   }
   EXPECT_EQ(action_table().size(), index_of(Action::kCount));
 }
@@ -51,6 +53,8 @@ TEST(ActionTable, NothingButQuitQuits) {
 TEST(ActionTable, ControlAndShiftCountWhereARowAsksForThem) {
   EXPECT_EQ(action_of({GLFW_KEY_Z, 0, true, false}), Action::kUndo);
   EXPECT_EQ(action_of({GLFW_KEY_Z, GLFW_MOD_CONTROL, true, false}), Action::kUndo);
+  EXPECT_EQ(action_of({GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, true, false}), Action::kRedo);
+  EXPECT_EQ(action_of({GLFW_KEY_Y, GLFW_MOD_CONTROL, true, false}), Action::kRedo);
   EXPECT_EQ(action_of({GLFW_KEY_EQUAL, 0, true, false}), Action::kZoomIn);
   EXPECT_EQ(action_of({GLFW_KEY_EQUAL, GLFW_MOD_CONTROL, true, false}), Action::kLarger);
   EXPECT_EQ(action_of({GLFW_KEY_LEFT, GLFW_MOD_SHIFT, true, false}), Action::kTiltLeft);

@@ -232,12 +232,27 @@ TEST_F(SceneRendererTest, LockedStrokesAreTinted) {
   const SurfelModel model = block_of(surfel_square(10.0, 0.2));
   content_.model = &model;
   const auto before = picture().at<cv::Vec3b>(100, 160);
-  content_.locked = {{Vec3f::Zero(), Vec3f::UnitZ(), 2.0F}};
+  content_.tints.locked = {{Vec3f::Zero(), Vec3f::UnitZ(), 2.0F}};
   const cv::Mat seen = picture();
   const auto middle = seen.at<cv::Vec3b>(100, 160), beside = seen.at<cv::Vec3b>(100, 195);
   EXPECT_EQ(before, beside);
   EXPECT_LT(middle[0] + 30, before[0]) << "bluish";
-  content_.locked.clear();
+  content_.tints.locked.clear();
+  EXPECT_EQ(picture().at<cv::Vec3b>(100, 160), before);
+}
+
+TEST_F(SceneRendererTest, AStrokeShowsWhatItWillTrimButNotWhatIsLocked) {
+  const SurfelModel model = block_of(surfel_square(10.0, 0.2));
+  content_.model = &model;
+  const auto before = picture().at<cv::Vec3b>(100, 160);
+  content_.tints.to_trim = {{Vec3f::Zero(), Vec3f::UnitZ(), 2.0F}};
+  const cv::Mat seen = picture();
+  const auto middle = seen.at<cv::Vec3b>(100, 160);
+  EXPECT_EQ(seen.at<cv::Vec3b>(100, 195), before);
+  EXPECT_LT(middle[2] + 30, middle[0]) << "reddish";
+  content_.tints.locked = content_.tints.to_trim;
+  EXPECT_GT(picture().at<cv::Vec3b>(100, 160)[2], middle[0] - 30) << "bluish";
+  content_.tints = {};
   EXPECT_EQ(picture().at<cv::Vec3b>(100, 160), before);
 }
 
