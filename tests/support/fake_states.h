@@ -10,4 +10,7 @@ inline constexpr std::array kFakeStates = {
     "finishing",     "finished",    "failed",       "no_sensor",   "empty_case", "devices",
     "devices_wrong", "calibrating", "shot_refused", "set_refused", "calibrated", "check_broken"};
 
+/// States of the export dialog, all of a finished scan: files exist, they were written, it failed.
+inline constexpr std::array kExportStates = {"export_exists", "exported", "export_failed"};
+
 }  // namespace flytri::testing
