@@ -87,8 +87,9 @@ Result<fs::path> folder_of(const std::string& typed) {
     return fail(ErrorCode::kBadOption,
                 "{}: only ~/ means a home folder, your own; type the whole path", typed);
   }
-  return home_folder().map(
-      [&](const fs::path& home) { return typed.size() > 2 ? home / typed.substr(2) : home; });
+  return home_folder().map([&](const fs::path& home) {
+    return typed.size() > 2 ? home / fs::path(typed.substr(2)).relative_path() : home;
+  });
 }
 
 Result<void> check_name(const std::string& name) {

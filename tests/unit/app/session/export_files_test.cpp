@@ -125,6 +125,7 @@ TEST(ExportFiles, ATildeIsTheHomeFolder) {
   EXPECT_EQ(*export_stem({"~", "jaw", {}}), home / "jaw");
   EXPECT_EQ(*export_stem({"~/models", "jaw", {}}), home / "models/jaw");
   EXPECT_EQ(*export_stem({"/a/~", "jaw", {}}), fs::path("/a/~/jaw"));
+  EXPECT_EQ(*export_stem({"~//etc", "jaw", {}}), home / "etc/jaw");
   EXPECT_FALSE(export_stem({"~root", "jaw", {}}));
   EXPECT_FALSE(export_stem({"", "jaw", {}}));
   ::unsetenv("HOME");
