@@ -1,11 +1,10 @@
 #include "app/session/export_name.h"
 
 #include <fmt/format.h>
+#include <locale.h>
 #include <wctype.h>
 
-#include <locale.h>
-#include <clocale>
-#include <cstdint>
+#include <cctype>
 #include <memory>
 #include <type_traits>
 

@@ -46,8 +46,9 @@ class OpenFolder : public ::testing::Test {
 // A shell would run a command in such a name.
 TEST_F(OpenFolder, GivesTheFolderToTheFileManagerAsItIs) {
   const fs::path seen = folder_ / "seen";
-  install("printf '%s|%s' \"$#\" \"$1\" > " + (folder_ / "new").string() + " && /bin/mv " +
-          (folder_ / "new").string() + " " + seen.string());
+  const std::string next = (folder_ / "next").string();
+  install("printf '%s|%s' \"$#\" \"$1\" > '" + next + "' && /bin/mv '" + next + "' '" +
+          seen.string() + "'");
   const fs::path odd = folder_ / "a b; touch c && $(touch d) 'e'";
   fs::create_directory(odd);
   ASSERT_TRUE(opener_.open(odd));
