@@ -7,6 +7,7 @@
 #include "app/cli/source_options.h"
 #include "app/session/frame_pacer.h"
 #include "app/session/session.h"
+#include "app/session/user_folders.h"
 #include "ui/app_window.h"
 #include "ui/sound/sound_player.h"
 
@@ -33,6 +34,7 @@ void play_sounds(const ui::AppView& view, scan::ScanPhase& heard, ui::SoundPlaye
 
 /// @param progress  is canceled when a signal ends the program
 Result<void> run(const AppArguments& arguments, const Progress& progress) {
+  if (auto checked = session::check_user_folders(); !checked) return checked;
   ui::AppWindowOptions window_options = arguments.window;
   window_options.shows_case_dialog = !arguments.scans_at_once;
   auto window = ui::AppWindow::create(window_options);

@@ -7,19 +7,22 @@
 #include "app/cli/calibrate_check.h"
 #include "app/cli/calibrate_live.h"
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
-#include "core/io/files/file_bytes.h"
 
 namespace flytri::cli {
 namespace {
+
+constexpr std::string_view kCalibrationFormat = "flytri.calibration";
 
 struct CalibrateArguments {
   std::filesystem::path set;
   std::filesystem::path output;
   bool live = false;
   bool check = false;
+  bool force = false;
   CalibrateLiveArguments of_live;
   CalibrateCheckArguments of_check;
 };
@@ -27,7 +30,8 @@ struct CalibrateArguments {
 Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& progress) {
   const std::filesystem::path output =
       arguments.output.empty() ? "calibration.json" : arguments.output;
-  if (auto checked = io::check_writable(output); !checked) return checked;
+  auto checked = check_output_files({}, {{output, kCalibrationFormat}}, arguments.force);
+  if (!checked) return checked;
   const Result<calibration::CalibrationSet> set = io::read_calibration_set(arguments.set);
   if (!set) return tl::unexpected(set.error());
   const Result<calibration::Calibration> calibration = calibration::calibrate(
@@ -37,6 +41,12 @@ Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& 
   print_residuals(*calibration);
   fmt::print("wrote {}\n", output.string());
   return {};
+}
+
+/// A session may continue in its own folder. A calibration that no session made is another one.
+Result<void> check_session_folder(const std::filesystem::path& folder, bool force) {
+  if (std::filesystem::exists(folder / "calibration-session.json")) return {};
+  return check_replaceable({folder / "calibration.json", kCalibrationFormat}, force);
 }
 
 /// The virtual sensor sees only a plane: --sphere excludes --simulated.
@@ -76,8 +86,12 @@ Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
                 "give a folder with calibration-set.json, or take its images with --live");
   }
   arguments.of_live.output = arguments.output;
-  if (!arguments.output.empty()) return calibrate_live(arguments.of_live, progress);
-  return fail(ErrorCode::kBadOption, "give the folder for the images with -o");
+  if (arguments.output.empty()) {
+    return fail(ErrorCode::kBadOption, "give the folder for the images with -o");
+  }
+  return check_session_folder(arguments.output, arguments.force).and_then([&] {
+    return calibrate_live(arguments.of_live, progress);
+  });
 }
 
 }  // namespace
@@ -127,6 +141,7 @@ void add_calibrate_command(CLI::App& app, Invocation& invocation) {
       ->excludes(simulated)
       ->capture_default_str();
   add_plan_options(*command, arguments->of_live.plan);
+  add_force_option(*command, arguments->force);
   add_threads_option(*command, arguments->of_live.thread_count);
   command->footer(
       "Examples: flytri calibrate scans/calibration-set -o calibration.json\n"

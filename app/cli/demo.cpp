@@ -4,12 +4,15 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/files/file_bytes.h"
+#include "core/io/files/former_file.h"
 #include "core/io/files/png.h"
 #include "core/io/models/model_formats.h"
 #include "core/io/recordings/recording.h"
@@ -26,10 +29,14 @@ namespace fs = std::filesystem;
 constexpr std::string_view kModelName = "jaw";
 // Not jaw.png, which is the texture of jaw.obj.
 constexpr std::string_view kPictureName = "preview.png";
+/// Marks a folder as one of the demo.
+constexpr std::string_view kMarkName = "demo.json";
+constexpr std::string_view kMarkFormat = "flytri.demo";
 
 struct DemoArguments {
   fs::path folder = "out";
   double duration_s = 24.0;
+  bool force = false;
   int thread_count = 0;
 };
 
@@ -53,6 +60,37 @@ Result<void> write_results(const fs::path& folder,
   return write_report(folder / "report.json", reconstruction, volume.size_mm);
 }
 
+/// Marks the folder, and checks what is in it. The demo is made to be repeated, and shows only the
+/// sample jaw: what an earlier one left is replaced unasked. Anything else may be a patient's, such
+/// as a recording that was put into the folder of a demo, so it needs --force.
+Result<void> prepare_folder(const DemoArguments& arguments) {
+  const fs::path& folder = arguments.folder;
+  if (auto made = io::create_folder(folder); !made) return made;
+  const OtherOutput mark = {folder / kMarkName, kMarkFormat};
+  const bool is_earlier = io::former_at(mark.path, mark.kind) == io::Former::kSameKind;
+  const bool is_foreign =
+      fs::exists(folder / "scan/recording.json") && !fs::exists(folder / "scan/truth.json");
+  std::vector<fs::path> models;
+  for (const io::ModelFormat& format : io::model_formats()) {
+    models.push_back(folder / (std::string(kModelName) + std::string(format.extension)));
+  }
+  const bool replaces = arguments.force || is_earlier;
+  return check_output_files(models,
+                            {mark,
+                             {folder / kPictureName, ".png"},
+                             {folder / "calibration.json", "flytri.calibration"},
+                             {folder / "report.json", kReportFormat}},
+                            replaces)
+      .and_then([&] {
+        return check_recording_folder(folder / "scan",
+                                      arguments.force || (is_earlier && !is_foreign));
+      })
+      .and_then([&] {
+        return io::write_file(mark.path,
+                              fmt::format("{{\"format\": \"{}\", \"version\": 1}}\n", kMarkFormat));
+      });
+}
+
 /// Replaces the frames of an earlier demo.
 Result<io::Recording> scan_jaw(const fs::path& folder, const simulated::SensorModel& sensor,
                                double duration_s, const Workers& workers,
@@ -71,7 +109,7 @@ Result<io::Recording> scan_jaw(const fs::path& folder, const simulated::SensorMo
 Result<void> run(const DemoArguments& arguments, const Progress& progress) {
   const Workers workers(arguments.thread_count);
   const simulated::SensorModel sensor = simulated::intraoral_sensor();
-  if (auto made = io::create_folder(arguments.folder); !made) return made;
+  if (auto prepared = prepare_folder(arguments); !prepared) return prepared;
   const auto calibration = simulated::calibrate_virtual_sensor(sensor, workers, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   const fs::path calibration_file = arguments.folder / "calibration.json";
@@ -102,6 +140,7 @@ void add_demo_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--duration", arguments->duration_s, "Length of the scan in seconds")
       ->check(CLI::Range(2.0, 600.0))
       ->capture_default_str();
+  add_force_option(*command, arguments->force);
   add_threads_option(*command, arguments->thread_count);
   command->footer("Example: flytri demo -o out");
   command->callback([arguments, &invocation] {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "core/evaluation/best_fit.h"
 #include "core/evaluation/color_error.h"
@@ -26,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view kFormat = "flytri.evaluation";
 constexpr double kMicronsOfMm = 1e3;
 /// A vertex this close to a true one has its color. Smaller than a painted spot.
 constexpr double kColorWithinMm = 0.3;
@@ -36,6 +38,7 @@ struct EvaluateArguments {
   fs::path recording;
   fs::path report;
   fs::path output;
+  bool force = false;
   evaluation::SurfaceErrorOptions surface;
   int thread_count = 0;
 
@@ -251,7 +254,7 @@ Json surface_json(const evaluation::SurfaceError& error) {
 }
 
 Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
-  Json json = {{"format", "flytri.evaluation"},
+  Json json = {{"format", kFormat},
                {"version", 1},
                {"vertices", evaluation.as_it_stands.distance.count},
                {"true_vertices", evaluation.as_it_stands.completeness.selected},
@@ -276,6 +279,8 @@ Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
 }
 
 Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
+  auto checked = check_output_files({}, {{arguments.output, kFormat}}, arguments.force);
+  if (!checked) return checked;
   const auto model = io::read_model(arguments.result);
   if (!model) return tl::unexpected(model.error());
   const auto reference = read_reference(arguments);
@@ -308,6 +313,7 @@ void add_evaluate_command(CLI::App& app, Invocation& invocation) {
       "report.json of the reconstruction: says which view was registered first, and "
       "adds the errors of the poses");
   command->add_option("-o,--output", arguments->output, "Also write the figures as .json");
+  add_force_option(*command, arguments->force);
   command
       ->add_option("--complete-within", arguments->surface.complete_within_mm,
                    "The true surface counts as found up to this distance, mm")

@@ -23,11 +23,12 @@ struct ExportArguments {
   fs::path case_path;
   CaseArguments case_options;
   std::vector<fs::path> outputs;
+  bool force = false;
 };
 
 /// A case keeps models as .glb: writes those bytes, or converts them.
 Result<void> write_kept(const fs::path& output, const std::string& glb, const std::string& name) {
-  if (output.extension() == ".glb") return io::write_file(output, glb);
+  if (output.extension() == ".glb") return io::write_file(output, glb, io::Access::kOwnerOnly);
   Result<TexturedMesh> model = io::parse_glb(glb, name);
   if (!model) return tl::unexpected(model.error());
   if (!io::holds_texture(output)) texture::color_vertices(*model);
@@ -35,7 +36,8 @@ Result<void> write_kept(const fs::path& output, const std::string& glb, const st
 }
 
 Result<void> run(const ExportArguments& arguments) {
-  if (auto checked = check_output_files(arguments.outputs, {}); !checked) return checked;
+  if (auto checked = check_output_files(arguments.outputs, {}, arguments.force); !checked)
+    return checked;
   Result<io::CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
   if (!file) return tl::unexpected(file.error());
   const Result<io::ScanStage> stage =
@@ -66,6 +68,7 @@ void add_export_command(CLI::App& app, Invocation& invocation) {
   command->add_option("CASE", arguments->case_path, "A case (.flytri)")->required();
   command->add_option("-o,--output", arguments->outputs, model_output_help())->required();
   add_case_options(*command, arguments->case_options);
+  add_force_option(*command, arguments->force);
   command->footer("Example: flytri export smith.flytri --stage upper -o upper.glb");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress&) { return run(*arguments); };

@@ -26,6 +26,7 @@ struct ReconstructArguments {
   fs::path input;  ///< recording or case
   CaseArguments case_options;
   bool keep = false;
+  bool force = false;
   std::vector<fs::path> outputs;
   fs::path calibration;
   fs::path report;
@@ -152,7 +153,9 @@ Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& 
 }
 
 Result<void> run(const ReconstructArguments& arguments, const Progress& progress) {
-  auto checked = check_output_files(arguments.outputs, {arguments.points, arguments.report});
+  auto checked = check_output_files(arguments.outputs,
+                                    {{arguments.points, ".ply"}, {arguments.report, kReportFormat}},
+                                    arguments.force);
   if (!checked) return checked;
   return names_case(arguments.input) ? run_on_case(arguments, progress)
                                      : run_on_recording(arguments, progress);
@@ -177,6 +180,7 @@ void add_reconstruct_command(CLI::App& app, Invocation& invocation) {
   add_case_options(*command, arguments->case_options);
   command->add_flag("--keep", arguments->keep,
                     "Also save the model in the case, for flytri export and the window");
+  add_force_option(*command, arguments->force);
   add_threads_option(*command, arguments->thread_count);
   command->footer(
       "Example: flytri reconstruct scans/upper --calibration calibration.json -o upper.glb "

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "hw/device/capture_loop.h"
 #include "hw/recording/recorder_sensor.h"
 #include "hw/rig/open_rig.h"
@@ -22,6 +23,7 @@ struct RecordArguments {
   std::filesystem::path output;
   std::filesystem::path rig = "rig.json";
   double duration_s = 0.0;
+  bool force = false;
 };
 
 constexpr auto kLook = std::chrono::milliseconds(100);
@@ -69,6 +71,8 @@ void watch(const RecordArguments& arguments, const recording::RecorderSensor& re
 }
 
 Result<void> run(const RecordArguments& arguments, const Progress& progress) {
+  auto checked = check_recording_folder(arguments.output, arguments.force);
+  if (!checked) return checked;
   auto settings = rig::read_rig(arguments.rig);
   if (!settings) {
     if (settings.error().code != ErrorCode::kNotFound) return tl::unexpected(settings.error());
@@ -113,6 +117,7 @@ void add_record_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--duration", arguments->duration_s, "Length in seconds; 0: until Ctrl-C")
       ->check(CLI::Range(0.0, 36000.0))
       ->capture_default_str();
+  add_force_option(*command, arguments->force);
   command->footer("Example: flytri record -o out/scan --rig rig.json");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };

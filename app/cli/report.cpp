@@ -18,7 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kFormat = "flytri.report";
 constexpr int kVersion = 1;
 constexpr const char* kVolumeKey = "measurement_volume_mm";
 
@@ -71,7 +70,7 @@ Json hole_json(const meshing::BoundaryLoop& loop) {
 }
 
 Json to_json(const reconstruct::Reconstruction& reconstruction, const Vec3& volume_mm) {
-  Json json = {{"format", kFormat}, {"version", kVersion}};
+  Json json = {{"format", kReportFormat}, {"version", kVersion}};
   json[kVolumeKey] = {volume_mm.x(), volume_mm.y(), volume_mm.z()};
   json["counts"] = {
       {"frames", reconstruction.frames.size()},
@@ -132,7 +131,7 @@ std::string report_text(const reconstruct::Reconstruction& reconstruction, const
 Result<void> write_report(const std::filesystem::path& path,
                           const reconstruct::Reconstruction& reconstruction,
                           const Vec3& volume_mm) {
-  return io::write_file(path, report_text(reconstruction, volume_mm));
+  return io::write_file(path, report_text(reconstruction, volume_mm), io::Access::kOwnerOnly);
 }
 
 Result<Report> read_report(const std::filesystem::path& path) {
@@ -140,7 +139,7 @@ Result<Report> read_report(const std::filesystem::path& path) {
   if (!text) return tl::unexpected(text.error());
   const Result<io::JsonPlace> json = io::JsonPlace::parse(*text, path.string());
   if (!json) return tl::unexpected(json.error());
-  json->expect_format(kFormat, kVersion);
+  json->expect_format(kReportFormat, kVersion);
   Report report;
   if (json->has(kVolumeKey)) {
     const std::vector<double> size = json->at(kVolumeKey).numbers(3);

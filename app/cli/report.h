@@ -4,12 +4,16 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/reconstruct/reconstruct.h"
 
 namespace flytri::cli {
+
+/// The "format" of report.json.
+inline constexpr std::string_view kReportFormat = "flytri.report";
 
 /// Monotonic seconds, for ReconstructOptions::now_s.
 [[nodiscard]] double steady_seconds();
@@ -27,7 +31,7 @@ void print_summary(const reconstruct::Reconstruction& reconstruction);
 [[nodiscard]] std::string report_text(const reconstruct::Reconstruction& reconstruction,
                                       const Vec3& volume_mm);
 
-/// Writes report.json; its keys are documented in docs/formats.md.
+/// Writes report.json, for its owner only; its keys are documented in docs/formats.md.
 /// @param volume_mm  edge lengths of the sensor's measurement volume
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> write_report(const std::filesystem::path& path,

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/io/models/model.h"
 #include "core/io/models/model_formats.h"
@@ -29,6 +30,7 @@ struct SimulateArguments {
   bool unknown_patterns = false;
   std::array<double, 2> away_s = {0.0, 0.0};
   std::uint64_t seed = 1;
+  bool force = false;
   int thread_count = 0;
 };
 
@@ -42,6 +44,8 @@ Result<TriangleMesh> load_mesh(const fs::path& file, const Workers& workers) {
 }
 
 Result<void> run_recording(const SimulateArguments& arguments, const Progress& progress) {
+  auto checked = check_recording_folder(arguments.output, arguments.force);
+  if (!checked) return checked;
   const Workers workers(arguments.thread_count);
   const auto mesh = load_mesh(arguments.mesh, workers);
   if (!mesh) return tl::unexpected(mesh.error());
@@ -73,6 +77,9 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
 }
 
 Result<void> run_calibration_set(const SimulateArguments& arguments, const Progress& progress) {
+  auto checked = check_replaceable(
+      {arguments.output / "calibration-set.json", "flytri.calibration-set"}, arguments.force);
+  if (!checked) return checked;
   simulated::CalibrationSetOptions options;
   options.sensor = sensor_of(arguments);
   options.seed = arguments.seed;
@@ -89,6 +96,7 @@ void add_common_options(CLI::App& command, SimulateArguments& arguments) {
       ->capture_default_str();
   command.add_option("--seed", arguments.seed, "Random seed for the path and the noise")
       ->capture_default_str();
+  add_force_option(command, arguments.force);
   add_threads_option(command, arguments.thread_count);
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "app/lab/simulated_scan.h"
 #include "app/lab/studies.h"
@@ -21,6 +22,7 @@ using Json = nlohmann::ordered_json;
 
 struct GrowthArguments {
   fs::path output;
+  bool force = false;
   std::vector<int> view_counts = {250, 500, 1000, 2000};
   int thread_count = 0;
 };
@@ -103,6 +105,8 @@ Json to_json(const GrowthStep& step) {
 }
 
 Result<void> run(const GrowthArguments& arguments, const Progress& progress) {
+  auto checked = cli::check_output_files({}, {{arguments.output, "flytri.study"}}, arguments.force);
+  if (!checked) return checked;
   const Workers workers(arguments.thread_count);
   const auto jaw = sample_jaw::make_sample_jaw({}, workers);
   if (!jaw) return tl::unexpected(jaw.error());
@@ -128,6 +132,7 @@ void add_growth_study(CLI::App& study, cli::Invocation& invocation) {
   CLI::App* command = study.add_subcommand(
       "growth", "Measure time and peak memory of simulated scans of increasing length");
   command->add_option("-o,--output", arguments->output, "JSON file for the figures");
+  cli::add_force_option(*command, arguments->force);
   command
       ->add_option("--views", arguments->view_counts,
                    "Numbers of views: at least two, in rising order")

@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "app/cli/source_options.h"
 #include "app/session/frame_pacer.h"
 #include "app/session/session.h"
+#include "app/session/user_folders.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/median.h"
 #include "core/io/files/file_bytes.h"
@@ -29,6 +31,7 @@ struct BenchArguments {
   double duration_s = 60.0;
   bool scene = true;
   std::filesystem::path output;
+  bool force = false;
 };
 
 /// The state of the running program at one moment.
@@ -259,6 +262,10 @@ Result<nlohmann::json> run_live(const BenchArguments& arguments, ui::AppWindow& 
 }
 
 Result<void> run(const BenchArguments& arguments) {
+  if (auto checked = session::check_user_folders(); !checked) return checked;
+  auto checked =
+      cli::check_output_files({}, {{arguments.output, "flytri.bench.live"}}, arguments.force);
+  if (!checked) return checked;
   ui::AppWindowOptions window_options;
   window_options.waits_for_screen = false;
   // One window for all: a screen of its own (Xvfb) restarts when the last window is closed, and
@@ -291,6 +298,7 @@ void add_live_command(CLI::App& lab, cli::Invocation& invocation) {
   live->add_flag("!--no-scene", arguments->scene,
                  "Do not measure frame times with 50,000 to 1,000,000 surfels");
   live->add_option("-o,--output", arguments->output, "JSON file for the figures");
+  cli::add_force_option(*live, arguments->force);
   live->footer("Example: flytri-lab live --duration 600 -o live.json");
   live->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress&) { return run(*arguments); };

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "app/lab/simulated_scan.h"
 #include "app/lab/studies.h"
@@ -28,6 +29,7 @@ constexpr double kCorrelationSamples = 1.5;
 
 struct StudyArguments {
   fs::path output;
+  bool force = false;
   int view_count = 1000;
   int thread_count = 0;
 };
@@ -122,6 +124,8 @@ void print_table(std::string_view noise, const ScanResult& noisy, const ScanResu
 }
 
 Result<void> run(const StudyArguments& arguments, const Progress& progress) {
+  auto checked = cli::check_output_files({}, {{arguments.output, "flytri.study"}}, arguments.force);
+  if (!checked) return checked;
   const Workers workers(arguments.thread_count);
   const auto jaw = sample_jaw::make_sample_jaw({}, workers);
   if (!jaw) return tl::unexpected(jaw.error());
@@ -161,6 +165,7 @@ void add_table2_study(CLI::App& study, cli::Invocation& invocation) {
       "table2",
       "Measure the errors of the registration on simulated views of a dental arch (Table 2)");
   command->add_option("-o,--output", arguments->output, "Also write the figures as .json");
+  cli::add_force_option(*command, arguments->force);
   command->add_option("--views", arguments->view_count, "Views to simulate")
       ->check(CLI::Range(20, 5000))
       ->capture_default_str();

@@ -1,42 +1,90 @@
 #include "app/session/export_controller.h"
 
+#include <fmt/chrono.h>
+
+#include <ctime>
 #include <utility>
 
 #include "app/session/export_files.h"
+#include "app/session/export_name.h"
 #include "app/session/user_folders.h"
+#include "core/io/files/leftovers.h"
 
 namespace flytri::session {
+namespace {
+
+std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::localtime(std::time(nullptr))); }
+
+}  // namespace
 
 ExportController::ExportController(BackgroundWork& background, Notices& notices)
     : background_(background), notices_(notices) {
-  state_.folder = documents_folder().string();
-  state_.name = "jaw";
+  const std::filesystem::path folder = documents_folder();
+  state_.folder = folder.string();
+  background_.run([folder] {
+    io::remove_leftovers(folder);
+    return [] {};
+  });
+}
+
+void ExportController::forget_outcome() {
+  state_.latest = {};
+  state_.written.clear();
+  state_.existing.clear();
+  state_.failure.clear();
 }
 
 void ExportController::export_scan(const ui::Export& command,
                                    std::shared_ptr<const scan::ScanSnapshot> shown) {
   if (state_.is_running) return;
+  forget_outcome();
+  state_.latest = command.target;
   state_.is_running = true;
-  state_.failure.clear();
   background_.run([this, command, shown = std::move(shown)] {
-    auto done = std::make_shared<Result<std::vector<ui::ExportedFile>>>(export_files(
-        *shown, std::filesystem::path(command.folder) / command.name, command.formats));
+    auto done = std::make_shared<Result<ExportOutcome>>(export_files(*shown, command));
     return [this, done] {
       state_.is_running = false;
-      if (*done) {
-        state_.written = **done;
-        notices_.add(ui::Severity::kInformation, "Exported to " + state_.written.front().path);
-      } else {
+      if (!*done) {
         state_.failure = done->error().message;
-        notices_.add(ui::Severity::kError, state_.failure);
+        return notices_.add(ui::Severity::kError, state_.failure);
       }
+      state_.written = (*done)->written;
+      state_.existing = (*done)->existing;
+      if (state_.written.empty()) return;
+      notices_.add(ui::Severity::kInformation, "Exported to " + state_.written.front().path);
     };
   });
 }
 
-ui::ExportState ExportController::state(const scan::ScanSnapshot* shown) const {
+void ExportController::open_folder() {
+  if (state_.written.empty()) return;
+  const std::filesystem::path file = state_.written.front().path;
+  if (auto opened = opener_.open(file.parent_path()); !opened) {
+    notices_.add(ui::Severity::kError, opened.error().message);
+  }
+}
+
+void ExportController::propose_name(const ui::CaseState& file, io::ScanStage stage) {
+  std::string made_of =
+      fmt::format("{}\n{}\n{}\n{}\n{}\n{}", file.path, file.is_encrypted, file.fields.patient_name,
+                  file.fields.patient_id, io::to_string(stage), today());
+  if (made_of == named_after_) return;
+  named_after_ = std::move(made_of);
+  state_.name = proposed_export_name(file, stage, today());
+}
+
+ui::ExportState ExportController::state(const ui::AppView& view) {
+  for (const std::string& failure : opener_.settle()) {
+    notices_.add(ui::Severity::kWarning, failure);
+  }
+  propose_name(view.file, view.stage);
+  std::string subject = view.file.path + "/" + std::string(io::to_string(view.stage));
+  if (subject != subject_ && !state_.is_running) {
+    subject_ = std::move(subject);
+    forget_outcome();
+  }
   ui::ExportState state = state_;
-  if (shown != nullptr) state.estimated_bytes = estimated_bytes(*shown);
+  if (view.scan != nullptr) state.estimated_bytes = estimated_bytes(*view.scan);
   return state;
 }
 

@@ -1,8 +1,11 @@
 /// @file  Controls the export of what the window shows.
 #pragma once
 
+#include <string>
+
 #include "app/session/background_work.h"
 #include "app/session/notices.h"
+#include "app/session/open_folder.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/app_view.h"
 #include "ui/state/command.h"
@@ -15,13 +18,21 @@ class ExportController {
 
   /// Writes the files in the background. Does nothing while an export is running.
   void export_scan(const ui::Export& command, std::shared_ptr<const scan::ScanSnapshot> shown);
-  /// @param shown  null: nothing can be exported yet
-  [[nodiscard]] ui::ExportState state(const scan::ScanSnapshot* shown) const;
+  /// Shows the folder of the latest export in the file manager.
+  void open_folder();
+  /// @param view  with the scan, the stage and the case: what can be exported, and under which name
+  [[nodiscard]] ui::ExportState state(const ui::AppView& view);
 
  private:
+  void forget_outcome();
+  void propose_name(const ui::CaseState& file, io::ScanStage stage);
+
   BackgroundWork& background_;
   Notices& notices_;
+  FolderOpener opener_;
   ui::ExportState state_;
+  std::string named_after_;  ///< what the proposed name is made of
+  std::string subject_;      ///< path of the case, and stage, that the latest export is of
 };
 
 }  // namespace flytri::session

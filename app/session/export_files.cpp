@@ -1,6 +1,11 @@
 #include "app/session/export_files.h"
 
+#include <algorithm>
+
+#include "app/session/user_folders.h"
 #include "core/io/files/file_bytes.h"
+#include "core/io/files/former_file.h"
+#include "core/io/files/leftovers.h"
 #include "core/io/models/model.h"
 #include "core/io/models/model_formats.h"
 
@@ -46,6 +51,58 @@ Result<void> write_points(const fs::path& file, const PointCloud& points) {
               file.string(), io::extension_list(io::FormatUse::kWritePoints));
 }
 
+Result<void> write_format(const scan::ScanSnapshot& shown, const fs::path& file) {
+  return shown.result ? write_mesh(file, *shown.result)
+                      : write_points(file, points_of(shown.model));
+}
+
+/// The files that write_format() writes: for a model without a texture only one.
+std::vector<fs::path> files_of(const scan::ScanSnapshot& shown, const fs::path& file) {
+  const bool has_texture = shown.result && !shown.result->model.atlas.empty();
+  return has_texture ? io::files_of_model(file) : std::vector<fs::path>{file};
+}
+
+/// The files of an export that exist and that the user did not allow to replace.
+Result<std::vector<std::string>> not_replaceable(const std::vector<fs::path>& files,
+                                                 const std::vector<std::string>& replaced) {
+  std::vector<std::string> existing;
+  for (const fs::path& file : files) {
+    const std::string kind = io::kind_by_name(file);
+    const io::Former former = io::former_at(file, kind);
+    if (former == io::Former::kOtherKind) return io::other_kind(file, kind);
+    const bool may_replace =
+        std::find(replaced.begin(), replaced.end(), file.string()) != replaced.end();
+    if (former == io::Former::kSameKind && !may_replace) existing.push_back(file.string());
+  }
+  return existing;
+}
+
+/// The folder as typed, where ~ at the beginning is the home folder.
+Result<fs::path> folder_of(const std::string& typed) {
+  if (typed.empty()) {
+    return fail(ErrorCode::kBadOption, "no folder is given; type one, such as ~/Documents");
+  }
+  if (typed.front() != '~') return fs::path(typed);
+  if (typed.size() > 1 && typed[1] != '/') {
+    return fail(ErrorCode::kBadOption,
+                "{}: only ~/ means a home folder, your own; type the whole path", typed);
+  }
+  return home_folder().map([&](const fs::path& home) {
+    return typed.size() > 2 ? home / fs::path(typed.substr(2)).relative_path() : home;
+  });
+}
+
+Result<void> check_name(const std::string& name) {
+  const bool is_plain = std::none_of(name.begin(), name.end(), [](char c) {
+    return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20U;
+  });
+  if (is_plain && !name.empty() && name.front() != '.') return {};
+  return fail(ErrorCode::kBadOption,
+              "\"{}\" cannot be the name of files: a name has no / or \\ and does not begin with a "
+              "dot; the folder has a field of its own",
+              name);
+}
+
 }  // namespace
 
 std::map<std::string_view, std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown) {
@@ -60,23 +117,38 @@ std::map<std::string_view, std::uint64_t> estimated_bytes(const scan::ScanSnapsh
   return bytes;
 }
 
-Result<std::vector<ui::ExportedFile>> export_files(const scan::ScanSnapshot& shown,
-                                                   const fs::path& stem,
-                                                   const std::vector<std::string_view>& formats) {
+Result<fs::path> export_stem(const ui::ExportTarget& target) {
+  if (auto checked = check_name(target.name); !checked) return tl::unexpected(checked.error());
+  return folder_of(target.folder).map([&](const fs::path& folder) { return folder / target.name; });
+}
+
+Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command) {
   if (shown.result == nullptr && shown.model.empty()) {
     return fail(ErrorCode::kInsufficient, "there is no surface to export yet; scan first");
   }
-  if (auto made = io::create_folder(stem.parent_path()); !made) return tl::unexpected(made.error());
-  std::vector<ui::ExportedFile> written;
-  for (const std::string_view extension : formats) {
-    const fs::path file = stem.string() + std::string(extension);
-    const Result<void> done =
-        shown.result ? write_mesh(file, *shown.result) : write_points(file, points_of(shown.model));
-    if (!done) return tl::unexpected(done.error());
-    std::error_code error;
-    written.push_back({file.string(), fs::file_size(file, error)});
+  const Result<fs::path> stem = export_stem(command.target);
+  if (!stem) return tl::unexpected(stem.error());
+  std::vector<fs::path> models, files;
+  for (const std::string_view extension : command.target.formats) {
+    models.emplace_back(stem->string() + std::string(extension));
+    const std::vector<fs::path> more = files_of(shown, models.back());
+    files.insert(files.end(), more.begin(), more.end());
   }
-  return written;
+  const auto existing = not_replaceable(files, command.replaced);
+  if (!existing) return tl::unexpected(existing.error());
+  if (!existing->empty()) return ExportOutcome{{}, *existing};
+  auto made = io::create_private_folder(stem->parent_path());
+  if (!made) return tl::unexpected(made.error());
+  io::remove_leftovers(stem->parent_path());
+  for (const fs::path& model : models) {
+    if (auto done = write_format(shown, model); !done) return tl::unexpected(done.error());
+  }
+  ExportOutcome outcome;
+  for (const fs::path& file : files) {
+    std::error_code error;
+    outcome.written.push_back({file.string(), fs::file_size(file, error)});
+  }
+  return outcome;
 }
 
 }  // namespace flytri::session

@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/app_view.h"
+#include "ui/state/command.h"
 
 namespace flytri::session {
 
@@ -18,11 +19,23 @@ namespace flytri::session {
 [[nodiscard]] std::map<std::string_view, std::uint64_t> estimated_bytes(
     const scan::ScanSnapshot& shown);
 
-/// @param stem  path of the files without their extension
-/// @param formats  extensions, as in io::model_formats()
-/// @errors  As write_model; kInsufficient: there is nothing to write, or the format cannot hold it.
-[[nodiscard]] Result<std::vector<ui::ExportedFile>> export_files(
-    const scan::ScanSnapshot& shown, const std::filesystem::path& stem,
-    const std::vector<std::string_view>& formats);
+/// What an export did.
+struct ExportOutcome {
+  std::vector<ui::ExportedFile> written;
+  /// Paths of files that exist and may not be replaced: then nothing is written.
+  std::vector<std::string> existing;
+};
+
+/// The path of the files without their extension: the folder, where ~ is the home folder, and the
+/// name in it.
+/// @errors  kBadOption: the name is empty or would leave the folder, or there is no folder;
+///          kNotFound: there is no home folder.
+[[nodiscard]] Result<std::filesystem::path> export_stem(const ui::ExportTarget& target);
+
+/// Only their owner may read the files, and enter folders that are created for them.
+/// @errors  As export_stem and write_model; kInsufficient: there is nothing to write, or the format
+///          cannot hold it; kBadOption: something of another kind is where a file would be written.
+[[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
+                                                 const ui::Export& command);
 
 }  // namespace flytri::session

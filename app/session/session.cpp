@@ -84,6 +84,7 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::UseCalibration&) { calibration_.use(); },
           [&](const ui::EndCalibration&) { calibration_.end(); },
           [&](const ui::Export& wanted) { export_scan(wanted); },
+          [&](const ui::OpenExportFolder&) { exports_.open_folder(); },
           [&](const ui::ChangeSettings& changed) { change_settings(changed.settings); },
           [&](const ui::Tell& told) {
             notices_.add(ui::Severity::kWarning, "Unknown command: " + told.words);
@@ -119,8 +120,8 @@ ui::AppView Session::view() {
   view.source = source_.state();
   view.devices = source_.devices_state();
   view.calibration = calibration_.state();
-  view.exports = exports_.state(view.scan.get());
   view.file = case_.state();
+  view.exports = exports_.state(view);
   view.settings = settings_;
   view.notices = notices_.latest();
   return view;

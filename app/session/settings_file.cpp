@@ -4,8 +4,26 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/files/file_bytes.h"
+#include "core/io/files/leftovers.h"
+#include "core/io/models/model_formats.h"
 
 namespace flytri::session {
+
+namespace {
+
+/// Formats that this version does not know are left out.
+void read_formats(const nlohmann::json& json, std::set<std::string>& formats) {
+  const auto names = json.find("export_formats");
+  if (names == json.end() || !names->is_array()) return;
+  formats.clear();
+  for (const io::ModelFormat& format : io::model_formats()) {
+    if (std::find(names->begin(), names->end(), format.extension) != names->end()) {
+      formats.emplace(format.extension);
+    }
+  }
+}
+
+}  // namespace
 
 ui::Settings read_settings(const std::filesystem::path& file) {
   ui::Settings settings;
@@ -19,13 +37,16 @@ ui::Settings read_settings(const std::filesystem::path& file) {
   if (const auto muted = json.find("is_muted"); muted != json.end() && muted->is_boolean()) {
     settings.is_muted = muted->get<bool>();
   }
+  read_formats(json, settings.export_formats);
   return settings;
 }
 
 Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
   if (auto made = io::create_folder(file.parent_path()); !made) return made;
+  io::remove_leftovers(file.parent_path());
   const nlohmann::json json = {{"user_scale", settings.user_scale},
-                               {"is_muted", settings.is_muted}};
+                               {"is_muted", settings.is_muted},
+                               {"export_formats", settings.export_formats}};
   return io::write_file(file, json.dump(2) + "\n");
 }
 

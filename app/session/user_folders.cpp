@@ -1,6 +1,7 @@
 #include "app/session/user_folders.h"
 
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 namespace flytri::session {
@@ -8,19 +9,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path home() {
-  const char* home = std::getenv("HOME");
-  return home != nullptr && *home != '\0' ? fs::path(home) : fs::temp_directory_path();
+/// The specification demands that relative paths are ignored.
+std::optional<fs::path> absolute_path_in(const char* variable) {
+  const char* value = std::getenv(variable);
+  if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
+  return value;
 }
 
-/// The specification demands that relative paths are ignored.
 fs::path base(const char* variable, const char* fallback) {
-  const char* value = std::getenv(variable);
-  if (value != nullptr && fs::path(value).is_absolute()) return value;
-  return home() / fallback;
+  if (const auto path = absolute_path_in(variable)) return *path;
+  // Debian's name for the home of users without one: nothing can be written there.
+  return home_folder().value_or("/nonexistent") / fallback;
 }
 
 }  // namespace
+
+Result<fs::path> home_folder() {
+  if (auto home = absolute_path_in("HOME")) return *home;
+  return fail(ErrorCode::kNotFound,
+              "the variable HOME is not set, so there is no home folder; set HOME");
+}
+
+Result<void> check_user_folders() {
+  if (absolute_path_in("HOME")) return {};
+  for (const char* variable : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME",
+                               "XDG_STATE_HOME", "XDG_DOCUMENTS_DIR"}) {
+    if (absolute_path_in(variable)) continue;
+    return fail(ErrorCode::kNotFound,
+                "there is no folder for settings, cases and exports, as the variable HOME is not "
+                "set, nor {}; set HOME to your home folder",
+                variable);
+  }
+  return {};
+}
 
 fs::path config_folder() { return base("XDG_CONFIG_HOME", ".config") / "flytri"; }
 fs::path cache_folder() { return base("XDG_CACHE_HOME", ".cache") / "flytri"; }

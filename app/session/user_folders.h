@@ -1,10 +1,22 @@
 /// @file  The folders for the user's files.
 /// @source  XDG Base Directory Specification, 0.8.
+///
+/// The functions that return a folder require check_user_folders().
 #pragma once
 
 #include <filesystem>
 
+#include "core/base/result.h"
+
 namespace flytri::session {
+
+/// Whether there are such folders: the program must not choose a place for a patient's files that
+/// nobody asked for.
+/// @errors  kNotFound: HOME is not set, nor the variable for one of the folders.
+[[nodiscard]] Result<void> check_user_folders();
+
+/// @errors  kNotFound: HOME is not set.
+[[nodiscard]] Result<std::filesystem::path> home_folder();
 
 [[nodiscard]] std::filesystem::path config_folder();         ///< settings
 [[nodiscard]] std::filesystem::path cache_folder();          ///< files that can be computed again

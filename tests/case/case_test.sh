@@ -42,7 +42,7 @@ expect 'reconstruct an encrypted case' 0 '^wrote unplaced\.glb' \
   "$flytri" reconstruct secret.flytri -o unplaced.glb --passphrase-file passphrase --keep
 same direct.glb unplaced.glb
 
-expect 'keep' 0 '^wrote placed\.glb' "$flytri" reconstruct a.flytri -o placed.glb --keep
+expect 'keep' 0 '^wrote placed\.glb' "$flytri" reconstruct a.flytri -o placed.glb --keep --force
 expect 'the model says what it is of' 0 'made_of' grep -ao '"made_of":{[^}]*}' a.flytri
 
 # Export of what is kept.

@@ -114,10 +114,45 @@ expect 'no calibration set' 1 'empty/calibration-set\.json: .*o such file.*; cor
   "$flytri" calibrate empty
 absent 'bad calibrations' out.ply
 
-# The demo. Its picture must not replace the texture of its OBJ.
+# The demo. It may follow one that was stopped. Its picture must not replace the texture of its OBJ.
+timeout -s INT 2 "$flytri" demo --duration 2 -o demo > log 2>&1
 expect 'demo' 0 '^wrote demo/preview\.png' "$flytri" demo --duration 2 -o demo
 # So short a scan has no texture: nothing else may take the place of it.
 [ ! -e demo/jaw.png ] || fail 'demo/jaw.png is not the texture of demo/jaw.obj'
+
+rm demo/demo.json
+expect 'files that are not of the demo' 1 'demo/jaw\.glb: exists already; .*--force' \
+  "$flytri" demo --duration 2 -o demo
+
+# Files that exist are replaced only with --force, those of another kind never.
+forced() {
+  "$flytri" reconstruct scan --calibration calibration.json -o 2.ply -o 2.glb --report "$@"
+}
+cp 2.glb former.glb
+expect 'a model exists' 1 '2\.ply: exists already; .*--force' forced new.json
+grep -q Measuring log && fail 'found only after the work'
+expect 'a report exists' 1 '3\.json: exists already; .*--force' "$flytri" reconstruct scan \
+  --calibration calibration.json -o out.ply --report 3.json
+printf 'SQLite format 3' > smith.flytri
+expect 'a report over a case' 1 'smith\.flytri: .*never replaced' forced smith.flytri --force
+expect 'a report over a calibration' 1 'offline\.json: .*never replaced' forced offline.json --force
+printf 'SQLite format 3' | cmp - smith.flytri > log 2>&1 || fail 'the case was replaced'
+expect 'figures over a picture' 1 'frames\.png: .*never replaced' \
+  "$flytri" evaluate 1.ply --recording scan --report 1.json -o set/frames.png --force
+expect 'a calibration exists' 1 'calibration\.json: exists already' \
+  "$flytri" calibrate set -o calibration.json
+expect 'a recording exists' 1 'scan/recording\.json: exists already' \
+  "$flytri" simulate recording -o scan --path "$short_path" --duration 0.4
+expect 'a calibration set exists' 1 'set/calibration-set\.json: exists already' \
+  "$flytri" simulate calibration-set -o set
+: > .flytri-0123abcd
+chmod 644 2.glb
+expect 'with --force' 0 '^wrote new\.json' forced new.json --force
+cmp former.glb 2.glb > log 2>&1 || fail 'another model'
+absent 'temporary file of a killed program'
+name='only the owner may read a model'
+[ "$(stat -c %a 2.glb 2.ply new.json | sort -u)" = 600 ] || fail "$(stat -c '%a %n' 2.* new.json)"
+expect 'without a home' 1 'HOME' env -u HOME -u XDG_CONFIG_HOME "$flytri" app
 
 # Truth.
 bad_copy bad && rm bad/truth.json

@@ -162,6 +162,31 @@ struct FakeScan::Parts {
     return view;
   }
 
+  /// The proposed export was asked for.
+  [[nodiscard]] AppView exported(std::string_view state) const {
+    AppView view = finished();
+    ui::ExportState& exports = view.exports;
+    exports.latest = {exports.folder, exports.name, {".glb", ".ply", ".stl"}};
+    if (state == "export_exists") {
+      for (const char* extension : {".glb", ".stl"}) {
+        exports.existing.push_back(exports.folder + "/" + exports.name + extension);
+      }
+    } else if (state == "exported") {
+      std::uint64_t bytes = 9'712'384;
+      for (const std::string_view extension : exports.latest.formats) {
+        exports.written.push_back(
+            {exports.folder + "/" + exports.name + std::string(extension), bytes});
+        bytes += 2'348'801;
+      }
+    } else {
+      exports.failure =
+          "/media/clinic/stick/" + exports.name +
+          ".glb: cannot be written: No space left on device; free some space or choose another "
+          "folder";
+    }
+    return view;
+  }
+
   [[nodiscard]] AppView failed() const {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
@@ -275,6 +300,9 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
       [&] { return parts.calibrating(refused_set()); },
       [&] { return parts.calibrating(finished_calibration()); },
       [&] { return parts.calibrating(broken_check()); }};
+  if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {
+    return parts.exported(state);
+  }
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
   if (found == kFakeStates.end()) return std::nullopt;
   return makers[static_cast<std::size_t>(found - kFakeStates.begin())]();

@@ -19,7 +19,7 @@ class FakeScan {
   FakeScan(const FakeScan&) = delete;
   FakeScan& operator=(const FakeScan&) = delete;
 
-  /// @return  none for a name outside kFakeStates
+  /// @return  none for a name outside kFakeStates and kExportStates
   [[nodiscard]] std::optional<ui::AppView> view(std::string_view state) const;
 
  private:

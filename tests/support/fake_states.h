@@ -11,4 +11,7 @@ inline constexpr std::array kFakeStates = {
     "empty_case",  "unnamed",      "not_saved",   "devices",    "devices_wrong",
     "calibrating", "shot_refused", "set_refused", "calibrated", "check_broken"};
 
+/// States of the export dialog, all of a finished scan: files exist, they were written, it failed.
+inline constexpr std::array kExportStates = {"export_exists", "exported", "export_failed"};
+
 }  // namespace flytri::testing

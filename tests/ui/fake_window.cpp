@@ -54,6 +54,11 @@ struct FakeProgram {
       view.calibration->running.reset();
     }
     if (const auto* made = std::get_if<flytri::ui::NewCase>(&command)) view.file.path = made->path;
+    // Files exist, as in the state export_exists, until the user allows to replace them.
+    if (const auto* wanted = std::get_if<flytri::ui::Export>(&command)) {
+      show(wanted->replaced.empty() ? "export_exists" : "exported");
+      view.exports.latest = wanted->target;
+    }
     if (std::holds_alternative<flytri::ui::Quit>(command)) is_running = false;
   }
 };
@@ -67,7 +72,7 @@ int run(const Arguments& arguments) {
   // Its frames are shorter than their time: a key would repeat before the finger is off it.
   ImGui::GetIO().KeyRepeatDelay = 1e9F;
   const flytri::testing::FakeScan scans;
-  FakeProgram program{scans, {}};
+  FakeProgram program{scans, AppView()};
   program.show(arguments.state);
   std::vector<Command> commands;
   while (program.is_running) {

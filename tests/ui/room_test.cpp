@@ -103,6 +103,13 @@ TEST_P(SmallestWindow, FitsInEachDialog) {
   }
 }
 
+TEST_P(SmallestWindow, FitsInTheExportDialogAfterAnExport) {
+  for (const char* state : testing::kExportStates) {
+    show(state);
+    check_after("export", state);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AtScales, SmallestWindow, ::testing::Values(1.0, 1.125, 1.25, 1.5));
 
 }  // namespace

@@ -283,10 +283,35 @@ TEST_F(RealWindow, ExportDialogExportsTheChosenFormats) {
   show("finished");
   EXPECT_EQ(after_click("export"), Names{});
   EXPECT_EQ(window().state()["dialog"], "export");
-  window().click("format_stl");
+  EXPECT_EQ(after_click("format_stl"), Names{"ChangeSettings"}) << "the choice is remembered";
+  EXPECT_EQ(after_click("format_stl"), Names{"ChangeSettings"});
   EXPECT_EQ(after_key("Return"), Names{"Export"});
   window().key("Escape");
   EXPECT_EQ(window().state()["dialog"], "none");
+}
+
+// The fake program answers that the files exist, and writes them once it is allowed to.
+TEST_F(RealWindow, ExportDialogAsksBeforeItReplacesFiles) {
+  show("finished");
+  window().click("export");
+  EXPECT_FALSE(window().where("open_folder")) << "nothing is exported yet";
+  EXPECT_EQ(after_click("confirm"), Names{"Export"});
+  EXPECT_FALSE(window().where("open_folder"));
+  EXPECT_EQ(after_click("confirm"), Names{"Export"});
+  ASSERT_TRUE(window().where("open_folder")) << "the second Export allows to replace";
+  EXPECT_EQ(after_click("open_folder"), Names{"OpenExportFolder"});
+  EXPECT_EQ(after_key("ctrl+o"), Names{"OpenExportFolder"});
+}
+
+TEST_F(RealWindow, AnotherNameIsAskedForAgain) {
+  show("export_exists");
+  window().click("export");
+  window().click("export_name");
+  window().type("2");
+  EXPECT_EQ(after_click("confirm"), Names{"Export"});
+  EXPECT_FALSE(window().where("open_folder")) << "the files of the new name were never asked for";
+  EXPECT_EQ(after_click("confirm"), Names{"Export"});
+  EXPECT_TRUE(window().where("open_folder"));
 }
 
 TEST_F(RealWindow, TypedTextSendsNoCommand) {

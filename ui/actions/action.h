@@ -65,6 +65,7 @@ enum class Action {
   kPreviousPlace,
   // Program
   kExport,
+  kOpenExportFolder,
   kCase,
   kSettings,
   kDevices,

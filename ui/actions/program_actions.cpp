@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ui/actions/action_groups.h"
+#include "ui/state/export_target.h"
 
 namespace flytri::ui {
 namespace {
@@ -76,7 +77,8 @@ bool can_confirm(const Situation& now) {
   const CaseForm& case_form = now.state.case_form;
   switch (now.state.dialog) {
     case Dialog::kExport:
-      return !now.view.exports.is_running && !form.name.empty() && !form.formats.empty();
+      return !now.view.exports.is_running && !form.name.empty() &&
+             !export_target(now.view, form).formats.empty();
     case Dialog::kCase:
       if (!problem_of(case_form).empty()) return false;
       if (case_form.tab == CaseTab::kFields) return !now.view.file.is_read_only;
@@ -100,8 +102,14 @@ ActionState confirm_state(const Situation& now) {
   return only_if(can_confirm(now), "nothing to confirm");
 }
 
-Export requested_export(const ExportForm& form) {
-  return {form.folder, form.name, {form.formats.begin(), form.formats.end()}};
+ActionState open_export_folder_state(const Situation& now) {
+  return only_if(!now.view.exports.written.empty(), "nothing exported yet");
+}
+
+Export requested_export(const AppView& view, const ExportForm& form) {
+  Export command = {export_target(view, form), {}};
+  if (is_replacing(view, form)) command.replaced = view.exports.existing;
+  return command;
 }
 
 Command requested_case(const CaseForm& form) {
@@ -144,7 +152,7 @@ void confirm(const ActionRunner& run) {
       return confirm_calibration(run);
     case Dialog::kExport:
       // The dialog stays open: it shows what was written.
-      return run.send(requested_export(run.state.export_form));
+      return run.send(requested_export(run.view, run.state.export_form));
     case Dialog::kCase:
       return confirm_case(run);
     case Dialog::kNone:
@@ -217,6 +225,13 @@ constexpr std::array kProgramActions = {
               .shortcut = {GLFW_KEY_E, "E"},
               .state = export_state,
               .perform = toggle_dialog<Dialog::kExport>,
+              .works_in = in(Dialog::kExport)},
+    ActionRow{.action = Action::kOpenExportFolder,
+              .id = "open_folder",
+              .name = "Open export folder",
+              .shortcut = {GLFW_KEY_O, "Ctrl O", GLFW_MOD_CONTROL},
+              .state = open_export_folder_state,
+              .perform = send<OpenExportFolder>,
               .works_in = in(Dialog::kExport)},
     ActionRow{.action = Action::kCase,
               .id = "case",

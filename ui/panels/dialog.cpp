@@ -79,13 +79,14 @@ bool tick_box(const PanelContext& context, const Rect& row, const TickLook& look
   return true;
 }
 
-void confirm_row(const PanelContext& context, DialogPlate& dialog, const char* icon,
+Rect confirm_row(const PanelContext& context, DialogPlate& dialog, const char* icon,
                  const char* label) {
   Rect row = dialog.rest.take_bottom(context.px(kButton), context.px(kGapM));
   const ActionLook look = {icon, label, true, kNeutral};
   const float width =
       std::max(small_action_width(context, Action::kConfirm, look), context.px(160.0F));
   small_action(context, row.take_right(width, context.px(kGapS)), Action::kConfirm, look);
+  return row;
 }
 
 }  // namespace flytri::ui

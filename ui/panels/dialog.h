@@ -45,7 +45,8 @@ struct TickLook {
 bool tick_box(const PanelContext& context, const Rect& row, const TickLook& look, bool& is_ticked);
 
 /// The button that confirms, at the lower right.
-void confirm_row(const PanelContext& context, DialogPlate& dialog, const char* icon,
+/// @return  what is free on its left
+Rect confirm_row(const PanelContext& context, DialogPlate& dialog, const char* icon,
                  const char* label);
 
 }  // namespace flytri::ui

@@ -1,51 +1,112 @@
-/// @file  Export: which files, where to, what they weigh, and whether the model has holes.
+/// @file  Export: which files, where to, how large they are, and what would be replaced.
 #include <fmt/format.h>
 
-#include <set>
+#include <algorithm>
+#include <filesystem>
 
 #include "core/io/models/model_formats.h"
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
+#include "ui/state/export_target.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
 namespace {
 
-constexpr float kFormatRow = 48.0F, kHeightWithoutRows = 336.0F;  // in units
+constexpr float kExportWidth = 720.0F, kFormatRow = 48.0F, kNote = 96.0F;  // in units
+constexpr float kHeightWithoutRows = 240.0F + kNote;
 
-/// Until the user types, the form shows what the program proposes.
+/// Until the user types, the form shows what the program proposes. A name that was typed for one
+/// case or stage is not kept for the next: it may be a patient's.
 void follow_proposal(const PanelContext& context, ExportForm& form) {
-  if (form.is_edited) return;
-  form.folder = context.view.exports.folder;
-  form.name = context.view.exports.name;
+  const ExportState& exports = context.view.exports;
+  if (!form.is_folder_edited) form.folder = exports.folder;
+  if (form.proposed_name == exports.name) return;
+  form.name = form.proposed_name = exports.name;
 }
 
-void draw_formats(const PanelContext& context, DialogPlate& dialog) {
-  std::set<std::string_view>& chosen = context.state.export_form.formats;
-  for (const io::ModelFormat& format : io::model_formats()) {
-    Rect row = dialog.rest.take_top(context.px(kFormatRow), context.px(kGapS));
-    const auto bytes = context.view.exports.estimated_bytes.find(format.extension);
-    const bool is_possible = bytes != context.view.exports.estimated_bytes.end();
-    const std::string id = fmt::format("format_{}", format.extension.substr(1));
-    const TickLook look = {id.c_str(), std::string(format.extension), is_possible};
-    bool is_chosen = is_possible && chosen.contains(format.extension);
-    tick_box(context, row.take_left(context.px(112.0F), context.px(kGapM)), look, is_chosen);
-    chosen.erase(format.extension);
-    if (is_chosen) chosen.insert(format.extension);
-    draw_text(row.take_right(context.px(96.0F)),
-              {context.theme.fonts.strong, is_possible ? kText : kTextQuiet, Align::kRight},
-              is_possible ? size_text(bytes->second) : "after Finish");
-    draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft}, format.purpose);
+bool is_finished(const AppView& view) {
+  return view.scan != nullptr && view.scan->result != nullptr;
+}
+
+/// The text and look at the right of a format's row.
+struct RowStatus {
+  Color color;
+  std::string text;
+};
+
+bool ends_in(const std::string& path, std::string_view extension) {
+  return std::filesystem::path(path).extension() == extension;
+}
+
+/// Whether a file is written for a format: as the model, or beside it.
+bool belongs_to(const std::string& path, const io::ModelFormat& format) {
+  return ends_in(path, format.extension) ||
+         std::any_of(format.companions.begin(), format.companions.end(),
+                     [&](std::string_view companion) { return ends_in(path, companion); });
+}
+
+/// Bytes of all files that were written for a format; 0 if none was.
+std::uint64_t written_bytes(const ExportState& exports, const io::ModelFormat& format) {
+  std::uint64_t bytes = 0;
+  for (const ExportedFile& file : exports.written) {
+    if (belongs_to(file.path, format)) bytes += file.bytes;
   }
+  return bytes;
+}
+
+RowStatus status_of(const PanelContext& context, const io::ModelFormat& format) {
+  const ExportState& exports = context.view.exports;
+  const auto estimate = exports.estimated_bytes.find(format.extension);
+  if (estimate == exports.estimated_bytes.end()) return {kTextQuiet, "after Finish"};
+  if (has_outcome(context.view, context.state.export_form)) {
+    const bool exists =
+        std::any_of(exports.existing.begin(), exports.existing.end(),
+                    [&](const std::string& path) { return belongs_to(path, format); });
+    if (exists) return {kCaution, "exists"};
+    const std::uint64_t bytes = written_bytes(exports, format);
+    if (bytes > 0) return {kGood, size_text(bytes)};
+  }
+  return {kText, "about " + size_text(estimate->second)};
+}
+
+/// Before the scan is finished there is no surface.
+std::string_view purpose_of(const AppView& view, const io::ModelFormat& format) {
+  const bool holds_points = !is_finished(view) && format.write_points != nullptr;
+  return holds_points ? "points only; the surface comes with Finish" : format.purpose;
+}
+
+void toggle_format(const PanelContext& context, std::string_view extension) {
+  Settings settings = context.view.settings;
+  const std::string name(extension);
+  if (settings.export_formats.erase(name) == 0) settings.export_formats.insert(name);
+  context.commands.emplace_back(ChangeSettings{settings});
+}
+
+void draw_format(const PanelContext& context, Rect row, const io::ModelFormat& format) {
+  const bool is_possible = context.view.exports.estimated_bytes.contains(format.extension);
+  const std::string id = fmt::format("format_{}", format.extension.substr(1));
+  const TickLook look = {id.c_str(), std::string(format.extension), is_possible};
+  bool is_chosen =
+      is_possible && context.view.settings.export_formats.contains(std::string(format.extension));
+  if (tick_box(context, row.take_left(context.px(112.0F), context.px(kGapM)), look, is_chosen)) {
+    toggle_format(context, format.extension);
+  }
+  const RowStatus status = status_of(context, format);
+  draw_text(row.take_right(context.px(144.0F)),
+            {context.theme.fonts.strong, status.color, Align::kRight}, status.text);
+  draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft},
+            purpose_of(context.view, format));
 }
 
 void draw_place(const PanelContext& context, DialogPlate& dialog, ExportForm& form) {
-  const float row = context.px(kFieldRow);
-  form.is_edited |=
-      text_field(context, dialog.rest.take_top(row), {"export_folder", "Folder"}, form.folder);
-  form.is_edited |= text_field(context, dialog.rest.take_top(row, context.px(kGapXs)),
-                               {"export_name", "Name"}, form.name);
+  Rect row = dialog.rest.take_top(context.px(kFieldRow), context.px(kGapS));
+  const float gap = context.px(kGapM);
+  const float half = (row.width - gap) / 2.0F;
+  form.is_folder_edited |=
+      text_field(context, row.take_left(half, gap), {"export_folder", "Folder"}, form.folder);
+  text_field(context, row, {"export_name", "Name"}, form.name);
 }
 
 std::size_t open_holes(const AppView& view) {
@@ -58,17 +119,35 @@ struct Note {
   std::string text;
 };
 
-Note note_of(const AppView& view) {
-  const ExportState& exports = view.exports;
-  if (exports.is_running) return {icon::kInformation, kNeutral, "Writing\u2026"};
-  if (!exports.failure.empty()) return {icon::kWarning, kBad, exports.failure};
-  if (!exports.written.empty()) {
-    std::uint64_t bytes = 0;
-    for (const ExportedFile& file : exports.written) bytes += file.bytes;
-    return {icon::kSaved, kGood,
-            fmt::format("Written: {} ({})", exports.written.front().path, size_text(bytes))};
+/// Which files exist, as many as can be read at a glance.
+std::string existing_text(const std::vector<std::string>& paths) {
+  std::string text;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (i > 0) text += i + 1 == paths.size() ? " and " : ", ";
+    text += std::filesystem::path(paths[i]).filename().string();
   }
-  const std::size_t holes = open_holes(view);
+  return fmt::format("{} {} already. Replace {}, or choose another name.", text,
+                     paths.size() == 1 ? "exists" : "exist", paths.size() == 1 ? "it" : "them");
+}
+
+std::string written_text(const ExportState& exports) {
+  std::uint64_t bytes = 0;
+  for (const ExportedFile& file : exports.written) bytes += file.bytes;
+  return fmt::format("Written to {}: {} in all",
+                     std::filesystem::path(exports.written.front().path).parent_path().string(),
+                     size_text(bytes));
+}
+
+Note note_of(const PanelContext& context) {
+  const ExportState& exports = context.view.exports;
+  if (exports.is_running) return {icon::kInformation, kNeutral, "Writing\u2026"};
+  if (has_outcome(context.view, context.state.export_form)) {
+    if (!exports.failure.empty()) return {icon::kWarning, kBad, exports.failure};
+    if (!exports.existing.empty())
+      return {icon::kWarning, kCaution, existing_text(exports.existing)};
+    if (!exports.written.empty()) return {icon::kSaved, kGood, written_text(exports)};
+  }
+  const std::size_t holes = open_holes(context.view);
   if (holes > 0) {
     return {icon::kWarning, kCaution,
             fmt::format("{} {} left in the surface", holes, holes == 1 ? "hole is" : "holes are")};
@@ -76,11 +155,17 @@ Note note_of(const AppView& view) {
   return {icon::kInformation, kNeutral, "Exports the model as shown"};
 }
 
-void draw_note(const PanelContext& context, Rect row) {
-  const Note note = note_of(context.view);
-  draw_text(row.take_left(context.px(20.0F), context.px(kGapS)),
+void draw_note(const PanelContext& context, Rect box, const Note& note) {
+  draw_text(box.take_left(context.px(20.0F), context.px(kGapS)),
             {context.theme.fonts.strong, note.color, Align::kLeft}, note.icon);
-  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, note.text);
+  draw_fitted(box, {context.theme.fonts.body, context.theme.fonts.small}, kText, note.text);
+}
+
+/// How much higher than usual the dialog must be for a long note, in units.
+float extra_height(const PanelContext& context, const Note& note) {
+  const float width = context.px(kExportWidth - 2.0F * kGapL - 20.0F - kGapS);
+  const float needed = wrapped_height(context.theme.fonts.small, width, note.text);
+  return std::max(needed / context.px(1.0F) - kNote, 0.0F);
 }
 
 }  // namespace
@@ -88,13 +173,22 @@ void draw_note(const PanelContext& context, Rect row) {
 void draw_export_dialog(const PanelContext& context) {
   ExportForm& form = context.state.export_form;
   follow_proposal(context, form);
+  const Note note = note_of(context);
   const float rows = static_cast<float>(io::model_formats().size()) * (kFormatRow + kGapS);
-  DialogPlate dialog(context, "Export", {600.0F, kHeightWithoutRows + rows});
-  draw_formats(context, dialog);
-  dialog.rest.take_top(context.px(kGapS));
+  DialogPlate dialog(context, "Export",
+                     {kExportWidth, kHeightWithoutRows + rows + extra_height(context, note)});
+  for (const io::ModelFormat& format : io::model_formats()) {
+    draw_format(context, dialog.rest.take_top(context.px(kFormatRow), context.px(kGapS)), format);
+  }
   draw_place(context, dialog, form);
-  confirm_row(context, dialog, icon::kExport, "Export");
-  draw_note(context, dialog.rest.take_bottom(context.px(24.0F)));
+  Rect left = confirm_row(context, dialog, icon::kExport,
+                          is_replacing(context.view, form) ? "Replace" : "Export");
+  const ActionLook open = {icon::kCase, "Open folder"};
+  if (has_outcome(context.view, form) && !context.view.exports.written.empty()) {
+    const float width = small_action_width(context, Action::kOpenExportFolder, open);
+    small_action(context, left.take_left(width), Action::kOpenExportFolder, open);
+  }
+  draw_note(context, dialog.rest, note);
 }
 
 }  // namespace flytri::ui

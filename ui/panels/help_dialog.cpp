@@ -15,7 +15,7 @@ constexpr float kKey = 84.0F;
 /// Room for the longest name, and for kLongestStateText characters.
 constexpr float kName = 136.0F, kStateWidth = 124.0F;
 /// The fullest column, in rows: looking and program, with their headings.
-constexpr float kMostHelpRows = 28.0F;
+constexpr float kMostHelpRows = 29.0F;
 
 /// Rows are lower in a low window.
 float row_height(const PanelContext& context, float height) {

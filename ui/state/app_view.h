@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,14 @@ struct ExportedFile {
   std::uint64_t bytes = 0;
 };
 
+/// What the user asks to export.
+struct ExportTarget {
+  std::string folder;                     ///< as typed: may begin with ~
+  std::string name;                       ///< without extension
+  std::vector<std::string_view> formats;  ///< extensions, in the order of io::model_formats()
+  bool operator==(const ExportTarget&) const = default;
+};
+
 /// What can be exported, and what was.
 struct ExportState {
   std::string folder;  ///< proposed
@@ -77,14 +86,18 @@ struct ExportState {
   /// shows are missing.
   std::map<std::string_view, std::uint64_t> estimated_bytes;
   bool is_running = false;
-  std::vector<ExportedFile> written;  ///< by the latest export
-  std::string failure;                ///< of the latest export
+  ExportTarget latest;  ///< of the latest export of this stage; the following is its outcome
+  std::vector<ExportedFile> written;
+  std::vector<std::string> existing;  ///< paths; nothing is written before the user allows to
+                                      ///< replace these files
+  std::string failure;
 };
 
 /// The user's settings, saved between runs.
 struct Settings {
   double user_scale = 1.0;  ///< 0.75..2, times the scale of the screen
   bool is_muted = false;
+  std::set<std::string> export_formats = {".glb", ".stl", ".ply"};  ///< extensions
   bool operator==(const Settings&) const = default;
 };
 

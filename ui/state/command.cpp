@@ -20,6 +20,7 @@ std::string_view name_of(const Command& command) {
       "ChooseReentry",
       "SelectStage",
       "Export",
+      "OpenExportFolder",
       "NewCase",
       "OpenCase",
       "DiscardCase",

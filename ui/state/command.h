@@ -38,12 +38,14 @@ struct ChooseReentry {
 struct SelectStage {
   io::ScanStage stage = io::ScanStage::kUpper;
 };
-/// Writes the shown model to files.
+/// Writes the shown model to files. If files exist that the user does not allow to replace, writes
+/// nothing: then ExportState::existing lists them.
 struct Export {
-  std::string folder;
-  std::string name;                       ///< without extension
-  std::vector<std::string_view> formats;  ///< at least 1 extension, as in io::model_formats()
+  ExportTarget target;                ///< at least 1 format
+  std::vector<std::string> replaced;  ///< paths of files that may be replaced
 };
+/// Shows the folder of the latest export in the desktop's file manager.
+struct OpenExportFolder {};
 struct NewCase {
   std::string path;
   std::string passphrase;  ///< empty: not encrypted
@@ -107,12 +109,12 @@ struct Tell {
 };
 struct Quit {};
 
-using Command =
-    std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement, RemoveMeasurement,
-                 Finish, CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, NewCase,
-                 OpenCase, DiscardCase, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
-                 PointHand, ChangeSettings, CheckDevices, BeginCalibration, TakeCalibrationImages,
-                 RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
+using Command = std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement,
+                             RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
+                             SelectStage, Export, OpenExportFolder, NewCase, OpenCase, DiscardCase,
+                             SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
+                             ChangeSettings, CheckDevices, BeginCalibration, TakeCalibrationImages,
+                             RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

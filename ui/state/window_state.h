@@ -4,13 +4,11 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/io/models/model_formats.h"
 #include "ui/scene/orbit_camera.h"
 #include "ui/scene/scene_options.h"
 #include "ui/state/app_view.h"
@@ -58,9 +56,8 @@ struct BrushState {
 struct ExportForm {
   std::string folder;
   std::string name;
-  /// Extensions, as in io::model_formats().
-  std::set<std::string_view> formats = {io::model_formats().front().extension};
-  bool is_edited = false;  ///< else folder and name are those proposed
+  bool is_folder_edited = false;  ///< else the folder is the proposed one
+  std::string proposed_name;  ///< the latest; a new one, of another case or stage, replaces `name`
 };
 
 struct CalibrationForm {

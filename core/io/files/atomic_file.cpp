@@ -1,6 +1,7 @@
 #include "core/io/files/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "core/io/files/file_errors.h"
+#include "core/io/files/leftovers.h"
 
 namespace flytri::io {
 namespace {
@@ -19,9 +21,18 @@ namespace fs = std::filesystem;
 
 /// A name in the folder of `path` that is most likely free. Hidden and short: a long name of the
 /// file itself does not exceed the limit.
-std::string temporary_beside(const fs::path& path) {
+std::string temporary_beside(const fs::path& path, std::string_view prefix) {
   std::random_device random;
-  return (path.parent_path() / fmt::format(".flytri-{:08x}", random())).string();
+  return (path.parent_path() / fmt::format("{}{:08x}", prefix, random())).string();
+}
+
+/// Locks a new file, so that remove_leftovers() sees that its program runs. Returns false if it was
+/// quicker and removed the file. A file system without locks is fine: there it goes by age.
+bool lock_new(int descriptor) {
+  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+  }
+  struct stat status {};
+  return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
 }
 
 /// Gives the new file the permissions of the file that it replaces, if there is one.
@@ -55,12 +66,16 @@ class FormerFile {
     std::string second_name;
     int error = EEXIST;
     while (error == EEXIST) {
-      second_name = temporary_beside(path);
+      second_name = temporary_beside(path, kSecondNamePrefix);
       error = ::link(path.c_str(), second_name.c_str()) == 0 ? 0 : errno;
     }
     if (error == ENOENT) return FormerFile(path, {});
-    // Memory sticks often have a file system without second names.
-    if (error != 0) error = ::rename(path.c_str(), second_name.c_str()) == 0 ? 0 : errno;
+    // Memory sticks often have a file system without second names. There the file has only this
+    // name for a moment, so it is one that remove_leftovers() never removes.
+    if (error != 0) {
+      second_name = temporary_beside(path, kMovedPrefix);
+      error = ::rename(path.c_str(), second_name.c_str()) == 0 ? 0 : errno;
+    }
     if (error != 0) return write_failure(path, error);
     return FormerFile(path, std::move(second_name));
   }
@@ -132,21 +147,23 @@ void AtomicFile::discard() {
   descriptor_ = -1;
 }
 
-Result<AtomicFile> AtomicFile::create(const fs::path& path) {
+Result<AtomicFile> AtomicFile::create(const fs::path& path, Access access) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     return fail(ErrorCode::kWriteFailed, "{}: is a folder; give the path of a file", path.string());
   }
   std::string temporary;
   int descriptor = -1;
-  do {
-    temporary = temporary_beside(path);
+  const mode_t mode = access == Access::kOwnerOnly ? 0600 : 0666;
+  while (descriptor < 0) {
+    temporary = temporary_beside(path, kTemporaryPrefix);
     // Not mkstemp(): only the owner could read the file, and umask() is not safe to read while
     // other threads run.
-    descriptor = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor < 0 && errno == EEXIST);
-  if (descriptor < 0) return write_failure(path, errno);
-  copy_permissions(descriptor, path);
+    descriptor = ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor < 0 && errno != EEXIST) return write_failure(path, errno);
+    if (descriptor >= 0 && !lock_new(descriptor)) ::close(std::exchange(descriptor, -1));
+  }
+  if (access == Access::kByUmask) copy_permissions(descriptor, path);
   return AtomicFile(path, std::move(temporary), descriptor);
 }
 
@@ -173,13 +190,15 @@ Result<void> AtomicFile::commit() {
 }
 
 Result<void> AtomicFile::commit_unsynced() {
+  // Closing may fail, so it comes before renaming. The second descriptor keeps the lock meanwhile.
+  const int lock = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   const int descriptor = std::exchange(descriptor_, -1);
-  if (::close(descriptor) != 0 || ::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    const int error = errno;
-    ::unlink(temporary_.c_str());
-    return write_failure(path_, error);
-  }
-  return {};
+  int error = ::close(descriptor) == 0 ? 0 : errno;
+  if (error == 0 && ::rename(temporary_.c_str(), path_.c_str()) != 0) error = errno;
+  if (lock >= 0) ::close(lock);
+  if (error == 0) return {};
+  ::unlink(temporary_.c_str());
+  return write_failure(path_, error);
 }
 
 Result<void> commit_together(std::vector<AtomicFile> files) {

@@ -10,12 +10,19 @@
 
 namespace flytri::io {
 
+/// Who may read a new file.
+enum class Access {
+  kByUmask,    ///< as the user's umask says; a file that is replaced keeps its permissions
+  kOwnerOnly,  ///< mode 0600, always: for what shows a patient's jaw
+};
+
 /// A file that is being written. The bytes go into a temporary file in the same folder; commit()
 /// gives it its name. Without commit() nothing is left behind, and a former file stays as it was.
 class AtomicFile {
  public:
   /// @errors  kNotFound (no such folder), kNotPermitted, kWriteFailed.
-  [[nodiscard]] static Result<AtomicFile> create(const std::filesystem::path& path);
+  [[nodiscard]] static Result<AtomicFile> create(const std::filesystem::path& path,
+                                                 Access access = Access::kByUmask);
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
   AtomicFile(const AtomicFile&) = delete;

@@ -21,12 +21,14 @@ void append_number(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// Collects small pieces for an AtomicFile. The first failure is reported at the end.
+/// Collects small pieces of a model for an AtomicFile that only its owner may read. The first
+/// failure is reported at the end.
 class ByteWriter {
  public:
   [[nodiscard]] static Result<ByteWriter> create(const std::filesystem::path& path) {
-    return AtomicFile::create(path).map(
-        [](AtomicFile&& file) { return ByteWriter(std::move(file)); });
+    return AtomicFile::create(path, Access::kOwnerOnly).map([](AtomicFile&& file) {
+      return ByteWriter(std::move(file));
+    });
   }
   void text(std::string_view bytes) {
     buffer_.append(bytes);

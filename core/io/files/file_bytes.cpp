@@ -41,8 +41,8 @@ Result<void> check_writable(const fs::path& path) {
   return AtomicFile::create(path).map([](const AtomicFile&) {});
 }
 
-Result<void> write_file(const fs::path& path, std::string_view bytes) {
-  Result<AtomicFile> file = AtomicFile::create(path);
+Result<void> write_file(const fs::path& path, std::string_view bytes, Access access) {
+  Result<AtomicFile> file = AtomicFile::create(path, access);
   if (!file) return tl::unexpected(file.error());
   if (Result<void> written = file->write(bytes); !written) return written;
   return file->commit();
@@ -81,6 +81,16 @@ Result<void> create_folder(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error) return write_failure(folder, error.value());
   return {};
+}
+
+Result<void> create_private_folder(const fs::path& folder) {
+  std::error_code error;
+  if (folder.empty() || fs::is_directory(folder, error)) return {};
+  if (auto parent = create_private_folder(folder.parent_path()); !parent) return parent;
+  // A path that ends in / names the folder that was just made.
+  const int failure = ::mkdir(folder.c_str(), 0700) == 0 ? 0 : errno;
+  if (failure == 0 || fs::is_directory(folder, error)) return {};
+  return write_failure(folder, failure);
 }
 
 }  // namespace flytri::io

@@ -15,7 +15,8 @@ namespace flytri::io {
 [[nodiscard]] Result<void> check_writable(const std::filesystem::path& path);
 
 /// @errors  As AtomicFile.
-[[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
+[[nodiscard]] Result<void> write_file(const std::filesystem::path& path, std::string_view bytes,
+                                      Access access = Access::kByUmask);
 
 /// Waits until the disk has all bytes of a file.
 /// @errors  kNotFound, kNotPermitted, kWriteFailed.
@@ -31,5 +32,10 @@ namespace flytri::io {
 /// Creates a folder and its parents, unless it exists.
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> create_folder(const std::filesystem::path& folder);
+
+/// Creates a folder and its parents, unless it exists. Only their owner may enter those that it
+/// creates; one that exists stays as it is.
+/// @errors  kNotPermitted, kWriteFailed, kNotFound (a parent is a file).
+[[nodiscard]] Result<void> create_private_folder(const std::filesystem::path& folder);
 
 }  // namespace flytri::io

@@ -202,7 +202,7 @@ Result<std::string> encode_glb(const TexturedMesh& model, const std::string& nam
 
 Result<void> write_glb(const std::filesystem::path& path, const TexturedMesh& model) {
   return encode_glb(model, path.string()).and_then([&](const std::string& bytes) {
-    return write_file(path, bytes);
+    return write_file(path, bytes, Access::kOwnerOnly);
   });
 }
 

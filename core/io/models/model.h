@@ -20,7 +20,8 @@ namespace flytri::io {
 /// All files that write_model may write: the path itself, and for .obj its .mtl and .png.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_model(const std::filesystem::path& path);
 
-/// Writes a model, all of its files or none; see model_formats.h for the formats.
+/// Writes a model, all of its files or none; see model_formats.h for the formats. Only their owner
+/// may read the files, as they show a patient's jaw.
 /// @errors  kBadOption (extension), kInsufficient (no triangles), kInconsistent (an index out of
 ///          range, or a number that is not finite), as commit_together.
 [[nodiscard]] Result<void> write_model(const std::filesystem::path& path,

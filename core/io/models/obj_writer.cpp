@@ -57,7 +57,7 @@ std::filesystem::path materials_of(std::filesystem::path path) {
 /// Adds a file with these bytes, which does not have its name yet.
 Result<void> prepare_file(const std::filesystem::path& path, std::string_view bytes,
                           std::vector<AtomicFile>& files) {
-  Result<AtomicFile> file = AtomicFile::create(path);
+  Result<AtomicFile> file = AtomicFile::create(path, Access::kOwnerOnly);
   if (!file) return tl::unexpected(file.error());
   if (Result<void> written = file->write(bytes); !written) return written;
   files.push_back(*std::move(file));

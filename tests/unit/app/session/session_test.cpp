@@ -276,7 +276,7 @@ TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
   session.carry_out(ui::Finish{});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan->result != nullptr; }));
-  session.carry_out(ui::Export{(folder_.path() / "out").string(), "jaw", {".glb"}});
+  session.carry_out(ui::Export{{(folder_.path() / "out").string(), "jaw", {".glb"}}, {}});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return !view.exports.written.empty(); }));
   const ui::ExportedFile written = session.view().exports.written.front();
   EXPECT_EQ(written.bytes, fs::file_size(folder_.path() / "out" / "jaw.glb"));

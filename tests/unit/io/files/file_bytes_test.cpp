@@ -118,6 +118,42 @@ TEST(AtomicFile, PermissionsFollowTheUmaskWhileOtherThreadsWrite) {
   }
 }
 
+TEST(AtomicFile, APrivateFileIsPrivateFromItsFirstByteOn) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "jaw.glb";
+  const auto mode_of = [](const std::filesystem::path& file) {
+    return std::filesystem::status(file).permissions();
+  };
+  ASSERT_TRUE(write_file(path, "former"));
+  std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0644));
+  Result<AtomicFile> file = AtomicFile::create(path, Access::kOwnerOnly);
+  ASSERT_TRUE(file);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    if (entry.path() != path) {
+      EXPECT_EQ(mode_of(entry.path()), static_cast<std::filesystem::perms>(0600));
+    }
+  }
+  ASSERT_TRUE(file->commit());
+  EXPECT_EQ(mode_of(path), static_cast<std::filesystem::perms>(0600));
+}
+
+TEST(CreatePrivateFolder, KeepsOthersOutOfWhatItCreatesOnly) {
+  const TemporaryFolder folder;
+  std::filesystem::permissions(folder.path(), static_cast<std::filesystem::perms>(0755));
+  ASSERT_TRUE(create_private_folder(folder / "a/b/"));
+  for (const char* name : {"a", "a/b"}) {
+    EXPECT_EQ(std::filesystem::status(folder / name).permissions(),
+              static_cast<std::filesystem::perms>(0700));
+  }
+  EXPECT_EQ(std::filesystem::status(folder.path()).permissions(),
+            static_cast<std::filesystem::perms>(0755));
+  ASSERT_TRUE(create_private_folder(folder / "a/b"));
+  ASSERT_TRUE(write_file(folder / "file", ""));
+  const Result<void> below_a_file = create_private_folder(folder / "file/c");
+  ASSERT_FALSE(below_a_file);
+  EXPECT_THAT(below_a_file.error().message, HasSubstr("file"));
+}
+
 TEST(AtomicFile, MissingFolderIsReportedWithARemedy) {
   const TemporaryFolder folder;
   const Result<void> written = write_file(folder / "none/a.bin", "x");

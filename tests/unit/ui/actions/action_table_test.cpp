@@ -144,21 +144,60 @@ TEST(ActionTable, AnOpenDialogBlocksTheActionsOfOthers) {
   EXPECT_TRUE(action_state(Action::kCancel, view, state).is_enabled);
 }
 
-TEST(ActionTable, ConfirmExportsTheChosenFormats) {
+/// A finished scan whose export dialog is open; every format can be exported.
+AppView view_to_export(WindowState& state) {
   AppView view;
   view.scan = scan_in(scan::ScanPhase::kFinished);
-  WindowState state;
+  view.exports.estimated_bytes = {{".glb", 1}, {".ply", 1}, {".stl", 1}, {".obj", 1}};
   state.dialog = Dialog::kExport;
-  state.export_form = {"/tmp", "jaw", {".glb", ".stl"}, true};
+  state.export_form.folder = "/tmp";
+  state.export_form.name = "jaw";
+  return view;
+}
+
+Export confirmed_export(const AppView& view, WindowState& state) {
   std::vector<Command> commands;
   perform(Action::kConfirm, view, state, commands);
-  ASSERT_EQ(commands.size(), 1U);
-  const auto& command = std::get<Export>(commands.front());
-  EXPECT_EQ(command.folder, "/tmp");
-  EXPECT_EQ(command.name, "jaw");
-  EXPECT_EQ(command.formats, (std::vector<std::string_view>{".glb", ".stl"}));
-  state.export_form.formats = {};
+  return commands.size() == 1 ? std::get<Export>(commands.front()) : Export{};
+}
+
+TEST(ActionTable, ConfirmExportsTheRememberedFormats) {
+  WindowState state;
+  AppView view = view_to_export(state);
+  EXPECT_EQ(confirmed_export(view, state).target,
+            (ExportTarget{"/tmp", "jaw", {".glb", ".ply", ".stl"}}));
+  view.settings.export_formats = {".obj"};
+  EXPECT_EQ(confirmed_export(view, state).target.formats, std::vector<std::string_view>{".obj"});
+  view.settings.export_formats = {};
   EXPECT_FALSE(action_state(Action::kConfirm, view, state).is_enabled);
+}
+
+TEST(ActionTable, BeforeFinishOnlyFormatsThatHoldPointsAreExported) {
+  WindowState state;
+  AppView view = view_to_export(state);
+  view.exports.estimated_bytes = {{".ply", 1}};
+  EXPECT_EQ(confirmed_export(view, state).target.formats, std::vector<std::string_view>{".ply"});
+  view.settings.export_formats = {".glb"};
+  EXPECT_FALSE(action_state(Action::kConfirm, view, state).is_enabled);
+}
+
+TEST(ActionTable, OnlyFilesThatTheUserWasToldOfAreReplaced) {
+  WindowState state;
+  AppView view = view_to_export(state);
+  EXPECT_TRUE(confirmed_export(view, state).replaced.empty());
+  view.exports.latest = confirmed_export(view, state).target;
+  view.exports.existing = {"/tmp/jaw.glb"};
+  EXPECT_EQ(confirmed_export(view, state).replaced, std::vector<std::string>{"/tmp/jaw.glb"});
+  state.export_form.name = "other";
+  EXPECT_TRUE(confirmed_export(view, state).replaced.empty()) << "asked for another name";
+}
+
+TEST(ActionTable, TheFolderOpensOnceSomethingIsExported) {
+  WindowState state;
+  AppView view = view_to_export(state);
+  EXPECT_EQ(names_after(Action::kOpenExportFolder, view, state), Names{});
+  view.exports.written = {{"/tmp/jaw.glb", 1}};
+  EXPECT_EQ(names_after(Action::kOpenExportFolder, view, state), Names{"OpenExportFolder"});
 }
 
 TEST(ActionTable, CaseDialogStaysUntilTheCaseIsOpen) {

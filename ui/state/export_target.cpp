@@ -1,0 +1,26 @@
+#include "ui/state/export_target.h"
+
+#include "core/io/models/model_formats.h"
+
+namespace flytri::ui {
+
+ExportTarget export_target(const AppView& view, const ExportForm& form) {
+  ExportTarget target = {form.folder, form.name, {}};
+  for (const io::ModelFormat& format : io::model_formats()) {
+    if (view.exports.estimated_bytes.contains(format.extension) &&
+        view.settings.export_formats.contains(std::string(format.extension))) {
+      target.formats.push_back(format.extension);
+    }
+  }
+  return target;
+}
+
+bool has_outcome(const AppView& view, const ExportForm& form) {
+  return !view.exports.is_running && view.exports.latest == export_target(view, form);
+}
+
+bool is_replacing(const AppView& view, const ExportForm& form) {
+  return has_outcome(view, form) && !view.exports.existing.empty();
+}
+
+}  // namespace flytri::ui
