@@ -171,6 +171,11 @@ Result<void> RecordingWriter::append(const Frame& frame) {
     return fail(ErrorCode::kBadOption, "{}: frame {} is not later than the frame before",
                 folder_.string(), frames_.size());
   }
+  if (frames_.size() == kMaxFrames) {
+    return fail(ErrorCode::kInsufficient,
+                "{}: a recording has at most {} frames; begin another one", folder_.string(),
+                kMaxFrames);
+  }
   if (frames_.empty()) {
     if (Result<void> removed = remove_list(folder_ / kRecordingFile); !removed) return removed;
   }

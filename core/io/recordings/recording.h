@@ -64,8 +64,9 @@ class RecordingWriter {
                                                       std::string calibration = {},
                                                       std::string fingerprint = {});
   /// Saves a frame under the next number; `frame.index` is ignored. Does not wait for the disk.
-  /// @errors  kBadOption (wrong image type for the kind, time not after the last frame), as
-  ///          encode_camera_png and AtomicFile.
+  /// @errors  kBadOption (wrong image type for the kind, time not after the last frame),
+  ///          kInsufficient (it has as many frames as can be read again), as encode_camera_png and
+  ///          AtomicFile.
   [[nodiscard]] Result<void> append(const Frame& frame);
   /// Waits until the disk has all images, then lists them. May be called again after more frames.
   /// @errors  As sync_file and write_file; kInsufficient: no frame was appended.
