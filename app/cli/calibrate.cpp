@@ -7,6 +7,7 @@
 #include "app/cli/calibrate_check.h"
 #include "app/cli/calibrate_live.h"
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
@@ -39,7 +40,7 @@ Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& 
   if (!calibration) return tl::unexpected(calibration.error());
   if (auto written = io::write_calibration(output, *calibration); !written) return written;
   print_residuals(*calibration);
-  fmt::print("wrote {}\n", output.string());
+  print_out("wrote {}\n", output.string());
   return {};
 }
 
@@ -98,11 +99,11 @@ Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
 
 void print_residuals(const calibration::Calibration& calibration) {
   constexpr double kMicrons = 1e3;
-  fmt::print("{:<14} {:>10} {:>10} {:>10}\n", "residual", "RMS", "maximum", "points");
+  print_out("{:<14} {:>10} {:>10} {:>10}\n", "residual", "RMS", "maximum", "points");
   const auto row = [](std::string_view name, const calibration::FitResidual& residual, double scale,
                       std::string_view unit) {
-    fmt::print("{:<14} {:>7.2f} {} {:>7.2f} {} {:>10}\n", name, scale * residual.rms, unit,
-               scale * residual.max, unit, residual.count);
+    print_out("{:<14} {:>7.2f} {} {:>7.2f} {} {:>10}\n", name, scale * residual.rms, unit,
+              scale * residual.max, unit, residual.count);
   };
   for (const Pattern pattern : kPatterns) {
     const calibration::PatternCalibration& lines = calibration.of(pattern);

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/cli/console.h"
 #include "app/cli/guide_dialog.h"
 #include "core/calibration/verify/verify.h"
 #include "core/io/calibrations/calibration_file.h"
@@ -15,12 +16,12 @@ namespace {
 
 void print(const calibration::VerificationReport& report) {
   constexpr double kMicrons = 1e3;
-  fmt::print("{:<28} {:>12} {:>14} {:>10}\n", "at the border of the volume", "deviation",
-             "uncertainty", "limit");
+  print_out("{:<28} {:>12} {:>14} {:>10}\n", "at the border of the volume", "deviation",
+            "uncertainty", "limit");
   for (const calibration::VerificationFigure& figure : report.figures) {
-    fmt::print("{:<28} {:>+9.1f} µm {:>11.1f} µm {:>7.1f} µm  {}\n", figure.name,
-               kMicrons * figure.deviation_mm, kMicrons * figure.uncertainty_mm,
-               kMicrons * figure.limit_mm, figure.good() ? "good" : "TOO MUCH");
+    print_out("{:<28} {:>+9.1f} µm {:>11.1f} µm {:>7.1f} µm  {}\n", figure.name,
+              kMicrons * figure.deviation_mm, kMicrons * figure.uncertainty_mm,
+              kMicrons * figure.limit_mm, figure.good() ? "good" : "TOO MUCH");
   }
 }
 
@@ -39,13 +40,13 @@ Result<std::vector<calibration::VerificationPose>> take_poses(
         "{} of {}: put the {} {} and keep it still, then press Enter. ", poses.size() + 1,
         places.size(), arguments.sphere_mm > 0.0 ? "sphere" : "plane", place.words));
     if (!line) return stopped();
-    fmt::print("\n");
+    print_out("\n");
     auto pose = shots::take_verification_pose(
         **source, place.depth_share * calibration.volume.size_mm.z(), calibration, progress);
     if (pose) {
       poses.push_back(*std::move(pose));
     } else if (pose.error().code == ErrorCode::kInconsistent) {
-      fmt::print("  take this one again: {}\n", pose.error().message);
+      print_out("  take this one again: {}\n", pose.error().message);
     } else {
       return tl::unexpected(pose.error());
     }
@@ -59,10 +60,10 @@ Result<void> conclude(const calibration::VerificationReport& report) {
     return fail(ErrorCode::kInsufficient, "no verdict: {}", report.reason);
   }
   if (report.outcome == calibration::VerificationOutcome::kValid) {
-    fmt::print("the calibration holds\n");
+    print_out("the calibration holds\n");
     return {};
   }
-  for (const std::string& meaning : report.meanings) fmt::print("{}\n", meaning);
+  for (const std::string& meaning : report.meanings) print_out("{}\n", meaning);
   return fail(ErrorCode::kInconsistent,
               "the calibration no longer holds; calibrate again with flytri calibrate --live");
 }

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/cli/console.h"
 #include "app/cli/guide_dialog.h"
 #include "core/io/calibrations/guided_session_file.h"
 #include "hw/shots/open_shots.h"
@@ -42,20 +43,20 @@ Result<calibration::CalibrationPlan> choose_plan(const CalibrateLiveArguments& a
 
 void print_planes(const std::vector<calibration::PlaneResidual>& planes) {
   constexpr double kMicrons = 1e3;
-  fmt::print("{:<14} {:>13} {:>13}\n", "plane", "vertical", "horizontal");
+  print_out("{:<14} {:>13} {:>13}\n", "plane", "vertical", "horizontal");
   for (const calibration::PlaneResidual& plane : planes) {
-    fmt::print("z {:+8.2f} mm  {:>+10.2f} µm {:>+10.2f} µm\n", plane.z_mm,
-               kMicrons * plane.offset_mm[0], kMicrons * plane.offset_mm[1]);
+    print_out("z {:+8.2f} mm  {:>+10.2f} µm {:>+10.2f} µm\n", plane.z_mm,
+              kMicrons * plane.offset_mm[0], kMicrons * plane.offset_mm[1]);
   }
 }
 
 void print_restored(const shots::GuidedSession& session) {
   if (session.restored() > 0) {
-    fmt::print("{}: continuing, {} of {} placements are done\n", session.folder().string(),
-               session.restored(), session.guide().placements().size());
+    print_out("{}: continuing, {} of {} placements are done\n", session.folder().string(),
+              session.restored(), session.guide().placements().size());
   }
   for (const std::string& complaint : session.problems()) {
-    fmt::print("not taken over: {}\n", complaint);
+    print_out("not taken over: {}\n", complaint);
   }
 }
 
@@ -96,13 +97,13 @@ Result<void> calibrate_live(const CalibrateLiveArguments& arguments, const Progr
   (*source)->stop();
   if (!fit) return tl::unexpected(fit.error());
   if (!*fit) {
-    fmt::print("stopped; {} keeps what is done. The same command continues.\n",
-               arguments.output.string());
+    print_out("stopped; {} keeps what is done. The same command continues.\n",
+              arguments.output.string());
     return {};
   }
   print_planes((*fit)->planes);
   print_residuals((*fit)->calibration);
-  fmt::print("wrote {}\n", (arguments.output / "calibration.json").string());
+  print_out("wrote {}\n", (arguments.output / "calibration.json").string());
   return {};
 }
 

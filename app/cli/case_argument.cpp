@@ -6,6 +6,7 @@
 #include <optional>
 #include <system_error>
 
+#include "app/cli/console.h"
 #include "core/io/files/file_bytes.h"
 
 namespace flytri::cli {
@@ -63,7 +64,7 @@ Result<io::CaseFile> open_case(const fs::path& path, const CaseArguments& argume
 }
 
 void print_damage(const std::vector<std::string>& damage) {
-  for (const std::string& what : damage) fmt::print(stderr, "flytri: lost: {}\n", what);
+  for (const std::string& what : damage) print_error("flytri: lost: {}\n", what);
 }
 
 Result<io::ScanStage> choose_stage(io::CaseFile& file, const CaseArguments& arguments,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "assets/sample_jaw/sample_jaw.h"
@@ -46,7 +47,7 @@ Result<void> write_results(const fs::path& folder,
   for (const io::ModelFormat& format : io::model_formats()) {
     const fs::path file = folder / (std::string(kModelName) + std::string(format.extension));
     if (auto written = write_result(file, reconstruction); !written) return written;
-    fmt::print("wrote {}\n", file.string());
+    print_out("wrote {}\n", file.string());
   }
   simulated::PictureOptions options;
   // The world frame is the sensor frame of the first view: z points away from the sensor, y down.
@@ -56,7 +57,7 @@ Result<void> write_results(const fs::path& folder,
   if (!picture) return tl::unexpected(picture.error());
   const fs::path file = folder / kPictureName;
   if (auto written = io::write_png(file, *picture); !written) return written;
-  fmt::print("wrote {}\n", file.string());
+  print_out("wrote {}\n", file.string());
   return write_report(folder / "report.json", reconstruction, volume.size_mm);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "hw/gpio/gpio_chips.h"
 #include "hw/rig/check_rig.h"
 #include "hw/rig/rig_file.h"
@@ -36,31 +37,31 @@ std::string with_serial(const std::string& name, const std::string& serial) {
 }
 
 void print_problems(const std::vector<Error>& problems) {
-  for (const Error& problem : problems) fmt::print("    problem: {}\n", problem.message);
+  for (const Error& problem : problems) print_out("    problem: {}\n", problem.message);
 }
 
 void print(const device::CameraDescription& camera) {
-  fmt::print("camera {} ({}, bus {})\n", with_serial(camera.name, camera.serial), camera.node,
-             camera.bus_path);
+  print_out("camera {} ({}, bus {})\n", with_serial(camera.name, camera.serial), camera.node,
+            camera.bus_path);
   for (const device::CameraMode& mode : camera.modes) {
-    fmt::print("    {} {} x {}", mode.format, mode.size.width_px, mode.size.height_px);
-    for (const double rate_hz : mode.rates_hz) fmt::print(" {:.4g}", rate_hz);
-    fmt::print("{}\n", mode.rates_hz.empty() ? "" : " Hz");
+    print_out("    {} {} x {}", mode.format, mode.size.width_px, mode.size.height_px);
+    for (const double rate_hz : mode.rates_hz) print_out(" {:.4g}", rate_hz);
+    print_out("{}\n", mode.rates_hz.empty() ? "" : " Hz");
   }
   for (const device::CameraControl& control : camera.controls)
-    fmt::print("    {}: {} of {} to {}\n", control.name, control.value, control.minimum,
-               control.maximum);
+    print_out("    {}: {} of {} to {}\n", control.name, control.value, control.minimum,
+              control.maximum);
   print_problems(camera.problems);
 }
 
 void print(const gpio::GpioChip& chip) {
-  fmt::print("switch {} ({}, bus {}), {} lines\n", with_serial(chip.label, chip.device.serial),
-             chip.device.node, chip.device.bus_path, chip.lines.size());
+  print_out("switch {} ({}, bus {}), {} lines\n", with_serial(chip.label, chip.device.serial),
+            chip.device.node, chip.device.bus_path, chip.lines.size());
   for (std::size_t i = 0; i < chip.lines.size(); ++i) {
     const gpio::GpioLine& line = chip.lines[i];
     if (line.name.empty() && line.consumer.empty()) continue;
-    fmt::print("    line {} {}{}{}\n", i, line.name, line.consumer.empty() ? "" : " in use by ",
-               line.consumer);
+    print_out("    line {} {}{}{}\n", i, line.name, line.consumer.empty() ? "" : " in use by ",
+              line.consumer);
   }
   print_problems(chip.problems);
 }
@@ -99,9 +100,9 @@ void print_all(const std::vector<device::CameraDescription>& cameras,
                const std::vector<gpio::GpioChip>& chips) {
   for (const device::CameraDescription& camera : cameras) print(camera);
   if (cameras.empty())
-    fmt::print("No camera found. Plug one in; if it is plugged in, its driver may be missing.\n");
+    print_out("No camera found. Plug one in; if it is plugged in, its driver may be missing.\n");
   for (const gpio::GpioChip& chip : chips) print(chip);
-  if (chips.empty()) fmt::print("No switch for the lights found. Plug in its USB GPIO chip.\n");
+  if (chips.empty()) print_out("No switch for the lights found. Plug in its USB GPIO chip.\n");
 }
 
 Result<void> run(const DevicesArguments& arguments) {
@@ -123,12 +124,12 @@ Result<void> run(const DevicesArguments& arguments) {
       json["cameras"].push_back(to_json(camera));
     for (const gpio::GpioChip& chip : chips) json["switches"].push_back(to_json(chip));
     if (faults) json["rig_problems"] = messages(*faults);
-    fmt::print("{}\n", json.dump(1));
+    write_raw(stdout, json.dump(1) + "\n");
   } else {
     print_all(cameras, chips);
-    if (faults && faults->empty()) fmt::print("The rig is ready.\n");
+    if (faults && faults->empty()) print_out("The rig is ready.\n");
     if (faults) {
-      for (const Error& fault : *faults) fmt::print("rig: {}\n", fault.message);
+      for (const Error& fault : *faults) print_out("rig: {}\n", fault.message);
     }
   }
   if (faults && !faults->empty())

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "core/evaluation/best_fit.h"
@@ -195,45 +196,45 @@ Result<Evaluation> evaluate(const TexturedMesh& result, const Reference& referen
 
 void print_row(std::string_view gauge, const evaluation::SurfaceError& error) {
   const evaluation::DistanceStatistics& d = error.distance;
-  fmt::print("{:<14}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.0f}{:>9.3f}{:>10.2f}{:>10.2f}\n", gauge,
-             kMicronsOfMm * d.rms_mm, kMicronsOfMm * d.mean_mm, kMicronsOfMm * d.median_mm,
-             kMicronsOfMm * d.percentile_95_mm, kMicronsOfMm * d.max_mm, kPercent * error.far_share,
-             kPercent * error.completeness.near_surface, kPercent * error.completeness.near_vertex);
+  print_out("{:<14}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.1f}{:>9.0f}{:>9.3f}{:>10.2f}{:>10.2f}\n", gauge,
+            kMicronsOfMm * d.rms_mm, kMicronsOfMm * d.mean_mm, kMicronsOfMm * d.median_mm,
+            kMicronsOfMm * d.percentile_95_mm, kMicronsOfMm * d.max_mm, kPercent * error.far_share,
+            kPercent * error.completeness.near_surface, kPercent * error.completeness.near_vertex);
 }
 
 void print_poses(const Evaluation& evaluation) {
   if (!evaluation.registered) {
-    fmt::print(
+    print_out(
         "\nno errors of the poses: the report has no measurement volume; write it again with "
         "flytri reconstruct --report\n");
     return;
   }
-  fmt::print(
+  print_out(
       "\nposes, RMS at the corners of the measurement volume: {} registered {:.1f} µm by the first "
       "view, {:.1f} µm at best fit",
       evaluation.registered_count, kMicronsOfMm * evaluation.registered->first_view_mm,
       kMicronsOfMm * evaluation.registered->best_fit_mm);
   if (evaluation.interpolated_count > 0) {
-    fmt::print("; {} interpolated {:.1f} µm by the first view", evaluation.interpolated_count,
-               kMicronsOfMm * evaluation.interpolated_mm);
+    print_out("; {} interpolated {:.1f} µm by the first view", evaluation.interpolated_count,
+              kMicronsOfMm * evaluation.interpolated_mm);
   }
-  fmt::print("\n");
+  print_out("\n");
 }
 
 void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arguments) {
-  fmt::print("{} vertices compared with the true surface, which has {} vertices to find\n\n",
-             evaluation.as_it_stands.distance.count, evaluation.as_it_stands.completeness.selected);
-  fmt::print("{:<14}{:^45}{:>9}  {}\n", "", "distance, µm",
-             fmt::format(">{:g} mm", arguments.surface.far_above_mm),
-             fmt::format("complete to {:g} mm", arguments.surface.complete_within_mm));
-  fmt::print("{:<14}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}\n", "gauge", "RMS", "mean", "median",
-             "95 %", "max", "%", "surf. %", "vert. %");
+  print_out("{} vertices compared with the true surface, which has {} vertices to find\n\n",
+            evaluation.as_it_stands.distance.count, evaluation.as_it_stands.completeness.selected);
+  print_out("{:<14}{:^45}{:>9}  {}\n", "", "distance, µm",
+            fmt::format(">{:g} mm", arguments.surface.far_above_mm),
+            fmt::format("complete to {:g} mm", arguments.surface.complete_within_mm));
+  print_out("{:<14}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}\n", "gauge", "RMS", "mean", "median",
+            "95 %", "max", "%", "surf. %", "vert. %");
   print_row("as it stands", evaluation.as_it_stands);
   print_row("best fit", evaluation.fitted);
   if (evaluation.outcome == evaluation::BestFitOutcome::kStillMoving) {
-    fmt::print("The best fit did not converge: it was still moving after its last step.\n");
+    print_out("The best fit did not converge: it was still moving after its last step.\n");
   }
-  fmt::print(
+  print_out(
       "\ncolor, difference in chromaticity from the nearest true vertex: median {:.3f}, "
       "95 % {:.3f} (by chance {:.3f}); difference in sRGB 0..255, with brightness: mean {:.1f}\n",
       evaluation.colors.median, evaluation.colors.percentile_95, evaluation.colors.median_by_chance,
@@ -290,7 +291,7 @@ Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
   print_evaluation(*evaluation, arguments);
   if (arguments.output.empty()) return {};
   auto written = io::write_file(arguments.output, to_json(*evaluation, arguments).dump(1) + "\n");
-  if (written) fmt::print("wrote {}\n", arguments.output.string());
+  if (written) print_out("wrote {}\n", arguments.output.string());
   return written;
 }
 

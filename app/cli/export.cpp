@@ -8,6 +8,7 @@
 
 #include "app/cli/case_argument.h"
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
@@ -55,7 +56,7 @@ Result<void> run(const ExportArguments& arguments) {
   for (const fs::path& output : arguments.outputs) {
     auto written = write_kept(output, result->glb, arguments.case_path.string());
     if (!written) return written;
-    fmt::print("wrote {}\n", output.string());
+    print_out("wrote {}\n", output.string());
   }
   return {};
 }

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/cli/console.h"
+
 namespace flytri::cli {
 namespace {
 
@@ -41,15 +43,15 @@ std::string describe(const calibration::WantedShot& shot,
 
 void print(const shots::ShotOutcome& outcome) {
   const calibration::ShotFigures& figures = outcome.verdict.figures;
-  fmt::print("  {:<22}", to_string(outcome.shot.kind));
+  print_out("  {:<22}", to_string(outcome.shot.kind));
   if (!outcome.verdict.good()) {
-    fmt::print("REFUSED: {}\n    {}\n", outcome.verdict.finding,
-               calibration::remedy_of(outcome.verdict.fault));
+    print_out("REFUSED: {}\n    {}\n", outcome.verdict.finding,
+              calibration::remedy_of(outcome.verdict.fault));
   } else if (figures.found > 0) {
-    fmt::print("good: {} found, brightness {:.0f} %, edges {:.1f} px\n", figures.found,
-               100 * figures.brightness, figures.width_px);
+    print_out("good: {} found, brightness {:.0f} %, edges {:.1f} px\n", figures.found,
+              100 * figures.brightness, figures.width_px);
   } else {
-    fmt::print("good\n");
+    print_out("good\n");
   }
   std::fflush(stdout);
 }
@@ -89,7 +91,7 @@ Result<bool> obey(const Choice& choice, shots::GuidedSession& session, const Pro
       done = reopen_plane(session, choice.plane);
       break;
     case Answer::kUnknown:
-      fmt::print(
+      print_out(
           "  Press Enter to take the images, s to go one step back, a number to take that plane "
           "again, q to stop and keep what is done.\n");
   }
@@ -100,7 +102,7 @@ Result<bool> obey(const Choice& choice, shots::GuidedSession& session, const Pro
 }  // namespace
 
 std::optional<std::string> Prompt::ask(const std::string& question) {
-  fmt::print("{}", question);
+  print_out("{}", question);
   std::fflush(stdout);
   while (!progress_.cancelled()) {
     if (const auto end = pending_.find('\n'); end != std::string::npos) {
@@ -123,7 +125,7 @@ Result<std::optional<calibration::GuidedFit>> run_guide_dialog(shots::GuidedSess
                                                                const Progress& progress) {
   Prompt prompt(progress);
   const std::size_t planes = session.guide().plan().z_mm.size();
-  fmt::print(
+  print_out(
       "Press Enter to take the images, s to go one step back, a number to take that plane again, "
       "q to stop and keep what is done.\n");
   while (true) {
@@ -134,10 +136,10 @@ Result<std::optional<calibration::GuidedFit>> run_guide_dialog(shots::GuidedSess
       auto fit = session.finish(workers, progress);
       if (fit) return std::optional(*std::move(fit));
       if (!shots::is_refusal(fit.error())) return tl::unexpected(fit.error());
-      fmt::print("REFUSED: {}\n", fit.error().message);
+      print_out("REFUSED: {}\n", fit.error().message);
     }
     const auto line = prompt.ask(question);
-    if (line) fmt::print("\n");
+    if (line) print_out("\n");
     const auto goes_on = obey(understand(line, planes), session, progress);
     if (!goes_on) return tl::unexpected(goes_on.error());
     if (!*goes_on) return std::optional<calibration::GuidedFit>{};

@@ -8,6 +8,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "app/cli/console.h"
+
 namespace flytri::cli {
 namespace {
 
@@ -43,6 +45,8 @@ ProgressBar::ProgressBar(Progress progress)
     : progress_(std::move(progress)), is_terminal_(isatty(STDERR_FILENO) != 0) {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  // nohup asks to go on without a terminal.
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -51,6 +55,7 @@ ProgressBar::~ProgressBar() {
   thread_.join();
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 void ProgressBar::run() {
@@ -59,13 +64,13 @@ void ProgressBar::run() {
     show(progress_.snapshot());
     std::this_thread::sleep_for(kPeriod);
   }
-  if (is_terminal_ && !stage_.empty()) fmt::print(stderr, "\r\033[K");
+  if (is_terminal_ && !stage_.empty()) write_raw(stderr, "\r\033[K");
 }
 
 void ProgressBar::start_stage(const std::string& stage) {
   stage_ = stage;
   stage_start_s_ = now_s();
-  if (!is_terminal_) fmt::print(stderr, "{} ...\n", stage);
+  if (!is_terminal_) print_error("{} ...\n", stage);
 }
 
 void ProgressBar::show(const Progress::Snapshot& snapshot) {
@@ -81,7 +86,7 @@ void ProgressBar::show(const Progress::Snapshot& snapshot) {
     line += fmt::format("  {} left", to_minutes(elapsed_s / snapshot.fraction - elapsed_s));
   }
   if (progress_.cancelled()) line += "  stopping";
-  fmt::print(stderr, "{}", line);
+  write_raw(stderr, line);
   std::fflush(stderr);
 }
 

@@ -10,8 +10,8 @@
 namespace flytri::cli {
 
 /// While it lives, one thread redraws the bar of `progress` on standard error a few times a second
-/// and cancels `progress` when the process receives SIGINT or SIGTERM. A second signal ends the
-/// process at once. If standard error is not a terminal, each stage is one line.
+/// and cancels `progress` when the process receives SIGINT, SIGTERM or SIGHUP. A second signal
+/// ends the process at once. If standard error is not a terminal, each stage is one line.
 class ProgressBar {
  public:
   explicit ProgressBar(Progress progress);

@@ -8,10 +8,12 @@
 
 #include "app/cli/case_argument.h"
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_json.h"
+#include "core/io/calibrations/recording_calibration.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
@@ -34,33 +36,26 @@ struct ReconstructArguments {
   int thread_count = 0;
 };
 
-/// The path given with --calibration, or else the one that the recording names.
-Result<fs::path> calibration_path(const ReconstructArguments& arguments,
-                                  const io::Recording& recording) {
-  if (!arguments.calibration.empty()) return arguments.calibration;
-  if (recording.calibration) return recording.folder / *recording.calibration;
-  return fail(ErrorCode::kBadOption,
-              "{}: no calibration is named; make one with flytri calibrate and give it with "
-              "--calibration FILE",
-              (arguments.input / "recording.json").string());
-}
-
 Result<void> write_outputs(const ReconstructArguments& arguments,
                            const reconstruct::Reconstruction& reconstruction,
                            const calibration::MeasurementVolume& volume) {
   for (const fs::path& output : arguments.outputs) {
     if (auto written = write_result(output, reconstruction); !written) return written;
-    fmt::print("wrote {}\n", output.string());
+    print_out("wrote {}\n", output.string());
   }
   if (!arguments.points.empty()) {
     auto written = io::write_point_cloud_ply(arguments.points, reconstruction.points);
     if (!written) return written;
-    fmt::print("wrote {}\n", arguments.points.string());
+    print_out("wrote {}\n", arguments.points.string());
   }
   if (arguments.report.empty()) return {};
   auto written = write_report(arguments.report, reconstruction, volume.size_mm);
-  if (written) fmt::print("wrote {}\n", arguments.report.string());
+  if (written) print_out("wrote {}\n", arguments.report.string());
   return written;
+}
+
+void print_warning(const std::string& warning) {
+  if (!warning.empty()) print_error("flytri: warning: {}\n", warning);
 }
 
 reconstruct::ReconstructOptions timed_options() {
@@ -76,24 +71,32 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
   }
   const Result<io::Recording> recording = io::open_recording(arguments.input);
   if (!recording) return tl::unexpected(recording.error());
-  const Result<fs::path> calibration_file = calibration_path(arguments, *recording);
-  if (!calibration_file) return tl::unexpected(calibration_file.error());
-  const Result<calibration::Calibration> calibration = io::read_calibration(*calibration_file);
-  if (!calibration) return tl::unexpected(calibration.error());
+  const auto used = io::calibration_of(*recording, arguments.calibration);
+  if (!used) return tl::unexpected(used.error());
+  print_warning(used->warning);
   const Result<reconstruct::Reconstruction> reconstruction = reconstruct::reconstruct(
-      *recording, *calibration, timed_options(), Workers(arguments.thread_count), progress);
+      *recording, used->calibration, timed_options(), Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
-  return write_outputs(arguments, *reconstruction, calibration->volume);
+  return write_outputs(arguments, *reconstruction, used->calibration.volume);
 }
 
 /// The calibration given with --calibration, or else the one that the case keeps.
 Result<calibration::Calibration> case_calibration(const ReconstructArguments& arguments,
                                                   io::CaseFile& file) {
-  if (!arguments.calibration.empty()) return io::read_calibration(arguments.calibration);
-  const Result<std::string> json = file.calibration();
-  if (json) return io::parse_calibration(*json, arguments.input.string());
-  return fail(json.error().code, "{}; --calibration FILE overrides it", json.error().message);
+  const auto kept = file.calibration().and_then([&](const std::string& json) {
+    return io::parse_calibration(json, arguments.input.string());
+  });
+  if (arguments.calibration.empty()) {
+    if (kept) return kept;
+    return fail(kept.error().code, "{}; --calibration FILE overrides it", kept.error().message);
+  }
+  const auto chosen = io::read_calibration(arguments.calibration);
+  if (chosen && kept && io::fingerprint(*chosen) != io::fingerprint(*kept)) {
+    print_warning(fmt::format("{}: is not the calibration that {} was scanned with",
+                              arguments.calibration.string(), arguments.input.string()));
+  }
+  return chosen;
 }
 
 /// The views that a reconstruction placed. Empty if the stage had poses: these stay.

@@ -6,9 +6,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <thread>
 
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "hw/device/capture_loop.h"
 #include "hw/recording/recorder_sensor.h"
@@ -29,6 +31,8 @@ struct RecordArguments {
 constexpr auto kLook = std::chrono::milliseconds(100);
 /// Between two lines when standard error is not a terminal.
 constexpr double kLinePeriod_s = 5.0;
+/// Moves to the start of the line on a terminal and clears it.
+constexpr std::string_view kEmptyLine = "\r\033[K";
 
 /// Shows the progress: one line that is redrawn on a terminal, otherwise a line every few seconds.
 class RecordLine {
@@ -37,13 +41,14 @@ class RecordLine {
             const device::SensorStatus& sensor) {
     if (!is_terminal_ && time_s < shown_s_ + kLinePeriod_s) return;
     shown_s_ = time_s;
-    fmt::print(stderr, "{}{:6.1f} s  {} recorded; {}{}{}{}", is_terminal_ ? "\r\033[K" : "", time_s,
-               recorder.written, rig::rig_summary(rig), sensor.message.empty() ? "" : "; ",
-               sensor.message, is_terminal_ ? "" : "\n");
+    if (is_terminal_) write_raw(stderr, kEmptyLine);
+    print_error("{:6.1f} s  {} recorded; {}{}{}", time_s, recorder.written, rig::rig_summary(rig),
+                sensor.message.empty() ? "" : "; ", sensor.message);
+    if (!is_terminal_) write_raw(stderr, "\n");
     std::fflush(stderr);
   }
   ~RecordLine() {
-    if (is_terminal_) fmt::print(stderr, "\r\033[K");
+    if (is_terminal_) write_raw(stderr, kEmptyLine);
   }
 
  private:
@@ -94,9 +99,9 @@ Result<void> run(const RecordArguments& arguments, const Progress& progress) {
     loop.stop();
   }
   const recording::RecorderStatus written = (*recorder)->recorder_status();
-  fmt::print("{}: {} frames recorded, {} lost because the disk was too slow or failed; {}\n",
-             arguments.output.string(), written.written, written.lost,
-             rig::rig_summary((*rig)->rig_status()));
+  print_out("{}: {} frames recorded, {} lost because the disk was too slow or failed; {}\n",
+            arguments.output.string(), written.written, written.lost,
+            rig::rig_summary((*rig)->rig_status()));
   if (status.state == device::SensorState::kFailed)
     return fail(ErrorCode::kNotFound, "{}", status.message);
   if (!written.message.empty()) return fail(ErrorCode::kWriteFailed, "{}", written.message);

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/console.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/json_place.h"
 #include "core/io/models/model.h"
@@ -15,6 +16,9 @@
 
 namespace flytri::cli {
 namespace {
+
+/// Of many damaged files each has a reason of its own.
+constexpr std::size_t kShownReasons = 20;
 
 using Json = nlohmann::ordered_json;
 
@@ -100,21 +104,27 @@ double steady_seconds() {
 }
 
 void print_summary(const reconstruct::Reconstruction& reconstruction) {
-  fmt::print("{} frames: {} registered, {} interpolated, {} for texture\n",
-             reconstruction.frames.size(),
-             count_fate(reconstruction, reconstruct::FrameFate::kRegistered),
-             count_fate(reconstruction, reconstruct::FrameFate::kInterpolated),
-             count_fate(reconstruction, reconstruct::FrameFate::kTextured));
-  for (const auto& [reason, count] : rejection_counts(reconstruction)) {
-    fmt::print("  {} rejected: {}\n", count, reason);
+  print_out("{} frames: {} registered, {} interpolated, {} for texture\n",
+            reconstruction.frames.size(),
+            count_fate(reconstruction, reconstruct::FrameFate::kRegistered),
+            count_fate(reconstruction, reconstruct::FrameFate::kInterpolated),
+            count_fate(reconstruction, reconstruct::FrameFate::kTextured));
+  const auto rejections = rejection_counts(reconstruction);
+  std::size_t shown = 0;
+  for (const auto& [reason, count] : rejections) {
+    if (shown++ == kShownReasons) {
+      print_out("  and {} more reasons; --report lists all\n", rejections.size() - kShownReasons);
+      break;
+    }
+    print_out("  {} rejected: {}\n", count, reason);
   }
-  fmt::print("{} points, {} triangles, {} holes at least {} mm wide\n",
-             reconstruction.points.size(), reconstruction.surface.mesh.triangles.size(),
-             meshing::coverage_holes(reconstruction.surface.boundaries).size(),
-             meshing::kLeastHoleWidth_mm);
+  print_out("{} points, {} triangles, {} holes at least {} mm wide\n", reconstruction.points.size(),
+            reconstruction.surface.mesh.triangles.size(),
+            meshing::coverage_holes(reconstruction.surface.boundaries).size(),
+            meshing::kLeastHoleWidth_mm);
   for (const StageTime& stage : reconstruction.stages) {
-    fmt::print("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,
-               stage.item_name);
+    print_out("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,
+              stage.item_name);
   }
 }
 

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "app/cli/console.h"
 #include "app/cli/progress_bar.h"
 
 namespace flytri::cli {
@@ -47,7 +49,7 @@ void print_help_of_commands(CLI::App& parent, const std::string& parent_name) {
     if (command->get_subcommands([](const CLI::App*) { return true; }).empty()) {
       // All have --help; it is enough to say so once.
       command->set_help_flag();
-      fmt::print("\n{}:\n{}", name, indented_help(*command, parent_name));
+      write_raw(stdout, fmt::format("\n{}:\n{}", name, indented_help(*command, parent_name)));
     } else {
       print_help_of_commands(*command, name);
     }
@@ -61,8 +63,16 @@ int run(const CLI::App& program, const Job& job) {
     return job(progress);
   }();
   if (result) return kDone;
-  fmt::print(stderr, "{}: {}\n", program.get_name(), result.error().message);
+  print_error("{}: {}\n", program.get_name(), result.error().message);
   return kFailed;
+}
+
+/// A result that nobody could read is a failure.
+int finished(int code) {
+  const Result<void> printed = finish_output();
+  if (printed) return code;
+  print_error("flytri: {}\n", printed.error().message);
+  return code == kDone ? kFailed : code;
 }
 
 int parse_and_run(int argc, char** argv, SetUpCommandLine set_up, const char* default_command) {
@@ -81,7 +91,7 @@ int parse_and_run(int argc, char** argv, SetUpCommandLine set_up, const char* de
       program.parse(default_command);
     }
   } catch (const CLI::CallForAllHelp&) {
-    fmt::print("{}", program.help());
+    write_raw(stdout, program.help());
     print_help_of_commands(program, program.get_name());
     return kDone;
   } catch (const CLI::ParseError& error) {
@@ -110,10 +120,12 @@ int run_program(int argc, char** argv, SetUpCommandLine set_up, const char* defa
     return kFailed;
   }
   try {
-    return parse_and_run(argc, argv, set_up, default_command);
+    // A limit on the size of files then fails the write, as a full disk does.
+    std::signal(SIGXFSZ, SIG_IGN);
+    return finished(parse_and_run(argc, argv, set_up, default_command));
   } catch (const std::exception& error) {
     // Memory is exhausted, or the program has a defect.
-    fmt::print(stderr, "flytri: internal error: {}\n", error.what());
+    print_error("flytri: internal error: {}\n", error.what());
     return kFailed;
   }
 }

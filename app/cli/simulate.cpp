@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/io/models/model.h"
@@ -71,8 +72,8 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   const auto counts =
       simulated::simulate_recording(*mesh, options, arguments.output, workers, progress);
   if (!counts) return tl::unexpected(counts.error());
-  fmt::print("wrote {}: {} measurement frames, {} texture frames, {} dropped\n",
-             arguments.output.string(), counts->measurement, counts->texture, counts->dropped);
+  print_out("wrote {}: {} measurement frames, {} texture frames, {} dropped\n",
+            arguments.output.string(), counts->measurement, counts->texture, counts->dropped);
   return {};
 }
 
@@ -85,7 +86,7 @@ Result<void> run_calibration_set(const SimulateArguments& arguments, const Progr
   options.seed = arguments.seed;
   auto written = simulated::simulate_calibration_set(options, arguments.output,
                                                      Workers(arguments.thread_count), progress);
-  if (written) fmt::print("wrote {}\n", arguments.output.string());
+  if (written) print_out("wrote {}\n", arguments.output.string());
   return written;
 }
 

@@ -6,8 +6,9 @@
 #include "app/session/user_folders.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/workers.h"
-#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/recording_calibration.h"
 #include "core/io/models/model.h"
+#include "core/io/recordings/recording.h"
 #include "hw/recording/replay_sensor.h"
 #include "hw/rig/open_rig.h"
 #include "hw/simulated/datasets/sensor_calibration.h"
@@ -46,27 +47,22 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   Result<std::shared_ptr<simulated::LiveSensor>> sensor =
       simulated::LiveSensor::create(*mesh, options, shared, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt};
+  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, {}};
 }
 
 Result<Source> open_recording_source(const SourceChoice& choice) {
+  const auto recording = io::open_recording(choice.path);
+  if (!recording) return tl::unexpected(recording.error());
+  auto used = io::calibration_of(*recording, choice.calibration.value_or(std::filesystem::path()));
+  if (!used) return tl::unexpected(used.error());
   recording::ReplayOptions options;
   options.speed = choice.replay_speed;
-  if (choice.calibration) {
-    Result<calibration::Calibration> calibration = io::read_calibration(*choice.calibration);
-    if (!calibration) return tl::unexpected(calibration.error());
-    options.calibration = std::make_shared<const calibration::Calibration>(std::move(*calibration));
-  }
+  options.calibration =
+      std::make_shared<const calibration::Calibration>(std::move(used->calibration));
   auto sensor = recording::ReplaySensor::open(choice.path, options, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  if ((*sensor)->calibration() == nullptr) {
-    return fail(ErrorCode::kBadOption,
-                "{}: names no calibration; give one with --calibration FILE (made with flytri "
-                "calibrate)",
-                (choice.path / "recording.json").string());
-  }
-  return Source{ui::SourceKind::kRecording, *sensor, nullptr, (*sensor)->calibration(),
-                std::nullopt};
+  return Source{ui::SourceKind::kRecording, *sensor,      nullptr,
+                (*sensor)->calibration(),   std::nullopt, used->warning};
 }
 
 Result<Source> open_rig_source(const SourceChoice& choice) {
@@ -81,7 +77,7 @@ Result<Source> open_rig_source(const SourceChoice& choice) {
                 choice.path.string());
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),
-                RigSource{*sensor, *rig}};
+                RigSource{*sensor, *rig}, {}};
 }
 
 constexpr std::array kSources = {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/base/progress.h"
@@ -47,6 +48,7 @@ struct Source {
   std::shared_ptr<device::SteerableHand> hand;  ///< of a simulated sensor; null otherwise
   std::shared_ptr<const calibration::Calibration> calibration;
   std::optional<RigSource> rig;
+  std::string warning;  ///< for the user; empty: none
 };
 
 /// A kind of source. To add one, add its row: the command line makes an option of it.

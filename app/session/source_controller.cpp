@@ -24,6 +24,7 @@ void SourceController::open() {
       }
       source_ = std::move(**opened);
       failure_.clear();
+      if (!source_.warning.empty()) notices_.add(ui::Severity::kWarning, source_.warning);
       opened_();
       start_capture();
     };

@@ -15,7 +15,8 @@ Rgb color_of(const TexturedMesh& model, std::size_t vertex) {
   if (model.atlas.empty()) return model.mesh.vertices[vertex].color;
   const Eigen::Vector2f& uv = model.uv[vertex];
   const auto pixel = [](float share, int size) {
-    return std::clamp(static_cast<int>(share * static_cast<float>(size)), 0, size - 1);
+    const float last = static_cast<float>(size - 1);
+    return static_cast<int>(std::clamp(share * static_cast<float>(size), 0.0F, last));
   };
   const auto& texel =
       model.atlas.at<cv::Vec3b>(pixel(uv.y(), model.atlas.rows), pixel(uv.x(), model.atlas.cols));

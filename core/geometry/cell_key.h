@@ -29,6 +29,13 @@ class CellKey {
   [[nodiscard]] static CellKey at(const Eigen::Matrix<Scalar, 3, 1>& p_mm, Edge edge_mm) {
     return {number(p_mm[0] / edge_mm), number(p_mm[1] / edge_mm), number(p_mm[2] / edge_mm)};
   }
+  /// Index of the cell along an axis that holds a place, which is given in cell edges.
+  template <typename Scalar>
+  [[nodiscard]] static std::int32_t number(Scalar place) {
+    // In this order, NaN becomes the lowest number.
+    return static_cast<std::int32_t>(std::min(
+        std::max(static_cast<Scalar>(kLowest), std::floor(place)), static_cast<Scalar>(kHighest)));
+  }
 
   /// Index of the cell along an axis.
   [[nodiscard]] constexpr std::int32_t operator[](int axis) const {
@@ -57,12 +64,6 @@ class CellKey {
 
   static constexpr std::uint64_t part(std::int32_t i) {
     return static_cast<std::uint64_t>(std::clamp(i, kLowest, kHighest) - kLowest);
-  }
-  template <typename Scalar>
-  static std::int32_t number(Scalar place) {
-    // In this order, NaN becomes the lowest number.
-    return static_cast<std::int32_t>(std::min(
-        std::max(static_cast<Scalar>(kLowest), std::floor(place)), static_cast<Scalar>(kHighest)));
   }
 
   std::uint64_t packed_;

@@ -53,7 +53,7 @@ PointGrid::PointGrid(std::span<const Vec3f> points_mm, float cell_mm)
 }
 
 std::int32_t PointGrid::cell_of(float coordinate_mm) const {
-  return static_cast<std::int32_t>(std::floor(coordinate_mm * inverse_cell_));
+  return CellKey::number(coordinate_mm * inverse_cell_);
 }
 
 void PointGrid::build_rows(const std::vector<CellKey>& entry_keys) {

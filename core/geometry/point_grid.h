@@ -23,6 +23,7 @@ struct Neighbor {
 /// docs/adr/0003-meshing.md compares the grid with a k-d tree.
 class PointGrid {
  public:
+  /// @param points_mm  those a million cells away from the origin, or farther, may not be found
   /// @param cell_mm  > 0: width of a row. Fastest near the usual search radius.
   PointGrid(std::span<const Vec3f> points_mm, float cell_mm);
 

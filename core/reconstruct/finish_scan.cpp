@@ -1,10 +1,12 @@
 #include "core/reconstruct/finish_scan.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "core/meshing/mesh_topology.h"
+#include "core/texture/observe.h"
 #include "core/texture/vertex_colors.h"
 #include "core/trajectory/trajectory.h"
 
@@ -71,7 +73,10 @@ void Finisher::place_texture_frames() {
     trajectory.set(view.view->time_s, view.T_world_sensor);
   }
   for (const Frame& frame : scanned_.texture_frames) {
-    result_.T_world_texture.push_back(trajectory.interpolate(frame.time_s, options_.max_gap_s));
+    const bool is_usable =
+        texture::check_texture_image(frame.image, *scanned_.calibration).has_value();
+    result_.T_world_texture.push_back(
+        is_usable ? trajectory.interpolate(frame.time_s, options_.max_gap_s) : std::nullopt);
   }
 }
 

@@ -6,8 +6,14 @@
 #include <map>
 #include <utility>
 
+#include "core/texture/observe.h"
+
 namespace flytri::reconstruct {
 namespace {
+
+io::FrameSizes sizes_of(const calibration::Calibration& calibration) {
+  return {calibration.measurement_size, calibration.texture_size};
+}
 
 /// One run: keeps the data passed from stage to stage.
 class Run {
@@ -39,7 +45,8 @@ class Run {
   FrameReport& report_of(FrameIndex frame);
   void reject(FrameIndex frame, std::string reason);
   [[nodiscard]] std::string first_rejection() const;
-  std::vector<Frame> load_texture_frames(const io::Recording& recording);
+  std::vector<Frame> load_texture_frames(const io::Recording& recording,
+                                         const calibration::Calibration& calibration);
   Result<Reconstruction> finish(ScannedViews scanned);
 
   std::string source_;
@@ -72,7 +79,9 @@ Result<void> Run::measure_frame(const io::Recording& recording,
                                 const calibration::Calibration& calibration, std::size_t i) {
   const FrameIndex index(i);
   if (recording.frames[i].kind == FrameKind::kTexture) return {};
-  const Result<Frame> frame = io::load_frame(recording, index);
+  const Result<Frame> frame = io::load_frame(recording, index, sizes_of(calibration));
+  if (!frame && frame.error().code == ErrorCode::kInconsistent)
+    return tl::unexpected(frame.error());
   if (!frame) {
     reject(index, frame.error().message);
     return {};
@@ -188,11 +197,12 @@ std::string Run::first_rejection() const {
 }
 
 /// Loads the texture frames; rejects those that cannot be read.
-std::vector<Frame> Run::load_texture_frames(const io::Recording& recording) {
+std::vector<Frame> Run::load_texture_frames(const io::Recording& recording,
+                                            const calibration::Calibration& calibration) {
   std::vector<Frame> frames;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
     if (recording.frames[i].kind != FrameKind::kTexture) continue;
-    Result<Frame> frame = io::load_frame(recording, FrameIndex(i));
+    Result<Frame> frame = io::load_frame(recording, FrameIndex(i), sizes_of(calibration));
     if (!frame) {
       reject(FrameIndex(i), frame.error().message);
     } else {
@@ -205,6 +215,7 @@ std::vector<Frame> Run::load_texture_frames(const io::Recording& recording) {
 /// Finishes the scan and completes the frame reports.
 Result<Reconstruction> Run::finish(ScannedViews scanned) {
   const std::vector<Frame> texture_frames = scanned.texture_frames;  // images are shared
+  const calibration::Calibration* const calibration = scanned.calibration;
   Result<FinishedScan> finished =
       finish_scan(std::move(scanned), options_.finish, workers_, progress_, clock_);
   if (!finished) return tl::unexpected(finished.error());
@@ -215,7 +226,10 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
     reject(frame, "contradicts the other views");
   for (std::size_t i = 0; i < texture_frames.size(); ++i) {
     const FrameIndex frame = texture_frames[i].index;
-    if (!finished->T_world_texture[i]) {
+    const auto fits = texture::check_texture_image(texture_frames[i].image, *calibration);
+    if (!fits) {
+      reject(frame, fits.error().message);
+    } else if (!finished->T_world_texture[i]) {
       reject(frame, "no registered view before and after it");
     } else {
       report_of(frame).fate = FrameFate::kTextured;
@@ -235,8 +249,8 @@ Result<Reconstruction> Run::from_recording(const io::Recording& recording,
     return tl::unexpected(done.error());
   }
   if (auto done = register_views(); !done) return tl::unexpected(done.error());
-  return finish(
-      {aligned_, load_texture_frames(recording), editing::EditStack().state(), &calibration});
+  return finish({aligned_, load_texture_frames(recording, calibration),
+                 editing::EditStack().state(), &calibration});
 }
 
 /// Creates a report for each frame of the stage.

@@ -1,5 +1,6 @@
 #include "core/reduction/cells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,6 +13,9 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kBlock = 1024;
+
+/// The search uses cells of half this size: in these, half of what the keys can tell apart.
+constexpr float kMaxReach_cells = 0.25F * CellKey::kHighest;
 
 /// Share of the total time of each part.
 constexpr double kGrowingShare = 0.5, kNearestShare = 0.5;
@@ -27,6 +31,19 @@ float distance2_from_axis(const SurfaceSample& center, const SurfaceSample& samp
                       std::abs(along) <= shape.half_length_mm &&
                       sample.normal.dot(center.normal) >= shape.min_normal_cos;
   return inside ? across2 : std::numeric_limits<float>::infinity();
+}
+
+tl::unexpected<Error> too_far() {
+  return fail(ErrorCode::kInconsistent,
+              "measured points lie too far from the others; calibrate the sensor again");
+}
+
+/// Whether a grid of such cells reaches all samples.
+bool are_within_reach(std::span<const SurfaceSample> samples, const CellShape& shape) {
+  const float reach_mm = kMaxReach_cells * std::min(shape.width_mm, shape.half_length_mm);
+  return std::all_of(samples.begin(), samples.end(), [&](const SurfaceSample& sample) {
+    return (sample.position_mm.array().abs() <= reach_mm).all();
+  });
 }
 
 /// Collects cell centers, in cubes of a hash table.
@@ -148,6 +165,7 @@ Result<std::vector<std::uint32_t>> nearest_cells(std::span<const SurfaceSample> 
     for (std::size_t i = block * kBlock; i < end; ++i) cell_of[i] = near.nearest_to(samples[i]);
   };
   if (!workers.for_each_unless_cancelled(blocks, search_block, progress)) return stopped();
+  if (std::find(cell_of.begin(), cell_of.end(), kNone) != cell_of.end()) return too_far();
   return cell_of;
 }
 
@@ -155,6 +173,7 @@ Result<std::vector<std::uint32_t>> nearest_cells(std::span<const SurfaceSample> 
 
 Result<Cells> divide_into_cells(std::span<const SurfaceSample> samples, const CellShape& shape,
                                 const Workers& workers, const Progress& progress) {
+  if (!are_within_reach(samples, shape)) return too_far();
   GrowingCenters growing(samples, shape);
   const auto offer = [&](std::size_t i) { growing.offer(static_cast<std::uint32_t>(i)); };
   if (!for_each_in_order(samples.size(), offer, progress.part(kGrowingShare), kBlock)) {

@@ -40,7 +40,8 @@ struct Cells {
 /// @source  Arold et al., "Data Reduction"; there a sample stays in the first cell that contains
 ///          it. The nearest cell gives more even cell sizes.
 /// @param progress  advanced by one step
-/// @errors  kCancelled.
+/// @errors  kCancelled; kInconsistent: a sample is a quarter of a million cells away from the
+/// origin.
 [[nodiscard]] Result<Cells> divide_into_cells(std::span<const SurfaceSample> samples,
                                               const CellShape& shape, const Workers& workers,
                                               const Progress& progress);

@@ -20,6 +20,9 @@ constexpr double kCellSpacings = 3.0;
 /// sample itself.
 constexpr double kHalfLengthSigmas = 6.0;
 
+/// A good sensor has 3; a cell as long as a hundred times its width holds no surface.
+constexpr float kMaxLengthRatio = 100.0F;
+
 /// Share of the total time of each part.
 constexpr double kOrderShare = 0.2, kCellShare = 0.3, kSupportShare = 0.4, kMergeShare = 0.1;
 
@@ -83,6 +86,13 @@ Result<void> reduce_ordered(std::span<const SurfaceSample> samples, const Reduce
                             const Workers& workers, const Progress& progress,
                             Reduction& reduction) {
   const CellShape shape = shape_of_cells(samples, reduction.cell_mm, options);
+  // Cells that all overlap would take a time that grows with the square of the samples.
+  if (!(shape.half_length_mm <= kMaxLengthRatio * shape.width_mm)) {
+    return fail(ErrorCode::kInconsistent,
+                "the measured points are uncertain by {:.3g} mm, far more than their spacing; "
+                "calibrate the sensor again",
+                median_sigma_mm(samples));
+  }
   const auto cells = divide_into_cells(samples, shape, workers, progress.part(kCellShare));
   if (!cells) return tl::unexpected(cells.error());
   const SupportRule rule{static_cast<float>(options.outlier_sigmas), options.min_support};

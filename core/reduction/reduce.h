@@ -59,7 +59,8 @@ struct Reduction {
 /// have no unit normal are dropped and count as isolated.
 /// @param progress  advanced by one step
 /// @errors  kBadOption; kInsufficient: no view has two samples, so their spacing is unknown;
-///          kCancelled.
+///          kInconsistent: as divide_into_cells, or the uncertainties are far larger than the
+///          spacing; kCancelled.
 [[nodiscard]] Result<Reduction> reduce_samples(std::span<const SurfaceSample> samples,
                                                const ReduceOptions& options, const Workers& workers,
                                                const Progress& progress = {});

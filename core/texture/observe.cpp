@@ -137,17 +137,24 @@ double pixels_per_mm2(const SurfacePoint& point, const Isometry& T_sensor_world,
   return std::abs(pixels_along_ray(calibration, p_sensor).dot(normal));
 }
 
+Result<void> check_texture_image(const cv::Mat& image,
+                                 const calibration::Calibration& calibration) {
+  const ImageSize size{image.cols, image.rows};
+  if (image.type() != CV_8UC3) {
+    return fail(ErrorCode::kBadFormat, "a texture frame must be an 8-bit RGB image; record again");
+  }
+  if (size == calibration.texture_size) return {};
+  return fail(ErrorCode::kInconsistent,
+              "a texture frame has {} x {} px, but the calibration is for {} x {} px; use the "
+              "calibration of this sensor",
+              size.width_px, size.height_px, calibration.texture_size.width_px,
+              calibration.texture_size.height_px);
+}
+
 Result<void> observe_points(std::span<const SurfacePoint> points, std::span<ObservedColor> colors,
                             const TextureFrame& frame, const calibration::Calibration& calibration,
                             const TextureOptions& options, const Workers& workers) {
-  const ImageSize size{frame.image.cols, frame.image.rows};
-  if (!(size == calibration.texture_size) || frame.image.type() != CV_8UC3) {
-    return fail(ErrorCode::kInconsistent,
-                "a texture frame has {} x {} px, but the calibration is for {} x {} px; use the "
-                "calibration of this sensor",
-                size.width_px, size.height_px, calibration.texture_size.width_px,
-                calibration.texture_size.height_px);
-  }
+  if (auto fits = check_texture_image(frame.image, calibration); !fits) return fits;
   const Isometry T_sensor_world = frame.T_world_sensor.inverse();
   // By block of points; empty if the frame sees none of them.
   std::vector<std::vector<Projection>> blocks((points.size() + kBlock - 1) / kBlock);

@@ -62,13 +62,18 @@ class ObservedColor {
                                     const calibration::Calibration& calibration,
                                     const TextureOptions& options);
 
+/// Whether an image is one of the calibrated texture camera.
+/// @errors  kBadFormat: not CV_8UC3; kInconsistent: its size differs from the calibration.
+[[nodiscard]] Result<void> check_texture_image(const cv::Mat& image,
+                                               const calibration::Calibration& calibration);
+
 /// Adds the light that the frame saw to each point's color. A pixel observes the closest points on
 /// its ray of sight.
 /// @param points  world frame
 /// @param colors  of the same points
 /// @source  Arold et al., "Texture Acquisition and Mapping": observing pixels, observed points,
 ///          z-buffer, average color and highest intensity.
-/// @errors  kInconsistent: the size of the image differs from the calibration.
+/// @errors  As check_texture_image.
 [[nodiscard]] Result<void> observe_points(std::span<const SurfacePoint> points,
                                           std::span<ObservedColor> colors,
                                           const TextureFrame& frame,

@@ -5,6 +5,7 @@
 
 #include "core/base/check_options.h"
 #include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_json.h"
 
 namespace flytri::recording {
 namespace {
@@ -53,7 +54,9 @@ Result<void> RecorderSensor::start() {
 
 Result<void> RecorderSensor::open() {
   const auto calibration = sensor_->calibration();
-  auto writer = io::RecordingWriter::create(folder_, calibration ? kCalibrationName : "");
+  auto writer = calibration ? io::RecordingWriter::create(folder_, kCalibrationName,
+                                                          io::fingerprint(*calibration))
+                            : io::RecordingWriter::create(folder_);
   if (!writer) return tl::unexpected(writer.error());
   writer_ = *std::move(writer);
   return {};

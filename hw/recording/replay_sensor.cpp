@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/check_options.h"
-#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/recording_calibration.h"
 
 namespace flytri::recording {
 
@@ -24,10 +24,10 @@ Result<std::shared_ptr<ReplaySensor>> ReplaySensor::open(const std::filesystem::
   if (!recording) return tl::unexpected(recording.error());
   ReplayOptions complete = options;
   if (!complete.calibration && recording->calibration) {
-    auto calibration = io::read_calibration(*recording->calibration);
-    if (!calibration) return tl::unexpected(calibration.error());
+    auto used = io::calibration_of(*recording, {});
+    if (!used) return tl::unexpected(used.error());
     complete.calibration =
-        std::make_shared<const calibration::Calibration>(*std::move(calibration));
+        std::make_shared<const calibration::Calibration>(std::move(used->calibration));
   }
   return std::shared_ptr<ReplaySensor>(
       new ReplaySensor(*std::move(recording), std::move(complete), std::move(clock)));
@@ -86,7 +86,10 @@ std::optional<std::size_t> ReplaySensor::claim(std::size_t limit) {
 }
 
 void ReplaySensor::decode(std::size_t index) {
-  Result<Frame> frame = io::load_frame(recording_, FrameIndex(index));
+  std::optional<io::FrameSizes> sizes;
+  if (const auto& calibration = options_.calibration)
+    sizes = {calibration->measurement_size, calibration->texture_size};
+  Result<Frame> frame = io::load_frame(recording_, FrameIndex(index), sizes);
   {
     const std::lock_guard lock(mutex_);
     ready_.emplace(index, std::move(frame));

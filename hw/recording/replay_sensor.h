@@ -29,7 +29,7 @@ struct ReplayOptions {
 /// dropped, and the status message names the file.
 class ReplaySensor final : public device::Sensor {
  public:
-  /// @errors  As open_recording and read_calibration; kBadOption.
+  /// @errors  As open_recording and calibration_of; kBadOption.
   [[nodiscard]] static Result<std::shared_ptr<ReplaySensor>> open(
       const std::filesystem::path& folder, const ReplayOptions& options, device::Clock clock);
 

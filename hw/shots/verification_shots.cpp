@@ -65,13 +65,14 @@ Result<std::vector<calibration::VerificationPose>> read_verification_poses(
     const Progress& progress) {
   const auto opened = io::open_recording(recording);
   if (!opened) return tl::unexpected(opened.error());
+  const io::FrameSizes sizes{calibration.measurement_size, calibration.texture_size};
   std::vector<View> views;
   progress.begin_stage("Reading frames", opened->frames.size());
   for (std::size_t i = 0; i < opened->frames.size(); ++i) {
     if (progress.cancelled()) return stopped();
     progress.advance();
     if (opened->frames[i].kind == FrameKind::kTexture) continue;
-    const auto frame = io::load_frame(*opened, FrameIndex(i));
+    const auto frame = io::load_frame(*opened, FrameIndex(i), sizes);
     if (!frame) continue;
     auto measured = measurement::measure_view(*frame, calibration, {});
     if (measured && measured->outcome == measurement::MeasureOutcome::kMeasured) {

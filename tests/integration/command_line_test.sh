@@ -109,6 +109,26 @@ for frame in bad/frames/*.png; do cp "$small" "$frame"; done
 expect 'wrong image size' 1 'bad/frames/000000\.png: .* pixels.*calibration' reconstruct bad
 expect 'not a calibration' 1 'scan/recording\.json: .*flytri calibrate' \
   "$flytri" reconstruct scan --calibration scan/recording.json -o out.ply
+sed 's/"measurement_volume_mm":\[20,15,15\]/"measurement_volume_mm":[20,15,10]/' calibration.json > scaled.json
+expect 'depths of another scale' 1 'scaled\.json: "vertical\.lines\[0\]\.rows\[.*measurement volume.*flytri calibrate' \
+  "$flytri" reconstruct scan --calibration scaled.json -o out.ply
+sed '0,/"count":[0-9]*/s//"count":7/' calibration.json > changed.json
+expect 'a changed number' 1 'changed\.json: "fingerprint": .*flytri calibrate' \
+  "$flytri" reconstruct scan --calibration changed.json -o out.ply
+# The calibration that a recording names is found from any folder, and is no other one.
+own=$(sed -n 's/^"fingerprint":"\(.*\)",$/\1/p' calibration.json)
+bad_copy bad && mkdir -p else/where && cp scaled.json else/where/calibration.json && cp calibration.json bad/
+sed -i "s/\"frames\"/\"calibration\": \"calibration.json\", \"calibration_fingerprint\": \"$own\",\n \"frames\"/" \
+  bad/recording.json
+in_other_folder() { (cd else/where && "$flytri" reconstruct ../../bad -o ../../out.ply); }
+expect 'calibration beside a recording' 0 '^wrote' in_other_folder
+sed -i 's/"calibration_fingerprint": "[0-9a-f]*"/"calibration_fingerprint": "0123456789abcdef"/' bad/recording.json
+rm -f out.ply
+expect 'calibration of another sensor' 1 'bad/calibration\.json: is not the calibration .*--calibration' \
+  "$flytri" reconstruct bad -o out.ply
+absent 'calibration of another sensor' out.ply
+expect 'another calibration, chosen' 0 'warning: calibration\.json: is not the calibration' reconstruct bad
+rm -f out.ply
 mkdir empty
 expect 'no calibration set' 1 'empty/calibration-set\.json: .*o such file.*; correct the path' \
   "$flytri" calibrate empty
@@ -186,18 +206,38 @@ else
   echo 'skipped: disk full: needs the right to mount a tmpfs'
 fi
 
-# Ctrl-C. A program in the background of a shell ignores SIGINT; env undoes that.
-rm log
-env --default-signal=INT "$flytri" reconstruct scan --calibration calibration.json -o out.ply > log 2>&1 &
-running=$!
-until grep -qs 'Registering\|Meshing\|Measuring' log || ! kill -0 $running 2> /dev/null; do sleep 0.02; done
-kill -INT $running
-wait $running
-status=$?
-name='Ctrl-C'
-[ "$status" = 1 ] || fail "exit code $status, not 1"
-grep -q 'stopped; nothing was written' log || fail 'does not report that it stopped'
-absent 'Ctrl-C' out.ply
+# Where messages go must not decide what becomes of the work.
+to_full() { "$@" > /dev/full; }
+messages_to_full() { "$@" 2> /dev/full; }
+limited() { (ulimit -f 16 && "$@"); }
+expect 'output on a full disk' 1 'could be printed: ' to_full "$flytri" reconstruct scan \
+  --calibration calibration.json -o out.ply
+expect 'help on a full disk' 1 'could be printed: ' to_full "$flytri" --help-all
+rm -f out.ply
+expect 'messages on a full disk' 0 '^wrote out\.ply' messages_to_full "$flytri" reconstruct scan \
+  --calibration calibration.json -o out.ply
+rm -f out.ply
+expect 'limit on the size of files' 1 'out\.ply: .*larger' limited "$flytri" reconstruct scan \
+  --calibration calibration.json -o out.ply
+absent 'limit on the size of files' out.ply
+bad_copy $'bad\e[31m' && rm $'bad\e[31m/recording.json'
+expect 'control characters in a name' 1 'bad\\x1b\[31m/recording\.json' reconstruct $'bad\e[31m'
+
+# Ctrl-C, and a terminal that is closed. A program in the background of a shell ignores SIGINT; env
+# undoes that.
+for signal in INT TERM HUP; do
+  rm log
+  env --default-signal=$signal "$flytri" reconstruct scan --calibration calibration.json -o out.ply > log 2>&1 &
+  running=$!
+  until grep -qs 'Registering\|Meshing\|Measuring' log || ! kill -0 $running 2> /dev/null; do sleep 0.02; done
+  kill -$signal $running
+  wait $running
+  status=$?
+  name="SIG$signal"
+  [ "$status" = 1 ] || fail "exit code $status, not 1"
+  grep -q 'stopped; nothing was written' log || fail 'does not report that it stopped'
+  absent "SIG$signal" out.ply
+done
 
 echo "$failed failed"
 [ "$failed" = 0 ]

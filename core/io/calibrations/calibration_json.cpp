@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/base/fingerprint.h"
+#include "core/io/calibrations/plausible_calibration.h"
 #include "core/io/files/json_place.h"
 
 namespace flytri::io {
@@ -20,7 +22,8 @@ template <typename Numbers>
 std::string list(const Numbers& numbers) {
   std::string text = "[";
   for (const auto number : numbers) {
-    fmt::format_to(std::back_inserter(text), "{}{:.10g}", text.size() > 1 ? "," : "", number);
+    // A sum with zero is never -0, which JSON readers take for the whole number 0.
+    fmt::format_to(std::back_inserter(text), "{}{:.10g}", text.size() > 1 ? "," : "", number + 0.0);
   }
   return text + "]";
 }
@@ -154,12 +157,9 @@ ImageSize read_size(const JsonPlace& place) {
   return {static_cast<int>(size[0]), static_cast<int>(size[1])};
 }
 
-}  // namespace
-
-std::string to_json(const calibration::Calibration& calibration) {
-  std::string text = fmt::format("{{\"format\":\"{}\",\"version\":{},\n", kCalibrationFormat,
-                                 kCalibrationVersion) +
-                     fmt::format(
+/// All of the file but its first keys.
+std::string write_content(const calibration::Calibration& calibration) {
+  std::string text = fmt::format(
                          "\"measurement_volume_mm\":{},\n\"measurement_size_px\":{},\n"
                          "\"texture_size_px\":{},\n",
                          list(calibration.volume.size_mm), write(calibration.measurement_size),
@@ -173,6 +173,33 @@ std::string to_json(const calibration::Calibration& calibration) {
                         pattern == kPatterns.back() ? "}" : ",");
   }
   return text;
+}
+
+std::string fingerprint_of(std::string_view content) {
+  Fingerprint print;
+  print.add(content);
+  return fmt::format("{:016x}", print.value());
+}
+
+/// Files of older versions have no fingerprint.
+void check_fingerprint(const JsonPlace& json, const calibration::Calibration& calibration) {
+  if (!json.has("fingerprint")) return;
+  const JsonPlace place = json.at("fingerprint");
+  const std::string expected = fingerprint(calibration);
+  if (place.text() != expected)
+    place.reject(fmt::format("\"{}\" for these numbers: some were changed or damaged", expected));
+}
+
+}  // namespace
+
+std::string fingerprint(const calibration::Calibration& calibration) {
+  return fingerprint_of(write_content(calibration));
+}
+
+std::string to_json(const calibration::Calibration& calibration) {
+  const std::string content = write_content(calibration);
+  return fmt::format("{{\"format\":\"{}\",\"version\":{},\n\"fingerprint\":\"{}\",\n{}",
+                     kCalibrationFormat, kCalibrationVersion, fingerprint_of(content), content);
 }
 
 Result<calibration::Calibration> parse_calibration(std::string_view text, const std::string& name) {
@@ -199,6 +226,8 @@ Result<calibration::Calibration> parse_calibration(std::string_view text, const 
               read_pattern(json.at(to_string(pattern)),
                            pattern == Pattern::kVertical ? size.height_px : size.width_px);
         }
+        if (json.outcome()) check_plausible(json, calibration);
+        if (json.outcome()) check_fingerprint(json, calibration);
         if (auto outcome = json.outcome(); !outcome) return tl::unexpected(outcome.error());
         return calibration;
       })

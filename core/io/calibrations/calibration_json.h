@@ -4,6 +4,8 @@
 /// variable is normalized first: (x - center) / half_range.
 ///
 ///     { "format": "flytri.calibration", "version": 1,
+///       "fingerprint": optional, 16 hex digits: FNV-1a (64 bits) of all that follows in the form
+///                      that the program writes; names the calibration, and finds changed numbers
 ///       "measurement_volume_mm": [x, y, z],
 ///       "measurement_size_px": [width, height], "texture_size_px": [width, height],
 ///       "x_mm":  {cubic of u, v, z}, "y_mm": {...},
@@ -28,11 +30,15 @@
 
 namespace flytri::io {
 
+/// Names a calibration by its content: 16 hex digits. The same before writing and after reading.
+[[nodiscard]] std::string fingerprint(const calibration::Calibration& calibration);
+
 /// Numbers have ten digits: less than a nanometer over the volume.
 [[nodiscard]] std::string to_json(const calibration::Calibration& calibration);
 
 /// @param name  of the file, for messages
-/// @errors  kBadFormat: the key is missing, malformed or out of range.
+/// @errors  kBadFormat: the key is missing, malformed or out of range; the numbers do not fit the
+///          fingerprint.
 [[nodiscard]] Result<calibration::Calibration> parse_calibration(std::string_view text,
                                                                  const std::string& name);
 

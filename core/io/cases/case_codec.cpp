@@ -119,6 +119,14 @@ std::string encode_pose(const Isometry& T_world_sensor) {
   return bytes;
 }
 
+/// Whether a hand can have held a sensor so: a crafted file may hold any numbers.
+bool is_rigid(const Isometry& T_world_sensor) {
+  constexpr double kRounding = 1e-3, kFarthest_mm = 1e5;
+  const Eigen::Matrix3d R = T_world_sensor.linear();
+  return (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kRounding &&
+         R.determinant() > 0.0 && T_world_sensor.translation().norm() < kFarthest_mm;
+}
+
 Result<Isometry> decode_pose(std::string_view bytes) {
   if (bytes.size() != 12 * sizeof(double)) return bad_size(bytes.size());
   ByteReader reader(bytes);
@@ -128,6 +136,7 @@ Result<Isometry> decode_pose(std::string_view bytes) {
       T_world_sensor(row, column) = reader.number<double>().value_or(0.0);
     }
   }
+  if (!is_rigid(T_world_sensor)) return fail(ErrorCode::kBadFormat, "damaged: this is no pose");
   return T_world_sensor;
 }
 

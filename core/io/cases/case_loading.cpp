@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -42,12 +44,29 @@ class StageReader {
 
 FrameIndex frame_of(std::int64_t id) { return FrameIndex(number_of(id)); }
 
+/// Whether a sensor can have measured the points: a crafted file may hold any numbers.
+bool is_measurable(const View& view) {
+  constexpr double kFarthest_mm = 1e4;
+  const auto is_near = [&](const ProfilePoint& point) {
+    return (point.position_mm.array().abs() <= kFarthest_mm).all() &&
+           (point.deviation_mm.array().abs() <= static_cast<float>(kFarthest_mm)).all();
+  };
+  return std::isfinite(view.time_s) &&
+         std::all_of(view.profiles.begin(), view.profiles.end(), [&](const Profile& profile) {
+           return profile.line.value >= 0 && profile.sheet_normal.allFinite() &&
+                  std::all_of(profile.points.begin(), profile.points.end(), is_near);
+         });
+}
+
 void read_views(StageReader& reader) {
   reader.read(CaseTable::kViews, [&](std::int64_t id, std::string_view data) {
     return decode_view(data).and_then([&](View&& view) -> Result<void> {
       if (view.frame != frame_of(id)) {
         return fail(ErrorCode::kBadFormat, "damaged: contains the view of frame {}",
                     view.frame.value);
+      }
+      if (!is_measurable(view)) {
+        return fail(ErrorCode::kBadFormat, "damaged: its points cannot have been measured");
       }
       reader.loaded.views.push_back({std::make_shared<const View>(std::move(view)), std::nullopt});
       return {};

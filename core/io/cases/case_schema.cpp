@@ -21,7 +21,8 @@ constexpr const char* kCipherSetup =
     "PRAGMA cipher_compatibility = 3; PRAGMA cipher_page_size = 8192; PRAGMA kdf_iter = 256000;";
 constexpr const char* kPageSetup = "PRAGMA page_size = 8192;";
 /// Protects against damaged and malicious files.
-constexpr const char* kReadSetup = "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0;";
+constexpr const char* kReadSetup =
+    "PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0; PRAGMA trusted_schema = OFF;";
 /// Keeps a second program out: two writers would mix up their scans.
 constexpr const char* kLockSetup = "PRAGMA locking_mode = EXCLUSIVE;";
 // In WAL mode the operating system has each commit when it returns, so a commit survives a killed

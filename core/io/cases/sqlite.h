@@ -58,7 +58,8 @@ class SqliteStatement {
 ///          wrong passphrase).
 class SqliteDatabase {
  public:
-  /// Opens an existing file, but reads nothing yet.
+  /// Opens an existing file, but reads nothing yet. The connection is hardened against crafted
+  /// files: small limits, and where the library can, no trust in the schema.
   [[nodiscard]] static Result<SqliteDatabase> open(const std::filesystem::path& path,
                                                    SqliteAccess access);
   /// Sets the passphrase. Call it before anything else.

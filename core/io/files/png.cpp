@@ -20,7 +20,9 @@ namespace {
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 /// Bytes of a chunk besides its content: length, type and checksum.
 constexpr std::size_t kChunkFrame = 12;
-constexpr int kGrey = 0, kRgb = 2;  // color types of the PNG header
+constexpr int kGrey = 0, kRgb = 2;      // color types of the PNG header
+constexpr std::size_t kHeaderEnd = 33;  // signature, then one chunk of 13 bytes
+constexpr std::uint32_t kMaxSide = 1U << 16U;
 
 struct Header {
   std::uint32_t width = 0, height = 0;
@@ -60,16 +62,22 @@ Result<void> check_chunks(std::string_view bytes, const std::string& name) {
               "{}: truncated PNG: the file ends after {} bytes; copy it again", name, bytes.size());
 }
 
+std::optional<Header> stated_header(std::string_view bytes) {
+  if (!bytes.starts_with(kSignature) || bytes.size() < kHeaderEnd ||
+      bytes.substr(12, 4) != "IHDR" || big_endian(bytes, 8) != 13) {
+    return std::nullopt;
+  }
+  return Header{big_endian(bytes, 16), big_endian(bytes, 20), bytes[24], bytes[25]};
+}
+
 Result<Header> parse_header(std::string_view bytes, const std::string& name) {
-  constexpr std::size_t kHeaderEnd = 33;  // signature, then one chunk of 13 bytes
   if (!bytes.starts_with(kSignature)) {
     return fail(ErrorCode::kBadFormat, "{}: is not a PNG image", name);
   }
   if (Result<void> whole = check_chunks(bytes, name); !whole) return tl::unexpected(whole.error());
-  if (bytes.size() < kHeaderEnd || bytes.substr(12, 4) != "IHDR" || big_endian(bytes, 8) != 13) {
-    return fail(ErrorCode::kBadFormat, "{}: damaged PNG: no header at the start", name);
-  }
-  return Header{big_endian(bytes, 16), big_endian(bytes, 20), bytes[24], bytes[25]};
+  const std::optional<Header> header = stated_header(bytes);
+  if (header) return *header;
+  return fail(ErrorCode::kBadFormat, "{}: damaged PNG: no header at the start", name);
 }
 
 Result<void> check_header(const Header& header, std::size_t byte_count, const std::string& name) {
@@ -80,7 +88,6 @@ Result<void> check_header(const Header& header, std::size_t byte_count, const st
                 "without transparency",
                 name, header.color_type, header.bit_depth);
   }
-  constexpr std::uint32_t kMaxSide = 1U << 16U;
   const std::uint64_t pixel_bytes =
       std::uint64_t{header.width} * header.height * CV_ELEM_SIZE(*type);
   if (header.width == 0 || header.height == 0 || header.width > kMaxSide ||
@@ -194,6 +201,12 @@ Result<cv::Mat> decode_png(std::string_view bytes, const std::string& name) {
   }
   if (image.channels() == 3) swap_red_and_blue(image);
   return image;
+}
+
+std::optional<ImageSize> stated_png_size(std::string_view bytes) {
+  const std::optional<Header> header = stated_header(bytes);
+  if (!header || header->width > kMaxSide || header->height > kMaxSide) return std::nullopt;
+  return ImageSize{static_cast<int>(header->width), static_cast<int>(header->height)};
 }
 
 Result<cv::Mat> read_png(const std::filesystem::path& path) {

@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/imaging/frame.h"
 
 namespace flytri::io {
 
@@ -15,6 +17,10 @@ namespace flytri::io {
 /// @param name  for messages
 /// @errors  kBadFormat.
 [[nodiscard]] Result<cv::Mat> decode_png(std::string_view bytes, const std::string& name);
+
+/// The size that the header states, without a look at the rest; nothing if there is no header or it
+/// states no possible size.
+[[nodiscard]] std::optional<ImageSize> stated_png_size(std::string_view bytes);
 
 /// @errors  As read_file and decode_png.
 [[nodiscard]] Result<cv::Mat> read_png(const std::filesystem::path& path);

@@ -6,6 +6,7 @@
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/json_place.h"
 #include "core/io/files/png.h"
+#include "core/io/models/check_texture.h"
 #include "core/io/models/glb.h"
 
 // Does not use tinygltf, which trusts the offsets in a file and may read beyond its end.
@@ -222,10 +223,12 @@ Result<TexturedMesh> parse_glb(std::string_view bytes, const std::string& name) 
   if (Result<void> outcome = document.root().outcome(); !outcome) {
     return tl::unexpected(outcome.error());
   }
-  if (png.empty()) return model;
-  Result<cv::Mat> atlas = decode_png(png, name + " (atlas)");
-  if (!atlas) return tl::unexpected(atlas.error());
-  model.atlas = *std::move(atlas);
+  if (!png.empty()) {
+    Result<cv::Mat> atlas = decode_png(png, name + " (atlas)");
+    if (!atlas) return tl::unexpected(atlas.error());
+    model.atlas = *std::move(atlas);
+  }
+  if (Result<void> good = check_texture(model, name); !good) return tl::unexpected(good.error());
   return model;
 }
 

@@ -7,6 +7,7 @@
 #include "core/geometry/mesh_normals.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/png.h"
+#include "core/io/models/check_texture.h"
 #include "core/io/models/obj.h"
 
 namespace flytri::io {
@@ -187,6 +188,8 @@ Result<ObjText> parse_obj(std::string_view text, const std::string& name) {
     return fail(ErrorCode::kBadFormat, "{}: the OBJ file has no faces; export it with its surface",
                 name);
   }
+  if (Result<void> good = check_texture(result.model, name); !good)
+    return tl::unexpected(good.error());
   return result;
 }
 
@@ -203,6 +206,8 @@ Result<TexturedMesh> read_obj(const std::filesystem::path& path) {
   Result<cv::Mat> atlas = read_png(path.parent_path() / image);
   if (!atlas) return tl::unexpected(atlas.error());
   obj->model.atlas = *std::move(atlas);
+  if (Result<void> good = check_texture(obj->model, path.string()); !good)
+    return tl::unexpected(good.error());
   return std::move(obj->model);
 }
 

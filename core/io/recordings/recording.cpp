@@ -18,6 +18,9 @@ constexpr const char* kRecordingFile = "recording.json";
 constexpr std::string_view kRecordingFormat = "flytri.recording";
 constexpr int kRecordingVersion = 1;
 constexpr const char* kImageFolder = "frames";
+constexpr const char* kFingerprintKey = "calibration_fingerprint";
+/// More than two hours of one camera at 30 Hz, and the list that names so many frames.
+constexpr std::size_t kMaxFrames = 250'000, kMaxListBytes = std::size_t{32} << 20U;
 
 bool type_fits(FrameKind kind, int type) {
   if (kind == FrameKind::kTexture) return type == CV_8UC3;
@@ -26,6 +29,23 @@ bool type_fits(FrameKind kind, int type) {
 
 std::string_view expected_type(FrameKind kind) {
   return kind == FrameKind::kTexture ? "8-bit RGB" : "8- or 16-bit grey";
+}
+
+/// Compares the size that the header of an image states.
+Result<void> check_size(std::string_view png, const std::string& name, const ImageSize& wanted) {
+  const std::optional<ImageSize> size = stated_png_size(png);
+  if (!size || *size == wanted) return {};
+  return fail(ErrorCode::kInconsistent,
+              "{}: {} x {} pixels, but the calibration is for {} x {}; use the calibration of this "
+              "sensor",
+              name, size->width_px, size->height_px, wanted.width_px, wanted.height_px);
+}
+
+tl::unexpected<Error> too_long(const std::string& name) {
+  return fail(ErrorCode::kBadFormat,
+              "{}: \"frames\": lists more than {} frames, the most that one recording can have; "
+              "divide it into shorter ones",
+              name, kMaxFrames);
 }
 
 /// The folders that create_folder would create for this path; inner ones first.
@@ -58,12 +78,18 @@ Result<void> write_image(const std::filesystem::path& path, const cv::Mat& image
 }  // namespace
 
 Result<Recording> parse_recording(std::string_view text, const std::string& name) {
+  if (text.size() > kMaxListBytes) return too_long(name);
   const Result<JsonPlace> json = JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
   json->expect_format(kRecordingFormat, kRecordingVersion);
   Recording recording;
   if (json->has("calibration")) recording.calibration = json->at("calibration").text();
-  for (const JsonPlace& place : json->at("frames").elements()) {
+  if (json->has(kFingerprintKey))
+    recording.calibration_fingerprint = json->at(kFingerprintKey).text();
+  const std::vector<JsonPlace> frames = json->at("frames").elements();
+  if (frames.size() > kMaxFrames) return too_long(name);
+  for (const JsonPlace& place : frames) {
+    if (!json->outcome()) break;
     RecordedFrame frame{place.at("file").text(), place.at("time_s").number(),
                         read_frame_kind(place.at("kind"))};
     if (!recording.frames.empty() && frame.time_s <= recording.frames.back().time_s) {
@@ -81,6 +107,9 @@ Result<Recording> parse_recording(std::string_view text, const std::string& name
 
 Result<Recording> open_recording(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kRecordingFile;
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown && size > kMaxListBytes) return too_long(path.string());
   Result<std::string> text = read_file(path);
   if (!text) return tl::unexpected(text.error());
   Result<Recording> recording = parse_recording(*text, path.string());
@@ -89,10 +118,19 @@ Result<Recording> open_recording(const std::filesystem::path& folder) {
   return recording;
 }
 
-Result<Frame> load_frame(const Recording& recording, FrameIndex index) {
+Result<Frame> load_frame(const Recording& recording, FrameIndex index,
+                         const std::optional<FrameSizes>& sizes) {
   const RecordedFrame& recorded = recording.frames.at(index.at());
   const std::filesystem::path path = recording.folder / recorded.file;
-  Result<cv::Mat> image = read_png(path);
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (sizes) {
+    const bool is_texture = recorded.kind == FrameKind::kTexture;
+    const Result<void> fits =
+        check_size(*bytes, path.string(), is_texture ? sizes->texture : sizes->measurement);
+    if (!fits) return tl::unexpected(fits.error());
+  }
+  Result<cv::Mat> image = decode_png(*bytes, path.string());
   if (!image) return tl::unexpected(image.error());
   if (!type_fits(recorded.kind, image->type())) {
     return fail(ErrorCode::kBadFormat,
@@ -108,17 +146,20 @@ RecordingWriter::MadeFolders::~MadeFolders() {
 }
 
 RecordingWriter::RecordingWriter(std::filesystem::path folder, std::string calibration,
-                                 MadeFolders made)
-    : folder_(std::move(folder)), calibration_(std::move(calibration)), made_(std::move(made)) {}
+                                 std::string fingerprint, MadeFolders made)
+    : folder_(std::move(folder)),
+      calibration_(std::move(calibration)),
+      fingerprint_(std::move(fingerprint)),
+      made_(std::move(made)) {}
 
 Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& folder,
-                                                std::string calibration) {
+                                                std::string calibration, std::string fingerprint) {
   const std::filesystem::path images = folder / kImageFolder;
   MadeFolders made(missing_folders(images));
   if (Result<void> created = create_folder(images); !created) {
     return tl::unexpected(created.error());
   }
-  return RecordingWriter(folder, std::move(calibration), std::move(made));
+  return RecordingWriter(folder, std::move(calibration), std::move(fingerprint), std::move(made));
 }
 
 Result<void> RecordingWriter::append(const Frame& frame) {
@@ -129,6 +170,11 @@ Result<void> RecordingWriter::append(const Frame& frame) {
   if (!std::isfinite(frame.time_s) || (!frames_.empty() && frame.time_s <= frames_.back().time_s)) {
     return fail(ErrorCode::kBadOption, "{}: frame {} is not later than the frame before",
                 folder_.string(), frames_.size());
+  }
+  if (frames_.size() == kMaxFrames) {
+    return fail(ErrorCode::kInsufficient,
+                "{}: a recording has at most {} frames; begin another one", folder_.string(),
+                kMaxFrames);
   }
   if (frames_.empty()) {
     if (Result<void> removed = remove_list(folder_ / kRecordingFile); !removed) return removed;
@@ -155,6 +201,8 @@ Result<void> RecordingWriter::write_list() {
   std::string text = fmt::format("{{\n \"format\": {},\n \"version\": {},\n",
                                  quoted(kRecordingFormat), kRecordingVersion);
   if (!calibration_.empty()) text += fmt::format(" \"calibration\": {},\n", quoted(calibration_));
+  if (!fingerprint_.empty())
+    text += fmt::format(" {}: {},\n", quoted(kFingerprintKey), quoted(fingerprint_));
   text += fmt::format(" \"frames\": [{}\n ]\n}}\n", lines_);
   return write_file(folder_ / kRecordingFile, text);
 }

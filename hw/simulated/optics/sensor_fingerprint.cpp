@@ -1,21 +1,17 @@
 #include "hw/simulated/optics/sensor_fingerprint.h"
 
-#include <bit>
+#include "core/base/fingerprint.h"
 
 namespace flytri::simulated {
 namespace {
 
 // The structured bindings below do not compile when a struct gets a new member, so that none is
 // forgotten.
-class Fingerprint {
+class SensorPrint {
  public:
-  [[nodiscard]] std::uint64_t value() const { return value_; }
+  [[nodiscard]] std::uint64_t value() const { return print_.value(); }
 
-  void add(double number) {
-    auto bits = std::bit_cast<std::uint64_t>(number);
-    for (int byte = 0; byte < 8; ++byte, bits >>= 8)
-      value_ = (value_ ^ (bits & 0xff)) * 0x100000001b3ULL;
-  }
+  void add(double number) { print_.add(number); }
   void add(const ImageSize& size) {
     const auto& [width_px, height_px] = size;
     add_all(width_px, height_px);
@@ -68,13 +64,13 @@ class Fingerprint {
     for (const double number : numbers) add(number);
   }
 
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+  Fingerprint print_;
 };
 
 }  // namespace
 
 std::uint64_t fingerprint(const SensorModel& sensor) {
-  Fingerprint print;
+  SensorPrint print;
   print.add(sensor);
   return print.value();
 }

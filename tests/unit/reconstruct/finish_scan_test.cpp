@@ -19,14 +19,21 @@ class FinishScan : public ::testing::Test {
   static constexpr int kViews = 16;
 
   Result<FinishedScan> finish(const Progress& progress) const {
+    return finish(progress, texture_image());
+  }
+  static cv::Mat texture_image() { return {480, 640, CV_8UC3, cv::Scalar(200, 150, 100)}; }
+
+  /// @param second  image of the second texture frame
+  Result<FinishedScan> finish(const Progress& progress, const cv::Mat& second) const {
     ScannedViews scanned;
     scanned.views = scan_.views;
     scanned.calibration = &calibration_;
     Frame frame;
     frame.index = FrameIndex(kViews);
     frame.time_s = 0.5 * kViews / 30.0;
-    frame.image = cv::Mat(480, 640, CV_8UC3, cv::Scalar(200, 150, 100));
+    frame.image = texture_image();
     scanned.texture_frames = {frame, frame};
+    scanned.texture_frames[1].image = second;
     FinishOptions options;
     options.atlas.max_side_px = 512;
     StageClock clock({});
@@ -78,6 +85,17 @@ TEST_F(FinishScan, StopsInTheStageInWhichItIsCanceled) {
       EXPECT_LE(told_after.size(), 2U) << step << " at " << fraction;
       for (const std::string& stage : told_after) EXPECT_EQ(stage, step);
     }
+  }
+}
+
+TEST_F(FinishScan, ATextureFrameOfTheWrongKindCostsOnlyItself) {
+  for (const cv::Mat& wrong : {cv::Mat(480, 640, CV_8UC1, cv::Scalar(9)),
+                               cv::Mat(240, 320, CV_8UC3, cv::Scalar(9, 9, 9))}) {
+    const auto finished = finish({}, wrong);
+    ASSERT_TRUE(finished.has_value()) << finished.error().message;
+    EXPECT_TRUE(finished->T_world_texture[0]);
+    EXPECT_FALSE(finished->T_world_texture[1]);
+    EXPECT_FALSE(finished->model.atlas.empty());
   }
 }
 

@@ -126,6 +126,26 @@ TEST(Reduce, ResolvesTwoGroovesAtTheResolutionLimit) {
   EXPECT_GT(mean_height(0.5 + kPitch / 2) - ridge, 0.025);
 }
 
+TEST(Reduce, RefusesPointsThatAreFarAway) {
+  for (const float far_mm : {1e5F, 1e9F, 1e30F}) {
+    std::vector<SurfaceSample> samples = scan(flat, 4, kSigma);
+    samples[7].position_mm.y() = far_mm;
+    samples[70].position_mm = Vec3f::Constant(-far_mm);
+    const auto reduced = reduce_samples(samples, {}, Workers(2));
+    ASSERT_FALSE(reduced) << far_mm;
+    EXPECT_EQ(reduced.error().code, ErrorCode::kInconsistent);
+    EXPECT_NE(reduced.error().message.find("calibrate"), std::string::npos);
+  }
+}
+
+TEST(Reduce, RefusesPointsOfHugeUncertainty) {
+  std::vector<SurfaceSample> samples = scan(flat, 4, kSigma);
+  for (SurfaceSample& sample : samples) sample.deviation_mm.z() = 1e6F;
+  const auto reduced = reduce_samples(samples, {.cell_mm = 0.06}, Workers(2));
+  ASSERT_FALSE(reduced);
+  EXPECT_EQ(reduced.error().code, ErrorCode::kInconsistent);
+}
+
 TEST(Reduce, NamesBadOptions) {
   const auto reduced = reduce_samples({}, {.outlier_sigmas = -1.0}, Workers(1));
   ASSERT_FALSE(reduced);

@@ -10,11 +10,13 @@
 #include <opencv2/core.hpp>
 #include <thread>
 
+#include "core/io/calibrations/calibration_json.h"
 #include "hw/device/capture_loop.h"
 #include "hw/recording/replay_sensor.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/manual_clock.h"
 #include "tests/support/scripted_sensor.h"
+#include "tests/support/small_calibration.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::recording {
@@ -244,6 +246,28 @@ TEST(RecorderSensor, WithoutAFrameTheFolderStaysUnchanged) {
   silent->stop();
   // The existing recording is not overwritten.
   EXPECT_EQ(replay(folder / "scan").size(), 3U);
+}
+
+TEST(RecorderSensor, NamesTheCalibrationByItsFingerprint) {
+  class Calibrated final : public ScriptedSensor {
+   public:
+    Calibrated() : ScriptedSensor(frames(2)) {}
+    std::shared_ptr<const calibration::Calibration> calibration() const override {
+      return std::make_shared<const calibration::Calibration>(testing::small_calibration());
+    }
+  };
+  const TemporaryFolder folder;
+  const auto recorder =
+      RecorderSensor::create(std::make_shared<Calibrated>(), folder / "scan").value();
+  run(*recorder);
+  recorder->stop();
+  EXPECT_EQ(io::open_recording(folder / "scan")->calibration_fingerprint,
+            io::fingerprint(testing::small_calibration()));
+  // The recording opens wherever it is moved to.
+  fs::rename(folder / "scan", folder / "moved");
+  const auto moved = ReplaySensor::open(folder / "moved", {.speed = 0.0}, ManualClock().clock());
+  ASSERT_TRUE(moved) << moved.error().message;
+  EXPECT_NE((*moved)->calibration(), nullptr);
 }
 
 }  // namespace

@@ -5,8 +5,11 @@
 #include <fstream>
 #include <thread>
 
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_json.h"
 #include "hw/device/capture_loop.h"
 #include "tests/support/manual_clock.h"
+#include "tests/support/small_calibration.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::recording {
@@ -105,6 +108,19 @@ TEST_F(ReplayTest, ReportsMissingFiles) {
   const auto bad = ReplaySensor::open(folder_.path(), {.speed = -1.0}, clock_.clock());
   ASSERT_FALSE(bad);
   EXPECT_EQ(bad.error().code, ErrorCode::kBadOption);
+}
+
+TEST_F(ReplayTest, ReadsTheCalibrationBesideTheRecordingNotInTheCurrentFolder) {
+  const calibration::Calibration calibration = testing::small_calibration();
+  io::RecordingWriter writer =
+      io::RecordingWriter::create(folder_.path(), "own.json", io::fingerprint(calibration)).value();
+  ASSERT_TRUE(writer.append(
+      {FrameIndex(0), FrameKind::kVertical, 0.0, cv::Mat(5, 6, CV_8UC1, cv::Scalar(9))}));
+  ASSERT_TRUE(writer.write_list());
+  ASSERT_TRUE(io::write_calibration(folder_.path() / "own.json", calibration));
+  const auto sensor = open(1.0);
+  ASSERT_NE(sensor->calibration(), nullptr);
+  EXPECT_EQ(io::fingerprint(*sensor->calibration()), io::fingerprint(calibration));
 }
 
 }  // namespace

@@ -5,41 +5,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/small_calibration.h"
+
 namespace flytri::io {
 namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
+using testing::small_calibration;
 
-/// A small calibration with every kind of entry: a line that starts late, rows without calibration.
-calibration::Calibration sample_calibration() {
-  calibration::Calibration calibration;
-  calibration.volume.size_mm = {20, 15, 15};
-  calibration.measurement_size = {6, 5};
-  calibration.texture_size = {8, 7};
-  for (calibration::TrivariateCubic* cubic :
-       {&calibration.x_mm, &calibration.y_mm, &calibration.texture_u_px,
-        &calibration.texture_v_px}) {
-    cubic->center = {3.25, 2.5, 0.125};
-    cubic->half_range = {2, 3, 4};
-    for (int i = 0; i < 20; ++i) cubic->coefficients[std::size_t(i)] = 0.5 * i - 3.0;
-    cubic->residual = {0.25, 0.5, 77};
-  }
-  for (const Pattern pattern : kPatterns) {
-    calibration::PatternCalibration& lines = calibration.of(pattern);
-    lines.depth_residual_mm = {0.001953125, 0.015625, 1234};
-    lines.lines.assign(2, std::vector<calibration::LineRow>(pattern == Pattern::kVertical ? 5 : 6));
-    lines.sheet_normals = {Vec3::UnitX(), Vec3::UnitY()};
-    for (auto& line : lines.lines) {
-      for (std::size_t along : {1, 2, 4}) {
-        line[along] = {{2.5, 2.0, {1, 2, 3, 4}}, {2.5, 2.0, {5, 6, 7}}, 0.75, 4.25};
-      }
-    }
-  }
-  return calibration;
-}
-
-json sample_json() { return json::parse(to_json(sample_calibration())); }
+json sample_json() { return json::parse(to_json(small_calibration())); }
 
 void expect_equal(const calibration::TrivariateCubic& a, const calibration::TrivariateCubic& b) {
   EXPECT_EQ(a.center, b.center);
@@ -49,7 +24,7 @@ void expect_equal(const calibration::TrivariateCubic& a, const calibration::Triv
 }
 
 TEST(CalibrationJson, ReadsWhatItWrote) {
-  const calibration::Calibration written = sample_calibration();
+  const calibration::Calibration written = small_calibration();
   const auto read = parse_calibration(to_json(written), "c.json");
   ASSERT_TRUE(read.has_value()) << read.error().message;
   EXPECT_EQ(read->volume.size_mm, written.volume.size_mm);
@@ -89,6 +64,7 @@ TEST(CalibrationJson, EveryKeyIsRequiredAndReported) {
     json root = sample_json();
     const json::json_pointer path(pointer);
     if (root.at(path.parent_pointer()).is_array()) continue;  // elements: see the next test
+    if (path.back() == "fingerprint") continue;               // older files have none
     root.at(path.parent_pointer()).erase(path.back());
     const auto read = parse_calibration(root.dump(), "c.json");
     ASSERT_FALSE(read.has_value()) << pointer;
@@ -124,6 +100,20 @@ TEST(CalibrationJson, ReportsTheKeyOfValuesOutOfRange) {
       {"/horizontal/lines/0/half_range_px", 0, "horizontal.lines[0].half_range_px"},
       {"/horizontal/lines/0/sheet_normal/0", 7, "horizontal.lines[0].sheet_normal"},
       {"/vertical/depth_residual_mm/count", -1, "vertical.depth_residual_mm.count"},
+      // Plausible by themselves, but not beside the other numbers.
+      {"/measurement_volume_mm/2", 10, "vertical.lines[0].rows[0]"},
+      {"/measurement_volume_mm/0", 1e6, "measurement_volume_mm"},
+      {"/vertical/depth_residual_mm/rms", 9, "vertical.depth_residual_mm.rms"},
+      {"/texture_u_px/residual/max", 1e9, "texture_u_px.residual.max"},
+      {"/vertical/lines/1/rows/0/2", 10, "vertical.lines[1].rows[0]"},
+      {"/vertical/lines/1/rows/3/3", -20, "vertical.lines[1].rows[3]"},
+      {"/horizontal/lines/1/rows/1/6", -5, "horizontal.lines[1].rows[1]"},
+      {"/horizontal/lines/1/rows/1/1", 1e6, "horizontal.lines[1].rows[1]"},
+      {"/horizontal/lines/0/half_range_px", 1e-6, "horizontal.lines[0].rows[0]"},
+      {"/x_mm/coefficients/0", 1e6, "x_mm"},
+      {"/x_mm/coefficients/1", -8e-3, "x_mm"},
+      {"/y_mm/half_range/1", 1e6, "x_mm"},
+      {"/texture_v_px/center/1", 1e9, "texture_v_px"},
   };
   for (const Damage& damage : damages) {
     json root = sample_json();
@@ -134,8 +124,41 @@ TEST(CalibrationJson, ReportsTheKeyOfValuesOutOfRange) {
   }
 }
 
+TEST(CalibrationJson, RefusesDepthsOfAnotherScale) {
+  calibration::Calibration scaled = small_calibration();
+  for (const Pattern pattern : kPatterns) {
+    for (auto& line : scaled.of(pattern).lines) {
+      for (calibration::LineRow& row : line) {
+        for (double& c : row.depth_mm.coefficients) c *= 1.5;
+      }
+    }
+  }
+  const auto read = parse_calibration(to_json(scaled), "c.json");
+  ASSERT_FALSE(read.has_value());
+  EXPECT_THAT(read.error().message, HasSubstr("c.json: \"vertical.lines[0].rows[0]\""));
+  EXPECT_THAT(read.error().message, HasSubstr("flytri calibrate"));
+}
+
+TEST(CalibrationJson, AFingerprintNamesTheContent) {
+  const calibration::Calibration written = small_calibration();
+  json root = sample_json();
+  EXPECT_EQ(root["fingerprint"], fingerprint(written));
+  const auto read = parse_calibration(root.dump(1), "c.json");  // however it is laid out
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  EXPECT_EQ(fingerprint(*read), fingerprint(written));
+
+  root["vertical"]["lines"][0]["rows"][0][4] = 0.1251;  // plausible, but changed
+  const auto changed = parse_calibration(root.dump(), "c.json");
+  ASSERT_FALSE(changed.has_value());
+  EXPECT_THAT(changed.error().message, HasSubstr("\"fingerprint\""));
+  root.erase("fingerprint");
+  const auto older = parse_calibration(root.dump(), "c.json");
+  ASSERT_TRUE(older.has_value()) << older.error().message;
+  EXPECT_NE(fingerprint(*older), fingerprint(written));
+}
+
 TEST(CalibrationJson, RefusesTextThatIsNotJson) {
-  const std::string text = to_json(sample_calibration());
+  const std::string text = to_json(small_calibration());
   for (const std::string_view damaged :
        {std::string_view(), std::string_view("[]"), std::string_view("NaN"),
         std::string_view(text).substr(0, text.size() / 2)}) {
@@ -144,7 +167,7 @@ TEST(CalibrationJson, RefusesTextThatIsNotJson) {
     EXPECT_THAT(read.error().message, HasSubstr("c.json"));
   }
   std::string nan = text;
-  nan.replace(nan.find("3.25"), 4, "NaN ");
+  nan.replace(nan.find("2.25"), 4, "NaN ");
   EXPECT_FALSE(parse_calibration(nan, "c.json").has_value());
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -250,6 +251,33 @@ TEST(Model, TruncatedFilesAreRefused) {
       EXPECT_THAT(back.error().message, HasSubstr(name));
     }
   }
+}
+
+TEST(Model, TexturesThatCannotBeUsedAreRefused) {
+  TexturedMesh grey = textured_sphere();
+  grey.atlas = cv::Mat(grey.atlas.size(), CV_8UC1, cv::Scalar(200));
+  for (const char* name : {"grey.glb", "grey.obj"}) {
+    const Result<TexturedMesh> back = there_and_back(grey, name);
+    ASSERT_FALSE(back) << name;
+    EXPECT_THAT(back.error().message, HasSubstr(name));
+    EXPECT_THAT(back.error().message, HasSubstr("RGB"));
+  }
+  // An atlas, but no vertex says where in it.
+  std::string bytes = encode_glb(textured_sphere(), "a").value();
+  bytes[bytes.find("TEXCOORD_0")] = 'X';
+  const Result<TexturedMesh> bare = parse_glb(bytes, "bare.glb");
+  ASSERT_FALSE(bare);
+  EXPECT_THAT(bare.error().message, HasSubstr("bare.glb: 0 of"));
+  TexturedMesh wild = textured_sphere();
+  wild.uv[3].x() = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(parse_glb(encode_glb(wild, "a").value(), "wild.glb"));
+}
+
+TEST(Obj, FacesBeforeTheFirstTextureCoordinateAreRefused) {
+  const Result<ObjText> obj = parse_obj(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n", "late.obj");
+  ASSERT_FALSE(obj);
+  EXPECT_THAT(obj.error().message, HasSubstr("late.obj: 3 of 6 vertices"));
 }
 
 TEST(Obj, DamageIsReportedWithItsLine) {

@@ -114,6 +114,47 @@ INSTANTIATE_TEST_SUITE_P(
             R"({"format":"flytri.recording","version":1,"frames":[{"file":"a","time_s":1,"kind":"texture"},{"file":"b","time_s":0,"kind":"texture"}]})",
             "\"frames[1].time_s\": expected a time after"}));
 
+TEST(Recording, KeepsTheFingerprintOfItsCalibration) {
+  const TemporaryFolder folder;
+  Result<RecordingWriter> writer =
+      RecordingWriter::create(folder.path(), "calibration.json", "0123456789abcdef");
+  ASSERT_TRUE(writer->append(frame_of(FrameKind::kVertical, 0.0, 1)));
+  ASSERT_TRUE(writer->write_list());
+  EXPECT_EQ(open_recording(folder.path())->calibration_fingerprint, "0123456789abcdef");
+}
+
+TEST(Recording, AnImageOfAnotherSizeIsNotDecoded) {
+  const TemporaryFolder folder;
+  Result<RecordingWriter> writer = RecordingWriter::create(folder.path());
+  ASSERT_TRUE(writer->append(frame_of(FrameKind::kVertical, 0.0, 1)));
+  ASSERT_TRUE(writer->write_list());
+  const Recording recording = open_recording(folder.path()).value();
+  const cv::Mat image = load_frame(recording, FrameIndex(0))->image;
+  const ImageSize size{image.cols, image.rows}, other{image.cols + 1, image.rows};
+  EXPECT_TRUE(load_frame(recording, FrameIndex(0), FrameSizes{size, other}));
+  // The pixels are damaged, but only the size is looked at.
+  const std::filesystem::path path = folder.path() / recording.frames[0].file;
+  std::string bytes = read_file(path).value();
+  bytes[60] = static_cast<char>(bytes[60] + 1);
+  ASSERT_TRUE(write_file(path, bytes));
+  const auto refused = load_frame(recording, FrameIndex(0), FrameSizes{other, size});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kInconsistent);
+  EXPECT_THAT(refused.error().message, HasSubstr(path.string()));
+}
+
+TEST(Recording, AMillionFramesAreRefusedAtOnce) {
+  std::string text = R"({"format":"flytri.recording","version":1,"frames":[)";
+  for (int i = 0; i < 1'000'000; ++i) {
+    text += fmt::format(R"({}{{"file":"frames/{:06}.png","time_s":{},"kind":"vertical"}})",
+                        i > 0 ? ",\n" : "", i, i);
+  }
+  text += "]}";
+  const Result<Recording> recording = parse_recording(text, "r.json");
+  ASSERT_FALSE(recording);
+  EXPECT_THAT(recording.error().message, HasSubstr("r.json: \"frames\": lists more than 250000"));
+}
+
 TEST(Recording, UnknownKeysAreIgnored) {
   const Result<Recording> recording = parse_recording(
       R"({"format":"flytri.recording","version":1,"camera":{},"frames":[{"file":"a","time_s":0,"kind":"unknown","gain":2}]})",
