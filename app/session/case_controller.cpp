@@ -26,7 +26,8 @@ io::CaseFields created_now(io::CaseFields fields) {
 Result<io::CaseFile> create_file(const ui::NewCase& command,
                                  const calibration::Calibration& calibration) {
   const std::filesystem::path path = command.path;
-  if (auto made = io::create_folder(path.parent_path()); !made) return tl::unexpected(made.error());
+  if (auto made = io::create_private_folder(path.parent_path()); !made)
+    return tl::unexpected(made.error());
   const io::CaseFields fields = created_now(command.fields);
   io::CaseOptions options;
   options.passphrase = command.passphrase;
@@ -94,7 +95,7 @@ void CaseController::save_unnamed() {
 
 void CaseController::name_unnamed(const ui::NewCase& command) {
   const std::filesystem::path folder = std::filesystem::path(command.path).parent_path();
-  if (auto made = io::create_folder(folder); !made) {
+  if (auto made = io::create_private_folder(folder); !made) {
     state_.message = made.error().message;
     return;
   }

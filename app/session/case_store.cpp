@@ -139,6 +139,10 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
     opened.last_frame = std::max(opened.last_frame, frame.index);
     opened.last_time_s = std::max(opened.last_time_s, frame.time_s);
   }
+  // What was scanned before an edit must not look newer than it.
+  for (const auto& edit : *stored->edits.all()) {
+    opened.last_time_s = std::max(opened.last_time_s, edit->made_at_s);
+  }
   opened.damage = std::move(stored->damage);
   opened.scan.result = current_result(file_, stage, *stored, opened.damage);
   opened.scan.texture_frames = std::move(stored->texture_frames);

@@ -131,7 +131,7 @@ expect 'another calibration, chosen' 0 'warning: calibration\.json: is not the c
 rm -f out.ply
 mkdir empty
 expect 'no calibration set' 1 'empty/calibration-set\.json: .*o such file.*; correct the path' \
-  "$flytri" calibrate empty
+  "$flytri" calibrate empty -o other.json
 absent 'bad calibrations' out.ply
 
 # The demo. It may follow one that was stopped. Its picture must not replace the texture of its OBJ.

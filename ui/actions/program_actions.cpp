@@ -103,7 +103,7 @@ ActionState confirm_state(const Situation& now) {
 }
 
 ActionState open_export_folder_state(const Situation& now) {
-  return only_if(!now.view.exports.written.empty(), "nothing exported yet");
+  return only_if(!now.view.exports.written.empty(), "no export yet");
 }
 
 Export requested_export(const AppView& view, const ExportForm& form) {

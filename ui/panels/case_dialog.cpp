@@ -162,7 +162,8 @@ void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
   field_pair(context, dialog, {"case_path", "File"}, form.path,
              {"passphrase", "Passphrase, if encrypted", true}, form.passphrase);
   draw_discard(context, dialog, form);
-  confirm_row(context, dialog, icon::kCase, form.discards ? "Delete for good" : "Open");
+  confirm_row(context, dialog, form.discards ? icon::kWarning : icon::kCase,
+              form.discards ? "Delete for good" : "Open");
 }
 
 /// What keeps the form from being confirmed, or why the latest command failed.

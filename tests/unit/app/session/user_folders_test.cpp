@@ -33,8 +33,8 @@ class UserFolders : public ::testing::Test {
       value == before_.end() ? ::unsetenv(name) : ::setenv(name, value->second.c_str(), 1);
     }
   }
-  static constexpr std::array kNames = {"HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME",
-                                        "XDG_DATA_HOME", "XDG_DOCUMENTS_DIR"};
+  static constexpr std::array kNames = {"HOME",          "XDG_CONFIG_HOME", "XDG_CACHE_HOME",
+                                        "XDG_DATA_HOME", "XDG_STATE_HOME",  "XDG_DOCUMENTS_DIR"};
 
  private:
   std::map<std::string, std::string> before_;
