@@ -16,7 +16,8 @@ inline calibration::Calibration small_calibration() {
     calibration::TrivariateCubic result;
     result.center = center;
     result.half_range = half_range;
-    for (int i = 0; i < 20; ++i) result.coefficients[std::size_t(i)] = 0.001 * i;
+    for (int i = 0; i < 20; ++i)
+      result.coefficients[std::size_t(i)] = i / 1024.0;  // exact in ten digits
     result.residual = {0.25, 0.5, 77};
     return result;
   };

@@ -96,7 +96,7 @@ TEST(CalibrationJson, ReportsTheKeyOfValuesOutOfRange) {
       {"/vertical/lines", json::array(), "vertical.lines"},
       {"/vertical/lines/1/first_row", 5, "vertical.lines[1].first_row"},
       {"/vertical/lines/1/rows/0/4", "x", "vertical.lines[1].rows[0][4]"},
-      {"/horizontal/lines/0/rows/1/1", 0.5, "horizontal.lines[0].rows[1]"},
+      {"/horizontal/lines/0/rows/1/1", 0.25, "horizontal.lines[0].rows[1]"},
       {"/horizontal/lines/0/half_range_px", 0, "horizontal.lines[0].half_range_px"},
       {"/horizontal/lines/0/sheet_normal/0", 7, "horizontal.lines[0].sheet_normal"},
       {"/vertical/depth_residual_mm/count", -1, "vertical.depth_residual_mm.count"},
