@@ -205,7 +205,7 @@ TEST(ActionTable, CaseDialogStaysUntilTheCaseIsOpen) {
   WindowState state;
   state.dialog = Dialog::kCase;
   state.case_form.path = "/tmp/a.flytri";
-  state.case_form.passphrase = "secret";
+  state.case_form.passphrase = state.case_form.passphrase_again = "secret";
   std::vector<Command> commands;
   perform(Action::kConfirm, view, state, commands);
   ASSERT_EQ(commands.size(), 1U);
