@@ -275,8 +275,9 @@ std::vector<ui::KnownCase> known_cases(const std::filesystem::path& folder) {
 std::vector<ui::KnownCase> unnamed_cases(const std::filesystem::path& folder) {
   std::vector<ui::KnownCase> known;
   for (const FoundCase& item : find_cases(folder)) {
-    // Fails for the case that this or another program scans into now.
-    auto file = io::CaseFile::open(item.path, {.passphrase = {}, .read_only = true});
+    // Opened to be written, so that one of a killed program is recovered. Fails for the case that
+    // this or another program scans into now.
+    auto file = io::CaseFile::open(item.path);
     if (!file) continue;
     if (!has_any_views(*file)) {
       file = tl::unexpected(Error{});

@@ -86,5 +86,25 @@ TEST(CaseStore, AFailureStaysIfSomethingIsLost) {
   EXPECT_THAT(store->failure(), HasSubstr("exists already"));
 }
 
+TEST(CaseStore, FindsTheUnnamedCaseOfAKilledProgram) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const fs::path scanned = folder.path() / "a.flytri", left = folder.path() / "left";
+  const auto store = new_store(scanned);
+  const auto journal = store->journal(kStage);
+  journal->keep_view(testing::sample_view(0, 2, 300));
+  journal->commit();
+  EXPECT_TRUE(unnamed_cases(folder.path()).empty()) << "it is open";
+  // What is on disk at the moment when the program is killed: the file and its log.
+  fs::create_directory(left);
+  for (const char* ending : {"", "-wal"}) {
+    fs::copy(scanned.string() + ending, (left / "a.flytri").string() + ending);
+  }
+  const auto found = unnamed_cases(left);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found.front().is_unnamed);
+  EXPECT_EQ(io::CaseFile::open(found.front().path)->counts(kStage)->views, 1);
+}
+
 }  // namespace
 }  // namespace flytri::session
