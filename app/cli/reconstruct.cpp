@@ -84,14 +84,14 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
 /// The calibration given with --calibration, or else the one that the case keeps.
 Result<calibration::Calibration> case_calibration(const ReconstructArguments& arguments,
                                                   io::CaseFile& file) {
-  const auto kept = file.calibration().and_then([&](const std::string& json) {
+  auto kept = file.calibration().and_then([&](const std::string& json) {
     return io::parse_calibration(json, arguments.input.string());
   });
   if (arguments.calibration.empty()) {
     if (kept) return kept;
     return fail(kept.error().code, "{}; --calibration FILE overrides it", kept.error().message);
   }
-  const auto chosen = io::read_calibration(arguments.calibration);
+  auto chosen = io::read_calibration(arguments.calibration);
   if (chosen && kept && io::fingerprint(*chosen) != io::fingerprint(*kept)) {
     print_warning(fmt::format("{}: is not the calibration that {} was scanned with",
                               arguments.calibration.string(), arguments.input.string()));
