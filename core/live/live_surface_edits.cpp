@@ -144,6 +144,7 @@ void LiveSurface::apply_edits(const std::function<bool(const Vec3f& center_mm)>&
     apply_to_cube(edited, normal_of_cube(edited.index));
   }
   std::vector<std::uint32_t> cubes;
+  cubes.reserve(normals.size());
   for (const auto& [cube, normal] : normals) cubes.push_back(cube);
   sort_unique(cubes);
   refresh_around(cubes);

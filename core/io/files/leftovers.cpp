@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::time_t kDay_s = 24 * 60 * 60;
+constexpr std::time_t kDay_s = 86400;
 
 /// Whether a name is this prefix and eight hexadecimal digits.
 bool is_named(std::string_view name, std::string_view prefix) {
