@@ -13,6 +13,7 @@ void set_up_command_line(CLI::App& lab, cli::Invocation& invocation) {
   add_refinement_study(lab, invocation);
   add_tracking_study(lab, invocation);
   add_continuation_study(lab, invocation);
+  add_returns_study(lab, invocation);
   add_growth_study(lab, invocation);
   add_synchronization_study(lab, invocation);
   add_live_command(lab, invocation);

@@ -61,9 +61,9 @@ Result<void> write_results(const fs::path& folder,
   return write_report(folder / "report.json", reconstruction, volume.size_mm);
 }
 
-/// Marks the folder, and checks what is in it. The demo is made to be repeated, and shows only the
-/// sample jaw: what an earlier one left is replaced unasked. Anything else may be a patient's, such
-/// as a recording that was put into the folder of a demo, so it needs --force.
+/// Marks the folder, and checks what is in it. Files of an earlier demo are replaced without
+/// asking: they show only the sample jaw. Other files may be a patient's, so replacing them needs
+/// --force.
 Result<void> prepare_folder(const DemoArguments& arguments) {
   const fs::path& folder = arguments.folder;
   if (auto made = io::create_folder(folder); !made) return made;

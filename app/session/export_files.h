@@ -33,8 +33,8 @@ struct ExportOutcome {
 [[nodiscard]] Result<std::filesystem::path> export_stem(const ui::ExportTarget& target);
 
 /// Only their owner may read the files, and enter folders that are created for them.
-/// @errors  As export_stem and write_model; kInsufficient: there is nothing to write, or the format
-///          cannot hold it; kBadOption: something of another kind is where a file would be written.
+/// @errors  As export_stem and write_model; kInsufficient: nothing to write, or the format cannot
+///          hold it; kBadOption: a folder, or a file of another kind, has the name.
 [[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
                                                  const ui::Export& command);
 

@@ -74,7 +74,7 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::DiscardCase& wanted) { case_.discard(wanted); },
           [&](const ui::SetCaseFields& fields) { case_.set_fields(fields); },
           [&](const ui::SteerHand& steering) { source_.steer(steering); },
-          [&](const ui::PointHand& pointing) { point_hand(pointing); },
+          [&](const ui::PointHand& pointing) { source_.point(pointing); },
           [&](const ui::FollowPath& path) { source_.follow_path(path.follows); },
           [&](const ui::TakeSensorAway& taken) { source_.take_away(taken.is_away); },
           [&](const ui::CheckDevices&) { source_.check_devices(); },
@@ -94,12 +94,6 @@ void Session::carry_out(const ui::Command& command) {
       command);
 }
 
-void Session::point_hand(const ui::PointHand& command) {
-  if (scan() == nullptr) return;
-  const std::optional<Isometry> T_world_sensor = scan()->snapshot()->T_world_sensor;
-  if (T_world_sensor) source_.point(command, *T_world_sensor);
-}
-
 void Session::export_scan(const ui::Export& command) {
   if (scan() != nullptr) exports_.export_scan(command, scan()->snapshot());
 }
@@ -116,6 +110,7 @@ ui::AppView Session::view() {
   ui::AppView view;
   view.now_s = now_s();
   stages_.show_in(view);
+  source_.relate_hand(view.scan == nullptr ? std::nullopt : view.scan->T_world_sensor);
   if (source_.calibration()) view.volume_mm = source_.calibration()->volume.size_mm;
   view.source = source_.state();
   view.devices = source_.devices_state();

@@ -44,7 +44,6 @@ class Session {
   [[nodiscard]] const Source& source() const { return source_.source(); }
 
  private:
-  void point_hand(const ui::PointHand& command);
   void export_scan(const ui::Export& command);
   void change_settings(const ui::Settings& settings);
 

@@ -1,6 +1,9 @@
 #include "app/session/source.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cmath>
 
 #include "app/session/rig_devices.h"
 #include "app/session/user_folders.h"
@@ -28,6 +31,25 @@ Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& w
   return std::move(model->mesh);
 }
 
+/// The mean direction that a jaw faces: its teeth point there. +Z if the model is closed or its
+/// sides cancel each other.
+Vec3 teeth_direction(const TriangleMesh& mesh) {
+  constexpr double kLeastShare = 0.15;
+  Vec3 sum = Vec3::Zero();
+  double area = 0.0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto corner = [&](std::size_t i) {
+      return mesh.vertices[triangle[i]].position_mm.cast<double>();
+    };
+    const Vec3 a = corner(0), b = corner(1), c = corner(2);
+    const Vec3 normal = (b - a).cross(c - a);
+    sum += normal;
+    area += normal.norm();
+  }
+  if (sum.norm() < kLeastShare * area) return Vec3::UnitZ();
+  return sum.normalized();
+}
+
 Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
   if (choice.calibration) {
     return fail(
@@ -39,6 +61,18 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   if (!mesh) return tl::unexpected(mesh.error());
   simulated::LiveSensorOptions options;
   options.path.duration_s = kPathDuration_s;
+  std::string warning;
+  if (choice.mesh) {
+    constexpr double kUpright = 0.9;
+    const Vec3 up = options.path.up = teeth_direction(*mesh);
+    if (std::abs(up.dot(options.path.front)) > kUpright) options.path.front = Vec3::UnitZ();
+    if (up.z() < kUpright) {
+      warning = fmt::format(
+          "{}: its teeth point along {:.1f} {:.1f} {:.1f}, so the simulated hand "
+          "scans it from there",
+          choice.mesh->string(), up.x(), up.y(), up.z());
+    }
+  }
   // Each version of the program makes its own.
   const Result<calibration::Calibration> calibration = simulated::cached_sensor_calibration(
       options.sensor, cache_folder() / "calibration-" FLYTRI_VERSION, workers, progress);
@@ -47,7 +81,7 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   Result<std::shared_ptr<simulated::LiveSensor>> sensor =
       simulated::LiveSensor::create(*mesh, options, shared, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, {}};
+  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, warning};
 }
 
 Result<Source> open_recording_source(const SourceChoice& choice) {

@@ -100,13 +100,22 @@ void SourceController::steer(const ui::SteerHand& command) {
   source_.hand->follow_pointer(aim);
 }
 
-/// The hand and the scan each know the sensor's pose in their own frame. Together they give the
-/// pose of the scan's world in the model's frame.
-void SourceController::point(const ui::PointHand& command, const Isometry& T_world_sensor) {
+/// The hand knows the sensor's pose in the model, the scan knows it in its world. Both together
+/// give T_model_world, which stays valid when tracking is lost.
+void SourceController::relate_hand(const std::optional<Isometry>& T_world_sensor) {
   if (source_.hand == nullptr) return;
-  const Isometry T_model_world = source_.hand->T_model_sensor() * T_world_sensor.inverse();
-  const Vec3 direction = T_model_world.linear() * command.direction;
-  const auto target_mm = source_.hand->pick(T_model_world * command.origin_mm, direction);
+  if (!T_world_sensor) {
+    T_model_world_.reset();
+  } else if (!related_at_ || related_at_->matrix() != T_world_sensor->matrix()) {
+    T_model_world_ = source_.hand->T_model_sensor() * T_world_sensor->inverse();
+  }
+  related_at_ = T_world_sensor;
+}
+
+void SourceController::point(const ui::PointHand& command) {
+  if (source_.hand == nullptr || !T_model_world_) return;
+  const Vec3 direction = T_model_world_->linear() * command.direction;
+  const auto target_mm = source_.hand->pick(*T_model_world_ * command.origin_mm, direction);
   if (target_mm) source_.hand->follow_pointer({*target_mm, -direction, Vec3::Zero()});
 }
 
@@ -139,6 +148,7 @@ ui::SourceState SourceController::state() const {
   state.is_running = status.state == device::SensorState::kRunning;
   state.is_lost =
       status.state == device::SensorState::kLost || status.state == device::SensorState::kFailed;
+  state.has_ended = status.state == device::SensorState::kEnded;
   state.message = status.message;
   if (source_.hand != nullptr) {
     const device::HandMode mode = source_.hand->mode();

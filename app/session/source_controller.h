@@ -36,8 +36,12 @@ class SourceController {
 
   void check_devices();
   void steer(const ui::SteerHand& command);
-  /// @param T_world_sensor  where the scan sees the sensor now
-  void point(const ui::PointHand& command, const Isometry& T_world_sensor);
+  /// Call often: relates the frame of the simulated hand to the world of the scan, as soon as a
+  /// view has been registered.
+  /// @param T_world_sensor  pose of the latest registered view; none in a scan that has none yet
+  void relate_hand(const std::optional<Isometry>& T_world_sensor);
+  /// Points the simulated hand at a place in the world of the scan.
+  void point(const ui::PointHand& command);
   void follow_path(bool follows);
   void take_away(bool is_away);
 
@@ -62,7 +66,9 @@ class SourceController {
   Notices& notices_;
   const std::function<void()> opened_;
   Source source_;
-  std::string failure_;       ///< why the source could not be opened
+  std::optional<Isometry> T_model_world_;  ///< of the hand's model and the scan's world
+  std::optional<Isometry> related_at_;     ///< the registered pose that gave it
+  std::string failure_;                    ///< why the source could not be opened
   ui::DevicesState checked_;  ///< result of the latest check; devices_state() adds the devices
   bool is_lent_ = false;
   std::shared_ptr<FrameRouter> router_ = std::make_shared<FrameRouter>();

@@ -54,9 +54,8 @@ struct LiveSurfaceOptions {
 /// as in crossing_normals.
 ///
 /// Edits act on whole cells: a dab reaches a cell whose center it holds, if the profiles of the
-/// cube around face the dab. What an edit removes is kept aside, so that to undo or redo an edit
-/// takes milliseconds, however many views there are, and gives the surface that all views give with
-/// the edits in effect, bit for bit.
+/// cube around face the dab. What an edit removes is kept aside. So undo and redo take
+/// milliseconds, and the result is bit for bit the surface built anew from all views.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
 /// reduction during the scan to future work.
 class LiveSurface {

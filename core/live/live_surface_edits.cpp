@@ -71,7 +71,7 @@ void LiveSurface::begin_edited_cube(std::uint32_t index, const Vec3f& towards) {
   if (edited != kNotEdited) apply_to_cube(edited_cubes_[edited], towards);
 }
 
-/// Calls `change` for each layer that was kept before and is not any more, or the other way around.
+/// Calls `change` for each layer that the edit removes or brings back.
 template <typename Content, typename Change>
 void LiveSurface::apply_to_layers(TimeLayers<Content>& layers, const Vec3f& center_mm,
                                   const Vec3f& normal, const Change& change) const {

@@ -53,8 +53,8 @@ struct DirectionSums {
   }
 };
 
-/// The direction most perpendicular to all profiles, towards the sensor. If all profiles run in one
-/// direction: the perpendicular direction that faces the sensor most.
+/// The direction most perpendicular to all profiles, towards the sensor. Parallel profiles leave a
+/// choice: then the perpendicular that faces the sensor most.
 [[nodiscard]] Vec3f normal_of(const DirectionSums& sums);
 
 /// What a cell knows of its points.

@@ -107,7 +107,10 @@ void GrowingScan::take_view(const IntakeResult& result, bool is_late) {
   if (!result.measured || result.measured->outcome != measurement::MeasureOutcome::kMeasured) {
     show_frame(result, nullptr);
     if (!is_scanning(phase_)) return frame_counter_.previewed();
-    board_.update([](ScanSnapshot& s) { s.match_share = 0.0; });
+    board_.update([](ScanSnapshot& s) {
+      s.match_share = 0.0;
+      s.lost_sensor = {};
+    });
     return missed(time_s, result.measured ? std::string(to_string(result.measured->outcome))
                                           : result.measured.error().message);
   }
@@ -140,7 +143,10 @@ void GrowingScan::register_view(const IntakeResult& result, const std::shared_pt
       missed(view->time_s, std::string(to_string(registered.reason)));
       break;
   }
-  board_.update([&](ScanSnapshot& s) { s.match_share = registrar_->entry_share(); });
+  board_.update([&](ScanSnapshot& s) {
+    s.match_share = registrar_->entry_share();
+    s.lost_sensor = registrar_->lost_sensor();
+  });
   hand_over_growth(result.offered_at_s);
 }
 
@@ -242,6 +248,7 @@ void GrowingScan::step(ScanEvent event) {
     if (before == ScanPhase::kFinished) s.result = nullptr;
     if (next != ScanPhase::kContinuation) {
       s.reentry.clear();
+      s.lost_sensor = {};
       s.chosen_reentry = 0;
     }
   });
@@ -251,7 +258,7 @@ void GrowingScan::step(ScanEvent event) {
 void GrowingScan::show_reentry() {
   std::vector<ReentryPlace> places;
   for (const tracking::ReentryProposal& proposal : registrar_->proposals(kReentryPlaces)) {
-    places.push_back({proposal.first, proposal.second, proposal.point_count,
+    places.push_back({proposal.first, proposal.second, proposal.uncertainty_mm,
                       pictures_.nearest(proposal.second.T_world_sensor)});
   }
   board_.update([&](ScanSnapshot& s) {

@@ -17,6 +17,7 @@
 #include "core/meshing/surface_mesh.h"
 #include "core/reconstruct/finish_scan.h"
 #include "core/scan/scan_state.h"
+#include "core/tracking/lost_sensor.h"
 
 namespace flytri::scan {
 
@@ -44,7 +45,7 @@ struct LiveFrame {
 /// A place where a lost scan can be continued: two successive views.
 struct ReentryPlace {
   AlignedView first, second;
-  std::size_t point_count = 0;             ///< the rating: points of both views
+  double uncertainty_mm = 0.0;             ///< the rating, see tracking::ReentryProposal
   std::shared_ptr<const LiveFrame> image;  ///< what the sensor saw there; may be null
 };
 
@@ -97,6 +98,7 @@ struct ScanSnapshot {
   /// 0..1: how close the latest views came to being registered, see Registrar::entry_share(). 0 if
   /// the sensor sees nothing.
   double match_share = 0.0;
+  tracking::LostSensor lost_sensor;  ///< in continuation
 
   editing::EditList edits;
   bool can_undo = false, can_redo = false;

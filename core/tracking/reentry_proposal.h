@@ -8,22 +8,22 @@
 
 namespace flytri::tracking {
 
-/// Two successive views with many profiles and points.
+/// Two successive views at a place where the surface fixes the pose of the sensor well: with
+/// cusps, not a flat palate. The paper takes those with most points, which may be flat.
 /// @source  Arold et al., "Preview and Continuation Mode".
 struct ReentryProposal {
   AlignedView first, second;
-  std::size_t point_count = 0;  ///< the rating: sum over both
+  double uncertainty_mm = 0.0;  ///< the rating: of the pose that is fixed worse, in its worst
+                                ///< direction
 };
 
 /// The best of the latest pairs; nullopt before two views are registered.
-[[nodiscard]] std::optional<ReentryProposal> propose_reentry(const TrackedScan& scan,
-                                                             int latest_pairs);
+[[nodiscard]] std::optional<ReentryProposal> propose_reentry(TrackedScan& scan, int latest_pairs);
 
-/// That proposal, then others along the whole scan, at least `apart_mm` from each other, by falling
-/// rating.
+/// That proposal, then others along the whole scan, at least `apart_mm` from each other, by rising
+/// uncertainty.
 /// @param apart_mm  also the lever arm that converts rotation to distance
-[[nodiscard]] std::vector<ReentryProposal> propose_reentries(const TrackedScan& scan,
-                                                             int latest_pairs, std::size_t count,
-                                                             double apart_mm);
+[[nodiscard]] std::vector<ReentryProposal> propose_reentries(TrackedScan& scan, int latest_pairs,
+                                                             std::size_t count, double apart_mm);
 
 }  // namespace flytri::tracking

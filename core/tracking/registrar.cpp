@@ -31,9 +31,8 @@ RejectReason reason_of(registration::AlignOutcome outcome) {
   return RejectReason::kPoorFit;
 }
 
-/// Weight of the latest view in entry_share(): about the mean of the latest five views, because
-/// each view tries other places.
-constexpr double kEntryShareWeight = 0.2;
+/// Weight of the latest search in entry_share(), because each one finds other places.
+constexpr double kEntryShareWeight = 0.5;
 
 /// True for rejections that later views cannot change.
 bool is_final(RejectReason reason) {
@@ -81,8 +80,9 @@ Result<void> RegistrarOptions::validate() const {
       .nested(track)
       .in_range("patience_views", patience_views, 1, 1000)
       .in_range("proposal_pairs", proposal_pairs, 1, 1000)
-      .in_range("starts_per_view", starts_per_view, 1, 1000)
-      .in_range("retry_starts", retry_starts, 1, 100000)
+      .in_range("search_every", search_every, 1, 1000)
+      .in_range("searched_places", searched_places, 1, 1000)
+      .in_range("retried_places", retried_places, 1, 1000)
       .in_range("min_entry_evidence", min_entry_evidence, 0.0, 1000.0)
       .in_range("settled_views", settled_views, 1, 1000000)
       .in_range("register_every", register_every, 1, 1000)
@@ -172,6 +172,8 @@ RejectReason Registrar::register_view(IncomingView incoming) {
     return track_lost(std::move(incoming), reason_of(tracked.outcome), search);
   }
   lost_views_ = 0;
+  lost_sensor_ = {};
+  unsearched_views_ = options_.search_every;
   side_ = scan_;
   claim_.reset();
   latest_rms_mm_ = tracked.rms_mm;
@@ -188,7 +190,10 @@ RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason, b
     if (tracked) submaps_[side_]->add(incoming, alignment);
   }
   if (!tracked) start_submap(std::move(incoming));
-  if (search && try_to_join(side_, submaps_[side_]->size() - 1, false)) return RejectReason::kNone;
+  if (search) {
+    const int places = is_search_due() ? options_.searched_places : 0;
+    if (try_to_join(side_, submaps_[side_]->size() - 1, places)) return RejectReason::kNone;
+  }
   const std::size_t scan_size = submaps_[scan_]->size();
   if (scan_size < static_cast<std::size_t>(options_.settled_views) &&
       submaps_[side_]->size() > scan_size) {
@@ -205,9 +210,14 @@ bool Registrar::convincing(const registration::Alignment& alignment) const {
          alignment.rms_mm <= submaps_[scan_]->usual_rms_mm();
 }
 
-void Registrar::update_entry_share(double proof) {
-  const double share = std::clamp(proof / std::max(options_.min_entry_evidence, 1e-9), 0.0, 1.0);
+void Registrar::tell_of_search(const registration::Alignment& best) {
+  const double needed = std::max(options_.min_entry_evidence, 1e-9);
+  const double share = std::clamp(best.agreement.proof / needed, 0.0, 1.0);
   entry_share_ += kEntryShareWeight * (share - entry_share_);
+  lost_sensor_ = {};
+  if (best.agreement.evidence < options_.track.align.min_evidence) return;
+  lost_sensor_.T_world_sensor = best.T_target_source;
+  lost_sensor_.is_featureless = best.outcome == registration::AlignOutcome::kUndetermined;
 }
 
 /// The next view confirms a claim if its own registration gives the same pose. If the two views are
@@ -226,38 +236,52 @@ bool Registrar::confirm_claim(std::size_t submap, const IncomingView& incoming,
   return true;
 }
 
-bool Registrar::try_to_join(std::size_t submap, std::size_t i, bool all_starts) {
+bool Registrar::try_to_join(std::size_t submap, std::size_t i, int searched_places) {
   const TrackedScan& scan = *submaps_[scan_];
   const IncomingView incoming = submaps_[submap]->incoming(i);
   const Isometry T_submap_sensor = submaps_[submap]->views()[i].aligned.T_world_sensor;
   if (claim_ && confirm_claim(submap, incoming, T_submap_sensor)) return true;
-  double most_proof = 0.0;
-  const EntryStarts starts = entry_starts();
-  const double time_s = incoming.view->time_s;
-  for (const Isometry& T_scan_start :
-       all_starts ? starts.all(time_s, static_cast<std::size_t>(options_.retry_starts))
-                  : starts.few(time_s, static_cast<std::size_t>(options_.starts_per_view),
-                               static_cast<std::size_t>(lost_views_))) {
-    const registration::Alignment found =
-        scan.locate(incoming, starts.at_its_depth(T_scan_start, incoming));
-    most_proof = std::max(most_proof, found.agreement.proof);
-    if (!convincing(found)) continue;
+  registration::Alignment best;
+  best.agreement.evidence = -std::numeric_limits<double>::infinity();
+  const auto claims = [&](const Isometry& T_scan_start) {
+    const registration::Alignment found = scan.locate(incoming, T_scan_start);
+    if (found.agreement.evidence > best.agreement.evidence) best = found;
+    if (!convincing(found)) return false;
     claim_ = {submap, found.T_target_source * T_submap_sensor.inverse(), found.T_target_source};
-    break;
+    return true;
+  };
+  const std::vector<Isometry> likely =
+      EntrySearch::likely(scan, incoming, entry_hints(), radius_mm_);
+  if (std::none_of(likely.begin(), likely.end(), claims) && searched_places > 0) {
+    const std::vector<Isometry> searched =
+        entry_search_.search(scan, likely, points_around(*submaps_[submap], i), radius_mm_,
+                             static_cast<std::size_t>(searched_places));
+    static_cast<void>(std::any_of(searched.begin(), searched.end(), claims));
+    tell_of_search(best);
   }
-  update_entry_share(most_proof);
   return false;
+}
+
+/// A search takes as long as several frames. Two views, one of each pattern, show more than one.
+bool Registrar::is_search_due() {
+  ++unsearched_views_;
+  const int patience = submaps_[side_]->size() < 2 ? 2 : 1;
+  if (unsearched_views_ < patience * options_.search_every) return false;
+  unsearched_views_ = 0;
+  return true;
 }
 
 void Registrar::join(std::size_t submap, const Isometry& T_scan_submap) {
   TrackedScan& scan = *submaps_[scan_];
   for (std::size_t i = 0; i < submaps_[submap]->size(); ++i) {
-    scan.add(submaps_[submap]->incoming(i),
-             T_scan_submap * submaps_[submap]->views()[i].aligned.T_world_sensor);
+    const TrackedView& view = submaps_[submap]->views()[i];
+    scan.add(submaps_[submap]->incoming(i), T_scan_submap * view.aligned.T_world_sensor,
+             view.uncertainty_mm);
   }
   // An empty submap stays as a placeholder, so that the numbers of the others do not change.
   submaps_[submap] = std::make_unique<TrackedScan>(options_.track, radius_mm_);
   lost_views_ = 0;
+  lost_sensor_ = {};
   side_ = scan_;
   claim_.reset();
 }
@@ -272,17 +296,10 @@ std::vector<ReentryProposal> Registrar::proposals(std::size_t count) const {
   return propose_reentries(*submaps_[scan_], options_.proposal_pairs, count, radius_mm_);
 }
 
-EntryStarts Registrar::entry_starts() {
-  const TrackedScan& scan = *submaps_[scan_];
-  if (stops_.submap != scan_ || stops_.views != scan.size()) {
-    stops_ = {scan_, scan.size(), path_stops(scan, radius_mm_)};
-  }
+EntrySearch::Hints Registrar::entry_hints() const {
   const auto proposed = proposal();
-  return {scan,
-          stops_.poses,
-          radius_mm_,
-          {asked_entry_, proposed ? std::optional(proposed->second.T_world_sensor) : std::nullopt,
-           options_.max_gap_s}};
+  return {asked_entry_, proposed ? std::optional(proposed->second.T_world_sensor) : std::nullopt,
+          options_.max_gap_s};
 }
 
 ScanGrowth Registrar::take_growth() {
@@ -316,7 +333,7 @@ void Registrar::apply(std::span<const AlignedView> refined) {
   TrackedScan& scan = *submaps_[scan_];
   std::map<FrameIndex, const AlignedView*> by_frame;
   for (const AlignedView& view : refined) by_frame[view.view->frame] = &view;
-  stops_ = {};
+  entry_search_.forget();
   // Smaller changes have no effect on views that register to it.
   const double negligible_mm = 1e-4 * radius_mm_;
   Isometry T_new_world = Isometry::Identity();  // of the last view in `refined`
@@ -353,16 +370,15 @@ void Registrar::retry_submaps(const Progress& progress) {
   }
 }
 
-/// Tries a few views spread over the submap: each tries all start poses, and the next view
-/// confirms.
+/// Searches for a few views spread over the submap; the next view confirms.
 void Registrar::retry_submap(std::size_t submap) {
   constexpr std::size_t kAttempts = 4;
   claim_.reset();
   const std::size_t count = submaps_[submap]->size();
   for (std::size_t attempt = 0; count >= 2 && attempt < kAttempts; ++attempt) {
     const std::size_t i = attempt * (count - 2) / (kAttempts - 1);
-    if (try_to_join(submap, i, true)) break;
-    if (claim_ && try_to_join(submap, i + 1, false)) break;
+    if (try_to_join(submap, i, options_.retried_places)) break;
+    if (claim_ && try_to_join(submap, i + 1, 0)) break;
   }
 }
 

@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/tracking/entry_starts.h"
+#include "core/tracking/entry_search.h"
+#include "core/tracking/lost_sensor.h"
 #include "core/tracking/reentry_proposal.h"
 
 namespace flytri::tracking {
@@ -63,12 +64,13 @@ struct RegistrarOptions {
   /// Default 30, range [1, 1000]. l of the paper: number of latest view pairs of which the best is
   /// proposed.
   int proposal_pairs = 30;
-  /// Default 6, range [1, 1000]. Start poses tried for each view while tracking is lost: limits the
-  /// time per view.
-  int starts_per_view = 6;
-  /// Default 1500, range [1, 100000]. Largest number of start poses tried for a view after the
-  /// scan.
-  int retry_starts = 1500;
+  /// Default 4, range [1, 1000]. While tracking is lost, the whole scan is searched with every n-th
+  /// view: a search takes as long as several frames.
+  int search_every = 4;
+  /// Default 8, range [1, 1000]. Best places of a search at which a lost view is registered.
+  int searched_places = 8;
+  /// Default 24, range [1, 1000]. The same for a view after the scan.
+  int retried_places = 24;
   /// Default 14, range [0, 1000]. Evidence, see judge(), that a lost view needs to resume the scan:
   /// odds of a million to one, because many places are tried.
   double min_entry_evidence = 14.0;
@@ -118,6 +120,9 @@ class Registrar {
   /// tracking is not lost.
   [[nodiscard]] double entry_share() const { return lost_views_ == 0 ? 1.0 : entry_share_; }
 
+  /// Empty if tracking is not lost.
+  [[nodiscard]] const LostSensor& lost_sensor() const { return lost_sensor_; }
+
   /// The views registered so far, in the world frame of the scan, without retired ones.
   [[nodiscard]] std::vector<AlignedView> aligned_views() const;
   /// Views added to the scan since the last call, including joined submaps.
@@ -163,14 +168,16 @@ class Registrar {
   RegisteredView take(const std::shared_ptr<const View>& view, bool may_register);
   RejectReason register_view(IncomingView incoming);
   RejectReason track_lost(IncomingView incoming, RejectReason reason, bool search);
-  bool try_to_join(std::size_t submap, std::size_t i, bool all_starts);
+  /// @param searched_places  best places of a search to try after the likely ones; 0: no search
+  bool try_to_join(std::size_t submap, std::size_t i, int searched_places);
+  bool is_search_due();
   bool confirm_claim(std::size_t submap, const IncomingView& incoming,
                      const Isometry& T_submap_sensor);
   void join(std::size_t submap, const Isometry& T_scan_submap);
   void start_submap(IncomingView incoming);
-  [[nodiscard]] EntryStarts entry_starts();
+  [[nodiscard]] EntrySearch::Hints entry_hints() const;
   [[nodiscard]] bool convincing(const registration::Alignment& alignment) const;
-  void update_entry_share(double proof);
+  void tell_of_search(const registration::Alignment& best);
   void retry_submaps(const Progress& progress);
   void retry_submap(std::size_t submap);
   void choose_largest_submap(const Progress& progress);
@@ -189,13 +196,10 @@ class Registrar {
   double radius_mm_ = 0.0;
   std::optional<Claim> claim_;
   std::optional<Isometry> asked_entry_;
-  /// path_stops() of the scan, kept until the scan changes, because many lost views use them.
-  struct KnownStops {
-    std::size_t submap = 0, views = 0;
-    std::vector<Isometry> poses;
-  };
-  KnownStops stops_;
+  EntrySearch entry_search_;
+  int unsearched_views_ = 0;  ///< lost views since the last search
   double entry_share_ = 0.0;
+  LostSensor lost_sensor_;
   double latest_rms_mm_ = 0.0;       ///< of the latest registered view
   std::size_t returned_submap_ = 0;  ///< the scan at the last call of take_growth()
   std::size_t returned_views_ = 0;   ///< its views that take_growth() has already returned

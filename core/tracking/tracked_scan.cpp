@@ -74,16 +74,19 @@ IncomingView TrackedScan::incoming(std::size_t i) const {
   return {aligned.view, views_[i].placed.moved(aligned.T_world_sensor.inverse())};
 }
 
-void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor) {
-  TrackedView view{
-      {std::move(incoming.view), T_world_sensor}, incoming.prepared.moved(T_world_sensor), false};
+void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor,
+                      double uncertainty_mm) {
+  TrackedView view{{std::move(incoming.view), T_world_sensor},
+                   incoming.prepared.moved(T_world_sensor),
+                   uncertainty_mm,
+                   false};
   grid_.add(extent_of(view.placed, T_world_sensor));
   trajectory_.set(view.aligned.view->time_s, T_world_sensor);
   views_.push_back(std::move(view));
 }
 
 void TrackedScan::add(IncomingView incoming, const registration::Alignment& alignment) {
-  add(std::move(incoming), alignment.T_target_source);
+  add(std::move(incoming), alignment.T_target_source, alignment.uncertainty_mm);
   rms_mm_.push_back(alignment.rms_mm);
 }
 
@@ -230,6 +233,20 @@ registration::Alignment TrackedScan::locate(const IncomingView& incoming,
             options_.align);
   fine.moved_mm = trajectory::pose_distance_mm(T_world_start, fine.T_target_source, radius_mm_);
   return fine;
+}
+
+double TrackedScan::uncertainty_mm(std::size_t i) {
+  TrackedView& view = views_[i];
+  if (!std::isnan(view.uncertainty_mm)) return view.uncertainty_mm;
+  const IncomingView again = incoming(i);
+  const Isometry& T_world_sensor = view.aligned.T_world_sensor;
+  registration::AlignOptions at_rest = options_.align;
+  at_rest.coarse_pairs = 0;
+  const registration::Alignment found =
+      align(again, metaview(again, T_world_sensor, i), T_world_sensor, at_rest);
+  view.uncertainty_mm =
+      found.aligned() ? found.uncertainty_mm : std::numeric_limits<double>::infinity();
+  return view.uncertainty_mm;
 }
 
 void TrackedScan::check_path() {

@@ -1,6 +1,7 @@
 /// @file  Views registered in one world frame, and the search for the pose of the next view.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -45,6 +46,9 @@ struct IncomingView {
 struct TrackedView {
   AlignedView aligned;
   registration::PreparedView placed;
+  /// Standard uncertainty of the pose in the worst of the six directions, when it was registered.
+  /// NaN: not known. Infinite: the surface does not fix the pose.
+  double uncertainty_mm = std::numeric_limits<double>::quiet_NaN();
   bool confirmed = false;  ///< off the path, but fits at its pose: not checked again
 };
 
@@ -65,7 +69,9 @@ class TrackedScan {
   [[nodiscard]] IncomingView incoming(std::size_t i) const;
 
   /// Adds the view at this pose.
-  void add(IncomingView incoming, const Isometry& T_world_sensor);
+  /// @param uncertainty_mm  see TrackedView
+  void add(IncomingView incoming, const Isometry& T_world_sensor,
+           double uncertainty_mm = std::numeric_limits<double>::quiet_NaN());
   /// Adds the view at its aligned pose, and records how well it fits for usual_rms_mm().
   void add(IncomingView incoming, const registration::Alignment& alignment);
   /// Largest usual RMS distance of crossings in this scan; at a wrong pose it is several times
@@ -85,6 +91,9 @@ class TrackedScan {
   /// radius.
   [[nodiscard]] registration::Alignment locate(const IncomingView& incoming,
                                                const Isometry& T_world_start) const;
+  /// How well view i fixes its pose: see TrackedView. If it is not known, it is worked out and
+  /// kept.
+  double uncertainty_mm(std::size_t i);
   /// Checks the latest part of the path: outliers are registered again, starting on the fitted
   /// curve. They keep their pose if no better one is found.
   void check_path();

@@ -14,8 +14,8 @@ double steady_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// A scan of `view_count` views of 4500 points: twelve places of 20 x 15 mm in turn, about the area
-/// of a jaw. All places show the same 100 simulated views.
+/// `view_count` views of 4500 points each, at twelve places of 20 x 15 mm in turn: about the area
+/// of a jaw. The same 100 simulated views serve all places.
 std::vector<AlignedView> views_of_a_jaw(int view_count) {
   constexpr int kPlaces = 12, kSimulated = 100;
   const testing::TrueScan simulated = testing::scan_cusps(kSimulated, {}, 3);

@@ -142,6 +142,15 @@ struct FakeScan::Parts {
     return view;
   }
 
+  [[nodiscard]] AppView lost_where_it_is_smooth() const {
+    AppView view = lost();
+    scan::ScanSnapshot scan = *view.scan;
+    const Isometry& T_world_place = scan.reentry.back().first.T_world_sensor;
+    scan.lost_sensor = {T_world_place * Eigen::AngleAxisd(0.3, Vec3::UnitX()), true};
+    set_scan(view, std::move(scan));
+    return view;
+  }
+
   [[nodiscard]] AppView finishing() const {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
@@ -299,7 +308,8 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
       [&] { return parts.calibrating(refused_shot()); },
       [&] { return parts.calibrating(refused_set()); },
       [&] { return parts.calibrating(finished_calibration()); },
-      [&] { return parts.calibrating(broken_check()); }};
+      [&] { return parts.calibrating(broken_check()); },
+      [&] { return parts.lost_where_it_is_smooth(); }};
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {
     return parts.exported(state);
   }

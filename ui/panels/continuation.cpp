@@ -47,7 +47,7 @@ void draw_places(const PanelContext& context, Rect row) {
     look.id = id.c_str();
     look.label = fmt::format("{}", i + 1);
     look.is_on = i == scan.chosen_reentry;
-    look.hint = fmt::format("Resume at place {} ({} points)", i + 1, scan.reentry[i].point_count);
+    look.hint = fmt::format("Resume at place {}", i + 1);
     const Rect box = row.take_left(width, gap);
     context.places.set(id, box);
     if (small_button(context.theme, box, look)) context.commands.emplace_back(ChooseReentry{i});

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/state/camera_moves.h"
+#include "ui/state/way_back.h"
 
 namespace flytri::ui {
 namespace {
@@ -14,6 +15,12 @@ void add_reentry(const PanelContext& context, SceneContent& content) {
   const scan::ReentryPlace& place = scan.reentry[scan.chosen_reentry];
   content.highlighted = {place.first, place.second};
   content.sensors.push_back({place.first.T_world_sensor, context.view.volume_mm, true});
+  if (const auto way = way_back(scan)) {
+    content.sensors.push_back({way->T_world_sensor, context.view.volume_mm, false});
+    // Above the surface, where it is not hidden.
+    const Vec3 above_mm(0.0, 0.0, -0.6 * context.view.volume_mm.z());
+    content.way_back = SceneArrow{way->T_world_sensor * above_mm, way->T_world_place * above_mm};
+  }
 }
 
 void add_preview(const PanelContext& context, SceneContent& content) {

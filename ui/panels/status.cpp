@@ -1,5 +1,6 @@
 #include "ui/panels/status.h"
 
+#include "ui/state/way_back.h"
 #include "ui/theme/icons.h"
 
 namespace flytri::ui {
@@ -15,8 +16,11 @@ Status scanning_status(const AppView& view) {
   switch (view.scan->phase) {
     case scan::ScanPhase::kMeasurement:
       return {kGood, icon::kScan, "Scanning", ""};
-    case scan::ScanPhase::kContinuation:
-      return {kBad, icon::kWarning, "Tracking lost", "Return to the marked area"};
+    case scan::ScanPhase::kContinuation: {
+      const auto way = way_back(*view.scan);
+      return {kBad, icon::kWarning, "Tracking lost",
+              way ? words_of(*way) : "Return to the marked area"};
+    }
     default:
       return {kNeutral, icon::kDevice, "Preview", "Hold the sensor over the teeth"};
   }
@@ -32,7 +36,7 @@ Status status_of(const AppView& view) {
     return {kCaution, icon::kResume, "Processing", "Keep the sensor ready"};
   }
   if (view.source.is_lost) return {kBad, icon::kWarning, "No sensor", view.source.message};
-  const bool is_lost = view.is_scanning && view.scan != nullptr &&
+  const bool is_lost = view.is_scanning && view.scan != nullptr && !view.source.has_ended &&
                        view.scan->phase == scan::ScanPhase::kContinuation;
   if (!view.file.failure.empty() && !is_lost) {
     return {kBad, icon::kWarning, "Not saved", view.file.failure};
@@ -44,6 +48,9 @@ Status status_of(const AppView& view) {
     return {kNeutral, icon::kInformation, "Starting", "The sensor is getting ready"};
   }
   if (view.scan == nullptr || !view.is_scanning) return waiting_status(view);
+  if (view.source.has_ended) {
+    return {kNeutral, icon::kInformation, "Recording ended", "Finish the model"};
+  }
   return scanning_status(view);
 }
 

@@ -101,6 +101,25 @@ void add_sensor(Pen& pen, const SceneSensor& sensor, double now_s) {
   }
 }
 
+/// Its head lies in the plane of the picture, so that it never looks like a line.
+void add_arrow(Pen& pen, const SceneArrow& arrow, const Eye& eye) {
+  const Vec3 way = arrow.to_mm - arrow.from_mm;
+  const double length_mm = way.norm();
+  if (length_mm < 1e-6) return;
+  const Vec3 along = way / length_mm;
+  const Vec3 look = eye.T_eye_world.block<1, 3>(2, 0).transpose().cast<double>();
+  const Vec3 across = along.cross(look).stableNormalized();
+  const double head_mm = std::min(0.5 * length_mm, 0.03 * eye.height_mm);
+  const auto stroke = [&](double width_px, const Color& ink) {
+    pen.line(arrow.from_mm, arrow.to_mm, width_px, ink);
+    for (const double side : {-0.6, 0.6}) {
+      pen.line(arrow.to_mm - head_mm * (along + side * across), arrow.to_mm, width_px, ink);
+    }
+  };
+  stroke(7.0, kCasing);
+  stroke(4.0, kCaution);
+}
+
 void add_preview(Pen& pen, const PreviewContent& preview, double step_mm) {
   add_volume(pen, Isometry::Identity(), preview.volume_mm, 1.5, faded(kNeutral, 0.55));
   for (const auto& view : preview.views) {
@@ -170,6 +189,7 @@ std::vector<OverlayLine> overlay_lines(const SceneContent& content, const SceneO
     if (view.view) add_view(pen, *view.view, view.T_world_sensor, 3.0, step_mm);
   }
   for (const SceneSensor& sensor : content.sensors) add_sensor(pen, sensor, now_s);
+  if (content.way_back) add_arrow(pen, *content.way_back, eye);
   if (content.preview) add_preview(pen, *content.preview, step_mm);
   add_holes(pen, content);
   for (const MeasuredSegment& segment : content.measurements) add_measurement(pen, segment, eye);

@@ -35,6 +35,12 @@ struct MeasuredSegment {
   bool is_selected = false;
 };
 
+/// An arrow in the scene, world frame.
+struct SceneArrow {
+  Vec3 from_mm = Vec3::Zero();
+  Vec3 to_mm = Vec3::Zero();
+};
+
 /// The brush on the surface under the pointer.
 struct BrushCursor {
   editing::BrushDab dab;
@@ -51,6 +57,7 @@ struct SceneContent {
 
   std::vector<AlignedView> highlighted;  ///< drawn as bright profiles on the model
   std::vector<SceneSensor> sensors;
+  std::optional<SceneArrow> way_back;  ///< where to move a lost sensor
   std::optional<PreviewContent> preview;
 
   const std::vector<meshing::BoundaryLoop>* holes = nullptr;  ///< the outer border is not drawn

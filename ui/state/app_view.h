@@ -60,6 +60,7 @@ struct SourceState {
   std::string name;         ///< of the rig, the recording or the simulated sensor
   bool is_running = false;  ///< frames are coming
   bool is_lost = false;     ///< a device is missing; `message` says which and what to do
+  bool has_ended = false;   ///< a recording has been played to its end
   std::string message;
   std::optional<SimulatedHand> hand;   ///< of a simulated source
   std::optional<double> played_share;  ///< of a recording: 0..1

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ui/scene/box_corners.h"
+#include "ui/state/way_back.h"
 
 namespace flytri::ui {
 namespace {
@@ -69,6 +70,20 @@ void visit_reentry(const AppView& view, CameraState& state) {
   state.camera.fly_to(pose, kFlight_s);
 }
 
+/// Shows the sensor and the place to resume at together, as soon as it is known where the sensor
+/// is.
+void show_way_back(const AppView& view, CameraState& state) {
+  const auto way = way_back(*view.scan);
+  if (way && !state.has_seen_way_back) {
+    Eigen::AlignedBox3d box;
+    const Eigen::AlignedBox3d volume = volume_box(view.volume_mm);
+    for (const Isometry& T : {way->T_world_sensor, way->T_world_place})
+      box.extend(volume.transformed(T));
+    fly_to_show(corners_of(box), state.camera.destination().q_world_eye, kFlight_s, state);
+  }
+  state.has_seen_way_back = way.has_value();
+}
+
 }  // namespace
 
 void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, CameraState& state) {
@@ -128,8 +143,12 @@ void move_automatically(const AppView& view, const Eigen::AlignedBox3d& model_bo
   const scan::ScanPhase phase = view.scan->phase;
   const bool was_lost = state.seen_phase == scan::ScanPhase::kContinuation;
   if (phase == scan::ScanPhase::kContinuation) {
-    if (!was_lost) state.seen_reentry.reset();
+    if (!was_lost) {
+      state.seen_reentry.reset();
+      state.has_seen_way_back = false;
+    }
     visit_reentry(view, state);
+    show_way_back(view, state);
   } else if (was_lost) {
     show_all(view, model_box_mm, state);
   } else {

@@ -42,6 +42,7 @@ struct CameraState {
   Eigen::AlignedBox3d followed_box_mm;  ///< the box shown last
   scan::ScanPhase seen_phase = scan::ScanPhase::kPreview;
   std::optional<std::size_t> seen_reentry;  ///< the place shown last
+  bool has_seen_way_back = false;           ///< where a lost sensor is was known
   io::ScanStage seen_stage = io::ScanStage::kUpper;
   bool has_seen_model = false;
 };

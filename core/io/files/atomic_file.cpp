@@ -26,8 +26,8 @@ std::string temporary_beside(const fs::path& path, std::string_view prefix) {
   return (path.parent_path() / fmt::format("{}{:08x}", prefix, random())).string();
 }
 
-/// Locks a new file, so that remove_leftovers() sees that its program runs. Returns false if it was
-/// quicker and removed the file. A file system without locks is fine: there it goes by age.
+/// Locks a new file: remove_leftovers() keeps locked files. False if it has removed the file
+/// already. Where a file system has no locks, remove_leftovers() goes by age.
 bool lock_new(int descriptor) {
   while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
   }

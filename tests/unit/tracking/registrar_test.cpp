@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -137,30 +138,35 @@ TEST(Registrar, StartsAtTheFirstUsableView) {
   EXPECT_EQ(errors_of(views, hand_pose).registered, 20);
 }
 
-TEST(Registrar, ProposesThePairWithMostPointsWhenInterrupted) {
-  RegistrarOptions options;
-  options.patience_views = 3;
-  Registrar registrar = Registrar::create(options).value();
-  for (int frame = 0; frame < 12; ++frame) {
-    SceneSensor sensor;
-    if (frame == 6 || frame == 7) sensor.points_per_line = 600;
-    registrar.add(scene_view(frame, hand_pose(frame / 30.0), sensor));
-  }
-  EXPECT_FALSE(registrar.interrupted());
-  const testing::HeightField plane = [](double, double) { return 0.0; };
-  Random random(5);
-  for (int frame = 12; frame < 18; ++frame) {
+TEST(Registrar, ProposesAPlaceThatFixesThePoseAndNotTheFlatOneWhereItWasLost) {
+  const testing::HeightField flat_from_12 = [](double x, double y) {
+    return x > 12.0 ? 0.0 : testing::cusped_height(x, y);
+  };
+  Registrar registrar = Registrar::create().value();
+  int last_registered = 0;
+  for (int frame = 0; frame < 110; ++frame) {
+    Random random(17, static_cast<std::uint64_t>(frame));
+    const Isometry T_world_sensor(Eigen::Translation3d(10.0 * frame / 30.0, 0.0, 0.0));
     auto view = std::make_shared<View>(testing::measure_scene(
-        plane, {}, frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal,
-        hand_pose(frame / 30.0), random));
+        flat_from_12, {}, frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal,
+        T_world_sensor, random));
+    view->frame = FrameIndex(frame);
     view->time_s = frame / 30.0;
-    registrar.add(view);
+    if (registrar.add(view).fate == ViewFate::kRegistered) last_registered = frame;
   }
+  EXPECT_GT(last_registered, 30);
   EXPECT_TRUE(registrar.interrupted());
   const auto proposal = registrar.proposal();
   ASSERT_TRUE(proposal);
-  EXPECT_EQ(proposal->first.view->frame, FrameIndex(6));
-  EXPECT_EQ(proposal->second.view->frame, FrameIndex(7));
+  EXPECT_EQ(proposal->second.view->frame.value, proposal->first.view->frame.value + 1);
+  EXPECT_LT(proposal->second.view->frame, FrameIndex(last_registered - 10));
+  double before_mm = 0.0;
+  for (const ReentryProposal& other : registrar.proposals(5)) {
+    EXPECT_TRUE(std::isfinite(other.uncertainty_mm));
+    if (other.second.view->frame == proposal->second.view->frame) continue;
+    EXPECT_GE(other.uncertainty_mm, before_mm);
+    before_mm = other.uncertainty_mm;
+  }
 }
 
 TEST(Registrar, ViewsOfAFastHandAreEitherRightOrRejected) {
@@ -199,7 +205,7 @@ TEST(Registrar, AScanWithEnoughViewsIsNeverReplaced) {
   for (const int settled_views : {kBefore / 2, 2 * kBefore}) {
     RegistrarOptions options;
     options.settled_views = settled_views;
-    options.retry_starts = 10;
+    options.retried_places = 4;
     Registrar registrar = Registrar::create(options).value();
     for (int frame = 0; frame < kBefore + kAfter; ++frame) {
       const double t = frame / 30.0;
@@ -347,6 +353,64 @@ TEST(Registrar, ResumesAtAnotherPlaceThanProposed) {
         0.1);
   }
   EXPECT_EQ(back.fate, ViewFate::kRegistered);
+}
+
+TEST(Registrar, IsFoundAnywhereHoweverItIsHeld) {
+  // Out along x, and back 7 mm beside it.
+  std::vector<AlignedView> known;
+  for (int frame = 0; frame < 180; ++frame) {
+    const bool is_out = frame < 90;
+    const Isometry T_world_sensor(
+        Eigen::Translation3d(0.3 * (is_out ? frame : 180 - frame), is_out ? 0.0 : 7.0, 0.0));
+    known.push_back({scene_view(frame, T_world_sensor, {}), T_world_sensor});
+  }
+  // Rolled by up to half a turn, and tilted.
+  const std::array<std::array<double, 3>, 5> holds = {
+      {{3.1, 0.0, 5.0}, {-1.6, 0.3, 12.0}, {0.8, -0.25, 20.0}, {2.4, 0.3, 16.0}, {-2.6, 0.3, 8.0}}};
+  for (const auto& [roll_rad, tilt_rad, x_mm] : holds) {
+    Registrar registrar = Registrar::create().value();
+    registrar.restore(known);
+    int views = 0;
+    RegisteredView back;
+    while (back.fate != ViewFate::kRegistered && views < 30) {
+      const int frame = 250 + views++;
+      const Isometry T_world_sensor = Eigen::Translation3d(x_mm + 0.02 * views, 3.5, 0.0) *
+                                      Eigen::AngleAxisd(tilt_rad, Vec3::UnitX()) *
+                                      Isometry(Eigen::AngleAxisd(roll_rad, Vec3::UnitZ()));
+      back = registrar.add(scene_view(frame, T_world_sensor, {}));
+      if (back.fate != ViewFate::kRegistered) continue;
+      EXPECT_LT(trajectory::pose_distance_mm(back.T_world_sensor, T_world_sensor, 7.0), 0.1)
+          << roll_rad;
+    }
+    EXPECT_EQ(back.fate, ViewFate::kRegistered) << roll_rad;
+    EXPECT_LE(views, 15) << roll_rad;
+  }
+}
+
+TEST(Registrar, SaysThatTheSurfaceIsTooSmoothWhereTheSensorWasPut) {
+  const testing::HeightField flat_from_5 = [](double x, double y) {
+    return x > 5.0 ? 0.0 : testing::cusped_height(x, y);
+  };
+  const auto view_at = [&](int frame, double x_mm) {
+    Random random(17, static_cast<std::uint64_t>(frame));
+    const Isometry T_world_sensor(Eigen::Translation3d(x_mm, 0.0, 0.0));
+    auto view = std::make_shared<View>(testing::measure_scene(
+        flat_from_5, {}, frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal, T_world_sensor,
+        random));
+    view->frame = FrameIndex(frame);
+    view->time_s = frame / 30.0;
+    return AlignedView{view, T_world_sensor};
+  };
+  std::vector<AlignedView> known;
+  for (int frame = 0; frame < 120; ++frame) known.push_back(view_at(frame, 0.3 * frame));
+  Registrar registrar = Registrar::create().value();
+  registrar.restore(known);
+  EXPECT_FALSE(registrar.lost_sensor().T_world_sensor);
+  for (int frame = 200; frame < 212; ++frame) {
+    EXPECT_EQ(registrar.add(view_at(frame, 22.0).view).fate, ViewFate::kRejected);
+  }
+  EXPECT_TRUE(registrar.lost_sensor().T_world_sensor);
+  EXPECT_TRUE(registrar.lost_sensor().is_featureless);
 }
 
 TEST(Registrar, ReportsHowCloseALostViewIsToResuming) {

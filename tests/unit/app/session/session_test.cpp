@@ -9,9 +9,11 @@
 #include <thread>
 
 #include "app/session/user_folders.h"
+#include "assets/sample_jaw/sample_jaw.h"
 #include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
+#include "core/io/models/model.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -281,6 +283,44 @@ TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
   const ui::ExportedFile written = session.view().exports.written.front();
   EXPECT_EQ(written.bytes, fs::file_size(folder_.path() / "out" / "jaw.glb"));
   EXPECT_GT(written.bytes, 100'000U);
+}
+
+/// A session with the virtual sensor, on the sample jaw turned over.
+class SessionOnAMesh : public SessionOnARecording {};
+
+TEST_F(SessionOnAMesh, FindsTheTeethOfAJawThatIsUpsideDownAndPointsTheHandAfterALoss) {
+  sample_jaw::SampleJawOptions coarse;
+  coarse.tooth_cell_mm = 0.4;
+  coarse.gum_cell_mm = 0.6;
+  TexturedMesh jaw{sample_jaw::make_sample_jaw(coarse, Workers()).value(), {}, {}};
+  for (SurfacePoint& vertex : jaw.mesh.vertices) {
+    vertex.position_mm.tail<2>() *= -1.0F;
+    vertex.normal.tail<2>() *= -1.0F;
+  }
+  const fs::path mesh = folder_.path() / "turned.ply";
+  ASSERT_TRUE(io::write_model(mesh, jaw));
+  options_.source = {};
+  options_.source.mesh = mesh;
+  Session session(options_);
+  session.carry_out(ui::StartScan{});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 40; }));
+  const auto tracked = session.view();
+  const Isometry T_world_sensor = *tracked.scan->T_world_sensor;
+  EXPECT_TRUE(std::any_of(tracked.notices.begin(), tracked.notices.end(), [](const auto& notice) {
+    return notice.text.find("its teeth point along") != std::string::npos;
+  }));
+  session.carry_out(ui::TakeSensorAway{true});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) {
+    return view.scan->phase == scan::ScanPhase::kContinuation;
+  }));
+  // The hand has moved away; the place that is pointed at is the one that was scanned.
+  const std::int64_t before = registered(session.view());
+  ASSERT_TRUE(wait_for(session, [&](const auto& view) {
+    const Vec3 sight = T_world_sensor.linear().col(2);
+    session.carry_out(ui::PointHand{T_world_sensor.translation() - 50.0 * sight, sight});
+    return registered(view) > before + 5;
+  }));
+  EXPECT_EQ(session.view().scan->phase, scan::ScanPhase::kMeasurement);
 }
 
 TEST_F(SessionOnARecording, SaysWhyASourceCannotBeOpened) {

@@ -37,5 +37,19 @@ TEST(Status, SaysThatACaseIsBeingRead) {
   EXPECT_EQ(status_of(view).text, "Opening");
 }
 
+TEST(Status, ARecordingThatEndedIsNeitherScanningNorLost) {
+  AppView view;
+  view.is_scanning = true;
+  auto scan = std::make_shared<scan::ScanSnapshot>();
+  for (const auto phase : {scan::ScanPhase::kMeasurement, scan::ScanPhase::kContinuation}) {
+    scan->phase = phase;
+    view.scan = scan;
+    view.source.has_ended = false;
+    EXPECT_NE(status_of(view).text, "Recording ended");
+    view.source.has_ended = true;
+    EXPECT_EQ(status_of(view).text, "Recording ended");
+  }
+}
+
 }  // namespace
 }  // namespace flytri::ui

@@ -1,0 +1,33 @@
+#include "ui/state/way_back.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace flytri::ui {
+
+std::optional<WayBack> way_back(const scan::ScanSnapshot& scan) {
+  if (!scan.lost_sensor.T_world_sensor || scan.chosen_reentry >= scan.reentry.size()) {
+    return std::nullopt;
+  }
+  WayBack way;
+  way.T_world_sensor = *scan.lost_sensor.T_world_sensor;
+  way.T_world_place = scan.reentry[scan.chosen_reentry].first.T_world_sensor;
+  const double cosine = way.T_world_sensor.linear().col(2).dot(way.T_world_place.linear().col(2));
+  way.tilt_rad = std::acos(std::clamp(cosine, -1.0, 1.0));
+  way.is_featureless = scan.lost_sensor.is_featureless;
+  return way;
+}
+
+std::string words_of(const WayBack& way) {
+  constexpr double kNotableTilt_deg = 10.0;
+  const double tilt_deg = way.tilt_rad * 180.0 / std::numbers::pi;
+  std::string words = way.is_featureless ? "Too smooth here: move" : "Move";
+  words += fmt::format(" {:.0f} mm along the arrow", way.distance_mm());
+  if (tilt_deg >= kNotableTilt_deg) words += fmt::format(", tilt by {:.0f}°", tilt_deg);
+  return words;
+}
+
+}  // namespace flytri::ui
