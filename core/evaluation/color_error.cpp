@@ -7,20 +7,14 @@
 #include "core/base/median.h"
 #include "core/geometry/point_grid.h"
 #include "core/texture/srgb.h"
+#include "core/texture/vertex_colors.h"
 
 namespace flytri::evaluation {
 namespace {
 
 Rgb color_of(const TexturedMesh& model, std::size_t vertex) {
   if (model.atlas.empty()) return model.mesh.vertices[vertex].color;
-  const Eigen::Vector2f& uv = model.uv[vertex];
-  const auto pixel = [](float share, int size) {
-    const float last = static_cast<float>(size - 1);
-    return static_cast<int>(std::clamp(share * static_cast<float>(size), 0.0F, last));
-  };
-  const auto& texel =
-      model.atlas.at<cv::Vec3b>(pixel(uv.y(), model.atlas.rows), pixel(uv.x(), model.atlas.cols));
-  return {texel[0], texel[1], texel[2]};
+  return texture::texel_at(model.atlas, model.uv[vertex]);
 }
 
 /// Mean over the channels.

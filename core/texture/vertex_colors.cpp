@@ -4,16 +4,20 @@
 
 namespace flytri::texture {
 
+Rgb texel_at(const cv::Mat& atlas, const Eigen::Vector2f& uv) {
+  // Limited before the conversion: a coordinate from a file may be too large for an int.
+  const auto pixel = [](float share, int size) {
+    const float last = static_cast<float>(size - 1);
+    return static_cast<int>(std::clamp(share * static_cast<float>(size), 0.0F, last));
+  };
+  const auto& texel = atlas.at<cv::Vec3b>(pixel(uv.y(), atlas.rows), pixel(uv.x(), atlas.cols));
+  return {texel[0], texel[1], texel[2]};
+}
+
 void color_vertices(TexturedMesh& model) {
   if (model.atlas.empty()) return;
-  const cv::Mat_<cv::Vec3b> atlas = model.atlas;
-  const auto texel = [](float share, int count) {
-    return std::clamp(static_cast<int>(share * static_cast<float>(count)), 0, count - 1);
-  };
   for (std::size_t i = 0; i < model.uv.size(); ++i) {
-    const cv::Vec3b color =
-        atlas(texel(model.uv[i].y(), atlas.rows), texel(model.uv[i].x(), atlas.cols));
-    model.mesh.vertices[i].color = {color[0], color[1], color[2]};
+    model.mesh.vertices[i].color = texel_at(model.atlas, model.uv[i]);
   }
 }
 
