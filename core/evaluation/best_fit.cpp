@@ -5,6 +5,7 @@
 
 #include "core/base/check_options.h"
 #include "core/base/median.h"
+#include "core/geometry/decompositions.h"
 #include "core/geometry/mesh_normals.h"
 
 namespace flytri::evaluation {
@@ -68,7 +69,6 @@ double tukey_cutoff_mm(const std::vector<Foot>& feet, double outlier_sigmas) {
 // Rotation about `center` and translation, the latter in units of the radius.
 Twist solve_step(const std::vector<Foot>& feet, const Vec3& center_mm, double radius_mm,
                  double cutoff_mm) {
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
   Matrix6 normal_matrix = Matrix6::Zero();
   Twist right = Twist::Zero();
   for (const Foot& foot : feet) {
@@ -80,13 +80,13 @@ Twist solve_step(const std::vector<Foot>& feet, const Vec3& center_mm, double ra
     normal_matrix += weight * row * row.transpose();
     right -= weight * foot.offset_mm / radius_mm * row;
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(normal_matrix);
-  const double weakest = kFreeDirection * eigen.eigenvalues().maxCoeff();
+  const auto eigen = symmetric_eigen(normal_matrix);
+  const double weakest = kFreeDirection * eigen.values.maxCoeff();
   Twist step = Twist::Zero();
   for (int k = 0; k < 6; ++k) {
-    if (eigen.eigenvalues()[k] <= weakest) continue;
-    const Twist direction = eigen.eigenvectors().col(k);
-    step += direction * (direction.dot(right) / eigen.eigenvalues()[k]);
+    if (eigen.values[k] <= weakest) continue;
+    const Twist direction = eigen.vectors.col(k);
+    step += direction * (direction.dot(right) / eigen.values[k]);
   }
   return step;
 }

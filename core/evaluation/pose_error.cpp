@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/geometry/decompositions.h"
+
 namespace flytri::evaluation {
 namespace {
 
@@ -40,11 +42,6 @@ PointPairs gather(std::span<const PosePair> views, std::span<const Vec3> points_
   return pairs;
 }
 
-// A fixed number of rows would cause a GCC 12 warning inside umeyama.
-Eigen::Map<const Eigen::MatrixXd> columns(const std::vector<Vec3>& points) {
-  return {points.front().data(), 3, static_cast<Eigen::Index>(points.size())};
-}
-
 double rms_after(const Isometry& T_model_world, const PointPairs& pairs) {
   double sum = 0.0;
   for (std::size_t i = 0; i < pairs.placed.size(); ++i) {
@@ -54,9 +51,7 @@ double rms_after(const Isometry& T_model_world, const PointPairs& pairs) {
 }
 
 double rms_at_best_fit(const PointPairs& pairs) {
-  Isometry T_model_world = Isometry::Identity();
-  T_model_world.matrix() = Eigen::umeyama(columns(pairs.placed), columns(pairs.truth), false);
-  return rms_after(T_model_world, pairs);
+  return rms_after(best_motion(pairs.placed, pairs.truth), pairs);
 }
 
 PoseError in_both_gauges(const PointPairs& pairs, const PosePair& first) {

@@ -1,6 +1,6 @@
 #include "core/live/surface_sums.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/geometry/decompositions.h"
 
 namespace flytri::live {
 namespace {
@@ -12,11 +12,10 @@ constexpr float kCrossingShare = 0.05F;
 
 Vec3f normal_of(const DirectionSums& sums) {
   const Vec3f towards = sums.towards.cast<float>();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-  solver.computeDirect(matrix_of(sums.tangents));
-  Vec3f normal = solver.eigenvectors().col(0);
-  if (solver.eigenvalues()[1] < kCrossingShare * solver.eigenvalues()[2]) {
-    const Vec3f along = solver.eigenvectors().col(2);
+  const auto axes = direct_symmetric_eigen(Eigen::Matrix3f(matrix_of(sums.tangents)));
+  Vec3f normal = axes.vectors.col(0);
+  if (axes.values[1] < kCrossingShare * axes.values[2]) {
+    const Vec3f along = axes.vectors.col(2);
     normal = (towards - towards.dot(along) * along).normalized();
   }
   return normal.dot(towards) < 0.0F ? Vec3f(-normal) : normal;

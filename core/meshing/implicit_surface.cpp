@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/decompositions.h"
+
 namespace flytri::meshing {
 namespace {
 
@@ -106,7 +108,7 @@ bool ImplicitSurface::surrounded_closely(const Vec3f& place_mm, const Vec3f& nor
   centroid -= centroid.dot(normal) * normal;
   if (centroid.norm() > kMaxCentroidShare * reach_mm_) return false;
   // A single line of points has no width and is not a surface.
-  const Vec3f widths = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(spread).eigenvalues();
+  const Vec3f widths = symmetric_eigenvalues(spread);
   return widths[1] >= kMinWidthShare * widths[2];
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/check_options.h"
 #include "core/geometry/cell_key.h"
+#include "core/geometry/decompositions.h"
 #include "core/geometry/point_spacing.h"
 
 namespace flytri::normals {
@@ -186,13 +187,12 @@ Vec3 common_normal(const TangentCell& cell, double min_crossing_sine) {
   // The o of one curved profile vary too, but within its light sheet: that is not a crossing.
   const auto [few, many] = std::minmax(cell.weight[0], cell.weight[1]);
   if (few < kMinPatternShare * many) return Vec3::Zero();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(cell.oo);
-  const Vec3& eigenvalues = solver.eigenvalues();
+  const auto [eigenvalues, axes] = symmetric_eigen(cell.oo);
   // For two equal sets of directions at angle t, the middle eigenvalue is (1 - cos t) / 2 of the
   // sum of the eigenvalues.
   const double min_share = 0.5 * (1.0 - std::sqrt(1.0 - min_crossing_sine * min_crossing_sine));
   if (eigenvalues[1] < min_share * eigenvalues.sum()) return Vec3::Zero();
-  const Vec3 normal = solver.eigenvectors().col(0);
+  const Vec3 normal = axes.col(0);
   return normal.dot(cell.towards_sensor) < 0.0 ? Vec3(-normal) : normal;
 }
 

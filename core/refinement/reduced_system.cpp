@@ -70,7 +70,7 @@ void ReducedSystem::finish_views(const Workers& workers) {
       own.noalias() -= blocks_[b].coupling * blocks_[b].coupling.transpose();
     }
     own.diagonal() += kDamping * D.diagonal();
-    view_inverse_[v] = own.ldlt().solve(Matrix6::Identity());
+    view_inverse_[v] = inverse_of_symmetric(own);
   });
 }
 

@@ -8,11 +8,10 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/workers.h"
+#include "core/geometry/decompositions.h"
 #include "core/geometry/rigid.h"
 
 namespace flytri::refinement {
-
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// Contribution of one cell to one of its views. J is the Jacobian of the residuals with respect to
 /// the view's twist, A with respect to the surface's six parameters, W the weights, and L L^T = A^T

@@ -6,6 +6,7 @@
 
 #include "core/base/median.h"
 #include "core/geometry/cell_key.h"
+#include "core/geometry/decompositions.h"
 
 namespace flytri::refinement {
 namespace {
@@ -46,13 +47,13 @@ bool orient(SurfaceCell& cell, std::span<const Vec3> points, const Vec3& ray) {
   mean /= static_cast<double>(points.size());
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const Vec3& p : points) scatter += (p - mean) * (p - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
-  const Vec3 eigenvalues = solver.eigenvalues().cwiseMax(0.0);
+  const auto axes = symmetric_eigen(scatter);
+  const Vec3 eigenvalues = axes.values.cwiseMax(0.0);
   const double limit = kMaxThicknessShare * kMaxThicknessShare;
   if (eigenvalues[0] > limit * eigenvalues[1] || eigenvalues[1] <= 0.0) return false;
-  Vec3 h = solver.eigenvectors().col(0);
+  Vec3 h = axes.vectors.col(0);
   if (h.dot(ray) > 0.0) h = -h;
-  const Vec3 a = solver.eigenvectors().col(2);
+  const Vec3 a = axes.vectors.col(2);
   cell.origin_mm = mean;
   cell.R_world_cell << a, h.cross(a), h;
   return true;
@@ -68,7 +69,7 @@ bool fit_quadric(SurfaceCell& cell, std::span<const LocalDatum> local) {
   std::vector<double> weights(local.size(), 1.0);
   std::vector<double> normalized(local.size());
   for (int iteration = 0; iteration < kFitIterations; ++iteration) {
-    Eigen::Matrix<double, 6, 6> N = Eigen::Matrix<double, 6, 6>::Zero();
+    Matrix6 N = Matrix6::Zero();
     Quadric right = Quadric::Zero();
     for (std::size_t i = 0; i < local.size(); ++i) {
       const Quadric terms = terms_at(local[i].a, local[i].b);
@@ -76,10 +77,9 @@ bool fit_quadric(SurfaceCell& cell, std::span<const LocalDatum> local) {
       N += weight * terms * terms.transpose();
       right += weight * local[i].h_mm * terms;
     }
-    const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> solver(N);
-    const auto pivots = solver.vectorD();
-    if (pivots.minCoeff() <= kMinCondition * pivots.maxCoeff()) return false;
-    cell.surface = solver.solve(right);
+    const auto surface = solve_symmetric(N, right, kMinCondition);
+    if (!surface) return false;
+    cell.surface = *surface;
     for (std::size_t i = 0; i < local.size(); ++i) {
       const double height = cell.surface.dot(terms_at(local[i].a, local[i].b));
       normalized[i] = (local[i].h_mm - height) / local[i].sigma_mm;

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/base/median.h"
+#include "core/geometry/decompositions.h"
 
 namespace flytri::registration {
 namespace {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Matrix63 = Eigen::Matrix<double, 6, 3>;
 
 /// Uncertainty of a profile's direction. Smaller than SmoothingOptions::max_direction_noise_rad,
@@ -107,17 +107,17 @@ PoseStep solve_step(std::span<const Crossing> crossings, const StepFrame& frame,
     equations.add(c, weight, frame, options.residual);
   }
 
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(equations.H);
+  const auto eigen = symmetric_eigen(equations.H);
   Matrix6 P = prior_information(options.prior, frame).asDiagonal();
   for (int i = 0; i < 6; ++i) {
-    const Twist v = eigen.eigenvectors().col(i);
+    const Twist v = eigen.vectors.col(i);
     const double from_normal_noise = v.dot(equations.from_normal_noise * v);
-    const double known = eigen.eigenvalues()[i] - from_normal_noise;
+    const double known = eigen.values[i] - from_normal_noise;
     step.sigma_mm[i] = known > 0.0 ? 1.0 / std::sqrt(known) : 1e30;
-    if (known < 2.0 * from_normal_noise) P += 10.0 * eigen.eigenvalues()[i] * v * v.transpose();
+    if (known < 2.0 * from_normal_noise) P += 10.0 * eigen.values[i] * v * v.transpose();
   }
   const Matrix6 total = equations.H + P;
-  step.motion_mm = -total.ldlt().solve(equations.g + P * moved_mm);
+  step.motion_mm = -solve_symmetric(total, equations.g + P * moved_mm);
   step.significance = std::sqrt(step.motion_mm.dot(total * step.motion_mm));
   return step;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "core/geometry/decompositions.h"
 #include "core/trajectory/path_fit.h"
 
 namespace flytri::tracking {
@@ -45,7 +46,11 @@ struct Rough {
 
 std::vector<Eigen::Matrix3d> rotations_towards(const Vec3& sight) {
   std::vector<Eigen::Matrix3d> rotations;
-  const Eigen::Quaterniond towards = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), sight);
+  // The shortest turn from z to the unit vector `sight`. Quaterniond::FromTwoVectors compiles
+  // slowly.
+  Eigen::Quaterniond towards(1.0 + sight.z(), -sight.y(), sight.x(), 0.0);
+  if (towards.norm() < 1e-9) towards = Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
+  towards.normalize();
   for (int roll = 0; roll < kRolls; ++roll) {
     const double angle_rad = 2.0 * std::numbers::pi * roll / kRolls;
     rotations.push_back((towards * Eigen::AngleAxisd(angle_rad, Vec3::UnitZ())).toRotationMatrix());
@@ -200,7 +205,6 @@ class Search {
 
   /// One step of Gauss and Newton towards smaller distances. Points that are far off count less.
   void improve(Isometry& T_world_sensor, const std::vector<Vec3>& points_mm) const {
-    using Matrix6 = Eigen::Matrix<double, 6, 6>;
     const double far_mm = 0.5 * map_.fine.most_mm();
     Matrix6 normal = Matrix6::Zero();
     Twist right = Twist::Zero();
@@ -219,7 +223,7 @@ class Search {
     const double damping = 0.01 * static_cast<double>(points_mm.size());
     normal.diagonal().head<3>().array() += damping * radius_mm_ * radius_mm_ / 4.0;
     normal.diagonal().tail<3>().array() += damping;
-    const Twist step = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
+    const Twist step = solve_symmetric(normal, right);
     const Vec3 anchor_world_mm = T_world_sensor * anchor_mm_;
     T_world_sensor = Eigen::Translation3d(anchor_world_mm) * exp_twist(step) *
                      Eigen::Translation3d(-anchor_world_mm) * T_world_sensor;

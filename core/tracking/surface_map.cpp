@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/geometry/cell_key.h"
+#include "core/geometry/decompositions.h"
 
 namespace flytri::tracking {
 namespace {
@@ -45,12 +46,12 @@ using Cells = std::unordered_map<CellKey, Sum>;
 /// open: then the direction that is most against the sight.
 Vec3 normal_of(const Sum& sum, const Vec3& mean_mm, const Vec3& sight) {
   constexpr double kLineShare = 0.02;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread;
-  spread.computeDirect(sum.products_mm2 / sum.count - mean_mm * mean_mm.transpose());
-  const Vec3 along = spread.eigenvectors().col(2);
-  const bool is_line = spread.eigenvalues()[1] < kLineShare * spread.eigenvalues()[2];
-  const Vec3 normal = is_line ? (sight - along * along.dot(sight)).stableNormalized()
-                              : Vec3(spread.eigenvectors().col(0));
+  const auto spread = direct_symmetric_eigen(
+      Eigen::Matrix3d(sum.products_mm2 / sum.count - mean_mm * mean_mm.transpose()));
+  const Vec3 along = spread.vectors.col(2);
+  const bool is_line = spread.values[1] < kLineShare * spread.values[2];
+  const Vec3 normal =
+      is_line ? (sight - along * along.dot(sight)).stableNormalized() : Vec3(spread.vectors.col(0));
   return normal.dot(sight) > 0.0 ? Vec3(-normal) : normal;
 }
 

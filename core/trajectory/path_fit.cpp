@@ -6,6 +6,7 @@
 
 #include "core/base/median.h"
 #include "core/base/random.h"
+#include "core/geometry/decompositions.h"
 
 namespace flytri::trajectory {
 
@@ -28,7 +29,7 @@ PathFit::PathFit(std::span<const TimedPose> poses, int degree) {
     for (Eigen::Index i = 0; i < terms; ++i) A(row, i) = std::pow(t, static_cast<double>(i));
     B.row(row) = log_twist(T_world_reference_.inverse() * pose.T_world_sensor).transpose();
   }
-  const Eigen::MatrixXd X = A.householderQr().solve(B);
+  const Eigen::MatrixXd X = solve_each_regular(A, B);
   for (Eigen::Index i = 0; i < terms; ++i) coefficients_.emplace_back(X.row(i).transpose());
 }
 

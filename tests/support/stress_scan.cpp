@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/decompositions.h"
+
 namespace flytri::testing {
 namespace {
 
@@ -32,11 +34,10 @@ void mislabel(View& view, double share, Random& random) {
   }
 }
 
-/// Four points that represent the pose of a view, in columns.
-Eigen::Matrix<double, 3, 4> marks_of(const Isometry& T) {
-  Eigen::Matrix<double, 3, 4> marks;
-  marks << Vec3::Zero(), kArm_mm * Eigen::Matrix3d::Identity();
-  return T * marks;
+/// Adds four points that represent the pose of a view.
+void add_marks(const Isometry& T, std::vector<Vec3>& marks) {
+  marks.emplace_back(T.translation());
+  for (int axis = 0; axis < 3; ++axis) marks.emplace_back(T * (kArm_mm * Vec3::Unit(axis)));
 }
 
 struct PosePair {
@@ -50,17 +51,13 @@ struct PosePair {
 
 /// Aligns the pairs within `limit_mm` with the truth.
 Isometry fit(const std::vector<PosePair>& pairs, const Isometry& T_model_world, double limit_mm) {
-  Eigen::Matrix3Xd world(3, 0), model(3, 0);
+  std::vector<Vec3> world, model;
   for (const PosePair& pair : pairs) {
     if (pair.error_mm(T_model_world) > limit_mm) continue;
-    const Eigen::Index at = world.cols();
-    world.conservativeResize(3, at + 4);
-    model.conservativeResize(3, at + 4);
-    world.rightCols<4>() = marks_of(pair.T_world_sensor);
-    model.rightCols<4>() = marks_of(pair.T_model_sensor);
+    add_marks(pair.T_world_sensor, world);
+    add_marks(pair.T_model_sensor, model);
   }
-  if (world.cols() == 0) return T_model_world;
-  return Isometry(Eigen::umeyama(world, model, false));
+  return world.empty() ? T_model_world : best_motion(world, model);
 }
 
 std::size_t count_within(const std::vector<PosePair>& pairs, const Isometry& T_model_world,

@@ -1,9 +1,10 @@
 #include "ui/scene/depth_pick.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "core/geometry/decompositions.h"
 
 namespace flytri::ui {
 namespace {
@@ -40,7 +41,7 @@ Vec3 plane_normal(const std::vector<Vec3>& places, const Vec3& towards_eye) {
   mean /= static_cast<double>(places.size());
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const Vec3& p : places) scatter += (p - mean) * (p - mean).transpose();
-  const Vec3 normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(0);
+  const Vec3 normal = symmetric_eigen(scatter).vectors.col(0);
   return normal.dot(towards_eye) < 0.0 ? Vec3(-normal) : normal;
 }
 

@@ -1,9 +1,9 @@
 #include "ui/scene/standard_views.h"
 
-#include <Eigen/Eigenvalues>
 #include <functional>
 #include <numbers>
 
+#include "core/geometry/decompositions.h"
 #include "ui/scene/box_corners.h"
 
 namespace flytri::ui {
@@ -39,13 +39,12 @@ Means means_of(const Surface& surface) {
 /// The smaller principal axis of the positions across `axis`: a quadrant's or an arch's short side.
 Vec3 short_axis(const Surface& surface, const Vec3& center_mm, const Vec3& axis) {
   const Vec3 e0 = axis.unitOrthogonal(), e1 = axis.cross(e0);
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(2, 2);
   surface([&](const Vec3& p, const Vec3&) {
     const Vec2 q(e0.dot(p - center_mm), e1.dot(p - center_mm));
     scatter += q * q.transpose();
   });
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scatter);
-  const Vec2 smallest = solver.eigenvectors().col(0);
+  const Vec2 smallest = symmetric_eigen(scatter).vectors.col(0);
   return smallest.x() * e0 + smallest.y() * e1;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/geometry/decompositions.h"
+
 namespace flytri::calibration {
 namespace {
 
@@ -135,7 +137,7 @@ class Shading {
       rows.row(i) << 1, u, v, u * u, u * v, v * v;
       values[i] = spot.brightness;
     }
-    a_ = rows.colPivHouseholderQr().solve(values);
+    a_ = solve_least_squares(rows, values).x;
   }
   /// Relative gradient of the illumination, per px.
   [[nodiscard]] Pixel gradient(const Pixel& at) const {

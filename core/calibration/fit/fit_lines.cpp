@@ -6,6 +6,7 @@
 
 #include "core/base/check_options.h"
 #include "core/calibration/fit/least_squares.h"
+#include "core/geometry/decompositions.h"
 
 namespace flytri::calibration {
 namespace {
@@ -203,8 +204,7 @@ std::vector<Vec3> sheet_normals(const Calibration& calibration, Pattern pattern)
     for (const Vec3& point : points) mean += point / static_cast<double>(points.size());
     Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
     for (const Vec3& point : points) scatter += (point - mean) * (point - mean).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(scatter);
-    const Vec3 normal = axes.eigenvectors().col(0);
+    const Vec3 normal = symmetric_eigen(scatter).vectors.col(0);
     const int main_axis = pattern == Pattern::kVertical ? 0 : 1;
     normals.push_back(normal[main_axis] < 0 ? Vec3(-normal) : normal);
   }

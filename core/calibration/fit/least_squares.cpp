@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "core/base/median.h"
+#include "core/geometry/decompositions.h"
 
 namespace flytri::calibration {
 namespace {
@@ -37,16 +38,16 @@ Result<Solution> solve_robustly(const Eigen::MatrixXd& rows, const Eigen::Vector
     return fail(ErrorCode::kInsufficient, "{} points are too few for {} coefficients", rows.rows(),
                 rows.cols());
   }
-  const Eigen::VectorXd first = rows.colPivHouseholderQr().solve(values);
+  const Eigen::VectorXd first = solve_least_squares(rows, values).x;
   const auto kept = inliers(values - rows * first);
   const Eigen::MatrixXd kept_rows = rows(kept, Eigen::all);
   const Eigen::VectorXd kept_values = values(kept);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(kept_rows);
-  if (qr.rank() < rows.cols()) {
+  const LeastSquares fit = solve_least_squares(kept_rows, kept_values);
+  if (fit.rank < rows.cols()) {
     return fail(ErrorCode::kInsufficient, "the points do not determine all {} coefficients",
                 rows.cols());
   }
-  Solution solution{qr.solve(kept_values), {}};
+  Solution solution{fit.x, {}};
   const Eigen::VectorXd residuals = kept_values - kept_rows * solution.coefficients;
   solution.residual.count = residuals.size();
   solution.residual.rms = std::sqrt(residuals.squaredNorm() / static_cast<double>(kept.size()));

@@ -8,6 +8,7 @@
 #include "core/base/median.h"
 #include "core/calibration/fit/find_dots.h"
 #include "core/calibration/fit/number_dots.h"
+#include "core/geometry/decompositions.h"
 #include "core/geometry/rigid.h"
 
 namespace flytri::calibration {
@@ -96,7 +97,7 @@ class TargetMap {
       rows.row(k) = terms(dot.i, dot.j);
       values.row(k) << dot.center.u_px, dot.center.v_px;
     }
-    coefficients_ = rows.colPivHouseholderQr().solve(values);
+    coefficients_ = solve_each_least_squares(rows, values);
   }
   [[nodiscard]] Pixel operator()(int i, int j) const {
     const Eigen::RowVector2d at = terms(i, j) * coefficients_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/decompositions.h"
+
 namespace flytri::calibration {
 namespace {
 
@@ -84,8 +86,11 @@ SharedFit::SharedFit(Eigen::Index shared_count)
 
 void SharedFit::add_pose(const Eigen::MatrixXd& shared, const Eigen::MatrixXd& own,
                          const Eigen::VectorXd& values, const std::vector<std::size_t>& cluster) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(own);
-  Pose pose{shared, own, shared - own * qr.solve(shared), values, values - own * qr.solve(values),
+  Pose pose{shared,
+            own,
+            shared - own * solve_each_least_squares(own, shared),
+            values,
+            values - own * solve_least_squares(own, values).x,
             cluster};
   normal_ += pose.projected.transpose() * pose.projected;
   right_ += pose.projected.transpose() * pose.projected_values;
@@ -93,10 +98,10 @@ void SharedFit::add_pose(const Eigen::MatrixXd& shared, const Eigen::MatrixXd& o
 }
 
 std::optional<SharedFit::Solution> SharedFit::solve() const {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(normal_);
+  const Eigen::VectorXd modes = symmetric_eigen(normal_).values;
   constexpr double kDetermined = 1e-9;  // squared ratio; below it, the data do not determine a
                                         // direction
-  if (poses_.empty() || modes.eigenvalues()[0] <= kDetermined * modes.eigenvalues().maxCoeff()) {
+  if (poses_.empty() || modes[0] <= kDetermined * modes.maxCoeff()) {
     return std::nullopt;
   }
   const Eigen::MatrixXd inverse = normal_.inverse();
@@ -116,7 +121,7 @@ std::optional<SharedFit::Solution> SharedFit::solve() const {
       clusters += 1.0;
     }
     const Eigen::VectorXd left = pose.values - pose.shared * solution.shared;
-    solution.own.emplace_back(pose.own.colPivHouseholderQr().solve(left));
+    solution.own.push_back(solve_least_squares(pose.own, left).x);
     solution.residuals.push_back(rest);
   }
   const double unknowns = static_cast<double>(normal_.rows());

@@ -5,6 +5,7 @@
 #include "core/base/median.h"
 #include "core/calibration/verify/verification_blocks.h"
 #include "core/calibration/verify/verify.h"
+#include "core/geometry/decompositions.h"
 
 namespace flytri::calibration {
 namespace {
@@ -75,7 +76,7 @@ std::vector<VerificationBlock> on_plane(const std::vector<VerificationBlock>& bl
   Eigen::VectorXd off;
   for (int round = 0; round < kRounds; ++round) {
     const Eigen::VectorXd plane =
-        (weight.asDiagonal() * rows).colPivHouseholderQr().solve(weight.cwiseProduct(z));
+        solve_least_squares(weight.asDiagonal() * rows, weight.cwiseProduct(z)).x;
     off = (z - rows * plane).cwiseAbs();
     std::vector<double> sizes(off.begin(), off.end());
     const double share = std::max(1.0 - 2.0 * round / kRounds, 0.0);

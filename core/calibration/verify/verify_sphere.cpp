@@ -4,6 +4,7 @@
 #include "core/base/median.h"
 #include "core/calibration/verify/verification_blocks.h"
 #include "core/calibration/verify/verify.h"
+#include "core/geometry/decompositions.h"
 
 namespace flytri::calibration {
 namespace {
@@ -63,7 +64,7 @@ SpherePose find_sphere(const std::vector<VerificationBlock>& blocks, double radi
       if (moves) jacobian.row(i).tail<3>() = weight * block.time * out;
       off[i] = weight * size;
     }
-    const Eigen::VectorXd step = jacobian.colPivHouseholderQr().solve(off);
+    const Eigen::VectorXd step = solve_least_squares(jacobian, off).x;
     pose.center_mm += step.head<3>();
     if (moves) pose.motion_mm += step.tail<3>();
   }
