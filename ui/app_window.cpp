@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/check_options.h"
 #include "ui/control/control_answers.h"
@@ -32,6 +33,7 @@ struct AppWindow::Impl {
   DrawRecord record;
   std::vector<Rect> repainted;
   std::optional<ControlAnswers> control;
+  ImageSize usual_size;  ///< of the framebuffer, when not in full screen
   double last_now_s = -1.0;
 
   Result<void> open();
@@ -146,11 +148,21 @@ void AppWindow::Impl::draw(const AppView& view, const Theme& theme,
   draw_panels({view, state, commands, theme, layout, *scene, pictures, places, repainted});
 }
 
+ImageSize AppWindow::usual_size() const {
+  const double scale = impl_->window->content_scale();
+  const auto at_scale_1 = [&](int size_px) {
+    return static_cast<int>(std::lround(size_px / scale));
+  };
+  return {at_scale_1(impl_->usual_size.width_px), at_scale_1(impl_->usual_size.height_px)};
+}
+
 bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   Impl& impl = *impl_;
   const std::size_t first = commands.size();
   impl.window->poll();
+  impl.window->set_full_screen(view.settings.is_full_screen);
   const ImageSize size = impl.window->framebuffer_size();
+  if (!view.settings.is_full_screen) impl.usual_size = size;
   if (size.width_px == 0 || size.height_px == 0) return !impl.window->should_close();
   // If the scale cannot be set, the former one stays.
   const Theme theme = impl.theme_for(view, size).value_or(impl.host->theme());

@@ -41,6 +41,9 @@ class AppWindow {
   /// @return  false once the window was closed; the commands then hold `Quit`
   bool frame(const AppView& view, std::vector<Command>& commands);
 
+  /// The size when not in full screen, at scale 1.
+  [[nodiscard]] ImageSize usual_size() const;
+
  private:
   struct Impl;
   explicit AppWindow(std::unique_ptr<Impl> impl);

@@ -7,6 +7,7 @@
 #include "app/cli/source_options.h"
 #include "app/session/frame_pacer.h"
 #include "app/session/session.h"
+#include "app/session/settings_file.h"
 #include "app/session/user_folders.h"
 #include "ui/app_window.h"
 #include "ui/sound/sound_player.h"
@@ -32,11 +33,23 @@ void play_sounds(const ui::AppView& view, scan::ScanPhase& heard, ui::SoundPlaye
   }
 }
 
+/// The next start opens a window of the same size.
+void remember_size(const ui::AppWindow& window, session::Session& session) {
+  ui::Settings settings = session.view().settings;
+  const ImageSize size = window.usual_size();
+  settings.window_width = size.width_px;
+  settings.window_height = size.height_px;
+  if (settings != session.view().settings) session.carry_out(ui::ChangeSettings{settings});
+}
+
 /// @param progress  is canceled when a signal ends the program
 Result<void> run(const AppArguments& arguments, const Progress& progress) {
   if (auto checked = session::check_user_folders(); !checked) return checked;
   ui::AppWindowOptions window_options = arguments.window;
   window_options.shows_case_dialog = !arguments.scans_at_once;
+  const ui::Settings settings = session::read_settings(session::settings_path());
+  window_options.width_px = settings.window_width;
+  window_options.height_px = settings.window_height;
   auto window = ui::AppWindow::create(window_options);
   if (!window) return tl::unexpected(window.error());
   session::SessionOptions options;
@@ -56,6 +69,7 @@ Result<void> run(const AppArguments& arguments, const Progress& progress) {
     commands.clear();
     session::rest_after_frame(session.now_s() - began_s);
   }
+  remember_size(**window, session);
   return {};
 }
 

@@ -7,10 +7,8 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/object_options.h"
 #include "app/cli/output_files.h"
-#include "assets/sample_jaw/sample_jaw.h"
-#include "core/io/models/model.h"
-#include "core/io/models/model_formats.h"
 #include "hw/simulated/datasets/simulate_calibration_set.h"
 #include "hw/simulated/datasets/simulate_recording.h"
 
@@ -21,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct SimulateArguments {
   fs::path output;
-  fs::path mesh;
+  session::ScannedObject object;
   std::string sensor = "intraoral";
   std::string path = "quadrant";
   double duration_s = 7.0;
@@ -39,16 +37,11 @@ simulated::SensorModel sensor_of(const SimulateArguments& arguments) {
   return arguments.sensor == "face" ? simulated::face_sensor() : simulated::intraoral_sensor();
 }
 
-Result<TriangleMesh> load_mesh(const fs::path& file, const Workers& workers) {
-  if (file.empty()) return sample_jaw::make_sample_jaw({}, workers);
-  return io::read_model(file).map([](TexturedMesh&& model) { return std::move(model.mesh); });
-}
-
 Result<void> run_recording(const SimulateArguments& arguments, const Progress& progress) {
   auto checked = check_recording_folder(arguments.output, arguments.force);
   if (!checked) return checked;
   const Workers workers(arguments.thread_count);
-  const auto mesh = load_mesh(arguments.mesh, workers);
+  const auto mesh = session::load_object(arguments.object, workers);
   if (!mesh) return tl::unexpected(mesh.error());
   simulated::RecordingOptions options;
   options.sensor = sensor_of(arguments);
@@ -110,9 +103,7 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
 
   CLI::App* recording = simulate->add_subcommand("recording", "Make a recording, with its truth");
   add_common_options(*recording, *arguments);
-  recording->add_option("--mesh", arguments->mesh,
-                        fmt::format("Model to scan, in mm ({}). Default: the sample jaw",
-                                    io::extension_list(io::FormatUse::kRead)));
+  add_object_options(*recording, arguments->object);
   recording
       ->add_option("--path", arguments->path,
                    "quadrant, arch, orbit, or a truth.json: the sensor follows its poses")

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/object_options.h"
 #include "app/session/source.h"
-#include "core/io/models/model_formats.h"
 
 namespace flytri::cli {
 
@@ -29,10 +29,7 @@ inline void add_source_options(CLI::App& command, session::SourceChoice& source)
                   "Speed of the replay; 1: as recorded, 0: as fast as possible")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  paths.push_back(command.add_option(
-      "--mesh", source.mesh,
-      fmt::format("Model that the virtual sensor scans ({}). Default: the sample jaw",
-                  io::extension_list(io::FormatUse::kRead))));
+  paths.push_back(add_object_options(command, source.object));
   for (CLI::Option* one : paths) {
     for (CLI::Option* other : paths) {
       if (one != other) one->excludes(other);

@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <numbers>
 
+#include "app/cli/object_options.h"
 #include "app/cli/report.h"
 #include "app/lab/live_trial.h"
 #include "app/lab/simulated_scan.h"
 #include "app/lab/studies.h"
-#include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/median.h"
 #include "core/base/random.h"
-#include "core/io/models/model.h"
 #include "core/tracking/registrar.h"
 
 namespace flytri::lab {
@@ -25,8 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReturnsArguments {
-  fs::path mesh;
-  std::string jaw = "upper";
+  session::ScannedObject object;
   std::array<double, 3> up = {0.0, 0.0, 1.0};
   std::array<double, 3> front = {0.0, 1.0, 0.0};
   bool palate = false;
@@ -325,21 +322,9 @@ void print(const std::vector<Return>& returns) {
              ms.back());
 }
 
-Result<TriangleMesh> load_mesh(const ReturnsArguments& arguments, const Workers& workers) {
-  if (!arguments.mesh.empty()) {
-    return io::read_model(arguments.mesh).map([](TexturedMesh&& model) {
-      return std::move(model.mesh);
-    });
-  }
-  sample_jaw::SampleJawOptions options;
-  options.kind =
-      arguments.jaw == "lower" ? sample_jaw::JawKind::kLower : sample_jaw::JawKind::kUpper;
-  return sample_jaw::make_sample_jaw(options, workers);
-}
-
 Result<void> run(const ReturnsArguments& arguments, const Progress& progress) {
   const Workers workers(arguments.thread_count);
-  const auto mesh = load_mesh(arguments, workers);
+  const auto mesh = session::load_object(arguments.object, workers);
   if (!mesh) return tl::unexpected(mesh.error());
   auto simulator = simulated::ViewSimulator::create(*mesh, simulated::intraoral_sensor());
   if (!simulator) return tl::unexpected(simulator.error());
@@ -358,10 +343,7 @@ void add_returns_study(CLI::App& study, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<ReturnsArguments>();
   CLI::App* command = study.add_subcommand(
       "returns", "Take the sensor away and return it anywhere, tilted and rolled");
-  command->add_option("--mesh", arguments->mesh, "Model to scan, in mm. Default: the sample jaw");
-  command->add_option("--jaw", arguments->jaw, "Sample jaw")
-      ->check(CLI::IsMember({"upper", "lower"}))
-      ->capture_default_str();
+  cli::add_object_options(*command, arguments->object);
   command->add_option("--up", arguments->up, "Direction of the model towards the opposite jaw")
       ->capture_default_str();
   command->add_option("--front", arguments->front, "Direction from the throat to the incisors")

@@ -3,13 +3,10 @@
 #include <utility>
 
 #include "app/session/settings_file.h"
-#include "app/session/user_folders.h"
 #include "hw/device/clock.h"
 
 namespace flytri::session {
 namespace {
-
-std::filesystem::path settings_path() { return config_folder() / "settings.json"; }
 
 scan::LiveScanOptions with_clock(scan::LiveScanOptions options) {
   options.now_s = device::machine_clock().now_s;
@@ -110,6 +107,7 @@ ui::AppView Session::view() {
   ui::AppView view;
   view.now_s = now_s();
   stages_.show_in(view);
+  source_.check_failed_devices();
   source_.relate_hand(view.scan == nullptr ? std::nullopt : view.scan->T_world_sensor);
   if (source_.calibration()) view.volume_mm = source_.calibration()->volume.size_mm;
   view.source = source_.state();

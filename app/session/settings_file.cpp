@@ -1,8 +1,10 @@
 #include "app/session/settings_file.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "app/session/user_folders.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/leftovers.h"
 #include "core/io/models/model_formats.h"
@@ -23,7 +25,16 @@ void read_formats(const nlohmann::json& json, std::set<std::string>& formats) {
   }
 }
 
+int size_at(const nlohmann::json& json, const char* key, int usual, int least) {
+  constexpr int kMost = 16384;
+  const auto size = json.find(key);
+  if (size == json.end() || !size->is_number_integer()) return usual;
+  return static_cast<int>(std::clamp<std::int64_t>(size->get<std::int64_t>(), least, kMost));
+}
+
 }  // namespace
+
+std::filesystem::path settings_path() { return config_folder() / "settings.json"; }
 
 ui::Settings read_settings(const std::filesystem::path& file) {
   ui::Settings settings;
@@ -37,6 +48,11 @@ ui::Settings read_settings(const std::filesystem::path& file) {
   if (const auto muted = json.find("is_muted"); muted != json.end() && muted->is_boolean()) {
     settings.is_muted = muted->get<bool>();
   }
+  if (const auto full = json.find("is_full_screen"); full != json.end() && full->is_boolean()) {
+    settings.is_full_screen = full->get<bool>();
+  }
+  settings.window_width = size_at(json, "window_width", settings.window_width, 640);
+  settings.window_height = size_at(json, "window_height", settings.window_height, 400);
   read_formats(json, settings.export_formats);
   return settings;
 }
@@ -44,9 +60,10 @@ ui::Settings read_settings(const std::filesystem::path& file) {
 Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
   if (auto made = io::create_folder(file.parent_path()); !made) return made;
   io::remove_leftovers(file.parent_path());
-  const nlohmann::json json = {{"user_scale", settings.user_scale},
-                               {"is_muted", settings.is_muted},
-                               {"export_formats", settings.export_formats}};
+  const nlohmann::json json = {
+      {"user_scale", settings.user_scale},         {"is_muted", settings.is_muted},
+      {"is_full_screen", settings.is_full_screen}, {"window_width", settings.window_width},
+      {"window_height", settings.window_height},   {"export_formats", settings.export_formats}};
   return io::write_file(file, json.dump(2) + "\n");
 }
 

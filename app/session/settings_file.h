@@ -8,6 +8,9 @@
 
 namespace flytri::session {
 
+/// Where the program keeps them.
+[[nodiscard]] std::filesystem::path settings_path();
+
 /// If the file is missing or damaged, returns the defaults.
 [[nodiscard]] ui::Settings read_settings(const std::filesystem::path& file);
 

@@ -7,10 +7,8 @@
 
 #include "app/session/rig_devices.h"
 #include "app/session/user_folders.h"
-#include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/workers.h"
 #include "core/io/calibrations/recording_calibration.h"
-#include "core/io/models/model.h"
 #include "core/io/recordings/recording.h"
 #include "hw/recording/replay_sensor.h"
 #include "hw/rig/open_rig.h"
@@ -23,13 +21,6 @@ namespace {
 
 /// Time in which the simulated hand moves over the jaw: the pace of a calm hand.
 constexpr double kPathDuration_s = 60.0;
-
-Result<TriangleMesh> object_to_scan(const SourceChoice& choice, const Workers& workers) {
-  if (!choice.mesh) return sample_jaw::make_sample_jaw({}, workers);
-  Result<TexturedMesh> model = io::read_model(*choice.mesh);
-  if (!model) return tl::unexpected(model.error());
-  return std::move(model->mesh);
-}
 
 /// The mean direction that a jaw faces: its teeth point there. +Z if the model is closed or its
 /// sides cancel each other.
@@ -57,12 +48,12 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
         "--calibration needs --recording or --rig: the virtual sensor has its own calibration");
   }
   const Workers workers;
-  const Result<TriangleMesh> mesh = object_to_scan(choice, workers);
+  const Result<TriangleMesh> mesh = load_object(choice.object, workers);
   if (!mesh) return tl::unexpected(mesh.error());
   simulated::LiveSensorOptions options;
   options.path.duration_s = kPathDuration_s;
   std::string warning;
-  if (choice.mesh) {
+  if (choice.object.mesh) {
     constexpr double kUpright = 0.9;
     const Vec3 up = options.path.up = teeth_direction(*mesh);
     if (std::abs(up.dot(options.path.front)) > kUpright) options.path.front = Vec3::UnitZ();
@@ -70,7 +61,7 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
       warning = fmt::format(
           "{}: its teeth point along {:.1f} {:.1f} {:.1f}, so the simulated hand "
           "scans it from there",
-          choice.mesh->string(), up.x(), up.y(), up.z());
+          choice.object.mesh->string(), up.x(), up.y(), up.z());
     }
   }
   // Each version of the program makes its own.

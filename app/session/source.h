@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/session/scanned_object.h"
 #include "core/base/progress.h"
 #include "core/calibration/record/calibration.h"
 #include "hw/device/sensor.h"
@@ -29,7 +30,7 @@ struct SourceChoice {
   std::filesystem::path path;  ///< the recording's folder, the rig's file; as the name asks
   std::optional<std::filesystem::path> calibration;  ///< replaces the one that the source names
   double replay_speed = 1.0;                         ///< > 0; 0: as fast as possible
-  std::optional<std::filesystem::path> mesh;         ///< the object that the virtual sensor scans
+  ScannedObject object;                              ///< of the virtual sensor
   std::optional<std::uint64_t> fault_seed;  ///< for tests: makes the source fail now and then
 
   [[nodiscard]] bool is_virtual() const { return name.empty(); }

@@ -84,6 +84,17 @@ void SourceController::check_devices() {
   });
 }
 
+bool SourceController::has_failed() const {
+  if (capture_ == nullptr) return !failure_.empty();
+  return capture_->status().state == device::SensorState::kFailed;
+}
+
+void SourceController::check_failed_devices() {
+  if (!choice_.is_rig()) return;
+  if (is_running()) checked_.is_checked = false;
+  if (has_failed() && !checked_.is_checked) check_devices();
+}
+
 /// The movement is given in the sensor's frame, the aim in the model's.
 void SourceController::steer(const ui::SteerHand& command) {
   if (source_.hand == nullptr) return;

@@ -35,6 +35,8 @@ class SourceController {
   void stop();
 
   void check_devices();
+  /// Call often: once the devices of a rig fail, checks all of them, as the failure names one.
+  void check_failed_devices();
   void steer(const ui::SteerHand& command);
   /// Call often: relates the frame of the simulated hand to the world of the scan, as soon as a
   /// view has been registered.
@@ -60,6 +62,7 @@ class SourceController {
   void start_capture();
   void retry();
   [[nodiscard]] bool is_running() const;
+  [[nodiscard]] bool has_failed() const;
 
   const SourceChoice choice_;
   BackgroundWork& background_;

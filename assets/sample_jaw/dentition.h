@@ -6,10 +6,9 @@
 
 #include "assets/sample_jaw/arch.h"
 #include "assets/sample_jaw/tooth.h"
+#include "core/geometry/jaw_axes.h"
 
 namespace flytri::sample_jaw {
-
-enum class JawKind { kUpper, kLower };
 
 /// A tooth in its place. Jaw frame, mm: x to the patient's left or right, y to the front, z towards
 /// the opposing teeth.

@@ -5,14 +5,14 @@ uniform float texture_blend;  // 0 plaster .. 1 texture
 uniform vec3 good_color;
 uniform vec3 thin_color;
 uniform float max_sigma_mm;
-uniform vec3 sigma_ramp[5];  // at 0, 1/4, .. 1 of max_sigma_mm
+uniform vec3 sigma_ramp[5];  // at 1/16, 1/8, .. 1 of max_sigma_mm
 
 const vec3 kPlaster = vec3(0.886, 0.871, 0.831);
 const vec3 kLockTint = vec3(0.36, 0.47, 0.80);
 const vec3 kTrimTint = vec3(0.86, 0.25, 0.20);
 
 vec3 sigma_color(float sigma_mm) {
-  float at = clamp(sigma_mm / max_sigma_mm, 0.0, 1.0) * 4.0;
+  float at = clamp(4.0 + log2(max(sigma_mm, 1e-9) / max_sigma_mm), 0.0, 4.0);
   int below = min(int(at), 3);
   return mix(sigma_ramp[below], sigma_ramp[below + 1], at - float(below));
 }

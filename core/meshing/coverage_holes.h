@@ -7,8 +7,9 @@
 
 namespace flytri::meshing {
 
-/// Narrower holes need no scan: the surface around shows their shape, and CAD programs close them.
-inline constexpr double kLeastHoleWidth_mm = 0.5;
+/// Narrower holes need no scan: lines of a view lie about 2 mm apart, so that a line falls into
+/// such a hole only by chance; the surface around shows its shape, and CAD programs close it.
+inline constexpr double kLeastHoleWidth_mm = 1.0;
 
 /// The holes to scan: at least kLeastHoleWidth_mm wide, without the outer borders; widest first.
 [[nodiscard]] std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries);

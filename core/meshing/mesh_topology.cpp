@@ -166,8 +166,10 @@ struct Rim {
 Rim rim_of(const TriangleMesh& mesh, std::vector<std::uint32_t> vertices) {
   Rim rim;
   rim.corners_mm.reserve(vertices.size());
-  for (const std::uint32_t v : vertices)
+  for (const std::uint32_t v : vertices) {
+    rim.loop.rim_mm.push_back(mesh.vertices[v].position_mm);
     rim.corners_mm.emplace_back(mesh.vertices[v].position_mm.cast<double>());
+  }
   for (std::size_t i = 0; i < rim.corners_mm.size(); ++i) {
     const Vec3& next = rim.corners_mm[(i + 1) % rim.corners_mm.size()];
     rim.loop.perimeter_mm += (next - rim.corners_mm[i]).norm();

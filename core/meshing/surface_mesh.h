@@ -13,6 +13,7 @@ namespace flytri::meshing {
 struct BoundaryLoop {
   std::vector<std::uint32_t> vertices;  ///< in order; seen from outside, the surface is on the
                                         ///< right
+  std::vector<Vec3f> rim_mm;            ///< their positions
   double perimeter_mm = 0.0;
   double area_mm2 = 0.0;            ///< estimate: area of the loop projected along its mean normal
   double width_mm = 0.0;            ///< of the widest place inside, without islands

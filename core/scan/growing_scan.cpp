@@ -234,7 +234,7 @@ void GrowingScan::restore(const KeptScan& kept) {
     s.phase = phase_;
     s.result = kept.result;
   });
-  model_.show_holes(kept.result->surface.boundaries);
+  model_.show_holes(kept.result->surface);
 }
 
 void GrowingScan::step(ScanEvent event) {
@@ -366,7 +366,7 @@ void GrowingScan::take_result(Result<reconstruct::FinishedScan> finished) {
   journal([result](ScanJournal& journal) { journal.keep_result(*result); });
   board_.update([&](ScanSnapshot& s) { s.result = result; });
   step(ScanEvent::kResult);
-  model_.show_holes(result->surface.boundaries);
+  model_.show_holes(result->surface);
 }
 
 void GrowingScan::keep_in(std::shared_ptr<ScanJournal> to) {

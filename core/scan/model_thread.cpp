@@ -18,6 +18,10 @@ constexpr double kPublishPeriod_s = 0.03;
 /// A finished scan shows the holes of its mesh, not those of the surfels.
 bool is_finished(const ScanSnapshot& scan) { return scan.phase == ScanPhase::kFinished; }
 
+FoundHoles holes_of(const meshing::SurfaceMesh& surface) {
+  return {meshing::coverage_holes(surface.boundaries), jaw_axes(surface.mesh)};
+}
+
 }  // namespace
 
 ModelThread::ModelThread(LiveModel model, ModelSurroundings around)
@@ -155,34 +159,34 @@ void ModelThread::search_holes_if_grown() {
     const double began_s = around_.now_s();
     Result<meshing::SurfaceMesh> mesh = meshing::mesh_surface(points, around_.meshing, Workers(1));
     release_free_memory();
-    thread_.post([this, began_s, mesh = std::move(mesh)]() mutable {
-      take_holes(std::move(mesh), began_s);
+    // Without a mesh there are too few points for holes.
+    thread_.post([this, began_s, found = mesh ? holes_of(*mesh) : FoundHoles{}]() mutable {
+      take_holes(std::move(found), began_s);
     });
   });
 }
 
-void ModelThread::take_holes(Result<meshing::SurfaceMesh> mesh, double began_s) {
+void ModelThread::take_holes(FoundHoles found, double began_s) {
   searches_holes_ = false;
   holes_at_s_ = around_.now_s();
   holes_took_s_ = holes_at_s_ - began_s;
-  std::vector<meshing::BoundaryLoop> holes;
-  // Without a mesh there are too few points for holes.
-  if (mesh) holes = meshing::coverage_holes(std::move(mesh->boundaries));
   around_.board.update([&](ScanSnapshot& s) {
     if (is_finished(s)) return;
-    s.holes = std::move(holes);
+    s.holes = std::move(found.holes);
+    s.jaw = found.jaw;
     s.holes_are_current = !has_grown_since_holes_;
   });
   if (is_at_rest_) search_holes_if_grown();
 }
 
-void ModelThread::show_holes(std::vector<meshing::BoundaryLoop> boundaries) {
-  thread_.post([this, holes = meshing::coverage_holes(std::move(boundaries))]() mutable {
+void ModelThread::show_holes(const meshing::SurfaceMesh& surface) {
+  thread_.post([this, found = holes_of(surface)]() mutable {
     // The surfels' holes are searched as soon as the scan is no longer finished.
     has_grown_since_holes_ = is_at_rest_ = true;
     around_.board.update([&](ScanSnapshot& s) {
       if (!is_finished(s)) return;
-      s.holes = std::move(holes);
+      s.holes = std::move(found.holes);
+      s.jaw = found.jaw;
       s.holes_are_current = true;
     });
   });

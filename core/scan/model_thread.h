@@ -24,6 +24,12 @@ struct ModelSurroundings {
   meshing::MeshOptions meshing;  ///< for the surface in which holes are searched
 };
 
+/// The holes of a surface, and how it lies.
+struct FoundHoles {
+  std::vector<meshing::BoundaryLoop> holes;
+  JawAxes jaw;
+};
+
 /// Thread-safe. The functions post a task and do not wait for it.
 class ModelThread {
  public:
@@ -45,7 +51,7 @@ class ModelThread {
   /// Searches for holes now, and after every change until views are added. Not in a finished scan.
   void look_for_holes();
   /// Shows the holes of a finished mesh, as long as the scan is finished.
-  void show_holes(std::vector<meshing::BoundaryLoop> boundaries);
+  void show_holes(const meshing::SurfaceMesh& surface);
   /// Calls `use` on this thread with the frames that color the surface.
   void with_textures(std::function<void(const std::vector<PlacedTexture>&)> use);
 
@@ -64,7 +70,7 @@ class ModelThread {
   void publish();
   std::optional<LatencyStatistics> latency_with(const std::vector<double>& shown_offers_s);
   void search_holes_if_grown();
-  void take_holes(Result<meshing::SurfaceMesh> mesh, double began_s);
+  void take_holes(FoundHoles found, double began_s);
 
   const ModelSurroundings around_;
   LiveModel model_;

@@ -11,6 +11,7 @@
 
 #include "core/base/progress.h"
 #include "core/editing/edits.h"
+#include "core/geometry/jaw_axes.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
@@ -92,6 +93,7 @@ struct ScanSnapshot {
   double area_mm2 = 0.0;                     ///< of the surface seen so far
   std::vector<meshing::BoundaryLoop> holes;  ///< see coverage_holes(); empty until searched
   bool holes_are_current = false;            ///< the surface has not changed since the search
+  std::optional<JawAxes> jaw;                ///< how the jaw lay at the latest search for holes
 
   std::vector<ReentryPlace> reentry;  ///< best first; empty unless in continuation
   std::size_t chosen_reentry = 0;

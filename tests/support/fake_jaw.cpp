@@ -1,6 +1,7 @@
 #include "tests/support/fake_jaw.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "assets/sample_jaw/sample_jaw.h"
@@ -126,6 +127,19 @@ SurfelModel FakeJaw::seen_until(double share) const {
   return seen;
 }
 
+std::vector<Vec3f> FakeJaw::rim_mm(const simulated::Ray& through) const {
+  constexpr int kCorners = 32;
+  const Vec3 x = through.direction.unitOrthogonal(), y = through.direction.cross(x);
+  std::vector<Vec3f> rim;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle_rad = 2.0 * std::numbers::pi * i / kCorners;
+    const Vec3 off_mm = kHoleRadius_mm * (std::cos(angle_rad) * x + std::sin(angle_rad) * y);
+    const auto hit = views_->scene().first_hit({through.origin_mm + off_mm, through.direction});
+    if (hit) rim.emplace_back(hit->point_mm.cast<float>());
+  }
+  return rim;
+}
+
 std::vector<meshing::BoundaryLoop> FakeJaw::holes() const {
   std::vector<meshing::BoundaryLoop> holes;
   for (const double share : kHoleShares) {
@@ -137,6 +151,7 @@ std::vector<meshing::BoundaryLoop> FakeJaw::holes() const {
     hole.center_mm = hit->point_mm.cast<float>();
     hole.normal = hit->normal.cast<float>();
     hole.width_mm = 2.0 * kHoleRadius_mm;
+    hole.rim_mm = rim_mm(ray);
     holes.push_back(hole);
   }
   return holes;

@@ -32,6 +32,8 @@ class FakeJaw {
   [[nodiscard]] io::Measurement measurement() const;
 
  private:
+  /// Around a ray, on the teeth.
+  [[nodiscard]] std::vector<Vec3f> rim_mm(const simulated::Ray& through) const;
   /// The sensor pose at a position on the path, 0..1.
   [[nodiscard]] Isometry sensor_at(double share) const;
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> frame_at(Pattern pattern,

@@ -61,6 +61,7 @@ scan::ScanSnapshot ordinary_scan(const FakeJaw& jaw) {
   scan.area_mm2 = 2600.0;
   scan.holes = jaw.holes();
   scan.holes_are_current = true;
+  scan.jaw = jaw_axes(scan.model);
   scan.can_undo = true;
   return scan;
 }

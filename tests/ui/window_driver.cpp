@@ -108,6 +108,12 @@ void WindowDriver::click_at(double x_px, double y_px) {
   settle();
 }
 
+void WindowDriver::double_click_at(double x_px, double y_px) {
+  point(x_px, y_px);
+  xdotool({"click", "--repeat", "2", "--delay", "1", "1"});
+  settle();
+}
+
 void WindowDriver::click(const std::string& id) {
   const auto place = where(id);
   ASSERT_TRUE(place) << "nothing is called " << id;

@@ -48,6 +48,7 @@ class WindowDriver {
   /// Clicks in the middle of a button or panel; fails the test if there is none.
   void click(const std::string& id);
   void click_at(double x_px, double y_px);
+  void double_click_at(double x_px, double y_px);
   /// Presses the button at one place, and moves in steps to another.
   void press_at(double x_px, double y_px, double dx_px, double dy_px);
   void release();

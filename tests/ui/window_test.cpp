@@ -237,6 +237,67 @@ TEST_F(RealWindow, DraggingTurnsTheViewAndTheWheelZooms) {
   EXPECT_EQ(window().state()["camera"]["follows"], true);
 }
 
+TEST_F(RealWindow, DraggingTurnsAboutThePlaceUnderThePointer) {
+  show("finished");
+  window().key("o");
+  window().ask("wait 60");
+  const auto before = window().state()["camera"]["target_mm"];
+  window().drag_at(400.0, 520.0, 60.0, 0.0);
+  EXPECT_NE(window().state()["camera"]["target_mm"], before) << "a tooth, not the middle";
+}
+
+TEST_F(RealWindow, ADoubleClickBringsAPlaceToTheMiddle) {
+  show("finished");
+  window().key("o");
+  window().ask("wait 60");
+  const auto before = window().state()["camera"];
+  window().double_click_at(400.0, 520.0);
+  window().ask("wait 60");
+  const auto after = window().state()["camera"];
+  EXPECT_NE(after["target_mm"], before["target_mm"]);
+  EXPECT_EQ(after["height_mm"], before["height_mm"]);
+}
+
+TEST_F(RealWindow, SidesOfAnArchAreShownApart) {
+  show("finished");
+  const auto orientation_after = [](const std::string& key) {
+    window().key(key);
+    window().ask("wait 60");
+    return window().state()["camera"]["q_wxyz"];
+  };
+  const auto right = orientation_after("shift+r");
+  EXPECT_NE(orientation_after("shift+l"), right);
+  window().click("right_side");
+  window().ask("wait 60");
+  EXPECT_EQ(window().state()["camera"]["q_wxyz"], right);
+}
+
+TEST_F(RealWindow, FiguresAndButtonsExplainThemselves) {
+  show("scanning");
+  const auto hint_at = [](const std::string& id) {
+    const auto place = window().where(id);
+    EXPECT_TRUE(place) << id;
+    if (!place) return std::string();
+    window().point(place->x_px + place->width_px / 2.0, place->y_px + place->height_px / 2.0);
+    return window().state()["hint"].get<std::string>();
+  };
+  EXPECT_EQ(hint_at("figure_3").substr(0, 27), "Images that show too little");
+  EXPECT_EQ(hint_at("figure_4").substr(0, 32), "Images that this computer had no");
+  EXPECT_EQ(hint_at("settings"), "Settings, key: S") << "its button has only an icon";
+  EXPECT_EQ(hint_at("trim"), "") << "its button says it all";
+}
+
+TEST_F(RealWindow, FillsTheScreenAndReturns) {
+  show("scanning");
+  EXPECT_EQ(after_key("F11"), Names{"ChangeSettings"});
+  window().ask("wait 5");
+  const auto side = window().where("settings");
+  ASSERT_TRUE(side);
+  EXPECT_EQ(after_key("F11"), Names{"ChangeSettings"});
+  window().ask("wait 5");
+  EXPECT_NE(window().where("settings")->x_px, side->x_px) << "the screen is larger";
+}
+
 TEST_F(RealWindow, NextHoleMovesTheCameraThere) {
   show("paused");
   window().ask("wait 60");

@@ -37,7 +37,13 @@ ActionState side_state(const Situation& now) {
 
 template <StandardView kSide>
 void look_from(const ActionRunner& run) {
-  show_from(kSide, *run.view.scan, run.state.view);
+  show_from(kSide, run.view, run.state.view);
+}
+
+/// Of a quadrant nothing shows whether it is the right or the left one.
+ActionState arch_side_state(const Situation& now) {
+  if (!now.has_surface()) return disabled("nothing scanned yet");
+  return only_if(now.view.scan->jaw && now.view.scan->jaw->is_arch, "needs a whole arch");
 }
 
 ActionState show_all_state(const Situation& now) {
@@ -104,6 +110,18 @@ constexpr std::array kLookingActions = {
               .shortcut = {GLFW_KEY_L, "L"},
               .state = side_state,
               .perform = look_from<StandardView::kLingual>},
+    ActionRow{.action = Action::kRightSide,
+              .id = "right_side",
+              .name = "Right side",
+              .shortcut = {GLFW_KEY_R, "Shift R", GLFW_MOD_SHIFT},
+              .state = arch_side_state,
+              .perform = look_from<StandardView::kRight>},
+    ActionRow{.action = Action::kLeftSide,
+              .id = "left_side",
+              .name = "Left side",
+              .shortcut = {GLFW_KEY_L, "Shift L", GLFW_MOD_SHIFT},
+              .state = arch_side_state,
+              .perform = look_from<StandardView::kLeft>},
     ActionRow{.action = Action::kShowAll,
               .id = "show_all",
               .name = "Show all",

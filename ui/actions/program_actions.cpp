@@ -35,6 +35,17 @@ void toggle_mute(const ActionRunner& run) {
   run.send(ChangeSettings{settings});
 }
 
+ActionState full_screen_state(const Situation& now) {
+  const bool is_on = now.view.settings.is_full_screen;
+  return chosen(is_on, is_on ? "on" : "off");
+}
+
+void toggle_full_screen(const ActionRunner& run) {
+  Settings settings = run.view.settings;
+  settings.is_full_screen = !settings.is_full_screen;
+  run.send(ChangeSettings{settings});
+}
+
 ActionState scale_state(const Situation& now) {
   return enabled(percent_text(now.view.settings.user_scale));
 }
@@ -270,6 +281,13 @@ constexpr std::array kProgramActions = {
               .shortcut = {GLFW_KEY_X, "X"},
               .state = mute_state,
               .perform = toggle_mute,
+              .works_in = kEachDialog},
+    ActionRow{.action = Action::kFullScreen,
+              .id = "full_screen",
+              .name = "Full screen",
+              .shortcut = {GLFW_KEY_F11, "F11"},
+              .state = full_screen_state,
+              .perform = toggle_full_screen,
               .works_in = kEachDialog},
     ActionRow{.action = Action::kLarger,
               .id = "larger",

@@ -160,6 +160,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"actions", actions_as_json(frame.view, state)},
       {"overlays", overlays_as_json(frame.record)},
       {"cut_texts", frame.record.cut_texts},
+      {"hint", frame.record.hint},
       {"commands", commands_}};
   if (const auto& calibration = frame.view.calibration; calibration && calibration->running) {
     const RunningCalibration& running = *calibration->running;

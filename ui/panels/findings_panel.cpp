@@ -7,13 +7,14 @@
 
 #include "ui/panels/panels.h"
 #include "ui/state/camera_moves.h"
+#include "ui/state/jaw_words.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
 namespace {
 
-constexpr float kHoleWidth = 168.0F;
+constexpr float kHoleWidth = 272.0F;
 constexpr float kDistanceWidth = 232.0F;
 constexpr float kRow = 40.0F;
 constexpr float kHeading = 24.0F;
@@ -44,10 +45,6 @@ void draw_heading(const PanelContext& context, Rect& rest, const std::string& te
             text);
 }
 
-std::string hole_text(const meshing::BoundaryLoop& hole) {
-  return fmt::format("{:.1f} mm wide", hole.width_mm);
-}
-
 void draw_holes(const PanelContext& context, Rect& rest, std::size_t listed) {
   const scan::ScanSnapshot& scan = *context.view.scan;
   const std::vector<meshing::BoundaryLoop>& holes = scan.holes;
@@ -59,9 +56,8 @@ void draw_holes(const PanelContext& context, Rect& rest, std::size_t listed) {
     const std::string id = fmt::format("hole_{}", i + 1);
     ButtonLook look;
     look.id = id.c_str();
-    look.label = hole_text(holes[i]);
+    look.label = hole_text(holes[i], scan.jaw ? &*scan.jaw : nullptr, jaw_of(context.view.stage));
     look.is_on = selected && selected->index == i;
-    look.color = kCaution;
     const Rect box = rest.take_top(context.px(kRow), context.px(kGapXs));
     context.places.set(id, box);
     if (small_button(context.theme, box, look)) show_hole(context.view, i, context.state);

@@ -15,7 +15,7 @@ constexpr float kKey = 84.0F;
 /// Room for the longest name, and for kLongestStateText characters.
 constexpr float kName = 136.0F, kStateWidth = 124.0F;
 /// The fullest column, in rows: looking and program, with their headings.
-constexpr float kMostHelpRows = 29.0F;
+constexpr float kMostHelpRows = 32.0F;
 
 /// Rows are lower in a low window.
 float row_height(const PanelContext& context, float height) {
@@ -49,9 +49,11 @@ void draw_group(const PanelContext& context, Rect& column, float row, ActionGrou
 }
 
 void draw_pointer(const PanelContext& context, Rect& column, float row_height_px) {
-  constexpr std::array<std::array<const char*, 2>, 3> kRows = {
+  constexpr std::array<std::array<const char*, 2>, 5> kRows = {
       {{"Drag", "turns the view or uses the tool"},
        {"Right drag", "turns; with Shift, moves"},
+       {"Middle drag", "moves the view"},
+       {"Double click", "brings the place to the middle"},
        {"Wheel", "zooms or resizes the brush"}}};
   draw_text(column.take_top(context.px(kHelpHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Pointer");

@@ -1,9 +1,12 @@
 /// @file  Buttons for colors, with their legend, and for the sides to look from.
 #include <array>
+#include <cmath>
 
 #include "ui/panels/panels.h"
 #include "ui/panels/scene_view.h"
+#include "ui/state/jaw_words.h"
 #include "ui/widgets/badge.h"
+#include "ui/widgets/hint.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
@@ -11,6 +14,7 @@ namespace {
 
 constexpr float kWidth = 168.0F;
 constexpr float kLookButton = 44.0F;
+constexpr float kSideButton = 35.0F;
 
 void draw_modes(const PanelContext& context, Rect& rest) {
   for (const Action action :
@@ -35,7 +39,7 @@ void draw_blend(const PanelContext& context, Rect& rest) {
 void draw_coverage_legend(const PanelContext& context, Rect& rest) {
   const SceneOptions colors;
   const std::array<LegendRow, 3> rows = {
-      {{colors.good_color, "Good"}, {colors.thin_color, "Scan again"}, {kTextQuiet, "Gap", true}}};
+      {{colors.good_color, "Good"}, {colors.thin_color, "Scan again"}, {kHole, "Hole", true}}};
   legend(context.theme, rest.take_top(context.px(70.0F)), rows);
 }
 
@@ -45,12 +49,20 @@ void draw_sigma_legend(const PanelContext& context, Rect& rest) {
   for (std::size_t i = 0; i < kSteps; ++i) {
     colors[i] = sigma_color(static_cast<double>(i) / (kSteps - 1));
   }
-  color_scale(context.theme, rest.take_top(context.px(34.0F)),
-              {colors, "0", length_text(max_sigma_mm(context.view))});
+  const double most_mm = max_sigma_mm(context.view);
+  const Rect box = rest.take_top(context.px(34.0F));
+  color_scale(context.theme, box,
+              {colors, length_text(most_mm / kSigmaRange),
+               length_text(most_mm / std::sqrt(kSigmaRange)), length_text(most_mm)});
+  hint_over(box,
+            "How far the surface may be off, as one standard deviation. Blue places were measured "
+            "many times.");
 }
 
-/// Height of a plate with four buttons, in units.
-constexpr float kButtonsHeight = 4.0F * kLookButton + 3.0F * kGapXs + 2.0F * kGapS;
+/// Height of a plate with some rows of buttons, in units.
+constexpr float height_of(float rows, float button) {
+  return rows * button + (rows - 1.0F) * kGapXs + 2.0F * kGapS;
+}
 
 /// Height of the legend or slider under the buttons, in units.
 float extra_height(ColorMode mode) {
@@ -87,28 +99,34 @@ void draw_sides(const PanelContext& context) {
   const Rect box = sides_box(context);
   const Plate plate("sides", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
-  const std::array<std::pair<Action, const char*>, 4> sides = {{{Action::kOcclusal, "Occlusal"},
-                                                                {Action::kBuccal, "Buccal"},
-                                                                {Action::kLingual, "Lingual"},
-                                                                {Action::kShowAll, "All"}}};
-  for (const auto& [action, label] : sides) {
-    small_action(context, rest.take_top(context.px(kLookButton), context.px(kGapXs)), action,
-                 {nullptr, label});
-  }
+  const auto row = [&] { return rest.take_top(context.px(kSideButton), context.px(kGapXs)); };
+  const auto& jaw = context.view.scan == nullptr ? std::nullopt : context.view.scan->jaw;
+  small_action(context, row(), Action::kOcclusal, {nullptr, "Occlusal"});
+  small_action(context, row(), Action::kBuccal,
+               {nullptr, jaw && jaw->is_arch ? "Front" : "Buccal"});
+  Rect pair = row();
+  const ActionLook right = {.label = "Right", .shows_key = false};
+  small_action(context,
+               pair.take_left((pair.width - context.px(kGapXs)) / 2.0F, context.px(kGapXs)),
+               Action::kRightSide, right);
+  small_action(context, pair, Action::kLeftSide, {.label = "Left", .shows_key = false});
+  small_action(context, row(), Action::kLingual,
+               {nullptr, lingual_name(jaw_of(context.view.stage))});
+  small_action(context, row(), Action::kShowAll, {nullptr, "All"});
 }
 
 }  // namespace
 
 Rect colors_box(const PanelContext& context) {
-  const float height = kButtonsHeight + extra_height(context.state.color_mode);
+  const float height = height_of(4.0F, kLookButton) + extra_height(context.state.color_mode);
   return {context.layout.picture.x + context.px(kGapM), top_of(context), context.px(kWidth),
           context.px(height)};
 }
 
 Rect sides_box(const PanelContext& context) {
-  const float width = context.px(132.0F);
+  const float width = context.px(144.0F);
   return {context.layout.picture.right() - context.px(kGapM) - width, top_of(context), width,
-          context.px(kButtonsHeight)};
+          context.px(height_of(5.0F, kSideButton))};
 }
 
 void draw_look_panel(const PanelContext& context) {

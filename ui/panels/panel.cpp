@@ -5,10 +5,12 @@
 namespace flytri::ui {
 namespace {
 
-/// Name, key and state, shown while the pointer rests on the button.
-std::string hint_of(const ActionRow& row, const ActionState& current) {
-  std::string hint = std::string(row.name) + " (" + row.shortcut.text + ")";
-  if (!current.text.empty()) hint += ": " + current.text;
+/// What the button does not show itself: name, key and state.
+std::string hint_of(const ActionRow& row, const ActionState& current, const ButtonLook& button) {
+  std::string hint = button.label == row.name ? "" : std::string(row.name);
+  if (button.key.empty())
+    hint += (hint.empty() ? "Key: " : ", key: ") + std::string(row.shortcut.text);
+  if (!current.text.empty()) hint += (hint.empty() ? "" : ". ") + sentence(current.text);
   return hint;
 }
 
@@ -24,7 +26,7 @@ ButtonLook look_of(const PanelContext& context, Action action, const ActionLook&
   button.is_on = current.is_on;
   button.is_main = look.is_main;
   button.color = look.color;
-  button.hint = hint_of(row, current);
+  button.hint = hint_of(row, current, button);
   return button;
 }
 

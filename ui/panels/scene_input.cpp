@@ -75,9 +75,31 @@ void point_hand(const PanelContext& context) {
   context.commands.emplace_back(PointHand{ray.origin(), ray.direction()});
 }
 
+/// The surface under the pointer.
+std::optional<Vec3> place_under_pointer(const PanelContext& context) {
+  const Vec2 at = pointer_px(context);
+  const std::optional<Pick> pick = context.scene.pick(at.x(), at.y());
+  if (!pick) return std::nullopt;
+  return pick->p_world_mm;
+}
+
+/// A double click brings a place to the middle of the picture.
+void center(const PanelContext& context) {
+  constexpr double kFlight_s = 0.4;
+  if (!ImGui::IsItemHovered() || !ImGui::IsMouseDoubleClicked(0)) return;
+  const auto place_mm = place_under_pointer(context);
+  if (!place_mm) return;
+  CameraState& view = context.state.view;
+  view.follows_scan = false;
+  CameraPose pose = view.camera.destination();
+  pose.target_mm = *place_mm;
+  view.camera.fly_to(pose, kFlight_s);
+}
+
 /// The right button turns the view; so does the left one, if no tool uses it.
 void turn(const PanelContext& context, bool left_is_free) {
   const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated()) context.state.view.pivot_mm = place_under_pointer(context);
   if (!ImGui::IsItemActive() || (io.MouseDelta.x == 0.0F && io.MouseDelta.y == 0.0F)) return;
   CameraState& view = context.state.view;
   const bool turns = ImGui::IsMouseDown(1) || (left_is_free && ImGui::IsMouseDown(0));
@@ -86,7 +108,8 @@ void turn(const PanelContext& context, bool left_is_free) {
   view.follows_scan = false;
   const auto dx = static_cast<double>(io.MouseDelta.x), dy = static_cast<double>(io.MouseDelta.y);
   if (pans) return view.camera.pan(dx, dy, view.picture);
-  view.camera.orbit(dx, dy, view.picture);
+  const Vec3 pivot_mm = view.pivot_mm.value_or(view.camera.pose().target_mm);
+  view.camera.orbit(dx, dy, view.picture, pivot_mm);
 }
 
 void turn_wheel(const PanelContext& context) {
@@ -112,7 +135,9 @@ void handle_scene_input(const PanelContext& context) {
   if (tool == Tool::kMeasure) measure(context);
   const bool steers = steers_by_pointer(context);
   if (steers) point_hand(context);
-  turn(context, tool == Tool::kNone && !steers);
+  const bool left_is_free = tool == Tool::kNone && !steers;
+  if (left_is_free) center(context);
+  turn(context, left_is_free);
   turn_wheel(context);
 }
 

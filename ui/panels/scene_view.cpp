@@ -62,7 +62,6 @@ void add_surface(const PanelContext& context, SceneContent& content) {
   if (scan.phase == scan::ScanPhase::kFinished && scan.result != nullptr) {
     content.mesh = &scan.result->model;
     content.mesh_number = context.state.result_number.of(scan.result);
-    content.rim_mesh = &scan.result->surface.mesh;
   }
 }
 

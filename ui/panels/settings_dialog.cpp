@@ -1,4 +1,4 @@
-/// @file  Interface size, sound, and buttons to the devices and the calibration.
+/// @file  Interface size, sound, full screen, and buttons to the devices and the calibration.
 #include <fmt/format.h>
 
 #include "ui/panels/dialog.h"
@@ -30,6 +30,13 @@ void draw_sound(const PanelContext& context, Rect row) {
   draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Tracking sounds");
 }
 
+void draw_full_screen(const PanelContext& context, Rect row) {
+  const bool is_full = context.view.settings.is_full_screen;
+  small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
+               Action::kFullScreen, {nullptr, is_full ? "On" : "Off"});
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Full screen");
+}
+
 void draw_devices(const PanelContext& context, Rect row) {
   small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
                Action::kDevices, {icon::kDevice, "Show"});
@@ -45,9 +52,10 @@ void draw_calibration(const PanelContext& context, Rect row) {
 }  // namespace
 
 void draw_settings_dialog(const PanelContext& context) {
-  DialogPlate dialog(context, "Settings", {560.0F, 320.0F});
+  DialogPlate dialog(context, "Settings", {560.0F, 320.0F + kSettingsRow + kGapS});
   draw_size(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
+  draw_full_screen(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_devices(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_calibration(context, dialog.rest.take_top(context.px(kSettingsRow)));
 }

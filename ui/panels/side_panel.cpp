@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/scene_view.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/distance_bar.h"
+#include "ui/widgets/hint.h"
 #include "ui/widgets/meter.h"
 #include "ui/widgets/volume_preview.h"
 
@@ -74,11 +76,20 @@ void draw_figures(const PanelContext& context, Rect rest) {
   const auto& scan = context.view.scan;
   const float row = context.px(24.0F);
   const bool has_residual = scan != nullptr && scan->residual_mm.has_value();
-  labeled_value(context.theme, rest.take_top(row), "Alignment error",
+  const Rect alignment = rest.take_top(row), delay = rest.take_top(row);
+  labeled_value(context.theme, alignment, "Alignment error",
                 has_residual ? length_text(*scan->residual_mm) : "\u2013");
   const bool is_known = scan != nullptr && scan->latency.count > 0;
-  labeled_value(context.theme, rest.take_top(row), "Delay",
+  labeled_value(context.theme, delay, "Delay",
                 is_known ? fmt::format("{:.0f} ms", 1e3 * scan->latency.median_s) : "\u2013");
+  hint_over(alignment,
+            fmt::format("How far the latest lines lie from the surface scanned before, where they "
+                        "cross. Below {} is good; more means noise, motion, or a wrong "
+                        "calibration.",
+                        length_text(max_sigma_mm(context.view))));
+  hint_over(delay,
+            "From the arrival of a camera image until the surface on the screen shows it. Below "
+            "100 ms is good.");
 }
 
 void draw_preview(const PanelContext& context, Rect rest) {
@@ -100,7 +111,11 @@ void draw_ordinary(const PanelContext& context, Rect rest) {
   draw_live_image(context, rest.take_top(rest.width * kPictureRatio, gap));
   if (context.view.source.hand) draw_hand(context, rest.take_top(context.px(44.0F), gap));
   const auto distance = context.view.scan == nullptr ? std::nullopt : context.view.scan->distance;
-  distance_bar(context.theme, rest.take_top(context.px(70.0F), gap), distance);
+  const Rect bar = rest.take_top(context.px(70.0F), gap);
+  distance_bar(context.theme, bar, distance);
+  hint_over(bar,
+            "Where the surface lies in the depth that the sensor measures. Keep the mark in the "
+            "green part.");
   draw_figures(context, rest.take_top(context.px(48.0F), gap));
   draw_preview(context, rest);
 }

@@ -1,5 +1,7 @@
 #include "ui/panels/status.h"
 
+#include <fmt/format.h>
+
 #include "ui/state/way_back.h"
 #include "ui/theme/icons.h"
 
@@ -26,6 +28,13 @@ Status scanning_status(const AppView& view) {
   }
 }
 
+/// The source names what failed first; the panel of devices lists everything.
+std::string sensor_problem(const AppView& view) {
+  const std::size_t count = view.devices ? view.devices->problems.size() : 0;
+  if (count < 2) return view.source.message;
+  return fmt::format("{} problems with its devices: press R to see them", count);
+}
+
 }  // namespace
 
 Status status_of(const AppView& view) {
@@ -35,7 +44,7 @@ Status status_of(const AppView& view) {
   if (view.scan != nullptr && view.scan->phase == scan::ScanPhase::kFinishing) {
     return {kCaution, icon::kResume, "Processing", "Keep the sensor ready"};
   }
-  if (view.source.is_lost) return {kBad, icon::kWarning, "No sensor", view.source.message};
+  if (view.source.is_lost) return {kBad, icon::kWarning, "No sensor", sensor_problem(view)};
   const bool is_lost = view.is_scanning && view.scan != nullptr && !view.source.has_ended &&
                        view.scan->phase == scan::ScanPhase::kContinuation;
   if (!view.file.failure.empty() && !is_lost) {

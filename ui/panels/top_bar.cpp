@@ -1,4 +1,4 @@
-/// @file  The bar at the top: case, stage, time, views kept and lost, coverage, settings.
+/// @file  The bar at the top: case, stage, time, views kept and not kept, coverage, settings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/badge.h"
+#include "ui/widgets/hint.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
@@ -67,19 +68,29 @@ void draw_stages(const PanelContext& context, Rect row) {
 struct Figure {
   const char* label;
   const char* widest;  ///< of the values in half an hour
+  const char* hint;
 };
-constexpr std::array<Figure, 4> kFigures = {
-    {{"Time", "00:00"}, {"Views", "00000"}, {"Lost", "0000"}, {"Well covered", "100 %"}}};
+constexpr std::array<Figure, 5> kFigures = {
+    {{"Time", "00:00", "Time spent scanning, without pauses."},
+     {"Views", "00000", "Camera images that became part of the surface."},
+     {"Rejected", "0000",
+      "Images that show too little, or do not fit the surface. Below a tenth of the views is good. "
+      "If there are more, move slowly and stay near what is scanned already."},
+     {"Dropped", "0000",
+      "Images that this computer had no time for. 0 is good. If there are more, close other "
+      "programs."},
+     {"Well covered", "100 %",
+      "Share of the scanned surface that is measured often enough. Above 90 % is good. The colors "
+      "of Coverage show where to scan again."}}};
 using FigureValues = std::array<std::string, kFigures.size()>;
 
 FigureValues figure_values(const AppView& view) {
-  if (view.scan == nullptr) return {"0:00", "0", "0", "\u2013"};
+  if (view.scan == nullptr) return {"0:00", "0", "0", "0", "\u2013"};
   const scan::ScanSnapshot& scan = *view.scan;
-  const auto lost = scan.counts.rejected_count() + scan.counts.skipped;
   const bool has_surface = surfel_count(scan.model) > 0;
   return {clock_text(scan.scanned_s),
           fmt::format("{}", scan.counts.registered + scan.counts.interpolated),
-          fmt::format("{}", lost),
+          fmt::format("{}", scan.counts.rejected_count()), fmt::format("{}", scan.counts.skipped),
           has_surface ? fmt::format("{:.0f} %", 100.0 * scan.good_share) : "\u2013"};
 }
 
@@ -105,6 +116,8 @@ void draw_scan_figures(const PanelContext& context, Rect row) {
     const Figure& figure = kFigures[i];
     Rect cell = row.take_left(figure_width(context, figure) + spare)
                     .inset(context.px(kGapXs), context.px(4.0F));
+    context.places.set(fmt::format("figure_{}", i + 1), cell);
+    hint_over(cell, figure.hint);
     const Rect value = cell.take_top(cell.height * 0.56F);
     draw_text(value, {context.theme.fonts.title, kText, Align::kCenter}, values[i]);
     draw_text(cell, {context.theme.fonts.small, kTextQuiet, Align::kCenter}, figure.label);

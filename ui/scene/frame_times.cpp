@@ -71,8 +71,8 @@ FrameTimes measure_frame_times(SceneRenderer& renderer, const SurfelModel& model
   SceneOptions options;
   OrbitCamera camera;
   const JawAxes axes = jaw_axes(model);
-  camera.set_pose(
-      camera.fitting(axes.corners_mm, orientation(axes, StandardView::kOcclusal), size));
+  camera.set_pose(camera.fitting(
+      axes.corners_mm(), orientation(axes, JawKind::kUpper, StandardView::kOcclusal), size));
   double now_s = 0.0;
   const auto draw = [&] { renderer.draw(content, options, camera, size, now_s += kFrame_s); };
   const auto turn = [&] { camera.orbit(3.0, 0.0, size); };

@@ -1,5 +1,6 @@
 #include "ui/scene/line_painter.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,10 +25,11 @@ std::array<std::uint8_t, 4> bytes_of(const Color& color) {
   return bytes;
 }
 
+/// Those that show through the model come first.
 std::vector<LineCorner> corners_of_lines(const std::vector<OverlayLine>& lines) {
   std::vector<LineCorner> corners;
   corners.reserve(4 * lines.size());
-  for (const OverlayLine& line : lines) {
+  const auto add = [&](const OverlayLine& line) {
     LineCorner at{line.from_mm, line.width_px, line.to_mm, bytes_of(line.color), {}};
     for (const std::int8_t along : {-1, 1}) {
       for (const std::int8_t across : {-1, 1}) {
@@ -35,6 +37,12 @@ std::vector<LineCorner> corners_of_lines(const std::vector<OverlayLine>& lines) 
         corners.push_back(at);
       }
     }
+  };
+  for (const OverlayLine& line : lines) {
+    if (line.shows_through) add(line);
+  }
+  for (const OverlayLine& line : lines) {
+    if (!line.shows_through) add(line);
   }
   return corners;
 }
@@ -76,6 +84,8 @@ LinePainter::LinePainter(ShaderProgram program)
 void LinePainter::paint(const std::vector<OverlayLine>& lines, const Eye& eye) {
   /// Lines on the surface are drawn in front of it by this share of the picture's height.
   constexpr double kLift = 0.004;
+  /// Lines that do not show through run along the border of the surface, whose splats bulge.
+  constexpr double kRimLift = 0.02;
   constexpr float kHiddenOpacity = 0.35F;
   if (lines.empty()) return;
   const std::vector<LineCorner> corners = corners_of_lines(lines);
@@ -88,19 +98,24 @@ void LinePainter::paint(const std::vector<OverlayLine>& lines, const Eye& eye) {
   program_.use();
   program_.set("P_clip_world", eye.P_clip_world);
   program_.set("size_px", eye.size_px());
-  program_.set("towards_eye", static_cast<float>(kLift * eye.height_mm) * eye.depth_per_mm());
   vertices_.bind();
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
-  const auto draw = [&](GLenum depth_function, float opacity) {
+  const auto through = static_cast<std::size_t>(std::count_if(
+      lines.begin(), lines.end(), [](const OverlayLine& line) { return line.shows_through; }));
+  const auto draw = [&](GLenum depth_function, float opacity, double lift, std::size_t first,
+                        std::size_t end) {
     glDepthFunc(depth_function);
     program_.set("opacity", opacity);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * lines.size()), GL_UNSIGNED_INT, nullptr);
+    program_.set("towards_eye", static_cast<float>(lift * eye.height_mm) * eye.depth_per_mm());
+    const auto* offset = reinterpret_cast<const void*>(6 * first * sizeof(std::uint32_t));
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * (end - first)), GL_UNSIGNED_INT, offset);
   };
-  draw(GL_GREATER, kHiddenOpacity);
-  draw(GL_LEQUAL, 1.0F);
+  draw(GL_GREATER, kHiddenOpacity, kLift, 0, through);
+  draw(GL_LEQUAL, 1.0F, kLift, 0, through);
+  draw(GL_LEQUAL, 1.0F, kRimLift, through, lines.size());
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);

@@ -44,10 +44,16 @@ void OrbitCamera::set_pose(const CameraPose& pose) {
 }
 
 void OrbitCamera::orbit(double dx_px, double dy_px, const PictureSize& size) {
+  orbit(dx_px, dy_px, size, pose_.target_mm);
+}
+
+void OrbitCamera::orbit(double dx_px, double dy_px, const PictureSize& size, const Vec3& pivot_mm) {
   const double rad_per_px = options_.orbit_rad_per_height / size.height_px;
   CameraPose turned = pose_;
   turned.q_world_eye = pose_.q_world_eye * Eigen::AngleAxisd(-dx_px * rad_per_px, Vec3::UnitY()) *
                        Eigen::AngleAxisd(-dy_px * rad_per_px, Vec3::UnitX());
+  const Eigen::Quaterniond turn = turned.q_world_eye * pose_.q_world_eye.conjugate();
+  turned.target_mm = pivot_mm + turn * (pose_.target_mm - pivot_mm);
   set_pose(turned);
 }
 

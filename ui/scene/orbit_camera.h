@@ -42,7 +42,9 @@ class OrbitCamera {
   /// Moves there at once, and ends a flight.
   void set_pose(const CameraPose& pose);
 
-  /// Turns about the target, as if the pointer dragged the model. Ends a flight.
+  /// Turns about a point, as if the pointer dragged the model. Ends a flight.
+  void orbit(double dx_px, double dy_px, const PictureSize& size, const Vec3& pivot_mm);
+  /// Turns about the target.
   void orbit(double dx_px, double dy_px, const PictureSize& size);
   /// Turns about the line of sight, counter-clockwise in the picture.
   void roll(double angle_rad);

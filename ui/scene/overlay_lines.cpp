@@ -25,8 +25,8 @@ class Pen {
   explicit Pen(double scale) : scale_(static_cast<float>(scale)) {}
 
   void line(const Vec3& from_mm, const Vec3& to_mm, double width_px, const Color& color) {
-    lines_.push_back(
-        {from_mm.cast<float>(), to_mm.cast<float>(), scale_ * static_cast<float>(width_px), color});
+    lines_.push_back({from_mm.cast<float>(), to_mm.cast<float>(),
+                      scale_ * static_cast<float>(width_px), color, shows_through_});
   }
   void ring(const Vec3& center_mm, const Vec3& normal, double radius_mm, double width_px,
             const Color& color) {
@@ -40,8 +40,11 @@ class Pen {
   }
   std::vector<OverlayLine> lines() && { return std::move(lines_); }
 
+  void set_shows_through(bool shows_through) { shows_through_ = shows_through; }
+
  private:
   float scale_;
+  bool shows_through_ = true;
   std::vector<OverlayLine> lines_;
 };
 
@@ -127,27 +130,43 @@ void add_preview(Pen& pen, const PreviewContent& preview, double step_mm) {
   }
 }
 
-void add_hole(Pen& pen, const meshing::BoundaryLoop& hole, const TriangleMesh* mesh,
-              bool is_selected) {
-  const double width_px = is_selected ? 4.0 : 2.5;
-  const Color color = is_selected ? kCaution : faded(kBad, 0.9);
-  if (mesh == nullptr || hole.vertices.empty()) {
-    pen.ring(hole.center_mm.cast<double>(), hole.normal.cast<double>(), hole.width_mm / 2.0,
-             width_px, color);
-    return;
+/// The rim of the mesh follows its cells in steps.
+std::vector<Vec3> smooth_rim_mm(const std::vector<Vec3f>& rim_mm) {
+  constexpr int kRounds = 3;
+  std::vector<Vec3> rim;
+  for (const Vec3f& p : rim_mm) rim.emplace_back(p.cast<double>());
+  const std::size_t count = rim.size();
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Vec3> smooth(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      smooth[i] = 0.5 * rim[i] + 0.25 * (rim[(i + count - 1) % count] + rim[(i + 1) % count]);
+    }
+    rim = std::move(smooth);
   }
-  for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
-    const std::uint32_t next = hole.vertices[(i + 1) % hole.vertices.size()];
-    pen.line(mesh->vertices[hole.vertices[i]].position_mm.cast<double>(),
-             mesh->vertices[next].position_mm.cast<double>(), width_px, color);
-  }
+  return rim;
 }
 
-void add_holes(Pen& pen, const SceneContent& content) {
+void add_hole(Pen& pen, const meshing::BoundaryLoop& hole, bool is_selected) {
+  const auto stroke = [&](double width_px, const Color& color) {
+    const std::vector<Vec3> rim_mm = smooth_rim_mm(hole.rim_mm);
+    for (std::size_t i = 0; i < rim_mm.size(); ++i) {
+      pen.line(rim_mm[i], rim_mm[(i + 1) % rim_mm.size()], width_px, color);
+    }
+  };
+  if (is_selected) stroke(7.0, kCasing);
+  stroke(is_selected ? 4.0 : 2.5, is_selected ? kSelectedHole : kHole);
+}
+
+/// A rim on the far side would seem to be drawn on the teeth in front of it.
+void add_holes(Pen& pen, const SceneContent& content, const Eye& eye) {
   if (content.holes == nullptr) return;
+  const Vec3f towards_eye = eye.T_eye_world.block<1, 3>(2, 0).transpose();
+  pen.set_shows_through(false);
   for (std::size_t i = 0; i < content.holes->size(); ++i) {
-    add_hole(pen, (*content.holes)[i], content.rim_mesh, content.selected_hole == i);
+    const meshing::BoundaryLoop& hole = (*content.holes)[i];
+    if (hole.normal.dot(towards_eye) > 0.0F) add_hole(pen, hole, content.selected_hole == i);
   }
+  pen.set_shows_through(true);
 }
 
 /// A line with a small cross at both ends.
@@ -191,7 +210,7 @@ std::vector<OverlayLine> overlay_lines(const SceneContent& content, const SceneO
   for (const SceneSensor& sensor : content.sensors) add_sensor(pen, sensor, now_s);
   if (content.way_back) add_arrow(pen, *content.way_back, eye);
   if (content.preview) add_preview(pen, *content.preview, step_mm);
-  add_holes(pen, content);
+  add_holes(pen, content, eye);
   for (const MeasuredSegment& segment : content.measurements) add_measurement(pen, segment, eye);
   if (content.brush) add_brush(pen, *content.brush);
   return std::move(pen).lines();

@@ -15,11 +15,11 @@ struct OverlayLine {
   Vec3f to_mm;
   float width_px = 2.0F;
   Color color;
+  bool shows_through = true;  ///< drawn faintly where the model is in front
   bool operator==(const OverlayLine&) const = default;
 };
 
-/// Profiles, sensors, rims of holes, measured segments and the brush. Parts behind the model are
-/// drawn faintly.
+/// Profiles, sensors, rims of the holes that face the eye, measured segments and the brush.
 /// @param now_s  drives what pulses
 [[nodiscard]] std::vector<OverlayLine> overlay_lines(const SceneContent& content,
                                                      const SceneOptions& options, const Eye& eye,

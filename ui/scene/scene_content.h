@@ -61,8 +61,6 @@ struct SceneContent {
   std::optional<PreviewContent> preview;
 
   const std::vector<meshing::BoundaryLoop>* holes = nullptr;  ///< the outer border is not drawn
-  const TriangleMesh* rim_mesh = nullptr;  ///< the holes refer to its vertices; without it, a hole
-                                           ///< is drawn as a circle of its perimeter
   std::optional<std::size_t> selected_hole;
 
   std::vector<MeasuredSegment> measurements;

@@ -18,13 +18,13 @@ Result<void> SceneOptions::validate() const {
 }
 
 Color sigma_color(double share) {
-  /// @source  Nunez, Anderton, Renslow, "Optimizing colormaps with consideration for color vision
-  ///          deficiency" (cividis), PLOS ONE 2018; its ends and three places between.
-  static constexpr std::array<Color, 5> kRamp = {{{0.00F, 0.14F, 0.31F, 1.0F},
-                                                  {0.25F, 0.30F, 0.42F, 1.0F},
-                                                  {0.49F, 0.49F, 0.47F, 1.0F},
-                                                  {0.73F, 0.69F, 0.42F, 1.0F},
-                                                  {1.00F, 0.92F, 0.27F, 1.0F}}};
+  /// Blue over pale to orange: distinguishable with any color vision, and never dark, as the
+  /// surface is shaded.
+  static constexpr std::array<Color, 5> kRamp = {{{0.18F, 0.49F, 0.78F, 1.0F},
+                                                  {0.48F, 0.75F, 0.88F, 1.0F},
+                                                  {0.94F, 0.92F, 0.82F, 1.0F},
+                                                  {0.95F, 0.68F, 0.30F, 1.0F},
+                                                  {0.82F, 0.32F, 0.10F, 1.0F}}};
   const double at = std::clamp(share, 0.0, 1.0) * (kRamp.size() - 1);
   const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(at), kRamp.size() - 2);
   const float weight = static_cast<float>(at - static_cast<double>(below));

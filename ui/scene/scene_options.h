@@ -28,7 +28,10 @@ struct SceneOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// The color scale of kUncertainty at `share` 0..1 of max_sigma_mm, for a legend.
+/// The colors of kUncertainty are logarithmic, from this part of max_sigma_mm to max_sigma_mm:
+/// places are measured once to a few hundred times.
+inline constexpr double kSigmaRange = 16.0;
+/// Their scale from its low end, `share` 0, to its high end 1, for a legend.
 [[nodiscard]] Color sigma_color(double share);
 
 }  // namespace flytri::ui

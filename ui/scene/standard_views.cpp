@@ -1,137 +1,59 @@
 #include "ui/scene/standard_views.h"
 
-#include <functional>
+#include <cmath>
 #include <numbers>
-
-#include "core/geometry/decompositions.h"
-#include "ui/scene/box_corners.h"
 
 namespace flytri::ui {
 namespace {
 
-/// Calls visit(position, normal) for each place of the surface.
-using Visitor = std::function<void(const Vec3&, const Vec3&)>;
-using Surface = std::function<void(const Visitor&)>;
-
-/// Mean position and mean normal, and the box.
-struct Means {
-  Vec3 position_mm = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();
-  Eigen::AlignedBox3d box_mm;
+struct Sight {
+  Vec3 towards_eye, up;
 };
 
-Means means_of(const Surface& surface) {
-  Means means;
-  double count = 0.0;
-  surface([&](const Vec3& p, const Vec3& n) {
-    means.position_mm += p;
-    means.normal += n;
-    means.box_mm.extend(p);
-    count += 1.0;
-  });
-  if (count > 0.0) {
-    means.position_mm /= count;
-    means.normal /= count;
+/// On charts the patient's right is on the left: the front is up for an upper jaw and down for a
+/// lower one.
+Sight occlusal_sight(const JawAxes& axes, JawKind jaw) {
+  const bool front_is_down = jaw == JawKind::kLower && axes.is_arch;
+  return {axes.occlusal, front_is_down ? Vec3(-axes.buccal) : axes.buccal};
+}
+
+/// From the side `outwards`, with the teeth upwards in a lower jaw and downwards in an upper one.
+Sight side_sight(const JawAxes& axes, JawKind jaw, const Vec3& outwards) {
+  /// From slightly above the teeth, so that the chewing edge is visible.
+  constexpr double kElevation_rad = 20.0 * std::numbers::pi / 180.0;
+  return {std::cos(kElevation_rad) * outwards + std::sin(kElevation_rad) * axes.occlusal,
+          jaw == JawKind::kUpper ? Vec3(-axes.occlusal) : axes.occlusal};
+}
+
+Sight sight_of(const JawAxes& axes, JawKind jaw, StandardView view) {
+  const Vec3 right = patient_right(axes, jaw);
+  switch (view) {
+    case StandardView::kBuccal:
+      return side_sight(axes, jaw, axes.buccal);
+    case StandardView::kLingual:
+      return side_sight(axes, jaw, -axes.buccal);
+    case StandardView::kRight:
+      return side_sight(axes, jaw, right);
+    case StandardView::kLeft:
+      return side_sight(axes, jaw, -right);
+    case StandardView::kOcclusal:
+      break;
   }
-  return means;
-}
-
-/// The smaller principal axis of the positions across `axis`: a quadrant's or an arch's short side.
-Vec3 short_axis(const Surface& surface, const Vec3& center_mm, const Vec3& axis) {
-  const Vec3 e0 = axis.unitOrthogonal(), e1 = axis.cross(e0);
-  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(2, 2);
-  surface([&](const Vec3& p, const Vec3&) {
-    const Vec2 q(e0.dot(p - center_mm), e1.dot(p - center_mm));
-    scatter += q * q.transpose();
-  });
-  const Vec2 smallest = symmetric_eigen(scatter).vectors.col(0);
-  return smallest.x() * e0 + smallest.y() * e1;
-}
-
-/// Third moment, whose sign says to which side the arch bends: positive if its ends lie towards
-/// `side`. Also the mean share of the flank normals.
-struct Bend {
-  double moment = 0.0;  ///< of (along / length)^2 * across / length, mean
-  double flanks = 0.0;  ///< mean of normal . side
-};
-
-Bend bend_of(const Surface& surface, const Means& means, const Vec3& occlusal, const Vec3& side) {
-  const Vec3 along = occlusal.cross(side);
-  const double length_mm = std::max(means.box_mm.diagonal().norm(), 1e-9);
-  double sum = 0.0, flanks = 0.0, squares = 0.0, count = 0.0;
-  double across_sum = 0.0;
-  surface([&](const Vec3& p, const Vec3& n) {
-    const double a = along.dot(p - means.position_mm) / length_mm;
-    const double b = side.dot(p - means.position_mm) / length_mm;
-    sum += a * a * b;
-    squares += a * a;
-    across_sum += b;
-    flanks += side.dot(n);
-    count += 1.0;
-  });
-  if (count == 0.0) return {};
-  return {sum / count - squares / count * across_sum / count, flanks / count};
-}
-
-std::vector<Vec3> corners_along(const Surface& surface, const JawAxes& axes) {
-  Eigen::Matrix3d R_jaw_world;
-  R_jaw_world << axes.buccal.cross(axes.occlusal).transpose(), axes.buccal.transpose(),
-      axes.occlusal.transpose();
-  Eigen::AlignedBox3d box_mm;
-  surface([&](const Vec3& p, const Vec3&) { box_mm.extend(R_jaw_world * p); });
-  std::vector<Vec3> corners;
-  for (const Vec3& corner : corners_of(box_mm)) corners.push_back(R_jaw_world.transpose() * corner);
-  return corners;
-}
-
-JawAxes axes_of(const Surface& surface) {
-  /// Arches with a smaller moment count as straight: a bend of 1 % of the length.
-  constexpr double kSmallestBend = 1e-4;
-  JawAxes axes;
-  const Means means = means_of(surface);
-  if (means.box_mm.isEmpty()) return axes;
-  if (means.normal.norm() > 1e-6) axes.occlusal = means.normal.normalized();
-  Vec3 side = short_axis(surface, means.position_mm, axes.occlusal);
-  const Bend bend = bend_of(surface, means, axes.occlusal, side);
-  const bool is_bent = std::abs(bend.moment) > kSmallestBend;
-  if (is_bent ? bend.moment > 0.0 : bend.flanks < 0.0) side = -side;
-  axes.buccal = side;
-  axes.corners_mm = corners_along(surface, axes);
-  return axes;
+  return occlusal_sight(axes, jaw);
 }
 
 }  // namespace
 
-JawAxes jaw_axes(const SurfelModel& model) {
-  return axes_of([&](const Visitor& visit) {
-    for (const auto& block : model) {
-      for (const Surfel& s : block->surfels) {
-        visit(s.position_mm.cast<double>(), s.normal.cast<double>());
-      }
-    }
-  });
+Vec3 patient_right(const JawAxes& axes, JawKind jaw) {
+  const Vec3 first = axes.buccal.cross(axes.occlusal);
+  return jaw == JawKind::kUpper ? Vec3(-first) : first;
 }
 
-JawAxes jaw_axes(const TriangleMesh& mesh) {
-  return axes_of([&](const Visitor& visit) {
-    for (const SurfacePoint& v : mesh.vertices) {
-      visit(v.position_mm.cast<double>(), v.normal.cast<double>());
-    }
-  });
-}
-
-Eigen::Quaterniond orientation(const JawAxes& axes, StandardView view) {
-  /// Flanks are seen from slightly above, so that the chewing edge is visible.
-  constexpr double kElevation_rad = 20.0 * std::numbers::pi / 180.0;
-  Vec3 towards_eye = axes.occlusal, up = axes.buccal;
-  if (view != StandardView::kOcclusal) {
-    const Vec3 side = view == StandardView::kBuccal ? axes.buccal : Vec3(-axes.buccal);
-    towards_eye = std::cos(kElevation_rad) * side + std::sin(kElevation_rad) * axes.occlusal;
-    up = axes.occlusal;
-  }
-  const Vec3 x = up.cross(towards_eye).normalized();
+Eigen::Quaterniond orientation(const JawAxes& axes, JawKind jaw, StandardView view) {
+  const Sight sight = sight_of(axes, jaw, view);
+  const Vec3 x = sight.up.cross(sight.towards_eye).normalized();
   Eigen::Matrix3d R_world_eye;
-  R_world_eye << x, towards_eye.cross(x), towards_eye;
+  R_world_eye << x, sight.towards_eye.cross(x), sight.towards_eye;
   return Eigen::Quaterniond(R_world_eye);
 }
 

@@ -1,37 +1,25 @@
-/// @file  Standard dental views, computed from the shape of the scanned surface.
+/// @file  Standard dental views of a scanned jaw.
 #pragma once
 
 #include <Eigen/Geometry>
-#include <vector>
 
-#include "core/geometry/rigid.h"
-#include "core/geometry/surfel.h"
-#include "core/geometry/triangle_mesh.h"
+#include "core/geometry/jaw_axes.h"
 
 namespace flytri::ui {
 
 enum class StandardView {
   kOcclusal,  ///< onto the chewing surfaces
-  kBuccal,    ///< from the side of the cheek
-  kLingual    ///< from the side of the tongue
+  kBuccal,    ///< from the side of the cheek; of an arch: from the front
+  kLingual,   ///< from the side of the tongue or the palate
+  kRight,     ///< of an arch: from the patient's right
+  kLeft       ///< of an arch: from the patient's left
 };
 
-/// How a jaw lies in the world frame.
-struct JawAxes {
-  Vec3 occlusal = Vec3::UnitZ();  ///< unit, out of the chewing surfaces
-  Vec3 buccal = Vec3::UnitY();    ///< unit, perpendicular to it, towards the cheek or the lips
-  /// Of the smallest box along the axes that holds the surface; empty where there is none.
-  std::vector<Vec3> corners_mm;
-};
+/// The patient's right, for an arch.
+[[nodiscard]] Vec3 patient_right(const JawAxes& axes, JawKind jaw);
 
-/// The occlusal direction is the mean normal, as a jaw is scanned from one side. Perpendicular to
-/// it, a quadrant is long and narrow and bends around the tongue: its long axis is the larger
-/// principal axis of the positions, and its ends lie on the side of the tongue. If the bend is too
-/// slight to decide, the side that most flank normals face is taken as that of the cheek.
-[[nodiscard]] JawAxes jaw_axes(const SurfelModel& model);
-[[nodiscard]] JawAxes jaw_axes(const TriangleMesh& mesh);
-
-/// The orientation of the eye for a view.
-[[nodiscard]] Eigen::Quaterniond orientation(const JawAxes& axes, StandardView view);
+/// The orientation of the eye for a view. Seen from the side, teeth are up in a lower jaw and down
+/// in an upper one.
+[[nodiscard]] Eigen::Quaterniond orientation(const JawAxes& axes, JawKind jaw, StandardView view);
 
 }  // namespace flytri::ui

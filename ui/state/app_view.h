@@ -98,6 +98,9 @@ struct ExportState {
 struct Settings {
   double user_scale = 1.0;  ///< 0.75..2, times the scale of the screen
   bool is_muted = false;
+  bool is_full_screen = false;
+  int window_width = 1280;  ///< >= 640; with window_height at scale 1, when not in full screen
+  int window_height = 800;  ///< >= 400
   std::set<std::string> export_formats = {".glb", ".stl", ".ply"};  ///< extensions
   bool operator==(const Settings&) const = default;
 };

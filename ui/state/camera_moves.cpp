@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ui/scene/box_corners.h"
+#include "ui/state/jaw_words.h"
 #include "ui/state/way_back.h"
 
 namespace flytri::ui {
@@ -104,12 +105,13 @@ void reset_camera(CameraState& state) {
   state.followed_box_mm.setEmpty();
 }
 
-void show_from(StandardView side, const scan::ScanSnapshot& scan, CameraState& state) {
+void show_from(StandardView side, const AppView& view, CameraState& state) {
+  const scan::ScanSnapshot& scan = *view.scan;
   const JawAxes axes =
       scan.result != nullptr ? jaw_axes(scan.result->surface.mesh) : jaw_axes(scan.model);
-  if (axes.corners_mm.empty()) return;
+  if (axes.box_mm.isEmpty()) return;
   state.follows_scan = false;
-  fly_to_show(axes.corners_mm, orientation(axes, side), kFlight_s, state);
+  fly_to_show(axes.corners_mm(), orientation(axes, jaw_of(view.stage), side), kFlight_s, state);
 }
 
 void show_hole(const AppView& view, std::size_t index, WindowState& state) {

@@ -16,8 +16,8 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
 /// view.
 void reset_camera(CameraState& state);
 
-/// Shows the whole jaw from a side.
-void show_from(StandardView side, const scan::ScanSnapshot& scan, CameraState& state);
+/// Shows the whole jaw of the current stage from a side.
+void show_from(StandardView side, const AppView& view, CameraState& state);
 
 /// Selects and shows the next hole; the widest comes first. Without holes none is selected.
 void show_next_hole(const AppView& view, WindowState& state);

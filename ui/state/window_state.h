@@ -37,8 +37,9 @@ enum class Dialog { kNone, kHelp, kExport, kCase, kSettings, kDevices, kCalibrat
 /// The camera, and what it was last moved for.
 struct CameraState {
   OrbitCamera camera;
-  PictureSize picture;       ///< of the latest frame
-  bool follows_scan = true;  ///< shows the whole growing model, until the user moves the camera
+  PictureSize picture;           ///< of the latest frame
+  std::optional<Vec3> pivot_mm;  ///< where the pointer took hold of the model; none: beside it
+  bool follows_scan = true;      ///< shows the whole growing model, until the user moves the camera
   Eigen::AlignedBox3d followed_box_mm;  ///< the box shown last
   scan::ScanPhase seen_phase = scan::ScanPhase::kPreview;
   std::optional<std::size_t> seen_reentry;  ///< the place shown last

@@ -16,6 +16,10 @@ inline constexpr Color kCaution = {0.90F, 0.62F, 0.00F, 1.0F};  ///< orange
 inline constexpr Color kBad = {0.84F, 0.37F, 0.00F, 1.0F};      ///< vermilion
 inline constexpr Color kNeutral = {0.34F, 0.71F, 0.91F, 1.0F};  ///< sky blue
 
+/// Rims of holes; the selected one is seen on every surface.
+inline constexpr Color kHole = {0.84F, 0.37F, 0.00F, 1.0F};  ///< vermilion
+inline constexpr Color kSelectedHole = {1.00F, 1.00F, 1.00F, 1.0F};
+
 /// Measured lines by their pattern, in the scene and in the small preview.
 inline constexpr Color kVerticalProfile = {1.00F, 0.84F, 0.20F, 1.0F};    ///< amber
 inline constexpr Color kHorizontalProfile = {0.35F, 0.88F, 1.00F, 1.0F};  ///< cyan

@@ -111,6 +111,10 @@ void set_colors(ImGuiStyle& style) {
   set(ImGuiCol_TextSelectedBg, with_opacity(kNeutral, 0.45F));
 }
 
+/// From this many units on, texts grow with the window: it fills a large screen, which is seen from
+/// farther away.
+constexpr double kRoomyWidth = 1600.0, kRoomyHeight = 1000.0, kMostGrowth = 1.5;
+
 }  // namespace
 
 float Theme::px(float units) const { return std::round(units * scale); }
@@ -118,7 +122,9 @@ float Theme::px(float units) const { return std::round(units * scale); }
 float window_scale(double content_scale, double user_scale, int width_px, int height_px) {
   const float largest = std::min({static_cast<float>(width_px) / kMinimalWidth,
                                   static_cast<float>(height_px) / kMinimalHeight, 4.0F});
-  const float wanted = std::min(static_cast<float>(content_scale * user_scale), largest);
+  const double room = std::min(width_px / kRoomyWidth, height_px / kRoomyHeight) / content_scale;
+  const double growth = std::clamp(room, 1.0, kMostGrowth);
+  const float wanted = std::min(static_cast<float>(content_scale * user_scale * growth), largest);
   return std::max(std::floor(wanted * 8.0F) / 8.0F, 0.5F);
 }
 

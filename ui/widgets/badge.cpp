@@ -47,6 +47,7 @@ float color_scale(const Theme& theme, const Rect& box, const ScaleLook& look) {
   }
   const Rect row = rest.take_top(theme.px(18.0F));
   draw_text(row, {theme.fonts.small, kText, Align::kLeft}, look.low);
+  draw_text(row, {theme.fonts.small, kText, Align::kCenter}, look.middle);
   draw_text(row, {theme.fonts.small, kText, Align::kRight}, look.high);
   return theme.px(34.0F);
 }

@@ -28,10 +28,10 @@ struct LegendRow {
 /// One row each; returns the height.
 float legend(const Theme& theme, const Rect& box, std::span<const LegendRow> rows);
 
-/// A color scale with a text at each end.
+/// A color scale with texts at its ends and in its middle.
 struct ScaleLook {
   std::span<const Color> colors;
-  std::string low, high;
+  std::string low, middle, high;
 };
 float color_scale(const Theme& theme, const Rect& box, const ScaleLook& look);
 

@@ -1,5 +1,7 @@
 #include "ui/widgets/button.h"
 
+#include "ui/widgets/hint.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -11,9 +13,7 @@ struct Touch {
 Touch touch(const Rect& box, const ButtonLook& look) {
   const bool is_clicked = touch_area(look.id, box) && look.is_enabled;
   const bool is_hovered = ImGui::IsItemHovered();
-  if (is_hovered && !look.hint.empty()) {
-    ImGui::SetTooltip("%s", look.hint.c_str());
-  }
+  hint_over_item(look.hint);
   return {is_clicked, is_hovered && look.is_enabled, ImGui::IsItemActive() && look.is_enabled};
 }
 

@@ -1,4 +1,5 @@
-/// @file  Records for tests what the latest frame shows: positions of overlays, cut texts.
+/// @file  Records for tests what the latest frame shows: positions of overlays, cut texts, the
+/// hint.
 #pragma once
 
 #include <imgui.h>
@@ -19,6 +20,7 @@ struct OverlayPlace {
 struct DrawRecord {
   std::vector<OverlayPlace> overlays;
   std::vector<std::string> cut_texts;  ///< the whole texts
+  std::string hint;                    ///< shown beside the pointer; empty: none
 
   void clear() { *this = {}; }
 };

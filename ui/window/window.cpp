@@ -84,6 +84,21 @@ void on_wheel(GLFWwindow* window, double x, double y) {
   queue_of(window).push(WheelEvent{static_cast<float>(x), static_cast<float>(y)});
 }
 
+/// The screen that shows this place; the first screen if none does.
+GLFWmonitor* monitor_at(int x, int y) {
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    int left = 0, top = 0;
+    glfwGetMonitorPos(monitors[i], &left, &top);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    const bool holds = mode != nullptr && x >= left && x < left + mode->width && y >= top &&
+                       y < top + mode->height;
+    if (holds) return monitors[i];
+  }
+  return glfwGetPrimaryMonitor();
+}
+
 }  // namespace
 
 Window::Window(GLFWwindow* window) : window_(window), partial_swap_(PartialSwap::find()) {
@@ -148,6 +163,20 @@ void Window::show(const Framebuffer& picture, const std::vector<PixelBox>& chang
   }
   picture.copy_to_window({picture.area()});
   glfwSwapBuffers(window_);
+}
+
+bool Window::is_full_screen() const { return glfwGetWindowMonitor(window_) != nullptr; }
+
+void Window::set_full_screen(bool is_full) {
+  if (is_full == is_full_screen()) return;
+  auto& [left, top, width, height] = place_;
+  if (!is_full) return glfwSetWindowMonitor(window_, nullptr, left, top, width, height, 0);
+  glfwGetWindowPos(window_, &left, &top);
+  glfwGetWindowSize(window_, &width, &height);
+  GLFWmonitor* monitor = monitor_at(left + width / 2, top + height / 2);
+  const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+  if (mode == nullptr) return;
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 bool Window::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

@@ -1,6 +1,7 @@
 /// @file  A window with an OpenGL 3.3 core context, and its input events.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,6 +38,9 @@ class Window {
   /// Shows a picture of the size of the window; does nothing if nothing changed.
   /// @param changed  where the picture changed since the last call, px of the picture
   void show(const Framebuffer& picture, const std::vector<PixelBox>& changed);
+  /// Fills the screen that holds most of the window, or returns to where it was.
+  void set_full_screen(bool is_full);
+  [[nodiscard]] bool is_full_screen() const;
   [[nodiscard]] bool should_close() const;
   [[nodiscard]] ImageSize framebuffer_size() const;
   /// Pixels by pixels of an ordinary screen.
@@ -55,8 +59,9 @@ class Window {
   GLFWwindow* window_;
   InputQueue input_;
   std::optional<PartialSwap> partial_swap_;
-  ImageSize shown_size_;       ///< what keeps_its_size() last saw
-  bool wants_refresh_ = true;  ///< the window system needs the whole picture again
+  std::array<int, 4> place_ = {};  ///< before it filled the screen: left, top, width, height
+  ImageSize shown_size_;           ///< what keeps_its_size() last saw
+  bool wants_refresh_ = true;      ///< the window system needs the whole picture again
 };
 
 }  // namespace flytri::ui

@@ -254,7 +254,7 @@ TEST_F(SessionOnARecording, WhileFinishingNoOtherCaseOrStageCanBeChosen) {
   session.carry_out(ui::CancelFinish{});
   session.scan()->wait_until_idle();
   session.carry_out(ui::NewCase{(folder_.path() / "late.flytri").string(), "", {}});
-  EXPECT_TRUE(wait_for(session, [](const auto& view) { return !view.file.is_unnamed; }));
+  EXPECT_TRUE(wait_for(session, [](const auto& now) { return !now.file.is_unnamed; }));
 }
 
 TEST_F(SessionOnARecording, WarnsOfACaseOfAnotherCalibration) {
@@ -300,7 +300,7 @@ TEST_F(SessionOnAMesh, FindsTheTeethOfAJawThatIsUpsideDownAndPointsTheHandAfterA
   const fs::path mesh = folder_.path() / "turned.ply";
   ASSERT_TRUE(io::write_model(mesh, jaw));
   options_.source = {};
-  options_.source.mesh = mesh;
+  options_.source.object.mesh = mesh;
   Session session(options_);
   session.carry_out(ui::StartScan{});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 40; }));
@@ -321,6 +321,32 @@ TEST_F(SessionOnAMesh, FindsTheTeethOfAJawThatIsUpsideDownAndPointsTheHandAfterA
     return registered(view) > before + 5;
   }));
   EXPECT_EQ(session.view().scan->phase, scan::ScanPhase::kMeasurement);
+}
+
+TEST_F(SessionOnARecording, NamesAllDevicesThatAreMissing) {
+  const fs::path rig = folder_.path() / "rig.json";
+  ASSERT_TRUE(io::write_file(rig, R"({
+    "format": "flytri.rig", "version": 1, "name": "chair 2",
+    "measurement_camera": {"match": {"serial": "no-such-mono"}, "format": "Y12",
+                           "size_px": [1024, 768], "rate_hz": 30},
+    "texture_camera": {"match": {"serial": "no-such-color"}, "format": "MJPG",
+                       "size_px": [1280, 960], "rate_hz": 25},
+    "lights": {"chip": {"label": "no-such-chip"}, "vertical": {"line": 0},
+               "horizontal": {"line": 1}, "flash": {"line": 2}},
+    "calibration": "calibration.json"})"));
+  options_.source = {};
+  options_.source.name = kRigSource;
+  options_.source.path = rig;
+  Session session(options_);
+  const auto names = [](const ui::AppView& view, const char* device) {
+    return std::any_of(
+        view.devices->problems.begin(), view.devices->problems.end(),
+        [&](const std::string& text) { return text.find(device) != std::string::npos; });
+  };
+  EXPECT_TRUE(wait_for(session, [&](const ui::AppView& view) {
+    return view.source.is_lost && names(view, "no-such-mono") && names(view, "no-such-color") &&
+           names(view, "no-such-chip");
+  })) << session.view().source.message;
 }
 
 TEST_F(SessionOnARecording, SaysWhyASourceCannotBeOpened) {

@@ -73,6 +73,9 @@ TEST(SettingsFile, RemembersTheFormatsOfExports) {
        {std::set<std::string>{".obj"}, std::set<std::string>{}}) {
     ui::Settings settings;
     settings.export_formats = formats;
+    settings.is_full_screen = true;
+    settings.window_width = 1600;
+    settings.window_height = 1000;
     ASSERT_TRUE(write_settings(file, settings));
     EXPECT_EQ(read_settings(file), settings);
   }

@@ -38,7 +38,9 @@ TEST(Layout, TheStatusFrameGoesAllAroundThePicture) {
 TEST(WindowScale, IsContentTimesUserInSteps) {
   EXPECT_FLOAT_EQ(window_scale(1.0, 1.0, 1280, 800), 1.0F);
   EXPECT_FLOAT_EQ(window_scale(2.0, 1.0, 2560, 1600), 2.0F);
-  EXPECT_FLOAT_EQ(window_scale(1.5, 1.25, 3840, 2160), 1.875F);
+  EXPECT_FLOAT_EQ(window_scale(1.0, 1.0, 2560, 1440), 1.375F) << "texts grow with the window";
+  EXPECT_FLOAT_EQ(window_scale(1.0, 1.0, 7680, 4320), 1.5F);
+  EXPECT_FLOAT_EQ(window_scale(1.5, 1.25, 2400, 1500), 1.875F);
 }
 
 TEST(WindowScale, LeavesRoomForTheFixedParts) {

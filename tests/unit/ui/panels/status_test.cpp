@@ -31,6 +31,15 @@ TEST(Status, ALostScanIsSaidFirst) {
   EXPECT_EQ(status_of(view).text, "Tracking lost");
 }
 
+TEST(Status, SaysHowManyDevicesFail) {
+  AppView view;
+  view.source.is_lost = true;
+  view.source.message = "the camera is missing";
+  EXPECT_EQ(status_of(view).hint, "the camera is missing");
+  view.devices.emplace().problems = {"the camera is missing", "the lights are missing"};
+  EXPECT_EQ(status_of(view).hint, "2 problems with its devices: press R to see them");
+}
+
 TEST(Status, SaysThatACaseIsBeingRead) {
   AppView view;
   view.is_loading = true;

@@ -51,6 +51,15 @@ TEST(OrbitCamera, ARayPassesThroughThePointSeenAtItsPixel) {
   EXPECT_LT(camera.ray(pixel.x(), pixel.y(), kSize).distance(p_world), 1e-9);
 }
 
+TEST(OrbitCamera, TheModelTurnsAboutTheGivenPoint) {
+  OrbitCamera camera = some_camera();
+  const Vec3 pivot_mm(8.0, 1.0, 5.0);
+  const Vec3 before = seen_at(camera, pivot_mm);
+  camera.orbit(70.0, -30.0, kSize, pivot_mm);
+  EXPECT_LT((seen_at(camera, pivot_mm) - before).norm(), 1e-9) << "it stays under the pointer";
+  EXPECT_GT(camera.pose().q_world_eye.angularDistance(some_pose().q_world_eye), 0.1);
+}
+
 TEST(OrbitCamera, OrbitTurnsTheModelWithThePointer) {
   OrbitCamera camera = some_camera();
   const Vec3 towards_eye = some_pose().q_world_eye * Vec3::UnitZ();
