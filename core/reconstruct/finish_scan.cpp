@@ -13,10 +13,6 @@
 namespace flytri::reconstruct {
 namespace {
 
-/// Names of the stages, shown to the user.
-constexpr auto kAligning = "Aligning the scan", kNormals = "Calculating normals",
-               kSimplifying = "Simplifying", kMeshing = "Meshing", kTexturing = "Texturing";
-
 /// Share of the texturing time for coloring the points, and the same share for the vertices.
 constexpr double kColoringShare = 0.15;
 

@@ -65,7 +65,10 @@ struct FinishedScan {
                                                const Workers& workers, const Progress& progress,
                                                StageClock& clock);
 
-/// The name, for the user, of the stage before finishing: lost views are registered again.
-inline constexpr const char* kRecovering = "Recovering lost frames";
+/// Names of the stages, shown to the user, in their order. In the first one, before finish_scan(),
+/// the caller registers lost views again.
+inline constexpr auto kRecovering = "Recovering lost frames", kAligning = "Aligning the scan",
+                      kNormals = "Calculating normals", kSimplifying = "Simplifying",
+                      kMeshing = "Meshing", kTexturing = "Texturing";
 
 }  // namespace flytri::reconstruct

@@ -24,10 +24,10 @@ reconstruct::ScannedViews collect(FinishingInput& input, const Progress& progres
 
 }  // namespace
 
-void FinishingThread::announce_run() {
+void FinishingThread::announce_run(const FinishingWork& work) {
   const std::lock_guard lock(mutex_);
   progress_ = Progress();
-  step_.clear();
+  estimate_ = FinishingEstimate(work, now_s_());
 }
 
 Progress FinishingThread::progress() const {
@@ -49,17 +49,8 @@ void FinishingThread::run(FinishingInput input, Done done) {
 }
 
 FinishingState FinishingThread::state() {
-  constexpr double kMinFraction = 0.05;  // before that, the estimate would jump
   const std::lock_guard lock(mutex_);
-  const Progress::Snapshot step = progress_.snapshot();
-  if (step.stage != step_) {
-    step_ = step.stage;
-    step_since_s_ = now_s_();
-  }
-  const double spent_s = now_s_() - step_since_s_;
-  const double remaining_s =
-      step.fraction > kMinFraction ? spent_s * (1.0 - step.fraction) / step.fraction : -1.0;
-  return {step, remaining_s};
+  return estimate_.at(progress_.snapshot(), now_s_());
 }
 
 void FinishingThread::stop() {

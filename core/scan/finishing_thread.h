@@ -9,7 +9,7 @@
 
 #include "core/base/task_thread.h"
 #include "core/reconstruct/finish_scan.h"
-#include "core/scan/scan_snapshot.h"
+#include "core/scan/finishing_estimate.h"
 #include "core/tracking/registrar.h"
 
 namespace flytri::scan {
@@ -37,11 +37,10 @@ class FinishingThread {
       : options_(options), now_s_(std::move(now_s)) {}
 
   /// Announces a run. From now on cancel() cancels it, even before run() is called.
-  void announce_run();
+  void announce_run(const FinishingWork& work);
   void run(FinishingInput input, Done done);
   void cancel() const { progress().cancel(); }
-  /// Progress of the latest run. The remaining time is estimated from the time that the current
-  /// step has taken so far.
+  /// Progress of the latest run.
   [[nodiscard]] FinishingState state();
   [[nodiscard]] std::size_t pending() const { return thread_.pending(); }
   void stop();
@@ -53,8 +52,7 @@ class FinishingThread {
   const std::function<double()> now_s_;
   mutable std::mutex mutex_;
   Progress progress_;
-  std::string step_;  ///< the step that state() saw last
-  double step_since_s_ = 0.0;
+  FinishingEstimate estimate_{{}, 0.0};
   TaskThread thread_;  ///< destroyed first
 };
 

@@ -326,9 +326,16 @@ void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
   model_.follow(views, is_scanning(phase_) ? kToleratedCells : 0.0);
 }
 
+FinishingWork GrowingScan::finishing_work() const {
+  const auto now = board_.snapshot();
+  return {static_cast<std::size_t>(now->counts.rejected_count()),
+          static_cast<std::size_t>(now->counts.registered),
+          static_cast<std::size_t>(now->counts.textured), now->area_mm2};
+}
+
 void GrowingScan::finish() {
   if (!accepts(phase_, ScanEvent::kFinish, has_model())) return;
-  finishing_.announce_run();
+  finishing_.announce_run(finishing_work());
   step(ScanEvent::kFinish);
   board_.update([](ScanSnapshot& s) { s.failure.clear(); });
   views_before_finishing_ = registrar_->aligned_views();

@@ -61,8 +61,9 @@ struct SensorDistance {
 
 /// Progress of the finishing.
 struct FinishingState {
-  Progress::Snapshot step;
-  double remaining_s = -1.0;  ///< of this step; negative: not known yet
+  std::string stage;          ///< for the user; empty: not begun
+  double fraction = 0.0;      ///< of all stages together: 0..1
+  double remaining_s = -1.0;  ///< of all stages; negative: not known yet
 };
 
 /// Time from the arrival of a frame to the published model that shows it, s.

@@ -19,12 +19,14 @@ bool is_near(const AlignedView& view, const AlignedView& other, double distance_
   return trajectory::pose_chord_mm(view.T_world_sensor, other.T_world_sensor, arm_mm) < distance_mm;
 }
 
-/// Numbers of views all over the scan, each with points and the second of a pair.
+/// Numbers of views all over the scan, each the second of a pair in which both have points.
 std::vector<std::size_t> candidates(const TrackedScan& scan, double apart_mm) {
   std::vector<std::size_t> chosen;
   for (std::size_t i = 1; i < scan.size(); ++i) {
     const AlignedView& view = scan.views()[i].aligned;
-    if (view.view->profiles.empty()) continue;
+    const bool has_points =
+        !view.view->profiles.empty() && !scan.views()[i - 1].aligned.view->profiles.empty();
+    if (!has_points) continue;
     const bool known = std::any_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
       return is_near(view, scan.views()[other].aligned, kCandidateShare * apart_mm, apart_mm);
     });

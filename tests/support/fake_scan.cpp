@@ -156,7 +156,7 @@ struct FakeScan::Parts {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
     scan.phase = scan::ScanPhase::kFinishing;
-    scan.finishing = {{"Aligning the scan", 0.37}, 48.0};
+    scan.finishing = {"Aligning the scan", 0.37, 48.0};
     set_scan(view, std::move(scan));
     return view;
   }

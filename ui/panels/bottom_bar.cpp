@@ -12,13 +12,17 @@ struct Entry {
   ActionLook look;
 };
 
+bool is_paused(const AppView& view) {
+  return view.scan != nullptr && surfel_count(view.scan->model) > 0;
+}
+
 /// The look of the main button: scan, pause or resume.
 ActionLook scan_look(const PanelContext& context) {
   if (context.phase() == scan::ScanPhase::kFinished) {
     return {icon::kResume, "Resume", false, kGood};
   }
   if (context.view.is_scanning) return {icon::kPause, "Pause", true, kNeutral};
-  return {icon::kScan, "Scan", true, kGood};
+  return {icon::kScan, is_paused(context.view) ? "Resume" : "Scan", true, kGood};
 }
 
 std::array<Entry, 9> entries(const PanelContext& context) {

@@ -39,13 +39,12 @@ void draw_progress(const PanelContext& context) {
   const Plate plate("finishing", box, overlay(context.theme));
   const Theme& theme = context.theme;
   Rect rest = box.inset(context.px(kGapL));
-  const std::string step = finishing.step.stage.empty() ? "Starting" : finishing.step.stage;
+  const std::string step = finishing.stage.empty() ? "Starting" : finishing.stage;
   Rect head = rest.take_top(context.px(28.0F), context.px(kGapM));
-  const std::string share = fmt::format("{:.0f} %", 100.0 * finishing.step.fraction);
+  const std::string share = fmt::format("{:.0f} %", 100.0 * finishing.fraction);
   draw_text(head.take_right(context.px(72.0F)), {theme.fonts.title, kText, Align::kRight}, share);
   draw_text(head, {theme.fonts.title, kText, Align::kLeft}, step);
-  meter(theme, rest.take_top(context.px(16.0F), context.px(kGapM)), finishing.step.fraction,
-        kCaution);
+  meter(theme, rest.take_top(context.px(16.0F), context.px(kGapM)), finishing.fraction, kCaution);
   Rect row = rest.take_bottom(context.px(48.0F));
   small_action(context, row.take_right(context.px(144.0F), context.px(kGapM)), Action::kCancel,
                {icon::kCancel, "Cancel"});
