@@ -29,7 +29,7 @@ inline void add_source_options(CLI::App& command, session::SourceChoice& source)
                   "Speed of the replay; 1: as recorded, 0: as fast as possible")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  paths.push_back(add_object_options(command, source.object));
+  for (CLI::Option* option : add_object_options(command, source.object)) paths.push_back(option);
   for (CLI::Option* one : paths) {
     for (CLI::Option* other : paths) {
       if (one != other) one->excludes(other);

@@ -13,7 +13,7 @@ namespace flytri::scan {
 /// What the time of finishing depends on.
 struct FinishingWork {
   std::size_t lost_views = 0;  ///< not registered during the scan
-  std::size_t views = 0;       ///< registered
+  std::size_t views = 0;       ///< registered, with points
   std::size_t texture_frames = 0;
   double area_mm2 = 0.0;  ///< of the surface
 };

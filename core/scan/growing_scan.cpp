@@ -328,9 +328,14 @@ void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
 
 FinishingWork GrowingScan::finishing_work() const {
   const auto now = board_.snapshot();
+  const std::vector<AlignedView> views = aligned_views();
+  // Views that showed nothing new have given their points away.
+  const auto with_points = std::count_if(views.begin(), views.end(), [](const AlignedView& view) {
+    return !view.view->profiles.empty();
+  });
   return {static_cast<std::size_t>(now->counts.rejected_count()),
-          static_cast<std::size_t>(now->counts.registered),
-          static_cast<std::size_t>(now->counts.textured), now->area_mm2};
+          static_cast<std::size_t>(with_points), static_cast<std::size_t>(now->counts.textured),
+          now->area_mm2};
 }
 
 void GrowingScan::finish() {

@@ -47,7 +47,7 @@ std::string names_of(const std::vector<device::DeviceNode>& nodes) {
 
 std::string text_of(const device::CameraMatch& match) {
   return device::text_of_device(
-      match.name.empty() ? "any camera" : fmt::format("\"{}\"", match.name), match.serial,
+      match.name.empty() ? "a camera" : fmt::format("camera \"{}\"", match.name), match.serial,
       match.bus_path);
 }
 
@@ -91,12 +91,12 @@ Result<device::DeviceNode> find_camera(VideoSystem& system, const device::Camera
   const std::vector<device::DeviceNode> found = cameras(system, match);
   if (found.size() == 1) return found.front();
   if (found.empty())
-    return fail(ErrorCode::kNotFound, "camera {} was not found: plug it in. Available cameras: {}",
+    return fail(ErrorCode::kNotFound, "{} was not found: plug it in. Available cameras: {}",
                 text_of(match), names_of(cameras(system, {})));
-  return fail(
-      ErrorCode::kInconsistent,
-      "several cameras match {}: select one by its serial number or bus path. Matching cameras: {}",
-      text_of(match), names_of(found));
+  return fail(ErrorCode::kInconsistent,
+              "{} is there several times: select one by its serial number or bus path. Matching "
+              "cameras: {}",
+              text_of(match), names_of(found));
 }
 
 std::vector<device::CameraDescription> list_cameras(VideoSystem& system) {
