@@ -162,8 +162,8 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   impl.window->poll();
   impl.window->set_full_screen(view.settings.is_full_screen);
   const ImageSize size = impl.window->framebuffer_size();
-  if (!view.settings.is_full_screen) impl.usual_size = size;
   if (size.width_px == 0 || size.height_px == 0) return !impl.window->should_close();
+  if (!view.settings.is_full_screen) impl.usual_size = size;
   // If the scale cannot be set, the former one stays.
   const Theme theme = impl.theme_for(view, size).value_or(impl.host->theme());
   update_toasts(view, impl.state);

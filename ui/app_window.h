@@ -41,7 +41,7 @@ class AppWindow {
   /// @return  false once the window was closed; the commands then hold `Quit`
   bool frame(const AppView& view, std::vector<Command>& commands);
 
-  /// The size when not in full screen, at scale 1.
+  /// The size when not in full screen, at scale 1; 0 x 0 if it filled the screen all the time.
   [[nodiscard]] ImageSize usual_size() const;
 
  private:

@@ -35,11 +35,13 @@ void play_sounds(const ui::AppView& view, scan::ScanPhase& heard, ui::SoundPlaye
 
 /// The next start opens a window of the same size.
 void remember_size(const ui::AppWindow& window, session::Session& session) {
-  ui::Settings settings = session.view().settings;
+  const ui::Settings before = session.view().settings;
   const ImageSize size = window.usual_size();
+  if (size.width_px == 0) return;
+  ui::Settings settings = before;
   settings.window_width = size.width_px;
   settings.window_height = size.height_px;
-  if (settings != session.view().settings) session.carry_out(ui::ChangeSettings{settings});
+  if (settings != before) session.carry_out(ui::ChangeSettings{settings});
 }
 
 /// @param progress  is canceled when a signal ends the program

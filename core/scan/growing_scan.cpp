@@ -328,11 +328,10 @@ void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
 
 FinishingWork GrowingScan::finishing_work() const {
   const auto now = board_.snapshot();
-  const std::vector<AlignedView> views = aligned_views();
   // Views that showed nothing new have given their points away.
-  const auto with_points = std::count_if(views.begin(), views.end(), [](const AlignedView& view) {
-    return !view.view->profiles.empty();
-  });
+  const auto with_points =
+      std::count_if(views_before_finishing_.begin(), views_before_finishing_.end(),
+                    [](const AlignedView& view) { return !view.view->profiles.empty(); });
   return {static_cast<std::size_t>(now->counts.rejected_count()),
           static_cast<std::size_t>(with_points), static_cast<std::size_t>(now->counts.textured),
           now->area_mm2};
@@ -340,10 +339,10 @@ FinishingWork GrowingScan::finishing_work() const {
 
 void GrowingScan::finish() {
   if (!accepts(phase_, ScanEvent::kFinish, has_model())) return;
+  views_before_finishing_ = registrar_->aligned_views();
   finishing_.announce_run(finishing_work());
   step(ScanEvent::kFinish);
   board_.update([](ScanSnapshot& s) { s.failure.clear(); });
-  views_before_finishing_ = registrar_->aligned_views();
   // A std::function must be copyable, and the input is not.
   auto input = std::make_shared<FinishingInput>(
       FinishingInput{std::move(registrar_), {}, edits_.state(), calibration_});

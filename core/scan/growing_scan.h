@@ -77,6 +77,7 @@ class GrowingScan {
   void take_refined(const std::vector<AlignedView>& refined);
   void retire_past();
   void take_output(FinishingOutput output);
+  /// Of views_before_finishing_.
   [[nodiscard]] FinishingWork finishing_work() const;
   void take_result(Result<reconstruct::FinishedScan> finished);
   void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }

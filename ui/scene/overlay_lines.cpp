@@ -147,8 +147,8 @@ std::vector<Vec3> smooth_rim_mm(const std::vector<Vec3f>& rim_mm) {
 }
 
 void add_hole(Pen& pen, const meshing::BoundaryLoop& hole, bool is_selected) {
+  const std::vector<Vec3> rim_mm = smooth_rim_mm(hole.rim_mm);
   const auto stroke = [&](double width_px, const Color& color) {
-    const std::vector<Vec3> rim_mm = smooth_rim_mm(hole.rim_mm);
     for (std::size_t i = 0; i < rim_mm.size(); ++i) {
       pen.line(rim_mm[i], rim_mm[(i + 1) % rim_mm.size()], width_px, color);
     }

@@ -34,8 +34,8 @@ struct Theme {
   [[nodiscard]] float px(float units) const;
 };
 
-/// The scale of all sizes: content_scale * user_scale, in steps of an eighth, within 0.5..4, larger
-/// in a large window, and such that the window has at least 1024 x 640 units.
+/// The scale of all sizes: content_scale * user_scale, in steps of an eighth, 0.5 to 4. It is
+/// larger in a large window, and smaller where the window would have less than 1024 x 640 units.
 /// @param width_px, height_px  of the framebuffer
 [[nodiscard]] float window_scale(double content_scale, double user_scale, int width_px,
                                  int height_px);
