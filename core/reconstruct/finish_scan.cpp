@@ -19,9 +19,9 @@ constexpr double kColoringShare = 0.15;
 /// One run: keeps the data passed from stage to stage.
 class Finisher {
  public:
-  Finisher(ScannedViews scanned, const FinishOptions& options, const Workers& workers,
+  Finisher(ScannedViews& scanned, const FinishOptions& options, const Workers& workers,
            const Progress& progress, StageClock& clock)
-      : scanned_(std::move(scanned)),
+      : scanned_(scanned),
         options_(options),
         workers_(workers),
         progress_(progress),
@@ -37,7 +37,7 @@ class Finisher {
   Result<void> make_surface();
   Result<void> apply_texture();
 
-  ScannedViews scanned_;
+  ScannedViews& scanned_;
   const FinishOptions& options_;
   const Workers& workers_;
   const Progress& progress_;
@@ -165,10 +165,10 @@ FinishedScan finished_scan_of(TexturedMesh model) {
   return finished;
 }
 
-Result<FinishedScan> finish_scan(ScannedViews scanned, const FinishOptions& options,
+Result<FinishedScan> finish_scan(ScannedViews& scanned, const FinishOptions& options,
                                  const Workers& workers, const Progress& progress,
                                  StageClock& clock) {
-  return Finisher(std::move(scanned), options, workers, progress, clock).run();
+  return Finisher(scanned, options, workers, progress, clock).run();
 }
 
 }  // namespace flytri::reconstruct

@@ -57,11 +57,13 @@ struct FinishedScan {
 [[nodiscard]] FinishedScan finished_scan_of(TexturedMesh model);
 
 /// Optimizes all poses together, reduces the points, then makes the mesh and its texture.
+/// @param scanned  its views get the optimized poses; of a run that was canceled, the best ones
+///                 found so far
 /// @source  Arold et al., "Global Optimization" to "Texture Acquisition and Mapping"; the joint
 ///          optimization and the meshing are this project's.
 /// @errors  kBadOption, kInsufficient, kInconsistent (the size of a texture frame differs from the
 ///          calibration), kCancelled.
-[[nodiscard]] Result<FinishedScan> finish_scan(ScannedViews scanned, const FinishOptions& options,
+[[nodiscard]] Result<FinishedScan> finish_scan(ScannedViews& scanned, const FinishOptions& options,
                                                const Workers& workers, const Progress& progress,
                                                StageClock& clock);
 

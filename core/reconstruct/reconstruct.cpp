@@ -214,19 +214,18 @@ std::vector<Frame> Run::load_texture_frames(const io::Recording& recording,
 
 /// Finishes the scan and completes the frame reports.
 Result<Reconstruction> Run::finish(ScannedViews scanned) {
-  const std::vector<Frame> texture_frames = scanned.texture_frames;  // images are shared
-  const calibration::Calibration* const calibration = scanned.calibration;
   Result<FinishedScan> finished =
-      finish_scan(std::move(scanned), options_.finish, workers_, progress_, clock_);
+      finish_scan(scanned, options_.finish, workers_, progress_, clock_);
   if (!finished) return tl::unexpected(finished.error());
   for (const AlignedView& view : finished->views) {
     report_of(view.view->frame).T_world_sensor = view.T_world_sensor;
   }
   for (const FrameIndex frame : finished->contradicting)
     reject(frame, "contradicts the other views");
-  for (std::size_t i = 0; i < texture_frames.size(); ++i) {
-    const FrameIndex frame = texture_frames[i].index;
-    const auto fits = texture::check_texture_image(texture_frames[i].image, *calibration);
+  for (std::size_t i = 0; i < scanned.texture_frames.size(); ++i) {
+    const FrameIndex frame = scanned.texture_frames[i].index;
+    const auto fits =
+        texture::check_texture_image(scanned.texture_frames[i].image, *scanned.calibration);
     if (!fits) {
       reject(frame, fits.error().message);
     } else if (!finished->T_world_texture[i]) {

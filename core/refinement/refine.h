@@ -72,7 +72,8 @@ struct Refinement {
 /// @param progress  advanced by one step
 /// @source  this project's; it replaces Arold et al., "Global Optimization", see
 ///          docs/adr/0004-joint-refinement.md.
-/// @errors  kBadOption, kInsufficient: no view, kCancelled (poses unchanged).
+/// @errors  kBadOption, kInsufficient: no view, kCancelled (the views have the best poses found so
+///          far).
 [[nodiscard]] Result<Refinement> refine_jointly(std::vector<AlignedView>& views,
                                                 const JointRefineOptions& options,
                                                 const Workers& workers,

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check_options.h"
 #include "core/base/median.h"
@@ -149,6 +150,8 @@ class JointRefiner {
                                ReducedSystem& system, const Progress& progress) const;
   void rate_views(const Step& step);
   void fix_world();
+  /// Ends a run that was canceled with the best poses found so far.
+  [[nodiscard]] tl::unexpected<Error> stop_at(std::vector<Isometry> best);
 
   std::vector<AlignedView>& views_;
   const JointRefineOptions& options_;
@@ -307,6 +310,12 @@ void JointRefiner::fix_world() {
   views_.front().T_world_sensor = T_old_new * poses_.front();
 }
 
+tl::unexpected<Error> JointRefiner::stop_at(std::vector<Isometry> best) {
+  poses_ = std::move(best);
+  fix_world();
+  return stopped();
+}
+
 Result<Refinement> JointRefiner::run() {
   result_.views.assign(poses_.size(), {});
   if (data_.empty()) {
@@ -321,7 +330,7 @@ Result<Refinement> JointRefiner::run() {
   for (std::size_t i = 0; i <= step_count; ++i, rest *= 1.0 - kStepShare) {
     const Progress of_step = progress_.part(kStepShare * rest);
     const auto step = fit_surfaces_over_drift(of_step.part(kSurfaceShare));
-    if (!step) return tl::unexpected(step.error());
+    if (!step) return stop_at(std::move(best));
     const bool comparable = step->cell_mm == cell_mm;
     if (comparable && step->robust_sigma_mm > kMaxWorsening * former_sigma_mm) {
       poses_ = best;
@@ -337,7 +346,7 @@ Result<Refinement> JointRefiner::run() {
     former_sigma_mm = step->robust_sigma_mm;
     result_.outcome = converged ? RefineOutcome::kConverged : RefineOutcome::kStepLimit;
     if (converged || i == step_count) break;
-    if (!move(*step, of_step.part(1.0 - kSurfaceShare))) return stopped();
+    if (!move(*step, of_step.part(1.0 - kSurfaceShare))) return stop_at(std::move(best));
     result_.steps = static_cast<int>(i) + 1;
   }
   progress_.advance(rest * (1.0 - kStepShare * kSurfaceShare));

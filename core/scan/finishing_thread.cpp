@@ -41,10 +41,12 @@ void FinishingThread::run(FinishingInput input, Done done) {
   thread_.post([this, shared = std::move(shared), done = std::move(done)] {
     const Progress progress = this->progress();
     StageClock clock(now_s_);
+    reconstruct::ScannedViews scanned = collect(*shared, progress);
     Result<reconstruct::FinishedScan> finished =
-        reconstruct::finish_scan(collect(*shared, progress), options_, Workers(), progress, clock);
+        reconstruct::finish_scan(scanned, options_, Workers(), progress, clock);
+    scanned.texture_frames.clear();
     release_free_memory();
-    done({std::move(shared->registrar), std::move(finished)});
+    done({std::move(shared->registrar), std::move(scanned.views), std::move(finished)});
   });
 }
 

@@ -24,6 +24,7 @@ struct FinishingInput {
 
 struct FinishingOutput {
   std::unique_ptr<tracking::Registrar> registrar;  ///< the one of the input
+  std::vector<AlignedView> aligned;  ///< all registered views, with the best poses found
   Result<reconstruct::FinishedScan> finished;
 };
 

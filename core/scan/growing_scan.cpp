@@ -359,25 +359,27 @@ void GrowingScan::take_output(FinishingOutput output) {
   registrar_ = std::move(output.registrar);
   views_before_finishing_.clear();
   hand_over_growth(std::nullopt);
-  take_result(std::move(output.finished));
-}
-
-void GrowingScan::take_result(Result<reconstruct::FinishedScan> finished) {
   // Finishing may have joined submaps to the scan.
   board_.update([&](ScanSnapshot& s) { s.counts = frame_counter_.counts(offered_); });
-  if (!finished) {
-    const bool cancelled = finished.error().code == ErrorCode::kCancelled;
-    board_.update([&](ScanSnapshot& s) { s.failure = cancelled ? "" : finished.error().message; });
-    step(ScanEvent::kNoResult);
-    return model_.look_for_holes();
-  }
   refinement_.discard_run();
-  take_refined(finished->views);
-  auto result = std::make_shared<const reconstruct::FinishedScan>(std::move(*finished));
+  take_refined(output.finished ? output.finished->views : output.aligned);
+  if (!output.finished) return take_no_result(output.finished.error());
+  take_result(std::move(*output.finished));
+}
+
+void GrowingScan::take_result(reconstruct::FinishedScan finished) {
+  const auto result = std::make_shared<const reconstruct::FinishedScan>(std::move(finished));
   journal([result](ScanJournal& journal) { journal.keep_result(*result); });
   board_.update([&](ScanSnapshot& s) { s.result = result; });
   step(ScanEvent::kResult);
   model_.show_holes(result->surface);
+}
+
+void GrowingScan::take_no_result(const Error& why) {
+  const bool cancelled = why.code == ErrorCode::kCancelled;
+  board_.update([&](ScanSnapshot& s) { s.failure = cancelled ? "" : why.message; });
+  step(ScanEvent::kNoResult);
+  model_.look_for_holes();
 }
 
 void GrowingScan::keep_in(std::shared_ptr<ScanJournal> to) {

@@ -79,7 +79,8 @@ class GrowingScan {
   void take_output(FinishingOutput output);
   /// Of views_before_finishing_.
   [[nodiscard]] FinishingWork finishing_work() const;
-  void take_result(Result<reconstruct::FinishedScan> finished);
+  void take_result(reconstruct::FinishedScan finished);
+  void take_no_result(const Error& why);
   void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }
   void journal_view(const std::shared_ptr<const View>& view);
   [[nodiscard]] bool has_model() const { return known_views_ > 0; }

@@ -3,6 +3,8 @@
 # Needs root, the network, debootstrap and wget. The caller sets: work, a folder for all that is kept;
 # root, where the system goes.
 mirror=http://deb.debian.org/debian
+# What ccache keeps for the builds in these systems.
+ccache=${FLYTRI_ROOT_CCACHE:-$work/ccache}
 
 # needs WHAT TOOL...: ends the check named WHAT as skipped where a tool, root or mounts are missing.
 # Mounts live in a namespace of the script's own, and end with it: it starts itself again there.
@@ -73,8 +75,8 @@ fresh_root() {
   echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/fast"
   # Mirrors of a release to come may be late.
   echo 'Acquire::Check-Valid-Until "false";' > "$root/etc/apt/apt.conf.d/late"
-  mkdir -p "$work/debs-$release/partial" "$work/ccache" "$root/ccache"
-  mount --bind "$work/ccache" "$root/ccache"
+  mkdir -p "$work/debs-$release/partial" "$ccache" "$root/ccache"
+  mount --bind "$ccache" "$root/ccache"
   mount --bind "$work/debs-$release" "$root/var/cache/apt/archives"
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"

@@ -37,7 +37,7 @@ class FinishScan : public ::testing::Test {
     FinishOptions options;
     options.atlas.max_side_px = 512;
     StageClock clock({});
-    return finish_scan(std::move(scanned), options, Workers(1), progress, clock);
+    return finish_scan(scanned, options, Workers(1), progress, clock);
   }
 
   const testing::TrueScan scan_ = testing::scan_cusps(kViews, {.points_per_line = 150}, 1);

@@ -455,6 +455,13 @@ class Notes final : public ScanJournal {
   int textures = 0, results = 0, commits = 0;
 };
 
+/// The views of a journal, with their poses.
+std::vector<AlignedView> placed_views(const Notes& notes) {
+  std::vector<AlignedView> placed;
+  for (const auto& view : notes.views) placed.push_back({view, notes.poses.at(view->frame.value)});
+  return placed;
+}
+
 TEST(LiveScan, AScanCanBeContinuedFromItsJournal) {
   const auto notes = std::make_shared<Notes>();
   LiveScanOptions options = options_for({});
@@ -468,9 +475,7 @@ TEST(LiveScan, AScanCanBeContinuedFromItsJournal) {
   EXPECT_EQ(notes->poses.size(), 90U);
   EXPECT_GT(notes->commits, 0);
   KeptScan kept;
-  for (const auto& view : notes->views) {
-    kept.views.push_back({view, notes->poses.at(view->frame.value)});
-  }
+  kept.views = placed_views(*notes);
   const auto scan = make_scan(options_for({}), kept);
   scan->wait_until_idle();
   EXPECT_GT(surfel_count(scan->snapshot()->model), 5000U);
@@ -491,6 +496,26 @@ TEST(LiveScan, TwoPressesOfFinishMakeOneRun) {
   const auto done = finish(*scan);
   EXPECT_EQ(done->phase, ScanPhase::kFinished);
   EXPECT_EQ(notes->results, 1);
+}
+
+TEST(LiveScan, AFinishThatIsCancelledKeepsTheAlignment) {
+  const auto notes = std::make_shared<Notes>();
+  LiveScanOptions options = options_for({});
+  options.journal = notes;
+  options.min_refine_views = 1000;  // only finishing optimizes
+  const auto scan = make_scan(options);
+  scan->start();
+  offer(*scan, 0, 90);
+  const double before_mm = pose_rms_mm(placed_views(*notes));
+  scan->finish();
+  const auto stage = [&] { return scan->snapshot()->finishing.stage; };
+  while (stage() != reconstruct::kSimplifying && stage() != reconstruct::kMeshing)
+    std::this_thread::yield();
+  scan->cancel_finish();
+  scan->wait_until_idle();
+  ASSERT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
+  EXPECT_EQ(notes->results, 0);
+  EXPECT_LT(pose_rms_mm(placed_views(*notes)), 0.8 * before_mm);
 }
 
 /// Waits until the scan is in this phase; false after a minute.
