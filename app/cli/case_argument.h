@@ -19,6 +19,9 @@ struct CaseArguments {
 /// Adds --stage and --passphrase-file.
 void add_case_options(CLI::App& command, CaseArguments& arguments);
 
+/// Adds --passphrase-file alone.
+void add_passphrase_option(CLI::App& command, CaseArguments& arguments);
+
 /// Whether a path means a case: it is a file, or its name ends in .flytri.
 [[nodiscard]] bool names_case(const std::filesystem::path& path);
 

@@ -85,6 +85,15 @@ std::vector<SurfacePlace> cells_of(const TrackedScan& scan, double cell_mm) {
   return means_of(cells);
 }
 
+std::vector<SurfacePlace> cells_of(const TriangleMesh& mesh, double cell_mm) {
+  Cells cells;
+  for (const SurfacePoint& vertex : mesh.vertices) {
+    const Vec3 p_mm = vertex.position_mm.cast<double>();
+    cells[CellKey::at(p_mm, cell_mm)].add(p_mm, -vertex.normal.cast<double>());
+  }
+  return means_of(cells);
+}
+
 std::vector<SurfacePlace> in_larger_cells(const std::vector<SurfacePlace>& places, double cell_mm) {
   Cells cells;
   for (const SurfacePlace& place : places) {
@@ -176,7 +185,14 @@ DistanceGrid::Sample DistanceGrid::at(const Vec3& p_mm) const {
 }
 
 SurfaceMap::SurfaceMap(const TrackedScan& scan, double radius_mm) {
-  std::vector<SurfacePlace> cells = cells_of(scan, kFineShare * radius_mm);
+  build(cells_of(scan, kFineShare * radius_mm), radius_mm);
+}
+
+SurfaceMap::SurfaceMap(const TriangleMesh& mesh, double radius_mm) {
+  build(cells_of(mesh, kFineShare * radius_mm), radius_mm);
+}
+
+void SurfaceMap::build(std::vector<SurfacePlace> cells, double radius_mm) {
   places = in_larger_cells(cells, kPlaceShare * radius_mm);
   const double coarse_mm = kCoarseShare * radius_mm;
   const std::vector<SurfacePlace> coarse_cells = in_larger_cells(cells, coarse_mm);

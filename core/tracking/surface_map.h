@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/geometry/triangle_mesh.h"
 #include "core/tracking/tracked_scan.h"
 
 namespace flytri::tracking {
@@ -64,9 +65,14 @@ class DistanceGrid {
 struct SurfaceMap {
   /// @param radius_mm  of what the sensor sees
   SurfaceMap(const TrackedScan& scan, double radius_mm);
+  /// Of a finished surface, as if each place had been seen along its normal.
+  SurfaceMap(const TriangleMesh& mesh, double radius_mm);
 
   std::vector<SurfacePlace> places;  ///< about a third of the radius apart
   DistanceGrid coarse, fine;
+
+ private:
+  void build(std::vector<SurfacePlace> cells, double radius_mm);
 };
 
 }  // namespace flytri::tracking

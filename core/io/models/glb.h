@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,19 @@ namespace flytri::io {
 /// @param name  for messages
 /// @errors  kBadOption: the model exceeds the 4 GiB of the format; as encode_png.
 [[nodiscard]] Result<std::string> encode_glb(const TexturedMesh& model, const std::string& name);
+
+/// A model with its name in the file.
+struct NamedModel {
+  std::string name;
+  const TexturedMesh* model = nullptr;  ///< not null, with a surface
+};
+
+/// The bytes of a .glb file with a node for each model, in this order. All have the same world
+/// frame.
+/// @param name  for messages
+/// @errors  As encode_glb.
+[[nodiscard]] Result<std::string> encode_glb_scene(std::span<const NamedModel> models,
+                                                   const std::string& name);
 
 /// Inverse of encode_glb. Files of other programs are refused unless they have the same structure.
 /// @param name  for messages

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 #include "core/imaging/srgb.h"
 #include "core/io/files/file_bytes.h"
@@ -15,19 +16,40 @@ namespace {
 /// Builds a glTF document with one buffer.
 class GlbBuilder {
  public:
-  explicit GlbBuilder(const TriangleMesh& mesh) : mesh_(mesh) {
+  GlbBuilder() {
     gltf_.asset.version = "2.0";
     gltf_.asset.generator = "flytri";
     gltf_.buffers.emplace_back();
-    primitive_.mode = TINYGLTF_MODE_TRIANGLES;
-    primitive_.material = 0;
+    gltf_.scenes.emplace_back();
+    gltf_.defaultScene = 0;
   }
 
-  void add_positions() {
+  /// @param png  of the atlas; empty: colors of the vertices
+  void add_model(const NamedModel& named, const std::string& png) {
+    const TriangleMesh& mesh = named.model->mesh;
+    primitive_ = {};
+    primitive_.mode = TINYGLTF_MODE_TRIANGLES;
+    add_positions(mesh);
+    add_normals(mesh);
+    if (png.empty()) {
+      add_colors(mesh);
+    } else {
+      add_uv(named.model->uv);
+    }
+    add_sigma(mesh);
+    add_triangles(mesh);
+    if (!png.empty()) add_atlas(png);
+    add_material(!png.empty());
+    add_node(named.name);
+  }
+  tinygltf::Model finish() { return std::move(gltf_); }
+
+ private:
+  void add_positions(const TriangleMesh& mesh) {
     const int accessor = begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3,
-                                        mesh_.vertices.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
-    Vec3f low = mesh_.vertices.front().position_mm, high = low;
-    for (const SurfacePoint& point : mesh_.vertices) {
+                                        mesh.vertices.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+    Vec3f low = mesh.vertices.front().position_mm, high = low;
+    for (const SurfacePoint& point : mesh.vertices) {
       put(point.position_mm.data(), 3);
       low = low.cwiseMin(point.position_mm);
       high = high.cwiseMax(point.position_mm);
@@ -37,11 +59,11 @@ class GlbBuilder {
     end_view();
     primitive_.attributes["POSITION"] = accessor;
   }
-  void add_normals() {
+  void add_normals(const TriangleMesh& mesh) {
     primitive_.attributes["NORMAL"] =
-        begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, mesh_.vertices.size(),
+        begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, mesh.vertices.size(),
                        TINYGLTF_TARGET_ARRAY_BUFFER);
-    for (const SurfacePoint& point : mesh_.vertices) {
+    for (const SurfacePoint& point : mesh.vertices) {
       const float length = point.normal.norm();
       const Vec3f unit = length > 0.0F ? Vec3f(point.normal / length) : Vec3f::UnitZ();
       put(unit.data(), 3);
@@ -54,13 +76,13 @@ class GlbBuilder {
     for (const Eigen::Vector2f& place : uv) put(place.data(), 2);
     end_view();
   }
-  void add_colors() {
+  void add_colors(const TriangleMesh& mesh) {
     // Four components, as each vertex must start at a multiple of four bytes; the last is opaque.
     primitive_.attributes["COLOR_0"] =
         begin_accessor(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4,
-                       mesh_.vertices.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
+                       mesh.vertices.size(), TINYGLTF_TARGET_ARRAY_BUFFER);
     gltf_.accessors.back().normalized = true;
-    for (const SurfacePoint& point : mesh_.vertices) {
+    for (const SurfacePoint& point : mesh.vertices) {
       const std::array<std::uint16_t, 4> light = {
           to_linear(point.color[0]), to_linear(point.color[1]), to_linear(point.color[2]), 65535};
       put(light.data(), light.size());
@@ -68,26 +90,30 @@ class GlbBuilder {
     end_view();
   }
   /// An attribute of flytri: other programs ignore it, as glTF requires.
-  void add_sigma() {
+  void add_sigma(const TriangleMesh& mesh) {
     primitive_.attributes["_SIGMA"] =
-        begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, mesh_.vertices.size(),
+        begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, mesh.vertices.size(),
                        TINYGLTF_TARGET_ARRAY_BUFFER);
-    for (const SurfacePoint& point : mesh_.vertices) put(&point.sigma_mm, 1);
+    for (const SurfacePoint& point : mesh.vertices) put(&point.sigma_mm, 1);
     end_view();
   }
-  void add_triangles() {
+  void add_triangles(const TriangleMesh& mesh) {
     primitive_.indices =
         begin_accessor(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
-                       3 * mesh_.triangles.size(), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-    for (const Triangle& triangle : mesh_.triangles) put(triangle.data(), 3);
+                       3 * mesh.triangles.size(), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    for (const Triangle& triangle : mesh.triangles) put(triangle.data(), 3);
     end_view();
   }
-  void add_material() {
+  void add_material(bool is_textured) {
     tinygltf::Material material;
     // Teeth and plaster: not metal, slightly glossy.
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.7;
-    if (!gltf_.textures.empty()) material.pbrMetallicRoughness.baseColorTexture.index = 0;
+    if (is_textured) {
+      material.pbrMetallicRoughness.baseColorTexture.index =
+          static_cast<int>(gltf_.textures.size()) - 1;
+    }
+    primitive_.material = static_cast<int>(gltf_.materials.size());
     gltf_.materials.push_back(material);
   }
   void add_atlas(const std::string& png) {
@@ -98,30 +124,33 @@ class GlbBuilder {
     image.bufferView = static_cast<int>(gltf_.bufferViews.size()) - 1;
     image.mimeType = "image/png";
     gltf_.images.push_back(image);
+    if (gltf_.samplers.empty()) add_sampler();
+    tinygltf::Texture texture;
+    texture.source = static_cast<int>(gltf_.images.size()) - 1;
+    texture.sampler = 0;
+    gltf_.textures.push_back(texture);
+  }
+  void add_sampler() {
     tinygltf::Sampler sampler;
     sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
     sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
     sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
     gltf_.samplers.push_back(sampler);
-    tinygltf::Texture texture;
-    texture.source = texture.sampler = 0;
-    gltf_.textures.push_back(texture);
   }
-  tinygltf::Model finish() {
+  void add_node(const std::string& name) {
     tinygltf::Mesh mesh;
     mesh.primitives.push_back(primitive_);
-    gltf_.meshes.push_back(mesh);
+    mesh.name = name;
     tinygltf::Node node;
-    node.mesh = 0;
+    node.mesh = static_cast<int>(gltf_.meshes.size());
+    node.name = name;
     node.rotation = {1.0, 0.0, 0.0, 0.0};  // x, y, z, w: half a turn about x
     node.scale = {0.001, 0.001, 0.001};    // millimeters to meters
+    gltf_.meshes.push_back(mesh);
+    gltf_.scenes.front().nodes.push_back(static_cast<int>(gltf_.nodes.size()));
     gltf_.nodes.push_back(node);
-    gltf_.scenes.emplace_back().nodes = {0};
-    gltf_.defaultScene = 0;
-    return std::move(gltf_);
   }
 
- private:
   std::vector<unsigned char>& bytes() { return gltf_.buffers.front().data; }
 
   void begin_view(int target) {
@@ -151,7 +180,6 @@ class GlbBuilder {
     bytes().insert(bytes().end(), first, first + count * sizeof(T));
   }
 
-  const TriangleMesh& mesh_;
   tinygltf::Model gltf_;
   tinygltf::Primitive primitive_;
 };
@@ -166,33 +194,30 @@ std::string serialize(tinygltf::Model& gltf) {
 }  // namespace
 
 Result<std::string> encode_glb(const TexturedMesh& model, const std::string& name) {
-  const bool is_textured = !model.atlas.empty();
-  std::string png;
-  if (is_textured) {
-    Result<std::string> encoded = encode_png(model.atlas);
-    if (!encoded) return encoded;
-    png = *std::move(encoded);
-  }
+  return encode_glb_scene(std::array{NamedModel{"", &model}}, name);
+}
+
+Result<std::string> encode_glb_scene(std::span<const NamedModel> models, const std::string& name) {
   // At most 52 bytes per vertex; the JSON text is much smaller than the reserve.
   constexpr std::uint64_t kReserve = 1U << 20U;
-  const std::uint64_t size =
-      52 * model.mesh.vertices.size() + 12 * model.mesh.triangles.size() + png.size() + kReserve;
+  std::uint64_t size = kReserve;
+  std::vector<std::string> pngs;
+  for (const NamedModel& named : models) {
+    const TexturedMesh& model = *named.model;
+    pngs.emplace_back();
+    if (!model.atlas.empty()) {
+      Result<std::string> encoded = encode_png(model.atlas);
+      if (!encoded) return encoded;
+      pngs.back() = *std::move(encoded);
+    }
+    size += 52 * model.mesh.vertices.size() + 12 * model.mesh.triangles.size() + pngs.back().size();
+  }
   if (size > std::numeric_limits<std::uint32_t>::max()) {
     return fail(ErrorCode::kBadOption,
                 "{}: too large: glTF holds at most 4 GiB; write .ply instead", name);
   }
-  GlbBuilder builder(model.mesh);
-  builder.add_positions();
-  builder.add_normals();
-  if (is_textured) {
-    builder.add_uv(model.uv);
-  } else {
-    builder.add_colors();
-  }
-  builder.add_sigma();
-  builder.add_triangles();
-  if (is_textured) builder.add_atlas(png);
-  builder.add_material();
+  GlbBuilder builder;
+  for (std::size_t i = 0; i < models.size(); ++i) builder.add_model(models[i], pngs[i]);
   tinygltf::Model gltf = builder.finish();
   std::string bytes = serialize(gltf);
   if (bytes.empty())

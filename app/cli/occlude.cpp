@@ -1,0 +1,272 @@
+/// @file  flytri occlude: brings the two jaws together as they bite.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
+
+#include "app/cli/case_argument.h"
+#include "app/cli/commands.h"
+#include "app/cli/console.h"
+#include "app/cli/output_files.h"
+#include "app/cli/report.h"
+#include "core/io/calibrations/recording_calibration.h"
+#include "core/io/files/file_bytes.h"
+#include "core/io/models/glb.h"
+#include "core/io/recordings/recording.h"
+#include "core/occlusion/clearance.h"
+#include "core/occlusion/occlude.h"
+#include "core/reconstruct/reconstruct.h"
+
+namespace flytri::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kOcclusionFormat = "flytri.occlusion";
+constexpr int kOcclusionVersion = 1;
+/// For the report: nearer is contact, farther than the limit is not looked at.
+constexpr double kContact_mm = 0.02, kClearanceLimit_mm = 3.0;
+
+struct OccludeArguments {
+  fs::path case_path;  ///< empty: recordings
+  CaseArguments case_options;
+  fs::path upper, lower;
+  std::vector<fs::path> bites;
+  fs::path calibration;
+  fs::path output, report;
+  bool force = false;
+  int thread_count = 0;
+};
+
+/// A finished scan.
+struct Part {
+  std::string name;  ///< for messages
+  TriangleMesh surface;
+  TexturedMesh model;  ///< the same surface, cut into charts if there is texture
+};
+
+struct Parts {
+  Part upper, lower;
+  std::vector<Part> bites;
+};
+
+Result<Part> reconstruct_part(const fs::path& folder, const OccludeArguments& arguments,
+                              const Workers& workers, const Progress& progress) {
+  const Result<io::Recording> recording = io::open_recording(folder);
+  if (!recording) return tl::unexpected(recording.error());
+  const auto used = io::calibration_of(*recording, arguments.calibration);
+  if (!used) return tl::unexpected(used.error());
+  auto made = reconstruct::reconstruct(*recording, used->calibration, {}, workers, progress);
+  if (!made) return tl::unexpected(made.error());
+  return Part{folder.string(), std::move(made->surface.mesh), std::move(made->model)};
+}
+
+Result<Parts> reconstruct_parts(const OccludeArguments& arguments, const Workers& workers,
+                                const Progress& progress) {
+  Parts parts;
+  auto upper = reconstruct_part(arguments.upper, arguments, workers, progress);
+  if (!upper) return tl::unexpected(upper.error());
+  parts.upper = *std::move(upper);
+  auto lower = reconstruct_part(arguments.lower, arguments, workers, progress);
+  if (!lower) return tl::unexpected(lower.error());
+  parts.lower = *std::move(lower);
+  for (const fs::path& folder : arguments.bites) {
+    auto bite = reconstruct_part(folder, arguments, workers, progress);
+    if (!bite) return tl::unexpected(bite.error());
+    parts.bites.push_back(*std::move(bite));
+  }
+  return parts;
+}
+
+Result<Part> load_part(io::CaseFile& file, io::ScanStage stage) {
+  const std::string name = fmt::format("{}, stage {}", file.path().string(), to_string(stage));
+  const Result<io::StageResult> result = file.load_result(stage);
+  if (!result) {
+    return fail(result.error().code,
+                "{}; make the model with flytri reconstruct {} --stage {} --keep",
+                result.error().message, file.path().string(), to_string(stage));
+  }
+  Result<TexturedMesh> model = io::parse_glb(result->glb, name);
+  if (!model) return tl::unexpected(model.error());
+  reconstruct::FinishedScan finished = reconstruct::finished_scan_of(*std::move(model));
+  return Part{name, std::move(finished.surface.mesh), std::move(finished.model)};
+}
+
+Result<Parts> load_parts(const OccludeArguments& arguments) {
+  Result<io::CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
+  if (!file) return tl::unexpected(file.error());
+  auto upper = load_part(*file, io::ScanStage::kUpper);
+  if (!upper) return tl::unexpected(upper.error());
+  auto lower = load_part(*file, io::ScanStage::kLower);
+  if (!lower) return tl::unexpected(lower.error());
+  auto bite = load_part(*file, io::ScanStage::kBite);
+  if (!bite) return tl::unexpected(bite.error());
+  return Parts{*std::move(upper), *std::move(lower), {*std::move(bite)}};
+}
+
+/// The place of the lower jaw that is least certain, frame of the upper jaw.
+Vec3 least_certain_mm(const occlusion::Occlusion& occlusion, const TriangleMesh& lower) {
+  Vec3 worst_mm = occlusion.middle_mm;
+  double largest_mm = 0.0;
+  for (const SurfacePoint& vertex : lower.vertices) {
+    const Vec3 p_mm = occlusion.T_upper_lower * vertex.position_mm.cast<double>();
+    const double uncertainty_mm = occlusion.uncertainty_mm(p_mm);
+    if (uncertainty_mm <= largest_mm) continue;
+    largest_mm = uncertainty_mm;
+    worst_mm = p_mm;
+  }
+  return worst_mm;
+}
+
+Json place_json(const occlusion::Occlusion& occlusion, const Vec3& p_mm) {
+  return {{"place_mm", {p_mm.x(), p_mm.y(), p_mm.z()}},
+          {"uncertainty_mm", occlusion.uncertainty_mm(p_mm)}};
+}
+
+double rotation_uncertainty_deg(const occlusion::Occlusion& occlusion) {
+  return std::sqrt(occlusion.covariance.topLeftCorner<3, 3>().trace()) * 180.0 / std::numbers::pi;
+}
+
+Json report_json(const occlusion::Occlusion& occlusion, const Parts& parts,
+                 const occlusion::Clearance& clearance) {
+  const Eigen::Quaterniond q(occlusion.T_upper_lower.linear());
+  const Vec3 t = occlusion.T_upper_lower.translation();
+  Json json = {{"format", kOcclusionFormat}, {"version", kOcclusionVersion}};
+  json["T_upper_lower"] = {{"q_wxyz", {q.w(), q.x(), q.y(), q.z()}},
+                           {"t_mm", {t.x(), t.y(), t.z()}}};
+  json["middle"] = place_json(occlusion, occlusion.middle_mm);
+  json["least_certain"] = place_json(occlusion, least_certain_mm(occlusion, parts.lower.surface));
+  json["rotation_uncertainty_deg"] = rotation_uncertainty_deg(occlusion);
+  json["bites"] = Json::array();
+  for (std::size_t i = 0; i < occlusion.bites.size(); ++i) {
+    const occlusion::BiteFit& bite = occlusion.bites[i];
+    json["bites"].push_back({{"name", parts.bites[i].name},
+                             {"on_upper", bite.upper_share},
+                             {"on_lower", bite.lower_share},
+                             {"rms_mm", bite.rms_mm}});
+  }
+  json["contact"] = {{"nearer_than_mm", kContact_mm},
+                     {"area_mm2", clearance.contact_area_mm2},
+                     {"penetration_area_mm2", clearance.penetration_area_mm2},
+                     {"deepest_penetration_mm", clearance.deepest_mm}};
+  return json;
+}
+
+void print_occlusion(const occlusion::Occlusion& occlusion, const Parts& parts,
+                     const occlusion::Clearance& clearance) {
+  for (std::size_t i = 0; i < occlusion.bites.size(); ++i) {
+    const occlusion::BiteFit& bite = occlusion.bites[i];
+    print_out("{}: {:.0f} % on the upper jaw, {:.0f} % on the lower jaw, RMS {:.1f} µm\n",
+              parts.bites[i].name, 100.0 * bite.upper_share, 100.0 * bite.lower_share,
+              1e3 * bite.rms_mm);
+  }
+  const Vec3 worst_mm = least_certain_mm(occlusion, parts.lower.surface);
+  print_out(
+      "uncertainty of the lower jaw: {:.0f} µm in the middle of the bite, {:.0f} µm where it is "
+      "largest, "
+      "{:.0f} mm from there; {:.3f} degrees\n",
+      1e3 * occlusion.uncertainty_mm(occlusion.middle_mm), 1e3 * occlusion.uncertainty_mm(worst_mm),
+      (worst_mm - occlusion.middle_mm).norm(), rotation_uncertainty_deg(occlusion));
+  print_out("contact (nearer than {:.0f} µm): {:.1f} mm²; deepest penetration: {:.0f} µm\n",
+            1e3 * kContact_mm, clearance.contact_area_mm2, 1e3 * clearance.deepest_mm);
+}
+
+/// The lower jaw's model in the frame of the upper jaw.
+TexturedMesh moved(TexturedMesh model, const Isometry& T_upper_lower) {
+  const Eigen::Isometry3f T = T_upper_lower.cast<float>();
+  for (SurfacePoint& vertex : model.mesh.vertices) {
+    vertex.position_mm = T * vertex.position_mm;
+    vertex.normal = T.linear() * vertex.normal;
+  }
+  return model;
+}
+
+Result<void> write_occlusion(const OccludeArguments& arguments,
+                             const occlusion::Occlusion& occlusion, const Parts& parts,
+                             const occlusion::Clearance& clearance) {
+  const TexturedMesh lower = moved(parts.lower.model, occlusion.T_upper_lower);
+  const std::array models = {io::NamedModel{"upper", &parts.upper.model},
+                             io::NamedModel{"lower", &lower}};
+  const Result<std::string> glb = io::encode_glb_scene(models, arguments.output.string());
+  if (!glb) return tl::unexpected(glb.error());
+  if (auto written = io::write_file(arguments.output, *glb, io::Access::kOwnerOnly); !written)
+    return written;
+  print_out("wrote {}\n", arguments.output.string());
+  if (arguments.report.empty()) return {};
+  const std::string text = report_json(occlusion, parts, clearance).dump(1) + "\n";
+  auto written = io::write_file(arguments.report, text, io::Access::kOwnerOnly);
+  if (written) print_out("wrote {}\n", arguments.report.string());
+  return written;
+}
+
+Result<void> check_arguments(const OccludeArguments& arguments) {
+  const bool has_recordings =
+      !arguments.upper.empty() && !arguments.lower.empty() && !arguments.bites.empty();
+  const bool has_some =
+      !arguments.upper.empty() || !arguments.lower.empty() || !arguments.bites.empty();
+  if (arguments.case_path.empty() ? !has_recordings : has_some) {
+    return fail(ErrorCode::kBadOption,
+                "give either a case, or --upper, --lower and --bite with a recording each");
+  }
+  if (arguments.output.extension() != ".glb")
+    return fail(ErrorCode::kBadOption, "{}: both jaws in one file need .glb",
+                arguments.output.string());
+  return check_output_files({arguments.output}, {{arguments.report, kOcclusionFormat}},
+                            arguments.force);
+}
+
+Result<void> run(const OccludeArguments& arguments, const Progress& progress) {
+  if (auto checked = check_arguments(arguments); !checked) return checked;
+  const Workers workers(arguments.thread_count);
+  const Result<Parts> parts = arguments.case_path.empty()
+                                  ? reconstruct_parts(arguments, workers, progress)
+                                  : load_parts(arguments);
+  if (!parts) return tl::unexpected(parts.error());
+  std::vector<occlusion::BiteScan> bites;
+  for (const Part& bite : parts->bites) bites.push_back({bite.name, bite.surface.vertices});
+  const auto occlusion = occlusion::find_occlusion(parts->upper.surface, parts->lower.surface,
+                                                   bites, {}, workers, progress);
+  if (!occlusion) return tl::unexpected(occlusion.error());
+  const occlusion::JawSurface upper(parts->upper.surface);
+  const auto clearance =
+      occlusion::find_clearance(parts->lower.surface, upper, occlusion->T_upper_lower, kContact_mm,
+                                kClearanceLimit_mm, workers);
+  print_occlusion(*occlusion, *parts, clearance);
+  return write_occlusion(arguments, *occlusion, *parts, clearance);
+}
+
+}  // namespace
+
+void add_occlude_command(CLI::App& app, Invocation& invocation) {
+  const auto arguments = std::make_shared<OccludeArguments>();
+  CLI::App* command = app.add_subcommand("occlude", "Bring the jaws together as they bite");
+  command->add_option("CASE", arguments->case_path,
+                      "A case (.flytri) with finished upper, lower and bite scans");
+  command->add_option("--upper", arguments->upper,
+                      "Recording of the upper jaw, in place of a case");
+  command->add_option("--lower", arguments->lower, "Recording of the lower jaw");
+  command->add_option("--bite", arguments->bites,
+                      "Recording of the closed jaws from the cheek; once or once a side");
+  command->add_option("--calibration", arguments->calibration,
+                      "Calibration of the sensor. Default: the one that each recording names");
+  command->add_option("-o,--output", arguments->output, "Model of both jaws to write: .glb")
+      ->required();
+  command->add_option("--report", arguments->report,
+                      "Also write relation, uncertainty and contact as .json");
+  add_passphrase_option(*command, arguments->case_options);
+  add_force_option(*command, arguments->force);
+  add_threads_option(*command, arguments->thread_count);
+  command->footer(
+      "Example: flytri occlude --upper scans/upper --lower scans/lower --bite scans/bite "
+      "--calibration calibration.json -o both.glb --report occlusion.json");
+  command->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
+  });
+}
+
+}  // namespace flytri::cli
