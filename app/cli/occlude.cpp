@@ -148,6 +148,8 @@ Json report_json(const occlusion::Occlusion& occlusion, const Parts& parts,
     json["bites"].push_back({{"name", parts.bites[i].name},
                              {"on_upper", bite.upper_share},
                              {"on_lower", bite.lower_share},
+                             {"agreement_upper", bite.upper_agreement},
+                             {"agreement_lower", bite.lower_agreement},
                              {"rms_mm", bite.rms_mm}});
   }
   json["contact"] = {{"nearer_than_mm", kContact_mm},

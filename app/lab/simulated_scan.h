@@ -36,6 +36,14 @@ struct SimulatedScan {
                                                   const SimulatedScanOptions& options,
                                                   const Workers& workers, const Progress& progress);
 
+/// The same along a given path; the options' own path is not used.
+[[nodiscard]] Result<SimulatedScan> simulate_scan_along(const TriangleMesh& mesh,
+                                                        const simulated::SensorModel& sensor,
+                                                        const simulated::SensorPath& path,
+                                                        const SimulatedScanOptions& options,
+                                                        const Workers& workers,
+                                                        const Progress& progress);
+
 /// The registered views with their truth.
 struct RegisteredTruth {
   std::vector<AlignedView> aligned;

@@ -17,10 +17,20 @@ namespace {
 
 /// Points nearer than this are matched; then those within this many robust standard deviations.
 constexpr double kMatch_mm = 0.15, kTukeySigmas = 4.7;
+/// Points nearer than the first lie on a jaw, those nearer than the second are near it. The first
+/// is several times the noise; smooth teeth of another patient are as near only here and there.
+constexpr double kOn_mm = 0.05, kNear_mm = 0.3;
 constexpr double kLeastCosine = 0.7;
 constexpr int kMaxSteps = 30;
 /// Converged when the relation moves by less, mm and rad: far below the uncertainty.
 constexpr double kSmallStep = 1e-5;
+
+/// cross_matrix(a) * b = a x b.
+Eigen::Matrix3d cross_matrix(const Vec3& a) {
+  Eigen::Matrix3d matrix;
+  matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+  return matrix;
+}
 
 /// A point of a bite scan that is matched with a jaw, frame of the upper jaw.
 struct Match {
@@ -48,17 +58,28 @@ class Occluder {
 
  private:
   Result<void> place_bites();
-  Result<void> compare_bites() const;
+  /// That a bite scan gives alone.
+  [[nodiscard]] Isometry relation_of(std::size_t bite) const {
+    return result_.bites[bite].T_upper_bite * T_lower_bites_[bite].inverse();
+  }
+  [[nodiscard]] Result<void> compare_bites() const;
   void optimize();
   void match();
-  [[nodiscard]] Match match_point(const SurfacePoint& point, const Isometry& T_upper_bite) const;
+  [[nodiscard]] Match match_point(const SurfacePoint& point, const Isometry& T_upper_bite,
+                                  double limit_mm) const;
   void weigh();
+  [[nodiscard]] Vec3 middle_of(std::size_t bite) const;
   void find_middle();
   [[nodiscard]] std::vector<RelationSums> sums_by_bite() const;
   [[nodiscard]] RelationSums::Rows rows_of(const Match& match) const;
   [[nodiscard]] double move();
+  [[nodiscard]] Matrix6 covariance_of_points(const std::vector<RelationSums>& sums,
+                                             const ReducedRelation& all) const;
+  [[nodiscard]] Matrix6 covariance_of_bending(const std::vector<RelationSums>& sums,
+                                              const ReducedRelation& all) const;
   void find_covariance();
-  void rate_bites();
+  void rate_bite(std::size_t k);
+  [[nodiscard]] Result<void> check_bite(std::size_t k) const;
 
   SearchedJaw upper_, lower_;
   std::span<const BiteScan> bites_;
@@ -71,41 +92,34 @@ class Occluder {
   Occlusion result_;
 };
 
-Result<void> refuse(const BiteScan& bite, std::string_view jaw, double share) {
-  return fail(ErrorCode::kInconsistent,
-              "{}: does not fit the {} jaw: only {:.0f} % of its points lie on it. Scan the bite "
-              "again with the "
-              "jaws closed, over teeth that both jaw scans show",
-              bite.name, jaw, 100.0 * share);
-}
-
 Result<void> Occluder::place_bites() {
   for (const BiteScan& bite : bites_) {
     const BitePlacement on_upper = place_bite(upper_, bite.points, workers_);
     progress_.advance();
     if (progress_.cancelled()) return stopped();
-    if (on_upper.share < options_.min_share) return refuse(bite, "upper", on_upper.share);
     // What lies on the upper jaw is not on the lower one.
     std::vector<SurfacePoint> others;
     for (std::size_t i = 0; i < bite.points.size(); ++i) {
       if (!on_upper.on_jaw[i]) others.push_back(bite.points[i]);
     }
     const Isometry T_lower_bite = place_bite(lower_, others, workers_).T_jaw_bite;
-    const double share = lay_on(lower_.surface, bite.points, T_lower_bite, workers_).share;
     progress_.advance();
     if (progress_.cancelled()) return stopped();
-    if (share < options_.min_share) return refuse(bite, "lower", share);
-    result_.bites.push_back({on_upper.T_jaw_bite, on_upper.share, share, 0.0});
+    result_.bites.push_back({on_upper.T_jaw_bite});
     T_lower_bites_.push_back(T_lower_bite);
+    const std::size_t k = result_.bites.size() - 1;
+    result_.T_upper_lower = relation_of(k);
+    rate_bite(k);
+    if (auto fits = check_bite(k); !fits) return fits;
   }
-  result_.T_upper_lower = result_.bites.front().T_upper_bite * T_lower_bites_.front().inverse();
+  result_.T_upper_lower = relation_of(0);
   return compare_bites();
 }
 
 /// The relations that two bite scans give alone differ by the error of each.
 Result<void> Occluder::compare_bites() const {
   for (std::size_t i = 1; i < bites_.size(); ++i) {
-    const Isometry T_upper_lower = result_.bites[i].T_upper_bite * T_lower_bites_[i].inverse();
+    const Isometry T_upper_lower = relation_of(i);
     // A small turn moves the far side: so both are compared in the middle between the bite scans.
     Vec3 middle_mm = Vec3::Zero();
     for (const std::size_t k : {std::size_t{0}, i}) {
@@ -118,21 +132,22 @@ Result<void> Occluder::compare_bites() const {
     if (off_mm > options_.max_disagreement_mm) {
       return fail(ErrorCode::kInconsistent,
                   "{} and {} contradict each other by {:.2f} mm: the patient did not bite in the "
-                  "same way. Scan both "
-                  "again while the jaws stay closed",
+                  "same way. Scan both again while the jaws stay closed",
                   bites_[0].name, bites_[i].name, off_mm);
     }
   }
   return {};
 }
 
-Match Occluder::match_point(const SurfacePoint& point, const Isometry& T_upper_bite) const {
+/// With the jaw that is nearer.
+Match Occluder::match_point(const SurfacePoint& point, const Isometry& T_upper_bite,
+                            double limit_mm) const {
   Match match;
   match.p_mm = T_upper_bite * point.position_mm.cast<double>();
   const Vec3 normal = T_upper_bite.linear() * point.normal.cast<double>();
   const Isometry& T_upper_lower = result_.T_upper_lower;
-  const auto on_upper = upper_.surface.foot(match.p_mm, kMatch_mm);
-  auto on_lower = lower_.surface.foot(T_upper_lower.inverse() * match.p_mm, kMatch_mm);
+  const auto on_upper = upper_.surface.foot(match.p_mm, limit_mm);
+  auto on_lower = lower_.surface.foot(T_upper_lower.inverse() * match.p_mm, limit_mm);
   const auto accept = [&](const JawSurface::Foot& foot, const Vec3& of_jaw, bool is_lower) {
     if (of_jaw.dot(normal) < kLeastCosine) return;
     if (match.is_valid && std::abs(match.offset_mm) <= std::abs(foot.offset_mm)) return;
@@ -151,7 +166,7 @@ void Occluder::match() {
   for (std::size_t k = 0; k < bites_.size(); ++k) {
     matches_[k].resize(bites_[k].points.size());
     const auto match = [&](std::size_t i) {
-      matches_[k][i] = match_point(bites_[k].points[i], result_.bites[k].T_upper_bite);
+      matches_[k][i] = match_point(bites_[k].points[i], result_.bites[k].T_upper_bite, kMatch_mm);
     };
     workers_.for_each(matches_[k].size(), match, 256);
   }
@@ -175,17 +190,22 @@ void Occluder::weigh() {
   }
 }
 
-void Occluder::find_middle() {
+/// Of the points that count, frame of the upper jaw.
+Vec3 Occluder::middle_of(std::size_t bite) const {
   Vec3 sum_mm = Vec3::Zero();
   double count = 0.0;
-  for (const auto& of_bite : matches_) {
-    for (const Match& match : of_bite) {
-      if (match.weight == 0.0) continue;
-      sum_mm += match.p_mm;
-      count += 1.0;
-    }
+  for (const Match& match : matches_[bite]) {
+    if (match.weight == 0.0) continue;
+    sum_mm += match.p_mm;
+    count += 1.0;
   }
-  if (count > 0.0) result_.middle_mm = sum_mm / count;
+  return sum_mm / std::max(count, 1.0);
+}
+
+void Occluder::find_middle() {
+  result_.middle_mm.setZero();
+  for (std::size_t k = 0; k < bites_.size(); ++k)
+    result_.middle_mm += middle_of(k) / static_cast<double>(bites_.size());
 }
 
 RelationSums::Rows Occluder::rows_of(const Match& match) const {
@@ -235,53 +255,106 @@ void Occluder::optimize() {
 
 /// Leaves out the cells of the bite scans one by one: what the relation then changes by is the
 /// influence of errors that neighboring points have in common.
-void Occluder::find_covariance() {
+Matrix6 Occluder::covariance_of_points(const std::vector<RelationSums>& sums,
+                                       const ReducedRelation& all) const {
   std::map<std::pair<std::size_t, CellKey>, RelationSums> cells;
   for (std::size_t k = 0; k < bites_.size(); ++k) {
     for (std::size_t i = 0; i < matches_[k].size(); ++i) {
       const Match& match = matches_[k][i];
       if (match.weight == 0.0) continue;
-      const CellKey cell =
-          CellKey::at(bites_[k].points[i].position_mm, static_cast<float>(options_.cell_mm));
-      cells[{k, cell}].add(rows_of(match), match.offset_mm, match.weight);
+      const Vec3 p_mm = bites_[k].points[i].position_mm.cast<double>();
+      cells[{k, CellKey::at(p_mm, options_.cell_mm)}].add(rows_of(match), match.offset_mm,
+                                                          match.weight);
     }
   }
-  const std::vector<RelationSums> sums = sums_by_bite();
-  ReducedRelation all;
-  for (const RelationSums& of_bite : sums) all += of_bite.reduced();
   const Twist full = all.solve();
   const auto count = static_cast<double>(cells.size());
+  Matrix6 covariance = Matrix6::Zero();
   for (const auto& [place, of_cell] : cells) {
     ReducedRelation without = all;
     without -= sums[place.first].reduced();
     without += (sums[place.first] - of_cell).reduced();
     const Twist change = without.solve() - full;
-    result_.covariance += (count - 1.0) / count * change * change.transpose();
+    covariance += (count - 1.0) / count * change * change.transpose();
   }
+  return covariance;
 }
 
-void Occluder::rate_bites() {
+/// Under each bite scan the jaws are turned and shifted a little, independently of the other one.
+Matrix6 Occluder::covariance_of_bending(const std::vector<RelationSums>& sums,
+                                        const ReducedRelation& all) const {
+  Twist variances;
+  variances << Vec3::Constant(options_.bend_rad * options_.bend_rad),
+      Vec3::Constant(options_.bend_mm * options_.bend_mm);
+  const Matrix6 inverse = inverse_of_symmetric(all.matrix);
+  Matrix6 covariance = Matrix6::Zero();
   for (std::size_t k = 0; k < bites_.size(); ++k) {
-    double sum_mm2 = 0.0;
-    std::array<double, 2> counts = {};
-    for (const Match& match : matches_[k]) {
-      if (match.weight == 0.0) continue;
-      sum_mm2 += match.offset_mm * match.offset_mm;
-      counts[match.is_lower ? 1 : 0] += 1.0;
-    }
-    const auto all = static_cast<double>(matches_[k].size());
-    BiteFit& bite = result_.bites[k];
-    bite.upper_share = counts[0] / all;
-    bite.lower_share = counts[1] / all;
-    bite.rms_mm = std::sqrt(sum_mm2 / std::max(counts[0] + counts[1], 1.0));
+    // A turn about the middle of the bite scan also shifts the middle of all.
+    Matrix6 about_middle = Matrix6::Identity();
+    about_middle.bottomLeftCorner<3, 3>() = cross_matrix(middle_of(k) - result_.middle_mm);
+    const Matrix6 influence = inverse * sums[k].reduced().matrix * about_middle;
+    covariance += influence * variances.asDiagonal() * influence.transpose();
   }
+  return covariance;
+}
+
+void Occluder::find_covariance() {
+  const std::vector<RelationSums> sums = sums_by_bite();
+  ReducedRelation all;
+  for (const RelationSums& of_bite : sums) all += of_bite.reduced();
+  result_.covariance = covariance_of_points(sums, all) + covariance_of_bending(sums, all);
+}
+
+void Occluder::rate_bite(std::size_t k) {
+  const std::span<const SurfacePoint> points = bites_[k].points;
+  BiteFit& bite = result_.bites[k];
+  std::vector<Match> near(points.size());
+  workers_.for_each(
+      points.size(),
+      [&](std::size_t i) { near[i] = match_point(points[i], bite.T_upper_bite, kNear_mm); }, 256);
+  std::array<double, 2> near_counts = {}, on_counts = {};
+  double sum_mm2 = 0.0;
+  for (const Match& match : near) {
+    if (!match.is_valid) continue;
+    const std::size_t jaw = match.is_lower ? 1 : 0;
+    near_counts[jaw] += 1.0;
+    if (std::abs(match.offset_mm) > kOn_mm) continue;
+    on_counts[jaw] += 1.0;
+    sum_mm2 += match.offset_mm * match.offset_mm;
+  }
+  bite.upper_share = on_counts[0] / static_cast<double>(points.size());
+  bite.lower_share = on_counts[1] / static_cast<double>(points.size());
+  bite.upper_agreement = on_counts[0] / std::max(near_counts[0], 1.0);
+  bite.lower_agreement = on_counts[1] / std::max(near_counts[1], 1.0);
+  bite.rms_mm = std::sqrt(sum_mm2 / std::max(on_counts[0] + on_counts[1], 1.0));
+}
+
+/// Refuses a bite scan that lies on the jaws by chance.
+Result<void> Occluder::check_bite(std::size_t k) const {
+  const BiteFit& bite = result_.bites[k];
+  struct OnJaw {
+    std::string_view jaw;
+    double share, agreement;
+  };
+  for (const OnJaw& on : {OnJaw{"upper", bite.upper_share, bite.upper_agreement},
+                          OnJaw{"lower", bite.lower_share, bite.lower_agreement}}) {
+    if (on.share >= options_.min_share && on.agreement >= options_.min_agreement) continue;
+    return fail(
+        ErrorCode::kInconsistent,
+        "{}: does not fit the {} jaw: {:.0f} % of its points lie on it, and of those near it "
+        "{:.0f} % (at least {:.0f} % and {:.0f} %). Check that all scans are of one patient, or "
+        "scan the bite again with the jaws closed, over teeth that both jaw scans show",
+        bites_[k].name, on.jaw, 100.0 * on.share, 100.0 * on.agreement, 100.0 * options_.min_share,
+        100.0 * options_.min_agreement);
+  }
+  return {};
 }
 
 Result<Occlusion> Occluder::run() {
   if (auto placed = place_bites(); !placed) return tl::unexpected(placed.error());
   optimize();
+  for (std::size_t k = 0; k < bites_.size(); ++k) rate_bite(k);
   find_covariance();
-  rate_bites();
   const double uncertainty_mm = result_.uncertainty_mm(result_.middle_mm);
   if (!(uncertainty_mm <= options_.max_uncertainty_mm)) {
     return fail(ErrorCode::kInsufficient,
@@ -297,18 +370,18 @@ Result<Occlusion> Occluder::run() {
 Result<void> OccludeOptions::validate() const {
   return OptionCheck("OccludeOptions")
       .positive_up_to("min_share", min_share, 1.0)
+      .positive_up_to("min_agreement", min_agreement, 1.0)
       .positive("cell_mm", cell_mm)
       .positive("max_uncertainty_mm", max_uncertainty_mm)
       .positive("max_disagreement_mm", max_disagreement_mm)
+      .not_negative("bend_rad", bend_rad)
+      .not_negative("bend_mm", bend_mm)
       .result();
 }
 
 double Occlusion::uncertainty_mm(const Vec3& p_mm) const {
-  const Vec3 arm_mm = p_mm - middle_mm;
   Eigen::Matrix<double, 3, 6> J;
-  J << 0.0, arm_mm.z(), -arm_mm.y(), 1.0, 0.0, 0.0,  //
-      -arm_mm.z(), 0.0, arm_mm.x(), 0.0, 1.0, 0.0,   //
-      arm_mm.y(), -arm_mm.x(), 0.0, 0.0, 0.0, 1.0;
+  J << -cross_matrix(p_mm - middle_mm), Eigen::Matrix3d::Identity();
   return std::sqrt((J * covariance * J.transpose()).trace());
 }
 

@@ -1,0 +1,228 @@
+/// @file  flytri-lab occlusion: how well bite scans bring simulated jaws together.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <unordered_map>
+
+#include "app/cli/output_files.h"
+#include "app/lab/closed_jaws.h"
+#include "app/lab/simulated_scan.h"
+#include "app/lab/studies.h"
+#include "core/base/median.h"
+#include "core/evaluation/best_fit.h"
+#include "core/io/files/file_bytes.h"
+#include "core/occlusion/clearance.h"
+#include "core/occlusion/occlude.h"
+#include "core/reconstruct/reconstruct.h"
+
+namespace flytri::lab {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct OcclusionArguments {
+  std::filesystem::path output;
+  bool force = false;
+  int jaw_count = 20;
+  int view_count = 500;
+  int bite_view_count = 90;
+  int thread_count = 0;
+};
+
+/// Views of a scan, reconstructed, and where its world is in the frame of the model.
+struct ScannedPart {
+  TriangleMesh surface;
+  Isometry T_model_world = Isometry::Identity();
+};
+
+Result<ScannedPart> reconstruct_scan(const SimulatedScan& scan, const TriangleMesh& model,
+                                     const Workers& workers, const Progress& progress) {
+  auto made = reconstruct::reconstruct_views(scan.views, {}, workers, progress);
+  if (!made) return tl::unexpected(made.error());
+  ScannedPart part;
+  part.surface = std::move(made->surface.mesh);
+  const auto first = std::find_if(made->frames.begin(), made->frames.end(), [](const auto& frame) {
+    return frame.T_world_sensor.has_value();
+  });
+  const Isometry T_model_world =
+      scan.T_model_sensor[first->frame.at()] * first->T_world_sensor->inverse();
+  // The error of the first view is none of the occlusion: the world is laid on the true jaw.
+  const auto fit = evaluation::best_fit(evaluation::transformed(part.surface, T_model_world), model,
+                                        {}, workers);
+  if (!fit) return tl::unexpected(fit.error());
+  part.T_model_world = fit->T_truth_result * T_model_world;
+  return part;
+}
+
+Result<ScannedPart> scan_jaw(const TriangleMesh& jaw, const OcclusionArguments& arguments,
+                             std::uint64_t seed, const Workers& workers, const Progress& progress) {
+  SimulatedScanOptions options;
+  options.view_count = arguments.view_count;
+  options.path.seed = options.noise.seed = seed;
+  options.noise.correlation_samples = 1.5;
+  auto scan = simulate_scan(jaw, simulated::intraoral_sensor(), options, workers, progress);
+  if (!scan) return tl::unexpected(scan.error());
+  return reconstruct_scan(*scan, jaw, workers, progress);
+}
+
+/// An error of the relation beside what was predicted, at one place.
+struct PlaceError {
+  double error_mm = 0.0, predicted_mm = 0.0;
+};
+
+struct OcclusionError {
+  PlaceError middle;
+  std::array<PlaceError, 2>
+      ends;  ///< last molars: of the scanned side of one bite, of the other side
+  double angle_deg = 0.0, predicted_angle_deg = 0.0;
+  double contact_median_mm = 0.0;  ///< of the error of clearances below 0.5 mm
+};
+
+/// Median error of the distances between the jaws where they are near.
+double contact_error_mm(const ClosedJaws& jaws, const Isometry& T_upper_lower,
+                        const Workers& workers) {
+  constexpr double kNear_mm = 0.5;
+  const occlusion::JawSurface upper(jaws.upper);
+  const auto truth = find_clearance(jaws.lower, upper, jaws.T_upper_lower, 0.02, kNear_mm, workers);
+  const auto found =
+      find_clearance(jaws.lower, upper, T_upper_lower, 0.02, 2.0 * kNear_mm, workers);
+  std::vector<double> errors_mm;
+  for (std::size_t i = 0; i < truth.distances_mm.size(); ++i) {
+    const double error_mm = std::abs(truth.distances_mm[i] - found.distances_mm[i]);
+    if (!std::isnan(error_mm)) errors_mm.push_back(error_mm);
+  }
+  return errors_mm.empty() ? 0.0 : median_of(errors_mm);
+}
+
+OcclusionError error_of(const occlusion::Occlusion& found, const ClosedJaws& jaws,
+                        const ScannedPart& upper, const ScannedPart& lower,
+                        const Workers& workers) {
+  // Both in the frame of the true upper jaw.
+  const Isometry T_found =
+      upper.T_model_world * found.T_upper_lower * lower.T_model_world.inverse();
+  const Isometry T_error = T_found * jaws.T_upper_lower.inverse();
+  const auto at = [&](const Vec3& p_mm) {
+    return PlaceError{(T_error * p_mm - p_mm).norm(),
+                      found.uncertainty_mm(upper.T_model_world.inverse() * p_mm)};
+  };
+  OcclusionError error;
+  error.middle = at(upper.T_model_world * found.middle_mm);
+  error.ends = {at(jaws.ends_mm[0]), at(jaws.ends_mm[1])};
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  error.angle_deg = kDegrees * rotation_angle(T_error);
+  error.predicted_angle_deg = kDegrees * std::sqrt(found.covariance.topLeftCorner<3, 3>().trace());
+  error.contact_median_mm = contact_error_mm(jaws, T_found, workers);
+  return error;
+}
+
+Json json_of(const OcclusionError& error, std::uint64_t seed, std::size_t sides) {
+  const auto place = [](const PlaceError& at) {
+    return Json{{"error_um", kMicrons * at.error_mm}, {"predicted_um", kMicrons * at.predicted_mm}};
+  };
+  return {{"seed", seed},
+          {"sides", sides},
+          {"middle", place(error.middle)},
+          {"last_molar_scanned_side", place(error.ends[0])},
+          {"last_molar_other_side", place(error.ends[1])},
+          {"angle_deg", error.angle_deg},
+          {"predicted_angle_deg", error.predicted_angle_deg},
+          {"contact_median_um", kMicrons * error.contact_median_mm}};
+}
+
+void print_error(const OcclusionError& error, std::uint64_t seed, std::size_t sides) {
+  const auto place = [](const PlaceError& at) {
+    return fmt::format("{:6.1f} {:6.1f}", kMicrons * at.error_mm, kMicrons * at.predicted_mm);
+  };
+  fmt::print("{:4} {:5}   {}   {}   {}   {:6.4f} {:6.4f}   {:6.1f}\n", seed, sides,
+             place(error.middle), place(error.ends[0]), place(error.ends[1]), error.angle_deg,
+             error.predicted_angle_deg, kMicrons * error.contact_median_mm);
+  std::fflush(stdout);
+}
+
+/// One pair of jaws, with one and with two bite scans.
+Result<Json> try_jaws(const OcclusionArguments& arguments, std::uint64_t seed,
+                      const Workers& workers, const Progress& progress) {
+  const auto jaws = close_sample_jaws(seed, workers);
+  if (!jaws) return tl::unexpected(jaws.error());
+  const auto upper = scan_jaw(jaws->upper, arguments, 10 * seed + 1, workers, progress);
+  if (!upper) return tl::unexpected(upper.error());
+  const auto lower = scan_jaw(jaws->lower, arguments, 10 * seed + 2, workers, progress);
+  if (!lower) return tl::unexpected(lower.error());
+  std::vector<ScannedPart> bites;
+  for (const bool is_right : {false, true}) {
+    auto scan = scan_bite(*jaws, is_right, arguments.bite_view_count,
+                          10 * seed + (is_right ? 4 : 3), workers, progress);
+    if (!scan) return tl::unexpected(scan.error());
+    auto bite = reconstruct_scan(*scan, jaws->closed, workers, progress);
+    if (!bite) return tl::unexpected(bite.error());
+    bites.push_back(*std::move(bite));
+  }
+  Json rows = Json::array();
+  std::vector<occlusion::BiteScan> scans;
+  for (const ScannedPart& bite : bites) {
+    scans.push_back({fmt::format("bite {}", scans.size() + 1), bite.surface.vertices});
+    const auto found =
+        occlusion::find_occlusion(upper->surface, lower->surface, scans, {}, workers, progress);
+    if (!found) {
+      fmt::print("{:4} {:5}   {}\n", seed, scans.size(), found.error().message);
+      rows.push_back({{"seed", seed}, {"sides", scans.size()}, {"refused", found.error().message}});
+      continue;
+    }
+    const OcclusionError error = error_of(*found, *jaws, *upper, *lower, workers);
+    print_error(error, seed, scans.size());
+    rows.push_back(json_of(error, seed, scans.size()));
+  }
+  return rows;
+}
+
+Result<void> run(const OcclusionArguments& arguments, const Progress& progress) {
+  auto checked = cli::check_output_files({}, {{arguments.output, "flytri.study"}}, arguments.force);
+  if (!checked) return checked;
+  const Workers workers(arguments.thread_count);
+  fmt::print(
+      "Error and predicted standard uncertainty, um; angle in degrees; median error of clearances, "
+      "um\n");
+  fmt::print("{:>4} {:>5}   {:^13}   {:^13}   {:^13}   {:^13}   {:>6}\n", "seed", "sides", "middle",
+             "last molar", "far molar", "angle", "contact");
+  Json rows = Json::array();
+  for (int seed = 1; seed <= arguments.jaw_count; ++seed) {
+    const auto of_jaws = try_jaws(arguments, static_cast<std::uint64_t>(seed), workers, progress);
+    if (!of_jaws) return tl::unexpected(of_jaws.error());
+    rows.insert(rows.end(), of_jaws->begin(), of_jaws->end());
+  }
+  if (arguments.output.empty()) return {};
+  const Json json = {
+      {"format", "flytri.study"}, {"version", 1}, {"study", "occlusion"}, {"jaws", rows}};
+  return io::write_file(arguments.output, json.dump(1) + "\n");
+}
+
+}  // namespace
+
+void add_occlusion_study(CLI::App& lab, cli::Invocation& invocation) {
+  const auto arguments = std::make_shared<OcclusionArguments>();
+  CLI::App* command =
+      lab.add_subcommand("occlusion", "Measure how well bite scans bring simulated jaws together");
+  command->add_option("-o,--output", arguments->output, "Also write the figures as .json");
+  cli::add_force_option(*command, arguments->force);
+  command->add_option("--jaws", arguments->jaw_count, "Pairs of jaws")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--views", arguments->view_count, "Views of each jaw")
+      ->check(CLI::Range(100, 5000))
+      ->capture_default_str();
+  command->add_option("--bite-views", arguments->bite_view_count, "Views of each bite scan")
+      ->check(CLI::Range(20, 1000))
+      ->capture_default_str();
+  cli::add_threads_option(*command, arguments->thread_count);
+  command->footer("Example: flytri-lab occlusion --jaws 20 -o occlusion.json");
+  command->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
+  });
+}
+
+}  // namespace flytri::lab
