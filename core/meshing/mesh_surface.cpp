@@ -8,6 +8,7 @@
 #include "core/meshing/implicit_surface.h"
 #include "core/meshing/mesh_topology.h"
 #include "core/meshing/surface_nets.h"
+#include "core/meshing/trim_rims.h"
 
 namespace flytri::meshing {
 namespace {
@@ -53,6 +54,7 @@ Result<void> MeshOptions::validate() const {
       .must("gap_spacings", gap_spacings, gap_spacings >= support_spacings,
             "at least support_spacings")
       .not_negative("min_island_spacings2", min_island_spacings2)
+      .not_negative("min_strip_spacings", min_strip_spacings)
       .result();
 }
 
@@ -79,6 +81,10 @@ Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& op
   repair_manifold(result.mesh);
   topology.advance();
   if (progress.cancelled()) return stopped();
+  if (options.min_strip_spacings > 0.0) {
+    trim_rims(result.mesh, static_cast<float>(options.min_strip_spacings * spacing_mm),
+              static_cast<float>(spacing_mm));
+  }
   drop_islands(result.mesh, options.min_island_spacings2 * spacing_mm * spacing_mm);
   if (result.mesh.triangles.empty()) return too_few();
   topology.advance();

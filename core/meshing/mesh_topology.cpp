@@ -17,14 +17,6 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 
-void keep_triangles(TriangleMesh& mesh, const std::vector<char>& keep) {
-  std::size_t next = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (keep[t] != 0) mesh.triangles[next++] = mesh.triangles[t];
-  }
-  mesh.triangles.resize(next);
-}
-
 void drop_degenerate(TriangleMesh& mesh) {
   std::vector<char> keep(mesh.triangles.size(), 1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -238,6 +230,14 @@ void mark_outer(const TriangleMesh& mesh, std::vector<Rim>& rims) {
 
 }  // namespace
 
+void keep_triangles(TriangleMesh& mesh, const std::vector<char>& keep) {
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (keep[t] != 0) mesh.triangles[next++] = mesh.triangles[t];
+  }
+  mesh.triangles.resize(next);
+}
+
 void repair_manifold(TriangleMesh& mesh) {
   drop_degenerate(mesh);
   drop_crowded_edges(mesh);
@@ -276,18 +276,24 @@ TriangleMesh welded(const TriangleMesh& cut) {
   return mesh;
 }
 
-std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {
+std::vector<std::vector<std::uint32_t>> boundary_lines(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> next = boundary_successors(mesh);
-  std::vector<Rim> rims;
+  std::vector<std::vector<std::uint32_t>> lines;
   for (std::uint32_t start = 0; start < next.size(); ++start) {
     if (next[start] == kNone) continue;
-    std::vector<std::uint32_t> vertices;
+    std::vector<std::uint32_t>& line = lines.emplace_back();
     for (std::uint32_t v = start; next[v] != kNone;) {
-      vertices.push_back(v);
+      line.push_back(v);
       v = std::exchange(next[v], kNone);
     }
-    rims.push_back(rim_of(mesh, std::move(vertices)));
   }
+  return lines;
+}
+
+std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh) {
+  std::vector<Rim> rims;
+  for (std::vector<std::uint32_t>& line : boundary_lines(mesh))
+    rims.push_back(rim_of(mesh, std::move(line)));
   std::stable_sort(rims.begin(), rims.end(),
                    [](const Rim& a, const Rim& b) { return a.loop.area_mm2 > b.loop.area_mm2; });
   mark_outer(mesh, rims);

@@ -18,6 +18,12 @@ void drop_islands(TriangleMesh& mesh, double min_area_mm2);
 /// Joins vertices at exactly the same position, which closes the cuts between charts.
 [[nodiscard]] TriangleMesh welded(const TriangleMesh& cut);
 
+/// Keeps the marked triangles, parallel to the mesh's, and drops the others; vertices stay.
+void keep_triangles(TriangleMesh& mesh, const std::vector<char>& keep);
+
+/// The vertices along each boundary of an oriented manifold, in order.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> boundary_lines(const TriangleMesh& mesh);
+
 /// The boundary loops of an oriented manifold, largest area first. In each connected component, the
 /// loop with the largest area is the outer border.
 [[nodiscard]] std::vector<BoundaryLoop> find_boundaries(const TriangleMesh& mesh);

@@ -1,0 +1,155 @@
+#include "core/meshing/trim_rims.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "core/meshing/mesh_topology.h"
+
+namespace flytri::meshing {
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::max();
+/// A hole with a shorter rim, in strip widths, is smaller across than a strip is wide.
+constexpr float kPinholeRim = 2.0F;
+/// The disk reaches farther back by so many spacings: the core ends up to one before its true rim,
+/// and so does what the disk covers.
+constexpr float kBackReachSpacings = 1.5F;
+constexpr int kRimSmoothings = 10;
+/// A rim moves by at most this share of the spacing.
+constexpr float kMostRimMotion = 0.5F;
+
+/// The neighbors of each vertex, one after the other.
+struct Neighborhood {
+  explicit Neighborhood(const TriangleMesh& mesh) : begins(mesh.vertices.size() + 1, 0) {
+    const auto for_each_pair = [&](const auto& visit) {
+      for (const Triangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          visit(t[k], t[(k + 1) % 3]);
+          visit(t[(k + 1) % 3], t[k]);
+        }
+      }
+    };
+    for_each_pair([&](std::uint32_t from, std::uint32_t) { ++begins[from + 1]; });
+    for (std::size_t v = 1; v < begins.size(); ++v) begins[v] += begins[v - 1];
+    neighbors.resize(begins.back());
+    std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
+    for_each_pair([&](std::uint32_t from, std::uint32_t to) { neighbors[next[from]++] = to; });
+  }
+  std::vector<std::size_t> begins;
+  std::vector<std::uint32_t> neighbors;
+};
+
+/// The distance of each vertex from the nearest source, up to a limit, as far as the surface is
+/// connected within it. Distances are straight, not along edges: a disk stays round.
+std::vector<float> distances_mm(const TriangleMesh& mesh, const Neighborhood& around,
+                                const std::vector<char>& is_source, float limit_mm) {
+  struct Reached {
+    float distance_mm;
+    std::uint32_t vertex, source;
+    bool operator>(const Reached& other) const {
+      return std::tie(distance_mm, vertex, source) >
+             std::tie(other.distance_mm, other.vertex, other.source);
+    }
+  };
+  std::vector<float> distances(mesh.vertices.size(), kFar);
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
+  for (std::uint32_t v = 0; v < distances.size(); ++v) {
+    if (is_source[v] == 0) continue;
+    distances[v] = 0.0F;
+    queue.push({0.0F, v, v});
+  }
+  while (!queue.empty()) {
+    const Reached at = queue.top();
+    queue.pop();
+    if (at.distance_mm > distances[at.vertex]) continue;
+    for (std::size_t i = around.begins[at.vertex]; i < around.begins[at.vertex + 1]; ++i) {
+      const std::uint32_t next = around.neighbors[i];
+      const float distance_mm =
+          (mesh.vertices[next].position_mm - mesh.vertices[at.source].position_mm).norm();
+      if (distance_mm > limit_mm || distance_mm >= distances[next]) continue;
+      distances[next] = distance_mm;
+      queue.push({distance_mm, next, at.source});
+    }
+  }
+  return distances;
+}
+
+float length_mm(const TriangleMesh& mesh, const std::vector<std::uint32_t>& line) {
+  float length = 0.0F;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const Vec3f &p = mesh.vertices[line[i]].position_mm,
+                &next = mesh.vertices[line[(i + 1) % line.size()]].position_mm;
+    length += (next - p).norm();
+  }
+  return length;
+}
+
+/// Opens the surface by a disk: what no disk covers that lies on the surface goes.
+void open_by_disk(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
+  std::vector<char> is_rim(mesh.vertices.size(), 0);
+  for (const std::vector<std::uint32_t>& line : boundary_lines(mesh)) {
+    if (length_mm(mesh, line) < kPinholeRim * strip_mm) continue;
+    for (const std::uint32_t v : line) is_rim[v] = 1;
+  }
+  const Neighborhood around(mesh);
+  const float radius_mm = 0.5F * strip_mm;
+  const std::vector<float> from_rim = distances_mm(mesh, around, is_rim, radius_mm);
+  std::vector<char> is_core(mesh.vertices.size());
+  for (std::size_t v = 0; v < is_core.size(); ++v) is_core[v] = from_rim[v] == kFar ? 1 : 0;
+  const std::vector<float> from_core =
+      distances_mm(mesh, around, is_core, radius_mm + kBackReachSpacings * spacing_mm);
+  std::vector<char> keep;
+  keep.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    keep.push_back(from_core[t[0]] < kFar && from_core[t[1]] < kFar && from_core[t[2]] < kFar);
+  }
+  keep_triangles(mesh, keep);
+}
+
+/// Moves each vertex of a rim by a share of the way to the middle of its neighbors on the rim,
+/// along the surface.
+void pull(const TriangleMesh& mesh, const std::vector<std::uint32_t>& line, float share,
+          std::vector<Vec3f>& rim_mm) {
+  const std::vector<Vec3f> old = rim_mm;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Vec3f middle =
+        0.5F * (old[(k + line.size() - 1) % line.size()] + old[(k + 1) % line.size()]);
+    const Vec3f& normal = mesh.vertices[line[k]].normal;
+    const Vec3f step = share * (middle - old[k]);
+    rim_mm[k] += step - normal * normal.dot(step);
+  }
+}
+
+/// Smooths a rim without shrinking it.
+/// @source  Taubin, "A signal processing approach to fair surface design", SIGGRAPH 1995.
+void smooth_rim(TriangleMesh& mesh, const std::vector<std::uint32_t>& line, float most_mm) {
+  constexpr float kInwards = 0.5F, kOutwards = -0.53F;
+  std::vector<Vec3f> rim_mm;
+  rim_mm.reserve(line.size());
+  for (const std::uint32_t v : line) rim_mm.push_back(mesh.vertices[v].position_mm);
+  for (int i = 0; i < kRimSmoothings; ++i) {
+    pull(mesh, line, kInwards, rim_mm);
+    pull(mesh, line, kOutwards, rim_mm);
+  }
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    Vec3f& place_mm = mesh.vertices[line[k]].position_mm;
+    const Vec3f moved = rim_mm[k] - place_mm;
+    const float length = moved.norm();
+    place_mm += length > most_mm ? Vec3f(moved * (most_mm / length)) : moved;
+  }
+}
+
+}  // namespace
+
+void trim_rims(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
+  open_by_disk(mesh, strip_mm, spacing_mm);
+  repair_manifold(mesh);
+  for (const std::vector<std::uint32_t>& line : boundary_lines(mesh))
+    smooth_rim(mesh, line, kMostRimMotion * spacing_mm);
+}
+
+}  // namespace flytri::meshing

@@ -1,0 +1,19 @@
+/// @file  Trims the rims of a mesh: combs, whiskers and thin bridges go, and what is left gets
+/// smooth
+///        rims.
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+
+namespace flytri::meshing {
+
+/// Drops strips of surface that are narrower than a width, then smooths the rims along the surface.
+/// Holes smaller across than the width do not count as rims, so that pinholes cost nothing around
+/// them.
+/// @param mesh        an oriented manifold, and stays one
+/// @param strip_mm    > 0
+/// @param spacing_mm  > 0, of the vertices: a rim moves by at most half of it
+/// @source  opening by a disk: Serra, "Image Analysis and Mathematical Morphology", 1982.
+void trim_rims(TriangleMesh& mesh, float strip_mm, float spacing_mm);
+
+}  // namespace flytri::meshing
