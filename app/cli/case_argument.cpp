@@ -40,6 +40,10 @@ void add_case_options(CLI::App& command, CaseArguments& arguments) {
       .add_option("--stage", arguments.stage,
                   "For a case: upper, lower or bite; needed if several were scanned")
       ->check(CLI::IsMember({"upper", "lower", "bite"}));
+  add_passphrase_option(command, arguments);
+}
+
+void add_passphrase_option(CLI::App& command, CaseArguments& arguments) {
   command.add_option("--passphrase-file", arguments.passphrase_file,
                      "For an encrypted case: file whose first line is the passphrase. Default: the "
                      "environment variable FLYTRI_PASSPHRASE");

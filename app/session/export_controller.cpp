@@ -42,7 +42,7 @@ void ExportController::export_scan(const ui::Export& command,
   state_.is_running = true;
   background_.run([this, command, shown = std::move(shown)] {
     auto done = std::make_shared<Result<ExportOutcome>>(export_files(*shown, command));
-    return [this, done] {
+    return [this, done, model = shown->result] {
       state_.is_running = false;
       if (!*done) {
         state_.failure = done->error().message;
@@ -51,6 +51,7 @@ void ExportController::export_scan(const ui::Export& command,
       state_.written = (*done)->written;
       state_.existing = (*done)->existing;
       if (state_.written.empty()) return;
+      exported_ = model;
       notices_.add(ui::Severity::kInformation, "Exported to " + state_.written.front().path);
     };
   });
@@ -84,6 +85,8 @@ ui::ExportState ExportController::state(const ui::AppView& view) {
     forget_outcome();
   }
   ui::ExportState state = state_;
+  const auto exported = exported_.lock();
+  state.has_model = exported != nullptr && view.scan != nullptr && view.scan->result == exported;
   if (view.scan != nullptr) state.estimated_bytes = estimated_bytes(*view.scan);
   return state;
 }

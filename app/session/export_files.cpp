@@ -77,21 +77,6 @@ Result<std::vector<std::string>> not_replaceable(const std::vector<fs::path>& fi
   return existing;
 }
 
-/// The folder as typed, where ~ at the beginning is the home folder.
-Result<fs::path> folder_of(const std::string& typed) {
-  if (typed.empty()) {
-    return fail(ErrorCode::kBadOption, "no folder is given; type one, such as ~/Documents");
-  }
-  if (typed.front() != '~') return fs::path(typed);
-  if (typed.size() > 1 && typed[1] != '/') {
-    return fail(ErrorCode::kBadOption,
-                "{}: only ~/ means a home folder, your own; type the whole path", typed);
-  }
-  return home_folder().map([&](const fs::path& home) {
-    return typed.size() > 2 ? home / fs::path(typed.substr(2)).relative_path() : home;
-  });
-}
-
 Result<void> check_name(const std::string& name) {
   const bool is_plain = std::none_of(name.begin(), name.end(), [](char c) {
     return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20U;
@@ -119,7 +104,7 @@ std::map<std::string_view, std::uint64_t> estimated_bytes(const scan::ScanSnapsh
 
 Result<fs::path> export_stem(const ui::ExportTarget& target) {
   if (auto checked = check_name(target.name); !checked) return tl::unexpected(checked.error());
-  return folder_of(target.folder).map([&](const fs::path& folder) { return folder / target.name; });
+  return typed_folder(target.folder).map([&](const fs::path& folder) { return folder / target.name; });
 }
 
 Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command) {

@@ -51,6 +51,10 @@ ui::Settings read_settings(const std::filesystem::path& file) {
   if (const auto full = json.find("is_full_screen"); full != json.end() && full->is_boolean()) {
     settings.is_full_screen = full->get<bool>();
   }
+  if (const auto folder = json.find("recording_folder");
+      folder != json.end() && folder->is_string()) {
+    settings.recording_folder = folder->get<std::string>();
+  }
   settings.window_width = size_at(json, "window_width", settings.window_width, 640);
   settings.window_height = size_at(json, "window_height", settings.window_height, 400);
   read_formats(json, settings.export_formats);
@@ -63,7 +67,8 @@ Result<void> write_settings(const std::filesystem::path& file, const ui::Setting
   const nlohmann::json json = {
       {"user_scale", settings.user_scale},         {"is_muted", settings.is_muted},
       {"is_full_screen", settings.is_full_screen}, {"window_width", settings.window_width},
-      {"window_height", settings.window_height},   {"export_formats", settings.export_formats}};
+      {"window_height", settings.window_height},   {"export_formats", settings.export_formats},
+      {"recording_folder", settings.recording_folder}};
   return io::write_file(file, json.dump(2) + "\n");
 }
 

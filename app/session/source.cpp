@@ -22,6 +22,9 @@ namespace {
 /// Time in which the simulated hand moves over the jaw: the pace of a calm hand.
 constexpr double kPathDuration_s = 60.0;
 
+/// A recording of raw frames leaves this much of the disk to the case: some 20 minutes of views.
+constexpr std::uintmax_t kLeftForScans_bytes = 2'000'000'000;
+
 /// The mean direction that a jaw faces: its teeth point there. +Z if the model is closed or its
 /// sides cancel each other.
 Vec3 teeth_direction(const TriangleMesh& mesh) {
@@ -72,7 +75,8 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   Result<std::shared_ptr<simulated::LiveSensor>> sensor =
       simulated::LiveSensor::create(*mesh, options, shared, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, warning};
+  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, nullptr,
+                warning};
 }
 
 Result<Source> open_recording_source(const SourceChoice& choice) {
@@ -87,7 +91,8 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
   auto sensor = recording::ReplaySensor::open(choice.path, options, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
   return Source{ui::SourceKind::kRecording, *sensor,      nullptr,
-                (*sensor)->calibration(),   std::nullopt, used->warning};
+                (*sensor)->calibration(),   std::nullopt, nullptr,
+                used->warning};
 }
 
 Result<Source> open_rig_source(const SourceChoice& choice) {
@@ -102,7 +107,7 @@ Result<Source> open_rig_source(const SourceChoice& choice) {
                 choice.path.string());
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),
-                RigSource{*sensor, *rig}, {}};
+                RigSource{*sensor, *rig}, nullptr, {}};
 }
 
 constexpr std::array kSources = {
@@ -117,21 +122,38 @@ Result<Source> open_chosen(const SourceChoice& choice, const Progress& progress)
   return open_virtual_sensor(choice, progress);
 }
 
+/// Lets the frames of any source but a recording be recorded.
+Result<Source> with_recorder(Source source) {
+  if (source.kind == ui::SourceKind::kRecording) return source;
+  recording::RecorderOptions options;
+  options.is_private = true;
+  options.least_free_bytes = kLeftForScans_bytes;
+  auto recorder = recording::RecorderSensor::create(source.sensor, options);
+  if (!recorder) return tl::unexpected(recorder.error());
+  source.sensor = source.recorder = *recorder;
+  return source;
+}
+
+Result<Source> with_faults(Source source, const SourceChoice& choice) {
+  if (!choice.fault_seed) return source;
+  simulated::FaultOptions faults;
+  faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;
+  faults.lost_share = 0.01;
+  faults.seed = *choice.fault_seed;
+  auto faulty = simulated::FaultySensor::create(source.sensor, faults, device::machine_clock());
+  if (!faulty) return tl::unexpected(faulty.error());
+  source.sensor = *faulty;
+  return source;
+}
+
 }  // namespace
 
 std::span<const SourceRow> source_table() { return kSources; }
 
 Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
-  auto source = open_chosen(choice, progress);
-  if (!source || !choice.fault_seed) return source;
-  simulated::FaultOptions faults;
-  faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;
-  faults.lost_share = 0.01;
-  faults.seed = *choice.fault_seed;
-  auto faulty = simulated::FaultySensor::create(source->sensor, faults, device::machine_clock());
-  if (!faulty) return tl::unexpected(faulty.error());
-  source->sensor = *faulty;
-  return source;
+  return open_chosen(choice, progress)
+      .and_then([&](Source&& source) { return with_faults(std::move(source), choice); })
+      .and_then([](Source&& source) { return with_recorder(std::move(source)); });
 }
 
 }  // namespace flytri::session

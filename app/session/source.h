@@ -14,6 +14,7 @@
 #include "core/calibration/record/calibration.h"
 #include "hw/device/sensor.h"
 #include "hw/device/steerable_hand.h"
+#include "hw/recording/recorder_sensor.h"
 #include "hw/rig/rig_sensor.h"
 #include "hw/rig/rig_settings.h"
 #include "ui/state/app_view.h"
@@ -49,6 +50,7 @@ struct Source {
   std::shared_ptr<device::SteerableHand> hand;  ///< of a simulated sensor; null otherwise
   std::shared_ptr<const calibration::Calibration> calibration;
   std::optional<RigSource> rig;
+  std::shared_ptr<recording::RecorderSensor> recorder;  ///< is the sensor; null of a recording
   std::string warning;  ///< for the user; empty: none
 };
 

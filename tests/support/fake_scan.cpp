@@ -32,6 +32,8 @@ AppView ordinary_view() {
   view.calibration->folder = "/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214";
   view.calibration->has_calibration = true;
   view.calibration->why_not_used = "the virtual sensor has its own";
+  view.recording.folder = "/home/clinic/.local/share/flytri/recordings";
+  view.recording.is_possible = true;
   view.exports.folder = "/home/clinic/exports";
   view.exports.name = "Rivera-2031-upper";
   return view;
@@ -177,6 +179,7 @@ struct FakeScan::Parts {
     AppView view = finished();
     ui::ExportState& exports = view.exports;
     exports.latest = {exports.folder, exports.name, {".glb", ".ply", ".stl"}};
+    exports.has_model = state == "exported";
     if (state == "export_exists") {
       for (const char* extension : {".glb", ".stl"}) {
         exports.existing.push_back(exports.folder + "/" + exports.name + extension);
@@ -224,6 +227,38 @@ struct FakeScan::Parts {
     AppView view = scanning();
     view.file.failure =
         "Rivera-2031.flytri: no space left; free some space or choose another folder";
+    return view;
+  }
+
+  [[nodiscard]] AppView damaged() const {
+    AppView view = paused();
+    view.file.is_read_only = true;
+    ui::DamagedCase& damaged = view.file.damaged.emplace();
+    damaged.copy_path = "/home/clinic/cases/Rivera-2031-rescued.flytri";
+    io::CaseSurvey& survey = damaged.survey.emplace();
+    survey.readable = {{{2389, 70, 1, true}, {812, 24, 0, false}, {}}};
+    for (int i = 0; i < 12; ++i) {
+      survey.lost.push_back("views: upper " + std::to_string(1204 + i) + ": cannot be read");
+    }
+    survey.lost.emplace_back("textures: upper 1230: wrong checksum");
+    return view;
+  }
+
+  /// The upper jaw was cleared; its scan is kept.
+  [[nodiscard]] AppView cleared() const {
+    AppView view = preview();
+    view.is_scanning = false;
+    view.has_kept_scan = true;
+    return view;
+  }
+
+  [[nodiscard]] AppView recording() const {
+    AppView view = scanning();
+    view.recording.is_on = true;
+    view.recording.path = view.recording.folder + "/2031-05-02-104211";
+    view.recording.frames = 2520;
+    view.recording.bytes = 1'204'000'000;
+    view.recording.free_bytes = 41'000'000'000;
     return view;
   }
 
@@ -310,7 +345,10 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
       [&] { return parts.calibrating(refused_set()); },
       [&] { return parts.calibrating(finished_calibration()); },
       [&] { return parts.calibrating(broken_check()); },
-      [&] { return parts.lost_where_it_is_smooth(); }};
+      [&] { return parts.lost_where_it_is_smooth(); },
+      [&] { return parts.damaged(); },
+      [&] { return parts.cleared(); },
+      [&] { return parts.recording(); }};
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {
     return parts.exported(state);
   }

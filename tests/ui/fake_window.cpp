@@ -30,6 +30,7 @@ struct FakeProgram {
   const flytri::testing::FakeScan& scans;
   AppView view;
   bool is_running = true;
+  std::uint64_t choices = 0;
 
   void show(const std::string& state) {
     const auto next = scans.view(state);
@@ -58,6 +59,10 @@ struct FakeProgram {
     if (const auto* wanted = std::get_if<flytri::ui::Export>(&command)) {
       show(wanted->replaced.empty() ? "export_exists" : "exported");
       view.exports.latest = wanted->target;
+    }
+    // The user of the fake desktop chooses this at once.
+    if (const auto* asked = std::get_if<flytri::ui::ChoosePath>(&command)) {
+      view.chooser.chosen = {++choices, asked->field, "/media/clinic/stick/chosen"};
     }
     if (std::holds_alternative<flytri::ui::Quit>(command)) is_running = false;
   }

@@ -31,6 +31,8 @@ enum class Action {
   kBrushLarger,
   kMeasure,
   kRemoveMeasurement,
+  kClearStage,
+  kBringBack,
   // Looking
   kShading,
   kTexture,
@@ -59,6 +61,7 @@ enum class Action {
   kHandFarther,
   kHandMode,
   kLiftSensor,
+  kRecord,
   // Calibrating
   kCalibration,
   kCalibrate,

@@ -10,8 +10,47 @@ namespace {
 
 constexpr double kBrushStep = 1.15;
 
+/// Both scans of the stage stay in the case, so nothing can be lost.
+bool can_bring_back(const Situation& now) {
+  return now.view.has_kept_scan && !now.view.file.is_read_only && !now.view.is_loading &&
+         now.may_leave();
+}
+
+/// What was cleared comes back by Undo until something new is there: then Undo is that of the new
+/// scan.
+bool undoes_clearing(const Situation& now) { return can_bring_back(now) && !now.has_surface(); }
+
 ActionState undo_state(const Situation& now) {
+  if (undoes_clearing(now)) return enabled("brings the scan back");
   return only_if(now.can_edit() && now.view.scan->can_undo, "nothing to undo");
+}
+
+void undo(const ActionRunner& run) {
+  if (undoes_clearing({run.view, run.state})) return run.send(BringBackStage{});
+  run.send(Undo{});
+}
+
+ActionState clear_state(const Situation& now) {
+  if (!now.has_surface()) return disabled("nothing scanned yet");
+  if (!now.may_leave()) return disabled("finishing");
+  if (now.view.is_loading) return disabled("opening the case");
+  if (now.view.file.is_read_only) return disabled("the case is read-only");
+  return only_if(!now.view.file.path.empty() && !has_unsaved(now.view), "not saved yet");
+}
+
+void ask_to_clear(const ActionRunner& run) {
+  if (run.view.is_scanning) run.send(PauseScan{});
+  put_tool_away(run.state);
+  run.ask(QuestionKind::kClearStage, ClearStage{run.view.stage});
+}
+
+ActionState bring_back_state(const Situation& now) {
+  return only_if(can_bring_back(now), "nothing was cleared");
+}
+
+void bring_back(const ActionRunner& run) {
+  run.state.dialog = Dialog::kNone;
+  run.send(BringBackStage{});
 }
 
 ActionState redo_state(const Situation& now) {
@@ -55,7 +94,7 @@ constexpr std::array kEditingActions = {
               .name = "Undo",
               .shortcut = {GLFW_KEY_Z, "Z"},
               .state = undo_state,
-              .perform = send<Undo>},
+              .perform = undo},
     ActionRow{.action = Action::kRedo,
               .id = "redo",
               .name = "Redo",
@@ -104,7 +143,20 @@ constexpr std::array kEditingActions = {
               .name = "Remove last distance",
               .shortcut = {GLFW_KEY_DELETE, "Delete"},
               .state = remove_measurement_state,
-              .perform = remove_last_measurement}};
+              .perform = remove_last_measurement},
+    ActionRow{.action = Action::kClearStage,
+              .id = "clear_stage",
+              .name = "Clear stage",
+              .shortcut = {GLFW_KEY_DELETE, "Ctrl Delete", GLFW_MOD_CONTROL},
+              .state = clear_state,
+              .perform = ask_to_clear},
+    ActionRow{.action = Action::kBringBack,
+              .id = "bring_back",
+              .name = "Bring cleared back",
+              .shortcut = {GLFW_KEY_B, "Ctrl B", GLFW_MOD_CONTROL},
+              .state = bring_back_state,
+              .perform = bring_back,
+              .works_in = in(Dialog::kQuestion)}};
 static_assert(lists_all_of(ActionGroup::kEditing, kEditingActions));
 
 }  // namespace

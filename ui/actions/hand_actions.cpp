@@ -64,6 +64,24 @@ void lift_or_return(const ActionRunner& run) {
   run.send(TakeSensorAway{!run.view.source.hand->is_taken_away});
 }
 
+ActionState record_state(const Situation& now) {
+  if (!now.view.recording.is_possible) return disabled("a recording is played");
+  return chosen(now.view.recording.is_on, "recording");
+}
+
+/// A folder that was typed is remembered.
+void record(const ActionRunner& run) {
+  const RecordingForm& form = run.state.recording_form;
+  const std::string folder = form.is_edited ? form.folder : run.view.recording.folder;
+  const bool is_on = !run.view.recording.is_on;
+  if (is_on && form.is_edited) {
+    Settings settings = run.view.settings;
+    settings.recording_folder = folder;
+    run.send(ChangeSettings{settings});
+  }
+  run.send(RecordFrames{is_on, folder});
+}
+
 constexpr std::array kHandActions = {
     ActionRow{.action = Action::kLeft,
               .id = "left",
@@ -136,7 +154,14 @@ constexpr std::array kHandActions = {
               .name = "Lift or return sensor",
               .shortcut = {GLFW_KEY_A, "A"},
               .state = lift_state,
-              .perform = lift_or_return}};
+              .perform = lift_or_return},
+    ActionRow{.action = Action::kRecord,
+              .id = "record",
+              .name = "Record raw images",
+              .shortcut = {GLFW_KEY_R, "Ctrl R", GLFW_MOD_CONTROL},
+              .state = record_state,
+              .perform = record,
+              .works_in = in(Dialog::kSettings)}};
 static_assert(lists_all_of(ActionGroup::kHand, kHandActions));
 
 }  // namespace

@@ -60,6 +60,8 @@ void change_scale(const ActionRunner& run, double step) {
 void toggle_cases(const ActionRunner& run) {
   if (run.state.dialog != Dialog::kCase && run.view.is_scanning) run.send(PauseScan{});
   run.toggle(Dialog::kCase);
+  // It opens where the damage is told.
+  if (run.view.file.damaged) run.state.case_form = CaseForm();
 }
 
 /// Why the main button of the calibration panel does nothing now; empty: it does something.
@@ -83,6 +85,10 @@ std::string why_not_confirmed(const CalibrationState& calibration) {
   return "please wait";
 }
 
+bool can_be_rescued(const CaseState& file) {
+  return file.damaged && file.damaged->survey && !file.damaged->is_copying;
+}
+
 bool can_confirm(const Situation& now) {
   const ExportForm& form = now.state.export_form;
   const CaseForm& case_form = now.state.case_form;
@@ -93,6 +99,7 @@ bool can_confirm(const Situation& now) {
     case Dialog::kCase:
       if (!problem_of(case_form).empty()) return false;
       if (case_form.tab == CaseTab::kFields) return !now.view.file.is_read_only;
+      if (case_form.tab == CaseTab::kDamage && !can_be_rescued(now.view.file)) return false;
       return now.may_leave() && !now.view.file.is_moving && !now.view.file.is_opening;
     case Dialog::kNone:
       return false;
@@ -100,6 +107,7 @@ bool can_confirm(const Situation& now) {
     case Dialog::kSettings:
     case Dialog::kDevices:
     case Dialog::kCalibration:
+    case Dialog::kQuestion:
       break;
   }
   return true;
@@ -128,6 +136,8 @@ Command requested_case(const CaseForm& form) {
   switch (form.tab) {
     case CaseTab::kFields:
       return SetCaseFields{form.fields};
+    case CaseTab::kDamage:
+      return SaveRescueCopy{form.path};
     case CaseTab::kNew:
       return NewCase{form.path, form.passphrase, form.fields};
     case CaseTab::kOpen:
@@ -141,9 +151,24 @@ void confirm_calibration(const ActionRunner& run) {
   run.send(is_done ? Command(UseCalibration{}) : Command(TakeCalibrationImages{}));
 }
 
+/// A named case is left for another one; the scan of an unnamed one goes on in the new one.
+bool leaves_case(const AppView& view, const CaseForm& form) {
+  if (form.discards) return false;
+  return form.tab == CaseTab::kOpen || (form.tab == CaseTab::kNew && !view.file.is_unnamed);
+}
+
+void quit(const ActionRunner& run) {
+  if (has_unsaved(run.view)) return run.ask(QuestionKind::kLeaveUnsaved, Quit{});
+  run.send(Quit{});
+}
+
 void confirm_case(const ActionRunner& run) {
   CaseForm& form = run.state.case_form;
-  run.send(requested_case(form));
+  if (has_unsaved(run.view) && leaves_case(run.view, form)) {
+    run.ask(QuestionKind::kLeaveUnsaved, requested_case(form));
+  } else {
+    run.send(requested_case(form));
+  }
   form.passphrase.clear();
   form.passphrase_again.clear();
   if (form.discards) {
@@ -157,6 +182,15 @@ void confirm_case(const ActionRunner& run) {
   if (form.tab == CaseTab::kFields) run.state.dialog = Dialog::kNone;
 }
 
+/// Of a case that is to be opened after all, its dialog says what becomes of it.
+void confirm_question(const ActionRunner& run) {
+  const Command& command = run.state.question.command;
+  const bool is_case =
+      std::holds_alternative<OpenCase>(command) || std::holds_alternative<NewCase>(command);
+  run.send(command);
+  run.state.dialog = is_case ? Dialog::kCase : Dialog::kNone;
+}
+
 void confirm(const ActionRunner& run) {
   switch (run.state.dialog) {
     case Dialog::kCalibration:
@@ -166,6 +200,8 @@ void confirm(const ActionRunner& run) {
       return run.send(requested_export(run.view, run.state.export_form));
     case Dialog::kCase:
       return confirm_case(run);
+    case Dialog::kQuestion:
+      return confirm_question(run);
     case Dialog::kNone:
     case Dialog::kHelp:
     case Dialog::kSettings:
@@ -321,7 +357,7 @@ constexpr std::array kProgramActions = {
               .id = "quit",
               .name = "Quit",
               .shortcut = {GLFW_KEY_Q, "Ctrl Q", GLFW_MOD_CONTROL},
-              .perform = send<Quit>,
+              .perform = quit,
               .works_in = kEachDialog}};
 static_assert(lists_all_of(ActionGroup::kProgram, kProgramActions));
 

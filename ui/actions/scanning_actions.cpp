@@ -21,7 +21,10 @@ ActionState scan_state(const Situation& now) {
 void scan_or_pause(const ActionRunner& run) {
   const bool is_finished =
       run.view.scan != nullptr && run.view.scan->phase == scan::ScanPhase::kFinished;
-  if (is_finished) return run.send(ResumeScan{});
+  if (is_finished) {
+    if (would_lose_model(run.view)) return run.ask(QuestionKind::kDropModel, ResumeScan{});
+    return run.send(ResumeScan{});
+  }
   if (run.view.is_scanning) return run.send(PauseScan{});
   run.send(StartScan{});
 }

@@ -67,7 +67,8 @@ void draw_choices(const PanelContext& context) {
   text_field(context, fields.take_right(context.px(200.0F), context.px(kGapM)),
              {"sphere_diameter", "Sphere diameter, mm"}, form.sphere_diameter_mm);
   form.is_edited |=
-      text_field(context, fields, {"calibration_folder", "Folder for calibrations"}, form.folder);
+      path_field(context, fields, {"calibration_folder", "Folder for calibrations"},
+                 PathField::kCalibrationFolder, form.folder);
   draw_wrapped(dialog.rest, {context.theme.fonts.small, kTextQuiet},
                "A calibration that was started in this folder continues where it stopped. Scanning "
                "pauses meanwhile.");

@@ -7,12 +7,13 @@
 
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
+#include "ui/state/damage_words.h"
 #include "ui/theme/icons.h"
 
 namespace flytri::ui {
 namespace {
 
-constexpr float kTab = 48.0F;
+constexpr float kTab = 48.0F, kMessage = 40.0F;
 constexpr std::size_t kMostKnown = 5;
 
 struct TabLook {
@@ -20,15 +21,20 @@ struct TabLook {
   const char* id;
   const char* label;
 };
-constexpr std::array<TabLook, 3> kTabs = {{{CaseTab::kFields, "tab_fields", "This case"},
-                                           {CaseTab::kNew, "tab_new", "New"},
-                                           {CaseTab::kOpen, "tab_open", "Open"}}};
+constexpr std::array<TabLook, 2> kOtherTabs = {
+    {{CaseTab::kNew, "tab_new", "New"}, {CaseTab::kOpen, "tab_open", "Open"}}};
+
+/// The tab of the open case.
+TabLook first_tab(const CaseState& file) {
+  return {file.damaged ? CaseTab::kDamage : CaseTab::kFields, "tab_fields", "This case"};
+}
 
 /// Fills the form of a tab that was just chosen.
 void begin_tab(const AppView& view, CaseForm& form, CaseTab tab) {
   form = CaseForm();
   form.tab = tab;
   if (tab == CaseTab::kFields) form.fields = view.file.fields;
+  if (tab == CaseTab::kDamage) form.path = view.file.damaged->copy_path;
   if (tab == CaseTab::kOpen && !view.file.known.empty()) form.path = view.file.known.front().path;
 }
 
@@ -40,19 +46,35 @@ bool take_focus(CaseForm& form) {
 
 bool has_name(const CaseState& file) { return !file.path.empty() && !file.is_unnamed; }
 
+void draw_tab(const PanelContext& context, const Rect& box, CaseForm& form, const TabLook& tab) {
+  ButtonLook look;
+  look.id = tab.id;
+  look.label = tab.label;
+  look.is_on = form.tab == tab.tab;
+  look.is_enabled = tab.tab != CaseTab::kFields || has_name(context.view.file);
+  context.places.set(tab.id, box);
+  if (small_button(context.theme, box, look)) begin_tab(context.view, form, tab.tab);
+}
+
 void draw_tabs(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   Rect row = dialog.rest.take_top(context.px(kTab), context.px(kGapM));
   const float width = (row.width - 2.0F * context.px(kGapXs)) / 3.0F;
-  for (const TabLook& tab : kTabs) {
-    ButtonLook look;
-    look.id = tab.id;
-    look.label = tab.label;
-    look.is_on = form.tab == tab.tab;
-    look.is_enabled = tab.tab != CaseTab::kFields || has_name(context.view.file);
-    const Rect box = row.take_left(width, context.px(kGapXs));
-    context.places.set(tab.id, box);
-    if (small_button(context.theme, box, look)) begin_tab(context.view, form, tab.tab);
+  draw_tab(context, row.take_left(width, context.px(kGapXs)), form, first_tab(context.view.file));
+  for (const TabLook& tab : kOtherTabs) {
+    draw_tab(context, row.take_left(width, context.px(kGapXs)), form, tab);
   }
+}
+
+/// The open case may lose its name or be found damaged while the dialog is open.
+void follow_case(const AppView& view, CaseForm& form) {
+  const bool is_own = form.tab == CaseTab::kFields || form.tab == CaseTab::kDamage;
+  const CaseTab own = first_tab(view.file).tab;
+  const bool has_opened = form.is_asked && view.file.path == form.path;
+  if (own == CaseTab::kDamage && form.tab != own && (is_own || has_opened || !form.has_focus)) {
+    return begin_tab(view, form, own);
+  }
+  if (form.tab == CaseTab::kDamage && own != form.tab) begin_tab(view, form, own);
+  if (form.tab == CaseTab::kFields && !has_name(view.file)) form.tab = CaseTab::kNew;
 }
 
 /// Two fields side by side. @return  true when the right one was changed
@@ -78,8 +100,8 @@ void draw_fields(const PanelContext& context, DialogPlate& dialog, CaseForm& for
 void draw_new(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   draw_fields(context, dialog, form);
   if (!form.is_path_edited) form.path = proposed_path(context.view.file, form);
-  form.is_path_edited |= text_field(context, dialog.rest.take_top(context.px(kFieldRow)),
-                                    {"case_path", "File"}, form.path);
+  form.is_path_edited |= path_field(context, dialog.rest.take_top(context.px(kFieldRow)),
+                                    {"case_path", "File"}, PathField::kNewCase, form.path);
   field_pair(context, dialog, {"passphrase", "Passphrase (empty: not encrypted)", true},
              form.passphrase, {"passphrase_again", "The same passphrase again", true},
              form.passphrase_again);
@@ -131,6 +153,39 @@ void draw_list(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
             {context.theme.fonts.small, kTextQuiet, Align::kLeft}, more);
 }
 
+/// Text from the top of the box, which becomes what is below.
+void draw_paragraph(const PanelContext& context, Rect& box, const TextStyle& style,
+                    const std::string& text) {
+  const float height = wrapped_height(style.font, box.width, text);
+  draw_wrapped(box.take_top(height, context.px(kGapM)), style, text);
+}
+
+/// What can be read, and what cannot: as much as there is room for.
+void draw_survey(const PanelContext& context, Rect box, const io::CaseSurvey& survey) {
+  const Fonts& fonts = context.theme.fonts;
+  draw_paragraph(context, box, {fonts.body, kText},
+                 readable_text(survey) + " A copy with all of that can be scanned on.");
+  const float line = wrapped_height(fonts.small, box.width, "X");
+  const auto room = static_cast<std::size_t>(std::max(box.height / line, 1.0F));
+  draw_wrapped(box, {fonts.small, kTextQuiet}, lost_text(survey.lost, room));
+}
+
+void draw_damage(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
+  const Fonts& fonts = context.theme.fonts;
+  confirm_row(context, dialog, icon::kSaved, "Save a rescue copy");
+  draw_paragraph(context, dialog.rest, {fonts.strong, kBad},
+                 "This case is damaged. Its file stays as it is, and nothing is saved in it.");
+  TextFieldLook path = {"case_path", "Rescue copy: a new file"};
+  path.takes_focus = take_focus(form);
+  path_field(context, dialog.rest.take_top(context.px(kFieldRow), context.px(kGapS)), path,
+             PathField::kNewCase, form.path);
+  Rect box = dialog.rest;
+  box.take_bottom(context.px(kMessage));
+  const auto& survey = context.view.file.damaged->survey;
+  if (survey) return draw_survey(context, box, *survey);
+  draw_wrapped(box, {fonts.body, kTextQuiet}, "Looking at what can be read\u2026");
+}
+
 bool is_unnamed(const CaseState& file, const std::string& path) {
   return std::any_of(file.known.begin(), file.known.end(), [&](const KnownCase& known) {
     return known.is_unnamed && known.path == path;
@@ -159,8 +214,11 @@ void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
     form.discards = false;
   }
   draw_list(context, dialog, form);
-  field_pair(context, dialog, {"case_path", "File"}, form.path,
-             {"passphrase", "Passphrase, if encrypted", true}, form.passphrase);
+  const float gap = context.px(kGapM);
+  Rect row = dialog.rest.take_top(context.px(kFieldRow));
+  path_field(context, row.take_left((row.width - gap) / 2.0F, gap), {"case_path", "File"},
+             PathField::kCase, form.path);
+  text_field(context, row, {"passphrase", "Passphrase, if encrypted", true}, form.passphrase);
   draw_discard(context, dialog, form);
   confirm_row(context, dialog, form.discards ? icon::kWarning : icon::kCase,
               form.discards ? "Delete for good" : "Open");
@@ -171,6 +229,7 @@ std::string message_of(const AppView& view, const CaseForm& form) {
   if (form.discards) return "Delete this scan? It cannot be brought back.";
   if (view.file.is_moving) return "The scan is being saved in its case.";
   if (view.file.is_opening) return "The case is being opened.";
+  if (view.file.damaged && view.file.damaged->is_copying) return "The rescue copy is being saved.";
   const std::string problem = problem_of(form);
   return problem.empty() ? view.file.message : problem;
 }
@@ -180,7 +239,7 @@ void draw_message(const PanelContext& context, const DialogPlate& dialog, const 
   const std::string message = message_of(context.view, form);
   if (message.empty()) return;
   Rect row = dialog.rest;
-  row = row.take_bottom(context.px(40.0F));
+  row = row.take_bottom(context.px(kMessage));
   draw_wrapped(row, {context.theme.fonts.small, kCaution, Align::kLeft}, message);
 }
 
@@ -189,18 +248,22 @@ void draw_message(const PanelContext& context, const DialogPlate& dialog, const 
 void draw_case_dialog(const PanelContext& context) {
   CaseForm& form = context.state.case_form;
   const CaseState& file = context.view.file;
-  if (form.is_asked && file.message.empty() && file.path == form.path && !file.is_moving) {
+  const bool is_done = form.is_asked && file.message.empty() && file.path == form.path;
+  if (is_done && !file.is_moving && !file.damaged) {
     form = CaseForm();
     context.state.dialog = Dialog::kNone;
     return;
   }
   DialogPlate dialog(context, "Cases", {640.0F, 640.0F});
-  if (!has_name(file) && form.tab == CaseTab::kFields) form.tab = CaseTab::kNew;
+  follow_case(context.view, form);
   draw_tabs(context, dialog, form);
   switch (form.tab) {
     case CaseTab::kFields:
       draw_fields(context, dialog, form);
       confirm_row(context, dialog, icon::kFinish, "Save");
+      break;
+    case CaseTab::kDamage:
+      draw_damage(context, dialog, form);
       break;
     case CaseTab::kNew:
       draw_new(context, dialog, form);

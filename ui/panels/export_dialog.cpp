@@ -105,7 +105,8 @@ void draw_place(const PanelContext& context, DialogPlate& dialog, ExportForm& fo
   const float gap = context.px(kGapM);
   const float half = (row.width - gap) / 2.0F;
   form.is_folder_edited |=
-      text_field(context, row.take_left(half, gap), {"export_folder", "Folder"}, form.folder);
+      path_field(context, row.take_left(half, gap), {"export_folder", "Folder"},
+                 PathField::kExportFolder, form.folder);
   text_field(context, row, {"export_name", "Name"}, form.name);
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
+#include "ui/panels/recording_text.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/meter.h"
 
@@ -49,15 +50,32 @@ void draw_calibration(const PanelContext& context, Rect row) {
   draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Sensor calibration");
 }
 
+void draw_recording(const PanelContext& context, DialogPlate& dialog) {
+  RecordingForm& form = context.state.recording_form;
+  const RecordingState& recording = context.view.recording;
+  Rect row = dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS));
+  small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
+               Action::kRecord, {nullptr, recording.is_on ? "On" : "Off"});
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, "Record raw images");
+  if (!form.is_edited) form.folder = recording.folder;
+  form.is_edited |= path_field(context, dialog.rest.take_top(context.px(kFieldRow)),
+                               {"recording_folder", "Folder for recordings"},
+                               PathField::kRecordingFolder, form.folder);
+  const Color ink = recording.failure.empty() ? kTextQuiet : kCaution;
+  draw_wrapped(dialog.rest, {context.theme.fonts.small, ink}, recording_text(recording));
+}
+
 }  // namespace
 
 void draw_settings_dialog(const PanelContext& context) {
-  DialogPlate dialog(context, "Settings", {560.0F, 320.0F + kSettingsRow + kGapS});
+  DialogPlate dialog(context, "Settings",
+                     {560.0F, 320.0F + 2.0F * (kSettingsRow + kGapS) + kFieldRow + 56.0F});
   draw_size(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_full_screen(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_devices(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_calibration(context, dialog.rest.take_top(context.px(kSettingsRow)));
+  draw_calibration(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
+  draw_recording(context, dialog);
 }
 
 }  // namespace flytri::ui

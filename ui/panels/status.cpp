@@ -44,6 +44,10 @@ Status status_of(const AppView& view) {
   if (view.scan != nullptr && view.scan->phase == scan::ScanPhase::kFinishing) {
     return {kCaution, icon::kResume, "Processing", "Keep the sensor ready"};
   }
+  if (view.file.damaged) {
+    return {kBad, icon::kWarning, "Case damaged", "Press D to see what is left, and to save it"};
+  }
+  if (!view.load_failure.empty()) return {kBad, icon::kWarning, "Not opened", view.load_failure};
   if (view.source.is_lost) return {kBad, icon::kWarning, "No sensor", sensor_problem(view)};
   const bool is_lost = view.is_scanning && view.scan != nullptr && !view.source.has_ended &&
                        view.scan->phase == scan::ScanPhase::kContinuation;

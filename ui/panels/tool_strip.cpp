@@ -11,7 +11,7 @@ namespace flytri::ui {
 namespace {
 
 constexpr float kHeight = 60.0F;
-constexpr float kToolButton = 44.0F;
+constexpr float kToolButton = 44.0F, kClear = 92.0F;
 
 const char* instruction(const WindowState& state) {
   switch (state.tool) {
@@ -54,8 +54,9 @@ float strip_width(const PanelContext& context, const char* text) {
                           ? context.px(2.0F * kToolButton + 76.0F + 2.0F * kGapXs + kGapM)
                           : 0.0F;
   // Rounding must not send the last word to a line of its own.
+  const float clear = context.state.tool == Tool::kTrim ? context.px(kClear + kGapM) : 0.0F;
   const float line = std::ceil(text_width(context.theme.fonts.body, text)) + context.px(kGapXs);
-  return line + brush + context.px(96.0F) + 3.0F * context.px(kGapM);
+  return line + brush + clear + context.px(96.0F) + 3.0F * context.px(kGapM);
 }
 
 }  // namespace
@@ -77,6 +78,10 @@ void draw_tool_strip(const PanelContext& context) {
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
   small_action(context, row.take_right(context.px(96.0F), context.px(kGapM)), Action::kCancel,
                {nullptr, "Done"});
+  if (context.state.tool == Tool::kTrim) {
+    small_action(context, row.take_right(context.px(kClear), context.px(kGapM)),
+                 Action::kClearStage, {nullptr, "Clear all", false, kNeutral, false});
+  }
   if (has_brush(context.state.tool)) draw_brush_size(context, row);
   draw_instruction(context, row, text);
 }

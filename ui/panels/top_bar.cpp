@@ -19,6 +19,7 @@ std::string case_title(const CaseState& file) {
 }
 
 std::string case_subtitle(const CaseState& file) {
+  if (file.damaged) return "DAMAGED";
   if (!file.failure.empty()) return "NOT SAVED";
   if (file.is_read_only) return "Read-only";
   if (file.is_moving) return "Saving\u2026";
@@ -47,7 +48,8 @@ void draw_case(const PanelContext& context, const Rect& box) {
   draw_text(inner.take_top(half), {theme.fonts.strong, kText, Align::kLeft},
             case_title(context.view.file));
   const CaseState& file = context.view.file;
-  draw_text(inner, {theme.fonts.small, file.failure.empty() ? kTextQuiet : kBad, Align::kLeft},
+  const bool is_well = file.failure.empty() && !file.damaged;
+  draw_text(inner, {theme.fonts.small, is_well ? kTextQuiet : kBad, Align::kLeft},
             case_subtitle(file));
 }
 

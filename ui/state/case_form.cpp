@@ -59,11 +59,13 @@ bool is_date(const std::string& text) {
 }
 
 std::string problem_of(const CaseForm& form) {
-  if (form.tab != CaseTab::kOpen && !form.fields.birth_date.empty() &&
+  const bool has_fields = form.tab == CaseTab::kFields || form.tab == CaseTab::kNew;
+  if (has_fields && !form.fields.birth_date.empty() &&
       !is_date(form.fields.birth_date)) {
     return "Write the date of birth as year-month-day: 1984-03-12";
   }
   if (form.tab == CaseTab::kFields) return {};
+  if (form.tab == CaseTab::kDamage) return form.path.empty() ? "Name the file" : "";
   if (form.path.empty()) return form.tab == CaseTab::kNew ? "Name the file" : "Choose a case";
   if (form.tab == CaseTab::kNew && form.passphrase != form.passphrase_again) {
     return "The two passphrases differ";

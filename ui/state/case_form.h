@@ -8,10 +8,11 @@
 
 namespace flytri::ui {
 
-enum class CaseTab { kFields, kNew, kOpen };
+/// kDamage takes the place of kFields for a damaged case.
+enum class CaseTab { kFields, kDamage, kNew, kOpen };
 
 struct CaseForm {
-  CaseTab tab = CaseTab::kNew;  ///< kFields only while a case has a name
+  CaseTab tab = CaseTab::kNew;  ///< the first two only while the open case has them
   io::CaseFields fields;
   std::string path;
   std::string passphrase;

@@ -40,6 +40,12 @@ JawKind jaw_of(io::ScanStage stage) {
   return stage == io::ScanStage::kUpper ? JawKind::kUpper : JawKind::kLower;
 }
 
+const char* stage_name(io::ScanStage stage) {
+  constexpr std::array<const char*, io::kScanStages.size()> kNames = {"upper jaw", "lower jaw",
+                                                                      "bite"};
+  return kNames[static_cast<std::size_t>(stage)];
+}
+
 const char* lingual_name(JawKind jaw) { return jaw == JawKind::kUpper ? "Palatal" : "Lingual"; }
 
 std::string hole_text(const meshing::BoundaryLoop& hole, const JawAxes* jaw_axes, JawKind jaw) {

@@ -12,6 +12,9 @@ namespace flytri::ui {
 /// The bite is scanned from the side, and shown as a lower jaw.
 [[nodiscard]] JawKind jaw_of(io::ScanStage stage);
 
+/// "upper jaw", "lower jaw" or "bite".
+[[nodiscard]] const char* stage_name(io::ScanStage stage);
+
 /// "Lingual", or "Palatal" of an upper jaw.
 [[nodiscard]] const char* lingual_name(JawKind jaw);
 

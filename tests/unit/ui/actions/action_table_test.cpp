@@ -75,6 +75,7 @@ TEST(ActionTable, ScanKeyStartsPausesAndResumes) {
   view.is_scanning = true;
   EXPECT_EQ(names_after(Action::kScan, view, state), Names{"PauseScan"});
   view.scan = scan_in(scan::ScanPhase::kFinished);
+  // Without a result there is nothing to lose.
   EXPECT_EQ(names_after(Action::kScan, view, state), Names{"ResumeScan"});
   view.scan = scan_in(scan::ScanPhase::kFinishing);
   EXPECT_EQ(names_after(Action::kScan, view, state), Names{});
