@@ -1,4 +1,5 @@
 /// @file  flytri app: opens the window.
+#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -56,6 +57,7 @@ Result<void> run(const AppArguments& arguments, const Progress& progress) {
   if (!window) return tl::unexpected(window.error());
   session::SessionOptions options;
   options.source = arguments.source;
+  options.language = ui::desktop_language([](const char* name) { return std::getenv(name); });
   session::Session session(options);
   if (arguments.scans_at_once) session.carry_out(ui::StartScan{});
   ui::SoundPlayer sounds;

@@ -50,15 +50,15 @@ CaseController::CaseController(std::filesystem::path unnamed_folder, const Sourc
 
 bool CaseController::refuses_while_finishing() {
   if (stages_.may_leave()) return false;
-  state_.message = "The scan is finishing. Wait until it is done, or cancel it (Escape).";
+  const ui::Texts& texts = notices_.texts();
+  state_.message = texts.fill<ui::Text::kWaitForFinishing>(texts[ui::Text::kKeyEscape]);
   return true;
 }
 
 void CaseController::create(const ui::NewCase& command) {
   if (refuses_while_finishing()) return;
   if (source_.calibration() == nullptr) {
-    state_.message =
-        "A case contains the calibration of its sensor. Wait until the sensor is ready.";
+    state_.message = notices_.texts()[ui::Text::kWaitForSensor];
     return;
   }
   if (is_unnamed()) return name_unnamed(command);
@@ -163,7 +163,7 @@ void CaseController::accept_opened(const std::string& passphrase) {
   state_.fields = store()->fields().value_or(io::CaseFields{});
   for (const std::string& line : store()->damage()) notices_.add(ui::Severity::kWarning, line);
   if (store()->is_read_only()) {
-    state_.message = "The case is open read-only. New scans are not saved in it.";
+    state_.message = notices_.texts()[ui::Text::kOpenReadOnly];
   }
   list_cases();
 }
@@ -173,10 +173,7 @@ void CaseController::warn_of_other_calibration() {
   const auto kept = store()->calibration();
   if (!kept || !*kept || io::to_json(**kept) == io::to_json(*source_.calibration())) return;
   notices_.add(ui::Severity::kWarning,
-               "This case was scanned with another calibration. New scans are measured with the "
-               "sensor's present calibration. For the texture of the earlier scans, use: flytri "
-               "reconstruct " +
-                   store()->path());
+               notices_.texts().fill<ui::Text::kOtherCalibration>(store()->path()));
 }
 
 void CaseController::set_fields(const ui::SetCaseFields& command) {
@@ -201,10 +198,11 @@ void CaseController::report_failure() {
   const std::string failure = store()->failure();
   if (failure == reported_failure_) return;
   reported_failure_ = failure;
+  const ui::Texts& texts = notices_.texts();
   if (failure.empty()) {
-    notices_.add(ui::Severity::kInformation, "Everything is saved again: " + store()->path());
+    notices_.add(ui::Severity::kInformation, texts.fill<ui::Text::kSavedAgain>(store()->path()));
   } else {
-    notices_.add(ui::Severity::kError, "Not saved: " + failure);
+    notices_.add(ui::Severity::kError, texts.fill<ui::Text::kNotSavedBecause>(failure));
   }
 }
 

@@ -18,10 +18,10 @@ namespace {
 std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& file,
                                                                 io::ScanStage stage,
                                                                 const io::StoredStage& stored,
-                                                                std::vector<std::string>& damage) {
+                                                                std::vector<std::string>& damage,
+                                                                const ui::Texts& texts) {
   const auto lost = [&](const Error& error) {
-    damage.push_back(
-        fmt::format("the finished model cannot be read ({}): finish again", error.message));
+    damage.push_back(texts.fill<ui::Text::kModelUnreadable>(error.message));
     return nullptr;
   };
   const auto counts = file.counts(stage);
@@ -125,7 +125,7 @@ std::shared_ptr<scan::ScanJournal> CaseStore::journal(io::ScanStage stage) {
   return std::make_shared<Journal>(shared_from_this(), stage);
 }
 
-Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
+Result<OpenedStage> CaseStore::load(io::ScanStage stage, const ui::Texts& texts) {
   const std::lock_guard lock(mutex_);
   Result<io::StoredStage> stored = file_.load_stage(stage);
   if (!stored) return tl::unexpected(stored.error());
@@ -144,7 +144,7 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
     opened.last_time_s = std::max(opened.last_time_s, edit->made_at_s);
   }
   opened.damage = std::move(stored->damage);
-  opened.scan.result = current_result(file_, stage, *stored, opened.damage);
+  opened.scan.result = current_result(file_, stage, *stored, opened.damage, texts);
   opened.scan.texture_frames = std::move(stored->texture_frames);
   opened.scan.edits = std::move(stored->edits);
   opened.measurements = std::move(stored->measurements);

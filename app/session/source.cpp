@@ -1,7 +1,5 @@
 #include "app/session/source.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 
@@ -41,7 +39,8 @@ Vec3 teeth_direction(const TriangleMesh& mesh) {
   return sum.normalized();
 }
 
-Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
+Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress,
+                                   const ui::Texts& texts) {
   if (choice.calibration) {
     return fail(
         ErrorCode::kBadOption,
@@ -58,10 +57,8 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
     const Vec3 up = options.path.up = teeth_direction(*mesh);
     if (std::abs(up.dot(options.path.front)) > kUpright) options.path.front = Vec3::UnitZ();
     if (up.z() < kUpright) {
-      warning = fmt::format(
-          "{}: its teeth point along {:.1f} {:.1f} {:.1f}, so the simulated hand "
-          "scans it from there",
-          choice.object.mesh->string(), up.x(), up.y(), up.z());
+      warning = texts.fill<ui::Text::kTeethPointAlong>(choice.object.mesh->string(), up.x(), up.y(),
+                                                       up.z());
     }
   }
   // Each version of the program makes its own.
@@ -75,7 +72,7 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, warning};
 }
 
-Result<Source> open_recording_source(const SourceChoice& choice) {
+Result<Source> open_recording_source(const SourceChoice& choice, const ui::Texts& /*texts*/) {
   const auto recording = io::open_recording(choice.path);
   if (!recording) return tl::unexpected(recording.error());
   auto used = io::calibration_of(*recording, choice.calibration.value_or(std::filesystem::path()));
@@ -90,16 +87,14 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
                 (*sensor)->calibration(),   std::nullopt, used->warning};
 }
 
-Result<Source> open_rig_source(const SourceChoice& choice) {
+Result<Source> open_rig_source(const SourceChoice& choice, const ui::Texts& texts) {
   const Result<rig::RigSettings> rig = chosen_rig(choice);
   if (!rig) return tl::unexpected(rig.error());
   auto sensor = rig::open_rig(*rig);
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
-    return fail(ErrorCode::kBadOption,
-                "{}: names no \"calibration\"; calibrate here (C) or with flytri calibrate --live, "
-                "and name the file in rig.json or with --calibration FILE",
-                choice.path.string());
+    return fail(ErrorCode::kBadOption, "{}",
+                texts.fill<ui::Text::kRigWithoutCalibration>(choice.path.string(), "C"));
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),
                 RigSource{*sensor, *rig}, {}};
@@ -110,19 +105,21 @@ constexpr std::array kSources = {
               open_recording_source},
     SourceRow{kRigSource, "Scan with the devices that this rig.json describes", open_rig_source}};
 
-Result<Source> open_chosen(const SourceChoice& choice, const Progress& progress) {
+Result<Source> open_chosen(const SourceChoice& choice, const Progress& progress,
+                           const ui::Texts& texts) {
   for (const SourceRow& row : kSources) {
-    if (row.name == choice.name) return row.open(choice);
+    if (row.name == choice.name) return row.open(choice, texts);
   }
-  return open_virtual_sensor(choice, progress);
+  return open_virtual_sensor(choice, progress, texts);
 }
 
 }  // namespace
 
 std::span<const SourceRow> source_table() { return kSources; }
 
-Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
-  auto source = open_chosen(choice, progress);
+Result<Source> open_source(const SourceChoice& choice, const Progress& progress,
+                           const ui::Texts& texts) {
+  auto source = open_chosen(choice, progress, texts);
   if (!source || !choice.fault_seed) return source;
   simulated::FaultOptions faults;
   faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;

@@ -15,8 +15,9 @@ SourceController::SourceController(SourceChoice choice, BackgroundWork& backgrou
       opened_(std::move(opened)) {}
 
 void SourceController::open() {
-  background_.run([this] {
-    auto opened = std::make_shared<Result<Source>>(open_source(choice_, background_.progress()));
+  background_.run([this, texts = notices_.texts()] {
+    auto opened =
+        std::make_shared<Result<Source>>(open_source(choice_, background_.progress(), texts));
     return [this, opened] {
       if (!*opened) {
         failure_ = opened->error().message;
@@ -152,7 +153,7 @@ ui::SourceState SourceController::state() const {
   }
   state.name = source_.sensor->name();
   if (capture_ == nullptr) {
-    state.message = "The sensor is being calibrated";
+    state.message = notices_.texts()[ui::Text::kSensorIsBeingCalibrated];
     return state;
   }
   const device::SensorStatus status = capture_->status();
@@ -174,7 +175,8 @@ std::optional<ui::DevicesState> SourceController::devices_state() const {
   const ui::SourceState source = state();
   ui::DevicesState devices = checked_;
   if (source_.rig)
-    devices.devices = device_states(source_.rig->settings, source_.rig->sensor->rig_status());
+    devices.devices =
+        device_states(source_.rig->settings, source_.rig->sensor->rig_status(), notices_.texts());
   // A source that runs has no problems of an earlier check.
   if (source.is_running) devices.problems.clear();
   devices.is_checked = devices.is_checked || source.is_running;

@@ -102,8 +102,8 @@ void StageController::show() {
   source_.router().set_scan(nullptr);
   if (store_ == nullptr) return use(stage_, {});
   is_loading_[stage_] = true;
-  background_.run([this, stage = stage_, store = store_] {
-    auto opened = std::make_shared<Result<OpenedStage>>(store->load(io::kScanStages[stage]));
+  background_.run([this, stage = stage_, store = store_, texts = notices_.texts()] {
+    auto opened = std::make_shared<Result<OpenedStage>>(store->load(io::kScanStages[stage], texts));
     return [this, stage, store, opened] {
       // Otherwise forget() was called meanwhile.
       if (store != store_ || !std::exchange(is_loading_[stage], false)) return;

@@ -18,11 +18,11 @@ constexpr std::size_t kMostKnown = 5;
 struct TabLook {
   CaseTab tab;
   const char* id;
-  const char* label;
+  Text label;
 };
-constexpr std::array<TabLook, 3> kTabs = {{{CaseTab::kFields, "tab_fields", "This case"},
-                                           {CaseTab::kNew, "tab_new", "New"},
-                                           {CaseTab::kOpen, "tab_open", "Open"}}};
+constexpr std::array<TabLook, 3> kTabs = {{{CaseTab::kFields, "tab_fields", Text::kTabThisCase},
+                                           {CaseTab::kNew, "tab_new", Text::kTabNew},
+                                           {CaseTab::kOpen, "tab_open", Text::kTabOpen}}};
 
 /// Fills the form of a tab that was just chosen.
 void begin_tab(const AppView& view, CaseForm& form, CaseTab tab) {
@@ -46,7 +46,7 @@ void draw_tabs(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
   for (const TabLook& tab : kTabs) {
     ButtonLook look;
     look.id = tab.id;
-    look.label = tab.label;
+    look.label = context.text(tab.label);
     look.is_on = form.tab == tab.tab;
     look.is_enabled = tab.tab != CaseTab::kFields || has_name(context.view.file);
     const Rect box = row.take_left(width, context.px(kGapXs));
@@ -66,25 +66,26 @@ bool field_pair(const PanelContext& context, DialogPlate& dialog, const TextFiel
 
 void draw_fields(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   io::CaseFields& fields = form.fields;
-  TextFieldLook patient = {"patient", "Patient"};
+  TextFieldLook patient = {"patient", context.text(Text::kPatient)};
   patient.takes_focus = take_focus(form);
   text_field(context, dialog.rest.take_top(context.px(kFieldRow)), patient, fields.patient_name);
-  field_pair(context, dialog, {"birth_date", "Date of birth (year-month-day)"}, fields.birth_date,
-             {"patient_id", "Patient or case number"}, fields.patient_id);
-  field_pair(context, dialog, {"clinician", "Dentist"}, fields.clinician, {"notes", "Notes"},
-             fields.notes);
+  field_pair(context, dialog, {"birth_date", context.text(Text::kDateOfBirth)}, fields.birth_date,
+             {"patient_id", context.text(Text::kPatientNumber)}, fields.patient_id);
+  field_pair(context, dialog, {"clinician", context.text(Text::kDentist)}, fields.clinician,
+             {"notes", context.text(Text::kNotes)}, fields.notes);
 }
 
 void draw_new(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   draw_fields(context, dialog, form);
   if (!form.is_path_edited) form.path = proposed_path(context.view.file, form);
   form.is_path_edited |= text_field(context, dialog.rest.take_top(context.px(kFieldRow)),
-                                    {"case_path", "File"}, form.path);
-  field_pair(context, dialog, {"passphrase", "Passphrase (empty: not encrypted)", true},
-             form.passphrase, {"passphrase_again", "The same passphrase again", true},
+                                    {"case_path", context.text(Text::kFile)}, form.path);
+  field_pair(context, dialog, {"passphrase", context.text(Text::kNewPassphrase), true},
+             form.passphrase, {"passphrase_again", context.text(Text::kPassphraseAgain), true},
              form.passphrase_again);
   const bool names_scan = context.view.file.is_unnamed;
-  confirm_row(context, dialog, icon::kFinish, names_scan ? "Save the scan" : "Create");
+  confirm_row(context, dialog, icon::kFinish,
+              context.text(names_scan ? Text::kSaveTheScan : Text::kCreate));
 }
 
 void draw_known(const PanelContext& context, const Rect& box, std::size_t index, CaseForm& form) {
@@ -108,7 +109,7 @@ void draw_known(const PanelContext& context, const Rect& box, std::size_t index,
   draw_text(row.take_right(context.px(180.0F)), {theme.fonts.small, kTextQuiet, Align::kRight},
             known.modified);
   std::string title = known.patient.empty() ? known.path : known.patient;
-  if (known.is_unnamed) title = "Scan without a name";
+  if (known.is_unnamed) title = context.text(Text::kScanWithoutName);
   if (!known.number.empty()) title += " \u00b7 " + known.number;
   draw_text(row, {theme.fonts.strong, known.is_unnamed ? kCaution : kText, Align::kLeft}, title);
 }
@@ -122,11 +123,11 @@ void draw_list(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
     draw_known(context, dialog.rest.take_top(context.px(40.0F), context.px(kGapXs)), found[i],
                form);
   }
-  std::string more = file.known.empty() ? "No cases yet" : "No case fits the search";
-  if (count > 0)
-    more = found.size() == count
-               ? ""
-               : fmt::format("{} more: type in Search to find them", found.size() - count);
+  std::string more = context.text(file.known.empty() ? Text::kNoCasesYet : Text::kNoCaseFits);
+  if (count > 0) {
+    const auto others = static_cast<std::int64_t>(found.size() - count);
+    more = others == 0 ? "" : context.view.texts.count<Text::kMoreCases>(others);
+  }
   draw_text(dialog.rest.take_top(context.px(24.0F)),
             {context.theme.fonts.small, kTextQuiet, Align::kLeft}, more);
 }
@@ -143,7 +144,7 @@ void draw_discard(const PanelContext& context, const DialogPlate& dialog, CaseFo
   Rect row = dialog.rest;
   ButtonLook look;
   look.id = "discard";
-  look.label = "Discard\u2026";
+  look.label = context.text(Text::kDiscard);
   const Rect box = row.take_bottom(context.px(48.0F)).take_left(context.px(140.0F));
   context.places.set(look.id, box);
   if (small_button(context.theme, box, look)) form.discards = true;
@@ -151,7 +152,7 @@ void draw_discard(const PanelContext& context, const DialogPlate& dialog, CaseFo
 
 void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   const float height = context.px(kFieldRow);
-  TextFieldLook search = {"search", "Search: patient, number or date"};
+  TextFieldLook search = {"search", context.text(Text::kSearchCases)};
   search.takes_focus = take_focus(form);
   if (text_field(context, dialog.rest.take_top(height), search, form.search)) {
     const auto found = matching_cases(context.view.file.known, form.search);
@@ -159,20 +160,20 @@ void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
     form.discards = false;
   }
   draw_list(context, dialog, form);
-  field_pair(context, dialog, {"case_path", "File"}, form.path,
-             {"passphrase", "Passphrase, if encrypted", true}, form.passphrase);
+  field_pair(context, dialog, {"case_path", context.text(Text::kFile)}, form.path,
+             {"passphrase", context.text(Text::kPassphrase), true}, form.passphrase);
   draw_discard(context, dialog, form);
   confirm_row(context, dialog, form.discards ? icon::kWarning : icon::kCase,
-              form.discards ? "Delete for good" : "Open");
+              context.text(form.discards ? Text::kDeleteForGood : Text::kOpen));
 }
 
 /// What keeps the form from being confirmed, or why the latest command failed.
 std::string message_of(const AppView& view, const CaseForm& form) {
-  if (form.discards) return "Delete this scan? It cannot be brought back.";
-  if (view.file.is_moving) return "The scan is being saved in its case.";
-  if (view.file.is_opening) return "The case is being opened.";
-  const std::string problem = problem_of(form);
-  return problem.empty() ? view.file.message : problem;
+  if (form.discards) return view.texts[Text::kAskDelete];
+  if (view.file.is_moving) return view.texts[Text::kScanIsBeingSaved];
+  if (view.file.is_opening) return view.texts[Text::kCaseIsBeingOpened];
+  const auto problem = problem_of(form);
+  return problem ? view.texts[*problem] : view.file.message;
 }
 
 /// Above the button that confirms.
@@ -194,13 +195,13 @@ void draw_case_dialog(const PanelContext& context) {
     context.state.dialog = Dialog::kNone;
     return;
   }
-  DialogPlate dialog(context, "Cases", {640.0F, 640.0F});
+  DialogPlate dialog(context, context.text(Text::kCases), {640.0F, 640.0F});
   if (!has_name(file) && form.tab == CaseTab::kFields) form.tab = CaseTab::kNew;
   draw_tabs(context, dialog, form);
   switch (form.tab) {
     case CaseTab::kFields:
       draw_fields(context, dialog, form);
-      confirm_row(context, dialog, icon::kFinish, "Save");
+      confirm_row(context, dialog, icon::kFinish, context.text(Text::kSave));
       break;
     case CaseTab::kNew:
       draw_new(context, dialog, form);

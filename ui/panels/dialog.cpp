@@ -30,7 +30,7 @@ void draw_close(const PanelContext& context, const Rect& box) {
   ButtonLook look;
   look.id = "close";
   look.icon = icon::kCancel;
-  look.hint = "Close (Esc)";
+  look.hint = context.view.texts.fill<Text::kCloseHint>(context.text(Text::kKeyEscape));
   context.places.set(look.id, box);
   if (small_button(context.theme, box, look)) {
     perform(Action::kCancel, context.view, context.state, context.commands);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
@@ -13,20 +14,20 @@ namespace {
 constexpr float kHeight = 60.0F;
 constexpr float kToolButton = 44.0F;
 
-const char* instruction(const WindowState& state) {
+std::optional<Text> instruction(const WindowState& state) {
   switch (state.tool) {
     case Tool::kTrim:
-      return "Paint to remove";
+      return Text::kPaintToRemove;
     case Tool::kLock:
-      return "Paint to lock";
+      return Text::kPaintToLock;
     case Tool::kUnlock:
-      return "Paint to unlock";
+      return Text::kPaintToUnlock;
     case Tool::kMeasure:
-      return state.measured_from_mm ? "Click the second point" : "Click the first point";
+      return state.measured_from_mm ? Text::kClickSecondPoint : Text::kClickFirstPoint;
     case Tool::kNone:
       break;
   }
-  return "";
+  return std::nullopt;
 }
 
 /// In two lines where one is too long.
@@ -61,8 +62,9 @@ float strip_width(const PanelContext& context, const char* text) {
 }  // namespace
 
 void draw_tool_strip(const PanelContext& context) {
-  if (context.state.tool == Tool::kNone) return;
-  const char* text = instruction(context.state);
+  const auto to_do = instruction(context.state);
+  if (!to_do) return;
+  const char* text = context.text(*to_do);
   const Rect& picture = context.layout.picture;
   const float margin = context.px(kGapM);
   // To the right of the findings panel.
@@ -76,7 +78,7 @@ void draw_tool_strip(const PanelContext& context) {
   const Plate plate("tool", box, overlay(context.theme));
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
   small_action(context, row.take_right(context.px(96.0F), context.px(kGapM)), Action::kCancel,
-               {nullptr, "Done"});
+               {nullptr, context.text(Text::kToolDone)});
   if (has_brush(context.state.tool)) draw_brush_size(context, row);
   draw_instruction(context, row, text);
 }
