@@ -1,4 +1,5 @@
 /// @file  flytri app: opens the window.
+#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -69,6 +70,7 @@ Result<void> run(const AppArguments& arguments, const Progress& progress) {
   session::SessionOptions options;
   options.source = arguments.source;
   options.recording = arguments.recording;
+  options.language = ui::desktop_language([](const char* name) { return std::getenv(name); });
   session::Session session(options);
   if (arguments.scans_at_once) session.carry_out(ui::StartScan{});
   ui::SoundPlayer sounds;

@@ -27,10 +27,10 @@ bool is_made_of(const io::ResultBasis& made_of, const io::StageCounts& counts,
 std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& file,
                                                                 io::ScanStage stage,
                                                                 const io::StoredStage& stored,
-                                                                std::vector<std::string>& damage) {
+                                                                std::vector<std::string>& damage,
+                                                                const ui::Texts& texts) {
   const auto lost = [&](const Error& error) {
-    damage.push_back(
-        fmt::format("the finished model cannot be read ({}): finish again", error.message));
+    damage.push_back(texts.fill<ui::Text::kModelUnreadable>(error.message));
     return nullptr;
   };
   const auto counts = file.counts(stage);
@@ -142,7 +142,7 @@ std::shared_ptr<scan::ScanJournal> CaseStore::journal(io::ScanStage stage) {
   return std::make_shared<Journal>(shared_from_this(), stage);
 }
 
-Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
+Result<OpenedStage> CaseStore::load(io::ScanStage stage, const ui::Texts& texts) {
   const std::lock_guard lock(mutex_);
   Result<io::StoredStage> stored = file_.load_stage(stage);
   update_status();
@@ -163,7 +163,7 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
   }
   opened.last_frame = std::max(opened.last_frame, stored->last_frame);
   opened.damage = std::move(stored->damage);
-  opened.scan.result = current_result(file_, stage, *stored, opened.damage);
+  opened.scan.result = current_result(file_, stage, *stored, opened.damage, texts);
   update_status();
   opened.scan.texture_frames = std::move(stored->texture_frames);
   opened.scan.edits = std::move(stored->edits);

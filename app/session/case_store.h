@@ -32,7 +32,8 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
 
   /// The journal that saves a scan of this stage.
   [[nodiscard]] std::shared_ptr<scan::ScanJournal> journal(io::ScanStage stage);
-  [[nodiscard]] Result<OpenedStage> load(io::ScanStage stage);
+  /// @param texts  for messages
+  [[nodiscard]] Result<OpenedStage> load(io::ScanStage stage, const ui::Texts& texts = {});
   [[nodiscard]] Result<io::CaseFields> fields();
   [[nodiscard]] Result<void> write_fields(const io::CaseFields& fields);
   [[nodiscard]] Result<void> write_calibration(const calibration::Calibration& calibration);

@@ -40,8 +40,8 @@ void ExportController::export_scan(const ui::Export& command,
   forget_outcome();
   state_.latest = command.target;
   state_.is_running = true;
-  background_.run([this, command, shown = std::move(shown)] {
-    auto done = std::make_shared<Result<ExportOutcome>>(export_files(*shown, command));
+  background_.run([this, command, shown = std::move(shown), texts = notices_.texts()] {
+    auto done = std::make_shared<Result<ExportOutcome>>(export_files(*shown, command, texts));
     return [this, done, model = shown->result] {
       state_.is_running = false;
       if (!*done) {
@@ -52,7 +52,8 @@ void ExportController::export_scan(const ui::Export& command,
       state_.existing = (*done)->existing;
       if (state_.written.empty()) return;
       exported_ = model;
-      notices_.add(ui::Severity::kInformation, "Exported to " + state_.written.front().path);
+      notices_.add(ui::Severity::kInformation,
+                   notices_.texts().fill<ui::Text::kExportedTo>(state_.written.front().path));
     };
   });
 }
@@ -60,7 +61,7 @@ void ExportController::export_scan(const ui::Export& command,
 void ExportController::open_folder() {
   if (state_.written.empty()) return;
   const std::filesystem::path file = state_.written.front().path;
-  if (auto opened = opener_.open(file.parent_path()); !opened) {
+  if (auto opened = opener_.open(file.parent_path(), notices_.texts()); !opened) {
     notices_.add(ui::Severity::kError, opened.error().message);
   }
 }
@@ -75,7 +76,7 @@ void ExportController::propose_name(const ui::CaseState& file, io::ScanStage sta
 }
 
 ui::ExportState ExportController::state(const ui::AppView& view) {
-  for (const std::string& failure : opener_.settle()) {
+  for (const std::string& failure : opener_.settle(notices_.texts())) {
     notices_.add(ui::Severity::kWarning, failure);
   }
   propose_name(view.file, view.stage);

@@ -7,26 +7,27 @@
 namespace flytri::session {
 namespace {
 
-desktop::ChooserQuestion question_of(const ui::ChoosePath& command) {
+desktop::ChooserQuestion question_of(const ui::ChoosePath& command, const ui::Texts& texts) {
   desktop::ChooserQuestion question;
-  question.now = typed_folder(command.now).value_or(std::filesystem::path());
+  question.now = typed_folder(command.now, texts).value_or(std::filesystem::path());
   switch (command.field) {
     case ui::PathField::kCase:
     case ui::PathField::kNewCase:
       question.kind = command.field == ui::PathField::kCase ? desktop::ChooserKind::kOpenFile
                                                             : desktop::ChooserKind::kSaveFile;
-      question.title = command.field == ui::PathField::kCase ? "Open a case" : "Save a case";
-      question.filter_name = "Cases";
+      question.title = texts[command.field == ui::PathField::kCase ? ui::Text::kOpenACase
+                                                                   : ui::Text::kSaveACase];
+      question.filter_name = texts[ui::Text::kCases];
       question.filter_glob = "*.flytri";
       return question;
     case ui::PathField::kExportFolder:
-      question.title = "Folder for models";
+      question.title = texts[ui::Text::kFolderForModels];
       break;
     case ui::PathField::kCalibrationFolder:
-      question.title = "Folder for calibrations";
+      question.title = texts[ui::Text::kCalibrationFolder];
       break;
     case ui::PathField::kRecordingFolder:
-      question.title = "Folder for recordings";
+      question.title = texts[ui::Text::kRecordingFolder];
       break;
   }
   question.kind = desktop::ChooserKind::kFolder;
@@ -41,7 +42,7 @@ PathChooser::PathChooser(std::shared_ptr<desktop::FileChooser> chooser, Notices&
 
 void PathChooser::choose(const ui::ChoosePath& command) {
   if (state_.is_open) return;
-  if (auto asked = chooser_->ask(question_of(command)); !asked) {
+  if (auto asked = chooser_->ask(question_of(command, notices_.texts())); !asked) {
     return notices_.add(ui::Severity::kWarning, asked.error().message);
   }
   field_ = command.field;

@@ -24,7 +24,10 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 }  // namespace
 
 Session::Session(SessionOptions options)
-    : settings_(read_settings(settings_path())),
+    : desktop_language_(options.language),
+      settings_(read_settings(settings_path())),
+      texts_(ui::chosen_language(settings_.language, desktop_language_)),
+      notices_(texts_),
       source_(std::move(options.source), background_, notices_,
               [this] {
                 if (stages_.is_started()) case_.save_unnamed();
@@ -91,7 +94,8 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::OpenExportFolder&) { exports_.open_folder(); },
           [&](const ui::ChangeSettings& changed) { change_settings(changed.settings); },
           [&](const ui::Tell& told) {
-            notices_.add(ui::Severity::kWarning, "Unknown command: " + told.words);
+            notices_.add(ui::Severity::kWarning,
+                         texts_.fill<ui::Text::kUnknownCommand>(told.words));
           },
           [&](const ui::Quit&) { is_closing_ = true; },
       },
@@ -104,6 +108,7 @@ void Session::export_scan(const ui::Export& command) {
 
 void Session::change_settings(const ui::Settings& settings) {
   settings_ = settings;
+  texts_ = ui::Texts(ui::chosen_language(settings_.language, desktop_language_));
   if (auto written = write_settings(settings_path(), settings_); !written) {
     notices_.add(ui::Severity::kWarning, written.error().message);
   }
@@ -126,6 +131,7 @@ ui::AppView Session::view() {
   view.file = case_.state();
   view.exports = exports_.state(view);
   view.settings = settings_;
+  view.texts = texts_;
   view.notices = notices_.latest();
   return view;
 }

@@ -22,6 +22,8 @@ namespace flytri::session {
 struct SessionOptions {
   SourceChoice source;
   scan::LiveScanOptions scan;  ///< the session sets now_s and journal
+  /// Of the desktop: used unless the settings name another one.
+  ui::Language language = ui::Language::kEnglish;
   /// Of scans that have no case yet.
   std::filesystem::path unnamed_folder = unnamed_cases_folder();
   /// Folder to record the raw frames in, from the start; empty: none.
@@ -53,7 +55,9 @@ class Session {
   void change_settings(const ui::Settings& settings);
 
   bool is_closing_ = false;
+  const ui::Language desktop_language_;
   ui::Settings settings_;
+  ui::Texts texts_;
   Notices notices_;
   BackgroundWork background_;
   // Each knows those above it.

@@ -1,7 +1,5 @@
 #include "app/session/source.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 
@@ -44,7 +42,8 @@ Vec3 teeth_direction(const TriangleMesh& mesh) {
   return sum.normalized();
 }
 
-Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
+Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress,
+                                   const ui::Texts& texts) {
   if (choice.calibration) {
     return fail(
         ErrorCode::kBadOption,
@@ -61,10 +60,8 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
     const Vec3 up = options.path.up = teeth_direction(*mesh);
     if (std::abs(up.dot(options.path.front)) > kUpright) options.path.front = Vec3::UnitZ();
     if (up.z() < kUpright) {
-      warning = fmt::format(
-          "{}: its teeth point along {:.1f} {:.1f} {:.1f}, so the simulated hand "
-          "scans it from there",
-          choice.object.mesh->string(), up.x(), up.y(), up.z());
+      warning = texts.fill<ui::Text::kTeethPointAlong>(choice.object.mesh->string(), up.x(), up.y(),
+                                                       up.z());
     }
   }
   // Each version of the program makes its own.
@@ -75,11 +72,11 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   Result<std::shared_ptr<simulated::LiveSensor>> sensor =
       simulated::LiveSensor::create(*mesh, options, shared, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, nullptr,
-                warning};
+  return Source{
+      ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, nullptr, warning};
 }
 
-Result<Source> open_recording_source(const SourceChoice& choice) {
+Result<Source> open_recording_source(const SourceChoice& choice, const ui::Texts& /*texts*/) {
   const auto recording = io::open_recording(choice.path);
   if (!recording) return tl::unexpected(recording.error());
   auto used = io::calibration_of(*recording, choice.calibration.value_or(std::filesystem::path()));
@@ -90,21 +87,23 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
       std::make_shared<const calibration::Calibration>(std::move(used->calibration));
   auto sensor = recording::ReplaySensor::open(choice.path, options, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{ui::SourceKind::kRecording, *sensor,      nullptr,
-                (*sensor)->calibration(),   std::nullopt, nullptr,
+  return Source{ui::SourceKind::kRecording,
+                *sensor,
+                nullptr,
+                (*sensor)->calibration(),
+                std::nullopt,
+                nullptr,
                 used->warning};
 }
 
-Result<Source> open_rig_source(const SourceChoice& choice) {
+Result<Source> open_rig_source(const SourceChoice& choice, const ui::Texts& texts) {
   const Result<rig::RigSettings> rig = chosen_rig(choice);
   if (!rig) return tl::unexpected(rig.error());
   auto sensor = rig::open_rig(*rig);
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
-    return fail(ErrorCode::kBadOption,
-                "{}: names no \"calibration\"; calibrate here (C) or with flytri calibrate --live, "
-                "and name the file in rig.json or with --calibration FILE",
-                choice.path.string());
+    return fail(ErrorCode::kBadOption, "{}",
+                texts.fill<ui::Text::kRigWithoutCalibration>(choice.path.string(), "C"));
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),
                 RigSource{*sensor, *rig}, nullptr, {}};
@@ -115,11 +114,12 @@ constexpr std::array kSources = {
               open_recording_source},
     SourceRow{kRigSource, "Scan with the devices that this rig.json describes", open_rig_source}};
 
-Result<Source> open_chosen(const SourceChoice& choice, const Progress& progress) {
+Result<Source> open_chosen(const SourceChoice& choice, const Progress& progress,
+                           const ui::Texts& texts) {
   for (const SourceRow& row : kSources) {
-    if (row.name == choice.name) return row.open(choice);
+    if (row.name == choice.name) return row.open(choice, texts);
   }
-  return open_virtual_sensor(choice, progress);
+  return open_virtual_sensor(choice, progress, texts);
 }
 
 /// Lets the frames of any source but a recording be recorded.
@@ -150,8 +150,9 @@ Result<Source> with_faults(Source source, const SourceChoice& choice) {
 
 std::span<const SourceRow> source_table() { return kSources; }
 
-Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
-  return open_chosen(choice, progress)
+Result<Source> open_source(const SourceChoice& choice, const Progress& progress,
+                           const ui::Texts& texts) {
+  return open_chosen(choice, progress, texts)
       .and_then([&](Source&& source) { return with_faults(std::move(source), choice); })
       .and_then([](Source&& source) { return with_recorder(std::move(source)); });
 }

@@ -58,14 +58,16 @@ struct Source {
 struct SourceRow {
   std::string_view name;  ///< the option is --NAME PATH
   const char* help;
-  Result<Source> (*open)(const SourceChoice& choice);
+  Result<Source> (*open)(const SourceChoice& choice, const ui::Texts& texts);
 };
 
 /// All sources but the virtual sensor, which is used where none is chosen.
 [[nodiscard]] std::span<const SourceRow> source_table();
 
 /// The first use of the virtual sensor takes seconds, because it is calibrated then.
+/// @param texts  for messages
 /// @errors  As for reading the recording, the rig, the calibration or the mesh; kCancelled.
-[[nodiscard]] Result<Source> open_source(const SourceChoice& choice, const Progress& progress);
+[[nodiscard]] Result<Source> open_source(const SourceChoice& choice, const Progress& progress,
+                                         const ui::Texts& texts = {});
 
 }  // namespace flytri::session

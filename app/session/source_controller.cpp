@@ -34,8 +34,9 @@ SourceController::SourceController(SourceChoice choice, BackgroundWork& backgrou
       opened_(std::move(opened)) {}
 
 void SourceController::open() {
-  background_.run([this] {
-    auto opened = std::make_shared<Result<Source>>(open_source(choice_, background_.progress()));
+  background_.run([this, texts = notices_.texts()] {
+    auto opened =
+        std::make_shared<Result<Source>>(open_source(choice_, background_.progress(), texts));
     return [this, opened] {
       if (!*opened) {
         failure_ = opened->error().message;
@@ -68,7 +69,7 @@ void SourceController::begin_recording() {
 }
 
 void SourceController::record(const ui::RecordFrames& command) {
-  const auto folder = typed_folder(command.folder);
+  const auto folder = typed_folder(command.folder, notices_.texts());
   if (command.is_on && !folder) {
     return notices_.add(ui::Severity::kError, folder.error().message);
   }
@@ -221,7 +222,7 @@ ui::SourceState SourceController::state() const {
   }
   state.name = source_.sensor->name();
   if (capture_ == nullptr) {
-    state.message = "The sensor is being calibrated";
+    state.message = notices_.texts()[ui::Text::kSensorIsBeingCalibrated];
     return state;
   }
   const device::SensorStatus status = capture_->status();
@@ -243,7 +244,8 @@ std::optional<ui::DevicesState> SourceController::devices_state() const {
   const ui::SourceState source = state();
   ui::DevicesState devices = checked_;
   if (source_.rig)
-    devices.devices = device_states(source_.rig->settings, source_.rig->sensor->rig_status());
+    devices.devices =
+        device_states(source_.rig->settings, source_.rig->sensor->rig_status(), notices_.texts());
   // A source that runs has no problems of an earlier check.
   if (source.is_running) devices.problems.clear();
   devices.is_checked = devices.is_checked || source.is_running;

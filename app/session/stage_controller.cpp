@@ -1,7 +1,5 @@
 #include "app/session/stage_controller.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -10,9 +8,9 @@ namespace flytri::session {
 namespace {
 
 /// The case dialog lists the rest.
-std::string text_of(const std::vector<std::string>& damage) {
+std::string text_of(const std::vector<std::string>& damage, const ui::Texts& texts) {
   if (damage.size() == 1) return damage.front();
-  return fmt::format("{}, and {} more", damage.front(), damage.size() - 1);
+  return texts.fill<ui::Text::kDamageAndMore>(damage.front(), damage.size() - 1);
 }
 
 }  // namespace
@@ -78,28 +76,27 @@ void StageController::choose_reentry(std::size_t index) {
   if (scan()) scan()->choose_reentry(index);
 }
 
-void StageController::change_stored(
-    std::function<Result<void>(CaseStore&, io::ScanStage)> change) {
+void StageController::change_stored(std::function<Result<void>(CaseStore&, io::ScanStage)> change) {
   if (!may_leave() || store_ == nullptr || store_->is_read_only() || is_loading_[stage_]) return;
   // All that was scanned reaches the case before: nothing comes late.
   auto rest = come_to_rest();
   is_loading_[stage_] = true;
-  background_.run([this, change = std::move(change), rest = std::move(rest), stage = stage_,
-                   store = store_] {
-    rest();
-    auto changed = std::make_shared<Result<void>>(change(*store, io::kScanStages[stage]));
-    return [this, stage, store, changed] {
-      if (store != store_) return;
-      is_loading_[stage] = false;
-      if (!*changed) {
-        notices_.add(ui::Severity::kError, changed->error().message);
-      } else {
-        scans_[stage].reset();
-        measurements_[stage].clear();
-      }
-      if (stage == stage_) show();
-    };
-  });
+  background_.run(
+      [this, change = std::move(change), rest = std::move(rest), stage = stage_, store = store_] {
+        rest();
+        auto changed = std::make_shared<Result<void>>(change(*store, io::kScanStages[stage]));
+        return [this, stage, store, changed] {
+          if (store != store_) return;
+          is_loading_[stage] = false;
+          if (!*changed) {
+            notices_.add(ui::Severity::kError, changed->error().message);
+          } else {
+            scans_[stage].reset();
+            measurements_[stage].clear();
+          }
+          if (stage == stage_) show();
+        };
+      });
 }
 
 void StageController::clear(io::ScanStage stage) {
@@ -146,8 +143,8 @@ void StageController::show() {
   if (store_ == nullptr) return use(stage_, {});
   is_loading_[stage_] = true;
   load_failures_[stage_].clear();
-  background_.run([this, stage = stage_, store = store_] {
-    auto opened = std::make_shared<Result<OpenedStage>>(store->load(io::kScanStages[stage]));
+  background_.run([this, stage = stage_, store = store_, texts = notices_.texts()] {
+    auto opened = std::make_shared<Result<OpenedStage>>(store->load(io::kScanStages[stage], texts));
     return [this, stage, store, opened] {
       // Otherwise forget() was called meanwhile.
       if (store != store_ || !std::exchange(is_loading_[stage], false)) return;
@@ -169,7 +166,8 @@ void StageController::use(std::size_t stage, const OpenedStage& opened) {
       scan::LiveScan::create(source_.calibration(), options, opened.scan);
   if (!scan) return notices_.add(ui::Severity::kError, scan.error().message);
   source_.router().go_on_after(opened.last_frame, opened.last_time_s);
-  if (!opened.damage.empty()) notices_.add(ui::Severity::kWarning, text_of(opened.damage));
+  if (!opened.damage.empty())
+    notices_.add(ui::Severity::kWarning, text_of(opened.damage, notices_.texts()));
   scans_[stage] = std::move(*scan);
   measurements_[stage] = opened.measurements;
   if (stage == stage_) show();

@@ -43,14 +43,13 @@ Result<void> check_user_folders() {
   return {};
 }
 
-Result<fs::path> typed_folder(const std::string& typed) {
+Result<fs::path> typed_folder(const std::string& typed, const ui::Texts& texts) {
   if (typed.empty()) {
-    return fail(ErrorCode::kBadOption, "no folder is given; type one, such as ~/Documents");
+    return fail(ErrorCode::kBadOption, "{}", texts.fill<ui::Text::kNoFolderGiven>("~/Documents"));
   }
   if (typed.front() != '~') return fs::path(typed);
   if (typed.size() > 1 && typed[1] != '/') {
-    return fail(ErrorCode::kBadOption,
-                "{}: only ~/ means a home folder, your own; type the whole path", typed);
+    return fail(ErrorCode::kBadOption, "{}", texts.fill<ui::Text::kOnlyOwnHome>(typed));
   }
   return home_folder().map([&](const fs::path& home) {
     return typed.size() > 2 ? home / fs::path(typed.substr(2)).relative_path() : home;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "ui/text/texts.h"
 
 namespace flytri::session {
 
@@ -21,7 +22,8 @@ namespace flytri::session {
 
 /// The folder as the user typed it, where ~ at the beginning is the home folder.
 /// @errors  kBadOption: nothing was typed, or the home folder of somebody else; as home_folder.
-[[nodiscard]] Result<std::filesystem::path> typed_folder(const std::string& typed);
+[[nodiscard]] Result<std::filesystem::path> typed_folder(const std::string& typed,
+                                                         const ui::Texts& texts);
 
 [[nodiscard]] std::filesystem::path config_folder();         ///< settings
 [[nodiscard]] std::filesystem::path cache_folder();          ///< files that can be computed again

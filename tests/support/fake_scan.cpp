@@ -25,13 +25,13 @@ AppView ordinary_view() {
       {"/home/clinic/cases/Okafor-2030.flytri", "Chidi Okafor", "Today 09:15", false},
       {"/home/clinic/cases/case-17.flytri", "", "Yesterday 16:30", true}};
   view.stage_has_data = {true, false, false};
-  view.source.name = "Simulated sensor, 20 x 15 x 15 mm";
+  view.source.name = "virtual sensor";
   view.source.is_running = true;
   view.source.hand = ui::SimulatedHand{};
   view.calibration.emplace();
   view.calibration->folder = "/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214";
   view.calibration->has_calibration = true;
-  view.calibration->why_not_used = "the virtual sensor has its own";
+  view.calibration->why_not_used = "the virtual sensor has its own calibration";
   view.recording.folder = "/home/clinic/.local/share/flytri/recordings";
   view.recording.is_possible = true;
   view.exports.folder = "/home/clinic/exports";
@@ -158,7 +158,7 @@ struct FakeScan::Parts {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
     scan.phase = scan::ScanPhase::kFinishing;
-    scan.finishing = {"Aligning the scan", 0.37, 48.0};
+    scan.finishing = {reconstruct::kAligning, 0.37, 48.0};
     set_scan(view, std::move(scan));
     return view;
   }
@@ -170,7 +170,6 @@ struct FakeScan::Parts {
     scan.result = jaw.result();
     set_scan(view, std::move(scan));
     add_sizes(view, true);
-    view.notices = {{1, ui::Severity::kInformation, "The model is finished: 96,412 triangles"}};
     return view;
   }
 
@@ -287,8 +286,8 @@ struct FakeScan::Parts {
   }
 
   /// The vertical lines are overexposed; the horizontal lines and the flash are too dark.
-  [[nodiscard]] AppView with_faulty_devices() const {
-    AppView view = with_devices(faulty_devices());
+  [[nodiscard]] AppView with_faulty_devices(const ui::Texts& texts) const {
+    AppView view = with_devices(faulty_devices(texts));
     scan::ScanSnapshot scan = *view.scan;
     scan.latest = {exposed(*scan.latest[0], 4.0), exposed(*scan.latest[1], 0.15)};
     scan.latest_texture = exposed(*scan.latest_texture, 0.2);
@@ -297,8 +296,8 @@ struct FakeScan::Parts {
     return view;
   }
 
-  [[nodiscard]] AppView calibrating(ui::RunningCalibration running) const {
-    AppView view = with_devices(running_devices());
+  [[nodiscard]] AppView calibrating(ui::RunningCalibration running, const ui::Texts& texts) const {
+    AppView view = with_devices(running_devices(texts));
     view.calibration->why_not_used.clear();
     view.calibration->running = std::move(running);
     return view;
@@ -322,7 +321,7 @@ struct FakeScan::Parts {
 FakeScan::FakeScan() : parts_(std::make_unique<Parts>()) {}
 FakeScan::~FakeScan() = default;
 
-std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
+std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Texts& texts) const {
   const Parts& parts = *parts_;
   const std::array<std::function<AppView()>, kFakeStates.size()> makers = {
       [] { return Parts::ready(); },
@@ -338,23 +337,26 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
       [] { return Parts::without_case(); },
       [&] { return parts.unnamed(); },
       [&] { return parts.not_saved(); },
-      [&] { return parts.with_devices(running_devices()); },
-      [&] { return parts.with_faulty_devices(); },
-      [&] { return parts.calibrating(waiting_calibration()); },
-      [&] { return parts.calibrating(refused_shot()); },
-      [&] { return parts.calibrating(refused_set()); },
-      [&] { return parts.calibrating(finished_calibration()); },
-      [&] { return parts.calibrating(broken_check()); },
+      [&] { return parts.with_devices(running_devices(texts)); },
+      [&] { return parts.with_faulty_devices(texts); },
+      [&] { return parts.calibrating(waiting_calibration(texts), texts); },
+      [&] { return parts.calibrating(refused_shot(texts), texts); },
+      [&] { return parts.calibrating(refused_set(texts), texts); },
+      [&] { return parts.calibrating(finished_calibration(texts), texts); },
+      [&] { return parts.calibrating(broken_check(texts), texts); },
       [&] { return parts.lost_where_it_is_smooth(); },
       [&] { return parts.damaged(); },
       [&] { return parts.cleared(); },
       [&] { return parts.recording(); }};
-  if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {
-    return parts.exported(state);
-  }
+  std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
-  if (found == kFakeStates.end()) return std::nullopt;
-  return makers[static_cast<std::size_t>(found - kFakeStates.begin())]();
+  if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {
+    view = parts.exported(state);
+  } else if (found != kFakeStates.end()) {
+    view = makers[static_cast<std::size_t>(found - kFakeStates.begin())]();
+  }
+  if (view) view->texts = texts;
+  return view;
 }
 
 }  // namespace flytri::testing

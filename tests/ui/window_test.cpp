@@ -102,20 +102,6 @@ TEST_F(RealWindow, TheScreenShowsEverythingThatWasDrawn) {
   }
 }
 
-TEST_F(RealWindow, StateTextsFitTheListOfKeys) {
-  for (const char* shown : testing::kFakeStates) {
-    show(shown);
-    for (const char* dialog : {"cancel", "calibration"}) {
-      window().ask(std::string("do ") + dialog);
-      for (const auto& [id, action] : window().state()["actions"].items()) {
-        EXPECT_LE(action["text"].get<std::string>().size(), ui::kLongestStateText)
-            << id << ", " << shown << ": " << action["text"];
-      }
-    }
-    window().ask("do cancel");
-  }
-}
-
 TEST_F(RealWindow, DisabledButtonsAndKeysDoNothing) {
   show("ready");
   for (const char* id : {"undo", "trim", "finish", "export"}) {
@@ -285,6 +271,22 @@ TEST_F(RealWindow, FiguresAndButtonsExplainThemselves) {
   EXPECT_EQ(hint_at("figure_4").substr(0, 32), "Images that this computer had no");
   EXPECT_EQ(hint_at("settings"), "Settings, key: S") << "its button has only an icon";
   EXPECT_EQ(hint_at("trim"), "") << "its button says it all";
+}
+
+TEST_F(RealWindow, TheLanguageChangesAtOnce) {
+  show("paused");
+  const auto scan_is = [] { return window().state()["actions"]["scan"]["text"].get<std::string>(); };
+  EXPECT_EQ(scan_is(), "paused");
+  window().key("s");
+  EXPECT_EQ(after_click("language_de"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "angehalten");
+  EXPECT_EQ(after_click("language_fr"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "en pause");
+  EXPECT_EQ(after_click("language_es"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "en pausa");
+  EXPECT_EQ(after_click("language_automatic"), Names{"ChangeSettings"});
+  EXPECT_EQ(after_click("language_en"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "paused");
 }
 
 TEST_F(RealWindow, FillsTheScreenAndReturns) {

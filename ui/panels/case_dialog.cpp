@@ -19,14 +19,14 @@ constexpr std::size_t kMostKnown = 5;
 struct TabLook {
   CaseTab tab;
   const char* id;
-  const char* label;
+  Text label;
 };
 constexpr std::array<TabLook, 2> kOtherTabs = {
-    {{CaseTab::kNew, "tab_new", "New"}, {CaseTab::kOpen, "tab_open", "Open"}}};
+    {{CaseTab::kNew, "tab_new", Text::kTabNew}, {CaseTab::kOpen, "tab_open", Text::kTabOpen}}};
 
 /// The tab of the open case.
 TabLook first_tab(const CaseState& file) {
-  return {file.damaged ? CaseTab::kDamage : CaseTab::kFields, "tab_fields", "This case"};
+  return {file.damaged ? CaseTab::kDamage : CaseTab::kFields, "tab_fields", Text::kTabThisCase};
 }
 
 /// Fills the form of a tab that was just chosen.
@@ -49,7 +49,7 @@ bool has_name(const CaseState& file) { return !file.path.empty() && !file.is_unn
 void draw_tab(const PanelContext& context, const Rect& box, CaseForm& form, const TabLook& tab) {
   ButtonLook look;
   look.id = tab.id;
-  look.label = tab.label;
+  look.label = context.text(tab.label);
   look.is_on = form.tab == tab.tab;
   look.is_enabled = tab.tab != CaseTab::kFields || has_name(context.view.file);
   context.places.set(tab.id, box);
@@ -88,25 +88,27 @@ bool field_pair(const PanelContext& context, DialogPlate& dialog, const TextFiel
 
 void draw_fields(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   io::CaseFields& fields = form.fields;
-  TextFieldLook patient = {"patient", "Patient"};
+  TextFieldLook patient = {"patient", context.text(Text::kPatient)};
   patient.takes_focus = take_focus(form);
   text_field(context, dialog.rest.take_top(context.px(kFieldRow)), patient, fields.patient_name);
-  field_pair(context, dialog, {"birth_date", "Date of birth (year-month-day)"}, fields.birth_date,
-             {"patient_id", "Patient or case number"}, fields.patient_id);
-  field_pair(context, dialog, {"clinician", "Dentist"}, fields.clinician, {"notes", "Notes"},
-             fields.notes);
+  field_pair(context, dialog, {"birth_date", context.text(Text::kDateOfBirth)}, fields.birth_date,
+             {"patient_id", context.text(Text::kPatientNumber)}, fields.patient_id);
+  field_pair(context, dialog, {"clinician", context.text(Text::kDentist)}, fields.clinician,
+             {"notes", context.text(Text::kNotes)}, fields.notes);
 }
 
 void draw_new(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   draw_fields(context, dialog, form);
   if (!form.is_path_edited) form.path = proposed_path(context.view.file, form);
-  form.is_path_edited |= path_field(context, dialog.rest.take_top(context.px(kFieldRow)),
-                                    {"case_path", "File"}, PathField::kNewCase, form.path);
-  field_pair(context, dialog, {"passphrase", "Passphrase (empty: not encrypted)", true},
-             form.passphrase, {"passphrase_again", "The same passphrase again", true},
+  form.is_path_edited |=
+      path_field(context, dialog.rest.take_top(context.px(kFieldRow)),
+                 {"case_path", context.text(Text::kFile)}, PathField::kNewCase, form.path);
+  field_pair(context, dialog, {"passphrase", context.text(Text::kNewPassphrase), true},
+             form.passphrase, {"passphrase_again", context.text(Text::kPassphraseAgain), true},
              form.passphrase_again);
   const bool names_scan = context.view.file.is_unnamed;
-  confirm_row(context, dialog, icon::kFinish, names_scan ? "Save the scan" : "Create");
+  confirm_row(context, dialog, icon::kFinish,
+              context.text(names_scan ? Text::kSaveTheScan : Text::kCreate));
 }
 
 void draw_known(const PanelContext& context, const Rect& box, std::size_t index, CaseForm& form) {
@@ -130,7 +132,7 @@ void draw_known(const PanelContext& context, const Rect& box, std::size_t index,
   draw_text(row.take_right(context.px(180.0F)), {theme.fonts.small, kTextQuiet, Align::kRight},
             known.modified);
   std::string title = known.patient.empty() ? known.path : known.patient;
-  if (known.is_unnamed) title = "Scan without a name";
+  if (known.is_unnamed) title = context.text(Text::kScanWithoutName);
   if (!known.number.empty()) title += " \u00b7 " + known.number;
   draw_text(row, {theme.fonts.strong, known.is_unnamed ? kCaution : kText, Align::kLeft}, title);
 }
@@ -144,11 +146,11 @@ void draw_list(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
     draw_known(context, dialog.rest.take_top(context.px(40.0F), context.px(kGapXs)), found[i],
                form);
   }
-  std::string more = file.known.empty() ? "No cases yet" : "No case fits the search";
-  if (count > 0)
-    more = found.size() == count
-               ? ""
-               : fmt::format("{} more: type in Search to find them", found.size() - count);
+  std::string more = context.text(file.known.empty() ? Text::kNoCasesYet : Text::kNoCaseFits);
+  if (count > 0) {
+    const auto others = static_cast<std::int64_t>(found.size() - count);
+    more = others == 0 ? "" : context.view.texts.count<Text::kMoreCases>(others);
+  }
   draw_text(dialog.rest.take_top(context.px(24.0F)),
             {context.theme.fonts.small, kTextQuiet, Align::kLeft}, more);
 }
@@ -163,19 +165,17 @@ void draw_paragraph(const PanelContext& context, Rect& box, const TextStyle& sty
 /// What can be read, and what cannot: as much as there is room for.
 void draw_survey(const PanelContext& context, Rect box, const io::CaseSurvey& survey) {
   const Fonts& fonts = context.theme.fonts;
-  draw_paragraph(context, box, {fonts.body, kText},
-                 readable_text(survey) + " A copy with all of that can be scanned on.");
+  draw_paragraph(context, box, {fonts.body, kText}, readable_text(survey, context.view.texts));
   const float line = wrapped_height(fonts.small, box.width, "X");
   const auto room = static_cast<std::size_t>(std::max(box.height / line, 1.0F));
-  draw_wrapped(box, {fonts.small, kTextQuiet}, lost_text(survey.lost, room));
+  draw_wrapped(box, {fonts.small, kTextQuiet}, lost_text(survey.lost, room, context.view.texts));
 }
 
 void draw_damage(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   const Fonts& fonts = context.theme.fonts;
-  confirm_row(context, dialog, icon::kSaved, "Save a rescue copy");
-  draw_paragraph(context, dialog.rest, {fonts.strong, kBad},
-                 "This case is damaged. Its file stays as it is, and nothing is saved in it.");
-  TextFieldLook path = {"case_path", "Rescue copy: a new file"};
+  confirm_row(context, dialog, icon::kSaved, context.text(Text::kSaveRescueCopy));
+  draw_paragraph(context, dialog.rest, {fonts.strong, kBad}, context.text(Text::kCaseIsDamaged));
+  TextFieldLook path = {"case_path", context.text(Text::kRescueCopyFile)};
   path.takes_focus = take_focus(form);
   path_field(context, dialog.rest.take_top(context.px(kFieldRow), context.px(kGapS)), path,
              PathField::kNewCase, form.path);
@@ -183,7 +183,7 @@ void draw_damage(const PanelContext& context, DialogPlate& dialog, CaseForm& for
   box.take_bottom(context.px(kMessage));
   const auto& survey = context.view.file.damaged->survey;
   if (survey) return draw_survey(context, box, *survey);
-  draw_wrapped(box, {fonts.body, kTextQuiet}, "Looking at what can be read\u2026");
+  draw_wrapped(box, {fonts.body, kTextQuiet}, context.text(Text::kLookingAtDamage));
 }
 
 bool is_unnamed(const CaseState& file, const std::string& path) {
@@ -198,7 +198,7 @@ void draw_discard(const PanelContext& context, const DialogPlate& dialog, CaseFo
   Rect row = dialog.rest;
   ButtonLook look;
   look.id = "discard";
-  look.label = "Discard\u2026";
+  look.label = context.text(Text::kDiscard);
   const Rect box = row.take_bottom(context.px(48.0F)).take_left(context.px(140.0F));
   context.places.set(look.id, box);
   if (small_button(context.theme, box, look)) form.discards = true;
@@ -206,7 +206,7 @@ void draw_discard(const PanelContext& context, const DialogPlate& dialog, CaseFo
 
 void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form) {
   const float height = context.px(kFieldRow);
-  TextFieldLook search = {"search", "Search: patient, number or date"};
+  TextFieldLook search = {"search", context.text(Text::kSearchCases)};
   search.takes_focus = take_focus(form);
   if (text_field(context, dialog.rest.take_top(height), search, form.search)) {
     const auto found = matching_cases(context.view.file.known, form.search);
@@ -216,22 +216,24 @@ void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
   draw_list(context, dialog, form);
   const float gap = context.px(kGapM);
   Rect row = dialog.rest.take_top(context.px(kFieldRow));
-  path_field(context, row.take_left((row.width - gap) / 2.0F, gap), {"case_path", "File"},
-             PathField::kCase, form.path);
-  text_field(context, row, {"passphrase", "Passphrase, if encrypted", true}, form.passphrase);
+  path_field(context, row.take_left((row.width - gap) / 2.0F, gap),
+             {"case_path", context.text(Text::kFile)}, PathField::kCase, form.path);
+  text_field(context, row, {"passphrase", context.text(Text::kPassphrase), true}, form.passphrase);
   draw_discard(context, dialog, form);
   confirm_row(context, dialog, form.discards ? icon::kWarning : icon::kCase,
-              form.discards ? "Delete for good" : "Open");
+              context.text(form.discards ? Text::kDeleteForGood : Text::kOpen));
 }
 
 /// What keeps the form from being confirmed, or why the latest command failed.
 std::string message_of(const AppView& view, const CaseForm& form) {
-  if (form.discards) return "Delete this scan? It cannot be brought back.";
-  if (view.file.is_moving) return "The scan is being saved in its case.";
-  if (view.file.is_opening) return "The case is being opened.";
-  if (view.file.damaged && view.file.damaged->is_copying) return "The rescue copy is being saved.";
-  const std::string problem = problem_of(form);
-  return problem.empty() ? view.file.message : problem;
+  if (form.discards) return view.texts[Text::kAskDelete];
+  if (view.file.is_moving) return view.texts[Text::kScanIsBeingSaved];
+  if (view.file.is_opening) return view.texts[Text::kCaseIsBeingOpened];
+  if (view.file.damaged && view.file.damaged->is_copying) {
+    return view.texts[Text::kRescueIsBeingSaved];
+  }
+  const auto problem = problem_of(form);
+  return problem ? view.texts[*problem] : view.file.message;
 }
 
 /// Above the button that confirms.
@@ -254,13 +256,13 @@ void draw_case_dialog(const PanelContext& context) {
     context.state.dialog = Dialog::kNone;
     return;
   }
-  DialogPlate dialog(context, "Cases", {640.0F, 640.0F});
+  DialogPlate dialog(context, context.text(Text::kCases), {640.0F, 640.0F});
   follow_case(context.view, form);
   draw_tabs(context, dialog, form);
   switch (form.tab) {
     case CaseTab::kFields:
       draw_fields(context, dialog, form);
-      confirm_row(context, dialog, icon::kFinish, "Save");
+      confirm_row(context, dialog, icon::kFinish, context.text(Text::kSave));
       break;
     case CaseTab::kDamage:
       draw_damage(context, dialog, form);

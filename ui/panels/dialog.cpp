@@ -30,7 +30,7 @@ void draw_close(const PanelContext& context, const Rect& box) {
   ButtonLook look;
   look.id = "close";
   look.icon = icon::kCancel;
-  look.hint = "Close (Esc)";
+  look.hint = context.view.texts.fill<Text::kCloseHint>(context.text(Text::kKeyEscape));
   context.places.set(look.id, box);
   if (small_button(context.theme, box, look)) {
     perform(Action::kCancel, context.view, context.state, context.commands);
@@ -74,7 +74,9 @@ bool path_field(const PanelContext& context, Rect row, const TextFieldLook& look
   button.id = id.c_str();
   button.label = "\u2026";
   button.is_enabled = chooser.why_not.empty() && !chooser.is_open;
-  button.hint = chooser.why_not.empty() ? "Choose on this computer" : chooser.why_not;
+  button.hint = chooser.why_not.empty()
+                    ? context.text(Text::kChooseOnComputer)
+                    : std::string(context.view.texts.translated(chooser.why_not));
   Rect side = row;
   side = side.take_right(context.px(44.0F));
   side.take_top(context.px(18.0F), context.px(kGapXs));

@@ -21,14 +21,13 @@ void draw_question_dialog(const PanelContext& context) {
   DialogPlate dialog(context, words.title.c_str(),
                      {kQuestionWidth, kQuestionFrame + text / context.px(1.0F)});
   Rect left = confirm_row(context, dialog, icon::kWarning, words.confirm.c_str());
-  const bool offers_kept =
-      question.kind == QuestionKind::kClearStage && context.view.has_kept_scan;
+  const bool offers_kept = question.kind == QuestionKind::kClearStage && context.view.has_kept_scan;
   if (offers_kept) {
-    const ActionLook look = {icon::kUndo, "Bring back"};
+    const ActionLook look = {icon::kUndo, context.text(Text::kBringBack)};
     const float width = small_action_width(context, Action::kBringBack, look);
     small_action(context, left.take_left(width, context.px(kGapS)), Action::kBringBack, look);
   } else {
-    const ActionLook look = {icon::kCancel, "Cancel"};
+    const ActionLook look = {icon::kCancel, context.text(Text::kCancel)};
     const float width = small_action_width(context, Action::kCancel, look);
     small_action(context, left.take_left(width, context.px(kGapS)), Action::kCancel, look);
   }

@@ -1,8 +1,5 @@
-/// @file  Says at the lower right of the scene that raw images are recorded, and how much room is left.
-#include <fmt/format.h>
-
-#include <string>
-
+/// @file  Says at the lower right of the scene that raw images are recorded, and how much room is
+/// left.
 #include "ui/panels/panels.h"
 #include "ui/panels/recording_text.h"
 #include "ui/theme/icons.h"
@@ -33,9 +30,9 @@ void draw_recording_card(const PanelContext& context) {
   const Fonts& fonts = context.theme.fonts;
   draw_text(row.take_left(context.px(14.0F), context.px(kGapS)), {fonts.strong, kBad}, "\u25cf");
   const Color ink = context.view.recording.failure.empty() ? kText : kCaution;
-  draw_text(row, {fonts.small, ink, Align::kLeft}, recording_text(context.view.recording));
-  hint_over(box, "Raw images are saved in " + context.view.recording.path +
-                     ". They show the patient's teeth.");
+  draw_text(row, {fonts.small, ink, Align::kLeft},
+            recording_text(context.view.recording, context.view.texts));
+  hint_over(box, context.view.texts.fill<Text::kRecordingHint>(context.view.recording.path));
 }
 
 }  // namespace flytri::ui

@@ -1,20 +1,19 @@
 #include "ui/panels/recording_text.h"
 
-#include <fmt/format.h>
-
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
 
-std::string recording_text(const RecordingState& recording) {
+std::string recording_text(const RecordingState& recording, const Texts& texts) {
   if (!recording.failure.empty()) return recording.failure;
-  if (!recording.is_on && recording.path.empty()) {
-    return "Off. Recorded images help us to find out what went wrong.";
+  const std::string size = size_text(recording.bytes);
+  if (!recording.is_on) {
+    if (recording.path.empty()) return texts[Text::kRecordingIsOff];
+    return texts.fill<Text::kRecorded>(recording.frames, size);
   }
-  std::string text = fmt::format("{}: {} images, {}", recording.is_on ? "Recording" : "Recorded",
-                                 recording.frames, size_text(recording.bytes));
-  if (recording.is_on && recording.free_bytes) {
-    text += fmt::format("; {} free", size_text(*recording.free_bytes));
+  std::string text = texts.fill<Text::kRecordingNow>(recording.frames, size);
+  if (recording.free_bytes) {
+    text += "; " + texts.fill<Text::kSpaceFree>(size_text(*recording.free_bytes));
   }
   return text;
 }

@@ -8,6 +8,6 @@
 namespace flytri::ui {
 
 /// "Recording: 812 images, 340 MB; 12 GB free", or what is missing in it.
-[[nodiscard]] std::string recording_text(const RecordingState& recording);
+[[nodiscard]] std::string recording_text(const RecordingState& recording, const Texts& texts);
 
 }  // namespace flytri::ui

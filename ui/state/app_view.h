@@ -15,6 +15,7 @@
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/calibration_state.h"
 #include "ui/state/devices_state.h"
+#include "ui/text/texts.h"
 
 namespace flytri::ui {
 
@@ -133,6 +134,7 @@ struct ExportState {
 
 /// The user's settings, saved between runs.
 struct Settings {
+  std::string language;     ///< ISO 639-1; empty: the desktop's
   double user_scale = 1.0;  ///< 0.75..2, times the scale of the screen
   bool is_muted = false;
   bool is_full_screen = false;
@@ -171,6 +173,7 @@ struct AppView {
   ChooserState chooser;
   std::vector<io::Measurement> measurements;  ///< of the current stage
   Settings settings;
+  Texts texts;                          ///< in the language of the settings
   std::vector<Notice> notices;          ///< newest last
   std::optional<DevicesState> devices;  ///< of a rig; none: simulated or recorded
   std::optional<CalibrationState>

@@ -58,19 +58,19 @@ bool is_date(const std::string& text) {
       .ok();
 }
 
-std::string problem_of(const CaseForm& form) {
+std::optional<Text> problem_of(const CaseForm& form) {
   const bool has_fields = form.tab == CaseTab::kFields || form.tab == CaseTab::kNew;
-  if (has_fields && !form.fields.birth_date.empty() &&
-      !is_date(form.fields.birth_date)) {
-    return "Write the date of birth as year-month-day: 1984-03-12";
+  if (has_fields && !form.fields.birth_date.empty() && !is_date(form.fields.birth_date)) {
+    return Text::kWriteDate;
   }
-  if (form.tab == CaseTab::kFields) return {};
-  if (form.tab == CaseTab::kDamage) return form.path.empty() ? "Name the file" : "";
-  if (form.path.empty()) return form.tab == CaseTab::kNew ? "Name the file" : "Choose a case";
+  if (form.tab == CaseTab::kFields) return std::nullopt;
+  if (form.path.empty()) {
+    return form.tab == CaseTab::kOpen ? Text::kChooseACase : Text::kNameTheFile;
+  }
   if (form.tab == CaseTab::kNew && form.passphrase != form.passphrase_again) {
-    return "The two passphrases differ";
+    return Text::kPassphrasesDiffer;
   }
-  return {};
+  return std::nullopt;
 }
 
 std::vector<std::size_t> matching_cases(const std::vector<KnownCase>& known,

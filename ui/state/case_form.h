@@ -1,6 +1,7 @@
 /// @file  What the user types in the dialog of the cases, and what is wrong with it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,8 @@ struct CaseForm {
 /// dashes.
 [[nodiscard]] std::string proposed_path(const CaseState& file, const CaseForm& form);
 
-/// Why the form cannot be confirmed, as a short sentence for the user; empty: it can.
-[[nodiscard]] std::string problem_of(const CaseForm& form);
+/// Why the form cannot be confirmed, as a short sentence for the user; none: it can.
+[[nodiscard]] std::optional<Text> problem_of(const CaseForm& form);
 
 /// Whether this text is a day, written as 2026-11-23.
 [[nodiscard]] bool is_date(const std::string& text);

@@ -1,47 +1,42 @@
 #include "ui/state/damage_words.h"
 
-#include <fmt/format.h>
-
 #include "ui/state/jaw_words.h"
 
 namespace flytri::ui {
 namespace {
 
-std::string counted(std::int64_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-std::string stage_text(const io::StageCounts& counts) {
-  std::string text = counted(counts.views, "view", "views");
+std::string stage_text(const io::StageCounts& counts, const Texts& texts) {
+  std::string text = texts.count<Text::kCountViews>(counts.views);
   if (counts.texture_frames > 0) {
-    text += ", " + counted(counts.texture_frames, "texture image", "texture images");
+    text += ", " + texts.count<Text::kCountTextures>(counts.texture_frames);
   }
-  if (counts.measurements > 0) text += ", " + counted(counts.measurements, "distance", "distances");
-  if (counts.has_result) text += ", the finished model";
+  if (counts.measurements > 0) {
+    text += ", " + texts.count<Text::kCountDistances>(counts.measurements);
+  }
+  if (counts.has_result) text += std::string(", ") + texts[Text::kTheFinishedModel];
   return text;
 }
 
 }  // namespace
 
-std::string readable_text(const io::CaseSurvey& survey) {
+std::string readable_text(const io::CaseSurvey& survey, const Texts& texts) {
   std::string text;
   for (const io::ScanStage stage : io::kScanStages) {
     const io::StageCounts& counts = survey.readable[static_cast<std::size_t>(stage)];
     if (counts == io::StageCounts{}) continue;
-    text += fmt::format("{}{}: {}", text.empty() ? "Readable: " : "; ", stage_name(stage),
-                        stage_text(counts));
+    text += std::string(texts[stage_name(stage)]) + ": " + stage_text(counts, texts) + "\n";
   }
-  return text.empty() ? "No scan in it can be read." : text + ".";
+  if (text.empty()) return texts[Text::kNothingReadable];
+  return texts[Text::kReadable] + ("\n" + text) + texts[Text::kCopyCanBeScanned];
 }
 
-std::string lost_text(const std::vector<std::string>& lost, std::size_t most_lines) {
+std::string lost_text(const std::vector<std::string>& lost, std::size_t most_lines,
+                      const Texts& texts) {
   std::string text;
   const std::size_t shown = lost.size() > most_lines ? most_lines - 1 : lost.size();
   for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : "\n") + lost[i];
-  if (shown < lost.size()) {
-    text += fmt::format("{}and {} more", shown == 0 ? "" : "\n", lost.size() - shown);
-  }
-  return text;
+  if (shown == lost.size()) return text;
+  return text + (shown == 0 ? "" : "\n") + texts.fill<Text::kAndMore>(lost.size() - shown);
 }
 
 }  // namespace flytri::ui

@@ -1,67 +1,52 @@
 #include "ui/state/question.h"
 
-#include <fmt/format.h>
-
-#include <vector>
-
 #include "ui/state/jaw_words.h"
 
 namespace flytri::ui {
 namespace {
 
-std::string numbered(std::int64_t count, const char* one, const char* many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
+void add_part(std::string& list, const std::string& part) {
+  if (!list.empty()) list += ", ";
+  list += part;
 }
 
-/// "12 views, 1 distance and the finished model"
-std::string content_of(const AppView& view) {
-  std::vector<std::string> parts;
+/// "12 views, 1 distance, the finished model"
+std::string scan_text(const AppView& view) {
+  std::string list;
+  const Texts& texts = view.texts;
   if (view.scan != nullptr) {
     const std::int64_t views = view.scan->counts.registered + view.scan->counts.interpolated;
-    parts.push_back(views > 0 ? numbered(views, "view", "views") : "the scanned surface");
-    if (view.scan->can_undo || view.scan->can_redo) parts.emplace_back("what was trimmed and locked");
+    add_part(list, views > 0 ? texts.count<Text::kCountViews>(views)
+                             : std::string(texts[Text::kTheScannedSurface]));
+    if (view.scan->can_undo || view.scan->can_redo) add_part(list, texts[Text::kTrimsAndLocks]);
   }
-  if (!view.measurements.empty()) {
-    parts.push_back(numbered(static_cast<std::int64_t>(view.measurements.size()), "distance",
-                             "distances"));
+  const auto distances = static_cast<std::int64_t>(view.measurements.size());
+  if (distances > 0) add_part(list, texts.count<Text::kCountDistances>(distances));
+  if (view.scan != nullptr && view.scan->result != nullptr) {
+    add_part(list, texts[Text::kTheFinishedModel]);
   }
-  if (view.scan != nullptr && view.scan->result != nullptr) parts.emplace_back("the finished model");
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) text += i + 1 == parts.size() ? " and " : ", ";
-    text += parts[i];
-  }
-  return text;
+  return list;
 }
 
 QuestionWords clear_words(const AppView& view) {
-  const std::string stage = stage_name(view.stage);
-  QuestionWords words = {fmt::format("Clear the {}?", stage),
-                         fmt::format("The {} becomes empty: {} go. The case keeps them until the {} "
-                                     "is cleared again; Undo (Z) brings them back.",
-                                     stage, content_of(view), stage),
-                         "Clear"};
-  if (view.has_kept_scan) {
-    words.text +=
-        " The scan that was cleared before is deleted for good. To go on with that one instead, "
-        "bring it back.";
-  }
+  const Texts& texts = view.texts;
+  QuestionWords words = {texts.fill<Text::kAskClear>(texts[stage_name(view.stage)]),
+                         texts.fill<Text::kClearText>(scan_text(view)), texts[Text::kClear]};
+  if (view.has_kept_scan) words.text += std::string(" ") + texts[Text::kClearAgainText];
   return words;
 }
 
 }  // namespace
 
 QuestionWords words_of(const Question& question, const AppView& view) {
+  const Texts& texts = view.texts;
   switch (question.kind) {
     case QuestionKind::kDropModel:
-      return {"Scan again?",
-              "The finished model was not exported. Once you scan, Finish makes another model, with "
-              "the new views. Export this one first if you need it.",
-              "Scan again"};
+      return {texts[Text::kAskScanAgain], texts[Text::kScanAgainText],
+              texts[Text::kButtonScanAgain]};
     case QuestionKind::kLeaveUnsaved:
-      return {"Leave without saving?",
-              "Not everything is saved, and what is not is lost: " + view.file.failure,
-              "Leave"};
+      return {texts[Text::kAskLeave], texts.fill<Text::kLeaveText>(view.file.failure),
+              texts[Text::kLeave]};
     case QuestionKind::kClearStage:
       break;
   }

@@ -329,6 +329,20 @@ TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
   EXPECT_GT(failures, 3);
 }
 
+TEST_F(SessionOnARecording, SpeaksTheLanguageOfTheDesktopOrOfTheSettings) {
+  options_.language = ui::Language::kGerman;
+  Session session(options_);
+  EXPECT_EQ(session.view().texts.language(), ui::Language::kGerman);
+  session.carry_out(ui::Tell{"x"});
+  EXPECT_EQ(session.view().notices.back().text, "Unbekannter Befehl: x");
+  ui::Settings settings = session.view().settings;
+  settings.language = "es";
+  session.carry_out(ui::ChangeSettings{settings});
+  EXPECT_EQ(session.view().texts.language(), ui::Language::kSpanish);
+  session.carry_out(ui::Tell{"x"});
+  EXPECT_EQ(session.view().notices.back().text, "Comando desconocido: x");
+}
+
 TEST_F(SessionOnARecording, WhileFinishingNoOtherCaseOrStageCanBeChosen) {
   Session session(options_);
   session.carry_out(ui::StartScan{});

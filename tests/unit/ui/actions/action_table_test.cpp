@@ -33,9 +33,10 @@ TEST(ActionTable, RowsAreInOrderAndNoIdOrKeyServesTwo) {
     EXPECT_EQ(row_of(row.action).id, row.id);
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;
     EXPECT_TRUE(keys.insert({row.shortcut.key, row.shortcut.modifiers}).second)
-        << row.shortcut.text;
+        << shortcut_text(row.shortcut, Texts());
     if (row.second.key == 0) continue;
-    EXPECT_TRUE(keys.insert({row.second.key, row.second.modifiers}).second) << row.second.text;
+    EXPECT_TRUE(keys.insert({row.second.key, row.second.modifiers}).second)
+        << shortcut_text(row.second, Texts());
   }
   EXPECT_EQ(action_table().size(), index_of(Action::kCount));
 }
