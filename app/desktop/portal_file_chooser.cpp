@@ -91,6 +91,8 @@ std::string first_uri(sd_bus_message* message) {
   return {};
 }
 
+/// Speaks D-Bus by libsystemd, not by libportal: that would need GLib and its main loop, while this
+/// library is part of every Debian and one call a frame of the window is enough.
 class PortalFileChooser final : public FileChooser {
  public:
   PortalFileChooser() { connect(); }
@@ -171,9 +173,9 @@ int PortalFileChooser::expect_answer(const std::string& path) {
   if (path == expected_path_) return 0;
   expected_path_ = path;
   sd_bus_slot* slot = nullptr;
-  const int code = sd_bus_match_signal_async(bus_.get(), &slot, kPortal, path.c_str(),
-                                             kRequestInterface, "Response", take_response, nullptr,
-                                             this);
+  const int code =
+      sd_bus_match_signal_async(bus_.get(), &slot, kPortal, path.c_str(), kRequestInterface,
+                                "Response", take_response, nullptr, this);
   if (code >= 0) response_.reset(slot);
   return code;
 }
@@ -181,8 +183,7 @@ int PortalFileChooser::expect_answer(const std::string& path) {
 Result<void> PortalFileChooser::ask(const ChooserQuestion& question) {
   if (!why_not_.empty()) return fail(ErrorCode::kNotFound, "{}", why_not_);
   if (is_open_) return fail(ErrorCode::kBadOption, "the file dialog is open already");
-  const std::string token =
-      "flytri" + std::to_string(::getpid()) + "_" + std::to_string(++asked_);
+  const std::string token = "flytri" + std::to_string(::getpid()) + "_" + std::to_string(++asked_);
   const std::string path = request_path(token);
   sd_bus_message* call = nullptr;
   const bool saves = question.kind == ChooserKind::kSaveFile;
@@ -198,8 +199,10 @@ Result<void> PortalFileChooser::ask(const ChooserQuestion& question) {
   // The reply comes at once, the answer when the user has chosen.
   if (code >= 0) code = sd_bus_call_async(bus_.get(), &slot, call, take_reply, this, 0);
   if (code < 0) {
-    return fail(ErrorCode::kNotFound, "the desktop's file dialog cannot be opened: {}; type the "
-                "path", std::strerror(-code));
+    return fail(ErrorCode::kNotFound,
+                "the desktop's file dialog cannot be opened: {}; type the "
+                "path",
+                std::strerror(-code));
   }
   reply_.reset(slot);
   is_open_ = true;
@@ -218,8 +221,7 @@ int PortalFileChooser::take_reply(sd_bus_message* message, void* self, sd_bus_er
   return 0;
 }
 
-int PortalFileChooser::take_response(sd_bus_message* message, void* self,
-                                     sd_bus_error* /*error*/) {
+int PortalFileChooser::take_response(sd_bus_message* message, void* self, sd_bus_error* /*error*/) {
   auto& chooser = *static_cast<PortalFileChooser*>(self);
   if (!chooser.is_open_) return 0;
   constexpr std::uint32_t kChosen = 0;

@@ -13,7 +13,8 @@ ActionState scan_state(const Situation& now) {
   if (now.view.file.is_opening || now.view.is_loading) return disabled(Text::kOpeningTheCase);
   if (!can_toggle) return disabled(Text::kFinishing);
   if (now.is_finished()) return enabled(Text::kFinished);
-  if (now.view.file.is_read_only) return disabled(Text::kCaseIsReadOnly);
+  // A scan goes on while its case is found damaged, and can be paused.
+  if (now.view.file.is_read_only && !now.view.is_scanning) return disabled(Text::kCaseIsReadOnly);
   if (now.view.is_scanning) return chosen(true, Text::kScanning);
   return enabled(Text::kPaused);
 }

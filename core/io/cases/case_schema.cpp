@@ -198,7 +198,8 @@ Result<CaseDatabase> open_case_database(const fs::path& path, const CaseOptions&
   Result<CaseDatabase> database = open_with(path, options.passphrase, options.read_only);
   if (database || database.error().code != ErrorCode::kInconsistent) return database;
   if (options.passphrase.empty()) {
-    return fail(ErrorCode::kInconsistent, "{}: is encrypted or not a case; give its passphrase",
+    return fail(ErrorCode::kInconsistent,
+                "{}: is encrypted, damaged at its start, or not a case; give its passphrase",
                 path.string());
   }
   database = open_with(path, {}, options.read_only);
