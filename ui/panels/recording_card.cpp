@@ -8,19 +8,29 @@
 namespace flytri::ui {
 namespace {
 
-constexpr float kRecordingWidth = 340.0F, kRecordingHeight = 36.0F, kToolStripRoom = 76.0F;
+constexpr float kRecordingWidth = 340.0F, kToolStripRoom = 76.0F;
+
+bool shows_recording(const RecordingState& recording) {
+  return recording.is_on || !recording.failure.empty();
+}
+
+/// A failure stays until the next recording, and takes more lines.
+float card_height(const PanelContext& context) {
+  return context.px(context.view.recording.failure.empty() ? 36.0F : 88.0F);
+}
 
 }  // namespace
 
 float recording_card_height(const PanelContext& context) {
-  if (!context.view.recording.is_on) return 0.0F;
-  return context.px(kRecordingHeight + kGapS);
+  if (!shows_recording(context.view.recording)) return 0.0F;
+  return card_height(context) + context.px(kGapS);
 }
 
 void draw_recording_card(const PanelContext& context) {
-  if (!context.view.recording.is_on) return;
+  const RecordingState& recording = context.view.recording;
+  if (!shows_recording(recording)) return;
   const Rect& picture = context.layout.picture;
-  const float width = context.px(kRecordingWidth), height = context.px(kRecordingHeight);
+  const float width = context.px(kRecordingWidth), height = card_height(context);
   float bottom = picture.bottom() - context.px(kGapM);
   if (context.state.tool != Tool::kNone) bottom -= context.px(kToolStripRoom);
   const Rect box = {picture.right() - context.px(kGapM) - width, bottom - height, width, height};
@@ -28,11 +38,14 @@ void draw_recording_card(const PanelContext& context) {
   const Plate plate("recording", box, overlay(context.theme));
   Rect row = box.inset(context.px(kGapM), 0.0F);
   const Fonts& fonts = context.theme.fonts;
-  draw_text(row.take_left(context.px(14.0F), context.px(kGapS)), {fonts.strong, kBad}, "\u25cf");
-  const Color ink = context.view.recording.failure.empty() ? kText : kCaution;
-  draw_text(row, {fonts.small, ink, Align::kLeft},
-            recording_text(context.view.recording, context.view.texts));
-  hint_over(box, context.view.texts.fill<Text::kRecordingHint>(context.view.recording.path));
+  const float dot = context.px(12.0F);
+  draw_box(row.take_left(dot, context.px(kGapS)).centered(dot, dot),
+           recording.is_on ? kBad : kCaution, dot / 2.0F);
+  draw_fitted(row, {fonts.small}, recording.failure.empty() ? kText : kCaution,
+              recording_text(recording, context.view.texts));
+  hint_over(box, recording.failure.empty()
+                     ? context.view.texts.fill<Text::kRecordingHint>(recording.path)
+                     : recording.failure);
 }
 
 }  // namespace flytri::ui

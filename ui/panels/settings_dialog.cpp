@@ -6,12 +6,12 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/recording_text.h"
 #include "ui/theme/icons.h"
+#include "ui/widgets/hint.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
 namespace {
 
-constexpr float kRecordingNote = 40.0F;
 constexpr float kSettingsWidth = 680.0F, kSettingsRow = 48.0F, kLanguageCaption = 20.0F;
 
 /// @param code  of the language; empty: that of the desktop
@@ -95,15 +95,16 @@ void draw_recording(const PanelContext& context, DialogPlate& dialog) {
   small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
                Action::kRecord,
                {nullptr, context.text(recording.is_on ? Text::kButtonOn : Text::kButtonOff)});
-  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft},
+  if (!recording.failure.empty()) hint_over(row, recording.failure);
+  draw_text(row.take_top(row.height / 2.0F), {context.theme.fonts.body, kText, Align::kLeft},
             context.text(Text::kRecordRawImages));
+  const Color ink = recording.failure.empty() ? kTextQuiet : kCaution;
+  draw_text(row, {context.theme.fonts.small, ink, Align::kLeft},
+            recording_text(recording, context.view.texts));
   if (!form.is_edited) form.folder = recording.folder;
   form.is_edited |= path_field(context, dialog.rest.take_top(context.px(kFieldRow)),
                                {"recording_folder", context.text(Text::kRecordingFolder)},
                                PathField::kRecordingFolder, form.folder);
-  const Color ink = recording.failure.empty() ? kTextQuiet : kCaution;
-  draw_wrapped(dialog.rest, {context.theme.fonts.small, ink},
-               recording_text(recording, context.view.texts));
 }
 
 }  // namespace
@@ -111,7 +112,7 @@ void draw_recording(const PanelContext& context, DialogPlate& dialog) {
 void draw_settings_dialog(const PanelContext& context) {
   DialogPlate dialog(context, context.text(Text::kSettings),
                      {kSettingsWidth, 320.0F + 3.0F * (kSettingsRow + kGapS) + kLanguageCaption +
-                                          kGapXs + kFieldRow + kRecordingNote});
+                                          kGapXs + kFieldRow});
   draw_language(context, dialog);
   draw_size(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));

@@ -17,10 +17,9 @@ FLYTRI_TEXT(kSensorCalibration, "Sensor calibration", "Sensorkalibrierung", "Ét
 // Recording raw images.
 FLYTRI_TEXT(kRecordingFolder, "Folder for recordings", "Ordner für Aufnahmen",
             "Dossier des enregistrements", "Carpeta para grabaciones")
-FLYTRI_TEXT(kRecordingIsOff, "Off. Recorded images help to find out what went wrong.",
-            "Aus. Aufgenommene Bilder helfen herauszufinden, was schiefging.",
-            "Désactivé. Des images enregistrées aident à trouver ce qui n’a pas marché.",
-            "Desactivado. Las imágenes grabadas ayudan a saber qué falló.")
+FLYTRI_TEXT(kRecordingIsOff, "Helps to find out what went wrong",
+            "Hilft herauszufinden, was schiefging", "Aide à trouver ce qui n’a pas marché",
+            "Ayuda a saber qué falló")
 FLYTRI_TEXT(kRecordingNow, "Recording: {0} images, {1}", "Aufnahme: {0} Bilder, {1}",
             "Enregistrement : {0} images, {1}", "Grabando: {0} imágenes, {1}")
 FLYTRI_TEXT(kRecorded, "Recorded: {0} images, {1}", "Aufgenommen: {0} Bilder, {1}",
