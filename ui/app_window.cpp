@@ -9,6 +9,7 @@
 #include "ui/control/control_answers.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/toasts.h"
+#include "ui/state/chosen_path.h"
 #include "ui/widgets/draw_record.h"
 #include "ui/window/imgui_host.h"
 
@@ -39,6 +40,7 @@ struct AppWindow::Impl {
   Result<void> open();
   Result<Theme> theme_for(const AppView& view, const ImageSize& size);
   void draw(const AppView& view, const Theme& theme, std::vector<Command>& commands);
+  void close(const AppView& view, std::vector<Command>& commands);
 };
 
 namespace {
@@ -51,6 +53,7 @@ void draw_overlays(const PanelContext& context) {
   draw_findings_panel(context);
   draw_tool_strip(context);
   draw_finishing_card(context);
+  draw_recording_card(context);
   draw_toasts(context);
 }
 
@@ -68,6 +71,8 @@ void draw_dialog(const PanelContext& context) {
       return draw_device_panel(context);
     case Dialog::kCalibration:
       return draw_calibration_panel(context);
+    case Dialog::kQuestion:
+      return draw_question_dialog(context);
     case Dialog::kNone:
       break;
   }
@@ -148,6 +153,18 @@ void AppWindow::Impl::draw(const AppView& view, const Theme& theme,
   draw_panels({view, state, commands, theme, layout, *scene, pictures, places, repainted});
 }
 
+/// As the key to quit: it may ask. Whoever closes the window once more means it.
+void AppWindow::Impl::close(const AppView& view, std::vector<Command>& commands) {
+  const bool is_asked = state.dialog == Dialog::kQuestion &&
+                        std::holds_alternative<Quit>(state.question.command);
+  if (!is_asked) {
+    perform(Action::kQuit, view, state, commands);
+    if (state.dialog == Dialog::kQuestion) return window->keep_open();
+  } else {
+    commands.emplace_back(Quit{});
+  }
+}
+
 ImageSize AppWindow::usual_size() const {
   const double scale = impl_->window->content_scale();
   const auto at_scale_1 = [&](int size_px) {
@@ -167,6 +184,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   // If the scale cannot be set, the former one stays.
   const Theme theme = impl.theme_for(view, size).value_or(impl.host->theme());
   update_toasts(view, impl.state);
+  take_chosen_path(view, impl.state);
   const std::vector<KeyEvent> presses = impl.host->begin_frame(size, view.now_s);
   for (const KeyEvent& press : presses) {
     if (const auto action = action_of(press)) perform(*action, view, impl.state, commands);
@@ -175,7 +193,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   drop_tool(view, impl.state);
   impl.draw(view, theme, commands);
   const std::vector<PixelBox> changed = impl.host->end_frame(impl.repainted);
-  if (impl.window->should_close()) commands.emplace_back(Quit{});
+  if (impl.window->should_close()) impl.close(view, commands);
   if (impl.control) {
     const bool is_idle = impl.window->input().empty() && presses.empty();
     impl.control->answer({view,

@@ -1,9 +1,11 @@
 /// @file  flytri app: opens the window.
+#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_files.h"
 #include "app/cli/source_options.h"
 #include "app/session/frame_pacer.h"
 #include "app/session/session.h"
@@ -19,6 +21,7 @@ struct AppArguments {
   session::SourceChoice source;
   ui::AppWindowOptions window;
   bool scans_at_once = false;
+  std::filesystem::path recording;
 };
 
 /// Plays a sound when the scan is lost and when it continues.
@@ -44,9 +47,19 @@ void remember_size(const ui::AppWindow& window, session::Session& session) {
   if (settings != before) session.carry_out(ui::ChangeSettings{settings});
 }
 
+Result<void> check_recording(const AppArguments& arguments) {
+  if (arguments.recording.empty()) return {};
+  if (arguments.source.name == session::kRecordingSource) {
+    return fail(ErrorCode::kBadOption,
+                "--record records a sensor; it cannot be used with --recording");
+  }
+  return check_recording_folder(arguments.recording, false);
+}
+
 /// @param progress  is canceled when a signal ends the program
 Result<void> run(const AppArguments& arguments, const Progress& progress) {
   if (auto checked = session::check_user_folders(); !checked) return checked;
+  if (auto checked = check_recording(arguments); !checked) return checked;
   ui::AppWindowOptions window_options = arguments.window;
   window_options.shows_case_dialog = !arguments.scans_at_once;
   const ui::Settings settings = session::read_settings(session::settings_path());
@@ -56,6 +69,8 @@ Result<void> run(const AppArguments& arguments, const Progress& progress) {
   if (!window) return tl::unexpected(window.error());
   session::SessionOptions options;
   options.source = arguments.source;
+  options.recording = arguments.recording;
+  options.language = ui::desktop_language([](const char* name) { return std::getenv(name); });
   session::Session session(options);
   if (arguments.scans_at_once) session.carry_out(ui::StartScan{});
   ui::SoundPlayer sounds;
@@ -84,6 +99,8 @@ void add_app_command(CLI::App& app, Invocation& invocation) {
   add_source_options(*command, arguments->source);
   command->add_flag("--scan", arguments->scans_at_once,
                     "Start scanning at once. Default: choose or name a case first");
+  command->add_option("--record", arguments->recording,
+                      "New folder in which to record the raw frames of the sensor");
   command
       ->add_option("--scale", arguments->window.content_scale,
                    "Size of texts and buttons, 0.5 to 4. Default: as the screen asks")

@@ -16,6 +16,8 @@ struct CaseArguments {
   std::string stage;  ///< empty: the only one that was scanned
 };
 
+/// Adds --passphrase-file.
+void add_passphrase_option(CLI::App& command, CaseArguments& arguments);
 /// Adds --stage and --passphrase-file.
 void add_case_options(CLI::App& command, CaseArguments& arguments);
 

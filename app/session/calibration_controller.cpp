@@ -26,18 +26,18 @@ calibration::CalibrationPlan plan_for(const calibration::Calibration* known) {
 Result<std::unique_ptr<CalibrationWork>> begin_work(
     const ui::BeginCalibration& command,
     const std::shared_ptr<const calibration::Calibration>& calibration,
-    std::shared_ptr<shots::ShotSource> source) {
+    std::shared_ptr<shots::ShotSource> source, const ui::Texts& texts) {
   switch (command.task) {
     case ui::CalibrationTask::kCheckOnPlane:
-      return check_guided(calibration, std::nullopt, std::move(source));
+      return check_guided(calibration, std::nullopt, std::move(source), texts);
     case ui::CalibrationTask::kCheckOnSphere:
-      return check_guided(calibration, command.sphere_diameter_mm, std::move(source));
+      return check_guided(calibration, command.sphere_diameter_mm, std::move(source), texts);
     case ui::CalibrationTask::kCalibrate:
       break;
   }
   const auto plan = io::guided_plan_or(plan_for(calibration.get()), command.folder);
   if (!plan) return tl::unexpected(plan.error());
-  return calibrate_guided(command.folder, *plan, std::move(source));
+  return calibrate_guided(command.folder, *plan, std::move(source), texts);
 }
 
 std::filesystem::path propose_folder() {
@@ -69,9 +69,9 @@ void CalibrationController::begin(const ui::BeginCalibration& command) {
   shots.simulated = !has_rig;
   if (has_rig) shots.rig = source_.choice().path;
   job.open_source = [shots] { return shots::open_shots(shots); };
-  job.begin_work = [command, calibration =
-                                 source_.calibration()](std::shared_ptr<shots::ShotSource> source) {
-    return begin_work(command, calibration, std::move(source));
+  job.begin_work = [command, calibration = source_.calibration(),
+                    texts = notices_.texts()](std::shared_ptr<shots::ShotSource> source) {
+    return begin_work(command, calibration, std::move(source), texts);
   };
   run_ = std::make_shared<CalibrationRun>(std::move(job));
 }
@@ -107,7 +107,8 @@ void CalibrationController::use() {
   const std::filesystem::path folder = run_->state().folder;
   const auto adopted = adopt_calibration(source_.choice(), folder / "calibration.json");
   if (!adopted) return notices_.add(ui::Severity::kError, adopted.error().message);
-  notices_.add(ui::Severity::kInformation, "In use: " + adopted->string());
+  notices_.add(ui::Severity::kInformation,
+               notices_.texts().fill<ui::Text::kCalibrationInUse>(adopted->string()));
   stages_.forget();
   source_.forget();
   close([this] {
@@ -117,8 +118,8 @@ void CalibrationController::use() {
 }
 
 std::string CalibrationController::why_not_used() const {
-  if (source_.choice().is_virtual()) return "the virtual sensor has its own calibration";
-  if (stages_.has_unsaved()) return "save the scans in a case first";
+  if (source_.choice().is_virtual()) return notices_.texts()[ui::Text::kVirtualHasItsOwn];
+  if (stages_.has_unsaved()) return notices_.texts()[ui::Text::kSaveScansFirst];
   return {};
 }
 

@@ -13,15 +13,21 @@
 namespace flytri::session {
 namespace {
 
+using ui::Text;
+
 constexpr double kMicrons = 1e3;
 
-ui::JudgedShot judged(const shots::ShotOutcome& outcome) {
+ui::JudgedShot judged(const shots::ShotOutcome& outcome, const ui::Texts& texts) {
   const calibration::ShotVerdict& verdict = outcome.verdict;
-  ui::JudgedShot shot{std::string(to_string(outcome.shot.kind)), verdict.good(), verdict.finding,
-                      std::string(calibration::remedy_of(verdict.fault))};
+  const auto translated = [&](std::string_view words) {
+    return std::string(texts.translated(words));
+  };
+  ui::JudgedShot shot{translated(to_string(outcome.shot.kind)), verdict.good(),
+                      translated(verdict.finding),
+                      translated(calibration::remedy_of(verdict.fault))};
   if (verdict.good() && verdict.figures.found > 0) {
-    shot.finding = fmt::format("{} found, brightness {:.0f} %", verdict.figures.found,
-                               100 * verdict.figures.brightness);
+    shot.finding = texts.fill<ui::Text::kFoundAndBrightness>(verdict.figures.found,
+                                                             100 * verdict.figures.brightness);
   }
   return shot;
 }
@@ -44,7 +50,8 @@ double worst_offset_mm(const std::vector<calibration::PlaneResidual>& planes) {
 
 class Calibrating final : public CalibrationWork {
  public:
-  explicit Calibrating(shots::GuidedSession session) : session_(std::move(session)) {}
+  Calibrating(shots::GuidedSession session, const ui::Texts& texts)
+      : session_(std::move(session)), texts_(texts) {}
 
   std::vector<ui::CalibrationPlace> places() const override {
     const calibration::GuidedCalibration& guide = session_.guide();
@@ -52,8 +59,8 @@ class Calibrating final : public CalibrationWork {
     for (std::size_t i = 0; i < guide.placements().size(); ++i) {
       const calibration::Placement& placement = guide.placements()[i];
       const double z_mm = guide.plan().z_mm[placement.plane];
-      places.push_back({std::string(to_string(placement.face)),
-                        fmt::format("at z = {} mm", depth_text(z_mm, 2)), depth_text(z_mm, 1),
+      places.push_back({std::string(texts_.translated(to_string(placement.face))),
+                        texts_.fill<Text::kAtDepth>(depth_text(z_mm, 2)), depth_text(z_mm, 1),
                         placement.plane, static_cast<std::size_t>(placement.face),
                         guide.is_done(i)});
     }
@@ -74,7 +81,7 @@ class Calibrating final : public CalibrationWork {
 
   Result<void> take(const Tell& tell, const Progress& progress) override {
     return session_.shoot_placement(
-        [&](const shots::ShotOutcome& outcome) { tell(judged(outcome)); }, progress);
+        [&](const shots::ShotOutcome& outcome) { tell(judged(outcome, texts_)); }, progress);
   }
 
   Result<void> reopen(std::size_t place) override { return session_.reopen(place); }
@@ -84,7 +91,7 @@ class Calibrating final : public CalibrationWork {
     if (!fit) return tl::unexpected(fit.error());
     ui::CalibrationOutcome outcome;
     outcome.is_good = true;
-    outcome.verdict = "The sensor is calibrated";
+    outcome.verdict = texts_[Text::kSensorIsCalibrated];
     outcome.planes = fit->planes;
     outcome.plane_limit_mm =
         calibration::PlaneResidualOptions{}.max_offset_share * fit->calibration.volume.size_mm.z();
@@ -92,32 +99,33 @@ class Calibrating final : public CalibrationWork {
       return kMicrons * fit->calibration.of(pattern).depth_residual_mm.rms;
     };
     outcome.meanings = {
-        fmt::format("Single samples scatter by {:.1f} \u00b5m on vertical and {:.1f} \u00b5m on "
-                    "horizontal lines; no plane is farther than {:.1f} \u00b5m from its place.",
-                    rms_um(Pattern::kVertical), rms_um(Pattern::kHorizontal),
-                    kMicrons * worst_offset_mm(fit->planes)),
-        fmt::format("Written: {}", (session_.folder() / "calibration.json").string())};
+        texts_.fill<Text::kScatter>(rms_um(Pattern::kVertical), rms_um(Pattern::kHorizontal),
+                                    kMicrons * worst_offset_mm(fit->planes)),
+        texts_.fill<Text::kWrittenFile>((session_.folder() / "calibration.json").string())};
     return outcome;
   }
 
  private:
   shots::GuidedSession session_;
+  const ui::Texts texts_;
 };
 
 class Checking final : public CalibrationWork {
  public:
   Checking(std::shared_ptr<const calibration::Calibration> calibration,
-           std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source)
+           std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source,
+           const ui::Texts& texts)
       : calibration_(std::move(calibration)),
         sphere_diameter_mm_(sphere_diameter_mm),
         source_(std::move(source)),
+        texts_(texts),
         poses_(shots::verification_places().size()) {}
 
   std::vector<ui::CalibrationPlace> places() const override {
     std::vector<ui::CalibrationPlace> places;
     for (std::size_t i = 0; i < poses_.size(); ++i) {
-      places.push_back({sphere_diameter_mm_ ? "sphere" : "plane",
-                        std::string(shots::verification_places()[i].words),
+      places.push_back({texts_[sphere_diameter_mm_ ? Text::kTargetSphere : Text::kTargetPlane],
+                        std::string(texts_.translated(shots::verification_places()[i].words)),
                         fmt::format("{}", i + 1), i, 0, poses_[i].has_value()});
     }
     return places;
@@ -136,10 +144,10 @@ class Checking final : public CalibrationWork {
   Result<void> take(const Tell& tell, const Progress& progress) override {
     const std::size_t place = *wanted();
     auto pose = shots::take_verification_pose(*source_, depth_mm(place), *calibration_, progress);
-    const std::string name = fmt::format("place {}", place + 1);
+    const std::string name = texts_.fill<Text::kPlaceNumber>(place + 1);
     if (pose) {
       poses_[place] = *std::move(pose);
-      tell({name, true, "at rest", {}});
+      tell({name, true, texts_[Text::kAtRest], {}});
       return {};
     }
     if (pose.error().code != ErrorCode::kInconsistent) return tl::unexpected(pose.error());
@@ -162,17 +170,19 @@ class Checking final : public CalibrationWork {
     ui::CalibrationOutcome outcome;
     outcome.is_good = report->outcome == calibration::VerificationOutcome::kValid;
     outcome.figures = report->figures;
-    outcome.meanings = report->meanings;
+    for (const std::string& meaning : report->meanings) {
+      outcome.meanings.emplace_back(texts_.translated(meaning));
+    }
     switch (report->outcome) {
       case calibration::VerificationOutcome::kValid:
-        outcome.verdict = "Calibration valid";
+        outcome.verdict = texts_[Text::kCalibrationValid];
         break;
       case calibration::VerificationOutcome::kBroken:
-        outcome.verdict = "Calibration no longer valid";
-        outcome.meanings.emplace_back("Calibrate the sensor again.");
+        outcome.verdict = texts_[Text::kCalibrationInvalid];
+        outcome.meanings.emplace_back(texts_[Text::kCalibrateAgain]);
         break;
       case calibration::VerificationOutcome::kUnclear:
-        outcome.verdict = "No verdict";
+        outcome.verdict = texts_[Text::kNoVerdict];
         outcome.meanings = {report->reason};
     }
     return outcome;
@@ -186,23 +196,27 @@ class Checking final : public CalibrationWork {
   std::shared_ptr<const calibration::Calibration> calibration_;
   std::optional<double> sphere_diameter_mm_;
   std::shared_ptr<shots::ShotSource> source_;
+  const ui::Texts texts_;
   std::vector<std::optional<calibration::VerificationPose>> poses_;  // by verification_places()
 };
 
 }  // namespace
 
-Result<std::unique_ptr<CalibrationWork>> calibrate_guided(
-    const std::filesystem::path& folder, const calibration::CalibrationPlan& plan,
-    std::shared_ptr<shots::ShotSource> source) {
+Result<std::unique_ptr<CalibrationWork>> calibrate_guided(const std::filesystem::path& folder,
+                                                          const calibration::CalibrationPlan& plan,
+                                                          std::shared_ptr<shots::ShotSource> source,
+                                                          const ui::Texts& texts) {
   auto session = shots::GuidedSession::open(folder, plan, std::move(source));
   if (!session) return tl::unexpected(session.error());
-  return std::make_unique<Calibrating>(*std::move(session));
+  return std::make_unique<Calibrating>(*std::move(session), texts);
 }
 
 std::unique_ptr<CalibrationWork> check_guided(
     std::shared_ptr<const calibration::Calibration> calibration,
-    std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source) {
-  return std::make_unique<Checking>(std::move(calibration), sphere_diameter_mm, std::move(source));
+    std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source,
+    const ui::Texts& texts) {
+  return std::make_unique<Checking>(std::move(calibration), sphere_diameter_mm, std::move(source),
+                                    texts);
 }
 
 }  // namespace flytri::session

@@ -12,6 +12,7 @@
 #include "core/calibration/record/calibration.h"
 #include "hw/shots/shot_source.h"
 #include "ui/state/calibration_state.h"
+#include "ui/text/texts.h"
 
 namespace flytri::session {
 
@@ -53,15 +54,17 @@ class CalibrationWork {
 };
 
 /// Calibrates, and continues with what the folder contains, see GuidedSession.
+/// @param texts  for places, images and results
 /// @errors  As GuidedSession::open.
 [[nodiscard]] Result<std::unique_ptr<CalibrationWork>> calibrate_guided(
     const std::filesystem::path& folder, const calibration::CalibrationPlan& plan,
-    std::shared_ptr<shots::ShotSource> source);
+    std::shared_ptr<shots::ShotSource> source, const ui::Texts& texts = {});
 
 /// Checks a calibration on a plane or on a sphere.
 /// @param sphere_diameter_mm  > 0; none: on a plane
 [[nodiscard]] std::unique_ptr<CalibrationWork> check_guided(
     std::shared_ptr<const calibration::Calibration> calibration,
-    std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source);
+    std::optional<double> sphere_diameter_mm, std::shared_ptr<shots::ShotSource> source,
+    const ui::Texts& texts = {});
 
 }  // namespace flytri::session

@@ -22,6 +22,17 @@ io::CaseFields created_now(io::CaseFields fields) {
   return fields;
 }
 
+/// Beside the damaged case, under a name that is free.
+std::filesystem::path rescue_path(const std::filesystem::path& damaged) {
+  const std::string stem = (damaged.parent_path() / damaged.stem()).string() + "-rescued";
+  std::filesystem::path path = stem + ".flytri";
+  std::error_code ignored;
+  for (int number = 2; std::filesystem::exists(path, ignored); ++number) {
+    path = fmt::format("{}-{}.flytri", stem, number);
+  }
+  return path;
+}
+
 /// Creates the file with all that a case needs from the beginning.
 Result<io::CaseFile> create_file(const ui::NewCase& command,
                                  const calibration::Calibration& calibration) {
@@ -50,15 +61,15 @@ CaseController::CaseController(std::filesystem::path unnamed_folder, const Sourc
 
 bool CaseController::refuses_while_finishing() {
   if (stages_.may_leave()) return false;
-  state_.message = "The scan is finishing. Wait until it is done, or cancel it (Escape).";
+  const ui::Texts& texts = notices_.texts();
+  state_.message = texts.fill<ui::Text::kWaitForFinishing>(texts[ui::Text::kKeyEscape]);
   return true;
 }
 
 void CaseController::create(const ui::NewCase& command) {
   if (refuses_while_finishing()) return;
   if (source_.calibration() == nullptr) {
-    state_.message =
-        "A case contains the calibration of its sensor. Wait until the sensor is ready.";
+    state_.message = notices_.texts()[ui::Text::kWaitForSensor];
     return;
   }
   if (is_unnamed()) return name_unnamed(command);
@@ -161,9 +172,8 @@ void CaseController::accept_opened(const std::string& passphrase) {
   state_.passphrase_is_asked = false;
   state_.is_encrypted = !passphrase.empty();
   state_.fields = store()->fields().value_or(io::CaseFields{});
-  for (const std::string& line : store()->damage()) notices_.add(ui::Severity::kWarning, line);
-  if (store()->is_read_only()) {
-    state_.message = "The case is open read-only. New scans are not saved in it.";
+  if (store()->is_read_only() && !store()->is_damaged()) {
+    state_.message = notices_.texts()[ui::Text::kOpenReadOnly];
   }
   list_cases();
 }
@@ -173,10 +183,59 @@ void CaseController::warn_of_other_calibration() {
   const auto kept = store()->calibration();
   if (!kept || !*kept || io::to_json(**kept) == io::to_json(*source_.calibration())) return;
   notices_.add(ui::Severity::kWarning,
-               "This case was scanned with another calibration. New scans are measured with the "
-               "sensor's present calibration. For the texture of the earlier scans, use: flytri "
-               "reconstruct " +
-                   store()->path());
+               notices_.texts().fill<ui::Text::kOtherCalibration>(store()->path()));
+}
+
+void CaseController::look_at_damage() {
+  if (store() == nullptr || !store()->is_damaged()) {
+    state_.damaged.reset();
+    looked_at_.reset();
+    return;
+  }
+  if (looked_at_ == stages_.store()) return;
+  looked_at_ = stages_.store();
+  state_.damaged.emplace();
+  state_.damaged->copy_path = rescue_path(looked_at_->path()).string();
+  background_.run([this, store = looked_at_] {
+    auto survey = std::make_shared<Result<io::CaseSurvey>>(store->survey());
+    return [this, store, survey] {
+      if (store != looked_at_ || !state_.damaged) return;
+      if (!*survey) {
+        state_.damaged->survey.emplace();
+        state_.damaged->survey->lost.push_back(survey->error().message);
+        return;
+      }
+      state_.damaged->survey = std::move(**survey);
+    };
+  });
+}
+
+void CaseController::save_rescue_copy(const ui::SaveRescueCopy& command) {
+  if (!state_.damaged || state_.damaged->is_copying || refuses_while_finishing()) return;
+  state_.damaged->is_copying = true;
+  state_.message.clear();
+  // What waits in memory because the case is damaged goes into the copy, too.
+  background_.run(
+      [this, path = command.path, store = stages_.store(), rest = stages_.come_to_rest()] {
+        rest();
+        auto copied = std::make_shared<Result<io::CaseSurvey>>(store->rescue_to(path));
+        auto copy = std::make_shared<Result<io::CaseFile>>(
+            *copied ? io::CaseFile::open(path, {.passphrase = store->passphrase()})
+                    : tl::unexpected(copied->error()));
+        return [this, store, path, copy] {
+          if (store != stages_.store()) return;
+          if (!*copy) {
+            if (state_.damaged) state_.damaged->is_copying = false;
+            state_.message = copy->error().message;
+            return stages_.show();
+          }
+          const std::string passphrase = store->passphrase();
+          stages_.replace_by(std::make_shared<CaseStore>(std::move(**copy)));
+          accept_opened(passphrase);
+          notices_.add(ui::Severity::kInformation,
+                       notices_.texts().fill<ui::Text::kRescueOpened>(path));
+        };
+      });
 }
 
 void CaseController::set_fields(const ui::SetCaseFields& command) {
@@ -201,14 +260,16 @@ void CaseController::report_failure() {
   const std::string failure = store()->failure();
   if (failure == reported_failure_) return;
   reported_failure_ = failure;
+  const ui::Texts& texts = notices_.texts();
   if (failure.empty()) {
-    notices_.add(ui::Severity::kInformation, "Everything is saved again: " + store()->path());
+    notices_.add(ui::Severity::kInformation, texts.fill<ui::Text::kSavedAgain>(store()->path()));
   } else {
-    notices_.add(ui::Severity::kError, "Not saved: " + failure);
+    notices_.add(ui::Severity::kError, texts.fill<ui::Text::kNotSavedBecause>(failure));
   }
 }
 
 ui::CaseState CaseController::state() {
+  look_at_damage();
   ui::CaseState state = state_;
   if (store() == nullptr) return state;
   report_failure();

@@ -30,6 +30,8 @@ class CaseController {
   void discard(const ui::DiscardCase& command);
   /// Before the end: removes the unnamed case if nothing was scanned.
   void close();
+  /// Writes it in the background, then opens it.
+  void save_rescue_copy(const ui::SaveRescueCopy& command);
   void set_fields(const ui::SetCaseFields& command);
   /// Warns if the case was scanned with another calibration than the source's.
   void warn_of_other_calibration();
@@ -47,6 +49,8 @@ class CaseController {
   void accept_opened(const std::string& passphrase);
   void list_cases();
   void report_failure();
+  /// Once damage is found: looks what of the case can be read.
+  void look_at_damage();
 
   const std::filesystem::path unnamed_folder_;
   const SourceController& source_;
@@ -55,6 +59,7 @@ class CaseController {
   Notices& notices_;
   ui::CaseState state_;  ///< all that the store itself does not say
   std::string reported_failure_;
+  std::shared_ptr<CaseStore> looked_at_;  ///< whose damage is in the state
 };
 
 }  // namespace flytri::session

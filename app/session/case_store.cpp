@@ -13,41 +13,55 @@ namespace flytri::session {
 
 namespace {
 
+/// Whether a model is that of a stage as it is now. Views that were lost since are in the model.
+bool is_made_of(const io::ResultBasis& made_of, const io::StageCounts& counts,
+                const io::StoredStage& stored) {
+  const io::ResultBasis now = io::basis_of(counts, stored.edits.state());
+  const bool has_lost_views = !stored.damage.empty() && made_of.view_count > now.view_count;
+  return made_of.edited_at_s == now.edited_at_s &&
+         (made_of.view_count == now.view_count || has_lost_views);
+}
+
 /// The finished model of a stage. Null if there is none, or if the stage has changed since. If it
 /// cannot be read, `damage` says so.
 std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& file,
                                                                 io::ScanStage stage,
                                                                 const io::StoredStage& stored,
-                                                                std::vector<std::string>& damage) {
+                                                                std::vector<std::string>& damage,
+                                                                const ui::Texts& texts) {
   const auto lost = [&](const Error& error) {
-    damage.push_back(
-        fmt::format("the finished model cannot be read ({}): finish again", error.message));
+    damage.push_back(texts.fill<ui::Text::kModelUnreadable>(error.message));
     return nullptr;
   };
   const auto counts = file.counts(stage);
   if (!counts || !counts->has_result) return nullptr;
   const auto result = file.load_result(stage);
   if (!result) return lost(result.error());
-  if (result->made_of != io::basis_of(*counts, stored.edits.state())) return nullptr;
+  if (!result->made_of || !is_made_of(*result->made_of, *counts, stored)) return nullptr;
   Result<TexturedMesh> model = io::parse_glb(result->glb, file.path().string());
   if (!model) return lost(model.error());
   return std::make_shared<const reconstruct::FinishedScan>(
       reconstruct::finished_scan_of(std::move(*model)));
 }
 
+using Count = Result<io::StageCounts> (io::CaseFile::*)(io::ScanStage);
+
 /// A stage that cannot be read may have views.
-StagesWithViews find_views(io::CaseFile& file) {
+StagesWithViews find_views(io::CaseFile& file, Count count) {
   StagesWithViews found = {};
   for (const io::ScanStage stage : io::kScanStages) {
-    const auto counts = file.counts(stage);
+    const auto counts = (file.*count)(stage);
     found[static_cast<std::size_t>(stage)] = !counts || counts->views > 0;
   }
   return found;
 }
 
 bool has_any_views(io::CaseFile& file) {
-  const StagesWithViews found = find_views(file);
-  return std::find(found.begin(), found.end(), true) != found.end();
+  for (const Count count : {&io::CaseFile::counts, &io::CaseFile::kept_counts}) {
+    const StagesWithViews found = find_views(file, count);
+    if (std::find(found.begin(), found.end(), true) != found.end()) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -95,27 +109,30 @@ class CaseStore::Journal final : public scan::ScanJournal {
 };
 
 CaseStore::CaseStore(io::CaseFile file)
-    : file_(std::move(file)), stages_with_views_(find_views(file_)) {
+    : file_(std::move(file)), stages_with_views_(find_views(file_, &io::CaseFile::counts)) {
   update_status();
+  status_.has_kept_scan = find_views(file_, &io::CaseFile::kept_counts);
 }
 
 void CaseStore::update_status() {
   const std::lock_guard lock(status_mutex_);
   status_.path = file_.path().string();
   status_.is_read_only = file_.is_read_only();
-  status_.damage = file_.damage();
+  status_.is_damaged = file_.is_damaged();
 }
 
 void CaseStore::write(const std::function<Result<void>(io::CaseFile&)>& writing) {
   const std::lock_guard lock(mutex_);
   const Result<void> written = writing(file_);
   const bool has_waiting = file_.has_waiting();
+  update_status();
   const std::lock_guard status_lock(status_mutex_);
-  status_.is_read_only = file_.is_read_only();
   if (!written) {
     const ErrorCode code = written.error().code;
+    // What a damaged case does not take goes into its rescue copy.
     const bool is_retried =
-        has_waiting && (code == ErrorCode::kWriteFailed || code == ErrorCode::kNotPermitted);
+        has_waiting && (code == ErrorCode::kWriteFailed || code == ErrorCode::kNotPermitted ||
+                        code == ErrorCode::kBadFormat);
     (is_retried ? status_.waiting_failure : status_.loss) = written.error().message;
   }
   if (!has_waiting) status_.waiting_failure.clear();
@@ -125,9 +142,10 @@ std::shared_ptr<scan::ScanJournal> CaseStore::journal(io::ScanStage stage) {
   return std::make_shared<Journal>(shared_from_this(), stage);
 }
 
-Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
+Result<OpenedStage> CaseStore::load(io::ScanStage stage, const ui::Texts& texts) {
   const std::lock_guard lock(mutex_);
   Result<io::StoredStage> stored = file_.load_stage(stage);
+  update_status();
   if (!stored) return tl::unexpected(stored.error());
   OpenedStage opened;
   for (io::StoredView& view : stored->views) {
@@ -143,8 +161,10 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
   for (const auto& edit : *stored->edits.all()) {
     opened.last_time_s = std::max(opened.last_time_s, edit->made_at_s);
   }
+  opened.last_frame = std::max(opened.last_frame, stored->last_frame);
   opened.damage = std::move(stored->damage);
-  opened.scan.result = current_result(file_, stage, *stored, opened.damage);
+  opened.scan.result = current_result(file_, stage, *stored, opened.damage, texts);
+  update_status();
   opened.scan.texture_frames = std::move(stored->texture_frames);
   opened.scan.edits = std::move(stored->edits);
   opened.measurements = std::move(stored->measurements);
@@ -153,7 +173,9 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage) {
 
 Result<io::CaseFields> CaseStore::fields() {
   const std::lock_guard lock(mutex_);
-  return file_.fields();
+  auto fields = file_.fields();
+  update_status();
+  return fields;
 }
 
 Result<void> CaseStore::write_fields(const io::CaseFields& fields) {
@@ -171,6 +193,7 @@ Result<void> CaseStore::write_calibration(const calibration::Calibration& calibr
 Result<std::optional<calibration::Calibration>> CaseStore::calibration() {
   const std::lock_guard lock(mutex_);
   const Result<std::string> text = file_.calibration();
+  update_status();
   if (!text && text.error().code == ErrorCode::kInsufficient) return std::nullopt;
   if (!text) return tl::unexpected(text.error());
   Result<calibration::Calibration> calibration =
@@ -193,6 +216,39 @@ Result<void> CaseStore::remove_measurement(std::int64_t id) {
   return file_.commit();
 }
 
+Result<io::CaseSurvey> CaseStore::survey() {
+  const std::lock_guard lock(mutex_);
+  return file_.survey();
+}
+
+Result<io::CaseSurvey> CaseStore::rescue_to(const std::filesystem::path& path) {
+  const std::lock_guard lock(mutex_);
+  return file_.rescue_to(path);
+}
+
+Result<void> CaseStore::change_stage(const std::function<Result<void>(io::CaseFile&)>& change) {
+  const std::lock_guard lock(mutex_);
+  Result<void> changed = change(file_).and_then([&] { return file_.commit(); });
+  update_status();
+  const StagesWithViews kept = find_views(file_, &io::CaseFile::kept_counts);
+  const std::lock_guard status_lock(status_mutex_);
+  status_.has_kept_scan = kept;
+  return changed;
+}
+
+Result<void> CaseStore::clear(io::ScanStage stage) {
+  return change_stage([&](io::CaseFile& file) { return file.clear_stage(stage); });
+}
+
+Result<void> CaseStore::bring_back(io::ScanStage stage) {
+  return change_stage([&](io::CaseFile& file) { return file.bring_back_stage(stage); });
+}
+
+StagesWithViews CaseStore::stages_with_kept_scan() const {
+  const std::lock_guard lock(status_mutex_);
+  return status_.has_kept_scan;
+}
+
 bool CaseStore::has_views() {
   const std::lock_guard lock(mutex_);
   return has_any_views(file_);
@@ -209,6 +265,11 @@ Result<void> CaseStore::move_to(const std::filesystem::path& path, const std::st
   return moved;
 }
 
+std::string CaseStore::passphrase() {
+  const std::lock_guard lock(mutex_);
+  return file_.passphrase();
+}
+
 std::string CaseStore::path() const {
   const std::lock_guard lock(status_mutex_);
   return status_.path;
@@ -219,9 +280,9 @@ bool CaseStore::is_read_only() const {
   return status_.is_read_only;
 }
 
-std::vector<std::string> CaseStore::damage() const {
+bool CaseStore::is_damaged() const {
   const std::lock_guard lock(status_mutex_);
-  return status_.damage;
+  return status_.is_damaged;
 }
 
 std::string CaseStore::failure() const {

@@ -32,7 +32,8 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
 
   /// The journal that saves a scan of this stage.
   [[nodiscard]] std::shared_ptr<scan::ScanJournal> journal(io::ScanStage stage);
-  [[nodiscard]] Result<OpenedStage> load(io::ScanStage stage);
+  /// @param texts  for messages
+  [[nodiscard]] Result<OpenedStage> load(io::ScanStage stage, const ui::Texts& texts = {});
   [[nodiscard]] Result<io::CaseFields> fields();
   [[nodiscard]] Result<void> write_fields(const io::CaseFields& fields);
   [[nodiscard]] Result<void> write_calibration(const calibration::Calibration& calibration);
@@ -41,20 +42,33 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] Result<std::int64_t> add_measurement(io::ScanStage stage,
                                                      const io::Measurement& added);
   [[nodiscard]] Result<void> remove_measurement(std::int64_t id);
-  /// True if a stage has views, or cannot be read.
+  /// What can be read of the case. Takes seconds if the scans are long.
+  [[nodiscard]] Result<io::CaseSurvey> survey();
+  /// As CaseFile::rescue_to. Takes seconds if the scans are long.
+  [[nodiscard]] Result<io::CaseSurvey> rescue_to(const std::filesystem::path& path);
+  /// See CaseFile::clear_stage. Committed: after a crash the stage is as it was, or cleared.
+  [[nodiscard]] Result<void> clear(io::ScanStage stage);
+  /// See CaseFile::bring_back_stage.
+  [[nodiscard]] Result<void> bring_back(io::ScanStage stage);
+  /// True if a stage has views, also such as were cleared, or cannot be read.
   [[nodiscard]] bool has_views();
   /// Moves the case to another file, see CaseFile::move_to, and writes the fields there. Journals
   /// go on in the new file. Takes seconds if the scans are long.
   [[nodiscard]] Result<void> move_to(const std::filesystem::path& path,
                                      const std::string& passphrase, const io::CaseFields& fields);
 
+  /// See CaseFile::passphrase.
+  [[nodiscard]] std::string passphrase();
+
   // The window asks for these in each frame: they do not wait for a write.
   [[nodiscard]] std::string path() const;
   [[nodiscard]] bool is_read_only() const;
   /// Whether each stage had views when the case was opened.
   [[nodiscard]] StagesWithViews stages_with_views() const { return stages_with_views_; }
-  /// The damage that was found, one line each.
-  [[nodiscard]] std::vector<std::string> damage() const;
+  /// Damage was found, when the case was opened or since.
+  [[nodiscard]] bool is_damaged() const;
+  /// Whether each stage keeps a scan that was cleared.
+  [[nodiscard]] StagesWithViews stages_with_kept_scan() const;
   /// Why something is not saved; empty: everything is. A failure is over as soon as all that waited
   /// is saved. It stays if something is lost for good, see CaseFile.
   [[nodiscard]] std::string failure() const;
@@ -64,7 +78,8 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   struct Status {
     std::string path;
     bool is_read_only = false;
-    std::vector<std::string> damage;
+    bool is_damaged = false;
+    StagesWithViews has_kept_scan = {};
     std::string waiting_failure;  ///< of records that will be written again
     std::string loss;             ///< of records that will not
   };
@@ -72,6 +87,8 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   void write(const std::function<Result<void>(io::CaseFile&)>& writing);
   /// Makes the state of the file known.
   void update_status();
+  /// Calls `change`, commits it, and makes known what is kept.
+  [[nodiscard]] Result<void> change_stage(const std::function<Result<void>(io::CaseFile&)>& change);
 
   std::mutex mutex_;
   io::CaseFile file_;

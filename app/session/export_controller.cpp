@@ -40,9 +40,9 @@ void ExportController::export_scan(const ui::Export& command,
   forget_outcome();
   state_.latest = command.target;
   state_.is_running = true;
-  background_.run([this, command, shown = std::move(shown)] {
-    auto done = std::make_shared<Result<ExportOutcome>>(export_files(*shown, command));
-    return [this, done] {
+  background_.run([this, command, shown = std::move(shown), texts = notices_.texts()] {
+    auto done = std::make_shared<Result<ExportOutcome>>(export_files(*shown, command, texts));
+    return [this, done, model = shown->result] {
       state_.is_running = false;
       if (!*done) {
         state_.failure = done->error().message;
@@ -51,7 +51,9 @@ void ExportController::export_scan(const ui::Export& command,
       state_.written = (*done)->written;
       state_.existing = (*done)->existing;
       if (state_.written.empty()) return;
-      notices_.add(ui::Severity::kInformation, "Exported to " + state_.written.front().path);
+      exported_ = model;
+      notices_.add(ui::Severity::kInformation,
+                   notices_.texts().fill<ui::Text::kExportedTo>(state_.written.front().path));
     };
   });
 }
@@ -59,7 +61,7 @@ void ExportController::export_scan(const ui::Export& command,
 void ExportController::open_folder() {
   if (state_.written.empty()) return;
   const std::filesystem::path file = state_.written.front().path;
-  if (auto opened = opener_.open(file.parent_path()); !opened) {
+  if (auto opened = opener_.open(file.parent_path(), notices_.texts()); !opened) {
     notices_.add(ui::Severity::kError, opened.error().message);
   }
 }
@@ -74,7 +76,7 @@ void ExportController::propose_name(const ui::CaseState& file, io::ScanStage sta
 }
 
 ui::ExportState ExportController::state(const ui::AppView& view) {
-  for (const std::string& failure : opener_.settle()) {
+  for (const std::string& failure : opener_.settle(notices_.texts())) {
     notices_.add(ui::Severity::kWarning, failure);
   }
   propose_name(view.file, view.stage);
@@ -84,6 +86,8 @@ ui::ExportState ExportController::state(const ui::AppView& view) {
     forget_outcome();
   }
   ui::ExportState state = state_;
+  const auto exported = exported_.lock();
+  state.has_model = exported != nullptr && view.scan != nullptr && view.scan->result == exported;
   if (view.scan != nullptr) state.estimated_bytes = estimated_bytes(*view.scan);
   return state;
 }

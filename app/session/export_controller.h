@@ -32,6 +32,7 @@ class ExportController {
   FolderOpener opener_;
   ui::ExportState state_;
   std::string named_after_;  ///< what the proposed name is made of
+  std::weak_ptr<const reconstruct::FinishedScan> exported_;  ///< the latest model that was
   std::string subject_;      ///< path of the case, and stage, that the latest export is of
 };
 

@@ -41,19 +41,19 @@ Result<void> write_mesh(const fs::path& file, const reconstruct::FinishedScan& r
   return io::write_model(file, uncut);
 }
 
-Result<void> write_points(const fs::path& file, const PointCloud& points) {
+Result<void> write_points(const fs::path& file, const PointCloud& points, const ui::Texts& texts) {
   const Result<const io::ModelFormat*> format = io::model_format_of(file);
   if (!format) return tl::unexpected(format.error());
   if ((*format)->write_points != nullptr) return (*format)->write_points(file, points);
-  return fail(ErrorCode::kInsufficient,
-              "{}: cannot be written before the scan is finished, as it needs the surface: press "
-              "Finish, or export points as {}",
-              file.string(), io::extension_list(io::FormatUse::kWritePoints));
+  return fail(ErrorCode::kInsufficient, "{}",
+              texts.fill<ui::Text::kFinishFirst>(file.string(),
+                                                 io::extension_list(io::FormatUse::kWritePoints)));
 }
 
-Result<void> write_format(const scan::ScanSnapshot& shown, const fs::path& file) {
+Result<void> write_format(const scan::ScanSnapshot& shown, const fs::path& file,
+                          const ui::Texts& texts) {
   return shown.result ? write_mesh(file, *shown.result)
-                      : write_points(file, points_of(shown.model));
+                      : write_points(file, points_of(shown.model), texts);
 }
 
 /// The files that write_format() writes: for a model without a texture only one.
@@ -77,30 +77,12 @@ Result<std::vector<std::string>> not_replaceable(const std::vector<fs::path>& fi
   return existing;
 }
 
-/// The folder as typed, where ~ at the beginning is the home folder.
-Result<fs::path> folder_of(const std::string& typed) {
-  if (typed.empty()) {
-    return fail(ErrorCode::kBadOption, "no folder is given; type one, such as ~/Documents");
-  }
-  if (typed.front() != '~') return fs::path(typed);
-  if (typed.size() > 1 && typed[1] != '/') {
-    return fail(ErrorCode::kBadOption,
-                "{}: only ~/ means a home folder, your own; type the whole path", typed);
-  }
-  return home_folder().map([&](const fs::path& home) {
-    return typed.size() > 2 ? home / fs::path(typed.substr(2)).relative_path() : home;
-  });
-}
-
-Result<void> check_name(const std::string& name) {
+Result<void> check_name(const std::string& name, const ui::Texts& texts) {
   const bool is_plain = std::none_of(name.begin(), name.end(), [](char c) {
     return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20U;
   });
   if (is_plain && !name.empty() && name.front() != '.') return {};
-  return fail(ErrorCode::kBadOption,
-              "\"{}\" cannot be the name of files: a name has no / or \\ and does not begin with a "
-              "dot; the folder has a field of its own",
-              name);
+  return fail(ErrorCode::kBadOption, "{}", texts.fill<ui::Text::kNotAFileName>(name));
 }
 
 }  // namespace
@@ -117,16 +99,21 @@ std::map<std::string_view, std::uint64_t> estimated_bytes(const scan::ScanSnapsh
   return bytes;
 }
 
-Result<fs::path> export_stem(const ui::ExportTarget& target) {
-  if (auto checked = check_name(target.name); !checked) return tl::unexpected(checked.error());
-  return folder_of(target.folder).map([&](const fs::path& folder) { return folder / target.name; });
+Result<fs::path> export_stem(const ui::ExportTarget& target, const ui::Texts& texts) {
+  if (auto checked = check_name(target.name, texts); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  return typed_folder(target.folder, texts).map([&](const fs::path& folder) {
+    return folder / target.name;
+  });
 }
 
-Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command) {
+Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command,
+                                   const ui::Texts& texts) {
   if (shown.result == nullptr && shown.model.empty()) {
-    return fail(ErrorCode::kInsufficient, "there is no surface to export yet; scan first");
+    return fail(ErrorCode::kInsufficient, "{}", texts[ui::Text::kNoSurfaceToExport]);
   }
-  const Result<fs::path> stem = export_stem(command.target);
+  const Result<fs::path> stem = export_stem(command.target, texts);
   if (!stem) return tl::unexpected(stem.error());
   std::vector<fs::path> models, files;
   for (const std::string_view extension : command.target.formats) {
@@ -141,7 +128,7 @@ Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Ex
   if (!made) return tl::unexpected(made.error());
   io::remove_leftovers(stem->parent_path());
   for (const fs::path& model : models) {
-    if (auto done = write_format(shown, model); !done) return tl::unexpected(done.error());
+    if (auto done = write_format(shown, model, texts); !done) return tl::unexpected(done.error());
   }
   ExportOutcome outcome;
   for (const fs::path& file : files) {

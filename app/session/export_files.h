@@ -28,14 +28,18 @@ struct ExportOutcome {
 
 /// The path of the files without their extension: the folder, where ~ is the home folder, and the
 /// name in it.
+/// @param texts  for messages
 /// @errors  kBadOption: the name is empty or would leave the folder, or there is no folder;
 ///          kNotFound: there is no home folder.
-[[nodiscard]] Result<std::filesystem::path> export_stem(const ui::ExportTarget& target);
+[[nodiscard]] Result<std::filesystem::path> export_stem(const ui::ExportTarget& target,
+                                                        const ui::Texts& texts = {});
 
 /// Only their owner may read the files, and enter folders that are created for them.
+/// @param texts  for messages
 /// @errors  As export_stem and write_model; kInsufficient: nothing to write, or the format cannot
 ///          hold it; kBadOption: a folder, or a file of another kind, has the name.
 [[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
-                                                 const ui::Export& command);
+                                                 const ui::Export& command,
+                                                 const ui::Texts& texts = {});
 
 }  // namespace flytri::session

@@ -53,13 +53,12 @@ class SpawnSettings {
 
 }  // namespace
 
-Result<void> FolderOpener::open(const fs::path& folder) {
+Result<void> FolderOpener::open(const fs::path& folder, const ui::Texts& texts) {
   std::error_code error;
   // An absolute path cannot be taken for an option.
   const fs::path absolute = fs::absolute(folder, error);
   if (error || !fs::is_directory(absolute, error)) {
-    return fail(ErrorCode::kNotFound, "{}: there is no such folder any more; export again",
-                folder.string());
+    return fail(ErrorCode::kNotFound, "{}", texts.fill<ui::Text::kNoSuchFolder>(folder.string()));
   }
   const SpawnSettings settings;
   std::string program = kProgram, argument = absolute.string();
@@ -68,25 +67,22 @@ Result<void> FolderOpener::open(const fs::path& folder) {
   const int failure = ::posix_spawnp(&process, kProgram, settings.files(), settings.attributes(),
                                      arguments.data(), environ);
   if (failure != 0) {
-    return fail(ErrorCode::kNotFound,
-                "{}: cannot be shown, as {} does not start: {}; install xdg-utils, or open the "
-                "folder yourself",
-                argument, kProgram, std::generic_category().message(failure));
+    return fail(ErrorCode::kNotFound, "{}",
+                texts.fill<ui::Text::kCannotShowFolder>(argument, kProgram,
+                                                        std::generic_category().message(failure)));
   }
   started_.push_back({process, absolute});
   return {};
 }
 
-std::vector<std::string> FolderOpener::settle() {
+std::vector<std::string> FolderOpener::settle(const ui::Texts& texts) {
   std::vector<std::string> failures;
   std::erase_if(started_, [&](const Started& started) {
     int status = 0;
     const pid_t ended = ::waitpid(started.process, &status, WNOHANG);
     if (ended == 0) return false;
     if (ended > 0 && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
-      failures.push_back(fmt::format(
-          "{}: no file manager shows the folder; install one, or open the folder yourself",
-          started.folder.string()));
+      failures.push_back(texts.fill<ui::Text::kNoFileManager>(started.folder.string()));
     }
     return true;
   });

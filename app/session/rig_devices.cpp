@@ -13,12 +13,12 @@ namespace {
 /// A switch that takes longer than a period at 30 Hz misses the gap between exposures.
 constexpr double kSlowSwitch_s = 1.0 / 30.0;
 
-ui::DeviceFigure count(std::string label, std::int64_t value) {
-  return {std::move(label), fmt::format("{}", value), false};
+ui::DeviceFigure count(const char* label, std::int64_t value) {
+  return {label, fmt::format("{}", value), false};
 }
 /// Counts something that should not happen.
-ui::DeviceFigure fault_count(std::string label, std::int64_t value) {
-  return {std::move(label), fmt::format("{}", value), value > 0};
+ui::DeviceFigure fault_count(const char* label, std::int64_t value) {
+  return {label, fmt::format("{}", value), value > 0};
 }
 
 template <typename Match>
@@ -49,49 +49,51 @@ ui::DeviceHealth health_of(device::LightSwitchState state) {
   }
 }
 
-ui::DeviceState camera_state(std::string role, const rig::RigCamera& camera,
-                             const rig::RigCameraStatus& status) {
+ui::DeviceState camera_state(ui::Text role, const rig::RigCamera& camera,
+                             const rig::RigCameraStatus& status, const ui::Texts& texts) {
+  using ui::Text;
   const device::CameraStatus& counts = status.camera;
   ui::DeviceState state;
-  state.role = std::move(role);
+  state.role = texts[role];
   state.name = name_of(camera.match, camera.match.name);
-  state.state = to_string(counts.state);
+  state.state = texts.translated(to_string(counts.state));
   state.health = health_of(counts.state);
-  state.figures = {
-      count("labeled", status.labels.labeled),
-      count("mixed light", status.labels.straddled),
-      count("unknown", status.labels.unknown),
-      fault_count("gaps", counts.dropped),
-      fault_count("damaged", status.damaged),
-      fault_count("interrupted", counts.frozen + counts.lost),
-      {"latency",
-       status.is_learned ? fmt::format("{:.1f} ms", 1e3 * status.latency.latency_s) : "measuring",
-       false}};
+  state.figures = {count(texts[Text::kLabeled], status.labels.labeled),
+                   count(texts[Text::kMixedLight], status.labels.straddled),
+                   count(texts[Text::kUnknown], status.labels.unknown),
+                   fault_count(texts[Text::kGaps], counts.dropped),
+                   fault_count(texts[Text::kDamaged], status.damaged),
+                   fault_count(texts[Text::kInterrupted], counts.frozen + counts.lost),
+                   {texts[Text::kLatency],
+                    status.is_learned ? fmt::format("{:.1f} ms", 1e3 * status.latency.latency_s)
+                                      : texts[Text::kMeasuring],
+                    false}};
   return state;
 }
 
-ui::DeviceState lights_state(const gpio::LightWiring& wiring, const rig::RigStatus& status) {
+ui::DeviceState lights_state(const gpio::LightWiring& wiring, const rig::RigStatus& status,
+                             const ui::Texts& texts) {
+  using ui::Text;
   const device::LightSwitchStatus& counts = status.lights;
   ui::DeviceState state;
-  state.role = "Lights";
+  state.role = texts[Text::kLights];
   state.name = name_of(wiring.chip, wiring.chip.label);
-  state.state = to_string(counts.state);
+  state.state = texts.translated(to_string(counts.state));
   state.health = health_of(counts.state);
   // A switch may report success without any light. Only the images show whether it works.
   const bool is_faulty = status.measurement.fault != sync::LightFault::kNone;
   if (is_faulty && state.health == ui::DeviceHealth::kFine)
     state.health = ui::DeviceHealth::kDoubtful;
-  state.figures = {count("switched", counts.switched),
-                   fault_count("refused", counts.refused),
-                   count("skipped", counts.skipped),
-                   fault_count("interrupted", counts.lost),
-                   {"slowest", fmt::format("{:.1f} ms", 1e3 * counts.slowest_s),
-                    counts.slowest_s > kSlowSwitch_s},
-                   {"a pattern",
-                    fmt::format("{} {}", status.frames_per_pattern,
-                                status.frames_per_pattern == 1 ? "frame" : "frames"),
-                    false},
-                   {"in step", status.keeps_step ? "yes" : "no", false}};
+  state.figures = {
+      count(texts[Text::kSwitched], counts.switched),
+      fault_count(texts[Text::kRefused], counts.refused),
+      count(texts[Text::kSkipped], counts.skipped),
+      fault_count(texts[Text::kInterrupted], counts.lost),
+      {texts[Text::kSlowest], fmt::format("{:.1f} ms", 1e3 * counts.slowest_s),
+       counts.slowest_s > kSlowSwitch_s},
+      {texts[Text::kAPattern], texts.count<Text::kFramesPerPattern>(status.frames_per_pattern),
+       false},
+      {texts[Text::kInStep], texts[status.keeps_step ? Text::kYes : Text::kNo], false}};
   return state;
 }
 
@@ -114,14 +116,14 @@ std::vector<std::string> check_chosen_rig(const SourceChoice& choice) {
 }
 
 std::vector<ui::DeviceState> device_states(const rig::RigSettings& rig,
-                                           const rig::RigStatus& status) {
+                                           const rig::RigStatus& status, const ui::Texts& texts) {
   std::vector<ui::DeviceState> states = {
-      camera_state("Measurement camera", rig.measurement, status.measurement)};
+      camera_state(ui::Text::kMeasurementCamera, rig.measurement, status.measurement, texts)};
   if (rig.texture) {
-    states.push_back(camera_state("Texture camera", *rig.texture,
-                                  status.texture.value_or(rig::RigCameraStatus{})));
+    states.push_back(camera_state(ui::Text::kTextureCamera, *rig.texture,
+                                  status.texture.value_or(rig::RigCameraStatus{}), texts));
   }
-  states.push_back(lights_state(rig.lights, status));
+  states.push_back(lights_state(rig.lights, status, texts));
   return states;
 }
 

@@ -8,6 +8,7 @@
 #include "hw/rig/rig_sensor.h"
 #include "hw/rig/rig_settings.h"
 #include "ui/state/devices_state.h"
+#include "ui/text/texts.h"
 
 namespace flytri::session {
 
@@ -21,6 +22,7 @@ namespace flytri::session {
 
 /// The state of each device of the rig. The caller adds the problems.
 [[nodiscard]] std::vector<ui::DeviceState> device_states(const rig::RigSettings& rig,
-                                                         const rig::RigStatus& status);
+                                                         const rig::RigStatus& status,
+                                                         const ui::Texts& texts = {});
 
 }  // namespace flytri::session

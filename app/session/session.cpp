@@ -24,7 +24,10 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 }  // namespace
 
 Session::Session(SessionOptions options)
-    : settings_(read_settings(settings_path())),
+    : desktop_language_(options.language),
+      settings_(read_settings(settings_path())),
+      texts_(ui::chosen_language(settings_.language, desktop_language_)),
+      notices_(texts_),
       source_(std::move(options.source), background_, notices_,
               [this] {
                 if (stages_.is_started()) case_.save_unnamed();
@@ -34,7 +37,9 @@ Session::Session(SessionOptions options)
       stages_(with_clock(std::move(options.scan)), source_, background_, notices_),
       case_(std::move(options.unnamed_folder), source_, stages_, background_, notices_),
       calibration_(source_, stages_, background_, notices_),
-      exports_(background_, notices_) {
+      exports_(background_, notices_),
+      chooser_(std::move(options.file_chooser), notices_) {
+  if (!options.recording.empty()) source_.record_in(options.recording);
   source_.open();
 }
 
@@ -62,6 +67,8 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::Undo&) { stages_.undo(); },
           [&](const ui::Redo&) { stages_.redo(); },
           [&](const ui::EditSurface& edit) { stages_.edit(edit); },
+          [&](const ui::ClearStage& cleared) { stages_.clear(cleared.stage); },
+          [&](const ui::BringBackStage&) { stages_.bring_back(); },
           [&](const ui::AddMeasurement& added) { stages_.add_measurement(added.measurement); },
           [&](const ui::RemoveMeasurement& removed) { stages_.remove_measurement(removed.index); },
           [&](const ui::ChooseReentry& chosen) { stages_.choose_reentry(chosen.index); },
@@ -69,11 +76,14 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::NewCase& wanted) { case_.create(wanted); },
           [&](const ui::OpenCase& wanted) { case_.open(wanted); },
           [&](const ui::DiscardCase& wanted) { case_.discard(wanted); },
+          [&](const ui::SaveRescueCopy& wanted) { case_.save_rescue_copy(wanted); },
           [&](const ui::SetCaseFields& fields) { case_.set_fields(fields); },
           [&](const ui::SteerHand& steering) { source_.steer(steering); },
           [&](const ui::PointHand& pointing) { source_.point(pointing); },
           [&](const ui::FollowPath& path) { source_.follow_path(path.follows); },
           [&](const ui::TakeSensorAway& taken) { source_.take_away(taken.is_away); },
+          [&](const ui::RecordFrames& wanted) { source_.record(wanted); },
+          [&](const ui::ChoosePath& wanted) { chooser_.choose(wanted); },
           [&](const ui::CheckDevices&) { source_.check_devices(); },
           [&](const ui::BeginCalibration& begun) { calibration_.begin(begun); },
           [&](const ui::TakeCalibrationImages&) { calibration_.take_images(); },
@@ -84,7 +94,8 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::OpenExportFolder&) { exports_.open_folder(); },
           [&](const ui::ChangeSettings& changed) { change_settings(changed.settings); },
           [&](const ui::Tell& told) {
-            notices_.add(ui::Severity::kWarning, "Unknown command: " + told.words);
+            notices_.add(ui::Severity::kWarning,
+                         texts_.fill<ui::Text::kUnknownCommand>(told.words));
           },
           [&](const ui::Quit&) { is_closing_ = true; },
       },
@@ -97,6 +108,7 @@ void Session::export_scan(const ui::Export& command) {
 
 void Session::change_settings(const ui::Settings& settings) {
   settings_ = settings;
+  texts_ = ui::Texts(ui::chosen_language(settings_.language, desktop_language_));
   if (auto written = write_settings(settings_path(), settings_); !written) {
     notices_.add(ui::Severity::kWarning, written.error().message);
   }
@@ -112,10 +124,14 @@ ui::AppView Session::view() {
   if (source_.calibration()) view.volume_mm = source_.calibration()->volume.size_mm;
   view.source = source_.state();
   view.devices = source_.devices_state();
+  view.recording = source_.recording_state(view.now_s);
+  if (!settings_.recording_folder.empty()) view.recording.folder = settings_.recording_folder;
+  view.chooser = chooser_.state();
   view.calibration = calibration_.state();
   view.file = case_.state();
   view.exports = exports_.state(view);
   view.settings = settings_;
+  view.texts = texts_;
   view.notices = notices_.latest();
   return view;
 }

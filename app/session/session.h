@@ -9,6 +9,7 @@
 #include "app/session/case_controller.h"
 #include "app/session/export_controller.h"
 #include "app/session/notices.h"
+#include "app/session/path_chooser.h"
 #include "app/session/source_controller.h"
 #include "app/session/stage_controller.h"
 #include "app/session/user_folders.h"
@@ -21,8 +22,14 @@ namespace flytri::session {
 struct SessionOptions {
   SourceChoice source;
   scan::LiveScanOptions scan;  ///< the session sets now_s and journal
+  /// Of the desktop: used unless the settings name another one.
+  ui::Language language = ui::Language::kEnglish;
   /// Of scans that have no case yet.
   std::filesystem::path unnamed_folder = unnamed_cases_folder();
+  /// Folder to record the raw frames in, from the start; empty: none.
+  std::filesystem::path recording;
+  /// Null: the desktop's portal.
+  std::shared_ptr<desktop::FileChooser> file_chooser;
 };
 
 /// Connects the controllers. Used by the window's thread only; long work runs in the background.
@@ -48,7 +55,9 @@ class Session {
   void change_settings(const ui::Settings& settings);
 
   bool is_closing_ = false;
+  const ui::Language desktop_language_;
   ui::Settings settings_;
+  ui::Texts texts_;
   Notices notices_;
   BackgroundWork background_;
   // Each knows those above it.
@@ -57,6 +66,7 @@ class Session {
   CaseController case_;
   CalibrationController calibration_;
   ExportController exports_;
+  PathChooser chooser_;
 };
 
 }  // namespace flytri::session

@@ -25,6 +25,15 @@ void read_formats(const nlohmann::json& json, std::set<std::string>& formats) {
   }
 }
 
+/// Empty if there are no texts in the language.
+std::string language_at(const nlohmann::json& json) {
+  const auto code = json.find("language");
+  const bool is_known =
+      code != json.end() && std::any_of(ui::kLanguages.begin(), ui::kLanguages.end(),
+                                        [&](const auto& known) { return *code == known.code; });
+  return is_known ? code->get<std::string>() : std::string();
+}
+
 int size_at(const nlohmann::json& json, const char* key, int usual, int least) {
   constexpr int kMost = 16384;
   const auto size = json.find(key);
@@ -42,6 +51,7 @@ ui::Settings read_settings(const std::filesystem::path& file) {
   if (!text) return settings;
   const auto json = nlohmann::json::parse(*text, nullptr, false);
   if (!json.is_object()) return settings;
+  settings.language = language_at(json);
   if (const auto scale = json.find("user_scale"); scale != json.end() && scale->is_number()) {
     settings.user_scale = std::clamp(scale->get<double>(), 0.75, 2.0);
   }
@@ -50,6 +60,10 @@ ui::Settings read_settings(const std::filesystem::path& file) {
   }
   if (const auto full = json.find("is_full_screen"); full != json.end() && full->is_boolean()) {
     settings.is_full_screen = full->get<bool>();
+  }
+  if (const auto folder = json.find("recording_folder");
+      folder != json.end() && folder->is_string()) {
+    settings.recording_folder = folder->get<std::string>();
   }
   settings.window_width = size_at(json, "window_width", settings.window_width, 640);
   settings.window_height = size_at(json, "window_height", settings.window_height, 400);
@@ -60,10 +74,14 @@ ui::Settings read_settings(const std::filesystem::path& file) {
 Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
   if (auto made = io::create_folder(file.parent_path()); !made) return made;
   io::remove_leftovers(file.parent_path());
-  const nlohmann::json json = {
-      {"user_scale", settings.user_scale},         {"is_muted", settings.is_muted},
-      {"is_full_screen", settings.is_full_screen}, {"window_width", settings.window_width},
-      {"window_height", settings.window_height},   {"export_formats", settings.export_formats}};
+  const nlohmann::json json = {{"language", settings.language},
+                               {"user_scale", settings.user_scale},
+                               {"is_muted", settings.is_muted},
+                               {"is_full_screen", settings.is_full_screen},
+                               {"window_width", settings.window_width},
+                               {"window_height", settings.window_height},
+                               {"export_formats", settings.export_formats},
+                               {"recording_folder", settings.recording_folder}};
   return io::write_file(file, json.dump(2) + "\n");
 }
 

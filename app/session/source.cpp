@@ -1,7 +1,5 @@
 #include "app/session/source.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 
@@ -22,6 +20,9 @@ namespace {
 /// Time in which the simulated hand moves over the jaw: the pace of a calm hand.
 constexpr double kPathDuration_s = 60.0;
 
+/// A recording of raw frames leaves this much of the disk to the case: some 20 minutes of views.
+constexpr std::uintmax_t kLeftForScans_bytes = 2'000'000'000;
+
 /// The mean direction that a jaw faces: its teeth point there. +Z if the model is closed or its
 /// sides cancel each other.
 Vec3 teeth_direction(const TriangleMesh& mesh) {
@@ -41,7 +42,8 @@ Vec3 teeth_direction(const TriangleMesh& mesh) {
   return sum.normalized();
 }
 
-Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress) {
+Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& progress,
+                                   const ui::Texts& texts) {
   if (choice.calibration) {
     return fail(
         ErrorCode::kBadOption,
@@ -58,10 +60,8 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
     const Vec3 up = options.path.up = teeth_direction(*mesh);
     if (std::abs(up.dot(options.path.front)) > kUpright) options.path.front = Vec3::UnitZ();
     if (up.z() < kUpright) {
-      warning = fmt::format(
-          "{}: its teeth point along {:.1f} {:.1f} {:.1f}, so the simulated hand "
-          "scans it from there",
-          choice.object.mesh->string(), up.x(), up.y(), up.z());
+      warning = texts.fill<ui::Text::kTeethPointAlong>(choice.object.mesh->string(), up.x(), up.y(),
+                                                       up.z());
     }
   }
   // Each version of the program makes its own.
@@ -72,10 +72,11 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   Result<std::shared_ptr<simulated::LiveSensor>> sensor =
       simulated::LiveSensor::create(*mesh, options, shared, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, warning};
+  return Source{
+      ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, nullptr, warning};
 }
 
-Result<Source> open_recording_source(const SourceChoice& choice) {
+Result<Source> open_recording_source(const SourceChoice& choice, const ui::Texts& /*texts*/) {
   const auto recording = io::open_recording(choice.path);
   if (!recording) return tl::unexpected(recording.error());
   auto used = io::calibration_of(*recording, choice.calibration.value_or(std::filesystem::path()));
@@ -86,23 +87,26 @@ Result<Source> open_recording_source(const SourceChoice& choice) {
       std::make_shared<const calibration::Calibration>(std::move(used->calibration));
   auto sensor = recording::ReplaySensor::open(choice.path, options, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{ui::SourceKind::kRecording, *sensor,      nullptr,
-                (*sensor)->calibration(),   std::nullopt, used->warning};
+  return Source{ui::SourceKind::kRecording,
+                *sensor,
+                nullptr,
+                (*sensor)->calibration(),
+                std::nullopt,
+                nullptr,
+                used->warning};
 }
 
-Result<Source> open_rig_source(const SourceChoice& choice) {
+Result<Source> open_rig_source(const SourceChoice& choice, const ui::Texts& texts) {
   const Result<rig::RigSettings> rig = chosen_rig(choice);
   if (!rig) return tl::unexpected(rig.error());
   auto sensor = rig::open_rig(*rig);
   if (!sensor) return tl::unexpected(sensor.error());
   if ((*sensor)->calibration() == nullptr) {
-    return fail(ErrorCode::kBadOption,
-                "{}: names no \"calibration\"; calibrate here (C) or with flytri calibrate --live, "
-                "and name the file in rig.json or with --calibration FILE",
-                choice.path.string());
+    return fail(ErrorCode::kBadOption, "{}",
+                texts.fill<ui::Text::kRigWithoutCalibration>(choice.path.string(), "C"));
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),
-                RigSource{*sensor, *rig}, {}};
+                RigSource{*sensor, *rig}, nullptr, {}};
 }
 
 constexpr std::array kSources = {
@@ -110,28 +114,47 @@ constexpr std::array kSources = {
               open_recording_source},
     SourceRow{kRigSource, "Scan with the devices that this rig.json describes", open_rig_source}};
 
-Result<Source> open_chosen(const SourceChoice& choice, const Progress& progress) {
+Result<Source> open_chosen(const SourceChoice& choice, const Progress& progress,
+                           const ui::Texts& texts) {
   for (const SourceRow& row : kSources) {
-    if (row.name == choice.name) return row.open(choice);
+    if (row.name == choice.name) return row.open(choice, texts);
   }
-  return open_virtual_sensor(choice, progress);
+  return open_virtual_sensor(choice, progress, texts);
+}
+
+/// Lets the frames of any source but a recording be recorded.
+Result<Source> with_recorder(Source source) {
+  if (source.kind == ui::SourceKind::kRecording) return source;
+  recording::RecorderOptions options;
+  options.is_private = true;
+  options.least_free_bytes = kLeftForScans_bytes;
+  auto recorder = recording::RecorderSensor::create(source.sensor, options);
+  if (!recorder) return tl::unexpected(recorder.error());
+  source.sensor = source.recorder = *recorder;
+  return source;
+}
+
+Result<Source> with_faults(Source source, const SourceChoice& choice) {
+  if (!choice.fault_seed) return source;
+  simulated::FaultOptions faults;
+  faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;
+  faults.lost_share = 0.01;
+  faults.seed = *choice.fault_seed;
+  auto faulty = simulated::FaultySensor::create(source.sensor, faults, device::machine_clock());
+  if (!faulty) return tl::unexpected(faulty.error());
+  source.sensor = *faulty;
+  return source;
 }
 
 }  // namespace
 
 std::span<const SourceRow> source_table() { return kSources; }
 
-Result<Source> open_source(const SourceChoice& choice, const Progress& progress) {
-  auto source = open_chosen(choice, progress);
-  if (!source || !choice.fault_seed) return source;
-  simulated::FaultOptions faults;
-  faults.dropped_share = faults.delayed_share = faults.unknown_share = 0.05;
-  faults.lost_share = 0.01;
-  faults.seed = *choice.fault_seed;
-  auto faulty = simulated::FaultySensor::create(source->sensor, faults, device::machine_clock());
-  if (!faulty) return tl::unexpected(faulty.error());
-  source->sensor = *faulty;
-  return source;
+Result<Source> open_source(const SourceChoice& choice, const Progress& progress,
+                           const ui::Texts& texts) {
+  return open_chosen(choice, progress, texts)
+      .and_then([&](Source&& source) { return with_faults(std::move(source), choice); })
+      .and_then([](Source&& source) { return with_recorder(std::move(source)); });
 }
 
 }  // namespace flytri::session

@@ -14,6 +14,7 @@
 #include "core/calibration/record/calibration.h"
 #include "hw/device/sensor.h"
 #include "hw/device/steerable_hand.h"
+#include "hw/recording/recorder_sensor.h"
 #include "hw/rig/rig_sensor.h"
 #include "hw/rig/rig_settings.h"
 #include "ui/state/app_view.h"
@@ -49,6 +50,7 @@ struct Source {
   std::shared_ptr<device::SteerableHand> hand;  ///< of a simulated sensor; null otherwise
   std::shared_ptr<const calibration::Calibration> calibration;
   std::optional<RigSource> rig;
+  std::shared_ptr<recording::RecorderSensor> recorder;  ///< is the sensor; null of a recording
   std::string warning;  ///< for the user; empty: none
 };
 
@@ -56,14 +58,16 @@ struct Source {
 struct SourceRow {
   std::string_view name;  ///< the option is --NAME PATH
   const char* help;
-  Result<Source> (*open)(const SourceChoice& choice);
+  Result<Source> (*open)(const SourceChoice& choice, const ui::Texts& texts);
 };
 
 /// All sources but the virtual sensor, which is used where none is chosen.
 [[nodiscard]] std::span<const SourceRow> source_table();
 
 /// The first use of the virtual sensor takes seconds, because it is calibrated then.
+/// @param texts  for messages
 /// @errors  As for reading the recording, the rig, the calibration or the mesh; kCancelled.
-[[nodiscard]] Result<Source> open_source(const SourceChoice& choice, const Progress& progress);
+[[nodiscard]] Result<Source> open_source(const SourceChoice& choice, const Progress& progress,
+                                         const ui::Texts& texts = {});
 
 }  // namespace flytri::session

@@ -1,11 +1,30 @@
 #include "app/session/source_controller.h"
 
+#include <fmt/chrono.h>
+
+#include <ctime>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
 #include "app/session/rig_devices.h"
+#include "app/session/user_folders.h"
 
 namespace flytri::session {
+namespace {
+
+/// Named after the time, not after the patient; one that does not exist yet.
+std::filesystem::path new_recording_folder(const std::filesystem::path& parent) {
+  const std::string name = fmt::format("{:%Y-%m-%d-%H%M%S}", fmt::localtime(std::time(nullptr)));
+  std::filesystem::path folder = parent / name;
+  std::error_code ignored;
+  for (int number = 2; std::filesystem::exists(folder, ignored); ++number) {
+    folder = parent / fmt::format("{}-{}", name, number);
+  }
+  return folder;
+}
+
+}  // namespace
 
 SourceController::SourceController(SourceChoice choice, BackgroundWork& background,
                                    Notices& notices, std::function<void()> opened)
@@ -15,8 +34,9 @@ SourceController::SourceController(SourceChoice choice, BackgroundWork& backgrou
       opened_(std::move(opened)) {}
 
 void SourceController::open() {
-  background_.run([this] {
-    auto opened = std::make_shared<Result<Source>>(open_source(choice_, background_.progress()));
+  background_.run([this, texts = notices_.texts()] {
+    auto opened =
+        std::make_shared<Result<Source>>(open_source(choice_, background_.progress(), texts));
     return [this, opened] {
       if (!*opened) {
         failure_ = opened->error().message;
@@ -35,8 +55,58 @@ void SourceController::start_capture() {
   capture_.reset();
   if (is_lent_) return;
   router_->begin_sensor();
+  begin_recording();
   capture_ = std::make_unique<device::CaptureLoop>(
       source_.sensor, [router = router_](Frame frame) { router->offer(std::move(frame)); });
+}
+
+/// A sensor that starts again counts its times from zero: that is another recording.
+void SourceController::begin_recording() {
+  if (source_.recorder == nullptr || records_in_.empty()) return;
+  const bool is_named = std::exchange(records_in_named_folder_, false);
+  source_.recorder->record_to(is_named ? records_in_ : new_recording_folder(records_in_));
+  if (is_named) records_in_ = records_in_.parent_path();
+}
+
+void SourceController::record(const ui::RecordFrames& command) {
+  const auto folder = typed_folder(command.folder, notices_.texts());
+  if (command.is_on && !folder) {
+    return notices_.add(ui::Severity::kError, folder.error().message);
+  }
+  records_in_ = command.is_on ? *folder : std::filesystem::path();
+  records_in_named_folder_ = false;
+  if (source_.recorder == nullptr) return;
+  if (command.is_on) return begin_recording();
+  source_.recorder->end_recording();
+}
+
+void SourceController::record_in(std::filesystem::path folder) {
+  records_in_ = std::filesystem::absolute(folder);
+  records_in_named_folder_ = true;
+  begin_recording();
+}
+
+ui::RecordingState SourceController::recording_state(double now_s) {
+  ui::RecordingState state;
+  state.folder = recordings_folder().string();
+  state.is_possible = choice_.name != kRecordingSource;
+  state.is_on = !records_in_.empty();
+  if (source_.recorder == nullptr) return state;
+  const recording::RecorderStatus status = source_.recorder->recorder_status();
+  state.path = status.folder.string();
+  state.frames = status.written;
+  state.bytes = status.bytes;
+  state.failure = status.message;
+  // Nothing is recorded any more; the reason stays until the next recording.
+  if (status.has_ended) state.is_on = false;
+  if (state.is_on && now_s > space_known_s_ + 1.0) {
+    space_known_s_ = now_s;
+    std::error_code unknown;
+    const auto space = std::filesystem::space(status.folder, unknown);
+    free_bytes_ = unknown ? std::nullopt : std::optional<std::uint64_t>(space.available);
+  }
+  state.free_bytes = free_bytes_;
+  return state;
 }
 
 void SourceController::lend() {
@@ -152,7 +222,7 @@ ui::SourceState SourceController::state() const {
   }
   state.name = source_.sensor->name();
   if (capture_ == nullptr) {
-    state.message = "The sensor is being calibrated";
+    state.message = notices_.texts()[ui::Text::kSensorIsBeingCalibrated];
     return state;
   }
   const device::SensorStatus status = capture_->status();
@@ -174,7 +244,8 @@ std::optional<ui::DevicesState> SourceController::devices_state() const {
   const ui::SourceState source = state();
   ui::DevicesState devices = checked_;
   if (source_.rig)
-    devices.devices = device_states(source_.rig->settings, source_.rig->sensor->rig_status());
+    devices.devices =
+        device_states(source_.rig->settings, source_.rig->sensor->rig_status(), notices_.texts());
   // A source that runs has no problems of an earlier check.
   if (source.is_running) devices.problems.clear();
   devices.is_checked = devices.is_checked || source.is_running;

@@ -34,6 +34,10 @@ class SourceController {
   /// Ends capturing for good.
   void stop();
 
+  /// Begins or ends the recording of raw frames, at once or as soon as there are any.
+  void record(const ui::RecordFrames& command);
+  /// Records in exactly this folder, as the command line asks.
+  void record_in(std::filesystem::path folder);
   void check_devices();
   /// Call often: once the devices of a rig fail, checks all of them, as the failure names one.
   void check_failed_devices();
@@ -55,11 +59,14 @@ class SourceController {
   }
   [[nodiscard]] FrameRouter& router() { return *router_; }
   [[nodiscard]] ui::SourceState state() const;
+  /// Call it once a frame of the window. Looks at the disk once a second.
+  [[nodiscard]] ui::RecordingState recording_state(double now_s);
   /// None without a rig.
   [[nodiscard]] std::optional<ui::DevicesState> devices_state() const;
 
  private:
   void start_capture();
+  void begin_recording();
   void retry();
   [[nodiscard]] bool is_running() const;
   [[nodiscard]] bool has_failed() const;
@@ -74,6 +81,10 @@ class SourceController {
   std::string failure_;                    ///< why the source could not be opened
   ui::DevicesState checked_;  ///< result of the latest check; devices_state() adds the devices
   bool is_lent_ = false;
+  std::filesystem::path records_in_;      ///< folder of recordings, or of the next one; empty: off
+  bool records_in_named_folder_ = false;  ///< `records_in_` is the next recording's own
+  std::optional<std::uint64_t> free_bytes_;
+  double space_known_s_ = -1e9;
   std::shared_ptr<FrameRouter> router_ = std::make_shared<FrameRouter>();
   std::unique_ptr<device::CaptureLoop> capture_;  ///< destroyed first: it uses the router
 };

@@ -5,6 +5,16 @@
 
 namespace flytri::session {
 
+namespace {
+
+/// The case dialog lists the rest.
+std::string text_of(const std::vector<std::string>& damage, const ui::Texts& texts) {
+  if (damage.size() == 1) return damage.front();
+  return texts.fill<ui::Text::kDamageAndMore>(damage.front(), damage.size() - 1);
+}
+
+}  // namespace
+
 StageController::StageController(scan::LiveScanOptions options, SourceController& source,
                                  BackgroundWork& background, Notices& notices)
     : options_(std::move(options)), source_(source), background_(background), notices_(notices) {}
@@ -66,6 +76,36 @@ void StageController::choose_reentry(std::size_t index) {
   if (scan()) scan()->choose_reentry(index);
 }
 
+void StageController::change_stored(std::function<Result<void>(CaseStore&, io::ScanStage)> change) {
+  if (!may_leave() || store_ == nullptr || store_->is_read_only() || is_loading_[stage_]) return;
+  // All that was scanned reaches the case before: nothing comes late.
+  auto rest = come_to_rest();
+  is_loading_[stage_] = true;
+  background_.run(
+      [this, change = std::move(change), rest = std::move(rest), stage = stage_, store = store_] {
+        rest();
+        auto changed = std::make_shared<Result<void>>(change(*store, io::kScanStages[stage]));
+        return [this, stage, store, changed] {
+          if (store != store_) return;
+          is_loading_[stage] = false;
+          if (!*changed) {
+            notices_.add(ui::Severity::kError, changed->error().message);
+          } else {
+            scans_[stage].reset();
+            measurements_[stage].clear();
+          }
+          if (stage == stage_) show();
+        };
+      });
+}
+
+void StageController::clear(io::ScanStage stage) {
+  if (stage != io::kScanStages[stage_]) return;
+  change_stored(&CaseStore::clear);
+}
+
+void StageController::bring_back() { change_stored(&CaseStore::bring_back); }
+
 void StageController::add_measurement(io::Measurement measurement) {
   if (store_ != nullptr) {
     const auto id = store_->add_measurement(io::kScanStages[stage_], measurement);
@@ -102,12 +142,16 @@ void StageController::show() {
   source_.router().set_scan(nullptr);
   if (store_ == nullptr) return use(stage_, {});
   is_loading_[stage_] = true;
-  background_.run([this, stage = stage_, store = store_] {
-    auto opened = std::make_shared<Result<OpenedStage>>(store->load(io::kScanStages[stage]));
+  load_failures_[stage_].clear();
+  background_.run([this, stage = stage_, store = store_, texts = notices_.texts()] {
+    auto opened = std::make_shared<Result<OpenedStage>>(store->load(io::kScanStages[stage], texts));
     return [this, stage, store, opened] {
       // Otherwise forget() was called meanwhile.
       if (store != store_ || !std::exchange(is_loading_[stage], false)) return;
-      if (!*opened) return notices_.add(ui::Severity::kError, opened->error().message);
+      if (!*opened) {
+        load_failures_[stage] = opened->error().message;
+        return;
+      }
       use(stage, **opened);
     };
   });
@@ -122,7 +166,8 @@ void StageController::use(std::size_t stage, const OpenedStage& opened) {
       scan::LiveScan::create(source_.calibration(), options, opened.scan);
   if (!scan) return notices_.add(ui::Severity::kError, scan.error().message);
   source_.router().go_on_after(opened.last_frame, opened.last_time_s);
-  for (const std::string& line : opened.damage) notices_.add(ui::Severity::kWarning, line);
+  if (!opened.damage.empty())
+    notices_.add(ui::Severity::kWarning, text_of(opened.damage, notices_.texts()));
   scans_[stage] = std::move(*scan);
   measurements_[stage] = opened.measurements;
   if (stage == stage_) show();
@@ -153,18 +198,31 @@ void StageController::forget() {
   scans_ = {};
   measurements_ = {};
   is_loading_ = {};
+  load_failures_ = {};
+}
+
+std::function<void()> StageController::come_to_rest() {
+  pause();
+  source_.router().set_scan(nullptr);
+  return [scans = scans_] {
+    for (const auto& scan : scans) {
+      if (scan != nullptr) scan->wait_until_idle();
+    }
+  };
 }
 
 void StageController::show_in(ui::AppView& view) {
   if (scan()) view.scan = scan()->snapshot();
   view.is_scanning = is_started_;
   view.is_loading = is_loading_[stage_];
+  view.load_failure = load_failures_[stage_];
   view.stage = static_cast<io::ScanStage>(stage_);
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     view.stage_has_data[i] = scans_[i] != nullptr
                                  ? !scans_[i]->snapshot()->model.empty()
                                  : store_ != nullptr && store_->stages_with_views()[i];
   }
+  view.has_kept_scan = store_ != nullptr && store_->stages_with_kept_scan()[stage_];
   view.measurements = measurements_[stage_];
   if (view.scan == nullptr || view.scan->failure == reported_failure_) return;
   reported_failure_ = view.scan->failure;

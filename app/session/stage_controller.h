@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ class StageController {
   void redo();
   void edit(const ui::EditSurface& command);
   void choose_reentry(std::size_t index);
+  /// Empties the current stage; the case keeps what was in it. Does nothing for another stage.
+  void clear(io::ScanStage stage);
+  /// Shows what the case has kept of the current stage, and keeps what is shown.
+  void bring_back();
   void add_measurement(io::Measurement measurement);
   void remove_measurement(std::size_t index);
 
@@ -47,6 +52,9 @@ class StageController {
   void replace_by(std::shared_ptr<CaseStore> store);
   /// Forgets all scans. Those that the case has are loaded again by show().
   void forget();
+  /// Pauses and takes no frames, until show(). @return  a function that waits, on any thread, until
+  /// all that was scanned has reached the case
+  [[nodiscard]] std::function<void()> come_to_rest();
 
   /// Of the current stage; null until the source is open.
   [[nodiscard]] const std::shared_ptr<scan::LiveScan>& scan() const { return scans_[stage_]; }
@@ -66,6 +74,8 @@ class StageController {
  private:
   [[nodiscard]] bool accepts(scan::ScanEvent event) const;
   void use(std::size_t stage, const OpenedStage& opened);
+  /// Changes what the case has of the current stage, in the background, and loads it anew.
+  void change_stored(std::function<Result<void>(CaseStore&, io::ScanStage)> change);
 
   const scan::LiveScanOptions options_;
   SourceController& source_;
@@ -77,6 +87,7 @@ class StageController {
   std::array<std::shared_ptr<scan::LiveScan>, io::kScanStages.size()> scans_;
   std::array<std::vector<io::Measurement>, io::kScanStages.size()> measurements_;
   std::array<bool, io::kScanStages.size()> is_loading_ = {};
+  std::array<std::string, io::kScanStages.size()> load_failures_;
   std::string reported_failure_;
 };
 

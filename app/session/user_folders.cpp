@@ -43,9 +43,24 @@ Result<void> check_user_folders() {
   return {};
 }
 
+Result<fs::path> typed_folder(const std::string& typed, const ui::Texts& texts) {
+  if (typed.empty()) {
+    return fail(ErrorCode::kBadOption, "{}", texts.fill<ui::Text::kNoFolderGiven>("~/Documents"));
+  }
+  if (typed.front() != '~') return fs::path(typed);
+  if (typed.size() > 1 && typed[1] != '/') {
+    return fail(ErrorCode::kBadOption, "{}", texts.fill<ui::Text::kOnlyOwnHome>(typed));
+  }
+  return home_folder().map([&](const fs::path& home) {
+    return typed.size() > 2 ? home / fs::path(typed.substr(2)).relative_path() : home;
+  });
+}
+
 fs::path config_folder() { return base("XDG_CONFIG_HOME", ".config") / "flytri"; }
 fs::path cache_folder() { return base("XDG_CACHE_HOME", ".cache") / "flytri"; }
 fs::path data_folder() { return base("XDG_DATA_HOME", ".local/share") / "flytri"; }
+fs::path recordings_folder() { return data_folder() / "recordings"; }
+
 fs::path unnamed_cases_folder() {
   return base("XDG_STATE_HOME", ".local/state") / "flytri" / "unnamed";
 }

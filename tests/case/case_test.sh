@@ -75,6 +75,17 @@ expect 'keep of a recording' 1 '--keep' "$flytri" reconstruct scan --keep -o no.
 head -c $(($(stat -c %s untouched.flytri)  / 4)) untouched.flytri > cut.flytri
 expect 'truncated case' 0 'lost: views: upper' \
   "$flytri" reconstruct cut.flytri -o cut.ply --calibration c.json
+expect 'rescue a truncated case' 0 'lost: views: upper' \
+  "$flytri" rescue cut.flytri -o rescued.flytri
+expect 'the rescue copy is whole' 0 '^wrote rescued\.ply' \
+  "$flytri" reconstruct rescued.flytri -o rescued.ply --calibration c.json
+same cut.ply rescued.ply
+expect 'a rescue copy replaces nothing' 1 'rescued\.flytri: .*exists already' \
+  "$flytri" rescue cut.flytri -o rescued.flytri
+expect 'rescue an encrypted case' 0 '^wrote secret2\.flytri; nothing was damaged' \
+  "$flytri" rescue secret.flytri -o secret2.flytri --passphrase-file passphrase
+expect 'its copy is encrypted' 1 'secret2\.flytri: is encrypted' \
+  "$flytri" export secret2.flytri -o no.glb
 expect 'keep in a truncated case' 1 'cut\.flytri: .*damaged' \
   "$flytri" reconstruct cut.flytri -o no.ply --calibration c.json --keep
 for file in no.*; do

@@ -50,7 +50,8 @@ bool fill(io::CaseFile& file) {
     const Profile profile{LineIndex(0), Vec3::UnitX(), std::vector<ProfilePoint>(point_count)};
     done = done && file.append_view(kStage, {Pattern::kVertical, FrameIndex(i), 0.0, {profile}});
   }
-  return done && file.commit();
+  // The stage has two scans, of which one is kept.
+  return done && file.clear_stage(kStage) && file.bring_back_stage(kStage) && file.commit();
 }
 
 std::string whole_case(const fs::path& path) {
@@ -74,6 +75,14 @@ std::string changed(std::string bytes, std::string_view changes) {
   return bytes;
 }
 
+/// Of what can be read, a copy without damage is made.
+void rescue(io::CaseFile& file, const fs::path& path) {
+  fs::remove(path);
+  if (!file.rescue_to(path)) return;
+  auto copy = io::CaseFile::open(path);
+  if (!copy || !copy->survey() || copy->is_damaged()) std::abort();
+}
+
 void read_all(const fs::path& path) {
   auto file = io::CaseFile::open(path);
   if (!file) return;
@@ -83,7 +92,9 @@ void read_all(const fs::path& path) {
     (void)file->counts(stage);
     (void)file->load_stage(stage);
     (void)file->load_result(stage);
+    (void)file->kept_counts(stage);
   }
+  rescue(*file, path.string() + ".rescued.flytri");
 }
 
 }  // namespace

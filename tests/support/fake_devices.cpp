@@ -4,63 +4,64 @@ namespace flytri::testing {
 namespace {
 
 using ui::DeviceHealth;
+using ui::Text;
 
-ui::DeviceState measurement_camera() {
-  return {"Measurement camera",
+ui::DeviceState measurement_camera(const ui::Texts& texts) {
+  return {texts[Text::kMeasurementCamera],
           "Basler daA1280-54um",
-          "running",
+          texts[Text::kDeviceRunning],
           DeviceHealth::kFine,
-          {{"labeled", "2476"},
-           {"mixed light", "31"},
-           {"unknown", "12"},
-           {"gaps", "1", true},
-           {"damaged", "0"},
-           {"interrupted", "0"},
-           {"latency", "21.4 ms"}}};
+          {{texts[Text::kLabeled], "2476"},
+           {texts[Text::kMixedLight], "31"},
+           {texts[Text::kUnknown], "12"},
+           {texts[Text::kGaps], "1", true},
+           {texts[Text::kDamaged], "0"},
+           {texts[Text::kInterrupted], "0"},
+           {texts[Text::kLatency], "21.4 ms"}}};
 }
 
-ui::DeviceState texture_camera() {
-  return {"Texture camera",
+ui::DeviceState texture_camera(const ui::Texts& texts) {
+  return {texts[Text::kTextureCamera],
           "C920 HD Pro, serial 8F2A16DF",
-          "running",
+          texts[Text::kDeviceRunning],
           DeviceHealth::kFine,
-          {{"labeled", "82"},
-           {"mixed light", "9"},
-           {"unknown", "3"},
-           {"gaps", "0"},
-           {"damaged", "0"},
-           {"interrupted", "0"},
-           {"latency", "48.0 ms"}}};
+          {{texts[Text::kLabeled], "82"},
+           {texts[Text::kMixedLight], "9"},
+           {texts[Text::kUnknown], "3"},
+           {texts[Text::kGaps], "0"},
+           {texts[Text::kDamaged], "0"},
+           {texts[Text::kInterrupted], "0"},
+           {texts[Text::kLatency], "48.0 ms"}}};
 }
 
-ui::DeviceState lights() {
-  return {"Lights",
+ui::DeviceState lights(const ui::Texts& texts) {
+  return {texts[Text::kLights],
           "ftdi-cbus",
-          "running",
+          texts[Text::kDeviceRunning],
           DeviceHealth::kFine,
-          {{"switched", "2603"},
-           {"refused", "0"},
-           {"skipped", "2"},
-           {"interrupted", "0"},
-           {"slowest", "1.9 ms"},
-           {"a pattern", "1 frame"},
-           {"in step", "yes"}}};
+          {{texts[Text::kSwitched], "2603"},
+           {texts[Text::kRefused], "0"},
+           {texts[Text::kSkipped], "2"},
+           {texts[Text::kInterrupted], "0"},
+           {texts[Text::kSlowest], "1.9 ms"},
+           {texts[Text::kAPattern], texts.count<Text::kFramesPerPattern>(1)},
+           {texts[Text::kInStep], texts[Text::kYes]}}};
 }
 
 }  // namespace
 
-ui::DevicesState running_devices() {
-  return {.devices = {measurement_camera(), texture_camera(), lights()},
+ui::DevicesState running_devices(const ui::Texts& texts) {
+  return {.devices = {measurement_camera(texts), texture_camera(texts), lights(texts)},
           .problems = {},
           .is_checked = true,
           .is_checking = false};
 }
 
-ui::DevicesState faulty_devices() {
-  ui::DevicesState state = running_devices();
-  state.devices[1].state = "lost";
+ui::DevicesState faulty_devices(const ui::Texts& texts) {
+  ui::DevicesState state = running_devices(texts);
+  state.devices[1].state = texts[Text::kDeviceLost];
   state.devices[1].health = DeviceHealth::kBroken;
-  state.devices[1].figures[5] = {"interrupted", "1", true};
+  state.devices[1].figures[5] = {texts[Text::kInterrupted], "1", true};
   state.devices[2].health = DeviceHealth::kDoubtful;
   state.problems = {
       "The vertical and the horizontal projector are swapped: exchange their cables, or the lines "

@@ -5,13 +5,14 @@
 
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/devices_state.h"
+#include "ui/text/texts.h"
 
 namespace flytri::testing {
 
 /// Two cameras and a light switch, all running.
-[[nodiscard]] ui::DevicesState running_devices();
+[[nodiscard]] ui::DevicesState running_devices(const ui::Texts& texts);
 /// The texture camera is unplugged, and the projectors' cables are swapped.
-[[nodiscard]] ui::DevicesState faulty_devices();
+[[nodiscard]] ui::DevicesState faulty_devices(const ui::Texts& texts);
 
 /// The frame with `factor` times the exposure.
 [[nodiscard]] std::shared_ptr<const scan::LiveFrame> exposed(const scan::LiveFrame& frame,

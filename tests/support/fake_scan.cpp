@@ -25,13 +25,15 @@ AppView ordinary_view() {
       {"/home/clinic/cases/Okafor-2030.flytri", "Chidi Okafor", "Today 09:15", false},
       {"/home/clinic/cases/case-17.flytri", "", "Yesterday 16:30", true}};
   view.stage_has_data = {true, false, false};
-  view.source.name = "Simulated sensor, 20 x 15 x 15 mm";
+  view.source.name = "virtual sensor";
   view.source.is_running = true;
   view.source.hand = ui::SimulatedHand{};
   view.calibration.emplace();
   view.calibration->folder = "/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214";
   view.calibration->has_calibration = true;
-  view.calibration->why_not_used = "the virtual sensor has its own";
+  view.calibration->why_not_used = "the virtual sensor has its own calibration";
+  view.recording.folder = "/home/clinic/.local/share/flytri/recordings";
+  view.recording.is_possible = true;
   view.exports.folder = "/home/clinic/exports";
   view.exports.name = "Rivera-2031-upper";
   return view;
@@ -156,7 +158,7 @@ struct FakeScan::Parts {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
     scan.phase = scan::ScanPhase::kFinishing;
-    scan.finishing = {"Aligning the scan", 0.37, 48.0};
+    scan.finishing = {reconstruct::kAligning, 0.37, 48.0};
     set_scan(view, std::move(scan));
     return view;
   }
@@ -168,7 +170,6 @@ struct FakeScan::Parts {
     scan.result = jaw.result();
     set_scan(view, std::move(scan));
     add_sizes(view, true);
-    view.notices = {{1, ui::Severity::kInformation, "The model is finished: 96,412 triangles"}};
     return view;
   }
 
@@ -177,6 +178,7 @@ struct FakeScan::Parts {
     AppView view = finished();
     ui::ExportState& exports = view.exports;
     exports.latest = {exports.folder, exports.name, {".glb", ".ply", ".stl"}};
+    exports.has_model = state == "exported";
     if (state == "export_exists") {
       for (const char* extension : {".glb", ".stl"}) {
         exports.existing.push_back(exports.folder + "/" + exports.name + extension);
@@ -227,6 +229,38 @@ struct FakeScan::Parts {
     return view;
   }
 
+  [[nodiscard]] AppView damaged() const {
+    AppView view = paused();
+    view.file.is_read_only = true;
+    ui::DamagedCase& damaged = view.file.damaged.emplace();
+    damaged.copy_path = "/home/clinic/cases/Rivera-2031-rescued.flytri";
+    io::CaseSurvey& survey = damaged.survey.emplace();
+    survey.readable = {{{2389, 70, 1, true}, {812, 24, 0, false}, {}}};
+    for (int i = 0; i < 12; ++i) {
+      survey.lost.push_back("views: upper " + std::to_string(1204 + i) + ": cannot be read");
+    }
+    survey.lost.emplace_back("textures: upper 1230: wrong checksum");
+    return view;
+  }
+
+  /// The upper jaw was cleared; its scan is kept.
+  [[nodiscard]] AppView cleared() const {
+    AppView view = preview();
+    view.is_scanning = false;
+    view.has_kept_scan = true;
+    return view;
+  }
+
+  [[nodiscard]] AppView recording() const {
+    AppView view = scanning();
+    view.recording.is_on = true;
+    view.recording.path = view.recording.folder + "/2031-05-02-104211";
+    view.recording.frames = 2520;
+    view.recording.bytes = 1'204'000'000;
+    view.recording.free_bytes = 41'000'000'000;
+    return view;
+  }
+
   [[nodiscard]] AppView no_sensor() const {
     AppView view = paused();
     view.source.hand.reset();
@@ -252,8 +286,8 @@ struct FakeScan::Parts {
   }
 
   /// The vertical lines are overexposed; the horizontal lines and the flash are too dark.
-  [[nodiscard]] AppView with_faulty_devices() const {
-    AppView view = with_devices(faulty_devices());
+  [[nodiscard]] AppView with_faulty_devices(const ui::Texts& texts) const {
+    AppView view = with_devices(faulty_devices(texts));
     scan::ScanSnapshot scan = *view.scan;
     scan.latest = {exposed(*scan.latest[0], 4.0), exposed(*scan.latest[1], 0.15)};
     scan.latest_texture = exposed(*scan.latest_texture, 0.2);
@@ -262,8 +296,8 @@ struct FakeScan::Parts {
     return view;
   }
 
-  [[nodiscard]] AppView calibrating(ui::RunningCalibration running) const {
-    AppView view = with_devices(running_devices());
+  [[nodiscard]] AppView calibrating(ui::RunningCalibration running, const ui::Texts& texts) const {
+    AppView view = with_devices(running_devices(texts));
     view.calibration->why_not_used.clear();
     view.calibration->running = std::move(running);
     return view;
@@ -287,7 +321,7 @@ struct FakeScan::Parts {
 FakeScan::FakeScan() : parts_(std::make_unique<Parts>()) {}
 FakeScan::~FakeScan() = default;
 
-std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
+std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Texts& texts) const {
   const Parts& parts = *parts_;
   const std::array<std::function<AppView()>, kFakeStates.size()> makers = {
       [] { return Parts::ready(); },
@@ -303,20 +337,26 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state) const {
       [] { return Parts::without_case(); },
       [&] { return parts.unnamed(); },
       [&] { return parts.not_saved(); },
-      [&] { return parts.with_devices(running_devices()); },
-      [&] { return parts.with_faulty_devices(); },
-      [&] { return parts.calibrating(waiting_calibration()); },
-      [&] { return parts.calibrating(refused_shot()); },
-      [&] { return parts.calibrating(refused_set()); },
-      [&] { return parts.calibrating(finished_calibration()); },
-      [&] { return parts.calibrating(broken_check()); },
-      [&] { return parts.lost_where_it_is_smooth(); }};
-  if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {
-    return parts.exported(state);
-  }
+      [&] { return parts.with_devices(running_devices(texts)); },
+      [&] { return parts.with_faulty_devices(texts); },
+      [&] { return parts.calibrating(waiting_calibration(texts), texts); },
+      [&] { return parts.calibrating(refused_shot(texts), texts); },
+      [&] { return parts.calibrating(refused_set(texts), texts); },
+      [&] { return parts.calibrating(finished_calibration(texts), texts); },
+      [&] { return parts.calibrating(broken_check(texts), texts); },
+      [&] { return parts.lost_where_it_is_smooth(); },
+      [&] { return parts.damaged(); },
+      [&] { return parts.cleared(); },
+      [&] { return parts.recording(); }};
+  std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
-  if (found == kFakeStates.end()) return std::nullopt;
-  return makers[static_cast<std::size_t>(found - kFakeStates.begin())]();
+  if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {
+    view = parts.exported(state);
+  } else if (found != kFakeStates.end()) {
+    view = makers[static_cast<std::size_t>(found - kFakeStates.begin())]();
+  }
+  if (view) view->texts = texts;
+  return view;
 }
 
 }  // namespace flytri::testing

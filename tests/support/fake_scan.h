@@ -20,7 +20,8 @@ class FakeScan {
   FakeScan& operator=(const FakeScan&) = delete;
 
   /// @return  none for a name outside kFakeStates and kExportStates
-  [[nodiscard]] std::optional<ui::AppView> view(std::string_view state) const;
+  [[nodiscard]] std::optional<ui::AppView> view(std::string_view state,
+                                                const ui::Texts& texts = {}) const;
 
  private:
   struct Parts;

@@ -1,6 +1,7 @@
 /// @file  The window of the program on fake states, for tests and pictures: no pipeline, no device.
 ///
 ///     fake_window [--control SOCKET] [--state NAME] [--width W] [--height H] [--scale S]
+///                 [--language CODE]
 ///
 /// Over the control channel, `tell NAME` shows another state. Each frame advances the time by 1/60
 /// s, so that motion is the same in every run.
@@ -22,18 +23,23 @@ using flytri::ui::Command;
 
 struct Arguments {
   flytri::ui::AppWindowOptions window;
-  std::string state = "ready";
+  std::string state = "ready", language = "en";
 };
 
 /// Carries out the few commands that change the shown state, as the program does.
 struct FakeProgram {
   const flytri::testing::FakeScan& scans;
   AppView view;
+  std::string state = {};
   bool is_running = true;
+  std::uint64_t choices = 0;
 
-  void show(const std::string& state) {
-    const auto next = scans.view(state);
+  void show(const std::string& shown) {
+    const flytri::ui::Texts texts(
+        flytri::ui::chosen_language(view.settings.language, flytri::ui::Language::kEnglish));
+    const auto next = scans.view(shown, texts);
     if (!next) return;
+    state = shown;
     // Each state starts at a multiple of 11 s, ten pulses of the scene, so that the phase is always
     // the same.
     const double now_s = 11.0 * (std::floor(view.now_s / 11.0) + 1.0);
@@ -45,7 +51,9 @@ struct FakeProgram {
   void obey(const Command& command) {
     if (const auto* told = std::get_if<flytri::ui::Tell>(&command)) show(told->words);
     if (const auto* change = std::get_if<flytri::ui::ChangeSettings>(&command)) {
+      const bool is_new_language = change->settings.language != view.settings.language;
       view.settings = change->settings;
+      if (is_new_language) show(state);
     }
     if (const auto* follow = std::get_if<flytri::ui::FollowPath>(&command)) {
       if (view.source.hand) view.source.hand->follows_path = follow->follows;
@@ -58,6 +66,10 @@ struct FakeProgram {
     if (const auto* wanted = std::get_if<flytri::ui::Export>(&command)) {
       show(wanted->replaced.empty() ? "export_exists" : "exported");
       view.exports.latest = wanted->target;
+    }
+    // The user of the fake desktop chooses this at once.
+    if (const auto* asked = std::get_if<flytri::ui::ChoosePath>(&command)) {
+      view.chooser.chosen = {++choices, asked->field, "/media/clinic/stick/chosen"};
     }
     if (std::holds_alternative<flytri::ui::Quit>(command)) is_running = false;
   }
@@ -73,6 +85,7 @@ int run(const Arguments& arguments) {
   ImGui::GetIO().KeyRepeatDelay = 1e9F;
   const flytri::testing::FakeScan scans;
   FakeProgram program{scans, AppView()};
+  program.view.settings.language = arguments.language;
   program.show(arguments.state);
   std::vector<Command> commands;
   while (program.is_running) {
@@ -94,6 +107,7 @@ int main(int argc, char** argv) {
   app.add_option("--state", arguments.state, "State that is shown first");
   app.add_option("--width", arguments.window.width_px, "Width, px");
   app.add_option("--height", arguments.window.height_px, "Height, px");
+  app.add_option("--language", arguments.language, "Language: en, de, fr or es");
   app.add_option("--scale", scale, "Content scale");
   CLI11_PARSE(app, argc, argv);
   arguments.window.content_scale = scale;

@@ -1,5 +1,6 @@
-/// @file  In the smallest window, at several scales, everything fits: no text is cut, and overlays
-/// of the scene do not overlap.
+/// @file  In the smallest window, in each language and at several scales, everything fits: no text
+/// is cut or leaves its box, and overlays of the scene do not overlap.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,14 +40,24 @@ bool overlap(const Overlay& a, const Overlay& b) {
          a.y + a.height > b.y + kEdge_px && b.y + b.height > a.y + kEdge_px;
 }
 
+struct Show {
+  const char* language;
+  double scale;
+};
+
+std::string name_of(const ::testing::TestParamInfo<Show>& info) {
+  return fmt::format("{}{:.0f}", info.param.language, 1000.0 * info.param.scale);
+}
+
 /// The smallest window in which the scale is not reduced.
-class SmallestWindow : public ::testing::TestWithParam<double> {
+class SmallestWindow : public ::testing::TestWithParam<Show> {
  protected:
   void SetUp() override {
-    const auto pixels = [](int units) { return static_cast<int>(std::lround(units * GetParam())); };
-    window_ = WindowDriver::start(pixels(1024), pixels(640), GetParam());
+    const double scale = GetParam().scale;
+    const auto pixels = [&](int units) { return static_cast<int>(std::lround(units * scale)); };
+    window_ = WindowDriver::start(pixels(1024), pixels(640), scale, GetParam().language);
     if (window_ == nullptr) GTEST_SKIP() << testing::kNoDisplay;
-    ASSERT_EQ(window_->state()["scale"], GetParam());
+    ASSERT_EQ(window_->state()["scale"], scale);
   }
 
   void show(const std::string& state) {
@@ -110,7 +121,16 @@ TEST_P(SmallestWindow, FitsInTheExportDialogAfterAnExport) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AtScales, SmallestWindow, ::testing::Values(1.0, 1.125, 1.25, 1.5));
+INSTANTIATE_TEST_SUITE_P(AtScales, SmallestWindow,
+                         ::testing::Values(Show{"en", 1.0}, Show{"en", 1.125}, Show{"en", 1.25},
+                                           Show{"en", 1.5}),
+                         name_of);
+
+INSTANTIATE_TEST_SUITE_P(InLanguages, SmallestWindow,
+                         ::testing::Values(Show{"de", 1.0}, Show{"fr", 1.0}, Show{"es", 1.0},
+                                           Show{"en", 2.0}, Show{"de", 2.0}, Show{"fr", 2.0},
+                                           Show{"es", 2.0}),
+                         name_of);
 
 }  // namespace
 }  // namespace flytri

@@ -37,13 +37,14 @@ void xdotool(std::vector<std::string> words) {
 
 }  // namespace
 
-std::unique_ptr<WindowDriver> WindowDriver::start(int width_px, int height_px, double scale) {
+std::unique_ptr<WindowDriver> WindowDriver::start(int width_px, int height_px, double scale,
+                                                  const std::string& language) {
   if (std::getenv("DISPLAY") == nullptr) return nullptr;
   std::unique_ptr<WindowDriver> driver(new WindowDriver);
   const std::string socket = (driver->folder_.path() / "control").string();
-  driver->process_ =
-      spawn({FLYTRI_FAKE_WINDOW, "--width", fmt::to_string(width_px), "--height",
-             fmt::to_string(height_px), "--scale", fmt::to_string(scale), "--control", socket});
+  driver->process_ = spawn({FLYTRI_FAKE_WINDOW, "--width", fmt::to_string(width_px), "--height",
+                            fmt::to_string(height_px), "--scale", fmt::to_string(scale),
+                            "--language", language, "--control", socket});
   if (driver->process_ < 0) return nullptr;
   driver->client_ = ControlClient::connect(socket, kPatience_s);
   if (!driver->client_) return nullptr;

@@ -18,11 +18,13 @@ namespace flytri::testing {
 class WindowDriver {
  public:
   /// Starts fake_window and waits until it draws.
-  /// @param scale  of the content: a unit of the window is this many pixels
+  /// @param scale     of the content: a unit of the window is this many pixels
+  /// @param language  of the texts: its code
   /// @return  none without a display (skip the test with kNoDisplay), or if the window does not
   /// start
   [[nodiscard]] static std::unique_ptr<WindowDriver> start(int width_px, int height_px,
-                                                           double scale = 1.0);
+                                                           double scale = 1.0,
+                                                           const std::string& language = "en");
   WindowDriver(const WindowDriver&) = delete;
   WindowDriver& operator=(const WindowDriver&) = delete;
   /// Asks the window to close and waits for its end.

@@ -53,7 +53,7 @@ class RealWindow : public ::testing::Test {
 TEST_F(RealWindow, KeysSendTheirCommands) {
   const std::vector<std::array<std::string, 3>> cases = {
       {"ready", "space", "StartScan"},         {"scanning", "space", "PauseScan"},
-      {"finished", "space", "ResumeScan"},     {"scanning", "z", "Undo"},
+      {"exported", "space", "ResumeScan"},     {"scanning", "z", "Undo"},
       {"scanning", "ctrl+z", "Undo"},          {"paused", "f", "Finish"},
       {"finishing", "Escape", "CancelFinish"}, {"lost", "Tab", "ChooseReentry"},
       {"paused", "F2", "SelectStage"},         {"paused", "Delete", "RemoveMeasurement"},
@@ -69,7 +69,7 @@ TEST_F(RealWindow, KeysSendTheirCommands) {
 TEST_F(RealWindow, ButtonsSendTheCommandsOfTheirKeys) {
   const std::vector<std::array<std::string, 3>> cases = {
       {"ready", "scan", "StartScan"},          {"scanning", "scan", "PauseScan"},
-      {"finished", "scan", "ResumeScan"},      {"scanning", "undo", "Undo"},
+      {"exported", "scan", "ResumeScan"},      {"scanning", "undo", "Undo"},
       {"paused", "finish", "Finish"},          {"finishing", "cancel", "CancelFinish"},
       {"lost", "place_2", "ChooseReentry"},    {"paused", "lower", "SelectStage"},
       {"scanning", "hand_mode", "FollowPath"}, {"scanning", "lift_sensor", "TakeSensorAway"},
@@ -99,20 +99,6 @@ TEST_F(RealWindow, TheScreenShowsEverythingThatWasDrawn) {
       largest = cv::norm(shown, drawn, cv::NORM_INF);
     }
     EXPECT_EQ(largest, 0.0) << change;
-  }
-}
-
-TEST_F(RealWindow, StateTextsFitTheListOfKeys) {
-  for (const char* shown : testing::kFakeStates) {
-    show(shown);
-    for (const char* dialog : {"cancel", "calibration"}) {
-      window().ask(std::string("do ") + dialog);
-      for (const auto& [id, action] : window().state()["actions"].items()) {
-        EXPECT_LE(action["text"].get<std::string>().size(), ui::kLongestStateText)
-            << id << ", " << shown << ": " << action["text"];
-      }
-    }
-    window().ask("do cancel");
   }
 }
 
@@ -287,6 +273,22 @@ TEST_F(RealWindow, FiguresAndButtonsExplainThemselves) {
   EXPECT_EQ(hint_at("trim"), "") << "its button says it all";
 }
 
+TEST_F(RealWindow, TheLanguageChangesAtOnce) {
+  show("paused");
+  const auto scan_is = [] { return window().state()["actions"]["scan"]["text"].get<std::string>(); };
+  EXPECT_EQ(scan_is(), "paused");
+  window().key("s");
+  EXPECT_EQ(after_click("language_de"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "angehalten");
+  EXPECT_EQ(after_click("language_fr"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "en pause");
+  EXPECT_EQ(after_click("language_es"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "en pausa");
+  EXPECT_EQ(after_click("language_automatic"), Names{"ChangeSettings"});
+  EXPECT_EQ(after_click("language_en"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "paused");
+}
+
 TEST_F(RealWindow, FillsTheScreenAndReturns) {
   show("scanning");
   EXPECT_EQ(after_key("F11"), Names{"ChangeSettings"});
@@ -445,6 +447,89 @@ TEST_F(RealWindow, AnUnnamedCaseIsDiscardedOnlyAfterAQuestion) {
   EXPECT_EQ(window().state()["dialog"], "case") << "Escape takes the question back";
   window().click("discard");
   EXPECT_EQ(after_click("confirm"), Names{"DiscardCase"});
+}
+
+TEST_F(RealWindow, ADamagedCaseSaysSoAndOffersARescueCopy) {
+  show("damaged");
+  EXPECT_EQ(after_key("space"), Names{}) << "nothing can be saved in it";
+  window().key("d");
+  EXPECT_EQ(window().state()["case_form"]["path"], "/home/clinic/cases/Rivera-2031-rescued.flytri");
+  EXPECT_EQ(after_click("confirm"), Names{"SaveRescueCopy"});
+  window().click("tab_open");
+  EXPECT_EQ(after_click("confirm"), Names{"OpenCase"}) << "another case can be opened";
+  window().click("tab_fields");
+  window().type("2");
+  EXPECT_EQ(after_key("Return"), Names{"SaveRescueCopy"});
+}
+
+TEST_F(RealWindow, AStageIsClearedOnlyAfterAQuestionAndUndoBringsItBack) {
+  show("scanning");
+  EXPECT_EQ(after_key("ctrl+Delete"), Names{"PauseScan"});
+  EXPECT_EQ(window().state()["dialog"], "question");
+  EXPECT_EQ(after_key("Escape"), Names{});
+  EXPECT_EQ(window().state()["dialog"], "none");
+  show("paused");
+  window().key("t");
+  EXPECT_EQ(after_click("clear_stage"), Names{}) << "the button asks, too";
+  EXPECT_EQ(window().state()["tool"], "none");
+  EXPECT_EQ(after_click("confirm"), Names{"ClearStage"});
+  EXPECT_EQ(window().state()["dialog"], "none");
+  show("cleared");
+  EXPECT_EQ(after_key("ctrl+Delete"), Names{}) << "it is empty";
+  EXPECT_EQ(after_key("z"), Names{"BringBackStage"});
+  EXPECT_EQ(after_click("undo"), Names{"BringBackStage"});
+  EXPECT_EQ(after_key("ctrl+b"), Names{"BringBackStage"});
+}
+
+TEST_F(RealWindow, AModelThatWasNotExportedIsReplacedOnlyAfterAQuestion) {
+  show("finished");
+  EXPECT_EQ(after_key("space"), Names{});
+  EXPECT_EQ(window().state()["dialog"], "question");
+  EXPECT_EQ(after_key("Return"), Names{"ResumeScan"});
+  show("exported");
+  EXPECT_EQ(after_key("space"), Names{"ResumeScan"}) << "the files have the model";
+}
+
+TEST_F(RealWindow, WhatIsNotSavedIsLeftOnlyAfterAQuestion) {
+  show("not_saved");
+  EXPECT_EQ(after_key("ctrl+q"), Names{});
+  EXPECT_EQ(window().state()["dialog"], "question");
+  window().key("Escape");
+  window().key("d");
+  window().click("tab_open");
+  window().click("known_2");
+  (void)window().commands();
+  EXPECT_EQ(after_click("confirm"), Names{});
+  EXPECT_EQ(window().state()["dialog"], "question");
+  EXPECT_EQ(after_click("confirm"), Names{"OpenCase"});
+  EXPECT_EQ(window().state()["dialog"], "case") << "it says what becomes of it";
+}
+
+TEST_F(RealWindow, RawImagesAreRecordedFromTheSettings) {
+  show("scanning");
+  EXPECT_EQ(after_key("ctrl+r"), Names{"RecordFrames"});
+  EXPECT_FALSE(window().where("recording"));
+  window().key("s");
+  EXPECT_EQ(after_click("record"), Names{"RecordFrames"});
+  show("recording");
+  window().key("Escape");
+  EXPECT_TRUE(window().where("recording")) << "it shows outside the dialog";
+  EXPECT_EQ(window().state()["actions"]["record"]["on"], true);
+}
+
+TEST_F(RealWindow, AFolderIsChosenInTheDesktopsDialog) {
+  show("scanning");
+  window().key("s");
+  EXPECT_EQ(after_click("recording_folder_choose"), Names{"ChoosePath"});
+  window().ask("wait 2");
+  EXPECT_EQ(after_click("record"), (Names{"ChangeSettings", "RecordFrames"}))
+      << "the chosen folder is remembered";
+  window().key("Escape");
+  window().key("d");
+  window().click("tab_new");
+  EXPECT_EQ(after_click("case_path_choose"), Names{"ChoosePath"});
+  window().ask("wait 2");
+  EXPECT_EQ(window().state()["case_form"]["path"], "/media/clinic/stick/chosen.flytri");
 }
 
 TEST_F(RealWindow, ScanningPausesBehindTheDialogOfCases) {

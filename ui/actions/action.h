@@ -1,13 +1,14 @@
 /// @file  The names of everything that the user can do.
 ///
 /// To add an action: name it here, in its group, and add its row to the file of that group, such as
-/// scanning_actions.cpp. Without the row the program does not compile. A button for it is one line
-/// in a panel.
+/// scanning_actions.cpp, and its name to ui/text/action_texts.h. Without these the program does not
+/// compile. A button for it is one line in a panel.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <string_view>
+
+#include "ui/text/texts.h"
 
 namespace flytri::ui {
 
@@ -31,6 +32,8 @@ enum class Action {
   kBrushLarger,
   kMeasure,
   kRemoveMeasurement,
+  kClearStage,
+  kBringBack,
   // Looking
   kShading,
   kTexture,
@@ -59,6 +62,7 @@ enum class Action {
   kHandFarther,
   kHandMode,
   kLiftSensor,
+  kRecord,
   // Calibrating
   kCalibration,
   kCalibrate,
@@ -104,6 +108,6 @@ inline constexpr std::array kFirstOfGroup = {Action::kScan, Action::kUndo,      
 static_assert(index_of(kFirstOfGroup.front()) == 0, "an action stands before the first group");
 
 /// The heading of a group.
-[[nodiscard]] std::string_view to_string(ActionGroup group);
+[[nodiscard]] Text heading_of(ActionGroup group);
 
 }  // namespace flytri::ui

@@ -12,4 +12,9 @@ void ActionRunner::toggle(Dialog dialog) const {
   state.dialog = state.dialog == dialog ? Dialog::kNone : dialog;
 }
 
+void ActionRunner::ask(QuestionKind kind, Command command) const {
+  state.question = {kind, std::move(command)};
+  state.dialog = Dialog::kQuestion;
+}
+
 }  // namespace flytri::ui

@@ -21,6 +21,8 @@ struct ActionRunner {
   void toggle(Tool tool) const;
   /// Opens the dialog in place of another, or closes it.
   void toggle(Dialog dialog) const;
+  /// Sends the command once the user has said yes.
+  void ask(QuestionKind kind, Command command) const;
 };
 
 /// For rows of the table.

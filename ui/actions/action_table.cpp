@@ -11,17 +11,17 @@ namespace flytri::ui {
 namespace {
 
 struct GroupRows {
-  const char* heading;
+  Text heading;
   std::span<const ActionRow> (*rows)();
 };
 /// In the order of ActionGroup.
 constexpr std::array<GroupRows, kFirstOfGroup.size() - 1> kGroups = {
-    {{"Scanning", scanning_actions},
-     {"Editing", editing_actions},
-     {"View", looking_actions},
-     {"Arrow keys and sensor", hand_actions},
-     {"Calibration", calibrating_actions},
-     {"Program", program_actions}}};
+    {{Text::kGroupScanning, scanning_actions},
+     {Text::kGroupEditing, editing_actions},
+     {Text::kGroupView, looking_actions},
+     {Text::kGroupHand, hand_actions},
+     {Text::kGroupCalibration, calibrating_actions},
+     {Text::kGroupProgram, program_actions}}};
 
 /// Each group's file lists all of its actions in order, so that Action is the index.
 std::vector<ActionRow> join_groups() {
@@ -35,9 +35,7 @@ std::vector<ActionRow> join_groups() {
 
 }  // namespace
 
-std::string_view to_string(ActionGroup group) {
-  return kGroups[static_cast<std::size_t>(group)].heading;
-}
+Text heading_of(ActionGroup group) { return kGroups[static_cast<std::size_t>(group)].heading; }
 
 std::span<const ActionRow> action_table() {
   static const std::vector<ActionRow> table = join_groups();
@@ -74,7 +72,10 @@ ActionState action_state(Action action, const AppView& view, const WindowState& 
   // Pressing a key in the list of keys leaves the list.
   const bool is_blocked = state.dialog != Dialog::kNone && state.dialog != Dialog::kHelp &&
                           (row.works_in & in(state.dialog)) == 0;
-  if (result.is_enabled && is_blocked) result = {false, result.is_on, "close the dialog first"};
+  if (result.is_enabled && is_blocked) {
+    result = {.is_enabled = false, .is_on = result.is_on, .why = Text::kCloseDialogFirst};
+  }
+  if (result.why) result.text = view.texts[*result.why];
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "ui/state/app_view.h"
 #include "ui/state/command.h"
 #include "ui/state/window_state.h"
+#include "ui/text/texts.h"
 #include "ui/window/input.h"
 
 namespace flytri::ui {
@@ -20,20 +21,22 @@ struct ActionRunner;
 
 /// The key of an action.
 struct Shortcut {
-  int key = 0;            ///< GLFW_KEY_*
-  const char* text = "";  ///< as it is printed on a keyboard
-  int modifiers = 0;      ///< GLFW_MOD_CONTROL, GLFW_MOD_SHIFT or 0
-  bool repeats = false;   ///< while the key is held
+  int key = 0;           ///< GLFW_KEY_*
+  int modifiers = 0;     ///< GLFW_MOD_CONTROL, GLFW_MOD_SHIFT or 0
+  bool repeats = false;  ///< while the key is held
 };
 
-/// Longest ActionState::text that fits the list of keys.
-constexpr std::size_t kLongestStateText = 24;
+/// As it is printed on a keyboard: "Ctrl Z".
+[[nodiscard]] std::string shortcut_text(const Shortcut& shortcut, const Texts& texts);
 
 /// Whether an action is possible now.
 struct ActionState {
   bool is_enabled = true;
   bool is_on = false;  ///< the tool or mode is chosen
-  std::string text;    ///< why it is disabled, or its setting; at most kLongestStateText
+  /// Why it is disabled, or its setting. Short: it stands in the list of keys. Rows of the table
+  /// give its key, where it has one; then action_state() finds the text.
+  std::optional<Text> why = {};
+  std::string text = {};
 };
 
 /// Always possible.
@@ -47,8 +50,8 @@ inline constexpr Dialogs kNoDialog = 0, kEachDialog = ~0U;
 /// A row of the table.
 struct ActionRow {
   Action action;
-  const char* id;    ///< of its button, and on the control channel: "scan"
-  const char* name;  ///< what it does, in the user's words
+  const char* id;  ///< of its button, and on the control channel: "scan"
+  Text name;       ///< what it does, in the user's words
   Shortcut shortcut;
   Shortcut second = {};  ///< another key that does the same; the list of keys does not show it
   ActionState (*state)(const Situation&) = always;

@@ -6,34 +6,32 @@
 namespace flytri::ui {
 namespace {
 
-constexpr const char* kNotForRecordings = "not for recordings";
-
 ActionState panel_state(const Situation& now) {
-  if (!now.view.calibration) return disabled(kNotForRecordings);
-  if (!now.may_leave()) return disabled("finishing");
+  if (!now.view.calibration) return disabled(Text::kNotForRecordings);
+  if (!now.may_leave()) return disabled(Text::kFinishing);
   const bool is_open = now.state.dialog == Dialog::kCalibration;
-  return is_open && now.is_calibrating() ? disabled("running") : enabled();
+  return is_open && now.is_calibrating() ? disabled(Text::kRunning) : enabled();
 }
 
 /// What all tasks have in common.
 ActionState task_state(const Situation& now) {
-  if (!now.view.calibration) return disabled(kNotForRecordings);
-  if (now.state.dialog != Dialog::kCalibration) return disabled("open Calibration");
-  return only_if(!now.is_calibrating(), "running");
+  if (!now.view.calibration) return disabled(Text::kNotForRecordings);
+  if (now.state.dialog != Dialog::kCalibration) return disabled(Text::kOpenCalibration);
+  return only_if(!now.is_calibrating(), Text::kRunning);
 }
 
 ActionState check_on_plane_state(const Situation& now) {
   ActionState task = task_state(now);
   if (!task.is_enabled) return task;
-  return only_if(now.view.calibration->has_calibration, "no calibration yet");
+  return only_if(now.view.calibration->has_calibration, Text::kNoCalibration);
 }
 
 ActionState check_on_sphere_state(const Situation& now) {
   ActionState check = check_on_plane_state(now);
   if (!check.is_enabled) return check;
-  if (now.view.calibration->is_simulated) return disabled("real sensor only");
+  if (now.view.calibration->is_simulated) return disabled(Text::kRealSensorOnly);
   const auto diameter_mm = typed_length_mm(now.state.calibration_form.sphere_diameter_mm);
-  return only_if(diameter_mm.has_value(), "enter its diameter");
+  return only_if(diameter_mm.has_value(), Text::kEnterDiameter);
 }
 
 template <CalibrationTask kTask>
@@ -44,12 +42,12 @@ void begin_calibration(const ActionRunner& run) {
 }
 
 ActionState previous_place_state(const Situation& now) {
-  if (!now.view.calibration) return disabled(kNotForRecordings);
-  if (!now.is_calibrating()) return disabled("not calibrating");
+  if (!now.view.calibration) return disabled(Text::kNotForRecordings);
+  if (!now.is_calibrating()) return disabled(Text::kNotCalibrating);
   const RunningCalibration& running = *now.view.calibration->running;
   const bool waits =
       running.step == CalibrationStep::kTarget || running.step == CalibrationStep::kRefused;
-  return only_if(waits && previous_place(running), "no images yet");
+  return only_if(waits && previous_place(running), Text::kNoImagesYet);
 }
 
 void retake_previous_place(const ActionRunner& run) {
@@ -61,36 +59,36 @@ constexpr Dialogs kInPanel = in(Dialog::kCalibration);
 constexpr std::array kCalibratingActions = {
     ActionRow{.action = Action::kCalibration,
               .id = "calibration",
-              .name = "Calibration",
-              .shortcut = {GLFW_KEY_C, "C"},
+              .name = Text::kCalibration,
+              .shortcut = {GLFW_KEY_C},
               .state = panel_state,
               .perform = toggle_dialog<Dialog::kCalibration>,
               .works_in = kInPanel | in(Dialog::kDevices) | in(Dialog::kSettings)},
     ActionRow{.action = Action::kCalibrate,
               .id = "calibrate",
-              .name = "Calibrate sensor",
-              .shortcut = {GLFW_KEY_V, "V"},
+              .name = Text::kCalibrateSensor,
+              .shortcut = {GLFW_KEY_V},
               .state = task_state,
               .perform = begin_calibration<CalibrationTask::kCalibrate>,
               .works_in = kInPanel},
     ActionRow{.action = Action::kCheckOnPlane,
               .id = "check_on_plane",
-              .name = "Check on a plane",
-              .shortcut = {GLFW_KEY_P, "P"},
+              .name = Text::kCheckOnPlane,
+              .shortcut = {GLFW_KEY_P},
               .state = check_on_plane_state,
               .perform = begin_calibration<CalibrationTask::kCheckOnPlane>,
               .works_in = kInPanel},
     ActionRow{.action = Action::kCheckOnSphere,
               .id = "check_on_sphere",
-              .name = "Check on a sphere",
-              .shortcut = {GLFW_KEY_G, "G"},
+              .name = Text::kCheckOnSphere,
+              .shortcut = {GLFW_KEY_G},
               .state = check_on_sphere_state,
               .perform = begin_calibration<CalibrationTask::kCheckOnSphere>,
               .works_in = kInPanel},
     ActionRow{.action = Action::kPreviousPlace,
               .id = "previous_place",
-              .name = "Repeat previous place",
-              .shortcut = {GLFW_KEY_BACKSPACE, "Backspace"},
+              .name = Text::kRepeatPlace,
+              .shortcut = {GLFW_KEY_BACKSPACE},
               .state = previous_place_state,
               .perform = retake_previous_place,
               .works_in = kInPanel}};

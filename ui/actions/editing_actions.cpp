@@ -10,21 +10,60 @@ namespace {
 
 constexpr double kBrushStep = 1.15;
 
+/// Both scans of the stage stay in the case, so nothing can be lost.
+bool can_bring_back(const Situation& now) {
+  return now.view.has_kept_scan && !now.view.file.is_read_only && !now.view.is_loading &&
+         now.may_leave();
+}
+
+/// What was cleared comes back by Undo until something new is there: then Undo is that of the new
+/// scan.
+bool undoes_clearing(const Situation& now) { return can_bring_back(now) && !now.has_surface(); }
+
 ActionState undo_state(const Situation& now) {
-  return only_if(now.can_edit() && now.view.scan->can_undo, "nothing to undo");
+  if (undoes_clearing(now)) return enabled(Text::kBringsScanBack);
+  return only_if(now.can_edit() && now.view.scan->can_undo, Text::kNothingToUndo);
+}
+
+void undo(const ActionRunner& run) {
+  if (undoes_clearing({run.view, run.state})) return run.send(BringBackStage{});
+  run.send(Undo{});
+}
+
+ActionState clear_state(const Situation& now) {
+  if (!now.has_surface()) return disabled(Text::kNothingScanned);
+  if (!now.may_leave()) return disabled(Text::kFinishing);
+  if (now.view.is_loading) return disabled(Text::kOpeningTheCase);
+  if (now.view.file.is_read_only) return disabled(Text::kCaseIsReadOnly);
+  return only_if(!now.view.file.path.empty() && !has_unsaved(now.view), Text::kNotSavedYet);
+}
+
+void ask_to_clear(const ActionRunner& run) {
+  if (run.view.is_scanning) run.send(PauseScan{});
+  put_tool_away(run.state);
+  run.ask(QuestionKind::kClearStage, ClearStage{run.view.stage});
+}
+
+ActionState bring_back_state(const Situation& now) {
+  return only_if(can_bring_back(now), Text::kNothingCleared);
+}
+
+void bring_back(const ActionRunner& run) {
+  run.state.dialog = Dialog::kNone;
+  run.send(BringBackStage{});
 }
 
 ActionState redo_state(const Situation& now) {
-  return only_if(now.can_edit() && now.view.scan->can_redo, "nothing to redo");
+  return only_if(now.can_edit() && now.view.scan->can_redo, Text::kNothingToRedo);
 }
 
 template <Tool kTool>
 ActionState tool_state(const Situation& now) {
-  if (!now.has_surface()) return disabled("nothing scanned yet");
+  if (!now.has_surface()) return disabled(Text::kNothingScanned);
   if (kTool != Tool::kMeasure && !now.can_edit()) {
-    return disabled(now.is_finishing() ? "finishing" : "resume scanning first");
+    return disabled(now.is_finishing() ? Text::kFinishing : Text::kResumeFirst);
   }
-  return chosen(now.state.tool == kTool, "active");
+  return chosen(now.state.tool == kTool, Text::kActive);
 }
 
 template <Tool kTool>
@@ -33,7 +72,7 @@ void toggle_tool(const ActionRunner& run) {
 }
 
 ActionState brush_state(const Situation& now) {
-  return only_if(has_brush(now.state.tool), "choose a brush first");
+  return only_if(has_brush(now.state.tool), Text::kChooseBrushFirst);
 }
 
 void scale_brush(const ActionRunner& run, double factor) {
@@ -42,7 +81,7 @@ void scale_brush(const ActionRunner& run, double factor) {
 }
 
 ActionState remove_measurement_state(const Situation& now) {
-  return only_if(!now.view.measurements.empty(), "none yet");
+  return only_if(!now.view.measurements.empty(), Text::kNoneYet);
 }
 
 void remove_last_measurement(const ActionRunner& run) {
@@ -52,59 +91,72 @@ void remove_last_measurement(const ActionRunner& run) {
 constexpr std::array kEditingActions = {
     ActionRow{.action = Action::kUndo,
               .id = "undo",
-              .name = "Undo",
-              .shortcut = {GLFW_KEY_Z, "Z"},
+              .name = Text::kUndo,
+              .shortcut = {GLFW_KEY_Z},
               .state = undo_state,
-              .perform = send<Undo>},
+              .perform = undo},
     ActionRow{.action = Action::kRedo,
               .id = "redo",
-              .name = "Redo",
-              .shortcut = {GLFW_KEY_Y, "Y"},
-              .second = {GLFW_KEY_Z, "Ctrl Shift Z", GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
+              .name = Text::kRedo,
+              .shortcut = {GLFW_KEY_Y},
+              .second = {GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT},
               .state = redo_state,
               .perform = send<Redo>},
     ActionRow{.action = Action::kTrim,
               .id = "trim",
-              .name = "Trim",
-              .shortcut = {GLFW_KEY_T, "T"},
+              .name = Text::kTrim,
+              .shortcut = {GLFW_KEY_T},
               .state = tool_state<Tool::kTrim>,
               .perform = toggle_tool<Tool::kTrim>},
     ActionRow{.action = Action::kLock,
               .id = "lock",
-              .name = "Lock",
-              .shortcut = {GLFW_KEY_K, "K"},
+              .name = Text::kLock,
+              .shortcut = {GLFW_KEY_K},
               .state = tool_state<Tool::kLock>,
               .perform = toggle_tool<Tool::kLock>},
     ActionRow{.action = Action::kUnlock,
               .id = "unlock",
-              .name = "Unlock",
-              .shortcut = {GLFW_KEY_J, "J"},
+              .name = Text::kUnlock,
+              .shortcut = {GLFW_KEY_J},
               .state = tool_state<Tool::kUnlock>,
               .perform = toggle_tool<Tool::kUnlock>},
     ActionRow{.action = Action::kBrushSmaller,
               .id = "brush_smaller",
-              .name = "Smaller brush",
-              .shortcut = {GLFW_KEY_LEFT_BRACKET, "[", 0, true},
+              .name = Text::kSmallerBrush,
+              .shortcut = {GLFW_KEY_LEFT_BRACKET, 0, true},
               .state = brush_state,
               .perform = [](const ActionRunner& run) { scale_brush(run, 1.0 / kBrushStep); }},
     ActionRow{.action = Action::kBrushLarger,
               .id = "brush_larger",
-              .name = "Larger brush",
-              .shortcut = {GLFW_KEY_RIGHT_BRACKET, "]", 0, true},
+              .name = Text::kLargerBrush,
+              .shortcut = {GLFW_KEY_RIGHT_BRACKET, 0, true},
               .state = brush_state,
               .perform = [](const ActionRunner& run) { scale_brush(run, kBrushStep); }},
     ActionRow{.action = Action::kMeasure,
               .id = "measure",
-              .name = "Measure",
-              .shortcut = {GLFW_KEY_M, "M"},
+              .name = Text::kMeasure,
+              .shortcut = {GLFW_KEY_M},
               .state = tool_state<Tool::kMeasure>,
               .perform = toggle_tool<Tool::kMeasure>},
     ActionRow{.action = Action::kRemoveMeasurement,
               .id = "remove_measurement",
-              .name = "Remove last distance",
-              .shortcut = {GLFW_KEY_DELETE, "Delete"},
+              .name = Text::kRemoveLastDistance,
+              .shortcut = {GLFW_KEY_DELETE},
               .state = remove_measurement_state,
-              .perform = remove_last_measurement}};
+              .perform = remove_last_measurement},
+    ActionRow{.action = Action::kClearStage,
+              .id = "clear_stage",
+              .name = Text::kClearStage,
+              .shortcut = {GLFW_KEY_DELETE, GLFW_MOD_CONTROL},
+              .state = clear_state,
+              .perform = ask_to_clear},
+    ActionRow{.action = Action::kBringBack,
+              .id = "bring_back",
+              .name = Text::kBringClearedBack,
+              .shortcut = {GLFW_KEY_B, GLFW_MOD_CONTROL},
+              .state = bring_back_state,
+              .perform = bring_back,
+              .works_in = in(Dialog::kQuestion)}};
 static_assert(lists_all_of(ActionGroup::kEditing, kEditingActions));
 
 }  // namespace

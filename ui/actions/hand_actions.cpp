@@ -11,10 +11,8 @@ constexpr double kTilt_rad = 0.035;  ///< of the sensor, for a press
 /// Of the picture's height: the drag that turns the camera as much as a press does.
 constexpr double kDragShare = 0.04;
 
-constexpr const char* kSimulatedOnly = "simulated only";
-
 ActionState arrow_state(const Situation& now) {
-  return enabled(now.steers_by_hand() ? "moves sensor" : "turns the view");
+  return enabled(now.steers_by_hand() ? Text::kMovesSensor : Text::kTurnsView);
 }
 
 /// @param kRight, kDown  direction in the picture
@@ -32,7 +30,7 @@ void turn_or_move(const ActionRunner& run) {
 }
 
 ActionState steer_state(const Situation& now) {
-  return only_if(now.steers_by_hand(), "By hand is off");
+  return only_if(now.steers_by_hand(), Text::kByHandIsOff);
 }
 
 template <int kRight, int kDown>
@@ -47,7 +45,7 @@ void approach(const ActionRunner& run) {
 }
 
 ActionState hand_mode_state(const Situation& now) {
-  if (!now.view.source.hand) return disabled(kSimulatedOnly);
+  if (!now.view.source.hand) return disabled(Text::kSimulatedOnly);
   return chosen(now.steers_by_hand());
 }
 
@@ -56,87 +54,111 @@ void toggle_hand_mode(const ActionRunner& run) {
 }
 
 ActionState lift_state(const Situation& now) {
-  if (!now.view.source.hand) return disabled(kSimulatedOnly);
-  return chosen(now.view.source.hand->is_taken_away, "lifted");
+  if (!now.view.source.hand) return disabled(Text::kSimulatedOnly);
+  return chosen(now.view.source.hand->is_taken_away, Text::kLifted);
 }
 
 void lift_or_return(const ActionRunner& run) {
   run.send(TakeSensorAway{!run.view.source.hand->is_taken_away});
 }
 
-constexpr std::array kHandActions = {
-    ActionRow{.action = Action::kLeft,
-              .id = "left",
-              .name = "Turn or move left",
-              .shortcut = {GLFW_KEY_LEFT, "Left", 0, true},
-              .state = arrow_state,
-              .perform = turn_or_move<-1, 0>},
-    ActionRow{.action = Action::kRight,
-              .id = "right",
-              .name = "Turn or move right",
-              .shortcut = {GLFW_KEY_RIGHT, "Right", 0, true},
-              .state = arrow_state,
-              .perform = turn_or_move<1, 0>},
-    ActionRow{.action = Action::kUp,
-              .id = "up",
-              .name = "Turn or move up",
-              .shortcut = {GLFW_KEY_UP, "Up", 0, true},
-              .state = arrow_state,
-              .perform = turn_or_move<0, -1>},
-    ActionRow{.action = Action::kDown,
-              .id = "down",
-              .name = "Turn or move down",
-              .shortcut = {GLFW_KEY_DOWN, "Down", 0, true},
-              .state = arrow_state,
-              .perform = turn_or_move<0, 1>},
-    ActionRow{.action = Action::kTiltLeft,
-              .id = "tilt_left",
-              .name = "Tilt sensor left",
-              .shortcut = {GLFW_KEY_LEFT, "Shift Left", GLFW_MOD_SHIFT, true},
-              .state = steer_state,
-              .perform = tilt<-1, 0>},
-    ActionRow{.action = Action::kTiltRight,
-              .id = "tilt_right",
-              .name = "Tilt sensor right",
-              .shortcut = {GLFW_KEY_RIGHT, "Shift Right", GLFW_MOD_SHIFT, true},
-              .state = steer_state,
-              .perform = tilt<1, 0>},
-    ActionRow{.action = Action::kTiltUp,
-              .id = "tilt_up",
-              .name = "Tilt sensor up",
-              .shortcut = {GLFW_KEY_UP, "Shift Up", GLFW_MOD_SHIFT, true},
-              .state = steer_state,
-              .perform = tilt<0, -1>},
-    ActionRow{.action = Action::kTiltDown,
-              .id = "tilt_down",
-              .name = "Tilt sensor down",
-              .shortcut = {GLFW_KEY_DOWN, "Shift Down", GLFW_MOD_SHIFT, true},
-              .state = steer_state,
-              .perform = tilt<0, 1>},
-    ActionRow{.action = Action::kHandNearer,
-              .id = "hand_nearer",
-              .name = "Move sensor closer",
-              .shortcut = {GLFW_KEY_PAGE_UP, "Page up", 0, true},
-              .state = steer_state,
-              .perform = approach<1>},
-    ActionRow{.action = Action::kHandFarther,
-              .id = "hand_farther",
-              .name = "Move sensor away",
-              .shortcut = {GLFW_KEY_PAGE_DOWN, "Page down", 0, true},
-              .state = steer_state,
-              .perform = approach<-1>},
-    ActionRow{.action = Action::kHandMode,
-              .id = "hand_mode",
-              .name = "Move sensor by hand",
-              .shortcut = {GLFW_KEY_W, "W"},
-              .state = hand_mode_state,
-              .perform = toggle_hand_mode},
-    ActionRow{.action = Action::kLiftSensor,
-              .id = "lift_sensor",
-              .name = "Lift or return sensor",
-              .shortcut = {GLFW_KEY_A, "A"},
-              .state = lift_state,
-              .perform = lift_or_return}};
+ActionState record_state(const Situation& now) {
+  if (!now.view.recording.is_possible) return disabled(Text::kRecordingPlayed);
+  return chosen(now.view.recording.is_on, Text::kIsRecording);
+}
+
+/// A folder that was typed is remembered.
+void record(const ActionRunner& run) {
+  const RecordingForm& form = run.state.recording_form;
+  const std::string folder = form.is_edited ? form.folder : run.view.recording.folder;
+  const bool is_on = !run.view.recording.is_on;
+  if (is_on && form.is_edited) {
+    Settings settings = run.view.settings;
+    settings.recording_folder = folder;
+    run.send(ChangeSettings{settings});
+  }
+  run.send(RecordFrames{is_on, folder});
+}
+
+constexpr std::array kHandActions = {ActionRow{.action = Action::kLeft,
+                                               .id = "left",
+                                               .name = Text::kTurnLeft,
+                                               .shortcut = {GLFW_KEY_LEFT, 0, true},
+                                               .state = arrow_state,
+                                               .perform = turn_or_move<-1, 0>},
+                                     ActionRow{.action = Action::kRight,
+                                               .id = "right",
+                                               .name = Text::kTurnRight,
+                                               .shortcut = {GLFW_KEY_RIGHT, 0, true},
+                                               .state = arrow_state,
+                                               .perform = turn_or_move<1, 0>},
+                                     ActionRow{.action = Action::kUp,
+                                               .id = "up",
+                                               .name = Text::kTurnUp,
+                                               .shortcut = {GLFW_KEY_UP, 0, true},
+                                               .state = arrow_state,
+                                               .perform = turn_or_move<0, -1>},
+                                     ActionRow{.action = Action::kDown,
+                                               .id = "down",
+                                               .name = Text::kTurnDown,
+                                               .shortcut = {GLFW_KEY_DOWN, 0, true},
+                                               .state = arrow_state,
+                                               .perform = turn_or_move<0, 1>},
+                                     ActionRow{.action = Action::kTiltLeft,
+                                               .id = "tilt_left",
+                                               .name = Text::kTiltLeft,
+                                               .shortcut = {GLFW_KEY_LEFT, GLFW_MOD_SHIFT, true},
+                                               .state = steer_state,
+                                               .perform = tilt<-1, 0>},
+                                     ActionRow{.action = Action::kTiltRight,
+                                               .id = "tilt_right",
+                                               .name = Text::kTiltRight,
+                                               .shortcut = {GLFW_KEY_RIGHT, GLFW_MOD_SHIFT, true},
+                                               .state = steer_state,
+                                               .perform = tilt<1, 0>},
+                                     ActionRow{.action = Action::kTiltUp,
+                                               .id = "tilt_up",
+                                               .name = Text::kTiltUp,
+                                               .shortcut = {GLFW_KEY_UP, GLFW_MOD_SHIFT, true},
+                                               .state = steer_state,
+                                               .perform = tilt<0, -1>},
+                                     ActionRow{.action = Action::kTiltDown,
+                                               .id = "tilt_down",
+                                               .name = Text::kTiltDown,
+                                               .shortcut = {GLFW_KEY_DOWN, GLFW_MOD_SHIFT, true},
+                                               .state = steer_state,
+                                               .perform = tilt<0, 1>},
+                                     ActionRow{.action = Action::kHandNearer,
+                                               .id = "hand_nearer",
+                                               .name = Text::kMoveCloser,
+                                               .shortcut = {GLFW_KEY_PAGE_UP, 0, true},
+                                               .state = steer_state,
+                                               .perform = approach<1>},
+                                     ActionRow{.action = Action::kHandFarther,
+                                               .id = "hand_farther",
+                                               .name = Text::kMoveAway,
+                                               .shortcut = {GLFW_KEY_PAGE_DOWN, 0, true},
+                                               .state = steer_state,
+                                               .perform = approach<-1>},
+                                     ActionRow{.action = Action::kHandMode,
+                                               .id = "hand_mode",
+                                               .name = Text::kMoveByHand,
+                                               .shortcut = {GLFW_KEY_W},
+                                               .state = hand_mode_state,
+                                               .perform = toggle_hand_mode},
+                                     ActionRow{.action = Action::kLiftSensor,
+                                               .id = "lift_sensor",
+                                               .name = Text::kLiftOrReturn,
+                                               .shortcut = {GLFW_KEY_A},
+                                               .state = lift_state,
+                                               .perform = lift_or_return},
+                                     ActionRow{.action = Action::kRecord,
+                                               .id = "record",
+                                               .name = Text::kRecordRawImages,
+                                               .shortcut = {GLFW_KEY_R, GLFW_MOD_CONTROL},
+                                               .state = record_state,
+                                               .perform = record,
+                                               .works_in = in(Dialog::kSettings)}};
 static_assert(lists_all_of(ActionGroup::kHand, kHandActions));
 
 }  // namespace

@@ -15,7 +15,10 @@ constexpr double kBlendStep = 0.05;
 template <ColorMode kMode>
 ActionState color_state(const Situation& now) {
   const bool is_on = now.state.color_mode == kMode;
-  return chosen(is_on, kMode == ColorMode::kTexture ? percent_text(now.state.texture_blend) : "on");
+  if (kMode == ColorMode::kTexture && is_on) {
+    return {.is_on = true, .text = percent_text(now.state.texture_blend)};
+  }
+  return chosen(is_on);
 }
 
 template <ColorMode kMode>
@@ -24,7 +27,7 @@ void color_by(const ActionRunner& run) {
 }
 
 ActionState blend_state(const Situation& now) {
-  return only_if(now.state.color_mode == ColorMode::kTexture, "only with texture");
+  return only_if(now.state.color_mode == ColorMode::kTexture, Text::kOnlyWithTexture);
 }
 
 void change_blend(const ActionRunner& run, double step) {
@@ -32,7 +35,7 @@ void change_blend(const ActionRunner& run, double step) {
 }
 
 ActionState side_state(const Situation& now) {
-  return only_if(now.has_surface(), "nothing scanned yet");
+  return only_if(now.has_surface(), Text::kNothingScanned);
 }
 
 template <StandardView kSide>
@@ -42,12 +45,12 @@ void look_from(const ActionRunner& run) {
 
 /// Of a quadrant nothing shows whether it is the right or the left one.
 ActionState arch_side_state(const Situation& now) {
-  if (!now.has_surface()) return disabled("nothing scanned yet");
-  return only_if(now.view.scan->jaw && now.view.scan->jaw->is_arch, "needs a whole arch");
+  if (!now.has_surface()) return disabled(Text::kNothingScanned);
+  return only_if(now.view.scan->jaw && now.view.scan->jaw->is_arch, Text::kNeedsWholeArch);
 }
 
 ActionState show_all_state(const Situation& now) {
-  return chosen(now.state.view.follows_scan, "follows the scan");
+  return chosen(now.state.view.follows_scan, Text::kFollowsScan);
 }
 
 void zoom(const ActionRunner& run, double factor) {
@@ -58,85 +61,85 @@ void zoom(const ActionRunner& run, double factor) {
 constexpr std::array kLookingActions = {
     ActionRow{.action = Action::kShading,
               .id = "shading",
-              .name = "Shape",
-              .shortcut = {GLFW_KEY_1, "1"},
+              .name = Text::kShape,
+              .shortcut = {GLFW_KEY_1},
               .state = color_state<ColorMode::kShading>,
               .perform = color_by<ColorMode::kShading>},
     ActionRow{.action = Action::kTexture,
               .id = "texture",
-              .name = "Texture",
-              .shortcut = {GLFW_KEY_2, "2"},
+              .name = Text::kTexture,
+              .shortcut = {GLFW_KEY_2},
               .state = color_state<ColorMode::kTexture>,
               .perform = color_by<ColorMode::kTexture>},
     ActionRow{.action = Action::kCoverage,
               .id = "coverage",
-              .name = "Coverage",
-              .shortcut = {GLFW_KEY_3, "3"},
+              .name = Text::kCoverage,
+              .shortcut = {GLFW_KEY_3},
               .state = color_state<ColorMode::kCoverage>,
               .perform = color_by<ColorMode::kCoverage>},
     ActionRow{.action = Action::kUncertainty,
               .id = "uncertainty",
-              .name = "Uncertainty",
-              .shortcut = {GLFW_KEY_4, "4"},
+              .name = Text::kUncertainty,
+              .shortcut = {GLFW_KEY_4},
               .state = color_state<ColorMode::kUncertainty>,
               .perform = color_by<ColorMode::kUncertainty>},
     ActionRow{.action = Action::kBlendLess,
               .id = "blend_less",
-              .name = "Less texture",
-              .shortcut = {GLFW_KEY_COMMA, ",", 0, true},
+              .name = Text::kLessTexture,
+              .shortcut = {GLFW_KEY_COMMA, 0, true},
               .state = blend_state,
               .perform = [](const ActionRunner& run) { change_blend(run, -kBlendStep); }},
     ActionRow{.action = Action::kBlendMore,
               .id = "blend_more",
-              .name = "More texture",
-              .shortcut = {GLFW_KEY_PERIOD, ".", 0, true},
+              .name = Text::kMoreTexture,
+              .shortcut = {GLFW_KEY_PERIOD, 0, true},
               .state = blend_state,
               .perform = [](const ActionRunner& run) { change_blend(run, kBlendStep); }},
     ActionRow{.action = Action::kOcclusal,
               .id = "occlusal",
-              .name = "Occlusal view",
-              .shortcut = {GLFW_KEY_O, "O"},
+              .name = Text::kOcclusalView,
+              .shortcut = {GLFW_KEY_O},
               .state = side_state,
               .perform = look_from<StandardView::kOcclusal>},
     ActionRow{.action = Action::kBuccal,
               .id = "buccal",
-              .name = "Buccal view",
-              .shortcut = {GLFW_KEY_B, "B"},
+              .name = Text::kBuccalView,
+              .shortcut = {GLFW_KEY_B},
               .state = side_state,
               .perform = look_from<StandardView::kBuccal>},
     ActionRow{.action = Action::kLingual,
               .id = "lingual",
-              .name = "Lingual view",
-              .shortcut = {GLFW_KEY_L, "L"},
+              .name = Text::kLingualView,
+              .shortcut = {GLFW_KEY_L},
               .state = side_state,
               .perform = look_from<StandardView::kLingual>},
     ActionRow{.action = Action::kRightSide,
               .id = "right_side",
-              .name = "Right side",
-              .shortcut = {GLFW_KEY_R, "Shift R", GLFW_MOD_SHIFT},
+              .name = Text::kRightSide,
+              .shortcut = {GLFW_KEY_R, GLFW_MOD_SHIFT},
               .state = arch_side_state,
               .perform = look_from<StandardView::kRight>},
     ActionRow{.action = Action::kLeftSide,
               .id = "left_side",
-              .name = "Left side",
-              .shortcut = {GLFW_KEY_L, "Shift L", GLFW_MOD_SHIFT},
+              .name = Text::kLeftSide,
+              .shortcut = {GLFW_KEY_L, GLFW_MOD_SHIFT},
               .state = arch_side_state,
               .perform = look_from<StandardView::kLeft>},
     ActionRow{.action = Action::kShowAll,
               .id = "show_all",
-              .name = "Show all",
-              .shortcut = {GLFW_KEY_HOME, "Home"},
+              .name = Text::kShowAll,
+              .shortcut = {GLFW_KEY_HOME},
               .state = show_all_state,
               .perform = [](const ActionRunner& run) { reset_camera(run.state.view); }},
     ActionRow{.action = Action::kZoomIn,
               .id = "zoom_in",
-              .name = "Zoom in",
-              .shortcut = {GLFW_KEY_EQUAL, "+", 0, true},
+              .name = Text::kZoomIn,
+              .shortcut = {GLFW_KEY_EQUAL, 0, true},
               .perform = [](const ActionRunner& run) { zoom(run, kZoomStep); }},
     ActionRow{.action = Action::kZoomOut,
               .id = "zoom_out",
-              .name = "Zoom out",
-              .shortcut = {GLFW_KEY_MINUS, "-", 0, true},
+              .name = Text::kZoomOut,
+              .shortcut = {GLFW_KEY_MINUS, 0, true},
               .perform = [](const ActionRunner& run) { zoom(run, 1.0 / kZoomStep); }}};
 static_assert(lists_all_of(ActionGroup::kLooking, kLookingActions));
 

@@ -12,21 +12,21 @@ namespace {
 constexpr double kScaleStep = 0.125;
 
 ActionState export_state(const Situation& now) {
-  return only_if(now.has_surface() && now.may_leave(), "nothing to export yet");
+  return only_if(now.has_surface() && now.may_leave(), Text::kNothingToExport);
 }
 
 ActionState devices_state(const Situation& now) {
-  if (!now.view.devices) return disabled("real devices only");
-  return enabled(now.view.devices->problems.empty() ? "" : "problems found");
+  if (!now.view.devices) return disabled(Text::kRealDevicesOnly);
+  return now.view.devices->problems.empty() ? enabled() : enabled(Text::kProblemsFound);
 }
 
 ActionState check_devices_state(const Situation& now) {
-  if (!now.view.devices) return disabled("real devices only");
-  return only_if(!now.view.devices->is_checking, "running");
+  if (!now.view.devices) return disabled(Text::kRealDevicesOnly);
+  return only_if(!now.view.devices->is_checking, Text::kRunning);
 }
 
 ActionState mute_state(const Situation& now) {
-  return enabled(now.view.settings.is_muted ? "muted" : "on");
+  return enabled(now.view.settings.is_muted ? Text::kMuted : Text::kOn);
 }
 
 void toggle_mute(const ActionRunner& run) {
@@ -37,7 +37,7 @@ void toggle_mute(const ActionRunner& run) {
 
 ActionState full_screen_state(const Situation& now) {
   const bool is_on = now.view.settings.is_full_screen;
-  return chosen(is_on, is_on ? "on" : "off");
+  return chosen(is_on, is_on ? Text::kOn : Text::kOff);
 }
 
 void toggle_full_screen(const ActionRunner& run) {
@@ -60,27 +60,34 @@ void change_scale(const ActionRunner& run, double step) {
 void toggle_cases(const ActionRunner& run) {
   if (run.state.dialog != Dialog::kCase && run.view.is_scanning) run.send(PauseScan{});
   run.toggle(Dialog::kCase);
+  // It opens where the damage is told.
+  if (run.view.file.damaged) run.state.case_form = CaseForm();
 }
 
-/// Why the main button of the calibration panel does nothing now; empty: it does something.
-std::string why_not_confirmed(const CalibrationState& calibration) {
-  if (!calibration.running) return "choose a task first";
+/// Whether the main button of the calibration panel does something now.
+ActionState confirm_calibration_state(const CalibrationState& calibration) {
+  if (!calibration.running) return disabled(Text::kChooseTaskFirst);
   switch (calibration.running->step) {
     case CalibrationStep::kTarget:
-      return {};
+      return enabled();
     case CalibrationStep::kDone:
-      if (calibration.running->task != CalibrationTask::kCalibrate) return "done";
-      return calibration.why_not_used;
+      if (calibration.running->task != CalibrationTask::kCalibrate) return disabled(Text::kDone);
+      if (calibration.why_not_used.empty()) return enabled();
+      return disabled(calibration.why_not_used);
     case CalibrationStep::kRefused:
-      return "choose a place";
+      return disabled(Text::kChoosePlace);
     case CalibrationStep::kFailed:
-      return "failed";
+      return disabled(Text::kFailed);
     case CalibrationStep::kOpening:
     case CalibrationStep::kTaking:
     case CalibrationStep::kComputing:
       break;
   }
-  return "please wait";
+  return disabled(Text::kPleaseWait);
+}
+
+bool can_be_rescued(const CaseState& file) {
+  return file.damaged && file.damaged->survey && !file.damaged->is_copying;
 }
 
 bool can_confirm(const Situation& now) {
@@ -91,8 +98,9 @@ bool can_confirm(const Situation& now) {
       return !now.view.exports.is_running && !form.name.empty() &&
              !export_target(now.view, form).formats.empty();
     case Dialog::kCase:
-      if (!problem_of(case_form).empty()) return false;
+      if (problem_of(case_form)) return false;
       if (case_form.tab == CaseTab::kFields) return !now.view.file.is_read_only;
+      if (case_form.tab == CaseTab::kDamage && !can_be_rescued(now.view.file)) return false;
       return now.may_leave() && !now.view.file.is_moving && !now.view.file.is_opening;
     case Dialog::kNone:
       return false;
@@ -100,6 +108,7 @@ bool can_confirm(const Situation& now) {
     case Dialog::kSettings:
     case Dialog::kDevices:
     case Dialog::kCalibration:
+    case Dialog::kQuestion:
       break;
   }
   return true;
@@ -107,14 +116,13 @@ bool can_confirm(const Situation& now) {
 
 ActionState confirm_state(const Situation& now) {
   if (now.state.dialog == Dialog::kCalibration && now.view.calibration) {
-    const std::string why = why_not_confirmed(*now.view.calibration);
-    return why.empty() ? enabled() : disabled(why);
+    return confirm_calibration_state(*now.view.calibration);
   }
-  return only_if(can_confirm(now), "nothing to confirm");
+  return only_if(can_confirm(now), Text::kNothingToConfirm);
 }
 
 ActionState open_export_folder_state(const Situation& now) {
-  return only_if(!now.view.exports.written.empty(), "no export yet");
+  return only_if(!now.view.exports.written.empty(), Text::kNoExportYet);
 }
 
 Export requested_export(const AppView& view, const ExportForm& form) {
@@ -128,6 +136,8 @@ Command requested_case(const CaseForm& form) {
   switch (form.tab) {
     case CaseTab::kFields:
       return SetCaseFields{form.fields};
+    case CaseTab::kDamage:
+      return SaveRescueCopy{form.path};
     case CaseTab::kNew:
       return NewCase{form.path, form.passphrase, form.fields};
     case CaseTab::kOpen:
@@ -141,9 +151,24 @@ void confirm_calibration(const ActionRunner& run) {
   run.send(is_done ? Command(UseCalibration{}) : Command(TakeCalibrationImages{}));
 }
 
+/// A named case is left for another one; the scan of an unnamed one goes on in the new one.
+bool leaves_case(const AppView& view, const CaseForm& form) {
+  if (form.discards) return false;
+  return form.tab == CaseTab::kOpen || (form.tab == CaseTab::kNew && !view.file.is_unnamed);
+}
+
+void quit(const ActionRunner& run) {
+  if (has_unsaved(run.view)) return run.ask(QuestionKind::kLeaveUnsaved, Quit{});
+  run.send(Quit{});
+}
+
 void confirm_case(const ActionRunner& run) {
   CaseForm& form = run.state.case_form;
-  run.send(requested_case(form));
+  if (has_unsaved(run.view) && leaves_case(run.view, form)) {
+    run.ask(QuestionKind::kLeaveUnsaved, requested_case(form));
+  } else {
+    run.send(requested_case(form));
+  }
   form.passphrase.clear();
   form.passphrase_again.clear();
   if (form.discards) {
@@ -157,6 +182,15 @@ void confirm_case(const ActionRunner& run) {
   if (form.tab == CaseTab::kFields) run.state.dialog = Dialog::kNone;
 }
 
+/// Of a case that is to be opened after all, its dialog says what becomes of it.
+void confirm_question(const ActionRunner& run) {
+  const Command& command = run.state.question.command;
+  const bool is_case =
+      std::holds_alternative<OpenCase>(command) || std::holds_alternative<NewCase>(command);
+  run.send(command);
+  run.state.dialog = is_case ? Dialog::kCase : Dialog::kNone;
+}
+
 void confirm(const ActionRunner& run) {
   switch (run.state.dialog) {
     case Dialog::kCalibration:
@@ -166,6 +200,8 @@ void confirm(const ActionRunner& run) {
       return run.send(requested_export(run.view, run.state.export_form));
     case Dialog::kCase:
       return confirm_case(run);
+    case Dialog::kQuestion:
+      return confirm_question(run);
     case Dialog::kNone:
     case Dialog::kHelp:
     case Dialog::kSettings:
@@ -191,19 +227,19 @@ CancelTarget cancel_target(const Situation& now) {
 ActionState cancel_state(const Situation& now) {
   switch (cancel_target(now)) {
     case CancelTarget::kCalibration:
-      return enabled("stops the calibration");
+      return enabled(Text::kStopsCalibration);
     case CancelTarget::kDialog:
-      return enabled("closes the dialog");
+      return enabled(Text::kClosesDialog);
     case CancelTarget::kTool:
-      return enabled("puts the tool away");
+      return enabled(Text::kPutsToolAway);
     case CancelTarget::kFinishing:
-      return enabled("stops finishing");
+      return enabled(Text::kStopsFinishing);
     case CancelTarget::kHole:
-      return enabled("deselects the hole");
+      return enabled(Text::kDeselectsHole);
     case CancelTarget::kNothing:
       break;
   }
-  return disabled("nothing to cancel");
+  return disabled(Text::kNothingToCancel);
 }
 
 void cancel(const ActionRunner& run) {
@@ -232,96 +268,96 @@ void cancel(const ActionRunner& run) {
 constexpr std::array kProgramActions = {
     ActionRow{.action = Action::kExport,
               .id = "export",
-              .name = "Export",
-              .shortcut = {GLFW_KEY_E, "E"},
+              .name = Text::kExport,
+              .shortcut = {GLFW_KEY_E},
               .state = export_state,
               .perform = toggle_dialog<Dialog::kExport>,
               .works_in = in(Dialog::kExport)},
     ActionRow{.action = Action::kOpenExportFolder,
               .id = "open_folder",
-              .name = "Open export folder",
-              .shortcut = {GLFW_KEY_O, "Ctrl O", GLFW_MOD_CONTROL},
+              .name = Text::kOpenExportFolder,
+              .shortcut = {GLFW_KEY_O, GLFW_MOD_CONTROL},
               .state = open_export_folder_state,
               .perform = send<OpenExportFolder>,
               .works_in = in(Dialog::kExport)},
     ActionRow{.action = Action::kCase,
               .id = "case",
-              .name = "Cases",
-              .shortcut = {GLFW_KEY_D, "D"},
+              .name = Text::kCases,
+              .shortcut = {GLFW_KEY_D},
               .perform = toggle_cases,
               .works_in = in(Dialog::kCase)},
     ActionRow{.action = Action::kSettings,
               .id = "settings",
-              .name = "Settings",
-              .shortcut = {GLFW_KEY_S, "S"},
+              .name = Text::kSettings,
+              .shortcut = {GLFW_KEY_S},
               .perform = toggle_dialog<Dialog::kSettings>,
               .works_in = in(Dialog::kSettings)},
     ActionRow{.action = Action::kDevices,
               .id = "devices",
-              .name = "Cameras and lights",
-              .shortcut = {GLFW_KEY_R, "R"},
+              .name = Text::kCamerasAndLights,
+              .shortcut = {GLFW_KEY_R},
               .state = devices_state,
               .perform = toggle_dialog<Dialog::kDevices>,
               .works_in = in(Dialog::kDevices) | in(Dialog::kSettings)},
     ActionRow{.action = Action::kCheckDevices,
               .id = "check_devices",
-              .name = "Check devices",
-              .shortcut = {GLFW_KEY_F5, "F5"},
+              .name = Text::kCheckDevices,
+              .shortcut = {GLFW_KEY_F5},
               .state = check_devices_state,
               .perform = send<CheckDevices>,
               .works_in = in(Dialog::kDevices)},
     ActionRow{.action = Action::kHelp,
               .id = "help",
-              .name = "Keys",
-              .shortcut = {GLFW_KEY_H, "H"},
+              .name = Text::kKeys,
+              .shortcut = {GLFW_KEY_H},
               .perform = toggle_dialog<Dialog::kHelp>},
     ActionRow{.action = Action::kMute,
               .id = "mute",
-              .name = "Sound",
-              .shortcut = {GLFW_KEY_X, "X"},
+              .name = Text::kSound,
+              .shortcut = {GLFW_KEY_X},
               .state = mute_state,
               .perform = toggle_mute,
               .works_in = kEachDialog},
     ActionRow{.action = Action::kFullScreen,
               .id = "full_screen",
-              .name = "Full screen",
-              .shortcut = {GLFW_KEY_F11, "F11"},
+              .name = Text::kFullScreen,
+              .shortcut = {GLFW_KEY_F11},
               .state = full_screen_state,
               .perform = toggle_full_screen,
               .works_in = kEachDialog},
     ActionRow{.action = Action::kLarger,
               .id = "larger",
-              .name = "Larger interface",
-              .shortcut = {GLFW_KEY_EQUAL, "Ctrl +", GLFW_MOD_CONTROL},
+              .name = Text::kLargerInterface,
+              .shortcut = {GLFW_KEY_EQUAL, GLFW_MOD_CONTROL},
               .state = scale_state,
               .perform = [](const ActionRunner& run) { change_scale(run, kScaleStep); },
               .works_in = kEachDialog},
     ActionRow{.action = Action::kSmaller,
               .id = "smaller",
-              .name = "Smaller interface",
-              .shortcut = {GLFW_KEY_MINUS, "Ctrl -", GLFW_MOD_CONTROL},
+              .name = Text::kSmallerInterface,
+              .shortcut = {GLFW_KEY_MINUS, GLFW_MOD_CONTROL},
               .state = scale_state,
               .perform = [](const ActionRunner& run) { change_scale(run, -kScaleStep); },
               .works_in = kEachDialog},
     ActionRow{.action = Action::kConfirm,
               .id = "confirm",
-              .name = "Confirm",
-              .shortcut = {GLFW_KEY_ENTER, "Enter"},
+              .name = Text::kConfirm,
+              .shortcut = {GLFW_KEY_ENTER},
               .state = confirm_state,
               .perform = confirm,
               .works_in = kEachDialog},
     ActionRow{.action = Action::kCancel,
               .id = "cancel",
-              .name = "Cancel or close",
-              .shortcut = {GLFW_KEY_ESCAPE, "Esc"},
+              .name = Text::kCancelOrClose,
+              .shortcut = {GLFW_KEY_ESCAPE},
               .state = cancel_state,
               .perform = cancel,
               .works_in = kEachDialog},
     ActionRow{.action = Action::kQuit,
               .id = "quit",
-              .name = "Quit",
-              .shortcut = {GLFW_KEY_Q, "Ctrl Q", GLFW_MOD_CONTROL},
-              .perform = send<Quit>,
+              .name = Text::kQuit,
+              .shortcut = {GLFW_KEY_Q, GLFW_MOD_CONTROL},
+              .perform = quit,
               .works_in = kEachDialog}};
 static_assert(lists_all_of(ActionGroup::kProgram, kProgramActions));
 

@@ -10,32 +10,36 @@ namespace {
 ActionState scan_state(const Situation& now) {
   const bool can_toggle =
       now.accepts(scan::ScanEvent::kStart) || now.accepts(scan::ScanEvent::kPause);
-  if (now.view.file.is_opening || now.view.is_loading) return disabled("opening the case");
-  if (!can_toggle) return disabled("finishing");
-  if (now.is_finished()) return enabled("finished");
-  if (now.view.file.is_read_only) return disabled("the case is read-only");
-  if (now.view.is_scanning) return {true, true, "scanning"};
-  return enabled("paused");
+  if (now.view.file.is_opening || now.view.is_loading) return disabled(Text::kOpeningTheCase);
+  if (!can_toggle) return disabled(Text::kFinishing);
+  if (now.is_finished()) return enabled(Text::kFinished);
+  // A scan goes on while its case is found damaged, and can be paused.
+  if (now.view.file.is_read_only && !now.view.is_scanning) return disabled(Text::kCaseIsReadOnly);
+  if (now.view.is_scanning) return chosen(true, Text::kScanning);
+  return enabled(Text::kPaused);
 }
 
 void scan_or_pause(const ActionRunner& run) {
   const bool is_finished =
       run.view.scan != nullptr && run.view.scan->phase == scan::ScanPhase::kFinished;
-  if (is_finished) return run.send(ResumeScan{});
+  if (is_finished) {
+    if (would_lose_model(run.view)) return run.ask(QuestionKind::kDropModel, ResumeScan{});
+    return run.send(ResumeScan{});
+  }
   if (run.view.is_scanning) return run.send(PauseScan{});
   run.send(StartScan{});
 }
 
 ActionState finish_state(const Situation& now) {
-  if (now.is_finishing()) return disabled("finishing");
-  if (now.is_finished()) return disabled("finished");
-  if (now.view.file.is_read_only) return disabled("the case is read-only");
-  return only_if(now.accepts(scan::ScanEvent::kFinish), "nothing scanned yet");
+  if (now.is_finishing()) return disabled(Text::kFinishing);
+  if (now.is_finished()) return disabled(Text::kFinished);
+  if (now.view.file.is_read_only) return disabled(Text::kCaseIsReadOnly);
+  return only_if(now.accepts(scan::ScanEvent::kFinish), Text::kNothingScanned);
 }
 
 ActionState next_place_state(const Situation& now) {
   const bool is_lost = now.phase() == scan::ScanPhase::kContinuation;
-  return only_if(is_lost && now.view.scan->reentry.size() > 1, "only when lost");
+  return only_if(is_lost && now.view.scan->reentry.size() > 1, Text::kOnlyWhenLost);
 }
 
 void choose_next_place(const ActionRunner& run) {
@@ -44,14 +48,14 @@ void choose_next_place(const ActionRunner& run) {
 }
 
 ActionState next_hole_state(const Situation& now) {
-  return only_if(now.view.scan != nullptr && !now.view.scan->holes.empty(), "no holes found");
+  return only_if(now.view.scan != nullptr && !now.view.scan->holes.empty(), Text::kNoHolesFound);
 }
 
 template <io::ScanStage kStage>
 ActionState stage_state(const Situation& now) {
-  if (!now.may_leave()) return disabled("finishing");
+  if (!now.may_leave()) return disabled(Text::kFinishing);
   const bool has_data = now.view.stage_has_data[static_cast<std::size_t>(kStage)];
-  return {true, now.view.stage == kStage, has_data ? "scanned" : "empty"};
+  return {.is_on = now.view.stage == kStage, .why = has_data ? Text::kScanned : Text::kEmpty};
 }
 
 template <io::ScanStage kStage>
@@ -62,44 +66,44 @@ void select_stage(const ActionRunner& run) {
 constexpr std::array kScanningActions = {
     ActionRow{.action = Action::kScan,
               .id = "scan",
-              .name = "Scan or pause",
-              .shortcut = {GLFW_KEY_SPACE, "Space"},
+              .name = Text::kScanOrPause,
+              .shortcut = {GLFW_KEY_SPACE},
               .state = scan_state,
               .perform = scan_or_pause},
     ActionRow{.action = Action::kFinish,
               .id = "finish",
-              .name = "Finish",
-              .shortcut = {GLFW_KEY_F, "F"},
+              .name = Text::kFinish,
+              .shortcut = {GLFW_KEY_F},
               .state = finish_state,
               .perform = send<Finish>},
     ActionRow{.action = Action::kNextPlace,
               .id = "next_place",
-              .name = "Next place to resume",
-              .shortcut = {GLFW_KEY_TAB, "Tab"},
+              .name = Text::kNextPlace,
+              .shortcut = {GLFW_KEY_TAB},
               .state = next_place_state,
               .perform = choose_next_place},
     ActionRow{.action = Action::kNextHole,
               .id = "next_hole",
-              .name = "Next hole",
-              .shortcut = {GLFW_KEY_N, "N"},
+              .name = Text::kNextHole,
+              .shortcut = {GLFW_KEY_N},
               .state = next_hole_state,
               .perform = [](const ActionRunner& run) { show_next_hole(run.view, run.state); }},
     ActionRow{.action = Action::kStageUpper,
               .id = "upper",
-              .name = "Upper jaw",
-              .shortcut = {GLFW_KEY_F1, "F1"},
+              .name = Text::kUpperJaw,
+              .shortcut = {GLFW_KEY_F1},
               .state = stage_state<io::ScanStage::kUpper>,
               .perform = select_stage<io::ScanStage::kUpper>},
     ActionRow{.action = Action::kStageLower,
               .id = "lower",
-              .name = "Lower jaw",
-              .shortcut = {GLFW_KEY_F2, "F2"},
+              .name = Text::kLowerJaw,
+              .shortcut = {GLFW_KEY_F2},
               .state = stage_state<io::ScanStage::kLower>,
               .perform = select_stage<io::ScanStage::kLower>},
     ActionRow{.action = Action::kStageBite,
               .id = "bite",
-              .name = "Bite",
-              .shortcut = {GLFW_KEY_F3, "F3"},
+              .name = Text::kBite,
+              .shortcut = {GLFW_KEY_F3},
               .state = stage_state<io::ScanStage::kBite>,
               .perform = select_stage<io::ScanStage::kBite>}};
 static_assert(lists_all_of(ActionGroup::kScanning, kScanningActions));

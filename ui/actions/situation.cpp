@@ -27,17 +27,21 @@ bool Situation::is_calibrating() const {
   return view.calibration.has_value() && view.calibration->running.has_value();
 }
 
-ActionState disabled(std::string why) { return {false, false, std::move(why)}; }
+ActionState disabled(Text why) { return {.is_enabled = false, .why = why}; }
 
-ActionState enabled(std::string text) { return {true, false, std::move(text)}; }
+ActionState disabled(std::string why) { return {.is_enabled = false, .text = std::move(why)}; }
 
-ActionState chosen(bool is_on, std::string text) {
-  return {true, is_on, is_on ? std::move(text) : std::string()};
+ActionState enabled() { return {}; }
+
+ActionState enabled(Text setting) { return {.why = setting}; }
+
+ActionState enabled(std::string setting) { return {.text = std::move(setting)}; }
+
+ActionState chosen(bool is_on, Text setting) {
+  return is_on ? ActionState{.is_on = true, .why = setting} : ActionState{};
 }
 
-ActionState only_if(bool is_possible, const char* why) {
-  return is_possible ? enabled() : disabled(why);
-}
+ActionState only_if(bool is_possible, Text why) { return is_possible ? enabled() : disabled(why); }
 
 ActionState always(const Situation& /*situation*/) { return enabled(); }
 

@@ -33,12 +33,15 @@ struct Situation {
   [[nodiscard]] bool is_calibrating() const;
 };
 
+[[nodiscard]] ActionState disabled(Text why);
 [[nodiscard]] ActionState disabled(std::string why);
-[[nodiscard]] ActionState enabled(std::string text = {});
-/// Of a tool or mode. @param text  shown while it is on
-[[nodiscard]] ActionState chosen(bool is_on, std::string text = "on");
+[[nodiscard]] ActionState enabled();
+[[nodiscard]] ActionState enabled(Text setting);
+[[nodiscard]] ActionState enabled(std::string setting);
+/// Of a tool or mode. @param setting  shown while it is on
+[[nodiscard]] ActionState chosen(bool is_on, Text setting = Text::kOn);
 /// @param why  shown while it is not possible
-[[nodiscard]] ActionState only_if(bool is_possible, const char* why);
+[[nodiscard]] ActionState only_if(bool is_possible, Text why);
 
 /// "150 %"
 [[nodiscard]] std::string percent_text(double share);

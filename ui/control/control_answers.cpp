@@ -44,7 +44,7 @@ nlohmann::json frames_as_json(const AppView& view) {
 
 std::string time_left(const AppView& view) {
   if (view.scan == nullptr || view.scan->phase != scan::ScanPhase::kFinishing) return {};
-  return time_left_text(view.scan->finishing.remaining_s);
+  return time_left_text(view.scan->finishing.remaining_s, view.texts);
 }
 
 nlohmann::json camera_as_json(const CameraState& view) {
@@ -78,12 +78,13 @@ nlohmann::json actions_as_json(const AppView& view, const WindowState& state) {
 }
 
 /// What is typed, but no passphrase.
-nlohmann::json case_form_as_json(const CaseForm& form) {
+nlohmann::json case_form_as_json(const CaseForm& form, const Texts& texts) {
+  const auto problem = problem_of(form);
   return {{"patient", form.fields.patient_name},
           {"birth_date", form.fields.birth_date},
           {"number", form.fields.patient_id},
           {"path", form.path},
-          {"problem", problem_of(form)}};
+          {"problem", problem ? texts[*problem] : ""}};
 }
 
 }  // namespace
@@ -151,7 +152,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"time_left", time_left(frame.view)},
       {"frames", frames_as_json(frame.view)},
       {"dialog", to_string(state.dialog)},
-      {"case_form", case_form_as_json(state.case_form)},
+      {"case_form", case_form_as_json(state.case_form, frame.view.texts)},
       {"tool", to_string(state.tool)},
       {"color_mode", to_string(state.color_mode)},
       {"texture_blend", state.texture_blend},

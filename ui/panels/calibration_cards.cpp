@@ -43,7 +43,8 @@ void draw_cell(const PanelContext& context, const Rect& box, const RunningCalibr
     context.commands.emplace_back(RetakeCalibrationPlace{index});
   }
   if (is_waiting && place.is_done && ImGui::IsItemHovered()) {
-    ImGui::SetTooltip("%s", fmt::format("Take the {} {} again", place.target, place.where).c_str());
+    const std::string hint = context.view.texts.fill<Text::kTakeAgain>(place.target, place.where);
+    ImGui::SetTooltip("%s", hint.c_str());
   }
 }
 
@@ -131,9 +132,10 @@ void draw_offsets(const PanelContext& context, const Chart& chart,
 void draw_planes(const PanelContext& context, Rect box, const CalibrationOutcome& outcome) {
   const Fonts& fonts = context.theme.fonts;
   draw_text(box.take_top(context.px(kShotRow), context.px(kGapS)),
-            {fonts.strong, kNeutral, Align::kLeft}, "Position error of each plane");
+            {fonts.strong, kNeutral, Align::kLeft}, context.text(Text::kPositionErrors));
   const std::array<LegendRow, 2> lines = {
-      {{kVerticalProfile, "vertical lines"}, {kHorizontalProfile, "horizontal lines"}}};
+      {{kVerticalProfile, context.text(Text::kLegendVertical)},
+       {kHorizontalProfile, context.text(Text::kLegendHorizontal)}}};
   Rect below = box.take_bottom(context.px(56.0F));
   draw_box(box, kBackground, context.px(kRounding));
   Rect inner = box.inset(context.px(kGapM));
@@ -161,9 +163,9 @@ void draw_figure(const PanelContext& context, Rect row,
   const Color ink = figure.good() ? kGood : kBad;
   Rect words = row.take_top(context.px(kShotRow));
   draw_text(words.take_right(context.px(184.0F)), {fonts.strong, ink, Align::kRight},
-            fmt::format("{:.1f} of {:.1f} \u00b5m", kMicrons * std::abs(figure.deviation_mm),
-                        kMicrons * figure.limit_mm));
-  draw_text(words, {fonts.body, kText, Align::kLeft}, figure.name);
+            context.view.texts.fill<Text::kDeviationOfLimit>(
+                kMicrons * std::abs(figure.deviation_mm), kMicrons * figure.limit_mm));
+  draw_text(words, {fonts.body, kText, Align::kLeft}, context.view.texts.translated(figure.name));
   // From 0 in the middle to the limit at either end.
   const Rect bar = row.take_top(context.px(6.0F));
   draw_box(bar, kRaised, bar.height / 2.0F);
@@ -208,8 +210,7 @@ void draw_judged_shots(const PanelContext& context, Rect box, const RunningCalib
 void draw_outcome(const PanelContext& context, Rect box, const CalibrationOutcome& outcome) {
   if (!outcome.planes.empty()) return draw_planes(context, box, outcome);
   draw_text(box.take_top(context.px(kShotRow), context.px(kGapS)),
-            {context.theme.fonts.strong, kNeutral, Align::kLeft},
-            "Deviations at the edge of the volume");
+            {context.theme.fonts.strong, kNeutral, Align::kLeft}, context.text(Text::kDeviations));
   const auto count = static_cast<float>(std::max<std::size_t>(outcome.figures.size(), 1));
   const float row = std::min(context.px(kTableRow), box.height / count);
   for (const calibration::VerificationFigure& figure : outcome.figures) {

@@ -15,42 +15,37 @@ constexpr float kChoiceButton = 264.0F;
 constexpr float kButtonRow = 48.0F;
 constexpr float kImageShare = 0.48F;
 
-const char* title_of(CalibrationTask task) {
+Text title_of(CalibrationTask task) {
   switch (task) {
     case CalibrationTask::kCheckOnPlane:
-      return "Check on a plane";
+      return Text::kCheckOnPlane;
     case CalibrationTask::kCheckOnSphere:
-      return "Check on a sphere";
+      return Text::kCheckOnSphere;
     case CalibrationTask::kCalibrate:
       break;
   }
-  return "Calibrating the sensor";
+  return Text::kCalibratingTheSensor;
 }
 
 struct Choice {
   Action action;
   const char* icon;
-  const char* label;
-  const char* purpose;
+  Text label;
+  Text purpose;
 };
 constexpr std::array<Choice, 3> kChoices = {
-    {{Action::kCalibrate, icon::kTarget, "Calibrate",
-      "Needs a white plane and a dot target at several depths. Do it once, and again when a check "
-      "fails."},
-     {Action::kCheckOnPlane, icon::kFinish, "Check on a plane",
-      "Needs a flat white plate at six places. Shows whether the calibration is still valid, "
-      "except "
-      "for its scale."},
-     {Action::kCheckOnSphere, icon::kFinish, "Check on a sphere",
-      "Needs a matte sphere of known diameter at six places. Checks the scale, too."}}};
+    {{Action::kCalibrate, icon::kTarget, Text::kCalibrate, Text::kCalibratePurpose},
+     {Action::kCheckOnPlane, icon::kFinish, Text::kCheckOnPlane, Text::kCheckOnPlanePurpose},
+     {Action::kCheckOnSphere, icon::kFinish, Text::kCheckOnSphere, Text::kCheckOnSpherePurpose}}};
 
 void draw_choice(const PanelContext& context, Rect row, const Choice& choice) {
   const Rect button = row.take_left(context.px(kChoiceButton), context.px(kGapM));
   small_action(context, button.centered(button.width, context.px(56.0F)), choice.action,
-               {choice.icon, choice.label});
+               {choice.icon, context.text(choice.label)});
   const ActionState current = action_state(choice.action, context.view, context.state);
-  const std::string text =
-      current.is_enabled ? choice.purpose : fmt::format("Not possible: {}.", current.text);
+  const std::string text = current.is_enabled
+                               ? context.text(choice.purpose)
+                               : context.view.texts.fill<Text::kNotPossible>(current.text);
   const float height = wrapped_height(context.theme.fonts.body, row.width, text);
   draw_wrapped(row.centered(row.width, height), {context.theme.fonts.body, kTextQuiet}, text);
 }
@@ -58,39 +53,40 @@ void draw_choice(const PanelContext& context, Rect row, const Choice& choice) {
 void draw_choices(const PanelContext& context) {
   CalibrationForm& form = context.state.calibration_form;
   if (!form.is_edited) form.folder = context.view.calibration->folder;
-  DialogPlate dialog(context, "Calibration", {880.0F, 448.0F});
+  DialogPlate dialog(context, context.text(Text::kCalibration), {880.0F, 448.0F});
   for (const Choice& choice : kChoices) {
     draw_choice(context, dialog.rest.take_top(context.px(kChoiceRow), context.px(kGapS)), choice);
   }
   dialog.rest.take_top(context.px(kGapS));
   Rect fields = dialog.rest.take_top(context.px(kFieldRow), context.px(kGapS));
   text_field(context, fields.take_right(context.px(200.0F), context.px(kGapM)),
-             {"sphere_diameter", "Sphere diameter, mm"}, form.sphere_diameter_mm);
+             {"sphere_diameter", context.text(Text::kSphereDiameter)}, form.sphere_diameter_mm);
   form.is_edited |=
-      text_field(context, fields, {"calibration_folder", "Folder for calibrations"}, form.folder);
+      path_field(context, fields, {"calibration_folder", context.text(Text::kCalibrationFolder)},
+                 PathField::kCalibrationFolder, form.folder);
   draw_wrapped(dialog.rest, {context.theme.fonts.small, kTextQuiet},
-               "A calibration that was started in this folder continues where it stopped. Scanning "
-               "pauses meanwhile.");
+               context.text(Text::kCalibrationContinues));
 }
 
-std::string headline(const RunningCalibration& running) {
+std::string headline(const Texts& texts, const RunningCalibration& running) {
   switch (running.step) {
     case CalibrationStep::kOpening:
-      return "Starting cameras and lights\u2026";
+      return texts[Text::kStartingDevices];
     case CalibrationStep::kTarget:
       if (running.wanted) {
         const CalibrationPlace& place = running.places[*running.wanted];
-        return fmt::format("Put the {} {}", place.target, place.where);
+        return texts.fill<Text::kPutTarget>(place.target, place.where);
       }
       return {};
     case CalibrationStep::kTaking:
-      return "Taking images: do not move it";
+      return texts[Text::kTakingImages];
     case CalibrationStep::kComputing:
-      return "Computing\u2026";
+      return texts[Text::kComputing];
     case CalibrationStep::kRefused:
-      return "The images do not fit together";
+      return texts[Text::kImagesDoNotFit];
     case CalibrationStep::kFailed:
-      return running.task == CalibrationTask::kCalibrate ? "Calibration stopped" : "Check stopped";
+      return texts[running.task == CalibrationTask::kCalibrate ? Text::kCalibrationStopped
+                                                               : Text::kCheckStopped];
     case CalibrationStep::kDone:
       break;
   }
@@ -111,15 +107,13 @@ Color color_of(const RunningCalibration& running) {
 }
 
 /// The text below the headline.
-std::string advice(const RunningCalibration& running) {
+std::string advice(const Texts& texts, const RunningCalibration& running) {
   switch (running.step) {
     case CalibrationStep::kRefused:
-      return sentence(running.message) + "\nBelow, choose the place to take again.";
+      return sentence(running.message) + "\n" + texts[Text::kChoosePlaceBelow];
     case CalibrationStep::kTarget:
-      return fmt::format(
-          "Place {} of {}. Hold still, then press Enter. The lights switch "
-          "automatically.",
-          running.wanted.value_or(0) + 1, running.places.size());
+      return texts.fill<Text::kHoldStill>(running.wanted.value_or(0) + 1, running.places.size(),
+                                          texts[Text::kKeyEnter]);
     case CalibrationStep::kDone:
       return fmt::format("{}", fmt::join(running.outcome.meanings, "\n"));
     default:
@@ -129,10 +123,10 @@ std::string advice(const RunningCalibration& running) {
 
 void draw_report(const PanelContext& context, Rect box, const RunningCalibration& running) {
   const Fonts& fonts = context.theme.fonts;
-  const std::string title = headline(running);
+  const std::string title = headline(context.view.texts, running);
   const float height = wrapped_height(fonts.title, box.width, title);
   draw_wrapped(box.take_top(height, context.px(kGapS)), {fonts.title, color_of(running)}, title);
-  const std::string text = advice(running);
+  const std::string text = advice(context.view.texts, running);
   if (!text.empty()) {
     const Rect part = box.take_top(wrapped_height(fonts.body, box.width, text), context.px(kGapM));
     draw_wrapped(part, {fonts.body, kText}, text);
@@ -148,19 +142,20 @@ void draw_seen(const PanelContext& context, const Rect& box, const RunningCalibr
   if (running.step == CalibrationStep::kDone) return draw_outcome(context, box, running.outcome);
   CameraPicture& picture = context.pictures.target;
   picture.show(running.image);
-  show_camera_image(context, box, picture, "no image yet");
+  show_camera_image(context, box, picture, context.text(Text::kNoImageYet));
 }
 
 void draw_buttons(const PanelContext& context, Rect row, const RunningCalibration& running) {
   const bool is_done = running.step == CalibrationStep::kDone;
-  const ActionLook main = is_done ? ActionLook{icon::kSaved, "Use calibration", true, kNeutral}
-                                  : ActionLook{icon::kDevice, "Take images", true, kNeutral};
+  const ActionLook main =
+      is_done ? ActionLook{icon::kSaved, context.text(Text::kUseCalibration), true, kNeutral}
+              : ActionLook{icon::kDevice, context.text(Text::kTakeImages), true, kNeutral};
   const bool has_main = !is_done || running.task == CalibrationTask::kCalibrate;
   const float width =
       std::max(small_action_width(context, Action::kConfirm, main), context.px(200.0F));
   if (has_main)
     small_action(context, row.take_right(width, context.px(kGapM)), Action::kConfirm, main);
-  const ActionLook stop = {icon::kCancel, is_done ? "Close" : "Stop"};
+  const ActionLook stop = {icon::kCancel, context.text(is_done ? Text::kClose : Text::kStop)};
   small_action(context,
                row.take_left(small_action_width(context, Action::kCancel, stop), context.px(kGapM)),
                Action::kCancel, stop);
@@ -176,12 +171,13 @@ void draw_buttons(const PanelContext& context, Rect row, const RunningCalibratio
     draw_text(row, {context.theme.fonts.small, kTextQuiet, Align::kRight}, why);
   } else if (!is_done && !running.folder.empty()) {
     draw_text(row, {context.theme.fonts.small, kTextQuiet, Align::kRight},
-              fmt::format("saved in {}", running.folder));
+              context.view.texts.fill<Text::kSavedIn>(running.folder));
   }
 }
 
 void draw_running(const PanelContext& context, const RunningCalibration& running) {
-  DialogPlate dialog(context, title_of(running.task), {1216.0F, 752.0F}, ClickBeside::kNothing);
+  DialogPlate dialog(context, context.text(title_of(running.task)), {1216.0F, 752.0F},
+                     ClickBeside::kNothing);
   Rect rest = dialog.rest;
   draw_buttons(context, rest.take_bottom(context.px(kButtonRow), context.px(kGapM)), running);
   const float places = calibration_places_height(context, running);

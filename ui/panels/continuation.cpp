@@ -23,14 +23,14 @@ void draw_captioned(const PanelContext& context, Rect box, const CameraPicture& 
   const Theme& theme = context.theme;
   draw_text(box.take_top(context.px(kCaption), context.px(kGapXs)),
             {theme.fonts.strong, color, Align::kLeft}, caption);
-  const Rect image = show_camera_image(context, box, picture, "no image");
+  const Rect image = show_camera_image(context, box, picture, context.text(Text::kNoImage));
   draw_outline(image, color, context.px(3.0F), context.px(kGapXs));
 }
 
 void draw_match(const PanelContext& context, Rect box) {
   const double share = context.view.scan->match_share;
-  labeled_value(context.theme, box.take_top(context.px(20.0F), context.px(kGapS)), "Match",
-                fmt::format("{:.0f} %", 100.0 * share));
+  labeled_value(context.theme, box.take_top(context.px(20.0F), context.px(kGapS)),
+                context.text(Text::kMatch), fmt::format("{:.0f} %", 100.0 * share));
   meter(context.theme, box.take_top(context.px(14.0F)), share, share >= 1.0 ? kGood : kCaution);
 }
 
@@ -47,7 +47,7 @@ void draw_places(const PanelContext& context, Rect row) {
     look.id = id.c_str();
     look.label = fmt::format("{}", i + 1);
     look.is_on = i == scan.chosen_reentry;
-    look.hint = fmt::format("Resume at place {}", i + 1);
+    look.hint = context.view.texts.fill<Text::kResumeAtPlace>(i + 1);
     const Rect box = row.take_left(width, gap);
     context.places.set(id, box);
     if (small_button(context.theme, box, look)) context.commands.emplace_back(ChooseReentry{i});
@@ -65,17 +65,18 @@ void draw_continuation(const PanelContext& context, const Rect& box) {
     const Rect row = rest.take_bottom(context.px(44.0F), gap);
     const bool is_away = context.view.source.hand->is_taken_away;
     small_action(context, row, Action::kLiftSensor,
-                 {icon::kHand, is_away ? "Return sensor" : "Lift sensor", false, kCaution});
+                 {icon::kHand, context.text(is_away ? Text::kReturnSensor : Text::kLiftSensor),
+                  false, kCaution});
   }
   draw_places(context, rest.take_bottom(context.px(44.0F), context.px(kGapXs)));
   draw_text(rest.take_bottom(context.px(kCaption), gap),
             {context.theme.fonts.small, kTextQuiet, Align::kLeft},
-            "Suggested places to resume (Tab)");
+            context.view.texts.fill<Text::kSuggestedPlaces>(context.text(Text::kKeyTab)));
   draw_match(context, rest.take_bottom(context.px(42.0F), gap));
   const float half = (rest.height - gap) / 2.0F;
-  draw_captioned(context, rest.take_top(half, gap), context.pictures.stored, "Return to this place",
-                 kNeutral);
-  draw_captioned(context, rest, context.pictures.live, "Live image", kText);
+  draw_captioned(context, rest.take_top(half, gap), context.pictures.stored,
+                 context.text(Text::kReturnToThisPlace), kNeutral);
+  draw_captioned(context, rest, context.pictures.live, context.text(Text::kLiveImage), kText);
 }
 
 }  // namespace flytri::ui

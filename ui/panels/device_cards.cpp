@@ -71,9 +71,9 @@ bool draw_problem(const PanelContext& context, Rect& rest, const std::string& pr
 }
 
 /// Shown instead of a list of problems.
-const char* verdict_on(const DevicesState& devices) {
-  if (devices.is_checking) return "Checking the devices\u2026";
-  return devices.is_checked ? "No problems found" : "Not checked yet";
+Text verdict_on(const DevicesState& devices) {
+  if (devices.is_checking) return Text::kCheckingDevices;
+  return devices.is_checked ? Text::kNoProblemsFound : Text::kNotCheckedYet;
 }
 
 void draw_verdict(const PanelContext& context, Rect row, const DevicesState& devices) {
@@ -82,7 +82,8 @@ void draw_verdict(const PanelContext& context, Rect row, const DevicesState& dev
     draw_text(row.take_left(context.px(24.0F), context.px(kGapXs)),
               {context.theme.fonts.strong, kGood, Align::kLeft}, icon::kSaved);
   }
-  draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft}, verdict_on(devices));
+  draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft},
+            context.text(verdict_on(devices)));
 }
 
 }  // namespace
@@ -101,10 +102,10 @@ void draw_device_check(const PanelContext& context, Rect box) {
   const DevicesState& devices = *context.view.devices;
   const Theme& theme = context.theme;
   Rect head = box.take_top(context.px(kCheckHeading), context.px(kGapS));
-  const ActionLook look = {icon::kResume, "Check again"};
+  const ActionLook look = {icon::kResume, context.text(Text::kCheckAgain)};
   small_action(context, head.take_right(small_action_width(context, Action::kCheckDevices, look)),
                Action::kCheckDevices, look);
-  draw_text(head, {theme.fonts.strong, kNeutral, Align::kLeft}, "Problems");
+  draw_text(head, {theme.fonts.strong, kNeutral, Align::kLeft}, context.text(Text::kProblems));
   if (devices.problems.empty()) {
     return draw_verdict(context, box.take_top(context.px(24.0F)), devices);
   }
@@ -113,7 +114,7 @@ void draw_device_check(const PanelContext& context, Rect box) {
     const float kept_px = i + 1 < count ? context.px(kMoreRow) : 0.0F;
     if (draw_problem(context, box, sentence(devices.problems[i]), kept_px)) continue;
     draw_text(box.take_top(context.px(kMoreRow)), {theme.fonts.body, kTextQuiet, Align::kLeft},
-              fmt::format("{} more: run \"flytri devices\" to see all", count - i));
+              context.view.texts.fill<Text::kMoreProblems>(count - i));
     return;
   }
 }

@@ -20,15 +20,15 @@ constexpr float kImageRatio = 0.75F;
 constexpr float kLowerPart = 236.0F;
 
 struct Column {
-  const char* title;
+  Text title;
   FrameKind kind;
-  const char* missing;
+  Text missing;
 };
 /// In the order of Pictures::exposed.
 constexpr std::array<Column, 3> kColumns = {
-    {{"Vertical lines", FrameKind::kVertical, "no image yet"},
-     {"Horizontal lines", FrameKind::kHorizontal, "no image yet"},
-     {"Flash", FrameKind::kTexture, "no flash image yet"}}};
+    {{Text::kVerticalLines, FrameKind::kVertical, Text::kNoImageYet},
+     {Text::kHorizontalLines, FrameKind::kHorizontal, Text::kNoImageYet},
+     {Text::kFlash, FrameKind::kTexture, Text::kNoFlashYet}}};
 
 std::shared_ptr<const scan::LiveFrame> latest_of(const AppView& view, FrameKind kind) {
   if (view.scan == nullptr) return nullptr;
@@ -55,14 +55,16 @@ void draw_advice(const PanelContext& context, Rect box, const ExposedPicture& sh
                  FrameKind kind) {
   const float bar = context.px(kGapXs);
   draw_box(box.take_left(bar, context.px(kGapS)), color_of(shown.exposure.verdict), bar / 2.0F);
-  draw_wrapped(box, {context.theme.fonts.body, kText}, exposure_advice(shown.exposure, kind));
+  draw_wrapped(box, {context.theme.fonts.body, kText},
+               exposure_advice(shown.exposure, kind, context.view.texts));
 }
 
 /// Right-aligned.
 void draw_marks_legend(const PanelContext& context, Rect row) {
-  constexpr std::array<std::pair<Color, const char*>, 2> kMarks = {
-      {{kDarkMark, "too dark"}, {kClippedMark, "too bright"}}};
-  for (const auto& [color, text] : kMarks) {
+  constexpr std::array<std::pair<Color, Text>, 2> kMarks = {
+      {{kDarkMark, Text::kTooDark}, {kClippedMark, Text::kTooBright}}};
+  for (const auto& [color, meaning] : kMarks) {
+    const char* text = context.text(meaning);
     const std::array<LegendRow, 1> entry = {{{color, text}}};
     const float width = text_width(context.theme.fonts.body, text) + context.px(24.0F);
     legend(context.theme, row.take_right(width, context.px(kGapM)), entry);
@@ -74,11 +76,12 @@ void draw_column(const PanelContext& context, Rect box, std::size_t index) {
   ExposedPicture& shown = context.pictures.exposed[index];
   shown.show(latest_of(context.view, column.kind));
   const Rect caption = box.take_top(context.px(kColumnTitle), context.px(kGapXs));
-  draw_text(caption, {context.theme.fonts.strong, kNeutral, Align::kLeft}, column.title);
+  draw_text(caption, {context.theme.fonts.strong, kNeutral, Align::kLeft},
+            context.text(column.title));
   if (index + 1 == kColumns.size()) draw_marks_legend(context, caption);
   const Rect advice = box.take_bottom(context.px(kAdvice), context.px(kGapS));
   const Rect bars = box.take_bottom(context.px(kHistogram), context.px(kGapS));
-  show_camera_image(context, box, shown.picture, column.missing);
+  show_camera_image(context, box, shown.picture, context.text(column.missing));
   if (shown.picture.frame == nullptr) return;
   histogram(context.theme, bars, shown.exposure.histogram);
   draw_advice(context, advice, shown, column.kind);
@@ -103,7 +106,7 @@ float image_part(const PanelContext& context, const Rect& rest) {
 
 void draw_device_panel(const PanelContext& context) {
   if (!context.view.devices) return;
-  DialogPlate dialog(context, "Cameras and lights", {1216.0F, 752.0F});
+  DialogPlate dialog(context, context.text(Text::kCamerasAndLights), {1216.0F, 752.0F});
   Rect rest = dialog.rest;
   draw_images(context, rest.take_top(image_part(context, rest), context.px(kGapM)));
   const float gap = context.px(kGapL);

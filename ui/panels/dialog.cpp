@@ -30,7 +30,7 @@ void draw_close(const PanelContext& context, const Rect& box) {
   ButtonLook look;
   look.id = "close";
   look.icon = icon::kCancel;
-  look.hint = "Close (Esc)";
+  look.hint = context.view.texts.fill<Text::kCloseHint>(context.text(Text::kKeyEscape));
   context.places.set(look.id, box);
   if (small_button(context.theme, box, look)) {
     perform(Action::kCancel, context.view, context.state, context.commands);
@@ -64,6 +64,29 @@ bool text_field(const PanelContext& context, Rect row, const TextFieldLook& look
   if (look.takes_focus) ImGui::SetKeyboardFocusHere();
   return ImGui::InputText(id.c_str(), &text,
                           look.is_secret ? ImGuiInputTextFlags_Password : ImGuiInputTextFlags_None);
+}
+
+bool path_field(const PanelContext& context, Rect row, const TextFieldLook& look, PathField field,
+                std::string& text) {
+  const std::string id = std::string(look.id) + "_choose";
+  const ChooserState& chooser = context.view.chooser;
+  ButtonLook button;
+  button.id = id.c_str();
+  button.label = "\u2026";
+  button.is_enabled = chooser.why_not.empty() && !chooser.is_open;
+  button.hint = chooser.why_not.empty()
+                    ? context.text(Text::kChooseOnComputer)
+                    : std::string(context.view.texts.translated(chooser.why_not));
+  Rect side = row;
+  side = side.take_right(context.px(44.0F));
+  side.take_top(context.px(18.0F), context.px(kGapXs));
+  const Rect box = side.take_top(context.px(36.0F));
+  context.places.set(id, box);
+  if (small_button(context.theme, box, button)) {
+    context.commands.emplace_back(ChoosePath{field, text});
+  }
+  row.take_right(context.px(44.0F), context.px(kGapXs));
+  return text_field(context, row, look, text);
 }
 
 bool tick_box(const PanelContext& context, const Rect& row, const TickLook& look, bool& is_ticked) {

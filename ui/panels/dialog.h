@@ -36,6 +36,10 @@ inline constexpr float kFieldRow = 68.0F;  ///< height with the label, in units
 bool text_field(const PanelContext& context, Rect row, const TextFieldLook& look,
                 std::string& text);
 
+/// A text field for a path, with a button that opens the desktop's file chooser.
+bool path_field(const PanelContext& context, Rect row, const TextFieldLook& look, PathField field,
+                std::string& text);
+
 struct TickLook {
   const char* id = "";
   std::string label;

@@ -59,22 +59,23 @@ std::uint64_t written_bytes(const ExportState& exports, const io::ModelFormat& f
 RowStatus status_of(const PanelContext& context, const io::ModelFormat& format) {
   const ExportState& exports = context.view.exports;
   const auto estimate = exports.estimated_bytes.find(format.extension);
-  if (estimate == exports.estimated_bytes.end()) return {kTextQuiet, "after Finish"};
+  if (estimate == exports.estimated_bytes.end())
+    return {kTextQuiet, context.text(Text::kAfterFinish)};
   if (has_outcome(context.view, context.state.export_form)) {
     const bool exists =
         std::any_of(exports.existing.begin(), exports.existing.end(),
                     [&](const std::string& path) { return belongs_to(path, format); });
-    if (exists) return {kCaution, "exists"};
+    if (exists) return {kCaution, context.text(Text::kExists)};
     const std::uint64_t bytes = written_bytes(exports, format);
     if (bytes > 0) return {kGood, size_text(bytes)};
   }
-  return {kText, "about " + size_text(estimate->second)};
+  return {kText, context.view.texts.fill<Text::kAboutSize>(size_text(estimate->second))};
 }
 
 /// Before the scan is finished there is no surface.
 std::string_view purpose_of(const AppView& view, const io::ModelFormat& format) {
   const bool holds_points = !is_finished(view) && format.write_points != nullptr;
-  return holds_points ? "points only; the surface comes with Finish" : format.purpose;
+  return holds_points ? view.texts[Text::kPointsOnly] : view.texts.translated(format.purpose);
 }
 
 void toggle_format(const PanelContext& context, std::string_view extension) {
@@ -105,8 +106,9 @@ void draw_place(const PanelContext& context, DialogPlate& dialog, ExportForm& fo
   const float gap = context.px(kGapM);
   const float half = (row.width - gap) / 2.0F;
   form.is_folder_edited |=
-      text_field(context, row.take_left(half, gap), {"export_folder", "Folder"}, form.folder);
-  text_field(context, row, {"export_name", "Name"}, form.name);
+      path_field(context, row.take_left(half, gap), {"export_folder", context.text(Text::kFolder)},
+                 PathField::kExportFolder, form.folder);
+  text_field(context, row, {"export_name", context.text(Text::kName)}, form.name);
 }
 
 std::size_t open_holes(const AppView& view) {
@@ -120,39 +122,38 @@ struct Note {
 };
 
 /// Which files exist, as many as can be read at a glance.
-std::string existing_text(const std::vector<std::string>& paths) {
-  std::string text;
+std::string existing_text(const Texts& texts, const std::vector<std::string>& paths) {
+  std::string names;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    if (i > 0) text += i + 1 == paths.size() ? " and " : ", ";
-    text += std::filesystem::path(paths[i]).filename().string();
+    if (i > 0) names += i + 1 == paths.size() ? fmt::format(" {} ", texts[Text::kAnd]) : ", ";
+    names += std::filesystem::path(paths[i]).filename().string();
   }
-  return fmt::format("{} {} already. Replace {}, or choose another name.", text,
-                     paths.size() == 1 ? "exists" : "exist", paths.size() == 1 ? "it" : "them");
+  return texts.count<Text::kFilesExist>(static_cast<std::int64_t>(paths.size()), names);
 }
 
-std::string written_text(const ExportState& exports) {
+std::string written_text(const Texts& texts, const ExportState& exports) {
   std::uint64_t bytes = 0;
   for (const ExportedFile& file : exports.written) bytes += file.bytes;
-  return fmt::format("Written to {}: {} in all",
-                     std::filesystem::path(exports.written.front().path).parent_path().string(),
-                     size_text(bytes));
+  return texts.fill<Text::kWrittenTo>(
+      std::filesystem::path(exports.written.front().path).parent_path().string(), size_text(bytes));
 }
 
 Note note_of(const PanelContext& context) {
   const ExportState& exports = context.view.exports;
-  if (exports.is_running) return {icon::kInformation, kNeutral, "Writing\u2026"};
+  const Texts& texts = context.view.texts;
+  if (exports.is_running) return {icon::kInformation, kNeutral, texts[Text::kWriting]};
   if (has_outcome(context.view, context.state.export_form)) {
     if (!exports.failure.empty()) return {icon::kWarning, kBad, exports.failure};
     if (!exports.existing.empty())
-      return {icon::kWarning, kCaution, existing_text(exports.existing)};
-    if (!exports.written.empty()) return {icon::kSaved, kGood, written_text(exports)};
+      return {icon::kWarning, kCaution, existing_text(texts, exports.existing)};
+    if (!exports.written.empty()) return {icon::kSaved, kGood, written_text(texts, exports)};
   }
   const std::size_t holes = open_holes(context.view);
   if (holes > 0) {
     return {icon::kWarning, kCaution,
-            fmt::format("{} {} left in the surface", holes, holes == 1 ? "hole is" : "holes are")};
+            texts.count<Text::kHolesLeft>(static_cast<std::int64_t>(holes))};
   }
-  return {icon::kInformation, kNeutral, "Exports the model as shown"};
+  return {icon::kInformation, kNeutral, texts[Text::kExportsAsShown]};
 }
 
 void draw_note(const PanelContext& context, Rect box, const Note& note) {
@@ -175,15 +176,16 @@ void draw_export_dialog(const PanelContext& context) {
   follow_proposal(context, form);
   const Note note = note_of(context);
   const float rows = static_cast<float>(io::model_formats().size()) * (kFormatRow + kGapS);
-  DialogPlate dialog(context, "Export",
+  DialogPlate dialog(context, context.text(Text::kExport),
                      {kExportWidth, kHeightWithoutRows + rows + extra_height(context, note)});
   for (const io::ModelFormat& format : io::model_formats()) {
     draw_format(context, dialog.rest.take_top(context.px(kFormatRow), context.px(kGapS)), format);
   }
   draw_place(context, dialog, form);
-  Rect left = confirm_row(context, dialog, icon::kExport,
-                          is_replacing(context.view, form) ? "Replace" : "Export");
-  const ActionLook open = {icon::kCase, "Open folder"};
+  Rect left =
+      confirm_row(context, dialog, icon::kExport,
+                  context.text(is_replacing(context.view, form) ? Text::kReplace : Text::kExport));
+  const ActionLook open = {icon::kCase, context.text(Text::kOpenFolder)};
   if (has_outcome(context.view, form) && !context.view.exports.written.empty()) {
     const float width = small_action_width(context, Action::kOpenExportFolder, open);
     small_action(context, left.take_left(width), Action::kOpenExportFolder, open);

@@ -49,39 +49,42 @@ void draw_holes(const PanelContext& context, Rect& rest, std::size_t listed) {
   const scan::ScanSnapshot& scan = *context.view.scan;
   const std::vector<meshing::BoundaryLoop>& holes = scan.holes;
   const auto& selected = context.state.selected_hole;
+  const Texts& texts = context.view.texts;
+  const auto count = static_cast<std::int64_t>(holes.size());
   draw_heading(context, rest,
-               fmt::format("{} {}{}", holes.size(), holes.size() == 1 ? "hole" : "holes",
-                           scan.holes_are_current ? "" : " so far"));
+               scan.holes_are_current ? texts.count<Text::kHoles>(count)
+                                      : texts.count<Text::kHolesSoFar>(count));
   for (std::size_t i = 0; i < listed; ++i) {
     const std::string id = fmt::format("hole_{}", i + 1);
     ButtonLook look;
     look.id = id.c_str();
-    look.label = hole_text(holes[i], scan.jaw ? &*scan.jaw : nullptr, jaw_of(context.view.stage));
+    look.label =
+        hole_text(holes[i], scan.jaw ? &*scan.jaw : nullptr, jaw_of(context.view.stage), texts);
     look.is_on = selected && selected->index == i;
     const Rect box = rest.take_top(context.px(kRow), context.px(kGapXs));
     context.places.set(id, box);
     if (small_button(context.theme, box, look)) show_hole(context.view, i, context.state);
   }
   small_action(context, rest.take_top(context.px(kRow), context.px(kGapXs)), Action::kNextHole,
-               {icon::kNext, "Next hole"});
+               {icon::kNext});
 }
 
 void draw_measurements(const PanelContext& context, Rect& rest, std::size_t listed) {
   const auto& all = context.view.measurements;
-  draw_heading(context, rest, "Distances");
+  draw_heading(context, rest, context.text(Text::kDistances));
   for (std::size_t i = all.size() - listed; i < all.size(); ++i) {
     Rect row = rest.take_top(context.px(kRow), context.px(kGapXs));
     const std::string id = fmt::format("remove_distance_{}", i + 1);
     ButtonLook look;
     look.id = id.c_str();
     look.icon = icon::kTrash;
-    look.hint = "Remove this distance";
+    look.hint = context.text(Text::kRemoveThisDistance);
     const Rect box = row.take_right(row.height, context.px(kGapS));
     context.places.set(id, box);
     if (small_button(context.theme, box, look)) {
       context.commands.emplace_back(RemoveMeasurement{i});
     }
-    labeled_value(context.theme, row, fmt::format("Distance {}", i + 1),
+    labeled_value(context.theme, row, context.view.texts.fill<Text::kDistanceNumber>(i + 1),
                   fmt::format("{:.2f} mm", (all[i].to_mm - all[i].from_mm).norm()));
   }
 }

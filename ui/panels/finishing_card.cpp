@@ -39,7 +39,9 @@ void draw_progress(const PanelContext& context) {
   const Plate plate("finishing", box, overlay(context.theme));
   const Theme& theme = context.theme;
   Rect rest = box.inset(context.px(kGapL));
-  const std::string step = finishing.stage.empty() ? "Starting" : finishing.stage;
+  const std::string_view step = finishing.stage.empty()
+                                    ? context.text(Text::kStatusStarting)
+                                    : context.view.texts.translated(finishing.stage);
   Rect head = rest.take_top(context.px(28.0F), context.px(kGapM));
   const std::string share = fmt::format("{:.0f} %", 100.0 * finishing.fraction);
   draw_text(head.take_right(context.px(72.0F)), {theme.fonts.title, kText, Align::kRight}, share);
@@ -47,9 +49,9 @@ void draw_progress(const PanelContext& context) {
   meter(theme, rest.take_top(context.px(16.0F), context.px(kGapM)), finishing.fraction, kCaution);
   Rect row = rest.take_bottom(context.px(48.0F));
   small_action(context, row.take_right(context.px(144.0F), context.px(kGapM)), Action::kCancel,
-               {icon::kCancel, "Cancel"});
+               {icon::kCancel, context.text(Text::kCancel)});
   draw_text(row, {theme.fonts.body, kTextQuiet, Align::kLeft},
-            time_left_text(finishing.remaining_s));
+            time_left_text(finishing.remaining_s, context.view.texts));
 }
 
 void draw_failure(const PanelContext& context) {
@@ -62,7 +64,7 @@ void draw_failure(const PanelContext& context) {
   const Plate plate("failure", box, overlay(context.theme));
   Rect rest = box.inset(padding);
   draw_text(rest.take_top(context.px(28.0F), context.px(kGapM)),
-            {theme.fonts.title, kText, Align::kLeft}, "The scan could not be finished");
+            {theme.fonts.title, kText, Align::kLeft}, context.text(Text::kNotFinished));
   draw_wrapped(rest, {theme.fonts.body, kTextQuiet}, text);
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr float kHelpRow = 23.0F;
 constexpr float kHelpHeading = 30.0F;
 constexpr float kKey = 84.0F;
-/// Room for the longest name, and for kLongestStateText characters.
+/// Room for the longest name, and for the longest state.
 constexpr float kName = 136.0F, kStateWidth = 124.0F;
 /// The fullest column, in rows: looking and program, with their headings.
 constexpr float kMostHelpRows = 32.0F;
@@ -27,21 +27,21 @@ void draw_row(const PanelContext& context, Rect row, const ActionRow& entry) {
   const ActionState current = action_state(entry.action, context.view, context.state);
   const Color ink = current.is_enabled ? kText : with_opacity(kTextQuiet, 0.75F);
   draw_text(row.take_left(context.px(kKey), context.px(kGapS)), {theme.fonts.strong, ink},
-            entry.shortcut.text);
+            shortcut_text(entry.shortcut, context.view.texts));
   // In a small window both fit only in small letters, and a long name pushes its state aside.
   const bool is_narrow = row.width < context.px(kName + kStateWidth);
   ImFont* font = is_narrow ? theme.fonts.small : theme.fonts.body;
   const float gap = context.px(kGapS);
-  const float name =
-      std::max(text_width(font, entry.name) + gap, row.width - context.px(kStateWidth));
-  draw_text(row.take_left(name), {font, ink}, entry.name);
+  const float name = std::max(text_width(font, context.text(entry.name)) + gap,
+                              row.width - context.px(kStateWidth));
+  draw_text(row.take_left(name), {font, ink}, context.text(entry.name));
   const Color mark = current.is_on ? kNeutral : kTextQuiet;
   draw_text(row, {theme.fonts.small, mark, Align::kLeft}, current.text);
 }
 
 void draw_group(const PanelContext& context, Rect& column, float row, ActionGroup group) {
   draw_text(column.take_top(context.px(kHelpHeading)),
-            {context.theme.fonts.strong, kNeutral, Align::kLeft}, to_string(group));
+            {context.theme.fonts.strong, kNeutral, Align::kLeft}, context.text(heading_of(group)));
   for (const ActionRow& entry : rows_of(group)) {
     draw_row(context, column.take_top(row), entry);
   }
@@ -49,26 +49,26 @@ void draw_group(const PanelContext& context, Rect& column, float row, ActionGrou
 }
 
 void draw_pointer(const PanelContext& context, Rect& column, float row_height_px) {
-  constexpr std::array<std::array<const char*, 2>, 5> kRows = {
-      {{"Drag", "turns the view or uses the tool"},
-       {"Right drag", "turns; with Shift, moves"},
-       {"Middle drag", "moves the view"},
-       {"Double click", "brings the place to the middle"},
-       {"Wheel", "zooms or resizes the brush"}}};
+  constexpr std::array<std::array<Text, 2>, 5> kRows = {
+      {{Text::kDrag, Text::kDragDoes},
+       {Text::kRightDrag, Text::kRightDragDoes},
+       {Text::kMiddleDrag, Text::kMiddleDragDoes},
+       {Text::kDoubleClick, Text::kDoubleClickDoes},
+       {Text::kWheel, Text::kWheelDoes}}};
   draw_text(column.take_top(context.px(kHelpHeading)),
-            {context.theme.fonts.strong, kNeutral, Align::kLeft}, "Pointer");
+            {context.theme.fonts.strong, kNeutral, Align::kLeft}, context.text(Text::kPointer));
   for (const auto& [what, does] : kRows) {
     Rect row = column.take_top(row_height_px);
     draw_text(row.take_left(context.px(kKey), context.px(kGapS)),
-              {context.theme.fonts.strong, kText}, what);
-    draw_text(row, {context.theme.fonts.body, kText}, does);
+              {context.theme.fonts.strong, kText}, context.text(what));
+    draw_text(row, {context.theme.fonts.body, kText}, context.text(does));
   }
 }
 
 }  // namespace
 
 void draw_help_dialog(const PanelContext& context) {
-  DialogPlate dialog(context, "Keys", {1180.0F, 740.0F});
+  DialogPlate dialog(context, context.text(Text::kKeys), {1180.0F, 740.0F});
   const float gap = context.px(kGapL);
   const float width = (dialog.rest.width - 2.0F * gap) / 3.0F;
   Rect first = dialog.rest.take_left(width, gap);

@@ -26,7 +26,8 @@ void draw_modes(const PanelContext& context, Rect& rest) {
 void draw_blend(const PanelContext& context, Rect& rest) {
   Rect box = rest.take_top(context.px(64.0F));
   draw_text(box.take_top(context.px(20.0F), context.px(kGapXs)),
-            {context.theme.fonts.small, kText, Align::kLeft}, "Texture strength (, .)");
+            {context.theme.fonts.small, kText, Align::kLeft},
+            context.view.texts.fill<Text::kTextureStrength>(", ."));
   ImGui::SetCursorScreenPos(box.min());
   ImGui::SetNextItemWidth(box.width);
   context.places.set("blend", {box.x, box.y, box.width, context.px(36.0F)});
@@ -38,8 +39,9 @@ void draw_blend(const PanelContext& context, Rect& rest) {
 
 void draw_coverage_legend(const PanelContext& context, Rect& rest) {
   const SceneOptions colors;
-  const std::array<LegendRow, 3> rows = {
-      {{colors.good_color, "Good"}, {colors.thin_color, "Scan again"}, {kHole, "Hole", true}}};
+  const std::array<LegendRow, 3> rows = {{{colors.good_color, context.text(Text::kLegendGood)},
+                                          {colors.thin_color, context.text(Text::kLegendScanAgain)},
+                                          {kHole, context.text(Text::kLegendHole), true}}};
   legend(context.theme, rest.take_top(context.px(70.0F)), rows);
 }
 
@@ -54,9 +56,7 @@ void draw_sigma_legend(const PanelContext& context, Rect& rest) {
   color_scale(context.theme, box,
               {colors, length_text(most_mm / kSigmaRange),
                length_text(most_mm / std::sqrt(kSigmaRange)), length_text(most_mm)});
-  hint_over(box,
-            "How far the surface may be off, as one standard deviation. Blue places were measured "
-            "many times.");
+  hint_over(box, context.text(Text::kUncertaintyHint));
 }
 
 /// Height of a plate with some rows of buttons, in units.
@@ -101,18 +101,19 @@ void draw_sides(const PanelContext& context) {
   Rect rest = box.inset(context.px(kGapS));
   const auto row = [&] { return rest.take_top(context.px(kSideButton), context.px(kGapXs)); };
   const auto& jaw = context.view.scan == nullptr ? std::nullopt : context.view.scan->jaw;
-  small_action(context, row(), Action::kOcclusal, {nullptr, "Occlusal"});
+  small_action(context, row(), Action::kOcclusal, {nullptr, context.text(Text::kViewOcclusal)});
   small_action(context, row(), Action::kBuccal,
-               {nullptr, jaw && jaw->is_arch ? "Front" : "Buccal"});
+               {nullptr, context.text(jaw && jaw->is_arch ? Text::kViewFront : Text::kViewBuccal)});
   Rect pair = row();
-  const ActionLook right = {.label = "Right", .shows_key = false};
+  const ActionLook right = {.label = context.text(Text::kViewRight), .shows_key = false};
   small_action(context,
                pair.take_left((pair.width - context.px(kGapXs)) / 2.0F, context.px(kGapXs)),
                Action::kRightSide, right);
-  small_action(context, pair, Action::kLeftSide, {.label = "Left", .shows_key = false});
+  small_action(context, pair, Action::kLeftSide,
+               {.label = context.text(Text::kViewLeft), .shows_key = false});
   small_action(context, row(), Action::kLingual,
-               {nullptr, lingual_name(jaw_of(context.view.stage))});
-  small_action(context, row(), Action::kShowAll, {nullptr, "All"});
+               {nullptr, context.text(lingual_name(jaw_of(context.view.stage)))});
+  small_action(context, row(), Action::kShowAll, {nullptr, context.text(Text::kViewAll)});
 }
 
 }  // namespace

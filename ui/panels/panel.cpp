@@ -6,10 +6,15 @@ namespace flytri::ui {
 namespace {
 
 /// What the button does not show itself: name, key and state.
-std::string hint_of(const ActionRow& row, const ActionState& current, const ButtonLook& button) {
-  std::string hint = button.label == row.name ? "" : std::string(row.name);
-  if (button.key.empty())
-    hint += (hint.empty() ? "Key: " : ", key: ") + std::string(row.shortcut.text);
+std::string hint_of(const Texts& texts, const ActionRow& row, const ActionState& current,
+                    const ButtonLook& button) {
+  const bool shows_name = button.label == texts[row.name];
+  std::string hint = shows_name ? "" : texts[row.name];
+  if (button.key.empty()) {
+    const std::string key = shortcut_text(row.shortcut, texts);
+    hint =
+        shows_name ? texts.fill<Text::kHintKey>(key) : texts.fill<Text::kHintNameAndKey>(hint, key);
+  }
   if (!current.text.empty()) hint += (hint.empty() ? "" : ". ") + sentence(current.text);
   return hint;
 }
@@ -20,13 +25,13 @@ ButtonLook look_of(const PanelContext& context, Action action, const ActionLook&
   ButtonLook button;
   button.id = row.id;
   button.icon = look.icon;
-  button.label = look.label == nullptr ? row.name : look.label;
-  if (look.shows_key) button.key = row.shortcut.text;
+  button.label = look.label == nullptr ? context.text(row.name) : look.label;
+  if (look.shows_key) button.key = shortcut_text(row.shortcut, context.view.texts);
   button.is_enabled = current.is_enabled;
   button.is_on = current.is_on;
   button.is_main = look.is_main;
   button.color = look.color;
-  button.hint = hint_of(row, current, button);
+  button.hint = hint_of(context.view.texts, row, current, button);
   return button;
 }
 

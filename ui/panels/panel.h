@@ -36,6 +36,7 @@ struct PanelContext {
   std::vector<Rect>& repainted;  ///< where textures on the screen changed
 
   [[nodiscard]] float px(float units) const { return theme.px(units); }
+  [[nodiscard]] const char* text(Text key) const { return view.texts[key]; }
   [[nodiscard]] scan::ScanPhase phase() const {
     return view.scan == nullptr ? scan::ScanPhase::kPreview : view.scan->phase;
   }

@@ -27,6 +27,10 @@ void draw_findings_panel(const PanelContext& context);
 [[nodiscard]] std::optional<Rect> findings_box(const PanelContext& context);
 void draw_tool_strip(const PanelContext& context);
 void draw_finishing_card(const PanelContext& context);
+/// At the lower right, while raw images are recorded, or the recording has failed.
+void draw_recording_card(const PanelContext& context);
+/// Its height with the gap above it; 0: it is not shown.
+[[nodiscard]] float recording_card_height(const PanelContext& context);
 void draw_toasts(const PanelContext& context);
 
 /// After a loss, the side panel shows where to resume instead.
@@ -36,6 +40,7 @@ void draw_continuation(const PanelContext& context, const Rect& box);
 void draw_help_dialog(const PanelContext& context);
 void draw_export_dialog(const PanelContext& context);
 void draw_case_dialog(const PanelContext& context);
+void draw_question_dialog(const PanelContext& context);
 void draw_settings_dialog(const PanelContext& context);
 void draw_device_panel(const PanelContext& context);
 void draw_calibration_panel(const PanelContext& context);

@@ -25,7 +25,7 @@ std::shared_ptr<const scan::LiveFrame> latest_frame(const AppView& view) {
 }
 
 const char* missing_text(const AppView& view) {
-  return view.source.is_lost ? "no sensor" : "no image yet";
+  return view.texts[view.source.is_lost ? Text::kNoSensor : Text::kNoImageYet];
 }
 
 /// Dragging the live image moves the simulated sensor; the wheel moves it closer or away.
@@ -59,7 +59,8 @@ void draw_source(const PanelContext& context, const Rect& row) {
       source.played_share ? fmt::format("{:.0f} %", 100.0 * *source.played_share) : "";
   draw_text(rest.take_right(text_width(theme.fonts.small, played), context.px(kGapS)),
             {theme.fonts.small, kTextQuiet, Align::kRight}, played);
-  draw_text(rest, {theme.fonts.small, kTextQuiet, Align::kLeft}, source.name);
+  draw_text(rest, {theme.fonts.small, kTextQuiet, Align::kLeft},
+            context.view.texts.translated(source.name));
 }
 
 /// Buttons of the simulated sensor: move it by hand, lift it.
@@ -67,9 +68,10 @@ void draw_hand(const PanelContext& context, Rect row) {
   const float width = (row.width - context.px(kGapS)) / 2.0F;
   const bool is_away = context.view.source.hand->is_taken_away;
   small_action(context, row.take_left(width, context.px(kGapS)), Action::kHandMode,
-               {nullptr, "By hand"});
-  small_action(context, row, Action::kLiftSensor,
-               {nullptr, is_away ? "Return sensor" : "Lift sensor", false, kCaution});
+               {nullptr, context.text(Text::kByHand)});
+  small_action(
+      context, row, Action::kLiftSensor,
+      {nullptr, context.text(is_away ? Text::kReturnSensor : Text::kLiftSensor), false, kCaution});
 }
 
 void draw_figures(const PanelContext& context, Rect rest) {
@@ -77,26 +79,21 @@ void draw_figures(const PanelContext& context, Rect rest) {
   const float row = context.px(24.0F);
   const bool has_residual = scan != nullptr && scan->residual_mm.has_value();
   const Rect alignment = rest.take_top(row), delay = rest.take_top(row);
-  labeled_value(context.theme, alignment, "Alignment error",
+  labeled_value(context.theme, alignment, context.text(Text::kAlignmentError),
                 has_residual ? length_text(*scan->residual_mm) : "\u2013");
   const bool is_known = scan != nullptr && scan->latency.count > 0;
-  labeled_value(context.theme, delay, "Delay",
+  labeled_value(context.theme, delay, context.text(Text::kDelay),
                 is_known ? fmt::format("{:.0f} ms", 1e3 * scan->latency.median_s) : "\u2013");
-  hint_over(alignment,
-            fmt::format("How far the latest lines lie from the surface scanned before, where they "
-                        "cross. Below {} is good; more means noise, motion, or a wrong "
-                        "calibration.",
-                        length_text(max_sigma_mm(context.view))));
-  hint_over(delay,
-            "From the arrival of a camera image until the surface on the screen shows it. Below "
-            "100 ms is good.");
+  hint_over(alignment, context.view.texts.fill<Text::kAlignmentErrorHint>(
+                           length_text(max_sigma_mm(context.view))));
+  hint_over(delay, context.text(Text::kDelayHint));
 }
 
 void draw_preview(const PanelContext& context, Rect rest) {
   if (rest.height < context.px(96.0F)) return;
   const Theme& theme = context.theme;
   draw_text(rest.take_top(context.px(kSideCaption), context.px(kGapXs)),
-            {theme.fonts.small, kTextQuiet, Align::kLeft}, "Latest lines");
+            {theme.fonts.small, kTextQuiet, Align::kLeft}, context.text(Text::kLatestLines));
   std::array<std::shared_ptr<const View>, 2> views;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const auto& frame = context.view.scan == nullptr ? nullptr : context.view.scan->latest[i];
@@ -112,10 +109,8 @@ void draw_ordinary(const PanelContext& context, Rect rest) {
   if (context.view.source.hand) draw_hand(context, rest.take_top(context.px(44.0F), gap));
   const auto distance = context.view.scan == nullptr ? std::nullopt : context.view.scan->distance;
   const Rect bar = rest.take_top(context.px(70.0F), gap);
-  distance_bar(context.theme, bar, distance);
-  hint_over(bar,
-            "Where the surface lies in the depth that the sensor measures. Keep the mark in the "
-            "green part.");
+  distance_bar(context.theme, bar, distance, context.view.texts);
+  hint_over(bar, context.text(Text::kDistanceHint));
   draw_figures(context, rest.take_top(context.px(48.0F), gap));
   draw_preview(context, rest);
 }

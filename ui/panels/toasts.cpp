@@ -83,6 +83,7 @@ void update_toasts(const AppView& view, WindowState& state) {
 void draw_toasts(const PanelContext& context) {
   float bottom = context.layout.picture.bottom() - context.px(kGapM);
   if (context.state.tool != Tool::kNone) bottom -= context.px(76.0F);
+  bottom -= recording_card_height(context);
   int number = 0;
   for (auto shown = context.state.toasts.rbegin(); shown != context.state.toasts.rend(); ++shown) {
     bottom = draw_toast(context, shown->notice, bottom, number++) - context.px(kGapS);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
@@ -13,20 +14,20 @@ namespace {
 constexpr float kHeight = 60.0F;
 constexpr float kToolButton = 44.0F;
 
-const char* instruction(const WindowState& state) {
+std::optional<Text> instruction(const WindowState& state) {
   switch (state.tool) {
     case Tool::kTrim:
-      return "Paint to remove";
+      return Text::kPaintToRemove;
     case Tool::kLock:
-      return "Paint to lock";
+      return Text::kPaintToLock;
     case Tool::kUnlock:
-      return "Paint to unlock";
+      return Text::kPaintToUnlock;
     case Tool::kMeasure:
-      return state.measured_from_mm ? "Click the second point" : "Click the first point";
+      return state.measured_from_mm ? Text::kClickSecondPoint : Text::kClickFirstPoint;
     case Tool::kNone:
       break;
   }
-  return "";
+  return std::nullopt;
 }
 
 /// In two lines where one is too long.
@@ -49,20 +50,31 @@ void draw_brush_size(const PanelContext& context, Rect& row) {
                {nullptr, "\u2212", false, kNeutral, false});
 }
 
+ActionLook clear_look(const PanelContext& context) {
+  return {nullptr, context.text(Text::kClearAll), false, kNeutral, false};
+}
+
+float clear_width(const PanelContext& context) {
+  return small_action_width(context, Action::kClearStage, clear_look(context));
+}
+
 float strip_width(const PanelContext& context, const char* text) {
   const float brush = has_brush(context.state.tool)
                           ? context.px(2.0F * kToolButton + 76.0F + 2.0F * kGapXs + kGapM)
                           : 0.0F;
   // Rounding must not send the last word to a line of its own.
+  const float clear =
+      context.state.tool == Tool::kTrim ? clear_width(context) + context.px(kGapM) : 0.0F;
   const float line = std::ceil(text_width(context.theme.fonts.body, text)) + context.px(kGapXs);
-  return line + brush + context.px(96.0F) + 3.0F * context.px(kGapM);
+  return line + brush + clear + context.px(96.0F) + 3.0F * context.px(kGapM);
 }
 
 }  // namespace
 
 void draw_tool_strip(const PanelContext& context) {
-  if (context.state.tool == Tool::kNone) return;
-  const char* text = instruction(context.state);
+  const auto to_do = instruction(context.state);
+  if (!to_do) return;
+  const char* text = context.text(*to_do);
   const Rect& picture = context.layout.picture;
   const float margin = context.px(kGapM);
   // To the right of the findings panel.
@@ -76,7 +88,11 @@ void draw_tool_strip(const PanelContext& context) {
   const Plate plate("tool", box, overlay(context.theme));
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
   small_action(context, row.take_right(context.px(96.0F), context.px(kGapM)), Action::kCancel,
-               {nullptr, "Done"});
+               {nullptr, context.text(Text::kToolDone)});
+  if (context.state.tool == Tool::kTrim) {
+    small_action(context, row.take_right(clear_width(context), context.px(kGapM)),
+                 Action::kClearStage, clear_look(context));
+  }
   if (has_brush(context.state.tool)) draw_brush_size(context, row);
   draw_instruction(context, row, text);
 }

@@ -13,18 +13,19 @@
 namespace flytri::ui {
 namespace {
 
-std::string case_title(const CaseState& file) {
-  if (file.path.empty() || file.is_unnamed) return "No case yet";
-  return file.fields.patient_name.empty() ? "Unnamed case" : file.fields.patient_name;
+std::string case_title(const CaseState& file, const Texts& texts) {
+  if (file.path.empty() || file.is_unnamed) return texts[Text::kNoCaseYet];
+  return file.fields.patient_name.empty() ? texts[Text::kUnnamedCase] : file.fields.patient_name;
 }
 
-std::string case_subtitle(const CaseState& file) {
-  if (!file.failure.empty()) return "NOT SAVED";
-  if (file.is_read_only) return "Read-only";
-  if (file.is_moving) return "Saving\u2026";
-  if (file.path.empty()) return "Name it here";
-  if (file.is_unnamed) return "Saved without a name";
-  const char* saved = file.is_saved ? "Saved" : "Saving\u2026";
+std::string case_subtitle(const CaseState& file, const Texts& texts) {
+  if (file.damaged) return texts[Text::kDamagedBadge];
+  if (!file.failure.empty()) return texts[Text::kNotSavedBadge];
+  if (file.is_read_only) return texts[Text::kReadOnly];
+  if (file.is_moving) return texts[Text::kSaving];
+  if (file.path.empty()) return texts[Text::kNameItHere];
+  if (file.is_unnamed) return texts[Text::kSavedWithoutName];
+  const char* saved = texts[file.is_saved ? Text::kSaved : Text::kSaving];
   if (file.fields.patient_id.empty()) return saved;
   return file.fields.patient_id + " \u00b7 " + saved;
 }
@@ -34,7 +35,8 @@ void draw_case(const PanelContext& context, const Rect& box) {
   ButtonLook look;
   look.id = "case";
   look.is_enabled = action_state(Action::kCase, context.view, context.state).is_enabled;
-  look.hint = "Cases (D)";
+  look.hint = context.view.texts.fill<Text::kCasesHint>(
+      shortcut_text(row_of(Action::kCase).shortcut, context.view.texts));
   context.places.set(look.id, box);
   if (small_button(context.theme, box, look)) {
     perform(Action::kCase, context.view, context.state, context.commands);
@@ -45,43 +47,38 @@ void draw_case(const PanelContext& context, const Rect& box) {
   draw_text(icon_box, {theme.fonts.strong, kTextQuiet, Align::kCenter}, icon::kCase);
   const float half = inner.height / 2.0F;
   draw_text(inner.take_top(half), {theme.fonts.strong, kText, Align::kLeft},
-            case_title(context.view.file));
+            case_title(context.view.file, context.view.texts));
   const CaseState& file = context.view.file;
-  draw_text(inner, {theme.fonts.small, file.failure.empty() ? kTextQuiet : kBad, Align::kLeft},
-            case_subtitle(file));
+  const bool is_well = file.failure.empty() && !file.damaged;
+  draw_text(inner, {theme.fonts.small, is_well ? kTextQuiet : kBad, Align::kLeft},
+            case_subtitle(file, context.view.texts));
 }
 
 void draw_stages(const PanelContext& context, Rect row) {
   const float width = (row.width - 2.0F * context.px(kGapXs)) / 3.0F;
-  constexpr std::array<std::pair<Action, const char*>, 3> kStages = {
-      {{Action::kStageUpper, "Upper"},
-       {Action::kStageLower, "Lower"},
-       {Action::kStageBite, "Bite"}}};
+  constexpr std::array<std::pair<Action, Text>, 3> kStages = {
+      {{Action::kStageUpper, Text::kStageUpper},
+       {Action::kStageLower, Text::kStageLower},
+       {Action::kStageBite, Text::kStageBite}}};
   for (std::size_t i = 0; i < kStages.size(); ++i) {
     const auto& [action, label] = kStages[i];
     const char* mark = context.view.stage_has_data[i] ? icon::kSaved : nullptr;
     small_action(context, row.take_left(width, context.px(kGapXs)), action,
-                 {mark, label, false, kNeutral, false});
+                 {mark, context.text(label), false, kNeutral, false});
   }
 }
 
 struct Figure {
-  const char* label;
+  Text label;
   const char* widest;  ///< of the values in half an hour
-  const char* hint;
+  Text hint;
 };
 constexpr std::array<Figure, 5> kFigures = {
-    {{"Time", "00:00", "Time spent scanning, without pauses."},
-     {"Views", "00000", "Camera images that became part of the surface."},
-     {"Rejected", "0000",
-      "Images that show too little, or do not fit the surface. Below a tenth of the views is good. "
-      "If there are more, move slowly and stay near what is scanned already."},
-     {"Dropped", "0000",
-      "Images that this computer had no time for. 0 is good. If there are more, close other "
-      "programs."},
-     {"Well covered", "100 %",
-      "Share of the scanned surface that is measured often enough. Above 90 % is good. The colors "
-      "of Coverage show where to scan again."}}};
+    {{Text::kTime, "00:00", Text::kTimeHint},
+     {Text::kViews, "00000", Text::kViewsHint},
+     {Text::kRejected, "0000", Text::kRejectedHint},
+     {Text::kDropped, "0000", Text::kDroppedHint},
+     {Text::kWellCovered, "100 %", Text::kWellCoveredHint}}};
 using FigureValues = std::array<std::string, kFigures.size()>;
 
 FigureValues figure_values(const AppView& view) {
@@ -97,7 +94,7 @@ FigureValues figure_values(const AppView& view) {
 /// Width of a figure and the gap to its neighbors, for its widest value: it never moves.
 float figure_width(const PanelContext& context, const Figure& figure) {
   const Fonts& fonts = context.theme.fonts;
-  return std::ceil(std::max(text_width(fonts.small, figure.label),
+  return std::ceil(std::max(text_width(fonts.small, context.text(figure.label)),
                             text_width(fonts.title, figure.widest))) +
          2.0F * context.px(kGapXs);
 }
@@ -117,10 +114,11 @@ void draw_scan_figures(const PanelContext& context, Rect row) {
     Rect cell = row.take_left(figure_width(context, figure) + spare)
                     .inset(context.px(kGapXs), context.px(4.0F));
     context.places.set(fmt::format("figure_{}", i + 1), cell);
-    hint_over(cell, figure.hint);
+    hint_over(cell, context.text(figure.hint));
     const Rect value = cell.take_top(cell.height * 0.56F);
     draw_text(value, {context.theme.fonts.title, kText, Align::kCenter}, values[i]);
-    draw_text(cell, {context.theme.fonts.small, kTextQuiet, Align::kCenter}, figure.label);
+    draw_text(cell, {context.theme.fonts.small, kTextQuiet, Align::kCenter},
+              context.text(figure.label));
   }
 }
 

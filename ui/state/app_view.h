@@ -15,6 +15,7 @@
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/calibration_state.h"
 #include "ui/state/devices_state.h"
+#include "ui/text/texts.h"
 
 namespace flytri::ui {
 
@@ -26,6 +27,13 @@ struct KnownCase {
   bool is_encrypted = false;
   std::string number = {};  ///< the patient's or the case's
   bool is_unnamed = false;  ///< a scan that was never saved in a case
+};
+
+/// The open case is damaged: what of it could be read, and a copy of that.
+struct DamagedCase {
+  std::optional<io::CaseSurvey> survey;  ///< none: it is still being read
+  std::string copy_path;                 ///< proposed; there is no such file
+  bool is_copying = false;
 };
 
 /// The case that is open. A scan without a case is saved in an unnamed one.
@@ -42,7 +50,8 @@ struct CaseState {
   std::string message;        ///< why the case could not be opened, or what could be read of it
   bool passphrase_is_asked = false;  ///< the case at `path_asked` needs one
   std::string path_asked;
-  std::vector<KnownCase> known;  ///< newest first
+  std::optional<DamagedCase> damaged;  ///< none: no damage was found
+  std::vector<KnownCase> known;        ///< newest first
   std::string folder;            ///< of new cases
 };
 
@@ -66,6 +75,34 @@ struct SourceState {
   std::optional<double> played_share;  ///< of a recording: 0..1
 };
 
+/// The recording of the sensor's raw frames, for whoever is to find out what went wrong.
+struct RecordingState {
+  std::string folder;        ///< in which each recording gets a folder of its own
+  bool is_possible = false;  ///< the source is no recording itself
+  bool is_on = false;
+  std::string path;  ///< of the latest recording
+  std::int64_t frames = 0;
+  std::uint64_t bytes = 0;
+  std::optional<std::uint64_t> free_bytes;  ///< of the disk; none: unknown
+  std::string failure;                      ///< what is missing in it, or why it has ended
+};
+
+/// A field with a path that the desktop's file chooser can fill.
+enum class PathField { kCase, kNewCase, kExportFolder, kCalibrationFolder, kRecordingFolder };
+
+struct ChosenPath {
+  std::uint64_t number = 0;  ///< rises from choice to choice
+  PathField field = PathField::kCase;
+  std::string path;
+};
+
+/// The desktop's file chooser.
+struct ChooserState {
+  std::string why_not;   ///< why there is none; empty: there is
+  bool is_open = false;  ///< the user is choosing
+  std::optional<ChosenPath> chosen;  ///< the latest
+};
+
 struct ExportedFile {
   std::string path;
   std::uint64_t bytes = 0;
@@ -87,7 +124,8 @@ struct ExportState {
   /// shows are missing.
   std::map<std::string_view, std::uint64_t> estimated_bytes;
   bool is_running = false;
-  ExportTarget latest;  ///< of the latest export of this stage; the following is its outcome
+  bool has_model = false;  ///< the finished model that is shown was exported
+  ExportTarget latest;     ///< of the latest export of this stage; the following is its outcome
   std::vector<ExportedFile> written;
   std::vector<std::string> existing;  ///< paths; nothing is written before the user allows to
                                       ///< replace these files
@@ -96,11 +134,13 @@ struct ExportState {
 
 /// The user's settings, saved between runs.
 struct Settings {
+  std::string language;     ///< ISO 639-1; empty: the desktop's
   double user_scale = 1.0;  ///< 0.75..2, times the scale of the screen
   bool is_muted = false;
   bool is_full_screen = false;
   int window_width = 1280;  ///< >= 640; with window_height at scale 1, when not in full screen
   int window_height = 800;  ///< >= 400
+  std::string recording_folder;  ///< empty: the proposed one
   std::set<std::string> export_formats = {".glb", ".stl", ".ply"};  ///< extensions
   bool operator==(const Settings&) const = default;
 };
@@ -120,15 +160,20 @@ struct AppView {
   std::shared_ptr<const scan::ScanSnapshot> scan;  ///< of the current stage; null: nothing yet
   bool is_scanning = false;                        ///< started and not paused
   bool is_loading = false;              ///< the current stage is being read from its case
+  std::string load_failure;             ///< why it could not be read; empty: it was
   Vec3 volume_mm = {20.0, 15.0, 15.0};  ///< the sensor's measurement volume
 
   CaseState file;
   io::ScanStage stage = io::ScanStage::kUpper;
   std::array<bool, io::kScanStages.size()> stage_has_data = {};
+  bool has_kept_scan = false;  ///< the current stage was cleared, and its scan is kept
   SourceState source;
   ExportState exports;
+  RecordingState recording;
+  ChooserState chooser;
   std::vector<io::Measurement> measurements;  ///< of the current stage
   Settings settings;
+  Texts texts;                          ///< in the language of the settings
   std::vector<Notice> notices;          ///< newest last
   std::optional<DevicesState> devices;  ///< of a rig; none: simulated or recorded
   std::optional<CalibrationState>

@@ -58,17 +58,19 @@ bool is_date(const std::string& text) {
       .ok();
 }
 
-std::string problem_of(const CaseForm& form) {
-  if (form.tab != CaseTab::kOpen && !form.fields.birth_date.empty() &&
-      !is_date(form.fields.birth_date)) {
-    return "Write the date of birth as year-month-day: 1984-03-12";
+std::optional<Text> problem_of(const CaseForm& form) {
+  const bool has_fields = form.tab == CaseTab::kFields || form.tab == CaseTab::kNew;
+  if (has_fields && !form.fields.birth_date.empty() && !is_date(form.fields.birth_date)) {
+    return Text::kWriteDate;
   }
-  if (form.tab == CaseTab::kFields) return {};
-  if (form.path.empty()) return form.tab == CaseTab::kNew ? "Name the file" : "Choose a case";
+  if (form.tab == CaseTab::kFields) return std::nullopt;
+  if (form.path.empty()) {
+    return form.tab == CaseTab::kOpen ? Text::kChooseACase : Text::kNameTheFile;
+  }
   if (form.tab == CaseTab::kNew && form.passphrase != form.passphrase_again) {
-    return "The two passphrases differ";
+    return Text::kPassphrasesDiffer;
   }
-  return {};
+  return std::nullopt;
 }
 
 std::vector<std::size_t> matching_cases(const std::vector<KnownCase>& known,

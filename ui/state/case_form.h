@@ -1,6 +1,7 @@
 /// @file  What the user types in the dialog of the cases, and what is wrong with it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,10 +9,11 @@
 
 namespace flytri::ui {
 
-enum class CaseTab { kFields, kNew, kOpen };
+/// kDamage takes the place of kFields for a damaged case.
+enum class CaseTab { kFields, kDamage, kNew, kOpen };
 
 struct CaseForm {
-  CaseTab tab = CaseTab::kNew;  ///< kFields only while a case has a name
+  CaseTab tab = CaseTab::kNew;  ///< the first two only while the open case has them
   io::CaseFields fields;
   std::string path;
   std::string passphrase;
@@ -28,8 +30,8 @@ struct CaseForm {
 /// dashes.
 [[nodiscard]] std::string proposed_path(const CaseState& file, const CaseForm& form);
 
-/// Why the form cannot be confirmed, as a short sentence for the user; empty: it can.
-[[nodiscard]] std::string problem_of(const CaseForm& form);
+/// Why the form cannot be confirmed, as a short sentence for the user; none: it can.
+[[nodiscard]] std::optional<Text> problem_of(const CaseForm& form);
 
 /// Whether this text is a day, written as 2026-11-23.
 [[nodiscard]] bool is_date(const std::string& text);

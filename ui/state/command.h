@@ -22,6 +22,12 @@ struct EditSurface {
   editing::EditKind kind = editing::EditKind::kTrim;
   std::vector<editing::BrushDab> dabs;  ///< at least 1, world frame
 };
+/// Empties a stage, so that it can be scanned again. The case keeps what was in it.
+struct ClearStage {
+  io::ScanStage stage = io::ScanStage::kUpper;
+};
+/// Shows the scan of the current stage that was cleared, and keeps the one that is shown.
+struct BringBackStage {};
 struct AddMeasurement {
   io::Measurement measurement;
 };
@@ -59,6 +65,10 @@ struct OpenCase {
 struct DiscardCase {
   std::string path;
 };
+/// Copies what can be read of the damaged case to a new file, and opens that.
+struct SaveRescueCopy {
+  std::string path;
+};
 struct SetCaseFields {
   io::CaseFields fields;
 };
@@ -85,6 +95,16 @@ struct TakeSensorAway {
 struct ChangeSettings {
   Settings settings;
 };
+/// Begins or ends the recording of the sensor's raw frames.
+struct RecordFrames {
+  bool is_on = true;
+  std::string folder;  ///< in which the recording gets a folder of its own
+};
+/// Opens the desktop's file chooser.
+struct ChoosePath {
+  PathField field = PathField::kCase;
+  std::string now;  ///< the path in the field
+};
 /// Checks the devices, and starts those that failed to start.
 struct CheckDevices {};
 /// Pauses scanning, and uses the sensor for the task.
@@ -109,11 +129,12 @@ struct Tell {
 };
 struct Quit {};
 
-using Command = std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, AddMeasurement,
+using Command = std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage,
+                             BringBackStage, AddMeasurement,
                              RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
                              SelectStage, Export, OpenExportFolder, NewCase, OpenCase, DiscardCase,
-                             SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
-                             ChangeSettings, CheckDevices, BeginCalibration, TakeCalibrationImages,
+                             SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
+                             ChangeSettings, RecordFrames, ChoosePath, CheckDevices, BeginCalibration, TakeCalibrationImages,
                              RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".

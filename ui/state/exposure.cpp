@@ -1,7 +1,5 @@
 #include "ui/state/exposure.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -105,24 +103,25 @@ Exposure measure_exposure(const scan::LiveFrame& frame, const ExposureLimits& li
   return exposure;
 }
 
-std::string exposure_advice(const Exposure& exposure, FrameKind kind) {
+std::string exposure_advice(const Exposure& exposure, FrameKind kind, const Texts& texts) {
   const bool is_texture = kind == FrameKind::kTexture;
-  const std::string level =
-      fmt::format("{} {:.0f} % of full scale", is_texture ? "the teeth reach" : "the lines reach",
-                  100.0 * exposure.level);
+  const double level_percent = 100.0 * exposure.level;
   switch (exposure.verdict) {
     case ExposureVerdict::kWell:
-      return "Good: " + level;
-    case ExposureVerdict::kTooBright:
-      return fmt::format("Reduce exposure or gain: {:.0f} % of the {} overexposed",
-                         std::max(100.0 * exposure.saturated_share, 1.0),
-                         is_texture ? "image is" : "lines are");
+      return is_texture ? texts.fill<Text::kExposureGoodTeeth>(level_percent)
+                        : texts.fill<Text::kExposureGoodLines>(level_percent);
+    case ExposureVerdict::kTooBright: {
+      const double percent = std::max(100.0 * exposure.saturated_share, 1.0);
+      return is_texture ? texts.fill<Text::kExposureReduceImage>(percent)
+                        : texts.fill<Text::kExposureReduceLines>(percent);
+    }
     case ExposureVerdict::kTooDark:
-      return "Increase exposure or gain: " + level;
+      return is_texture ? texts.fill<Text::kExposureIncreaseTeeth>(level_percent)
+                        : texts.fill<Text::kExposureIncreaseLines>(level_percent);
     case ExposureVerdict::kNothingSeen:
       break;
   }
-  return "No lines found: hold the sensor over the teeth, or increase the exposure";
+  return texts[Text::kExposureNoLines];
 }
 
 }  // namespace flytri::ui

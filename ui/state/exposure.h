@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/scan/scan_snapshot.h"
+#include "ui/text/texts.h"
 
 namespace flytri::ui {
 
@@ -42,6 +43,7 @@ struct Exposure {
                                         const ExposureLimits& limits = {});
 
 /// "Good", or what to change and why, in the user's words.
-[[nodiscard]] std::string exposure_advice(const Exposure& exposure, FrameKind kind);
+[[nodiscard]] std::string exposure_advice(const Exposure& exposure, FrameKind kind,
+                                          const Texts& texts);
 
 }  // namespace flytri::ui

@@ -2,36 +2,37 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace flytri::ui {
 namespace {
 
-std::string part_text(const JawPlace& place, JawKind jaw) {
+std::optional<Text> part_text(const JawPlace& place, JawKind jaw) {
   const bool is_right = place.is_on_positive_side == (jaw == JawKind::kLower);
-  const char* side = is_right ? "right" : "left";
   switch (place.part) {
     case JawPart::kFront:
-      return "front teeth";
+      return Text::kFrontTeeth;
     case JawPart::kPremolars:
-      return fmt::format("{} premolars", side);
+      return is_right ? Text::kRightPremolars : Text::kLeftPremolars;
     case JawPart::kMolars:
-      return fmt::format("{} molars", side);
+      return is_right ? Text::kRightMolars : Text::kLeftMolars;
     case JawPart::kInside:
     case JawPart::kUnknown:
       break;
   }
-  return {};
+  return std::nullopt;
 }
 
-const char* side_text(const JawPlace& place, JawKind jaw) {
+Text side_text(const JawPlace& place, JawKind jaw) {
   switch (place.side) {
     case JawSide::kBuccal:
-      return place.part == JawPart::kFront ? "labial" : "buccal";
+      return place.part == JawPart::kFront ? Text::kSideLabial : Text::kSideBuccal;
     case JawSide::kLingual:
-      return jaw == JawKind::kUpper ? "palatal" : "lingual";
+      return jaw == JawKind::kUpper ? Text::kSidePalatal : Text::kSideLingual;
     case JawSide::kOcclusal:
       break;
   }
-  return place.part == JawPart::kFront ? "incisal" : "occlusal";
+  return place.part == JawPart::kFront ? Text::kSideIncisal : Text::kSideOcclusal;
 }
 
 }  // namespace
@@ -40,18 +41,28 @@ JawKind jaw_of(io::ScanStage stage) {
   return stage == io::ScanStage::kUpper ? JawKind::kUpper : JawKind::kLower;
 }
 
-const char* lingual_name(JawKind jaw) { return jaw == JawKind::kUpper ? "Palatal" : "Lingual"; }
+Text stage_name(io::ScanStage stage) {
+  constexpr std::array kNames = {Text::kUpperJaw, Text::kLowerJaw, Text::kBite};
+  return kNames[static_cast<std::size_t>(stage)];
+}
 
-std::string hole_text(const meshing::BoundaryLoop& hole, const JawAxes* jaw_axes, JawKind jaw) {
+Text lingual_name(JawKind jaw) {
+  return jaw == JawKind::kUpper ? Text::kViewPalatal : Text::kViewLingual;
+}
+
+std::string hole_text(const meshing::BoundaryLoop& hole, const JawAxes* jaw_axes, JawKind jaw,
+                      const Texts& texts) {
   const std::string width = fmt::format("{:.1f} mm", hole.width_mm);
   if (jaw_axes == nullptr || jaw_axes->box_mm.isEmpty()) return width;
   const JawPlace place =
       place_on_jaw(*jaw_axes, hole.center_mm.cast<double>(), hole.normal.cast<double>());
   if (place.part == JawPart::kInside) {
-    return fmt::format("{}, {}", width, jaw == JawKind::kUpper ? "palate" : "floor of the mouth");
+    const Text inside = jaw == JawKind::kUpper ? Text::kPalate : Text::kFloorOfMouth;
+    return fmt::format("{}, {}", width, texts[inside]);
   }
-  const std::string part = part_text(place, jaw);
-  return fmt::format("{}{}{}, {}", width, part.empty() ? "" : ", ", part, side_text(place, jaw));
+  const auto part = part_text(place, jaw);
+  return fmt::format("{}{}{}, {}", width, part ? ", " : "", part ? texts[*part] : "",
+                     texts[side_text(place, jaw)]);
 }
 
 }  // namespace flytri::ui

@@ -1,7 +1,5 @@
 #include "ui/state/way_back.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,13 +19,15 @@ std::optional<WayBack> way_back(const scan::ScanSnapshot& scan) {
   return way;
 }
 
-std::string words_of(const WayBack& way) {
+std::string words_of(const WayBack& way, const Texts& texts) {
   constexpr double kNotableTilt_deg = 10.0;
-  const double tilt_deg = way.tilt_rad * 180.0 / std::numbers::pi;
-  std::string words = way.is_featureless ? "Too smooth here: move" : "Move";
-  words += fmt::format(" {:.0f} mm along the arrow", way.distance_mm());
-  if (tilt_deg >= kNotableTilt_deg) words += fmt::format(", tilt by {:.0f}°", tilt_deg);
-  return words;
+  const double tilt_deg = way.tilt_rad * 180.0 / std::numbers::pi, move_mm = way.distance_mm();
+  if (tilt_deg < kNotableTilt_deg) {
+    return way.is_featureless ? texts.fill<Text::kTooSmoothMove>(move_mm)
+                              : texts.fill<Text::kMoveAlongArrow>(move_mm);
+  }
+  return way.is_featureless ? texts.fill<Text::kTooSmoothMoveAndTilt>(move_mm, tilt_deg)
+                            : texts.fill<Text::kMoveAndTilt>(move_mm, tilt_deg);
 }
 
 }  // namespace flytri::ui

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/scan/scan_snapshot.h"
+#include "ui/text/texts.h"
 
 namespace flytri::ui {
 
@@ -23,6 +24,6 @@ struct WayBack {
 [[nodiscard]] std::optional<WayBack> way_back(const scan::ScanSnapshot& scan);
 
 /// What to do, in a few words.
-[[nodiscard]] std::string words_of(const WayBack& way);
+[[nodiscard]] std::string words_of(const WayBack& way, const Texts& texts);
 
 }  // namespace flytri::ui

@@ -34,6 +34,8 @@ std::string_view to_string(Dialog dialog) {
       return "devices";
     case Dialog::kCalibration:
       return "calibration";
+    case Dialog::kQuestion:
+      return "question";
     case Dialog::kNone:
       break;
   }

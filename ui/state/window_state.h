@@ -13,6 +13,7 @@
 #include "ui/scene/scene_options.h"
 #include "ui/state/app_view.h"
 #include "ui/state/case_form.h"
+#include "ui/state/question.h"
 #include "ui/state/result_number.h"
 
 namespace flytri::ui {
@@ -30,7 +31,7 @@ enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure };
   return tool == Tool::kUnlock ? editing::EditKind::kUnlock : editing::EditKind::kTrim;
 }
 
-enum class Dialog { kNone, kHelp, kExport, kCase, kSettings, kDevices, kCalibration };
+enum class Dialog { kNone, kHelp, kExport, kCase, kSettings, kDevices, kCalibration, kQuestion };
 [[nodiscard]] std::string_view to_string(Dialog dialog);
 [[nodiscard]] std::string_view to_string(ColorMode mode);
 
@@ -68,6 +69,11 @@ struct CalibrationForm {
   std::string sphere_diameter_mm = "10";
 };
 
+struct RecordingForm {
+  std::string folder;
+  bool is_edited = false;  ///< false: the folder is the proposed one
+};
+
 /// A typed length; none if the text is not a positive number.
 [[nodiscard]] std::optional<double> typed_length_mm(const std::string& text);
 
@@ -100,8 +106,11 @@ struct WindowState {
   ExportForm export_form;
   CaseForm case_form;
   CalibrationForm calibration_form;
+  RecordingForm recording_form;
+  Question question;
   std::vector<ShownNotice> toasts;
   std::uint64_t latest_notice = 0;
+  std::uint64_t latest_choice = 0;  ///< of the file chooser, see take_chosen_path()
   ResultNumber result_number;  ///< of the result that is shown
   double frame_s = 0.0;        ///< between the latest two frames
 };

@@ -62,7 +62,8 @@ bool large_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
   const float gap = theme.px(6.0F);
   Rect middle = box.centered(box.width - theme.px(kGapS), icon_height + gap + label_height);
   draw_text(middle.take_top(icon_height, gap), {theme.fonts.icon, ink, Align::kCenter}, look.icon);
-  draw_text(middle, {theme.fonts.strong, ink, Align::kCenter}, look.label);
+  ImFont* font = fitting_font({theme.fonts.strong, theme.fonts.small}, middle.width, look.label);
+  draw_text(middle, {font, ink, Align::kCenter}, look.label);
   draw_key(theme, box, look);
   return touched.is_clicked;
 }
@@ -93,7 +94,10 @@ bool small_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
     draw_text(row.take_right(width, theme.px(kGapS)), {theme.fonts.small, quiet, Align::kRight},
               look.key);
   }
-  draw_text(row, {theme.fonts.strong, ink, Align::kLeft}, look.label);
+  ImFont* font =
+      fitting_font({theme.fonts.strong, theme.fonts.small}, row.width + 1.0F, look.label);
+  const bool is_small = font != theme.fonts.strong;
+  draw_text(row, {font, ink, is_small ? Align::kCenter : Align::kLeft}, look.label);
   return touched.is_clicked;
 }
 

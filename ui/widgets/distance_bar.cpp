@@ -28,18 +28,31 @@ void draw_marker(const Theme& theme, const Rect& bar, double depth_share) {
   draw_outline(marker, kPanel, theme.px(2.0F), half);
 }
 
-void draw_verdict(const Theme& theme, const Rect& row,
-                  const std::optional<scan::SensorDistance>& distance) {
-  draw_text(row, {theme.fonts.body, kTextQuiet, Align::kLeft}, "Distance");
-  const TextStyle value = {theme.fonts.strong, distance ? kText : kTextQuiet, Align::kRight};
-  draw_text(row, value,
-            distance ? to_string(judge_distance(distance->depth_share)) : "no surface in view");
+Text words_for(DistanceVerdict verdict) {
+  switch (verdict) {
+    case DistanceVerdict::kTooNear:
+      return Text::kTooNear;
+    case DistanceVerdict::kTooFar:
+      return Text::kTooFar;
+    case DistanceVerdict::kFine:
+      break;
+  }
+  return Text::kGood;
 }
 
-void draw_ends(const Theme& theme, const Rect& row) {
-  draw_text(row, {theme.fonts.small, kTextQuiet, Align::kLeft}, "too near");
-  draw_text(row, {theme.fonts.small, kTextQuiet, Align::kCenter}, "good");
-  draw_text(row, {theme.fonts.small, kTextQuiet, Align::kRight}, "too far");
+void draw_verdict(const Theme& theme, const Rect& row,
+                  const std::optional<scan::SensorDistance>& distance, const Texts& texts) {
+  draw_text(row, {theme.fonts.body, kTextQuiet, Align::kLeft}, texts[Text::kDistance]);
+  const TextStyle value = {theme.fonts.strong, distance ? kText : kTextQuiet, Align::kRight};
+  draw_text(
+      row, value,
+      texts[distance ? words_for(judge_distance(distance->depth_share)) : Text::kNoSurfaceInView]);
+}
+
+void draw_ends(const Theme& theme, const Rect& row, const Texts& texts) {
+  draw_text(row, {theme.fonts.small, kTextQuiet, Align::kLeft}, texts[Text::kTooNear]);
+  draw_text(row, {theme.fonts.small, kTextQuiet, Align::kCenter}, texts[Text::kGood]);
+  draw_text(row, {theme.fonts.small, kTextQuiet, Align::kRight}, texts[Text::kTooFar]);
 }
 
 }  // namespace
@@ -49,22 +62,10 @@ DistanceVerdict judge_distance(double depth_share) {
   return depth_share > kGoodDepthShare ? DistanceVerdict::kTooFar : DistanceVerdict::kFine;
 }
 
-std::string_view to_string(DistanceVerdict verdict) {
-  switch (verdict) {
-    case DistanceVerdict::kTooNear:
-      return "too near";
-    case DistanceVerdict::kTooFar:
-      return "too far";
-    case DistanceVerdict::kFine:
-      break;
-  }
-  return "good";
-}
-
 void distance_bar(const Theme& theme, const Rect& box,
-                  const std::optional<scan::SensorDistance>& distance) {
+                  const std::optional<scan::SensorDistance>& distance, const Texts& texts) {
   Rect rest = box;
-  draw_verdict(theme, rest.take_top(theme.px(20.0F), theme.px(10.0F)), distance);
+  draw_verdict(theme, rest.take_top(theme.px(20.0F), theme.px(10.0F)), distance, texts);
   const Rect bar = rest.take_top(theme.px(16.0F), theme.px(kGapS));
   if (distance) {
     draw_zones(theme, bar);
@@ -72,7 +73,7 @@ void distance_bar(const Theme& theme, const Rect& box,
   } else {
     draw_box(bar, kRaised, theme.px(4.0F));
   }
-  draw_ends(theme, rest.take_top(theme.px(16.0F)));
+  draw_ends(theme, rest.take_top(theme.px(16.0F)), texts);
 }
 
 }  // namespace flytri::ui

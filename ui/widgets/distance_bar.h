@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "core/scan/scan_snapshot.h"
+#include "ui/text/texts.h"
 #include "ui/widgets/draw.h"
 
 namespace flytri::ui {
@@ -15,10 +15,9 @@ enum class DistanceVerdict { kTooNear, kFine, kTooFar };
 inline constexpr double kGoodDepthShare = 0.5;
 
 [[nodiscard]] DistanceVerdict judge_distance(double depth_share);
-[[nodiscard]] std::string_view to_string(DistanceVerdict verdict);
 
 /// Three zones with a marker, and the result in words. Without a distance, an empty bar.
 void distance_bar(const Theme& theme, const Rect& box,
-                  const std::optional<scan::SensorDistance>& distance);
+                  const std::optional<scan::SensorDistance>& distance, const Texts& texts);
 
 }  // namespace flytri::ui

@@ -37,6 +37,18 @@ void note_cut(std::string_view text, const std::string& shown) {
   if (record != nullptr && shown != text) record->cut_texts.emplace_back(text);
 }
 
+/// Whether lines of this width hold each word as a whole, and all lines fit into the box.
+bool fits_wrapped(const Rect& box, ImFont* font, std::string_view text) {
+  constexpr float kRounding_px = 1.0F;
+  if (size_of(font, text, box.width).y > box.height + kRounding_px) return false;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
+    if (size_of(font, text.substr(0, end)).x > box.width + kRounding_px) return false;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return true;
+}
+
 float left_of(const Rect& box, Align align, float width) {
   switch (align) {
     case Align::kCenter:
@@ -71,7 +83,15 @@ void draw_text(const Rect& box, const TextStyle& style, std::string_view text) {
                                       shown.data(), end_of(shown));
 }
 
+ImFont* fitting_font(std::initializer_list<ImFont*> fonts, float width, std::string_view text) {
+  return *std::find_if(fonts.begin(), fonts.end() - 1,
+                       [&](ImFont* font) { return text_width(font, text) <= width; });
+}
+
 float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view text) {
+  if (draw_record() != nullptr && !fits_wrapped(box, style.font, text)) {
+    draw_record()->cut_texts.emplace_back(text);
+  }
   ImGui::GetWindowDrawList()->AddText(style.font, style.font->FontSize, box.min(),
                                       to_u32(style.color), text.data(), end_of(text), box.width);
   return wrapped_height(style.font, box.width, text);

@@ -22,6 +22,9 @@ struct TextStyle {
 
 /// One line of text in the vertical middle of `box`; a long text is cut and ends with "…".
 void draw_text(const Rect& box, const TextStyle& style, std::string_view text);
+/// The first of the fonts in which the text fits into one line of this width, else the last.
+[[nodiscard]] ImFont* fitting_font(std::initializer_list<ImFont*> fonts, float width,
+                                   std::string_view text);
 /// Text in several lines, from the top of `box`. @return  its height
 float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view text);
 /// Text in several lines in the vertical middle of `box`, in the first of the fonts in which it

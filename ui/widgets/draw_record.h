@@ -19,7 +19,8 @@ struct OverlayPlace {
 
 struct DrawRecord {
   std::vector<OverlayPlace> overlays;
-  std::vector<std::string> cut_texts;  ///< the whole texts
+  /// The whole texts of those that were cut, or that do not fit into their box.
+  std::vector<std::string> cut_texts;
   std::string hint;                    ///< shown beside the pointer; empty: none
 
   void clear() { *this = {}; }

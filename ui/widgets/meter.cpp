@@ -52,11 +52,11 @@ std::string length_text(double length_mm) {
   return fmt::format("{:.2f} mm", length_mm);
 }
 
-std::string time_left_text(double seconds) {
+std::string time_left_text(double seconds, const Texts& texts) {
   if (seconds < 0.0) return {};
-  if (seconds < 5.0) return "a few seconds left";
-  if (seconds < 90.0) return fmt::format("about {:.0f} s left", std::ceil(seconds / 5.0) * 5.0);
-  return fmt::format("about {:.0f} min left", std::ceil(seconds / 60.0));
+  if (seconds < 5.0) return texts[Text::kFewSecondsLeft];
+  if (seconds < 90.0) return texts.fill<Text::kSecondsLeft>(std::ceil(seconds / 5.0) * 5.0);
+  return texts.fill<Text::kMinutesLeft>(std::ceil(seconds / 60.0));
 }
 
 }  // namespace flytri::ui

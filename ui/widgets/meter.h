@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "ui/text/texts.h"
 #include "ui/widgets/draw.h"
 
 namespace flytri::ui {
@@ -26,6 +27,6 @@ void labeled_value(const Theme& theme, const Rect& row, std::string_view label,
 /// Lengths below a tenth of a millimeter in micrometers: 0.012 is "12 µm".
 [[nodiscard]] std::string length_text(double length_mm);
 /// "about 2 min left", "a few seconds left", "" if unknown (negative).
-[[nodiscard]] std::string time_left_text(double seconds);
+[[nodiscard]] std::string time_left_text(double seconds, const Texts& texts);
 
 }  // namespace flytri::ui

@@ -181,6 +181,8 @@ void Window::set_full_screen(bool is_full) {
 
 bool Window::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 
+void Window::keep_open() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
+
 ImageSize Window::framebuffer_size() const {
   ImageSize size;
   glfwGetFramebufferSize(window_, &size.width_px, &size.height_px);

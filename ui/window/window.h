@@ -42,6 +42,8 @@ class Window {
   void set_full_screen(bool is_full);
   [[nodiscard]] bool is_full_screen() const;
   [[nodiscard]] bool should_close() const;
+  /// The user did not mean to close it.
+  void keep_open();
   [[nodiscard]] ImageSize framebuffer_size() const;
   /// Pixels by pixels of an ordinary screen.
   [[nodiscard]] double content_scale() const;

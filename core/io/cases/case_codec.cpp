@@ -1,8 +1,11 @@
 #include "core/io/cases/case_codec.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
+#include "core/io/cases/view_codec.h"
 #include "core/io/files/byte_stream.h"
 #include "core/io/files/json_place.h"
 #include "core/io/files/png.h"
@@ -61,6 +64,20 @@ editing::BrushDab take_dab(ByteReader& reader) {
   for (float& part : dab.normal) part = reader.number<float>().value_or(0.0F);
   dab.radius_mm = reader.number<float>().value_or(0.0F);
   return dab;
+}
+
+/// Whether a sensor can have measured the points.
+bool is_measurable(const View& view) {
+  constexpr double kFarthest_mm = 1e4;
+  const auto is_near = [&](const ProfilePoint& point) {
+    return (point.position_mm.array().abs() <= kFarthest_mm).all() &&
+           (point.deviation_mm.array().abs() <= static_cast<float>(kFarthest_mm)).all();
+  };
+  return std::isfinite(view.time_s) &&
+         std::all_of(view.profiles.begin(), view.profiles.end(), [&](const Profile& profile) {
+           return profile.line.value >= 0 && profile.sheet_normal.allFinite() &&
+                  std::all_of(profile.points.begin(), profile.points.end(), is_near);
+         });
 }
 
 }  // namespace
@@ -190,6 +207,19 @@ std::optional<ResultBasis> decode_made_of(std::string_view summary_json) {
     basis.edited_at_s.push_back(time.number());
   }
   return json->outcome() ? std::optional(std::move(basis)) : std::nullopt;
+}
+
+Result<View> decode_measured_view(std::string_view bytes, FrameIndex index) {
+  return decode_view(bytes).and_then([&](View&& view) -> Result<View> {
+    if (view.frame != index) {
+      return fail(ErrorCode::kBadFormat, "damaged: contains the view of frame {}",
+                  view.frame.value);
+    }
+    if (!is_measurable(view)) {
+      return fail(ErrorCode::kBadFormat, "damaged: its points cannot have been measured");
+    }
+    return std::move(view);
+  });
 }
 
 Result<std::string> encode_texture(const Frame& frame) {

@@ -42,6 +42,10 @@ namespace flytri::io {
 /// None: the summary does not say what the model was made of.
 [[nodiscard]] std::optional<ResultBasis> decode_made_of(std::string_view summary_json);
 
+/// The view of a frame, see view_codec.h. A crafted file may hold any numbers: they are such as a
+/// sensor can have measured.
+[[nodiscard]] Result<View> decode_measured_view(std::string_view bytes, FrameIndex index);
+
 /// f64 time_s, then a PNG.
 /// @errors  As encode_png.
 [[nodiscard]] Result<std::string> encode_texture(const Frame& frame);

@@ -1,9 +1,12 @@
 #include "core/io/cases/case_file.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/io/cases/case_codec.h"
 #include "core/io/cases/case_records.h"
+#include "core/io/cases/stage_scans.h"
 #include "core/io/cases/view_codec.h"
 
 namespace flytri::io {
@@ -13,6 +16,26 @@ namespace {
 /// must not be left out.
 void add_outcome(Result<void>& outcome, Result<void> next) {
   if (outcome) outcome = std::move(next);
+}
+
+/// Erases what a scan has in a table.
+Result<void> erase(CaseRecords& records, CaseTable table, ScanStage stage, const StageScans& scans,
+                   int scan) {
+  Result<void> outcome;
+  for (const RecordRange& range : scans.records_of(table, stage, scan)) {
+    add_outcome(outcome, records.erase(table, range));
+  }
+  return outcome;
+}
+
+/// Without such a record, the stage was never cleared.
+StageScans read_scans(CaseRecords& records, ScanStage stage) {
+  for (const CaseTable table : kScansTables) {
+    const auto found = records.find(table, record_id(stage, kScansNumber));
+    if (!found || !*found) continue;
+    if (auto scans = StageScans::decode(**found)) return *std::move(scans);
+  }
+  return {};
 }
 
 }  // namespace
@@ -29,7 +52,9 @@ ResultBasis basis_of(const StageCounts& counts, const editing::EditList& edits) 
 }
 
 CaseFile::CaseFile(std::filesystem::path path, std::unique_ptr<CaseRecords> records)
-    : path_(std::move(path)), records_(std::move(records)) {}
+    : path_(std::move(path)), records_(std::move(records)) {
+  for (const ScanStage stage : kScanStages) scans_.push_back(read_scans(*records_, stage));
+}
 CaseFile::CaseFile(CaseFile&&) noexcept = default;
 CaseFile& CaseFile::operator=(CaseFile&&) noexcept = default;
 CaseFile::~CaseFile() = default;
@@ -57,9 +82,13 @@ Result<CaseFile> CaseFile::open(const std::filesystem::path& path, const CaseOpt
   });
 }
 
+const std::string& CaseFile::passphrase() const { return records_->passphrase(); }
+
 bool CaseFile::is_read_only() const { return records_->is_read_only(); }
 
 bool CaseFile::has_waiting() const { return records_->has_waiting(); }
+
+bool CaseFile::is_damaged() const { return records_->is_damaged(); }
 
 const std::vector<std::string>& CaseFile::damage() const { return records_->damage(); }
 
@@ -110,13 +139,14 @@ Result<void> CaseFile::erase_poses(ScanStage stage, std::span<const FrameIndex> 
 }
 
 Result<void> CaseFile::write_edits(ScanStage stage, const editing::EditStack& edits) {
-  Result<void> outcome = records_->erase(CaseTable::kEdits, records_of(stage));
+  const StageScans& scans = scans_of(stage);
+  Result<void> outcome = erase(*records_, CaseTable::kEdits, stage, scans, scans.shown());
   int position = 0;
   for (const auto& edit : *edits.all()) {
-    add_outcome(outcome, records_->replace(CaseTable::kEdits, record_id(stage, position++),
+    add_outcome(outcome, records_->replace(CaseTable::kEdits, scans.shown_id(stage, position++),
                                            encode_edit(*edit)));
   }
-  add_outcome(outcome, records_->replace(CaseTable::kEditCursors, record_id(stage),
+  add_outcome(outcome, records_->replace(CaseTable::kEditCursors, scans.shown_id(stage),
                                          encode_count(edits.state()->size())));
   return outcome;
 }
@@ -125,9 +155,12 @@ Result<std::int64_t> CaseFile::add_measurement(ScanStage stage, const Measuremen
   if (!measurement.from_mm.allFinite() || !measurement.to_mm.allFinite()) {
     return fail(ErrorCode::kBadOption, "a measurement needs two points with finite coordinates");
   }
-  const auto last = records_->last(CaseTable::kMeasurements, records_of(stage));
+  const StageScans& scans = scans_of(stage);
+  const auto last =
+      records_->last(CaseTable::kMeasurements,
+                     scans.records_of(CaseTable::kMeasurements, stage, scans.shown()).front());
   if (!last) return tl::unexpected(last.error());
-  const std::int64_t id = *last ? **last + 1 : record_id(stage);
+  const std::int64_t id = *last ? **last + 1 : scans.shown_id(stage);
   return records_->add(CaseTable::kMeasurements, id, encode_measurement(measurement)).map([&] {
     return id;
   });
@@ -138,18 +171,63 @@ Result<void> CaseFile::remove_measurement(std::int64_t id) {
 }
 
 Result<void> CaseFile::write_result(ScanStage stage, const StageResult& result) {
-  Result<void> outcome = records_->replace(CaseTable::kModels, record_id(stage), result.glb);
-  add_outcome(outcome, records_->replace(CaseTable::kSummaries, record_id(stage),
+  const std::int64_t id = scans_of(stage).shown_id(stage);
+  Result<void> outcome = records_->replace(CaseTable::kModels, id, result.glb);
+  add_outcome(outcome, records_->replace(CaseTable::kSummaries, id,
                                          encode_summary(result.summary_json, result.made_of)));
   return outcome;
 }
 
-Result<void> CaseFile::clear_stage(ScanStage stage) {
-  Result<void> outcome;
+StageScans& CaseFile::scans_of(ScanStage stage) { return scans_[static_cast<std::size_t>(stage)]; }
+
+Result<FrameIndex> CaseFile::last_frame(ScanStage stage) {
+  FrameIndex latest{-1};
   for (const CaseTable table : kCaseTables) {
-    add_outcome(outcome, records_->erase(table, records_of(stage)));
+    if (!is_by_frame(table)) continue;
+    const auto last = records_->last(table, records_of(stage));
+    if (!last) return tl::unexpected(last.error());
+    if (*last) latest = std::max(latest, FrameIndex(number_of(**last)));
+  }
+  return latest;
+}
+
+Result<void> CaseFile::turn_stage(ScanStage stage) {
+  const auto last = last_frame(stage);
+  if (!last) return tl::unexpected(last.error());
+  if (last->value == std::numeric_limits<int>::max()) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged: no number is left for another frame",
+                path_.string());
+  }
+  scans_of(stage).turn_at(last->value + 1);
+  Result<void> outcome;
+  for (const CaseTable table : kScansTables) {
+    add_outcome(outcome,
+                records_->replace(table, record_id(stage, kScansNumber), scans_of(stage).encode()));
   }
   return outcome;
+}
+
+Result<void> CaseFile::clear_stage(ScanStage stage) {
+  const StageScans& scans = scans_of(stage);
+  const auto counts = counts_of(stage, scans.shown());
+  if (!counts) return tl::unexpected(counts.error());
+  if (*counts == StageCounts{}) return {};
+  Result<void> outcome;
+  for (const CaseTable table : kCaseTables) {
+    add_outcome(outcome, erase(*records_, table, stage, scans, scans.kept()));
+  }
+  add_outcome(outcome, turn_stage(stage));
+  return outcome;
+}
+
+Result<void> CaseFile::bring_back_stage(ScanStage stage) {
+  const auto kept = kept_counts(stage);
+  if (!kept) return tl::unexpected(kept.error());
+  if (*kept == StageCounts{}) {
+    return fail(ErrorCode::kInsufficient, "{}: stage {} has no scan that was cleared",
+                path_.string(), to_string(stage));
+  }
+  return turn_stage(stage);
 }
 
 Result<void> CaseFile::commit() { return records_->commit(); }

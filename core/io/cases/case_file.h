@@ -86,6 +86,9 @@ struct StoredStage {
   std::vector<StoredFrame> frames;    ///< by rising frame index
   editing::EditStack edits;           ///< including what can be undone and redone
   std::vector<Measurement> measurements;
+  /// The largest frame index in the stage, also of a scan that was cleared; -1: none. New frames
+  /// come after it.
+  FrameIndex last_frame{-1};
   std::vector<std::string> damage;  ///< what could not be read, an entry for each record or gap
 };
 
@@ -95,6 +98,13 @@ struct StageCounts {
   std::int64_t texture_frames = 0;
   std::int64_t measurements = 0;
   bool has_result = false;
+  bool operator==(const StageCounts&) const = default;
+};
+
+/// What of a case can be read, and what cannot.
+struct CaseSurvey {
+  std::array<StageCounts, kScanStages.size()> readable;
+  std::vector<std::string> lost;  ///< an entry for each record or gap, and where it is
 };
 
 /// The basis of a model that is made of a stage now.
@@ -111,6 +121,7 @@ struct CaseOptions {
 };
 
 class CaseRecords;
+class StageScans;
 
 /// An open case. Use it from one thread at a time. While a program has it open for writing, no
 /// other program can open it.
@@ -120,10 +131,11 @@ class CaseRecords;
 /// all later ones, until a commit() succeeds. So after a full disk nothing needs to be written
 /// twice; free some space and call commit(). If more records wait than
 /// CaseOptions::max_waiting_bytes allow, further writes are refused with kInsufficient, and these
-/// records are lost. A case that turns out to be damaged is read-only from then on.
+/// records are lost. A case that turns out to be damaged is read-only from then on: what is written
+/// waits as well, and goes into a rescue copy.
 /// @errors  All functions that write: kWriteFailed (disk full, failing device; the record waits),
-///          kNotPermitted (read-only, or locked by another program), kInsufficient (too many
-///          records wait).
+///          kNotPermitted (read-only, damaged, or locked by another program), kBadFormat (it was
+///          found damaged; the record waits), kInsufficient (too many records wait).
 /// @errors  All functions that read: kBadFormat (nothing there can be read).
 class CaseFile {
  public:
@@ -145,9 +157,13 @@ class CaseFile {
   ~CaseFile();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// That the case is encrypted with; empty: it is not.
+  [[nodiscard]] const std::string& passphrase() const;
   [[nodiscard]] bool is_read_only() const;
   /// True if records wait in memory because they could not be written.
   [[nodiscard]] bool has_waiting() const;
+  /// True if damage was found, when the case was opened or since.
+  [[nodiscard]] bool is_damaged() const;
   /// The damage found when the case was opened. Each stage has its own list.
   [[nodiscard]] const std::vector<std::string>& damage() const;
 
@@ -179,8 +195,12 @@ class CaseFile {
   [[nodiscard]] Result<void> remove_measurement(std::int64_t id);
   /// Replaces the result of the stage.
   [[nodiscard]] Result<void> write_result(ScanStage stage, const StageResult& result);
-  /// Erases everything of a stage, so that it can be scanned again.
+  /// Empties a stage, so that it can be scanned again. What was in it is kept until the stage is
+  /// cleared once more; what was kept so far is erased. Does nothing if the stage is empty.
   [[nodiscard]] Result<void> clear_stage(ScanStage stage);
+  /// Shows what was kept when the stage was cleared, and keeps what was shown in its place.
+  /// @errors  Also kInsufficient: nothing is kept.
+  [[nodiscard]] Result<void> bring_back_stage(ScanStage stage);
   /// Saves all writes since the last commit, so that they survive the end of the process. A power
   /// failure may cost more, back to the last checkpoint of the log (every 8 MiB), but the case
   /// stays consistent.
@@ -190,7 +210,16 @@ class CaseFile {
   /// @errors  As create; kBadFormat: a record is damaged.
   [[nodiscard]] Result<void> move_to(const std::filesystem::path& path, const CaseOptions& options);
 
+  /// Reads everything, which takes as long as a copy.
+  [[nodiscard]] Result<CaseSurvey> survey();
+  /// Writes all that can be read, and what waits to be written, to a new case with the same
+  /// passphrase. This case stays as it is. On failure no file is left.
+  /// @errors  As create.
+  [[nodiscard]] Result<CaseSurvey> rescue_to(const std::filesystem::path& path);
+
   [[nodiscard]] Result<StageCounts> counts(ScanStage stage);
+  /// What bring_back_stage() would show.
+  [[nodiscard]] Result<StageCounts> kept_counts(ScanStage stage);
   /// Loads everything of a stage that can be read. Its list of damage names the rest.
   [[nodiscard]] Result<StoredStage> load_stage(ScanStage stage);
   /// @errors  Also kInsufficient: the stage has no result.
@@ -198,9 +227,15 @@ class CaseFile {
 
  private:
   CaseFile(std::filesystem::path path, std::unique_ptr<CaseRecords> records);
+  [[nodiscard]] Result<CaseSurvey> rescue(CaseRecords* target);
+  [[nodiscard]] StageScans& scans_of(ScanStage stage);
+  [[nodiscard]] Result<StageCounts> counts_of(ScanStage stage, int scan);
+  [[nodiscard]] Result<FrameIndex> last_frame(ScanStage stage);
+  [[nodiscard]] Result<void> turn_stage(ScanStage stage);
 
   std::filesystem::path path_;
   std::unique_ptr<CaseRecords> records_;
+  std::vector<StageScans> scans_;  ///< of each stage
 };
 
 /// Removes the file of a case, and those that SQLite keeps beside it. Does nothing if there is

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -8,7 +7,7 @@
 #include "core/io/cases/case_codec.h"
 #include "core/io/cases/case_file.h"
 #include "core/io/cases/case_records.h"
-#include "core/io/cases/view_codec.h"
+#include "core/io/cases/stage_scans.h"
 
 namespace flytri::io {
 namespace {
@@ -16,19 +15,22 @@ namespace {
 /// Reads the tables of a stage one after the other, and remembers the first failure.
 class StageReader {
  public:
-  StageReader(CaseRecords& records, ScanStage stage) : records_(records), stage_(stage) {}
+  StageReader(CaseRecords& records, ScanStage stage, const StageScans& scans)
+      : records_(records), stage_(stage), scans_(scans) {}
 
   /// @param take  called with the id and the data of a record; returns a Result
   template <typename Take>
   void read(CaseTable table, const Take& take) {
-    if (!outcome_) return;
-    auto damage = records_.walk(
-        table, records_of(stage_),
-        [&](std::int64_t id, std::string_view data) -> Result<void> { return take(id, data); });
-    if (damage) {
-      std::move(damage->begin(), damage->end(), std::back_inserter(loaded.damage));
-    } else {
-      outcome_ = tl::unexpected(damage.error());
+    for (const RecordRange& range : scans_.records_of(table, stage_, scans_.shown())) {
+      if (!outcome_) return;
+      auto damage = records_.walk(
+          table, range,
+          [&](std::int64_t id, std::string_view data) -> Result<void> { return take(id, data); });
+      if (damage) {
+        std::move(damage->begin(), damage->end(), std::back_inserter(loaded.damage));
+      } else {
+        outcome_ = tl::unexpected(damage.error());
+      }
     }
   }
 
@@ -39,37 +41,16 @@ class StageReader {
  private:
   CaseRecords& records_;
   ScanStage stage_;
+  const StageScans& scans_;
   Result<void> outcome_;
 };
 
 FrameIndex frame_of(std::int64_t id) { return FrameIndex(number_of(id)); }
 
-/// Whether a sensor can have measured the points: a crafted file may hold any numbers.
-bool is_measurable(const View& view) {
-  constexpr double kFarthest_mm = 1e4;
-  const auto is_near = [&](const ProfilePoint& point) {
-    return (point.position_mm.array().abs() <= kFarthest_mm).all() &&
-           (point.deviation_mm.array().abs() <= static_cast<float>(kFarthest_mm)).all();
-  };
-  return std::isfinite(view.time_s) &&
-         std::all_of(view.profiles.begin(), view.profiles.end(), [&](const Profile& profile) {
-           return profile.line.value >= 0 && profile.sheet_normal.allFinite() &&
-                  std::all_of(profile.points.begin(), profile.points.end(), is_near);
-         });
-}
-
 void read_views(StageReader& reader) {
   reader.read(CaseTable::kViews, [&](std::int64_t id, std::string_view data) {
-    return decode_view(data).and_then([&](View&& view) -> Result<void> {
-      if (view.frame != frame_of(id)) {
-        return fail(ErrorCode::kBadFormat, "damaged: contains the view of frame {}",
-                    view.frame.value);
-      }
-      if (!is_measurable(view)) {
-        return fail(ErrorCode::kBadFormat, "damaged: its points cannot have been measured");
-      }
+    return decode_measured_view(data, frame_of(id)).map([&](View&& view) {
       reader.loaded.views.push_back({std::make_shared<const View>(std::move(view)), std::nullopt});
-      return {};
     });
   });
 }
@@ -110,7 +91,8 @@ void read_edits(StageReader& reader) {
   reader.read(CaseTable::kEdits, [&](std::int64_t id, std::string_view data) {
     return decode_edit(data).map([&](editing::Edit&& edit) {
       edits.push_back(std::make_shared<const editing::Edit>(std::move(edit)));
-      if (!cursor || static_cast<std::size_t>(number_of(id)) < *cursor) held = edits.size();
+      const auto position = static_cast<std::size_t>(number_of(id) % kScanNumbers);
+      if (!cursor || position < *cursor) held = edits.size();
     });
   });
   reader.loaded.edits = editing::EditStack(std::move(edits), held);
@@ -127,13 +109,15 @@ void read_measurements(StageReader& reader) {
 }  // namespace
 
 Result<StoredStage> CaseFile::load_stage(ScanStage stage) {
-  StageReader reader(*records_, stage);
+  StageReader reader(*records_, stage, scans_of(stage));
   read_views(reader);
   read_poses(reader);
   read_frames(reader);
   read_edits(reader);
   read_measurements(reader);
   if (!reader.outcome()) return tl::unexpected(reader.outcome().error());
+  // A damaged table may not say; then the frames that could be read do.
+  reader.loaded.last_frame = last_frame(stage).value_or(FrameIndex(-1));
   return std::move(reader.loaded);
 }
 
@@ -152,6 +136,14 @@ Result<std::string> CaseFile::calibration() {
 }
 
 Result<StageCounts> CaseFile::counts(ScanStage stage) {
+  return counts_of(stage, scans_of(stage).shown());
+}
+
+Result<StageCounts> CaseFile::kept_counts(ScanStage stage) {
+  return counts_of(stage, scans_of(stage).kept());
+}
+
+Result<StageCounts> CaseFile::counts_of(ScanStage stage, int scan) {
   StageCounts counts;
   std::int64_t models = 0;
   const std::array<std::pair<CaseTable, std::int64_t*>, 4> wanted = {
@@ -160,23 +152,26 @@ Result<StageCounts> CaseFile::counts(ScanStage stage) {
        {CaseTable::kMeasurements, &counts.measurements},
        {CaseTable::kModels, &models}}};
   for (const auto& [table, number] : wanted) {
-    const Result<std::int64_t> count = records_->count(table, records_of(stage));
-    if (!count) return tl::unexpected(count.error());
-    *number = *count;
+    for (const RecordRange& range : scans_of(stage).records_of(table, stage, scan)) {
+      const Result<std::int64_t> count = records_->count(table, range);
+      if (!count) return tl::unexpected(count.error());
+      *number += *count;
+    }
   }
   counts.has_result = models > 0;
   return counts;
 }
 
 Result<StageResult> CaseFile::load_result(ScanStage stage) {
-  auto glb = records_->find(CaseTable::kModels, record_id(stage));
+  const std::int64_t id = scans_of(stage).shown_id(stage);
+  auto glb = records_->find(CaseTable::kModels, id);
   if (!glb) return tl::unexpected(glb.error());
   if (!*glb) {
     return fail(ErrorCode::kInsufficient, "{}: stage {} has no finished model", path_.string(),
                 to_string(stage));
   }
   // The model is useful without its summary.
-  const auto summary = records_->find(CaseTable::kSummaries, record_id(stage));
+  const auto summary = records_->find(CaseTable::kSummaries, id);
   StageResult result{**std::move(glb), summary ? summary->value_or("") : "", std::nullopt};
   result.made_of = decode_made_of(result.summary_json);
   return result;

@@ -63,7 +63,8 @@ class RecordWalk {
         "SELECT id, checksum, data FROM {} WHERE id BETWEEN ? AND ? ORDER BY id", name_of(table_)));
     if (!statement) return tl::unexpected(statement.error());
     statement->bind(1, next_).bind(2, last_);
-    for (;;) {
+    // The step after the last record would read the next page, which may be damaged.
+    while (next_ <= last_) {
       const Result<bool> row = statement->step();
       if (!row) return tl::unexpected(row.error());
       const std::int64_t id = *row ? statement->integer(0) : last_;
@@ -72,6 +73,7 @@ class RecordWalk {
       take(id, statement->integer(1), statement->bytes(2));
       next_ = id + 1;
     }
+    return {};
   }
 
   void take(std::int64_t id, std::int64_t checksum, std::string_view data) {
@@ -145,6 +147,7 @@ int number_of(std::int64_t id) {
 
 CaseRecords::CaseRecords(CaseDatabase opened, const CaseOptions& options)
     : database_(std::move(opened.sqlite)),
+      passphrase_(std::move(opened.passphrase)),
       is_read_only_(opened.is_read_only),
       is_damaged_(!opened.damage.empty()),
       max_waiting_bytes_(options.max_waiting_bytes),
@@ -165,9 +168,15 @@ Result<CaseRecords> CaseRecords::open(const std::filesystem::path& path,
 }
 
 Result<void> CaseRecords::begin() {
-  if (is_read_only()) {
-    return fail(ErrorCode::kNotPermitted, "{}: is open read-only{}", database_.name(),
-                !is_damaged_ ? "" : " because it is damaged; create a new case");
+  if (is_damaged_) {
+    const auto refused =
+        fail(ErrorCode::kNotPermitted,
+             "{}: is damaged, so nothing is written to it; save a rescue copy", database_.name());
+    failure_ = refused.value();
+    return refused;
+  }
+  if (is_read_only_) {
+    return fail(ErrorCode::kNotPermitted, "{}: is open read-only", database_.name());
   }
   if (is_writing_) return {};
   if (Result<void> begun = database_.run("BEGIN IMMEDIATE"); !begun) {
@@ -186,7 +195,10 @@ tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
   (void)database_.run("ROLLBACK");
   is_writing_ = false;
   failure_ = error;
-  return tl::unexpected(error);
+  if (!is_damage(error)) return tl::unexpected(error);
+  is_damaged_ = true;
+  failure_->message += "; nothing more is written to it: save a rescue copy";
+  return tl::unexpected(*failure_);
 }
 
 Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
@@ -216,7 +228,9 @@ Result<void> CaseRecords::write(PendingWrite pending) {
   // Only commit() tries again: what waits may be much.
   Result<void> begun =
       failure_ && !is_read_only() ? Result<void>(tl::unexpected(*failure_)) : begin();
-  if (!begun && is_read_only()) return begun;
+  // What was not opened to be written takes nothing; what was found damaged since, waits for a
+  // rescue copy.
+  if (!begun && is_read_only_) return begun;
   pending_.push_back(std::move(pending));
   pending_bytes_ += bytes;
   if (!begun) return begun;
@@ -258,24 +272,45 @@ Result<void> CaseRecords::commit() {
   return {};
 }
 
-Result<void> CaseRecords::copy_to(CaseRecords& target) {
-  // What is not committed is in memory, too.
+Result<void> CaseRecords::copy(CaseTable table, std::int64_t id, std::string_view data) {
   constexpr std::size_t kCommittedBytes = std::size_t{16} << 20U;
-  constexpr RecordRange kAll = {0, std::numeric_limits<std::int64_t>::max() - 1};
+  return replace(table, id, data).and_then([&] {
+    return pending_bytes_ > kCommittedBytes ? commit() : Result<void>();
+  });
+}
+
+Result<void> CaseRecords::copy_to(CaseRecords& target) {
+  const auto lost =
+      rescue(&target, [](CaseTable, std::int64_t, std::string_view) { return Result<void>(); });
+  if (!lost) return tl::unexpected(lost.error());
+  if (lost->empty()) return {};
+  return fail(ErrorCode::kBadFormat, "{}: damaged: {}", database_.name(), lost->front());
+}
+
+Result<std::vector<std::string>> CaseRecords::rescue(CaseRecords* target, const Read& read) {
+  // A range for the tables with one record, and one for each stage: damage is named by stage.
+  std::vector<RecordRange> ranges = {{0, record_id(kScanStages.front()) - 1}};
+  for (const ScanStage stage : kScanStages) ranges.push_back(records_of(stage));
+  std::vector<std::string> lost;
   Result<void> copied;
   for (const CaseTable table : kCaseTables) {
-    const auto damage = walk(table, kAll, [&](std::int64_t id, std::string_view data) {
-      if (copied) copied = target.replace(table, id, data);
-      if (copied && target.pending_bytes_ > kCommittedBytes) copied = target.commit();
-      return Result<void>();
-    });
-    if (!damage) return tl::unexpected(damage.error());
-    if (!copied) return copied;
-    if (!damage->empty()) {
-      return fail(ErrorCode::kBadFormat, "{}: damaged: {}", database_.name(), damage->front());
+    for (const RecordRange& range : ranges) {
+      const auto damage = walk(table, range, [&](std::int64_t id, std::string_view data) {
+        const Result<void> is_good = read(table, id, data);
+        if (is_good && copied && target != nullptr) copied = target->copy(table, id, data);
+        return is_good;
+      });
+      if (!damage) return tl::unexpected(damage.error());
+      if (!copied) return tl::unexpected(copied.error());
+      lost.insert(lost.end(), damage->begin(), damage->end());
     }
   }
-  return target.commit();
+  if (target == nullptr) return lost;
+  for (const PendingWrite& pending : pending_) {
+    if (Result<void> done = target->write(pending); !done) return tl::unexpected(done.error());
+  }
+  if (Result<void> done = target->commit(); !done) return tl::unexpected(done.error());
+  return lost;
 }
 
 Result<std::optional<std::string>> CaseRecords::find(CaseTable table, std::int64_t id) {

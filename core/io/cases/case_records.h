@@ -43,9 +43,12 @@ class CaseRecords {
                                                 const CaseOptions& options);
 
   [[nodiscard]] bool is_read_only() const { return is_read_only_ || is_damaged_; }
+  /// True if damage was found, when the case was opened or since.
+  [[nodiscard]] bool is_damaged() const { return is_damaged_; }
   /// True if writes wait because they failed.
   [[nodiscard]] bool has_waiting() const { return failure_ && !pending_.empty(); }
   [[nodiscard]] const std::vector<std::string>& damage() const { return damage_; }
+  [[nodiscard]] const std::string& passphrase() const { return passphrase_; }
 
   /// @errors  Also kInconsistent: there is a record with this id.
   [[nodiscard]] Result<void> add(CaseTable table, std::int64_t id, std::string_view data);
@@ -56,6 +59,12 @@ class CaseRecords {
   /// Copies all records to an empty case, and commits there.
   /// @errors  kBadFormat: a record cannot be read.
   [[nodiscard]] Result<void> copy_to(CaseRecords& target);
+  /// Reads all records of a case.
+  /// @param target  an empty case that gets the records, and what waits to be written; null: none
+  /// @param read  a record that it finds damaged is left out
+  /// @return  what cannot be read, as walk()
+  using Read = std::function<Result<void>(CaseTable table, std::int64_t id, std::string_view data)>;
+  [[nodiscard]] Result<std::vector<std::string>> rescue(CaseRecords* target, const Read& read);
 
   /// None: there is no such record.
   /// @errors  Also kBadFormat: the record is damaged.
@@ -82,12 +91,15 @@ class CaseRecords {
   [[nodiscard]] Result<void> begin();
   [[nodiscard]] Result<void> write(PendingWrite pending);
   [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);
+  /// Also commits now and then: what is not committed is in memory.
+  [[nodiscard]] Result<void> copy(CaseTable table, std::int64_t id, std::string_view data);
   /// Rolls the transaction back, so that the next one repeats it, and returns the failure.
   [[nodiscard]] tl::unexpected<Error> postponed(const Error& error);
 
   SqliteDatabase database_;
+  std::string passphrase_;
   bool is_read_only_ = false;
-  bool is_damaged_ = false;  ///< damage was found: nothing is written any more
+  bool is_damaged_ = false;  ///< damage was found: nothing is written any more, all writes wait
   std::size_t max_waiting_bytes_;
   bool is_writing_ = false;            ///< a transaction is open
   std::optional<Error> failure_;       ///< of the latest write or commit; none: it succeeded

@@ -96,6 +96,7 @@ Result<SqliteDatabase> try_open(const fs::path& path, const std::string& passphr
                             .and_then([&] { return check_version(*database); })
                             .and_then([&] { return check_tables(*database); });
   if (!usable) return tl::unexpected(usable.error());
+  database->set_is_database();
   return database;
 }
 
@@ -107,7 +108,7 @@ Result<CaseDatabase> open_to_write(const fs::path& path, const std::string& pass
   if (Result<void> logging = database->run(kLogSetup); !logging) {
     return tl::unexpected(logging.error());
   }
-  return CaseDatabase{std::move(*database), false, {}};
+  return CaseDatabase{std::move(*database), passphrase, false, {}};
 }
 
 /// Without a log next to it, the file is complete: no lock and no other file are needed.
@@ -122,8 +123,8 @@ Result<CaseDatabase> open_with(const fs::path& path, const std::string& passphra
                                bool read_only) {
   const auto open_to_read = [&](const char* more_setup) {
     return try_open(path, passphrase, reading_access(path), more_setup)
-        .map([](SqliteDatabase&& database) {
-          return CaseDatabase{std::move(database), true, {}};
+        .map([&passphrase](SqliteDatabase&& database) {
+          return CaseDatabase{std::move(database), passphrase, true, {}};
         });
   };
   Result<CaseDatabase> opened = read_only ? open_to_read("") : open_to_write(path, passphrase);
@@ -165,7 +166,8 @@ Result<CaseDatabase> fill_new(const fs::path& path, const std::string& passphras
                             .and_then([&] { return database->run(kLogSetup); })
                             .and_then([&] { return database->run(sql); });
   if (!filled) return tl::unexpected(filled.error());
-  return CaseDatabase{std::move(*database), false, {}};
+  database->set_is_database();
+  return CaseDatabase{std::move(*database), passphrase, false, {}};
 }
 
 }  // namespace
@@ -196,7 +198,8 @@ Result<CaseDatabase> open_case_database(const fs::path& path, const CaseOptions&
   Result<CaseDatabase> database = open_with(path, options.passphrase, options.read_only);
   if (database || database.error().code != ErrorCode::kInconsistent) return database;
   if (options.passphrase.empty()) {
-    return fail(ErrorCode::kInconsistent, "{}: is encrypted or not a case; give its passphrase",
+    return fail(ErrorCode::kInconsistent,
+                "{}: is encrypted, damaged at its start, or not a case; give its passphrase",
                 path.string());
   }
   database = open_with(path, {}, options.read_only);

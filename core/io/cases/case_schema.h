@@ -39,6 +39,7 @@ inline constexpr std::array kCaseTables = {
 /// An open database with the tables of a case.
 struct CaseDatabase {
   SqliteDatabase sqlite;
+  std::string passphrase;  ///< that it is encrypted with; empty: it is not
   bool is_read_only = false;
   std::vector<std::string> damage;  ///< why it is read-only although the caller wants to write
 };

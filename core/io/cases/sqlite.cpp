@@ -10,12 +10,36 @@
 namespace flytri::io {
 namespace {
 
+/// What a call was for: the library has the same codes for different failures.
+struct SqliteCall {
+  bool only_reads = false;
+  bool is_database = false;  ///< something was read before, so that the passphrase is right
+};
+
+/// A failure while reading. The library says "full" if a page names one far behind the end.
+tl::unexpected<Error> read_failure(int code, const std::string& name) {
+  if (code == SQLITE_FULL) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged: a page names another one that is not there",
+                name);
+  }
+  if (code == SQLITE_IOERR_SHORT_READ) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged: the file is cut off", name);
+  }
+  return fail(ErrorCode::kBadFormat,
+              "{}: damaged: the device cannot read a part of it; copy the file to another disk",
+              name);
+}
+
 /// Says what a failed call means for the user, and what to do.
 /// @errors  kWriteFailed (disk full, failing device), kNotPermitted (no permission, or another
 ///          program has it open), kBadFormat (damaged), kInconsistent (not a database, wrong
 ///          passphrase).
-tl::unexpected<Error> sqlite_failure(int code, const std::string& name) {
-  switch (code & 0xff) {
+tl::unexpected<Error> sqlite_failure(int code, const std::string& name, const SqliteCall& call) {
+  const int kind = code & 0xff;
+  const bool has_read =
+      call.only_reads || code == SQLITE_IOERR_READ || code == SQLITE_IOERR_SHORT_READ;
+  if (has_read && (kind == SQLITE_FULL || kind == SQLITE_IOERR)) return read_failure(code, name);
+  switch (kind) {
     case SQLITE_FULL:
       return fail(ErrorCode::kWriteFailed,
                   "{}: cannot be written: no space left; free some space or choose another folder",
@@ -36,14 +60,15 @@ tl::unexpected<Error> sqlite_failure(int code, const std::string& name) {
       return fail(ErrorCode::kBadFormat,
                   "{}: damaged: a record is larger than any of a case can be", name);
     case SQLITE_NOTADB:
+      if (call.is_database) {
+        return fail(ErrorCode::kBadFormat, "{}: damaged: the start of the file was overwritten",
+                    name);
+      }
       return fail(ErrorCode::kInconsistent,
                   "{}: is not a database, or encrypted with another passphrase", name);
     case SQLITE_IOERR:
-      if (code != SQLITE_IOERR_READ && code != SQLITE_IOERR_SHORT_READ) {
-        return fail(ErrorCode::kWriteFailed,
-                    "{}: cannot be written: the device has failed; choose another folder", name);
-      }
-      [[fallthrough]];
+      return fail(ErrorCode::kWriteFailed,
+                  "{}: cannot be written: the device has failed; choose another folder", name);
     default:
       return fail(ErrorCode::kBadFormat, "{}: damaged: {}", name, sqlite3_errstr(code));
   }
@@ -116,9 +141,10 @@ Result<bool> SqliteStatement::step() {
   const int code = sqlite3_step(statement_.get());
   if (code == SQLITE_ROW) return true;
   const int failure = sqlite3_extended_errcode(sqlite3_db_handle(statement_.get()));
+  const bool only_reads = sqlite3_stmt_readonly(statement_.get()) != 0;
   reset();
   if (code == SQLITE_DONE) return false;
-  return sqlite_failure(failure, name_);
+  return sqlite_failure(failure, name_, {only_reads, is_database_});
 }
 
 void SqliteStatement::reset() { sqlite3_reset(statement_.get()); }
@@ -143,12 +169,12 @@ Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
   const int code =
       sqlite3_open_v2(sqlite_uri(path, access).c_str(), &opened, flags | SQLITE_OPEN_URI, nullptr);
   SqliteDatabase database(opened, path.string());
-  if (code != SQLITE_OK) return sqlite_failure(code, path.string());
+  if (code != SQLITE_OK) return sqlite_failure(code, path.string(), {});
   sqlite3_extended_result_codes(opened, 1);
   harden(opened, access);
   // Where writing is not permitted, the library goes on reading without a word.
   if (access == SqliteAccess::kReadWrite && sqlite3_db_readonly(opened, "main") == 1) {
-    return sqlite_failure(SQLITE_READONLY, path.string());
+    return sqlite_failure(SQLITE_READONLY, path.string(), {});
   }
   return database;
 }
@@ -156,7 +182,7 @@ Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
 Result<void> SqliteDatabase::set_key(std::string_view passphrase) {
   const int code =
       sqlite3_key(database_.get(), passphrase.data(), static_cast<int>(passphrase.size()));
-  if (code != SQLITE_OK) return sqlite_failure(code, name_);
+  if (code != SQLITE_OK) return sqlite_failure(code, name_, {});
   // A plain SQLite in the place of SQLCipher would take the key and write everything in the open.
   if (!prepare("PRAGMA cipher_version")
            .and_then([](SqliteStatement statement) { return statement.step(); })
@@ -171,7 +197,7 @@ Result<void> SqliteDatabase::set_key(std::string_view passphrase) {
 
 Result<void> SqliteDatabase::run(const std::string& sql) {
   if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return {};
-  return sqlite_failure(sqlite3_extended_errcode(database_.get()), name_);
+  return sqlite_failure(sqlite3_extended_errcode(database_.get()), name_, {false, is_database_});
 }
 
 Result<SqliteStatement> SqliteDatabase::prepare(const std::string& sql) {
@@ -179,9 +205,10 @@ Result<SqliteStatement> SqliteDatabase::prepare(const std::string& sql) {
   const int code = sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()),
                                       &statement, nullptr);
   if (code != SQLITE_OK) {
-    return sqlite_failure(sqlite3_extended_errcode(database_.get()), name_);
+    // To understand a statement, the library reads the tables.
+    return sqlite_failure(sqlite3_extended_errcode(database_.get()), name_, {true, is_database_});
   }
-  return SqliteStatement(statement, name_);
+  return SqliteStatement(statement, name_, is_database_);
 }
 
 Result<std::int64_t> SqliteDatabase::integer(const std::string& sql) {

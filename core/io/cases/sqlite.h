@@ -45,17 +45,18 @@ class SqliteStatement {
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const;
   };
-  SqliteStatement(sqlite3_stmt* statement, std::string name)
-      : statement_(statement), name_(std::move(name)) {}
+  SqliteStatement(sqlite3_stmt* statement, std::string name, bool is_database)
+      : statement_(statement), name_(std::move(name)), is_database_(is_database) {}
 
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
   std::string name_;  ///< of the file, for messages
+  bool is_database_;  ///< see SqliteDatabase
 };
 
 /// A connection. Closing it drops a transaction without commit.
 /// @errors  All functions: kWriteFailed (disk full, failing device), kNotPermitted (permissions, or
-///          another program has it open), kBadFormat (damaged), kInconsistent (not a database, or a
-///          wrong passphrase).
+///          another program has it open), kBadFormat (damaged, or it cannot be read),
+///          kInconsistent (not a database, or a wrong passphrase).
 class SqliteDatabase {
  public:
   /// Opens an existing file, but reads nothing yet. The connection is hardened against crafted
@@ -72,6 +73,9 @@ class SqliteDatabase {
   /// First column of the first row.
   /// @errors  Also kBadFormat: there is no row.
   [[nodiscard]] Result<std::int64_t> integer(const std::string& sql);
+  /// Call it once something was read with the passphrase: from now on a page that does not look
+  /// like one of a database is damaged, and the passphrase is right.
+  void set_is_database() { is_database_ = true; }
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -84,6 +88,7 @@ class SqliteDatabase {
 
   std::unique_ptr<sqlite3, Close> database_;
   std::string name_;
+  bool is_database_ = false;
 };
 
 }  // namespace flytri::io

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <optional>
@@ -13,7 +14,12 @@
 #include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
+#include "core/io/calibrations/recording_calibration.h"
+#include "core/io/files/file_bytes.h"
 #include "core/io/models/model.h"
+#include "core/io/recordings/recording.h"
+#include "core/measurement/measure_view.h"
+#include "tests/support/case_samples.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -206,6 +212,95 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
   EXPECT_EQ(session.view().scan->result, nullptr);
 }
 
+/// A case with a few views, of which one has a wrong byte.
+void make_damaged_case(const fs::path& path, const std::string& passphrase) {
+  {
+    io::CaseFile file = io::CaseFile::create(path, {.passphrase = passphrase}).value();
+    for (int i = 0; i < 6; ++i) {
+      const auto view = std::make_shared<const View>(testing::sample_view(i, 2, 300));
+      ASSERT_TRUE(file.append_view(io::ScanStage::kUpper, *view));
+      const std::array placed = {AlignedView{view, testing::sample_pose(i)}};
+      ASSERT_TRUE(file.write_poses(io::ScanStage::kUpper, placed));
+    }
+    ASSERT_TRUE(file.commit());
+  }
+  std::string bytes = io::read_file(path).value();
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  ASSERT_TRUE(io::write_file(path, bytes));
+}
+
+TEST_F(SessionOnARecording, ADamagedCaseIsShownAndRescued) {
+  fs::create_directories(folder_.path() / "cases");
+  const std::string path = (folder_.path() / "cases" / "a.flytri").string();
+  ASSERT_NO_FATAL_FAILURE(make_damaged_case(path, "secret"));
+  const std::string before = io::read_file(path).value();
+  Session session(options_);
+  session.carry_out(ui::OpenCase{path, "secret"});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) {
+    return view.file.damaged && view.file.damaged->survey && view.scan && !view.scan->model.empty();
+  }));
+  const ui::AppView damaged = session.view();
+  EXPECT_TRUE(damaged.file.is_read_only);
+  EXPECT_FALSE(damaged.file.damaged->survey->lost.empty());
+  const std::int64_t views = damaged.file.damaged->survey->readable[0].views;
+  EXPECT_GT(views, 3);
+  session.carry_out(ui::SaveRescueCopy{path});
+  EXPECT_TRUE(wait_for(session, [](const auto& view) {
+    return view.file.message.find("exists already") != std::string::npos;
+  }));
+  const std::string copy = damaged.file.damaged->copy_path;
+  session.carry_out(ui::SaveRescueCopy{copy});
+  ASSERT_TRUE(wait_for(session, [&](const auto& view) {
+    return view.file.path == copy && !view.file.damaged && view.scan && !view.scan->model.empty();
+  }));
+  EXPECT_FALSE(session.view().file.is_read_only);
+  EXPECT_EQ(io::read_file(path).value(), before) << "the damaged case stays as it is";
+}
+
+TEST_F(SessionOnARecording, AClearedStageIsScannedAgainAndItsScanComesBack) {
+  const std::string path = (folder_.path() / "cases" / "again.flytri").string();
+  const auto is_empty = [](const auto& view) {
+    return view.scan != nullptr && view.scan->model.empty() && view.has_kept_scan &&
+           !view.is_loading;
+  };
+  const auto has_surface = [](const auto& view) {
+    return view.scan != nullptr && !view.scan->model.empty() && !view.is_loading;
+  };
+  {
+    Session session(options_);
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+    session.carry_out(ui::NewCase{path, "", {}});
+    session.carry_out(ui::StartScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
+    session.carry_out(ui::PauseScan{});
+    session.carry_out(ui::AddMeasurement{{0, Vec3(0, 0, 0), Vec3(1, 0, 0), ""}});
+    session.carry_out(ui::ClearStage{io::ScanStage::kLower});
+    EXPECT_FALSE(session.view().is_loading) << "another stage";
+    session.carry_out(ui::ClearStage{io::ScanStage::kUpper});
+    ASSERT_TRUE(wait_for(session, is_empty));
+    EXPECT_TRUE(session.view().measurements.empty());
+    EXPECT_FALSE(session.view().stage_has_data[0]);
+  }
+  Session session(options_);
+  session.carry_out(ui::OpenCase{path, ""});
+  ASSERT_TRUE(wait_for(session, is_empty));
+  session.carry_out(ui::BringBackStage{});
+  ASSERT_TRUE(wait_for(session, has_surface));
+  EXPECT_EQ(session.view().measurements.size(), 1U);
+  EXPECT_FALSE(session.view().has_kept_scan);
+  // A new scan in the cleared stage is another one, and both can be swapped.
+  session.carry_out(ui::ClearStage{io::ScanStage::kUpper});
+  ASSERT_TRUE(wait_for(session, is_empty));
+  session.carry_out(ui::StartScan{});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 10; }));
+  session.carry_out(ui::PauseScan{});
+  session.carry_out(ui::BringBackStage{});
+  ASSERT_TRUE(wait_for(session, [&](const auto& view) {
+    return has_surface(view) && view.measurements.size() == 1;
+  }));
+  EXPECT_TRUE(session.view().has_kept_scan);
+}
+
 TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
   Session session(options_);
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
@@ -232,6 +327,20 @@ TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
     ASSERT_FALSE(fs::exists(path_of(size)));
   }
   EXPECT_GT(failures, 3);
+}
+
+TEST_F(SessionOnARecording, SpeaksTheLanguageOfTheDesktopOrOfTheSettings) {
+  options_.language = ui::Language::kGerman;
+  Session session(options_);
+  EXPECT_EQ(session.view().texts.language(), ui::Language::kGerman);
+  session.carry_out(ui::Tell{"x"});
+  EXPECT_EQ(session.view().notices.back().text, "Unbekannter Befehl: x");
+  ui::Settings settings = session.view().settings;
+  settings.language = "es";
+  session.carry_out(ui::ChangeSettings{settings});
+  EXPECT_EQ(session.view().texts.language(), ui::Language::kSpanish);
+  session.carry_out(ui::Tell{"x"});
+  EXPECT_EQ(session.view().notices.back().text, "Comando desconocido: x");
 }
 
 TEST_F(SessionOnARecording, WhileFinishingNoOtherCaseOrStageCanBeChosen) {
@@ -321,6 +430,41 @@ TEST_F(SessionOnAMesh, FindsTheTeethOfAJawThatIsUpsideDownAndPointsTheHandAfterA
     return registered(view) > before + 5;
   }));
   EXPECT_EQ(session.view().scan->phase, scan::ScanPhase::kMeasurement);
+}
+
+TEST_F(SessionOnAMesh, RecordsRawImagesWithTheirCalibration) {
+  options_.source = {};
+  const fs::path recordings = folder_.path() / "recordings";
+  Session session(options_);
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+  EXPECT_TRUE(session.view().recording.is_possible);
+  session.carry_out(ui::RecordFrames{true, recordings.string()});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.recording.frames > 40; }));
+  const ui::RecordingState shown = session.view().recording;
+  EXPECT_TRUE(shown.is_on);
+  EXPECT_GT(shown.bytes, 0U);
+  EXPECT_TRUE(shown.free_bytes);
+  EXPECT_EQ(fs::path(shown.path).parent_path(), recordings);
+  session.carry_out(ui::RecordFrames{false, recordings.string()});
+  ASSERT_TRUE(wait_for(session, [&](const auto&) { return io::open_recording(shown.path); }));
+  const io::Recording recording = io::open_recording(shown.path).value();
+  EXPECT_GT(recording.frames.size(), 40U);
+  const auto used = io::calibration_of(recording, {});
+  ASSERT_TRUE(used) << used.error().message;
+  EXPECT_EQ(used->warning, "");
+  int measured = 0;
+  for (std::size_t i = 10; i < 40; ++i) {
+    const Frame frame = io::load_frame(recording, FrameIndex(i)).value();
+    if (frame.kind == FrameKind::kTexture) continue;
+    const auto view = measurement::measure_view(frame, used->calibration, {});
+    measured += view && view->outcome == measurement::MeasureOutcome::kMeasured ? 1 : 0;
+  }
+  EXPECT_GT(measured, 10);
+}
+
+TEST_F(SessionOnARecording, ARecordingIsNotRecorded) {
+  Session session(options_);
+  EXPECT_FALSE(session.view().recording.is_possible);
 }
 
 TEST_F(SessionOnARecording, NamesAllDevicesThatAreMissing) {

@@ -65,6 +65,20 @@ TEST_F(UserFolders, AreBelowHomeOrWhereTheirVariablesSay) {
   EXPECT_TRUE(check_user_folders());
 }
 
+TEST(SettingsFile, RemembersTheLanguage) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "settings.json";
+  EXPECT_EQ(read_settings(file).language, "") << "that of the desktop";
+  ui::Settings settings;
+  settings.language = "fr";
+  ASSERT_TRUE(write_settings(file, settings));
+  EXPECT_EQ(read_settings(file).language, "fr");
+  for (const char* wrong : {R"({"language": "xx"})", R"({"language": 3})"}) {
+    ASSERT_TRUE(io::write_file(file, std::string_view(wrong)));
+    EXPECT_EQ(read_settings(file).language, "");
+  }
+}
+
 TEST(SettingsFile, RemembersTheFormatsOfExports) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder / "settings.json";

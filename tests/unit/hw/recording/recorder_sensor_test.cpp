@@ -7,6 +7,7 @@
 #include <array>
 #include <csignal>
 #include <fstream>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <thread>
 
@@ -268,6 +269,86 @@ TEST(RecorderSensor, NamesTheCalibrationByItsFingerprint) {
   const auto moved = ReplaySensor::open(folder / "moved", {.speed = 0.0}, ManualClock().clock());
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_NE((*moved)->calibration(), nullptr);
+}
+
+/// A recorder without a folder, and a scripted sensor of many frames.
+std::shared_ptr<RecorderSensor> switched_recorder(const RecorderOptions& options = {}) {
+  const auto sensor = std::make_shared<ScriptedSensor>(frames(30));
+  return RecorderSensor::create(sensor, options).value();
+}
+
+/// Takes frames, and lets the background work.
+void take(RecorderSensor& recorder, int count) {
+  for (int i = 0; i < count; ++i) {
+    ASSERT_TRUE(recorder.next(1.0).value());
+    while (recorder.work_in_background(0.0)) {
+    }
+  }
+}
+
+TEST(RecorderSensor, RecordsOnlyWhatComesBetweenOnAndOff) {
+  const TemporaryFolder folder;
+  const auto recorder = switched_recorder();
+  ASSERT_TRUE(recorder->start());
+  take(*recorder, 3);
+  EXPECT_FALSE(recorder->recorder_status().is_recording);
+  EXPECT_EQ(recorder->recorder_status().lost, 0);
+  recorder->record_to(folder.path() / "a");
+  while (recorder->work_in_background(0.0)) {
+  }
+  take(*recorder, 5);
+  EXPECT_TRUE(recorder->recorder_status().is_recording);
+  EXPECT_EQ(recorder->recorder_status().written, 5);
+  EXPECT_GT(recorder->recorder_status().bytes, 0U);
+  recorder->end_recording();
+  while (recorder->work_in_background(0.0)) {
+  }
+  take(*recorder, 2);
+  EXPECT_FALSE(recorder->recorder_status().is_recording);
+  recorder->record_to(folder.path() / "b");
+  while (recorder->work_in_background(0.0)) {
+  }
+  take(*recorder, 4);
+  recorder->stop();
+  EXPECT_EQ(replay(folder.path() / "a").size(), 5U);
+  EXPECT_EQ(replay(folder.path() / "b").size(), 4U);
+  EXPECT_EQ(recorder->recorder_status().message, "");
+}
+
+TEST(RecorderSensor, NobodyElseCanReadAPrivateRecording) {
+  const TemporaryFolder folder;
+  const auto recorder = switched_recorder({.is_private = true});
+  recorder->record_to(folder.path() / "a");
+  ASSERT_TRUE(recorder->start());
+  while (recorder->work_in_background(0.0)) {
+  }
+  take(*recorder, 2);
+  recorder->stop();
+  int files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "a")) {
+    const fs::perms others = fs::perms::group_all | fs::perms::others_all;
+    EXPECT_EQ(entry.status().permissions() & others, fs::perms::none) << entry.path();
+    files += entry.is_regular_file() ? 1 : 0;
+  }
+  EXPECT_GE(files, 3) << "two images and the list";
+  EXPECT_EQ(fs::status(folder.path() / "a").permissions() & fs::perms::all, fs::perms::owner_all);
+}
+
+TEST(RecorderSensor, LeavesRoomOnTheDisk) {
+  const TemporaryFolder folder;
+  RecorderOptions options;
+  options.least_free_bytes = std::numeric_limits<std::uintmax_t>::max() / 2;
+  const auto recorder = switched_recorder(options);
+  recorder->record_to(folder.path() / "a");
+  ASSERT_TRUE(recorder->start());
+  while (recorder->work_in_background(0.0)) {
+  }
+  take(*recorder, 3);
+  const RecorderStatus status = recorder->recorder_status();
+  EXPECT_TRUE(status.has_ended);
+  EXPECT_NE(status.message.find("which the scan needs"), std::string::npos) << status.message;
+  EXPECT_EQ(recorder->status().state, device::SensorState::kRunning) << "the scan goes on";
+  recorder->stop();
 }
 
 }  // namespace

@@ -33,9 +33,10 @@ TEST(ActionTable, RowsAreInOrderAndNoIdOrKeyServesTwo) {
     EXPECT_EQ(row_of(row.action).id, row.id);
     EXPECT_TRUE(ids.insert(row.id).second) << row.id;
     EXPECT_TRUE(keys.insert({row.shortcut.key, row.shortcut.modifiers}).second)
-        << row.shortcut.text;
+        << shortcut_text(row.shortcut, Texts());
     if (row.second.key == 0) continue;
-    EXPECT_TRUE(keys.insert({row.second.key, row.second.modifiers}).second) << row.second.text;
+    EXPECT_TRUE(keys.insert({row.second.key, row.second.modifiers}).second)
+        << shortcut_text(row.second, Texts());
   }
   EXPECT_EQ(action_table().size(), index_of(Action::kCount));
 }
@@ -75,6 +76,7 @@ TEST(ActionTable, ScanKeyStartsPausesAndResumes) {
   view.is_scanning = true;
   EXPECT_EQ(names_after(Action::kScan, view, state), Names{"PauseScan"});
   view.scan = scan_in(scan::ScanPhase::kFinished);
+  // Without a result there is nothing to lose.
   EXPECT_EQ(names_after(Action::kScan, view, state), Names{"ResumeScan"});
   view.scan = scan_in(scan::ScanPhase::kFinishing);
   EXPECT_EQ(names_after(Action::kScan, view, state), Names{});

@@ -25,6 +25,18 @@ TEST(Status, SaysThatTheScanIsNotSavedUntilItIs) {
   EXPECT_EQ(status_of(view).text, "Scanning");
 }
 
+TEST(Status, SaysThatTheCaseIsDamagedOrCannotBeRead) {
+  AppView view;
+  view.is_scanning = true;
+  EXPECT_EQ(status_of(view).text, "Starting");
+  view.load_failure = "a.flytri: cannot be read";
+  EXPECT_EQ(status_of(view).text, "Not opened");
+  EXPECT_EQ(status_of(view).hint, "a.flytri: cannot be read");
+  view.file.damaged.emplace();
+  EXPECT_EQ(status_of(view).text, "Case damaged");
+  EXPECT_EQ(status_of(view).color, kBad);
+}
+
 TEST(Status, ALostScanIsSaidFirst) {
   AppView view = scanning(scan::ScanPhase::kContinuation);
   view.file.failure = "no space left";

@@ -40,7 +40,8 @@ TEST(Exposure, ClippedLinesAreMarkedAndReported) {
   EXPECT_EQ(exposure.verdict, ExposureVerdict::kTooBright);
   EXPECT_EQ(exposure.saturated_share, 1.0);
   EXPECT_EQ(marked(exposure, ExposureMark::kSaturated), 100);
-  EXPECT_THAT(exposure_advice(exposure, FrameKind::kVertical), HasSubstr("Reduce exposure"));
+  EXPECT_THAT(exposure_advice(exposure, FrameKind::kVertical, Texts()),
+              HasSubstr("Reduce exposure"));
 }
 
 TEST(Exposure, AFewClippedSamplesAreGood) {
@@ -55,7 +56,8 @@ TEST(Exposure, DimLinesAreMarkedAndReported) {
   const Exposure exposure = measure_exposure(line_of(0.05));
   EXPECT_EQ(exposure.verdict, ExposureVerdict::kTooDark);
   EXPECT_EQ(marked(exposure, ExposureMark::kDark), 100);
-  EXPECT_THAT(exposure_advice(exposure, FrameKind::kVertical), HasSubstr("Increase exposure"));
+  EXPECT_THAT(exposure_advice(exposure, FrameKind::kVertical, Texts()),
+              HasSubstr("Increase exposure"));
 }
 
 TEST(Exposure, WithoutLinesNothingIsJudged) {

@@ -22,20 +22,20 @@ meshing::BoundaryLoop hole_at(double x_mm, double bend, const Vec3& normal) {
 TEST(HoleText, NamesToothRegionAndSideAsADentistDoes) {
   const JawAxes axes = jaw_axes(arch(30.0, 1.6, kTurned));
   const auto molar = hole_at(28.0, 1.6, Vec3::UnitX());
-  EXPECT_EQ(hole_text(molar, &axes, JawKind::kLower), "4.4 mm, right molars, buccal");
-  EXPECT_EQ(hole_text(molar, &axes, JawKind::kUpper), "4.4 mm, left molars, buccal");
+  EXPECT_EQ(hole_text(molar, &axes, JawKind::kLower, Texts()), "4.4 mm, right molars, buccal");
+  EXPECT_EQ(hole_text(molar, &axes, JawKind::kUpper, Texts()), "4.4 mm, left molars, buccal");
   const auto inner = hole_at(-21.0, 1.6, Vec3::UnitX());
-  EXPECT_EQ(hole_text(inner, &axes, JawKind::kLower), "4.4 mm, left premolars, lingual");
-  EXPECT_EQ(hole_text(inner, &axes, JawKind::kUpper), "4.4 mm, right premolars, palatal");
-  EXPECT_EQ(hole_text(hole_at(2.0, 1.6, Vec3::UnitY()), &axes, JawKind::kLower),
+  EXPECT_EQ(hole_text(inner, &axes, JawKind::kLower, Texts()), "4.4 mm, left premolars, lingual");
+  EXPECT_EQ(hole_text(inner, &axes, JawKind::kUpper, Texts()), "4.4 mm, right premolars, palatal");
+  EXPECT_EQ(hole_text(hole_at(2.0, 1.6, Vec3::UnitY()), &axes, JawKind::kLower, Texts()),
             "4.4 mm, front teeth, labial");
 }
 
 TEST(HoleText, SaysNoMoreThanIsKnown) {
   const auto hole = hole_at(5.0, 0.4, Vec3::UnitZ());
-  EXPECT_EQ(hole_text(hole, nullptr, JawKind::kLower), "4.4 mm");
+  EXPECT_EQ(hole_text(hole, nullptr, JawKind::kLower, Texts()), "4.4 mm");
   const JawAxes quadrant = jaw_axes(arch(15.0, 0.4, kTurned));
-  EXPECT_EQ(hole_text(hole, &quadrant, JawKind::kLower), "4.4 mm, occlusal");
+  EXPECT_EQ(hole_text(hole, &quadrant, JawKind::kLower, Texts()), "4.4 mm, occlusal");
 }
 
 }  // namespace

@@ -16,14 +16,14 @@ TEST(WayBack, LeadsFromTheProbablePoseToTheChosenPlace) {
   ASSERT_TRUE(way);
   EXPECT_NEAR(way->distance_mm(), 5.0, 1e-9);
   EXPECT_NEAR(way->tilt_rad, 0.35, 1e-9);
-  EXPECT_EQ(words_of(*way), "Move 5 mm along the arrow, tilt by 20°");
+  EXPECT_EQ(words_of(*way, Texts()), "Move 5 mm along the arrow, tilt by 20°");
 }
 
 TEST(WayBack, SaysThatTheSurfaceIsTooSmooth) {
   scan::ScanSnapshot scan;
   scan.reentry.resize(1);
   scan.lost_sensor = {Isometry(Eigen::Translation3d(12.0, 0.0, 0.0)), true};
-  EXPECT_EQ(words_of(*way_back(scan)), "Too smooth here: move 12 mm along the arrow");
+  EXPECT_EQ(words_of(*way_back(scan), Texts()), "Too smooth here: move 12 mm along the arrow");
 }
 
 }  // namespace

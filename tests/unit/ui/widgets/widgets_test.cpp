@@ -16,13 +16,13 @@ TEST(DistanceBar, MiddleHalfOfTheVolumeIsGood) {
   EXPECT_EQ(judge_distance(0.9), DistanceVerdict::kTooFar);
 }
 
-TEST(Texts, ClockCountsMinutesAndHours) {
+TEST(NumberTexts, ClockCountsMinutesAndHours) {
   EXPECT_EQ(clock_text(-1.0), "0:00");
   EXPECT_EQ(clock_text(65.9), "1:05");
   EXPECT_EQ(clock_text(3661.0), "1:01:01");
 }
 
-TEST(Texts, SizesAndLengthsHaveSuitableUnits) {
+TEST(NumberTexts, SizesAndLengthsHaveSuitableUnits) {
   EXPECT_EQ(size_text(999), "999 B");
   EXPECT_EQ(size_text(12'400), "12 kB");
   EXPECT_EQ(size_text(12'400'000), "12.4 MB");
@@ -30,11 +30,11 @@ TEST(Texts, SizesAndLengthsHaveSuitableUnits) {
   EXPECT_EQ(length_text(4.567), "4.57 mm");
 }
 
-TEST(Texts, TimeLeftIsRounded) {
-  EXPECT_EQ(time_left_text(-1.0), "");
-  EXPECT_EQ(time_left_text(3.0), "a few seconds left");
-  EXPECT_EQ(time_left_text(48.0), "about 50 s left");
-  EXPECT_EQ(time_left_text(125.0), "about 3 min left");
+TEST(NumberTexts, TimeLeftIsRounded) {
+  EXPECT_EQ(time_left_text(-1.0, Texts()), "");
+  EXPECT_EQ(time_left_text(3.0, Texts()), "a few seconds left");
+  EXPECT_EQ(time_left_text(48.0, Texts()), "about 50 s left");
+  EXPECT_EQ(time_left_text(125.0, Texts()), "about 3 min left");
 }
 
 TEST(VolumePreview, TheWholeVolumeLiesInTheBox) {
