@@ -11,6 +11,7 @@ void set_up_command_line(CLI::App& app, Invocation& invocation) {
   add_calibrate_command(app, invocation);
   add_reconstruct_command(app, invocation);
   add_export_command(app, invocation);
+  add_journal_command(app, invocation);
   add_evaluate_command(app, invocation);
   add_demo_command(app, invocation);
   add_app_command(app, invocation);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/session/case_events.h"
 #include "app/session/user_folders.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/files/file_bytes.h"
@@ -31,7 +32,14 @@ Result<io::CaseFile> create_file(const ui::NewCase& command,
   const io::CaseFields fields = created_now(command.fields);
   io::CaseOptions options;
   options.passphrase = command.passphrase;
-  return io::CaseFile::create(path, options, fields, io::to_json(calibration));
+  auto file = io::CaseFile::create(path, options, fields, io::to_json(calibration));
+  if (!file) return file;
+  auto noted =
+      file->add_event(event_now(io::CaseAction::kCreated)).and_then([&] { return file->commit(); });
+  if (noted) return file;
+  file = tl::unexpected(noted.error());
+  io::remove_case(path);
+  return file;
 }
 
 }  // namespace
@@ -73,7 +81,7 @@ void CaseController::create(const ui::NewCase& command) {
   } else {
     replace_by(std::move(opened));
   }
-  accept_opened(command.passphrase);
+  accept_opened(!command.passphrase.empty());
 }
 
 bool CaseController::is_unnamed() const {
@@ -105,7 +113,7 @@ void CaseController::name_unnamed(const ui::NewCase& command) {
         store->move_to(command.path, command.passphrase, created_now(command.fields)));
     return [this, command, moved] {
       state_.is_moving = false;
-      if (*moved) return accept_opened(command.passphrase);
+      if (*moved) return accept_opened(!command.passphrase.empty());
       state_.message = moved->error().message;
     };
   });
@@ -150,16 +158,17 @@ void CaseController::open(const ui::OpenCase& command) {
       }
       if (refuses_while_finishing()) return;
       replace_by(std::make_shared<CaseStore>(std::move(**file)));
-      accept_opened(command.passphrase);
+      store()->note(event_now(io::CaseAction::kOpened));
+      accept_opened(!command.passphrase.empty());
       warn_of_other_calibration();
     };
   });
 }
 
-void CaseController::accept_opened(const std::string& passphrase) {
+void CaseController::accept_opened(bool is_encrypted) {
   state_.message.clear();
   state_.passphrase_is_asked = false;
-  state_.is_encrypted = !passphrase.empty();
+  state_.is_encrypted = is_encrypted;
   state_.fields = store()->fields().value_or(io::CaseFields{});
   for (const std::string& line : store()->damage()) notices_.add(ui::Severity::kWarning, line);
   if (store()->is_read_only()) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/cases/case_file.h"
+#include "core/io/cases/case_journal.h"
 #include "core/scan/live_scan.h"
 #include "ui/state/app_view.h"
 
@@ -41,12 +41,15 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] Result<std::int64_t> add_measurement(io::ScanStage stage,
                                                      const io::Measurement& added);
   [[nodiscard]] Result<void> remove_measurement(std::int64_t id);
+  /// Adds an entry to the journal of the case and commits. A failure is remembered, see failure();
+  /// a case that is read-only gets none.
+  void note(const io::CaseEvent& event);
   /// True if a stage has views, or cannot be read.
   [[nodiscard]] bool has_views();
   /// Moves the case to another file, see CaseFile::move_to, and writes the fields there. Journals
   /// go on in the new file. Takes seconds if the scans are long.
-  [[nodiscard]] Result<void> move_to(const std::filesystem::path& path,
-                                     const std::string& passphrase, const io::CaseFields& fields);
+  [[nodiscard]] Result<void> move_to(const std::filesystem::path& path, const Secret& passphrase,
+                                     const io::CaseFields& fields);
 
   // The window asks for these in each frame: they do not wait for a write.
   [[nodiscard]] std::string path() const;

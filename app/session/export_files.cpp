@@ -122,7 +122,8 @@ Result<fs::path> export_stem(const ui::ExportTarget& target) {
   return folder_of(target.folder).map([&](const fs::path& folder) { return folder / target.name; });
 }
 
-Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command) {
+Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command,
+                                   std::vector<fs::path>& models_written) {
   if (shown.result == nullptr && shown.model.empty()) {
     return fail(ErrorCode::kInsufficient, "there is no surface to export yet; scan first");
   }
@@ -142,6 +143,7 @@ Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Ex
   io::remove_leftovers(stem->parent_path());
   for (const fs::path& model : models) {
     if (auto done = write_format(shown, model); !done) return tl::unexpected(done.error());
+    models_written.push_back(model);
   }
   ExportOutcome outcome;
   for (const fs::path& file : files) {

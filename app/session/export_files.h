@@ -35,7 +35,14 @@ struct ExportOutcome {
 /// Only their owner may read the files, and enter folders that are created for them.
 /// @errors  As export_stem and write_model; kInsufficient: nothing to write, or the format cannot
 ///          hold it; kBadOption: a folder, or a file of another kind, has the name.
-[[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
-                                                 const ui::Export& command);
+/// @param models_written  gets the models that were written, also before a failure
+[[nodiscard]] Result<ExportOutcome> export_files(
+    const scan::ScanSnapshot& shown, const ui::Export& command,
+    std::vector<std::filesystem::path>& models_written);
+[[nodiscard]] inline Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
+                                                        const ui::Export& command) {
+  std::vector<std::filesystem::path> models;
+  return export_files(shown, command, models);
+}
 
 }  // namespace flytri::session

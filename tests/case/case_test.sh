@@ -36,7 +36,6 @@ expect 'reconstruct a case' 0 '^wrote placed\.ply' \
   "$flytri" reconstruct a.flytri -o placed.glb -o placed.ply
 same direct.glb placed.glb
 same direct.ply placed.ply
-same a.flytri untouched.flytri
 echo secret > passphrase
 expect 'reconstruct an encrypted case' 0 '^wrote unplaced\.glb' \
   "$flytri" reconstruct secret.flytri -o unplaced.glb --passphrase-file passphrase --keep
@@ -56,6 +55,19 @@ expect 'wrong passphrase' 1 'secret\.flytri: the passphrase is wrong' \
   env FLYTRI_PASSPHRASE=guess "$flytri" export secret.flytri -o no.glb
 expect 'no passphrase file' 1 'nothing: ' \
   "$flytri" export secret.flytri -o no.glb --passphrase-file nothing
+
+# The journal says what was done, by whom, and to which files.
+expect 'journal' 0 '^20.*Z  computed .* upper .*@.* flytri ' "$flytri" journal a.flytri
+expect 'journal of an encrypted case' 0 "^ *$work/kept\.obj" \
+  "$flytri" journal secret.flytri --passphrase-file passphrase
+expect 'journal as JSON' 0 '"action": "opened read-only"' "$flytri" journal a.flytri --json
+expect 'journal needs a passphrase' 1 'secret\.flytri: is encrypted' "$flytri" journal secret.flytri
+chmod a-w a.flytri
+if [ ! -w a.flytri ]; then
+  expect 'a case that cannot be written' 0 'warning: the journal of the case does not have' \
+    "$flytri" export a.flytri -o readonly.glb
+fi
+chmod u+w a.flytri
 
 # Stages.
 expect 'another stage' 0 '^made' "$make_case" scan c.json a.flytri lower unplaced

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/random.h"
+#include "core/io/cases/sqlite.h"
 
 namespace flytri::testing {
 namespace {
@@ -117,6 +118,13 @@ bool same_bits(const Frame& a, const Frame& b) {
   return a.index == b.index && a.kind == b.kind && same_bits_of(a.time_s, b.time_s) &&
          p.size() == q.size() && p.type() == q.type() && p.isContinuous() && q.isContinuous() &&
          std::memcmp(p.data, q.data, p.total() * p.elemSize()) == 0;
+}
+
+void make_version_1(const std::filesystem::path& path) {
+  (void)io::SqliteDatabase::open(path, io::SqliteAccess::kReadWrite)
+      .and_then([](io::SqliteDatabase database) {
+        return database.run("DROP TABLE events; PRAGMA user_version = 1;");
+      });
 }
 
 }  // namespace flytri::testing

@@ -56,8 +56,9 @@ void draw_tabs(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
 }
 
 /// Two fields side by side. @return  true when the right one was changed
+template <typename Left, typename Right>
 bool field_pair(const PanelContext& context, DialogPlate& dialog, const TextFieldLook& left,
-                std::string& left_text, const TextFieldLook& right, std::string& right_text) {
+                Left& left_text, const TextFieldLook& right, Right& right_text) {
   const float gap = context.px(kGapM);
   Rect row = dialog.rest.take_top(context.px(kFieldRow));
   text_field(context, row.take_left((row.width - gap) / 2.0F, gap), left, left_text);
@@ -80,9 +81,8 @@ void draw_new(const PanelContext& context, DialogPlate& dialog, CaseForm& form) 
   if (!form.is_path_edited) form.path = proposed_path(context.view.file, form);
   form.is_path_edited |= text_field(context, dialog.rest.take_top(context.px(kFieldRow)),
                                     {"case_path", "File"}, form.path);
-  field_pair(context, dialog, {"passphrase", "Passphrase (empty: not encrypted)", true},
-             form.passphrase, {"passphrase_again", "The same passphrase again", true},
-             form.passphrase_again);
+  field_pair(context, dialog, {"passphrase", "Passphrase (empty: not encrypted)"}, form.passphrase,
+             {"passphrase_again", "The same passphrase again"}, form.passphrase_again);
   const bool names_scan = context.view.file.is_unnamed;
   confirm_row(context, dialog, icon::kFinish, names_scan ? "Save the scan" : "Create");
 }
@@ -160,7 +160,7 @@ void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
   }
   draw_list(context, dialog, form);
   field_pair(context, dialog, {"case_path", "File"}, form.path,
-             {"passphrase", "Passphrase, if encrypted", true}, form.passphrase);
+             {"passphrase", "Passphrase, if encrypted"}, form.passphrase);
   draw_discard(context, dialog, form);
   confirm_row(context, dialog, form.discards ? icon::kWarning : icon::kCase,
               form.discards ? "Delete for good" : "Open");

@@ -65,7 +65,7 @@ std::string problem_of(const CaseForm& form) {
   }
   if (form.tab == CaseTab::kFields) return {};
   if (form.path.empty()) return form.tab == CaseTab::kNew ? "Name the file" : "Choose a case";
-  if (form.tab == CaseTab::kNew && form.passphrase != form.passphrase_again) {
+  if (form.tab == CaseTab::kNew && !form.passphrase.equals(form.passphrase_again)) {
     return "The two passphrases differ";
   }
   return {};

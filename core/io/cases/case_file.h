@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/secret.h"
 #include "core/editing/edits.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
@@ -102,7 +103,7 @@ struct StageCounts {
 
 struct CaseOptions {
   /// Empty: not encrypted. A case that is not encrypted opens with any passphrase.
-  std::string passphrase;
+  Secret passphrase;
   /// Neither the file nor its folder is changed.
   bool read_only = false;
   /// Default 256 MiB, about two minutes of views. Bound on the records that wait in memory because
@@ -110,6 +111,8 @@ struct CaseOptions {
   std::size_t max_waiting_bytes = std::size_t{256} << 20U;
 };
 
+struct CaseEvent;
+struct CaseJournal;
 class CaseRecords;
 
 /// An open case. Use it from one thread at a time. While a program has it open for writing, no
@@ -181,6 +184,8 @@ class CaseFile {
   [[nodiscard]] Result<void> write_result(ScanStage stage, const StageResult& result);
   /// Erases everything of a stage, so that it can be scanned again.
   [[nodiscard]] Result<void> clear_stage(ScanStage stage);
+  /// Adds an entry to the journal, see case_journal.h.
+  [[nodiscard]] Result<void> add_event(const CaseEvent& event);
   /// Saves all writes since the last commit, so that they survive the end of the process. A power
   /// failure may cost more, back to the last checkpoint of the log (every 8 MiB), but the case
   /// stays consistent.
@@ -195,6 +200,8 @@ class CaseFile {
   [[nodiscard]] Result<StoredStage> load_stage(ScanStage stage);
   /// @errors  Also kInsufficient: the stage has no result.
   [[nodiscard]] Result<StageResult> load_result(ScanStage stage);
+  /// Empty for a case of version 1 that is open read-only.
+  [[nodiscard]] Result<CaseJournal> journal();
 
  private:
   CaseFile(std::filesystem::path path, std::unique_ptr<CaseRecords> records);

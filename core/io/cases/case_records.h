@@ -50,12 +50,16 @@ class CaseRecords {
   /// @errors  Also kInconsistent: there is a record with this id.
   [[nodiscard]] Result<void> add(CaseTable table, std::int64_t id, std::string_view data);
   [[nodiscard]] Result<void> replace(CaseTable table, std::int64_t id, std::string_view data);
+  /// Adds a record after the last one of the range, or of those that wait, and returns its id.
+  [[nodiscard]] Result<std::int64_t> append(CaseTable table, const RecordRange& range,
+                                            std::string_view data);
   [[nodiscard]] Result<void> erase(CaseTable table, const RecordRange& range);
   [[nodiscard]] Result<void> commit();
 
-  /// Copies all records to an empty case, and commits there.
-  /// @errors  kBadFormat: a record cannot be read.
-  [[nodiscard]] Result<void> copy_to(CaseRecords& target);
+  /// Copies all records to a new case, which gets its name when it is complete.
+  /// @errors  As create; kBadFormat: a record cannot be read.
+  [[nodiscard]] Result<void> copy_to_file(const std::filesystem::path& path,
+                                          const CaseOptions& options);
 
   /// None: there is no such record.
   /// @errors  Also kBadFormat: the record is damaged.
@@ -79,6 +83,9 @@ class CaseRecords {
     RecordRange range;
     std::optional<std::string> data;  ///< of the one record of the range; none: erases the range
   };
+  [[nodiscard]] Result<void> copy_to(CaseRecords& target);
+  /// Puts what is in the log into the file, and removes the log. Write nothing afterwards.
+  [[nodiscard]] Result<void> end_log();
   [[nodiscard]] Result<void> begin();
   [[nodiscard]] Result<void> write(PendingWrite pending);
   [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);

@@ -154,8 +154,8 @@ Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
 }
 
 Result<void> SqliteDatabase::set_key(std::string_view passphrase) {
-  const int code =
-      sqlite3_key(database_.get(), passphrase.data(), static_cast<int>(passphrase.size()));
+  const int code = sqlite3_key_v2(database_.get(), "main", passphrase.data(),
+                                  static_cast<int>(passphrase.size()));
   if (code != SQLITE_OK) return sqlite_failure(code, name_);
   // A plain SQLite in the place of SQLCipher would take the key and write everything in the open.
   if (!prepare("PRAGMA cipher_version")
