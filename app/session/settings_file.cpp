@@ -37,10 +37,12 @@ int size_at(const nlohmann::json& json, const char* key, int usual, int least) {
 std::filesystem::path settings_path() { return config_folder() / "settings.json"; }
 
 ui::Settings read_settings(const std::filesystem::path& file) {
+  return parse_settings(io::read_file(file).value_or(""));
+}
+
+ui::Settings parse_settings(std::string_view text) {
   ui::Settings settings;
-  const Result<std::string> text = io::read_file(file);
-  if (!text) return settings;
-  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return settings;
   if (const auto scale = json.find("user_scale"); scale != json.end() && scale->is_number()) {
     settings.user_scale = std::clamp(scale->get<double>(), 0.75, 2.0);
@@ -57,14 +59,18 @@ ui::Settings read_settings(const std::filesystem::path& file) {
   return settings;
 }
 
-Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
-  if (auto made = io::create_folder(file.parent_path()); !made) return made;
-  io::remove_leftovers(file.parent_path());
+std::string settings_to_json(const ui::Settings& settings) {
   const nlohmann::json json = {
       {"user_scale", settings.user_scale},         {"is_muted", settings.is_muted},
       {"is_full_screen", settings.is_full_screen}, {"window_width", settings.window_width},
       {"window_height", settings.window_height},   {"export_formats", settings.export_formats}};
-  return io::write_file(file, json.dump(2) + "\n");
+  return json.dump(2) + "\n";
+}
+
+Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
+  if (auto made = io::create_folder(file.parent_path()); !made) return made;
+  io::remove_leftovers(file.parent_path());
+  return io::write_file(file, settings_to_json(settings));
 }
 
 }  // namespace flytri::session

@@ -89,6 +89,21 @@ expect 'truncated case' 0 'lost: views: upper' \
   "$flytri" reconstruct cut.flytri -o cut.ply --calibration c.json
 expect 'keep in a truncated case' 1 'cut\.flytri: .*damaged' \
   "$flytri" reconstruct cut.flytri -o no.ply --calibration c.json --keep
+
+# A system call that fails: the message says the file and the reason, and nothing half is left.
+if strace -qq -o strace.log true 2> /dev/null; then
+  for call in write fsync rename; do
+    expect "export, $call fails" 1 'no\.glb: cannot be written: No space left' strace -f -qq -o strace.log \
+      -e trace="$call" -e inject="$call:error=ENOSPC:when=1" "$flytri" export a.flytri --stage upper -o no.glb
+  done
+  expect 'export, killed' 137 '' strace -f -qq -o strace.log -e trace=fsync -e inject=fsync:signal=KILL:when=1 \
+    "$flytri" export a.flytri --stage upper -o no.glb
+  expect 'export after that' 0 '^wrote after' "$flytri" export a.flytri --stage upper -o after.glb
+  name='the temporary file of the killed program is gone'
+  [ -z "$(find . -name '.flytri-*')" ] || fail "$(find . -name '.flytri-*')"
+else
+  echo 'skipped: strace is missing, or may not trace here (ptrace)'
+fi
 for file in no.*; do
   name="no file is left behind"
   [ ! -e "$file" ] || fail "$file was left behind"

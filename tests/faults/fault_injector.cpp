@@ -149,17 +149,21 @@ std::vector<std::string> temporary_names(const fs::path& folder) {
   return names;
 }
 
-void check_run(const FaultyOperation& operation, const fs::path& folder, const RunEnd& end) {
+/// What the next start of the program does.
+void remove_all_leftovers(const fs::path& folder) {
+  io::remove_leftovers(folder);
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory()) io::remove_leftovers(entry.path());
+  }
+}
+
+void check_run(const FaultyOperation& operation, const fs::path& folder, const Fault& fault,
+               const RunEnd& end) {
   EXPECT_EQ(end.trouble, "");
   if (!end.is_done && !end.is_killed) {
     EXPECT_NE(end.message.find(folder.string()), std::string::npos) << end.message;
   }
-  if (end.is_killed) {
-    io::remove_leftovers(folder);
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (entry.is_directory()) io::remove_leftovers(entry.path());
-    }
-  }
+  if (end.is_killed || fault.call.starts_with("unlink")) remove_all_leftovers(folder);
   EXPECT_EQ(temporary_names(folder), std::vector<std::string>());
   operation.check(folder, end);
 }
@@ -217,9 +221,9 @@ void expect_withstands_faults(const FaultyOperation& operation) {
         SCOPED_TRACE(fmt::format("{} number {} of {}: {}", call, number, count, effect));
         const TemporaryFolder folder;
         operation.prepare(folder.path());
-        const RunEnd end =
-            run_with({call, effect, number}, [&] { return operation.work(folder.path()); });
-        check_run(operation, folder.path(), end);
+        const Fault fault{call, effect, number};
+        const RunEnd end = run_with(fault, [&] { return operation.work(folder.path()); });
+        check_run(operation, folder.path(), fault, end);
       }
     }
   }

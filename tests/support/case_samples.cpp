@@ -1,11 +1,12 @@
 #include "tests/support/case_samples.h"
 
+#include <sqlcipher/sqlite3.h>
+
 #include <cmath>
 #include <cstring>
 #include <utility>
 
 #include "core/base/random.h"
-#include "core/io/cases/sqlite.h"
 
 namespace flytri::testing {
 namespace {
@@ -120,11 +121,17 @@ bool same_bits(const Frame& a, const Frame& b) {
          std::memcmp(p.data, q.data, p.total() * p.elemSize()) == 0;
 }
 
+std::string run_sql(const std::filesystem::path& path, const std::string& sql) {
+  sqlite3* database = nullptr;
+  sqlite3_open(path.c_str(), &database);
+  const int code = sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr);
+  const std::string message = code == SQLITE_OK ? "" : sqlite3_errmsg(database);
+  sqlite3_close(database);
+  return message;
+}
+
 void make_version_1(const std::filesystem::path& path) {
-  (void)io::SqliteDatabase::open(path, io::SqliteAccess::kReadWrite)
-      .and_then([](io::SqliteDatabase database) {
-        return database.run("DROP TABLE events; PRAGMA user_version = 1;");
-      });
+  (void)run_sql(path, "DROP TABLE events; PRAGMA user_version = 1;");
 }
 
 }  // namespace flytri::testing

@@ -22,6 +22,10 @@ namespace flytri::testing {
 /// A stroke of three dabs.
 [[nodiscard]] editing::Edit sample_edit(int number);
 
+/// Runs SQL on a closed case with the library alone, as somebody who makes a crafted case would.
+/// @return  the library's error message; empty: it was done
+[[nodiscard]] std::string run_sql(const std::filesystem::path& path, const std::string& sql);
+
 /// Makes a closed case one of version 1, which had no journal.
 void make_version_1(const std::filesystem::path& path);
 

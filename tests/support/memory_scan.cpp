@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -55,7 +56,7 @@ bool stands_at(std::string_view text, const char* bytes, std::size_t width) {
 }
 
 /// The offset of the first copy, or the size.
-std::size_t find_copy(std::string_view text, const char* bytes, std::size_t size) {
+std::size_t find_text(std::string_view text, const char* bytes, std::size_t size) {
   for (std::size_t at = 0; at + text.size() <= size; ++at) {
     const void* const next = std::memchr(bytes + at, text.front(), size - at);
     if (next == nullptr) break;
@@ -65,6 +66,13 @@ std::size_t find_copy(std::string_view text, const char* bytes, std::size_t size
     }
   }
   return size;
+}
+
+/// Of either half: the other one may be overwritten.
+std::size_t find_copy(std::string_view text, const char* bytes, std::size_t size) {
+  const std::size_t half = text.size() / 2;
+  return std::min(find_text(text.substr(0, half), bytes, size),
+                  find_text(text.substr(half), bytes, size));
 }
 
 }  // namespace

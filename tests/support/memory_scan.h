@@ -13,8 +13,8 @@ namespace flytri::testing {
 /// Sixteen letters that stand nowhere else.
 [[nodiscard]] Secret random_passphrase();
 
-/// Where the memory of a process holds the text, as UTF-8, UTF-16 or UTF-32, outside of locked
-/// pages. For the own process or a child.
+/// Where the memory of a process holds the text, or either half of it, as UTF-8, UTF-16 or UTF-32,
+/// outside of locked pages. For the own process or a child.
 [[nodiscard]] std::vector<std::string> unlocked_copies(pid_t process, const Secret& text);
 
 }  // namespace flytri::testing

@@ -225,7 +225,8 @@ std::string_view name_of(CaseTable table) {
 
 void remove_case(const fs::path& path) {
   std::error_code ignored;
-  for (const char* ending : {"", "-wal", "-shm"}) fs::remove(path.string() + ending, ignored);
+  for (const char* ending : {"", "-wal", "-shm", "-journal"})
+    fs::remove(path.string() + ending, ignored);
 }
 
 Result<CaseDatabase> create_case_database(const fs::path& path, const Secret& passphrase) {

@@ -208,7 +208,9 @@ Result<void> AtomicFile::commit_unsynced() {
 Result<void> AtomicFile::commit_new() {
   if (Result<void> synced = sync(); !synced) return synced;
   if (Result<void> renamed = close_and_rename(rename_to_new); !renamed) return renamed;
-  return sync_folder_of(path_);
+  Result<void> synced = sync_folder_of(path_);
+  if (!synced) ::unlink(path_.c_str());
+  return synced;
 }
 
 Result<void> AtomicFile::close_and_rename(int (*rename)(const char* from, const char* to)) {
