@@ -11,6 +11,7 @@
 #include "app/session/user_folders.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/files/file_bytes.h"
+#include "core/io/files/leftovers.h"
 
 namespace flytri::session {
 namespace {
@@ -200,6 +201,7 @@ void CaseController::set_fields(const ui::SetCaseFields& command) {
 
 void CaseController::list_cases() {
   background_.run([this] {
+    for (const auto& folder : {unnamed_folder_, cases_folder()}) io::remove_leftovers(folder);
     auto known = std::make_shared<std::vector<ui::KnownCase>>(unnamed_cases(unnamed_folder_));
     for (ui::KnownCase& named : known_cases(cases_folder())) known->push_back(std::move(named));
     return [this, known] { state_.known = std::move(*known); };

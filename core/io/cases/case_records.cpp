@@ -190,20 +190,25 @@ tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
   return tl::unexpected(error);
 }
 
-Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
-  auto statement = database_.prepare(
-      fmt::format(fmt::runtime(pending.data ? "INSERT OR REPLACE INTO {} VALUES (?, ?, ?)"
-                                            : "DELETE FROM {} WHERE id BETWEEN ? AND ?"),
-                  name_of(pending.table)));
-  if (!statement) return tl::unexpected(statement.error());
-  statement->bind(1, pending.range.first);
-  if (pending.data) {
-    statement->bind(2, record_checksum(pending.range.first, *pending.data));
-    statement->bind_blob(3, *pending.data);
-  } else {
-    statement->bind(2, pending.range.last);
+Result<void> CaseRecords::insert(CaseTable table, std::int64_t id, std::string_view data) {
+  std::optional<SqliteStatement>& insertion = insertions_[static_cast<std::size_t>(table)];
+  if (!insertion) {
+    auto prepared = database_.prepare(
+        fmt::format("INSERT OR REPLACE INTO {} VALUES (?, ?, ?)", name_of(table)));
+    if (!prepared) return tl::unexpected(prepared.error());
+    insertion = *std::move(prepared);
   }
-  return statement->step().map([](bool) {});
+  insertion->bind(1, id).bind(2, record_checksum(id, data)).bind_blob(3, data);
+  return insertion->step().map([](bool) {});
+}
+
+Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
+  if (pending.data) return insert(pending.table, pending.range.first, *pending.data);
+  auto statement = database_.prepare(
+      fmt::format("DELETE FROM {} WHERE id BETWEEN ? AND ?", name_of(pending.table)));
+  if (!statement) return tl::unexpected(statement.error());
+  return statement->bind(1, pending.range.first).bind(2, pending.range.last).step().map([](bool) {
+  });
 }
 
 Result<void> CaseRecords::write(PendingWrite pending) {

@@ -4,6 +4,7 @@
 /// For the sources of core/io/cases only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -89,10 +90,13 @@ class CaseRecords {
   [[nodiscard]] Result<void> begin();
   [[nodiscard]] Result<void> write(PendingWrite pending);
   [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);
+  [[nodiscard]] Result<void> insert(CaseTable table, std::int64_t id, std::string_view data);
   /// Rolls the transaction back, so that the next one repeats it, and returns the failure.
   [[nodiscard]] tl::unexpected<Error> postponed(const Error& error);
 
   SqliteDatabase database_;
+  /// For each table: prepared once, as poses are written by thousands.
+  std::array<std::optional<SqliteStatement>, kCaseTables.size()> insertions_;
   bool is_read_only_ = false;
   bool is_damaged_ = false;  ///< damage was found: nothing is written any more
   std::size_t max_waiting_bytes_;
