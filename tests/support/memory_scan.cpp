@@ -87,6 +87,15 @@ Secret random_passphrase() {
   return secret;
 }
 
+bool memory_can_be_locked() {
+  const Secret secret("secret");
+  const auto place = reinterpret_cast<std::uintptr_t>(secret.view().data());
+  for (const Region& region : regions_of(::getpid())) {
+    if (region.first <= place && place < region.end) return region.is_locked;
+  }
+  return false;
+}
+
 std::vector<std::string> unlocked_copies(pid_t process, const Secret& text) {
   std::vector<std::string> copies;
   // What is read is in locked memory, so that the scan does not find itself.

@@ -427,6 +427,7 @@ TEST_F(RealWindow, APassphraseIsTypedTwice) {
 }
 
 TEST_F(RealWindow, APassphraseLeavesNoCopyInMemory) {
+  if (!testing::memory_can_be_locked()) GTEST_SKIP() << testing::kNoLocks;
   const Secret passphrase = testing::random_passphrase();
   const std::string text(passphrase.view());
   const auto copies = [&] { return testing::unlocked_copies(window().process(), passphrase); };

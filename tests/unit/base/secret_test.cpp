@@ -61,6 +61,7 @@ std::string flags_at(const void* address) {
 }
 
 TEST(Secret, IsLockedAndNotDumped) {
+  if (!testing::memory_can_be_locked()) GTEST_SKIP() << testing::kNoLocks;
   const Secret secret("secret");
   const std::string flags = flags_at(secret.view().data());
   EXPECT_NE(flags.find(" lo"), std::string::npos) << flags;
@@ -77,6 +78,7 @@ TEST(Secret, AChildProcessGetsNothing) {
 }
 
 TEST(Secret, IsWipedWhenItEnds) {
+  if (!testing::memory_can_be_locked()) GTEST_SKIP() << testing::kNoLocks;
   const Secret text = random_passphrase();
   {
     Secret one = text, other = one;
@@ -90,6 +92,7 @@ TEST(Secret, IsWipedWhenItEnds) {
 }
 
 TEST(Secret, TheScanFindsACopy) {
+  if (!testing::memory_can_be_locked()) GTEST_SKIP() << testing::kNoLocks;
   const Secret text = random_passphrase();
   std::string copy(text.view());
   std::wstring wide(text.view().begin(), text.view().end());

@@ -2,14 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "core/io/cases/case_schema.h"
 #include "core/io/cases/sqlite.h"
 #include "core/io/files/file_bytes.h"
 #include "tests/support/case_samples.h"
 #include "tests/support/full_disk.h"
-#include "tests/support/memory_scan.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::io {
@@ -149,24 +147,6 @@ TEST(CaseJournal, ADamagedEntryCostsOnlyItself) {
   EXPECT_EQ(journal.events.size(), kCaseActions.size() - 1);
   ASSERT_EQ(journal.damage.size(), 1U);
   EXPECT_THAT(journal.damage[0], HasSubstr("events: record 3: wrong checksum"));
-}
-
-/// The library keeps the passphrase while the case is open, in locked memory.
-TEST(CasePassphrase, LeavesNoCopyInMemory) {
-  const TemporaryFolder folder;
-  const Secret passphrase = testing::random_passphrase();
-  for (const bool is_open : {true, false}) {
-    const fs::path path = folder / (is_open ? "a.flytri" : "b.flytri");
-    std::optional<CaseFile> file = CaseFile::create(path, {passphrase, false}).value();
-    ASSERT_TRUE(file->append_view(ScanStage::kUpper, testing::sample_view(0)));
-    ASSERT_TRUE(file->commit());
-    if (!is_open) file.reset();
-    EXPECT_EQ(testing::unlocked_copies(::getpid(), passphrase), std::vector<std::string>());
-  }
-  EXPECT_TRUE(CaseFile::open(folder / "b.flytri", {passphrase, false}));
-  const Secret wrong = testing::random_passphrase();
-  EXPECT_FALSE(CaseFile::open(folder / "b.flytri", {wrong, false}));
-  EXPECT_EQ(testing::unlocked_copies(::getpid(), wrong), std::vector<std::string>());
 }
 
 }  // namespace

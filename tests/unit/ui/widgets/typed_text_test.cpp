@@ -28,6 +28,9 @@ class TypedText : public ::testing::Test {
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
   }
+  void SetUp() override {
+    if (!testing::memory_can_be_locked()) GTEST_SKIP() << testing::kNoLocks;
+  }
   ~TypedText() override { ImGui::DestroyContext(); }
 
   /// Draws the fields. @param focused  the one that takes the focus in this frame
