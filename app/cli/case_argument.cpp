@@ -2,29 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <optional>
 #include <system_error>
 
 #include "app/cli/console.h"
-#include "core/io/files/file_bytes.h"
 
 namespace flytri::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The first line of a file.
-Result<std::string> read_passphrase(const fs::path& path) {
-  return io::read_file(path).map(
-      [](const std::string& text) { return text.substr(0, text.find_first_of("\r\n")); });
-}
-
-Result<std::string> passphrase_of(const CaseArguments& arguments) {
-  if (!arguments.passphrase_file.empty()) return read_passphrase(arguments.passphrase_file);
-  const char* const variable = std::getenv("FLYTRI_PASSPHRASE");
-  return std::string(variable == nullptr ? "" : variable);
-}
 
 std::optional<io::ScanStage> stage_named(const std::string& name) {
   for (const io::ScanStage stage : io::kScanStages) {
@@ -52,19 +38,6 @@ void add_passphrase_option(CLI::App& command, CaseArguments& arguments) {
 bool names_case(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored) || path.extension() == ".flytri";
-}
-
-Result<io::CaseFile> open_case(const fs::path& path, const CaseArguments& arguments,
-                               bool read_only) {
-  const Result<std::string> passphrase = passphrase_of(arguments);
-  if (!passphrase) return tl::unexpected(passphrase.error());
-  Result<io::CaseFile> file = io::CaseFile::open(path, {*passphrase, read_only});
-  if (file) print_damage(file->damage());
-  if (file || file.error().code != ErrorCode::kInconsistent) return file;
-  return fail(ErrorCode::kInconsistent,
-              "{}; put the passphrase into the variable FLYTRI_PASSPHRASE, or into a file for "
-              "--passphrase-file",
-              file.error().message);
 }
 
 void print_damage(const std::vector<std::string>& damage) {

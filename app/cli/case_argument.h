@@ -1,4 +1,4 @@
-/// @file  The options of commands that read a case, and the opened case.
+/// @file  The options of commands that read a case, and the stage that they mean.
 #pragma once
 
 #include <filesystem>
@@ -16,22 +16,13 @@ struct CaseArguments {
   std::string stage;  ///< empty: the only one that was scanned
 };
 
-/// Adds --passphrase-file.
-void add_passphrase_option(CLI::App& command, CaseArguments& arguments);
 /// Adds --stage and --passphrase-file.
 void add_case_options(CLI::App& command, CaseArguments& arguments);
-
 /// Adds --passphrase-file alone.
 void add_passphrase_option(CLI::App& command, CaseArguments& arguments);
 
 /// Whether a path means a case: it is a file, or its name ends in .flytri.
 [[nodiscard]] bool names_case(const std::filesystem::path& path);
-
-/// Opens a case with the passphrase of --passphrase-file, or else of the environment variable
-/// FLYTRI_PASSPHRASE. Damage is printed and is not an error.
-/// @errors  As CaseFile::open and read_file.
-[[nodiscard]] Result<io::CaseFile> open_case(const std::filesystem::path& path,
-                                             const CaseArguments& arguments, bool read_only);
 
 /// Prints the parts of a case that could not be read.
 void print_damage(const std::vector<std::string>& damage);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/cli/case_argument.h"
+#include "app/cli/case_access.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
@@ -36,10 +36,19 @@ Result<void> write_kept(const fs::path& output, const std::string& glb, const st
   return io::write_model(output, *model);
 }
 
-Result<void> run(const ExportArguments& arguments) {
-  if (auto checked = check_output_files(arguments.outputs, {}, arguments.force); !checked)
-    return checked;
-  Result<io::CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
+/// Writes all outputs. @param written  gets those that are complete
+Result<void> write_all(const std::vector<fs::path>& outputs, const std::string& glb,
+                       const std::string& name, std::vector<fs::path>& written) {
+  for (const fs::path& output : outputs) {
+    if (auto done = write_kept(output, glb, name); !done) return done;
+    written.push_back(output);
+    print_out("wrote {}\n", output.string());
+  }
+  return {};
+}
+
+Result<void> export_from(const ExportArguments& arguments, CaseAccess& access) {
+  Result<io::CaseFile> file = access.open(true);
   if (!file) return tl::unexpected(file.error());
   const Result<io::ScanStage> stage =
       choose_stage(*file, arguments.case_options, "a finished model",
@@ -53,12 +62,21 @@ Result<void> run(const ExportArguments& arguments) {
     return fail(result.error().code, "{}; make the model again with flytri reconstruct --keep",
                 result.error().message);
   }
-  for (const fs::path& output : arguments.outputs) {
-    auto written = write_kept(output, result->glb, arguments.case_path.string());
-    if (!written) return written;
-    print_out("wrote {}\n", output.string());
-  }
-  return {};
+  std::vector<fs::path> written;
+  Result<void> done =
+      write_all(arguments.outputs, result->glb, arguments.case_path.string(), written);
+  if (!written.empty()) access.note(io::CaseAction::kExported, *stage, written);
+  return done;
+}
+
+Result<void> run(const ExportArguments& arguments) {
+  if (auto checked = check_output_files(arguments.outputs, {}, arguments.force); !checked)
+    return checked;
+  Result<CaseAccess> access = CaseAccess::begin(arguments.case_path, arguments.case_options);
+  if (!access) return tl::unexpected(access.error());
+  Result<void> done = export_from(arguments, *access);
+  access->write_notes();
+  return done;
 }
 
 }  // namespace

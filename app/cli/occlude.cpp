@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "app/cli/case_argument.h"
+#include "app/cli/case_access.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
@@ -97,8 +97,8 @@ Result<Part> load_part(io::CaseFile& file, io::ScanStage stage) {
   return Part{name, std::move(finished.surface.mesh), std::move(finished.model)};
 }
 
-Result<Parts> load_parts(const OccludeArguments& arguments) {
-  Result<io::CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
+Result<Parts> load_parts(CaseAccess& access) {
+  Result<io::CaseFile> file = access.open(true);
   if (!file) return tl::unexpected(file.error());
   auto upper = load_part(*file, io::ScanStage::kUpper);
   if (!upper) return tl::unexpected(upper.error());
@@ -222,24 +222,44 @@ Result<void> check_arguments(const OccludeArguments& arguments) {
                             arguments.force);
 }
 
+Result<void> occlude(const OccludeArguments& arguments, const Parts& parts, const Workers& workers,
+                     const Progress& progress) {
+  std::vector<occlusion::BiteScan> bites;
+  for (const Part& bite : parts.bites) bites.push_back({bite.name, bite.surface.vertices});
+  const auto occlusion = occlusion::find_occlusion(parts.upper.surface, parts.lower.surface, bites,
+                                                   {}, workers, progress);
+  if (!occlusion) return tl::unexpected(occlusion.error());
+  const occlusion::JawSurface upper(parts.upper.surface);
+  const auto clearance =
+      occlusion::find_clearance(parts.lower.surface, upper, occlusion->T_upper_lower, kContact_mm,
+                                kClearanceLimit_mm, workers);
+  print_occlusion(*occlusion, parts, clearance);
+  return write_occlusion(arguments, *occlusion, parts, clearance);
+}
+
+Result<void> occlude_recordings(const OccludeArguments& arguments, const Workers& workers,
+                                const Progress& progress) {
+  return reconstruct_parts(arguments, workers, progress).and_then([&](const Parts& parts) {
+    return occlude(arguments, parts, workers, progress);
+  });
+}
+
+Result<void> occlude_case(const OccludeArguments& arguments, const Workers& workers,
+                          const Progress& progress) {
+  Result<CaseAccess> access = CaseAccess::begin(arguments.case_path, arguments.case_options);
+  if (!access) return tl::unexpected(access.error());
+  const Result<void> done = load_parts(*access).and_then(
+      [&](const Parts& parts) { return occlude(arguments, parts, workers, progress); });
+  if (done) access->note(io::CaseAction::kExported, std::nullopt, {arguments.output});
+  access->write_notes();
+  return done;
+}
+
 Result<void> run(const OccludeArguments& arguments, const Progress& progress) {
   if (auto checked = check_arguments(arguments); !checked) return checked;
   const Workers workers(arguments.thread_count);
-  const Result<Parts> parts = arguments.case_path.empty()
-                                  ? reconstruct_parts(arguments, workers, progress)
-                                  : load_parts(arguments);
-  if (!parts) return tl::unexpected(parts.error());
-  std::vector<occlusion::BiteScan> bites;
-  for (const Part& bite : parts->bites) bites.push_back({bite.name, bite.surface.vertices});
-  const auto occlusion = occlusion::find_occlusion(parts->upper.surface, parts->lower.surface,
-                                                   bites, {}, workers, progress);
-  if (!occlusion) return tl::unexpected(occlusion.error());
-  const occlusion::JawSurface upper(parts->upper.surface);
-  const auto clearance =
-      occlusion::find_clearance(parts->lower.surface, upper, occlusion->T_upper_lower, kContact_mm,
-                                kClearanceLimit_mm, workers);
-  print_occlusion(*occlusion, *parts, clearance);
-  return write_occlusion(arguments, *occlusion, *parts, clearance);
+  return arguments.case_path.empty() ? occlude_recordings(arguments, workers, progress)
+                                     : occlude_case(arguments, workers, progress);
 }
 
 }  // namespace

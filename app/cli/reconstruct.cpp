@@ -6,11 +6,12 @@
 #include <memory>
 #include <vector>
 
-#include "app/cli/case_argument.h"
+#include "app/cli/case_access.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
+#include "app/session/case_events.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/calibrations/recording_calibration.h"
@@ -36,22 +37,28 @@ struct ReconstructArguments {
   int thread_count = 0;
 };
 
+/// @param written  gets the files that are complete
 Result<void> write_outputs(const ReconstructArguments& arguments,
                            const reconstruct::Reconstruction& reconstruction,
-                           const calibration::MeasurementVolume& volume) {
+                           const calibration::MeasurementVolume& volume,
+                           std::vector<fs::path>& written) {
+  const auto note = [&](const fs::path& file) {
+    written.push_back(file);
+    print_out("wrote {}\n", file.string());
+  };
   for (const fs::path& output : arguments.outputs) {
-    if (auto written = write_result(output, reconstruction); !written) return written;
-    print_out("wrote {}\n", output.string());
+    if (auto done = write_result(output, reconstruction); !done) return done;
+    note(output);
   }
   if (!arguments.points.empty()) {
-    auto written = io::write_point_cloud_ply(arguments.points, reconstruction.points);
-    if (!written) return written;
-    print_out("wrote {}\n", arguments.points.string());
+    auto done = io::write_point_cloud_ply(arguments.points, reconstruction.points);
+    if (!done) return done;
+    note(arguments.points);
   }
   if (arguments.report.empty()) return {};
-  auto written = write_report(arguments.report, reconstruction, volume.size_mm);
-  if (written) print_out("wrote {}\n", arguments.report.string());
-  return written;
+  auto done = write_report(arguments.report, reconstruction, volume.size_mm);
+  if (done) note(arguments.report);
+  return done;
 }
 
 void print_warning(const std::string& warning) {
@@ -78,7 +85,8 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
       *recording, used->calibration, timed_options(), Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
-  return write_outputs(arguments, *reconstruction, used->calibration.volume);
+  std::vector<fs::path> written;
+  return write_outputs(arguments, *reconstruction, used->calibration.volume, written);
 }
 
 /// The calibration given with --calibration, or else the one that the case keeps.
@@ -128,11 +136,14 @@ Result<void> keep_result(io::CaseFile& file, io::ScanStage stage, const io::Stor
                                io::basis_of(*counts, stored.edits.state())};
   return file.write_poses(stage, newly_placed(stored, reconstruction))
       .and_then([&] { return file.write_result(stage, result); })
+      .and_then(
+          [&] { return file.add_event(session::event_now(io::CaseAction::kComputed, stage)); })
       .and_then([&] { return file.commit(); });
 }
 
-Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& progress) {
-  Result<io::CaseFile> file = open_case(arguments.input, arguments.case_options, !arguments.keep);
+Result<void> reconstruct_case(const ReconstructArguments& arguments, CaseAccess& access,
+                              const Progress& progress) {
+  Result<io::CaseFile> file = access.open(!arguments.keep);
   if (!file) return tl::unexpected(file.error());
   const Result<io::ScanStage> stage =
       choose_stage(*file, arguments.case_options, "views",
@@ -152,7 +163,18 @@ Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& 
     auto kept = keep_result(*file, *stage, named.stage, *reconstruction, calibration->volume);
     if (!kept) return kept;
   }
-  return write_outputs(arguments, *reconstruction, calibration->volume);
+  std::vector<fs::path> written;
+  Result<void> done = write_outputs(arguments, *reconstruction, calibration->volume, written);
+  if (!written.empty()) access.note(io::CaseAction::kExported, *stage, written);
+  return done;
+}
+
+Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& progress) {
+  Result<CaseAccess> access = CaseAccess::begin(arguments.input, arguments.case_options);
+  if (!access) return tl::unexpected(access.error());
+  Result<void> done = reconstruct_case(arguments, *access, progress);
+  access->write_notes();
+  return done;
 }
 
 Result<void> run(const ReconstructArguments& arguments, const Progress& progress) {

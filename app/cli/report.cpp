@@ -145,9 +145,12 @@ Result<void> write_report(const std::filesystem::path& path,
 }
 
 Result<Report> read_report(const std::filesystem::path& path) {
-  const auto text = io::read_file(path);
-  if (!text) return tl::unexpected(text.error());
-  const Result<io::JsonPlace> json = io::JsonPlace::parse(*text, path.string());
+  return io::read_file(path).and_then(
+      [&](const std::string& text) { return parse_report(text, path.string()); });
+}
+
+Result<Report> parse_report(std::string_view text, const std::string& name) {
+  const Result<io::JsonPlace> json = io::JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
   json->expect_format(kReportFormat, kVersion);
   Report report;
@@ -167,7 +170,7 @@ Result<Report> read_report(const std::filesystem::path& path) {
     return fail(ErrorCode::kInsufficient,
                 "{}: \"frames\": no frame was registered; give the report of a successful "
                 "reconstruction",
-                path.string());
+                name);
   }
   return report;
 }

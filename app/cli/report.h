@@ -51,8 +51,11 @@ struct Report {
   std::vector<ReportedPose> poses;  ///< of frames with a pose; at least one is registered
 };
 
-/// Reads a report.
-/// @errors  kNotFound, kNotPermitted, kBadFormat naming file and key, kInsufficient without poses.
+/// @param name  of the file, for messages
+/// @errors  kBadFormat naming file and key, kInsufficient without poses.
+[[nodiscard]] Result<Report> parse_report(std::string_view text, const std::string& name);
+
+/// @errors  As read_file and parse_report.
 [[nodiscard]] Result<Report> read_report(const std::filesystem::path& path);
 
 }  // namespace flytri::cli

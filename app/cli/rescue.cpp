@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/cli/case_argument.h"
+#include "app/cli/case_access.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 
@@ -28,7 +28,10 @@ std::string text_of(io::ScanStage stage, const io::StageCounts& counts) {
 }
 
 Result<void> run(const RescueArguments& arguments) {
-  Result<io::CaseFile> file = open_case(arguments.case_path, arguments.case_options, true);
+  Result<CaseAccess> access = CaseAccess::begin(arguments.case_path, arguments.case_options);
+  if (!access) return tl::unexpected(access.error());
+  // The journal gets no note: nothing is written to a damaged case.
+  Result<io::CaseFile> file = access->open(true);
   if (!file) return tl::unexpected(file.error());
   const std::size_t told = file->damage().size();
   const Result<io::CaseSurvey> rescued = file->rescue_to(arguments.output);

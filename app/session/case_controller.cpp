@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "app/session/case_events.h"
 #include "app/session/user_folders.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/files/file_bytes.h"
+#include "core/io/files/leftovers.h"
 
 namespace flytri::session {
 namespace {
@@ -42,7 +44,14 @@ Result<io::CaseFile> create_file(const ui::NewCase& command,
   const io::CaseFields fields = created_now(command.fields);
   io::CaseOptions options;
   options.passphrase = command.passphrase;
-  return io::CaseFile::create(path, options, fields, io::to_json(calibration));
+  auto file = io::CaseFile::create(path, options, fields, io::to_json(calibration));
+  if (!file) return file;
+  auto noted =
+      file->add_event(event_now(io::CaseAction::kCreated)).and_then([&] { return file->commit(); });
+  if (noted) return file;
+  file = tl::unexpected(noted.error());
+  io::remove_case(path);
+  return file;
 }
 
 }  // namespace
@@ -84,7 +93,7 @@ void CaseController::create(const ui::NewCase& command) {
   } else {
     replace_by(std::move(opened));
   }
-  accept_opened(command.passphrase);
+  accept_opened(!command.passphrase.empty());
 }
 
 bool CaseController::is_unnamed() const {
@@ -116,7 +125,7 @@ void CaseController::name_unnamed(const ui::NewCase& command) {
         store->move_to(command.path, command.passphrase, created_now(command.fields)));
     return [this, command, moved] {
       state_.is_moving = false;
-      if (*moved) return accept_opened(command.passphrase);
+      if (*moved) return accept_opened(!command.passphrase.empty());
       state_.message = moved->error().message;
     };
   });
@@ -161,16 +170,17 @@ void CaseController::open(const ui::OpenCase& command) {
       }
       if (refuses_while_finishing()) return;
       replace_by(std::make_shared<CaseStore>(std::move(**file)));
-      accept_opened(command.passphrase);
+      store()->note(event_now(io::CaseAction::kOpened));
+      accept_opened(!command.passphrase.empty());
       warn_of_other_calibration();
     };
   });
 }
 
-void CaseController::accept_opened(const std::string& passphrase) {
+void CaseController::accept_opened(bool is_encrypted) {
   state_.message.clear();
   state_.passphrase_is_asked = false;
-  state_.is_encrypted = !passphrase.empty();
+  state_.is_encrypted = is_encrypted;
   state_.fields = store()->fields().value_or(io::CaseFields{});
   if (store()->is_read_only() && !store()->is_damaged()) {
     state_.message = notices_.texts()[ui::Text::kOpenReadOnly];
@@ -229,9 +239,9 @@ void CaseController::save_rescue_copy(const ui::SaveRescueCopy& command) {
             state_.message = copy->error().message;
             return stages_.show();
           }
-          const std::string passphrase = store->passphrase();
+          const bool is_encrypted = !store->passphrase().empty();
           stages_.replace_by(std::make_shared<CaseStore>(std::move(**copy)));
-          accept_opened(passphrase);
+          accept_opened(is_encrypted);
           notices_.add(ui::Severity::kInformation,
                        notices_.texts().fill<ui::Text::kRescueOpened>(path));
         };
@@ -250,6 +260,7 @@ void CaseController::set_fields(const ui::SetCaseFields& command) {
 
 void CaseController::list_cases() {
   background_.run([this] {
+    for (const auto& folder : {unnamed_folder_, cases_folder()}) io::remove_leftovers(folder);
     auto known = std::make_shared<std::vector<ui::KnownCase>>(unnamed_cases(unnamed_folder_));
     for (ui::KnownCase& named : known_cases(cases_folder())) known->push_back(std::move(named));
     return [this, known] { state_.known = std::move(*known); };

@@ -46,7 +46,7 @@ class CaseController {
   void name_unnamed(const ui::NewCase& command);
   /// Turns to another case; null: to none.
   void replace_by(std::shared_ptr<CaseStore> store);
-  void accept_opened(const std::string& passphrase);
+  void accept_opened(bool is_encrypted);
   void list_cases();
   void report_failure();
   /// Once damage is found: looks what of the case can be read.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/session/case_events.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/models/glb.h"
 
@@ -94,8 +95,10 @@ class CaseStore::Journal final : public scan::ScanJournal {
       const nlohmann::json summary = {{"views", result.views.size()},
                                       {"points", result.points.size()},
                                       {"triangles", result.model.mesh.triangles.size()}};
-      return file.write_result(stage_,
-                               {std::move(*glb), summary.dump(), io::basis_of(*counts, edits_)});
+      const io::StageResult stored{std::move(*glb), summary.dump(), io::basis_of(*counts, edits_)};
+      return file.write_result(stage_, stored).and_then([&] {
+        return file.add_event(event_now(io::CaseAction::kComputed, stage_));
+      });
     });
   }
   void commit() override {
@@ -249,23 +252,34 @@ StagesWithViews CaseStore::stages_with_kept_scan() const {
   return status_.has_kept_scan;
 }
 
+void CaseStore::note(const io::CaseEvent& event) {
+  if (is_read_only()) return;
+  write([&](io::CaseFile& file) {
+    return file.add_event(event).and_then([&] { return file.commit(); });
+  });
+}
+
 bool CaseStore::has_views() {
   const std::lock_guard lock(mutex_);
   return has_any_views(file_);
 }
 
-Result<void> CaseStore::move_to(const std::filesystem::path& path, const std::string& passphrase,
+Result<void> CaseStore::move_to(const std::filesystem::path& path, const Secret& passphrase,
                                 const io::CaseFields& fields) {
   const std::lock_guard lock(mutex_);
   // The fields come last: nothing about a patient is written into a file that is not encrypted.
-  Result<void> moved = file_.move_to(path, {.passphrase = passphrase})
-                           .and_then([&] { return file_.write_fields(fields); })
-                           .and_then([&] { return file_.commit(); });
+  Result<void> moved =
+      file_.move_to(path, {.passphrase = passphrase})
+          .and_then([&] { return file_.write_fields(fields); })
+          .and_then([&] {
+            return file_.add_event(event_now(io::CaseAction::kMoved, std::nullopt, {path}));
+          })
+          .and_then([&] { return file_.commit(); });
   update_status();
   return moved;
 }
 
-std::string CaseStore::passphrase() {
+Secret CaseStore::passphrase() {
   const std::lock_guard lock(mutex_);
   return file_.passphrase();
 }

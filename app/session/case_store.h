@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/cases/case_file.h"
+#include "core/io/cases/case_journal.h"
 #include "core/scan/live_scan.h"
 #include "ui/state/app_view.h"
 
@@ -50,15 +50,18 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] Result<void> clear(io::ScanStage stage);
   /// See CaseFile::bring_back_stage.
   [[nodiscard]] Result<void> bring_back(io::ScanStage stage);
+  /// Adds an entry to the journal of the case and commits. A failure is remembered, see failure();
+  /// a case that is read-only gets none.
+  void note(const io::CaseEvent& event);
   /// True if a stage has views, also such as were cleared, or cannot be read.
   [[nodiscard]] bool has_views();
   /// Moves the case to another file, see CaseFile::move_to, and writes the fields there. Journals
   /// go on in the new file. Takes seconds if the scans are long.
-  [[nodiscard]] Result<void> move_to(const std::filesystem::path& path,
-                                     const std::string& passphrase, const io::CaseFields& fields);
+  [[nodiscard]] Result<void> move_to(const std::filesystem::path& path, const Secret& passphrase,
+                                     const io::CaseFields& fields);
 
   /// See CaseFile::passphrase.
-  [[nodiscard]] std::string passphrase();
+  [[nodiscard]] Secret passphrase();
 
   // The window asks for these in each frame: they do not wait for a write.
   [[nodiscard]] std::string path() const;

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <utility>
 
+#include "app/session/case_events.h"
 #include "app/session/export_files.h"
 #include "app/session/export_name.h"
 #include "app/session/user_folders.h"
@@ -35,13 +36,20 @@ void ExportController::forget_outcome() {
 }
 
 void ExportController::export_scan(const ui::Export& command,
-                                   std::shared_ptr<const scan::ScanSnapshot> shown) {
+                                   std::shared_ptr<const scan::ScanSnapshot> shown,
+                                   std::shared_ptr<CaseStore> store, io::ScanStage stage) {
   if (state_.is_running) return;
   forget_outcome();
   state_.latest = command.target;
   state_.is_running = true;
-  background_.run([this, command, shown = std::move(shown), texts = notices_.texts()] {
-    auto done = std::make_shared<Result<ExportOutcome>>(export_files(*shown, command, texts));
+  background_.run([this, command, shown = std::move(shown), store = std::move(store), stage,
+                   texts = notices_.texts()] {
+    std::vector<std::filesystem::path> written;
+    auto done =
+        std::make_shared<Result<ExportOutcome>>(export_files(*shown, command, written, texts));
+    if (store && !written.empty()) {
+      store->note(event_now(io::CaseAction::kExported, stage, written));
+    }
     return [this, done, model = shown->result] {
       state_.is_running = false;
       if (!*done) {

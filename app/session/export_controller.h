@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/session/background_work.h"
+#include "app/session/case_store.h"
 #include "app/session/notices.h"
 #include "app/session/open_folder.h"
 #include "core/scan/scan_snapshot.h"
@@ -17,7 +18,9 @@ class ExportController {
   ExportController(BackgroundWork& background, Notices& notices);
 
   /// Writes the files in the background. Does nothing while an export is running.
-  void export_scan(const ui::Export& command, std::shared_ptr<const scan::ScanSnapshot> shown);
+  /// @param store  of the case whose journal gets an entry; null: none
+  void export_scan(const ui::Export& command, std::shared_ptr<const scan::ScanSnapshot> shown,
+                   std::shared_ptr<CaseStore> store, io::ScanStage stage);
   /// Shows the folder of the latest export in the file manager.
   void open_folder();
   /// @param view  with the scan, the stage and the case: what can be exported, and under which name

@@ -109,7 +109,7 @@ Result<fs::path> export_stem(const ui::ExportTarget& target, const ui::Texts& te
 }
 
 Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command,
-                                   const ui::Texts& texts) {
+                                   std::vector<fs::path>& models_written, const ui::Texts& texts) {
   if (shown.result == nullptr && shown.model.empty()) {
     return fail(ErrorCode::kInsufficient, "{}", texts[ui::Text::kNoSurfaceToExport]);
   }
@@ -129,6 +129,7 @@ Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Ex
   io::remove_leftovers(stem->parent_path());
   for (const fs::path& model : models) {
     if (auto done = write_format(shown, model, texts); !done) return tl::unexpected(done.error());
+    models_written.push_back(model);
   }
   ExportOutcome outcome;
   for (const fs::path& file : files) {

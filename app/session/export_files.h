@@ -38,8 +38,15 @@ struct ExportOutcome {
 /// @param texts  for messages
 /// @errors  As export_stem and write_model; kInsufficient: nothing to write, or the format cannot
 ///          hold it; kBadOption: a folder, or a file of another kind, has the name.
+/// @param models_written  gets the models that were written, also before a failure
 [[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
                                                  const ui::Export& command,
+                                                 std::vector<std::filesystem::path>& models_written,
                                                  const ui::Texts& texts = {});
+[[nodiscard]] inline Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
+                                                        const ui::Export& command) {
+  std::vector<std::filesystem::path> models;
+  return export_files(shown, command, models);
+}
 
 }  // namespace flytri::session

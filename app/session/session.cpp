@@ -103,7 +103,8 @@ void Session::carry_out(const ui::Command& command) {
 }
 
 void Session::export_scan(const ui::Export& command) {
-  if (scan() != nullptr) exports_.export_scan(command, scan()->snapshot());
+  if (scan() == nullptr) return;
+  exports_.export_scan(command, scan()->snapshot(), stages_.store(), stages_.stage());
 }
 
 void Session::change_settings(const ui::Settings& settings) {

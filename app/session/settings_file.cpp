@@ -46,10 +46,12 @@ int size_at(const nlohmann::json& json, const char* key, int usual, int least) {
 std::filesystem::path settings_path() { return config_folder() / "settings.json"; }
 
 ui::Settings read_settings(const std::filesystem::path& file) {
+  return parse_settings(io::read_file(file).value_or(""));
+}
+
+ui::Settings parse_settings(std::string_view text) {
   ui::Settings settings;
-  const Result<std::string> text = io::read_file(file);
-  if (!text) return settings;
-  const auto json = nlohmann::json::parse(*text, nullptr, false);
+  const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return settings;
   settings.language = language_at(json);
   if (const auto scale = json.find("user_scale"); scale != json.end() && scale->is_number()) {
@@ -71,9 +73,7 @@ ui::Settings read_settings(const std::filesystem::path& file) {
   return settings;
 }
 
-Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
-  if (auto made = io::create_folder(file.parent_path()); !made) return made;
-  io::remove_leftovers(file.parent_path());
+std::string settings_to_json(const ui::Settings& settings) {
   const nlohmann::json json = {{"language", settings.language},
                                {"user_scale", settings.user_scale},
                                {"is_muted", settings.is_muted},
@@ -82,7 +82,13 @@ Result<void> write_settings(const std::filesystem::path& file, const ui::Setting
                                {"window_height", settings.window_height},
                                {"export_formats", settings.export_formats},
                                {"recording_folder", settings.recording_folder}};
-  return io::write_file(file, json.dump(2) + "\n");
+  return json.dump(2) + "\n";
+}
+
+Result<void> write_settings(const std::filesystem::path& file, const ui::Settings& settings) {
+  if (auto made = io::create_folder(file.parent_path()); !made) return made;
+  io::remove_leftovers(file.parent_path());
+  return io::write_file(file, settings_to_json(settings));
 }
 
 }  // namespace flytri::session

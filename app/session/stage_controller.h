@@ -58,6 +58,7 @@ class StageController {
 
   /// Of the current stage; null until the source is open.
   [[nodiscard]] const std::shared_ptr<scan::LiveScan>& scan() const { return scans_[stage_]; }
+  [[nodiscard]] io::ScanStage stage() const { return io::kScanStages[stage_]; }
   /// The case that scans are saved in; null: none.
   [[nodiscard]] const std::shared_ptr<CaseStore>& store() const { return store_; }
   /// False while a scan is finishing, see scan::may_leave().

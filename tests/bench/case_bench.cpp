@@ -37,7 +37,7 @@ class Views {
 };
 
 io::CaseOptions options_of(const benchmark::State& state) {
-  return {state.range(0) != 0 ? "passphrase" : "", false};
+  return {Secret(state.range(0) != 0 ? "passphrase" : ""), false};
 }
 
 /// Appends thirty views and commits them.

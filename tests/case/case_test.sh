@@ -36,7 +36,6 @@ expect 'reconstruct a case' 0 '^wrote placed\.ply' \
   "$flytri" reconstruct a.flytri -o placed.glb -o placed.ply
 same direct.glb placed.glb
 same direct.ply placed.ply
-same a.flytri untouched.flytri
 echo secret > passphrase
 expect 'reconstruct an encrypted case' 0 '^wrote unplaced\.glb' \
   "$flytri" reconstruct secret.flytri -o unplaced.glb --passphrase-file passphrase --keep
@@ -56,6 +55,19 @@ expect 'wrong passphrase' 1 'secret\.flytri: the passphrase is wrong' \
   env FLYTRI_PASSPHRASE=guess "$flytri" export secret.flytri -o no.glb
 expect 'no passphrase file' 1 'nothing: ' \
   "$flytri" export secret.flytri -o no.glb --passphrase-file nothing
+
+# The journal says what was done, by whom, and to which files.
+expect 'journal' 0 '^20.*Z  computed .* upper .*@.* flytri ' "$flytri" journal a.flytri
+expect 'journal of an encrypted case' 0 "^ *$work/kept\.obj" \
+  "$flytri" journal secret.flytri --passphrase-file passphrase
+expect 'journal as JSON' 0 '"action": "opened read-only"' "$flytri" journal a.flytri --json
+expect 'journal needs a passphrase' 1 'secret\.flytri: is encrypted' "$flytri" journal secret.flytri
+chmod a-w a.flytri
+if [ ! -w a.flytri ]; then
+  expect 'a case that cannot be written' 0 'warning: the journal of the case does not have' \
+    "$flytri" export a.flytri -o readonly.glb
+fi
+chmod u+w a.flytri
 
 # Stages.
 expect 'another stage' 0 '^made' "$make_case" scan c.json a.flytri lower unplaced
@@ -88,6 +100,23 @@ expect 'its copy is encrypted' 1 'secret2\.flytri: is encrypted' \
   "$flytri" export secret2.flytri -o no.glb
 expect 'keep in a truncated case' 1 'cut\.flytri: .*damaged' \
   "$flytri" reconstruct cut.flytri -o no.ply --calibration c.json --keep
+
+# A system call that fails: the message says the file and the reason, and nothing half is left.
+if strace -qq -o strace.log true 2> /dev/null; then
+  for call in write fsync rename; do
+    expect "export, $call fails" 1 'no\.glb: cannot be written: No space left' strace -f -qq -o strace.log \
+      -e trace="$call" -e inject="$call:error=ENOSPC:when=1" "$flytri" export a.flytri --stage upper -o no.glb
+  done
+  name='export, killed'
+  (strace -f -qq -o strace.log -e trace=fsync -e inject=fsync:signal=KILL:when=1 \
+    "$flytri" export a.flytri --stage upper -o no.glb) > log 2>&1
+  [ $? = 137 ] || fail 'it was not killed'
+  expect 'export after that' 0 '^wrote after' "$flytri" export a.flytri --stage upper -o after.glb
+  name='the temporary file of the killed program is gone'
+  [ -z "$(find . -name '.flytri-*')" ] || fail "$(find . -name '.flytri-*')"
+else
+  echo 'skipped: strace is missing, or may not trace here (ptrace)'
+fi
 for file in no.*; do
   name="no file is left behind"
   [ ! -e "$file" ] || fail "$file was left behind"

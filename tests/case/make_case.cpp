@@ -25,7 +25,7 @@ struct Request {
 
 Result<io::CaseFile> open_or_create(const std::filesystem::path& path) {
   const char* const passphrase = std::getenv("FLYTRI_PASSPHRASE");
-  const io::CaseOptions options{passphrase == nullptr ? "" : passphrase, false};
+  const io::CaseOptions options{Secret(passphrase == nullptr ? "" : passphrase), false};
   if (std::filesystem::exists(path)) return io::CaseFile::open(path, options);
   io::CaseFields fields;
   fields.patient_name = "Ada Lovelace";

@@ -1,7 +1,5 @@
 /// @file  A case with any of its bytes changed, cut off anywhere: opened with what is left, or
 /// refused, never worse. The input is a list of changes: u32 where, u8 what; the first one cuts.
-#include <stdlib.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -12,32 +10,13 @@
 #include "core/io/cases/case_file.h"
 #include "core/io/files/byte_stream.h"
 #include "core/io/files/file_bytes.h"
+#include "tests/fuzz/scratch.h"
 
 namespace flytri {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr io::ScanStage kStage = io::ScanStage::kUpper;
-
-/// A folder of this process, in memory where the system has such, gone at the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string folder = fs::exists("/dev/shm") ? "/dev/shm/fuzz-XXXXXX" : "/tmp/fuzz-XXXXXX";
-    if (::mkdtemp(folder.data()) == nullptr) std::abort();
-    folder_ = folder;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  [[nodiscard]] fs::path file() const { return folder_ / "case.flytri"; }
-
- private:
-  fs::path folder_;
-};
 
 bool fill(io::CaseFile& file) {
   editing::EditStack edits;

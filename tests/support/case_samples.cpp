@@ -1,5 +1,7 @@
 #include "tests/support/case_samples.h"
 
+#include <sqlcipher/sqlite3.h>
+
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -117,6 +119,19 @@ bool same_bits(const Frame& a, const Frame& b) {
   return a.index == b.index && a.kind == b.kind && same_bits_of(a.time_s, b.time_s) &&
          p.size() == q.size() && p.type() == q.type() && p.isContinuous() && q.isContinuous() &&
          std::memcmp(p.data, q.data, p.total() * p.elemSize()) == 0;
+}
+
+std::string run_sql(const std::filesystem::path& path, const std::string& sql) {
+  sqlite3* database = nullptr;
+  sqlite3_open(path.c_str(), &database);
+  const int code = sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr);
+  const std::string message = code == SQLITE_OK ? "" : sqlite3_errmsg(database);
+  sqlite3_close(database);
+  return message;
+}
+
+void make_version_1(const std::filesystem::path& path) {
+  (void)run_sql(path, "DROP TABLE events; PRAGMA user_version = 1;");
 }
 
 }  // namespace flytri::testing

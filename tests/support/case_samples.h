@@ -1,6 +1,8 @@
 /// @file  Sample views, frames and edits for tests of case files, and bitwise comparisons.
 #pragma once
 
+#include <filesystem>
+
 #include "core/editing/edits.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
@@ -19,6 +21,13 @@ namespace flytri::testing {
 
 /// A stroke of three dabs.
 [[nodiscard]] editing::Edit sample_edit(int number);
+
+/// Runs SQL on a closed case with the library alone, as somebody who makes a crafted case would.
+/// @return  the library's error message; empty: it was done
+[[nodiscard]] std::string run_sql(const std::filesystem::path& path, const std::string& sql);
+
+/// Makes a closed case one of version 1, which had no journal.
+void make_version_1(const std::filesystem::path& path);
 
 // Bitwise comparison: NaN equals NaN, and -0 differs from 0.
 [[nodiscard]] bool same_bits(const View& a, const View& b);

@@ -64,6 +64,8 @@ class WindowDriver {
     double x_px = 0.0, y_px = 0.0, width_px = 0.0, height_px = 0.0;
   };
   [[nodiscard]] std::optional<Place> where(const std::string& id);
+  /// Of the window.
+  [[nodiscard]] pid_t process() const { return process_; }
 
  private:
   WindowDriver() = default;

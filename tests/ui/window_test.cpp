@@ -8,6 +8,7 @@
 
 #include "core/io/files/png.h"
 #include "tests/support/fake_states.h"
+#include "tests/support/memory_scan.h"
 #include "tests/support/no_display.h"
 #include "tests/ui/screen_reader.h"
 #include "tests/ui/window_driver.h"
@@ -425,6 +426,31 @@ TEST_F(RealWindow, APassphraseIsTypedTwice) {
   window().click("passphrase_again");
   window().type("secret");
   EXPECT_EQ(after_key("Return"), Names{"NewCase"});
+}
+
+TEST_F(RealWindow, APassphraseLeavesNoCopyInMemory) {
+  if (!testing::memory_can_be_locked()) GTEST_SKIP() << testing::kNoLocks;
+  const Secret passphrase = testing::random_passphrase();
+  const std::string text(passphrase.view());
+  const auto copies = [&] { return testing::unlocked_copies(window().process(), passphrase); };
+  show("empty_case");
+  window().key("d");
+  window().click("passphrase");
+  window().type(text);
+  window().key("Tab");
+  window().type(text);
+  EXPECT_EQ(after_key("Return"), Names{"NewCase"});
+  window().ask("wait 5");
+  EXPECT_EQ(copies(), Names{}) << "after a new case";
+
+  show("unnamed");
+  window().key("d");
+  window().click("tab_open");
+  window().click("passphrase");
+  window().type(text);
+  window().key("Escape");
+  window().ask("wait 5");
+  EXPECT_EQ(copies(), Names{}) << "after the dialog was closed";
 }
 
 TEST_F(RealWindow, TheListOfCasesIsSearched) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
 
 #include "core/io/files/png.h"
 #include "ui/actions/action_table.h"
@@ -87,7 +89,27 @@ nlohmann::json case_form_as_json(const CaseForm& form, const Texts& texts) {
           {"problem", problem ? texts[*problem] : ""}};
 }
 
+/// The verb, and the words after it.
+std::pair<std::string, std::string> words_of(const std::string& request) {
+  const std::size_t space = std::min(request.find(' '), request.size());
+  return {request.substr(0, space), request.substr(std::min(space + 1, request.size()))};
+}
+
 }  // namespace
+
+void carry_out_request(const std::string& request, const AppView& view, WindowState& state,
+                       std::vector<Command>& commands) {
+  const auto [verb, rest] = words_of(request);
+  if (verb == "do") {
+    if (const auto action = action_named(rest)) perform(*action, view, state, commands);
+  } else if (verb == "tell") {
+    commands.emplace_back(Tell{rest});
+  } else if (verb == "new_case") {
+    commands.emplace_back(NewCase{rest, {}, {}});
+  } else if (verb == "quit") {
+    commands.emplace_back(Quit{});
+  }
+}
 
 void ControlAnswers::ask(const AppView& view, WindowState& state, std::vector<Command>& commands) {
   if (verb_) return;
@@ -96,21 +118,12 @@ void ControlAnswers::ask(const AppView& view, WindowState& state, std::vector<Co
 
 void ControlAnswers::begin(const std::string& request, const AppView& view, WindowState& state,
                            std::vector<Command>& commands) {
-  const std::size_t space = std::min(request.find(' '), request.size());
-  verb_ = request.substr(0, space);
-  rest_ = request.substr(std::min(space + 1, request.size()));
+  std::tie(verb_, rest_) = words_of(request);
+  frames_left_ = 1;
   if (*verb_ == "wait") {
-    frames_left_ = 1;
     std::from_chars(rest_.data(), rest_.data() + rest_.size(), frames_left_);
-  } else if (*verb_ == "do") {
-    if (const auto action = action_named(rest_)) perform(*action, view, state, commands);
-  } else if (*verb_ == "tell") {
-    commands.emplace_back(Tell{rest_});
-  } else if (*verb_ == "new_case") {
-    commands.emplace_back(NewCase{rest_, {}, {}});
-  } else if (*verb_ == "quit") {
-    commands.emplace_back(Quit{});
   }
+  carry_out_request(request, view, state, commands);
 }
 
 void ControlAnswers::answer(const DrawnFrame& frame) {

@@ -29,6 +29,10 @@ struct DrawnFrame {
   bool input_is_empty = true;  ///< no input waits for later frames
 };
 
+/// Does at once what a request asks for; nothing if it only asks for an answer, or is unknown.
+void carry_out_request(const std::string& request, const AppView& view, WindowState& state,
+                       std::vector<Command>& commands);
+
 class ControlAnswers {
  public:
   explicit ControlAnswers(ControlChannel channel) : channel_(std::move(channel)) {}

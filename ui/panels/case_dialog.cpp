@@ -78,8 +78,9 @@ void follow_case(const AppView& view, CaseForm& form) {
 }
 
 /// Two fields side by side. @return  true when the right one was changed
+template <typename Left, typename Right>
 bool field_pair(const PanelContext& context, DialogPlate& dialog, const TextFieldLook& left,
-                std::string& left_text, const TextFieldLook& right, std::string& right_text) {
+                Left& left_text, const TextFieldLook& right, Right& right_text) {
   const float gap = context.px(kGapM);
   Rect row = dialog.rest.take_top(context.px(kFieldRow));
   text_field(context, row.take_left((row.width - gap) / 2.0F, gap), left, left_text);
@@ -103,9 +104,8 @@ void draw_new(const PanelContext& context, DialogPlate& dialog, CaseForm& form) 
   form.is_path_edited |=
       path_field(context, dialog.rest.take_top(context.px(kFieldRow)),
                  {"case_path", context.text(Text::kFile)}, PathField::kNewCase, form.path);
-  field_pair(context, dialog, {"passphrase", context.text(Text::kNewPassphrase), true},
-             form.passphrase, {"passphrase_again", context.text(Text::kPassphraseAgain), true},
-             form.passphrase_again);
+  field_pair(context, dialog, {"passphrase", context.text(Text::kNewPassphrase)}, form.passphrase,
+             {"passphrase_again", context.text(Text::kPassphraseAgain)}, form.passphrase_again);
   const bool names_scan = context.view.file.is_unnamed;
   confirm_row(context, dialog, icon::kFinish,
               context.text(names_scan ? Text::kSaveTheScan : Text::kCreate));
@@ -218,7 +218,7 @@ void draw_open(const PanelContext& context, DialogPlate& dialog, CaseForm& form)
   Rect row = dialog.rest.take_top(context.px(kFieldRow));
   path_field(context, row.take_left((row.width - gap) / 2.0F, gap),
              {"case_path", context.text(Text::kFile)}, PathField::kCase, form.path);
-  text_field(context, row, {"passphrase", context.text(Text::kPassphrase), true}, form.passphrase);
+  text_field(context, row, {"passphrase", context.text(Text::kPassphrase)}, form.passphrase);
   draw_discard(context, dialog, form);
   confirm_row(context, dialog, form.discards ? icon::kWarning : icon::kCase,
               context.text(form.discards ? Text::kDeleteForGood : Text::kOpen));

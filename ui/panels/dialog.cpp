@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/theme/icons.h"
+#include "ui/widgets/typed_text.h"
 
 namespace flytri::ui {
 namespace {
@@ -37,6 +38,17 @@ void draw_close(const PanelContext& context, const Rect& box) {
   }
 }
 
+/// Draws the label, and makes place for the text below. @return  the id of the text's item
+std::string begin_text_field(const PanelContext& context, Rect row, const TextFieldLook& look) {
+  draw_text(row.take_top(context.px(18.0F), context.px(kGapXs)),
+            {context.theme.fonts.small, kTextQuiet, Align::kLeft}, look.label);
+  ImGui::SetCursorScreenPos(row.min());
+  ImGui::SetNextItemWidth(row.width);
+  context.places.set(look.id, {row.x, row.y, row.width, context.px(36.0F)});
+  if (look.takes_focus) ImGui::SetKeyboardFocusHere();
+  return std::string("##") + look.id;
+}
+
 }  // namespace
 
 DialogPlate::DialogPlate(const PanelContext& context, const char* title, const ImVec2& size,
@@ -55,15 +67,11 @@ DialogPlate::DialogPlate(const PanelContext& context, const char* title, const I
 
 bool text_field(const PanelContext& context, Rect row, const TextFieldLook& look,
                 std::string& text) {
-  draw_text(row.take_top(context.px(18.0F), context.px(kGapXs)),
-            {context.theme.fonts.small, kTextQuiet, Align::kLeft}, look.label);
-  ImGui::SetCursorScreenPos(row.min());
-  ImGui::SetNextItemWidth(row.width);
-  context.places.set(look.id, {row.x, row.y, row.width, context.px(36.0F)});
-  const std::string id = std::string("##") + look.id;
-  if (look.takes_focus) ImGui::SetKeyboardFocusHere();
-  return ImGui::InputText(id.c_str(), &text,
-                          look.is_secret ? ImGuiInputTextFlags_Password : ImGuiInputTextFlags_None);
+  return ImGui::InputText(begin_text_field(context, row, look).c_str(), &text);
+}
+
+bool text_field(const PanelContext& context, Rect row, const TextFieldLook& look, Secret& text) {
+  return secret_input(begin_text_field(context, row, look).c_str(), text);
 }
 
 bool path_field(const PanelContext& context, Rect row, const TextFieldLook& look, PathField field,

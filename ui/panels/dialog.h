@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/base/secret.h"
 #include "ui/panels/panel.h"
 
 namespace flytri::ui {
@@ -27,7 +28,6 @@ class DialogPlate {
 struct TextFieldLook {
   const char* id = "";
   const char* label = "";
-  bool is_secret = false;
   bool takes_focus = false;  ///< in this frame
 };
 inline constexpr float kFieldRow = 68.0F;  ///< height with the label, in units
@@ -35,6 +35,8 @@ inline constexpr float kFieldRow = 68.0F;  ///< height with the label, in units
 /// @return  true when the text was changed
 bool text_field(const PanelContext& context, Rect row, const TextFieldLook& look,
                 std::string& text);
+/// Shows dots.
+bool text_field(const PanelContext& context, Rect row, const TextFieldLook& look, Secret& text);
 
 /// A text field for a path, with a button that opens the desktop's file chooser.
 bool path_field(const PanelContext& context, Rect row, const TextFieldLook& look, PathField field,

@@ -67,7 +67,7 @@ std::optional<Text> problem_of(const CaseForm& form) {
   if (form.path.empty()) {
     return form.tab == CaseTab::kOpen ? Text::kChooseACase : Text::kNameTheFile;
   }
-  if (form.tab == CaseTab::kNew && form.passphrase != form.passphrase_again) {
+  if (form.tab == CaseTab::kNew && !form.passphrase.equals(form.passphrase_again)) {
     return Text::kPassphrasesDiffer;
   }
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/secret.h"
 #include "ui/state/app_view.h"
 
 namespace flytri::ui {
@@ -16,13 +17,13 @@ struct CaseForm {
   CaseTab tab = CaseTab::kNew;  ///< the first two only while the open case has them
   io::CaseFields fields;
   std::string path;
-  std::string passphrase;
-  std::string passphrase_again;  ///< of a new case
-  std::string search;            ///< of the list of cases
-  bool is_asked = false;         ///< the command was sent; the dialog closes when the case is open
-  bool is_path_edited = false;   ///< false: the path is proposed from the fields
-  bool has_focus = false;        ///< the first field has got the focus
-  bool discards = false;         ///< the unnamed case at `path` is to be deleted, if confirmed
+  Secret passphrase;
+  Secret passphrase_again;      ///< of a new case
+  std::string search;           ///< of the list of cases
+  bool is_asked = false;        ///< the command was sent; the dialog closes when the case is open
+  bool is_path_edited = false;  ///< false: the path is proposed from the fields
+  bool has_focus = false;       ///< the first field has got the focus
+  bool discards = false;        ///< the unnamed case at `path` is to be deleted, if confirmed
 };
 
 /// A file that does not exist yet among the known ones, named after the patient; if it gets a

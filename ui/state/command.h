@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/secret.h"
 #include "core/editing/edits.h"
 #include "ui/state/app_view.h"
 
@@ -54,12 +55,12 @@ struct Export {
 struct OpenExportFolder {};
 struct NewCase {
   std::string path;
-  std::string passphrase;  ///< empty: not encrypted
+  Secret passphrase;  ///< empty: not encrypted
   io::CaseFields fields;
 };
 struct OpenCase {
   std::string path;
-  std::string passphrase;
+  Secret passphrase;
 };
 /// Deletes an unnamed case.
 struct DiscardCase {

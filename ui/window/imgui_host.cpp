@@ -7,6 +7,7 @@
 
 #include "ui/theme/palette.h"
 #include "ui/widgets/pixel_rows.h"
+#include "ui/widgets/typed_text.h"
 
 namespace flytri::ui {
 namespace {
@@ -116,6 +117,7 @@ std::vector<KeyEvent> ImGuiHost::begin_frame(const ImageSize& size, double now_s
 
 std::vector<PixelBox> ImGuiHost::end_frame(const std::vector<Rect>& repainted) {
   ImGui::Render();
+  wipe_typed_text();
   ImDrawData& data = *ImGui::GetDrawData();
   if (canvas_.resize(size_)) damage_.forget();
   const std::vector<Rect> boxes = damage_.update(data, repainted);

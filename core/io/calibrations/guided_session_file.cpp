@@ -35,9 +35,13 @@ calibration::PlacementOrder read_order(const JsonPlace& place) {
 
 Result<calibration::CalibrationPlan> read_guided_plan(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kSessionFile;
-  const Result<std::string> text = read_file(path);
-  if (!text) return tl::unexpected(text.error());
-  const Result<JsonPlace> json = JsonPlace::parse(*text, path.string());
+  return read_file(path).and_then(
+      [&](const std::string& text) { return parse_guided_plan(text, path.string()); });
+}
+
+Result<calibration::CalibrationPlan> parse_guided_plan(std::string_view text,
+                                                       const std::string& name) {
+  const Result<JsonPlace> json = JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
   json->expect_format(kSessionFormat, kSessionVersion);
   const calibration::CalibrationSet scene = read_calibration_scene(*json);
@@ -46,7 +50,7 @@ Result<calibration::CalibrationPlan> read_guided_plan(const std::filesystem::pat
   for (const JsonPlace& z : json->at("z_mm").elements()) plan.z_mm.push_back(z.number());
   if (auto outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
   if (auto valid = plan.validate(); !valid) {
-    return fail(valid.error().code, "{}: {}", path.string(), valid.error().message);
+    return fail(valid.error().code, "{}: {}", name, valid.error().message);
   }
   return plan;
 }

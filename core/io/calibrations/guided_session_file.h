@@ -3,12 +3,19 @@
 
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/calibration/guide/calibration_plan.h"
 
 namespace flytri::io {
+
+/// @param name  of the file, for messages
+/// @errors  kBadFormat; as CalibrationPlan::validate.
+[[nodiscard]] Result<calibration::CalibrationPlan> parse_guided_plan(std::string_view text,
+                                                                     const std::string& name);
 
 /// @errors  kNotFound: the folder has no session; kBadFormat; as CalibrationPlan::validate.
 [[nodiscard]] Result<calibration::CalibrationPlan> read_guided_plan(

@@ -38,6 +38,16 @@ StageScans read_scans(CaseRecords& records, ScanStage stage) {
   return {};
 }
 
+/// The copy holds all by now. If the former file stays, so does the case: nobody should believe
+/// that it is encrypted while an open copy lies about.
+Result<void> remove_former(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (!error) return {};
+  return fail(ErrorCode::kNotPermitted, "{}: cannot be removed: {}; change the permissions",
+              path.string(), error.message());
+}
+
 }  // namespace
 
 std::string_view to_string(ScanStage stage) {
@@ -82,7 +92,7 @@ Result<CaseFile> CaseFile::open(const std::filesystem::path& path, const CaseOpt
   });
 }
 
-const std::string& CaseFile::passphrase() const { return records_->passphrase(); }
+const Secret& CaseFile::passphrase() const { return records_->passphrase(); }
 
 bool CaseFile::is_read_only() const { return records_->is_read_only(); }
 
@@ -156,14 +166,9 @@ Result<std::int64_t> CaseFile::add_measurement(ScanStage stage, const Measuremen
     return fail(ErrorCode::kBadOption, "a measurement needs two points with finite coordinates");
   }
   const StageScans& scans = scans_of(stage);
-  const auto last =
-      records_->last(CaseTable::kMeasurements,
-                     scans.records_of(CaseTable::kMeasurements, stage, scans.shown()).front());
-  if (!last) return tl::unexpected(last.error());
-  const std::int64_t id = *last ? **last + 1 : scans.shown_id(stage);
-  return records_->add(CaseTable::kMeasurements, id, encode_measurement(measurement)).map([&] {
-    return id;
-  });
+  return records_->append(CaseTable::kMeasurements,
+                          scans.records_of(CaseTable::kMeasurements, stage, scans.shown()).front(),
+                          encode_measurement(measurement));
 }
 
 Result<void> CaseFile::remove_measurement(std::int64_t id) {
@@ -234,15 +239,15 @@ Result<void> CaseFile::commit() { return records_->commit(); }
 
 Result<void> CaseFile::move_to(const std::filesystem::path& path, const CaseOptions& options) {
   if (Result<void> committed = commit(); !committed) return committed;
-  auto target = CaseRecords::create(path, options);
-  if (!target) return tl::unexpected(target.error());
-  auto records = std::make_unique<CaseRecords>(*std::move(target));
-  if (Result<void> copied = records_->copy_to(*records); !copied) {
-    records.reset();
+  if (Result<void> copied = records_->copy_to_file(path, options); !copied) return copied;
+  auto records = CaseRecords::open(path, options);
+  Result<void> moved = records ? remove_former(path_) : tl::unexpected(records.error());
+  if (!moved) {
+    if (records) records = tl::unexpected(moved.error());
     remove_case(path);
-    return copied;
+    return moved;
   }
-  records_ = std::move(records);
+  records_ = std::make_unique<CaseRecords>(*std::move(records));
   remove_case(path_);
   path_ = path;
   return {};

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/base/secret.h"
 #include "core/editing/edits.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
@@ -112,7 +113,7 @@ struct CaseSurvey {
 
 struct CaseOptions {
   /// Empty: not encrypted. A case that is not encrypted opens with any passphrase.
-  std::string passphrase;
+  Secret passphrase;
   /// Neither the file nor its folder is changed.
   bool read_only = false;
   /// Default 256 MiB, about two minutes of views. Bound on the records that wait in memory because
@@ -120,6 +121,8 @@ struct CaseOptions {
   std::size_t max_waiting_bytes = std::size_t{256} << 20U;
 };
 
+struct CaseEvent;
+struct CaseJournal;
 class CaseRecords;
 class StageScans;
 
@@ -158,7 +161,7 @@ class CaseFile {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// That the case is encrypted with; empty: it is not.
-  [[nodiscard]] const std::string& passphrase() const;
+  [[nodiscard]] const Secret& passphrase() const;
   [[nodiscard]] bool is_read_only() const;
   /// True if records wait in memory because they could not be written.
   [[nodiscard]] bool has_waiting() const;
@@ -201,6 +204,8 @@ class CaseFile {
   /// Shows what was kept when the stage was cleared, and keeps what was shown in its place.
   /// @errors  Also kInsufficient: nothing is kept.
   [[nodiscard]] Result<void> bring_back_stage(ScanStage stage);
+  /// Adds an entry to the journal, see case_journal.h.
+  [[nodiscard]] Result<void> add_event(const CaseEvent& event);
   /// Saves all writes since the last commit, so that they survive the end of the process. A power
   /// failure may cost more, back to the last checkpoint of the log (every 8 MiB), but the case
   /// stays consistent.
@@ -224,6 +229,8 @@ class CaseFile {
   [[nodiscard]] Result<StoredStage> load_stage(ScanStage stage);
   /// @errors  Also kInsufficient: the stage has no result.
   [[nodiscard]] Result<StageResult> load_result(ScanStage stage);
+  /// Empty for a case of version 1 that is open read-only.
+  [[nodiscard]] Result<CaseJournal> journal();
 
  private:
   CaseFile(std::filesystem::path path, std::unique_ptr<CaseRecords> records);

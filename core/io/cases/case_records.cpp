@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <system_error>
 #include <utility>
 
 namespace flytri::io {
@@ -201,20 +202,25 @@ tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
   return tl::unexpected(*failure_);
 }
 
-Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
-  auto statement = database_.prepare(
-      fmt::format(fmt::runtime(pending.data ? "INSERT OR REPLACE INTO {} VALUES (?, ?, ?)"
-                                            : "DELETE FROM {} WHERE id BETWEEN ? AND ?"),
-                  name_of(pending.table)));
-  if (!statement) return tl::unexpected(statement.error());
-  statement->bind(1, pending.range.first);
-  if (pending.data) {
-    statement->bind(2, record_checksum(pending.range.first, *pending.data));
-    statement->bind_blob(3, *pending.data);
-  } else {
-    statement->bind(2, pending.range.last);
+Result<void> CaseRecords::insert(CaseTable table, std::int64_t id, std::string_view data) {
+  std::optional<SqliteStatement>& insertion = insertions_[static_cast<std::size_t>(table)];
+  if (!insertion) {
+    auto prepared = database_.prepare(
+        fmt::format("INSERT OR REPLACE INTO {} VALUES (?, ?, ?)", name_of(table)));
+    if (!prepared) return tl::unexpected(prepared.error());
+    insertion = *std::move(prepared);
   }
-  return statement->step().map([](bool) {});
+  insertion->bind(1, id).bind(2, record_checksum(id, data)).bind_blob(3, data);
+  return insertion->step().map([](bool) {});
+}
+
+Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
+  if (pending.data) return insert(pending.table, pending.range.first, *pending.data);
+  auto statement = database_.prepare(
+      fmt::format("DELETE FROM {} WHERE id BETWEEN ? AND ?", name_of(pending.table)));
+  if (!statement) return tl::unexpected(statement.error());
+  return statement->bind(1, pending.range.first).bind(2, pending.range.last).step().map([](bool) {
+  });
 }
 
 Result<void> CaseRecords::write(PendingWrite pending) {
@@ -255,6 +261,19 @@ Result<void> CaseRecords::replace(CaseTable table, std::int64_t id, std::string_
   return write({table, {id, id}, std::string(data)});
 }
 
+Result<std::int64_t> CaseRecords::append(CaseTable table, const RecordRange& range,
+                                         std::string_view data) {
+  const auto stored = last(table, range);
+  if (!stored) return tl::unexpected(stored.error());
+  std::int64_t id = stored->value_or(range.first - 1);
+  for (const PendingWrite& waiting : pending_) {
+    const std::int64_t first = waiting.range.first;
+    const bool is_one = waiting.data && waiting.table == table && first <= range.last;
+    if (is_one) id = std::max(id, first);
+  }
+  return replace(table, id + 1, data).map([&] { return id + 1; });
+}
+
 Result<void> CaseRecords::erase(CaseTable table, const RecordRange& range) {
   return write({table, range, std::nullopt});
 }
@@ -270,6 +289,32 @@ Result<void> CaseRecords::commit() {
   pending_.clear();
   pending_bytes_ = 0;
   return {};
+}
+
+Result<void> CaseRecords::end_log() {
+  const auto rest = database_.run("PRAGMA journal_mode = DELETE");
+  std::error_code ignored;
+  if (!rest || !std::filesystem::exists(database_.name() + "-wal", ignored)) return rest;
+  return fail(ErrorCode::kWriteFailed, "{}: cannot be written; choose another folder",
+              database_.name());
+}
+
+Result<void> CaseRecords::copy_to_file(const std::filesystem::path& path,
+                                       const CaseOptions& options) {
+  Result<AtomicFile> file = AtomicFile::create(path, Access::kOwnerOnly);
+  if (!file) return tl::unexpected(file.error());
+  const std::filesystem::path temporary = file->temporary();
+  // Takes the copy over, so that it is closed before it gets its name.
+  const auto copy = [&](CaseRecords target) {
+    return copy_to(target).and_then([&] { return target.end_log(); });
+  };
+  Result<void> copied = fill_case_database(temporary, options.passphrase)
+                            .and_then([&] { return open(temporary, options); })
+                            .and_then(copy)
+                            .and_then([&] { return file->commit_new(); });
+  if (copied) return {};
+  remove_case(temporary);
+  return under_final_name(copied.error(), *file);
 }
 
 Result<void> CaseRecords::copy(CaseTable table, std::int64_t id, std::string_view data) {

@@ -4,6 +4,7 @@
 /// For the sources of core/io/cases only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -48,17 +49,21 @@ class CaseRecords {
   /// True if writes wait because they failed.
   [[nodiscard]] bool has_waiting() const { return failure_ && !pending_.empty(); }
   [[nodiscard]] const std::vector<std::string>& damage() const { return damage_; }
-  [[nodiscard]] const std::string& passphrase() const { return passphrase_; }
+  [[nodiscard]] const Secret& passphrase() const { return passphrase_; }
 
   /// @errors  Also kInconsistent: there is a record with this id.
   [[nodiscard]] Result<void> add(CaseTable table, std::int64_t id, std::string_view data);
   [[nodiscard]] Result<void> replace(CaseTable table, std::int64_t id, std::string_view data);
+  /// Adds a record after the last one of the range, or of those that wait, and returns its id.
+  [[nodiscard]] Result<std::int64_t> append(CaseTable table, const RecordRange& range,
+                                            std::string_view data);
   [[nodiscard]] Result<void> erase(CaseTable table, const RecordRange& range);
   [[nodiscard]] Result<void> commit();
 
-  /// Copies all records to an empty case, and commits there.
-  /// @errors  kBadFormat: a record cannot be read.
-  [[nodiscard]] Result<void> copy_to(CaseRecords& target);
+  /// Copies all records to a new case, which gets its name when it is complete.
+  /// @errors  As create; kBadFormat: a record cannot be read.
+  [[nodiscard]] Result<void> copy_to_file(const std::filesystem::path& path,
+                                          const CaseOptions& options);
   /// Reads all records of a case.
   /// @param target  an empty case that gets the records, and what waits to be written; null: none
   /// @param read  a record that it finds damaged is left out
@@ -88,16 +93,22 @@ class CaseRecords {
     RecordRange range;
     std::optional<std::string> data;  ///< of the one record of the range; none: erases the range
   };
+  [[nodiscard]] Result<void> copy_to(CaseRecords& target);
+  /// Puts what is in the log into the file, and removes the log. Write nothing afterwards.
+  [[nodiscard]] Result<void> end_log();
   [[nodiscard]] Result<void> begin();
   [[nodiscard]] Result<void> write(PendingWrite pending);
   [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);
   /// Also commits now and then: what is not committed is in memory.
   [[nodiscard]] Result<void> copy(CaseTable table, std::int64_t id, std::string_view data);
+  [[nodiscard]] Result<void> insert(CaseTable table, std::int64_t id, std::string_view data);
   /// Rolls the transaction back, so that the next one repeats it, and returns the failure.
   [[nodiscard]] tl::unexpected<Error> postponed(const Error& error);
 
   SqliteDatabase database_;
-  std::string passphrase_;
+  Secret passphrase_;
+  /// For each table: prepared once, as poses are written by thousands.
+  std::array<std::optional<SqliteStatement>, kCaseTables.size()> insertions_;
   bool is_read_only_ = false;
   bool is_damaged_ = false;  ///< damage was found: nothing is written any more, all writes wait
   std::size_t max_waiting_bytes_;

@@ -39,6 +39,7 @@ Result<void> check_record(CaseTable table, std::int64_t id, std::string_view dat
     case CaseTable::kCalibration:
     case CaseTable::kModels:
     case CaseTable::kSummaries:
+    case CaseTable::kEvents:
       break;
   }
   return {};

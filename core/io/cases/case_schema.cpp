@@ -4,8 +4,6 @@
 #include <system_error>
 #include <utility>
 
-#include "core/io/files/file_bytes.h"
-
 namespace flytri::io {
 namespace {
 
@@ -13,7 +11,8 @@ namespace fs = std::filesystem;
 
 /// "flyt": the mark of a case among SQLite databases.
 constexpr std::int64_t kApplicationId = 0x666c7974;
-constexpr std::int64_t kCaseVersion = 1;
+/// Version 1 had no journal. Such a case gets one when it is opened to be written.
+constexpr std::int64_t kCaseVersion = 2, kWithoutJournal = 1;
 
 // The defaults differ between releases of the library. Fixed numbers let a case open with all of
 // them. Older releases ignore cipher_compatibility.
@@ -30,6 +29,8 @@ constexpr const char* kLockSetup = "PRAGMA locking_mode = EXCLUSIVE;";
 // failure costs what came after the checkpoint, but leaves no half transaction.
 constexpr const char* kLogSetup =
     "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 1024;";
+/// For a file that gets its name when it is complete: its log is in memory.
+constexpr const char* kNewSetup = "PRAGMA journal_mode = MEMORY;";
 /// Lets the library open a file that is shorter than its header says.
 constexpr const char* kSalvageSetup = "PRAGMA writable_schema = ON;";
 
@@ -39,12 +40,41 @@ std::string table_sql(CaseTable table) {
       name_of(table));
 }
 
-/// Accepts only the tables of this version: no view, no trigger.
-Result<void> check_tables(SqliteDatabase& database) {
+/// The table of the journal, and triggers that refuse to change it.
+std::vector<std::string> journal_sql() {
+  const std::string table(name_of(CaseTable::kEvents));
+  const std::string refuse = "BEGIN SELECT RAISE(ABORT, 'the journal only grows'); END";
+  return {table_sql(CaseTable::kEvents),
+          fmt::format("CREATE TRIGGER {0}_update BEFORE UPDATE ON {0} {1}", table, refuse),
+          fmt::format("CREATE TRIGGER {0}_delete BEFORE DELETE ON {0} {1}", table, refuse),
+          fmt::format("CREATE TRIGGER {0}_replace BEFORE INSERT ON {0} WHEN EXISTS (SELECT 1 FROM "
+                      "{0} WHERE id = NEW.id) {1}",
+                      table, refuse)};
+}
+
+/// Everything that a case of this version consists of.
+std::vector<std::string> schema_sql(std::int64_t version) {
+  std::vector<std::string> schema;
+  for (const CaseTable table : kCaseTables) {
+    if (table != CaseTable::kEvents) schema.push_back(table_sql(table));
+  }
+  if (version == kWithoutJournal) return schema;
+  const std::vector<std::string> journal = journal_sql();
+  schema.insert(schema.end(), journal.begin(), journal.end());
+  return schema;
+}
+
+std::string joined(const std::vector<std::string>& statements) {
+  std::string sql;
+  for (const std::string& statement : statements) sql += statement + ";";
+  return sql;
+}
+
+/// Accepts only what this version has: no other table, view or trigger.
+Result<void> check_tables(SqliteDatabase& database, std::int64_t version) {
   auto statement = database.prepare("SELECT sql FROM sqlite_master");
   if (!statement) return tl::unexpected(statement.error());
-  std::vector<std::string> found, wanted;
-  for (const CaseTable table : kCaseTables) wanted.push_back(table_sql(table));
+  std::vector<std::string> found, wanted = schema_sql(version);
   for (;;) {
     const Result<bool> row = statement->step();
     if (!row) return tl::unexpected(row.error());
@@ -59,7 +89,8 @@ Result<void> check_tables(SqliteDatabase& database) {
               database.name());
 }
 
-Result<void> check_version(SqliteDatabase& database) {
+/// The version, if this program reads it.
+Result<std::int64_t> check_version(SqliteDatabase& database) {
   const auto application = database.integer("PRAGMA application_id");
   if (!application) return tl::unexpected(application.error());
   const auto version = database.integer("PRAGMA user_version");
@@ -74,33 +105,46 @@ Result<void> check_version(SqliteDatabase& database) {
         "flytri",
         database.name(), *version, kCaseVersion);
   }
-  if (*version == kCaseVersion) return {};
+  if (*version >= kWithoutJournal) return *version;
   return fail(ErrorCode::kBadFormat, "{}: damaged: its version is {}, which does not exist",
               database.name(), *version);
 }
 
-Result<void> set_up(SqliteDatabase& database, const std::string& passphrase) {
+Result<void> set_up(SqliteDatabase& database, const Secret& passphrase) {
   if (passphrase.empty()) return database.run(kReadSetup);
-  return database.set_key(passphrase)
+  return database.set_key(passphrase.view())
       .and_then([&] { return database.run(kCipherSetup); })
       .and_then([&] { return database.run(kReadSetup); });
 }
 
+/// Gives a case without a journal one: in the file, or for one that is only read, an empty one in
+/// memory.
+Result<void> add_journal(SqliteDatabase& database, SqliteAccess access) {
+  if (access != SqliteAccess::kReadWrite) {
+    return database.run("PRAGMA temp_store = MEMORY; CREATE TEMP" +
+                        table_sql(CaseTable::kEvents).substr(std::string_view("CREATE").size()));
+  }
+  return database.run(fmt::format("BEGIN IMMEDIATE; {} PRAGMA user_version = {}; COMMIT;",
+                                  joined(journal_sql()), kCaseVersion));
+}
+
 /// Opens an existing file and checks its version and tables.
-Result<SqliteDatabase> try_open(const fs::path& path, const std::string& passphrase,
-                                SqliteAccess access, const char* more_setup) {
+Result<SqliteDatabase> try_open(const fs::path& path, const Secret& passphrase, SqliteAccess access,
+                                const char* more_setup) {
   Result<SqliteDatabase> database = SqliteDatabase::open(path, access);
   if (!database) return database;
-  Result<void> usable = set_up(*database, passphrase)
-                            .and_then([&] { return database->run(more_setup); })
-                            .and_then([&] { return check_version(*database); })
-                            .and_then([&] { return check_tables(*database); });
+  const auto version = set_up(*database, passphrase)
+                           .and_then([&] { return database->run(more_setup); })
+                           .and_then([&] { return check_version(*database); });
+  if (!version) return tl::unexpected(version.error());
+  Result<void> usable = check_tables(*database, *version);
+  if (usable && *version == kWithoutJournal) usable = add_journal(*database, access);
   if (!usable) return tl::unexpected(usable.error());
   database->set_is_database();
   return database;
 }
 
-Result<CaseDatabase> open_to_write(const fs::path& path, const std::string& passphrase) {
+Result<CaseDatabase> open_to_write(const fs::path& path, const Secret& passphrase) {
   Result<SqliteDatabase> database =
       try_open(path, passphrase, SqliteAccess::kReadWrite, kLockSetup);
   if (!database) return tl::unexpected(database.error());
@@ -119,8 +163,7 @@ SqliteAccess reading_access(const fs::path& path) {
 }
 
 /// Opens the file as requested. If it is damaged, opens it read-only with what can be read.
-Result<CaseDatabase> open_with(const fs::path& path, const std::string& passphrase,
-                               bool read_only) {
+Result<CaseDatabase> open_with(const fs::path& path, const Secret& passphrase, bool read_only) {
   const auto open_to_read = [&](const char* more_setup) {
     return try_open(path, passphrase, reading_access(path), more_setup)
         .map([&passphrase](SqliteDatabase&& database) {
@@ -152,43 +195,49 @@ Result<void> check_file(const fs::path& path) {
   return {};
 }
 
-/// Creates the tables in an empty file.
-Result<CaseDatabase> fill_new(const fs::path& path, const std::string& passphrase) {
-  Result<SqliteDatabase> database = SqliteDatabase::open(path, SqliteAccess::kReadWrite);
-  if (!database) return tl::unexpected(database.error());
-  std::string sql = "BEGIN;";
-  for (const CaseTable table : kCaseTables) sql += table_sql(table) + ";";
-  sql += fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;",
-                     kApplicationId, kCaseVersion);
-  Result<void> filled = set_up(*database, passphrase)
-                            .and_then([&] { return database->run(kPageSetup); })
-                            .and_then([&] { return database->run(kLockSetup); })
-                            .and_then([&] { return database->run(kLogSetup); })
-                            .and_then([&] { return database->run(sql); });
-  if (!filled) return tl::unexpected(filled.error());
-  database->set_is_database();
-  return CaseDatabase{std::move(*database), passphrase, false, {}};
+}  // namespace
+
+tl::unexpected<Error> under_final_name(Error error, const AtomicFile& file) {
+  const std::size_t at = error.message.find(file.temporary());
+  if (at != std::string::npos) {
+    error.message.replace(at, file.temporary().size(), file.path().string());
+  }
+  return tl::unexpected(std::move(error));
 }
 
-}  // namespace
+Result<void> fill_case_database(const fs::path& path, const Secret& passphrase) {
+  Result<SqliteDatabase> database = SqliteDatabase::open(path, SqliteAccess::kReadWrite);
+  if (!database) return tl::unexpected(database.error());
+  const std::string sql =
+      fmt::format("BEGIN; {} PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;",
+                  joined(schema_sql(kCaseVersion)), kApplicationId, kCaseVersion);
+  return set_up(*database, passphrase)
+      .and_then([&] { return database->run(kPageSetup); })
+      .and_then([&] { return database->run(kNewSetup); })
+      .and_then([&] { return database->run(sql); });
+}
 
 std::string_view name_of(CaseTable table) {
   constexpr std::array<std::string_view, kCaseTables.size()> kNames = {
-      "fields", "calibration",  "views",        "textures", "frames",   "poses",
-      "edits",  "edit_cursors", "measurements", "models",   "summaries"};
+      "fields", "calibration",  "views",        "textures", "frames",    "poses",
+      "edits",  "edit_cursors", "measurements", "models",   "summaries", "events"};
   return kNames[static_cast<std::size_t>(table)];
 }
 
 void remove_case(const fs::path& path) {
   std::error_code ignored;
-  for (const char* ending : {"", "-wal", "-shm"}) fs::remove(path.string() + ending, ignored);
+  for (const char* ending : {"", "-wal", "-shm", "-journal"})
+    fs::remove(path.string() + ending, ignored);
 }
 
-Result<CaseDatabase> create_case_database(const fs::path& path, const std::string& passphrase) {
-  if (Result<void> created = create_private_file(path); !created) {
-    return tl::unexpected(created.error());
-  }
-  Result<CaseDatabase> database = fill_new(path, passphrase);
+Result<CaseDatabase> create_case_database(const fs::path& path, const Secret& passphrase) {
+  Result<AtomicFile> file = AtomicFile::create(path, Access::kOwnerOnly);
+  if (!file) return tl::unexpected(file.error());
+  Result<void> made = fill_case_database(file->temporary(), passphrase).and_then([&] {
+    return file->commit_new();
+  });
+  if (!made) return under_final_name(made.error(), *file);
+  Result<CaseDatabase> database = open_case_database(path, {passphrase, false});
   if (!database) remove_case(path);
   return database;
 }
@@ -202,7 +251,7 @@ Result<CaseDatabase> open_case_database(const fs::path& path, const CaseOptions&
                 "{}: is encrypted, damaged at its start, or not a case; give its passphrase",
                 path.string());
   }
-  database = open_with(path, {}, options.read_only);
+  database = open_with(path, Secret(), options.read_only);
   if (database || database.error().code != ErrorCode::kInconsistent) return database;
   return fail(ErrorCode::kInconsistent,
               "{}: the passphrase is wrong, or the start of the file is damaged", path.string());

@@ -12,6 +12,7 @@
 
 #include "core/io/cases/case_file.h"
 #include "core/io/cases/sqlite.h"
+#include "core/io/files/atomic_file.h"
 
 namespace flytri::io {
 
@@ -27,27 +28,37 @@ enum class CaseTable {
   kEditCursors,   ///< by stage: how many of the edits apply
   kMeasurements,  ///< by stage and number: JSON
   kModels,        ///< by stage: .glb
-  kSummaries      ///< by stage: JSON
+  kSummaries,     ///< by stage: JSON
+  kEvents         ///< by number, from 1: JSON; never changed
 };
 inline constexpr std::array kCaseTables = {
     CaseTable::kFields,   CaseTable::kCalibration, CaseTable::kViews,
     CaseTable::kTextures, CaseTable::kFrames,      CaseTable::kPoses,
     CaseTable::kEdits,    CaseTable::kEditCursors, CaseTable::kMeasurements,
-    CaseTable::kModels,   CaseTable::kSummaries};
+    CaseTable::kModels,   CaseTable::kSummaries,   CaseTable::kEvents};
 [[nodiscard]] std::string_view name_of(CaseTable table);
 
 /// An open database with the tables of a case.
 struct CaseDatabase {
   SqliteDatabase sqlite;
-  std::string passphrase;  ///< that it is encrypted with; empty: it is not
+  Secret passphrase;  ///< that it is encrypted with; empty: it is not
   bool is_read_only = false;
   std::vector<std::string> damage;  ///< why it is read-only although the caller wants to write
 };
 
-/// Creates an empty file with the tables; only its owner may read it. On failure no file is left.
+/// Makes the tables in an empty file, and closes it.
+/// @errors  As SqliteDatabase.
+[[nodiscard]] Result<void> fill_case_database(const std::filesystem::path& path,
+                                              const Secret& passphrase);
+
+/// An error about the temporary file as one about the file that it was to become.
+[[nodiscard]] tl::unexpected<Error> under_final_name(Error error, const AtomicFile& file);
+
+/// Creates a file with the tables; only its owner may read it. The file gets its name when it is
+/// complete. On failure no file is left.
 /// @errors  As CaseFile::create.
 [[nodiscard]] Result<CaseDatabase> create_case_database(const std::filesystem::path& path,
-                                                        const std::string& passphrase);
+                                                        const Secret& passphrase);
 
 /// @errors  As CaseFile::open.
 [[nodiscard]] Result<CaseDatabase> open_case_database(const std::filesystem::path& path,

@@ -3,9 +3,10 @@
 #define SQLITE_HAS_CODEC  // NOLINT(readability-identifier-naming): the header's switch for keys
 #include <sqlcipher/sqlite3.h>
 
-#include <array>
 #include <system_error>
 #include <utility>
+
+#include "core/io/cases/sqlite_guard.h"
 
 namespace flytri::io {
 namespace {
@@ -88,31 +89,6 @@ std::string sqlite_uri(const std::filesystem::path& path, SqliteAccess access) {
   return access == SqliteAccess::kImmutable ? uri + "?immutable=1" : uri;
 }
 
-/// Largest number that the library takes of each kind. The statements of a case are short and
-/// simple, and no record comes near the length; what needs more comes from a crafted file.
-constexpr std::array<std::pair<int, int>, 9> kLimits = {{{SQLITE_LIMIT_LENGTH, 1 << 29},
-                                                         {SQLITE_LIMIT_SQL_LENGTH, 1 << 16},
-                                                         {SQLITE_LIMIT_COLUMN, 16},
-                                                         {SQLITE_LIMIT_EXPR_DEPTH, 16},
-                                                         {SQLITE_LIMIT_COMPOUND_SELECT, 1},
-                                                         {SQLITE_LIMIT_FUNCTION_ARG, 8},
-                                                         {SQLITE_LIMIT_ATTACHED, 0},
-                                                         {SQLITE_LIMIT_VARIABLE_NUMBER, 16},
-                                                         {SQLITE_LIMIT_TRIGGER_DEPTH, 1}}};
-
-/// As the library's authors advise for files of strangers. Older releases know fewer switches.
-void harden(sqlite3* database, [[maybe_unused]] SqliteAccess access) {
-  for (const auto& [kind, limit] : kLimits) sqlite3_limit(database, kind, limit);
-#ifdef SQLITE_DBCONFIG_TRUSTED_SCHEMA
-  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-#endif
-#ifdef SQLITE_DBCONFIG_DEFENSIVE
-  // Not where a damaged file is read: that needs a writable schema.
-  if (access == SqliteAccess::kReadWrite)
-    sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-#endif
-}
-
 }  // namespace
 
 void SqliteStatement::Finalize::operator()(sqlite3_stmt* statement) const {
@@ -171,7 +147,7 @@ Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
   SqliteDatabase database(opened, path.string());
   if (code != SQLITE_OK) return sqlite_failure(code, path.string(), {});
   sqlite3_extended_result_codes(opened, 1);
-  harden(opened, access);
+  harden(opened, access != SqliteAccess::kReadWrite);
   // Where writing is not permitted, the library goes on reading without a word.
   if (access == SqliteAccess::kReadWrite && sqlite3_db_readonly(opened, "main") == 1) {
     return sqlite_failure(SQLITE_READONLY, path.string(), {});
@@ -180,8 +156,10 @@ Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
 }
 
 Result<void> SqliteDatabase::set_key(std::string_view passphrase) {
-  const int code =
-      sqlite3_key(database_.get(), passphrase.data(), static_cast<int>(passphrase.size()));
+  // Otherwise later releases do not lock the memory of the passphrase; older ones always do.
+  if (Result<void> locked = run("PRAGMA cipher_memory_security = ON"); !locked) return locked;
+  const int code = sqlite3_key_v2(database_.get(), "main", passphrase.data(),
+                                  static_cast<int>(passphrase.size()));
   if (code != SQLITE_OK) return sqlite_failure(code, name_, {});
   // A plain SQLite in the place of SQLCipher would take the key and write everything in the open.
   if (!prepare("PRAGMA cipher_version")

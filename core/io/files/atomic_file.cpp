@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <iterator>
 #include <random>
 #include <system_error>
@@ -52,6 +53,16 @@ Result<void> sync_folder_of(const fs::path& path) {
   ::close(descriptor);
   if (error != 0) return write_failure(path, error);
   return {};
+}
+
+/// Renames unless the new name is taken. @return  an errno
+int rename_to_new(const char* from, const char* to) {
+  if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+  // A network file system cannot tell in one step.
+  struct stat status {};
+  if (::lstat(to, &status) == 0) return EEXIST;
+  return ::rename(from, to) == 0 ? 0 : errno;
 }
 
 /// A file that is about to be replaced, kept under a second name until that is certain.
@@ -190,14 +201,28 @@ Result<void> AtomicFile::commit() {
 }
 
 Result<void> AtomicFile::commit_unsynced() {
+  return close_and_rename(
+      [](const char* from, const char* to) { return ::rename(from, to) == 0 ? 0 : errno; });
+}
+
+Result<void> AtomicFile::commit_new() {
+  if (Result<void> synced = sync(); !synced) return synced;
+  if (Result<void> renamed = close_and_rename(rename_to_new); !renamed) return renamed;
+  Result<void> synced = sync_folder_of(path_);
+  if (!synced) ::unlink(path_.c_str());
+  return synced;
+}
+
+Result<void> AtomicFile::close_and_rename(int (*rename)(const char* from, const char* to)) {
   // Closing may fail, so it comes before renaming. The second descriptor keeps the lock meanwhile.
   const int lock = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   const int descriptor = std::exchange(descriptor_, -1);
   int error = ::close(descriptor) == 0 ? 0 : errno;
-  if (error == 0 && ::rename(temporary_.c_str(), path_.c_str()) != 0) error = errno;
+  if (error == 0) error = rename(temporary_.c_str(), path_.c_str());
   if (lock >= 0) ::close(lock);
   if (error == 0) return {};
   ::unlink(temporary_.c_str());
+  if (error == EEXIST) return file_exists(path_);
   return write_failure(path_, error);
 }
 

@@ -42,11 +42,19 @@ class AtomicFile {
   /// @errors  As commit.
   [[nodiscard]] Result<void> commit_unsynced();
 
+  /// As commit, but for a name that nothing has yet.
+  /// @errors  As commit; kBadOption: a file of that name exists, and stays as it is.
+  [[nodiscard]] Result<void> commit_new();
+
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// The temporary file, for a library that writes it by name.
+  [[nodiscard]] const std::string& temporary() const { return temporary_; }
 
  private:
   AtomicFile(std::filesystem::path path, std::string temporary, int descriptor);
   void discard();
+  /// Closes the file, and gives it its name by `rename`, which returns an errno.
+  [[nodiscard]] Result<void> close_and_rename(int (*rename)(const char* from, const char* to));
 
   std::filesystem::path path_;
   std::string temporary_;

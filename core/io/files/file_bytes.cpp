@@ -66,16 +66,6 @@ Result<std::string> read_file(const fs::path& path) {
   return bytes;
 }
 
-Result<void> create_private_file(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (descriptor < 0 && errno == EEXIST) {
-    return fail(ErrorCode::kBadOption, "{}: exists already; choose another name", path.string());
-  }
-  if (descriptor < 0) return write_failure(path, errno);
-  ::close(descriptor);
-  return {};
-}
-
 Result<void> create_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);

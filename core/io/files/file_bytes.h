@@ -25,10 +25,6 @@ namespace flytri::io {
 /// @errors  kNotFound, kNotPermitted, kBadFormat (not a file, or reading fails).
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path);
 
-/// Creates an empty file that only its owner may read or write.
-/// @errors  kBadOption: a file of that name exists; as AtomicFile::create.
-[[nodiscard]] Result<void> create_private_file(const std::filesystem::path& path);
-
 /// Creates a folder and its parents, unless it exists.
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> create_folder(const std::filesystem::path& folder);

@@ -61,4 +61,8 @@ tl::unexpected<Error> read_failure(const std::filesystem::path& path, int error)
               std::generic_category().message(error), remedy_of_reading(error));
 }
 
+tl::unexpected<Error> file_exists(const std::filesystem::path& path) {
+  return fail(ErrorCode::kBadOption, "{}: exists already; choose another name", path.string());
+}
+
 }  // namespace flytri::io

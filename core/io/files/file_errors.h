@@ -10,6 +10,9 @@ namespace flytri::io {
 /// @param error  an errno
 [[nodiscard]] tl::unexpected<Error> write_failure(const std::filesystem::path& path, int error);
 
+/// kBadOption.
+[[nodiscard]] tl::unexpected<Error> file_exists(const std::filesystem::path& path);
+
 /// @param error  an errno
 [[nodiscard]] tl::unexpected<Error> read_failure(const std::filesystem::path& path, int error);
 

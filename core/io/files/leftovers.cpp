@@ -48,11 +48,32 @@ void remove_leftover(const std::string& path, bool is_second_name) {
   ::close(descriptor);
 }
 
+/// The temporary file that a database has this log of; empty: it is no log of one.
+std::string owner_of_log(const std::string& name) {
+  for (const std::string_view ending : {"-wal", "-shm", "-journal"}) {
+    if (!name.ends_with(ending)) continue;
+    std::string owner = name.substr(0, name.size() - ending.size());
+    if (is_named(owner, kTemporaryPrefix)) return owner;
+  }
+  return {};
+}
+
+/// A log is there only as long as its file.
+void remove_logs(const fs::path& folder) {
+  std::error_code ended, ignored;
+  fs::directory_iterator entry(folder, ended);
+  for (; !ended && entry != fs::directory_iterator(); entry.increment(ended)) {
+    const std::string owner = owner_of_log(entry->path().filename().string());
+    if (!owner.empty() && !fs::exists(folder / owner, ignored)) fs::remove(entry->path(), ignored);
+  }
+}
+
 }  // namespace
 
 void remove_leftovers(const fs::path& folder) {
   std::error_code ended;
-  fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, ended);
+  const fs::path searched = folder.empty() ? fs::path(".") : folder;
+  fs::directory_iterator entry(searched, ended);
   for (; !ended && entry != fs::directory_iterator(); entry.increment(ended)) {
     const std::string name = entry->path().filename().string();
     const bool is_second_name = is_named(name, kSecondNamePrefix);
@@ -60,6 +81,7 @@ void remove_leftovers(const fs::path& folder) {
       remove_leftover(entry->path().string(), is_second_name);
     }
   }
+  remove_logs(searched);
 }
 
 }  // namespace flytri::io

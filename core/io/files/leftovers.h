@@ -15,7 +15,8 @@ inline constexpr std::string_view kMovedPrefix = ".flytri-moved-";
 
 /// Removes temporary files of killed programs from a folder; call it before writing there. Removed
 /// are only files of this user with one of the first two names above, whose program has ended: it
-/// holds a lock on them. Second names, and files on a disk without locks, are removed after a day.
+/// holds a lock on them. Second names, and files on a disk without locks, are removed after a day;
+/// logs of a database with their file.
 /// Failures are passed over: the files are in nobody's way.
 void remove_leftovers(const std::filesystem::path& folder);
 

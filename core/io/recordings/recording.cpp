@@ -7,6 +7,7 @@
 
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/file_bytes.h"
+#include "core/io/files/leftovers.h"
 #include "core/io/files/json_place.h"
 #include "core/io/files/png.h"
 #include "core/io/recordings/frame_kind.h"
@@ -159,6 +160,7 @@ Result<RecordingWriter> RecordingWriter::create(const std::filesystem::path& fol
   if (Result<void> created = create_folder(images); !created) {
     return tl::unexpected(created.error());
   }
+  for (const auto& written : {folder, images}) remove_leftovers(written);
   return RecordingWriter(folder, std::move(calibration), std::move(fingerprint), std::move(made));
 }
 

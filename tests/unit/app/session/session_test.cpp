@@ -1,6 +1,7 @@
 #include "app/session/session.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -15,12 +16,14 @@
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
 #include "core/io/calibrations/recording_calibration.h"
+#include "core/io/cases/case_journal.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/model.h"
 #include "core/io/recordings/recording.h"
 #include "core/measurement/measure_view.h"
 #include "tests/support/case_samples.h"
 #include "tests/support/full_disk.h"
+#include "tests/support/memory_scan.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
@@ -47,6 +50,13 @@ bool warns_of_other_calibration(const ui::AppView& view) {
   return std::any_of(view.notices.begin(), view.notices.end(), [](const ui::Notice& notice) {
     return notice.text.find("another calibration") != std::string::npos;
   });
+}
+
+std::vector<io::CaseAction> actions_in(io::CaseFile& file) {
+  std::vector<io::CaseAction> actions;
+  const io::CaseJournal journal = file.journal().value();
+  for (const io::CaseEvent& event : journal.events) actions.push_back(event.action);
+  return actions;
 }
 
 class SessionOnARecording : public ::testing::Test {
@@ -89,7 +99,7 @@ TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
     // What was scanned before is saved in the new case.
     io::CaseFields fields;
     fields.patient_name = "Smith";
-    session.carry_out(ui::NewCase{path, "", fields});
+    session.carry_out(ui::NewCase{path, {}, fields});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
     session.carry_out(ui::PauseScan{});
     session.carry_out(ui::AddMeasurement{{0, Vec3(0, 0, 0), Vec3(1, 0, 0), ""}});
@@ -98,7 +108,7 @@ TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
     EXPECT_TRUE(session.view().file.is_saved);
   }
   Session session(options_);
-  session.carry_out(ui::OpenCase{path, ""});
+  session.carry_out(ui::OpenCase{path, {}});
   ASSERT_TRUE(wait_for(session, [](const auto& view) {
     return view.file.fields.patient_name == "Smith" && view.scan && !view.scan->model.empty();
   }));
@@ -117,6 +127,7 @@ TEST_F(SessionOnARecording, AScanWithoutACaseIsFoundAgainAndCanBeNamed) {
     EXPECT_TRUE(session.view().file.is_unnamed);
   }
   const std::string named = (folder_.path() / "cases" / "late.flytri").string();
+  const Secret passphrase = testing::random_passphrase();
   std::string unnamed;
   {
     Session session(options_);
@@ -124,13 +135,13 @@ TEST_F(SessionOnARecording, AScanWithoutACaseIsFoundAgainAndCanBeNamed) {
       return view.file.known.size() == 1 && view.file.known.front().is_unnamed;
     }));
     unnamed = session.view().file.known.front().path;
-    session.carry_out(ui::OpenCase{unnamed, ""});
+    session.carry_out(ui::OpenCase{unnamed, {}});
     ASSERT_TRUE(wait_for(session, [](const auto& view) {
       return view.scan != nullptr && !view.scan->model.empty();
     }));
     io::CaseFields fields;
     fields.patient_name = "Late";
-    session.carry_out(ui::NewCase{named, "secret", fields});
+    session.carry_out(ui::NewCase{named, passphrase, fields});
     ASSERT_TRUE(wait_for(session, [&](const auto& view) { return view.file.path == named; }));
     EXPECT_FALSE(session.view().file.is_unnamed);
     EXPECT_FALSE(session.view().scan->model.empty());
@@ -139,9 +150,14 @@ TEST_F(SessionOnARecording, AScanWithoutACaseIsFoundAgainAndCanBeNamed) {
     session.carry_out(ui::StartScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
   }
-  auto stored = io::CaseFile::open(named, {.passphrase = "secret"});
+  auto stored = io::CaseFile::open(named, {.passphrase = passphrase});
   ASSERT_TRUE(stored) << stored.error().message;
   EXPECT_EQ(stored->fields()->patient_name, "Late");
+  EXPECT_EQ(actions_in(*stored), (std::vector{io::CaseAction::kCreated, io::CaseAction::kOpened,
+                                              io::CaseAction::kMoved}));
+  stored = tl::unexpected(Error{});
+  if (!testing::memory_can_be_locked()) return;
+  EXPECT_EQ(testing::unlocked_copies(::getpid(), passphrase), std::vector<std::string>());
   EXPECT_GT(stored->counts(io::ScanStage::kUpper)->views, 40);
 }
 
@@ -180,7 +196,7 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
   {
     Session session(options_);
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
-    session.carry_out(ui::NewCase{path, "", {}});
+    session.carry_out(ui::NewCase{path, {}, {}});
     session.carry_out(ui::StartScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
     session.carry_out(ui::Finish{});
@@ -188,10 +204,21 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
     session.scan()->wait_until_idle();
     triangles = session.view().scan->result->model.mesh.triangles.size();
     holes = session.view().scan->holes.size();
+    session.carry_out(ui::Export{{folder_.path().string(), "jaw", {".glb", ".stl"}}, {}});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return !view.exports.written.empty(); }));
+  }
+  {
+    auto file = io::CaseFile::open(path, {.passphrase = {}, .read_only = true}).value();
+    EXPECT_EQ(actions_in(file), (std::vector{io::CaseAction::kCreated, io::CaseAction::kComputed,
+                                             io::CaseAction::kExported}));
+    const io::CaseEvent exported = file.journal().value().events.back();
+    EXPECT_EQ(exported.stage, io::ScanStage::kUpper);
+    EXPECT_EQ(exported.files, (std::vector{(folder_.path() / "jaw.glb").string(),
+                                           (folder_.path() / "jaw.stl").string()}));
   }
   {
     Session session(options_);
-    session.carry_out(ui::OpenCase{path, ""});
+    session.carry_out(ui::OpenCase{path, {}});
     ASSERT_TRUE(wait_for(session, has_result));
     session.scan()->wait_until_idle();
     const auto scan = session.view().scan;
@@ -206,7 +233,7 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
     session.scan()->wait_until_idle();
   }
   Session session(options_);
-  session.carry_out(ui::OpenCase{path, ""});
+  session.carry_out(ui::OpenCase{path, {}});
   ASSERT_TRUE(wait_for(
       session, [](const auto& view) { return view.scan != nullptr && !view.scan->model.empty(); }));
   EXPECT_EQ(session.view().scan->result, nullptr);
@@ -307,7 +334,7 @@ TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
   const auto path_of = [&](rlim_t size) {
     return (folder_.path() / ("case" + std::to_string(size) + ".flytri")).string();
   };
-  session.carry_out(ui::NewCase{path_of(0), "", {}});
+  session.carry_out(ui::NewCase{path_of(0), {}, {}});
   session.carry_out(ui::StartScan{});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
   session.carry_out(ui::PauseScan{});
@@ -317,7 +344,7 @@ TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
   for (rlim_t size = 4096;; size += size / 4) {
     {
       const FullDisk limit(size);
-      session.carry_out(ui::NewCase{path_of(size), "", {}});
+      session.carry_out(ui::NewCase{path_of(size), {}, {}});
     }
     if (session.view().file.path == path_of(size)) break;
     ++failures;
@@ -352,7 +379,7 @@ TEST_F(SessionOnARecording, WhileFinishingNoOtherCaseOrStageCanBeChosen) {
     return view.scan->phase == scan::ScanPhase::kFinishing;
   };
   ASSERT_TRUE(wait_for(session, is_finishing));
-  session.carry_out(ui::NewCase{(folder_.path() / "late.flytri").string(), "", {}});
+  session.carry_out(ui::NewCase{(folder_.path() / "late.flytri").string(), {}, {}});
   session.carry_out(ui::SelectStage{io::ScanStage::kBite});
   session.carry_out(ui::StartScan{});
   const ui::AppView view = session.view();
@@ -362,7 +389,7 @@ TEST_F(SessionOnARecording, WhileFinishingNoOtherCaseOrStageCanBeChosen) {
   EXPECT_FALSE(view.is_scanning);
   session.carry_out(ui::CancelFinish{});
   session.scan()->wait_until_idle();
-  session.carry_out(ui::NewCase{(folder_.path() / "late.flytri").string(), "", {}});
+  session.carry_out(ui::NewCase{(folder_.path() / "late.flytri").string(), {}, {}});
   EXPECT_TRUE(wait_for(session, [](const auto& now) { return !now.file.is_unnamed; }));
 }
 
@@ -371,13 +398,13 @@ TEST_F(SessionOnARecording, WarnsOfACaseOfAnotherCalibration) {
   {
     Session session(options_);
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
-    session.carry_out(ui::NewCase{path, "", {}});
+    session.carry_out(ui::NewCase{path, {}, {}});
   }
   auto other = io::read_calibration(*options_.source.calibration).value();
   other.volume.size_mm.x() *= 1.01;
   ASSERT_TRUE(io::write_calibration(*options_.source.calibration, other));
   Session session(options_);
-  session.carry_out(ui::OpenCase{path, ""});
+  session.carry_out(ui::OpenCase{path, {}});
   EXPECT_TRUE(wait_for(session, warns_of_other_calibration));
 }
 

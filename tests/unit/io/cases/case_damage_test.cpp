@@ -40,7 +40,7 @@ void expect_done(const Result<void>& result) {
 /// Writes a case with records in every table, and returns the bytes of its file.
 std::string case_bytes(const fs::path& path, const std::string& passphrase = {}) {
   {
-    CaseFile file = CaseFile::create(path, {passphrase, false}).value();
+    CaseFile file = CaseFile::create(path, {Secret(passphrase), false}).value();
     for (int i = 0; i < kViews; ++i) {
       const auto view = std::make_shared<const View>(view_of(i));
       expect_done(file.append_view(kDamagedStage, *view));
@@ -173,7 +173,7 @@ TEST(CaseDamage, OpensADamagedEncryptedCase) {
     std::string bytes = whole;
     bytes[bytes.size() / 4 + random.below(bytes.size() * 3 / 4)] ^= 1;
     spoil(path, bytes);
-    const Salvage left = salvage(path, {"key", false});
+    const Salvage left = salvage(path, {Secret("key"), false});
     opened_count += left.opened ? 1 : 0;
     view_count += left.views;
   }
@@ -187,19 +187,19 @@ TEST(CaseDamage, RefusesANewerVersion) {
   (void)case_bytes(path);
   {
     SqliteDatabase database = SqliteDatabase::open(path, SqliteAccess::kReadWrite).value();
-    ASSERT_TRUE(database.run("PRAGMA user_version = 2"));
+    ASSERT_TRUE(database.run("PRAGMA user_version = 3"));
   }
   const Result<CaseFile> file = CaseFile::open(path);
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, ErrorCode::kBadFormat);
-  EXPECT_THAT(file.error().message, HasSubstr("version 2"));
+  EXPECT_THAT(file.error().message, HasSubstr("version 3"));
   EXPECT_THAT(file.error().message, HasSubstr("use a newer flytri"));
 }
 
 TEST(CaseDamage, RefusesOtherDatabasesAndLeavesThemUnchanged) {
   const TemporaryFolder folder;
   const fs::path path = folder / "other.sqlite";
-  ASSERT_TRUE(create_private_file(path));
+  ASSERT_TRUE(write_file(path, ""));
   {
     SqliteDatabase database = SqliteDatabase::open(path, SqliteAccess::kReadWrite).value();
     ASSERT_TRUE(database.run("CREATE TABLE bookmarks (url TEXT)"));

@@ -31,7 +31,7 @@ void expect_done(const Result<T>& result) {
 }
 
 CaseFile new_case(const fs::path& path, const std::string& passphrase = {}) {
-  Result<CaseFile> file = CaseFile::create(path, {passphrase, false}, kFields);
+  Result<CaseFile> file = CaseFile::create(path, {Secret(passphrase), false}, kFields);
   if (!file) throw std::runtime_error(file.error().message);
   return *std::move(file);
 }
@@ -264,7 +264,7 @@ TEST(CaseFile, EncryptsEverythingWithThePassphrase) {
     EXPECT_THAT(all_bytes(encrypted.path()), Not(HasSubstr("PNG")));
   }
   EXPECT_THAT(all_bytes(encrypted.path()), Not(HasSubstr(kFields.patient_name)));
-  CaseFile file = opened(encrypted / "b.flytri", {"o∴p&'\"", true});
+  CaseFile file = opened(encrypted / "b.flytri", {Secret("o∴p&'\""), true});
   expect_filled(loaded(file));
 }
 
@@ -275,11 +275,11 @@ TEST(CaseFile, ReportsAMissingOrWrongPassphrase) {
   ASSERT_FALSE(without);
   EXPECT_EQ(without.error().code, ErrorCode::kInconsistent);
   EXPECT_THAT(without.error().message, HasSubstr("give its passphrase"));
-  const Result<CaseFile> wrong = CaseFile::open(folder / "a.flytri", {"wrong", false});
+  const Result<CaseFile> wrong = CaseFile::open(folder / "a.flytri", {Secret("wrong"), false});
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().code, ErrorCode::kInconsistent);
   EXPECT_THAT(wrong.error().message, HasSubstr("passphrase is wrong"));
-  EXPECT_TRUE(CaseFile::open(folder / "a.flytri", {"right", false}));
+  EXPECT_TRUE(CaseFile::open(folder / "a.flytri", {Secret("right"), false}));
 }
 
 TEST(CaseFile, OnlyItsOwnerMayReadIt) {
@@ -337,7 +337,7 @@ TEST(CaseFile, MovesIntoAnEncryptedFile) {
   const fs::path from = folder.path() / "from.flytri", to = folder.path() / "to.flytri";
   CaseFile file = new_case(from);
   fill(file);
-  expect_done(file.move_to(to, {"secret"}));
+  expect_done(file.move_to(to, {Secret("secret")}));
   EXPECT_EQ(file.path(), to);
   EXPECT_FALSE(fs::exists(from));
   // It goes on there.
@@ -345,7 +345,7 @@ TEST(CaseFile, MovesIntoAnEncryptedFile) {
   expect_done(file.commit());
   file = new_case(folder.path() / "other.flytri");
   EXPECT_FALSE(CaseFile::open(to)) << "encrypted";
-  CaseFile moved = opened(to, {"secret"});
+  CaseFile moved = opened(to, {Secret("secret")});
   const StoredStage stage = loaded(moved);
   EXPECT_EQ(stage.views.size(), 11U);
   EXPECT_TRUE(same_bits(*stage.views[3].view, sample_view(3, 2, 20)));

@@ -96,5 +96,21 @@ TEST(Leftovers, FilesOfOtherUsersStay) {
 
 TEST(Leftovers, AMissingFolderIsNoFailure) { remove_leftovers("/nowhere/at/all"); }
 
+TEST(Leftovers, TheLogsOfADatabaseGoWithIt) {
+  const TemporaryFolder folder;
+  const Result<AtomicFile> written = AtomicFile::create(folder / "a.flytri");
+  ASSERT_TRUE(written);
+  const std::string kept = written->temporary() + "-wal";
+  for (const std::string& log : {kept, (folder / ".flytri-0123abcd-wal").string(),
+                                 (folder / ".flytri-0123abcd-journal").string(),
+                                 (folder / "a.flytri-wal").string()}) {
+    ASSERT_TRUE(write_file(log, "log"));
+  }
+  remove_leftovers(folder.path());
+  EXPECT_TRUE(fs::exists(kept)) << "its program still runs";
+  EXPECT_TRUE(fs::exists(folder / "a.flytri-wal")) << "of a case";
+  EXPECT_EQ(names_in(folder.path()).size(), 3U);
+}
+
 }  // namespace
 }  // namespace flytri::io

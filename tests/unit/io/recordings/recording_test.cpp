@@ -155,6 +155,15 @@ TEST(Recording, AMillionFramesAreRefusedAtOnce) {
   EXPECT_THAT(recording.error().message, HasSubstr("r.json: \"frames\": lists more than 250000"));
 }
 
+TEST(Recording, WhatAKilledRecorderLeftIsRemovedByTheNext) {
+  const TemporaryFolder folder;
+  const std::filesystem::path left = folder / "frames" / ".flytri-0123abcd";
+  std::filesystem::create_directory(folder / "frames");
+  ASSERT_TRUE(write_file(left, "half an image"));
+  ASSERT_TRUE(RecordingWriter::create(folder.path()));
+  EXPECT_FALSE(std::filesystem::exists(left));
+}
+
 TEST(Recording, UnknownKeysAreIgnored) {
   const Result<Recording> recording = parse_recording(
       R"({"format":"flytri.recording","version":1,"camera":{},"frames":[{"file":"a","time_s":0,"kind":"unknown","gain":2}]})",

@@ -207,11 +207,11 @@ TEST(ActionTable, CaseDialogStaysUntilTheCaseIsOpen) {
   WindowState state;
   state.dialog = Dialog::kCase;
   state.case_form.path = "/tmp/a.flytri";
-  state.case_form.passphrase = state.case_form.passphrase_again = "secret";
+  state.case_form.passphrase = state.case_form.passphrase_again = Secret("secret");
   std::vector<Command> commands;
   perform(Action::kConfirm, view, state, commands);
   ASSERT_EQ(commands.size(), 1U);
-  EXPECT_EQ(std::get<NewCase>(commands.front()).passphrase, "secret");
+  EXPECT_EQ(std::get<NewCase>(commands.front()).passphrase.view(), "secret");
   EXPECT_EQ(state.dialog, Dialog::kCase);
   EXPECT_TRUE(state.case_form.passphrase.empty()) << "kept only as long as needed";
 }

@@ -31,7 +31,7 @@ TEST(CaseForm, TheFileOfAnEncryptedCaseDoesNotNameThePatient) {
   CaseState file;
   file.folder = "/cases";
   CaseForm form = form_of("Smith", "12");
-  form.passphrase = "secret";
+  form.passphrase = Secret("secret");
   EXPECT_EQ(proposed_path(file, form), "/cases/12.flytri");
   form.fields.patient_id.clear();
   EXPECT_EQ(proposed_path(file, form), "/cases/case.flytri");
@@ -51,9 +51,9 @@ TEST(CaseForm, ChecksDates) {
 TEST(CaseForm, ANewPassphraseIsTypedTwice) {
   CaseForm form;
   form.path = "a.flytri";
-  form.passphrase = "secret";
+  form.passphrase = Secret("secret");
   EXPECT_EQ(problem_of(form), Text::kPassphrasesDiffer);
-  form.passphrase_again = "secret";
+  form.passphrase_again = Secret("secret");
   EXPECT_EQ(problem_of(form), std::nullopt);
   form.tab = CaseTab::kOpen;
   form.passphrase_again.clear();
