@@ -242,7 +242,7 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
 /// A case with a few views, of which one has a wrong byte.
 void make_damaged_case(const fs::path& path, const std::string& passphrase) {
   {
-    io::CaseFile file = io::CaseFile::create(path, {.passphrase = passphrase}).value();
+    io::CaseFile file = io::CaseFile::create(path, {.passphrase = Secret(passphrase)}).value();
     for (int i = 0; i < 6; ++i) {
       const auto view = std::make_shared<const View>(testing::sample_view(i, 2, 300));
       ASSERT_TRUE(file.append_view(io::ScanStage::kUpper, *view));
@@ -262,7 +262,7 @@ TEST_F(SessionOnARecording, ADamagedCaseIsShownAndRescued) {
   ASSERT_NO_FATAL_FAILURE(make_damaged_case(path, "secret"));
   const std::string before = io::read_file(path).value();
   Session session(options_);
-  session.carry_out(ui::OpenCase{path, "secret"});
+  session.carry_out(ui::OpenCase{path, Secret("secret")});
   ASSERT_TRUE(wait_for(session, [](const auto& view) {
     return view.file.damaged && view.file.damaged->survey && view.scan && !view.scan->model.empty();
   }));
@@ -296,7 +296,7 @@ TEST_F(SessionOnARecording, AClearedStageIsScannedAgainAndItsScanComesBack) {
   {
     Session session(options_);
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
-    session.carry_out(ui::NewCase{path, "", {}});
+    session.carry_out(ui::NewCase{path, {}, {}});
     session.carry_out(ui::StartScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
     session.carry_out(ui::PauseScan{});
@@ -309,7 +309,7 @@ TEST_F(SessionOnARecording, AClearedStageIsScannedAgainAndItsScanComesBack) {
     EXPECT_FALSE(session.view().stage_has_data[0]);
   }
   Session session(options_);
-  session.carry_out(ui::OpenCase{path, ""});
+  session.carry_out(ui::OpenCase{path, {}});
   ASSERT_TRUE(wait_for(session, is_empty));
   session.carry_out(ui::BringBackStage{});
   ASSERT_TRUE(wait_for(session, has_surface));
