@@ -23,8 +23,9 @@ constexpr const char* kPortalName = "org.freedesktop.portal.Desktop";
 constexpr const char* kPortalObject = "/org/freedesktop/portal/desktop";
 
 std::string bus_config(const std::string& folder) {
-  return "<busconfig><type>session</type><listen>unix:dir=" + folder +
-         "</listen><auth>EXTERNAL</auth><servicedir>" + folder +
+  return "<busconfig><type>session</type><listen>unix:tmpdir=/tmp</listen>"
+         "<auth>EXTERNAL</auth><servicedir>" +
+         folder +
          "/services</servicedir><policy context=\"default\"><allow send_destination=\"*\" "
          "eavesdrop=\"true\"/><allow eavesdrop=\"true\"/><allow own=\"*\"/></policy></busconfig>";
 }
@@ -99,20 +100,19 @@ PrivateBus::PrivateBus(bool has_portal) {
   (void)io::create_folder(folder_.path() / "services");
   (void)io::write_file(config, bus_config(folder));
   if (has_portal) {
-    (void)io::write_file(folder_.path() / "services" / "portal.service",
-                         std::string("[D-BUS Service]\nName=") + kPortalName +
-                             "\nExec=/bin/false\n");
+    (void)io::write_file(
+        folder_.path() / "services" / "portal.service",
+        std::string("[D-BUS Service]\nName=") + kPortalName + "\nExec=/bin/false\n");
   }
   int ends[2];
   if (::pipe(ends) != 0) return;
   const std::string file = "--config-file=" + config,
                     print = "--print-address=" + std::to_string(ends[1]);
-  std::array<char*, 5> arguments = {const_cast<char*>("dbus-daemon"),
-                                    const_cast<char*>(file.c_str()),
-                                    const_cast<char*>(print.c_str()),
-                                    const_cast<char*>("--nofork"), nullptr};
-  const bool is_started = ::posix_spawnp(&daemon_, "dbus-daemon", nullptr, nullptr,
-                                         arguments.data(), environ) == 0;
+  std::array<char*, 5> arguments = {
+      const_cast<char*>("dbus-daemon"), const_cast<char*>(file.c_str()),
+      const_cast<char*>(print.c_str()), const_cast<char*>("--nofork"), nullptr};
+  const bool is_started =
+      ::posix_spawnp(&daemon_, "dbus-daemon", nullptr, nullptr, arguments.data(), environ) == 0;
   ::close(ends[1]);
   if (is_started) address_ = first_line(ends[0]);
   ::close(ends[0]);
@@ -189,8 +189,7 @@ int FakePortal::answer(sd_bus_message* message) {
     latest_ = request;
   }
   if (mood_ == PortalMood::kRefuses) {
-    return sd_bus_reply_method_errorf(message, "org.freedesktop.portal.Error.Failed",
-                                      "no backend");
+    return sd_bus_reply_method_errorf(message, "org.freedesktop.portal.Error.Failed", "no backend");
   }
   if (mood_ == PortalMood::kNamesNewPath) token = "another";
   const std::string path = path_of_request(sd_bus_message_get_sender(message), token);
