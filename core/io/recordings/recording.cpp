@@ -7,8 +7,8 @@
 
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/file_bytes.h"
-#include "core/io/files/leftovers.h"
 #include "core/io/files/json_place.h"
+#include "core/io/files/leftovers.h"
 #include "core/io/files/png.h"
 #include "core/io/recordings/frame_kind.h"
 

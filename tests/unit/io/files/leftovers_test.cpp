@@ -101,9 +101,9 @@ TEST(Leftovers, TheLogsOfADatabaseGoWithIt) {
   const Result<AtomicFile> written = AtomicFile::create(folder / "a.flytri");
   ASSERT_TRUE(written);
   const std::string kept = written->temporary() + "-wal";
-  for (const std::string& log : {kept, (folder / ".flytri-0123abcd-wal").string(),
-                                 (folder / ".flytri-0123abcd-journal").string(),
-                                 (folder / "a.flytri-wal").string()}) {
+  for (const std::string& log :
+       {kept, (folder / ".flytri-0123abcd-wal").string(),
+        (folder / ".flytri-0123abcd-journal").string(), (folder / "a.flytri-wal").string()}) {
     ASSERT_TRUE(write_file(log, "log"));
   }
   remove_leftovers(folder.path());
