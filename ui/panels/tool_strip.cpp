@@ -50,13 +50,22 @@ void draw_brush_size(const PanelContext& context, Rect& row) {
                {nullptr, "\u2212", false, kNeutral, false});
 }
 
+ActionLook done_look(const PanelContext& context) {
+  return {nullptr, context.text(Text::kToolDone)};
+}
+
+float done_width(const PanelContext& context) {
+  return std::max(small_action_width(context, Action::kCancel, done_look(context)),
+                  context.px(96.0F));
+}
+
 float strip_width(const PanelContext& context, const char* text) {
   const float brush = has_brush(context.state.tool)
                           ? context.px(2.0F * kToolButton + 76.0F + 2.0F * kGapXs + kGapM)
                           : 0.0F;
   // Rounding must not send the last word to a line of its own.
   const float line = std::ceil(text_width(context.theme.fonts.body, text)) + context.px(kGapXs);
-  return line + brush + context.px(96.0F) + 3.0F * context.px(kGapM);
+  return line + brush + done_width(context) + 3.0F * context.px(kGapM);
 }
 
 }  // namespace
@@ -77,8 +86,8 @@ void draw_tool_strip(const PanelContext& context) {
   const Rect box = {std::max(middle, left), picture.bottom() - margin - height, width, height};
   const Plate plate("tool", box, overlay(context.theme));
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
-  small_action(context, row.take_right(context.px(96.0F), context.px(kGapM)), Action::kCancel,
-               {nullptr, context.text(Text::kToolDone)});
+  small_action(context, row.take_right(done_width(context), context.px(kGapM)), Action::kCancel,
+               done_look(context));
   if (has_brush(context.state.tool)) draw_brush_size(context, row);
   draw_instruction(context, row, text);
 }
