@@ -30,14 +30,6 @@ std::optional<Text> instruction(const WindowState& state) {
   return std::nullopt;
 }
 
-/// In two lines where one is too long.
-void draw_instruction(const PanelContext& context, const Rect& box, const char* text) {
-  ImFont* font = context.theme.fonts.body;
-  const float height = wrapped_height(font, box.width, text);
-  draw_wrapped({box.x, std::round(box.center().y - height / 2.0F), box.width, height},
-               {font, kText}, text);
-}
-
 void draw_brush_size(const PanelContext& context, Rect& row) {
   const float side = context.px(kToolButton);
   small_action(context, row.take_right(side, context.px(kGapXs)), Action::kBrushLarger,
@@ -89,7 +81,8 @@ void draw_tool_strip(const PanelContext& context) {
   small_action(context, row.take_right(done_width(context), context.px(kGapM)), Action::kCancel,
                done_look(context));
   if (has_brush(context.state.tool)) draw_brush_size(context, row);
-  draw_instruction(context, row, text);
+  // In two lines where one is too long.
+  draw_fitted(row, {context.theme.fonts.body, context.theme.fonts.small}, kText, text);
 }
 
 }  // namespace flytri::ui
