@@ -163,19 +163,21 @@ struct FakeScan::Parts {
     return view;
   }
 
-  [[nodiscard]] AppView finished() const {
+  [[nodiscard]] AppView finished(const ui::Texts& texts) const {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
     scan.phase = scan::ScanPhase::kFinished;
     scan.result = jaw.result();
     set_scan(view, std::move(scan));
     add_sizes(view, true);
+    view.notices = {{1, ui::Severity::kInformation,
+                     texts.fill<ui::Text::kExportedTo>(view.exports.name + ".glb")}};
     return view;
   }
 
   /// The proposed export was asked for.
-  [[nodiscard]] AppView exported(std::string_view state) const {
-    AppView view = finished();
+  [[nodiscard]] AppView exported(std::string_view state, const ui::Texts& texts) const {
+    AppView view = finished(texts);
     ui::ExportState& exports = view.exports;
     exports.latest = {exports.folder, exports.name, {".glb", ".ply", ".stl"}};
     exports.has_model = state == "exported";
@@ -199,13 +201,13 @@ struct FakeScan::Parts {
     return view;
   }
 
-  [[nodiscard]] AppView failed() const {
+  [[nodiscard]] AppView failed(const ui::Texts& texts) const {
     AppView view = paused();
     scan::ScanSnapshot scan = *view.scan;
     scan.failure = "The disk is full. Free some space, then press Finish again. The scan is safe.";
     set_scan(view, std::move(scan));
-    view.notices = {{1, ui::Severity::kWarning, "The case could not be saved for 3 s: disk full"},
-                    {2, ui::Severity::kError, "Finishing failed"}};
+    view.notices = {{1, ui::Severity::kWarning,
+                     texts.fill<ui::Text::kNotSavedBecause>("No space left on device")}};
     return view;
   }
 
@@ -331,8 +333,8 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
       [&] { return parts.paused(); },
       [&] { return parts.lost(); },
       [&] { return parts.finishing(); },
-      [&] { return parts.finished(); },
-      [&] { return parts.failed(); },
+      [&] { return parts.finished(texts); },
+      [&] { return parts.failed(texts); },
       [&] { return parts.no_sensor(); },
       [] { return Parts::without_case(); },
       [&] { return parts.unnamed(); },
@@ -351,7 +353,7 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
   std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {
-    view = parts.exported(state);
+    view = parts.exported(state, texts);
   } else if (found != kFakeStates.end()) {
     view = makers[static_cast<std::size_t>(found - kFakeStates.begin())]();
   }

@@ -48,9 +48,10 @@ void draw_figures(const PanelContext& context, Rect row, const std::vector<Devic
   for (std::size_t i = 0; i < std::min(figures.size(), kMostFigures); ++i) {
     Rect cell = row.take_left(width);
     cell.width -= context.px(kGapXs);
+    ImFont* font =
+        fitting_font({theme.fonts.strong, theme.fonts.small}, cell.width, figures[i].value);
     draw_text(cell.take_top(cell.height / 2.0F),
-              {theme.fonts.strong, figures[i].is_worrying ? kCaution : kText, Align::kLeft},
-              figures[i].value);
+              {font, figures[i].is_worrying ? kCaution : kText, Align::kLeft}, figures[i].value);
     draw_text(cell, {theme.fonts.small, kTextQuiet, Align::kLeft}, figures[i].label);
   }
 }

@@ -14,11 +14,28 @@
 namespace flytri::ui {
 namespace {
 
-constexpr float kHoleWidth = 272.0F;
+constexpr float kHoleWidth = 272.0F, kMostHoleWidth = 352.0F;
 constexpr float kDistanceWidth = 232.0F;
 constexpr float kRow = 40.0F;
 constexpr float kHeading = 24.0F;
 constexpr std::size_t kMostRows = 3;
+
+/// What the button of a hole says.
+std::string hole_label(const PanelContext& context, std::size_t index) {
+  const scan::ScanSnapshot& scan = *context.view.scan;
+  return hole_text(scan.holes[index], scan.jaw ? &*scan.jaw : nullptr, jaw_of(context.view.stage),
+                   context.view.texts);
+}
+
+/// As wide as the labels of the listed holes need, in units.
+float hole_width(const PanelContext& context, std::size_t listed) {
+  float width = kHoleWidth;
+  for (std::size_t i = 0; i < listed; ++i) {
+    const float label = text_width(context.theme.fonts.strong, hole_label(context, i));
+    width = std::max(width, label / context.theme.scale + 2.0F * (kGapS + 12.0F) + 1.0F);
+  }
+  return std::min(width, kMostHoleWidth);
+}
 
 /// Height of a plate with a heading and rows, in units.
 float plate_height(float rows) { return 2.0F * kGapS + kHeading + (kRow + kGapXs) * rows; }
@@ -58,8 +75,7 @@ void draw_holes(const PanelContext& context, Rect& rest, std::size_t listed) {
     const std::string id = fmt::format("hole_{}", i + 1);
     ButtonLook look;
     look.id = id.c_str();
-    look.label =
-        hole_text(holes[i], scan.jaw ? &*scan.jaw : nullptr, jaw_of(context.view.stage), texts);
+    look.label = hole_label(context, i);
     look.is_on = selected && selected->index == i;
     const Rect box = rest.take_top(context.px(kRow), context.px(kGapXs));
     context.places.set(id, box);
@@ -116,7 +132,8 @@ std::optional<FindingsPlate> findings_plate(const PanelContext& context) {
     case Findings::kHoles: {
       // One row for the button to the next hole.
       const std::size_t listed = listed_rows(context, context.view.scan->holes.size(), 1);
-      return FindingsPlate{"holes", plate_box(context, kHoleWidth, listed + 1), listed, draw_holes};
+      return FindingsPlate{"holes", plate_box(context, hole_width(context, listed), listed + 1),
+                           listed, draw_holes};
     }
     case Findings::kDistances: {
       const std::size_t listed = listed_rows(context, context.view.measurements.size(), 0);

@@ -45,13 +45,17 @@ void draw_progress(const PanelContext& context) {
   Rect head = rest.take_top(context.px(28.0F), context.px(kGapM));
   const std::string share = fmt::format("{:.0f} %", 100.0 * finishing.fraction);
   draw_text(head.take_right(context.px(72.0F)), {theme.fonts.title, kText, Align::kRight}, share);
-  draw_text(head, {theme.fonts.title, kText, Align::kLeft}, step);
+  ImFont* font = fitting_font({theme.fonts.title, theme.fonts.strong}, head.width, step);
+  draw_text(head, {font, kText, Align::kLeft}, step);
   meter(theme, rest.take_top(context.px(16.0F), context.px(kGapM)), finishing.fraction, kCaution);
   Rect row = rest.take_bottom(context.px(48.0F));
-  small_action(context, row.take_right(context.px(144.0F), context.px(kGapM)), Action::kCancel,
-               {icon::kCancel, context.text(Text::kCancel)});
-  draw_text(row, {theme.fonts.body, kTextQuiet, Align::kLeft},
-            time_left_text(finishing.remaining_s, context.view.texts));
+  const ActionLook cancel = {icon::kCancel, context.text(Text::kCancel)};
+  const float width =
+      std::max(small_action_width(context, Action::kCancel, cancel), context.px(144.0F));
+  small_action(context, row.take_right(width, context.px(kGapM)), Action::kCancel, cancel);
+  const std::string left = time_left_text(finishing.remaining_s, context.view.texts);
+  font = fitting_font({theme.fonts.body, theme.fonts.small}, row.width, left);
+  draw_text(row, {font, kTextQuiet, Align::kLeft}, left);
 }
 
 void draw_failure(const PanelContext& context) {
@@ -63,8 +67,10 @@ void draw_failure(const PanelContext& context) {
   const Rect box = card_box(context, height);
   const Plate plate("failure", box, overlay(context.theme));
   Rect rest = box.inset(padding);
-  draw_text(rest.take_top(context.px(28.0F), context.px(kGapM)),
-            {theme.fonts.title, kText, Align::kLeft}, context.text(Text::kNotFinished));
+  const char* title = context.text(Text::kNotFinished);
+  ImFont* font = fitting_font({theme.fonts.title, theme.fonts.strong}, rest.width, title);
+  draw_text(rest.take_top(context.px(28.0F), context.px(kGapM)), {font, kText, Align::kLeft},
+            title);
   draw_wrapped(rest, {theme.fonts.body, kTextQuiet}, text);
 }
 

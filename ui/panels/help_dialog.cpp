@@ -59,9 +59,12 @@ void draw_pointer(const PanelContext& context, Rect& column, float row_height_px
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, context.text(Text::kPointer));
   for (const auto& [what, does] : kRows) {
     Rect row = column.take_top(row_height_px);
-    draw_text(row.take_left(context.px(kKey), context.px(kGapS)),
-              {context.theme.fonts.strong, kText}, context.text(what));
-    draw_text(row, {context.theme.fonts.body, kText}, context.text(does));
+    const Rect left = row.take_left(context.px(kKey), context.px(kGapS));
+    const Fonts& fonts = context.theme.fonts;
+    ImFont* font = fitting_font({fonts.strong, fonts.small}, left.width, context.text(what));
+    draw_text(left, {font, kText}, context.text(what));
+    font = fitting_font({fonts.body, fonts.small}, row.width, context.text(does));
+    draw_text(row, {font, kText}, context.text(does));
   }
 }
 

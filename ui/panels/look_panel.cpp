@@ -1,4 +1,5 @@
 /// @file  Buttons for colors, with their legend, and for the sides to look from.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -116,6 +117,16 @@ void draw_sides(const PanelContext& context) {
   small_action(context, row(), Action::kShowAll, {nullptr, context.text(Text::kViewAll)});
 }
 
+/// Two buttons side by side hold their labels.
+float sides_width(const PanelContext& context) {
+  float label = 0.0F;
+  for (const Text text : {Text::kViewRight, Text::kViewLeft}) {
+    label = std::max(label, text_width(context.theme.fonts.strong, context.text(text)));
+  }
+  const float button = std::ceil(label) + 2.0F * context.px(12.0F);
+  return std::max(2.0F * button + context.px(kGapXs + 2.0F * kGapS), context.px(144.0F));
+}
+
 }  // namespace
 
 Rect colors_box(const PanelContext& context) {
@@ -125,7 +136,7 @@ Rect colors_box(const PanelContext& context) {
 }
 
 Rect sides_box(const PanelContext& context) {
-  const float width = context.px(144.0F);
+  const float width = sides_width(context);
   return {context.layout.picture.right() - context.px(kGapM) - width, top_of(context), width,
           context.px(height_of(5.0F, kSideButton))};
 }

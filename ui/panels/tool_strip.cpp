@@ -30,14 +30,6 @@ std::optional<Text> instruction(const WindowState& state) {
   return std::nullopt;
 }
 
-/// In two lines where one is too long.
-void draw_instruction(const PanelContext& context, const Rect& box, const char* text) {
-  ImFont* font = context.theme.fonts.body;
-  const float height = wrapped_height(font, box.width, text);
-  draw_wrapped({box.x, std::round(box.center().y - height / 2.0F), box.width, height},
-               {font, kText}, text);
-}
-
 void draw_brush_size(const PanelContext& context, Rect& row) {
   const float side = context.px(kToolButton);
   small_action(context, row.take_right(side, context.px(kGapXs)), Action::kBrushLarger,
@@ -58,6 +50,15 @@ float clear_width(const PanelContext& context) {
   return small_action_width(context, Action::kClearStage, clear_look(context));
 }
 
+ActionLook done_look(const PanelContext& context) {
+  return {nullptr, context.text(Text::kToolDone)};
+}
+
+float done_width(const PanelContext& context) {
+  return std::max(small_action_width(context, Action::kCancel, done_look(context)),
+                  context.px(96.0F));
+}
+
 float strip_width(const PanelContext& context, const char* text) {
   const float brush = has_brush(context.state.tool)
                           ? context.px(2.0F * kToolButton + 76.0F + 2.0F * kGapXs + kGapM)
@@ -66,7 +67,7 @@ float strip_width(const PanelContext& context, const char* text) {
   const float clear =
       context.state.tool == Tool::kTrim ? clear_width(context) + context.px(kGapM) : 0.0F;
   const float line = std::ceil(text_width(context.theme.fonts.body, text)) + context.px(kGapXs);
-  return line + brush + clear + context.px(96.0F) + 3.0F * context.px(kGapM);
+  return line + brush + clear + done_width(context) + 3.0F * context.px(kGapM);
 }
 
 }  // namespace
@@ -87,14 +88,15 @@ void draw_tool_strip(const PanelContext& context) {
   const Rect box = {std::max(middle, left), picture.bottom() - margin - height, width, height};
   const Plate plate("tool", box, overlay(context.theme));
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
-  small_action(context, row.take_right(context.px(96.0F), context.px(kGapM)), Action::kCancel,
-               {nullptr, context.text(Text::kToolDone)});
+  small_action(context, row.take_right(done_width(context), context.px(kGapM)), Action::kCancel,
+               done_look(context));
   if (context.state.tool == Tool::kTrim) {
     small_action(context, row.take_right(clear_width(context), context.px(kGapM)),
                  Action::kClearStage, clear_look(context));
   }
   if (has_brush(context.state.tool)) draw_brush_size(context, row);
-  draw_instruction(context, row, text);
+  // In two lines where one is too long.
+  draw_fitted(row, {context.theme.fonts.body, context.theme.fonts.small}, kText, text);
 }
 
 }  // namespace flytri::ui

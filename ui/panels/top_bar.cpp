@@ -30,6 +30,8 @@ std::string case_subtitle(const CaseState& file, const Texts& texts) {
   return file.fields.patient_id + " \u00b7 " + saved;
 }
 
+constexpr float kCaseIcon = 20.0F, kCaseIconGap = 10.0F, kCaseMargin = 12.0F;
+
 /// A button that opens the cases; it shows the patient and whether the case is saved.
 void draw_case(const PanelContext& context, const Rect& box) {
   ButtonLook look;
@@ -42,8 +44,8 @@ void draw_case(const PanelContext& context, const Rect& box) {
     perform(Action::kCase, context.view, context.state, context.commands);
   }
   const Theme& theme = context.theme;
-  Rect inner = box.inset(context.px(12.0F), context.px(4.0F));
-  const Rect icon_box = inner.take_left(context.px(20.0F), context.px(10.0F));
+  Rect inner = box.inset(context.px(kCaseMargin), context.px(4.0F));
+  const Rect icon_box = inner.take_left(context.px(kCaseIcon), context.px(kCaseIconGap));
   draw_text(icon_box, {theme.fonts.strong, kTextQuiet, Align::kCenter}, icon::kCase);
   const float half = inner.height / 2.0F;
   draw_text(inner.take_top(half), {theme.fonts.strong, kText, Align::kLeft},
@@ -54,12 +56,32 @@ void draw_case(const PanelContext& context, const Rect& box) {
             case_subtitle(file, context.view.texts));
 }
 
+/// Width in which the state of the case is not cut. The patient's name may be.
+float case_width(const PanelContext& context) {
+  const std::string state = case_subtitle(context.view.file, context.view.texts);
+  return std::ceil(text_width(context.theme.fonts.small, state)) +
+         context.px(2.0F * kCaseMargin + kCaseIcon + kCaseIconGap);
+}
+
+constexpr std::array<std::pair<Action, Text>, 3> kStages = {
+    {{Action::kStageUpper, Text::kStageUpper},
+     {Action::kStageLower, Text::kStageLower},
+     {Action::kStageBite, Text::kStageBite}}};
+constexpr float kStagesWidth = 312.0F;
+
+/// Width that the labels of all stages need, in small letters, with their marks.
+float least_stages_width(const PanelContext& context) {
+  const Fonts& fonts = context.theme.fonts;
+  float label = 0.0F;
+  for (const auto& [action, text] : kStages) {
+    label = std::max(label, text_width(fonts.small, context.text(text)));
+  }
+  const float mark = text_width(fonts.strong, icon::kSaved) + context.px(kGapS);
+  return 3.0F * (std::ceil(label + mark) + context.px(24.0F)) + 2.0F * context.px(kGapXs);
+}
+
 void draw_stages(const PanelContext& context, Rect row) {
   const float width = (row.width - 2.0F * context.px(kGapXs)) / 3.0F;
-  constexpr std::array<std::pair<Action, Text>, 3> kStages = {
-      {{Action::kStageUpper, Text::kStageUpper},
-       {Action::kStageLower, Text::kStageLower},
-       {Action::kStageBite, Text::kStageBite}}};
   for (std::size_t i = 0; i < kStages.size(); ++i) {
     const auto& [action, label] = kStages[i];
     const char* mark = context.view.stage_has_data[i] ? icon::kSaved : nullptr;
@@ -151,9 +173,13 @@ void draw_top_bar(const PanelContext& context) {
   Rect row = context.layout.top.inset(context.px(kGapM), context.px(kGapS));
   const float gap = context.px(kGapM);
   draw_program_buttons(context, row.take_right(program_buttons_width(context, row.height), gap));
-  const float stages = context.px(312.0F);
-  // A long name may be cut, a figure may not: the case gets what is left.
-  const float others = stages + figures_width(context) + 2.0F * gap;
+  // A long name may be cut, a figure may not: the case gets what is left, and at least the width
+  // that its state needs.
+  const float figures = figures_width(context) + 2.0F * gap;
+  const float stages = std::clamp(row.width - figures - case_width(context),
+                                  std::min(least_stages_width(context), context.px(kStagesWidth)),
+                                  context.px(kStagesWidth));
+  const float others = stages + figures;
   draw_case(context, row.take_left(std::clamp(row.width - others, 0.0F, context.px(232.0F)), gap));
   draw_stages(context, row.take_left(stages, gap).inset(0.0F, context.px(2.0F)));
   const float width = std::min(row.width, context.px(400.0F));

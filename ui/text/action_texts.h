@@ -17,7 +17,7 @@ FLYTRI_TEXT(kNextPlace, "Next place to resume", "Nächste Stelle", "Reprise suiv
 FLYTRI_TEXT(kNextHole, "Next hole", "Nächstes Loch", "Trou suivant", "Siguiente hueco")
 FLYTRI_TEXT(kUpperJaw, "Upper jaw", "Oberkiefer", "Maxillaire", "Maxilar")
 FLYTRI_TEXT(kLowerJaw, "Lower jaw", "Unterkiefer", "Mandibule", "Mandíbula")
-FLYTRI_TEXT(kBite, "Bite", "Biss", "Occlusion", "Mordida")
+FLYTRI_TEXT(kBite, "Bite", "Biss", "Mordu", "Mordida")
 
 // Editing.
 FLYTRI_TEXT(kUndo, "Undo", "Rückgängig", "Annuler", "Deshacer")
@@ -57,12 +57,12 @@ FLYTRI_TEXT(kTurnLeft, "Turn or move left", "Nach links", "Vers la gauche", "A l
 FLYTRI_TEXT(kTurnRight, "Turn or move right", "Nach rechts", "Vers la droite", "A la derecha")
 FLYTRI_TEXT(kTurnUp, "Turn or move up", "Nach oben", "Vers le haut", "Arriba")
 FLYTRI_TEXT(kTurnDown, "Turn or move down", "Nach unten", "Vers le bas", "Abajo")
-FLYTRI_TEXT(kTiltLeft, "Tilt sensor left", "Links kippen", "Incliner à gauche",
+FLYTRI_TEXT(kTiltLeft, "Tilt sensor left", "Kippen links", "Incliner à gauche",
             "Inclinar izquierda")
-FLYTRI_TEXT(kTiltRight, "Tilt sensor right", "Rechts kippen", "Incliner à droite",
+FLYTRI_TEXT(kTiltRight, "Tilt sensor right", "Kippen rechts", "Incliner à droite",
             "Inclinar derecha")
-FLYTRI_TEXT(kTiltUp, "Tilt sensor up", "Oben kippen", "Incliner en haut", "Inclinar arriba")
-FLYTRI_TEXT(kTiltDown, "Tilt sensor down", "Unten kippen", "Incliner en bas", "Inclinar abajo")
+FLYTRI_TEXT(kTiltUp, "Tilt sensor up", "Kippen oben", "Incliner en haut", "Inclinar arriba")
+FLYTRI_TEXT(kTiltDown, "Tilt sensor down", "Kippen unten", "Incliner en bas", "Inclinar abajo")
 FLYTRI_TEXT(kMoveCloser, "Move sensor closer", "Sensor näher", "Rapprocher capteur",
             "Acercar sensor")
 FLYTRI_TEXT(kMoveAway, "Move sensor away", "Sensor weiter weg", "Éloigner capteur", "Alejar sensor")
@@ -113,7 +113,7 @@ FLYTRI_TEXT(kOpeningTheCase, "opening the case", "Fall wird geöffnet", "ouvertu
 FLYTRI_TEXT(kFinishing, "finishing", "wird abgeschlossen", "finalisation", "finalizando")
 FLYTRI_TEXT(kFinished, "finished", "abgeschlossen", "terminé", "finalizado")
 FLYTRI_TEXT(kCaseIsReadOnly, "the case is read-only", "Fall schreibgeschützt",
-            "cas en lecture seule", "caso de solo lectura")
+            "cas en lecture seule", "solo lectura")
 FLYTRI_TEXT(kScanning, "scanning", "läuft", "en cours", "en curso")
 FLYTRI_TEXT(kPaused, "paused", "angehalten", "en pause", "en pausa")
 FLYTRI_TEXT(kNothingScanned, "nothing scanned yet", "noch kein Scan", "rien de scanné",
@@ -123,9 +123,10 @@ FLYTRI_TEXT(kOnlyWhenLost, "only when lost", "nur bei Verlust", "seulement si pe
 FLYTRI_TEXT(kNoHolesFound, "no holes found", "keine Löcher", "aucun trou", "sin huecos")
 FLYTRI_TEXT(kScanned, "scanned", "gescannt", "scanné", "escaneado")
 FLYTRI_TEXT(kEmpty, "empty", "leer", "vide", "vacío")
-FLYTRI_TEXT(kNothingToUndo, "nothing to undo", "nichts getan", "rien à annuler",
+FLYTRI_TEXT(kNothingToUndo, "nothing to undo", "keine Änderung", "rien à annuler",
             "nada que deshacer")
-FLYTRI_TEXT(kNothingToRedo, "nothing to redo", "nichts da", "rien à rétablir", "nada que rehacer")
+FLYTRI_TEXT(kNothingToRedo, "nothing to redo", "nichts widerrufen", "rien à rétablir",
+            "nada que rehacer")
 FLYTRI_TEXT(kResumeFirst, "resume scanning first", "erst Scan fortsetzen", "reprendre d’abord",
             "reanudar primero")
 FLYTRI_TEXT(kActive, "active", "aktiv", "actif", "activo")
@@ -136,17 +137,17 @@ FLYTRI_TEXT(kOn, "on", "ein", "activé", "activado")
 FLYTRI_TEXT(kOff, "off", "aus", "désactivé", "desactivado")
 FLYTRI_TEXT(kOnlyWithTexture, "only with texture", "nur mit Textur", "avec texture seule",
             "solo con textura")
-FLYTRI_TEXT(kNeedsWholeArch, "needs a whole arch", "nur ganzer Bogen", "arcade entière",
+FLYTRI_TEXT(kNeedsWholeArch, "needs a whole arch", "braucht Zahnbogen", "arcade entière",
             "arcada completa")
 FLYTRI_TEXT(kFollowsScan, "follows the scan", "folgt dem Scan", "suit le scan", "sigue el escaneo")
 FLYTRI_TEXT(kSimulatedOnly, "simulated only", "nur simuliert", "simulé seulement", "solo simulado")
 FLYTRI_TEXT(kMovesSensor, "moves sensor", "bewegt Sensor", "déplace le capteur", "mueve el sensor")
 FLYTRI_TEXT(kTurnsView, "turns the view", "dreht die Ansicht", "tourne la vue", "gira la vista")
-FLYTRI_TEXT(kByHandIsOff, "By hand is off", "Handführung aus", "« À la main » inactif",
+FLYTRI_TEXT(kByHandIsOff, "By hand is off", "Von Hand ist aus", "pas à la main",
             "a mano desactivado")
 FLYTRI_TEXT(kLifted, "lifted", "abgehoben", "levé", "levantado")
-FLYTRI_TEXT(kNotForRecordings, "not for recordings", "nicht bei Aufnahmen", "pas si enregistré",
-            "no en grabaciones")
+FLYTRI_TEXT(kNotForRecordings, "needs the sensor", "Sensor nötig", "capteur requis",
+            "requiere el sensor")
 FLYTRI_TEXT(kRunning, "running", "läuft", "en cours", "en curso")
 FLYTRI_TEXT(kOpenCalibration, "open Calibration", "Kalibrierung öffnen", "ouvrir Étalonnage",
             "abrir Calibración")
@@ -154,16 +155,15 @@ FLYTRI_TEXT(kNoCalibration, "no calibration yet", "nicht kalibriert", "pas d’�
             "sin calibración")
 FLYTRI_TEXT(kRealSensorOnly, "real sensor only", "nur echter Sensor", "capteur réel seul",
             "solo sensor real")
-FLYTRI_TEXT(kEnterDiameter, "enter its diameter", "Durchmesser angeben", "saisir diamètre",
+FLYTRI_TEXT(kEnterDiameter, "enter its diameter", "Durchmesser fehlt", "saisir diamètre",
             "indicar diámetro")
 FLYTRI_TEXT(kNotCalibrating, "not calibrating", "keine Kalibrierung", "pas en cours", "no en curso")
 FLYTRI_TEXT(kNoImagesYet, "no images yet", "noch keine Bilder", "aucune image", "sin imágenes")
 FLYTRI_TEXT(kNothingToExport, "nothing to export yet", "noch kein Scan", "rien à exporter",
             "nada que exportar")
 FLYTRI_TEXT(kRealDevicesOnly, "real devices only", "nur echte Geräte", "appareils réels",
-            "solo equipos reales")
-FLYTRI_TEXT(kProblemsFound, "problems found", "Probleme gefunden", "problèmes trouvés",
-            "hay problemas")
+            "solo equipo real")
+FLYTRI_TEXT(kProblemsFound, "problems found", "Probleme", "problèmes", "hay problemas")
 FLYTRI_TEXT(kMuted, "muted", "stumm", "muet", "silenciado")
 FLYTRI_TEXT(kChooseTaskFirst, "choose a task first", "erst Aufgabe wählen", "choisir une tâche",
             "elegir una tarea")

@@ -109,7 +109,7 @@ FLYTRI_TEXT(kWrittenFile, "Written: {0}", "Geschrieben: {0}", "Écrit : {0}", "
 FLYTRI_TEXT(kCalibrationValid, "Calibration valid", "Kalibrierung gültig", "Étalonnage valable",
             "Calibración válida")
 FLYTRI_TEXT(kCalibrationInvalid, "Calibration no longer valid", "Kalibrierung nicht mehr gültig",
-            "Étalonnage plus valable", "La calibración ya no es válida")
+            "L’étalonnage n’est plus valable", "La calibración ya no es válida")
 FLYTRI_TEXT(kCalibrateAgain, "Calibrate the sensor again.", "Den Sensor neu kalibrieren.",
             "Étalonner à nouveau le capteur.", "Calibrar de nuevo el sensor.")
 FLYTRI_TEXT(kNoVerdict, "No verdict", "Kein Ergebnis", "Pas de verdict", "Sin veredicto")

@@ -8,7 +8,7 @@ FLYTRI_TEXT(kDateOfBirth, "Date of birth (year-month-day)", "Geburtsdatum (Jahr-
             "Date de naissance (année-mois-jour)", "Fecha de nacimiento (año-mes-día)")
 FLYTRI_TEXT(kPatientNumber, "Patient or case number", "Patienten- oder Fallnummer",
             "Numéro du patient ou du cas", "Número de paciente o de caso")
-FLYTRI_TEXT(kDentist, "Dentist", "Zahnarzt", "Dentiste", "Dentista")
+FLYTRI_TEXT(kDentist, "Dentist", "Behandler", "Praticien", "Odontólogo")
 FLYTRI_TEXT(kNotes, "Notes", "Notizen", "Notes", "Notas")
 FLYTRI_TEXT(kFile, "File", "Datei", "Fichier", "Archivo")
 FLYTRI_TEXT(kNewPassphrase, "Passphrase (empty: not encrypted)", "Passwort (leer: unverschlüsselt)",

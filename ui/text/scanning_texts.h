@@ -6,7 +6,7 @@ FLYTRI_TEXT(kUnnamedCase, "Unnamed case", "Fall ohne Namen", "Cas sans nom", "Ca
 FLYTRI_TEXT(kDamagedBadge, "DAMAGED", "BESCHÄDIGT", "ENDOMMAGÉ", "DAÑADO")
 FLYTRI_TEXT(kNotSavedBadge, "NOT SAVED", "NICHT GESPEICHERT", "NON ENREGISTRÉ", "SIN GUARDAR")
 FLYTRI_TEXT(kReadOnly, "Read-only", "Schreibgeschützt", "Lecture seule", "Solo lectura")
-FLYTRI_TEXT(kSaving, "Saving…", "Wird gespeichert…", "Enregistrement…", "Guardando…")
+FLYTRI_TEXT(kSaving, "Saving…", "Speichert…", "Enregistrement…", "Guardando…")
 FLYTRI_TEXT(kNameItHere, "Name it here", "Hier benennen", "Le nommer ici", "Dar nombre aquí")
 FLYTRI_TEXT(kSavedWithoutName, "Saved without a name", "Ohne Namen gespeichert",
             "Enregistré sans nom", "Guardado sin nombre")
@@ -14,7 +14,7 @@ FLYTRI_TEXT(kSaved, "Saved", "Gespeichert", "Enregistré", "Guardado")
 FLYTRI_TEXT(kCasesHint, "Cases ({0})", "Fälle ({0})", "Cas ({0})", "Casos ({0})")
 FLYTRI_TEXT(kStageUpper, "Upper", "Oben", "Haut", "Superior")
 FLYTRI_TEXT(kStageLower, "Lower", "Unten", "Bas", "Inferior")
-FLYTRI_TEXT(kStageBite, "Bite", "Biss", "Occlusion", "Mordida")
+FLYTRI_TEXT(kStageBite, "Bite", "Biss", "Mordu", "Mordida")
 FLYTRI_TEXT(kTime, "Time", "Zeit", "Durée", "Tiempo")
 FLYTRI_TEXT(kTimeHint, "Time spent scanning, without pauses.", "Dauer des Scans, ohne Pausen.",
             "Durée du scan, sans les pauses.", "Duración del escaneo, sin las pausas.")
@@ -144,7 +144,7 @@ FLYTRI_TEXT(kNoSensor, "no sensor", "kein Sensor", "pas de capteur", "sin sensor
 // Side panel.
 FLYTRI_TEXT(kByHand, "By hand", "Von Hand", "À la main", "A mano")
 FLYTRI_TEXT(kLiftSensor, "Lift sensor", "Abheben", "Lever", "Levantar")
-FLYTRI_TEXT(kReturnSensor, "Return sensor", "Aufsetzen", "Reposer", "Volver a poner")
+FLYTRI_TEXT(kReturnSensor, "Return sensor", "Aufsetzen", "Reposer", "Apoyar")
 FLYTRI_TEXT(kAlignmentError, "Alignment error", "Ausrichtungsfehler", "Erreur d’alignement",
             "Error de alineación")
 FLYTRI_TEXT(
@@ -181,7 +181,7 @@ FLYTRI_TEXT(
 FLYTRI_TEXT(kNoSurfaceInView, "no surface in view", "keine Oberfläche", "aucune surface",
             "sin superficie")
 FLYTRI_TEXT(kTooNear, "too near", "zu nah", "trop près", "muy cerca")
-FLYTRI_TEXT(kGood, "good", "gut", "bon", "bien")
+FLYTRI_TEXT(kDistanceGood, "good", "gut", "bon", "bien")
 FLYTRI_TEXT(kTooFar, "too far", "zu weit", "trop loin", "muy lejos")
 
 // Colors.

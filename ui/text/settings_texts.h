@@ -43,10 +43,10 @@ FLYTRI_TEXT(kPointer, "Pointer", "Zeiger", "Pointeur", "Puntero")
 FLYTRI_TEXT(kDrag, "Drag", "Ziehen", "Glisser", "Arrastrar")
 FLYTRI_TEXT(kDragDoes, "turns the view or uses the tool", "dreht oder nutzt das Werkzeug",
             "tourne ou utilise l’outil", "gira o usa la herramienta")
-FLYTRI_TEXT(kRightDrag, "Right drag", "Rechts", "Droit", "Derecho")
+FLYTRI_TEXT(kRightDrag, "Right drag", "Rechte Taste", "Bouton droit", "Botón derecho")
 FLYTRI_TEXT(kRightDragDoes, "turns; with Shift, moves", "dreht; mit Umschalt: verschiebt",
             "tourne ; avec Maj, déplace", "gira; con Mayús, mueve")
-FLYTRI_TEXT(kMiddleDrag, "Middle drag", "Mitte", "Milieu", "Central")
+FLYTRI_TEXT(kMiddleDrag, "Middle drag", "Mittlere Taste", "Bouton milieu", "Botón central")
 FLYTRI_TEXT(kMiddleDragDoes, "moves the view", "verschiebt die Ansicht", "déplace la vue",
             "mueve la vista")
 FLYTRI_TEXT(kDoubleClick, "Double click", "Doppelklick", "Double clic", "Doble clic")

@@ -37,7 +37,7 @@ Text words_for(DistanceVerdict verdict) {
     case DistanceVerdict::kFine:
       break;
   }
-  return Text::kGood;
+  return Text::kDistanceGood;
 }
 
 void draw_verdict(const Theme& theme, const Rect& row,
@@ -51,7 +51,7 @@ void draw_verdict(const Theme& theme, const Rect& row,
 
 void draw_ends(const Theme& theme, const Rect& row, const Texts& texts) {
   draw_text(row, {theme.fonts.small, kTextQuiet, Align::kLeft}, texts[Text::kTooNear]);
-  draw_text(row, {theme.fonts.small, kTextQuiet, Align::kCenter}, texts[Text::kGood]);
+  draw_text(row, {theme.fonts.small, kTextQuiet, Align::kCenter}, texts[Text::kDistanceGood]);
   draw_text(row, {theme.fonts.small, kTextQuiet, Align::kRight}, texts[Text::kTooFar]);
 }
 

@@ -100,7 +100,7 @@ float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view tex
 void draw_fitted(const Rect& box, std::initializer_list<ImFont*> fonts, const Color& color,
                  std::string_view text) {
   const auto fits = [&](ImFont* font, std::string_view part) {
-    return wrapped_height(font, box.width, part) <= box.height;
+    return fits_wrapped(box, font, part);
   };
   const auto* chosen =
       std::find_if(fonts.begin(), fonts.end() - 1, [&](ImFont* font) { return fits(font, text); });

@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "tests/support/analytic_calibration.h"
+#include "ui/text/texts.h"
 
 namespace flytri::calibration {
 namespace {
@@ -228,6 +229,15 @@ TEST(Verification, NoFalseAlarmsOnASphere) {
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     const VerificationReport report = on_sphere({}, 10.0, seed);
     EXPECT_EQ(report.outcome, VerificationOutcome::kValid) << seed << all_of(report);
+  }
+}
+
+TEST(Verification, TheWindowHasEachFigureInItsLanguage) {
+  const ui::Texts german(ui::Language::kGerman);
+  for (const VerificationReport& report : {on_plane({}), on_sphere({}, 10.0)}) {
+    for (const VerificationFigure& figure : report.figures) {
+      EXPECT_NE(german.translated(figure.name), figure.name) << "add it to ui/text/core_texts.h";
+    }
   }
 }
 

@@ -71,7 +71,7 @@ TEST(TextTable, EachTextIsTranslated) {
 }
 
 TEST(TextTable, FrenchSignsStandBehindANoBreakSpace) {
-  static const std::regex kPlainSpace(" [:;?!»]|« ");
+  static const std::regex kPlainSpace(" ([:;?!]|»)|« ");
   constexpr auto kFrench = static_cast<std::size_t>(Language::kFrench);
   for (const TextRow& row : kTextRows) {
     EXPECT_FALSE(std::regex_search(row[kFrench], kPlainSpace))
