@@ -276,7 +276,9 @@ TEST_F(RealWindow, FiguresAndButtonsExplainThemselves) {
 
 TEST_F(RealWindow, TheLanguageChangesAtOnce) {
   show("paused");
-  const auto scan_is = [] { return window().state()["actions"]["scan"]["text"].get<std::string>(); };
+  const auto scan_is = [] {
+    return window().state()["actions"]["scan"]["text"].get<std::string>();
+  };
   EXPECT_EQ(scan_is(), "paused");
   window().key("s");
   EXPECT_EQ(after_click("language_de"), Names{"ChangeSettings"});

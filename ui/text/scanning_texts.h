@@ -216,8 +216,8 @@ FLYTRI_TEXT(kPaintToRemove, "Paint to remove", "Zum Entfernen übermalen", "Pein
             "Pintar para eliminar")
 FLYTRI_TEXT(kPaintToLock, "Paint to lock", "Zum Sperren übermalen", "Peindre pour verrouiller",
             "Pintar para bloquear")
-FLYTRI_TEXT(kPaintToUnlock, "Paint to unlock", "Zum Freigeben übermalen",
-            "Peindre pour déverrouiller", "Pintar para desbloquear")
+FLYTRI_TEXT(kPaintToUnlock, "Paint to unlock", "Zum Freigeben übermalen", "Peindre pour libérer",
+            "Pintar para desbloquear")
 FLYTRI_TEXT(kClickFirstPoint, "Click the first point", "Ersten Punkt anklicken",
             "Cliquer sur le premier point", "Pulsar el primer punto")
 FLYTRI_TEXT(kClickSecondPoint, "Click the second point", "Zweiten Punkt anklicken",

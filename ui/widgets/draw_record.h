@@ -21,7 +21,7 @@ struct DrawRecord {
   std::vector<OverlayPlace> overlays;
   /// The whole texts of those that were cut, or that do not fit into their box.
   std::vector<std::string> cut_texts;
-  std::string hint;                    ///< shown beside the pointer; empty: none
+  std::string hint;  ///< shown beside the pointer; empty: none
 
   void clear() { *this = {}; }
 };
