@@ -27,6 +27,18 @@ std::string name_of_record(CaseTable table, std::int64_t id) {
   return fmt::format("{}: {} {}", name_of(table), to_string(kScanStages[stage]), number_of(id));
 }
 
+/// A database is whole in its one file only if no log of it is left. SQLite keeps an empty one
+/// until it closes the file.
+Result<void> no_log_left(const std::filesystem::path& closed) {
+  for (const char* const suffix : {"-wal", "-journal"}) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(closed.string() + suffix, ignored)) continue;
+    return fail(ErrorCode::kWriteFailed, "{}: cannot be written; choose another folder",
+                closed.string());
+  }
+  return {};
+}
+
 bool is_damage(const Error& error) { return error.code == ErrorCode::kBadFormat; }
 
 /// The number in the first row. None: there is no row.
@@ -291,26 +303,20 @@ Result<void> CaseRecords::commit() {
   return {};
 }
 
-Result<void> CaseRecords::end_log() {
-  const auto rest = database_.run("PRAGMA journal_mode = DELETE");
-  std::error_code ignored;
-  if (!rest || !std::filesystem::exists(database_.name() + "-wal", ignored)) return rest;
-  return fail(ErrorCode::kWriteFailed, "{}: cannot be written; choose another folder",
-              database_.name());
-}
-
 Result<void> CaseRecords::copy_to_file(const std::filesystem::path& path,
                                        const CaseOptions& options) {
   Result<AtomicFile> file = AtomicFile::create(path, Access::kOwnerOnly);
   if (!file) return tl::unexpected(file.error());
   const std::filesystem::path temporary = file->temporary();
-  // Takes the copy over, so that it is closed before it gets its name.
+  // Takes the copy over, so that it is closed before it gets its name. Its log goes into the file.
   const auto copy = [&](CaseRecords target) {
-    return copy_to(target).and_then([&] { return target.end_log(); });
+    return copy_to(target).and_then(
+        [&] { return target.database_.run("PRAGMA journal_mode = DELETE"); });
   };
   Result<void> copied = fill_case_database(temporary, options.passphrase)
                             .and_then([&] { return open(temporary, options); })
                             .and_then(copy)
+                            .and_then([&] { return no_log_left(temporary); })
                             .and_then([&] { return file->commit_new(); });
   if (copied) return {};
   remove_case(temporary);

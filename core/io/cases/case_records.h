@@ -94,8 +94,6 @@ class CaseRecords {
     std::optional<std::string> data;  ///< of the one record of the range; none: erases the range
   };
   [[nodiscard]] Result<void> copy_to(CaseRecords& target);
-  /// Puts what is in the log into the file, and removes the log. Write nothing afterwards.
-  [[nodiscard]] Result<void> end_log();
   [[nodiscard]] Result<void> begin();
   [[nodiscard]] Result<void> write(PendingWrite pending);
   [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);
