@@ -22,7 +22,7 @@ struct MeshOptions {
   /// may be farther apart. Wider gaps stay open.
   double gap_spacings = 5.0;
   /// >= 0. Connected components with a smaller area, in squared spacings of the mesh, are dropped.
-  double min_island_spacings2 = 1000.0;
+  double min_island_spacings2 = 150.0;
 
   /// >= 0. Strips of surface narrower than this are dropped, in spacings of the mesh: where the
   /// scan runs out, single lines stick out like a comb, and no crossing line confirms them. The

@@ -5,8 +5,10 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "core/geometry/mesh_normals.h"
 #include "core/meshing/mesh_topology.h"
 
 namespace flytri::meshing {
@@ -18,6 +20,10 @@ constexpr float kPinholeRim = 2.0F;
 /// The disk reaches farther back by so many spacings: the core ends up to one before its true rim,
 /// and so does what the disk covers.
 constexpr float kBackReachSpacings = 1.5F;
+/// Smaller pieces are dropped, in squared strip widths.
+constexpr float kLeastPiece = 4.0F;
+/// Of the area, at least this share must be left.
+constexpr double kLeastShare = 0.5;
 constexpr int kRimSmoothings = 10;
 /// A rim moves by at most this share of the spacing.
 constexpr float kMostRimMotion = 0.5F;
@@ -88,6 +94,12 @@ float length_mm(const TriangleMesh& mesh, const std::vector<std::uint32_t>& line
   return length;
 }
 
+double area_mm2(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles) area += area_vector_mm2(mesh, t).norm();
+  return area;
+}
+
 /// Opens the surface by a disk: what no disk covers that lies on the surface goes.
 void open_by_disk(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
   std::vector<char> is_rim(mesh.vertices.size(), 0);
@@ -146,8 +158,12 @@ void smooth_rim(TriangleMesh& mesh, const std::vector<std::uint32_t>& line, floa
 }  // namespace
 
 void trim_rims(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
-  open_by_disk(mesh, strip_mm, spacing_mm);
-  repair_manifold(mesh);
+  TriangleMesh opened = mesh;
+  open_by_disk(opened, strip_mm, spacing_mm);
+  repair_manifold(opened);
+  drop_islands(opened, kLeastPiece * strip_mm * strip_mm);
+  if (area_mm2(opened) < kLeastShare * area_mm2(mesh)) return;
+  mesh = std::move(opened);
   for (const std::vector<std::uint32_t>& line : boundary_lines(mesh))
     smooth_rim(mesh, line, kMostRimMotion * spacing_mm);
 }

@@ -7,7 +7,9 @@
 
 namespace flytri::meshing {
 
-/// Drops strips of surface that are narrower than a width, then smooths the rims along the surface.
+/// Drops strips of surface that are narrower than a width, and pieces that are hardly larger, then
+/// smooths the rims along the surface. A scan of a moment, of which less than half would be left,
+/// stays as it is.
 /// Holes smaller across than the width do not count as rims, so that pinholes cost nothing around
 /// them.
 /// @param mesh        an oriented manifold, and stays one

@@ -282,13 +282,15 @@ TEST_F(RealWindow, TheLanguageChangesAtOnce) {
   EXPECT_EQ(scan_is(), "paused");
   window().key("s");
   EXPECT_EQ(after_click("language_de"), Names{"ChangeSettings"});
-  EXPECT_EQ(scan_is(), "angehalten");
+  EXPECT_EQ(scan_is(), "erst Fenster schließen");
   EXPECT_EQ(after_click("language_fr"), Names{"ChangeSettings"});
-  EXPECT_EQ(scan_is(), "en pause");
+  EXPECT_EQ(scan_is(), "fermer la fenêtre");
   EXPECT_EQ(after_click("language_es"), Names{"ChangeSettings"});
-  EXPECT_EQ(scan_is(), "en pausa");
+  EXPECT_EQ(scan_is(), "cerrar la ventana");
   EXPECT_EQ(after_click("language_automatic"), Names{"ChangeSettings"});
   EXPECT_EQ(after_click("language_en"), Names{"ChangeSettings"});
+  EXPECT_EQ(scan_is(), "close the dialog first");
+  window().key("Escape");
   EXPECT_EQ(scan_is(), "paused");
 }
 
@@ -435,6 +437,7 @@ TEST_F(RealWindow, APassphraseLeavesNoCopyInMemory) {
   const Secret passphrase = testing::random_passphrase();
   const std::string text(passphrase.view());
   const auto copies = [&] { return testing::unlocked_copies(window().process(), passphrase); };
+  window().ask("do cancel");
   show("empty_case");
   window().key("d");
   window().click("passphrase");
@@ -445,6 +448,7 @@ TEST_F(RealWindow, APassphraseLeavesNoCopyInMemory) {
   window().ask("wait 5");
   EXPECT_EQ(copies(), Names{}) << "after a new case";
 
+  window().ask("do cancel");
   show("unnamed");
   window().key("d");
   window().click("tab_open");
@@ -553,7 +557,7 @@ TEST_F(RealWindow, AFolderIsChosenInTheDesktopsDialog) {
   EXPECT_EQ(after_click("record"), (Names{"ChangeSettings", "RecordFrames"}))
       << "the chosen folder is remembered";
   window().key("Escape");
-  window().key("d");
+  EXPECT_EQ(after_key("d"), Names{"PauseScan"});
   window().click("tab_new");
   EXPECT_EQ(after_click("case_path_choose"), Names{"ChoosePath"});
   window().ask("wait 2");

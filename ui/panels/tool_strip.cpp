@@ -59,13 +59,13 @@ float done_width(const PanelContext& context) {
                   context.px(96.0F));
 }
 
-float strip_width(const PanelContext& context, const char* text) {
+/// @param has_clear  with the button that clears the stage
+float strip_width(const PanelContext& context, const char* text, bool has_clear) {
   const float brush = has_brush(context.state.tool)
                           ? context.px(2.0F * kToolButton + 76.0F + 2.0F * kGapXs + kGapM)
                           : 0.0F;
   // Rounding must not send the last word to a line of its own.
-  const float clear =
-      context.state.tool == Tool::kTrim ? clear_width(context) + context.px(kGapM) : 0.0F;
+  const float clear = has_clear ? clear_width(context) + context.px(kGapM) : 0.0F;
   const float line = std::ceil(text_width(context.theme.fonts.body, text)) + context.px(kGapXs);
   return line + brush + clear + done_width(context) + 3.0F * context.px(kGapM);
 }
@@ -82,7 +82,10 @@ void draw_tool_strip(const PanelContext& context) {
   const auto findings = findings_box(context);
   const float left = (findings ? findings->right() : picture.x) + margin;
   const float right = picture.right() - margin;
-  const float width = std::round(std::min(strip_width(context, text), right - left));
+  // In a narrow window the key alone clears the stage.
+  const bool has_clear =
+      context.state.tool == Tool::kTrim && strip_width(context, text, true) <= right - left;
+  const float width = std::round(std::min(strip_width(context, text, has_clear), right - left));
   const float height = context.px(kHeight);
   const float middle = std::round(picture.center().x - width / 2.0F);
   const Rect box = {std::max(middle, left), picture.bottom() - margin - height, width, height};
@@ -90,7 +93,7 @@ void draw_tool_strip(const PanelContext& context) {
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
   small_action(context, row.take_right(done_width(context), context.px(kGapM)), Action::kCancel,
                done_look(context));
-  if (context.state.tool == Tool::kTrim) {
+  if (has_clear) {
     small_action(context, row.take_right(clear_width(context), context.px(kGapM)),
                  Action::kClearStage, clear_look(context));
   }

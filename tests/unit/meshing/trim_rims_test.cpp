@@ -81,6 +81,14 @@ TEST(TrimRims, AThinBridgeGoesAndBothSidesStay) {
   EXPECT_TRUE(loops[0].is_outer && loops[1].is_outer);
 }
 
+TEST(TrimRims, AScanOfNothingButLinesStays) {
+  TriangleMesh mesh =
+      plate_without([](std::uint32_t column, std::uint32_t /*row*/) { return column % 6 >= 3; });
+  const double before_mm2 = area_mm2(mesh);
+  trim_rims(mesh, 0.8F, kCell_mm);
+  EXPECT_EQ(area_mm2(mesh), before_mm2);
+}
+
 TEST(TrimRims, PinholesCostNothingAroundThem) {
   const auto has_pinholes = [](std::uint32_t column, std::uint32_t row) {
     return column % 5 == 2 && row % 5 == 2 && column > 5 && column < 35 && row > 5 && row < 35;
