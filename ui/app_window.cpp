@@ -155,8 +155,8 @@ void AppWindow::Impl::draw(const AppView& view, const Theme& theme,
 
 /// As the key to quit: it may ask. Whoever closes the window once more means it.
 void AppWindow::Impl::close(const AppView& view, std::vector<Command>& commands) {
-  const bool is_asked = state.dialog == Dialog::kQuestion &&
-                        std::holds_alternative<Quit>(state.question.command);
+  const bool is_asked =
+      state.dialog == Dialog::kQuestion && std::holds_alternative<Quit>(state.question.command);
   if (!is_asked) {
     perform(Action::kQuit, view, state, commands);
     if (state.dialog == Dialog::kQuestion) return window->keep_open();

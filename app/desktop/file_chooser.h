@@ -44,7 +44,8 @@ class FileChooser {
   FileChooser() = default;
 };
 
-/// The portal of the desktop (org.freedesktop.portal.FileChooser), on the bus of the user's session.
+/// The portal of the desktop (org.freedesktop.portal.FileChooser), on the bus of the user's
+/// session.
 /// @source  XDG Desktop Portal, FileChooser version 3 and Request.
 [[nodiscard]] std::unique_ptr<FileChooser> portal_file_chooser();
 

@@ -34,9 +34,9 @@ class ExportController {
   Notices& notices_;
   FolderOpener opener_;
   ui::ExportState state_;
-  std::string named_after_;  ///< what the proposed name is made of
+  std::string named_after_;                                  ///< what the proposed name is made of
   std::weak_ptr<const reconstruct::FinishedScan> exported_;  ///< the latest model that was
-  std::string subject_;      ///< path of the case, and stage, that the latest export is of
+  std::string subject_;  ///< path of the case, and stage, that the latest export is of
 };
 
 }  // namespace flytri::session

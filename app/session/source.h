@@ -51,7 +51,7 @@ struct Source {
   std::shared_ptr<const calibration::Calibration> calibration;
   std::optional<RigSource> rig;
   std::shared_ptr<recording::RecorderSensor> recorder;  ///< is the sensor; null of a recording
-  std::string warning;  ///< for the user; empty: none
+  std::string warning;                                  ///< for the user; empty: none
 };
 
 /// A kind of source. To add one, add its row: the command line makes an option of it.

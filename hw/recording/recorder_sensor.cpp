@@ -165,8 +165,7 @@ bool RecorderSensor::write_one(double timeout_s) {
     return true;
   }
   std::error_code unknown;
-  const auto bytes =
-      std::filesystem::file_size(writing_ / writer_->frames().back().file, unknown);
+  const auto bytes = std::filesystem::file_size(writing_ / writer_->frames().back().file, unknown);
   lock.lock();
   queue_.pop_front();
   ++status_.written;

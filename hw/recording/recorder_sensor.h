@@ -105,8 +105,8 @@ class RecorderSensor final : public device::Sensor {
   // Used by the background thread, and by stop() when that thread has ended.
   std::optional<io::RecordingWriter> writer_;
   std::filesystem::path writing_;  // the folder of writer_
-  double listed_s_ = 0.0;    // time of the latest frame in the list
-  std::int64_t listed_ = 0;  // number of frames in the list on disk
+  double listed_s_ = 0.0;          // time of the latest frame in the list
+  std::int64_t listed_ = 0;        // number of frames in the list on disk
 
   mutable std::mutex mutex_;  // guards all members below
   std::condition_variable arrived_;

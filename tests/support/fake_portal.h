@@ -36,10 +36,10 @@ class PrivateBus {
 };
 
 enum class PortalMood {
-  kChooses,        ///< answers with `uri`
-  kCancels,        ///< the user closes the dialog
-  kNamesNewPath,   ///< as kChooses, from a path of its own, as older portals do
-  kRefuses,        ///< the call fails
+  kChooses,       ///< answers with `uri`
+  kCancels,       ///< the user closes the dialog
+  kNamesNewPath,  ///< as kChooses, from a path of its own, as older portals do
+  kRefuses,       ///< the call fails
   kNeverAnswers
 };
 

@@ -52,7 +52,7 @@ struct CaseState {
   std::string path_asked;
   std::optional<DamagedCase> damaged;  ///< none: no damage was found
   std::vector<KnownCase> known;        ///< newest first
-  std::string folder;            ///< of new cases
+  std::string folder;                  ///< of new cases
 };
 
 enum class SourceKind { kSimulated, kRecording, kDevices };
@@ -98,8 +98,8 @@ struct ChosenPath {
 
 /// The desktop's file chooser.
 struct ChooserState {
-  std::string why_not;   ///< why there is none; empty: there is
-  bool is_open = false;  ///< the user is choosing
+  std::string why_not;               ///< why there is none; empty: there is
+  bool is_open = false;              ///< the user is choosing
   std::optional<ChosenPath> chosen;  ///< the latest
 };
 
@@ -138,8 +138,8 @@ struct Settings {
   double user_scale = 1.0;  ///< 0.75..2, times the scale of the screen
   bool is_muted = false;
   bool is_full_screen = false;
-  int window_width = 1280;  ///< >= 640; with window_height at scale 1, when not in full screen
-  int window_height = 800;  ///< >= 400
+  int window_width = 1280;       ///< >= 640; with window_height at scale 1, when not in full screen
+  int window_height = 800;       ///< >= 400
   std::string recording_folder;  ///< empty: the proposed one
   std::set<std::string> export_formats = {".glb", ".stl", ".ply"};  ///< extensions
   bool operator==(const Settings&) const = default;

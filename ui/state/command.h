@@ -130,13 +130,14 @@ struct Tell {
 };
 struct Quit {};
 
-using Command = std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage,
-                             BringBackStage, AddMeasurement,
-                             RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
-                             SelectStage, Export, OpenExportFolder, NewCase, OpenCase, DiscardCase,
-                             SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
-                             ChangeSettings, RecordFrames, ChoosePath, CheckDevices, BeginCalibration, TakeCalibrationImages,
-                             RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
+using Command =
+    std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage,
+                 AddMeasurement, RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
+                 SelectStage, Export, OpenExportFolder, NewCase, OpenCase, DiscardCase,
+                 SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
+                 ChangeSettings, RecordFrames, ChoosePath, CheckDevices, BeginCalibration,
+                 TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration, EndCalibration,
+                 Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

@@ -111,8 +111,8 @@ struct WindowState {
   std::vector<ShownNotice> toasts;
   std::uint64_t latest_notice = 0;
   std::uint64_t latest_choice = 0;  ///< of the file chooser, see take_chosen_path()
-  ResultNumber result_number;  ///< of the result that is shown
-  double frame_s = 0.0;        ///< between the latest two frames
+  ResultNumber result_number;       ///< of the result that is shown
+  double frame_s = 0.0;             ///< between the latest two frames
 };
 
 /// Forgets an unfinished stroke or distance with it.

@@ -192,8 +192,7 @@ FLYTRI_TEXT(kNothingToCancel, "nothing to cancel", "nichts abzubrechen", "rien �
 FLYTRI_TEXT(kBringsScanBack, "brings the scan back", "holt den Scan zurück", "rétablit le scan",
             "recupera el escaneo")
 FLYTRI_TEXT(kNotSavedYet, "not saved yet", "nicht gespeichert", "pas enregistré", "sin guardar")
-FLYTRI_TEXT(kNothingCleared, "nothing cleared", "nichts geleert", "rien d’effacé",
-            "nada vaciado")
+FLYTRI_TEXT(kNothingCleared, "nothing cleared", "nichts geleert", "rien d’effacé", "nada vaciado")
 FLYTRI_TEXT(kRecordingPlayed, "a recording is played", "eine Aufnahme läuft", "lecture en cours",
             "se reproduce una")
 FLYTRI_TEXT(kIsRecording, "recording", "nimmt auf", "enregistre", "graba")

@@ -212,9 +212,9 @@ FLYTRI_TEXT(kRemoveThisDistance, "Remove this distance", "Diesen Abstand lösche
             "Supprimer cette distance", "Borrar esta distancia")
 
 // Tools.
-FLYTRI_TEXT(kPaintToRemove, "Paint to remove", "Zum Entfernen übermalen", "Peindre pour supprimer",
+FLYTRI_TEXT(kPaintToRemove, "Paint to remove", "Zum Entfernen übermalen", "Peindre pour retirer",
             "Pintar para eliminar")
-FLYTRI_TEXT(kPaintToLock, "Paint to lock", "Zum Sperren übermalen", "Peindre pour verrouiller",
+FLYTRI_TEXT(kPaintToLock, "Paint to lock", "Zum Sperren übermalen", "Peindre pour bloquer",
             "Pintar para bloquear")
 FLYTRI_TEXT(kPaintToUnlock, "Paint to unlock", "Zum Freigeben übermalen", "Peindre pour libérer",
             "Pintar para desbloquear")

@@ -13,8 +13,8 @@
 namespace flytri::desktop {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::FakePortal;
+using ::testing::HasSubstr;
 using testing::PortalMood;
 using testing::PrivateBus;
 
@@ -50,7 +50,7 @@ ChooserAnswer answer_in(PortalMood mood, const std::string& uri) {
   const FakePortal portal(bus.address(), mood, uri);
   const auto chooser = portal_file_chooser();
   EXPECT_TRUE(becomes_ready(*chooser)) << chooser->why_not();
-  EXPECT_TRUE(chooser->ask({ChooserKind::kFolder, "Folder for models"}));
+  EXPECT_TRUE(chooser->ask({ChooserKind::kFolder, "Folder for models", {}, {}, {}}));
   const auto answer = answer_of(*chooser);
   EXPECT_TRUE(answer);
   return answer.value_or(ChooserAnswer{});
@@ -96,7 +96,7 @@ TEST_F(PortalFileChooserTest, AsksForWhatIsWanted) {
   EXPECT_EQ(request.name, "new.flytri");
   EXPECT_EQ(request.filter, "*.flytri");
   EXPECT_FALSE(request.is_directory);
-  ASSERT_TRUE(chooser->ask({ChooserKind::kFolder, "Folder for models", "/tmp"}));
+  ASSERT_TRUE(chooser->ask({ChooserKind::kFolder, "Folder for models", "/tmp", {}, {}}));
   ASSERT_TRUE(answer_of(*chooser));
   request = portal.latest();
   EXPECT_EQ(request.member, "OpenFile");

@@ -60,7 +60,7 @@ std::string whole_case(const fs::path& path, const std::string& passphrase = {})
     CaseFields fields;
     fields.patient_name = "Ada";
     CaseFile file =
-        CaseFile::create(path, {.passphrase = passphrase}, fields, R"({"a": 1})").value();
+        CaseFile::create(path, {.passphrase = Secret(passphrase)}, fields, R"({"a": 1})").value();
     fill_stage(file, ScanStage::kUpper);
     fill_stage(file, ScanStage::kBite);
     expect_success(file.commit());
@@ -126,7 +126,7 @@ struct RescueCount {
 void try_rescue(const fs::path& path, const std::string& passphrase, RescueCount& count) {
   const fs::path copy_path = path.string() + ".rescued.flytri";
   fs::remove(copy_path);
-  Result<CaseFile> damaged = CaseFile::open(path, {.passphrase = passphrase});
+  Result<CaseFile> damaged = CaseFile::open(path, {.passphrase = Secret(passphrase)});
   if (!damaged) return expect_told_as_damage(damaged.error(), path);
   for (const ScanStage stage : kScanStages) {
     const auto counts = damaged->counts(stage);
@@ -135,9 +135,9 @@ void try_rescue(const fs::path& path, const std::string& passphrase, RescueCount
   const Result<CaseSurvey> survey = damaged->rescue_to(copy_path);
   ASSERT_TRUE(survey) << survey.error().message;
   EXPECT_TRUE(damaged->is_damaged() || survey->lost.empty());
-  Result<CaseFile> copy = CaseFile::open(copy_path, {.passphrase = passphrase});
+  Result<CaseFile> copy = CaseFile::open(copy_path, {.passphrase = Secret(passphrase)});
   ASSERT_TRUE(copy) << copy.error().message;
-  EXPECT_EQ(copy->passphrase(), passphrase);
+  EXPECT_EQ(copy->passphrase().view(), passphrase);
   expect_copy_of(*damaged, *copy);
   ++count.opened;
   for (const StageCounts& stage : survey->readable) {
@@ -213,8 +213,8 @@ TEST(CaseRescue, TheCopyOfAnEncryptedCaseIsEncrypted) {
 TEST(CaseRescue, ACaseWithoutPassphraseIsCopiedWithoutOneWhateverWasTyped) {
   const TemporaryFolder folder;
   (void)whole_case(folder / "a.flytri");
-  CaseFile file = CaseFile::open(folder / "a.flytri", {.passphrase = "typed"}).value();
-  EXPECT_THAT(file.passphrase(), IsEmpty());
+  CaseFile file = CaseFile::open(folder / "a.flytri", {.passphrase = Secret("typed")}).value();
+  EXPECT_TRUE(file.passphrase().empty());
   EXPECT_THAT(file.rescue_to(folder / "b.flytri").value().lost, IsEmpty());
   EXPECT_TRUE(CaseFile::open(folder / "b.flytri"));
 }

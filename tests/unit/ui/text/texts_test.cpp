@@ -177,16 +177,16 @@ TEST(CoreTexts, HoldTargetsImagesAndRemediesOfACalibration) {
 TEST(CoreTexts, HoldWhatHasHappenedToASensor) {
   using namespace calibration;
   using enum VerificationSymptom;
-  for (const auto symptoms : {std::vector{kOffset},
-                              {kOffsetInDepth},
-                              {kTiltAlongX},
-                              {kTiltAlongY},
-                              {kTiltAlongX, kTiltAlongY},
-                              {kMagnification},
-                              {kOwnBend},
-                              {kBend},
-                              {kDiameter},
-                              {kForm}}) {
+  for (const auto& symptoms : {std::vector{kOffset},
+                               {kOffsetInDepth},
+                               {kTiltAlongX},
+                               {kTiltAlongY},
+                               {kTiltAlongX, kTiltAlongY},
+                               {kMagnification},
+                               {kOwnBend},
+                               {kBend},
+                               {kDiameter},
+                               {kForm}}) {
     VerificationReport report;
     for (const VerificationSymptom symptom : symptoms) {
       report.figures.push_back({symptom, "", 2.0, 0.0, 1.0});
