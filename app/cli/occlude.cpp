@@ -1,6 +1,7 @@
 /// @file  flytri occlude: brings the two jaws together as they bite.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
+#include "core/evaluation/surface_error.h"
 #include "core/io/calibrations/recording_calibration.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
@@ -178,20 +180,11 @@ void print_occlusion(const occlusion::Occlusion& occlusion, const Parts& parts,
             1e3 * kContact_mm, clearance.contact_area_mm2, 1e3 * clearance.deepest_mm);
 }
 
-/// The lower jaw's model in the frame of the upper jaw.
-TexturedMesh moved(TexturedMesh model, const Isometry& T_upper_lower) {
-  const Eigen::Isometry3f T = T_upper_lower.cast<float>();
-  for (SurfacePoint& vertex : model.mesh.vertices) {
-    vertex.position_mm = T * vertex.position_mm;
-    vertex.normal = T.linear() * vertex.normal;
-  }
-  return model;
-}
-
 Result<void> write_occlusion(const OccludeArguments& arguments,
                              const occlusion::Occlusion& occlusion, const Parts& parts,
                              const occlusion::Clearance& clearance) {
-  const TexturedMesh lower = moved(parts.lower.model, occlusion.T_upper_lower);
+  TexturedMesh lower = parts.lower.model;
+  lower.mesh = evaluation::transformed(lower.mesh, occlusion.T_upper_lower);
   const std::array models = {io::NamedModel{"upper", &parts.upper.model},
                              io::NamedModel{"lower", &lower}};
   const Result<std::string> glb = io::encode_glb_scene(models, arguments.output.string());

@@ -7,7 +7,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <unordered_map>
 
 #include "app/cli/output_files.h"
 #include "app/lab/closed_jaws.h"

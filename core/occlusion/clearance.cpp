@@ -9,7 +9,7 @@
 namespace flytri::occlusion {
 namespace {
 
-/// Surfaces that meet face each other: a larger cosine of their normals is the back of a thin part.
+/// Jaws that meet face each other. With a larger cosine, it is the back of a thin part.
 constexpr double kFacingCosine = 0.0;
 
 }  // namespace
