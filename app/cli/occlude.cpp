@@ -19,8 +19,7 @@
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
 #include "core/io/recordings/recording.h"
-#include "core/occlusion/clearance.h"
-#include "core/occlusion/occlude.h"
+#include "core/occlusion/close_jaws.h"
 #include "core/reconstruct/reconstruct.h"
 
 namespace flytri::cli {
@@ -31,8 +30,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kOcclusionFormat = "flytri.occlusion";
 constexpr int kOcclusionVersion = 1;
-/// For the report: nearer is contact, farther than the limit is not looked at.
-constexpr double kContact_mm = 0.02, kClearanceLimit_mm = 3.0;
+/// For the report: nearer is contact.
+constexpr double kContact_mm = 0.02;
 
 struct OccludeArguments {
   fs::path case_path;  ///< empty: recordings
@@ -111,38 +110,25 @@ Result<Parts> load_parts(CaseAccess& access) {
   return Parts{*std::move(upper), *std::move(lower), {*std::move(bite)}};
 }
 
-/// The place of the lower jaw that is least certain, frame of the upper jaw.
-Vec3 least_certain_mm(const occlusion::Occlusion& occlusion, const TriangleMesh& lower) {
-  Vec3 worst_mm = occlusion.middle_mm;
-  double largest_mm = 0.0;
-  for (const SurfacePoint& vertex : lower.vertices) {
-    const Vec3 p_mm = occlusion.T_upper_lower * vertex.position_mm.cast<double>();
-    const double uncertainty_mm = occlusion.uncertainty_mm(p_mm);
-    if (uncertainty_mm <= largest_mm) continue;
-    largest_mm = uncertainty_mm;
-    worst_mm = p_mm;
-  }
-  return worst_mm;
-}
-
 Json place_json(const occlusion::Occlusion& occlusion, const Vec3& p_mm) {
   return {{"place_mm", {p_mm.x(), p_mm.y(), p_mm.z()}},
           {"uncertainty_mm", occlusion.uncertainty_mm(p_mm)}};
 }
 
 double rotation_uncertainty_deg(const occlusion::Occlusion& occlusion) {
-  return std::sqrt(occlusion.covariance.topLeftCorner<3, 3>().trace()) * 180.0 / std::numbers::pi;
+  return occlusion.rotation_uncertainty_rad() * 180.0 / std::numbers::pi;
 }
 
-Json report_json(const occlusion::Occlusion& occlusion, const Parts& parts,
-                 const occlusion::Clearance& clearance) {
+Json report_json(const occlusion::ClosedJaws& jaws, const Parts& parts,
+                 const occlusion::Contact& contact) {
+  const occlusion::Occlusion& occlusion = jaws.occlusion;
   const Eigen::Quaterniond q(occlusion.T_upper_lower.linear());
   const Vec3 t = occlusion.T_upper_lower.translation();
   Json json = {{"format", kOcclusionFormat}, {"version", kOcclusionVersion}};
   json["T_upper_lower"] = {{"q_wxyz", {q.w(), q.x(), q.y(), q.z()}},
                            {"t_mm", {t.x(), t.y(), t.z()}}};
   json["middle"] = place_json(occlusion, occlusion.middle_mm);
-  json["least_certain"] = place_json(occlusion, least_certain_mm(occlusion, parts.lower.surface));
+  json["least_certain"] = place_json(occlusion, jaws.least_certain_mm);
   json["rotation_uncertainty_deg"] = rotation_uncertainty_deg(occlusion);
   json["bites"] = Json::array();
   for (std::size_t i = 0; i < occlusion.bites.size(); ++i) {
@@ -155,36 +141,36 @@ Json report_json(const occlusion::Occlusion& occlusion, const Parts& parts,
                              {"rms_mm", bite.rms_mm}});
   }
   json["contact"] = {{"nearer_than_mm", kContact_mm},
-                     {"area_mm2", clearance.contact_area_mm2},
-                     {"penetration_area_mm2", clearance.penetration_area_mm2},
-                     {"deepest_penetration_mm", clearance.deepest_mm}};
+                     {"area_mm2", contact.area_mm2},
+                     {"penetration_area_mm2", contact.penetration_area_mm2},
+                     {"deepest_penetration_mm", contact.deepest_mm}};
   return json;
 }
 
-void print_occlusion(const occlusion::Occlusion& occlusion, const Parts& parts,
-                     const occlusion::Clearance& clearance) {
+void print_occlusion(const occlusion::ClosedJaws& jaws, const Parts& parts,
+                     const occlusion::Contact& contact) {
+  const occlusion::Occlusion& occlusion = jaws.occlusion;
   for (std::size_t i = 0; i < occlusion.bites.size(); ++i) {
     const occlusion::BiteFit& bite = occlusion.bites[i];
     print_out("{}: {:.0f} % on the upper jaw, {:.0f} % on the lower jaw, RMS {:.1f} µm\n",
               parts.bites[i].name, 100.0 * bite.upper_share, 100.0 * bite.lower_share,
               1e3 * bite.rms_mm);
   }
-  const Vec3 worst_mm = least_certain_mm(occlusion, parts.lower.surface);
+  const Vec3& worst_mm = jaws.least_certain_mm;
   print_out(
       "uncertainty of the lower jaw: {:.0f} µm in the middle of the bite, {:.0f} µm where it is "
-      "largest, "
-      "{:.0f} mm from there; {:.3f} degrees\n",
+      "largest, {:.0f} mm from there; {:.3f} degrees\n",
       1e3 * occlusion.uncertainty_mm(occlusion.middle_mm), 1e3 * occlusion.uncertainty_mm(worst_mm),
       (worst_mm - occlusion.middle_mm).norm(), rotation_uncertainty_deg(occlusion));
   print_out("contact (nearer than {:.0f} µm): {:.1f} mm²; deepest penetration: {:.0f} µm\n",
-            1e3 * kContact_mm, clearance.contact_area_mm2, 1e3 * clearance.deepest_mm);
+            1e3 * kContact_mm, contact.area_mm2, 1e3 * contact.deepest_mm);
 }
 
 Result<void> write_occlusion(const OccludeArguments& arguments,
-                             const occlusion::Occlusion& occlusion, const Parts& parts,
-                             const occlusion::Clearance& clearance) {
+                             const occlusion::ClosedJaws& jaws, const Parts& parts,
+                             const occlusion::Contact& contact) {
   TexturedMesh lower = parts.lower.model;
-  lower.mesh = evaluation::transformed(lower.mesh, occlusion.T_upper_lower);
+  lower.mesh = evaluation::transformed(lower.mesh, jaws.occlusion.T_upper_lower);
   const std::array models = {io::NamedModel{"upper", &parts.upper.model},
                              io::NamedModel{"lower", &lower}};
   const Result<std::string> glb = io::encode_glb_scene(models, arguments.output.string());
@@ -193,7 +179,7 @@ Result<void> write_occlusion(const OccludeArguments& arguments,
     return written;
   print_out("wrote {}\n", arguments.output.string());
   if (arguments.report.empty()) return {};
-  const std::string text = report_json(occlusion, parts, clearance).dump(1) + "\n";
+  const std::string text = report_json(jaws, parts, contact).dump(1) + "\n";
   auto written = io::write_file(arguments.report, text, io::Access::kOwnerOnly);
   if (written) print_out("wrote {}\n", arguments.report.string());
   return written;
@@ -219,15 +205,13 @@ Result<void> occlude(const OccludeArguments& arguments, const Parts& parts, cons
                      const Progress& progress) {
   std::vector<occlusion::BiteScan> bites;
   for (const Part& bite : parts.bites) bites.push_back({bite.name, bite.surface.vertices});
-  const auto occlusion = occlusion::find_occlusion(parts.upper.surface, parts.lower.surface, bites,
-                                                   {}, workers, progress);
-  if (!occlusion) return tl::unexpected(occlusion.error());
-  const occlusion::JawSurface upper(parts.upper.surface);
-  const auto clearance =
-      occlusion::find_clearance(parts.lower.surface, upper, occlusion->T_upper_lower, kContact_mm,
-                                kClearanceLimit_mm, workers);
-  print_occlusion(*occlusion, parts, clearance);
-  return write_occlusion(arguments, *occlusion, parts, clearance);
+  const auto jaws = occlusion::close_jaws(parts.upper.surface, parts.lower.surface, bites, {},
+                                          workers, progress);
+  if (!jaws) return tl::unexpected(jaws.error());
+  const occlusion::Contact contact =
+      occlusion::contact_of(parts.lower.surface, jaws->lower, kContact_mm);
+  print_occlusion(*jaws, parts, contact);
+  return write_occlusion(arguments, *jaws, parts, contact);
 }
 
 Result<void> occlude_recordings(const OccludeArguments& arguments, const Workers& workers,
@@ -241,7 +225,7 @@ Result<void> occlude_case(const OccludeArguments& arguments, const Workers& work
                           const Progress& progress) {
   Result<CaseAccess> access = CaseAccess::begin(arguments.case_path, arguments.case_options);
   if (!access) return tl::unexpected(access.error());
-  const Result<void> done = load_parts(*access).and_then(
+  Result<void> done = load_parts(*access).and_then(
       [&](const Parts& parts) { return occlude(arguments, parts, workers, progress); });
   if (done) access->note(io::CaseAction::kExported, std::nullopt, {arguments.output});
   access->write_notes();

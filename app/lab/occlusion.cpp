@@ -87,12 +87,12 @@ double contact_error_mm(const ClosedJaws& jaws, const Isometry& T_upper_lower,
                         const Workers& workers) {
   constexpr double kNear_mm = 0.5;
   const occlusion::JawSurface upper(jaws.upper);
-  const auto truth = find_clearance(jaws.lower, upper, jaws.T_upper_lower, 0.02, kNear_mm, workers);
+  const auto truth = find_clearance(jaws.lower, upper, jaws.T_upper_lower, kNear_mm, workers);
   const auto found =
-      find_clearance(jaws.lower, upper, T_upper_lower, 0.02, 2.0 * kNear_mm, workers);
+      find_clearance(jaws.lower, upper, T_upper_lower, 2.0 * kNear_mm, workers);
   std::vector<double> errors_mm;
-  for (std::size_t i = 0; i < truth.distances_mm.size(); ++i) {
-    const double error_mm = std::abs(truth.distances_mm[i] - found.distances_mm[i]);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double error_mm = std::abs(truth[i] - found[i]);
     if (!std::isnan(error_mm)) errors_mm.push_back(error_mm);
   }
   return errors_mm.empty() ? 0.0 : median_of(errors_mm);

@@ -57,6 +57,15 @@ StagesWithViews find_views(io::CaseFile& file, Count count) {
   return found;
 }
 
+StagesWithViews find_models(io::CaseFile& file) {
+  StagesWithViews found = {};
+  for (const io::ScanStage stage : io::kScanStages) {
+    const auto counts = file.counts(stage);
+    found[static_cast<std::size_t>(stage)] = counts && counts->has_result;
+  }
+  return found;
+}
+
 bool has_any_views(io::CaseFile& file) {
   for (const Count count : {&io::CaseFile::counts, &io::CaseFile::kept_counts}) {
     const StagesWithViews found = find_views(file, count);
@@ -112,7 +121,9 @@ class CaseStore::Journal final : public scan::ScanJournal {
 };
 
 CaseStore::CaseStore(io::CaseFile file)
-    : file_(std::move(file)), stages_with_views_(find_views(file_, &io::CaseFile::counts)) {
+    : file_(std::move(file)),
+      stages_with_views_(find_views(file_, &io::CaseFile::counts)),
+      stages_with_model_(find_models(file_)) {
   update_status();
   status_.has_kept_scan = find_views(file_, &io::CaseFile::kept_counts);
 }

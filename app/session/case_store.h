@@ -70,6 +70,8 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] StagesWithViews stages_with_views() const { return stages_with_views_; }
   /// Damage was found, when the case was opened or since.
   [[nodiscard]] bool is_damaged() const;
+  /// Whether each stage had a finished model when the case was opened, perhaps an older one.
+  [[nodiscard]] StagesWithViews stages_with_model() const { return stages_with_model_; }
   /// Whether each stage keeps a scan that was cleared.
   [[nodiscard]] StagesWithViews stages_with_kept_scan() const;
   /// Why something is not saved; empty: everything is. A failure is over as soon as all that waited
@@ -95,7 +97,7 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
 
   std::mutex mutex_;
   io::CaseFile file_;
-  const StagesWithViews stages_with_views_;
+  const StagesWithViews stages_with_views_, stages_with_model_;
   mutable std::mutex status_mutex_;
   Status status_;
 };

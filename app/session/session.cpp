@@ -38,6 +38,7 @@ Session::Session(SessionOptions options)
       case_(std::move(options.unnamed_folder), source_, stages_, background_, notices_),
       calibration_(source_, stages_, background_, notices_),
       exports_(background_, notices_),
+      occlusion_(stages_, background_, notices_),
       chooser_(std::move(options.file_chooser), notices_) {
   if (!options.recording.empty()) source_.record_in(options.recording);
   source_.open();
@@ -131,6 +132,7 @@ ui::AppView Session::view() {
   view.calibration = calibration_.state();
   view.file = case_.state();
   view.exports = exports_.state(view);
+  view.occlusion = occlusion_.state();
   view.settings = settings_;
   view.texts = texts_;
   view.notices = notices_.latest();

@@ -9,6 +9,7 @@
 #include "app/session/case_controller.h"
 #include "app/session/export_controller.h"
 #include "app/session/notices.h"
+#include "app/session/occlusion_controller.h"
 #include "app/session/path_chooser.h"
 #include "app/session/source_controller.h"
 #include "app/session/stage_controller.h"
@@ -66,6 +67,7 @@ class Session {
   CaseController case_;
   CalibrationController calibration_;
   ExportController exports_;
+  OcclusionController occlusion_;
   PathChooser chooser_;
 };
 

@@ -80,7 +80,7 @@ void SourceController::record(const ui::RecordFrames& command) {
   source_.recorder->end_recording();
 }
 
-void SourceController::record_in(std::filesystem::path folder) {
+void SourceController::record_in(const std::filesystem::path& folder) {
   records_in_ = std::filesystem::absolute(folder);
   records_in_named_folder_ = true;
   begin_recording();

@@ -37,7 +37,7 @@ class SourceController {
   /// Begins or ends the recording of raw frames, at once or as soon as there are any.
   void record(const ui::RecordFrames& command);
   /// Records in exactly this folder, as the command line asks.
-  void record_in(std::filesystem::path folder);
+  void record_in(const std::filesystem::path& folder);
   void check_devices();
   /// Call often: once the devices of a rig fail, checks all of them, as the failure names one.
   void check_failed_devices();

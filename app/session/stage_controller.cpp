@@ -37,6 +37,15 @@ bool StageController::has_model() const {
   });
 }
 
+StageController::StageModel StageController::model_of(io::ScanStage stage) const {
+  const auto index = static_cast<std::size_t>(stage);
+  if (scans_[index] == nullptr)
+    return {store_ != nullptr && store_->stages_with_model()[index], nullptr};
+  const auto now = scans_[index]->snapshot();
+  if (now->phase != scan::ScanPhase::kFinished) return {};
+  return {now->result != nullptr, now->result};
+}
+
 bool StageController::has_unsaved() const { return store_ == nullptr && has_model(); }
 
 void StageController::start() {
@@ -221,6 +230,7 @@ void StageController::show_in(ui::AppView& view) {
     view.stage_has_data[i] = scans_[i] != nullptr
                                  ? !scans_[i]->snapshot()->model.empty()
                                  : store_ != nullptr && store_->stages_with_views()[i];
+    view.stage_is_finished[i] = model_of(io::kScanStages[i]).is_finished;
   }
   view.has_kept_scan = store_ != nullptr && store_->stages_with_kept_scan()[stage_];
   view.measurements = measurements_[stage_];

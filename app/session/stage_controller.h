@@ -59,6 +59,12 @@ class StageController {
   /// Of the current stage; null until the source is open.
   [[nodiscard]] const std::shared_ptr<scan::LiveScan>& scan() const { return scans_[stage_]; }
   [[nodiscard]] io::ScanStage stage() const { return io::kScanStages[stage_]; }
+  /// What is known of a stage's finished model.
+  struct StageModel {
+    bool is_finished = false;  ///< if it is not loaded: perhaps an older one
+    std::shared_ptr<const reconstruct::FinishedScan> scan;  ///< null: not finished, or not loaded
+  };
+  [[nodiscard]] StageModel model_of(io::ScanStage stage) const;
   /// The case that scans are saved in; null: none.
   [[nodiscard]] const std::shared_ptr<CaseStore>& store() const { return store_; }
   /// False while a scan is finishing, see scan::may_leave().

@@ -15,10 +15,8 @@ constexpr double kFacingCosine = 0.0;
 }  // namespace
 
 Clearance find_clearance(const TriangleMesh& jaw, const JawSurface& other,
-                         const Isometry& T_other_jaw, double contact_mm, double limit_mm,
-                         const Workers& workers) {
-  Clearance clearance;
-  clearance.distances_mm.assign(jaw.vertices.size(), std::numeric_limits<float>::quiet_NaN());
+                         const Isometry& T_other_jaw, double limit_mm, const Workers& workers) {
+  Clearance clearance(jaw.vertices.size(), std::numeric_limits<float>::quiet_NaN());
   workers.for_each(
       jaw.vertices.size(),
       [&](std::size_t i) {
@@ -29,21 +27,27 @@ Clearance find_clearance(const TriangleMesh& jaw, const JawSurface& other,
         const Vec3 normal = T_other_jaw.linear() * vertex.normal.cast<double>();
         if (foot->normal.dot(normal) > kFacingCosine) return;
         const double away_mm = (p_mm - foot->point_mm).norm();
-        clearance.distances_mm[i] = static_cast<float>(std::copysign(away_mm, foot->offset_mm));
+        clearance[i] = static_cast<float>(std::copysign(away_mm, foot->offset_mm));
       },
       256);
+  return clearance;
+}
+
+Contact contact_of(const TriangleMesh& jaw, const Clearance& clearance, double contact_mm) {
+  Contact contact;
   for (const Triangle& triangle : jaw.triangles) {
     double least_mm = 1e9;
     for (const std::uint32_t v : triangle) {
       // NaN does not compare.
-      if (clearance.distances_mm[v] < least_mm) least_mm = clearance.distances_mm[v];
+      if (clearance[v] < least_mm) least_mm = clearance[v];
     }
-    clearance.deepest_mm = std::max(clearance.deepest_mm, -least_mm);
+    if (least_mm >= contact_mm) continue;
+    contact.deepest_mm = std::max(contact.deepest_mm, -least_mm);
     const double area_mm2 = area_vector_mm2(jaw, triangle).norm();
-    if (least_mm < contact_mm) clearance.contact_area_mm2 += area_mm2;
-    if (least_mm < -contact_mm) clearance.penetration_area_mm2 += area_mm2;
+    contact.area_mm2 += area_mm2;
+    if (least_mm < -contact_mm) contact.penetration_area_mm2 += area_mm2;
   }
-  return clearance;
+  return contact;
 }
 
 }  // namespace flytri::occlusion

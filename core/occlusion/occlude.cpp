@@ -404,4 +404,8 @@ Result<Occlusion> find_occlusion(const TriangleMesh& upper, const TriangleMesh& 
   return Occluder(upper, lower, bites, options, workers, progress).run();
 }
 
+double Occlusion::rotation_uncertainty_rad() const {
+  return std::sqrt(covariance.topLeftCorner<3, 3>().trace());
+}
+
 }  // namespace flytri::occlusion

@@ -65,6 +65,8 @@ struct Occlusion {
   /// Standard uncertainty of where a point of the lower jaw is, mm: RMS length of its error.
   /// @param p_mm  frame of the upper jaw
   [[nodiscard]] double uncertainty_mm(const Vec3& p_mm) const;
+  /// Standard uncertainty of how the lower jaw is turned, rad.
+  [[nodiscard]] double rotation_uncertainty_rad() const;
 };
 
 /// Finds the bite scans on both jaws, and optimizes their places and the relation of the jaws

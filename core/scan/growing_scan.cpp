@@ -20,6 +20,17 @@ double half_diagonal_mm(const calibration::Calibration& calibration) {
   return 0.5 * calibration.volume.size_mm.norm();
 }
 
+/// The time that was spent on scanning. Longer gaps between views were pauses.
+double scanned_s_of(const std::vector<AlignedView>& views) {
+  constexpr double kPause_s = 1.0;
+  double scanned_s = 0.0;
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    const double gap_s = views[i].view->time_s - views[i - 1].view->time_s;
+    if (gap_s > 0.0 && gap_s < kPause_s) scanned_s += gap_s;
+  }
+  return scanned_s;
+}
+
 }  // namespace
 
 GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibration,
@@ -225,6 +236,11 @@ void GrowingScan::restore(const KeptScan& kept) {
   known_views_ = kept.views.size();
   for (const AlignedView& view : kept.views) journaled_.insert(view.view->frame);
   if (!kept.views.empty()) last_time_s_ = kept.views.back().view->time_s;
+  scanned_s_ = scanned_s_of(kept.views);
+  board_.update([&](ScanSnapshot& s) {
+    s.restored_views = static_cast<std::int64_t>(kept.views.size());
+    s.scanned_s = scanned_s_;
+  });
   [[maybe_unused]] const tracking::ScanGrowth known = registrar_->take_growth();
   model_.restore(kept.views, kept.texture_frames, kept.edits);
   show_edits();

@@ -78,7 +78,13 @@ struct ScanSnapshot {
   ScanPhase phase = ScanPhase::kPreview;
   double time_s = 0.0;     ///< of the latest frame
   double scanned_s = 0.0;  ///< time in the phases measurement and continuation
-  FrameCounts counts;
+  FrameCounts counts;      ///< since the scan was opened
+  std::int64_t restored_views = 0;  ///< registered before that
+
+  /// Views that are part of the scan.
+  [[nodiscard]] std::int64_t view_count() const {
+    return restored_views + counts.registered + counts.interpolated;
+  }
   LatencyStatistics latency;
   /// When the newest frame that the model shows was offered, in the clock of the scan.
   double model_offered_at_s = 0.0;

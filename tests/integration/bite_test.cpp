@@ -79,10 +79,9 @@ TEST(Bite, BringsTheJawsOfARealPatientTogether) {
   // Distances between the true jaws, where they are near, at the true and at the found relation.
   const occlusion::JawSurface true_upper(upper.truth);
   const auto distances = [&](const Isometry& T_upper_lower) {
-    return find_clearance(lower.truth, true_upper, T_upper_lower, 0.02, 1.0, Workers())
-        .distances_mm;
+    return find_clearance(lower.truth, true_upper, T_upper_lower, 1.0, Workers());
   };
-  const std::vector<float> expected = distances(T_true), measured = distances(T_found);
+  const occlusion::Clearance expected = distances(T_true), measured = distances(T_found);
   std::vector<double> errors_mm;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (std::abs(expected[i]) < 0.5F && !std::isnan(measured[i]))

@@ -8,6 +8,7 @@
 #include "tests/support/fake_calibration.h"
 #include "tests/support/fake_devices.h"
 #include "tests/support/fake_jaw.h"
+#include "tests/support/fake_occlusion.h"
 
 namespace flytri::testing {
 namespace {
@@ -88,6 +89,7 @@ void set_scan(AppView& view, scan::ScanSnapshot scan) {
 
 struct FakeScan::Parts {
   FakeJaw jaw;
+  std::shared_ptr<const ui::JawPair> pair = fake_pair(jaw.result()->surface.mesh);
 
   [[nodiscard]] AppView preview() const {
     AppView view = ordinary_view();
@@ -172,6 +174,39 @@ struct FakeScan::Parts {
     add_sizes(view, true);
     view.notices = {{1, ui::Severity::kInformation,
                      texts.fill<ui::Text::kExportedTo>(view.exports.name + ".glb")}};
+    return view;
+  }
+
+  /// A finished bite, before both jaws are.
+  [[nodiscard]] AppView bite(const ui::Texts& texts) const {
+    AppView view = finished(texts);
+    view.notices.clear();
+    view.stage = io::ScanStage::kBite;
+    view.stage_has_data = {true, true, true};
+    view.stage_is_finished = {true, false, true};
+    return view;
+  }
+
+  [[nodiscard]] AppView closing(const ui::Texts& texts) const {
+    AppView view = bite(texts);
+    view.stage_is_finished = {true, true, true};
+    view.occlusion.is_running = true;
+    view.occlusion.done_share = 0.4;
+    return view;
+  }
+
+  [[nodiscard]] AppView jaws(const ui::Texts& texts) const {
+    AppView view = closing(texts);
+    view.occlusion = {false, 0.0, "", pair, 0.007, 0.061, 52.0};
+    return view;
+  }
+
+  [[nodiscard]] AppView jaws_refused(const ui::Texts& texts) const {
+    AppView view = closing(texts);
+    view.occlusion = {};
+    view.occlusion.failure =
+        "Bite: only 4 % of its points lie on the lower jaw (at least 10 % are needed): scan the "
+        "teeth of both jaws from the cheek";
     return view;
   }
 
@@ -349,7 +384,11 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
       [&] { return parts.lost_where_it_is_smooth(); },
       [&] { return parts.damaged(); },
       [&] { return parts.cleared(); },
-      [&] { return parts.recording(); }};
+      [&] { return parts.recording(); },
+      [&] { return parts.bite(texts); },
+      [&] { return parts.closing(texts); },
+      [&] { return parts.jaws(texts); },
+      [&] { return parts.jaws_refused(texts); }};
   std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {

@@ -9,7 +9,8 @@ inline constexpr std::array kFakeStates = {
     "ready",      "preview",      "scanning",      "near",        "paused",       "lost",
     "finishing",  "finished",     "failed",        "no_sensor",   "empty_case",   "unnamed",
     "not_saved",  "devices",      "devices_wrong", "calibrating", "shot_refused", "set_refused",
-    "calibrated", "check_broken", "lost_smooth",   "damaged",     "cleared",      "recording"};
+    "calibrated", "check_broken", "lost_smooth",   "damaged",     "cleared",      "recording",
+    "bite",       "closing",      "jaws",          "jaws_refused"};
 
 /// States of the export dialog, all of a finished scan: files exist, they were written, it failed.
 inline constexpr std::array kExportStates = {"export_exists", "exported", "export_failed"};

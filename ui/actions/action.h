@@ -47,6 +47,8 @@ enum class Action {
   kRightSide,
   kLeftSide,
   kShowAll,
+  kJaws,
+  kClearance,
   kZoomIn,
   kZoomOut,
   // Hand

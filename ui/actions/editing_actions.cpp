@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ui/actions/action_groups.h"
+#include "ui/state/jaws_look.h"
 
 namespace flytri::ui {
 namespace {
@@ -60,6 +61,7 @@ ActionState redo_state(const Situation& now) {
 template <Tool kTool>
 ActionState tool_state(const Situation& now) {
   if (!now.has_surface()) return disabled(Text::kNothingScanned);
+  if (shown_jaws(now.view, now.state) != nullptr) return disabled(Text::kNotForBothJaws);
   if (kTool != Tool::kMeasure && !now.can_edit()) {
     return disabled(now.is_finishing() ? Text::kFinishing : Text::kResumeFirst);
   }

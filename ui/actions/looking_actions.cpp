@@ -5,6 +5,7 @@
 
 #include "ui/actions/action_groups.h"
 #include "ui/state/camera_moves.h"
+#include "ui/state/jaws_look.h"
 
 namespace flytri::ui {
 namespace {
@@ -14,6 +15,11 @@ constexpr double kBlendStep = 0.05;
 
 template <ColorMode kMode>
 ActionState color_state(const Situation& now) {
+  if (const JawPair* jaws = shown_jaws(now.view, now.state); jaws != nullptr) {
+    if (kMode == ColorMode::kCoverage || kMode == ColorMode::kUncertainty)
+      return disabled(Text::kNotForBothJaws);
+    if (now.state.jaws.shows_clearance) return enabled();
+  }
   const bool is_on = now.state.color_mode == kMode;
   if (kMode == ColorMode::kTexture && is_on) {
     return {.is_on = true, .text = percent_text(now.state.texture_blend)};
@@ -24,6 +30,7 @@ ActionState color_state(const Situation& now) {
 template <ColorMode kMode>
 void color_by(const ActionRunner& run) {
   run.state.color_mode = kMode;
+  run.state.jaws.shows_clearance = false;
 }
 
 ActionState blend_state(const Situation& now) {
@@ -40,13 +47,42 @@ ActionState side_state(const Situation& now) {
 
 template <StandardView kSide>
 void look_from(const ActionRunner& run) {
+  if (const JawPair* jaws = shown_jaws(run.view, run.state); jaws != nullptr)
+    return show_from(kSide, jaws->upper_axes, JawKind::kUpper, run.state.view);
   show_from(kSide, run.view, run.state.view);
 }
 
 /// Of a quadrant nothing shows whether it is the right or the left one.
 ActionState arch_side_state(const Situation& now) {
   if (!now.has_surface()) return disabled(Text::kNothingScanned);
+  if (const JawPair* jaws = shown_jaws(now.view, now.state); jaws != nullptr)
+    return only_if(jaws->upper_axes.is_arch, Text::kNeedsWholeArch);
   return only_if(now.view.scan->jaw && now.view.scan->jaw->is_arch, Text::kNeedsWholeArch);
+}
+
+ActionState jaws_state(const Situation& now) {
+  const bool is_possible = now.view.stage == io::ScanStage::kBite && now.is_finished() &&
+                           now.view.occlusion.pair != nullptr;
+  if (!is_possible) return disabled(Text::kNeedsOcclusion);
+  return chosen(now.state.jaws.are_shown);
+}
+
+/// The bite scan has a frame of its own.
+void toggle_jaws(const ActionRunner& run) {
+  JawsLook& look = run.state.jaws;
+  look.are_shown = !look.are_shown;
+  put_tool_away(run.state);
+  reset_camera(run.state.view);
+  if (look.are_shown) look_from<StandardView::kBuccal>(run);
+}
+
+ActionState clearance_state(const Situation& now) {
+  if (shown_jaws(now.view, now.state) == nullptr) return disabled(Text::kNeedsOcclusion);
+  return chosen(now.state.jaws.shows_clearance);
+}
+
+void toggle_clearance(const ActionRunner& run) {
+  run.state.jaws.shows_clearance = !run.state.jaws.shows_clearance;
 }
 
 ActionState show_all_state(const Situation& now) {
@@ -131,6 +167,18 @@ constexpr std::array kLookingActions = {
               .shortcut = {GLFW_KEY_HOME},
               .state = show_all_state,
               .perform = [](const ActionRunner& run) { reset_camera(run.state.view); }},
+    ActionRow{.action = Action::kJaws,
+              .id = "jaws",
+              .name = Text::kBothJaws,
+              .shortcut = {GLFW_KEY_5},
+              .state = jaws_state,
+              .perform = toggle_jaws},
+    ActionRow{.action = Action::kClearance,
+              .id = "clearance",
+              .name = Text::kClearance,
+              .shortcut = {GLFW_KEY_6},
+              .state = clearance_state,
+              .perform = toggle_clearance},
     ActionRow{.action = Action::kZoomIn,
               .id = "zoom_in",
               .name = Text::kZoomIn,

@@ -79,6 +79,15 @@ nlohmann::json actions_as_json(const AppView& view, const WindowState& state) {
   return actions;
 }
 
+nlohmann::json case_as_json(const CaseState& file) {
+  return {{"path", file.path},
+          {"saved", file.is_saved},
+          {"failure", file.failure},
+          {"opening", file.is_opening},
+          {"read_only", file.is_read_only},
+          {"message", file.message}};
+}
+
 /// What is typed, but no passphrase.
 nlohmann::json case_form_as_json(const CaseForm& form, const Texts& texts) {
   const auto problem = problem_of(form);
@@ -106,6 +115,8 @@ void carry_out_request(const std::string& request, const AppView& view, WindowSt
     commands.emplace_back(Tell{rest});
   } else if (verb == "new_case") {
     commands.emplace_back(NewCase{rest, {}, {}});
+  } else if (verb == "open_case") {
+    commands.emplace_back(OpenCase{rest, {}});
   } else if (verb == "quit") {
     commands.emplace_back(Quit{});
   }
@@ -147,7 +158,9 @@ std::optional<std::string> ControlAnswers::answer_to(const DrawnFrame& frame) {
   if (*verb_ == "where") return answer_where(frame.places, rest_);
   if (*verb_ == "shot") return answer_shot(frame.canvas, rest_);
   if (*verb_ == "do") return action_named(rest_) ? "ok" : "error no action is called " + rest_;
-  if (*verb_ == "tell" || *verb_ == "new_case" || *verb_ == "quit") return "ok";
+  for (const char* verb : {"tell", "new_case", "open_case", "quit"}) {
+    if (*verb_ == verb) return "ok";
+  }
   return "error unknown request: " + *verb_;
 }
 
@@ -161,10 +174,13 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"phase", frame.view.scan == nullptr ? "none" : to_string(frame.view.scan->phase)},
       {"snapshot", frame.view.scan == nullptr ? 0 : frame.view.scan->number},
       {"scanning", frame.view.is_scanning},
+      {"views", frame.view.scan == nullptr ? 0 : frame.view.scan->view_count()},
+      {"loading", frame.view.is_loading},
       {"knows_holes", frame.view.scan != nullptr && frame.view.scan->holes_are_current},
       {"time_left", time_left(frame.view)},
       {"frames", frames_as_json(frame.view)},
       {"dialog", to_string(state.dialog)},
+      {"case", case_as_json(frame.view.file)},
       {"case_form", case_form_as_json(state.case_form, frame.view.texts)},
       {"tool", to_string(state.tool)},
       {"color_mode", to_string(state.color_mode)},

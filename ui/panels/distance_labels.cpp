@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ui/panels/panels.h"
+#include "ui/state/jaws_look.h"
 
 namespace flytri::ui {
 namespace {
@@ -36,6 +37,7 @@ void draw_label(const PanelContext& context, const ImVec2& middle, const std::st
 }  // namespace
 
 void draw_distance_labels(const PanelContext& context) {
+  if (shown_jaws(context.view, context.state) != nullptr) return;
   const Rect& picture = context.layout.picture;
   for (const io::Measurement& measured : context.view.measurements) {
     const auto middle =

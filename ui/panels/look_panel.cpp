@@ -6,6 +6,7 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/scene_view.h"
 #include "ui/state/jaw_words.h"
+#include "ui/state/jaws_look.h"
 #include "ui/widgets/badge.h"
 #include "ui/widgets/hint.h"
 #include "ui/widgets/meter.h"
@@ -75,6 +76,7 @@ float extra_height(ColorMode mode) {
     case ColorMode::kUncertainty:
       return 34.0F + kGapS;
     case ColorMode::kShading:
+    case ColorMode::kClearance:
       break;
   }
   return 0.0F;
@@ -91,9 +93,10 @@ void draw_colors(const PanelContext& context) {
   Rect rest = box.inset(context.px(kGapS));
   draw_modes(context, rest);
   rest.take_top(context.px(kGapXs));
-  if (context.state.color_mode == ColorMode::kTexture) draw_blend(context, rest);
-  if (context.state.color_mode == ColorMode::kCoverage) draw_coverage_legend(context, rest);
-  if (context.state.color_mode == ColorMode::kUncertainty) draw_sigma_legend(context, rest);
+  const ColorMode colors = shown_colors(context.view, context.state);
+  if (colors == ColorMode::kTexture) draw_blend(context, rest);
+  if (colors == ColorMode::kCoverage) draw_coverage_legend(context, rest);
+  if (colors == ColorMode::kUncertainty) draw_sigma_legend(context, rest);
 }
 
 void draw_sides(const PanelContext& context) {
@@ -130,7 +133,7 @@ float sides_width(const PanelContext& context) {
 }  // namespace
 
 Rect colors_box(const PanelContext& context) {
-  const float height = height_of(4.0F, kLookButton) + extra_height(context.state.color_mode);
+  const float height = height_of(4.0F, kLookButton) + extra_height(shown_colors(context.view, context.state));
   return {context.layout.picture.x + context.px(kGapM), top_of(context), context.px(kWidth),
           context.px(height)};
 }

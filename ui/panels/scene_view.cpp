@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/state/camera_moves.h"
+#include "ui/state/jaws_look.h"
 #include "ui/state/way_back.h"
 
 namespace flytri::ui {
@@ -54,6 +55,15 @@ void add_phase(const PanelContext& context, SceneContent& content) {
     case scan::ScanPhase::kFinished:
       break;
   }
+}
+
+/// In a frame of their own: nothing of the bite scan is drawn over them.
+SceneContent jaws_content(const PanelContext& context, const JawPair& jaws) {
+  SceneContent content;
+  content.mesh = &jaws.mesh;
+  content.mesh_number = context.state.result_number.of(context.view.occlusion.pair);
+  content.jaws = SceneJaws{jaws.first_lower, &jaws.clearance_mm};
+  return content;
 }
 
 void add_surface(const PanelContext& context, SceneContent& content) {
@@ -119,6 +129,8 @@ void add_tools(const PanelContext& context, SceneContent& content) {
 }
 
 SceneContent content_of(const PanelContext& context) {
+  if (const JawPair* jaws = shown_jaws(context.view, context.state); jaws != nullptr)
+    return jaws_content(context, *jaws);
   SceneContent content;
   if (context.view.scan != nullptr) {
     add_surface(context, content);
@@ -132,10 +144,16 @@ SceneContent content_of(const PanelContext& context) {
 
 SceneOptions options_of(const PanelContext& context) {
   SceneOptions options;
-  options.color_mode = context.state.color_mode;
+  options.color_mode = shown_colors(context.view, context.state);
   options.texture_blend = context.state.texture_blend;
   options.max_sigma_mm = max_sigma_mm(context.view);
   options.scale = static_cast<double>(context.theme.scale);
+  if (const JawPair* jaws = shown_jaws(context.view, context.state); jaws != nullptr) {
+    options.contact_mm = context.state.jaws.contact_mm;
+    options.T_open_closed = opening(jaws->upper_axes, context.state.jaws.opening);
+    // Surfels have no clearance, and do not know which jaw they are of.
+    options.level_of_detail = false;
+  }
   return options;
 }
 

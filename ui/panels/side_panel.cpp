@@ -123,6 +123,9 @@ void draw_side_panel(const PanelContext& context) {
   if (context.phase() == scan::ScanPhase::kContinuation) {
     context.pictures.live.show(latest_frame(context.view));
     draw_continuation(context, inner);
+  } else if (context.view.stage == io::ScanStage::kBite &&
+             context.phase() == scan::ScanPhase::kFinished) {
+    draw_occlusion(context, inner);
   } else {
     draw_ordinary(context, inner);
   }

@@ -80,11 +80,17 @@ float least_stages_width(const PanelContext& context) {
   return 3.0F * (std::ceil(label + mark) + context.px(24.0F)) + 2.0F * context.px(kGapXs);
 }
 
+/// Half a disk for what is scanned, a check mark for what is finished.
+const char* mark_of(const AppView& view, std::size_t stage) {
+  if (view.stage_is_finished[stage]) return icon::kSaved;
+  return view.stage_has_data[stage] ? icon::kScanned : nullptr;
+}
+
 void draw_stages(const PanelContext& context, Rect row) {
   const float width = (row.width - 2.0F * context.px(kGapXs)) / 3.0F;
   for (std::size_t i = 0; i < kStages.size(); ++i) {
     const auto& [action, label] = kStages[i];
-    const char* mark = context.view.stage_has_data[i] ? icon::kSaved : nullptr;
+    const char* mark = mark_of(context.view, i);
     small_action(context, row.take_left(width, context.px(kGapXs)), action,
                  {mark, context.text(label), false, kNeutral, false});
   }
@@ -108,7 +114,7 @@ FigureValues figure_values(const AppView& view) {
   const scan::ScanSnapshot& scan = *view.scan;
   const bool has_surface = surfel_count(scan.model) > 0;
   return {clock_text(scan.scanned_s),
-          fmt::format("{}", scan.counts.registered + scan.counts.interpolated),
+          fmt::format("{}", scan.view_count()),
           fmt::format("{}", scan.counts.rejected_count()), fmt::format("{}", scan.counts.skipped),
           has_surface ? fmt::format("{:.0f} %", 100.0 * scan.good_share) : "\u2013"};
 }

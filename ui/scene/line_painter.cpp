@@ -110,6 +110,7 @@ void LinePainter::paint(const std::vector<OverlayLine>& lines, const Eye& eye) {
     glDepthFunc(depth_function);
     program_.set("opacity", opacity);
     program_.set("towards_eye", static_cast<float>(lift * eye.height_mm) * eye.depth_per_mm());
+    // OpenGL takes an offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto* offset = reinterpret_cast<const void*>(6 * first * sizeof(std::uint32_t));
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * (end - first)), GL_UNSIGNED_INT, offset);
   };

@@ -1,7 +1,9 @@
 #include "ui/scene/mesh_painter.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "ui/scene/coloring.h"
 #include "ui/scene/vertex_format.h"
@@ -15,7 +17,7 @@ struct MeshVertex {
   std::uint32_t normal;
   Eigen::Vector2f uv;
   std::uint32_t color_flags;
-  float sigma_mm;
+  float value_mm;  ///< uncertainty, or clearance
 };
 
 std::array<Attribute, 5> mesh_attributes() {
@@ -23,20 +25,29 @@ std::array<Attribute, 5> mesh_attributes() {
            {1, 4, GL_INT_2_10_10_10_REV, true, offsetof(MeshVertex, normal)},
            {2, 2, GL_FLOAT, false, offsetof(MeshVertex, uv)},
            {3, 4, GL_UNSIGNED_BYTE, true, offsetof(MeshVertex, color_flags)},
-           {4, 1, GL_FLOAT, false, offsetof(MeshVertex, sigma_mm)}}};
+           {4, 1, GL_FLOAT, false, offsetof(MeshVertex, value_mm)}}};
 }
 
-std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-                                    const Tints& tints) {
+float value_of(const SurfacePoint& vertex, std::size_t index,
+               const std::optional<SceneJaws>& jaws) {
+  if (!jaws) return vertex.sigma_mm;
+  // Graphics cards need not know NaN.
+  const float clearance_mm = (*jaws->clearance_mm)[index];
+  return std::isnan(clearance_mm) ? std::numeric_limits<float>::max() : clearance_mm;
+}
+
+std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const MeshPainter::Marks& marks) {
   std::vector<MeshVertex> vertices;
   vertices.reserve(mesh.mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.mesh.vertices.size(); ++i) {
     const SurfacePoint& v = mesh.mesh.vertices[i];
-    unsigned flags = coverage[i] == Coverage::kGood ? kGoodFlag : 0U;
-    flags |= tint_flag(tints, v.position_mm, v.normal);
+    unsigned flags = marks.coverage[i] == Coverage::kGood ? kGoodFlag : 0U;
+    flags |= tint_flag(marks.tints, v.position_mm, v.normal);
+    if (marks.jaws && i >= marks.jaws->first_lower) flags |= kLowerJawFlag;
     vertices.push_back({v.position_mm, packed_normal(v.normal),
                         mesh.uv.empty() ? Eigen::Vector2f(0.0F, 0.0F) : mesh.uv[i],
-                        packed_color(v.color, static_cast<std::uint8_t>(flags)), v.sigma_mm});
+                        packed_color(v.color, static_cast<std::uint8_t>(flags)),
+                        value_of(v, i, marks.jaws)});
   }
   return vertices;
 }
@@ -58,9 +69,8 @@ MeshPainter::MeshPainter(ShaderProgram program)
   vertices_.attach_indices(indices_);
 }
 
-void MeshPainter::take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-                       const Tints& tints) {
-  retint(mesh, coverage, tints);
+void MeshPainter::take(const TexturedMesh& mesh, const Marks& marks) {
+  mark(mesh, marks);
   indices_.assign(std::as_bytes(std::span(mesh.mesh.triangles)));
   index_count_ = static_cast<GLsizei>(3 * mesh.mesh.triangles.size());
   has_atlas_ = !mesh.uv.empty() && !mesh.atlas.empty();
@@ -69,9 +79,8 @@ void MeshPainter::take(const TexturedMesh& mesh, const std::vector<Coverage>& co
   for (const SurfacePoint& v : mesh.mesh.vertices) box_mm_.extend(v.position_mm.cast<double>());
 }
 
-void MeshPainter::retint(const TexturedMesh& mesh, const std::vector<Coverage>& coverage,
-                         const Tints& tints) {
-  const std::vector<MeshVertex> vertices = vertices_of(mesh, coverage, tints);
+void MeshPainter::mark(const TexturedMesh& mesh, const Marks& marks) {
+  const std::vector<MeshVertex> vertices = vertices_of(mesh, marks);
   buffer_.assign(std::as_bytes(std::span(vertices)));
 }
 
@@ -80,6 +89,7 @@ void MeshPainter::paint(const Eye& eye, const SceneOptions& options) const {
   program_.use();
   eye.set_uniforms(program_);
   set_coloring(program_, options);
+  program_.set("T_open_closed", Eigen::Matrix4f(options.T_open_closed.matrix().cast<float>()));
   program_.set("atlas", 0);
   program_.set("has_atlas", has_atlas_ ? 1 : 0);
   if (has_atlas_) atlas_.bind(0);

@@ -1,6 +1,7 @@
 /// @file  Draws the finished mesh with its texture atlas.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/geometry/surfel.h"
@@ -9,6 +10,7 @@
 #include "ui/gpu/shader_program.h"
 #include "ui/gpu/texture.h"
 #include "ui/scene/eye.h"
+#include "ui/scene/scene_content.h"
 #include "ui/scene/scene_options.h"
 #include "ui/scene/vertex_format.h"
 
@@ -19,11 +21,16 @@ class MeshPainter {
   /// @errors  those of ShaderProgram::load.
   [[nodiscard]] static Result<MeshPainter> create();
 
+  /// What is drawn of a mesh beside its shape and colors.
+  struct Marks {
+    const std::vector<Coverage>& coverage;  ///< by vertex
+    const Tints& tints;
+    const std::optional<SceneJaws>& jaws;
+  };
   /// Sends a mesh to graphics memory.
-  /// @param coverage  by vertex
-  void take(const TexturedMesh& mesh, const std::vector<Coverage>& coverage, const Tints& tints);
-  /// Sends only the vertices anew, with other tints.
-  void retint(const TexturedMesh& mesh, const std::vector<Coverage>& coverage, const Tints& tints);
+  void take(const TexturedMesh& mesh, const Marks& marks);
+  /// Sends only the vertices anew, with other marks.
+  void mark(const TexturedMesh& mesh, const Marks& marks);
   /// Draws into the bound framebuffer. Triangles seen from behind are skipped.
   void paint(const Eye& eye, const SceneOptions& options) const;
 

@@ -8,20 +8,22 @@
 
 namespace flytri::ui {
 
-void MeshPicture::take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
-                       const Tints& tints) {
-  const bool is_known = &mesh == mesh_ && number == number_;
-  if (is_known && are_same(tints, tints_)) return;
+void MeshPicture::take(const SceneContent& content, const SurfelModel& scanned) {
+  const TexturedMesh& mesh = *content.mesh;
+  const bool is_known = &mesh == mesh_ && content.mesh_number == number_;
+  if (is_known && are_same(content.tints, tints_)) return;
+  const MeshPainter::Marks marks = {coverage_, content.tints, content.jaws};
   if (is_known) {
-    painter_.retint(mesh, coverage_, tints);
+    painter_.mark(mesh, marks);
   } else {
-    coverage_ = coverage_of(mesh.mesh, scanned);
-    painter_.take(mesh, coverage_, tints);
+    coverage_ = content.jaws ? std::vector(mesh.mesh.vertices.size(), Coverage::kGood)
+                             : coverage_of(mesh.mesh, scanned);
+    painter_.take(mesh, marks);
     surfels_.clear();
   }
   mesh_ = &mesh;
-  number_ = number;
-  tints_ = tints;
+  number_ = content.mesh_number;
+  tints_ = content.tints;
   is_new_ = true;
 }
 

@@ -13,10 +13,9 @@ class MeshPicture {
       : painter_(std::move(painter)), moving_(std::move(splats)) {}
 
   /// Shows this mesh. Nothing is sent to the graphics card if it is already shown.
-  /// @param number   changes when the mesh does, even at the same address
+  /// @param content  with a mesh
   /// @param scanned  what the mesh was made of, for its coverage
-  void take(const TexturedMesh& mesh, std::uint64_t number, const SurfelModel& scanned,
-            const Tints& tints);
+  void take(const SceneContent& content, const SurfelModel& scanned);
   /// @return  where the picture changed: everywhere or nowhere
   PixelBox update(const Eye& eye, const SceneOptions& options, double now_s);
 

@@ -134,6 +134,7 @@ void add_preview(Pen& pen, const PreviewContent& preview, double step_mm) {
 std::vector<Vec3> smooth_rim_mm(const std::vector<Vec3f>& rim_mm) {
   constexpr int kRounds = 3;
   std::vector<Vec3> rim;
+  rim.reserve(rim_mm.size());
   for (const Vec3f& p : rim_mm) rim.emplace_back(p.cast<double>());
   const std::size_t count = rim.size();
   for (int round = 0; round < kRounds; ++round) {

@@ -47,12 +47,19 @@ struct BrushCursor {
   editing::EditKind kind = editing::EditKind::kTrim;
 };
 
+/// What the mesh is, if it is two jaws.
+struct SceneJaws {
+  std::uint32_t first_lower = 0;  ///< vertex of the mesh; those before it are of the upper jaw
+  const std::vector<float>* clearance_mm = nullptr;  ///< by vertex; NaN: none
+};
+
 /// Pointers are used only during draw().
 struct SceneContent {
   const SurfelModel* model = nullptr;
   const TexturedMesh* mesh = nullptr;  ///< if set, shown instead of the model; its coverage is
                                        ///< that of the model
   std::uint64_t mesh_number = 0;       ///< changes when the mesh does, even at the same address
+  std::optional<SceneJaws> jaws;       ///< of the mesh; then it has no coverage
   bool is_dimmed = false;              ///< the model is frozen, and drawn darker
 
   std::vector<AlignedView> highlighted;  ///< drawn as bright profiles on the model

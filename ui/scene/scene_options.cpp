@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <span>
 
 #include "core/base/check_options.h"
 
@@ -12,10 +12,26 @@ Result<void> SceneOptions::validate() const {
   return OptionCheck("SceneOptions")
       .in_range("texture_blend", texture_blend, 0.0, 1.0)
       .positive("max_sigma_mm", max_sigma_mm)
+      .positive("contact_mm", contact_mm)
       .in_range("scale", scale, 0.5, 4.0)
       .in_range("moving_frame_ms", moving_frame_ms, 5.0, 1000.0)
       .result();
 }
+
+namespace {
+
+Color color_on(std::span<const Color> ramp, double share) {
+  const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(ramp.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(at), ramp.size() - 2);
+  const float weight = static_cast<float>(at - static_cast<double>(below));
+  Color color = ramp[below];
+  for (std::size_t c = 0; c < color.size(); ++c) {
+    color[c] += weight * (ramp[below + 1][c] - ramp[below][c]);
+  }
+  return color;
+}
+
+}  // namespace
 
 Color sigma_color(double share) {
   /// Blue over pale to orange: distinguishable with any color vision, and never dark, as the
@@ -25,14 +41,16 @@ Color sigma_color(double share) {
                                                   {0.94F, 0.92F, 0.82F, 1.0F},
                                                   {0.95F, 0.68F, 0.30F, 1.0F},
                                                   {0.82F, 0.32F, 0.10F, 1.0F}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (kRamp.size() - 1);
-  const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(at), kRamp.size() - 2);
-  const float weight = static_cast<float>(at - static_cast<double>(below));
-  Color color = kRamp[below];
-  for (std::size_t c = 0; c < color.size(); ++c) {
-    color[c] += weight * (kRamp[below + 1][c] - kRamp[below][c]);
-  }
-  return color;
+  return color_on(kRamp, share);
+}
+
+Color clearance_color(double share) {
+  /// Yellow over pale to blue, as of sigma_color(): distinguishable with any color vision.
+  static constexpr std::array<Color, 4> kRamp = {{{0.95F, 0.78F, 0.20F, 1.0F},
+                                                  {0.94F, 0.92F, 0.72F, 1.0F},
+                                                  {0.48F, 0.75F, 0.88F, 1.0F},
+                                                  {0.18F, 0.49F, 0.78F, 1.0F}}};
+  return color_on(kRamp, share);
 }
 
 }  // namespace flytri::ui

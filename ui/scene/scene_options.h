@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/geometry/rigid.h"
 #include "ui/theme/status_colors.h"
 
 namespace flytri::ui {
@@ -10,7 +11,8 @@ enum class ColorMode {
   kShading,     ///< like plaster: only the shape
   kTexture,     ///< the image of the texture camera over the plaster
   kCoverage,    ///< thin or good
-  kUncertainty  ///< standard uncertainty along the normal, from dark blue (0) to yellow
+  kUncertainty,  ///< standard uncertainty along the normal, from blue (low) to orange
+  kClearance     ///< of two jaws: distance to the other one
 };
 
 struct SceneOptions {
@@ -19,6 +21,9 @@ struct SceneOptions {
   Color good_color = kNeutral;
   Color thin_color = kCaution;
   double max_sigma_mm = 0.03;  ///< > 0, end of the color scale: about the noise of a single point
+  double contact_mm = 0.02;  ///< > 0, of kClearance: nearer than this is contact
+  /// Moves the lower of two jaws from the place where they are closed.
+  Isometry T_open_closed = Isometry::Identity();
   Color background_top = {0.16F, 0.18F, 0.21F, 1.0F};
   Color background_bottom = {0.06F, 0.07F, 0.08F, 1.0F};
   double scale = 1.0;             ///< 0.5..4, of the widths of overlays: content scale x user scale
@@ -33,5 +38,13 @@ struct SceneOptions {
 inline constexpr double kSigmaRange = 16.0;
 /// Their scale from its low end, `share` 0, to its high end 1, for a legend.
 [[nodiscard]] Color sigma_color(double share);
+
+/// Farther than this, kClearance shows plaster.
+inline constexpr double kFarClearance_mm = 1.0;
+/// Where the jaws touch, and where one is inside the other by more than contact_mm.
+inline constexpr Color kContactColor = {0.84F, 0.25F, 0.10F, 1.0F};
+inline constexpr Color kPenetrationColor = {0.45F, 0.12F, 0.50F, 1.0F};
+/// The scale of other clearances, from contact_mm at 0 to kFarClearance_mm at 1.
+[[nodiscard]] Color clearance_color(double share);
 
 }  // namespace flytri::ui

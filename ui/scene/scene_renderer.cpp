@@ -92,9 +92,12 @@ void SceneRenderer::State::update_model(const SceneContent& content, const Scene
 void SceneRenderer::State::update_mesh(const SceneContent& content, const SceneOptions& options,
                                        const OrbitCamera& camera, const PictureSize& size,
                                        double now_s) {
-  mesh.take(*content.mesh, content.mesh_number, model_of(content), content.tints);
+  mesh.take(content, model_of(content));
   model_box_mm = mesh.box_mm();
-  eye = make_eye(camera, size, merged(overlay_box_mm(content), model_box_mm));
+  const Eigen::AlignedBox3d opened_mm =
+      content.jaws ? model_box_mm.transformed(options.T_open_closed) : model_box_mm;
+  eye = make_eye(camera, size,
+                 merged(overlay_box_mm(content), merged(model_box_mm, opened_mm)));
   changed_px = mesh.update(eye, options, now_s);
   shown = &mesh.shown();
   statistics = {};

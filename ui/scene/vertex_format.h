@@ -15,6 +15,7 @@ inline constexpr std::uint8_t kTexturedFlag = 1;
 inline constexpr std::uint8_t kGoodFlag = 2;
 inline constexpr std::uint8_t kLockedFlag = 4;
 inline constexpr std::uint8_t kToTrimFlag = 8;
+inline constexpr std::uint8_t kLowerJawFlag = 32;  ///< of two jaws that are shown together
 
 /// The brush strokes that tint the model.
 struct Tints {

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/geometry/jaw_axes.h"
+#include "core/geometry/triangle_mesh.h"
 #include "core/io/cases/case_file.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/calibration_state.h"
@@ -108,6 +110,24 @@ struct ExportedFile {
   std::uint64_t bytes = 0;
 };
 
+/// Both jaws closed, to be looked at: the upper one, then the lower one, in the frame of the upper.
+struct JawPair {
+  TexturedMesh mesh;             ///< without texture; its vertices have colors
+  std::uint32_t first_lower = 0;  ///< vertex
+  std::vector<float> clearance_mm;  ///< by vertex; NaN: none within the limit
+  JawAxes upper_axes;  ///< with a box around both
+};
+
+/// How the jaws meet.
+struct OcclusionState {
+  bool is_running = false;  ///< the jaws are being closed
+  double done_share = 0.0;
+  std::string failure;                  ///< why they could not be
+  std::shared_ptr<const JawPair> pair;  ///< null: not known yet; the following is about it
+  double middle_uncertainty_mm = 0.0, far_uncertainty_mm = 0.0;
+  double far_mm = 0.0;  ///< from the middle of the bite to where the uncertainty is largest
+};
+
 /// What the user asks to export.
 struct ExportTarget {
   std::string folder;                     ///< as typed: may begin with ~
@@ -166,6 +186,8 @@ struct AppView {
   CaseState file;
   io::ScanStage stage = io::ScanStage::kUpper;
   std::array<bool, io::kScanStages.size()> stage_has_data = {};
+  std::array<bool, io::kScanStages.size()> stage_is_finished = {};
+  OcclusionState occlusion;
   bool has_kept_scan = false;  ///< the current stage was cleared, and its scan is kept
   SourceState source;
   ExportState exports;

@@ -105,13 +105,17 @@ void reset_camera(CameraState& state) {
   state.followed_box_mm.setEmpty();
 }
 
+void show_from(StandardView side, const JawAxes& axes, JawKind jaw, CameraState& state) {
+  if (axes.box_mm.isEmpty()) return;
+  state.follows_scan = false;
+  fly_to_show(axes.corners_mm(), orientation(axes, jaw, side), kFlight_s, state);
+}
+
 void show_from(StandardView side, const AppView& view, CameraState& state) {
   const scan::ScanSnapshot& scan = *view.scan;
   const JawAxes axes =
       scan.result != nullptr ? jaw_axes(scan.result->surface.mesh) : jaw_axes(scan.model);
-  if (axes.box_mm.isEmpty()) return;
-  state.follows_scan = false;
-  fly_to_show(axes.corners_mm(), orientation(axes, jaw_of(view.stage), side), kFlight_s, state);
+  show_from(side, axes, jaw_of(view.stage), state);
 }
 
 void show_hole(const AppView& view, std::size_t index, WindowState& state) {

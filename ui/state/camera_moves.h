@@ -16,6 +16,8 @@ void show_all(const AppView& view, const Eigen::AlignedBox3d& model_box_mm, Came
 /// view.
 void reset_camera(CameraState& state);
 
+/// Shows a jaw from a side.
+void show_from(StandardView side, const JawAxes& axes, JawKind jaw, CameraState& state);
 /// Shows the whole jaw of the current stage from a side.
 void show_from(StandardView side, const AppView& view, CameraState& state);
 

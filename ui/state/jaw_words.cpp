@@ -52,7 +52,7 @@ Text lingual_name(JawKind jaw) {
 
 std::string hole_text(const meshing::BoundaryLoop& hole, const JawAxes* jaw_axes, JawKind jaw,
                       const Texts& texts) {
-  const std::string width = fmt::format("{:.1f} mm", hole.width_mm);
+  std::string width = fmt::format("{:.1f} mm", hole.width_mm);
   if (jaw_axes == nullptr || jaw_axes->box_mm.isEmpty()) return width;
   const JawPlace place =
       place_on_jaw(*jaw_axes, hole.center_mm.cast<double>(), hole.normal.cast<double>());

@@ -15,7 +15,7 @@ std::string scan_text(const AppView& view) {
   std::string list;
   const Texts& texts = view.texts;
   if (view.scan != nullptr) {
-    const std::int64_t views = view.scan->counts.registered + view.scan->counts.interpolated;
+    const std::int64_t views = view.scan->view_count();
     add_part(list, views > 0 ? texts.count<Text::kCountViews>(views)
                              : std::string(texts[Text::kTheScannedSurface]));
     if (view.scan->can_undo || view.scan->can_redo) add_part(list, texts[Text::kTrimsAndLocks]);

@@ -50,6 +50,8 @@ std::string_view to_string(ColorMode mode) {
       return "coverage";
     case ColorMode::kUncertainty:
       return "uncertainty";
+    case ColorMode::kClearance:
+      return "clearance";
     case ColorMode::kShading:
       break;
   }

@@ -56,6 +56,14 @@ struct BrushState {
   std::optional<editing::BrushDab> under_pointer;
 };
 
+/// How both closed jaws are shown.
+struct JawsLook {
+  bool are_shown = false;     ///< in place of the bite scan
+  bool shows_clearance = true;
+  double opening = 0.0;       ///< 0 closed..1 wide open
+  double contact_mm = 0.02;   ///< nearer than this is contact
+};
+
 struct ExportForm {
   std::string folder;
   std::string name;
@@ -100,6 +108,7 @@ struct WindowState {
   double texture_blend = 1.0;  ///< 0..1
   Tool tool = Tool::kNone;
   BrushState brush;
+  JawsLook jaws;
   std::optional<Vec3> measured_from_mm;  ///< first of the two points
   std::optional<SelectedHole> selected_hole;
   Dialog dialog = Dialog::kNone;

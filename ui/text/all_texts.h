@@ -10,5 +10,6 @@
 #include "ui/text/export_texts.h"
 #include "ui/text/jaw_texts.h"
 #include "ui/text/key_texts.h"
+#include "ui/text/occlusion_texts.h"
 #include "ui/text/scanning_texts.h"
 #include "ui/text/settings_texts.h"

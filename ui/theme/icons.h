@@ -26,6 +26,7 @@ inline constexpr const char* kNext = "\xef\x81\xa1";         ///< arrow-right, F
 inline constexpr const char* kCase = "\xef\x81\xbc";         ///< folder-open, F07C
 inline constexpr const char* kSettings = "\xef\x80\x93";     ///< cog, F013
 inline constexpr const char* kSaved = "\xef\x81\x98";        ///< check-circle, F058
+inline constexpr const char* kScanned = "\xef\x81\x82";       ///< adjust, F042
 inline constexpr const char* kSound = "\xef\x80\xa8";        ///< volume-up, F028
 inline constexpr const char* kMuted = "\xef\x80\xa6";        ///< volume-off, F026
 inline constexpr const char* kHand = "\xef\x89\x96";         ///< hand-paper, F256

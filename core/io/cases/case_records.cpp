@@ -347,7 +347,7 @@ Result<std::vector<std::string>> CaseRecords::rescue(CaseRecords* target, const 
   for (const CaseTable table : kCaseTables) {
     for (const RecordRange& range : ranges) {
       const auto damage = walk(table, range, [&](std::int64_t id, std::string_view data) {
-        const Result<void> is_good = read(table, id, data);
+        Result<void> is_good = read(table, id, data);
         if (is_good && copied && target != nullptr) copied = target->copy(table, id, data);
         return is_good;
       });

@@ -5,89 +5,21 @@
 #include <cmath>
 #include <numbers>
 
-#include "assets/sample_jaw/sample_jaw.h"
-#include "core/base/random.h"
 #include "core/occlusion/clearance.h"
+#include "tests/support/cheek.h"
 
 namespace flytri::occlusion {
 namespace {
 
-TriangleMesh make_jaw(JawKind kind, std::uint64_t seed) {
-  sample_jaw::SampleJawOptions options;
-  options.kind = kind;
-  options.seed = seed;
-  options.tooth_cell_mm = 0.3;
-  options.gum_cell_mm = 0.5;
-  return sample_jaw::make_sample_jaw(options, Workers()).value();
-}
-
-/// Half a turn about y: z points to the opposing teeth in both frames. The jaws do not touch.
-Isometry bite_relation() {
-  return Isometry(Eigen::Translation3d(0.4, -0.3, 19.0) *
-                  exp_twist((Twist() << 0.01, -0.02, 0.015, 0, 0, 0).finished()) *
-                  Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitY()));
-}
-
-/// What a sensor sees of both closed jaws from one cheek, with noise, in a frame of its own.
-class Cheek {
- public:
-  Cheek(const TriangleMesh& upper, const TriangleMesh& lower, const Isometry& T_upper_lower,
-        bool is_right, std::uint64_t seed)
-      : random_(seed), is_right_(is_right) {
-    add(upper, Isometry::Identity());
-    upper_count_ = points_.size();
-    add(lower, T_upper_lower);
-  }
-  [[nodiscard]] const std::vector<SurfacePoint>& points() const { return points_; }
-  /// The part that lies on the upper jaw.
-  [[nodiscard]] std::vector<SurfacePoint> upper_part() const {
-    return {points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(upper_count_)};
-  }
-  /// Adds a cheek: a wavy surface in front of the teeth.
-  void add_tissue(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double y_mm = random_.uniform(-25.0, 10.0), z_mm = random_.uniform(0.0, 20.0);
-      const double x_mm =
-          (is_right_ ? 1.0 : -1.0) * (36.0 + std::sin(0.4 * y_mm) + std::cos(0.5 * z_mm));
-      SurfacePoint point;
-      point.position_mm = (T_bite_upper_ * Vec3(x_mm, y_mm, z_mm)).cast<float>();
-      point.normal = (T_bite_upper_.linear() * Vec3(is_right_ ? 1.0 : -1.0, 0, 0)).cast<float>();
-      points_.push_back(point);
-    }
-  }
-
- private:
-  void add(const TriangleMesh& jaw, const Isometry& T_upper_jaw) {
-    const double side = is_right_ ? 1.0 : -1.0;
-    for (const SurfacePoint& vertex : jaw.vertices) {
-      const Vec3 p_mm = T_upper_jaw * vertex.position_mm.cast<double>();
-      const Vec3 normal = T_upper_jaw.linear() * vertex.normal.cast<double>();
-      if (side * normal.x() < 0.3 || side * p_mm.x() < 14.0 || p_mm.y() > 14.0) continue;
-      if (p_mm.z() < 2.0 || p_mm.z() > 17.0) continue;
-      SurfacePoint point = vertex;
-      point.position_mm =
-          (T_bite_upper_ * Vec3(p_mm + 0.01 * random_.normal() * normal)).cast<float>();
-      point.normal = (T_bite_upper_.linear() * normal).cast<float>();
-      points_.push_back(point);
-    }
-  }
-
-  Random random_;
-  bool is_right_;
-  // The sensor looks along z, from the cheek inwards.
-  Isometry T_bite_upper_ =
-      Isometry(Eigen::Translation3d(3.0, -2.0, 30.0) *
-               Eigen::AngleAxisd(0.4, Vec3(1.0, 0.5, -0.3).normalized()) *
-               Eigen::AngleAxisd((is_right_ ? 0.5 : -0.5) * std::numbers::pi, Vec3::UnitY()));
-  std::vector<SurfacePoint> points_;
-  std::size_t upper_count_ = 0;
-};
+using testing::bite_relation;
+using testing::Cheek;
+using testing::coarse_jaw;
 
 class Occlude : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    upper_ = new TriangleMesh(make_jaw(JawKind::kUpper, 3));
-    lower_ = new TriangleMesh(make_jaw(JawKind::kLower, 3));
+    upper_ = new TriangleMesh(coarse_jaw(JawKind::kUpper, 3));
+    lower_ = new TriangleMesh(coarse_jaw(JawKind::kLower, 3));
   }
   static void TearDownTestSuite() {
     delete upper_;
@@ -155,8 +87,8 @@ TriangleMesh enlarged(TriangleMesh mesh) {
 }
 
 TEST_F(Occlude, ABiteOfAnotherPatientIsRefused) {
-  const TriangleMesh upper = enlarged(make_jaw(JawKind::kUpper, 11)),
-                     lower = enlarged(make_jaw(JawKind::kLower, 11));
+  const TriangleMesh upper = enlarged(coarse_jaw(JawKind::kUpper, 11)),
+                     lower = enlarged(coarse_jaw(JawKind::kLower, 11));
   const Cheek other(upper, lower, bite_relation(), true, 5);
   expect_refused(occlude({{"bite", other.points()}}), ErrorCode::kInconsistent, "does not fit the");
 }
@@ -214,14 +146,14 @@ TEST(Clearance, IsTheDistanceToTheOtherJawAndNegativeInsideIt) {
   const JawSurface surface(floor);
   for (const double height_mm : {0.4, 0.01, -0.2}) {
     const TriangleMesh ceiling = square(height_mm, false);
-    const Clearance found =
-        find_clearance(ceiling, surface, Isometry::Identity(), 0.05, 1.0, Workers(1));
+    const Clearance found = find_clearance(ceiling, surface, Isometry::Identity(), 1.0, Workers(1));
+    const Contact contact = contact_of(ceiling, found, 0.05);
     // The rim is not known: beyond it the floor ends.
-    EXPECT_TRUE(std::isnan(found.distances_mm.front()));
-    EXPECT_NEAR(found.distances_mm[10 * 21 + 10], height_mm, 1e-5);
-    EXPECT_NEAR(found.contact_area_mm2, height_mm < 0.05 ? 100.0 : 0.0, 25.0);
-    EXPECT_NEAR(found.penetration_area_mm2, height_mm < -0.05 ? 100.0 : 0.0, 25.0);
-    EXPECT_NEAR(found.deepest_mm, std::max(0.0, -height_mm), 1e-5);
+    EXPECT_TRUE(std::isnan(found.front()));
+    EXPECT_NEAR(found[10 * 21 + 10], height_mm, 1e-5);
+    EXPECT_NEAR(contact.area_mm2, height_mm < 0.05 ? 100.0 : 0.0, 25.0);
+    EXPECT_NEAR(contact.penetration_area_mm2, height_mm < -0.05 ? 100.0 : 0.0, 25.0);
+    EXPECT_NEAR(contact.deepest_mm, std::max(0.0, -height_mm), 1e-5);
   }
 }
 

@@ -479,10 +479,13 @@ TEST(LiveScan, AScanCanBeContinuedFromItsJournal) {
   const auto scan = make_scan(options_for({}), kept);
   scan->wait_until_idle();
   EXPECT_GT(surfel_count(scan->snapshot()->model), 5000U);
+  EXPECT_EQ(scan->snapshot()->view_count(), 90);
+  EXPECT_NEAR(scan->snapshot()->scanned_s, 89.0 / 30.0, 1e-6);
   scan->start();
   offer(*scan, 95, 130);
   EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
   EXPECT_GE(scan->snapshot()->counts.registered, 25);
+  EXPECT_GE(scan->snapshot()->view_count(), 115);
 }
 
 TEST(LiveScan, TwoPressesOfFinishMakeOneRun) {
