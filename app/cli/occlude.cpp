@@ -166,9 +166,8 @@ void print_occlusion(const occlusion::ClosedJaws& jaws, const Parts& parts,
             1e3 * kContact_mm, contact.area_mm2, 1e3 * contact.deepest_mm);
 }
 
-Result<void> write_occlusion(const OccludeArguments& arguments,
-                             const occlusion::ClosedJaws& jaws, const Parts& parts,
-                             const occlusion::Contact& contact) {
+Result<void> write_occlusion(const OccludeArguments& arguments, const occlusion::ClosedJaws& jaws,
+                             const Parts& parts, const occlusion::Contact& contact) {
   TexturedMesh lower = parts.lower.model;
   lower.mesh = evaluation::transformed(lower.mesh, jaws.occlusion.T_upper_lower);
   const std::array models = {io::NamedModel{"upper", &parts.upper.model},
@@ -205,8 +204,8 @@ Result<void> occlude(const OccludeArguments& arguments, const Parts& parts, cons
                      const Progress& progress) {
   std::vector<occlusion::BiteScan> bites;
   for (const Part& bite : parts.bites) bites.push_back({bite.name, bite.surface.vertices});
-  const auto jaws = occlusion::close_jaws(parts.upper.surface, parts.lower.surface, bites, {},
-                                          workers, progress);
+  const auto jaws =
+      occlusion::close_jaws(parts.upper.surface, parts.lower.surface, bites, {}, workers, progress);
   if (!jaws) return tl::unexpected(jaws.error());
   const occlusion::Contact contact =
       occlusion::contact_of(parts.lower.surface, jaws->lower, kContact_mm);

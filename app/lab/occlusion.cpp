@@ -88,8 +88,7 @@ double contact_error_mm(const ClosedJaws& jaws, const Isometry& T_upper_lower,
   constexpr double kNear_mm = 0.5;
   const occlusion::JawSurface upper(jaws.upper);
   const auto truth = find_clearance(jaws.lower, upper, jaws.T_upper_lower, kNear_mm, workers);
-  const auto found =
-      find_clearance(jaws.lower, upper, T_upper_lower, 2.0 * kNear_mm, workers);
+  const auto found = find_clearance(jaws.lower, upper, T_upper_lower, 2.0 * kNear_mm, workers);
   std::vector<double> errors_mm;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     const double error_mm = std::abs(truth[i] - found[i]);

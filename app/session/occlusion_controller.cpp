@@ -106,8 +106,8 @@ bool OcclusionController::look_at_models() {
 }
 
 void OcclusionController::begin() {
-  const auto work = std::make_shared<Work>(
-      Work{store_, seen_, notices_.texts(), background_.progress(), {}});
+  const auto work =
+      std::make_shared<Work>(Work{store_, seen_, notices_.texts(), background_.progress(), {}});
   is_tried_ = true;
   used_marks_ = marks_;
   state_ = {};
@@ -133,8 +133,7 @@ ui::OcclusionState OcclusionController::state() {
     is_tried_ = false;
     state_ = {};
   }
-  if (stages_.stage() == io::ScanStage::kBite && are_finished && !is_tried_ &&
-      !state_.is_running) {
+  if (stages_.stage() == io::ScanStage::kBite && are_finished && !is_tried_ && !state_.is_running) {
     begin();
   }
   ui::OcclusionState state = state_;

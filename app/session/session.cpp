@@ -59,6 +59,8 @@ void Session::carry_out(const ui::Command& command) {
       Overloaded{
           [&](const ui::StartScan&) {
             case_.save_unnamed();
+            // A recording plays while cases are chosen, too.
+            if (scan() != nullptr && scan()->snapshot()->model.empty()) source_.replay_if_ended();
             stages_.start();
           },
           [&](const ui::PauseScan&) { stages_.pause(); },

@@ -60,6 +60,10 @@ void SourceController::start_capture() {
       source_.sensor, [router = router_](Frame frame) { router->offer(std::move(frame)); });
 }
 
+void SourceController::replay_if_ended() {
+  if (choice_.name == kRecordingSource && state().has_ended) start_capture();
+}
+
 /// A sensor that starts again counts its times from zero: that is another recording.
 void SourceController::begin_recording() {
   if (source_.recorder == nullptr || records_in_.empty()) return;

@@ -27,8 +27,8 @@ Result<ClosedJaws> close_jaws(const TriangleMesh& upper, const TriangleMesh& low
   jaws.occlusion = *std::move(found);
   const Isometry& T_upper_lower = jaws.occlusion.T_upper_lower;
   jaws.lower = find_clearance(lower, JawSurface(upper), T_upper_lower, kClearanceLimit_mm, workers);
-  jaws.upper =
-      find_clearance(upper, JawSurface(lower), T_upper_lower.inverse(), kClearanceLimit_mm, workers);
+  jaws.upper = find_clearance(upper, JawSurface(lower), T_upper_lower.inverse(), kClearanceLimit_mm,
+                              workers);
   jaws.least_certain_mm = least_certain_mm(jaws.occlusion, lower);
   return jaws;
 }

@@ -11,7 +11,7 @@ inline constexpr double kClearanceLimit_mm = 3.0;
 
 struct ClosedJaws {
   Occlusion occlusion;
-  Clearance upper, lower;               ///< of each jaw to the other one, by vertex
+  Clearance upper, lower;                ///< of each jaw to the other one, by vertex
   Vec3 least_certain_mm = Vec3::Zero();  ///< place of the lower jaw, frame of the upper jaw
 };
 

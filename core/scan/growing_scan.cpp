@@ -20,13 +20,17 @@ double half_diagonal_mm(const calibration::Calibration& calibration) {
   return 0.5 * calibration.volume.size_mm.norm();
 }
 
-/// The time that was spent on scanning. Longer gaps between views were pauses.
-double scanned_s_of(const std::vector<AlignedView>& views) {
+/// The time between two frames, if it was spent on scanning. Longer gaps were pauses.
+double scanned_s_between(double before_s, double after_s) {
   constexpr double kPause_s = 1.0;
+  const double gap_s = after_s - before_s;
+  return gap_s > 0.0 && gap_s < kPause_s ? gap_s : 0.0;
+}
+
+double scanned_s_of(const std::vector<AlignedView>& views) {
   double scanned_s = 0.0;
   for (std::size_t i = 1; i < views.size(); ++i) {
-    const double gap_s = views[i].view->time_s - views[i - 1].view->time_s;
-    if (gap_s > 0.0 && gap_s < kPause_s) scanned_s += gap_s;
+    scanned_s += scanned_s_between(views[i - 1].view->time_s, views[i].view->time_s);
   }
   return scanned_s;
 }
@@ -82,7 +86,7 @@ void GrowingScan::stop() {
 
 void GrowingScan::take(const IntakeResult& result, const Arrivals& arrivals) {
   offered_ = arrivals.offered;
-  if (is_scanning(phase_)) scanned_s_ += std::max(0.0, result.frame.time_s - last_time_s_);
+  if (is_scanning(phase_)) scanned_s_ += scanned_s_between(last_time_s_, result.frame.time_s);
   last_time_s_ = result.frame.time_s;
   if (result.frame.kind == FrameKind::kTexture) {
     take_texture(result.frame);

@@ -76,9 +76,9 @@ struct LatencyStatistics {
 struct ScanSnapshot {
   std::uint64_t number = 0;  ///< larger than that of the snapshot before
   ScanPhase phase = ScanPhase::kPreview;
-  double time_s = 0.0;     ///< of the latest frame
-  double scanned_s = 0.0;  ///< time in the phases measurement and continuation
-  FrameCounts counts;      ///< since the scan was opened
+  double time_s = 0.0;              ///< of the latest frame
+  double scanned_s = 0.0;           ///< time in the phases measurement and continuation
+  FrameCounts counts;               ///< since the scan was opened
   std::int64_t restored_views = 0;  ///< registered before that
 
   /// Views that are part of the scan.

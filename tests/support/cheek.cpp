@@ -28,10 +28,9 @@ Cheek::Cheek(const TriangleMesh& upper, const TriangleMesh& lower, const Isometr
     : random_(seed),
       is_right_(is_right),
       // The sensor looks along z, from the cheek inwards.
-      T_bite_upper_(
-          Eigen::Translation3d(3.0, -2.0, 30.0) *
-          Eigen::AngleAxisd(0.4, Vec3(1.0, 0.5, -0.3).normalized()) *
-          Eigen::AngleAxisd((is_right ? 0.5 : -0.5) * std::numbers::pi, Vec3::UnitY())) {
+      T_bite_upper_(Eigen::Translation3d(3.0, -2.0, 30.0) *
+                    Eigen::AngleAxisd(0.4, Vec3(1.0, 0.5, -0.3).normalized()) *
+                    Eigen::AngleAxisd((is_right ? 0.5 : -0.5) * std::numbers::pi, Vec3::UnitY())) {
   add(upper, Isometry::Identity());
   upper_count_ = mesh_.vertices.size();
   add(lower, T_upper_lower);

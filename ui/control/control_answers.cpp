@@ -80,12 +80,9 @@ nlohmann::json actions_as_json(const AppView& view, const WindowState& state) {
 }
 
 nlohmann::json case_as_json(const CaseState& file) {
-  return {{"path", file.path},
-          {"saved", file.is_saved},
-          {"failure", file.failure},
-          {"opening", file.is_opening},
-          {"read_only", file.is_read_only},
-          {"message", file.message}};
+  return {
+      {"path", file.path},          {"saved", file.is_saved},         {"failure", file.failure},
+      {"opening", file.is_opening}, {"read_only", file.is_read_only}, {"message", file.message}};
 }
 
 /// What is typed, but no passphrase.

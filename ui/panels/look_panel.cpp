@@ -133,7 +133,8 @@ float sides_width(const PanelContext& context) {
 }  // namespace
 
 Rect colors_box(const PanelContext& context) {
-  const float height = height_of(4.0F, kLookButton) + extra_height(shown_colors(context.view, context.state));
+  const float height =
+      height_of(4.0F, kLookButton) + extra_height(shown_colors(context.view, context.state));
   return {context.layout.picture.x + context.px(kGapM), top_of(context), context.px(kWidth),
           context.px(height)};
 }

@@ -27,11 +27,13 @@ Text stage_progress(const AppView& view, std::size_t stage) {
 
 void draw_missing(const PanelContext& context, Rect rest) {
   for (const io::ScanStage stage : io::kScanStages) {
-    labeled_value(context.theme, rest.take_top(context.px(kValueRow)), context.text(stage_name(stage)),
+    labeled_value(context.theme, rest.take_top(context.px(kValueRow)),
+                  context.text(stage_name(stage)),
                   context.text(stage_progress(context.view, static_cast<std::size_t>(stage))));
   }
   rest.take_top(context.px(kGapM));
-  draw_wrapped(rest, {context.theme.fonts.small, kTextQuiet}, context.text(Text::kOcclusionMissing));
+  draw_wrapped(rest, {context.theme.fonts.small, kTextQuiet},
+               context.text(Text::kOcclusionMissing));
 }
 
 void draw_running(const PanelContext& context, Rect rest) {
@@ -43,7 +45,8 @@ void draw_running(const PanelContext& context, Rect rest) {
 
 void draw_failure(const PanelContext& context, Rect rest) {
   const Theme& theme = context.theme;
-  const float height = draw_wrapped(rest, {theme.fonts.strong, kBad}, context.text(Text::kNoOcclusion));
+  const float height =
+      draw_wrapped(rest, {theme.fonts.strong, kBad}, context.text(Text::kNoOcclusion));
   rest.take_top(height, context.px(kGapS));
   draw_wrapped(rest, {theme.fonts.small, kText}, sentence(context.view.occlusion.failure));
 }
@@ -96,14 +99,15 @@ void draw_certainty(const PanelContext& context, Rect rest) {
   const Rect both = rows;
   labeled_value(context.theme, rows.take_top(context.px(kValueRow)),
                 context.text(Text::kBiteUncertainty), length_text(occlusion.middle_uncertainty_mm));
-  labeled_value(context.theme, rows,
-                context.view.texts.fill<Text::kFarUncertainty>(fmt::format("{:.0f}", occlusion.far_mm)),
-                length_text(occlusion.far_uncertainty_mm));
+  labeled_value(
+      context.theme, rows,
+      context.view.texts.fill<Text::kFarUncertainty>(fmt::format("{:.0f}", occlusion.far_mm)),
+      length_text(occlusion.far_uncertainty_mm));
   hint_over(both, context.text(Text::kUncertaintyOfBiteHint));
   if (occlusion.far_uncertainty_mm < kFarLimit_mm) return;
-  draw_wrapped(rest, {context.theme.fonts.small, kCaution},
-               context.view.texts.fill<Text::kFarSideUncertain>(
-                   length_text(occlusion.far_uncertainty_mm)));
+  draw_wrapped(
+      rest, {context.theme.fonts.small, kCaution},
+      context.view.texts.fill<Text::kFarSideUncertain>(length_text(occlusion.far_uncertainty_mm)));
 }
 
 void draw_pair(const PanelContext& context, Rect rest) {

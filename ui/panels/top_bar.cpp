@@ -113,8 +113,7 @@ FigureValues figure_values(const AppView& view) {
   if (view.scan == nullptr) return {"0:00", "0", "0", "0", "\u2013"};
   const scan::ScanSnapshot& scan = *view.scan;
   const bool has_surface = surfel_count(scan.model) > 0;
-  return {clock_text(scan.scanned_s),
-          fmt::format("{}", scan.view_count()),
+  return {clock_text(scan.scanned_s), fmt::format("{}", scan.view_count()),
           fmt::format("{}", scan.counts.rejected_count()), fmt::format("{}", scan.counts.skipped),
           has_surface ? fmt::format("{:.0f} %", 100.0 * scan.good_share) : "\u2013"};
 }

@@ -8,9 +8,9 @@
 namespace flytri::ui {
 
 enum class ColorMode {
-  kShading,     ///< like plaster: only the shape
-  kTexture,     ///< the image of the texture camera over the plaster
-  kCoverage,    ///< thin or good
+  kShading,      ///< like plaster: only the shape
+  kTexture,      ///< the image of the texture camera over the plaster
+  kCoverage,     ///< thin or good
   kUncertainty,  ///< standard uncertainty along the normal, from blue (low) to orange
   kClearance     ///< of two jaws: distance to the other one
 };
@@ -21,7 +21,7 @@ struct SceneOptions {
   Color good_color = kNeutral;
   Color thin_color = kCaution;
   double max_sigma_mm = 0.03;  ///< > 0, end of the color scale: about the noise of a single point
-  double contact_mm = 0.02;  ///< > 0, of kClearance: nearer than this is contact
+  double contact_mm = 0.02;    ///< > 0, of kClearance: nearer than this is contact
   /// Moves the lower of two jaws from the place where they are closed.
   Isometry T_open_closed = Isometry::Identity();
   Color background_top = {0.16F, 0.18F, 0.21F, 1.0F};

@@ -96,8 +96,7 @@ void SceneRenderer::State::update_mesh(const SceneContent& content, const SceneO
   model_box_mm = mesh.box_mm();
   const Eigen::AlignedBox3d opened_mm =
       content.jaws ? model_box_mm.transformed(options.T_open_closed) : model_box_mm;
-  eye = make_eye(camera, size,
-                 merged(overlay_box_mm(content), merged(model_box_mm, opened_mm)));
+  eye = make_eye(camera, size, merged(overlay_box_mm(content), merged(model_box_mm, opened_mm)));
   changed_px = mesh.update(eye, options, now_s);
   shown = &mesh.shown();
   statistics = {};

@@ -112,10 +112,10 @@ struct ExportedFile {
 
 /// Both jaws closed, to be looked at: the upper one, then the lower one, in the frame of the upper.
 struct JawPair {
-  TexturedMesh mesh;             ///< without texture; its vertices have colors
-  std::uint32_t first_lower = 0;  ///< vertex
+  TexturedMesh mesh;                ///< without texture; its vertices have colors
+  std::uint32_t first_lower = 0;    ///< vertex
   std::vector<float> clearance_mm;  ///< by vertex; NaN: none within the limit
-  JawAxes upper_axes;  ///< with a box around both
+  JawAxes upper_axes;               ///< with a box around both
 };
 
 /// How the jaws meet.

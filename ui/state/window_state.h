@@ -58,10 +58,10 @@ struct BrushState {
 
 /// How both closed jaws are shown.
 struct JawsLook {
-  bool are_shown = false;     ///< in place of the bite scan
+  bool are_shown = false;  ///< in place of the bite scan
   bool shows_clearance = true;
-  double opening = 0.0;       ///< 0 closed..1 wide open
-  double contact_mm = 0.02;   ///< nearer than this is contact
+  double opening = 0.0;      ///< 0 closed..1 wide open
+  double contact_mm = 0.02;  ///< nearer than this is contact
 };
 
 struct ExportForm {

@@ -34,21 +34,22 @@ FLYTRI_TEXT(kBiteUncertainty, "Uncertainty, at the bite", "Unsicherheit am Biss"
             "Incertitude au mordu", "Incertidumbre en mordida")
 FLYTRI_TEXT(kFarUncertainty, "{0} mm from there", "{0} mm davon entfernt", "à {0} mm de là",
             "a {0} mm de ahí")
-FLYTRI_TEXT(kUncertaintyOfBiteHint,
-            "Standard uncertainty of where the lower jaw is. A bite scanned on one side only leaves "
-            "the other side less certain.",
-            "Standardunsicherheit der Lage des Unterkiefers. Ein nur auf einer Seite gescannter Biss "
-            "lässt die andere Seite weniger sicher.",
-            "Incertitude type de la position de la mandibule. Un mordu scanné d’un seul côté rend "
-            "l’autre côté moins sûr.",
-            "Incertidumbre típica de la posición de la mandíbula. Una mordida escaneada en un solo "
-            "lado deja el otro lado menos seguro.")
+FLYTRI_TEXT(
+    kUncertaintyOfBiteHint,
+    "Standard uncertainty of where the lower jaw is. A bite scanned on one side only leaves "
+    "the other side less certain.",
+    "Standardunsicherheit der Lage des Unterkiefers. Ein nur auf einer Seite gescannter Biss "
+    "lässt die andere Seite weniger sicher.",
+    "Incertitude type de la position de la mandibule. Un mordu scanné d’un seul côté rend "
+    "l’autre côté moins sûr.",
+    "Incertidumbre típica de la posición de la mandíbula. Una mordida escaneada en un solo "
+    "lado deja el otro lado menos seguro.")
 FLYTRI_TEXT(kFarSideUncertain,
             "The far side is uncertain by {0}. Scan the bite on the other side, too.",
             "Die andere Seite ist um {0} unsicher. Scannen Sie den Biss auch dort.",
             "L’autre côté est incertain de {0}. Scannez aussi le mordu de ce côté.",
             "El otro lado tiene {0} de incertidumbre. Escanee también la mordida allí.")
-FLYTRI_TEXT(kNotForBothJaws, "not for both jaws", "nicht für beide Kiefer",
-            "pas pour les deux", "no para ambos")
+FLYTRI_TEXT(kNotForBothJaws, "not for both jaws", "nicht für beide Kiefer", "pas pour les deux",
+            "no para ambos")
 FLYTRI_TEXT(kNeedsOcclusion, "bite not finished", "Biss nicht fertig", "mordu à terminer",
             "mordida sin finalizar")

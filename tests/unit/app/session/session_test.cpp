@@ -119,6 +119,15 @@ TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
   EXPECT_GT(scanned, 60);
 }
 
+TEST_F(SessionOnARecording, ARecordingThatEndedBeforeTheScanBeganIsPlayedAgain) {
+  options_.source.path = testing::shared_data() / "bite" / "bite";
+  options_.source.replay_speed = 0.0;
+  Session session(options_);
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.has_ended; }));
+  session.carry_out(ui::StartScan{});
+  EXPECT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
+}
+
 TEST_F(SessionOnARecording, AScanWithoutACaseIsFoundAgainAndCanBeNamed) {
   {
     Session session(options_);
