@@ -54,6 +54,17 @@ Result<io::CaseFile> create_file(const ui::NewCase& command,
   return file;
 }
 
+/// A case that may not be written can still be looked at.
+Result<io::CaseFile> open_file(const ui::OpenCase& command) {
+  io::CaseOptions options;
+  options.passphrase = command.passphrase;
+  auto file = io::CaseFile::open(command.path, options);
+  if (file || file.error().code != ErrorCode::kNotPermitted) return file;
+  options.read_only = true;
+  auto to_read = io::CaseFile::open(command.path, options);
+  return to_read ? std::move(to_read) : std::move(file);
+}
+
 }  // namespace
 
 CaseController::CaseController(std::filesystem::path unnamed_folder, const SourceController& source,
@@ -157,9 +168,7 @@ void CaseController::open(const ui::OpenCase& command) {
   state_.is_opening = true;
   state_.message.clear();
   background_.run([this, command] {
-    io::CaseOptions options;
-    options.passphrase = command.passphrase;
-    auto file = std::make_shared<Result<io::CaseFile>>(io::CaseFile::open(command.path, options));
+    auto file = std::make_shared<Result<io::CaseFile>>(open_file(command));
     return [this, command, file] {
       state_.is_opening = false;
       if (!*file) {

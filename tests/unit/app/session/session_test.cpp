@@ -1,6 +1,7 @@
 #include "app/session/session.h"
 
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -126,6 +127,49 @@ TEST_F(SessionOnARecording, ARecordingThatEndedBeforeTheScanBeganIsPlayedAgain) 
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.has_ended; }));
   session.carry_out(ui::StartScan{});
   EXPECT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
+}
+
+/// A folder that nobody may write to, not even root, while it exists.
+class ReadOnlyFolder {
+ public:
+  explicit ReadOnlyFolder(const fs::path& path) : path_(path) {
+    is_mounted_ =
+        ::mount(path.c_str(), path.c_str(), nullptr, MS_BIND, nullptr) == 0 &&
+        ::mount(nullptr, path.c_str(), nullptr, MS_REMOUNT | MS_BIND | MS_RDONLY, nullptr) == 0;
+  }
+  ~ReadOnlyFolder() { ::umount2(path_.c_str(), MNT_DETACH); }
+  ReadOnlyFolder(const ReadOnlyFolder&) = delete;
+  ReadOnlyFolder& operator=(const ReadOnlyFolder&) = delete;
+  [[nodiscard]] bool is_mounted() const { return is_mounted_; }
+
+ private:
+  fs::path path_;
+  bool is_mounted_ = false;
+};
+
+TEST_F(SessionOnARecording, ACaseInAFolderThatCannotBeWrittenIsOpenedReadOnly) {
+  const fs::path folder = folder_.path() / "locked";
+  const std::string path = (folder / "smith.flytri").string();
+  std::int64_t scanned = 0;
+  {
+    Session session(options_);
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+    session.carry_out(ui::NewCase{path, {}, {}});
+    session.carry_out(ui::StartScan{});
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 20; }));
+    session.carry_out(ui::PauseScan{});
+    session.scan()->wait_until_idle();
+    scanned = registered(session.view());
+  }
+  const ReadOnlyFolder locked(folder);
+  if (!locked.is_mounted()) GTEST_SKIP() << "needs the right to mount a folder read-only";
+  Session session(options_);
+  session.carry_out(ui::OpenCase{path, {}});
+  ASSERT_TRUE(wait_for(session, [&](const auto& view) {
+    return view.file.path == path && view.scan && view.scan->view_count() == scanned;
+  })) << session.view().file.message;
+  EXPECT_TRUE(session.view().file.is_read_only);
+  EXPECT_NE(session.view().file.message.find("read-only"), std::string::npos);
 }
 
 TEST_F(SessionOnARecording, AScanWithoutACaseIsFoundAgainAndCanBeNamed) {
