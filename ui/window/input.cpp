@@ -1,6 +1,7 @@
 #include "ui/window/input.h"
 
-#include <algorithm>
+#include <GLFW/glfw3.h>
+
 #include <set>
 
 namespace flytri::ui {
@@ -23,15 +24,28 @@ struct Taken {
   }
 };
 
+bool moves_focus(const InputEvent& event) {
+  const auto* key = std::get_if<KeyEvent>(&event);
+  return key != nullptr && key->key == GLFW_KEY_TAB && key->is_down;
+}
+
 }  // namespace
 
 std::vector<InputEvent> InputQueue::take_frame() {
+  constexpr int kFramesToFocus = 2;
+  if (frames_to_wait_ > 0) {
+    --frames_to_wait_;
+    return {};
+  }
   std::vector<InputEvent> frame;
   Taken taken;
   while (!events_.empty() && !taken.would_hide(events_.front())) {
     taken.add(events_.front());
     frame.push_back(events_.front());
     events_.pop_front();
+    if (!moves_focus(frame.back())) continue;
+    frames_to_wait_ = kFramesToFocus;
+    break;
   }
   return frame;
 }

@@ -34,7 +34,8 @@ using InputEvent = std::variant<KeyEvent, CharacterEvent, PointerEvent, ButtonEv
 
 /// Dear ImGui 1.86 reads the state of keys and buttons once a frame. It would miss a press and
 /// release within one frame, and see a click followed by a motion at the wrong place. So a frame
-/// takes events in order, until one would hide an earlier one.
+/// takes events in order, until one would hide an earlier one. After Tab, events wait until the
+/// next field has the focus: what is typed in between would be lost.
 class InputQueue {
  public:
   void push(const InputEvent& event) { events_.push_back(event); }
@@ -44,6 +45,7 @@ class InputQueue {
 
  private:
   std::deque<InputEvent> events_;
+  int frames_to_wait_ = 0;
 };
 
 }  // namespace flytri::ui

@@ -1,5 +1,6 @@
 #include "ui/window/input.h"
 
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 namespace flytri::ui {
@@ -17,6 +18,16 @@ TEST(InputQueue, PressAndReleaseOfAKeyComeInTwoFrames) {
   ASSERT_EQ(second.size(), 1U);
   EXPECT_FALSE(std::get<KeyEvent>(second.front()).is_down);
   EXPECT_TRUE(queue.empty());
+}
+
+TEST(InputQueue, TypedTextWaitsUntilTabHasMovedTheFocus) {
+  InputQueue queue;
+  queue.push(KeyEvent{GLFW_KEY_TAB, 0, true});
+  queue.push(CharacterEvent{'2'});
+  EXPECT_EQ(queue.take_frame().size(), 1U);
+  EXPECT_TRUE(queue.take_frame().empty());
+  EXPECT_TRUE(queue.take_frame().empty());
+  EXPECT_EQ(queue.take_frame().size(), 1U);
 }
 
 TEST(InputQueue, DifferentKeysComeTogether) {
