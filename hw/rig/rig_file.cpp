@@ -74,6 +74,12 @@ gpio::LineMatch read_line(const io::JsonPlace& place) {
   return line;
 }
 
+/// Default: the limits of the light.
+void read_limit(const io::JsonPlace& place, device::LightLimit& limit) {
+  limit.max_on_s = positive_or_nothing(place, "max_on_s").value_or(limit.max_on_s);
+  limit.max_duty = positive_or_nothing(place, "max_duty").value_or(limit.max_duty);
+}
+
 gpio::LightWiring read_lights(const io::JsonPlace& place) {
   gpio::LightWiring lights;
   const io::JsonPlace chip = place.at("chip");
@@ -81,7 +87,12 @@ gpio::LightWiring read_lights(const io::JsonPlace& place) {
                  text_or_nothing(chip, "bus_path")};
   lights.vertical = read_line(place.at("vertical"));
   lights.horizontal = read_line(place.at("horizontal"));
-  if (place.has("flash")) lights.flash = read_line(place.at("flash"));
+  read_limit(place.at("vertical"), lights.limits.vertical);
+  read_limit(place.at("horizontal"), lights.limits.horizontal);
+  if (place.has("flash")) {
+    lights.flash = read_line(place.at("flash"));
+    read_limit(place.at("flash"), lights.limits.flash);
+  }
   return lights;
 }
 
@@ -111,7 +122,7 @@ Json to_json(const RigCamera& camera) {
   return json;
 }
 
-Json to_json(const gpio::LineMatch& line) {
+Json to_json(const gpio::LineMatch& line, const device::LightLimit& limit) {
   Json json = Json::object();
   if (line.offset) {
     json["line"] = *line.offset;
@@ -119,6 +130,8 @@ Json to_json(const gpio::LineMatch& line) {
     json["line_name"] = line.name;
   }
   json["active"] = line.active_low ? "low" : "high";
+  json["max_on_s"] = limit.max_on_s;
+  json["max_duty"] = limit.max_duty;
   return json;
 }
 
@@ -128,9 +141,9 @@ Json to_json(const gpio::LightWiring& lights) {
   add_text(chip, "serial", lights.chip.serial);
   add_text(chip, "bus_path", lights.chip.bus_path);
   Json json = {{"chip", chip},
-               {"vertical", to_json(lights.vertical)},
-               {"horizontal", to_json(lights.horizontal)}};
-  if (lights.flash) json["flash"] = to_json(*lights.flash);
+               {"vertical", to_json(lights.vertical, lights.limits.vertical)},
+               {"horizontal", to_json(lights.horizontal, lights.limits.horizontal)}};
+  if (lights.flash) json["flash"] = to_json(*lights.flash, lights.limits.flash);
   return json;
 }
 

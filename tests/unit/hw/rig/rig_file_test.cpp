@@ -22,7 +22,7 @@ constexpr const char* kRig = R"({
     "white_balance_k": 5000, "focus": 30},
   "lights": {
     "chip": {"label": "ftdi-cbus"}, "vertical": {"line": 0, "active": "low"},
-    "horizontal": {"line_name": "H"}, "flash": {"line": 2}},
+    "horizontal": {"line_name": "H"}, "flash": {"line": 2, "max_on_s": 0.5, "max_duty": 0.1}},
   "flash_period_s": 1.5, "calibration": "calibration.json"
 })";
 
@@ -49,6 +49,9 @@ TEST(RigFile, ReadsEveryKeyAndIgnoresUnknownOnes) {
   EXPECT_TRUE(rig.lights.vertical.active_low);
   EXPECT_EQ(rig.lights.horizontal.name, "H");
   EXPECT_EQ(rig.lights.flash->offset, 2);
+  EXPECT_EQ(rig.lights.limits.flash.max_on_s, 0.5);
+  EXPECT_EQ(rig.lights.limits.flash.max_duty, 0.1);
+  EXPECT_EQ(rig.lights.limits.vertical.max_on_s, device::LightLimits().vertical.max_on_s);
   EXPECT_EQ(rig.flash_period_s, 1.5);
   EXPECT_EQ(rig.calibration, "calibration.json");
 }
@@ -70,7 +73,9 @@ TEST(RigFile, ReportsFileAndKeyAndExpectedValueOfABadKey) {
   EXPECT_THAT(message("\"low\"", "\"down\""), AllOf(HasSubstr("active"), HasSubstr("high")));
   EXPECT_THAT(message("\"vertical\"", "\"vertikal\""), HasSubstr("lights.vertical"));
   EXPECT_THAT(message("\"name\": \"mono\", \"serial\": \"17\"", ""), HasSubstr("match"));
-  EXPECT_THAT(message(", \"flash\": {\"line\": 2}", ""), HasSubstr("flash"));
+  EXPECT_THAT(message(", \"flash\": {\"line\": 2, \"max_on_s\": 0.5, \"max_duty\": 0.1}", ""),
+              HasSubstr("flash"));
+  EXPECT_THAT(message("\"max_duty\": 0.1", "\"max_duty\": 0.98"), HasSubstr("max_duty"));
 }
 
 TEST(RigFile, CalibrationPathIsRelativeToTheFile) {
