@@ -30,7 +30,7 @@ device::CameraMatch read_match(const io::JsonPlace& place) {
 
 device::PixelFormat read_format(const io::JsonPlace& place) {
   const auto format = device::pixel_format_of(place.text());
-  if (!format) place.reject("a pixel format: GREY, Y10, Y12, Y16, YUYV or MJPG");
+  if (!format) place.reject("a pixel format: GREY, Y10, Y12, Y16, YUYV, UYVY or MJPG");
   return format.value_or(device::PixelFormat::kGrey8);
 }
 
@@ -55,6 +55,12 @@ RigCamera read_camera(const io::JsonPlace& place, device::Channels channels) {
   if (place.has("gain")) settings.gain = place.at("gain").number();
   settings.white_balance_k = positive_or_nothing(place, "white_balance_k");
   if (place.has("focus")) settings.focus = place.at("focus").number();
+  if (place.has("bits")) settings.bits = place.at("bits").whole_number();
+  if (place.has("controls")) {
+    const io::JsonPlace controls = place.at("controls");
+    for (const std::string& name : controls.keys())
+      settings.controls[name] = controls.at(name).number();
+  }
   if (place.has("readout_s")) camera.readout_s = place.at("readout_s").number();
   return camera;
 }
@@ -118,6 +124,8 @@ Json to_json(const RigCamera& camera) {
   add_number(json, "gain", settings.gain);
   add_number(json, "white_balance_k", settings.white_balance_k);
   add_number(json, "focus", settings.focus);
+  if (settings.bits) json["bits"] = *settings.bits;
+  if (!settings.controls.empty()) json["controls"] = settings.controls;
   if (camera.readout_s > 0.0) json["readout_s"] = camera.readout_s;
   return json;
 }
