@@ -165,6 +165,10 @@ void AppWindow::Impl::close(const AppView& view, std::vector<Command>& commands)
   }
 }
 
+bool AppWindow::has_focus() const { return impl_->window->has_focus(); }
+
+bool AppWindow::shows_devices() const { return impl_->state.dialog == Dialog::kDevices; }
+
 ImageSize AppWindow::usual_size() const {
   const double scale = impl_->window->content_scale();
   const auto at_scale_1 = [&](int size_px) {

@@ -41,6 +41,10 @@ class AppWindow {
   /// @return  false once the window was closed; the commands then hold `Quit`
   bool frame(const AppView& view, std::vector<Command>& commands);
 
+  /// What is typed goes to this window.
+  [[nodiscard]] bool has_focus() const;
+  /// The panel with the images of the cameras is open.
+  [[nodiscard]] bool shows_devices() const;
   /// The size when not in full screen, at scale 1; 0 x 0 if it filled the screen all the time.
   [[nodiscard]] ImageSize usual_size() const;
 

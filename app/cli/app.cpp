@@ -81,6 +81,7 @@ Result<void> run(const AppArguments& arguments, const Progress& progress) {
     const double began_s = session.now_s();
     const ui::AppView view = session.view();
     is_open = (*window)->frame(view, commands);
+    session.watch_window({(*window)->has_focus(), (*window)->shows_devices()});
     play_sounds(view, heard, sounds);
     for (const ui::Command& command : commands) session.carry_out(command);
     commands.clear();

@@ -9,9 +9,13 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "hw/device/clock.h"
 #include "hw/gpio/gpio_chips.h"
 #include "hw/rig/check_rig.h"
+#include "hw/rig/check_streams.h"
+#include "hw/rig/open_rig.h"
 #include "hw/rig/rig_file.h"
+#include "hw/shots/check_linearity.h"
 #include "hw/v4l2/find_camera.h"
 #include "hw/v4l2/video_system.h"
 
@@ -23,6 +27,7 @@ using Json = nlohmann::ordered_json;
 struct DevicesArguments {
   std::optional<std::filesystem::path> rig;
   bool as_json = false;
+  bool linearity = false;
 };
 
 std::vector<std::string> messages(const std::vector<Error>& problems) {
@@ -105,7 +110,28 @@ void print_all(const std::vector<device::CameraDescription>& cameras,
   if (chips.empty()) print_out("No switch for the lights found. Plug in its USB GPIO chip.\n");
 }
 
-Result<void> run(const DevicesArguments& arguments) {
+void print(const shots::LinearityReport& report) {
+  print_out("{}: gamma {:.2f}, at most {:.1f} % from a straight line\n", report.camera,
+            report.linearity.gamma, 100.0 * report.linearity.deviation);
+  for (const rig::ExposureStep& step : report.steps)
+    print_out("    {:.2f} ms: {:.1f} % of full scale\n", 1e3 * step.exposure_s, 100.0 * step.gray);
+}
+
+/// @return  what to do about each camera that is not linear
+Result<std::vector<Error>> nonlinear_cameras(const rig::RigSettings& rig, bool prints_steps,
+                                             const Progress& progress) {
+  const auto reports = shots::check_linearity(rig, rig::open_devices, progress);
+  if (!reports) return tl::unexpected(reports.error());
+  std::vector<Error> problems;
+  for (const shots::LinearityReport& report : *reports) {
+    if (prints_steps) print(report);
+    const std::string advice = shots::advice_on(report);
+    if (!advice.empty()) problems.push_back({ErrorCode::kBadOption, advice});
+  }
+  return problems;
+}
+
+Result<void> run(const DevicesArguments& arguments, const Progress& progress) {
   const auto system = v4l2::kernel_video_system();
   const auto cameras = v4l2::list_cameras(*system);
   const auto chips = gpio::list_chips();
@@ -114,6 +140,12 @@ Result<void> run(const DevicesArguments& arguments) {
     const auto rig = rig::read_rig(*arguments.rig);
     if (!rig) return tl::unexpected(rig.error());
     faults = rig::check_rig(*rig, *system, chips);
+    if (faults->empty()) faults = rig::check_streams(*rig, *system, device::machine_clock());
+    if (faults->empty() && arguments.linearity) {
+      auto nonlinear = nonlinear_cameras(*rig, !arguments.as_json, progress);
+      if (!nonlinear) return tl::unexpected(nonlinear.error());
+      faults = *std::move(nonlinear);
+    }
   }
   if (arguments.as_json) {
     Json json = {{"format", "flytri.devices"},
@@ -146,10 +178,15 @@ void add_devices_command(CLI::App& app, Invocation& invocation) {
       "devices", "List cameras and light switches, their abilities and their problems");
   command->add_option("--rig", arguments->rig, "Also check whether this rig can be used")
       ->check(CLI::ExistingFile);
+  command
+      ->add_flag("--linearity", arguments->linearity,
+                 "Also take exposure steps of a white sheet, lit by the flash, and name a camera "
+                 "whose gray values are not proportional to the light")
+      ->needs("--rig");
   command->add_flag("--json", arguments->as_json, "Print JSON, for programs");
   command->footer("Example: flytri devices --rig rig.json");
   command->callback([arguments, &invocation] {
-    invocation.job = [arguments](const Progress&) { return run(*arguments); };
+    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
   });
 }
 

@@ -8,6 +8,7 @@
 #include "app/session/calibration_controller.h"
 #include "app/session/case_controller.h"
 #include "app/session/export_controller.h"
+#include "app/session/light_need.h"
 #include "app/session/notices.h"
 #include "app/session/occlusion_controller.h"
 #include "app/session/path_chooser.h"
@@ -42,6 +43,8 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   void carry_out(const ui::Command& command);
+  /// Call it once a frame of the window: the lights depend on it.
+  void watch_window(const WindowUse& use) { window_use_ = use; }
   /// What the window shows now. Settles the background work that is done.
   [[nodiscard]] ui::AppView view();
   [[nodiscard]] bool is_closing() const { return is_closing_; }
@@ -56,6 +59,7 @@ class Session {
   void change_settings(const ui::Settings& settings);
 
   bool is_closing_ = false;
+  WindowUse window_use_;
   const ui::Language desktop_language_;
   ui::Settings settings_;
   ui::Texts texts_;

@@ -60,6 +60,10 @@ ui::Settings parse_settings(std::string_view text) {
   if (const auto muted = json.find("is_muted"); muted != json.end() && muted->is_boolean()) {
     settings.is_muted = muted->get<bool>();
   }
+  if (const auto dark = json.find("is_dark_without_focus");
+      dark != json.end() && dark->is_boolean()) {
+    settings.is_dark_without_focus = dark->get<bool>();
+  }
   if (const auto full = json.find("is_full_screen"); full != json.end() && full->is_boolean()) {
     settings.is_full_screen = full->get<bool>();
   }
@@ -77,6 +81,7 @@ std::string settings_to_json(const ui::Settings& settings) {
   const nlohmann::json json = {{"language", settings.language},
                                {"user_scale", settings.user_scale},
                                {"is_muted", settings.is_muted},
+                               {"is_dark_without_focus", settings.is_dark_without_focus},
                                {"is_full_screen", settings.is_full_screen},
                                {"window_width", settings.window_width},
                                {"window_height", settings.window_height},

@@ -56,6 +56,7 @@ void SourceController::start_capture() {
   if (is_lent_) return;
   router_->begin_sensor();
   begin_recording();
+  source_.sensor->rest(rests_);
   capture_ = std::make_unique<device::CaptureLoop>(
       source_.sensor, [router = router_](Frame frame) { router->offer(std::move(frame)); });
 }
@@ -121,6 +122,11 @@ void SourceController::lend() {
 void SourceController::take_back() {
   is_lent_ = false;
   if (source_.sensor != nullptr) start_capture();
+}
+
+void SourceController::rest(bool rests) {
+  if (std::exchange(rests_, rests) != rests && source_.sensor != nullptr)
+    source_.sensor->rest(rests);
 }
 
 void SourceController::stop() {

@@ -31,6 +31,8 @@ class SourceController {
   void lend();
   /// The devices are back: captures again, if the source is open.
   void take_back();
+  /// Call often: the lights are dark while nobody needs frames, see device::Sensor::rest().
+  void rest(bool rests);
   /// Ends capturing for good.
   void stop();
   /// Plays a recording from its beginning if it has been played to its end.
@@ -83,6 +85,7 @@ class SourceController {
   std::string failure_;                    ///< why the source could not be opened
   ui::DevicesState checked_;  ///< result of the latest check; devices_state() adds the devices
   bool is_lent_ = false;
+  bool rests_ = false;
   std::filesystem::path records_in_;      ///< folder of recordings, or of the next one; empty: off
   bool records_in_named_folder_ = false;  ///< `records_in_` is the next recording's own
   std::optional<std::uint64_t> free_bytes_;

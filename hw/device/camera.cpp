@@ -14,6 +14,7 @@ constexpr std::array kFormatNames = {std::pair{PixelFormat::kGrey8, std::string_
                                      std::pair{PixelFormat::kGrey12, std::string_view("Y12")},
                                      std::pair{PixelFormat::kGrey16, std::string_view("Y16")},
                                      std::pair{PixelFormat::kYuyv, std::string_view("YUYV")},
+                                     std::pair{PixelFormat::kUyvy, std::string_view("UYVY")},
                                      std::pair{PixelFormat::kMjpeg, std::string_view("MJPG")}};
 
 }  // namespace
@@ -52,6 +53,10 @@ Result<void> CameraSettings::validate() const {
       .at_least("size.height_px", size.height_px, 1)
       .positive("rate_hz", rate_hz);
   if (exposure_s) check.positive("exposure_s", *exposure_s);
+  if (bits) {
+    check.in_range("bits", *bits, 8, 16)
+        .must("bits", *bits, format == PixelFormat::kGrey16, "left out: only Y16 has it");
+  }
   if (white_balance_k) check.positive("white_balance_k", *white_balance_k);
   return check.result();
 }

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
@@ -23,7 +24,7 @@
 namespace flytri::device {
 
 /// Pixel format that the camera sends. kGrey10 and kGrey12 use the low bits of 16-bit numbers.
-enum class PixelFormat { kGrey8, kGrey10, kGrey12, kGrey16, kYuyv, kMjpeg };
+enum class PixelFormat { kGrey8, kGrey10, kGrey12, kGrey16, kYuyv, kUyvy, kMjpeg };
 
 /// The name in V4L2, e.g. "GREY" or "MJPG"; rig.json and the command line use the same names.
 [[nodiscard]] std::string_view to_string(PixelFormat format);
@@ -43,14 +44,22 @@ struct CameraSettings {
   std::optional<double> gain;             ///< in steps of the camera
   std::optional<double> white_balance_k;  ///< > 0, color temperature in kelvin
   std::optional<double> focus;            ///< in steps of the camera
+  /// 8..16, only for kGrey16: how many low bits of each number the camera uses. Default: learned
+  /// from the brightest pixel so far, one of 10, 12, 14 and 16.
+  std::optional<int> bits;
+  /// Further controls by name, in steps of the camera: "gamma", "contrast", "sharpness",
+  /// "backlight_compensation", "power_line_frequency", "wide_dynamic_range", or the driver's own
+  /// name. Default of those that bend the image: neutral.
+  std::map<std::string, double> controls;
   [[nodiscard]] Result<void> validate() const;
 };
 
 /// Selects a camera: every given field must match, and exactly one camera may match.
 struct CameraMatch {
-  std::string name;      ///< or a part of it; case-sensitive
-  std::string serial;    ///< the whole serial number
-  std::string bus_path;  ///< the whole path; distinguishes two cameras without serial numbers
+  std::string name;    ///< or a part of it; case-sensitive
+  std::string serial;  ///< the whole serial number
+  std::string
+      bus_path;  ///< the whole bus path or ID_PATH; distinguishes twins without serial numbers
   bool operator==(const CameraMatch&) const = default;
 };
 
@@ -154,7 +163,7 @@ struct CameraDescription {
   std::string name;
   std::string serial;    ///< empty if it has none
   std::string node;      ///< e.g. /dev/video0; may change when the camera is plugged in again
-  std::string bus_path;  ///< identifies the USB socket
+  std::string bus_path;  ///< identifies the USB socket: bus path, and ID_PATH if known
   std::vector<CameraMode> modes;
   std::vector<CameraControl> controls;
   std::vector<Error> problems;  ///< why it cannot be used, and what to do; empty if it can

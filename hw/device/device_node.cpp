@@ -22,13 +22,14 @@ using Udev = std::unique_ptr<udev, UdevCloser>;
 using UdevList = std::unique_ptr<udev_enumerate, UdevCloser>;
 using UdevDevice = std::unique_ptr<udev_device, UdevCloser>;
 
-// Uses the kernel's attributes, not the properties that udev's rules set: they exist at once, even
-// before the rules have run.
+// Uses the kernel's attributes where it can, not the properties that udev's rules set: they exist
+// at once, even before the rules have run.
 DeviceNode describe(udev_device* device) {
   DeviceNode node;
   node.node = c_text(udev_device_get_devnode(device));
   node.name = c_text(udev_device_get_sysattr_value(device, "name"));
   node.index = std::atoi(c_text(udev_device_get_sysattr_value(device, "index")).c_str());
+  node.id_path = c_text(udev_device_get_property_value(device, "ID_PATH"));
   // The parents are owned by the device: do not release them.
   udev_device* usb = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device");
   udev_device* parent = usb != nullptr ? usb : udev_device_get_parent(device);
@@ -41,7 +42,11 @@ DeviceNode describe(udev_device* device) {
 
 bool is_device(const DeviceNode& device, const std::string& serial, const std::string& bus_path) {
   return (serial.empty() || device.serial == serial) &&
-         (bus_path.empty() || device.bus_path == bus_path);
+         (bus_path.empty() || device.bus_path == bus_path || device.id_path == bus_path);
+}
+
+std::string place_of(const DeviceNode& device) {
+  return device.id_path.empty() ? device.bus_path : device.bus_path + " or " + device.id_path;
 }
 
 std::string text_of_device(std::string name, const std::string& serial,

@@ -24,10 +24,10 @@ struct LightRequest {
 /// When a request was carried out. If the light changed, it changed after `before_s` and shortly
 /// after `after_s`; the exact delay can only be learned from the images.
 struct LightSwitching {
-  std::int64_t request = 0;  ///< the number that post() returned
-  Light light = Light::kDark;
-  double before_s = 0.0;  ///< when the call to the device began
-  double after_s = 0.0;   ///< when it returned
+  std::int64_t request = 0;    ///< the number that post() returned
+  Light light = Light::kDark;  ///< kDark, too, if a limit forbade the requested light
+  double before_s = 0.0;       ///< when the call to the device began
+  double after_s = 0.0;        ///< when it returned
   /// The device reported success. True does not prove that the light changed. False: the command
   /// did not reach the device.
   bool accepted = false;
@@ -46,6 +46,7 @@ struct LightSwitchStatus {
   std::int64_t switched = 0;  ///< accepted by the device
   std::int64_t refused = 0;   ///< not accepted by the device
   std::int64_t skipped = 0;   ///< replaced by a later request that was already due
+  std::int64_t limited = 0;   ///< turned off, or left off, by a limit or before a suspend
   std::int64_t lost = 0;      ///< how often the device was unplugged
   std::int64_t returned = 0;  ///< how often it was found again
   double slowest_s = 0.0;     ///< longest call to the device so far, including one in progress
@@ -53,7 +54,8 @@ struct LightSwitchStatus {
 
 /// Call start and stop from one thread at a time. All other members are thread-safe and never wait
 /// for the device. All lights are dark after stop() and after destruction, provided that the device
-/// still answers.
+/// still answers. Whatever is requested, each light keeps its limits (light_limits.h): a light that
+/// exceeds one is turned off. It may be requested again when it has rested.
 class LightSwitch {
  public:
   virtual ~LightSwitch() = default;
@@ -74,7 +76,8 @@ class LightSwitch {
   virtual std::int64_t post(const LightRequest& request) = 0;
 
   /// The requests carried out since the last call, in order; at most the latest thousand. When a
-  /// lost device is found again, its latest request is carried out again under the same number.
+  /// lost device is found again, its latest request is carried out again under the same number. A
+  /// light that a limit turned off is reported as kDark under the number of the latest request.
   [[nodiscard]] virtual std::vector<LightSwitching> take_done() = 0;
 
   [[nodiscard]] virtual LightSwitchStatus status() const = 0;

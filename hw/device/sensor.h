@@ -57,6 +57,10 @@ class Sensor {
   /// @errors  In state kFailed: the error that caused it, at every call. kBadOption: not started.
   [[nodiscard]] virtual Result<std::optional<Frame>> next(double timeout_s) = 0;
 
+  /// Turns the lights off, and stops the frames, while nobody needs them; or turns them on again.
+  /// Thread-safe. A source without lights ignores it.
+  virtual void rest(bool rests) { (void)rests; }
+
   /// Does background work that must not delay next(), such as decoding ahead or writing to disk.
   /// The capture loop calls it repeatedly from a second thread, until just before stop().
   /// @param timeout_s  longest wait for work to arrive

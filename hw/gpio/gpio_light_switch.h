@@ -13,12 +13,14 @@ struct GpioLightSwitchOptions {
   double search_period_s = 0.25;
   /// > 0. A longer call is reported in the status; it normally takes milliseconds.
   double slow_call_s = 0.5;
+  device::LightLimits limits;
   [[nodiscard]] Result<void> validate() const;
 };
 
 class GpioLightSwitch final : public device::LightSwitch {
  public:
   /// Opens no device before start().
+  /// @param options  its limits are replaced by those of the wiring
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::unique_ptr<GpioLightSwitch>> create(
       const LightWiring& wiring, const GpioLightSwitchOptions& options = {});

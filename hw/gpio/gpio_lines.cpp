@@ -38,8 +38,8 @@ std::vector<unsigned> lines_of(const std::vector<WiredLight>& lights) {
 
 class GpioLines final : public LightLines {
  public:
-  GpioLines(GpioChip chip, std::vector<WiredLight> lights)
-      : description_(std::move(chip)), lights_(std::move(lights)) {}
+  GpioLines(GpioChip chip, std::vector<WiredLight> lights, const device::LightLimits& limits)
+      : description_(std::move(chip)), lights_(std::move(lights)), limits_(limits) {}
   ~GpioLines() override {
     // A chip that is gone cannot be told, and takes its lights along.
     if (held_) (void)set(device::Light::kDark);
@@ -52,14 +52,22 @@ class GpioLines final : public LightLines {
     const std::vector<int> dark = values_for(lights_, device::Light::kDark);
     held_ = chip_->hold(lines, dark);
     if (!held_) return failed("asking for its lines", errno);
-    auto guard =
-        DarkGuard::start({description_.device.node, description_.label, std::move(lines), dark});
+    auto guard = DarkGuard::start({held_->descriptor(), description_.device.node,
+                                   description_.label, std::move(lines), dark, limits_});
     if (!guard) return tl::unexpected(guard.error());
     guard_ = std::move(*guard);
     return {};
   }
 
-  int set(device::Light light) override { return held_->set(values_for(lights_, light)); }
+  int set(device::Light light) override {
+    if (!guard_) return held_->set(values_for(lights_, light));
+    const int unguarded = guard_->begin(light);
+    if (unguarded != 0) light = device::Light::kDark;
+    const int error = held_->set(values_for(lights_, light));
+    if (error != 0) return error;
+    if (unguarded != 0) return unguarded;
+    return guard_->finish(light);
+  }
 
   bool present() const override { return access(description_.device.node.c_str(), F_OK) == 0; }
 
@@ -73,7 +81,8 @@ class GpioLines final : public LightLines {
 
   const GpioChip description_;
   const std::vector<WiredLight> lights_;
-  std::unique_ptr<DarkGuard> guard_;  // dismissed last, when the lines are dark and let go
+  const device::LightLimits limits_;
+  std::unique_ptr<DarkGuard> guard_;  // ended last, when the lines are dark
   std::unique_ptr<OpenChip> chip_;
   std::unique_ptr<HeldLines> held_;
 };
@@ -97,7 +106,7 @@ Result<std::unique_ptr<LightLines>> open_gpio_lines(const LightWiring& wiring) {
   if (!chip) return tl::unexpected(chip.error());
   auto lights = wire(*chip, wiring);
   if (!lights) return tl::unexpected(lights.error());
-  auto lines = std::make_unique<GpioLines>(std::move(*chip), std::move(*lights));
+  auto lines = std::make_unique<GpioLines>(std::move(*chip), std::move(*lights), wiring.limits);
   if (const auto held = lines->hold(); !held) return tl::unexpected(held.error());
   return lines;
 }

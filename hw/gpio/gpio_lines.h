@@ -1,4 +1,4 @@
-/// @file  The lines of the lights on a GPIO chip of the machine, through libgpiod.
+/// @file  The lines of the lights on a GPIO chip of the machine.
 #pragma once
 
 #include "hw/gpio/light_lines.h"

@@ -33,7 +33,7 @@ Result<void> LightWiring::validate() const {
     check.must("flash", "the same line as another light",
                !same(*flash, vertical) && !same(*flash, horizontal), "a line of its own");
   }
-  return check.result();
+  return check.nested(limits).result();
 }
 
 }  // namespace flytri::gpio

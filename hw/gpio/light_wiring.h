@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "hw/device/light_switch.h"
+#include "hw/device/light_limits.h"
 
 namespace flytri::gpio {
 
@@ -28,6 +28,7 @@ struct LightWiring {
   LineMatch vertical;
   LineMatch horizontal;
   std::optional<LineMatch> flash;  ///< without a flash, the rig has no texture
+  device::LightLimits limits;
   [[nodiscard]] Result<void> validate() const;
 };
 

@@ -1,5 +1,4 @@
-/// @file  A GPIO chip that is open. Hides libgpiod, whose versions 1 and 2 have no call in common:
-///        libgpiod_v1.cpp and libgpiod_v2.cpp implement this, and one of them is compiled.
+/// @file  A GPIO chip that is open: its label, its lines, and the request for them.
 #pragma once
 
 #include <memory>
@@ -7,37 +6,34 @@
 #include <vector>
 
 #include "hw/gpio/gpio_chips.h"
+#include "hw/gpio/held_lines.h"
 
 namespace flytri::gpio {
 
-/// Output lines that this program holds. Its end releases them.
-class HeldLines {
- public:
-  HeldLines() = default;
-  virtual ~HeldLines() = default;
-  HeldLines(const HeldLines&) = delete;
-  HeldLines& operator=(const HeldLines&) = delete;
-  /// @param values  0 or 1, in the order in which the lines were asked for
-  /// @return  0, or why it failed, as an errno
-  virtual int set(const std::vector<int>& values) = 0;
-};
-
 class OpenChip {
  public:
-  OpenChip() = default;
-  virtual ~OpenChip() = default;
+  /// @param descriptor  of the chip's device file; OpenChip closes it
+  OpenChip(int descriptor, std::string label, unsigned line_count)
+      : descriptor_(descriptor), label_(std::move(label)), line_count_(line_count) {}
+  ~OpenChip();
   OpenChip(const OpenChip&) = delete;
   OpenChip& operator=(const OpenChip&) = delete;
-  [[nodiscard]] virtual std::string label() const = 0;
+
+  [[nodiscard]] const std::string& label() const { return label_; }
   /// By their numbers. A line that cannot be read is listed without name and consumer.
-  [[nodiscard]] virtual std::vector<GpioLine> lines() const = 0;
-  /// Takes lines as outputs with these values. The chip must outlive them.
+  [[nodiscard]] std::vector<GpioLine> lines() const;
+  /// Takes lines as outputs with these values; see output_request().
   /// @return  null: it failed; errno says why
-  [[nodiscard]] virtual std::unique_ptr<HeldLines> hold(const std::vector<unsigned>& lines,
-                                                        const std::vector<int>& values) = 0;
+  [[nodiscard]] std::unique_ptr<HeldLines> hold(const std::vector<unsigned>& lines,
+                                                const std::vector<int>& values);
+
+ private:
+  const int descriptor_;
+  const std::string label_;
+  const unsigned line_count_;
 };
 
-/// @return  null: it cannot be opened; errno says why
+/// @return  null: it cannot be opened, or is no GPIO chip; errno says why
 [[nodiscard]] std::unique_ptr<OpenChip> open_chip(const std::string& node);
 
 }  // namespace flytri::gpio

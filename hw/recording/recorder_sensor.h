@@ -69,6 +69,7 @@ class RecorderSensor final : public device::Sensor {
   /// Also writes the queued frames and closes the recording.
   void stop() override;
   [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
+  void rest(bool rests) override { sensor_->rest(rests); }
   bool work_in_background(double timeout_s) override;
   [[nodiscard]] bool has_background_work() const override { return true; }
   /// The status of the wrapped sensor; the recorder's message is appended to its message.

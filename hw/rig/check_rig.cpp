@@ -1,6 +1,7 @@
 #include "hw/rig/check_rig.h"
 
 #include "core/io/calibrations/calibration_file.h"
+#include "hw/rig/flash_timing.h"
 #include "hw/v4l2/find_camera.h"
 #include "hw/v4l2/video_failure.h"
 
@@ -45,6 +46,10 @@ std::vector<Error> check_rig(const RigSettings& rig, v4l2::VideoSystem& system,
   if (rig.texture) {
     append(problems, v4l2::check_camera(system, rig.texture->match, rig.texture->settings));
     check_distinct(problems, rig, system);
+    const FlashCameras cameras{rig.measurement.settings, rig.texture->settings,
+                               rig.texture->readout_s};
+    const auto allowed = check_flash_period(rig.flash_period_s, cameras, rig.lights.limits.flash);
+    if (!allowed) problems.push_back(allowed.error());
   }
   const auto chip = gpio::find_chip(chips, rig.lights.chip);
   append(problems, chip ? check_lines(*chip, rig.lights) : std::vector{chip.error()});

@@ -18,6 +18,7 @@ Result<std::shared_ptr<RigSensor>> assemble_rig(const RigSettings& rig, RigDevic
   RigSensorOptions options;
   options.name = rig.name;
   options.flash_period_s = rig.flash_period_s;
+  options.limits = rig.lights.limits;
   options.measurement_readout_s = rig.measurement.readout_s;
   if (rig.texture) options.texture_readout_s = rig.texture->readout_s;
   return RigSensor::create(std::move(devices), options, std::move(calibration));

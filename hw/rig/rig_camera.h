@@ -38,6 +38,9 @@ class RigCameraReader {
     return labeler_->label(frame.image, frame.time_s);
   }
 
+  /// Takes a frame for its time alone: the lights are off on purpose.
+  void pass(const device::CameraFrame& frame) { labeler_->pass(frame.time_s); }
+
   /// Only after start().
   [[nodiscard]] sync::FrameLabeler& labeler() { return *labeler_; }
   [[nodiscard]] RigCameraStatus status() const;

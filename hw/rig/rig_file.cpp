@@ -30,7 +30,7 @@ device::CameraMatch read_match(const io::JsonPlace& place) {
 
 device::PixelFormat read_format(const io::JsonPlace& place) {
   const auto format = device::pixel_format_of(place.text());
-  if (!format) place.reject("a pixel format: GREY, Y10, Y12, Y16, YUYV or MJPG");
+  if (!format) place.reject("a pixel format: GREY, Y10, Y12, Y16, YUYV, UYVY or MJPG");
   return format.value_or(device::PixelFormat::kGrey8);
 }
 
@@ -55,6 +55,12 @@ RigCamera read_camera(const io::JsonPlace& place, device::Channels channels) {
   if (place.has("gain")) settings.gain = place.at("gain").number();
   settings.white_balance_k = positive_or_nothing(place, "white_balance_k");
   if (place.has("focus")) settings.focus = place.at("focus").number();
+  if (place.has("bits")) settings.bits = place.at("bits").whole_number();
+  if (place.has("controls")) {
+    const io::JsonPlace controls = place.at("controls");
+    for (const std::string& name : controls.keys())
+      settings.controls[name] = controls.at(name).number();
+  }
   if (place.has("readout_s")) camera.readout_s = place.at("readout_s").number();
   return camera;
 }
@@ -74,6 +80,12 @@ gpio::LineMatch read_line(const io::JsonPlace& place) {
   return line;
 }
 
+/// Default: the limits of the light.
+void read_limit(const io::JsonPlace& place, device::LightLimit& limit) {
+  limit.max_on_s = positive_or_nothing(place, "max_on_s").value_or(limit.max_on_s);
+  limit.max_duty = positive_or_nothing(place, "max_duty").value_or(limit.max_duty);
+}
+
 gpio::LightWiring read_lights(const io::JsonPlace& place) {
   gpio::LightWiring lights;
   const io::JsonPlace chip = place.at("chip");
@@ -81,7 +93,12 @@ gpio::LightWiring read_lights(const io::JsonPlace& place) {
                  text_or_nothing(chip, "bus_path")};
   lights.vertical = read_line(place.at("vertical"));
   lights.horizontal = read_line(place.at("horizontal"));
-  if (place.has("flash")) lights.flash = read_line(place.at("flash"));
+  read_limit(place.at("vertical"), lights.limits.vertical);
+  read_limit(place.at("horizontal"), lights.limits.horizontal);
+  if (place.has("flash")) {
+    lights.flash = read_line(place.at("flash"));
+    read_limit(place.at("flash"), lights.limits.flash);
+  }
   return lights;
 }
 
@@ -107,11 +124,13 @@ Json to_json(const RigCamera& camera) {
   add_number(json, "gain", settings.gain);
   add_number(json, "white_balance_k", settings.white_balance_k);
   add_number(json, "focus", settings.focus);
+  if (settings.bits) json["bits"] = *settings.bits;
+  if (!settings.controls.empty()) json["controls"] = settings.controls;
   if (camera.readout_s > 0.0) json["readout_s"] = camera.readout_s;
   return json;
 }
 
-Json to_json(const gpio::LineMatch& line) {
+Json to_json(const gpio::LineMatch& line, const device::LightLimit& limit) {
   Json json = Json::object();
   if (line.offset) {
     json["line"] = *line.offset;
@@ -119,6 +138,8 @@ Json to_json(const gpio::LineMatch& line) {
     json["line_name"] = line.name;
   }
   json["active"] = line.active_low ? "low" : "high";
+  json["max_on_s"] = limit.max_on_s;
+  json["max_duty"] = limit.max_duty;
   return json;
 }
 
@@ -128,9 +149,9 @@ Json to_json(const gpio::LightWiring& lights) {
   add_text(chip, "serial", lights.chip.serial);
   add_text(chip, "bus_path", lights.chip.bus_path);
   Json json = {{"chip", chip},
-               {"vertical", to_json(lights.vertical)},
-               {"horizontal", to_json(lights.horizontal)}};
-  if (lights.flash) json["flash"] = to_json(*lights.flash);
+               {"vertical", to_json(lights.vertical, lights.limits.vertical)},
+               {"horizontal", to_json(lights.horizontal, lights.limits.horizontal)}};
+  if (lights.flash) json["flash"] = to_json(*lights.flash, lights.limits.flash);
   return json;
 }
 

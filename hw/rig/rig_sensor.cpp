@@ -1,32 +1,16 @@
 #include "hw/rig/rig_sensor.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/base/check_options.h"
+#include "hw/rig/flash_timing.h"
 #include "hw/rig/rig_message.h"
 
 namespace flytri::rig {
 namespace {
 
-/// Assumed exposure, as a share of the frame period, if the camera's exposure is unknown.
-constexpr double kUnknownExposure = 0.5;
-constexpr int kMaxFlashFrames = 10;
 /// Limit of texture frames read in one step, at least the driver's queue.
 constexpr int kMaxQueued = 16;
-
-/// Duration of a flash in frames of the measurement camera, so that a whole exposure of the texture
-/// camera fits.
-int flash_frames(const device::Camera& measurement, const device::Camera* texture,
-                 double readout_s) {
-  if (texture == nullptr) return 1;
-  const device::CameraSettings settings = texture->read_back();
-  const double period_s = 1.0 / settings.rate_hz;
-  const double window_s = settings.exposure_s.value_or(kUnknownExposure * period_s) + readout_s;
-  const double frames = (period_s + window_s) * measurement.read_back().rate_hz;
-  return std::clamp(static_cast<int>(std::ceil(frames)), 1, kMaxFlashFrames);
-}
 
 bool is_away(device::CameraState state) {
   return state == device::CameraState::kLost || state == device::CameraState::kFrozen;
@@ -41,6 +25,7 @@ Result<void> RigSensorOptions::validate() const {
       .not_negative("texture_readout_s", texture_readout_s)
       .not_negative("patience_s", patience_s)
       .in_range("ahead_s", ahead_s, 0.05, 1.0)
+      .nested(limits)
       .result();
 }
 
@@ -70,9 +55,13 @@ Result<void> RigSensor::start() {
   texture_failure_.clear();
   status_.restart();
   if (auto started = start_devices(); !started) return fail_for_good(started.error());
-  is_away_ = false;
-  const int frames =
-      flash_frames(*devices_.measurement, devices_.texture.get(), options_.texture_readout_s);
+  const Result<int> flash = plan_flash();
+  if (!flash) {
+    stop();
+    return fail_for_good(flash.error());
+  }
+  is_away_ = is_resting_ = false;
+  const int frames = *flash;
   merger_ = FrameMerger({.start_s = devices_.clock.now_s(),
                          .flash_s = frames / devices_.measurement->read_back().rate_hz,
                          .patience_s = options_.patience_s});
@@ -80,9 +69,20 @@ Result<void> RigSensor::start() {
   plan.has_flash = texture_.has_value();
   plan.flash_period_s = options_.flash_period_s;
   plan.flash_frames = frames;
+  plan.flash_duty = kPlannedShare * options_.limits.flash.max_duty;
   plan_ = sync::LightPlan(plan);
   note_status();
   return {};
+}
+
+/// The frames of a flash, by what the cameras do and not by what they were asked for.
+Result<int> RigSensor::plan_flash() const {
+  if (!texture_) return 1;
+  const FlashCameras cameras{devices_.measurement->read_back(), devices_.texture->read_back(),
+                             options_.texture_readout_s};
+  auto allowed = check_flash_period(options_.flash_period_s, cameras, options_.limits.flash);
+  if (!allowed) return tl::unexpected(allowed.error());
+  return flash_frames(cameras);
 }
 
 Result<void> RigSensor::start_devices() {
@@ -131,7 +131,11 @@ Result<std::optional<Frame>> RigSensor::next(double timeout_s) {
 
 void RigSensor::plan_lights() {
   report_switching();
-  if (is_away_) return;
+  // The caller's thread may have posted its request for darkness before the last ones of this one.
+  const bool rests = rests_;
+  if (std::exchange(is_resting_, rests) != rests && rests)
+    devices_.lights->post({device::Light::kDark, 0.0});
+  if (is_away_ || rests) return;
   const double now_s = devices_.clock.now_s();
   for (const device::LightRequest& request :
        plan_.plan(now_s, now_s + options_.ahead_s, measurement_.labeler().timing())) {
@@ -141,6 +145,11 @@ void RigSensor::plan_lights() {
     if (texture_) texture_->labeler().posted(number, request.not_before_s);
     if (request.light == device::Light::kFlash) merger_.flash_at(request.not_before_s);
   }
+}
+
+void RigSensor::rest(bool rests) {
+  rests_ = rests;
+  if (rests) devices_.lights->post({device::Light::kDark, 0.0});
 }
 
 void RigSensor::report_switching() {
@@ -161,6 +170,10 @@ Result<void> RigSensor::read_measurement(double timeout_s) {
   if (is_away_ && !was_away) devices_.lights->post({device::Light::kDark, 0.0});
   if (!*frame) return {};
   report_switching();
+  if (is_resting_) {
+    measurement_.pass(**frame);
+    return {};
+  }
   const sync::FrameLabel label = measurement_.label(**frame);
   const bool is_pattern =
       label.light == device::Light::kVertical || label.light == device::Light::kHorizontal;
@@ -184,6 +197,10 @@ void RigSensor::read_texture() {
     }
     if (!*frame) return;
     report_switching();
+    if (is_resting_) {
+      texture_->pass(**frame);
+      continue;
+    }
     merger_.add_texture((*frame)->image, texture_->label(**frame), devices_.clock.now_s());
   }
 }

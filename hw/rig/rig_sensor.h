@@ -1,12 +1,14 @@
 /// @file  Combines the cameras and lights of a rig into one sensor that delivers labeled frames.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
 #include "hw/device/clock.h"
+#include "hw/device/light_limits.h"
 #include "hw/device/light_switch.h"
 #include "hw/device/sensor.h"
 #include "hw/device/status_keeper.h"
@@ -25,6 +27,7 @@ struct RigSensorOptions {
   double ahead_s = 0.2;
   /// >= 0. Longest time that a measurement frame waits for the texture frame before it.
   double patience_s = 0.25;
+  device::LightLimits limits;  ///< of the light switch; the plan keeps them
   [[nodiscard]] Result<void> validate() const;
 };
 
@@ -53,7 +56,9 @@ struct RigStatus {
 class RigSensor final : public device::Sensor {
  public:
   /// @param calibration  of this rig; may be null
-  /// @errors  kBadOption.
+  /// @errors  kBadOption. start(): as Camera::start and LightSwitch::start; kBadOption if flashes
+  /// at
+  ///          this period exceed a limit.
   [[nodiscard]] static Result<std::shared_ptr<RigSensor>> create(
       RigDevices devices, const RigSensorOptions& options,
       std::shared_ptr<const calibration::Calibration> calibration);
@@ -61,6 +66,8 @@ class RigSensor final : public device::Sensor {
   [[nodiscard]] Result<void> start() override;
   void stop() override;
   [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
+  /// The lights are dark after `ahead_s`. The latency stays known.
+  void rest(bool rests) override;
   /// Dropped frames: missing or damaged frames of the measurement camera, and late frames of both
   /// cameras.
   [[nodiscard]] device::SensorStatus status() const override;
@@ -77,6 +84,7 @@ class RigSensor final : public device::Sensor {
             std::shared_ptr<const calibration::Calibration> calibration);
 
   [[nodiscard]] Result<void> start_devices();
+  [[nodiscard]] Result<int> plan_flash() const;
   [[nodiscard]] Result<void> fail_for_good(const Error& error);
   void plan_lights();
   void report_switching();
@@ -97,7 +105,10 @@ class RigSensor final : public device::Sensor {
   std::optional<Error> failure_;
   std::string texture_failure_;  // the texture camera failed permanently
   bool is_away_ = false;
+  bool is_resting_ = false;
   FrameMerger merger_;
+
+  std::atomic<bool> rests_ = false;  // as the caller of rest() wants
 
   mutable std::mutex mutex_;  // guards all members below
   RigStatus rig_status_;

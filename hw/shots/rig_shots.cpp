@@ -10,6 +10,8 @@ namespace flytri::shots {
 namespace {
 
 constexpr double kLook_s = 0.05;  // interval at which the light switch is polled
+// Share of a light's duty that look() takes: the rest is left for the shots.
+constexpr double kLookShare = 0.7;
 
 device::Light light_of(calibration::ShotKind kind) {
   switch (kind) {
@@ -44,6 +46,7 @@ Result<void> RigShotOptions::validate() const {
       .in_range("exposures", exposures, 1, 256)
       .positive("settle_s", settle_s)
       .positive("patience_s", patience_s)
+      .nested(limits)
       .result();
 }
 
@@ -64,6 +67,7 @@ RigShots::~RigShots() { stop(); }
 
 Result<void> RigShots::start() {
   shines_ = device::Light::kDark;
+  looked_.release();
   if (auto started = devices_.lights->start(); !started) return started;
   for (const auto& camera : {devices_.measurement, devices_.texture}) {
     if (auto started = camera->start(); !started) {
@@ -81,16 +85,21 @@ void RigShots::stop() {
   devices_.texture->stop();
 }
 
+// Requests the light again and again while a limit keeps it dark.
 Result<void> RigShots::light(device::Light light, const Progress& progress) {
   if (light == shines_) return {};
-  const std::int64_t request = devices_.lights->post({light, 0.0});
-  const double given_up_s = devices_.clock.now_s() + options_.patience_s;
+  std::int64_t request = devices_.lights->post({light, 0.0});
+  double given_up_s = devices_.clock.now_s() + options_.patience_s;
   while (!progress.cancelled()) {
     for (const device::LightSwitching& done : devices_.lights->take_done()) {
       if (done.request != request || !done.accepted) continue;
-      shines_ = light;
-      steady_s_ = done.after_s + options_.settle_s;
-      return {};
+      if (done.light == light) {
+        shines_ = light;
+        steady_s_ = done.after_s + options_.settle_s;
+        return {};
+      }
+      request = devices_.lights->post({light, devices_.clock.now_s() + kLook_s});
+      given_up_s = devices_.clock.now_s() + options_.patience_s;
     }
     if (devices_.clock.now_s() > given_up_s) {
       const std::string message = devices_.lights->status().message;
@@ -105,7 +114,22 @@ Result<void> RigShots::light(device::Light light, const Progress& progress) {
   return stopped();
 }
 
-Result<cv::Mat> RigShots::average(device::Camera& camera, int exposures, const Progress& progress) {
+void RigShots::darken() {
+  if (shines_ == device::Light::kDark) return;
+  devices_.lights->post({device::Light::kDark, 0.0});
+  shines_ = device::Light::kDark;
+  steady_s_ = devices_.clock.now_s() + options_.settle_s;
+}
+
+/// Whether a limit turned the light off.
+bool RigShots::was_turned_off() {
+  for (const device::LightSwitching& done : devices_.lights->take_done())
+    if (done.accepted && done.light != shines_) return true;
+  return false;
+}
+
+Result<cv::Mat> RigShots::average(device::Light light, device::Camera& camera, int exposures,
+                                  const Progress& progress) {
   cv::Mat sum;
   int count = 0, depth = CV_8U;
   double given_up_s = devices_.clock.now_s() + options_.patience_s;
@@ -113,6 +137,14 @@ Result<cv::Mat> RigShots::average(device::Camera& camera, int exposures, const P
     if (progress.cancelled()) return stopped();
     auto frame = camera.next(kLook_s);
     if (!frame) return tl::unexpected(frame.error());
+    if (was_turned_off()) {
+      shines_ = device::Light::kDark;
+      const double begin_s = devices_.clock.now_s();
+      if (auto lit = this->light(light, progress); !lit) return tl::unexpected(lit.error());
+      // The rest of the light is not the camera's fault.
+      given_up_s += devices_.clock.now_s() - begin_s;
+      continue;
+    }
     if (!*frame || (*frame)->damaged || (*frame)->time_s < steady_s_) {
       if (devices_.clock.now_s() < given_up_s) continue;
       const std::string message = camera.status().message;
@@ -129,26 +161,48 @@ Result<cv::Mat> RigShots::average(device::Camera& camera, int exposures, const P
   return mean_of(sum, count, depth);
 }
 
-Result<cv::Mat> RigShots::take(calibration::ShotKind kind, double /*z_mm*/,
-                               const Progress& progress) {
-  if (auto lit = light(light_of(kind), progress); !lit) return tl::unexpected(lit.error());
+/// The lights are dark at the end, whatever happens.
+Result<cv::Mat> RigShots::expose(calibration::ShotKind kind, int exposures,
+                                 const Progress& progress) {
+  const device::Light wanted = light_of(kind);
+  const auto lit = light(wanted, progress);
   device::Camera& camera =
       kind == calibration::ShotKind::kDotsTexture ? *devices_.texture : *devices_.measurement;
-  return average(camera, options_.exposures, progress);
+  auto image = lit ? average(wanted, camera, exposures, progress)
+                   : Result<cv::Mat>(tl::unexpected(lit.error()));
+  // A switch that did not answer may still carry out the request.
+  if (!lit) devices_.lights->post({device::Light::kDark, 0.0});
+  darken();
+  return image;
+}
+
+Result<cv::Mat> RigShots::take(calibration::ShotKind kind, double /*z_mm*/,
+                               const Progress& progress) {
+  return expose(kind, options_.exposures, progress);
 }
 
 Result<cv::Mat> RigShots::look(calibration::ShotKind kind, double /*z_mm*/,
                                const Progress& progress) {
-  if (auto lit = light(light_of(kind), progress); !lit) return tl::unexpected(lit.error());
-  device::Camera& camera =
-      kind == calibration::ShotKind::kDotsTexture ? *devices_.texture : *devices_.measurement;
-  return average(camera, 1, progress);
+  const double begin_s = devices_.clock.now_s();
+  if (kind == looked_kind_ && !looked_.empty() && begin_s < looked_until_s_) return looked_;
+  auto image = expose(kind, 1, progress);
+  if (!image) return image;
+  looked_ = *image;
+  looked_kind_ = kind;
+  looked_until_s_ = begin_s;
+  const device::Light light = light_of(kind);
+  if (light == device::Light::kDark) return image;
+  const double lit_s = devices_.clock.now_s() - begin_s;
+  looked_until_s_ += lit_s / (kLookShare * options_.limits.of(light).max_duty);
+  return image;
 }
 
 Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig) {
   auto devices = rig::open_devices(rig);
   if (!devices) return tl::unexpected(devices.error());
-  return RigShots::create(*std::move(devices), rig.name);
+  RigShotOptions options;
+  options.limits = rig.lights.limits;
+  return RigShots::create(*std::move(devices), rig.name, options);
 }
 
 }  // namespace flytri::shots

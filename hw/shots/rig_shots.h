@@ -15,10 +15,13 @@ struct RigShotOptions {
   /// > 0. Waiting time after a light was switched, before images are used; longer than the latency
   /// of any camera.
   double settle_s = 0.4;
-  double patience_s = 10.0;  ///< > 0. A device that does not answer for this long has failed.
+  double patience_s = 10.0;    ///< > 0. A device that does not answer for this long has failed.
+  device::LightLimits limits;  ///< of the light switch; look() keeps its pace by them
   [[nodiscard]] Result<void> validate() const;
 };
 
+/// All lights are dark between two shots. Where a limit of a light (light_limits.h) ends a shot,
+/// the shot goes on when the light has rested.
 class RigShots final : public ShotSource {
  public:
   /// Opens no device before start().
@@ -40,7 +43,11 @@ class RigShots final : public ShotSource {
  private:
   RigShots(rig::RigDevices devices, const std::string& name, const RigShotOptions& options);
   [[nodiscard]] Result<void> light(device::Light light, const Progress& progress);
-  [[nodiscard]] Result<cv::Mat> average(device::Camera& camera, int exposures,
+  void darken();
+  [[nodiscard]] bool was_turned_off();
+  [[nodiscard]] Result<cv::Mat> expose(calibration::ShotKind kind, int exposures,
+                                       const Progress& progress);
+  [[nodiscard]] Result<cv::Mat> average(device::Light light, device::Camera& camera, int exposures,
                                         const Progress& progress);
 
   const rig::RigDevices devices_;
@@ -48,6 +55,11 @@ class RigShots final : public ShotSource {
   const RigShotOptions options_;
   device::Light shines_ = device::Light::kDark;
   double steady_s_ = 0.0;  // frames from this time on show only this light
+
+  // The latest image of look(), and until when it is returned again.
+  cv::Mat looked_;
+  calibration::ShotKind looked_kind_ = calibration::ShotKind::kDark;
+  double looked_until_s_ = 0.0;
 };
 
 /// Uses the devices of this machine that the rig names.

@@ -70,6 +70,10 @@ class FrameLabeler {
   /// frame's arrival first.
   [[nodiscard]] FrameLabel label(const cv::Mat& image, double stamp_s);
 
+  /// A frame without a label, because the lights are off on purpose: only the frame clock learns
+  /// from it. Dark images would make the latency less and less certain.
+  void pass(double stamp_s) { (void)clock_.add(stamp_s); }
+
   /// The camera was unplugged or restarted: its exposure times are learned again. The latency is
   /// kept, and adapts if it has changed.
   void camera_returned();

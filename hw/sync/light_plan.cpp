@@ -26,6 +26,7 @@ Result<void> LightPlanOptions::validate() const {
   return OptionCheck("LightPlanOptions")
       .positive("flash_period_s", flash_period_s)
       .in_range("flash_frames", flash_frames, 1, 10)
+      .positive_up_to("flash_duty", flash_duty, 1.0)
       .in_range("margin", margin, 0.0, 0.5)
       .result();
 }
@@ -58,7 +59,8 @@ std::vector<device::LightRequest> LightPlan::plan(double now_s, double until_s,
 LightPlan::Slot LightPlan::next_slot(const CameraTiming& timing) {
   const double period_s = timing.clock.period_s();
   if (!timing.is_learned) return learning_slot(period_s);
-  if (next_s_ - flash_s_ >= options_.flash_period_s) {
+  if (next_s_ - flash_s_ >= options_.flash_period_s &&
+      (!options_.has_flash || may_flash(period_s))) {
     flash_s_ = next_s_;
     if (options_.has_flash) return {device::Light::kFlash, options_.flash_frames * period_s};
     return {device::Light::kDark, frames_per_pattern_ * period_s};
@@ -70,11 +72,16 @@ LightPlan::Slot LightPlan::learning_slot(double period_s) {
   const int slot = learning_slots_++;
   if (slot == 0) return {device::Light::kDark, kDarkAtFirst * period_s};
   if (slot % kRound == kDarkInRound) return {device::Light::kDark, kLearningDark * period_s};
-  if (slot % kRound == kFlashInRound && options_.has_flash) {
+  if (slot % kRound == kFlashInRound && options_.has_flash && may_flash(period_s)) {
     flash_s_ = next_s_;
     return {device::Light::kFlash, options_.flash_frames * period_s};
   }
   return {next_pattern(), (kLearningShortest + kLearningSpread * random_.uniform()) * period_s};
+}
+
+/// Whether the time since the latest flash is long enough for its share.
+bool LightPlan::may_flash(double period_s) const {
+  return next_s_ - flash_s_ >= options_.flash_frames * period_s / options_.flash_duty;
 }
 
 device::Light LightPlan::next_pattern() {

@@ -30,6 +30,8 @@ struct LightPlanOptions {
   /// 1..10. Duration of a flash in frames of the measurement camera; a whole exposure of the
   /// texture camera must fit in.
   int flash_frames = 2;
+  /// 0..1. Largest share of time that flashes take, also while the latency is learned.
+  double flash_duty = 0.25;
   /// 0..0.5 periods. Least distance between a switch and an exposure; if the gaps are shorter, two
   /// frames per pattern are used.
   double margin = 0.15;
@@ -67,6 +69,7 @@ class LightPlan {
   };
   [[nodiscard]] Slot next_slot(const CameraTiming& timing);
   [[nodiscard]] Slot learning_slot(double period_s);
+  [[nodiscard]] bool may_flash(double period_s) const;
   [[nodiscard]] device::Light next_pattern();
   void choose_frames_per_pattern(const CameraTiming& timing);
   [[nodiscard]] double into_gap(double time_s, const CameraTiming& timing) const;

@@ -41,7 +41,8 @@ std::vector<device::DeviceNode> cameras(VideoSystem& system, const device::Camer
 std::string names_of(const std::vector<device::DeviceNode>& nodes) {
   std::string names;
   for (const device::DeviceNode& node : nodes)
-    names += fmt::format("{}{} at {}", names.empty() ? "" : ", ", to_string(node), node.bus_path);
+    names += fmt::format("{}{} at {}", names.empty() ? "" : ", ", to_string(node),
+                         device::place_of(node));
   return names.empty() ? "none" : names;
 }
 
@@ -66,7 +67,7 @@ bool any_known(const std::vector<device::CameraMode>& modes) {
 }
 
 device::CameraDescription describe(VideoSystem& system, const device::DeviceNode& node) {
-  device::CameraDescription description{node.name, node.serial, node.node, node.bus_path,
+  device::CameraDescription description{node.name, node.serial, node.node, device::place_of(node),
                                         {},        {},          {}};
   const auto device = system.open(node.node);
   if (!device) {
@@ -79,9 +80,10 @@ device::CameraDescription describe(VideoSystem& system, const device::DeviceNode
     description.problems.push_back(video_failure(node, "asking for buffers", EBUSY));
   if (!any_known(description.modes))
     description.problems.push_back(
-        {ErrorCode::kBadOption, fmt::format("camera {} offers none of the supported formats GREY, "
-                                            "Y10, Y12, Y16, YUYV and MJPG: use another camera",
-                                            to_string(node))});
+        {ErrorCode::kBadOption,
+         fmt::format("camera {} offers none of the supported formats GREY, "
+                     "Y10, Y12, Y16, YUYV, UYVY and MJPG: use another camera",
+                     to_string(node))});
   return description;
 }
 
@@ -94,8 +96,8 @@ Result<device::DeviceNode> find_camera(VideoSystem& system, const device::Camera
     return fail(ErrorCode::kNotFound, "{} was not found: plug it in. Available cameras: {}",
                 text_of(match), names_of(cameras(system, {})));
   return fail(ErrorCode::kInconsistent,
-              "{} is there several times: select one by its serial number or bus path. Matching "
-              "cameras: {}",
+              "{} is there several times: select one by its serial number or, for twins without "
+              "one, by its bus path. Matching cameras: {}",
               text_of(match), names_of(found));
 }
 

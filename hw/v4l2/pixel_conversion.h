@@ -14,6 +14,7 @@ struct BufferLayout {
   device::PixelFormat format = device::PixelFormat::kGrey8;
   ImageSize size;
   std::size_t bytes_per_line = 0;  ///< at least the bytes of a row; unused for kMjpeg
+  int bits = 16;                   ///< 8..16, used bits of a pixel of kGrey16
 };
 
 /// Bytes of a complete image, without the padding of the last row; 0 for kMjpeg.
@@ -30,8 +31,12 @@ struct ConvertedImage {
   Conversion outcome = Conversion::kDone;
 };
 
-/// Shifts Y10 and Y12 to the full scale of 16 bits. Converts YUYV to RGB (BT.601, limited range, as
-/// UVC devices send it), or takes its luminance unchanged.
+/// How many bits the pixels of a Y16 image seem to use: 10, 12, 14 or 16. An image that is dark, or
+/// has no bytes, seems to use fewer.
+[[nodiscard]] int bits_used(std::span<const std::uint8_t> bytes, const BufferLayout& layout);
+
+/// Shifts Y10, Y12 and Y16 to the full scale of 16 bits. Converts YUYV and UYVY to RGB (BT.601,
+/// limited range, as UVC devices send it), or takes their luminance unchanged.
 [[nodiscard]] ConvertedImage convert(std::span<const std::uint8_t> bytes,
                                      const BufferLayout& layout, device::Channels channels);
 

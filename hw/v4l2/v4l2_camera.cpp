@@ -57,6 +57,7 @@ Result<void> V4l2Camera::open() {
   auto stream = VideoStream::open(*environment_.system, *node, requested_, options_.buffers);
   if (!stream) return tl::unexpected(stream.error());
   stream_ = std::move(*stream);
+  stream_->expect_bits(learned_bits_);
   frame_stamper_.begin_stream(1.0 / stream_->read_back().rate_hz);
   last_arrival_s_ = environment_.clock.now_s();
   const std::lock_guard lock(mutex_);
@@ -104,6 +105,7 @@ Result<std::optional<device::CameraFrame>> V4l2Camera::next(double timeout_s) {
     watch_for_frames(environment_.clock.now_s());
     return std::nullopt;
   }
+  learned_bits_ = stream_->read_back().bits.value_or(0);
   return enter(**taken);
 }
 

@@ -68,7 +68,8 @@ class V4l2Camera final : public device::Camera {
   FrameStamper frame_stamper_;
   double last_arrival_s_ = 0.0;  // of a frame, or since the stream began
   double next_search_s_ = 0.0;
-  bool away_ = false;  // the device is unplugged, not only its stream broken
+  int learned_bits_ = 0;  // of Y16; 0: nothing yet
+  bool away_ = false;     // the device is unplugged, not only its stream broken
 
   mutable std::mutex mutex_;  // guards all members below
   device::CameraStatus status_;

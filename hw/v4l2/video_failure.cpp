@@ -28,7 +28,9 @@ Cause cause_of(int error_number) {
     case ENOSPC:
       return {ErrorCode::kBadOption,
               "the USB bus is too slow for these settings: use a smaller size, a lower rate or a "
-              "compressed format, or connect the cameras to different USB controllers"};
+              "compressed format, or connect the cameras to different USB controllers; if the "
+              "camera asks for more than it needs, reload its driver with \"sudo modprobe -r "
+              "uvcvideo; sudo modprobe uvcvideo quirks=0x80\""};
     case EINVAL:
     case ERANGE:
       return {ErrorCode::kBadOption,

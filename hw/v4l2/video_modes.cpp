@@ -29,6 +29,8 @@ std::uint32_t fourcc_of(device::PixelFormat format) {
       return V4L2_PIX_FMT_Y16;
     case device::PixelFormat::kYuyv:
       return V4L2_PIX_FMT_YUYV;
+    case device::PixelFormat::kUyvy:
+      return V4L2_PIX_FMT_UYVY;
     case device::PixelFormat::kMjpeg:
       break;
   }
@@ -167,9 +169,10 @@ Result<AgreedMode> set_mode(const OpenVideo& video, const device::CameraSettings
   const auto rate = set_rate(video, settings.rate_hz);
   if (!rate) return tl::unexpected(rate.error());
   // Some drivers report no line length if lines have no padding.
-  const BufferLayout one_line{settings.format, {settings.size.width_px, 1}, 0};
+  const BufferLayout one_line{settings.format, {settings.size.width_px, 1}, 0, 16};
   const auto bytes_per_line = std::max<std::size_t>(pixels->bytesperline, bytes_needed(one_line));
-  return AgreedMode{{settings.format, settings.size, bytes_per_line}, *rate};
+  return AgreedMode{{settings.format, settings.size, bytes_per_line, settings.bits.value_or(16)},
+                    *rate};
 }
 
 }  // namespace flytri::v4l2

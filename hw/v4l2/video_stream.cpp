@@ -51,6 +51,8 @@ Result<std::unique_ptr<VideoStream>> VideoStream::open(VideoSystem& system,
   std::unique_ptr<VideoStream> stream(new VideoStream(std::move(*device), node));
   if (const auto done = stream->set_up(settings); !done) return tl::unexpected(done.error());
   if (const auto done = stream->begin(buffers); !done) return tl::unexpected(done.error());
+  if (const auto done = stream->set_controls_again(settings); !done)
+    return tl::unexpected(done.error());
   return stream;
 }
 
@@ -61,6 +63,8 @@ Result<void> VideoStream::set_up(const device::CameraSettings& settings) {
   const auto controls = set_controls(video, settings);
   if (!controls) return tl::unexpected(controls.error());
   layout_ = mode->layout;
+  learns_bits_ = settings.format == device::PixelFormat::kGrey16 && !settings.bits;
+  if (learns_bits_) layout_.bits = 0;
   read_back_ = *controls;
   read_back_.rate_hz = mode->rate_hz;
   return {};
@@ -93,6 +97,21 @@ Result<void> VideoStream::begin(int buffers) {
   return {};
 }
 
+// Some cameras reset their controls when the stream starts, and the driver does not know.
+Result<void> VideoStream::set_controls_again(const device::CameraSettings& settings) {
+  auto controls = set_controls({*device_, node_}, settings, WriteMode::kAlways);
+  if (!controls) return tl::unexpected(controls.error());
+  controls->rate_hz = read_back_.rate_hz;
+  read_back_ = *std::move(controls);
+  return {};
+}
+
+void VideoStream::expect_bits(int bits) {
+  if (!learns_bits_) return;
+  layout_.bits = std::max(layout_.bits, bits);
+  read_back_.bits = layout_.bits;
+}
+
 StreamEnd VideoStream::ended(std::string_view doing, int error_number) const {
   return {error_number == ENODEV, video_failure(node_, doing, error_number)};
 }
@@ -104,10 +123,11 @@ tl::expected<std::optional<StreamedImage>, StreamEnd> VideoStream::take(double t
   if (error == EAGAIN) return std::nullopt;
   if (error != 0) return tl::unexpected(ended("taking a frame", error));
   if (buffer.index >= buffers_.size()) return tl::unexpected(ended("taking a frame", EIO));
-  const auto bytes = buffers_[buffer.index];
+  const auto all = buffers_[buffer.index];
+  const auto bytes = all.first(std::min<std::size_t>(all.size(), buffer.bytesused));
+  if (learns_bits_) expect_bits(bits_used(bytes, layout_));
   StreamedImage image;
-  image.converted = convert(bytes.first(std::min<std::size_t>(bytes.size(), buffer.bytesused)),
-                            layout_, read_back_.channels);
+  image.converted = convert(bytes, layout_, read_back_.channels);
   image.flagged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0;
   image.sequence = buffer.sequence;
   read_stamp(buffer, image);

@@ -29,7 +29,7 @@ struct StreamEnd {
 
 class VideoStream {
  public:
-  /// Sets mode and controls, maps the buffers and starts the stream.
+  /// Sets mode and controls, maps the buffers, starts the stream and sets the controls again.
   /// @errors  As Camera::start.
   [[nodiscard]] static Result<std::unique_ptr<VideoStream>> open(
       VideoSystem& system, const device::DeviceNode& node, const device::CameraSettings& settings,
@@ -43,17 +43,22 @@ class VideoStream {
   [[nodiscard]] tl::expected<std::optional<StreamedImage>, StreamEnd> take(double timeout_s);
 
   [[nodiscard]] const device::CameraSettings& read_back() const { return read_back_; }
+  /// Call it with what an earlier stream of the camera learned: a restart must not change the
+  /// brightness. Does nothing if the settings name the bits.
+  void expect_bits(int bits);
 
  private:
   VideoStream(std::unique_ptr<VideoDevice> device, device::DeviceNode node);
   [[nodiscard]] Result<void> set_up(const device::CameraSettings& settings);
   [[nodiscard]] Result<void> begin(int buffers);
+  [[nodiscard]] Result<void> set_controls_again(const device::CameraSettings& settings);
   [[nodiscard]] StreamEnd ended(std::string_view doing, int error_number) const;
 
   std::unique_ptr<VideoDevice> device_;
   const device::DeviceNode node_;
   device::CameraSettings read_back_;
   BufferLayout layout_;
+  bool learns_bits_ = false;
   std::vector<std::span<const std::uint8_t>> buffers_;
   bool streaming_ = false;
 };

@@ -83,6 +83,7 @@ class FakeVideoDevice final : public v4l2::VideoDevice {
         return dequeue(*static_cast<v4l2_buffer*>(argument));
       case VIDIOC_STREAMON:
         camera_->streaming += std::exchange(streaming_, true) ? 0 : 1;
+        for (const auto& [id, value] : camera_->reset_at_start) camera_->controls[id].value = value;
         return 0;
       case VIDIOC_STREAMOFF:
         stop();
@@ -124,6 +125,8 @@ class FakeVideoDevice final : public v4l2::VideoDevice {
     info.minimum = found->second.minimum;
     info.maximum = found->second.maximum;
     info.step = 1;
+    info.default_value = found->second.neutral;
+    found->second.name.copy(reinterpret_cast<char*>(info.name), sizeof info.name - 1);
     return 0;
   }
 

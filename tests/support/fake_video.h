@@ -17,6 +17,8 @@ struct FakeControl {
   std::int32_t minimum = 0;
   std::int32_t maximum = 1;
   std::int32_t value = 0;
+  std::int32_t neutral = 0;  ///< the default in the driver's description
+  std::string name = {};
 };
 
 struct FakeBuffer {
@@ -38,6 +40,7 @@ struct FakeCamera {
   std::deque<FakeBuffer> frames;        ///< frames to deliver; none if empty
   std::map<unsigned long, int> errors;  ///< errno by request, for calls that shall fail
   int open_error = 0;
+  std::map<std::uint32_t, std::int32_t> reset_at_start;  ///< values that it takes with STREAMON
   bool captures = true;
   bool present = true;
   int opened = 0;     ///< how often it was opened

@@ -14,6 +14,7 @@ constexpr float kCardHead = 24.0F;
 constexpr float kDot = 10.0F;
 constexpr float kCheckHeading = 36.0F;
 constexpr float kMoreRow = 24.0F;
+constexpr float kFocusRow = 36.0F, kFocusButton = 96.0F;
 constexpr std::size_t kMostFigures = 7;
 
 Color color_of(DeviceHealth health) {
@@ -77,6 +78,22 @@ Text verdict_on(const DevicesState& devices) {
   return devices.is_checked ? Text::kNoProblemsFound : Text::kNotCheckedYet;
 }
 
+void draw_focus_setting(const PanelContext& context, Rect row) {
+  const bool is_on = context.view.settings.is_dark_without_focus;
+  ButtonLook look;
+  look.id = "dark_without_focus";
+  look.label = context.text(is_on ? Text::kButtonOn : Text::kButtonOff);
+  look.is_on = is_on;
+  const Rect button = row.take_right(context.px(kFocusButton), context.px(kGapS));
+  context.places.set(look.id, button);
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft},
+            context.text(Text::kDarkWithoutFocus));
+  if (!small_button(context.theme, button, look)) return;
+  Settings settings = context.view.settings;
+  settings.is_dark_without_focus = !is_on;
+  context.commands.emplace_back(ChangeSettings{settings});
+}
+
 void draw_verdict(const PanelContext& context, Rect row, const DevicesState& devices) {
   const bool is_good = devices.is_checked && !devices.is_checking;
   if (is_good) {
@@ -102,6 +119,7 @@ void draw_device_cards(const PanelContext& context, Rect box) {
 void draw_device_check(const PanelContext& context, Rect box) {
   const DevicesState& devices = *context.view.devices;
   const Theme& theme = context.theme;
+  draw_focus_setting(context, box.take_bottom(context.px(kFocusRow), context.px(kGapS)));
   Rect head = box.take_top(context.px(kCheckHeading), context.px(kGapS));
   const ActionLook look = {icon::kResume, context.text(Text::kCheckAgain)};
   small_action(context, head.take_right(small_action_width(context, Action::kCheckDevices, look)),

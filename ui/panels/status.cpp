@@ -79,6 +79,10 @@ Status status_of(const AppView& view) {
     return status_with(view, kGood, icon::kSaved, Text::kStatusFinished,
                        texts[Text::kStatusFinishedHint]);
   }
+  if (view.source.waits_for_focus) {
+    return status_with(view, kCaution, icon::kPause, Text::kStatusDark,
+                       texts[Text::kStatusDarkHint]);
+  }
   if (view.scan == nullptr && view.is_scanning) {
     return status_with(view, kNeutral, icon::kInformation, Text::kStatusStarting,
                        texts[Text::kStatusStartingHint]);

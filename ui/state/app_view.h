@@ -68,10 +68,11 @@ struct SimulatedHand {
 /// Where the frames come from.
 struct SourceState {
   SourceKind kind = SourceKind::kSimulated;
-  std::string name;         ///< of the rig, the recording or the simulated sensor
-  bool is_running = false;  ///< frames are coming
-  bool is_lost = false;     ///< a device is missing; `message` says which and what to do
-  bool has_ended = false;   ///< a recording has been played to its end
+  std::string name;              ///< of the rig, the recording or the simulated sensor
+  bool is_running = false;       ///< frames are coming
+  bool is_lost = false;          ///< a device is missing; `message` says which and what to do
+  bool has_ended = false;        ///< a recording has been played to its end
+  bool waits_for_focus = false;  ///< the lights are off until the window has the focus
   std::string message;
   std::optional<SimulatedHand> hand;   ///< of a simulated source
   std::optional<double> played_share;  ///< of a recording: 0..1
@@ -157,6 +158,8 @@ struct Settings {
   std::string language;     ///< ISO 639-1; empty: the desktop's
   double user_scale = 1.0;  ///< 0.75..2, times the scale of the screen
   bool is_muted = false;
+  bool is_dark_without_focus =
+      false;  ///< the lights of a rig are off while the window has no focus
   bool is_full_screen = false;
   int window_width = 1280;       ///< >= 640; with window_height at scale 1, when not in full screen
   int window_height = 800;       ///< >= 400

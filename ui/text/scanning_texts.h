@@ -68,6 +68,11 @@ FLYTRI_TEXT(kStatusPaused, "Paused", "Pause", "En pause", "En pausa")
 FLYTRI_TEXT(kStatusPausedHint, "Resume scanning, or finish the model",
             "Scan fortsetzen oder Modell abschließen", "Reprendre le scan ou terminer le modèle",
             "Reanudar el escaneo o finalizar el modelo")
+FLYTRI_TEXT(kStatusDark, "Lights off", "Licht aus", "Éclairage coupé", "Luces apagadas")
+FLYTRI_TEXT(kStatusDarkHint, "Click this window to turn them on",
+            "Dieses Fenster anklicken, um es einzuschalten",
+            "Cliquer dans cette fenêtre pour le rallumer",
+            "Hacer clic en esta ventana para encenderlas")
 FLYTRI_TEXT(kStatusScanning, "Scanning", "Scan läuft", "Scan en cours", "Escaneando")
 FLYTRI_TEXT(kStatusLost, "Tracking lost", "Position verloren", "Position perdue",
             "Posición perdida")

@@ -179,6 +179,8 @@ void Window::set_full_screen(bool is_full) {
   glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+bool Window::has_focus() const { return glfwGetWindowAttrib(window_, GLFW_FOCUSED) != 0; }
+
 bool Window::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 
 void Window::keep_open() { glfwSetWindowShouldClose(window_, GLFW_FALSE); }

@@ -41,6 +41,7 @@ class Window {
   /// Fills the screen that holds most of the window, or returns to where it was.
   void set_full_screen(bool is_full);
   [[nodiscard]] bool is_full_screen() const;
+  [[nodiscard]] bool has_focus() const;
   [[nodiscard]] bool should_close() const;
   /// The user did not mean to close it.
   void keep_open();

@@ -106,6 +106,17 @@ std::vector<JsonPlace> JsonPlace::elements() const {
   return places;
 }
 
+std::vector<std::string> JsonPlace::keys() const {
+  std::vector<std::string> keys;
+  if (value_ == nullptr) return keys;
+  if (!value_->is_object()) {
+    reject("an object");
+    return keys;
+  }
+  for (const auto& [key, value] : value_->items()) keys.push_back(key);
+  return keys;
+}
+
 bool JsonPlace::is_empty_array() const {
   return value_ != nullptr && value_->is_array() && value_->empty();
 }

@@ -29,6 +29,8 @@ class JsonPlace {
   /// The elements of an array.
   [[nodiscard]] std::vector<JsonPlace> elements() const;
   [[nodiscard]] bool is_empty_array() const;
+  /// The keys of an object, in their order.
+  [[nodiscard]] std::vector<std::string> keys() const;
 
   [[nodiscard]] double number() const;           ///< finite
   [[nodiscard]] double positive_number() const;  ///< finite, > 0

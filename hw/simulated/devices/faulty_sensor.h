@@ -37,6 +37,7 @@ class FaultySensor final : public device::Sensor {
   [[nodiscard]] Result<void> start() override;
   void stop() override;
   [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
+  void rest(bool rests) override { sensor_->rest(rests); }
   bool work_in_background(double timeout_s) override {
     return sensor_->work_in_background(timeout_s);
   }

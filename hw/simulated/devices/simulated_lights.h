@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/device/clock.h"
+#include "hw/device/light_budget.h"
 #include "hw/device/light_switch.h"
 #include "hw/device/request_queue.h"
 #include "hw/sync/light_history.h"
@@ -26,6 +27,7 @@ struct SimulatedLightsOptions {
   double call_s = 0.002;  ///< >= 0, duration of a call to the device
   double act_s = 0.001;   ///< >= 0, delay from the start of the call to the light
   LightFaults faults;
+  device::LightLimits limits;
   [[nodiscard]] Result<void> validate() const;
 };
 
@@ -52,6 +54,7 @@ class SimulatedLights final : public device::LightSwitch {
  private:
   void advance();
   void carry_out(const device::NumberedRequest& request, double begin_s);
+  void turn_dark_until(double end_s);
   void shine(device::Light light, double from_s);
 
   const SimulatedLightsOptions options_;
@@ -62,6 +65,8 @@ class SimulatedLights final : public device::LightSwitch {
   device::LightSwitchStatus status_;
   double free_s_ = 0.0;  // time until which the device is busy
   device::RequestQueue requests_;
+  device::LightBudget budget_;
+  std::int64_t latest_ = 0;  // number of the latest request that was carried out
   std::vector<device::LightSwitching> done_;
   sync::LightHistory truth_;
 };

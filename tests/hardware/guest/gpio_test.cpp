@@ -33,8 +33,10 @@ constexpr unsigned kFlashPins = 4;
 const char* const kFtdi = "ftdi-cbus";
 const char* const kMcp = "mcp2221_gpio";
 
+// With limits that these tests never reach; light_limits_test.cpp tests the limits.
 gpio::LightWiring wiring(const char* label) {
-  return {{label, "", ""}, {"", 0}, {"", 1}, gpio::LineMatch{"", 2}};
+  constexpr device::LightLimit kLong = {60.0, 0.95};
+  return {{label, "", ""}, {"", 0}, {"", 1}, gpio::LineMatch{"", 2}, {kLong, kLong, kLong}};
 }
 
 std::unique_ptr<gpio::GpioLightSwitch> make_switch(const gpio::LightWiring& wiring) {

@@ -34,6 +34,14 @@ unsigned lit_pins() {
   return pins;
 }
 
+std::vector<PinEdge> pin_edges(double from_s) {
+  std::ifstream log("/tmp/lights");
+  std::vector<PinEdge> edges;
+  for (PinEdge edge; log >> edge.time_s >> edge.pins;)
+    if (edge.time_s >= from_s) edges.push_back(edge);
+  return edges;
+}
+
 void wait_until(const std::function<bool()>& reached, double limit_s) {
   const device::Clock clock = device::machine_clock();
   const double end_s = clock.now_s() + limit_s;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace flytri::testing {
 
@@ -11,6 +12,14 @@ void send_command(const std::string& line);
 
 /// The pins that are on, as bits: 0 vertical, 1 horizontal, 2 flash.
 [[nodiscard]] unsigned lit_pins();
+
+/// A change of the pins.
+struct PinEdge {
+  double time_s = 0.0;  ///< on the monotonic clock
+  unsigned pins = 0;    ///< as lit_pins()
+};
+/// All changes since `from_s`, in order.
+[[nodiscard]] std::vector<PinEdge> pin_edges(double from_s);
 
 /// Waits until the condition is fulfilled. Fails the test after `limit_s`.
 void wait_until(const std::function<bool()>& reached, double limit_s = 20.0);

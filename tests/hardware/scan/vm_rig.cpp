@@ -23,6 +23,9 @@ rig::RigSettings vm_rig(const simulated::SensorModel& sensor,
   rig.lights.horizontal.offset = 1;
   rig.lights.flash.emplace().offset = 2;
   rig.flash_period_s = kFlashPeriod_s;
+  // At this rate, a shot of 16 exposures takes four seconds.
+  constexpr device::LightLimit kLong = {10.0, 0.9};
+  rig.lights.limits = {kLong, kLong, kLong};
   rig.calibration = calibration;
   return rig;
 }

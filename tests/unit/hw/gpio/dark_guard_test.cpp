@@ -10,6 +10,8 @@
 #include <array>
 #include <csignal>
 #include <fstream>
+#include <sstream>
+#include <string>
 
 #include "tests/support/temporary_folder.h"
 
@@ -26,7 +28,9 @@ class DarkGuardTest : public ::testing::Test {
   }
   ~DarkGuardTest() override { close(opened_); }
 
-  [[nodiscard]] DarkRequest order() const { return {chip_.string(), "label", {0, 1}, {0, 1}}; }
+  [[nodiscard]] DarkRequest order() const {
+    return {-1, chip_.string(), "label", {0, 1}, {0, 1}, {{0.2, 0.5}, {0.2, 0.5}, {0.2, 0.5}}};
+  }
   // Whether the chip is opened within the time.
   [[nodiscard]] bool is_opened(int timeout_ms) const {
     pollfd waiting{opened_, POLLIN, 0};
@@ -61,6 +65,42 @@ TEST_F(DarkGuardTest, ADismissedGuardDoesNotOpenTheChip) {
   { const auto guard = DarkGuard::start(order()).value(); }
   // The guard process has ended; the destructor waited for it.
   EXPECT_FALSE(is_opened(0));
+}
+
+TEST_F(DarkGuardTest, OpensTheChipWhenALightIsOnForTooLong) {
+  const auto guard = DarkGuard::start(order()).value();
+  ASSERT_EQ(guard->begin(device::Light::kVertical), 0);
+  ASSERT_EQ(guard->finish(device::Light::kVertical), 0);
+  EXPECT_FALSE(is_opened(100));
+  // The program hangs: it announces nothing more.
+  EXPECT_TRUE(is_opened(60'000));
+}
+
+TEST_F(DarkGuardTest, DoesNothingWhileTheProgramKeepsTheLimits) {
+  const auto guard = DarkGuard::start(order()).value();
+  const timespec on{0, 5'000'000};
+  const timespec off{0, 10'000'000};
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_EQ(guard->begin(device::Light::kVertical), 0);
+    ASSERT_EQ(guard->finish(device::Light::kVertical), 0);
+    nanosleep(&on, nullptr);
+    ASSERT_EQ(guard->finish(device::Light::kDark), 0);
+    nanosleep(&off, nullptr);
+  }
+  EXPECT_FALSE(is_opened(0));
+}
+
+TEST_F(DarkGuardTest, ReportsThatItWasKilled) {
+  const auto guard = DarkGuard::start(order()).value();
+  const std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+  std::stringstream list;
+  list << children.rdbuf();
+  pid_t child = 0;
+  ASSERT_TRUE(list >> child);
+  kill(child, SIGKILL);
+  siginfo_t ended{};
+  waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT);
+  EXPECT_NE(guard->begin(device::Light::kVertical), 0);
 }
 
 TEST_F(DarkGuardTest, KeepsNoFileOfTheProgramOpen) {

@@ -4,11 +4,13 @@
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 
 #include "hw/device/clock.h"
+#include "tests/support/fake_logind.h"
 
 namespace flytri::gpio {
 namespace {
@@ -82,8 +84,11 @@ class GpioLightSwitchTest : public ::testing::Test {
       chip->open();
       return std::make_unique<FakeLines>(chip);
     };
-    switch_ =
-        std::move(*GpioLightSwitch::create(open, {.search_period_s = 0.002, .slow_call_s = 0.01}));
+    GpioLightSwitchOptions options;
+    options.search_period_s = 0.002;
+    options.slow_call_s = 0.01;
+    options.limits.flash = {0.1, 0.5};
+    switch_ = std::move(*GpioLightSwitch::create(open, options));
   }
 
   // The switch has its own thread. The limit of a minute allows for busy machines.
@@ -206,6 +211,76 @@ TEST_F(GpioLightSwitchTest, ReportsARefusedRequestAndReopensTheChip) {
   EXPECT_FALSE(switch_->take_done()[0].accepted);
 }
 
+// The caller hangs: it requests a light and nothing more.
+TEST_F(GpioLightSwitchTest, ALightThatStaysOnForTooLongTurnsDarkAndRests) {
+  ASSERT_TRUE(switch_->start());
+  post_and_wait(device::Light::kFlash);
+  const double on_s = switch_->take_done()[0].before_s;
+  wait_until([](const device::LightSwitchStatus& status) { return status.limited == 1; });
+  wait_until([](const device::LightSwitchStatus& status) { return status.switched == 2; });
+  EXPECT_THAT(chip_->lights(), ElementsAre(device::Light::kFlash, device::Light::kDark));
+  const auto done = switch_->take_done();
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_EQ(done[0].light, device::Light::kDark);
+  EXPECT_EQ(done[0].request, 1);
+  EXPECT_GE(done[0].before_s - on_s, 0.09);
+  EXPECT_THAT(switch_->status().message, HasSubstr("max_on_s"));
+}
+
+TEST_F(GpioLightSwitchTest, ARestingLightStaysDarkWhateverIsRequested) {
+  ASSERT_TRUE(switch_->start());
+  post_and_wait(device::Light::kFlash);
+  wait_until([](const device::LightSwitchStatus& status) { return status.switched == 2; });
+  post_and_wait(device::Light::kFlash);
+  EXPECT_EQ(chip_->lights().back(), device::Light::kDark);
+  EXPECT_EQ(switch_->status().limited, 2);
+  post_and_wait(device::Light::kVertical);
+  EXPECT_EQ(chip_->lights().back(), device::Light::kVertical);
+  // A restart gives no new credit.
+  switch_->stop();
+  ASSERT_TRUE(switch_->start());
+  post_and_wait(device::Light::kFlash);
+  EXPECT_EQ(chip_->lights().back(), device::Light::kDark);
+}
+
+TEST_F(GpioLightSwitchTest, AnAbsurdSequenceKeepsTheDuty) {
+  ASSERT_TRUE(switch_->start());
+  const device::Clock clock = device::machine_clock();
+  const double begin_s = clock.now_s();
+  std::vector<device::LightSwitching> done;
+  while (clock.now_s() < begin_s + 1.5) {
+    // Nearly always on.
+    switch_->post({device::Light::kFlash, 0.0});
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    switch_->post({device::Light::kDark, 0.0});
+    for (const device::LightSwitching& each : switch_->take_done()) done.push_back(each);
+  }
+  double lit_s = 0.0;
+  for (std::size_t i = 0; i + 1 < done.size(); ++i)
+    if (done[i].light == device::Light::kFlash) lit_s += done[i + 1].after_s - done[i].before_s;
+  const double window_s = done.back().after_s - done.front().before_s;
+  // The documented bound; the thread may wake up late by 20 ms.
+  EXPECT_LE(lit_s, 0.5 * window_s + 0.5 * 0.1 + 0.02);
+  EXPECT_GT(lit_s, 0.2 * window_s);
+}
+
+TEST_F(GpioLightSwitchTest, IsDarkBeforeASuspendAndLightsNothingUntilTheComputerIsAwake) {
+  testing::FakeLogind logind;
+  if (!logind.is_running()) GTEST_SKIP() << "dbus-daemon is not installed";
+  ASSERT_TRUE(switch_->start());
+  wait_until([&](const device::LightSwitchStatus&) { return logind.is_delayed(); });
+  post_and_wait(device::Light::kVertical);
+  logind.announce(true);
+  wait_until([&](const device::LightSwitchStatus&) { return !logind.is_delayed(); });
+  EXPECT_THAT(chip_->lights(), ElementsAre(device::Light::kVertical, device::Light::kDark));
+  post_and_wait(device::Light::kHorizontal);
+  EXPECT_EQ(chip_->lights().back(), device::Light::kDark);
+  logind.announce(false);
+  wait_until([&](const device::LightSwitchStatus&) { return logind.is_delayed(); });
+  post_and_wait(device::Light::kHorizontal);
+  EXPECT_EQ(chip_->lights().back(), device::Light::kHorizontal);
+}
+
 TEST_F(GpioLightSwitchTest, ReportsAFailedStart) {
   chip_->plugged = false;
   const auto started = switch_->start();
@@ -216,7 +291,7 @@ TEST_F(GpioLightSwitchTest, ReportsAFailedStart) {
 }
 
 TEST(LightWiring, ReportsInvalidSettings) {
-  LightWiring wiring{{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, std::nullopt};
+  LightWiring wiring{{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, std::nullopt, {}};
   EXPECT_TRUE(wiring.validate());
   wiring.flash = LineMatch{"", 1};
   EXPECT_THAT(wiring.validate().error().message, HasSubstr("same"));

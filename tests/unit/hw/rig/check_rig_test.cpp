@@ -31,7 +31,7 @@ class CheckRigTest : public ::testing::Test {
     rig_.texture->match.name = "Color";
     rig_.texture->settings.format = device::PixelFormat::kYuyv;
     rig_.texture->settings.size = {4, 2};
-    rig_.lights = {{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, gpio::LineMatch{"", 2}};
+    rig_.lights = {{"ftdi-cbus", "", ""}, {"", 0}, {"", 1}, gpio::LineMatch{"", 2}, {}};
   }
 
   std::vector<std::string> problems() {

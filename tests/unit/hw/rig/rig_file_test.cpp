@@ -16,13 +16,14 @@ constexpr const char* kRig = R"({
   "format": "flytri.rig", "version": 1, "name": "chair 2", "someday": true,
   "measurement_camera": {
     "match": {"name": "mono", "serial": "17"}, "format": "Y12", "size_px": [1024, 768],
-    "rate_hz": 30, "exposure_s": 0.01, "gain": 4, "readout_s": 0.02, "later": []},
+    "rate_hz": 30, "exposure_s": 0.01, "gain": 4, "readout_s": 0.02, "later": [],
+    "controls": {"gamma": 120, "LED": 0}},
   "texture_camera": {
     "match": {"bus_path": "1-4.2"}, "format": "MJPG", "size_px": [1280, 960], "rate_hz": 25,
     "white_balance_k": 5000, "focus": 30},
   "lights": {
     "chip": {"label": "ftdi-cbus"}, "vertical": {"line": 0, "active": "low"},
-    "horizontal": {"line_name": "H"}, "flash": {"line": 2}},
+    "horizontal": {"line_name": "H"}, "flash": {"line": 2, "max_on_s": 0.5, "max_duty": 0.1}},
   "flash_period_s": 1.5, "calibration": "calibration.json"
 })";
 
@@ -41,6 +42,8 @@ TEST(RigFile, ReadsEveryKeyAndIgnoresUnknownOnes) {
   EXPECT_EQ(rig.measurement.settings.exposure_s, 0.01);
   EXPECT_EQ(rig.measurement.settings.gain, 4.0);
   EXPECT_EQ(rig.measurement.readout_s, 0.02);
+  EXPECT_EQ(rig.measurement.settings.controls.at("gamma"), 120.0);
+  EXPECT_EQ(rig.measurement.settings.controls.at("LED"), 0.0);
   ASSERT_TRUE(rig.texture);
   EXPECT_EQ(rig.texture->settings.channels, device::Channels::kRgb);
   EXPECT_EQ(rig.texture->settings.size, (ImageSize{1280, 960}));
@@ -49,6 +52,9 @@ TEST(RigFile, ReadsEveryKeyAndIgnoresUnknownOnes) {
   EXPECT_TRUE(rig.lights.vertical.active_low);
   EXPECT_EQ(rig.lights.horizontal.name, "H");
   EXPECT_EQ(rig.lights.flash->offset, 2);
+  EXPECT_EQ(rig.lights.limits.flash.max_on_s, 0.5);
+  EXPECT_EQ(rig.lights.limits.flash.max_duty, 0.1);
+  EXPECT_EQ(rig.lights.limits.vertical.max_on_s, device::LightLimits().vertical.max_on_s);
   EXPECT_EQ(rig.flash_period_s, 1.5);
   EXPECT_EQ(rig.calibration, "calibration.json");
 }
@@ -70,7 +76,11 @@ TEST(RigFile, ReportsFileAndKeyAndExpectedValueOfABadKey) {
   EXPECT_THAT(message("\"low\"", "\"down\""), AllOf(HasSubstr("active"), HasSubstr("high")));
   EXPECT_THAT(message("\"vertical\"", "\"vertikal\""), HasSubstr("lights.vertical"));
   EXPECT_THAT(message("\"name\": \"mono\", \"serial\": \"17\"", ""), HasSubstr("match"));
-  EXPECT_THAT(message(", \"flash\": {\"line\": 2}", ""), HasSubstr("flash"));
+  EXPECT_THAT(message(", \"flash\": {\"line\": 2, \"max_on_s\": 0.5, \"max_duty\": 0.1}", ""),
+              HasSubstr("flash"));
+  EXPECT_THAT(message("\"gain\": 4", "\"bits\": 10"), HasSubstr("only Y16"));
+  EXPECT_THAT(message("{\"gamma\": 120, \"LED\": 0}", "[1]"), HasSubstr("controls"));
+  EXPECT_THAT(message("\"max_duty\": 0.1", "\"max_duty\": 0.98"), HasSubstr("max_duty"));
 }
 
 TEST(RigFile, CalibrationPathIsRelativeToTheFile) {

@@ -114,6 +114,54 @@ TEST(RigSensor, IsDarkAfterStopAndCanBeRestarted) {
   EXPECT_GT(frames.size(), 60U);
 }
 
+TEST(RigSensor, RestsDarkAndGoesOnAtOnceWithTheLatencyItKnows) {
+  const SimulatedRig rig = make_simulated_rig(usual());
+  ASSERT_TRUE(rig.sensor->start());
+  auto frames = run(rig, 4.0);
+  rig.sensor->rest(true);
+  run(rig, 0.3);
+  EXPECT_TRUE(run(rig, 60.0).empty());
+  const double now_s = rig.clock.now_s();
+  EXPECT_NEAR(rig.lights->truth(now_s - 60.0, now_s).lit(device::Light::kDark), 60.0, 1e-9);
+  EXPECT_EQ(rig.sensor->status().message, "");
+  rig.sensor->rest(false);
+  const auto after = run(rig, 2.0);
+  EXPECT_GT(after.size(), 40U);
+  frames.insert(frames.end(), after.begin(), after.end());
+  expect_true(frames);
+}
+
+// Nobody calls next(): what was requested last would stay on.
+TEST(RigSensor, AHungReaderLeavesNoLightOnForLongerThanItsLimit) {
+  const SimulatedRig rig = make_simulated_rig(usual());
+  ASSERT_TRUE(rig.sensor->start());
+  run(rig, 4.0);
+  rig.clock.turn(60.0);
+  const double now_s = rig.clock.now_s();
+  EXPECT_GT(rig.lights->truth(now_s - 60.0, now_s).lit(device::Light::kDark), 57.5);
+  EXPECT_EQ(rig.lights->status().limited, 1);
+}
+
+TEST(RigSensor, RefusesAFlashPeriodThatKeepsTheFlashOn) {
+  SimulatedRigOptions options = usual();
+  options.sensor.flash_period_s = 0.1;
+  const SimulatedRig rig = make_simulated_rig(options);
+  const auto started = rig.sensor->start();
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().code, ErrorCode::kBadOption);
+  EXPECT_NE(started.error().message.find("set flash_period_s to"), std::string::npos);
+  EXPECT_EQ(rig.sensor->status().state, device::SensorState::kFailed);
+}
+
+TEST(RigSensor, KeepsTheLimitsWhileItLearnsAndMeasures) {
+  SimulatedRigOptions options = usual();
+  options.sensor.limits.flash = options.lights.limits.flash = {0.5, 0.12};
+  const SimulatedRig rig = make_simulated_rig(options);
+  ASSERT_TRUE(rig.sensor->start());
+  expect_true(run(rig, 20.0));
+  EXPECT_EQ(rig.sensor->rig_status().lights.limited, 0);
+}
+
 TEST(RigSensor, ReconnectsAnUnpluggedCamera) {
   const SimulatedRig rig = make_simulated_rig(usual());
   ASSERT_TRUE(rig.sensor->start());

@@ -71,6 +71,64 @@ TEST(RigShots, LightsAreDarkAfterStop) {
   EXPECT_EQ(rig.lights->status().state, device::LightSwitchState::kIdle);
 }
 
+/// How long lights were on in the last `window_s`.
+double lit_s(const SimulatedRig& rig, double window_s) {
+  const double now_s = rig.clock.now_s();
+  return window_s - rig.lights->truth(now_s - window_s, now_s).lit(device::Light::kDark);
+}
+
+// The dialog waits for the user, with the dots in place.
+TEST(RigShots, LightsAreDarkBetweenShots) {
+  SimulatedRig rig = make_rig();
+  const auto shots = make_shots(rig);
+  ASSERT_TRUE(shots->start().has_value());
+  using enum calibration::ShotKind;
+  for (const auto kind : {kVertical, kHorizontal, kDots, kDotsTexture}) {
+    ASSERT_TRUE(shots->take(kind, 0.0, {}).has_value());
+    rig.clock.turn(60.0);
+    EXPECT_LT(lit_s(rig, 60.0), 0.01) << to_string(kind);
+  }
+}
+
+TEST(RigShots, LightsAreDarkAfterACameraFailed) {
+  SimulatedRig rig = make_rig();
+  const auto shots = make_shots(rig);
+  ASSERT_TRUE(shots->start().has_value());
+  rig.measurement->set_plugged(false);
+  ASSERT_FALSE(shots->take(calibration::ShotKind::kDots, 0.0, {}).has_value());
+  rig.clock.turn(60.0);
+  EXPECT_LT(lit_s(rig, 60.0), 0.01);
+}
+
+TEST(RigShots, AShotThatALimitInterruptsShowsOnlyItsLight) {
+  testing::SimulatedRigOptions options;
+  options.measurement.noise = kNoise;
+  // Less than the exposures of a shot: half a second, beside 0.4 s to settle.
+  options.lights.limits.flash = {0.6, 0.3};
+  const SimulatedRig rig = make_simulated_rig(options);
+  const auto shots = make_shots(rig);
+  ASSERT_TRUE(shots->start().has_value());
+  const auto image = shots->take(calibration::ShotKind::kDots, 0.0, {});
+  ASSERT_TRUE(image.has_value()) << image.error().message;
+  EXPECT_GT(rig.lights->status().limited, 0);
+  EXPECT_LT(difference(*image, striped_scene(device::Light::kFlash, 0.0)), 0.3 * kNoise);
+}
+
+// The window shows the camera's image while the user moves the target: many looks in a row.
+TEST(RigShots, LooksKeepTheDutyWithoutReachingALimit) {
+  const SimulatedRig rig = make_rig();
+  const auto shots = make_shots(rig);
+  ASSERT_TRUE(shots->start().has_value());
+  for (const auto kind : {calibration::ShotKind::kDots, calibration::ShotKind::kVertical}) {
+    const double begin_s = rig.clock.now_s();
+    while (rig.clock.now_s() < begin_s + 2.0) {
+      ASSERT_TRUE(shots->look(kind, 0.0, {}).has_value());
+      rig.clock.clock().sleep_s(0.03);
+    }
+  }
+  EXPECT_EQ(rig.lights->status().limited, 0);
+}
+
 TEST(RigShots, ReportsAnUnpluggedCamera) {
   const SimulatedRig rig = make_rig();
   const auto shots = make_shots(rig);

@@ -44,6 +44,18 @@ TEST_F(FindCameraTest, FindsByAnyGivenField) {
   EXPECT_EQ(find_camera(system_, {"Mono", "", "1-2"})->node, "/dev/video2");
 }
 
+// ID_PATH stays the same if the kernel numbers its buses in another order.
+TEST_F(FindCameraTest, TellsTwinsWithoutSerialNumbersApartByIdPath) {
+  add({"/dev/video4", "Twin", "", "3-1", 0, "pci-0000:00:14.0-usb-0:1:1.0"});
+  add({"/dev/video6", "Twin", "", "4-1", 0, "pci-0000:02:00.0-usb-0:1:1.0"});
+  EXPECT_EQ(find_camera(system_, {"Twin", "", "pci-0000:02:00.0-usb-0:1:1.0"})->node,
+            "/dev/video6");
+  EXPECT_EQ(find_camera(system_, {"Twin", "", "3-1"})->node, "/dev/video4");
+  const auto twins = find_camera(system_, {"Twin", "", ""});
+  EXPECT_EQ(twins.error().code, ErrorCode::kInconsistent);
+  EXPECT_THAT(twins.error().message, HasSubstr("3-1 or pci-0000:00:14.0-usb-0:1:1.0"));
+}
+
 TEST_F(FindCameraTest, ListsTheCamerasIfNoneOrSeveralMatch) {
   const auto none = find_camera(system_, {"Mono", "M", ""});
   EXPECT_EQ(none.error().code, ErrorCode::kNotFound);

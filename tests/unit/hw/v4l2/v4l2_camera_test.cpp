@@ -66,6 +66,36 @@ class V4l2CameraTest : public ::testing::Test {
   std::unique_ptr<V4l2Camera> camera_;
 };
 
+TEST_F(V4l2CameraTest, SetsControlsAgainThatTheCameraResetsWhenItsStreamStarts) {
+  fake_->controls[V4L2_CID_EXPOSURE_ABSOLUTE] = {1, 5000, 156, 156, "Exposure"};
+  fake_->controls[V4L2_CID_GAMMA] = {72, 500, 220, 220, "Gamma"};
+  fake_->reset_at_start = {{V4L2_CID_EXPOSURE_ABSOLUTE, 300}, {V4L2_CID_GAMMA, 220}};
+  settings_.exposure_s = 0.005;
+  start();
+  EXPECT_EQ(fake_->controls[V4L2_CID_EXPOSURE_ABSOLUTE].value, 50);
+  EXPECT_EQ(fake_->controls[V4L2_CID_GAMMA].value, 100);
+  EXPECT_DOUBLE_EQ(*camera_->read_back().exposure_s, 0.005);
+  EXPECT_EQ(camera_->read_back().controls.at("gamma"), 100.0);
+}
+
+// Ten bits in Y16, first in the dark.
+TEST_F(V4l2CameraTest, LearnsHowManyBitsOfY16AreUsed) {
+  fake_->fourcc = V4L2_PIX_FMT_Y16;
+  settings_.format = device::PixelFormat::kGrey16;
+  start();
+  const auto pixel = [&](std::uint32_t sequence, std::uint16_t raw) {
+    std::vector<std::uint8_t> bytes(16, 0);
+    bytes[0] = static_cast<std::uint8_t>(raw);
+    bytes[1] = static_cast<std::uint8_t>(raw >> 8);
+    deliver(sequence).bytes = bytes;
+    return take().image.at<std::uint16_t>(0, 0);
+  };
+  EXPECT_EQ(pixel(0, 20), 20 << 6);
+  EXPECT_EQ(pixel(1, 1023), 1023 << 6);
+  EXPECT_EQ(pixel(2, 4095), 4095 << 4) << "it has twelve";
+  EXPECT_EQ(pixel(3, 1023), 1023 << 4) << "what was learned stays";
+}
+
 TEST_F(V4l2CameraTest, DeliversImagesWithTimeAndNumberOfTheDriver) {
   start();
   deliver(0).bytes = {1, 2, 3, 4, 5, 6, 7, 8};

@@ -59,6 +59,56 @@ TEST_F(VideoControlsTest, SetsValuesInStepsOfTheCameraAndReadsThemBack) {
   EXPECT_EQ(read_back->gain, 20.0);
 }
 
+TEST_F(VideoControlsTest, ControlsThatBendTheImageGetNeutralValues) {
+  constexpr std::uint32_t kPrivate = V4L2_CID_PRIVATE_BASE;
+  fake_->controls[V4L2_CID_GAMMA] = {72, 500, 220, 220, "Gamma"};
+  fake_->controls[V4L2_CID_CONTRAST] = {0, 95, 80, 32, "Contrast"};
+  fake_->controls[V4L2_CID_SHARPNESS] = {1, 7, 5, 2, "Sharpness"};
+  fake_->controls[V4L2_CID_BACKLIGHT_COMPENSATION] = {0, 2, 1, 1, "Backlight Compensation"};
+  fake_->controls[V4L2_CID_POWER_LINE_FREQUENCY] = {0, 2, 1, 1, "Power Line Frequency"};
+  fake_->controls[kPrivate] = {0, 3, 3, 3, "3D Noise Reduction"};
+  fake_->controls[kPrivate + 1] = {0, 9, 4, 0, "LED"};
+  const auto read_back = set({});
+  ASSERT_TRUE(read_back) << read_back.error().message;
+  EXPECT_EQ(value(V4L2_CID_GAMMA), 100);
+  EXPECT_EQ(value(V4L2_CID_CONTRAST), 32);
+  EXPECT_EQ(value(V4L2_CID_SHARPNESS), 1);
+  EXPECT_EQ(value(V4L2_CID_BACKLIGHT_COMPENSATION), 0);
+  EXPECT_EQ(value(V4L2_CID_POWER_LINE_FREQUENCY), 0);
+  EXPECT_EQ(value(kPrivate), 0);
+  EXPECT_EQ(value(kPrivate + 1), 4) << "does not bend the image";
+  EXPECT_EQ(read_back->controls.at("gamma"), 100.0);
+  EXPECT_EQ(read_back->controls.at("3D Noise Reduction"), 0.0);
+}
+
+TEST_F(VideoControlsTest, SetsAnyControlByName) {
+  fake_->controls[V4L2_CID_GAMMA] = {72, 500, 220, 220, "Gamma"};
+  fake_->controls[V4L2_CID_PRIVATE_BASE] = {0, 9, 4, 0, "LED"};
+  device::CameraSettings settings;
+  settings.controls = {{"gamma", 120.0}, {"LED", 0.0}};
+  const auto read_back = set(settings);
+  ASSERT_TRUE(read_back) << read_back.error().message;
+  EXPECT_EQ(value(V4L2_CID_GAMMA), 120);
+  EXPECT_EQ(value(V4L2_CID_PRIVATE_BASE), 0);
+  EXPECT_EQ(read_back->controls.at("LED"), 0.0);
+  settings.controls = {{"gamma", 600.0}};
+  EXPECT_THAT(set(settings).error().message, HasSubstr("must be in 72 to 500"));
+  settings.controls = {{"gama", 100.0}};
+  EXPECT_THAT(set(settings).error().message, HasSubstr("no control \"gama\""));
+  EXPECT_THAT(set(settings).error().message, HasSubstr("gamma"));
+}
+
+TEST_F(VideoControlsTest, KeepsACameraThatRefusesANeutralValue) {
+  fake_->controls[V4L2_CID_EXPOSURE_AUTO].value = V4L2_EXPOSURE_MANUAL;
+  fake_->controls[V4L2_CID_EXPOSURE_AUTO_PRIORITY].value = 0;
+  fake_->controls[V4L2_CID_AUTOGAIN].value = 0;
+  fake_->controls[V4L2_CID_SHARPNESS] = {0, 7, 5, 2, "Sharpness"};
+  fake_->errors[VIDIOC_S_CTRL] = EINVAL;
+  const auto read_back = set({});
+  ASSERT_TRUE(read_back) << read_back.error().message;
+  EXPECT_EQ(read_back->controls.at("sharpness"), 5.0);
+}
+
 TEST_F(VideoControlsTest, RefusesMissingControlsAndValuesOutOfRange) {
   device::CameraSettings settings;
   settings.exposure_s = 1.0;

@@ -1,0 +1,153 @@
+#include "hw/rig/check_streams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "hw/v4l2/find_camera.h"
+#include "hw/v4l2/video_failure.h"
+#include "hw/v4l2/video_modes.h"
+#include "hw/v4l2/video_stream.h"
+
+namespace flytri::rig {
+namespace {
+
+constexpr int kBuffers = 8;
+/// Shortest wait for one camera, while the other one fills its buffers.
+constexpr double kTurn_s = 0.02;
+constexpr double kRateTolerance = 0.05;
+/// Of the agreed rate; a second of images counts to some percent.
+constexpr double kLeastShare = 0.9;
+/// Share of damaged images that is worth a message.
+constexpr double kManyDamaged = 0.05;
+
+/// A running camera, and what it sent.
+struct CheckedCamera {
+  device::DeviceNode node;
+  device::CameraSettings wanted;
+  std::unique_ptr<v4l2::VideoStream> stream;
+  int images = 0;
+  int damaged = 0;
+  double first_s = 0.0;
+  double last_s = 0.0;
+  std::optional<Error> failure;  ///< the stream ended
+};
+
+Result<CheckedCamera> run_camera(const RigCamera& camera, v4l2::VideoSystem& system) {
+  const auto node = v4l2::find_camera(system, camera.match);
+  if (!node) return tl::unexpected(node.error());
+  auto stream = v4l2::VideoStream::open(system, *node, camera.settings, kBuffers);
+  if (!stream) return tl::unexpected(stream.error());
+  CheckedCamera checked;
+  checked.node = *node;
+  checked.wanted = camera.settings;
+  checked.stream = *std::move(stream);
+  return checked;
+}
+
+void read_camera(CheckedCamera& camera, const device::Clock& clock) {
+  if (camera.failure) return;
+  auto taken = camera.stream->take(kTurn_s);
+  if (!taken) {
+    camera.failure = taken.error().error;
+    return;
+  }
+  if (!*taken) return;
+  const v4l2::StreamedImage& image = **taken;
+  camera.last_s = image.time_s.value_or(clock.now_s());
+  if (camera.images++ == 0) camera.first_s = camera.last_s;
+  if (image.flagged || image.converted.outcome != v4l2::Conversion::kDone) ++camera.damaged;
+}
+
+std::string rates_of(const CheckedCamera& camera, v4l2::VideoSystem& system) {
+  const auto device = system.open(camera.node.node);
+  std::string rates;
+  if (!device) return rates;
+  for (const device::CameraMode& mode : v4l2::list_modes(**device)) {
+    if (mode.format != device::to_string(camera.wanted.format) || mode.size != camera.wanted.size)
+      continue;
+    for (const double rate_hz : mode.rates_hz)
+      rates += fmt::format("{}{:.4g}", rates.empty() ? "" : ", ", rate_hz);
+  }
+  return rates.empty() ? rates : " (it offers " + rates + " Hz)";
+}
+
+void judge_settings(const CheckedCamera& camera, v4l2::VideoSystem& system,
+                    std::vector<Error>& problems) {
+  const device::CameraSettings agreed = camera.stream->read_back();
+  const std::string name = v4l2::to_string(camera.node);
+  const double wanted_hz = camera.wanted.rate_hz;
+  if (std::abs(agreed.rate_hz - wanted_hz) > kRateTolerance * wanted_hz)
+    problems.push_back({ErrorCode::kBadOption,
+                        fmt::format("camera {} runs at {:.4g} Hz instead of {:.4g} Hz: choose "
+                                    "another rate_hz, size_px or format in rig.json{}",
+                                    name, agreed.rate_hz, wanted_hz, rates_of(camera, system))});
+  if (agreed.exposure_s && *agreed.exposure_s * agreed.rate_hz > 1.0)
+    problems.push_back(
+        {ErrorCode::kBadOption,
+         fmt::format("camera {}: exposure_s is {:.4g}, longer than a frame at {:.4g} Hz: choose a "
+                     "shorter one in rig.json, at most {:.4g}",
+                     name, *agreed.exposure_s, agreed.rate_hz, 1.0 / agreed.rate_hz)});
+}
+
+void judge_images(const CheckedCamera& camera, std::vector<Error>& problems) {
+  const std::string name = v4l2::to_string(camera.node);
+  if (camera.failure) return problems.push_back(*camera.failure);
+  if (camera.images == 0)
+    return problems.push_back(
+        {ErrorCode::kNotFound,
+         fmt::format("camera {} sends no images while all cameras run: connect it to another USB "
+                     "socket, choose a smaller size_px, or reload its driver with \"sudo modprobe "
+                     "-r uvcvideo; sudo modprobe uvcvideo quirks=0x80\"",
+                     name)});
+  const double agreed_hz = camera.stream->read_back().rate_hz;
+  const double rate_hz = (camera.images - 1) / std::max(camera.last_s - camera.first_s, 1e-9);
+  if (camera.images > 2 && rate_hz < kLeastShare * agreed_hz)
+    problems.push_back(
+        {ErrorCode::kBadOption,
+         fmt::format("camera {} sends {:.1f} images per second instead of {:.4g}: choose a shorter "
+                     "exposure_s, a smaller size_px or a lower rate_hz in rig.json, or connect the "
+                     "cameras to different USB controllers",
+                     name, rate_hz, agreed_hz)});
+  if (camera.damaged > kManyDamaged * camera.images)
+    problems.push_back({ErrorCode::kInconsistent,
+                        fmt::format("camera {}: {} of {} images are damaged: use a short cable "
+                                    "without a hub, or another USB socket",
+                                    name, camera.damaged, camera.images)});
+}
+
+}  // namespace
+
+std::vector<Error> check_streams(const RigSettings& rig, v4l2::VideoSystem& system,
+                                 const device::Clock& clock, double duration_s) {
+  std::vector<const RigCamera*> wanted = {&rig.measurement};
+  if (rig.texture) wanted.push_back(&*rig.texture);
+  std::vector<Error> problems;
+  std::vector<CheckedCamera> cameras;
+  for (const RigCamera* camera : wanted) {
+    auto running = run_camera(*camera, system);
+    if (running) {
+      cameras.push_back(*std::move(running));
+      continue;
+    }
+    Error problem = running.error();
+    if (!cameras.empty())
+      problem.message = fmt::format("while camera {} runs: {}", v4l2::to_string(cameras[0].node),
+                                    problem.message);
+    problems.push_back(std::move(problem));
+  }
+  const double end_s = clock.now_s() + duration_s;
+  while (clock.now_s() < end_s && !cameras.empty())
+    for (CheckedCamera& camera : cameras) {
+      read_camera(camera, clock);
+      if (camera.failure) clock.sleep_s(kTurn_s);
+    }
+  for (const CheckedCamera& camera : cameras) {
+    judge_settings(camera, system, problems);
+    judge_images(camera, problems);
+  }
+  return problems;
+}
+
+}  // namespace flytri::rig
