@@ -71,7 +71,9 @@ meshing::SimplifyOptions simplify_options(MeshDensity density, double texel_mm) 
     options.max_rms_mm = 0.010;
     options.max_mm = 0.050;
   }
-  options.max_seam_mm = std::max(options.max_mm, 0.5 * texel_mm);
+  // The margin around a chart is wider than a texel; 15 degrees are no sliver yet.
+  options.max_seam_mm = std::max(options.max_mm, texel_mm);
+  options.least_angle_rad = 0.26;
   return options;
 }
 

@@ -26,7 +26,7 @@ inline constexpr std::array kMeshDensities = {MeshDensity::kFull, MeshDensity::k
 inline constexpr auto kThinningTriangles = "Thinning the triangles";
 
 /// The bounds of a density other than kFull.
-/// @param texel_mm  edge of a texel on the surface: seams of the texture keep within half of it; 0
+/// @param texel_mm  edge of a texel on the surface: seams of the texture keep within one; 0
 ///                  without a texture
 [[nodiscard]] meshing::SimplifyOptions simplify_options(MeshDensity density, double texel_mm);
 

@@ -11,12 +11,12 @@
 namespace flytri::meshing {
 namespace {
 
-constexpr double kRadius_mm = 5.0;  ///< as a molar's cusps are round
+constexpr double kBallRadius_mm = 5.0;  ///< as a molar's cusps are round
 
 /// The cap of a sphere, with a hole in its middle.
 TriangleMesh punched_cap(float hole_mm) {
   TriangleMesh cap = height_field({.half_width_mm = 2.5, .step_mm = 0.1}, [](double x, double y) {
-    return kRadius_mm - std::sqrt(kRadius_mm * kRadius_mm - x * x - y * y);
+    return kBallRadius_mm - std::sqrt(kBallRadius_mm * kBallRadius_mm - x * x - y * y);
   });
   std::erase_if(cap.triangles, [&](const Triangle& t) {
     return cap.vertices[t[0]].position_mm.head<2>().norm() < 0.5F * hole_mm;
@@ -26,7 +26,7 @@ TriangleMesh punched_cap(float hole_mm) {
 }
 
 double off_sphere_mm(const SurfacePoint& p) {
-  return (p.position_mm.cast<double>() - Vec3(0.0, 0.0, kRadius_mm)).norm() - kRadius_mm;
+  return (p.position_mm.cast<double>() - Vec3(0.0, 0.0, kBallRadius_mm)).norm() - kBallRadius_mm;
 }
 
 TEST(CloseHoles, FollowsTheCurvatureAround) {
@@ -38,7 +38,7 @@ TEST(CloseHoles, FollowsTheCurvatureAround) {
   for (std::size_t v = measured; v < cap.vertices.size(); ++v) {
     EXPECT_NEAR(off_sphere_mm(cap.vertices[v]), 0.0, 0.010);
     const Vec3f outwards =
-        (cap.vertices[v].position_mm - Vec3f(0.0F, 0.0F, static_cast<float>(kRadius_mm)))
+        (cap.vertices[v].position_mm - Vec3f(0.0F, 0.0F, static_cast<float>(kBallRadius_mm)))
             .normalized();
     EXPECT_GT(cap.vertices[v].normal.dot(outwards), 0.99F);
   }
