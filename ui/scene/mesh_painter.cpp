@@ -1,6 +1,7 @@
 #include "ui/scene/mesh_painter.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "ui/scene/coloring.h"
@@ -34,6 +35,7 @@ std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const std::vector<
     const SurfacePoint& v = mesh.mesh.vertices[i];
     unsigned flags = coverage[i] == Coverage::kGood ? kGoodFlag : 0U;
     flags |= tint_flag(tints, v.position_mm, v.normal);
+    if (std::isinf(v.sigma_mm)) flags |= kNotMeasuredFlag;
     vertices.push_back({v.position_mm, packed_normal(v.normal),
                         mesh.uv.empty() ? Eigen::Vector2f(0.0F, 0.0F) : mesh.uv[i],
                         packed_color(v.color, static_cast<std::uint8_t>(flags)), v.sigma_mm});
