@@ -12,7 +12,7 @@ FLYTRI_TEXT(kTriangles, "Triangles", "Dreiecke", "Triangles", "Triángulos")
 FLYTRI_TEXT(kDensityFull, "All", "Alle", "Tous", "Todos")
 FLYTRI_TEXT(kDensityCad, "For CAD", "Für CAD", "Pour la CAO", "Para CAD")
 FLYTRI_TEXT(kDensityLight, "Few", "Wenige", "Peu", "Pocos")
-FLYTRI_TEXT(kThousands, "{0} thousand", "{0} Tausend", "{0} milliers", "{0} mil")
+FLYTRI_TEXT(kThousands, "{0} k", "{0} Tsd.", "{0} k", "{0} mil")
 FLYTRI_TEXT(kDensityFullHint, "The surface as it was measured",
             "Die Fläche, wie sie gemessen wurde", "La surface telle que mesurée",
             "La superficie tal como se midió")
