@@ -8,6 +8,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/density_option.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "assets/sample_jaw/sample_jaw.h"
@@ -37,28 +38,36 @@ constexpr std::string_view kMarkFormat = "flytri.demo";
 struct DemoArguments {
   fs::path folder = "out";
   double duration_s = 24.0;
+  reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;
   bool force = false;
   int thread_count = 0;
 };
 
-Result<void> write_results(const fs::path& folder,
+Result<void> write_results(const DemoArguments& arguments,
                            const reconstruct::Reconstruction& reconstruction,
-                           const calibration::MeasurementVolume& volume, const Workers& workers) {
+                           const calibration::MeasurementVolume& volume, const Workers& workers,
+                           const Progress& progress) {
+  const fs::path& folder = arguments.folder;
+  progress.begin_stage(reconstruct::kThinningTriangles);
+  const Result<reconstruct::ModelAtDensity> model =
+      reconstruct::at_density(reconstruction.model, arguments.density, progress);
+  if (!model) return tl::unexpected(model.error());
+  print_density(*model);
   for (const io::ModelFormat& format : io::model_formats()) {
     const fs::path file = folder / (std::string(kModelName) + std::string(format.extension));
-    if (auto written = write_result(file, reconstruction); !written) return written;
+    if (auto written = write_result(file, *model); !written) return written;
     print_out("wrote {}\n", file.string());
   }
   simulated::PictureOptions options;
   // The world frame is the sensor frame of the first view: z points away from the sensor, y down.
   options.from_direction = Vec3(0.0, 0.3, -1.0);
   options.up = -Vec3::UnitY();
-  const Result<cv::Mat> picture = simulated::draw_picture(reconstruction.model, options, workers);
+  const Result<cv::Mat> picture = simulated::draw_picture(model->model, options, workers);
   if (!picture) return tl::unexpected(picture.error());
   const fs::path file = folder / kPictureName;
   if (auto written = io::write_png(file, *picture); !written) return written;
   print_out("wrote {}\n", file.string());
-  return write_report(folder / "report.json", reconstruction, volume.size_mm);
+  return write_report(folder / "report.json", {reconstruction, *model, volume.size_mm});
 }
 
 /// Marks the folder, and checks what is in it. Files of an earlier demo are replaced without
@@ -125,7 +134,7 @@ Result<void> run(const DemoArguments& arguments, const Progress& progress) {
       reconstruct::reconstruct(*recording, *calibration, options, workers, progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
-  return write_results(arguments.folder, *reconstruction, calibration->volume, workers);
+  return write_results(arguments, *reconstruction, calibration->volume, workers, progress);
 }
 
 }  // namespace
@@ -141,6 +150,7 @@ void add_demo_command(CLI::App& app, Invocation& invocation) {
   command->add_option("--duration", arguments->duration_s, "Length of the scan in seconds")
       ->check(CLI::Range(2.0, 600.0))
       ->capture_default_str();
+  add_density_option(*command, arguments->density);
   add_force_option(*command, arguments->force);
   add_threads_option(*command, arguments->thread_count);
   command->footer("Example: flytri demo -o out");

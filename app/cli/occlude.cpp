@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cli/case_access.h"
+#include "app/cli/case_part.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
@@ -44,13 +45,6 @@ struct OccludeArguments {
   int thread_count = 0;
 };
 
-/// A finished scan.
-struct Part {
-  std::string name;  ///< for messages
-  TriangleMesh surface;
-  TexturedMesh model;  ///< the same surface, cut into charts if there is texture
-};
-
 struct Parts {
   Part upper, lower;
   std::vector<Part> bites;
@@ -82,20 +76,6 @@ Result<Parts> reconstruct_parts(const OccludeArguments& arguments, const Workers
     parts.bites.push_back(*std::move(bite));
   }
   return parts;
-}
-
-Result<Part> load_part(io::CaseFile& file, io::ScanStage stage) {
-  const std::string name = fmt::format("{}, stage {}", file.path().string(), to_string(stage));
-  const Result<io::StageResult> result = file.load_result(stage);
-  if (!result) {
-    return fail(result.error().code,
-                "{}; make the model with flytri reconstruct {} --stage {} --keep",
-                result.error().message, file.path().string(), to_string(stage));
-  }
-  Result<TexturedMesh> model = io::parse_glb(result->glb, name);
-  if (!model) return tl::unexpected(model.error());
-  reconstruct::FinishedScan finished = reconstruct::finished_scan_of(*std::move(model));
-  return Part{name, std::move(finished.surface.mesh), std::move(finished.model)};
 }
 
 Result<Parts> load_parts(CaseAccess& access) {

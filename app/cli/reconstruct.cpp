@@ -9,6 +9,7 @@
 #include "app/cli/case_access.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
+#include "app/cli/density_option.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "app/session/case_events.h"
@@ -34,20 +35,27 @@ struct ReconstructArguments {
   fs::path calibration;
   fs::path report;
   fs::path points;
+  reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;
+  double close_holes_mm = 0.0;
   int thread_count = 0;
 };
 
 /// @param written  gets the files that are complete
 Result<void> write_outputs(const ReconstructArguments& arguments,
                            const reconstruct::Reconstruction& reconstruction,
-                           const calibration::MeasurementVolume& volume,
+                           const calibration::MeasurementVolume& volume, const Progress& progress,
                            std::vector<fs::path>& written) {
+  progress.begin_stage(reconstruct::kThinningTriangles);
+  const Result<reconstruct::ModelAtDensity> model =
+      reconstruct::at_density(reconstruction.model, arguments.density, progress);
+  if (!model) return tl::unexpected(model.error());
+  print_density(*model);
   const auto note = [&](const fs::path& file) {
     written.push_back(file);
     print_out("wrote {}\n", file.string());
   };
   for (const fs::path& output : arguments.outputs) {
-    if (auto done = write_result(output, reconstruction); !done) return done;
+    if (auto done = write_result(output, *model); !done) return done;
     note(output);
   }
   if (!arguments.points.empty()) {
@@ -56,7 +64,7 @@ Result<void> write_outputs(const ReconstructArguments& arguments,
     note(arguments.points);
   }
   if (arguments.report.empty()) return {};
-  auto done = write_report(arguments.report, reconstruction, volume.size_mm);
+  auto done = write_report(arguments.report, {reconstruction, *model, volume.size_mm});
   if (done) note(arguments.report);
   return done;
 }
@@ -65,8 +73,9 @@ void print_warning(const std::string& warning) {
   if (!warning.empty()) print_error("flytri: warning: {}\n", warning);
 }
 
-reconstruct::ReconstructOptions timed_options() {
+reconstruct::ReconstructOptions options_of(const ReconstructArguments& arguments) {
   reconstruct::ReconstructOptions options;
+  options.finish.meshing.close_holes_mm = arguments.close_holes_mm;
   options.now_s = steady_seconds;
   return options;
 }
@@ -81,12 +90,13 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
   const auto used = io::calibration_of(*recording, arguments.calibration);
   if (!used) return tl::unexpected(used.error());
   print_warning(used->warning);
-  const Result<reconstruct::Reconstruction> reconstruction = reconstruct::reconstruct(
-      *recording, used->calibration, timed_options(), Workers(arguments.thread_count), progress);
+  const Result<reconstruct::Reconstruction> reconstruction =
+      reconstruct::reconstruct(*recording, used->calibration, options_of(arguments),
+                               Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
   std::vector<fs::path> written;
-  return write_outputs(arguments, *reconstruction, used->calibration.volume, written);
+  return write_outputs(arguments, *reconstruction, used->calibration.volume, progress, written);
 }
 
 /// The calibration given with --calibration, or else the one that the case keeps.
@@ -132,7 +142,9 @@ Result<void> keep_result(io::CaseFile& file, io::ScanStage stage, const io::Stor
   if (!glb) return tl::unexpected(glb.error());
   const Result<io::StageCounts> counts = file.counts(stage);
   if (!counts) return tl::unexpected(counts.error());
-  const io::StageResult result{*glb, report_text(reconstruction, volume.size_mm),
+  const auto full = reconstruct::at_density(reconstruction.model, reconstruct::MeshDensity::kFull);
+  if (!full) return tl::unexpected(full.error());
+  const io::StageResult result{*glb, report_text({reconstruction, *full, volume.size_mm}),
                                io::basis_of(*counts, stored.edits.state())};
   return file.write_poses(stage, newly_placed(stored, reconstruction))
       .and_then([&] { return file.write_result(stage, result); })
@@ -156,7 +168,7 @@ Result<void> reconstruct_case(const ReconstructArguments& arguments, CaseAccess&
   print_damage(stored->damage);
   const reconstruct::NamedStage named{arguments.input.string(), *std::move(stored)};
   const Result<reconstruct::Reconstruction> reconstruction = reconstruct::reconstruct_stage(
-      named, *calibration, timed_options(), Workers(arguments.thread_count), progress);
+      named, *calibration, options_of(arguments), Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
   if (arguments.keep) {
@@ -164,7 +176,8 @@ Result<void> reconstruct_case(const ReconstructArguments& arguments, CaseAccess&
     if (!kept) return kept;
   }
   std::vector<fs::path> written;
-  Result<void> done = write_outputs(arguments, *reconstruction, calibration->volume, written);
+  Result<void> done =
+      write_outputs(arguments, *reconstruction, calibration->volume, progress, written);
   if (!written.empty()) access.note(io::CaseAction::kExported, *stage, written);
   return done;
 }
@@ -205,6 +218,12 @@ void add_reconstruct_command(CLI::App& app, Invocation& invocation) {
   add_case_options(*command, arguments->case_options);
   command->add_flag("--keep", arguments->keep,
                     "Also save the model in the case, for flytri export and the window");
+  add_density_option(*command, arguments->density);
+  command
+      ->add_option("--close-holes", arguments->close_holes_mm,
+                   "Close holes up to this width, mm, and mark them as not measured; 0: none")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
   add_force_option(*command, arguments->force);
   add_threads_option(*command, arguments->thread_count);
   command->footer(

@@ -7,12 +7,14 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "app/cli/console.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/json_place.h"
 #include "core/io/models/model.h"
 #include "core/meshing/coverage_holes.h"
+#include "core/meshing/mesh_quality.h"
 
 namespace flytri::cli {
 namespace {
@@ -73,7 +75,29 @@ Json hole_json(const meshing::BoundaryLoop& loop) {
           {"is_outer_border", loop.is_outer}};
 }
 
-Json to_json(const reconstruct::Reconstruction& reconstruction, const Vec3& volume_mm) {
+Json mesh_json(const reconstruct::ModelAtDensity& model, std::size_t closed_holes) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const meshing::MeshQuality quality = meshing::mesh_quality(model.uncut);
+  return {{"density", to_string(model.density)},
+          {"triangles", quality.triangles},
+          {"vertices", quality.vertices},
+          {"boundaries", quality.boundaries},
+          {"components", quality.components},
+          {"manifold", quality.is_manifold},
+          {"oriented", quality.is_oriented},
+          {"worst_aspect", quality.worst_aspect},
+          {"least_angle_deg", kDegrees * quality.least_angle_rad},
+          {"share_below_10_deg", quality.sliver_share},
+          {"turned_triangles", quality.turned},
+          {"closed_holes", closed_holes},
+          {"vertices_not_measured", quality.not_measured},
+          {"added_rms_mm", model.rms_mm},
+          {"added_max_mm", model.max_mm}};
+}
+
+Json to_json(const ReportedResult& result) {
+  const reconstruct::Reconstruction& reconstruction = result.reconstruction;
+  const Vec3& volume_mm = result.volume_mm;
   Json json = {{"format", kReportFormat}, {"version", kVersion}};
   json[kVolumeKey] = {volume_mm.x(), volume_mm.y(), volume_mm.z()};
   json["counts"] = {
@@ -85,6 +109,7 @@ Json to_json(const reconstruct::Reconstruction& reconstruction, const Vec3& volu
       {"points", reconstruction.points.size()},
       {"vertices", reconstruction.surface.mesh.vertices.size()},
       {"triangles", reconstruction.surface.mesh.triangles.size()}};
+  json["mesh"] = mesh_json(result.model, reconstruction.surface.closed_holes);
   for (const StageTime& stage : reconstruction.stages) json["stages"].push_back(stage_json(stage));
   json["frames"] = Json::array();
   for (const reconstruct::FrameReport& frame : reconstruction.frames)
@@ -128,20 +153,23 @@ void print_summary(const reconstruct::Reconstruction& reconstruction) {
   }
 }
 
+void print_density(const reconstruct::ModelAtDensity& model) {
+  if (model.density == reconstruct::MeshDensity::kFull) return;
+  print_out("{} triangles for {}, at most {:.1f} µm from all of them, {:.1f} µm RMS\n",
+            model.uncut.triangles.size(), to_string(model.density), 1e3 * model.max_mm,
+            1e3 * model.rms_mm);
+}
+
 Result<void> write_result(const std::filesystem::path& path,
-                          const reconstruct::Reconstruction& reconstruction) {
-  if (io::holds_texture(path)) return io::write_model(path, reconstruction.model);
-  return io::write_model(path, TexturedMesh{reconstruction.surface.mesh, {}, {}});
+                          const reconstruct::ModelAtDensity& model) {
+  if (io::holds_texture(path)) return io::write_model(path, model.model);
+  return io::write_model(path, TexturedMesh{model.uncut, {}, {}});
 }
 
-std::string report_text(const reconstruct::Reconstruction& reconstruction, const Vec3& volume_mm) {
-  return to_json(reconstruction, volume_mm).dump(1) + "\n";
-}
+std::string report_text(const ReportedResult& result) { return to_json(result).dump(1) + "\n"; }
 
-Result<void> write_report(const std::filesystem::path& path,
-                          const reconstruct::Reconstruction& reconstruction,
-                          const Vec3& volume_mm) {
-  return io::write_file(path, report_text(reconstruction, volume_mm), io::Access::kOwnerOnly);
+Result<void> write_report(const std::filesystem::path& path, const ReportedResult& result) {
+  return io::write_file(path, report_text(result), io::Access::kOwnerOnly);
 }
 
 Result<Report> read_report(const std::filesystem::path& path) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/reconstruct/mesh_density.h"
 #include "core/reconstruct/reconstruct.h"
 
 namespace flytri::cli {
@@ -21,22 +22,28 @@ inline constexpr std::string_view kReportFormat = "flytri.report";
 /// Prints counts of frames, points, triangles and holes, and the time of each stage.
 void print_summary(const reconstruct::Reconstruction& reconstruction);
 
+/// Prints how large the written mesh is, and what its simplification has added.
+void print_density(const reconstruct::ModelAtDensity& model);
+
 /// Writes the model: cut into charts with an atlas if the format holds one, otherwise uncut.
 /// @errors  as write_model.
 [[nodiscard]] Result<void> write_result(const std::filesystem::path& path,
-                                        const reconstruct::Reconstruction& reconstruction);
+                                        const reconstruct::ModelAtDensity& model);
+
+/// What a report is about.
+struct ReportedResult {
+  const reconstruct::Reconstruction& reconstruction;
+  const reconstruct::ModelAtDensity& model;  ///< as it is written
+  Vec3 volume_mm;                            ///< edge lengths of the sensor's measurement volume
+};
 
 /// The text of report.json.
-/// @param volume_mm  edge lengths of the sensor's measurement volume
-[[nodiscard]] std::string report_text(const reconstruct::Reconstruction& reconstruction,
-                                      const Vec3& volume_mm);
+[[nodiscard]] std::string report_text(const ReportedResult& result);
 
 /// Writes report.json, for its owner only; its keys are documented in docs/formats.md.
-/// @param volume_mm  edge lengths of the sensor's measurement volume
 /// @errors  kNotPermitted, kWriteFailed.
 [[nodiscard]] Result<void> write_report(const std::filesystem::path& path,
-                                        const reconstruct::Reconstruction& reconstruction,
-                                        const Vec3& volume_mm);
+                                        const ReportedResult& result);
 
 /// A frame's pose in a report.
 struct ReportedPose {

@@ -42,11 +42,14 @@ void ExportController::export_scan(const ui::Export& command,
   forget_outcome();
   state_.latest = command.target;
   state_.is_running = true;
-  background_.run([this, command, shown = std::move(shown), store = std::move(store), stage,
+  const bool is_ready = shown->result != nullptr && shown->result == prepared_.lock();
+  const auto ready =
+      is_ready ? lighter_[static_cast<std::size_t>(command.target.density)] : nullptr;
+  background_.run([this, command, shown = std::move(shown), store = std::move(store), stage, ready,
                    texts = notices_.texts()] {
     std::vector<std::filesystem::path> written;
-    auto done =
-        std::make_shared<Result<ExportOutcome>>(export_files(*shown, command, written, texts));
+    auto done = std::make_shared<Result<ExportOutcome>>(
+        export_files(*shown, command, written, texts, ready.get()));
     if (store && !written.empty()) {
       store->note(event_now(io::CaseAction::kExported, stage, written));
     }
@@ -64,6 +67,40 @@ void ExportController::export_scan(const ui::Export& command,
                    notices_.texts().fill<ui::Text::kExportedTo>(state_.written.front().path));
     };
   });
+}
+
+void ExportController::prepare(const std::shared_ptr<const reconstruct::FinishedScan>& result) {
+  if (result == nullptr || result == prepared_.lock()) return;
+  prepared_ = result;
+  lighter_ = {};
+  for (const auto density : {reconstruct::MeshDensity::kCad, reconstruct::MeshDensity::kLight}) {
+    background_.run([this, result, density, progress = background_.progress().part(0.0)] {
+      auto made = reconstruct::at_density(result->model, density, progress);
+      const auto model =
+          made ? std::make_shared<const reconstruct::ModelAtDensity>(*std::move(made)) : nullptr;
+      return [this, result, density, model] {
+        if (result == prepared_.lock()) lighter_[static_cast<std::size_t>(density)] = model;
+      };
+    });
+  }
+}
+
+void ExportController::tell_sizes(const ui::AppView& view, ui::ExportState& state) const {
+  if (view.scan == nullptr) return;
+  const std::shared_ptr<const reconstruct::FinishedScan>& result = view.scan->result;
+  const bool is_prepared = result != nullptr && result == prepared_.lock();
+  const auto model_in = [&](reconstruct::MeshDensity density) -> const TexturedMesh* {
+    if (result == nullptr) return nullptr;
+    if (density == reconstruct::MeshDensity::kFull) return &result->model;
+    const auto& lighter = lighter_[static_cast<std::size_t>(density)];
+    return is_prepared && lighter != nullptr ? &lighter->model : nullptr;
+  };
+  for (const reconstruct::MeshDensity density : reconstruct::kMeshDensities) {
+    const TexturedMesh* model = model_in(density);
+    state.triangles[static_cast<std::size_t>(density)] =
+        model == nullptr ? 0 : model->mesh.triangles.size();
+  }
+  state.estimated_bytes = estimated_bytes(*view.scan, model_in(view.settings.mesh_density));
 }
 
 void ExportController::open_folder() {
@@ -96,7 +133,7 @@ ui::ExportState ExportController::state(const ui::AppView& view) {
   ui::ExportState state = state_;
   const auto exported = exported_.lock();
   state.has_model = exported != nullptr && view.scan != nullptr && view.scan->result == exported;
-  if (view.scan != nullptr) state.estimated_bytes = estimated_bytes(*view.scan);
+  tell_sizes(view, state);
   return state;
 }
 

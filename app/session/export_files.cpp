@@ -34,11 +34,15 @@ std::uint64_t size_of_mesh(const TexturedMesh& model, const io::ModelFormat& for
          format.triangle_bytes * model.mesh.triangles.size() + (format.holds_texture ? atlas : 0);
 }
 
-Result<void> write_mesh(const fs::path& file, const reconstruct::FinishedScan& result) {
-  if (io::holds_texture(file)) return io::write_model(file, result.model);
-  TexturedMesh uncut;
-  uncut.mesh = result.surface.mesh;
-  return io::write_model(file, uncut);
+/// What is written of a finished scan.
+struct FinishedModel {
+  const TexturedMesh& cut;
+  const TriangleMesh& uncut;
+};
+
+Result<void> write_mesh(const fs::path& file, const FinishedModel& model) {
+  if (io::holds_texture(file)) return io::write_model(file, model.cut);
+  return io::write_model(file, TexturedMesh{model.uncut, {}, {}});
 }
 
 Result<void> write_points(const fs::path& file, const PointCloud& points, const ui::Texts& texts) {
@@ -50,10 +54,34 @@ Result<void> write_points(const fs::path& file, const PointCloud& points, const 
                                                  io::extension_list(io::FormatUse::kWritePoints)));
 }
 
-Result<void> write_format(const scan::ScanSnapshot& shown, const fs::path& file,
-                          const ui::Texts& texts) {
-  return shown.result ? write_mesh(file, *shown.result)
-                      : write_points(file, points_of(shown.model), texts);
+/// Writes each model as the surface, or as points before the scan is finished.
+Result<void> write_models(const std::vector<fs::path>& models, const scan::ScanSnapshot& shown,
+                          const FinishedModel* finished, const ui::Texts& texts,
+                          std::vector<fs::path>& written) {
+  for (const fs::path& model : models) {
+    auto done = finished != nullptr ? write_mesh(model, *finished)
+                                    : write_points(model, points_of(shown.model), texts);
+    if (!done) return done;
+    written.push_back(model);
+  }
+  return {};
+}
+
+/// As write_models, for a finished scan in the density that is asked for.
+Result<void> write_finished(const std::vector<fs::path>& models, const scan::ScanSnapshot& shown,
+                            reconstruct::MeshDensity density,
+                            const reconstruct::ModelAtDensity* ready,
+                            std::vector<fs::path>& written) {
+  if (density == reconstruct::MeshDensity::kFull) {
+    const FinishedModel full = {shown.result->model, shown.result->surface.mesh};
+    return write_models(models, shown, &full, {}, written);
+  }
+  Result<reconstruct::ModelAtDensity> made = reconstruct::ModelAtDensity{};
+  if (ready == nullptr) made = reconstruct::at_density(shown.result->model, density);
+  if (!made) return tl::unexpected(made.error());
+  const reconstruct::ModelAtDensity& lighter = ready != nullptr ? *ready : *made;
+  const FinishedModel model = {lighter.model, lighter.uncut};
+  return write_models(models, shown, &model, {}, written);
 }
 
 /// The files that write_format() writes: for a model without a texture only one.
@@ -87,11 +115,12 @@ Result<void> check_name(const std::string& name, const ui::Texts& texts) {
 
 }  // namespace
 
-std::map<std::string_view, std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown) {
+std::map<std::string_view, std::uint64_t> estimated_bytes(const scan::ScanSnapshot& shown,
+                                                          const TexturedMesh* model) {
   std::map<std::string_view, std::uint64_t> bytes;
   for (const io::ModelFormat& format : io::model_formats()) {
     if (shown.result != nullptr) {
-      bytes[format.extension] = size_of_mesh(shown.result->model, format);
+      bytes[format.extension] = model == nullptr ? 0 : size_of_mesh(*model, format);
     } else if (format.write_points != nullptr && !shown.model.empty()) {
       bytes[format.extension] = format.vertex_bytes * surfel_count(shown.model);
     }
@@ -109,7 +138,8 @@ Result<fs::path> export_stem(const ui::ExportTarget& target, const ui::Texts& te
 }
 
 Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command,
-                                   std::vector<fs::path>& models_written, const ui::Texts& texts) {
+                                   std::vector<fs::path>& models_written, const ui::Texts& texts,
+                                   const reconstruct::ModelAtDensity* ready) {
   if (shown.result == nullptr && shown.model.empty()) {
     return fail(ErrorCode::kInsufficient, "{}", texts[ui::Text::kNoSurfaceToExport]);
   }
@@ -127,10 +157,11 @@ Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Ex
   auto made = io::create_private_folder(stem->parent_path());
   if (!made) return tl::unexpected(made.error());
   io::remove_leftovers(stem->parent_path());
-  for (const fs::path& model : models) {
-    if (auto done = write_format(shown, model, texts); !done) return tl::unexpected(done.error());
-    models_written.push_back(model);
-  }
+  const Result<void> done =
+      shown.result != nullptr
+          ? write_finished(models, shown, command.target.density, ready, models_written)
+          : write_models(models, shown, nullptr, texts, models_written);
+  if (!done) return tl::unexpected(done.error());
   ExportOutcome outcome;
   for (const fs::path& file : files) {
     std::error_code error;

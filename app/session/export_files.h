@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/reconstruct/mesh_density.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/app_view.h"
 #include "ui/state/command.h"
@@ -16,8 +17,10 @@ namespace flytri::session {
 
 /// About the size of each format's files, by extension. A finished scan is written as a mesh, an
 /// unfinished one as points: formats that cannot hold it are missing.
+/// @param model  of a finished scan as it would be written; null: not known yet, and all sizes are
+/// 0
 [[nodiscard]] std::map<std::string_view, std::uint64_t> estimated_bytes(
-    const scan::ScanSnapshot& shown);
+    const scan::ScanSnapshot& shown, const TexturedMesh* model);
 
 /// What an export did.
 struct ExportOutcome {
@@ -39,10 +42,11 @@ struct ExportOutcome {
 /// @errors  As export_stem and write_model; kInsufficient: nothing to write, or the format cannot
 ///          hold it; kBadOption: a folder, or a file of another kind, has the name.
 /// @param models_written  gets the models that were written, also before a failure
-[[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
-                                                 const ui::Export& command,
-                                                 std::vector<std::filesystem::path>& models_written,
-                                                 const ui::Texts& texts = {});
+/// @param ready  the finished model in the density of the target; null: it is made
+[[nodiscard]] Result<ExportOutcome> export_files(
+    const scan::ScanSnapshot& shown, const ui::Export& command,
+    std::vector<std::filesystem::path>& models_written, const ui::Texts& texts = {},
+    const reconstruct::ModelAtDensity* ready = nullptr);
 [[nodiscard]] inline Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
                                                         const ui::Export& command) {
   std::vector<std::filesystem::path> models;

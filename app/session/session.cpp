@@ -65,7 +65,7 @@ void Session::carry_out(const ui::Command& command) {
           },
           [&](const ui::PauseScan&) { stages_.pause(); },
           [&](const ui::ResumeScan&) { stages_.start(); },
-          [&](const ui::Finish&) { stages_.finish(); },
+          [&](const ui::Finish&) { stages_.finish(settings_.close_holes_mm); },
           [&](const ui::CancelFinish&) { stages_.cancel_finish(); },
           [&](const ui::Undo&) { stages_.undo(); },
           [&](const ui::Redo&) { stages_.redo(); },
@@ -94,6 +94,9 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::UseCalibration&) { calibration_.use(); },
           [&](const ui::EndCalibration&) { calibration_.end(); },
           [&](const ui::Export& wanted) { export_scan(wanted); },
+          [&](const ui::PrepareExport&) {
+            if (scan() != nullptr) exports_.prepare(scan()->snapshot()->result);
+          },
           [&](const ui::OpenExportFolder&) { exports_.open_folder(); },
           [&](const ui::ChangeSettings& changed) { change_settings(changed.settings); },
           [&](const ui::Tell& told) {
@@ -133,9 +136,9 @@ ui::AppView Session::view() {
   view.chooser = chooser_.state();
   view.calibration = calibration_.state();
   view.file = case_.state();
-  view.exports = exports_.state(view);
   view.occlusion = occlusion_.state();
   view.settings = settings_;
+  view.exports = exports_.state(view);
   view.texts = texts_;
   view.notices = notices_.latest();
   const LightNeed need = light_need(view, window_use_);

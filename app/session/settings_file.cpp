@@ -25,6 +25,15 @@ void read_formats(const nlohmann::json& json, std::set<std::string>& formats) {
   }
 }
 
+/// The usual one if this version does not know it.
+reconstruct::MeshDensity density_at(const nlohmann::json& json, reconstruct::MeshDensity usual) {
+  const auto name = json.find("mesh_density");
+  for (const reconstruct::MeshDensity density : reconstruct::kMeshDensities) {
+    if (name != json.end() && *name == to_string(density)) return density;
+  }
+  return usual;
+}
+
 /// Empty if there are no texts in the language.
 std::string language_at(const nlohmann::json& json) {
   const auto code = json.find("language");
@@ -73,6 +82,10 @@ ui::Settings parse_settings(std::string_view text) {
   }
   settings.window_width = size_at(json, "window_width", settings.window_width, 640);
   settings.window_height = size_at(json, "window_height", settings.window_height, 400);
+  if (const auto width = json.find("close_holes_mm"); width != json.end() && width->is_number()) {
+    settings.close_holes_mm = std::clamp(width->get<double>(), 0.0, 10.0);
+  }
+  settings.mesh_density = density_at(json, settings.mesh_density);
   read_formats(json, settings.export_formats);
   return settings;
 }
@@ -86,6 +99,8 @@ std::string settings_to_json(const ui::Settings& settings) {
                                {"window_width", settings.window_width},
                                {"window_height", settings.window_height},
                                {"export_formats", settings.export_formats},
+                               {"mesh_density", to_string(settings.mesh_density)},
+                               {"close_holes_mm", settings.close_holes_mm},
                                {"recording_folder", settings.recording_folder}};
   return json.dump(2) + "\n";
 }

@@ -59,10 +59,10 @@ void StageController::pause() {
   if (scan()) scan()->pause();
 }
 
-void StageController::finish() {
+void StageController::finish(double close_holes_mm) {
   if (!accepts(scan::ScanEvent::kFinish)) return;
   is_started_ = false;
-  scan()->finish();
+  scan()->finish(close_holes_mm);
 }
 
 void StageController::cancel_finish() {

@@ -27,7 +27,8 @@ class StageController {
 
   void start();
   void pause();
-  void finish();
+  /// @param close_holes_mm  as meshing::MeshOptions
+  void finish(double close_holes_mm);
   void cancel_finish();
   void undo();
   void redo();

@@ -15,6 +15,7 @@ uniform vec3 clearance_ramp[4];  // from contact_mm to far_clearance_mm
 const vec3 kPlaster = vec3(0.886, 0.871, 0.831);
 const vec3 kLockTint = vec3(0.36, 0.47, 0.80);
 const vec3 kTrimTint = vec3(0.86, 0.25, 0.20);
+const vec3 kNotMeasuredTint = vec3(0.62, 0.36, 0.82);
 
 vec3 sigma_color(float sigma_mm) {
   float at = clamp(4.0 + log2(max(sigma_mm, 1e-9) / max_sigma_mm), 0.0, 4.0);

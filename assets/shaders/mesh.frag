@@ -5,7 +5,7 @@ in vec3 p_eye;
 in vec3 n_eye;
 in vec2 atlas_uv;
 in vec3 base_color;
-in vec2 tints;
+in vec3 tints;
 out vec4 pixel;
 
 uniform sampler2D atlas;
@@ -19,6 +19,7 @@ void main() {
   if (color_mode == 1 && has_atlas != 0) {
     color = mix(kPlaster, texture(atlas, atlas_uv).rgb, texture_blend);
   }
+  if (tints.z > 0.5) color = mix(color, kNotMeasuredTint, 0.6);
   vec3 n = normalize(n_eye);
   vec3 towards_eye = normalize(-p_eye);
   pixel = vec4(lit(tinted(color, tints.x > 0.5, tints.y > 0.5), n, towards_eye), dot(n, towards_eye));

@@ -29,7 +29,7 @@ struct SurfacePoint {
   Vec3f position_mm = Vec3f::Zero();
   Vec3f normal = Vec3f::UnitZ();  ///< unit, outwards
   Rgb color = kUntexturedColor;
-  float sigma_mm = 0.0F;  ///< standard uncertainty along the normal
+  float sigma_mm = 0.0F;  ///< standard uncertainty along the normal; infinite: not measured
 };
 
 using PointCloud = std::vector<SurfacePoint>;

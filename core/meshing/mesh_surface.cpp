@@ -5,6 +5,7 @@
 #include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/point_grid.h"
+#include "core/meshing/close_holes.h"
 #include "core/meshing/implicit_surface.h"
 #include "core/meshing/mesh_topology.h"
 #include "core/meshing/surface_nets.h"
@@ -55,6 +56,7 @@ Result<void> MeshOptions::validate() const {
             "at least support_spacings")
       .not_negative("min_island_spacings2", min_island_spacings2)
       .not_negative("min_strip_spacings", min_strip_spacings)
+      .not_negative("close_holes_mm", close_holes_mm)
       .result();
 }
 
@@ -87,6 +89,7 @@ Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& op
   }
   drop_islands(result.mesh, options.min_island_spacings2 * spacing_mm * spacing_mm);
   if (result.mesh.triangles.empty()) return too_few();
+  result.closed_holes = close_holes(result.mesh, options.close_holes_mm);
   topology.advance();
   if (progress.cancelled()) return stopped();
   result.boundaries = find_boundaries(result.mesh);

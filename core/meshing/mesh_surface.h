@@ -28,6 +28,9 @@ struct MeshOptions {
   /// scan runs out, single lines stick out like a comb, and no crossing line confirms them. The
   /// rest gets smooth rims. 0: all stay.
   double min_strip_spacings = 16.0;
+  /// >= 0. Holes up to this width are closed and marked as not measured, mm; see close_holes(). 0:
+  /// all stay open, as nobody measured there.
+  double close_holes_mm = 0.0;
 
   [[nodiscard]] Result<void> validate() const;
 };

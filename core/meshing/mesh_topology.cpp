@@ -4,7 +4,6 @@
 #include <array>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -40,42 +39,13 @@ void drop_crowded_edges(TriangleMesh& mesh) {
   keep_triangles(mesh, keep);
 }
 
-/// Union-find. The representative of a set is its smallest member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 int corner_of(const Triangle& triangle, std::uint32_t vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
 }
 
-/// Corners (3 t + k) at a vertex that share an edge form a fan; each fan gets its own vertex.
+/// Each fan of triangles at a vertex gets its own vertex.
 void split_fans(TriangleMesh& mesh) {
-  DisjointSets fans(3 * mesh.triangles.size());
-  const std::vector<HalfEdge> edges = half_edges_of(mesh);
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    if (!edges[i].same_edge(edges[i + 1])) continue;
-    for (const std::uint32_t v : {edges[i].low, edges[i].high}) {
-      const std::uint32_t s = edges[i].triangle();
-      const std::uint32_t t = edges[i + 1].triangle();
-      fans.join(3 * s + corner_of(mesh.triangles[s], v), 3 * t + corner_of(mesh.triangles[t], v));
-    }
-  }
+  DisjointSets fans = fans_of(mesh);
   std::vector<std::uint32_t> first_fan(mesh.vertices.size(), kNone);
   std::map<std::uint32_t, std::uint32_t> vertex_of_fan;
   for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
@@ -90,33 +60,6 @@ void split_fans(TriangleMesh& mesh) {
       first_fan.push_back(fan);
     }
     v = it->second;
-  }
-}
-
-/// The connected component of each vertex.
-DisjointSets pieces_of(const TriangleMesh& mesh) {
-  DisjointSets pieces(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles) {
-    pieces.join(t[0], t[1]);
-    pieces.join(t[1], t[2]);
-  }
-  return pieces;
-}
-
-void drop_unused_vertices(TriangleMesh& mesh) {
-  std::vector<std::uint32_t> new_index(mesh.vertices.size(), kNone);
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t v : t) new_index[v] = 0;
-  }
-  std::uint32_t next = 0;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (new_index[v] == kNone) continue;
-    mesh.vertices[next] = mesh.vertices[v];
-    new_index[v] = next++;
-  }
-  mesh.vertices.resize(next);
-  for (Triangle& t : mesh.triangles) {
-    for (std::uint32_t& v : t) v = new_index[v];
   }
 }
 
@@ -230,6 +173,29 @@ void mark_outer(const TriangleMesh& mesh, std::vector<Rim>& rims) {
 
 }  // namespace
 
+DisjointSets fans_of(const TriangleMesh& mesh) {
+  DisjointSets fans(3 * mesh.triangles.size());
+  const std::vector<HalfEdge> edges = half_edges_of(mesh);
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    if (!edges[i].same_edge(edges[i + 1])) continue;
+    for (const std::uint32_t v : {edges[i].low, edges[i].high}) {
+      const std::uint32_t s = edges[i].triangle();
+      const std::uint32_t t = edges[i + 1].triangle();
+      fans.join(3 * s + corner_of(mesh.triangles[s], v), 3 * t + corner_of(mesh.triangles[t], v));
+    }
+  }
+  return fans;
+}
+
+DisjointSets pieces_of(const TriangleMesh& mesh) {
+  DisjointSets pieces(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles) {
+    pieces.join(t[0], t[1]);
+    pieces.join(t[1], t[2]);
+  }
+  return pieces;
+}
+
 void keep_triangles(TriangleMesh& mesh, const std::vector<char>& keep) {
   std::size_t next = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -242,6 +208,23 @@ void repair_manifold(TriangleMesh& mesh) {
   drop_degenerate(mesh);
   drop_crowded_edges(mesh);
   split_fans(mesh);
+}
+
+void drop_unused_vertices(TriangleMesh& mesh) {
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), kNone);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) new_index[v] = 0;
+  }
+  std::uint32_t next = 0;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (new_index[v] == kNone) continue;
+    mesh.vertices[next] = mesh.vertices[v];
+    new_index[v] = next++;
+  }
+  mesh.vertices.resize(next);
+  for (Triangle& t : mesh.triangles) {
+    for (std::uint32_t& v : t) v = new_index[v];
+  }
 }
 
 void drop_islands(TriangleMesh& mesh, double min_area_mm2) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/meshing/disjoint_sets.h"
 #include "core/meshing/surface_mesh.h"
 
 namespace flytri::meshing {
@@ -11,6 +12,15 @@ namespace flytri::meshing {
 /// with the same direction. Then gives each fan of triangles at a vertex its own vertex. The result
 /// is an oriented manifold with boundary.
 void repair_manifold(TriangleMesh& mesh);
+
+/// Corners (3 t + k) at a vertex whose triangles share an edge there: each set is one fan.
+[[nodiscard]] DisjointSets fans_of(const TriangleMesh& mesh);
+
+/// The connected components, as sets of vertices.
+[[nodiscard]] DisjointSets pieces_of(const TriangleMesh& mesh);
+
+/// Drops vertices that no triangle has; the others keep their order.
+void drop_unused_vertices(TriangleMesh& mesh);
 
 /// Drops connected components with a smaller area, then unused vertices.
 void drop_islands(TriangleMesh& mesh, double min_area_mm2);

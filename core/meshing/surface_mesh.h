@@ -25,6 +25,7 @@ struct BoundaryLoop {
 struct SurfaceMesh {
   TriangleMesh mesh;
   std::vector<BoundaryLoop> boundaries;  ///< see find_boundaries()
+  std::size_t closed_holes = 0;          ///< holes that were closed, see close_holes()
 };
 
 }  // namespace flytri::meshing

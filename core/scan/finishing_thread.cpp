@@ -42,8 +42,10 @@ void FinishingThread::run(FinishingInput input, Done done) {
     const Progress progress = this->progress();
     StageClock clock(now_s_);
     reconstruct::ScannedViews scanned = collect(*shared, progress);
+    reconstruct::FinishOptions options = options_;
+    options.meshing.close_holes_mm = shared->close_holes_mm;
     Result<reconstruct::FinishedScan> finished =
-        reconstruct::finish_scan(scanned, options_, Workers(), progress, clock);
+        reconstruct::finish_scan(scanned, options, Workers(), progress, clock);
     scanned.texture_frames.clear();
     release_free_memory();
     done({std::move(shared->registrar), std::move(scanned.views), std::move(finished)});

@@ -20,6 +20,7 @@ struct FinishingInput {
   std::vector<Frame> texture_frames;
   editing::EditList edits;
   std::shared_ptr<const calibration::Calibration> calibration;
+  double close_holes_mm = 0.0;  ///< as MeshOptions, in place of the options'
 };
 
 struct FinishingOutput {

@@ -357,7 +357,7 @@ FinishingWork GrowingScan::finishing_work() const {
           now->area_mm2};
 }
 
-void GrowingScan::finish() {
+void GrowingScan::finish(double close_holes_mm) {
   if (!accepts(phase_, ScanEvent::kFinish, has_model())) return;
   views_before_finishing_ = registrar_->aligned_views();
   finishing_.announce_run(finishing_work());
@@ -365,7 +365,7 @@ void GrowingScan::finish() {
   board_.update([](ScanSnapshot& s) { s.failure.clear(); });
   // A std::function must be copyable, and the input is not.
   auto input = std::make_shared<FinishingInput>(
-      FinishingInput{std::move(registrar_), {}, edits_.state(), calibration_});
+      FinishingInput{std::move(registrar_), {}, edits_.state(), calibration_, close_holes_mm});
   model_.with_textures([this, input](const std::vector<PlacedTexture>& placed) {
     for (const PlacedTexture& texture : placed) input->texture_frames.push_back(texture.frame);
     finishing_.run(std::move(*input), [this](FinishingOutput output) {

@@ -42,7 +42,7 @@ class GrowingScan {
   void change_edits(void (editing::EditStack::*change)());
   void choose_reentry(std::size_t index);
   void keep_in(std::shared_ptr<ScanJournal> journal);
-  void finish();
+  void finish(double close_holes_mm);
 
   // For any thread.
   [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot();

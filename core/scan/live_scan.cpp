@@ -183,8 +183,8 @@ void LiveScan::redo() {
 void LiveScan::choose_reentry(std::size_t index) {
   impl_->ask([this, index] { impl_->scan().choose_reentry(index); });
 }
-void LiveScan::finish() {
-  impl_->ask([this] { impl_->scan().finish(); });
+void LiveScan::finish(double close_holes_mm) {
+  impl_->ask([this, close_holes_mm] { impl_->scan().finish(close_holes_mm); });
 }
 void LiveScan::keep_in(std::shared_ptr<ScanJournal> journal) {
   impl_->ask([this, journal = std::move(journal)] { impl_->scan().keep_in(journal); });

@@ -85,7 +85,8 @@ class LiveScan {
   void redo();
   /// Chooses one of ScanSnapshot::reentry.
   void choose_reentry(std::size_t index);
-  void finish();
+  /// @param close_holes_mm  as MeshOptions
+  void finish(double close_holes_mm = 0.0);
   void cancel_finish();
   /// From now on the scan is saved in this journal, with all that was scanned before.
   void keep_in(std::shared_ptr<ScanJournal> journal);

@@ -79,6 +79,28 @@ expect 'no such stage' 2 '--stage' "$flytri" reconstruct a.flytri -o no.glb --st
 expect 'chosen stage' 0 '^wrote lower\.glb' "$flytri" reconstruct a.flytri -o lower.glb --stage lower
 same direct.glb lower.glb
 
+# All jaws in one frame. Without a bite nothing says how they meet.
+expect 'keep the lower jaw' 0 '^wrote lower\.glb' \
+  "$flytri" reconstruct a.flytri -o lower.glb --stage lower --keep --force
+mkdir jaws
+expect 'jaws in one frame' 0 '^wrote jaws/smith-lower\.stl' "$flytri" export a.flytri --jaws \
+  -o jaws/smith.glb -o jaws/smith.stl -o jaws/smith.ply
+expect 'a node for each jaw' 0 '"name":"lower"' grep -ao '"name":"[a-z]*"' jaws/smith.glb
+expect 'jaws without a bite' 0 'do not lie as they bite' "$flytri" export a.flytri --jaws -o jaws/b.glb
+expect 'jaws replace nothing' 1 'jaws/smith-upper\.ply: exists already' \
+  "$flytri" export a.flytri --jaws -o jaws/smith.ply
+expect 'jaws or a stage' 1 '--jaws and --stage' \
+  "$flytri" export a.flytri --jaws --stage upper -o no.glb
+name='jaws: as many files as stages'
+[ "$(find jaws -name 'smith*' | wc -l)" = 5 ] || fail "$(ls jaws)"
+
+# As many triangles as are asked for.
+expect 'all triangles' 0 '^wrote full\.stl' \
+  "$flytri" export a.flytri --stage upper -o full.stl --mesh-density full
+expect 'triangles for CAD' 0 'triangles for cad' "$flytri" export a.flytri --stage upper -o cad.stl
+name='fewer triangles'
+[ "$(stat -c %s cad.stl)" -lt "$(($(stat -c %s full.stl) / 2))" ] || fail "$(stat -c '%n %s' -- *.stl)"
+
 # Damage and misuse.
 expect 'no such case' 1 'absent\.flytri: there is no such case' \
   "$flytri" reconstruct absent.flytri -o no.glb
@@ -105,7 +127,8 @@ expect 'keep in a truncated case' 1 'cut\.flytri: .*damaged' \
 if strace -qq -o strace.log true 2> /dev/null; then
   for call in write fsync rename; do
     expect "export, $call fails" 1 'no\.glb: cannot be written: No space left' strace -f -qq -o strace.log \
-      -e trace="$call" -e inject="$call:error=ENOSPC:when=1" "$flytri" export a.flytri --stage upper -o no.glb
+      -e trace="$call" -e inject="$call:error=ENOSPC:when=1" "$flytri" export a.flytri --stage upper -o no.glb \
+      --mesh-density full
   done
   name='export, killed'
   (strace -f -qq -o strace.log -e trace=fsync -e inject=fsync:signal=KILL:when=1 \

@@ -9,13 +9,15 @@
 #include "ui/panels/panels.h"
 #include "ui/state/export_target.h"
 #include "ui/theme/icons.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/hint.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
 namespace {
 
 constexpr float kExportWidth = 720.0F, kFormatRow = 48.0F, kNote = 96.0F;  // in units
-constexpr float kHeightWithoutRows = 240.0F + kNote;
+constexpr float kHeightWithoutRows = 240.0F + kNote, kDensityCaption = 112.0F;
 
 /// Until the user types, the form shows what the program proposes. A name that was typed for one
 /// case or stage is not kept for the next: it may be a patient's.
@@ -69,6 +71,7 @@ RowStatus status_of(const PanelContext& context, const io::ModelFormat& format) 
     const std::uint64_t bytes = written_bytes(exports, format);
     if (bytes > 0) return {kGood, size_text(bytes)};
   }
+  if (estimate->second == 0) return {kTextQuiet, "…"};
   return {kText, context.view.texts.fill<Text::kAboutSize>(size_text(estimate->second))};
 }
 
@@ -99,6 +102,59 @@ void draw_format(const PanelContext& context, Rect row, const io::ModelFormat& f
             {context.theme.fonts.strong, status.color, Align::kRight}, status.text);
   draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft},
             purpose_of(context.view, format));
+}
+
+struct DensityWords {
+  Text name, hint;
+};
+
+DensityWords words_of(reconstruct::MeshDensity density) {
+  switch (density) {
+    case reconstruct::MeshDensity::kFull:
+      return {Text::kDensityFull, Text::kDensityFullHint};
+    case reconstruct::MeshDensity::kCad:
+      return {Text::kDensityCad, Text::kDensityCadHint};
+    case reconstruct::MeshDensity::kLight:
+      return {Text::kDensityLight, Text::kDensityLightHint};
+  }
+  return {Text::kDensityFull, Text::kDensityFullHint};
+}
+
+void draw_density_button(const PanelContext& context, const Rect& box,
+                         reconstruct::MeshDensity density) {
+  constexpr std::size_t kThousand = 1000;
+  const std::size_t count = context.view.exports.triangles[static_cast<std::size_t>(density)];
+  const DensityWords words = words_of(density);
+  const std::string id = fmt::format("density_{}", to_string(density));
+  const std::string count_text =
+      count == 0 ? "…"
+                 : context.view.texts.fill<Text::kThousands>(
+                       std::max<std::size_t>(1, (count + kThousand / 2) / kThousand));
+  const std::string label = fmt::format("{}: {}", context.text(words.name), count_text);
+  ButtonLook look;
+  look.id = id.c_str();
+  look.label = label.c_str();
+  look.is_on = context.view.settings.mesh_density == density;
+  context.places.set(id, box);
+  hint_over(box, context.view.texts[words.hint]);
+  if (!small_button(context.theme, box, look)) return;
+  Settings settings = context.view.settings;
+  settings.mesh_density = density;
+  context.commands.emplace_back(ChangeSettings{settings});
+}
+
+/// How many triangles the files get, which only a finished scan has.
+void draw_density(const PanelContext& context, Rect row) {
+  if (!is_finished(context.view)) return;
+  const auto& triangles = context.view.exports.triangles;
+  if (std::find(triangles.begin(), triangles.end(), 0U) != triangles.end())
+    context.commands.emplace_back(PrepareExport{});
+  draw_text(row.take_left(context.px(kDensityCaption), context.px(kGapM)),
+            {context.theme.fonts.body, kText, Align::kLeft}, context.text(Text::kTriangles));
+  constexpr auto kCount = static_cast<float>(reconstruct::kMeshDensities.size());
+  const float gap = context.px(kGapXs), width = (row.width - (kCount - 1.0F) * gap) / kCount;
+  for (const reconstruct::MeshDensity density : reconstruct::kMeshDensities)
+    draw_density_button(context, row.take_left(width, gap), density);
 }
 
 void draw_place(const PanelContext& context, DialogPlate& dialog, ExportForm& form) {
@@ -175,9 +231,10 @@ void draw_export_dialog(const PanelContext& context) {
   ExportForm& form = context.state.export_form;
   follow_proposal(context, form);
   const Note note = note_of(context);
-  const float rows = static_cast<float>(io::model_formats().size()) * (kFormatRow + kGapS);
+  const float rows = static_cast<float>(io::model_formats().size() + 1) * (kFormatRow + kGapS);
   DialogPlate dialog(context, context.text(Text::kExport),
                      {kExportWidth, kHeightWithoutRows + rows + extra_height(context, note)});
+  draw_density(context, dialog.rest.take_top(context.px(kFormatRow), context.px(kGapS)));
   for (const io::ModelFormat& format : io::model_formats()) {
     draw_format(context, dialog.rest.take_top(context.px(kFormatRow), context.px(kGapS)), format);
   }

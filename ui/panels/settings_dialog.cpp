@@ -2,6 +2,9 @@
 /// calibration.
 #include <fmt/format.h>
 
+#include <array>
+#include <string>
+
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/recording_text.h"
@@ -74,6 +77,30 @@ void draw_full_screen(const PanelContext& context, Rect row) {
   draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, context.text(Text::kFullScreen));
 }
 
+/// Widths of holes to choose from, mm.
+constexpr std::array kHoleWidths_mm = {0.0, 0.5, 1.0, 2.0};
+
+void draw_close_holes(const PanelContext& context, Rect row) {
+  Rect buttons = row.take_right(context.px(64.0F * 4.0F + 3.0F * kGapXs), context.px(kGapM));
+  for (const double width_mm : kHoleWidths_mm) {
+    const Rect box = buttons.take_left(context.px(64.0F), context.px(kGapXs));
+    const std::string id = fmt::format("close_holes_{}", width_mm);
+    const std::string label = width_mm > 0.0 ? fmt::format("{} mm", width_mm)
+                                             : std::string(context.text(Text::kButtonOff));
+    ButtonLook look;
+    look.id = id.c_str();
+    look.label = label.c_str();
+    look.is_on = context.view.settings.close_holes_mm == width_mm;
+    context.places.set(id, box);
+    if (!small_button(context.theme, box, look)) continue;
+    Settings settings = context.view.settings;
+    settings.close_holes_mm = width_mm;
+    context.commands.emplace_back(ChangeSettings{settings});
+  }
+  hint_over(row, context.view.texts[Text::kCloseHolesHint]);
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, context.text(Text::kCloseHoles));
+}
+
 void draw_devices(const PanelContext& context, Rect row) {
   small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
                Action::kDevices, {icon::kDevice, context.text(Text::kShow)});
@@ -111,12 +138,13 @@ void draw_recording(const PanelContext& context, DialogPlate& dialog) {
 
 void draw_settings_dialog(const PanelContext& context) {
   DialogPlate dialog(context, context.text(Text::kSettings),
-                     {kSettingsWidth, 320.0F + 3.0F * (kSettingsRow + kGapS) + kLanguageCaption +
+                     {kSettingsWidth, 320.0F + 4.0F * (kSettingsRow + kGapS) + kLanguageCaption +
                                           kGapXs + kFieldRow});
   draw_language(context, dialog);
   draw_size(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_full_screen(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
+  draw_close_holes(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_devices(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_calibration(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
   draw_recording(context, dialog);

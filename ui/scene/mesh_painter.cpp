@@ -43,6 +43,7 @@ std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const MeshPainter:
     const SurfacePoint& v = mesh.mesh.vertices[i];
     unsigned flags = marks.coverage[i] == Coverage::kGood ? kGoodFlag : 0U;
     flags |= tint_flag(marks.tints, v.position_mm, v.normal);
+    if (std::isinf(v.sigma_mm)) flags |= kNotMeasuredFlag;
     if (marks.jaws && i >= marks.jaws->first_lower) flags |= kLowerJawFlag;
     vertices.push_back({v.position_mm, packed_normal(v.normal),
                         mesh.uv.empty() ? Eigen::Vector2f(0.0F, 0.0F) : mesh.uv[i],

@@ -14,6 +14,7 @@ namespace flytri::ui {
 inline constexpr std::uint8_t kTexturedFlag = 1;
 inline constexpr std::uint8_t kGoodFlag = 2;
 inline constexpr std::uint8_t kLockedFlag = 4;
+inline constexpr std::uint8_t kNotMeasuredFlag = 16;  // of a closed hole; 8 is to trim
 inline constexpr std::uint8_t kToTrimFlag = 8;
 inline constexpr std::uint8_t kLowerJawFlag = 32;  ///< of two jaws that are shown together
 

@@ -14,6 +14,7 @@
 #include "core/geometry/jaw_axes.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/io/cases/case_file.h"
+#include "core/reconstruct/mesh_density.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/calibration_state.h"
 #include "ui/state/devices_state.h"
@@ -134,6 +135,7 @@ struct ExportTarget {
   std::string folder;                     ///< as typed: may begin with ~
   std::string name;                       ///< without extension
   std::vector<std::string_view> formats;  ///< extensions, in the order of io::model_formats()
+  reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;  ///< of a finished model
   bool operator==(const ExportTarget&) const = default;
 };
 
@@ -143,7 +145,10 @@ struct ExportState {
   std::string name;    ///< proposed, without extension
   /// About the size of each format's files, by extension. Formats that cannot hold what the window
   /// shows are missing.
+  /// 0: not known before the model of this density is made.
   std::map<std::string_view, std::uint64_t> estimated_bytes;
+  /// Triangles in each density, in the order of kMeshDensities; 0: not known yet.
+  std::array<std::size_t, reconstruct::kMeshDensities.size()> triangles{};
   bool is_running = false;
   bool has_model = false;  ///< the finished model that is shown was exported
   ExportTarget latest;     ///< of the latest export of this stage; the following is its outcome
@@ -164,7 +169,9 @@ struct Settings {
   int window_width = 1280;       ///< >= 640; with window_height at scale 1, when not in full screen
   int window_height = 800;       ///< >= 400
   std::string recording_folder;  ///< empty: the proposed one
-  std::set<std::string> export_formats = {".glb", ".stl", ".ply"};  ///< extensions
+  std::set<std::string> export_formats = {".glb", ".stl", ".ply"};         ///< extensions
+  reconstruct::MeshDensity mesh_density = reconstruct::MeshDensity::kCad;  ///< of exports
+  double close_holes_mm = 0.0;  ///< 0..10, see meshing::MeshOptions; from the next Finish on
   bool operator==(const Settings&) const = default;
 };
 

@@ -22,6 +22,7 @@ std::string_view name_of(const Command& command) {
       "ChooseReentry",
       "SelectStage",
       "Export",
+      "PrepareExport",
       "OpenExportFolder",
       "NewCase",
       "OpenCase",

@@ -51,6 +51,8 @@ struct Export {
   ExportTarget target;                ///< at least 1 format
   std::vector<std::string> replaced;  ///< paths of files that may be replaced
 };
+/// Makes the lighter meshes of the finished model, so that their sizes can be shown.
+struct PrepareExport {};
 /// Shows the folder of the latest export in the desktop's file manager.
 struct OpenExportFolder {};
 struct NewCase {
@@ -133,11 +135,11 @@ struct Quit {};
 using Command =
     std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage,
                  AddMeasurement, RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
-                 SelectStage, Export, OpenExportFolder, NewCase, OpenCase, DiscardCase,
-                 SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway, PointHand,
-                 ChangeSettings, RecordFrames, ChoosePath, CheckDevices, BeginCalibration,
-                 TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration, EndCalibration,
-                 Tell, Quit>;
+                 SelectStage, Export, PrepareExport, OpenExportFolder, NewCase, OpenCase,
+                 DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
+                 PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices,
+                 BeginCalibration, TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration,
+                 EndCalibration, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

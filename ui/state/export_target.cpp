@@ -5,7 +5,7 @@
 namespace flytri::ui {
 
 ExportTarget export_target(const AppView& view, const ExportForm& form) {
-  ExportTarget target = {form.folder, form.name, {}};
+  ExportTarget target = {form.folder, form.name, {}, view.settings.mesh_density};
   for (const io::ModelFormat& format : io::model_formats()) {
     if (view.exports.estimated_bytes.contains(format.extension) &&
         view.settings.export_formats.contains(std::string(format.extension))) {

@@ -10,6 +10,13 @@ FLYTRI_TEXT(kTrackingSounds, "Tracking sounds", "Töne bei Verlust und Rückkehr
 FLYTRI_TEXT(kButtonMuted, "Muted", "Stumm", "Muet", "Silenciado")
 FLYTRI_TEXT(kButtonOn, "On", "Ein", "Activé", "Activado")
 FLYTRI_TEXT(kButtonOff, "Off", "Aus", "Désactivé", "Desactivado")
+FLYTRI_TEXT(kCloseHoles, "Close holes at Finish, up to", "Löcher beim Abschließen füllen, bis",
+            "Fermer les trous en terminant, jusqu’à", "Cerrar huecos al finalizar, hasta")
+FLYTRI_TEXT(kCloseHolesHint,
+            "What fills a hole was not measured. It is drawn in violet and marked in the files.",
+            "Was ein Loch füllt, wurde nicht gemessen. Es ist violett und in den Dateien markiert.",
+            "Ce qui ferme un trou n’a pas été mesuré. C’est violet, et marqué dans les fichiers.",
+            "Lo que cierra un hueco no se midió. Se ve violeta y queda marcado en los archivos.")
 FLYTRI_TEXT(kShow, "Show", "Anzeigen", "Afficher", "Mostrar")
 FLYTRI_TEXT(kSensorCalibration, "Sensor calibration", "Sensorkalibrierung", "Étalonnage du capteur",
             "Calibración del sensor")

@@ -18,6 +18,12 @@ namespace flytri::io {
 /// @errors  kBadOption: the model exceeds the 4 GiB of the format; as encode_png.
 [[nodiscard]] Result<std::string> encode_glb(const TexturedMesh& model, const std::string& name);
 
+/// The axes of the buffers, and so how the nodes turn them into those of glTF: +y up, +z the front.
+enum class GlbAxes {
+  kSensor,  ///< y down, z away from the viewer: half a turn about x
+  kPatient  ///< x left, y back, z up: a quarter turn about x, after which +z is the patient's front
+};
+
 /// A model with its name in the file.
 struct NamedModel {
   std::string name;
@@ -29,7 +35,8 @@ struct NamedModel {
 /// @param name  for messages
 /// @errors  As encode_glb.
 [[nodiscard]] Result<std::string> encode_glb_scene(std::span<const NamedModel> models,
-                                                   const std::string& name);
+                                                   const std::string& name,
+                                                   GlbAxes axes = GlbAxes::kSensor);
 
 /// Inverse of encode_glb. Files of other programs are refused unless they have the same structure.
 /// @param name  for messages

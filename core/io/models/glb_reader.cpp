@@ -1,4 +1,5 @@
 #include <cstring>
+#include <limits>
 #include <optional>
 
 #include "core/imaging/srgb.h"
@@ -148,16 +149,25 @@ void read_colors(const Document& document, const JsonPlace& attributes,
   }
 }
 
+/// One number for each vertex; empty without the attribute.
+std::vector<float> read_scalars(const Document& document, const JsonPlace& attributes,
+                                const char* name, std::size_t count) {
+  if (!attributes.has(name)) return {};
+  const JsonPlace place = attributes.at(name);
+  auto values = document.numbers<float>(place, kFloat, "SCALAR", 1);
+  if (values.size() == count) return values;
+  place.reject("as many values as positions");
+  return {};
+}
+
 void read_sigma(const Document& document, const JsonPlace& attributes,
                 std::vector<SurfacePoint>& vertices) {
-  if (!attributes.has("_SIGMA")) return;
-  const JsonPlace place = attributes.at("_SIGMA");
-  const auto sigma_mm = document.numbers<float>(place, kFloat, "SCALAR", 1);
-  if (sigma_mm.size() != vertices.size()) {
-    place.reject("as many uncertainties as positions");
-    return;
+  const auto sigma_mm = read_scalars(document, attributes, "_SIGMA", vertices.size());
+  for (std::size_t i = 0; i < sigma_mm.size(); ++i) vertices[i].sigma_mm = sigma_mm[i];
+  const auto measured = read_scalars(document, attributes, "_MEASURED", vertices.size());
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    if (measured[i] == 0.0F) vertices[i].sigma_mm = std::numeric_limits<float>::infinity();
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].sigma_mm = sigma_mm[i];
 }
 
 void read_uv(const Document& document, const JsonPlace& attributes, TexturedMesh& model) {

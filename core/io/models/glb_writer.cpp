@@ -1,6 +1,8 @@
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <vector>
@@ -16,7 +18,7 @@ namespace {
 /// Builds a glTF document with one buffer.
 class GlbBuilder {
  public:
-  GlbBuilder() {
+  explicit GlbBuilder(GlbAxes axes) : axes_(axes) {
     gltf_.asset.version = "2.0";
     gltf_.asset.generator = "flytri";
     gltf_.buffers.emplace_back();
@@ -64,8 +66,12 @@ class GlbBuilder {
         begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, mesh.vertices.size(),
                        TINYGLTF_TARGET_ARRAY_BUFFER);
     for (const SurfacePoint& point : mesh.vertices) {
+      // What was written and read stays as it is, to the bit.
+      constexpr float kUnit = 1e-5F;
       const float length = point.normal.norm();
-      const Vec3f unit = length > 0.0F ? Vec3f(point.normal / length) : Vec3f::UnitZ();
+      const Vec3f unit = std::abs(length - 1.0F) < kUnit ? point.normal
+                         : length > 0.0F                 ? Vec3f(point.normal / length)
+                                                         : Vec3f::UnitZ();
       put(unit.data(), 3);
     }
     end_view();
@@ -89,13 +95,24 @@ class GlbBuilder {
     }
     end_view();
   }
-  /// An attribute of flytri: other programs ignore it, as glTF requires.
+  /// Attributes of flytri: other programs ignore them, as glTF requires. What was not measured has
+  /// no uncertainty that a file could hold.
   void add_sigma(const TriangleMesh& mesh) {
-    primitive_.attributes["_SIGMA"] =
-        begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, mesh.vertices.size(),
-                       TINYGLTF_TARGET_ARRAY_BUFFER);
-    for (const SurfacePoint& point : mesh.vertices) put(&point.sigma_mm, 1);
-    end_view();
+    const auto add = [&](const char* name, const auto& value_of) {
+      primitive_.attributes[name] =
+          begin_accessor(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, mesh.vertices.size(),
+                         TINYGLTF_TARGET_ARRAY_BUFFER);
+      for (const SurfacePoint& point : mesh.vertices) {
+        const float value = value_of(point);
+        put(&value, 1);
+      }
+      end_view();
+    };
+    const auto is_measured = [](const SurfacePoint& point) { return !std::isinf(point.sigma_mm); };
+    add("_SIGMA",
+        [&](const SurfacePoint& point) { return is_measured(point) ? point.sigma_mm : 0.0F; });
+    if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_measured)) return;
+    add("_MEASURED", [&](const SurfacePoint& point) { return is_measured(point) ? 1.0F : 0.0F; });
   }
   void add_triangles(const TriangleMesh& mesh) {
     primitive_.indices =
@@ -138,14 +155,17 @@ class GlbBuilder {
     gltf_.samplers.push_back(sampler);
   }
   void add_node(const std::string& name) {
+    constexpr double kHalfRoot = 0.70710678118654752;
     tinygltf::Mesh mesh;
     mesh.primitives.push_back(primitive_);
     mesh.name = name;
     tinygltf::Node node;
     node.mesh = static_cast<int>(gltf_.meshes.size());
     node.name = name;
-    node.rotation = {1.0, 0.0, 0.0, 0.0};  // x, y, z, w: half a turn about x
-    node.scale = {0.001, 0.001, 0.001};    // millimeters to meters
+    // x, y, z, w
+    node.rotation = axes_ == GlbAxes::kSensor ? std::vector{1.0, 0.0, 0.0, 0.0}
+                                              : std::vector{-kHalfRoot, 0.0, 0.0, kHalfRoot};
+    node.scale = {0.001, 0.001, 0.001};  // millimeters to meters
     gltf_.meshes.push_back(mesh);
     gltf_.scenes.front().nodes.push_back(static_cast<int>(gltf_.nodes.size()));
     gltf_.nodes.push_back(node);
@@ -180,6 +200,7 @@ class GlbBuilder {
     bytes().insert(bytes().end(), first, first + count * sizeof(T));
   }
 
+  GlbAxes axes_;
   tinygltf::Model gltf_;
   tinygltf::Primitive primitive_;
 };
@@ -197,7 +218,8 @@ Result<std::string> encode_glb(const TexturedMesh& model, const std::string& nam
   return encode_glb_scene(std::array{NamedModel{"", &model}}, name);
 }
 
-Result<std::string> encode_glb_scene(std::span<const NamedModel> models, const std::string& name) {
+Result<std::string> encode_glb_scene(std::span<const NamedModel> models, const std::string& name,
+                                     GlbAxes axes) {
   // At most 52 bytes per vertex; the JSON text is much smaller than the reserve.
   constexpr std::uint64_t kReserve = 1U << 20U;
   std::uint64_t size = kReserve;
@@ -216,7 +238,7 @@ Result<std::string> encode_glb_scene(std::span<const NamedModel> models, const s
     return fail(ErrorCode::kBadOption,
                 "{}: too large: glTF holds at most 4 GiB; write .ply instead", name);
   }
-  GlbBuilder builder;
+  GlbBuilder builder(axes);
   for (std::size_t i = 0; i < models.size(); ++i) builder.add_model(models[i], pngs[i]);
   tinygltf::Model gltf = builder.finish();
   std::string bytes = serialize(gltf);

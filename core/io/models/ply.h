@@ -30,8 +30,8 @@ struct PlyMesh {
 /// @errors  As read_file and parse_ply.
 [[nodiscard]] Result<PlyMesh> read_ply(const std::filesystem::path& path);
 
-/// Binary little-endian: float x, y, z, nx, ny, nz, uchar red, green, blue, float sigma,
-/// then the extra properties as float; then faces.
+/// Binary little-endian: float x, y, z, nx, ny, nz, uchar red, green, blue, float sigma, uchar
+/// measured if some were not, then the extra properties as float; then faces.
 /// @errors  As write_file; kInconsistent: an extra property has the wrong number of values.
 [[nodiscard]] Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& mesh,
                                      const VertexProperties& extra = {});

@@ -86,6 +86,11 @@ bool set_property(SurfacePoint& point, const PlyProperty& property, double value
       continue;
     return true;
   }
+  // Written after sigma.
+  if (property.name == "measured") {
+    if (value == 0.0) point.sigma_mm = std::numeric_limits<float>::infinity();
+    return true;
+  }
   if (property.name != "sigma") return false;
   point.sigma_mm = static_cast<float>(value);
   return true;

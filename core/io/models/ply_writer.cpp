@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/io/files/byte_stream.h"
 #include "core/io/models/ply.h"
@@ -6,13 +7,19 @@
 namespace flytri::io {
 namespace {
 
-std::string header_of(std::size_t vertex_count) {
+bool is_measured(const SurfacePoint& point) { return !std::isinf(point.sigma_mm); }
+
+bool all_measured(const std::vector<SurfacePoint>& points) {
+  return std::all_of(points.begin(), points.end(), is_measured);
+}
+
+std::string header_of(const std::vector<SurfacePoint>& points) {
   return fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment flytri, millimeters, sRGB\nelement vertex {}\n"
       "property float x\nproperty float y\nproperty float z\n"
       "property float nx\nproperty float ny\nproperty float nz\n"
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float sigma\n",
-      vertex_count);
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float sigma\n{}",
+      points.size(), all_measured(points) ? "" : "property uchar measured\n");
 }
 
 std::string header_of(const VertexProperties& extra) {
@@ -23,12 +30,14 @@ std::string header_of(const VertexProperties& extra) {
 
 void put_points(ByteWriter& out, const std::vector<SurfacePoint>& points,
                 const VertexProperties& extra = {}) {
+  const bool tells_measured = !all_measured(points);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const SurfacePoint& point = points[v];
     for (int i = 0; i < 3; ++i) out.number(point.position_mm[i]);
     for (int i = 0; i < 3; ++i) out.number(point.normal[i]);
     for (const std::uint8_t channel : point.color) out.number(channel);
-    out.number(point.sigma_mm);
+    out.number(is_measured(point) ? point.sigma_mm : 0.0F);
+    if (tells_measured) out.number(std::uint8_t{is_measured(point)});
     for (const auto& [name, values] : extra) out.number(static_cast<float>(values[v]));
   }
 }
@@ -52,7 +61,7 @@ Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& me
   }
   Result<ByteWriter> out = ByteWriter::create(path);
   if (!out) return tl::unexpected(out.error());
-  out->text(header_of(mesh.vertices.size()) + header_of(extra));
+  out->text(header_of(mesh.vertices) + header_of(extra));
   out->text(fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n",
                         mesh.triangles.size()));
   put_points(*out, mesh.vertices, extra);
@@ -63,7 +72,7 @@ Result<void> write_ply(const std::filesystem::path& path, const TriangleMesh& me
 Result<void> write_point_cloud_ply(const std::filesystem::path& path, const PointCloud& points) {
   Result<ByteWriter> out = ByteWriter::create(path);
   if (!out) return tl::unexpected(out.error());
-  out->text(header_of(points.size()));
+  out->text(header_of(points));
   out->text("end_header\n");
   put_points(*out, points);
   return out->commit();

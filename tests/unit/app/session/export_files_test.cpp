@@ -7,6 +7,7 @@
 
 #include "core/io/files/file_bytes.h"
 #include "tests/support/colored_sphere.h"
+#include "tests/support/sample_meshes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::session {
@@ -71,6 +72,25 @@ TEST(ExportFiles, AFileOfAnotherKindIsNeverReplaced) {
   ASSERT_FALSE(outcome);
   EXPECT_THAT(outcome.error().message, HasSubstr("jaw.glb: exists already and is not a .glb file"));
   EXPECT_EQ(*io::read_file(folder / "jaw.glb"), "SQLite format 3");
+}
+
+/// A plate of 12800 triangles needs few of them.
+TEST(ExportFiles, WritesTheDensityThatIsAskedFor) {
+  reconstruct::FinishedScan result;
+  result.surface.mesh =
+      height_field({.half_width_mm = 4.0, .step_mm = 0.1}, [](double, double) { return 0.0; });
+  result.model.mesh = result.surface.mesh;
+  scan::ScanSnapshot scan;
+  scan.result = std::make_shared<const reconstruct::FinishedScan>(std::move(result));
+  const TemporaryFolder folder;
+  for (const reconstruct::MeshDensity density : reconstruct::kMeshDensities) {
+    ui::Export command = export_to(folder.path(), std::string(to_string(density)));
+    command.target.density = density;
+    ASSERT_TRUE(export_files(scan, command));
+  }
+  EXPECT_EQ(fs::file_size(folder / "full.stl"), 84U + 50U * 12800U);
+  EXPECT_LT(fs::file_size(folder / "cad.stl"), 84U + 50U * 1280U);
+  EXPECT_LT(fs::file_size(folder / "cad.glb"), fs::file_size(folder / "full.glb") / 10U);
 }
 
 TEST(ExportFiles, TheTextureBesideAModelIsListedAndAskedFor) {

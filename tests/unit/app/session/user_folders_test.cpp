@@ -87,6 +87,8 @@ TEST(SettingsFile, RemembersTheFormatsOfExports) {
        {std::set<std::string>{".obj"}, std::set<std::string>{}}) {
     ui::Settings settings;
     settings.export_formats = formats;
+    settings.mesh_density = reconstruct::MeshDensity::kLight;
+    settings.close_holes_mm = 0.5;
     settings.is_full_screen = true;
     settings.window_width = 1600;
     settings.window_height = 1000;
@@ -95,6 +97,9 @@ TEST(SettingsFile, RemembersTheFormatsOfExports) {
   }
   ASSERT_TRUE(io::write_file(file, R"({"export_formats": [".stl", ".exe", 3]})"));
   EXPECT_EQ(read_settings(file).export_formats, std::set<std::string>{".stl"});
+  ASSERT_TRUE(io::write_file(file, R"({"mesh_density": "dense", "close_holes_mm": -3})"));
+  EXPECT_EQ(read_settings(file).mesh_density, reconstruct::MeshDensity::kCad);
+  EXPECT_EQ(read_settings(file).close_holes_mm, 0.0);
 }
 
 }  // namespace

@@ -87,6 +87,23 @@ TEST(Model, PlyKeepsShapeColorsAndUncertainty) {
   EXPECT_EQ(back->mesh.vertices[5].sigma_mm, model.mesh.vertices[5].sigma_mm);
 }
 
+/// Closed holes are told in the files, and files without them are as they were.
+TEST(Model, FilesTellWhatWasNotMeasured) {
+  const TemporaryFolder folder;
+  for (const char* ending : {".glb", ".ply"}) {
+    TexturedMesh model = colored_sphere();
+    const std::filesystem::path path = folder / (std::string("sphere") + ending);
+    ASSERT_TRUE(write_model(path, model).has_value());
+    EXPECT_EQ(read_file(path)->find("easured"), std::string::npos);
+    model.mesh.vertices[5].sigma_mm = std::numeric_limits<float>::infinity();
+    ASSERT_TRUE(write_model(path, model).has_value());
+    const auto back = read_model(path);
+    ASSERT_TRUE(back.has_value()) << back.error().message;
+    for (std::size_t v = 0; v < model.mesh.vertices.size(); ++v)
+      EXPECT_EQ(back->mesh.vertices[v].sigma_mm, model.mesh.vertices[v].sigma_mm) << ending;
+  }
+}
+
 TEST(Model, ObjKeepsShapeAndTexture) {
   const TexturedMesh model = textured_sphere();
   const Result<TexturedMesh> back = there_and_back(model, "jaw scan.obj");

@@ -1,0 +1,26 @@
+/// @file  The option of all commands that write models: how many triangles.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "app/cli/command.h"
+#include "core/reconstruct/mesh_density.h"
+
+namespace flytri::cli {
+
+/// Adds --mesh-density.
+inline void add_density_option(CLI::App& command, reconstruct::MeshDensity& density) {
+  std::map<std::string, reconstruct::MeshDensity> names;
+  for (const reconstruct::MeshDensity each : reconstruct::kMeshDensities)
+    names[std::string(to_string(each))] = each;
+  command
+      .add_option_function<std::string>(
+          "--mesh-density",
+          [names, &density](const std::string& name) { density = names.at(name); },
+          "full: as meshed; cad: few triangles, at most 0.002 mm RMS and 0.010 mm from the full "
+          "surface; light: 0.010 and 0.050 mm. Default: cad")
+      ->check(CLI::IsMember({"full", "cad", "light"}));
+}
+
+}  // namespace flytri::cli
