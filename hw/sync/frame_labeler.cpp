@@ -10,6 +10,8 @@ namespace {
 
 // Probability from which swapped patterns are reported to the user.
 constexpr double kSurelySwapped = 0.999;
+// Probability of a latency out of range from which it is reported.
+constexpr double kSurelyOutside = 0.999;
 
 bool is_pattern(device::Light light) {
   return light == device::Light::kVertical || light == device::Light::kHorizontal;
@@ -123,7 +125,9 @@ void FrameLabeler::count(LabelOutcome outcome) {
 }
 
 LightFault FrameLabeler::fault() const {
-  return watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
+  const LightFault seen = watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
+  const bool is_outside = filter_.outside() > kSurelyOutside;
+  return seen == LightFault::kNone && is_outside ? LightFault::kTooLate : seen;
 }
 
 }  // namespace flytri::sync
