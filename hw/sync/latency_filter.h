@@ -38,8 +38,8 @@ struct LatencyOptions {
   /// 0..0.1. Probability per frame that the latency moves to the next grid step.
   double drift = 0.002;
   /// 0..0.5. Probability at first that the latency is outside of the range, or that the images do
-  /// not follow the lights at all. Large, because a few images fit some latency by chance.
-  double outside_share = 0.5;
+  /// not follow the lights at all. A larger share learns more slowly.
+  double outside_share = 0.01;
   [[nodiscard]] Result<void> validate() const;
 };
 
