@@ -182,6 +182,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"tool", to_string(state.tool)},
       {"color_mode", to_string(state.color_mode)},
       {"texture_blend", state.texture_blend},
+      {"jaws", {{"opening", state.jaws.opening}, {"contact_mm", state.jaws.contact_mm}}},
       {"brush_share", state.brush.radius_share},
       {"camera", camera_as_json(state.view)},
       {"actions", actions_as_json(frame.view, state)},
