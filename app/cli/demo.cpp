@@ -38,7 +38,7 @@ constexpr std::string_view kMarkFormat = "flytri.demo";
 struct DemoArguments {
   fs::path folder = "out";
   double duration_s = 24.0;
-  reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;
+  reconstruct::MeshDensity density = reconstruct::MeshDensity::kFull;
   bool force = false;
   int thread_count = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace flytri::cli {
 
-/// Adds --mesh-density.
+/// Adds --mesh-density. @param density  holds the default
 inline void add_density_option(CLI::App& command, reconstruct::MeshDensity& density) {
   std::map<std::string, reconstruct::MeshDensity> names;
   for (const reconstruct::MeshDensity each : reconstruct::kMeshDensities)
@@ -19,7 +19,8 @@ inline void add_density_option(CLI::App& command, reconstruct::MeshDensity& dens
           "--mesh-density",
           [names, &density](const std::string& name) { density = names.at(name); },
           "full: as meshed; cad: few triangles, at most 0.002 mm RMS and 0.010 mm from the full "
-          "surface; light: 0.010 and 0.050 mm. Default: cad")
+          "surface; light: 0.010 and 0.050 mm. Default: " +
+              std::string(to_string(density)))
       ->check(CLI::IsMember({"full", "cad", "light"}));
 }
 

@@ -35,7 +35,7 @@ struct ReconstructArguments {
   fs::path calibration;
   fs::path report;
   fs::path points;
-  reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;
+  reconstruct::MeshDensity density = reconstruct::MeshDensity::kFull;
   double close_holes_mm = 0.0;
   int thread_count = 0;
 };
