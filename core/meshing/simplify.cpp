@@ -42,7 +42,7 @@ struct Quadric {
 class Simplifier {
  public:
   Simplifier(const TriangleMesh& mesh, const SimplifyOptions& options)
-      : mesh_(mesh), options_(options), surface_(mesh) {
+      : options_(options), surface_(mesh) {
     limits_.max_mm = static_cast<float>(kShareOfMax * options.max_mm);
     limits_.max_seam_mm = static_cast<float>(options.max_seam_mm);
     limits_.least_angle_rad = static_cast<float>(options.least_angle_rad);
@@ -78,7 +78,6 @@ class Simplifier {
     return surface_.mean_square_mm2() > rms_mm * rms_mm;
   }
 
-  const TriangleMesh& mesh_;
   const SimplifyOptions& options_;
   CollapseLimits limits_;
   CollapsibleMesh surface_;

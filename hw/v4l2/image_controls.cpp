@@ -92,7 +92,8 @@ Result<std::int32_t> wanted_value(const OpenVideo& video, const FoundControl& co
 
 Result<void> check_names(const OpenVideo& video, const NamedControls& wanted,
                          const std::vector<FoundControl>& controls) {
-  for (const auto& [name, value] : wanted) {
+  for (const auto& entry : wanted) {
+    const std::string& name = entry.first;
     const bool is_there = std::any_of(controls.begin(), controls.end(),
                                       [&](const FoundControl& each) { return each.name == name; });
     if (is_there) continue;

@@ -9,8 +9,7 @@ FLYTRI_TEXT(kNoFlashYet, "no flash image yet", "noch kein Blitzbild", "pas encor
             "aún sin imagen con flash")
 FLYTRI_TEXT(kDarkWithoutFocus, "Lights off while you use another window",
             "Licht aus, während ein anderes Fenster aktiv ist",
-            "Éclairage coupé quand une autre fenêtre est active",
-            "Luces apagadas mientras se usa otra ventana")
+            "Éclairage coupé hors de cette fenêtre", "Luces apagadas mientras se usa otra ventana")
 FLYTRI_TEXT(kTooDark, "too dark", "zu dunkel", "trop sombre", "muy oscuro")
 FLYTRI_TEXT(kTooBright, "too bright", "zu hell", "trop clair", "muy claro")
 FLYTRI_TEXT(kExposureGoodLines, "Good: the lines reach {0:.0f} % of full scale",

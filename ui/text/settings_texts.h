@@ -8,8 +8,8 @@ FLYTRI_TEXT(kInterfaceSize, "Interface size", "Größe der Anzeige", "Taille de 
 FLYTRI_TEXT(kTrackingSounds, "Tracking sounds", "Töne bei Verlust und Rückkehr", "Sons de suivi",
             "Sonidos de seguimiento")
 FLYTRI_TEXT(kButtonMuted, "Muted", "Stumm", "Muet", "Silenciado")
-FLYTRI_TEXT(kButtonOn, "On", "Ein", "Activé", "Activado")
-FLYTRI_TEXT(kButtonOff, "Off", "Aus", "Désactivé", "Desactivado")
+FLYTRI_TEXT(kButtonOn, "On", "Ein", "Oui", "Sí")
+FLYTRI_TEXT(kButtonOff, "Off", "Aus", "Non", "No")
 FLYTRI_TEXT(kCloseHoles, "Close holes at Finish, up to", "Löcher beim Abschließen füllen, bis",
             "Fermer les trous en terminant, jusqu’à", "Cerrar huecos al finalizar, hasta")
 FLYTRI_TEXT(kCloseHolesHint,
