@@ -10,8 +10,6 @@ namespace {
 
 // Probability from which swapped patterns are reported to the user.
 constexpr double kSurelySwapped = 0.999;
-// Probability of a latency out of range from which it is reported.
-constexpr double kSurelyOutside = 0.999;
 
 bool is_pattern(device::Light light) {
   return light == device::Light::kVertical || light == device::Light::kHorizontal;
@@ -125,9 +123,7 @@ void FrameLabeler::count(LabelOutcome outcome) {
 }
 
 LightFault FrameLabeler::fault() const {
-  const LightFault seen = watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
-  const bool is_outside = filter_.outside() > kSurelyOutside;
-  return seen == LightFault::kNone && is_outside ? LightFault::kTooLate : seen;
+  return watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
 }
 
 }  // namespace flytri::sync

@@ -22,10 +22,6 @@ constexpr double kNearlyAlone = 0.9;
 
 // Smallest probability: after a jump of the latency, about twelve images find the new value.
 constexpr double kLeast = 1e-12;
-// The same of a latency outside of the range, and of one inside.
-constexpr double kLeastOutside = 1e-6;
-// Probability of a latency outside of the range from which nothing is known.
-constexpr double kMaybeOutside = 0.002;
 
 /// From 0 (no flash in the exposure) to 1 (the flash outshines all other light).
 double flash_visibility(double flash_share) { return std::min(1.0, flash_share / 0.3); }
@@ -64,14 +60,11 @@ Result<void> LatencyOptions::validate() const {
       .positive("share_sigma", share_sigma)
       .not_negative("few_line_places", few_line_places)
       .in_range("drift", drift, 0.0, 0.1)
-      .in_range("outside_share", outside_share, 0.0, 0.5)
       .result();
 }
 
 LatencyFilter::LatencyFilter(const LatencyOptions& options)
-    : options_(options),
-      step_s_(options.frame_period_s / kStepsPerPeriod),
-      outside_(options.outside_share) {
+    : options_(options), step_s_(options.frame_period_s / kStepsPerPeriod) {
   const double periods = options.max_latency_periods - options.min_latency_periods;
   latency_count_ = static_cast<std::size_t>(std::lround(periods * kStepsPerPeriod)) + 1;
   // If the camera's exposure is longer than all windows, keep the longest.
@@ -128,7 +121,7 @@ LightPrediction LatencyFilter::predict(const LightHistory& history, double stamp
       if (share >= kNearlyAlone) prediction.nearly_alone[light] += probability_[cell];
     }
   });
-  return outside_ < kMaybeOutside ? prediction : LightPrediction{};
+  return prediction;
 }
 
 double LatencyFilter::likelihood(const LightTimes& times, double window_s,
@@ -155,26 +148,10 @@ double LatencyFilter::likelihood(const LightTimes& times, double window_s,
 void LatencyFilter::learn(const LightHistory& history, double stamp_s,
                           const LightEvidence& evidence) {
   drift();
-  double explained = 0.0, mean = 0.0;
-  std::size_t possible = 0;
   visit(history, stamp_s, [&](std::size_t cell, const LightTimes& times, double window_s) {
-    if (!is_possible(cell)) return;
-    const double here = likelihood(times, window_s, evidence);
-    ++possible;
-    mean += here;
-    explained += probability_[cell] * here;
-    probability_[cell] *= here;
+    probability_[cell] *= likelihood(times, window_s, evidence);
   });
-  judge_range(explained, mean / static_cast<double>(possible));
   normalize();
-}
-
-// An image whose light came from elsewhere in the sequence fits any latency in the range as well as
-// the mean of all. The true latency fits better.
-void LatencyFilter::judge_range(double explained, double mean) {
-  const double outside = outside_ * mean;
-  const double inside = (1.0 - outside_) * explained;
-  outside_ = std::clamp(outside / (outside + inside), kLeastOutside, 1.0 - kLeastOutside);
 }
 
 void LatencyFilter::normalize() {
@@ -221,7 +198,7 @@ LatencyEstimate LatencyFilter::estimate() const {
 bool LatencyFilter::is_learned() const {
   const LatencyEstimate now = estimate();
   const bool is_sure = now.swapped < 0.01 || now.swapped > 0.99;
-  return is_sure && outside_ < kMaybeOutside && now.latency_sigma_s < options_.frame_period_s / 8.0;
+  return is_sure && now.latency_sigma_s < options_.frame_period_s / 8.0;
 }
 
 }  // namespace flytri::sync

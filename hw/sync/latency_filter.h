@@ -21,9 +21,8 @@ struct LatencyOptions {
   double frame_period_s = 1.0 / 30.0;  ///< > 0; the grid step is 1/32 of it
   /// <= 0, in periods. Negative if the stamp marks the start, which is before the middle.
   double min_latency_periods = -1.0;
-  /// 1..16 periods. The default allows for twelve frames queued in camera and driver and half an
-  /// exposure.
-  double max_latency_periods = 13.0;
+  /// 1..16 periods. The default allows for three frames queued in the driver and half an exposure.
+  double max_latency_periods = 4.0;
   /// >= 0. Lower limit of the window: exposure plus readout of a rolling shutter. Needed because
   /// rows that see no object do not show which light they received.
   double min_window_s = 0.0;
@@ -37,9 +36,6 @@ struct LatencyOptions {
   double few_line_places = 100.0;
   /// 0..0.1. Probability per frame that the latency moves to the next grid step.
   double drift = 0.002;
-  /// 0..0.5. Probability at first that the latency is outside of the range, or that the images do
-  /// not follow the lights at all. A larger share learns more slowly.
-  double outside_share = 0.01;
   [[nodiscard]] Result<void> validate() const;
 };
 
@@ -63,17 +59,13 @@ class LatencyFilter {
   /// @param options  must be valid
   explicit LatencyFilter(const LatencyOptions& options = {});
 
-  /// Predicts the light of a frame with this stamp, without its image. All probabilities are 0
-  /// while the latency may be outside of the range.
+  /// Predicts the light of a frame with this stamp, without its image.
   [[nodiscard]] LightPrediction predict(const LightHistory& history, double stamp_s) const;
   /// Updates the probabilities by the image of that frame.
   void learn(const LightHistory& history, double stamp_s, const LightEvidence& evidence);
 
   [[nodiscard]] LatencyEstimate estimate() const;
-  /// Probability that no latency in the range explains the images.
-  [[nodiscard]] double outside() const { return outside_; }
-  /// Whether the latency is known to 1/8 period and lies in the range, and whether the patterns are
-  /// swapped is known.
+  /// Whether the latency is known to 1/8 period, and whether the patterns are swapped is known.
   [[nodiscard]] bool is_learned() const;
 
  private:
@@ -82,7 +74,6 @@ class LatencyFilter {
   void visit(const LightHistory& history, double stamp_s, const Use& use) const;
   [[nodiscard]] double likelihood(const LightTimes& times, double window_s,
                                   const LightEvidence& evidence) const;
-  void judge_range(double explained, double mean);
   void drift();
   void normalize();
   [[nodiscard]] std::size_t window_of(std::size_t cell) const;
@@ -97,8 +88,7 @@ class LatencyFilter {
   double step_s_;
   std::size_t latency_count_;
   std::size_t first_window_ = 0;     // index of the shortest possible window
-  std::vector<double> probability_;  // [swapped][window][latency], if it is in the range
-  double outside_;
+  std::vector<double> probability_;  // [swapped][window][latency]
 };
 
 }  // namespace flytri::sync

@@ -38,10 +38,6 @@ std::string message_of(LightFault fault) {
              "projector and its line in rig.json.";
     case LightFault::kNoFlash:
       return "No image shows the flash: check its cable and power and its line in rig.json.";
-    case LightFault::kTooLate:
-      return "The images show the lights too late or too irregularly, so that no frame can be "
-             "labeled: use a higher frame rate or a smaller format, connect the camera directly to "
-             "another USB socket, and check that each light is connected to its line in rig.json.";
     case LightFault::kNothingSeen:
       break;
   }

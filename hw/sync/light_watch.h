@@ -13,8 +13,7 @@ namespace flytri::sync {
 
 /// kSwapped: the vertical projector lights up when the horizontal one should, and vice versa.
 /// kStuck: the switch reports success, but the images do not change. kNothingSeen: no image since
-/// the start shows any light; maybe no object is in front of the sensor. kTooLate: the images
-/// follow the lights, but later than LatencyFilter can tell (max_latency_periods).
+/// the start shows any light; maybe no object is in front of the sensor.
 enum class LightFault {
   kNone,
   kSwapped,
@@ -22,8 +21,7 @@ enum class LightFault {
   kNoVertical,
   kNoHorizontal,
   kNoFlash,
-  kNothingSeen,
-  kTooLate
+  kNothingSeen
 };
 
 /// The message for the user: the fault and what to do; empty for kNone.

@@ -46,7 +46,7 @@ expect 'the model says what it is of' 0 'made_of' grep -ao '"made_of":{[^}]*}' a
 
 # Export of what is kept.
 expect 'export' 0 '^wrote kept\.glb' env FLYTRI_PASSPHRASE=secret \
-  "$flytri" export secret.flytri -o kept.glb -o kept.stl -o kept.obj
+  "$flytri" export secret.flytri -o kept.glb -o kept.stl -o kept.obj --mesh-density full
 same direct.glb kept.glb
 expect 'evaluate an export' 0 'RMS' "$flytri" evaluate kept.stl --recording scan
 expect 'needs a passphrase' 1 'secret\.flytri: is encrypted.*FLYTRI_PASSPHRASE' \

@@ -47,34 +47,6 @@ TEST(FrameLabeler, LabelsAllUnmixedFramesForAnyLatency) {
   }
 }
 
-// Twelve frames may wait in camera and driver.
-TEST(FrameLabeler, LabelsAllUnmixedFramesForLongLatencies) {
-  for (const double periods : {4.5, 7.0, 9.3, 12.0}) {
-    SCOPED_TRACE(periods);
-    lab::LabelTrialOptions options = usual();
-    options.camera.latency_s = periods * kCameraPeriod_s;
-    expect_all_right(run(options), 5.0);
-  }
-}
-
-TEST(FrameLabeler, RefusesALatencyThatItCannotMeasure) {
-  lab::LabelTrialOptions options = usual();
-  options.camera.latency_s = 17.0 * kCameraPeriod_s;
-  const lab::LabelTrialResult result = run(options);
-  EXPECT_EQ(result.wrong, 0);
-  EXPECT_EQ(result.fault, LightFault::kTooLate);
-}
-
-// A few images may fit a latency in the range by chance, before the filter knows better.
-TEST(FrameLabeler, MislabelsAtMostTwoFramesOfALatencyThatItCannotMeasure) {
-  for (const double periods : {14.5, 23.3}) {
-    SCOPED_TRACE(periods);
-    lab::LabelTrialOptions options = usual();
-    options.camera.latency_s = periods * kCameraPeriod_s;
-    EXPECT_LE(run(options).wrong, 2);
-  }
-}
-
 TEST(FrameLabeler, LosesNoLabelsByJitterAndDroppedFrames) {
   lab::LabelTrialOptions options = usual();
   options.camera.jitter_s = 0.006;
