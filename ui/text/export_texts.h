@@ -22,7 +22,7 @@ FLYTRI_TEXT(kDensityCadHint, "At most 0.01 mm from the full surface, 0.002 mm RM
             "A 0,01 mm como máximo de la superficie completa, 0,002 mm RMS")
 FLYTRI_TEXT(kDensityLightHint, "At most 0.05 mm from the full surface: for a look",
             "Höchstens 0,05 mm neben der vollen Fläche: zum Ansehen",
-            "À 0,05 mm au plus de la surface complète : pour voir",
+            "À 0,05 mm au plus de la surface complète : pour voir",
             "A 0,05 mm como máximo de la superficie completa: para ver")
 FLYTRI_TEXT(kFolder, "Folder", "Ordner", "Dossier", "Carpeta")
 FLYTRI_TEXT(kName, "Name", "Name", "Nom", "Nombre")

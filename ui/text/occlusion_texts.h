@@ -14,21 +14,21 @@ FLYTRI_TEXT(kClosingJaws, "Bringing the jaws together", "Kiefer werden zusammeng
 FLYTRI_TEXT(kFinishEachStageAgain,
             "a model is older than its scan: open each stage and press Finish",
             "ein Modell ist älter als sein Scan: Stufe öffnen und abschließen",
-            "un modèle est plus ancien que son scan : ouvrez chaque étape et terminez-la",
+            "un modèle est plus ancien que son scan : ouvrez chaque étape et terminez-la",
             "un modelo es anterior a su escaneo: abra cada etapa y finalícela")
 FLYTRI_TEXT(kNoOcclusion, "The jaws were not brought together", "Keine Okklusion gefunden",
             "Mise en occlusion impossible", "No se pudieron unir los maxilares")
 FLYTRI_TEXT(kBothJaws, "Both jaws", "Beide Kiefer", "Arcades", "Arcadas")
 FLYTRI_TEXT(kClearance, "Clearance", "Abstände", "Espaces", "Distancias")
 FLYTRI_TEXT(kOpening, "Opening", "Öffnung", "Ouverture", "Apertura")
-FLYTRI_TEXT(kContactBelow, "Contact: nearer than", "Kontakt: näher als", "Contact : à moins de",
+FLYTRI_TEXT(kContactBelow, "Contact: nearer than", "Kontakt: näher als", "Contact : à moins de",
             "Contacto: a menos de")
 FLYTRI_TEXT(kLegendContact, "Contact", "Kontakt", "Contact", "Contacto")
 FLYTRI_TEXT(kLegendPenetration, "Penetration", "Durchdringung", "Pénétration", "Penetración")
 FLYTRI_TEXT(kClearanceHint,
             "Distance to the other jaw. Without color: farther away, or not scanned.",
             "Abstand zum Gegenkiefer. Ohne Farbe: weiter entfernt oder nicht gescannt.",
-            "Distance à l’arcade opposée. Sans couleur : plus loin, ou pas scannée.",
+            "Distance à l’arcade opposée. Sans couleur : plus loin, ou pas scannée.",
             "Distancia al maxilar opuesto. Sin color: más lejos o sin escanear.")
 FLYTRI_TEXT(kBiteUncertainty, "Uncertainty, at the bite", "Unsicherheit am Biss",
             "Incertitude au mordu", "Incertidumbre en mordida")
