@@ -64,9 +64,8 @@ Result<void> place_jaws(std::vector<Jaw>& jaws, const Progress& progress) {
   if (upper == nullptr || lower == nullptr || bite == nullptr) {
     if (jaws.size() > 1) {
       print_error(
-          "flytri: warning: the jaws do not lie as they bite: that needs finished scans of the "
-          "upper "
-          "jaw, the lower jaw and the bite; each is in its own occlusal plane\n");
+          "flytri: warning: the jaws do not lie as they bite, each is in its own occlusal plane: "
+          "finish the scans of the upper jaw, the lower jaw and the bite\n");
     }
     return {};
   }

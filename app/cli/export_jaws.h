@@ -21,9 +21,8 @@ struct JawsExport {
 /// occlusion::T_patient_jaw: NAME.glb has a node for each, NAME.stl becomes NAME-upper.stl,
 /// NAME-lower.stl and NAME-bite.stl. The bite places the jaws as in flytri occlude. Without one
 /// each jaw lies in its own occlusal plane, and a message says so.
-/// @errors  As load_part, check_output_files, find_occlusion and write_model; kInsufficient: no
-/// stage
-///          is finished.
+/// @errors  As load_part, check_output_files, find_occlusion and write_model;
+///          kInsufficient: no stage is finished.
 [[nodiscard]] Result<void> export_jaws(const JawsExport& wanted, CaseAccess& access,
                                        const Progress& progress);
 

@@ -17,8 +17,7 @@ namespace flytri::session {
 
 /// About the size of each format's files, by extension. A finished scan is written as a mesh, an
 /// unfinished one as points: formats that cannot hold it are missing.
-/// @param model  of a finished scan as it would be written; null: not known yet, and all sizes are
-/// 0
+/// @param model  of a finished scan, as it would be written; null: not known yet, all sizes are 0
 [[nodiscard]] std::map<std::string_view, std::uint64_t> estimated_bytes(
     const scan::ScanSnapshot& shown, const TexturedMesh* model);
 

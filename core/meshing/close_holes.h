@@ -7,14 +7,11 @@
 
 namespace flytri::meshing {
 
-/// Closes each hole up to a width; wider ones and outer borders stay open, also holes with a rim of
-/// more than 400 vertices. The new vertices have the mean distance of those at the rim. Their
-/// surface continues the curvature around the hole; their colors come from the rim, and sigma_mm is
-/// infinite: not measured.
+/// Closes small holes. Outer borders, wider holes, and rims of more than 400 vertices stay open.
+/// The new surface continues the curvature around the hole. Its vertices are as dense as the rim,
+/// have the colors of the rim, and are marked as not measured: sigma_mm is infinite.
 /// @param mesh          an oriented manifold, and stays one; what it has stays as it is
-/// @param max_width_mm  of the largest circle inside a hole, see BoundaryLoop::width_mm; >= 0, and
-/// 0
-///                      closes nothing
+/// @param max_width_mm  >= 0, see BoundaryLoop::width_mm; 0 closes nothing
 /// @returns the number of holes that were closed
 /// @source  triangles of least area: Barequet and Sharir, "Filling gaps in the boundary of a
 ///          polyhedron", 1995; refinement: Liepa, "Filling holes in meshes", SGP 2003; the surface

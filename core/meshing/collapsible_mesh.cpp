@@ -8,20 +8,13 @@
 #include <tuple>
 
 #include "core/meshing/half_edges.h"
+#include "core/meshing/least_angle.h"
 
 namespace flytri::meshing {
 namespace {
 
 /// A triangle may lean away from the measured normals of its corners by this cosine.
 constexpr float kLeastUpright = 0.5F;
-
-/// Sine of the smallest angle: the two longer sides enclose it.
-float least_sine(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-  const std::array<float, 3> lengths = {(b - a).norm(), (c - b).norm(), (a - c).norm()};
-  const float shortest = std::min({lengths[0], lengths[1], lengths[2]});
-  const float product = lengths[0] * lengths[1] * lengths[2];
-  return product > 0.0F ? (b - a).cross(c - a).norm() * shortest / product : 0.0F;
-}
 
 float squared_to_segment(const Vec3f& p, const Vec3f& a, const Vec3f& b) {
   const Vec3f along = b - a;
@@ -273,12 +266,12 @@ bool CollapsibleMesh::are_good(const CollapseLimits& limits) const {
   for (const std::uint32_t t : star_) {
     const NewTriangle old = made(t, triangles_[t]);
     upright_before = std::min(upright_before, upright(old));
-    sine_before = std::min(sine_before, least_sine(old.a, old.b, old.c));
+    sine_before = std::min(sine_before, sine_of_least_angle(old.a, old.b, old.c));
   }
   const float least_upright = std::min(kLeastUpright, upright_before);
   const float least = std::min(std::sin(limits.least_angle_rad), sine_before);
   return std::all_of(new_.begin(), new_.end(), [&](const NewTriangle& t) {
-    return least_sine(t.a, t.b, t.c) >= least && upright(t) >= least_upright;
+    return sine_of_least_angle(t.a, t.b, t.c) >= least && upright(t) >= least_upright;
   });
 }
 
@@ -425,10 +418,10 @@ bool CollapsibleMesh::flip(std::uint32_t triangle, const CollapseLimits& limits)
     star_ = {triangle, at / 3};
     new_ = {made(star_[0], {a, d, c}), made(star_[1], {d, b, c})};
     const NewTriangle beyond = made(star_[1], other);
-    const float before =
-        std::min(least_sine(old.a, old.b, old.c), least_sine(beyond.a, beyond.b, beyond.c));
+    const float before = std::min(sine_of_least_angle(old.a, old.b, old.c),
+                                  sine_of_least_angle(beyond.a, beyond.b, beyond.c));
     const auto is_better = [&](const NewTriangle& t) {
-      return least_sine(t.a, t.b, t.c) > before && upright(t) >= kLeastUpright;
+      return sine_of_least_angle(t.a, t.b, t.c) > before && upright(t) >= kLeastUpright;
     };
     if (!std::all_of(new_.begin(), new_.end(), is_better)) return false;
     assigned_.clear();
@@ -441,7 +434,7 @@ bool CollapsibleMesh::flip(std::uint32_t triangle, const CollapseLimits& limits)
 
 bool CollapsibleMesh::is_thin(std::uint32_t triangle, const CollapseLimits& limits) const {
   const NewTriangle t = made(triangle, triangles_[triangle]);
-  return least_sine(t.a, t.b, t.c) < std::sin(limits.least_angle_rad) || upright(t) < 0.0F;
+  return sine_of_least_angle(t.a, t.b, t.c) < std::sin(limits.least_angle_rad) || upright(t) < 0.0F;
 }
 
 std::vector<Triangle> CollapsibleMesh::triangles() const {

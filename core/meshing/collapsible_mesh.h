@@ -24,10 +24,9 @@ struct CollapseLimits {
 /// Vertices at exactly the same position are one place: where they differ, a seam of the texture
 /// runs, which stays a line of edges, as a rim does.
 ///
-/// Samples of the surface as it was, its places and the middles of its triangles, stay assigned to
-/// the nearest triangle among those that took over; so their distances are known at every step. A
-/// step that would exceed a limit is refused, also if the middle of a new triangle or edge would be
-/// too far from the surface as it was.
+/// The places and the middles of all triangles are samples of the original surface. Each sample
+/// knows the triangle that replaces its own, so its distance is known at every step. A step that
+/// would exceed a limit is refused. The middles of new triangles and edges are checked, too.
 /// @source  half-edge collapse with bounded distance: Kobbelt, Campagna, Seidel, "A general
 ///          framework for mesh decimation", Graphics Interface 1998.
 class CollapsibleMesh {

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "core/meshing/least_angle.h"
+
 namespace flytri::meshing {
 namespace {
 
@@ -17,15 +19,6 @@ Edge edge_of(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::ma
 
 double area_of(const Vec3& a, const Vec3& b, const Vec3& c) {
   return 0.5 * (b - a).cross(c - a).norm();
-}
-
-/// Sine of the smallest angle: the two longer sides enclose it.
-double sine_of_least_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const std::array<double, 3> sides = {(b - a).norm(), (c - b).norm(), (a - c).norm()};
-  const double product = sides[0] * sides[1] * sides[2];
-  return product > 0.0
-             ? 2.0 * area_of(a, b, c) * *std::min_element(sides.begin(), sides.end()) / product
-             : 0.0;
 }
 
 /// The triangles at each edge, with the corner opposite to it.
@@ -179,7 +172,7 @@ void add(std::vector<Vec3>& sum, double share, const std::vector<Vec3>& other) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * other[i];
 }
 
-/// Triangles between the corners `from` and `to` of the rim, by the best third corner of each pair.
+/// Fills the rim between two of its corners. @param best  third corner of each pair
 void add_triangles(const std::vector<std::uint32_t>& best, std::uint32_t count, std::uint32_t from,
                    std::uint32_t to, std::vector<Triangle>& triangles) {
   std::vector<Edge> open = {{from, to}};

@@ -9,6 +9,7 @@
 
 #include "core/geometry/mesh_normals.h"
 #include "core/meshing/half_edges.h"
+#include "core/meshing/least_angle.h"
 #include "core/meshing/mesh_topology.h"
 
 namespace flytri::meshing {
@@ -32,10 +33,7 @@ void judge_shapes(const TriangleMesh& mesh, MeshQuality& quality) {
     quality.worst_aspect =
         std::max(quality.worst_aspect, squared > 0.0 ? product * perimeter / squared
                                                      : std::numeric_limits<double>::infinity());
-    // The two longer sides enclose the smallest angle.
-    const double sine =
-        product > 0.0 ? 2.0 * area.norm() * *std::min_element(sides.begin(), sides.end()) / product
-                      : 0.0;
+    const double sine = sine_of_least_angle(corner(0), corner(1), corner(2));
     least_sine = std::min(least_sine, sine);
     if (sine < std::sin(kSliverAngle_rad)) ++slivers;
     const Vec3f normals =

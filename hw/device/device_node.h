@@ -18,8 +18,7 @@ struct DeviceNode {
   std::string id_path = {};
 };
 
-/// Whether a device has this serial number, and this bus path or ID_PATH. An empty text matches any
-/// device.
+/// Compares the serial number, and the bus path or ID_PATH. An empty text matches any device.
 [[nodiscard]] bool is_device(const DeviceNode& device, const std::string& serial,
                              const std::string& bus_path);
 /// Describes the searched device for a message: its name and the other given properties.

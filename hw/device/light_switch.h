@@ -54,8 +54,8 @@ struct LightSwitchStatus {
 
 /// Call start and stop from one thread at a time. All other members are thread-safe and never wait
 /// for the device. All lights are dark after stop() and after destruction, provided that the device
-/// still answers. Whatever is requested, each light keeps its limits (light_limits.h): a light that
-/// exceeds one is turned off. It may be requested again when it has rested.
+/// still answers. Each light keeps its limits (light_limits.h): at a limit it is turned off, and
+/// can be turned on again after a rest.
 class LightSwitch {
  public:
   virtual ~LightSwitch() = default;

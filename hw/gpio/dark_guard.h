@@ -29,9 +29,8 @@ struct DarkRequest {
 /// SIGKILL. It cannot act when it is killed itself, for example with its container, or when the
 /// chip, the bus or the power fails: the electronics of the lights must handle these cases.
 ///
-/// The program announces each light to the child. The child keeps its own account of the limits and
-/// turns the lights off when one is exceeded: the program may hang or be suspended (SIGSTOP, a
-/// debugger).
+/// The program tells the child when a light goes on. The child measures the time itself, and turns
+/// the lights off at a limit, even if the program hangs or is suspended (SIGSTOP, a debugger).
 ///
 /// The program ignores Ctrl-Z (SIGTSTP) while a guard exists, unless the program has its own
 /// handler: a suspended scan is of no use.

@@ -33,7 +33,7 @@ Line fit_line(const std::vector<ExposureStep>& steps, const X& x, const Y& y) {
   return {(sum_y - slope * sum_x) / count, slope};
 }
 
-/// The exponent for a black level: both are unknown, so the black level that fits best is searched.
+/// The black level is unknown, too: tries many, and returns the exponent of the best fit.
 double fit_gamma(const std::vector<ExposureStep>& steps, double darkest) {
   double best = 1.0, least = 1e300;
   for (int i = 0; i < 100; ++i) {

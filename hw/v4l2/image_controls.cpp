@@ -53,14 +53,8 @@ FoundControl found(const v4l2_queryctrl& info) {
 
 std::vector<FoundControl> find_controls(VideoDevice& device) {
   std::vector<FoundControl> controls;
-  std::uint32_t last = 0;
-  while (const auto info = query_control(device, last | V4L2_CTRL_FLAG_NEXT_CTRL)) {
-    if (info->id <= last) break;  // guards against a driver that repeats its list
-    last = info->id;
-    const bool is_number = info->type == V4L2_CTRL_TYPE_INTEGER ||
-                           info->type == V4L2_CTRL_TYPE_BOOLEAN ||
-                           info->type == V4L2_CTRL_TYPE_MENU;
-    if (is_number && is_settable(*info)) controls.push_back(found(*info));
+  for (const v4l2_queryctrl& info : query_controls(device)) {
+    if (is_settable(info)) controls.push_back(found(info));
   }
   return controls;
 }

@@ -13,6 +13,20 @@ std::optional<v4l2_queryctrl> query_control(VideoDevice& device, std::uint32_t i
   return device.control(VIDIOC_QUERYCTRL, &info) == 0 ? std::optional(info) : std::nullopt;
 }
 
+std::vector<v4l2_queryctrl> query_controls(VideoDevice& device) {
+  std::vector<v4l2_queryctrl> controls;
+  std::uint32_t last = 0;
+  while (const auto info = query_control(device, last | V4L2_CTRL_FLAG_NEXT_CTRL)) {
+    if (info->id <= last) break;  // guards against a driver that repeats its list
+    last = info->id;
+    const bool is_number = info->type == V4L2_CTRL_TYPE_INTEGER ||
+                           info->type == V4L2_CTRL_TYPE_BOOLEAN ||
+                           info->type == V4L2_CTRL_TYPE_MENU;
+    if (is_number) controls.push_back(*info);
+  }
+  return controls;
+}
+
 std::optional<std::int32_t> read_control(VideoDevice& device, std::uint32_t id) {
   v4l2_control control{id, 0};
   if (device.control(VIDIOC_G_CTRL, &control) != 0) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hw/v4l2/video_modes.h"
 
@@ -14,6 +15,9 @@ namespace flytri::v4l2 {
 /// Nothing if the camera lacks the control.
 /// @param id  V4L2_CID_..., or with V4L2_CTRL_FLAG_NEXT_CTRL the next one
 [[nodiscard]] std::optional<v4l2_queryctrl> query_control(VideoDevice& device, std::uint32_t id);
+
+/// All numbers, switches and menus of the camera, as the driver lists them.
+[[nodiscard]] std::vector<v4l2_queryctrl> query_controls(VideoDevice& device);
 
 /// Nothing if it cannot be read.
 [[nodiscard]] std::optional<std::int32_t> read_control(VideoDevice& device, std::uint32_t id);

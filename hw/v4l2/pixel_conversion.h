@@ -31,8 +31,7 @@ struct ConvertedImage {
   Conversion outcome = Conversion::kDone;
 };
 
-/// How many bits the pixels of a Y16 image seem to use: 10, 12, 14 or 16. An image that is dark, or
-/// has no bytes, seems to use fewer.
+/// The bits that the pixels of a Y16 image seem to use: 10, 12, 14 or 16. Too few if it is dark.
 [[nodiscard]] int bits_used(std::span<const std::uint8_t> bytes, const BufferLayout& layout);
 
 /// Shifts Y10, Y12 and Y16 to the full scale of 16 bits. Converts YUYV and UYVY to RGB (BT.601,

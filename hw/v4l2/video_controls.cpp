@@ -71,17 +71,11 @@ Result<void> set_by_hand(const OpenVideo& video, const ManualControl& control, d
 
 std::vector<device::CameraControl> list_controls(VideoDevice& device) {
   std::vector<device::CameraControl> controls;
-  std::uint32_t last = 0;
-  while (const auto info = query_control(device, last | V4L2_CTRL_FLAG_NEXT_CTRL)) {
-    if (info->id <= last) break;  // guards against a driver that repeats its list
-    last = info->id;
-    const bool is_number = info->type == V4L2_CTRL_TYPE_INTEGER ||
-                           info->type == V4L2_CTRL_TYPE_BOOLEAN ||
-                           info->type == V4L2_CTRL_TYPE_MENU;
-    const auto value = is_number ? read_control(device, info->id) : std::nullopt;
+  for (const v4l2_queryctrl& info : query_controls(device)) {
+    const auto value = read_control(device, info.id);
     if (!value) continue;
     controls.push_back(
-        {name_of(*info), 1.0 * info->minimum, 1.0 * info->maximum, 1.0 * info->step, 1.0 * *value});
+        {name_of(info), 1.0 * info.minimum, 1.0 * info.maximum, 1.0 * info.step, 1.0 * *value});
   }
   return controls;
 }

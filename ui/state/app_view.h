@@ -112,7 +112,7 @@ struct ExportedFile {
   std::uint64_t bytes = 0;
 };
 
-/// Both jaws closed, to be looked at: the upper one, then the lower one, in the frame of the upper.
+/// Both closed jaws in one mesh: first the upper one, whose frame it is, then the lower one.
 struct JawPair {
   TexturedMesh mesh;                ///< without texture; its vertices have colors
   std::uint32_t first_lower = 0;    ///< vertex

@@ -18,7 +18,7 @@ namespace flytri::io {
 /// @errors  kBadOption: the model exceeds the 4 GiB of the format; as encode_png.
 [[nodiscard]] Result<std::string> encode_glb(const TexturedMesh& model, const std::string& name);
 
-/// The axes of the buffers, and so how the nodes turn them into those of glTF: +y up, +z the front.
+/// The axes of the buffers. The nodes turn them into those of glTF: +y up, +z to the front.
 enum class GlbAxes {
   kSensor,  ///< y down, z away from the viewer: half a turn about x
   kPatient  ///< x left, y back, z up: a quarter turn about x, after which +z is the patient's front

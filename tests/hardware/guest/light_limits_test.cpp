@@ -55,7 +55,7 @@ std::vector<Stretch> stretches_of(const std::vector<PinEdge>& edges, unsigned pi
   return stretches;
 }
 
-/// Checks the documented bound in every window from the begin of one stretch to the end of another.
+/// Checks the documented bound from the start of each stretch to the end of each later one.
 OnTimes on_times(const std::vector<Stretch>& stretches, double run_s) {
   OnTimes times;
   double all_s = 0.0;
