@@ -3,25 +3,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/support/no_display.h"
-#include "tests/ui/window_driver.h"
+#include "tests/ui/real_window.h"
 
 namespace flytri {
 namespace {
 
-class BiteWindow : public ::testing::Test {
+using testing::RealWindow;
+
+/// The state of an action.
+class BiteWindow : public RealWindow {
  protected:
-  static void SetUpTestSuite() { window_ = testing::WindowDriver::start(1280, 800); }
-  static void TearDownTestSuite() { window_.reset(); }
-  void SetUp() override {
-    if (window_ == nullptr) GTEST_SKIP() << testing::kNoDisplay;
-  }
-
-  static testing::WindowDriver& window() { return *window_; }
   static nlohmann::json action(const std::string& id) { return window().state()["actions"][id]; }
-
- private:
-  static inline std::unique_ptr<testing::WindowDriver> window_;
 };
 
 TEST_F(BiteWindow, BothJawsAreShownOpenedAndColoredByTheirClearance) {
