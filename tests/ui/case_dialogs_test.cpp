@@ -200,21 +200,6 @@ TEST_F(RealWindow, WhatIsNotSavedIsLeftOnlyAfterAQuestion) {
   EXPECT_EQ(window().state()["dialog"], "case") << "it says what becomes of it";
 }
 
-TEST_F(RealWindow, AFolderIsChosenInTheDesktopsDialog) {
-  show("scanning");
-  window().key("s");
-  EXPECT_EQ(after_click("recording_folder_choose"), Names{"ChoosePath"});
-  window().ask("wait 2");
-  EXPECT_EQ(after_click("record"), (Names{"ChangeSettings", "RecordFrames"}))
-      << "the chosen folder is remembered";
-  window().key("Escape");
-  EXPECT_EQ(after_key("d"), Names{"PauseScan"});
-  window().click("tab_new");
-  EXPECT_EQ(after_click("case_path_choose"), Names{"ChoosePath"});
-  window().ask("wait 2");
-  EXPECT_EQ(window().state()["case_form"]["path"], "/media/clinic/stick/chosen.flytri");
-}
-
 TEST_F(RealWindow, ScanningPausesBehindTheDialogOfCases) {
   show("scanning");
   EXPECT_EQ(after_key("d"), Names{"PauseScan"});

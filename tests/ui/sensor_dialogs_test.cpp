@@ -1,4 +1,4 @@
-/// @file  Recording, devices and calibration in the real window.
+/// @file  Recording and its folder, devices and calibration in the real window.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -21,6 +21,21 @@ TEST_F(RealWindow, RawImagesAreRecordedFromTheSettings) {
   window().key("Escape");
   EXPECT_TRUE(window().where("recording")) << "it shows outside the dialog";
   EXPECT_EQ(window().state()["actions"]["record"]["on"], true);
+}
+
+TEST_F(RealWindow, AFolderIsChosenInTheDesktopsDialog) {
+  show("scanning");
+  window().key("s");
+  EXPECT_EQ(after_click("recording_folder_choose"), Names{"ChoosePath"});
+  window().ask("wait 2");
+  EXPECT_EQ(after_click("record"), (Names{"ChangeSettings", "RecordFrames"}))
+      << "the chosen folder is remembered";
+  window().key("Escape");
+  EXPECT_EQ(after_key("d"), Names{"PauseScan"});
+  window().click("tab_new");
+  EXPECT_EQ(after_click("case_path_choose"), Names{"ChoosePath"});
+  window().ask("wait 2");
+  EXPECT_EQ(window().state()["case_form"]["path"], "/media/clinic/stick/chosen.flytri");
 }
 
 TEST_F(RealWindow, TheDevicePanelOpensOnlyWithDevices) {

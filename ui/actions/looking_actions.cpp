@@ -29,8 +29,9 @@ ActionState color_state(const Situation& now) {
 
 template <ColorMode kMode>
 void color_by(const ActionRunner& run) {
+  // Another stage's colors say nothing about the clearance.
+  if (shown_jaws(run.view, run.state) != nullptr) run.state.jaws.shows_clearance = false;
   run.state.color_mode = kMode;
-  run.state.jaws.shows_clearance = false;
 }
 
 ActionState blend_state(const Situation& now) {
