@@ -136,7 +136,7 @@ void draw_planes(const PanelContext& context, Rect box, const CalibrationOutcome
   const std::array<LegendRow, 2> lines = {
       {{kVerticalProfile, context.text(Text::kLegendVertical)},
        {kHorizontalProfile, context.text(Text::kLegendHorizontal)}}};
-  Rect below = box.take_bottom(context.px(56.0F));
+  Rect below = box.take_bottom(context.px(64.0F));
   draw_box(box, kBackground, context.px(kRounding));
   Rect inner = box.inset(context.px(kGapM));
   inner.take_left(context.px(56.0F));

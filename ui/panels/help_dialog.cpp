@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
@@ -14,12 +15,28 @@ constexpr float kHelpHeading = 30.0F;
 constexpr float kKey = 84.0F;
 /// Room for the longest name, and for the longest state.
 constexpr float kName = 136.0F, kStateWidth = 124.0F;
-/// The fullest column, in rows: looking and program, with their headings.
-constexpr float kMostHelpRows = 32.0F;
+constexpr std::size_t kPointerRows = 5;
+/// The columns are about equally long; what the pointer does follows in the second.
+constexpr std::array kFirstColumn = {ActionGroup::kScanning, ActionGroup::kEditing,
+                                     ActionGroup::kCalibrating};
+constexpr std::array kSecondColumn = {ActionGroup::kLooking};
+constexpr std::array kThirdColumn = {ActionGroup::kProgram, ActionGroup::kHand};
 
-/// Rows are lower in a low window.
+/// The height that a column leaves for each of its rows.
+float row_height(const PanelContext& context, float height, std::span<const ActionGroup> groups,
+                 std::size_t more_rows) {
+  std::size_t rows = more_rows;
+  for (const ActionGroup group : groups) rows += rows_of(group).size();
+  const std::size_t headings = groups.size() + (more_rows > 0 ? 1 : 0);
+  const float heading = context.px(kHelpHeading) + context.px(kGapS);
+  return std::floor((height - static_cast<float>(headings) * heading) / static_cast<float>(rows));
+}
+
+/// All rows have the same height, a lower one in a low window.
 float row_height(const PanelContext& context, float height) {
-  return std::min(context.px(kHelpRow), std::floor(height / kMostHelpRows));
+  return std::min({context.px(kHelpRow), row_height(context, height, kFirstColumn, 0),
+                   row_height(context, height, kSecondColumn, kPointerRows),
+                   row_height(context, height, kThirdColumn, 0)});
 }
 
 void draw_row(const PanelContext& context, Rect row, const ActionRow& entry) {
@@ -49,7 +66,7 @@ void draw_group(const PanelContext& context, Rect& column, float row, ActionGrou
 }
 
 void draw_pointer(const PanelContext& context, Rect& column, float row_height_px) {
-  constexpr std::array<std::array<Text, 2>, 5> kRows = {
+  constexpr std::array<std::array<Text, 2>, kPointerRows> kRows = {
       {{Text::kDrag, Text::kDragDoes},
        {Text::kRightDrag, Text::kRightDragDoes},
        {Text::kMiddleDrag, Text::kMiddleDragDoes},
@@ -78,13 +95,10 @@ void draw_help_dialog(const PanelContext& context) {
   Rect second = dialog.rest.take_left(width, gap);
   Rect third = dialog.rest;
   const float row = row_height(context, dialog.rest.height);
-  draw_group(context, first, row, ActionGroup::kScanning);
-  draw_group(context, first, row, ActionGroup::kEditing);
-  draw_pointer(context, first, row);
-  draw_group(context, second, row, ActionGroup::kLooking);
-  draw_group(context, second, row, ActionGroup::kProgram);
-  draw_group(context, third, row, ActionGroup::kHand);
-  draw_group(context, third, row, ActionGroup::kCalibrating);
+  for (const ActionGroup group : kFirstColumn) draw_group(context, first, row, group);
+  for (const ActionGroup group : kSecondColumn) draw_group(context, second, row, group);
+  draw_pointer(context, second, row);
+  for (const ActionGroup group : kThirdColumn) draw_group(context, third, row, group);
 }
 
 }  // namespace flytri::ui

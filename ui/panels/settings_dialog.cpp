@@ -2,6 +2,7 @@
 /// calibration.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -16,6 +17,10 @@ namespace flytri::ui {
 namespace {
 
 constexpr float kSettingsWidth = 680.0F, kSettingsRow = 48.0F, kLanguageCaption = 20.0F;
+/// What the dialog needs beside its rows: the caption of the languages and the folder of
+/// recordings.
+constexpr float kBesideRows = kLanguageCaption + kGapXs + kFieldRow;
+constexpr float kSettingsRows = 8.0F;
 
 /// @param code  of the language; empty: that of the desktop
 void draw_language_button(const PanelContext& context, const Rect& box, const std::string& code,
@@ -33,10 +38,10 @@ void draw_language_button(const PanelContext& context, const Rect& box, const st
 }
 
 /// Each language by its own name, so that one finds back from a language that one cannot read.
-void draw_language(const PanelContext& context, DialogPlate& dialog) {
+void draw_language(const PanelContext& context, DialogPlate& dialog, float row_height) {
   draw_text(dialog.rest.take_top(context.px(kLanguageCaption), context.px(kGapXs)),
             {context.theme.fonts.body, kText, Align::kLeft}, context.text(Text::kLanguage));
-  Rect row = dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS));
+  Rect row = dialog.rest.take_top(row_height, context.px(kGapS));
   const float gap = context.px(kGapXs), count = kLanguages.size() + 1.0F;
   const float width = (row.width - (count - 1.0F) * gap) / count;
   draw_language_button(context, row.take_left(width, gap), "", context.text(Text::kAutomatic));
@@ -115,10 +120,10 @@ void draw_calibration(const PanelContext& context, Rect row) {
             context.text(Text::kSensorCalibration));
 }
 
-void draw_recording(const PanelContext& context, DialogPlate& dialog) {
+void draw_recording(const PanelContext& context, DialogPlate& dialog, float row_height) {
   RecordingForm& form = context.state.recording_form;
   const RecordingState& recording = context.view.recording;
-  Rect row = dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS));
+  Rect row = dialog.rest.take_top(row_height, context.px(kGapS));
   small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
                Action::kRecord,
                {nullptr, context.text(recording.is_on ? Text::kButtonOn : Text::kButtonOff)});
@@ -137,17 +142,22 @@ void draw_recording(const PanelContext& context, DialogPlate& dialog) {
 }  // namespace
 
 void draw_settings_dialog(const PanelContext& context) {
-  DialogPlate dialog(context, context.text(Text::kSettings),
-                     {kSettingsWidth, 320.0F + 4.0F * (kSettingsRow + kGapS) + kLanguageCaption +
-                                          kGapXs + kFieldRow});
-  draw_language(context, dialog);
-  draw_size(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_sound(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_full_screen(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_close_holes(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_devices(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_calibration(context, dialog.rest.take_top(context.px(kSettingsRow), context.px(kGapS)));
-  draw_recording(context, dialog);
+  DialogPlate dialog(
+      context, context.text(Text::kSettings),
+      {kSettingsWidth, 96.0F + kSettingsRows * (kSettingsRow + kGapS) + kBesideRows});
+  // Rows are lower in a low window.
+  const float row =
+      std::min(context.px(kSettingsRow),
+               (dialog.rest.height - context.px(kBesideRows)) / kSettingsRows - context.px(kGapS));
+  const auto next_row = [&] { return dialog.rest.take_top(row, context.px(kGapS)); };
+  draw_language(context, dialog, row);
+  draw_size(context, next_row());
+  draw_sound(context, next_row());
+  draw_full_screen(context, next_row());
+  draw_close_holes(context, next_row());
+  draw_devices(context, next_row());
+  draw_calibration(context, next_row());
+  draw_recording(context, dialog, row);
 }
 
 }  // namespace flytri::ui

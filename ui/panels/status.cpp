@@ -14,8 +14,11 @@ Status status_with(const AppView& view, const Color& color, const char* icon, Te
 }
 
 Status waiting_status(const AppView& view) {
-  const bool is_new = view.scan == nullptr || surfel_count(view.scan->model) == 0;
-  if (is_new) {
+  if (view.file.is_read_only) {
+    return status_with(view, kNeutral, icon::kInformation, Text::kReadOnly,
+                       view.texts[Text::kStatusReadOnlyHint]);
+  }
+  if (view.scan == nullptr || view.scan->view_count() == 0) {
     return status_with(view, kNeutral, icon::kInformation, Text::kStatusReady,
                        view.texts[Text::kStatusReadyHint]);
   }

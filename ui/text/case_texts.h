@@ -68,10 +68,15 @@ FLYTRI_TEXT(kWaitForSensor,
             "Un cas contient l’étalonnage de son capteur. Attendre que le capteur soit prêt.",
             "Un caso contiene la calibración de su sensor. Esperar a que el sensor esté listo.")
 FLYTRI_TEXT(
-    kOpenReadOnly, "The case is open read-only. New scans are not saved in it.",
-    "Der Fall ist schreibgeschützt geöffnet. Neue Scans werden nicht darin gespeichert.",
-    "Le cas est ouvert en lecture seule. Les nouveaux scans n’y sont pas enregistrés.",
-    "El caso está abierto en modo de solo lectura. Los nuevos escaneos no se guardan en él.")
+    kOpenReadOnly,
+    "The case is open read-only. It can be viewed and exported, but not changed. To scan, open "
+    "another case.",
+    "Der Fall ist schreibgeschützt geöffnet. Er kann betrachtet und exportiert werden, aber nicht "
+    "geändert. Zum Scannen einen anderen Fall öffnen.",
+    "Le cas est ouvert en lecture seule. On peut le consulter et l’exporter, mais pas le "
+    "modifier. Pour scanner, ouvrir un autre cas.",
+    "El caso está abierto en modo de solo lectura. Se puede ver y exportar, pero no modificar. "
+    "Para escanear, abrir otro caso.")
 FLYTRI_TEXT(
     kOtherCalibration,
     "This case was scanned with another calibration. New scans are measured with the sensor's "

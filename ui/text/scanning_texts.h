@@ -64,6 +64,10 @@ FLYTRI_TEXT(kResume, "Resume", "Fortsetzen", "Reprendre", "Reanudar")
 FLYTRI_TEXT(kStatusReady, "Ready", "Bereit", "Prêt", "Listo")
 FLYTRI_TEXT(kStatusReadyHint, "Press Scan to start", "„Scannen“ drücken, um zu beginnen",
             "Appuyer sur « Scanner » pour commencer", "Pulsar «Escanear» para empezar")
+FLYTRI_TEXT(kStatusReadOnlyHint, "Can be viewed and exported, but not changed",
+            "Ansehen und exportieren möglich, ändern nicht",
+            "Consultation et export possibles, sans modification",
+            "Se puede ver y exportar, pero no modificar")
 FLYTRI_TEXT(kStatusPaused, "Paused", "Pause", "En pause", "En pausa")
 FLYTRI_TEXT(kStatusPausedHint, "Resume scanning, or finish the model",
             "Scan fortsetzen oder Modell abschließen", "Reprendre le scan ou terminer le modèle",

@@ -13,6 +13,9 @@ constexpr std::string_view kDots = "\xe2\x80\xa6";
 
 const char* end_of(std::string_view text) { return text.data() + text.size(); }
 
+/// A text may be larger than its box by this.
+constexpr float kRounding_px = 1.0F;
+
 ImVec2 size_of(ImFont* font, std::string_view text, float wrap_width = 0.0F) {
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap_width, text.data(), end_of(text));
 }
@@ -39,7 +42,6 @@ void note_cut(std::string_view text, const std::string& shown) {
 
 /// Whether lines of this width hold each word as a whole, and all lines fit into the box.
 bool fits_wrapped(const Rect& box, ImFont* font, std::string_view text) {
-  constexpr float kRounding_px = 1.0F;
   if (size_of(font, text, box.width).y > box.height + kRounding_px) return false;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
@@ -76,6 +78,8 @@ std::string elided(ImFont* font, float width, std::string_view text) {
 void draw_text(const Rect& box, const TextStyle& style, std::string_view text) {
   const std::string shown = elided(style.font, box.width, text);
   note_cut(text, shown);
+  if (draw_record() != nullptr && box.height + kRounding_px < style.font->FontSize)
+    draw_record()->cut_texts.emplace_back(text);
   const float width = text_width(style.font, shown);
   const ImVec2 at = {left_of(box, style.align, width),
                      std::round(box.y + (box.height - style.font->FontSize) / 2.0F)};

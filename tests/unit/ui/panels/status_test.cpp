@@ -52,6 +52,22 @@ TEST(Status, SaysHowManyDevicesFail) {
   EXPECT_EQ(status_of(view).hint, "2 problems with its devices: press R to see them");
 }
 
+TEST(Status, AReadOnlyCaseDoesNotAskToScan) {
+  AppView view;
+  EXPECT_EQ(status_of(view).text, "Ready");
+  view.file.is_read_only = true;
+  EXPECT_EQ(status_of(view).text, "Read-only");
+  EXPECT_EQ(status_of(view).hint, "Can be viewed and exported, but not changed");
+}
+
+TEST(Status, AScanOfACaseIsPausedBeforeItsSurfaceIsThere) {
+  AppView view;
+  auto scan = std::make_shared<scan::ScanSnapshot>();
+  scan->restored_views = 10;
+  view.scan = scan;
+  EXPECT_EQ(status_of(view).text, "Paused");
+}
+
 TEST(Status, SaysThatACaseIsBeingRead) {
   AppView view;
   view.is_loading = true;
