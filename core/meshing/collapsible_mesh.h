@@ -1,13 +1,14 @@
 /// @file  A mesh whose vertices are taken away one by one, with the error that this has added.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "core/geometry/mesh_distance.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/meshing/mesh_lines.h"
+#include "core/meshing/place_mesh.h"
 
 namespace flytri::meshing {
 
@@ -21,8 +22,7 @@ struct CollapseLimits {
 /// A triangle mesh in which a vertex can be moved onto a neighbor ("half-edge collapse"). What is
 /// left is always a subset of the vertices as they were.
 ///
-/// Vertices at exactly the same position are one place: where they differ, a seam of the texture
-/// runs, which stays a line of edges, as a rim does.
+/// Seams of the texture stay lines of edges, as rims do.
 ///
 /// The places and the middles of all triangles are samples of the original surface. Each sample
 /// knows the triangle that replaces its own, so its distance is known at every step. A step that
@@ -31,20 +31,12 @@ struct CollapseLimits {
 ///          framework for mesh decimation", Graphics Interface 1998.
 class CollapsibleMesh {
  public:
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-
   /// @param mesh  kept by reference
   explicit CollapsibleMesh(const TriangleMesh& mesh);
 
-  [[nodiscard]] std::size_t place_count() const { return position_mm_.size(); }
-  [[nodiscard]] const Vec3f& position_mm(std::uint32_t place) const { return position_mm_[place]; }
+  [[nodiscard]] const PlaceMesh& places() const { return places_; }
   /// The places that a place may move onto; empty if it must stay.
   void targets_of(std::uint32_t place, std::vector<std::uint32_t>& targets) const;
-  /// The places around a place, rising.
-  void neighbors_of(std::uint32_t place, std::vector<std::uint32_t>& neighbors) const;
-  /// The triangles around a place.
-  void triangles_of(std::uint32_t place, std::vector<std::uint32_t>& triangles) const;
-  [[nodiscard]] Triangle places_of(std::uint32_t triangle) const;
 
   /// Moves a place onto a neighbor, if the mesh stays a manifold, no triangle turns over, and no
   /// limit is exceeded.
@@ -60,22 +52,12 @@ class CollapsibleMesh {
   [[nodiscard]] double mean_square_mm2() const {
     return squares_mm2_ / static_cast<double>(squared_mm2_.size());
   }
-  /// The triangles that are left, with vertices of the mesh.
-  [[nodiscard]] std::vector<Triangle> triangles() const;
-  [[nodiscard]] bool is_gone(std::uint32_t triangle) const {
-    return triangles_[triangle][0] == kNone;
-  }
-  [[nodiscard]] std::size_t triangle_slots() const { return triangles_.size(); }
   /// The largest distance of a sample, mm.
   [[nodiscard]] double max_mm() const;
 
  private:
-  enum class Kind : char { kInner, kRim, kSeam, kFixed };
-  /// An edge of a rim or a seam, with the places of the line that it replaces.
-  struct LineEdge {
-    std::array<std::uint32_t, 2> ends = {kNone, kNone};
-    std::vector<std::uint32_t> gone;
-  };
+  static constexpr std::uint32_t kNone = PlaceMesh::kNone;
+
   /// A new triangle of a step.
   struct NewTriangle {
     std::uint32_t slot = kNone;  ///< that it takes
@@ -88,12 +70,6 @@ class CollapsibleMesh {
     float squared_mm2;
   };
 
-  void join_places();
-  void classify_edges();
-  void fix_if_no_disk(std::uint32_t place);
-  void link_corner(std::uint32_t corner);
-  void unlink_corners(std::uint32_t triangle);
-
   [[nodiscard]] bool keeps_manifold(std::uint32_t from, std::uint32_t onto) const;
   [[nodiscard]] bool prepare(std::uint32_t from, std::uint32_t onto);
   [[nodiscard]] float upright(const NewTriangle& t) const;
@@ -105,21 +81,15 @@ class CollapsibleMesh {
   [[nodiscard]] bool assign(std::uint32_t sample, float max_mm);
   [[nodiscard]] bool assign_star(float max_mm);
   void replace_star();
-  void merge_lines(std::uint32_t from, std::uint32_t onto);
   [[nodiscard]] NewTriangle made(std::uint32_t slot, const Triangle& corners) const;
 
   const TriangleMesh& mesh_;
-  std::vector<std::uint32_t> place_of_;  ///< of each vertex of the mesh
-  std::vector<Vec3f> position_mm_;       ///< of each place
-  std::vector<Kind> kind_;
-  std::vector<Triangle> triangles_;                        ///< of vertices of the mesh; gone: kNone
-  std::vector<std::uint32_t> first_corner_, next_corner_;  ///< lists of corners by place
+  PlaceMesh places_;
+  MeshLines lines_;
   MeshDistance former_;                                    ///< the surface as it was
   std::vector<std::uint32_t> first_sample_, next_sample_;  ///< lists of samples by triangle
   std::vector<float> squared_mm2_;  ///< of each sample: the places, then the middles of triangles
   double squares_mm2_ = 0.0;
-  std::vector<LineEdge> lines_;
-  std::vector<std::array<std::uint32_t, 2>> lines_of_;  ///< the two line edges at a place
 
   // Scratch of one step.
   std::vector<std::uint32_t> star_, ring_, other_ring_;

@@ -89,13 +89,13 @@ class Simplifier {
 };
 
 void Simplifier::sum_planes() {
-  quadrics_.resize(surface_.place_count());
-  for (std::uint32_t t = 0; t < surface_.triangle_slots(); ++t) {
-    if (surface_.is_gone(t)) continue;
-    const Triangle p = surface_.places_of(t);
-    const Vec3 a = surface_.position_mm(p[0]).cast<double>(),
-               b = surface_.position_mm(p[1]).cast<double>(),
-               c = surface_.position_mm(p[2]).cast<double>();
+  quadrics_.resize(surface_.places().place_count());
+  for (std::uint32_t t = 0; t < surface_.places().slot_count(); ++t) {
+    if (surface_.places().is_gone(t)) continue;
+    const Triangle p = surface_.places().places_of(t);
+    const Vec3 a = surface_.places().position_mm(p[0]).cast<double>(),
+               b = surface_.places().position_mm(p[1]).cast<double>(),
+               c = surface_.places().position_mm(p[2]).cast<double>();
     const Vec3 area = 0.5 * (b - a).cross(c - a);
     if (!(area.norm() > 0.0)) continue;
     for (const std::uint32_t place : p)
@@ -109,8 +109,8 @@ void Simplifier::find_targets(std::uint32_t from) {
   surface_.targets_of(from, around_);
   targets_.clear();
   for (const std::uint32_t onto : around_) {
-    const Vec3 p = surface_.position_mm(onto).cast<double>();
-    const double length = (p - surface_.position_mm(from).cast<double>()).squaredNorm();
+    const Vec3 p = surface_.places().position_mm(onto).cast<double>();
+    const double length = (p - surface_.places().position_mm(from).cast<double>()).squaredNorm();
     targets_.push_back(
         {std::max(0.0, quadrics_[from].at(p) + quadrics_[onto].at(p)) + kLengthWeight * length,
          onto});
@@ -127,7 +127,7 @@ void Simplifier::queue(std::uint32_t from) {
 void Simplifier::finish_step(std::uint32_t from, std::uint32_t onto) {
   quadrics_[onto] += quadrics_[from];
   ++stamps_[from];
-  surface_.neighbors_of(onto, places_);
+  surface_.places().neighbors_of(onto, places_);
   places_.push_back(onto);
   for (const std::uint32_t place : std::exchange(places_, {})) queue(place);
 }
@@ -150,11 +150,12 @@ void Simplifier::take(const Step& step) {
 /// Turns an edge of a thin triangle, or moves one of its corners onto another.
 bool Simplifier::mend(std::uint32_t triangle) {
   if (surface_.flip(triangle, limits_)) return true;
-  const Triangle p = surface_.places_of(triangle);
+  const Triangle p = surface_.places().places_of(triangle);
   std::vector<std::tuple<float, std::uint32_t, std::uint32_t>> sides;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t a = p[k], b = p[(k + 1) % 3];
-    const float length = (surface_.position_mm(b) - surface_.position_mm(a)).norm();
+    const float length =
+        (surface_.places().position_mm(b) - surface_.places().position_mm(a)).norm();
     sides.insert(sides.end(), {{length, a, b}, {length, b, a}});
   }
   std::sort(sides.begin(), sides.end());
@@ -170,8 +171,8 @@ bool Simplifier::mend(std::uint32_t triangle) {
 void Simplifier::mend_thin_triangles() {
   for (int i = 0; i < kMendings; ++i) {
     bool has_mended = false;
-    for (std::uint32_t t = 0; t < surface_.triangle_slots(); ++t) {
-      if (!surface_.is_gone(t) && surface_.is_thin(t, limits_)) has_mended |= mend(t);
+    for (std::uint32_t t = 0; t < surface_.places().slot_count(); ++t) {
+      if (!surface_.places().is_gone(t) && surface_.is_thin(t, limits_)) has_mended |= mend(t);
     }
     if (!has_mended) return;
   }
@@ -179,8 +180,8 @@ void Simplifier::mend_thin_triangles() {
 
 Result<Simplified> Simplifier::run(const Progress& progress) {
   sum_planes();
-  stamps_.assign(surface_.place_count(), 0);
-  for (std::uint32_t place = 0; place < surface_.place_count(); ++place) queue(place);
+  stamps_.assign(surface_.places().place_count(), 0);
+  for (std::uint32_t place = 0; place < surface_.places().place_count(); ++place) queue(place);
   while (!steps_.empty() && !is_error_used_up()) {
     const Step step = steps_.top();
     steps_.pop();
@@ -190,7 +191,7 @@ Result<Simplified> Simplifier::run(const Progress& progress) {
   mend_thin_triangles();
   progress.advance();
   Simplified result;
-  result.triangles = surface_.triangles();
+  result.triangles = surface_.places().triangles();
   result.rms_mm = std::sqrt(surface_.mean_square_mm2());
   result.max_mm = surface_.max_mm();
   return result;
