@@ -86,6 +86,15 @@ void MeshDistance::split(std::uint32_t index) {
 }
 
 MeshDistance::Closest MeshDistance::closest(const Vec3f& query_mm, double limit_mm) const {
+  return find(query_mm, limit_mm, Wanted::kClosest);
+}
+
+bool MeshDistance::is_within(const Vec3f& query_mm, double limit_mm) const {
+  return find(query_mm, limit_mm, Wanted::kAny).distance_mm <= limit_mm;
+}
+
+MeshDistance::Closest MeshDistance::find(const Vec3f& query_mm, double limit_mm,
+                                         Wanted wanted) const {
   // Enough for 2^32 triangles: each level halves them, and a leaf has up to 4.
   constexpr std::size_t kMaxDepth = 64;
   struct Pending {
@@ -121,6 +130,7 @@ MeshDistance::Closest MeshDistance::closest(const Vec3f& query_mm, double limit_
       if (squared > best_squared) continue;
       best_squared = squared;
       best = {std::sqrt(static_cast<double>(squared)), point, t.triangle};
+      if (wanted == Wanted::kAny && best.distance_mm <= limit_mm) return best;
     }
   }
   return best;

@@ -23,6 +23,8 @@ class MeshDistance {
   };
   /// @param limit_mm  only surface up to this distance is searched
   [[nodiscard]] Closest closest(const Vec3f& query_mm, double limit_mm = 1e30) const;
+  /// Whether any surface is within the limit: quicker than the closest point.
+  [[nodiscard]] bool is_within(const Vec3f& query_mm, double limit_mm) const;
 
  private:
   struct Corners {
@@ -35,7 +37,9 @@ class MeshDistance {
     Vec3f low = Vec3f::Zero(), high = Vec3f::Zero();
     std::uint32_t begin = 0, end = 0, child = 0;
   };
+  enum class Wanted : char { kClosest, kAny };
   void split(std::uint32_t node);
+  [[nodiscard]] Closest find(const Vec3f& query_mm, double limit_mm, Wanted wanted) const;
 
   std::vector<Corners> corners_;
   std::vector<Node> nodes_;

@@ -137,15 +137,27 @@ bool CollapsibleMesh::assign_star(float max_mm) {
   return true;
 }
 
-/// The middles of the new triangles and of their edges.
+/// Lists what a step onto a place adds. Edges that were there have been checked when they came.
+void CollapsibleMesh::list_new_middles(std::uint32_t onto) {
+  new_middles_mm_.clear();
+  const Vec3f& center_mm = places_.position_mm(onto);
+  for (const NewTriangle& t : new_) {
+    new_middles_mm_.push_back((t.a + t.b + t.c) / 3.0F);
+    for (const std::uint32_t vertex : t.corners) {
+      const std::uint32_t place = places_.place_of(vertex);
+      if (place == onto || contains(other_ring_, place)) continue;
+      const Vec3f middle_mm = 0.5F * (center_mm + places_.position_mm(place));
+      // Two of the triangles have the same edge.
+      const auto end = new_middles_mm_.end();
+      if (std::find(new_middles_mm_.begin(), end, middle_mm) == end)
+        new_middles_mm_.push_back(middle_mm);
+    }
+  }
+}
+
 bool CollapsibleMesh::is_near_former(float max_mm) const {
-  const auto near = [&](const Vec3f& p) {
-    return former_.closest(p, static_cast<double>(max_mm)).distance_mm <=
-           static_cast<double>(max_mm);
-  };
-  return std::all_of(new_.begin(), new_.end(), [&](const NewTriangle& t) {
-    return near((t.a + t.b + t.c) / 3.0F) && near(0.5F * (t.a + t.b)) && near(0.5F * (t.b + t.c)) &&
-           near(0.5F * (t.c + t.a));
+  return std::all_of(new_middles_mm_.begin(), new_middles_mm_.end(), [&](const Vec3f& p) {
+    return former_.is_within(p, static_cast<double>(max_mm));
   });
 }
 
@@ -210,8 +222,9 @@ bool CollapsibleMesh::collapse(std::uint32_t from, std::uint32_t onto,
       !line_stays(from, onto, limits))
     return false;
   assigned_.clear();
-  if (!assign(from, limits.max_mm) || !assign_star(limits.max_mm) || !is_near_former(limits.max_mm))
-    return false;
+  if (!assign(from, limits.max_mm) || !assign_star(limits.max_mm)) return false;
+  list_new_middles(onto);
+  if (!is_near_former(limits.max_mm)) return false;
   replace_star();
   if (lines_.kind(from) != PlaceKind::kInner) lines_.merge(from, onto);
   return true;
@@ -244,6 +257,9 @@ bool CollapsibleMesh::flip(std::uint32_t triangle, const CollapseLimits& limits)
     };
     if (!std::all_of(new_.begin(), new_.end(), is_better)) return false;
     assigned_.clear();
+    new_middles_mm_ = {(new_[0].a + new_[0].b + new_[0].c) / 3.0F,
+                       (new_[1].a + new_[1].b + new_[1].c) / 3.0F,
+                       0.5F * (places_.position_mm(place_c) + places_.position_mm(place_d))};
     if (!assign_star(limits.max_mm) || !is_near_former(limits.max_mm)) return false;
     replace_star();
     return true;

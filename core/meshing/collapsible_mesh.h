@@ -76,6 +76,7 @@ class CollapsibleMesh {
   [[nodiscard]] bool are_good(const CollapseLimits& limits) const;
   [[nodiscard]] bool line_stays(std::uint32_t from, std::uint32_t onto,
                                 const CollapseLimits& limits) const;
+  void list_new_middles(std::uint32_t onto);
   [[nodiscard]] bool is_near_former(float max_mm) const;
   [[nodiscard]] Vec3f sample_mm(std::uint32_t sample) const;
   [[nodiscard]] bool assign(std::uint32_t sample, float max_mm);
@@ -94,6 +95,7 @@ class CollapsibleMesh {
   // Scratch of one step.
   std::vector<std::uint32_t> star_, ring_, other_ring_;
   std::vector<NewTriangle> new_;
+  std::vector<Vec3f> new_middles_mm_;  ///< of new triangles and new edges
   std::vector<Assignment> assigned_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> becomes_;
 };

@@ -56,6 +56,7 @@ TEST(MeshDistance, EqualsBruteForce) {
                                         .norm());
     EXPECT_NEAR(tree.closest(p).distance_mm, best, 1e-6);
     EXPECT_EQ(std::isfinite(tree.closest(p, 0.5).distance_mm), best <= 0.5);
+    EXPECT_EQ(tree.is_within(p, 0.5), best <= 0.5);
   }
 }
 
