@@ -104,7 +104,7 @@ void draw_view(Drawing& page, const HeadView& view, const SensorModel& sensor,
   const Vec2 above(0.0, -10.0);
   draw_measure(page, view.at(camera) + above, view.at(projector.center()) + above,
                fmt::format("{:.2f}", (projector.center() - camera).norm()));
-  const Vec2 right(0.5 * view.scale * sensor.volume.size_mm[view.axis] + 26.0, 0.0);
+  const Vec2 right(0.5 * view.scale * sensor.volume.size_mm[view.axis] + 31.0, 0.0);
   draw_measure(page, Vec2(view.origin_mm.x() + right.x(), view.at(camera).y()),
                view.origin_mm + right, fmt::format("{:g}", camera.norm()));
   const double angle_rad = std::acos(camera.normalized().dot(projector.center().normalized()));
