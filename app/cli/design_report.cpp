@@ -23,7 +23,7 @@ using design::DesignFigures;
 using design::PatternFigures;
 using simulated::SensorLayout;
 
-constexpr double kMicronsOfMm = 1e3;
+constexpr double kReportMicrons = 1e3;
 constexpr double kDegreesOfRad = 180.0 / std::numbers::pi;
 
 /// A row of the table: its name, its key in the JSON, and its value.
@@ -77,7 +77,7 @@ std::vector<DesignRow> head_rows(const DesignReport& report) {
       {"slide: width of a line, µm", "slide_line_width_um", 2, [focal_mm](const Design& d) {
          const auto sensor = make_sensor(d.layout);
          const auto slide = sheets::plan_slide(sensor.projector(Pattern::kVertical), focal_mm);
-         return slide ? kMicronsOfMm * slide->line_width_mm : 0.0;
+         return slide ? kReportMicrons * slide->line_width_mm : 0.0;
        }});
   return rows;
 }
@@ -92,9 +92,9 @@ std::vector<DesignRow> depth_rows() {
   };
   const std::array<Figure, 9> figures = {
       {{"pixel on the object, µm", "pixel_um", 1,
-        [](const DepthFigures& f) { return kMicronsOfMm * f.line.pixel_mm; }},
+        [](const DepthFigures& f) { return kReportMicrons * f.line.pixel_mm; }},
        {"line width on the object, µm", "line_width_um", 0,
-        [](const DepthFigures& f) { return kMicronsOfMm * f.line.width_mm; }},
+        [](const DepthFigures& f) { return kReportMicrons * f.line.width_mm; }},
        {"line width in the image, px", "line_width_px", 2,
         [](const DepthFigures& f) { return f.line.width_px; }},
        {"motion of a line, px for 1 mm of depth", "motion_px_per_mm", 3,
@@ -102,13 +102,13 @@ std::vector<DesignRow> depth_rows() {
        {"uncertainty of a line, px", "deviation_px", 3,
         [](const DepthFigures& f) { return f.line.deviation_px; }},
        {"uncertainty along the normal, µm", "deviation_um", 1,
-        [](const DepthFigures& f) { return kMicronsOfMm * f.line.deviation_mm; }},
+        [](const DepthFigures& f) { return kReportMicrons * f.line.deviation_mm; }},
        {"the same with 1/7 px, as the paper, µm", "three_point_um", 1,
-        [](const DepthFigures& f) { return kMicronsOfMm * f.three_point_mm; }},
+        [](const DepthFigures& f) { return kReportMicrons * f.three_point_mm; }},
        {"limit by speckle, µm", "speckle_limit_um", 1,
-        [](const DepthFigures& f) { return kMicronsOfMm * f.speckle_limit_mm; }},
+        [](const DepthFigures& f) { return kReportMicrons * f.speckle_limit_mm; }},
        {"grooves along the lines, least distance, µm", "grooves_along_lines_um", 0,
-        [](const DepthFigures& f) { return kMicronsOfMm * f.grooves_along_lines_mm; }}}};
+        [](const DepthFigures& f) { return kReportMicrons * f.grooves_along_lines_mm; }}}};
   std::vector<DesignRow> rows;
   constexpr std::array<const char*, 3> kPlaces = {"near", "middle", "far"};
   for (const Figure& figure : figures)
@@ -123,7 +123,9 @@ std::vector<DesignRow> depth_rows() {
 std::vector<DesignRow> whole_rows() {
   std::vector<DesignRow> rows = {
       {"grooves across the lines, least distance, µm", "grooves_across_lines_um", 0,
-       [](const Design& d) { return kMicronsOfMm * d.figures.depths[1].grooves_across_lines_mm; }},
+       [](const Design& d) {
+         return kReportMicrons * d.figures.depths[1].grooves_across_lines_mm;
+       }},
       {"depth of focus: from z, mm", "focus_least_mm", 1,
        [](const Design& d) { return d.figures.focus.least_mm; }},
       {"depth of focus: to z, mm", "focus_most_mm", 1,
@@ -172,9 +174,9 @@ void print_sweeps(const std::vector<design::Sweep>& sweeps) {
     for (const design::SweepPoint& point : sweep.points) {
       const DesignFigures& f = point.figures;
       print_out("{:<14}{:>9.4g}{:>12.1f}{:>12.0f}{:>12.0f}{:>12.1f}{:>9.1f}{:>9.1f}\n",
-                to_string(sweep.knob), point.value, kMicronsOfMm * f.depths[2].line.deviation_mm,
-                kMicronsOfMm * f.depths[1].grooves_along_lines_mm,
-                kMicronsOfMm * f.depths[1].grooves_across_lines_mm,
+                to_string(sweep.knob), point.value, kReportMicrons * f.depths[2].line.deviation_mm,
+                kReportMicrons * f.depths[1].grooves_along_lines_mm,
+                kReportMicrons * f.depths[1].grooves_across_lines_mm,
                 f.focus.most_mm - f.focus.least_mm, f.patterns[0].areas.gap_px,
                 f.patterns[1].areas.gap_px);
     }

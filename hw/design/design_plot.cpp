@@ -17,9 +17,9 @@ using drawing::TextAlign;
 constexpr Color kCurve{0.05, 0.35, 0.65};
 constexpr Color kSecondCurve{0.80, 0.40, 0.05};
 constexpr Color kGrid{0.85, 0.85, 0.85};
-constexpr double kMicronsOfMm = 1e3;
+constexpr double kPlotMicronsOfMm = 1e3;
 const Vec2 kPanel_mm(44.0, 30.0);
-const Vec2 kStep_mm(56.0, 42.0);
+const Vec2 kPanelStep_mm(56.0, 42.0);
 const Vec2 kCorner_mm(26.0, 26.0);
 
 /// A result: one or two curves.
@@ -30,10 +30,10 @@ struct Row {
   double (*second_value)(const DesignFigures&);
 };
 
-const std::array<Row, 4> kRows = {
+const std::array<Row, 4> kPlotRows = {
     {{"uncertainty", "along the normal, µm", "far end", "near end",
-      [](const DesignFigures& f) { return kMicronsOfMm * f.depths[2].line.deviation_mm; },
-      [](const DesignFigures& f) { return kMicronsOfMm * f.depths[0].line.deviation_mm; }},
+      [](const DesignFigures& f) { return kPlotMicronsOfMm * f.depths[2].line.deviation_mm; },
+      [](const DesignFigures& f) { return kPlotMicronsOfMm * f.depths[0].line.deviation_mm; }},
      {"least distance", "of grooves, mm", "along lines", "across lines",
       [](const DesignFigures& f) { return f.depths[1].grooves_along_lines_mm; },
       [](const DesignFigures& f) { return f.depths[1].grooves_across_lines_mm; }},
@@ -117,7 +117,7 @@ void draw_row_name(Drawing& page, const Row& row, double top_mm) {
   page.text({13.0, middle_mm}, row.unit,
             {.height_mm = 2.8, .align = TextAlign::kMiddle, .upwards = true});
   if (row.first.empty()) return;
-  const double x_mm = kCorner_mm.x() + 4.0 * kStep_mm.x() - 9.0;
+  const double x_mm = kCorner_mm.x() + 4.0 * kPanelStep_mm.x() - 9.0;
   page.text({x_mm, top_mm + 8.0}, row.first, {.height_mm = 2.8, .color = kCurve});
   page.text({x_mm, top_mm + 13.0}, row.second, {.height_mm = 2.8, .color = kSecondCurve});
 }
@@ -127,7 +127,7 @@ void draw_column(Drawing& page, const Sweep& sweep, double left_mm) {
   page.text({left_mm + 0.5 * kPanel_mm.x(), kCorner_mm.y() - 3.0},
             fmt::format("{}{}{}", to_string(sweep.knob), unit.empty() ? "" : ", ", unit),
             {.height_mm = 3.2, .align = TextAlign::kMiddle});
-  const double below_mm = kCorner_mm.y() + 3.0 * kStep_mm.y() + kPanel_mm.y() + 4.5;
+  const double below_mm = kCorner_mm.y() + 3.0 * kPanelStep_mm.y() + kPanel_mm.y() + 4.5;
   for (const SweepPoint& point : sweep.points)
     page.text({left_mm + kPanel_mm.x() * (0.5 + 0.5 * std::log2(point.factor)), below_mm},
               fmt::format("{:.3g}", point.value), {.height_mm = 2.6, .align = TextAlign::kMiddle});
@@ -136,22 +136,22 @@ void draw_column(Drawing& page, const Sweep& sweep, double left_mm) {
 }  // namespace
 
 Drawing design_plot(const std::string& title, const std::vector<Sweep>& sweeps) {
-  const Vec2 size_mm(kCorner_mm.x() + 4.0 * kStep_mm.x() + 14.0,
-                     kCorner_mm.y() + 4.0 * kStep_mm.y() + 2.0);
+  const Vec2 size_mm(kCorner_mm.x() + 4.0 * kPanelStep_mm.x() + 14.0,
+                     kCorner_mm.y() + 4.0 * kPanelStep_mm.y() + 2.0);
   Drawing page(size_mm);
   page.box(Vec2::Zero(), size_mm).fill(drawing::kWhite);
   page.text({7.0, 9.0}, title, {.height_mm = 4.5});
   page.text({7.0, 15.0}, "One number is changed in each column. The large point is the sensor.",
             {.height_mm = 2.8, .color = drawing::kGray});
   for (std::size_t column = 0; column < sweeps.size(); ++column)
-    draw_column(page, sweeps[column], kCorner_mm.x() + kStep_mm.x() * column);
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    const Row& row = kRows[i];
-    const double top_mm = kCorner_mm.y() + kStep_mm.y() * static_cast<double>(i);
+    draw_column(page, sweeps[column], kCorner_mm.x() + kPanelStep_mm.x() * column);
+  for (std::size_t i = 0; i < kPlotRows.size(); ++i) {
+    const Row& row = kPlotRows[i];
+    const double top_mm = kCorner_mm.y() + kPanelStep_mm.y() * static_cast<double>(i);
     draw_row_name(page, row, top_mm);
     const Range range = range_of(row, sweeps);
     for (std::size_t column = 0; column < sweeps.size(); ++column) {
-      const Panel panel({kCorner_mm.x() + kStep_mm.x() * column, top_mm}, range);
+      const Panel panel({kCorner_mm.x() + kPanelStep_mm.x() * column, top_mm}, range);
       panel.draw_axes(page, column == 0);
       panel.draw_curve(page, sweeps[column], row.value, kCurve, 1.0);
       if (row.second_value != nullptr)

@@ -13,7 +13,7 @@ using simulated::ProjectorModel;
 using simulated::SensorLayout;
 using simulated::SensorModel;
 
-constexpr int kRows = 7;
+constexpr int kImageRows = 7;
 
 // Where a line is seen at the near end, in the middle and at the far end of the volume.
 struct LineMotion {
@@ -48,8 +48,8 @@ UniqueAreas unique_areas(const SensorModel& sensor, Pattern pattern, double dept
   const int width = pattern == Pattern::kVertical ? size.width_px : size.height_px;
   // A single line has the whole image.
   UniqueAreas areas{static_cast<double>(width), 0.0, static_cast<double>(width)};
-  for (int i = 0; i < kRows; ++i)
-    take_row(sensor, sensor.projector(pattern), (i + 0.5) * rows / kRows, depth_mm, areas);
+  for (int i = 0; i < kImageRows; ++i)
+    take_row(sensor, sensor.projector(pattern), (i + 0.5) * rows / kImageRows, depth_mm, areas);
   return areas;
 }
 
