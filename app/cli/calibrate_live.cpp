@@ -6,6 +6,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/guide_dialog.h"
+#include "app/cli/sensor_option.h"
 #include "core/io/calibrations/guided_session_file.h"
 #include "hw/shots/open_shots.h"
 #include "hw/shots/simulated_shots.h"
@@ -64,10 +65,7 @@ void print_restored(const shots::GuidedSession& session) {
 
 void add_plan_options(CLI::App& command, PlanArguments& plan) {
   const std::string group = "Sensor and targets (--live)";
-  command.add_option("--sensor", plan.sensor, "Sensor of the paper that gives the defaults")
-      ->check(CLI::IsMember({"intraoral", "face"}))
-      ->capture_default_str()
-      ->group(group);
+  add_sensor_option(command, plan.sensor)->group(group);
   command.add_option("--volume", plan.volume_mm, "Measurement volume, mm: x y z")
       ->expected(3)
       ->group(group);

@@ -9,6 +9,8 @@
 #include "app/cli/console.h"
 #include "app/cli/object_options.h"
 #include "app/cli/output_files.h"
+#include "app/cli/sensor_option.h"
+#include "hw/shots/open_shots.h"
 #include "hw/simulated/datasets/simulate_calibration_set.h"
 #include "hw/simulated/datasets/simulate_recording.h"
 
@@ -33,10 +35,6 @@ struct SimulateArguments {
   int thread_count = 0;
 };
 
-simulated::SensorModel sensor_of(const SimulateArguments& arguments) {
-  return arguments.sensor == "face" ? simulated::face_sensor() : simulated::intraoral_sensor();
-}
-
 Result<void> run_recording(const SimulateArguments& arguments, const Progress& progress) {
   auto checked = check_recording_folder(arguments.output, arguments.force);
   if (!checked) return checked;
@@ -44,7 +42,7 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   const auto mesh = session::load_object(arguments.object, workers);
   if (!mesh) return tl::unexpected(mesh.error());
   simulated::RecordingOptions options;
-  options.sensor = sensor_of(arguments);
+  options.sensor = shots::sensor_named(arguments.sensor);
   options.path.duration_s = arguments.duration_s;
   options.path.seed = arguments.seed;
   options.path.up = Vec3(arguments.up.data());
@@ -75,7 +73,7 @@ Result<void> run_calibration_set(const SimulateArguments& arguments, const Progr
       {arguments.output / "calibration-set.json", "flytri.calibration-set"}, arguments.force);
   if (!checked) return checked;
   simulated::CalibrationSetOptions options;
-  options.sensor = sensor_of(arguments);
+  options.sensor = shots::sensor_named(arguments.sensor);
   options.seed = arguments.seed;
   auto written = simulated::simulate_calibration_set(options, arguments.output,
                                                      Workers(arguments.thread_count), progress);
@@ -85,9 +83,7 @@ Result<void> run_calibration_set(const SimulateArguments& arguments, const Progr
 
 void add_common_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("-o,--output", arguments.output, "Folder to write")->required();
-  command.add_option("--sensor", arguments.sensor, "Sensor of the paper: for teeth or for faces")
-      ->check(CLI::IsMember({"intraoral", "face"}))
-      ->capture_default_str();
+  add_sensor_option(command, arguments.sensor);
   command.add_option("--seed", arguments.seed, "Random seed for the path and the noise")
       ->capture_default_str();
   add_force_option(command, arguments.force);

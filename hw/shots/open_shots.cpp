@@ -5,11 +5,12 @@
 #include "hw/rig/rig_file.h"
 #include "hw/shots/rig_shots.h"
 #include "hw/shots/simulated_shots.h"
+#include "hw/simulated/optics/sensor_layout.h"
 
 namespace flytri::shots {
 
 simulated::SensorModel sensor_named(const std::string& name) {
-  return name == "face" ? simulated::face_sensor() : simulated::intraoral_sensor();
+  return make_sensor(simulated::layout_named(name));
 }
 
 Result<std::shared_ptr<ShotSource>> open_shots(const ShotChoice& choice) {

@@ -64,7 +64,8 @@ void forbid_includes(const std::string& layer, const std::string& pattern) {
 
 TEST(Architecture, CoreUsesNoWindowNoDeviceAndNoCommandLine) {
   forbid_includes(
-      "core", R"((GLFW|epoxy|GL|AL|backends|embree\d|linux|CLI)[/.].*|imgui.*|libudev.*|gpiod.*)");
+      "core",
+      R"((GLFW|epoxy|GL|AL|backends|embree\d|linux|CLI|cairo)[/.].*|imgui.*|libudev.*|gpiod.*)");
 }
 
 TEST(Architecture, DevicesUseNoWindow) {

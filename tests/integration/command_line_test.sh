@@ -69,7 +69,7 @@ expect 'nothing to calibrate' 1 '--live' "$flytri" calibrate
 
 # Exit codes of usage.
 for command in '' simulate 'simulate recording' 'simulate calibration-set' calibrate reconstruct \
-  evaluate demo app devices record export occlude; do
+  evaluate demo app devices record export occlude make 'make slides' 'make target' 'make board' design; do
   # shellcheck disable=SC2086  # the words of a command
   expect "help: $command" 0 'Usage' "$flytri" $command --help
 done
@@ -183,6 +183,41 @@ absent 'temporary file of a killed program'
 name='only the owner may read a model'
 [ "$(stat -c %a 2.glb 2.ply new.json | sort -u)" = 600 ] || fail "$(stat -c '%a %n' 2.* new.json)"
 expect 'without a home' 1 'HOME' env -u HOME -u XDG_CONFIG_HOME "$flytri" app
+
+# Sheets and designs.
+expect 'slides' 0 '^vertical: 10 lines, 15\.27 µm wide, 14\.483 mm before the lens' \
+  "$flytri" make slides -o slide.svg --projector-focal-mm 12
+expect 'one slide a projector' 0 'width="297mm" height="210mm"' grep -h '<svg' slide-vertical.svg slide-horizontal.svg
+expect 'a target as PDF' 0 '^28\.0 x 22\.0 mm on A4' "$flytri" make target -o dots.pdf
+expect 'a target for faces' 0 ' on A3' "$flytri" make target --sensor face -o face.svg
+expect 'a white board' 0 ' on A4' "$flytri" make board -o board.pdf
+expect 'another sensor' 0 '^vertical: 6 lines' \
+  "$flytri" make slides -o six.pdf --projector-focal-mm 12 --lines 6,4 --baseline-mm 14
+expect 'a sheet exists' 1 'slide-vertical\.svg: exists already; .*--force' \
+  "$flytri" make slides -o slide.svg --projector-focal-mm 12
+rm slide-vertical.svg
+expect 'one of two sheets exists' 1 'slide-horizontal\.svg: exists already' \
+  "$flytri" make slides -o slide.svg --projector-focal-mm 12
+absent 'one of two sheets exists' slide-vertical.svg
+expect 'a sheet again' 0 '^wrote dots\.pdf' "$flytri" make target -o dots.pdf --force
+cp 1.ply model.svg
+expect 'a sheet over a model' 1 'model\.svg: .*never replaced' "$flytri" make target -o model.svg --force
+expect 'a sheet as a picture' 1 'dots\.png: .*\.svg or \.pdf' "$flytri" make target -o dots.png
+expect 'a lens without an image' 1 'focal_mm is 90' \
+  "$flytri" make slides -o far.svg --projector-focal-mm 90
+expect 'dots that overlap' 1 'marker_diameter_mm is 2' "$flytri" make target -o far.svg --dots 1 0.5 2
+expect 'a field that no paper holds' 1 'too large for A0' \
+  "$flytri" make board -o far.svg --sensor face --field-mm 2000,1500
+expect 'no such sheet' 2 'no command poster' "$flytri" make poster -o far.svg
+absent 'bad sheets' far.svg
+expect 'a design' 0 '^wrote design\.json' "$flytri" design --baseline-mm 14 --lines 6,4 \
+  -o design.json --plot plot.svg --drawing head.pdf
+expect 'the design as JSON' 0 '"baseline_mm": 14' cat design.json
+expect 'the design exists' 1 'design\.json: exists already' "$flytri" design -o design.json
+expect 'lines that cannot be told apart' 0 'vertical lines cannot be told apart' \
+  "$flytri" design --baseline-mm 14
+expect 'a bad design' 1 'baseline_mm is -1' "$flytri" design --baseline-mm -1
+expect 'a drawing as a picture' 1 'plot\.png: .*\.svg or \.pdf' "$flytri" design --plot plot.png
 
 # Truth.
 bad_copy bad && rm bad/truth.json

@@ -33,6 +33,17 @@ TEST(FormerFile, EachModelIsOfTheKindOfItsNameOnly) {
   }
 }
 
+TEST(FormerFile, DrawingsAreKnownByTheirContent) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_file(folder / "a.svg", "<?xml version=\"1.0\"?>\n<svg width=\"1mm\"/>"));
+  ASSERT_TRUE(write_file(folder / "a.pdf", "%PDF-1.5\n"));
+  ASSERT_TRUE(write_file(folder / "a.html", "<html></html>"));
+  EXPECT_EQ(former_at(folder / "a.svg", ".svg"), Former::kSameKind);
+  EXPECT_EQ(former_at(folder / "a.svg", ".pdf"), Former::kOtherKind);
+  EXPECT_EQ(former_at(folder / "a.pdf", ".pdf"), Former::kSameKind);
+  EXPECT_EQ(former_at(folder / "a.html", ".svg"), Former::kOtherKind);
+}
+
 TEST(FormerFile, JsonIsKnownByItsFormat) {
   const TemporaryFolder folder;
   const fs::path path = folder / "report.json";
@@ -49,7 +60,7 @@ TEST(FormerFile, JsonIsKnownByItsFormat) {
 // Names lie: what counts is the content.
 TEST(FormerFile, ACaseIsOfAnotherKindWhateverItsName) {
   const TemporaryFolder folder;
-  for (const char* name : {"a.glb", "a.ply", "a.stl", "a.obj", "a.png"}) {
+  for (const char* name : {"a.glb", "a.ply", "a.stl", "a.obj", "a.png", "a.svg", "a.pdf"}) {
     ASSERT_TRUE(
         write_file(folder / name, std::string("SQLite format 3\0", 16) + std::string(4096, '\1')));
     EXPECT_EQ(former_at(folder / name, kind_by_name(name)), Former::kOtherKind) << name;

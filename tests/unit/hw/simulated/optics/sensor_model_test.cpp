@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "hw/simulated/optics/line_position.h"
+
 namespace flytri::simulated {
 namespace {
 
@@ -56,27 +58,9 @@ TEST_P(SensorModels, TriangulationAngleIsSevenDegrees) {
   }
 }
 
-// Image of the point `along` of line n at depth z.
-LinePixel seen_at(const SensorModel& sensor, Pattern pattern, int n, double along, double z_mm) {
-  const ProjectorModel& projector = sensor.projector(pattern);
-  const Vec3 direction = projector.direction(projector.line_across[n], along);
-  const Vec3 p = projector.center() + (z_mm - projector.center().z()) / direction.z() * direction;
-  return to_line_pixel(pattern, sensor.camera.project(p).value());
-}
-
-// Position of line n in a row at depth z; finds the place on the slide by the secant method.
 double across_in_row(const SensorModel& sensor, Pattern pattern, int n, double row, double z_mm) {
-  double a = -0.05;
-  double b = 0.05;
-  for (int step = 0; step < 20; ++step) {
-    const double row_a = seen_at(sensor, pattern, n, a, z_mm).along_px;
-    const double row_b = seen_at(sensor, pattern, n, b, z_mm).along_px;
-    if (std::abs(row_b - row_a) < 1e-9) break;
-    const double next = a + (row - row_a) / (row_b - row_a) * (b - a);
-    a = b;
-    b = next;
-  }
-  return seen_at(sensor, pattern, n, b, z_mm).across_px;
+  const ProjectorModel& projector = sensor.projector(pattern);
+  return across_in_row(sensor, projector, projector.line_across[n], row, z_mm);
 }
 
 TEST_P(SensorModels, LinesHaveSeparateImageAreasInTheVolume) {

@@ -1,0 +1,27 @@
+/// @file  The two targets of a calibration as sheets to print: the dot target and the white board.
+#pragma once
+
+#include "hw/sheets/sheet.h"
+#include "hw/simulated/optics/sensor_model.h"
+
+namespace flytri::sheets {
+
+/// A target sheet. The middle of the dot (0, 0), or of the board, is at `sheet.middle_mm`; x and y
+/// of the sensor frame point to the right and down.
+struct TargetSheet {
+  Sheet sheet;
+  Vec2 least_mm = Vec2::Zero();  ///< of the target, relative to its origin
+  Vec2 most_mm = Vec2::Zero();
+};
+
+/// White dots on black, as calibration::DotTarget says. They fill what the measurement camera sees.
+/// @param z_mm  depth of the farthest plane of the calibration
+/// @errors  kBadOption: dots that overlap, or a target that is too large for A0.
+[[nodiscard]] Result<TargetSheet> dot_sheet(const simulated::SensorModel& sensor, double z_mm);
+
+/// White paper with marks around what the measurement camera sees: the white plane of a calibration
+/// and of its check.
+/// @errors  kBadOption: a board that is too large for A0.
+[[nodiscard]] Result<TargetSheet> board_sheet(const simulated::SensorModel& sensor, double z_mm);
+
+}  // namespace flytri::sheets
