@@ -98,7 +98,7 @@ Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
 }  // namespace
 
 void print_residuals(const calibration::Calibration& calibration) {
-  constexpr double kMicrons = 1e3;
+  constexpr double kMicrons = 1e3, kPercent = 1e2;
   print_out("{:<14} {:>10} {:>10} {:>10}\n", "residual", "RMS", "maximum", "points");
   const auto row = [](std::string_view name, const calibration::FitResidual& residual, double scale,
                       std::string_view unit) {
@@ -114,6 +114,13 @@ void print_residuals(const calibration::Calibration& calibration) {
   row("Y", calibration.y_mm.residual, kMicrons, "µm");
   row("U", calibration.texture_u_px.residual, 1.0, "px");
   row("V", calibration.texture_v_px.residual, 1.0, "px");
+  if (calibration.flash) {
+    row("flash", calibration.flash->residual, kPercent, "% ");
+  } else {
+    print_out(
+        "The dots do not show the flash: take their color images with the flash alone, not "
+        "overexposed. Until then the program takes the flash to be at the color camera.\n");
+  }
 }
 
 void add_calibrate_command(CLI::App& app, Invocation& invocation) {

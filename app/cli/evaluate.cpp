@@ -13,6 +13,7 @@
 #include "app/cli/report.h"
 #include "core/evaluation/best_fit.h"
 #include "core/evaluation/color_error.h"
+#include "core/evaluation/delta_e.h"
 #include "core/evaluation/pose_error.h"
 #include "core/evaluation/surface_error.h"
 #include "core/io/files/file_bytes.h"
@@ -66,6 +67,7 @@ struct Evaluation {
   evaluation::SurfaceError fitted;
   evaluation::BestFitOutcome outcome = evaluation::BestFitOutcome::kStillMoving;
   evaluation::ColorError colors;
+  evaluation::DeltaE delta_e = {};
   std::size_t registered_count = 0, interpolated_count = 0;  ///< poses
   std::optional<evaluation::PoseError> registered = std::nullopt;
   double interpolated_mm = 0.0;  ///< in the gauge of the first view
@@ -184,6 +186,8 @@ Result<Evaluation> evaluate(const TexturedMesh& result, const Reference& referen
   const evaluation::ColorError colors = evaluation::color_error(
       {placed, result.uv, result.atlas}, truth.mesh, kColorWithinMm, workers);
   Evaluation evaluation{*as_it_stands, *fitted, fit->outcome, colors};
+  evaluation.delta_e =
+      evaluation::delta_e({placed, result.uv, result.atlas}, truth.mesh, kColorWithinMm, workers);
   evaluation.registered_count = reference.registered.size();
   evaluation.interpolated_count = reference.interpolated.size();
   if (reference.registered.empty() || !reference.volume_mm) return evaluation;
@@ -239,6 +243,10 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
       "95 % {:.3f} (by chance {:.3f}); difference in sRGB 0..255, with brightness: mean {:.1f}\n",
       evaluation.colors.median, evaluation.colors.percentile_95, evaluation.colors.median_by_chance,
       evaluation.colors.mean_srgb);
+  print_out(
+      "color, difference dE76 from the true surface after one gain ({:.3f}): median {:.2f}, 95 % "
+      "{:.2f}\n",
+      evaluation.delta_e.gain, evaluation.delta_e.median, evaluation.delta_e.percentile_95);
   if (evaluation.registered_count > 0) print_poses(evaluation);
 }
 
@@ -268,7 +276,10 @@ Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
                    {"median", evaluation.colors.median},
                    {"percentile_95", evaluation.colors.percentile_95},
                    {"median_by_chance", evaluation.colors.median_by_chance},
-                   {"mean_srgb", evaluation.colors.mean_srgb}};
+                   {"mean_srgb", evaluation.colors.mean_srgb},
+                   {"delta_e76_median", evaluation.delta_e.median},
+                   {"delta_e76_percentile_95", evaluation.delta_e.percentile_95},
+                   {"delta_e76_gain", evaluation.delta_e.gain}};
   if (evaluation.registered) {
     json["poses"] = {{"registered", evaluation.registered_count},
                      {"first_view_rms_mm", evaluation.registered->first_view_mm},

@@ -12,11 +12,6 @@
 namespace flytri::evaluation {
 namespace {
 
-Rgb color_of(const TexturedMesh& model, std::size_t vertex) {
-  if (model.atlas.empty()) return model.mesh.vertices[vertex].color;
-  return texture::texel_at(model.atlas, model.uv[vertex]);
-}
-
 /// Mean over the channels.
 double srgb_difference(const Rgb& a, const Rgb& b) {
   int sum = 0;
@@ -49,7 +44,7 @@ ColorError color_error(const TexturedMesh& result, const TriangleMesh& truth, do
       [&](std::size_t i) {
         const auto nearest = grid.nearest(result.mesh.vertices[i].position_mm, reach_mm);
         if (!nearest) return;
-        const Rgb color = color_of(result, i);
+        const Rgb color = texture::vertex_color(result, i);
         const Vec3f found = chromaticity(color);
         const auto difference = [&](std::size_t j) {
           return static_cast<double>(

@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "core/meshing/mesh_topology.h"
+#include "core/texture/level_frames.h"
 #include "core/texture/observe.h"
 #include "core/texture/vertex_colors.h"
-#include "core/trajectory/trajectory.h"
+#include "core/trajectory/motion_model.h"
 
 namespace flytri::reconstruct {
 namespace {
@@ -64,15 +65,16 @@ Result<void> Finisher::refine_views() {
 
 void Finisher::place_texture_frames() {
   if (scanned_.texture_frames.empty()) return;
-  trajectory::Trajectory trajectory(0.5 * scanned_.calibration->volume.size_mm.norm());
+  std::vector<trajectory::TimedPose> path;
   for (const AlignedView& view : result_.views) {
-    trajectory.set(view.view->time_s, view.T_world_sensor);
+    path.push_back({view.view->time_s, view.T_world_sensor});
   }
+  const trajectory::MotionModel motion(path, 0.5 * scanned_.calibration->volume.size_mm.norm(),
+                                       options_.max_gap_s);
   for (const Frame& frame : scanned_.texture_frames) {
     const bool is_usable =
         texture::check_texture_image(frame.image, *scanned_.calibration).has_value();
-    result_.T_world_texture.push_back(
-        is_usable ? trajectory.interpolate(frame.time_s, options_.max_gap_s) : std::nullopt);
+    result_.T_world_texture.push_back(is_usable ? motion.interpolate(frame.time_s) : std::nullopt);
   }
 }
 
@@ -126,6 +128,11 @@ Result<void> Finisher::apply_texture() {
   if (frames.empty()) return {};
   const calibration::Calibration& calibration = *scanned_.calibration;
   progress_.begin_stage(kTexturing);
+  if (auto leveled = texture::level_frames(frames, result_.surface.mesh.vertices, calibration,
+                                           options_.atlas.coloring, workers_);
+      !leveled) {
+    return tl::unexpected(leveled.error());
+  }
   const std::array<std::span<SurfacePoint>, 2> surfaces = {result_.points,
                                                            result_.surface.mesh.vertices};
   for (const std::span<SurfacePoint> points : surfaces) {

@@ -5,38 +5,58 @@
 #include <vector>
 
 #include "core/geometry/point_grid.h"
+#include "core/texture/merge_observations.h"
 
 namespace flytri::texture {
 namespace {
 
-/// Share of the time for the frames; the rest is for points that no frame saw.
-constexpr double kFramesShare = 0.9;
+/// Shares of the time for the z-buffers and the colors; the rest is for points that no frame saw.
+constexpr double kDepthsShare = 0.3, kColorsShare = 0.6;
+/// Points tested together: neighbors in the list are usually neighbors in space.
+constexpr std::size_t kColorBlock = 256;
 constexpr std::size_t kGrain = 1024;
 
-/// The points that were observed.
+/// The points that were observed, and where they are.
 struct ObservedPoints {
   std::vector<std::uint32_t> points;
   std::vector<Vec3f> positions_mm;
 };
 
-/// Gives the observed points their color.
-ObservedPoints color_observed(std::span<SurfacePoint> points,
-                              std::span<const ObservedColor> colors) {
-  ObservedPoints observed;
+ObservedPoints list_observed(std::span<const SurfacePoint> points, std::span<const char> observed) {
+  ObservedPoints list;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!colors[i].observed()) continue;
-    points[i].color = colors[i].color();
-    observed.points.push_back(static_cast<std::uint32_t>(i));
-    observed.positions_mm.push_back(points[i].position_mm);
+    if (observed[i] == 0) continue;
+    list.points.push_back(static_cast<std::uint32_t>(i));
+    list.positions_mm.push_back(points[i].position_mm);
   }
-  return observed;
+  return list;
 }
 
-/// Colors observed points; the others get the color of their nearest observed neighbor.
-Result<ColorCounts> spread_colors(std::span<SurfacePoint> points,
-                                  std::span<const ObservedColor> colors, float reach_mm,
-                                  const Workers& workers, const Progress& progress) {
-  const ObservedPoints observed = color_observed(points, colors);
+/// Colors the points of a block that at least one frame observes, and marks them.
+void color_block(std::span<SurfacePoint> block, std::span<char> observed,
+                 std::span<const FrameObserver> observers) {
+  const BoundingSphere sphere = bounding_sphere(block);
+  std::vector<const FrameObserver*> near;
+  for (const FrameObserver& observer : observers) {
+    if (observer.may_see(sphere.middle_mm, sphere.radius_mm)) near.push_back(&observer);
+  }
+  std::vector<Observation> seen;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    seen.clear();
+    for (const FrameObserver* observer : near) {
+      if (const auto observation = observer->observe(block[i])) seen.push_back(*observation);
+    }
+    if (seen.empty()) continue;
+    block[i].color = to_color(merge_observations(seen));
+    observed[i] = 1;
+  }
+}
+
+/// Gives the points that were not observed the color of their nearest observed neighbor.
+Result<ColorCounts> spread_colors(std::span<SurfacePoint> points, std::span<const char> is_observed,
+                                  float reach_mm, const Workers& workers,
+                                  const Progress& progress) {
+  const ObservedPoints observed = list_observed(points, is_observed);
   ColorCounts counts;
   counts.observed = observed.points.size();
   counts.untextured = points.size() - counts.observed;
@@ -47,7 +67,7 @@ Result<ColorCounts> spread_colors(std::span<SurfacePoint> points,
   const PointGrid grid(observed.positions_mm, 0.25F * reach_mm);
   std::vector<char> extended(points.size(), 0);
   const auto extend = [&](std::size_t i) {
-    if (colors[i].observed()) return;
+    if (is_observed[i] != 0) return;
     const auto nearest = grid.nearest(points[i].position_mm, reach_mm);
     if (!nearest) return;
     points[i].color = points[observed.points[nearest->index]].color;
@@ -69,16 +89,30 @@ Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                                  const TextureOptions& options, const Workers& workers,
                                  const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  std::vector<ObservedColor> colors(points.size());
+  std::vector<FrameObserver> observers;
+  observers.reserve(frames.size());
   for (const TextureFrame& frame : frames) {
     if (progress.cancelled()) return stopped();
-    auto seen = observe_points(points, colors, frame, calibration, options, workers);
-    if (!seen) return tl::unexpected(seen.error());
-    progress.advance(kFramesShare / static_cast<double>(frames.size()));
+    if (auto fits = check_texture_image(frame.image, calibration); !fits) {
+      return tl::unexpected(fits.error());
+    }
+    observers.emplace_back(frame, calibration, options);
+    observers.back().find_depths(points, workers);
+    progress.advance(kDepthsShare / static_cast<double>(frames.size()));
   }
-  return spread_colors(points, colors,
+  if (frames.empty()) progress.advance(kDepthsShare);
+  std::vector<char> observed(points.size(), 0);
+  const auto color = [&](std::size_t b) {
+    const std::size_t first = b * kColorBlock, count = std::min(kColorBlock, points.size() - first);
+    color_block(points.subspan(first, count), std::span(observed).subspan(first, count), observers);
+  };
+  if (!workers.for_each_unless_cancelled((points.size() + kColorBlock - 1) / kColorBlock, color,
+                                         progress.part(kColorsShare))) {
+    return stopped();
+  }
+  return spread_colors(points, observed,
                        static_cast<float>(options.extend_share * calibration.volume.size_mm.x()),
-                       workers, progress.part(1.0 - kFramesShare));
+                       workers, progress.part(1.0 - kDepthsShare - kColorsShare));
 }
 
 }  // namespace flytri::texture

@@ -15,10 +15,11 @@ struct ColorCounts {
   std::size_t untextured = 0;  ///< kUntexturedColor
 };
 
-/// Colors each observed point from the frames, see observe_points; the others from their neighbors.
+/// Colors each observed point from the frames, see FrameObserver and merge_observations(); the
+/// others from their neighbors.
 /// @param points  world frame; only their colors change
 /// @param progress  advanced by one step
-/// @errors  kBadOption, kCancelled; as observe_points.
+/// @errors  kBadOption, kCancelled; as check_texture_image.
 [[nodiscard]] Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                                                std::span<const TextureFrame> frames,
                                                const calibration::Calibration& calibration,

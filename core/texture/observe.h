@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "core/base/workers.h"
 #include "core/calibration/record/calibration.h"
 #include "core/geometry/point_cloud.h"
+#include "core/texture/depth_buffer.h"
+#include "core/texture/shading.h"
 
 namespace flytri::texture {
 
@@ -16,12 +19,15 @@ namespace flytri::texture {
 struct TextureFrame {
   cv::Mat image;  ///< CV_8UC3, R, G, B order, sRGB, Calibration::texture_size
   Isometry T_world_sensor = Isometry::Identity();
+  Vec3f gain = Vec3f::Ones();  ///< > 0, by which its colors are multiplied, see level_frames()
 };
 
 struct TextureOptions {
   /// 0..1. Least cosine between the surface normal and the direction to the texture camera. Below
   /// it, the point does not count as observed, because its pixel covers neighboring surface too.
   double min_facing_cosine = 0.25;
+  /// 0..1. The same for the direction to the lamp: less light is mostly noise and stray light.
+  double min_lamp_cosine = 0.2;
   /// >= 1. Edge of a cell of the z-buffer, px: points in one cell are on the same ray of sight. A
   /// few times the distance of neighboring points in the image.
   int depth_cell_px = 6;
@@ -33,6 +39,9 @@ struct TextureOptions {
   double volume_margin_share = 0.1;
   /// 1..255. A pixel with a brighter channel is saturated and ignored.
   int max_channel = 250;
+  /// > 0. At the border of the image and of the volume, frames give way to others gradually over
+  /// this share of the size: so no line can be seen where a frame ends.
+  double fade_share = 0.08;
   /// >= 0. Points that no frame observed get the color of the nearest observed point within this
   /// share of the volume's width; the others stay untextured.
   double extend_share = 0.1;
@@ -40,19 +49,53 @@ struct TextureOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// The observed color of one point: average chromaticity and highest intensity.
+/// The color of a point as one frame sees it.
+struct Observation {
+  Vec3f albedo = Vec3f::Zero();  ///< linear, the lamp's light taken out; may be above 1
+  float weight = 0.0F;           ///< > 0
+};
+
+/// The observed color of one point: the weighted average of its observations.
 class ObservedColor {
  public:
-  /// @param light  linear light of one observing pixel; black is ignored
-  void add(const Vec3f& light);
-  [[nodiscard]] bool observed() const { return count_ > 0; }
+  void add(const Observation& observation);
+  [[nodiscard]] bool observed() const { return weight_ > 0.0F; }
   /// The point must have been observed.
   [[nodiscard]] Rgb color() const;
 
  private:
-  Vec3f chromaticity_ = Vec3f::Zero();  ///< sum of colors divided by their intensity
-  float highest_intensity_ = 0.0F;
-  int count_ = 0;
+  Vec3f sum_ = Vec3f::Zero();
+  float weight_ = 0.0F;
+};
+
+/// sRGB of linear light.
+[[nodiscard]] Rgb to_color(const Vec3f& light);
+
+/// One frame, prepared for questions about many points. Refers to image, calibration and options.
+class FrameObserver {
+ public:
+  FrameObserver(const TextureFrame& frame, const calibration::Calibration& calibration,
+                const TextureOptions& options);
+
+  /// Fills the z-buffer: these points may hide others.
+  void find_depths(std::span<const SurfacePoint> points, const Workers& workers);
+  /// False if no point of this sphere is in the measurement volume.
+  [[nodiscard]] bool may_see(const Vec3f& middle_mm, float radius_mm) const;
+  /// The color of a point; nullopt if it is out of sight, hidden, turned away or saturated.
+  [[nodiscard]] std::optional<Observation> observe(const SurfacePoint& point) const;
+
+ private:
+  [[nodiscard]] std::optional<Pixel> project(const Vec3& p_sensor) const;
+  [[nodiscard]] double border_share(const Vec3& p_sensor, const Pixel& pixel) const;
+
+  const cv::Mat& image_;
+  const calibration::Calibration& calibration_;
+  const TextureOptions& options_;
+  Isometry T_sensor_world_;
+  Vec3f gain_;
+  Shading shading_;
+  DepthBuffer depths_;
+  double margin_mm_ = 0.0;
 };
 
 /// Resolution of the surface at a point in a texture frame of this pose, in pixels per mm^2: higher
@@ -67,12 +110,19 @@ class ObservedColor {
 [[nodiscard]] Result<void> check_texture_image(const cv::Mat& image,
                                                const calibration::Calibration& calibration);
 
-/// Adds the light that the frame saw to each point's color. A pixel observes the closest points on
-/// its ray of sight.
+/// The smallest box around points as the sphere around it: middle and radius.
+struct BoundingSphere {
+  Vec3f middle_mm = Vec3f::Zero();
+  float radius_mm = 0.0F;
+};
+[[nodiscard]] BoundingSphere bounding_sphere(std::span<const SurfacePoint> points);
+
+/// Adds what the frame saw to each point's color. A pixel observes the closest points on its ray of
+/// sight.
 /// @param points  world frame
 /// @param colors  of the same points
 /// @source  Arold et al., "Texture Acquisition and Mapping": observing pixels, observed points,
-///          z-buffer, average color and highest intensity.
+///          z-buffer. The paper takes the highest intensity; here the lamp's light is taken out.
 /// @errors  As check_texture_image.
 [[nodiscard]] Result<void> observe_points(std::span<const SurfacePoint> points,
                                           std::span<ObservedColor> colors,

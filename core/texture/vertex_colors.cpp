@@ -14,6 +14,11 @@ Rgb texel_at(const cv::Mat& atlas, const Eigen::Vector2f& uv) {
   return {texel[0], texel[1], texel[2]};
 }
 
+Rgb vertex_color(const TexturedMesh& model, std::size_t vertex) {
+  if (model.atlas.empty()) return model.mesh.vertices[vertex].color;
+  return texel_at(model.atlas, model.uv[vertex]);
+}
+
 void color_vertices(TexturedMesh& model) {
   if (model.atlas.empty()) return;
   for (std::size_t i = 0; i < model.uv.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include "core/base/check_options.h"
 #include "core/calibration/fit/check_set.h"
+#include "core/calibration/fit/fit_flash.h"
 #include "core/calibration/fit/fit_lateral.h"
 #include "core/calibration/fit/number_lines.h"
 
@@ -78,6 +79,7 @@ Result<Calibration> calibrate(const CalibrationSet& set, const CalibrateOptions&
   calibration.y_mm = lateral->y_mm;
   calibration.texture_u_px = lateral->texture_u_px;
   calibration.texture_v_px = lateral->texture_v_px;
+  calibration.flash = fit_flash(set, lateral->texture_u_px, lateral->texture_v_px, workers);
   progress.advance();
 
   for (const Pattern pattern : kPatterns) {

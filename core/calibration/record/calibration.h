@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/index.h"
@@ -90,6 +91,21 @@ struct PatternCalibration {
   [[nodiscard]] int line_count() const { return static_cast<int>(lines.size()); }
 };
 
+/// The lamp of the texture frames, a small one. In the texture image, a matte surface that reflects
+/// the share `albedo` shows the linear light (0..1)
+///
+///     albedo * light * cos(incidence) * (kFlashDistance_mm / distance)^2 * (1 - vignetting rho^2)
+///
+/// where rho is the distance from the middle of the image, divided by half its diagonal.
+struct Flash {
+  static constexpr double kFlashDistance_mm = 100.0;
+
+  Vec3 p_sensor_mm = Vec3::Zero();  ///< place of the lamp
+  Vec3 light = Vec3::Ones();        ///< red, green and blue, with the camera's white balance
+  double vignetting = 0.0;
+  FitResidual residual;  ///< relative
+};
+
 /// Converts localized lines to points, and points to texture pixels.
 struct Calibration {
   MeasurementVolume volume;
@@ -98,6 +114,7 @@ struct Calibration {
   std::array<PatternCalibration, 2> patterns;  ///< by Pattern
   TrivariateCubic x_mm, y_mm;                  ///< (u, v, z) -> x, y
   TrivariateCubic texture_u_px, texture_v_px;  ///< (x, y, z) -> U, V in the texture image
+  std::optional<Flash> flash;                  ///< none: not calibrated
 
   [[nodiscard]] const PatternCalibration& of(Pattern pattern) const {
     return patterns[static_cast<std::size_t>(pattern)];

@@ -39,6 +39,12 @@ std::string write(const calibration::TrivariateCubic& cubic) {
                      write(cubic.residual));
 }
 
+std::string write(const calibration::Flash& flash) {
+  return fmt::format(R"({{"p_sensor_mm":{},"light":{},"vignetting":{:.10g},"residual":{}}})",
+                     list(flash.p_sensor_mm), list(flash.light), flash.vignetting + 0.0,
+                     write(flash.residual));
+}
+
 std::string write(const calibration::LineRow& row) {
   if (!row.valid()) return "[]";
   std::array<double, kRowNumbers> numbers{row.area_min_px, row.area_max_px};
@@ -92,6 +98,20 @@ calibration::TrivariateCubic read_cubic(const JsonPlace& place) {
   cubic.residual = read_residual(place.at("residual"));
   if (!(cubic.half_range.minCoeff() > 0)) place.at("half_range").reject("positive numbers");
   return cubic;
+}
+
+calibration::Flash read_flash(const JsonPlace& place, const Vec3& volume_mm) {
+  calibration::Flash flash;
+  read_numbers(place.at("p_sensor_mm"), flash.p_sensor_mm);
+  read_numbers(place.at("light"), flash.light);
+  flash.vignetting = place.at("vignetting").number();
+  flash.residual = read_residual(place.at("residual"));
+  if (!(flash.p_sensor_mm.z() < -0.5 * volume_mm.z()))
+    place.at("p_sensor_mm").reject("a place between the sensor and the measurement volume");
+  if (!(flash.light.minCoeff() > 0)) place.at("light").reject("positive numbers");
+  if (!(flash.vignetting >= 0.0 && flash.vignetting < 1.0))
+    place.at("vignetting").reject("a number from 0 to below 1");
+  return flash;
 }
 
 calibration::LineRow read_row(const JsonPlace& place, double center_px, double half_range_px) {
@@ -168,6 +188,7 @@ std::string write_content(const calibration::Calibration& calibration) {
                                  write(calibration.y_mm)) +
                      fmt::format("\"texture_u_px\":{},\n\"texture_v_px\":{},\n",
                                  write(calibration.texture_u_px), write(calibration.texture_v_px));
+  if (calibration.flash) text += fmt::format("\"flash\":{},\n", write(*calibration.flash));
   for (const Pattern pattern : kPatterns) {
     text += fmt::format("\"{}\":{}{}\n", to_string(pattern), write(calibration.of(pattern)),
                         pattern == kPatterns.back() ? "}" : ",");
@@ -218,6 +239,9 @@ Result<calibration::Calibration> parse_calibration(std::string_view text, const 
         calibration.y_mm = read_cubic(json.at("y_mm"));
         calibration.texture_u_px = read_cubic(json.at("texture_u_px"));
         calibration.texture_v_px = read_cubic(json.at("texture_v_px"));
+        if (json.has("flash")) {
+          calibration.flash = read_flash(json.at("flash"), calibration.volume.size_mm);
+        }
         for (const Pattern pattern : kPatterns) {
           // After a failure the sizes may be wrong.
           if (auto outcome = json.outcome(); !outcome) return tl::unexpected(outcome.error());

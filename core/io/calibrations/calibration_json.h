@@ -10,11 +10,14 @@
 ///       "measurement_size_px": [width, height], "texture_size_px": [width, height],
 ///       "x_mm":  {cubic of u, v, z}, "y_mm": {...},
 ///       "texture_u_px": {cubic of x, y, z}, "texture_v_px": {...},
+///       "flash": optional: {flash}; without it the lamp is taken to be at the texture camera
 ///       "vertical": {pattern}, "horizontal": {pattern} }
 ///
 ///     cubic   = { "center": [3], "half_range": [3], "coefficients": [20], "residual": {residual} }
 ///               terms in the order of TrivariateCubic::kExponents: 1, a, b, c, aa, ab, ac, bb, ...
 ///     residual = { "rms", "max", "count" }
+///     flash   = { "p_sensor_mm": [3], "light": [red, green, blue], "vignetting",
+///                 "residual": {residual}, relative }      see calibration::Flash for the formula
 ///     pattern = { "depth_residual_mm": {residual}, "width_residual_px": {residual},
 ///                 "lines": [ {line}, ... ] }             by line index n
 ///     line    = { "sheet_normal": [3],

@@ -8,6 +8,7 @@
 #include "core/evaluation/color_error.h"
 #include "core/geometry/mesh_normals.h"
 #include "core/texture/atlas_charts.h"
+#include "core/texture/srgb.h"
 #include "core/texture/texel_raster.h"
 #include "tests/support/colored_sphere.h"
 #include "tests/support/orthographic_calibration.h"
@@ -111,8 +112,8 @@ TEST(BakeAtlas, ColorsAreAtTheRightPlaces) {
   EXPECT_GT(error.median_by_chance, 0.1);
 }
 
-/// A camera in front of each of the six sides of a sphere at the origin. A pixel shows the color of
-/// its direction.
+/// A camera with a lamp in front of each of the six sides of a sphere at the origin. A pixel shows
+/// the color of its direction, under the light that arrives there.
 template <typename ColorOf>
 std::vector<TextureFrame> six_sides(float radius_mm, const ColorOf& color_of) {
   std::vector<TextureFrame> frames;
@@ -129,7 +130,11 @@ std::vector<TextureFrame> six_sides(float radius_mm, const ColorOf& color_of) {
         if (z2 < 0.0) continue;
         const Vec3 place = T_world_sensor * Vec3(x, y, -std::sqrt(z2));
         const Rgb color = color_of(place.cast<float>().normalized());
-        image.at<cv::Vec3b>(v, u) = {color[0], color[1], color[2]};
+        const auto cosine = static_cast<float>(std::sqrt(z2)) / radius_mm;
+        for (int c = 0; c < 3; ++c) {
+          image.at<cv::Vec3b>(v, u)[c] =
+              srgb_from_linear(cosine * linear_from_srgb(color[static_cast<std::size_t>(c)]));
+        }
       }
     }
     frames.push_back({image, T_world_sensor});
@@ -158,7 +163,7 @@ TEST(BakeAtlas, RecoversThePatternOfASphere) {
     const Rgb truth = color_of(baked->model.mesh.vertices[i].position_mm.normalized());
     for (int c = 0; c < 3; ++c) {
       const double difference = std::abs(found[c] - truth[static_cast<std::size_t>(c)]);
-      // The highest intensity may come from a pixel that is a texel and the sag of a facet away.
+      // A pixel may be a texel and the sag of a facet away.
       EXPECT_LT(difference, 16.0) << "vertex " << i;
       sum += difference;
     }

@@ -30,6 +30,8 @@ TEST(RealCalibrationSet, ResidualsAreAtTheLimitOfThePolynomials) {
   EXPECT_LT(calibration->y_mm.residual.rms, 0.7e-3);
   EXPECT_LT(calibration->texture_u_px.residual.rms, 0.2);
   EXPECT_LT(calibration->texture_v_px.residual.rms, 0.2);
+  ASSERT_TRUE(calibration->flash.has_value());
+  EXPECT_LT(calibration->flash->residual.rms, 2e-3);
   EXPECT_EQ(calibration->of(Pattern::kVertical).line_count(), 10);
   EXPECT_EQ(calibration->of(Pattern::kHorizontal).line_count(), 7);
 }

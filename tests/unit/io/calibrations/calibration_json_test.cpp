@@ -52,6 +52,42 @@ TEST(CalibrationJson, ReadsWhatItWrote) {
   EXPECT_EQ(to_json(*read), to_json(written));
 }
 
+calibration::Calibration with_flash() {
+  calibration::Calibration calibration = small_calibration();
+  calibration.flash =
+      calibration::Flash{{2.5, -11.25, -76.5}, {0.5, 0.4375, 0.375}, 0.03125, {0.001, 0.01, 500}};
+  return calibration;
+}
+
+TEST(CalibrationJson, KeepsTheFlashAndDoesWithoutOne) {
+  const calibration::Calibration written = with_flash();
+  const auto read = parse_calibration(to_json(written), "c.json");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  ASSERT_TRUE(read->flash.has_value());
+  EXPECT_EQ(read->flash->p_sensor_mm, written.flash->p_sensor_mm);
+  EXPECT_EQ(read->flash->light, written.flash->light);
+  EXPECT_EQ(read->flash->vignetting, written.flash->vignetting);
+  EXPECT_EQ(read->flash->residual.count, written.flash->residual.count);
+  EXPECT_EQ(to_json(*read), to_json(written));
+  EXPECT_FALSE(parse_calibration(to_json(small_calibration()), "c.json")->flash.has_value());
+  EXPECT_NE(fingerprint(written), fingerprint(small_calibration()));
+}
+
+TEST(CalibrationJson, ReportsWhatIsWrongWithTheFlash) {
+  const std::pair<const char*, json> damages[] = {{"/flash/p_sensor_mm/2", 3},
+                                                  {"/flash/p_sensor_mm", json::array({1, 2})},
+                                                  {"/flash/light/1", 0},
+                                                  {"/flash/vignetting", 1.5},
+                                                  {"/flash/residual/rms", "x"}};
+  for (const auto& [pointer, value] : damages) {
+    json root = json::parse(to_json(with_flash()));
+    root[json::json_pointer(pointer)] = value;
+    const auto read = parse_calibration(root.dump(), "c.json");
+    ASSERT_FALSE(read.has_value()) << pointer;
+    EXPECT_THAT(read.error().message, HasSubstr("flash"));
+  }
+}
+
 TEST(CalibrationJson, IgnoresUnknownKeys) {
   json root = sample_json();
   root["comment"] = {{"a", 1}};
