@@ -138,6 +138,12 @@ double MotionModel::Kernel::operator()(double apart_s) const {
 
 MotionModel::MotionModel(std::span<const TimedPose> path, double arm_mm, double max_gap_s)
     : path_(path.begin(), path.end()), arm_mm_(arm_mm), max_gap_s_(max_gap_s) {
+  std::stable_sort(path_.begin(), path_.end(),
+                   [](const TimedPose& a, const TimedPose& b) { return a.time_s < b.time_s; });
+  const auto end =
+      std::unique(path_.begin(), path_.end(),
+                  [](const TimedPose& a, const TimedPose& b) { return a.time_s == b.time_s; });
+  path_.erase(end, path_.end());
   choose_kernel();
 }
 

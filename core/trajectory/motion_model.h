@@ -16,7 +16,7 @@ namespace flytri::trajectory {
 ///          basis functions: a cubic in time), 4.2 (kernels), 5.3 (choice by leaving one out).
 class MotionModel {
  public:
-  /// @param path       by rising time, at distinct times
+  /// @param path       in any order; of poses at the same time the first counts
   /// @param arm_mm     > 0, see Trajectory
   /// @param max_gap_s  > 0. Poses across a longer gap are not used together.
   MotionModel(std::span<const TimedPose> path, double arm_mm, double max_gap_s);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -103,6 +104,16 @@ TEST(MotionModel, APoseThatIsKnownIsGivenAsItIs) {
   const std::vector<TimedPose> path = path_without_texture_frames(0.06);
   const MotionModel model(path, kReach_mm, kGap_s);
   EXPECT_EQ(model.interpolate(path[7].time_s)->matrix(), path[7].T_world_sensor.matrix());
+}
+
+TEST(MotionModel, TheOrderOfThePosesDoesNotMatter) {
+  std::vector<TimedPose> path = path_without_texture_frames(0.2);
+  const MotionModel model(path, kReach_mm, kGap_s);
+  path.push_back(path[7]);
+  std::reverse(path.begin(), path.end());
+  const MotionModel same(path, kReach_mm, kGap_s);
+  const Isometry expected = model.interpolate(2.51).value(), found = same.interpolate(2.51).value();
+  EXPECT_TRUE(found.isApprox(expected, 0.0));
 }
 
 }  // namespace
