@@ -122,6 +122,7 @@ Result<std::vector<PlacedModel>> placed_models(const std::vector<Jaw>& jaws,
 
 Result<void> write_scene(const fs::path& output, const std::vector<PlacedModel>& models) {
   std::vector<io::NamedModel> named;
+  named.reserve(models.size());
   for (const auto& [stage, model] : models)
     named.push_back({std::string(to_string(stage)), &model.model});
   const Result<std::string> glb =

@@ -1,6 +1,7 @@
 #include "core/meshing/close_holes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <vector>
@@ -84,7 +85,7 @@ Rgb color_between(const TriangleMesh& mesh, const std::vector<std::uint32_t>& ri
   }
   Rgb color;
   for (int i = 0; i < 3; ++i)
-    color[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(sum[i] / weights + 0.5F);
+    color[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::lround(sum[i] / weights));
   return color;
 }
 
