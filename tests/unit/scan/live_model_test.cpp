@@ -78,7 +78,9 @@ class LiveTexture : public ::testing::Test {
 
 TEST_F(LiveTexture, AFrameThatLooksMoreSquarelyTakesThePlaceOfOneBefore) {
   see(0.0, 0.2, kRed);
-  EXPECT_EQ(color(), rgb(kRed));
+  // The tilt takes 2 % of the light, which is given back.
+  ASSERT_TRUE(color().has_value());
+  for (const std::size_t c : {0, 1, 2}) EXPECT_NEAR((*color())[c], rgb(kRed)[c], 3);
   see(1.0, 0.0, kBlue);
   EXPECT_EQ(color(), rgb(kBlue));
   ASSERT_EQ(model_.textures().size(), 1U);
