@@ -7,9 +7,9 @@
 
 namespace flytri::texture {
 
-/// Sets the gains of the frames so that the same places have the same color in all of them: a flash
-/// is not always equally bright, and a camera may adjust its exposure and white balance. The mean
-/// of all frames is kept.
+/// Sets the gains of the frames, so that a place has the same color in all of them. The brightness
+/// of a flash varies, and a camera may change its exposure and white balance. The mean of all
+/// frames stays as it is.
 /// @param points  of the surface, world frame
 /// @errors  kBadOption; as check_texture_image.
 [[nodiscard]] Result<void> level_frames(std::span<TextureFrame> frames,

@@ -117,8 +117,8 @@ struct BoundingSphere {
 };
 [[nodiscard]] BoundingSphere bounding_sphere(std::span<const SurfacePoint> points);
 
-/// Adds what the frame saw to each point's color. A pixel observes the closest points on its ray of
-/// sight.
+/// Adds the colors that a frame saw to those of the points. A pixel sees only the points on its ray
+/// that are closest to the camera.
 /// @param points  world frame
 /// @param colors  of the same points
 /// @source  Arold et al., "Texture Acquisition and Mapping": observing pixels, observed points,

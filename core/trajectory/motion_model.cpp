@@ -147,8 +147,8 @@ MotionModel::MotionModel(std::span<const TimedPose> path, double arm_mm, double 
   choose_kernel();
 }
 
-/// The poses nearest in time on both sides, up to gaps, without the one left out. Empty if the time
-/// is not between two poses.
+/// The nearest poses on both sides of a time, up to a gap. The pose `left_out` is not among them.
+/// Empty if the time is not between two poses.
 std::vector<TimedPose> MotionModel::around(double time_s, std::size_t left_out) const {
   const auto after = std::lower_bound(
       path_.begin(), path_.end(), time_s,

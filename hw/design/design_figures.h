@@ -1,5 +1,5 @@
-/// @file  What a sensor of this layout can do: resolution, uncertainty, depth of focus, and whether
-/// its lines can be told apart.
+/// @file  What a sensor of this layout can do: resolution, uncertainty and depth of focus. Can its
+/// lines be told apart?
 ///
 /// @source  Arold et al., sections as named at each figure. The simulated sensor judges them, see
 ///          tests/unit/hw/design.

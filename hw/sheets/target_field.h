@@ -9,11 +9,11 @@ namespace flytri::sheets {
 
 using Field = Eigen::AlignedBox2d;
 
-/// The part of the plane at `z_mm` that a camera sees, as a box in x and y of the sensor frame, mm.
+/// The part of the plane z = `z_mm` that a camera sees: a box in x and y, sensor frame, mm.
 [[nodiscard]] Field seen_field(const simulated::CameraModel& camera, double z_mm);
 
-/// What the measurement camera sees of a target at `z_mm`, and the cross-section of the volume. The
-/// texture camera is calibrated inside the volume only.
+/// The size of a target at `z_mm`: all that the measurement camera sees, and at least the volume's
+/// width and height. The texture camera needs the target only inside the volume.
 [[nodiscard]] Field target_field(const simulated::SensorModel& sensor, double z_mm);
 
 }  // namespace flytri::sheets

@@ -14,13 +14,12 @@ struct TargetSheet {
   Vec2 most_mm = Vec2::Zero();
 };
 
-/// White dots on black, as calibration::DotTarget says. They fill what the measurement camera sees.
+/// The dots of a calibration::DotTarget, white on black. They fill the measurement camera's image.
 /// @param z_mm  depth of the farthest plane of the calibration
 /// @errors  kBadOption: dots that overlap, or a target that is too large for A0.
 [[nodiscard]] Result<TargetSheet> dot_sheet(const simulated::SensorModel& sensor, double z_mm);
 
-/// White paper with marks around what the measurement camera sees: the white plane of a calibration
-/// and of its check.
+/// The white plane of a calibration and of its check. Marks show what the measurement camera sees.
 /// @errors  kBadOption: a board that is too large for A0.
 [[nodiscard]] Result<TargetSheet> board_sheet(const simulated::SensorModel& sensor, double z_mm);
 

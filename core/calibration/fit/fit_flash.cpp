@@ -38,7 +38,7 @@ struct LitDot {
 std::optional<Vec3> patch_light(const cv::Mat& image, const Pixel& center, int half_px) {
   const auto u = static_cast<int>(std::lround(center.u_px));
   const auto v = static_cast<int>(std::lround(center.v_px));
-  // The whole dot is in the image if twice the patch and more is.
+  // Dots that are cut by the border of the image are left out. A patch is a third of a dot wide.
   const int margin_px = 4 * half_px;
   if (u < margin_px || v < margin_px || u >= image.cols - margin_px ||
       v >= image.rows - margin_px) {

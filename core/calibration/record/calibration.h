@@ -91,8 +91,8 @@ struct PatternCalibration {
   [[nodiscard]] int line_count() const { return static_cast<int>(lines.size()); }
 };
 
-/// The lamp of the texture frames, a small one. In the texture image, a matte surface that reflects
-/// the share `albedo` shows the linear light (0..1)
+/// The lamp of the texture frames. It is small. A matte surface reflects the share `albedo` of its
+/// light. In the texture image it has this brightness (linear, 0..1):
 ///
 ///     albedo * light * cos(incidence) * (kFlashDistance_mm / distance)^2 * (1 - vignetting rho^2)
 ///

@@ -1,4 +1,4 @@
-/// @file  The numbers from which a sensor is designed, and the sensor model that follows from them.
+/// @file  The numbers that define a sensor, and the sensor model that follows from them.
 #pragma once
 
 #include <array>
