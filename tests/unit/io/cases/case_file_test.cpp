@@ -220,6 +220,15 @@ TEST(CaseFile, SavesCalibrationAndModel) {
   EXPECT_TRUE(file.counts(kStage).value_or(StageCounts{}).has_result);
 }
 
+TEST(CaseFile, AnEmptyRecordIsNotDamaged) {
+  const TemporaryFolder folder;
+  CaseFile file = new_case(folder / "a.flytri");
+  expect_done(file.write_calibration(""));
+  expect_done(file.commit());
+  EXPECT_EQ(file.calibration().value_or("none"), "");
+  EXPECT_FALSE(file.is_damaged());
+}
+
 TEST(CaseFile, AModelSaysWhatItWasMadeOf) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");
