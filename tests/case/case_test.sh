@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Cases on the command line: models that are made from them, and messages where that is impossible.
-# Usage: case_test.sh FLYTRI FLYTRI_MAKE_CASE SHORT_PATH.json
+# Usage: case_test.sh FLYTRI FLYTRI_MAKE_CASE SHORT_PATH.json GLTF_TESTS
 set -u
 . "$(dirname "$0")/../support/expect.sh"
 flytri=$1
 make_case=$2
 short_path=$3
+gltf=$4
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -84,7 +85,7 @@ expect 'keep the lower jaw' 0 '^wrote lower\.glb' \
   "$flytri" reconstruct a.flytri -o lower.glb --stage lower --keep --force
 mkdir jaws
 expect 'jaws in one frame' 0 '^wrote jaws/smith-lower\.stl' "$flytri" export a.flytri --jaws \
-  -o jaws/smith.glb -o jaws/smith.stl -o jaws/smith.ply
+  -o jaws/smith.glb -o jaws/smith.stl -o jaws/smith.ply -o jaws/smith.obj
 expect 'a node for each jaw' 0 '"name":"lower"' grep -ao '"name":"[a-z]*"' jaws/smith.glb
 expect 'jaws without a bite' 0 'do not lie as they bite' "$flytri" export a.flytri --jaws -o jaws/b.glb
 expect 'jaws replace nothing' 1 'jaws/smith-upper\.ply: exists already' \
@@ -92,7 +93,13 @@ expect 'jaws replace nothing' 1 'jaws/smith-upper\.ply: exists already' \
 expect 'jaws or a stage' 1 '--jaws and --stage' \
   "$flytri" export a.flytri --jaws --stage upper -o no.glb
 name='jaws: as many files as stages'
-[ "$(find jaws -name 'smith*' | wc -l)" = 5 ] || fail "$(ls jaws)"
+[ "$(find jaws -name 'smith*.*' -not -name '*.png' -not -name '*.mtl' | wc -l)" = 7 ] || fail "$(ls jaws)"
+if command -v node > /dev/null && [ -d "$gltf/node_modules/three" ]; then
+  expect 'other programs read the same jaws from all formats' 0 '^ok: .*offset' node "$gltf/overlay.mjs" jaws/smith.glb \
+    jaws/smith-upper.stl jaws/smith-upper.ply jaws/smith-upper.obj jaws/smith-lower.stl jaws/smith-lower.ply jaws/smith-lower.obj
+else
+  echo 'skipped: readers of other programs: node or three.js is not installed'
+fi
 
 # As many triangles as are asked for.
 expect 'all triangles' 0 '^wrote full\.stl' \
