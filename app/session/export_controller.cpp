@@ -42,14 +42,12 @@ void ExportController::export_scan(const ui::Export& command,
   forget_outcome();
   state_.latest = command.target;
   state_.is_running = true;
-  const bool is_ready = shown->result != nullptr && shown->result == prepared_.lock();
-  const auto ready =
-      is_ready ? lighter_[static_cast<std::size_t>(command.target.density)] : nullptr;
-  background_.run([this, command, shown = std::move(shown), store = std::move(store), stage, ready,
-                   texts = notices_.texts()] {
+  const auto lighter = shown->result != nullptr ? lighter_of(shown->result) : nullptr;
+  background_.run([this, command, shown = std::move(shown), store = std::move(store), stage,
+                   lighter, texts = notices_.texts(), progress = background_.progress().part(0.0)] {
     std::vector<std::filesystem::path> written;
     auto done = std::make_shared<Result<ExportOutcome>>(
-        export_files(*shown, command, written, texts, ready.get()));
+        export_files(*shown, command, written, texts, lighter.get(), progress));
     if (store && !written.empty()) {
       store->note(event_now(io::CaseAction::kExported, stage, written));
     }
@@ -69,31 +67,38 @@ void ExportController::export_scan(const ui::Export& command,
   });
 }
 
+std::shared_ptr<LighterModels> ExportController::lighter_of(
+    const std::shared_ptr<const reconstruct::FinishedScan>& result) {
+  if (lighter_ == nullptr || lighter_->scan() != result)
+    lighter_ = std::make_shared<LighterModels>(result);
+  return lighter_;
+}
+
 void ExportController::prepare(const std::shared_ptr<const reconstruct::FinishedScan>& result) {
-  if (result == nullptr || result == prepared_.lock()) return;
-  prepared_ = result;
-  lighter_ = {};
+  if (result == nullptr || is_preparing_ || state_.is_running) return;
+  const auto lighter = lighter_of(result);
   for (const auto density : {reconstruct::MeshDensity::kCad, reconstruct::MeshDensity::kLight}) {
-    background_.run([this, result, density, progress = background_.progress().part(0.0)] {
-      auto made = reconstruct::at_density(result->model, density, progress);
-      const auto model =
-          made ? std::make_shared<const reconstruct::ModelAtDensity>(*std::move(made)) : nullptr;
-      return [this, result, density, model] {
-        if (result == prepared_.lock()) lighter_[static_cast<std::size_t>(density)] = model;
-      };
+    if (lighter->made(density) != nullptr) continue;
+    is_preparing_ = true;
+    background_.run([this, lighter, density, progress = background_.progress().part(0.0)] {
+      (void)lighter->get(density, progress);
+      return [this] { is_preparing_ = false; };
     });
+    return;
   }
 }
 
-void ExportController::tell_sizes(const ui::AppView& view, ui::ExportState& state) const {
+void ExportController::tell_sizes(const ui::AppView& view, ui::ExportState& state) {
+  // Another model is shown: these meshes only take memory.
+  if (lighter_ != nullptr && (view.scan == nullptr || view.scan->result != lighter_->scan()))
+    lighter_.reset();
   if (view.scan == nullptr) return;
   const std::shared_ptr<const reconstruct::FinishedScan>& result = view.scan->result;
-  const bool is_prepared = result != nullptr && result == prepared_.lock();
   const auto model_in = [&](reconstruct::MeshDensity density) -> const TexturedMesh* {
     if (result == nullptr) return nullptr;
     if (density == reconstruct::MeshDensity::kFull) return &result->model;
-    const auto& lighter = lighter_[static_cast<std::size_t>(density)];
-    return is_prepared && lighter != nullptr ? &lighter->model : nullptr;
+    const auto lighter = lighter_ != nullptr ? lighter_->made(density) : nullptr;
+    return lighter != nullptr ? &lighter->model : nullptr;
   };
   for (const reconstruct::MeshDensity density : reconstruct::kMeshDensities) {
     const TexturedMesh* model = model_in(density);

@@ -1,15 +1,14 @@
 /// @file  Controls the export of what the window shows.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 
 #include "app/session/background_work.h"
 #include "app/session/case_store.h"
+#include "app/session/lighter_models.h"
 #include "app/session/notices.h"
 #include "app/session/open_folder.h"
-#include "core/reconstruct/mesh_density.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/app_view.h"
 #include "ui/state/command.h"
@@ -24,8 +23,8 @@ class ExportController {
   /// @param store  of the case whose journal gets an entry; null: none
   void export_scan(const ui::Export& command, std::shared_ptr<const scan::ScanSnapshot> shown,
                    std::shared_ptr<CaseStore> store, io::ScanStage stage);
-  /// Makes the lighter meshes of a finished model in the background, once: state() tells their
-  /// sizes, and an export uses them.
+  /// Makes the lighter meshes of a finished model in the background, one with each call: state()
+  /// tells their sizes, and an export uses them. Does nothing while one is made, or an export runs.
   /// @param result  null: does nothing
   void prepare(const std::shared_ptr<const reconstruct::FinishedScan>& result);
   /// Shows the folder of the latest export in the file manager.
@@ -35,8 +34,11 @@ class ExportController {
 
  private:
   void forget_outcome();
+  /// @param result  not null
+  std::shared_ptr<LighterModels> lighter_of(
+      const std::shared_ptr<const reconstruct::FinishedScan>& result);
   void propose_name(const ui::CaseState& file, io::ScanStage stage);
-  void tell_sizes(const ui::AppView& view, ui::ExportState& state) const;
+  void tell_sizes(const ui::AppView& view, ui::ExportState& state);
 
   BackgroundWork& background_;
   Notices& notices_;
@@ -44,9 +46,8 @@ class ExportController {
   ui::ExportState state_;
   std::string named_after_;                                  ///< what the proposed name is made of
   std::weak_ptr<const reconstruct::FinishedScan> exported_;  ///< the latest model that was
-  std::weak_ptr<const reconstruct::FinishedScan> prepared_;  ///< whose lighter meshes these are:
-  std::array<std::shared_ptr<const reconstruct::ModelAtDensity>, reconstruct::kMeshDensities.size()>
-      lighter_;          ///< by density; null: none, or not made yet
+  std::shared_ptr<LighterModels> lighter_;                   ///< of the latest model; null: none
+  bool is_preparing_ = false;
   std::string subject_;  ///< path of the case, and stage, that the latest export is of
 };
 

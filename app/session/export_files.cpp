@@ -69,18 +69,15 @@ Result<void> write_models(const std::vector<fs::path>& models, const scan::ScanS
 
 /// As write_models, for a finished scan in the density that is asked for.
 Result<void> write_finished(const std::vector<fs::path>& models, const scan::ScanSnapshot& shown,
-                            reconstruct::MeshDensity density,
-                            const reconstruct::ModelAtDensity* ready,
-                            std::vector<fs::path>& written) {
+                            reconstruct::MeshDensity density, LighterModels& lighter,
+                            const Progress& progress, std::vector<fs::path>& written) {
   if (density == reconstruct::MeshDensity::kFull) {
     const FinishedModel full = {shown.result->model, shown.result->surface.mesh};
     return write_models(models, shown, &full, {}, written);
   }
-  Result<reconstruct::ModelAtDensity> made = reconstruct::ModelAtDensity{};
-  if (ready == nullptr) made = reconstruct::at_density(shown.result->model, density);
+  const Result<LighterModels::Model> made = lighter.get(density, progress);
   if (!made) return tl::unexpected(made.error());
-  const reconstruct::ModelAtDensity& lighter = ready != nullptr ? *ready : *made;
-  const FinishedModel model = {lighter.model, lighter.uncut};
+  const FinishedModel model = {(*made)->model, (*made)->uncut};
   return write_models(models, shown, &model, {}, written);
 }
 
@@ -139,7 +136,7 @@ Result<fs::path> export_stem(const ui::ExportTarget& target, const ui::Texts& te
 
 Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command,
                                    std::vector<fs::path>& models_written, const ui::Texts& texts,
-                                   const reconstruct::ModelAtDensity* ready) {
+                                   LighterModels* lighter, const Progress& progress) {
   if (shown.result == nullptr && shown.model.empty()) {
     return fail(ErrorCode::kInsufficient, "{}", texts[ui::Text::kNoSurfaceToExport]);
   }
@@ -157,9 +154,11 @@ Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Ex
   auto made = io::create_private_folder(stem->parent_path());
   if (!made) return tl::unexpected(made.error());
   io::remove_leftovers(stem->parent_path());
+  LighterModels own(shown.result);
   const Result<void> done =
       shown.result != nullptr
-          ? write_finished(models, shown, command.target.density, ready, models_written)
+          ? write_finished(models, shown, command.target.density,
+                           lighter != nullptr ? *lighter : own, progress, models_written)
           : write_models(models, shown, nullptr, texts, models_written);
   if (!done) return tl::unexpected(done.error());
   ExportOutcome outcome;

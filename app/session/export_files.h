@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/session/lighter_models.h"
+#include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/reconstruct/mesh_density.h"
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/app_view.h"
 #include "ui/state/command.h"
@@ -41,11 +42,13 @@ struct ExportOutcome {
 /// @errors  As export_stem and write_model; kInsufficient: nothing to write, or the format cannot
 ///          hold it; kBadOption: a folder, or a file of another kind, has the name.
 /// @param models_written  gets the models that were written, also before a failure
-/// @param ready  the finished model in the density of the target; null: it is made
-[[nodiscard]] Result<ExportOutcome> export_files(
-    const scan::ScanSnapshot& shown, const ui::Export& command,
-    std::vector<std::filesystem::path>& models_written, const ui::Texts& texts = {},
-    const reconstruct::ModelAtDensity* ready = nullptr);
+/// @param lighter  of the finished scan, keeps the mesh that is made; null: nothing is kept
+[[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
+                                                 const ui::Export& command,
+                                                 std::vector<std::filesystem::path>& models_written,
+                                                 const ui::Texts& texts = {},
+                                                 LighterModels* lighter = nullptr,
+                                                 const Progress& progress = {});
 [[nodiscard]] inline Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
                                                         const ui::Export& command) {
   std::vector<std::filesystem::path> models;

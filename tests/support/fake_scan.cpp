@@ -221,6 +221,8 @@ struct FakeScan::Parts {
       for (const char* extension : {".glb", ".stl"}) {
         exports.existing.push_back(exports.folder + "/" + exports.name + extension);
       }
+    } else if (state == "exporting") {
+      exports.is_running = true;
     } else if (state == "exported") {
       std::uint64_t bytes = 9'712'384;
       for (const std::string_view extension : exports.latest.formats) {

@@ -12,7 +12,9 @@ inline constexpr std::array kFakeStates = {
     "calibrated", "check_broken", "lost_smooth",   "damaged",     "cleared",      "recording",
     "bite",       "closing",      "jaws",          "jaws_refused"};
 
-/// States of the export dialog, all of a finished scan: files exist, they were written, it failed.
-inline constexpr std::array kExportStates = {"export_exists", "exported", "export_failed"};
+/// States of the export dialog, all of a finished scan: files exist, they are being written, they
+/// were written, it failed.
+inline constexpr std::array kExportStates = {"export_exists", "exporting", "exported",
+                                             "export_failed"};
 
 }  // namespace flytri::testing

@@ -200,6 +200,16 @@ TEST_F(RealWindow, WhatIsNotSavedIsLeftOnlyAfterAQuestion) {
   EXPECT_EQ(window().state()["dialog"], "case") << "it says what becomes of it";
 }
 
+TEST_F(RealWindow, AnExportThatIsBeingWrittenIsLeftOnlyAfterAQuestion) {
+  show("exporting");
+  EXPECT_EQ(after_key("ctrl+q"), Names{});
+  EXPECT_EQ(window().state()["dialog"], "question");
+  window().key("Escape");
+  EXPECT_EQ(window().state()["dialog"], "none");
+  show("exported");
+  EXPECT_NE(window().state()["dialog"], "question") << "nothing is lost any more";
+}
+
 TEST_F(RealWindow, ScanningPausesBehindTheDialogOfCases) {
   show("scanning");
   EXPECT_EQ(after_key("d"), Names{"PauseScan"});

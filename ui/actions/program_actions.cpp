@@ -159,6 +159,7 @@ bool leaves_case(const AppView& view, const CaseForm& form) {
 
 void quit(const ActionRunner& run) {
   if (has_unsaved(run.view)) return run.ask(QuestionKind::kLeaveUnsaved, Quit{});
+  if (run.view.exports.is_running) return run.ask(QuestionKind::kLeaveExport, Quit{});
   run.send(Quit{});
 }
 

@@ -47,6 +47,8 @@ QuestionWords words_of(const Question& question, const AppView& view) {
     case QuestionKind::kLeaveUnsaved:
       return {texts[Text::kAskLeave], texts.fill<Text::kLeaveText>(view.file.failure),
               texts[Text::kLeave]};
+    case QuestionKind::kLeaveExport:
+      return {texts[Text::kAskLeaveExport], texts[Text::kLeaveExportText], texts[Text::kLeave]};
     case QuestionKind::kClearStage:
       break;
   }

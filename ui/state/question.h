@@ -12,6 +12,7 @@ enum class QuestionKind {
   kClearStage,
   kDropModel,     ///< scanning again replaces the finished model
   kLeaveUnsaved,  ///< what is not saved ends with the program, or with the case
+  kLeaveExport,   ///< files that are being exported end with the program
 };
 
 struct Question {

@@ -469,8 +469,14 @@ TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
   session.carry_out(ui::Finish{});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan->result != nullptr; }));
+  // The dialog asks for sizes, and the user does not wait for them.
+  session.carry_out(ui::PrepareExport{});
   session.carry_out(ui::Export{{(folder_.path() / "out").string(), "jaw", {".glb"}}, {}});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return !view.exports.written.empty(); }));
+  const auto triangles = session.view().exports.triangles;
+  EXPECT_GT(triangles[static_cast<std::size_t>(reconstruct::MeshDensity::kCad)], 0U);
+  EXPECT_EQ(triangles[static_cast<std::size_t>(reconstruct::MeshDensity::kLight)], 0U)
+      << "it would have kept the export waiting";
   const ui::ExportedFile written = session.view().exports.written.front();
   EXPECT_EQ(written.bytes, fs::file_size(folder_.path() / "out" / "jaw.glb"));
   EXPECT_GT(written.bytes, 100'000U);

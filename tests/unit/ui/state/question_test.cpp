@@ -52,5 +52,10 @@ TEST(Question, SaysWhyNotEverythingIsSaved) {
               HasSubstr("a.flytri: no space left"));
 }
 
+TEST(Question, SaysThatFilesAreStillBeingWritten) {
+  EXPECT_THAT(words_of({QuestionKind::kLeaveExport, Quit{}}, AppView()).text,
+              HasSubstr("still being written"));
+}
+
 }  // namespace
 }  // namespace flytri::ui
