@@ -123,8 +123,8 @@ class Registrar {
   /// Empty if tracking is not lost.
   [[nodiscard]] const LostSensor& lost_sensor() const { return lost_sensor_; }
 
-  /// From now on, only samples that these edits keep serve the registration. Takes some
-  /// milliseconds for each view that an edit cuts. The edits are in the world frame of the scan: no
+  /// From now on, only samples that these edits keep serve the registration. Takes
+  /// time for each view that an edit cuts. The edits are in the world frame of the scan: no
   /// other submap becomes the scan any more.
   void set_edits(const editing::EditList& edits);
 
