@@ -75,6 +75,25 @@ bool EditFilter::Stroke::touches(const Vec3f& position_mm) const {
                      [&](const BrushDab& dab) { return holds(dab, position_mm); });
 }
 
+bool EditFilter::may_remove(const Vec3f& middle_mm, float radius_mm, double seen_at_s) const {
+  return std::any_of(strokes_.begin(), strokes_.end(), [&](const Stroke& stroke) {
+    const Edit& edit = *stroke.edit;
+    const bool seen_before = seen_at_s <= edit.made_at_s;
+    const bool removes = edit.kind == EditKind::kTrim   ? seen_before
+                         : edit.kind == EditKind::kLock ? !seen_before
+                                                        : false;
+    return removes && stroke.box.squaredExteriorDistance(middle_mm) <= radius_mm * radius_mm;
+  });
+}
+
+std::vector<double> EditFilter::times() const {
+  std::vector<double> times_s;
+  for (const auto& edit : *edits_) times_s.push_back(edit->made_at_s);
+  std::sort(times_s.begin(), times_s.end());
+  times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
+  return times_s;
+}
+
 bool EditFilter::touches(const Vec3f& position_mm) const {
   return std::any_of(strokes_.begin(), strokes_.end(),
                      [&](const Stroke& stroke) { return stroke.touches(position_mm); });

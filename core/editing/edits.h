@@ -62,13 +62,19 @@ class EditStack {
   std::size_t at_ = 0;
 };
 
-/// Decides quickly whether a list of edits keeps a sample.
+/// The rule of all edits: decides quickly whether a sample still counts. A sample that is not kept
+/// serves nothing: no pose, no color, no model.
 class EditFilter {
  public:
   explicit EditFilter(const EditList& edits);
   [[nodiscard]] bool empty() const { return edits_->empty(); }
   /// @param seen_at_s  time of the frame that measured the sample
   [[nodiscard]] bool keeps(const Vec3f& position_mm, const Vec3f& normal, double seen_at_s) const;
+  /// False if all samples in this ball that were seen at this time are kept, whatever their
+  /// normals.
+  [[nodiscard]] bool may_remove(const Vec3f& middle_mm, float radius_mm, double seen_at_s) const;
+  /// Times of the edits, rising, each once. What was seen between two of them was seen as one.
+  [[nodiscard]] std::vector<double> times() const;
   /// Whether a dab of an edit holds this place, whatever its normal.
   [[nodiscard]] bool touches(const Vec3f& position_mm) const;
   /// Times of the edits that touch this place, by rising time. All samples of the place that were

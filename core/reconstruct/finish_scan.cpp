@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "core/editing/serving_views.h"
 #include "core/meshing/mesh_topology.h"
 #include "core/texture/level_frames.h"
 #include "core/texture/observe.h"
@@ -26,12 +27,14 @@ class Finisher {
         options_(options),
         workers_(workers),
         progress_(progress),
-        clock_(clock) {}
+        clock_(clock),
+        edits_(scanned.edits) {}
 
   Result<FinishedScan> run();
 
  private:
   Result<void> refine_views();
+  void take_poses(std::span<const AlignedView> refined);
   void place_texture_frames();
   Result<std::vector<SurfaceSample>> find_samples();
   Result<void> make_points();
@@ -43,24 +46,43 @@ class Finisher {
   const Workers& workers_;
   const Progress& progress_;
   StageClock& clock_;
+  const editing::EditFilter edits_;
+  std::vector<AlignedView> serving_;  ///< what the edits keep of the views of the result
   FinishedScan result_;
 };
 
 Result<void> Finisher::refine_views() {
-  std::vector<AlignedView>& views = scanned_.views;
+  const std::vector<AlignedView>& views = scanned_.views;
   progress_.begin_stage(kAligning);
+  std::vector<AlignedView> serving = editing::serving_views(views, edits_, workers_);
   const Result<refinement::Refinement> refined =
-      refinement::refine_jointly(views, options_.refinement, workers_, progress_);
+      refinement::refine_jointly(serving, options_.refinement, workers_, progress_);
+  take_poses(serving);
   if (!refined) return tl::unexpected(refined.error());
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (refined->contradicts(i, options_.refinement)) {
       result_.contradicting.push_back(views[i].view->frame);
     } else {
       result_.views.push_back(views[i]);
+      serving_.push_back({serving[i].view, views[i].T_world_sensor});
     }
   }
   clock_.end_stage("joint refinement", views.size(), "views");
   return {};
+}
+
+/// A view of which nothing serves moves with the one before it.
+void Finisher::take_poses(std::span<const AlignedView> refined) {
+  Isometry T_new_world = Isometry::Identity();
+  for (std::size_t i = 0; i < refined.size(); ++i) {
+    Isometry& T_world_sensor = scanned_.views[i].T_world_sensor;
+    if (refined[i].view->profiles.empty()) {
+      T_world_sensor = T_new_world * T_world_sensor;
+    } else {
+      T_new_world = refined[i].T_world_sensor * T_world_sensor.inverse();
+      T_world_sensor = refined[i].T_world_sensor;
+    }
+  }
 }
 
 void Finisher::place_texture_frames() {
@@ -78,20 +100,13 @@ void Finisher::place_texture_frames() {
   }
 }
 
-/// The measured points that the edits keep, with normals.
+/// The measured points that serve, with normals.
 Result<std::vector<SurfaceSample>> Finisher::find_samples() {
   progress_.begin_stage(kNormals);
-  const auto normals =
-      normals::crossing_normals(result_.views, options_.normals, workers_, progress_);
+  const auto normals = normals::crossing_normals(serving_, options_.normals, workers_, progress_);
   if (!normals) return tl::unexpected(normals.error());
-  std::vector<SurfaceSample> samples = normals::surface_samples(result_.views, *normals);
+  std::vector<SurfaceSample> samples = normals::surface_samples(serving_, *normals);
   clock_.end_stage("normals", samples.size(), "points");
-  if (const editing::EditFilter filter(scanned_.edits); !filter.empty()) {
-    std::erase_if(samples, [&](const SurfaceSample& sample) {
-      const double seen_at_s = result_.views[sample.view.at()].view->time_s;
-      return !filter.keeps(sample.position_mm, sample.normal, seen_at_s);
-    });
-  }
   return samples;
 }
 
@@ -124,6 +139,11 @@ Result<void> Finisher::apply_texture() {
   for (std::size_t i = 0; i < scanned_.texture_frames.size(); ++i) {
     if (!result_.T_world_texture[i]) continue;
     frames.push_back({scanned_.texture_frames[i].image, *result_.T_world_texture[i]});
+    if (edits_.empty()) continue;
+    frames.back().serves = [this, time_s = scanned_.texture_frames[i].time_s](
+                               const Vec3f& position_mm, const Vec3f& normal) {
+      return edits_.keeps(position_mm, normal, time_s);
+    };
   }
   if (frames.empty()) return {};
   const calibration::Calibration& calibration = *scanned_.calibration;

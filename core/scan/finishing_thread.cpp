@@ -11,6 +11,7 @@ namespace {
 reconstruct::ScannedViews collect(FinishingInput& input, const Progress& progress) {
   reconstruct::ScannedViews scanned;
   progress.begin_stage(reconstruct::kRecovering);
+  input.registrar->set_edits(input.edits);
   for (const tracking::RegisteredView& view :
        input.registrar->finish(tracking::Registrar::World::kUnchanged, progress)) {
     if (view.fate == tracking::ViewFate::kRejected || view.view->profiles.empty()) continue;

@@ -204,7 +204,7 @@ void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
   if (waiting_.views.empty()) return;
   if (model_.pending() > kModelTasks) return hand_over_later();
   hand_over_waiting();
-  refinement_.run_if_grown(known_views_, [this] { return aligned_views(); });
+  refinement_.run_if_grown(known_views_, [this] { return registrar_->serving_views(); });
   retire_past();
 }
 
@@ -300,11 +300,18 @@ void GrowingScan::journal_view(const std::shared_ptr<const View>& view) {
   journal([view](ScanJournal& journal) { journal.keep_view(*view); });
 }
 
+void GrowingScan::start() {
+  if (!accepts(phase_, ScanEvent::kStart, has_model())) return;
+  // Not before: while the user edits, undo and redo need not wait for it.
+  registrar_->set_edits(edits_.state());
+  step(ScanEvent::kStart);
+}
+
 void GrowingScan::pause() {
   if (!accepts(phase_, ScanEvent::kPause, has_model())) return;
   step(ScanEvent::kPause);
   hand_over_waiting();
-  refinement_.run_if_new(known_views_, [this] { return aligned_views(); });
+  refinement_.run_if_new(known_views_, [this] { return registrar_->serving_views(); });
   // A paused model shows the best poses. A running optimization will do the same at its end.
   if (!refinement_.is_running()) model_.follow(aligned_views(), 0.0);
   model_.look_for_holes();
@@ -313,9 +320,7 @@ void GrowingScan::pause() {
 void GrowingScan::edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs) {
   if (!accepts(phase_, ScanEvent::kEdit, has_model()) || dabs.empty()) return;
   edits_.push({kind, last_time_s_, std::move(dabs)});
-  step(ScanEvent::kEdit);
-  show_edits();
-  model_.set_edits(edits_);
+  take_edits();
 }
 
 void GrowingScan::change_edits(void (editing::EditStack::*change)()) {
@@ -323,9 +328,14 @@ void GrowingScan::change_edits(void (editing::EditStack::*change)()) {
   const editing::EditList before = edits_.state();
   (edits_.*change)();
   if (edits_.state() == before) return;
+  take_edits();
+}
+
+void GrowingScan::take_edits() {
   step(ScanEvent::kEdit);
   show_edits();
   model_.set_edits(edits_);
+  if (is_scanning(phase_)) registrar_->set_edits(edits_.state());
 }
 
 void GrowingScan::show_edits() {

@@ -36,7 +36,7 @@ class GrowingScan {
   };
   void take(const IntakeResult& result, const Arrivals& arrivals);
 
-  void start() { step(ScanEvent::kStart); }
+  void start();
   void pause();
   void edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs);
   void change_edits(void (editing::EditStack::*change)());
@@ -73,6 +73,7 @@ class GrowingScan {
   void restore(const KeptScan& kept);
   void step(ScanEvent event);
   void show_reentry();
+  void take_edits();
   void show_edits();
   void take_refined(const std::vector<AlignedView>& refined);
   void retire_past();

@@ -68,8 +68,9 @@ void LiveModel::keep_texture(const Frame& frame, const Isometry& T_world_sensor)
   const double arm_mm = 0.5 * calibration_->volume.size_mm.norm();
   const auto same_place =
       std::find_if(textures_.begin(), textures_.end(), [&](const PlacedTexture& kept) {
-        return trajectory::pose_distance_mm(kept.T_world_first, T_world_sensor, arm_mm) <
-               kSamePlaceShare * arm_mm;
+        return !is_edited_between(kept.frame.time_s, frame.time_s) &&
+               trajectory::pose_distance_mm(kept.T_world_first, T_world_sensor, arm_mm) <
+                   kSamePlaceShare * arm_mm;
       });
   if (same_place != textures_.end()) {
     if (is_better(frame, T_world_sensor, *same_place)) {
@@ -77,10 +78,30 @@ void LiveModel::keep_texture(const Frame& frame, const Isometry& T_world_sensor)
     }
     return;
   }
+  const PlacedTexture texture{frame, T_world_sensor, T_world_sensor, frame.time_s};
   // A frame that does not suit the calibration was refused before it came here.
-  if (surface_.add_color({frame.image, T_world_sensor}, *calibration_)) {
-    textures_.push_back({frame, T_world_sensor, T_world_sensor, frame.time_s});
-  }
+  if (surface_.add_color(serving(texture), *calibration_)) textures_.push_back(texture);
+}
+
+/// Whether an edit came between the two times, in effect or not: undo and redo need the frames on
+/// both sides.
+bool LiveModel::is_edited_between(double one_s, double other_s) const {
+  const auto [from_s, to_s] = std::minmax(one_s, other_s);
+  const editing::EditSequence& edits = *edits_.all();
+  return std::any_of(edits.begin(), edits.end(), [from_s = from_s, to_s = to_s](const auto& edit) {
+    return from_s <= edit->made_at_s && edit->made_at_s < to_s;
+  });
+}
+
+/// The frame serves where the edits keep what was seen at its time. Refers to this model.
+texture::TextureFrame LiveModel::serving(const PlacedTexture& texture) const {
+  texture::TextureFrame frame{texture.frame.image, texture.T_world_sensor};
+  if (filter_.empty()) return frame;
+  frame.serves = [this, time_s = texture.frame.time_s](const Vec3f& position_mm,
+                                                       const Vec3f& normal) {
+    return filter_.keeps(position_mm, normal, time_s);
+  };
+  return frame;
 }
 
 bool LiveModel::is_better(const Frame& frame, const Isometry& T_world_sensor,
@@ -98,9 +119,7 @@ void LiveModel::replace_texture(PlacedTexture& kept, const Frame& frame,
   kept.frame = frame;
   kept.T_world_sensor = T_world_sensor;
   std::vector<texture::TextureFrame> frames;
-  for (const PlacedTexture& texture : textures_) {
-    frames.push_back({texture.frame.image, texture.T_world_sensor});
-  }
+  for (const PlacedTexture& texture : textures_) frames.push_back(serving(texture));
   // A frame that does not suit the calibration was refused before it came here.
   std::ignore = surface_.recolor(T_world_sensor, frames, *calibration_);
   if (!rebuild_) return;
@@ -111,6 +130,7 @@ void LiveModel::replace_texture(PlacedTexture& kept, const Frame& frame,
 
 void LiveModel::set_edits(const editing::EditStack& edits) {
   edits_ = edits;
+  filter_ = editing::EditFilter(edits_.state());
   surface_.set_edits(edits_);
   if (rebuild_) rebuild_->surface.set_edits(edits_);
 }
@@ -157,8 +177,7 @@ bool LiveModel::continue_rebuild() {
   if (!std::exchange(work.is_settled, true)) work.surface.settle_edits();
   if (work.textures_done < textures_.size()) {
     const PlacedTexture& texture = textures_[work.textures_done++];
-    [[maybe_unused]] const auto colored =
-        work.surface.add_color({texture.frame.image, texture.T_world_sensor}, *calibration_);
+    [[maybe_unused]] const auto colored = work.surface.add_color(serving(texture), *calibration_);
     return true;
   }
   surface_ = std::move(work.surface);

@@ -55,7 +55,8 @@ class LiveModel {
   [[nodiscard]] std::vector<double> take_redundant() { return std::exchange(redundant_s_, {}); }
   [[nodiscard]] live::LiveSurface& surface() { return surface_; }
   /// Those that color the surface. Of frames from nearly the same place the best is kept: the one
-  /// that shows the surface most finely, of equally good ones the latest.
+  /// that shows the surface most finely, of equally good ones the latest; but one from before an
+  /// edit and one from after it are both kept.
   [[nodiscard]] const std::vector<PlacedTexture>& textures() const { return textures_; }
 
  private:
@@ -71,6 +72,8 @@ class LiveModel {
             const calibration::Calibration& calibration, double max_gap_s);
   void place_waiting_textures();
   void keep_texture(const Frame& frame, const Isometry& T_world_sensor);
+  [[nodiscard]] bool is_edited_between(double one_s, double other_s) const;
+  [[nodiscard]] texture::TextureFrame serving(const PlacedTexture& texture) const;
   [[nodiscard]] bool is_better(const Frame& frame, const Isometry& T_world_sensor,
                                const PlacedTexture& kept) const;
   void replace_texture(PlacedTexture& kept, const Frame& frame, const Isometry& T_world_sensor);
@@ -80,6 +83,7 @@ class LiveModel {
   double max_gap_s_;
   live::LiveSurface surface_;
   editing::EditStack edits_;
+  editing::EditFilter filter_{edits_.state()};
   trajectory::Trajectory trajectory_;
   std::map<FrameIndex, Isometry> added_at_;  ///< T_world_sensor of the views
   std::vector<Frame> waiting_;               ///< texture frames whose pose is not known yet

@@ -107,11 +107,10 @@ BoundingSphere bounding_sphere(std::span<const SurfacePoint> points) {
 
 FrameObserver::FrameObserver(const TextureFrame& frame, const calibration::Calibration& calibration,
                              const TextureOptions& options)
-    : image_(frame.image),
+    : frame_(frame),
       calibration_(calibration),
       options_(options),
       T_sensor_world_(frame.T_world_sensor.inverse()),
-      gain_(frame.gain),
       shading_(calibration),
       depths_(calibration.texture_size, options.depth_cell_px),
       margin_mm_(margin_of(calibration, options)) {}
@@ -165,6 +164,7 @@ std::optional<Observation> FrameObserver::observe(const SurfacePoint& point) con
   const Vec3 p_sensor = T_sensor_world_ * point.position_mm.cast<double>();
   const auto pixel = project(p_sensor);
   if (!pixel) return std::nullopt;
+  if (frame_.serves && !frame_.serves(point.position_mm, point.normal)) return std::nullopt;
   const ImageSize& size = calibration_.texture_size;
   const double du = pixel->u_px - 0.5 * size.width_px, dv = pixel->v_px - 0.5 * size.height_px;
   const double diagonal2 = std::pow(size.width_px, 2) + std::pow(size.height_px, 2);
@@ -177,7 +177,7 @@ std::optional<Observation> FrameObserver::observe(const SurfacePoint& point) con
       static_cast<float>(options_.depth_tolerance_share * calibration_.volume.size_mm.z());
   const auto depth_mm = static_cast<float>(shading_.depth_mm(p_sensor));
   if (depth_mm > depths_.closest_mm(*pixel) + tolerance_mm) return std::nullopt;
-  const Sampled sampled = sample(image_, *pixel);
+  const Sampled sampled = sample(frame_.image, *pixel);
   if (sampled.brightest > options_.max_channel || !(sampled.light.sum() > 0.0F))
     return std::nullopt;
   // Close to the limits of the angles the weight is small, so that nothing jumps there.
@@ -189,8 +189,9 @@ std::optional<Observation> FrameObserver::observe(const SurfacePoint& point) con
   const float below = static_cast<float>(options_.max_channel - sampled.brightest);
   weight *= std::min(1.0F, (below + 1.0F) / kNearSaturation);
   const auto light = static_cast<float>(seen.lamp_cosine * seen.light);
-  return Observation{sampled.light.cwiseQuotient(shading_.channels()).cwiseProduct(gain_) / light,
-                     static_cast<float>(weight)};
+  return Observation{
+      sampled.light.cwiseQuotient(shading_.channels()).cwiseProduct(frame_.gain) / light,
+      static_cast<float>(weight)};
 }
 
 double pixels_per_mm2(const SurfacePoint& point, const Isometry& T_sensor_world,

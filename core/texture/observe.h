@@ -1,6 +1,7 @@
 /// @file  Finds the points that a texture frame observes, and their colors.
 #pragma once
 
+#include <functional>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <span>
@@ -20,6 +21,8 @@ struct TextureFrame {
   cv::Mat image;  ///< CV_8UC3, R, G, B order, sRGB, Calibration::texture_size
   Isometry T_world_sensor = Isometry::Identity();
   Vec3f gain = Vec3f::Ones();  ///< > 0, by which its colors are multiplied, see level_frames()
+  /// Whether it serves to color a point of the surface. Empty: every point.
+  std::function<bool(const Vec3f& position_mm, const Vec3f& normal)> serves = nullptr;
 };
 
 struct TextureOptions {
@@ -71,7 +74,7 @@ class ObservedColor {
 /// sRGB of linear light.
 [[nodiscard]] Rgb to_color(const Vec3f& light);
 
-/// One frame, prepared for questions about many points. Refers to image, calibration and options.
+/// One frame, prepared for questions about many points. Refers to frame, calibration and options.
 class FrameObserver {
  public:
   FrameObserver(const TextureFrame& frame, const calibration::Calibration& calibration,
@@ -81,18 +84,18 @@ class FrameObserver {
   void find_depths(std::span<const SurfacePoint> points, const Workers& workers);
   /// False if no point of this sphere is in the measurement volume.
   [[nodiscard]] bool may_see(const Vec3f& middle_mm, float radius_mm) const;
-  /// The color of a point; nullopt if it is out of sight, hidden, turned away or saturated.
+  /// The color of a point; nullopt if it is out of sight, hidden, turned away or saturated, or if
+  /// the frame does not serve there.
   [[nodiscard]] std::optional<Observation> observe(const SurfacePoint& point) const;
 
  private:
   [[nodiscard]] std::optional<Pixel> project(const Vec3& p_sensor) const;
   [[nodiscard]] double border_share(const Vec3& p_sensor, const Pixel& pixel) const;
 
-  const cv::Mat& image_;
+  const TextureFrame& frame_;
   const calibration::Calibration& calibration_;
   const TextureOptions& options_;
   Isometry T_sensor_world_;
-  Vec3f gain_;
   Shading shading_;
   DepthBuffer depths_;
   double margin_mm_ = 0.0;

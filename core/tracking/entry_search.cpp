@@ -39,7 +39,7 @@ Isometry at_its_depth(const TrackedScan& scan, const Isometry& T_world_start,
   for (const TrackedView& view : scan.views()) {
     const double off_mm =
         trajectory::pose_chord_mm(T_world_start, view.aligned.T_world_sensor, radius_mm);
-    if (view.aligned.view->profiles.empty() || off_mm >= nearest_mm) continue;
+    if (view.placed.profiles.empty() || off_mm >= nearest_mm) continue;
     nearest = &view;
     nearest_mm = off_mm;
   }

@@ -25,7 +25,7 @@ std::vector<std::size_t> candidates(const TrackedScan& scan, double apart_mm) {
   for (std::size_t i = 1; i < scan.size(); ++i) {
     const AlignedView& view = scan.views()[i].aligned;
     const bool has_points =
-        !view.view->profiles.empty() && !scan.views()[i - 1].aligned.view->profiles.empty();
+        !scan.views()[i].placed.profiles.empty() && !scan.views()[i - 1].placed.profiles.empty();
     if (!has_points) continue;
     const bool known = std::any_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
       return is_near(view, scan.views()[other].aligned, kCandidateShare * apart_mm, apart_mm);

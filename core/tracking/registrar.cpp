@@ -34,6 +34,12 @@ RejectReason reason_of(registration::AlignOutcome outcome) {
 /// Weight of the latest search in entry_share(), because each one finds other places.
 constexpr double kEntryShareWeight = 0.5;
 
+void sort_by_time(std::vector<AlignedView>& views) {
+  std::sort(views.begin(), views.end(), [](const AlignedView& a, const AlignedView& b) {
+    return a.view->time_s < b.view->time_s;
+  });
+}
+
 /// True for rejections that later views cannot change.
 bool is_final(RejectReason reason) {
   return reason == RejectReason::kTooFewPoints || reason == RejectReason::kTimeNotRising;
@@ -147,6 +153,14 @@ void Registrar::restore(std::span<const AlignedView> views) {
   }
 }
 
+void Registrar::set_edits(const editing::EditList& edits) {
+  const bool is_same = edits == edits_ || (edits->empty() && edits_->empty());
+  if (is_same || submaps_.empty()) return;
+  edits_ = edits;
+  submaps_[scan_]->set_edits(editing::EditFilter(edits_));
+  entry_search_.forget();
+}
+
 void Registrar::start_submap(IncomingView incoming) {
   if (radius_mm_ == 0.0) radius_mm_ = incoming.prepared.radius_mm;
   side_ = submaps_.size();
@@ -195,7 +209,7 @@ RejectReason Registrar::track_lost(IncomingView incoming, RejectReason reason, b
     if (try_to_join(side_, submaps_[side_]->size() - 1, places)) return RejectReason::kNone;
   }
   const std::size_t scan_size = submaps_[scan_]->size();
-  if (scan_size < static_cast<std::size_t>(options_.settled_views) &&
+  if (edits_->empty() && scan_size < static_cast<std::size_t>(options_.settled_views) &&
       submaps_[side_]->size() > scan_size) {
     scan_ = side_;  // The previous scan may join it later.
     lost_views_ = 0;
@@ -357,9 +371,17 @@ std::vector<AlignedView> Registrar::aligned_views() const {
   for (const TrackedView& view : submaps_[scan_]->views()) {
     if (!view.aligned.view->profiles.empty()) result.push_back(view.aligned);
   }
-  std::sort(result.begin(), result.end(), [](const AlignedView& a, const AlignedView& b) {
-    return a.view->time_s < b.view->time_s;
-  });
+  sort_by_time(result);
+  return result;
+}
+
+std::vector<AlignedView> Registrar::serving_views() const {
+  std::vector<AlignedView> result;
+  if (submaps_.empty()) return result;
+  for (const TrackedView& view : submaps_[scan_]->views()) {
+    if (!view.serving().view->profiles.empty()) result.push_back(view.serving());
+  }
+  sort_by_time(result);
   return result;
 }
 

@@ -123,8 +123,16 @@ class Registrar {
   /// Empty if tracking is not lost.
   [[nodiscard]] const LostSensor& lost_sensor() const { return lost_sensor_; }
 
+  /// From now on, only samples that these edits keep serve the registration. Takes
+  /// time for each view that an edit cuts. The edits are in the world frame of the scan: no
+  /// other submap becomes the scan any more.
+  void set_edits(const editing::EditList& edits);
+
   /// The views registered so far, in the world frame of the scan, without retired ones.
   [[nodiscard]] std::vector<AlignedView> aligned_views() const;
+  /// Of these, what the edits keep, see editing::serving_views(). A view of which nothing is kept
+  /// is left out.
+  [[nodiscard]] std::vector<AlignedView> serving_views() const;
   /// Views added to the scan since the last call, including joined submaps.
   [[nodiscard]] ScanGrowth take_growth();
   /// Drops the points of views, given by their times, to save memory where many others have seen
@@ -194,6 +202,7 @@ class Registrar {
   double last_time_s_ = -std::numeric_limits<double>::infinity();
   std::array<int, 2> pattern_counts_{};  ///< views added so far, by Pattern
   double radius_mm_ = 0.0;
+  editing::EditList edits_ = editing::EditStack().state();
   std::optional<Claim> claim_;
   std::optional<Isometry> asked_entry_;
   EntrySearch entry_search_;

@@ -6,6 +6,7 @@
 
 #include "core/base/check_options.h"
 #include "core/base/median.h"
+#include "core/editing/serving_views.h"
 
 namespace flytri::tracking {
 namespace {
@@ -78,11 +79,14 @@ void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor,
                       double uncertainty_mm) {
   TrackedView view{{std::move(incoming.view), T_world_sensor},
                    incoming.prepared.moved(T_world_sensor),
-                   uncertainty_mm,
-                   false};
+                   uncertainty_mm};
   grid_.add(extent_of(view.placed, T_world_sensor));
   trajectory_.set(view.aligned.view->time_s, T_world_sensor);
   views_.push_back(std::move(view));
+  if (edits_.empty()) return;
+  cut(views_.back(),
+      editing::serving_views({&views_.back().aligned, 1}, edits_, Workers(1)).front().view);
+  locate_extent(views_.size() - 1);
 }
 
 void TrackedScan::add(IncomingView incoming, const registration::Alignment& alignment) {
@@ -119,16 +123,29 @@ void TrackedScan::change_frame(const Isometry& T_new_world) {
 
 void TrackedScan::move(std::size_t i, const Isometry& T_world_sensor) {
   TrackedView& view = views_[i];
-  if (!view.aligned.view->profiles.empty()) {
-    view.placed = view.placed.moved(T_world_sensor * view.aligned.T_world_sensor.inverse());
-    grid_.move(i, extent_of(view.placed, T_world_sensor));
-  }
+  const Isometry T_new_world = T_world_sensor * view.aligned.T_world_sensor.inverse();
+  if (view.placed_whole) view.placed_whole = view.placed_whole->moved(T_new_world);
   view.aligned.T_world_sensor = T_world_sensor;
+  if (!view.placed.profiles.empty()) {
+    view.placed = view.placed.moved(T_new_world);
+    locate_extent(i);
+  }
   trajectory_.set(view.aligned.view->time_s, T_world_sensor);
+}
+
+void TrackedScan::locate_extent(std::size_t i) {
+  const TrackedView& view = views_[i];
+  if (view.placed.profiles.empty()) {
+    grid_.remove(i);
+  } else {
+    grid_.move(i, extent_of(view.placed, view.aligned.T_world_sensor));
+  }
 }
 
 void TrackedScan::retire(std::size_t i) {
   TrackedView& view = views_[i];
+  view.part = nullptr;
+  view.placed_whole.reset();
   view.aligned.view = without_points(*view.aligned.view);
   view.placed = registration::PreparedView{};
   grid_.remove(i);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/editing/edits.h"
 #include "core/registration/align.h"
 #include "core/registration/overlap_grid.h"
 #include "core/trajectory/trajectory.h"
@@ -42,14 +43,23 @@ struct IncomingView {
   registration::PreparedView prepared;  ///< sensor frame
 };
 
-/// A registered view. `placed` is the prepared view in the world frame.
+/// A registered view. `placed` is what serves of the prepared view, in the world frame.
 struct TrackedView {
-  AlignedView aligned;
+  AlignedView aligned;  ///< the whole view
   registration::PreparedView placed;
   /// Standard uncertainty of the pose in the worst of the six directions, when it was registered.
   /// NaN: not known. Infinite: the surface does not fix the pose.
   double uncertainty_mm = std::numeric_limits<double>::quiet_NaN();
   bool confirmed = false;  ///< off the path, but fits at its pose: not checked again
+  /// Of a view that edits have cut: what serves of it, and what was placed before. So undo brings
+  /// back the same bits.
+  std::shared_ptr<const View> part = nullptr;
+  std::optional<registration::PreparedView> placed_whole = std::nullopt;
+
+  /// What serves of it, see editing::serving_views().
+  [[nodiscard]] AlignedView serving() const {
+    return {part != nullptr ? part : aligned.view, aligned.T_world_sensor};
+  }
 };
 
 /// Registered views that share a world frame, that of their first view.
@@ -79,6 +89,9 @@ class TrackedScan {
   [[nodiscard]] double usual_rms_mm() const;
   /// True if the view comes so soon after the last that its pose can be predicted.
   [[nodiscard]] bool continues(double time_s) const;
+  /// From now on, only samples that these edits keep serve the registration. The edits are in the
+  /// world frame of this scan.
+  void set_edits(const editing::EditFilter& edits);
   /// Drops the points of a view. It keeps its pose, but no view is registered to it any more.
   void retire(std::size_t i);
   /// Changes the pose of view i.
@@ -109,6 +122,8 @@ class TrackedScan {
   /// Registers view i again, starting on the path; uses the new pose only if it is nearer to the
   /// path.
   void reregister(std::size_t i, const Isometry& T_world_curve);
+  void cut(TrackedView& view, const std::shared_ptr<const View>& serving) const;
+  void locate_extent(std::size_t i);
   [[nodiscard]] std::vector<const registration::PreparedView*> latest_views() const;
   [[nodiscard]] registration::Alignment align(
       const IncomingView& incoming, const std::vector<const registration::PreparedView*>& metaview,
@@ -117,6 +132,7 @@ class TrackedScan {
   TrackOptions options_;
   double radius_mm_;
   std::vector<TrackedView> views_;
+  editing::EditFilter edits_{editing::EditStack().state()};
   registration::OverlapGrid grid_;
   trajectory::Trajectory trajectory_;
   std::vector<double> rms_mm_;  ///< of the aligned views, in order

@@ -88,6 +88,41 @@ TEST_F(FinishScan, StopsInTheStageInWhichItIsCanceled) {
   }
 }
 
+TEST_F(FinishScan, WhatWasTrimmedAwayHasNoColorInTheModel) {
+  const auto middle_s = [](int view) { return (view + 0.5) / 30.0; };
+  constexpr int kLastBefore = kViews / 2 - 1;
+  editing::EditStack edits;
+  edits.push({editing::EditKind::kTrim,
+              scan_.views[kLastBefore].view->time_s,
+              {{Vec3f::Zero(), -Vec3f::UnitZ(), 3.0F}}});
+  ScannedViews scanned;
+  scanned.views = scan_.views;
+  scanned.calibration = &calibration_;
+  scanned.edits = edits.state();
+  Frame old_frame, new_frame;
+  old_frame.time_s = middle_s(2);
+  old_frame.image = cv::Mat(480, 640, CV_8UC3, cv::Scalar(200, 40, 40));
+  new_frame.time_s = middle_s(12);
+  new_frame.image = cv::Mat(480, 640, CV_8UC3, cv::Scalar(40, 40, 200));
+  scanned.texture_frames = {old_frame, new_frame};
+  FinishOptions options;
+  options.atlas.max_side_px = 512;
+  StageClock clock({});
+  const auto finished = finish_scan(scanned, options, Workers(1), {}, clock);
+  ASSERT_TRUE(finished.has_value()) << finished.error().message;
+  int inside = 0, red_inside = 0, red_outside = 0;
+  for (const SurfacePoint& point : finished->points) {
+    const bool is_inside = point.position_mm.norm() < 2.9F;
+    const bool is_red = point.color[0] > point.color[2];
+    inside += is_inside ? 1 : 0;
+    red_inside += is_inside && is_red ? 1 : 0;
+    red_outside += !is_inside && is_red ? 1 : 0;
+  }
+  EXPECT_GT(inside, 50);
+  EXPECT_EQ(red_inside, 0);
+  EXPECT_GT(red_outside, 100);
+}
+
 TEST_F(FinishScan, ATextureFrameOfTheWrongKindCostsOnlyItself) {
   for (const cv::Mat& wrong : {cv::Mat(480, 640, CV_8UC1, cv::Scalar(9)),
                                cv::Mat(240, 320, CV_8UC3, cv::Scalar(9, 9, 9))}) {

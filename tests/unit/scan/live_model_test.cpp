@@ -55,6 +55,18 @@ class LiveTexture : public ::testing::Test {
     model_.add(views);
     model_.add_texture({{}, FrameKind::kTexture, time_s + 0.1, cv::Mat(480, 640, CV_8UC3, color)});
   }
+  /// Builds the surface anew from views at these times, tilted except at 0 s.
+  void rebuild(const std::vector<double>& times_s) {
+    std::vector<AlignedView> views;
+    for (const double time_s : times_s) {
+      const double tilt_rad = time_s == 0.0 ? 0.0 : 0.2;
+      views.push_back(plane_view(Pattern::kVertical, time_s, tilt_rad));
+      views.push_back(plane_view(Pattern::kHorizontal, time_s + 0.2, tilt_rad));
+    }
+    model_.begin_rebuild(views, false);
+    while (model_.continue_rebuild()) {
+    }
+  }
   /// Of all shown surfels; nothing if they differ.
   std::optional<Rgb> color() {
     std::optional<Rgb> color;
@@ -116,6 +128,32 @@ TEST_F(LiveTexture, UndoBringsTheColorBack) {
   edits.undo();
   model_.set_edits(edits);
   EXPECT_EQ(color(), rgb(kRed));
+}
+
+TEST_F(LiveTexture, AFrameFromBeforeATrimColorsNothingThatIsSeenAfterIt) {
+  see(0.0, 0.0, kRed);
+  editing::EditStack edits;
+  edits.push({editing::EditKind::kTrim, 0.2, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 20.0F}}});
+  model_.set_edits(edits);
+  see(5.0, 0.2, kBlue);
+  // Both are kept, for undo.
+  EXPECT_EQ(model_.textures().size(), 2U);
+  ASSERT_TRUE(color().has_value());
+  for (const std::size_t c : {0, 1, 2}) EXPECT_NEAR((*color())[c], rgb(kBlue)[c], 3);
+  rebuild({0.0, 5.0});
+  ASSERT_TRUE(color().has_value());
+  for (const std::size_t c : {0, 1, 2}) EXPECT_NEAR((*color())[c], rgb(kBlue)[c], 3);
+}
+
+TEST_F(LiveTexture, ALockKeepsItsColor) {
+  see(0.0, 0.2, kRed);
+  const std::optional<Rgb> locked = color();
+  editing::EditStack edits;
+  edits.push({editing::EditKind::kLock, 0.2, {{Vec3f(5, 5, 0), Vec3f::UnitZ(), 20.0F}}});
+  model_.set_edits(edits);
+  see(5.0, 0.0, kBlue);
+  ASSERT_TRUE(locked.has_value());
+  EXPECT_EQ(color(), locked);
 }
 
 TEST_F(LiveTexture, ABetterFrameColorsTheSurfaceThatIsBuiltAnew) {

@@ -10,27 +10,20 @@
 #include <thread>
 
 #include "core/base/median.h"
-#include "tests/support/orthographic_calibration.h"
+#include "tests/support/steered_scan.h"
 #include "tests/support/wavy_scene.h"
 
 namespace flytri::scan {
 namespace {
 
+using testing::finish;
+using testing::make_scan;
+using testing::measurement_frame;
+using testing::offer;
 using testing::SceneSensor;
+using testing::steady_s;
 
-constexpr double kPeriod_s = 1.0 / 30.0;
-
-/// The path of the sensor: a slow loop over the scene.
-Isometry scan_pose(double time_s) {
-  Twist twist;
-  twist << 0.1 * std::sin(0.9 * time_s), 0.1 * std::cos(0.7 * time_s), 0.2 * std::sin(0.5 * time_s),
-      6.0 * std::sin(0.55 * time_s), 5.0 * std::cos(0.8 * time_s), 0.5 * std::sin(1.1 * time_s);
-  return exp_twist(twist);
-}
-
-double steady_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+constexpr double kPeriod_s = testing::kFramePeriod_s;
 
 /// What the sensor measures: nothing while it is away.
 class Scene {
@@ -44,7 +37,7 @@ class Scene {
     Random random(17, static_cast<std::uint64_t>(frame.index.value));
     measured.view =
         testing::measure_scene(testing::cusped_height, SceneSensor(), *pattern_of(frame.kind),
-                               shifted(scan_pose(frame.time_s), frame.time_s), random);
+                               shifted(testing::loop_pose(frame.time_s), frame.time_s), random);
     measured.view.frame = frame.index;
     measured.view.time_s = frame.time_s;
     return measured;
@@ -66,54 +59,21 @@ class Scene {
   }
 };
 
-Frame frame_at(int index) {
-  Frame frame;
-  frame.index = FrameIndex(index);
-  frame.time_s = index * kPeriod_s;
-  frame.kind = index % 2 == 0 ? FrameKind::kVertical : FrameKind::kHorizontal;
-  frame.image = cv::Mat::zeros(48, 64, CV_8UC1);
-  return frame;
-}
-
 LiveScanOptions options_for(const Scene& scene) {
-  LiveScanOptions options;
-  options.now_s = steady_s;
-  options.measure_frame = [scene](const Frame& frame) { return scene.measure(frame); };
-  options.max_frames_underway = 1000;  // a busy machine must not lose frames
-  options.max_views_waiting = 1000;
-  options.background = TaskThread::Priority::kNormal;
-  return options;
-}
-
-std::unique_ptr<LiveScan> make_scan(const LiveScanOptions& options, const KeptScan& kept = {}) {
-  auto calibration = std::make_shared<calibration::Calibration>(
-      testing::orthographic_calibration({20, 15, 15}, {64, 48}, 3.0));
-  return std::move(LiveScan::create(calibration, options, kept).value());
-}
-
-void offer(LiveScan& scan, int begin, int end) {
-  for (int i = begin; i < end; ++i) scan.offer(frame_at(i));
-  scan.wait_until_idle();
+  return testing::steered_options([scene](const Frame& frame) { return scene.measure(frame); });
 }
 
 /// RMS error of the poses over the radius of a view, relative to the first view.
 double pose_rms_mm(const std::vector<AlignedView>& views) {
   const Isometry T_scene_world =
-      scan_pose(views.front().view->time_s) * views.front().T_world_sensor.inverse();
+      testing::loop_pose(views.front().view->time_s) * views.front().T_world_sensor.inverse();
   double sum = 0.0;
   for (const AlignedView& view : views) {
     const double off_mm = trajectory::pose_distance_mm(T_scene_world * view.T_world_sensor,
-                                                       scan_pose(view.view->time_s), 7.0);
+                                                       testing::loop_pose(view.view->time_s), 7.0);
     sum += off_mm * off_mm;
   }
   return std::sqrt(sum / static_cast<double>(views.size()));
-}
-
-/// Finishes the scan, and waits for the end.
-std::shared_ptr<const ScanSnapshot> finish(LiveScan& scan) {
-  scan.finish();
-  scan.wait_until_idle();
-  return scan.snapshot();
 }
 
 TEST(LiveScan, BeforeTheStartItMeasuresButSavesNothing) {
@@ -158,7 +118,7 @@ TEST(LiveScan, ShowsTheLastViewsAfterTheModelWasBusy) {
   };
   const auto scan = make_scan(options);
   scan->start();
-  for (int i = 0; i < 30; ++i) scan->offer(frame_at(i));
+  for (int i = 0; i < 30; ++i) scan->offer(measurement_frame(i));
   const double end_s = steady_s() + 60.0;
   while (scan->snapshot()->counts.registered < 30 && steady_s() < end_s) std::this_thread::yield();
   gate.set_value();
@@ -171,7 +131,7 @@ TEST(LiveScan, SurfelsLieOnTheSurfaceWithItsNormals) {
   const auto scan = make_scan(options_for({}));
   scan->start();
   offer(*scan, 0, 90);
-  const Isometry T_scene_world = scan_pose(0.0);
+  const Isometry T_scene_world = testing::loop_pose(0.0);
   double sum2 = 0.0;
   std::vector<double> cosines;
   for (const auto& block : scan->snapshot()->model) {

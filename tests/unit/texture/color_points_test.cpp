@@ -52,6 +52,15 @@ TEST(ColorPoints, HiddenPointsAreNotColored) {
   EXPECT_EQ(points[1].color, kUntexturedColor);
 }
 
+TEST(ColorPoints, AFrameColorsOnlyWhereItServes) {
+  TextureFrame old = frame_of({10, 200, 10});
+  old.serves = [](const Vec3f& position_mm, const Vec3f&) { return position_mm.x() < 0.0F; };
+  PointCloud points = {point_at(-5, 0, 0), point_at(5, 0, 0)};
+  color(points, {old, frame_of({200, 10, 10})});
+  EXPECT_NE(points[0].color, (Rgb{200, 10, 10}));
+  EXPECT_EQ(points[1].color, (Rgb{200, 10, 10}));
+}
+
 TEST(ColorPoints, AHighlightGivesWayToAnotherFrame) {
   PointCloud points = {point_at(0, 0, 0)};
   color(points, {frame_of({120, 60, 30}), frame_of({220, 200, 190})});

@@ -101,6 +101,39 @@ TEST(Registrar, EveryRunGivesTheSameBits) {
   }
 }
 
+TEST(Registrar, AnEditThatIsUndoneLeavesNoTrace) {
+  const auto run = [](bool is_edited) {
+    Registrar registrar = Registrar::create().value();
+    for (int frame = 0; frame < 20; ++frame)
+      registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+    if (is_edited) {
+      editing::EditStack edits;
+      edits.push({editing::EditKind::kTrim, 1.0, {{Vec3f::Zero(), -Vec3f::UnitZ(), 5.0F}}});
+      const std::size_t all = registrar.serving_views().size();
+      const auto points = [&] {
+        std::size_t count = 0;
+        for (const AlignedView& view : registrar.serving_views()) count += view.view->point_count();
+        return count;
+      };
+      const std::size_t before = points();
+      registrar.set_edits(edits.state());
+      EXPECT_EQ(registrar.serving_views().size(), all);
+      EXPECT_LT(points(), before - 1000);
+      edits.undo();
+      registrar.set_edits(edits.state());
+      EXPECT_EQ(points(), before);
+    }
+    for (int frame = 20; frame < 40; ++frame)
+      registrar.add(scene_view(frame, hand_pose(frame / 30.0), {}));
+    return registrar.finish();
+  };
+  const auto edited = run(true), not_edited = run(false);
+  for (std::size_t i = 0; i < edited.size(); ++i) {
+    EXPECT_EQ(edited[i].fate, ViewFate::kRegistered);
+    EXPECT_TRUE(edited[i].T_world_sensor.matrix() == not_edited[i].T_world_sensor.matrix());
+  }
+}
+
 TEST(Registrar, NeverResumesAtAnUnknownPlace) {
   const testing::HeightField elsewhere = [](double x, double y) {
     return testing::cusped_height(y + 41.0, 23.0 - x);
