@@ -12,6 +12,7 @@ void set_up_command_line(CLI::App& app, Invocation& invocation) {
   add_reconstruct_command(app, invocation);
   add_export_command(app, invocation);
   add_occlude_command(app, invocation);
+  add_review_command(app, invocation);
   add_rescue_command(app, invocation);
   add_journal_command(app, invocation);
   add_evaluate_command(app, invocation);

@@ -69,7 +69,7 @@ expect 'nothing to calibrate' 1 '--live' "$flytri" calibrate
 
 # Exit codes of usage.
 for command in '' simulate 'simulate recording' 'simulate calibration-set' calibrate reconstruct \
-  evaluate demo app devices record export occlude make 'make slides' 'make target' 'make board' design; do
+  evaluate demo app devices record export occlude review make 'make slides' 'make target' 'make board' design; do
   # shellcheck disable=SC2086  # the words of a command
   expect "help: $command" 0 'Usage' "$flytri" $command --help
 done
