@@ -186,14 +186,12 @@ FLYTRI_TEXT(kLeaveText, "Not everything is saved, and what is not is lost: {0}",
             "Tout n’est pas enregistré, et le reste sera perdu : {0}",
             "No todo está guardado, y el resto se pierde: {0}")
 FLYTRI_TEXT(kAskLeaveExport, "Leave before the export is written?",
-            "Beenden, bevor der Export geschrieben ist?",
-            "Quitter avant la fin de l’exportation ?",
+            "Beenden, bevor der Export geschrieben ist?", "Quitter avant la fin de l’exportation ?",
             "¿Salir antes de que termine la exportación?")
-FLYTRI_TEXT(
-    kLeaveExportText,
-    "The files of the export are still being written. If you leave now, they are missing.",
-    "Die Dateien des Exports werden noch geschrieben. Wenn Sie jetzt beenden, fehlen sie.",
-    "Les fichiers de l’exportation sont en cours d’écriture. Si vous quittez maintenant, "
-    "ils manqueront.",
-    "Los archivos de la exportación se están escribiendo. Si sale ahora, faltarán.")
+FLYTRI_TEXT(kLeaveExportText,
+            "The files of the export are still being written. If you leave now, they are missing.",
+            "Die Dateien des Exports werden noch geschrieben. Wenn Sie jetzt beenden, fehlen sie.",
+            "Les fichiers de l’exportation sont en cours d’écriture. Si vous quittez maintenant, "
+            "ils manqueront.",
+            "Los archivos de la exportación se están escribiendo. Si sale ahora, faltarán.")
 FLYTRI_TEXT(kLeave, "Leave", "Verlassen", "Quitter quand même", "Salir igualmente")
