@@ -186,7 +186,7 @@ FLYTRI_TEXT(kLeaveText, "Not everything is saved, and what is not is lost: {0}",
             "Tout n’est pas enregistré, et le reste sera perdu : {0}",
             "No todo está guardado, y el resto se pierde: {0}")
 FLYTRI_TEXT(kAskLeaveExport, "Leave before the export is written?",
-            "Beenden, bevor der Export geschrieben ist?", "Quitter avant la fin de l’exportation ?",
+            "Beenden, bevor der Export geschrieben ist?", "Quitter avant la fin de l’exportation ?",
             "¿Salir antes de que termine la exportación?")
 FLYTRI_TEXT(kLeaveExportText,
             "The files of the export are still being written. If you leave now, they are missing.",
