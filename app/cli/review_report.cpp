@@ -17,8 +17,8 @@ using ReviewJson = nlohmann::ordered_json;
 
 constexpr int kReviewVersion = 1;
 constexpr double kReviewDegreesOfRad = 180.0 / std::numbers::pi;
-/// Depths for which the report says how much of the undercut is deeper. The last three are those of
-/// the gauges of a surveyor: 0.01, 0.02 and 0.03 inches.
+/// The report says how much of the undercut is deeper than each of these. The last three are the
+/// gauges of a dental surveyor: 0.01, 0.02 and 0.03 inches.
 constexpr std::array kDepths_mm = {0.01, 0.05, 0.1, 0.25, 0.5, 0.75};
 /// Depth that is wholly red in the map.
 constexpr float kRed_mm = 0.5F;

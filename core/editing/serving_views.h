@@ -10,13 +10,11 @@
 
 namespace flytri::editing {
 
-/// What of these views serves: poses, colors and the model must ask for no more. A view of which
-/// all is kept is the same object; of another a copy with the samples that are kept. A profile that
-/// an edit interrupts is two profiles; a view may be left without any.
+/// Removes the samples that the edits cut. A view that loses nothing stays the same object. A cut
+/// in the middle of a profile makes two profiles of it; a view may lose all.
 ///
-/// A brush reaches only what faces it, so a sample needs a normal. It is that of the profiles
-/// around which were seen between the same two edits: what was seen before an edit is then cut in
-/// the same way whatever is scanned later.
+/// A brush only reaches surface that faces it, so each sample needs a normal. Only views from
+/// between the same two edits give it: later scanning does not change what an edit cut.
 /// @return  parallel to the views, with their poses
 [[nodiscard]] std::vector<AlignedView> serving_views(std::span<const AlignedView> views,
                                                      const EditFilter& edits,

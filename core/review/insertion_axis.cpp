@@ -42,9 +42,8 @@ struct AxisCost {
   double cost_mm2 = 0.0;
 };
 
-/// Half of a cylinder is hidden for every axis but its own. So what leans back only a little counts
-/// little, and each hidden triangle counts once more as the viewer sees it: the more an axis is
-/// off, the larger the cost.
+/// The smallest tilt hides half of a cylinder. So surface that leans back a little counts little,
+/// and each hidden triangle also counts by the area that the viewer sees: a larger tilt costs more.
 AxisCost cost_of(const TriangleMesh& mesh, const Vec3& axis) {
   const AxisView view(mesh, axis);
   AxisCost sum;

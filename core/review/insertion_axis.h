@@ -27,9 +27,9 @@ struct InsertionAxis {
 /// Zero for a closed surface.
 [[nodiscard]] Vec3 mean_normal(const TriangleMesh& mesh);
 
-/// Tries axes over the whole cone, then twice more finely around the best. What leans back by less
-/// than a degree counts less, and deeper undercuts count more, so that of axes with the same area
-/// the one is taken that is the least off.
+/// Tries axes over the whole cone, then twice in finer steps around the best. Surface that leans
+/// back by less than a degree counts less, deeper undercut counts more. This decides between axes
+/// with the same area.
 /// @param start  the axis of the cone, of any length above 0
 /// @errors  kBadOption; kInsufficient: no triangles.
 [[nodiscard]] Result<InsertionAxis> find_insertion_axis(const TriangleMesh& mesh, const Vec3& start,

@@ -34,9 +34,9 @@ void set_uncertainty(TriangleMesh& mesh, double sigma_mm);
 /// @source  JCGM 100:2008 (GUM), equation (10): errors are small and independent.
 [[nodiscard]] Measured distance_mm(const MeasuredPoint& a, const MeasuredPoint& b);
 
-/// The angle at `apex` between the directions to a and b, rad, 0..pi, from the gradients g of the
-/// angle by the three places: u^2 = sum of sigma_i^2 |g_i|^2. Points in one place have an angle of
-/// 0 and an unknown uncertainty.
+/// The angle at `apex` between the directions to a and b, rad, 0..pi. u^2 = sum of
+/// sigma_i^2 |g_i|^2, with the gradient g_i of the angle by each place. Where two places are the
+/// same, the angle is 0 and its uncertainty unknown.
 /// @source  As distance_mm.
 [[nodiscard]] Measured angle_rad(const MeasuredPoint& a, const MeasuredPoint& apex,
                                  const MeasuredPoint& b);

@@ -17,8 +17,8 @@ bool is_same_place(const MeasuredPoint& a, const MeasuredPoint& b) {
   return (a.position_mm - b.position_mm).squaredNorm() < kSamePlace_mm * kSamePlace_mm;
 }
 
-/// Drops repeated points, and ways that lead back on themselves: there the surface only touches the
-/// plane.
+/// Drops repeated points, and lines that go out and back the same way: there the surface only
+/// touches the plane.
 void clean(Polyline& line) {
   std::vector<MeasuredPoint> kept;
   for (const MeasuredPoint& point : line.points) {

@@ -23,17 +23,16 @@ struct Polyline {
 
 /// The polyline's length.
 ///
-/// With unit tangents t before and after a point, it changes by (t_before - t_after) e for an error
-/// e: u^2 = sum of sigma_i^2 |t_before - t_after|^2.
+/// u^2 = sum of sigma_i^2 |t_before - t_after|^2, with unit tangents t on both sides of a point.
 /// @source  JCGM 100:2008 (GUM), equation (10). Noise also makes a line longer than the true one;
 ///          that is not in u.
 [[nodiscard]] Measured length_mm(const Polyline& line);
 
 /// Outlines of a section, the longest first.
 ///
-/// Seen against the normal of the plane, an outline runs counterclockwise around what is solid. The
+/// If the normal of the plane points at you, an outline runs counterclockwise around the solid. The
 /// sigma of a point is that of the surface along its normal, divided by the sine of the angle
-/// between the surface and the plane: unknown where they only touch.
+/// between surface and plane. It is unknown where they only touch.
 using Section = std::vector<Polyline>;
 
 /// Cuts the mesh. A vertex on the plane counts as above it, so that each outline is whole: a flat

@@ -123,9 +123,9 @@ class Registrar {
   /// Empty if tracking is not lost.
   [[nodiscard]] const LostSensor& lost_sensor() const { return lost_sensor_; }
 
-  /// From now on, only samples that these edits keep serve the registration. Takes
-  /// time for each view that an edit cuts. The edits are in the world frame of the scan: no
-  /// other submap becomes the scan any more.
+  /// From now on, views are registered only to samples that these edits keep. Takes time for each
+  /// view that an edit cuts. The edits are in the world frame of the scan: no other submap becomes
+  /// the scan any more.
   void set_edits(const editing::EditList& edits);
 
   /// The views registered so far, in the world frame of the scan, without retired ones.
