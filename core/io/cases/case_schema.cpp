@@ -4,15 +4,16 @@
 #include <system_error>
 #include <utility>
 
+#include "core/io/cases/lost_start.h"
+#include "core/io/files/file_bytes.h"
+
 namespace flytri::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// "flyt": the mark of a case among SQLite databases.
-constexpr std::int64_t kApplicationId = 0x666c7974;
 /// Version 1 had no journal. Such a case gets one when it is opened to be written.
-constexpr std::int64_t kCaseVersion = 2, kWithoutJournal = 1;
+constexpr std::int64_t kWithoutJournal = 1;
 
 // The defaults differ between releases of the library. Fixed numbers let a case open with all of
 // them. Older releases ignore cipher_compatibility.
@@ -95,7 +96,7 @@ Result<std::int64_t> check_version(SqliteDatabase& database) {
   if (!application) return tl::unexpected(application.error());
   const auto version = database.integer("PRAGMA user_version");
   if (!version) return tl::unexpected(version.error());
-  if (*application != kApplicationId) {
+  if (*application != kCaseApplicationId) {
     return fail(ErrorCode::kBadFormat, "{}: is a database, but not a flytri case", database.name());
   }
   if (*version > kCaseVersion) {
@@ -130,8 +131,8 @@ Result<void> add_journal(SqliteDatabase& database, SqliteAccess access) {
 
 /// Opens an existing file and checks its version and tables.
 Result<SqliteDatabase> try_open(const fs::path& path, const Secret& passphrase, SqliteAccess access,
-                                const char* more_setup) {
-  Result<SqliteDatabase> database = SqliteDatabase::open(path, access);
+                                const char* more_setup, const char* file_system = nullptr) {
+  Result<SqliteDatabase> database = SqliteDatabase::open(path, access, file_system);
   if (!database) return database;
   const auto version = set_up(*database, passphrase)
                            .and_then([&] { return database->run(more_setup); })
@@ -177,6 +178,33 @@ Result<CaseDatabase> open_with(const fs::path& path, const Secret& passphrase, b
   return salvaged;
 }
 
+/// The first page of a new case.
+Result<std::string> fresh_start() {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  Result<AtomicFile> file = AtomicFile::create(folder / "case.flytri", Access::kOwnerOnly);
+  if (!file) return tl::unexpected(file.error());
+  return fill_case_database(file->temporary(), Secret()).and_then([&] {
+    return read_file(file->temporary());
+  });
+}
+
+/// Reads a case with the first page of a new one, so that what its own says is not used.
+/// @param why  its own cannot be used
+Result<CaseDatabase> open_without_start(const fs::path& path, const Error& why) {
+  const Result<std::string> start = fresh_start();
+  if (!start) return tl::unexpected(start.error());
+  std::string damage =
+      why.code == ErrorCode::kInconsistent
+          ? fmt::format("{}: damaged: the start of the file was overwritten", path.string())
+          : why.message;
+  return try_open(path, Secret(), reading_access(path), kSalvageSetup,
+                  file_system_with_start(*start))
+      .map([&](SqliteDatabase&& database) {
+        return CaseDatabase{std::move(database), Secret(), true, {std::move(damage)}};
+      });
+}
+
 Result<void> check_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -195,6 +223,10 @@ Result<void> check_file(const fs::path& path) {
   return {};
 }
 
+bool is_unreadable(const Error& error) {
+  return error.code == ErrorCode::kInconsistent || error.code == ErrorCode::kBadFormat;
+}
+
 }  // namespace
 
 tl::unexpected<Error> under_final_name(Error error, const AtomicFile& file) {
@@ -210,7 +242,7 @@ Result<void> fill_case_database(const fs::path& path, const Secret& passphrase) 
   if (!database) return tl::unexpected(database.error());
   const std::string sql =
       fmt::format("BEGIN; {} PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;",
-                  joined(schema_sql(kCaseVersion)), kApplicationId, kCaseVersion);
+                  joined(schema_sql(kCaseVersion)), kCaseApplicationId, kCaseVersion);
   return set_up(*database, passphrase)
       .and_then([&] { return database->run(kPageSetup); })
       .and_then([&] { return database->run(kNewSetup); })
@@ -245,14 +277,18 @@ Result<CaseDatabase> create_case_database(const fs::path& path, const Secret& pa
 Result<CaseDatabase> open_case_database(const fs::path& path, const CaseOptions& options) {
   if (Result<void> there = check_file(path); !there) return tl::unexpected(there.error());
   Result<CaseDatabase> database = open_with(path, options.passphrase, options.read_only);
-  if (database || database.error().code != ErrorCode::kInconsistent) return database;
+  if (!database && database.error().code == ErrorCode::kInconsistent &&
+      !options.passphrase.empty()) {
+    database = open_with(path, Secret(), options.read_only);
+  }
+  if (database || !is_unreadable(database.error())) return database;
+  if (has_lost_start(path)) return open_without_start(path, database.error());
+  if (database.error().code != ErrorCode::kInconsistent) return database;
   if (options.passphrase.empty()) {
     return fail(ErrorCode::kInconsistent,
                 "{}: is encrypted, damaged at its start, or not a case; give its passphrase",
                 path.string());
   }
-  database = open_with(path, Secret(), options.read_only);
-  if (database || database.error().code != ErrorCode::kInconsistent) return database;
   return fail(ErrorCode::kInconsistent,
               "{}: the passphrase is wrong, or the start of the file is damaged", path.string());
 }

@@ -137,13 +137,13 @@ std::string_view SqliteStatement::bytes(int column) const {
 
 void SqliteDatabase::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
-Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path,
-                                            SqliteAccess access) {
+Result<SqliteDatabase> SqliteDatabase::open(const std::filesystem::path& path, SqliteAccess access,
+                                            const char* file_system) {
   const int flags =
       access == SqliteAccess::kReadWrite ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY;
   sqlite3* opened = nullptr;
-  const int code =
-      sqlite3_open_v2(sqlite_uri(path, access).c_str(), &opened, flags | SQLITE_OPEN_URI, nullptr);
+  const int code = sqlite3_open_v2(sqlite_uri(path, access).c_str(), &opened,
+                                   flags | SQLITE_OPEN_URI, file_system);
   SqliteDatabase database(opened, path.string());
   if (code != SQLITE_OK) return sqlite_failure(code, path.string(), {});
   sqlite3_extended_result_codes(opened, 1);

@@ -61,8 +61,10 @@ class SqliteDatabase {
  public:
   /// Opens an existing file, but reads nothing yet. The connection is hardened against crafted
   /// files: small limits, and where the library can, no trust in the schema.
+  /// @param file_system  that SQLite has registered under this name; null: the system's
   [[nodiscard]] static Result<SqliteDatabase> open(const std::filesystem::path& path,
-                                                   SqliteAccess access);
+                                                   SqliteAccess access,
+                                                   const char* file_system = nullptr);
   /// Sets the passphrase. Call it before anything else.
   /// @errors  Also kInconsistent: this library cannot encrypt.
   [[nodiscard]] Result<void> set_key(std::string_view passphrase);

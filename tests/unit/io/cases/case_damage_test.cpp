@@ -20,6 +20,7 @@ namespace flytri::io {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using testing::same_bits;
 using testing::sample_edit;
@@ -211,7 +212,7 @@ TEST(CaseDamage, RefusesOtherDatabasesAndLeavesThemUnchanged) {
   EXPECT_EQ(read_file(path).value(), before);
 }
 
-TEST(CaseDamage, RefusesOtherTablesAndTriggers) {
+TEST(CaseDamage, OtherTablesAndTriggersAreNotUsed) {
   const TemporaryFolder folder;
   const fs::path path = folder / "a.flytri";
   (void)case_bytes(path);
@@ -220,9 +221,12 @@ TEST(CaseDamage, RefusesOtherTablesAndTriggers) {
     ASSERT_TRUE(
         database.run("CREATE TRIGGER t AFTER INSERT ON views BEGIN DELETE FROM views; END"));
   }
-  const Result<CaseFile> file = CaseFile::open(path);
-  ASSERT_FALSE(file);
-  EXPECT_THAT(file.error().message, HasSubstr("tables are not those of a case"));
+  Result<CaseFile> file = CaseFile::open(path);
+  ASSERT_TRUE(file);
+  EXPECT_THAT(file->damage(), Contains(HasSubstr("tables are not those of a case")));
+  EXPECT_TRUE(file->is_read_only());
+  EXPECT_FALSE(file->append_view(ScanStage::kUpper, view_of(99)));
+  EXPECT_EQ(file->load_stage(ScanStage::kUpper)->views.size(), kViews);
 }
 
 TEST(CaseDamage, RefusesFilesThatAreNotCases) {

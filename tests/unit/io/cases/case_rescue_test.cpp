@@ -16,6 +16,7 @@ namespace flytri::io {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -172,10 +173,74 @@ TEST(CaseRescue, EveryPageOverwrittenCostsWhatItHeld) {
     overwrite(path, with_noise(whole, page * kPageSize, kPageSize, random));
     try_rescue(path, {}, count);
   }
-  // The first page has the header and the list of tables.
-  EXPECT_EQ(count.opened, static_cast<int>(pages) - 1);
+  EXPECT_EQ(count.opened, static_cast<int>(pages));
   EXPECT_GT(count.views, (pages - 1) * 2 * kScannedViews * 9 / 10);
   EXPECT_GT(count.models, (pages - 1) * 2 * 8 / 10);
+}
+
+TEST(CaseRescue, AnOverwrittenStartCostsNoRecord) {
+  const TemporaryFolder folder;
+  const std::string whole = whole_case(folder / "whole.flytri");
+  const fs::path path = folder / "a.flytri";
+  Random random(34);
+  for (const std::size_t size : {std::size_t{16}, std::size_t{512}, std::size_t{4096}, kPageSize}) {
+    SCOPED_TRACE(size);
+    overwrite(path, with_noise(whole, 0, size, random));
+    RescueCount count;
+    try_rescue(path, {}, count);
+    EXPECT_EQ(count.views, 2U * kScannedViews);
+    EXPECT_EQ(count.models, 2U);
+    const CaseFile damaged = CaseFile::open(path, {.passphrase = Secret("typed")}).value();
+    EXPECT_TRUE(damaged.is_read_only());
+    EXPECT_THAT(damaged.damage(), Contains(HasSubstr("the start of the file was overwritten")));
+    EXPECT_EQ(read_file(path).value().substr(size), whole.substr(size));
+  }
+}
+
+TEST(CaseRescue, AnOverwrittenStartIsFoundBesideALog) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "a.flytri";
+  (void)whole_case(path);
+  CaseFile file = CaseFile::open(path).value();
+  expect_success(file.append_view(ScanStage::kLower, scanned_view(0)));
+  expect_success(file.commit());
+  // As after a killed program: the log has what was written last.
+  for (const char* ending : {"", "-wal"}) {
+    fs::copy_file(path.string() + ending, (folder / "b.flytri").string() + ending);
+  }
+  Random random(35);
+  ASSERT_TRUE(
+      write_file(folder / "b.flytri", with_noise(read_file(path).value(), 0, kPageSize, random)));
+  RescueCount count;
+  try_rescue(folder / "b.flytri", {}, count);
+  EXPECT_EQ(count.views, 2U * kScannedViews + 1);
+}
+
+TEST(CaseRescue, AnEncryptedCaseWithoutStartIsLost) {
+  const TemporaryFolder folder;
+  const std::string whole = whole_case(folder / "whole.flytri", "key");
+  Random random(36);
+  overwrite(folder / "a.flytri", with_noise(whole, 0, kPageSize, random));
+  for (const char* const passphrase : {"", "key"}) {
+    const auto opened = CaseFile::open(folder / "a.flytri", {.passphrase = Secret(passphrase)});
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().code, ErrorCode::kInconsistent);
+  }
+}
+
+TEST(CaseRescue, OtherDatabasesAreNotTakenForCasesWithoutStart) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "a.flytri";
+  const std::string whole = whole_case(path);
+  constexpr std::size_t kVersionAt = 63, kApplicationAt = 68;
+  for (const std::size_t at : {kVersionAt, kApplicationAt}) {
+    std::string bytes = whole;
+    bytes[at] = '\x77';
+    overwrite(path, bytes);
+    const auto opened = CaseFile::open(path);
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().message, HasSubstr(at == kVersionAt ? "newer" : "not a flytri"));
+  }
 }
 
 TEST(CaseRescue, SurvivesOverwrittenPartsOfAnySize) {
