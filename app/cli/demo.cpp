@@ -16,6 +16,7 @@
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/former_file.h"
 #include "core/io/files/png.h"
+#include "core/io/models/model.h"
 #include "core/io/models/model_formats.h"
 #include "core/io/recordings/recording.h"
 #include "core/reconstruct/reconstruct.h"
@@ -55,7 +56,7 @@ Result<void> write_results(const DemoArguments& arguments,
   print_density(*model);
   for (const io::ModelFormat& format : io::model_formats()) {
     const fs::path file = folder / (std::string(kModelName) + std::string(format.extension));
-    if (auto written = write_result(file, *model); !written) return written;
+    if (auto written = io::write_model(file, model->model, model->uncut); !written) return written;
     print_out("wrote {}\n", file.string());
   }
   simulated::PictureOptions options;

@@ -50,7 +50,7 @@ Result<void> write_all(const ExportArguments& arguments, const KeptModel& kept,
   if (!lighter) return tl::unexpected(lighter.error());
   print_density(*lighter);
   for (const fs::path& output : arguments.outputs) {
-    if (auto done = write_result(output, *lighter); !done) return done;
+    if (auto done = io::write_model(output, lighter->model, lighter->uncut); !done) return done;
     written.push_back(output);
     print_out("wrote {}\n", output.string());
   }

@@ -1,32 +1,23 @@
 #include "app/cli/export_jaws.h"
 
-#include <fmt/format.h>
-
-#include <array>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "app/cli/case_part.h"
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
-#include "core/evaluation/surface_error.h"
-#include "core/io/files/file_bytes.h"
-#include "core/io/models/glb.h"
-#include "core/occlusion/occlude.h"
-#include "core/occlusion/patient_frame.h"
+#include "core/reconstruct/patient_jaws.h"
 
 namespace flytri::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A finished stage, and where it lies.
+/// A finished stage of the case.
 struct Jaw {
   io::ScanStage stage;
   Part part;
-  Isometry T_patient_world = Isometry::Identity();
 };
 
 Result<std::vector<Jaw>> load_jaws(io::CaseFile& file) {
@@ -45,110 +36,58 @@ Result<std::vector<Jaw>> load_jaws(io::CaseFile& file) {
               file.path().string());
 }
 
-Jaw* jaw_of(std::vector<Jaw>& jaws, io::ScanStage stage) {
-  for (Jaw& jaw : jaws) {
-    if (jaw.stage == stage) return &jaw;
+Result<reconstruct::JawPlaces> places_of(const std::vector<Jaw>& jaws, const Progress& progress) {
+  std::vector<reconstruct::FinishedJaw> finished;
+  finished.reserve(jaws.size());
+  for (const Jaw& jaw : jaws) finished.push_back({jaw.stage, jaw.part.name, &jaw.part.surface});
+  Result<reconstruct::JawPlaces> places = reconstruct::place_jaws(finished, Workers(), progress);
+  if (places && !places->are_closed && jaws.size() > 1) {
+    print_error(
+        "flytri: warning: the jaws do not lie as they bite, each is in its own occlusal plane: "
+        "finish the scans of the upper jaw, the lower jaw and the bite\n");
   }
-  return nullptr;
+  return places;
 }
 
-/// Lays the jaws as they bite, in the frame of the patient.
-Result<void> place_jaws(std::vector<Jaw>& jaws, const Progress& progress) {
-  Jaw* const upper = jaw_of(jaws, io::ScanStage::kUpper);
-  Jaw* const lower = jaw_of(jaws, io::ScanStage::kLower);
-  Jaw* const bite = jaw_of(jaws, io::ScanStage::kBite);
-  if (upper != nullptr)
-    upper->T_patient_world = occlusion::T_patient_jaw(upper->part.surface, JawKind::kUpper);
-  if (lower != nullptr)
-    lower->T_patient_world = occlusion::T_patient_jaw(lower->part.surface, JawKind::kLower);
-  if (upper == nullptr || lower == nullptr || bite == nullptr) {
-    if (jaws.size() > 1) {
-      print_error(
-          "flytri: warning: the jaws do not lie as they bite, each is in its own occlusal plane: "
-          "finish the scans of the upper jaw, the lower jaw and the bite\n");
-    }
-    return {};
-  }
-  const std::array bites = {occlusion::BiteScan{bite->part.name, bite->part.surface.vertices}};
-  const auto occlusion = occlusion::find_occlusion(upper->part.surface, lower->part.surface, bites,
-                                                   {}, Workers(), progress);
-  if (!occlusion) return tl::unexpected(occlusion.error());
-  lower->T_patient_world = upper->T_patient_world * occlusion->T_upper_lower;
-  bite->T_patient_world = upper->T_patient_world * occlusion->bites.front().T_upper_bite;
-  return {};
-}
-
-bool holds_all_jaws(const fs::path& output) { return output.extension() == ".glb"; }
-
-/// NAME.stl and upper: NAME-upper.stl.
-fs::path path_of(const fs::path& output, io::ScanStage stage) {
-  fs::path path = output;
-  path.replace_filename(fmt::format("{}-{}{}", output.stem().string(), to_string(stage),
-                                    output.extension().string()));
-  return path;
-}
-
-std::vector<fs::path> files_of(const JawsExport& wanted, const std::vector<Jaw>& jaws) {
-  std::vector<fs::path> files;
+std::vector<fs::path> models_of(const JawsExport& wanted, const std::vector<Jaw>& jaws) {
+  std::vector<io::ScanStage> stages;
+  stages.reserve(jaws.size());
+  for (const Jaw& jaw : jaws) stages.push_back(jaw.stage);
+  std::vector<fs::path> models;
   for (const fs::path& output : wanted.outputs) {
-    if (holds_all_jaws(output)) {
-      files.push_back(output);
-      continue;
-    }
-    for (const Jaw& jaw : jaws) files.push_back(path_of(output, jaw.stage));
+    for (fs::path& model : reconstruct::jaw_models(output, stages))
+      models.push_back(std::move(model));
   }
-  return files;
+  return models;
 }
-
-using PlacedModel = std::pair<io::ScanStage, reconstruct::ModelAtDensity>;
 
 /// The jaws in the density and the frame in which they are written.
-Result<std::vector<PlacedModel>> placed_models(const std::vector<Jaw>& jaws,
-                                               reconstruct::MeshDensity density,
-                                               const Progress& progress) {
+Result<std::vector<reconstruct::PatientJaw>> patient_jaws(const std::vector<Jaw>& jaws,
+                                                          const reconstruct::JawPlaces& places,
+                                                          reconstruct::MeshDensity density,
+                                                          const Progress& progress) {
   progress.begin_stage(reconstruct::kThinningTriangles, jaws.size());
-  std::vector<PlacedModel> models;
+  std::vector<reconstruct::PatientJaw> placed;
   for (const Jaw& jaw : jaws) {
     Result<reconstruct::ModelAtDensity> model =
         reconstruct::at_density(jaw.part.model, density, progress);
     if (!model) return tl::unexpected(model.error());
     print_density(*model);
-    model->model.mesh = evaluation::transformed(model->model.mesh, jaw.T_patient_world);
-    model->uncut = evaluation::transformed(model->uncut, jaw.T_patient_world);
-    models.emplace_back(jaw.stage, *std::move(model));
+    placed.push_back(reconstruct::in_patient(jaw.stage, *std::move(model), places));
   }
-  return models;
-}
-
-Result<void> write_scene(const fs::path& output, const std::vector<PlacedModel>& models) {
-  std::vector<io::NamedModel> named;
-  named.reserve(models.size());
-  for (const auto& [stage, model] : models)
-    named.push_back({std::string(to_string(stage)), &model.model});
-  const Result<std::string> glb =
-      io::encode_glb_scene(named, output.string(), io::GlbAxes::kPatient);
-  if (!glb) return tl::unexpected(glb.error());
-  return io::write_file(output, *glb, io::Access::kOwnerOnly);
+  return placed;
 }
 
 /// @param written  gets the files that are complete
-Result<void> write_all_jaws(const JawsExport& wanted, const std::vector<PlacedModel>& models,
+Result<void> write_all_jaws(const JawsExport& wanted,
+                            const std::vector<reconstruct::PatientJaw>& jaws,
                             std::vector<fs::path>& written) {
-  const auto note = [&](const fs::path& file) {
-    written.push_back(file);
-    print_out("wrote {}\n", file.string());
-  };
   for (const fs::path& output : wanted.outputs) {
-    if (holds_all_jaws(output)) {
-      if (auto done = write_scene(output, models); !done) return done;
-      note(output);
-      continue;
-    }
-    for (const auto& [stage, model] : models) {
-      const fs::path path = path_of(output, stage);
-      if (auto done = write_result(path, model); !done) return done;
-      note(path);
-    }
+    const std::size_t before = written.size();
+    const Result<void> done = reconstruct::write_jaws(output, jaws, written);
+    for (std::size_t i = before; i < written.size(); ++i)
+      print_out("wrote {}\n", written[i].string());
+    if (!done) return done;
   }
   return {};
 }
@@ -160,13 +99,14 @@ Result<void> export_jaws(const JawsExport& wanted, CaseAccess& access, const Pro
   if (!file) return tl::unexpected(file.error());
   Result<std::vector<Jaw>> jaws = load_jaws(*file);
   if (!jaws) return tl::unexpected(jaws.error());
-  if (auto checked = check_output_files(files_of(wanted, *jaws), {}, wanted.force); !checked)
+  if (auto checked = check_output_files(models_of(wanted, *jaws), {}, wanted.force); !checked)
     return checked;
-  if (auto placed = place_jaws(*jaws, progress); !placed) return placed;
-  const Result<std::vector<PlacedModel>> models = placed_models(*jaws, wanted.density, progress);
-  if (!models) return tl::unexpected(models.error());
+  const Result<reconstruct::JawPlaces> places = places_of(*jaws, progress);
+  if (!places) return tl::unexpected(places.error());
+  const auto placed = patient_jaws(*jaws, *places, wanted.density, progress);
+  if (!placed) return tl::unexpected(placed.error());
   std::vector<fs::path> written;
-  Result<void> done = write_all_jaws(wanted, *models, written);
+  Result<void> done = write_all_jaws(wanted, *placed, written);
   if (!written.empty()) access.note(io::CaseAction::kExported, std::nullopt, written);
   return done;
 }

@@ -46,6 +46,7 @@ fs::path slide_path(const fs::path& output, Pattern pattern) {
 
 Result<void> make_slides(const MakeArguments& arguments) {
   std::vector<fs::path> paths;
+  paths.reserve(kPatterns.size());
   for (const Pattern pattern : kPatterns) paths.push_back(slide_path(arguments.output, pattern));
   if (auto checked = check_drawing_files(paths, arguments.force); !checked) return checked;
   const auto sensor = arguments.sensor();

@@ -55,7 +55,7 @@ Result<void> write_outputs(const ReconstructArguments& arguments,
     print_out("wrote {}\n", file.string());
   };
   for (const fs::path& output : arguments.outputs) {
-    if (auto done = write_result(output, *model); !done) return done;
+    if (auto done = io::write_model(output, model->model, model->uncut); !done) return done;
     note(output);
   }
   if (!arguments.points.empty()) {

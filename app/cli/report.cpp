@@ -160,12 +160,6 @@ void print_density(const reconstruct::ModelAtDensity& model) {
             1e3 * model.rms_mm);
 }
 
-Result<void> write_result(const std::filesystem::path& path,
-                          const reconstruct::ModelAtDensity& model) {
-  if (io::holds_texture(path)) return io::write_model(path, model.model);
-  return io::write_model(path, TexturedMesh{model.uncut, {}, {}});
-}
-
 std::string report_text(const ReportedResult& result) { return to_json(result).dump(1) + "\n"; }
 
 Result<void> write_report(const std::filesystem::path& path, const ReportedResult& result) {

@@ -25,11 +25,6 @@ void print_summary(const reconstruct::Reconstruction& reconstruction);
 /// Prints how large the written mesh is, and what its simplification has added.
 void print_density(const reconstruct::ModelAtDensity& model);
 
-/// Writes the model: cut into charts with an atlas if the format holds one, otherwise uncut.
-/// @errors  as write_model.
-[[nodiscard]] Result<void> write_result(const std::filesystem::path& path,
-                                        const reconstruct::ModelAtDensity& model);
-
 /// What a report is about.
 struct ReportedResult {
   const reconstruct::Reconstruction& reconstruction;

@@ -156,6 +156,14 @@ std::shared_ptr<scan::ScanJournal> CaseStore::journal(io::ScanStage stage) {
   return std::make_shared<Journal>(shared_from_this(), stage);
 }
 
+Result<std::shared_ptr<const reconstruct::FinishedScan>> CaseStore::load_model(
+    io::ScanStage stage, const ui::Texts& texts) {
+  Result<OpenedStage> opened = load(stage, texts);
+  if (!opened) return tl::unexpected(opened.error());
+  if (opened->scan.result != nullptr) return std::move(opened->scan.result);
+  return fail(ErrorCode::kInsufficient, "{}", texts[ui::Text::kFinishEachStageAgain]);
+}
+
 Result<OpenedStage> CaseStore::load(io::ScanStage stage, const ui::Texts& texts) {
   const std::lock_guard lock(mutex_);
   Result<io::StoredStage> stored = file_.load_stage(stage);

@@ -34,6 +34,11 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] std::shared_ptr<scan::ScanJournal> journal(io::ScanStage stage);
   /// @param texts  for messages
   [[nodiscard]] Result<OpenedStage> load(io::ScanStage stage, const ui::Texts& texts = {});
+  /// @param texts  for messages
+  /// @errors  As load; kInsufficient: the stage has no model, or one that is not of its scan as it
+  ///          is now.
+  [[nodiscard]] Result<std::shared_ptr<const reconstruct::FinishedScan>> load_model(
+      io::ScanStage stage, const ui::Texts& texts);
   [[nodiscard]] Result<io::CaseFields> fields();
   [[nodiscard]] Result<void> write_fields(const io::CaseFields& fields);
   [[nodiscard]] Result<void> write_calibration(const calibration::Calibration& calibration);

@@ -2,7 +2,9 @@
 
 #include <fmt/chrono.h>
 
+#include <algorithm>
 #include <ctime>
+#include <optional>
 #include <utility>
 
 #include "app/session/case_events.h"
@@ -39,9 +41,7 @@ void ExportController::export_scan(const ui::Export& command,
                                    std::shared_ptr<const scan::ScanSnapshot> shown,
                                    std::shared_ptr<CaseStore> store, io::ScanStage stage) {
   if (state_.is_running) return;
-  forget_outcome();
-  state_.latest = command.target;
-  state_.is_running = true;
+  begin(command);
   const auto lighter = shown->result != nullptr ? lighter_of(shown->result) : nullptr;
   background_.run([this, command, shown = std::move(shown), store = std::move(store), stage,
                    lighter, texts = notices_.texts(), progress = background_.progress().part(0.0)] {
@@ -51,20 +51,48 @@ void ExportController::export_scan(const ui::Export& command,
     if (store && !written.empty()) {
       store->note(event_now(io::CaseAction::kExported, stage, written));
     }
-    return [this, done, model = shown->result] {
-      state_.is_running = false;
-      if (!*done) {
-        state_.failure = done->error().message;
-        return notices_.add(ui::Severity::kError, state_.failure);
-      }
-      state_.written = (*done)->written;
-      state_.existing = (*done)->existing;
-      if (state_.written.empty()) return;
-      exported_ = model;
-      notices_.add(ui::Severity::kInformation,
-                   notices_.texts().fill<ui::Text::kExportedTo>(state_.written.front().path));
-    };
+    return [this, done, model = shown->result] { end(*done, {model}); };
   });
+}
+
+void ExportController::export_jaws(const ui::Export& command, std::vector<JawToExport> jaws,
+                                   std::shared_ptr<CaseStore> store) {
+  if (state_.is_running) return;
+  begin(command);
+  for (JawToExport& jaw : jaws) {
+    if (lighter_ != nullptr && lighter_->scan() == jaw.scan) jaw.lighter = lighter_;
+  }
+  background_.run([this, command, jaws = std::move(jaws), store = std::move(store),
+                   texts = notices_.texts(),
+                   progress = background_.progress().part(0.0)]() mutable {
+    std::vector<std::filesystem::path> written;
+    auto done = std::make_shared<Result<ExportOutcome>>(
+        session::export_jaws(jaws, *store, command, written, texts, progress));
+    if (!written.empty()) store->note(event_now(io::CaseAction::kExported, std::nullopt, written));
+    std::vector<Model> models;
+    for (const JawToExport& jaw : jaws) models.push_back(jaw.scan);
+    return [this, done, models] { end(*done, models); };
+  });
+}
+
+void ExportController::begin(const ui::Export& command) {
+  forget_outcome();
+  state_.latest = command.target;
+  state_.is_running = true;
+}
+
+void ExportController::end(const Result<ExportOutcome>& done, const std::vector<Model>& exported) {
+  state_.is_running = false;
+  if (!done) {
+    state_.failure = done.error().message;
+    return notices_.add(ui::Severity::kError, state_.failure);
+  }
+  state_.written = done->written;
+  state_.existing = done->existing;
+  if (state_.written.empty()) return;
+  exported_.assign(exported.begin(), exported.end());
+  notices_.add(ui::Severity::kInformation,
+               notices_.texts().fill<ui::Text::kExportedTo>(state_.written.front().path));
 }
 
 std::shared_ptr<LighterModels> ExportController::lighter_of(
@@ -136,8 +164,12 @@ ui::ExportState ExportController::state(const ui::AppView& view) {
     forget_outcome();
   }
   ui::ExportState state = state_;
-  const auto exported = exported_.lock();
-  state.has_model = exported != nullptr && view.scan != nullptr && view.scan->result == exported;
+  state.has_model = view.scan != nullptr && view.scan->result != nullptr &&
+                    std::any_of(exported_.begin(), exported_.end(), [&](const auto& exported) {
+                      return exported.lock() == view.scan->result;
+                    });
+  if (std::count(view.stage_is_finished.begin(), view.stage_is_finished.end(), true) > 1)
+    state.jaws_name = proposed_jaws_name(view.file, today());
   tell_sizes(view, state);
   return state;
 }

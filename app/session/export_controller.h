@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/session/background_work.h"
 #include "app/session/case_store.h"
+#include "app/session/export_jaws.h"
 #include "app/session/lighter_models.h"
 #include "app/session/notices.h"
 #include "app/session/open_folder.h"
@@ -23,6 +25,11 @@ class ExportController {
   /// @param store  of the case whose journal gets an entry; null: none
   void export_scan(const ui::Export& command, std::shared_ptr<const scan::ScanSnapshot> shown,
                    std::shared_ptr<CaseStore> store, io::ScanStage stage);
+  /// As export_scan, for all finished stages of a case.
+  /// @param jaws   not empty
+  /// @param store  not null
+  void export_jaws(const ui::Export& command, std::vector<JawToExport> jaws,
+                   std::shared_ptr<CaseStore> store);
   /// Makes the lighter meshes of a finished model in the background, one with each call: state()
   /// tells their sizes, and an export uses them. Does nothing while one is made, or an export runs.
   /// @param result  null: does nothing
@@ -33,7 +40,12 @@ class ExportController {
   [[nodiscard]] ui::ExportState state(const ui::AppView& view);
 
  private:
+  using Model = std::shared_ptr<const reconstruct::FinishedScan>;
   void forget_outcome();
+  /// Forgets the outcome of the export before.
+  void begin(const ui::Export& command);
+  /// @param exported  the models of which files were written
+  void end(const Result<ExportOutcome>& done, const std::vector<Model>& exported);
   /// @param result  not null
   std::shared_ptr<LighterModels> lighter_of(
       const std::shared_ptr<const reconstruct::FinishedScan>& result);
@@ -44,9 +56,9 @@ class ExportController {
   Notices& notices_;
   FolderOpener opener_;
   ui::ExportState state_;
-  std::string named_after_;                                  ///< what the proposed name is made of
-  std::weak_ptr<const reconstruct::FinishedScan> exported_;  ///< the latest model that was
-  std::shared_ptr<LighterModels> lighter_;                   ///< of the latest model; null: none
+  std::string named_after_;  ///< what the proposed name is made of
+  std::vector<std::weak_ptr<const reconstruct::FinishedScan>> exported_;  ///< by the latest export
+  std::shared_ptr<LighterModels> lighter_;  ///< of the latest model; null: none
   bool is_preparing_ = false;
   std::string subject_;  ///< path of the case, and stage, that the latest export is of
 };

@@ -40,11 +40,6 @@ struct FinishedModel {
   const TriangleMesh& uncut;
 };
 
-Result<void> write_mesh(const fs::path& file, const FinishedModel& model) {
-  if (io::holds_texture(file)) return io::write_model(file, model.cut);
-  return io::write_model(file, TexturedMesh{model.uncut, {}, {}});
-}
-
 Result<void> write_points(const fs::path& file, const PointCloud& points, const ui::Texts& texts) {
   const Result<const io::ModelFormat*> format = io::model_format_of(file);
   if (!format) return tl::unexpected(format.error());
@@ -59,7 +54,7 @@ Result<void> write_models(const std::vector<fs::path>& models, const scan::ScanS
                           const FinishedModel* finished, const ui::Texts& texts,
                           std::vector<fs::path>& written) {
   for (const fs::path& model : models) {
-    auto done = finished != nullptr ? write_mesh(model, *finished)
+    auto done = finished != nullptr ? io::write_model(model, finished->cut, finished->uncut)
                                     : write_points(model, points_of(shown.model), texts);
     if (!done) return done;
     written.push_back(model);
@@ -134,6 +129,24 @@ Result<fs::path> export_stem(const ui::ExportTarget& target, const ui::Texts& te
   });
 }
 
+Result<ExportOutcome> write_asked(const std::vector<fs::path>& files,
+                                  const std::vector<std::string>& replaced,
+                                  const std::function<Result<void>()>& write) {
+  const auto existing = not_replaceable(files, replaced);
+  if (!existing) return tl::unexpected(existing.error());
+  if (!existing->empty()) return ExportOutcome{{}, *existing};
+  const fs::path folder = files.front().parent_path();
+  if (auto made = io::create_private_folder(folder); !made) return tl::unexpected(made.error());
+  io::remove_leftovers(folder);
+  if (const Result<void> done = write(); !done) return tl::unexpected(done.error());
+  ExportOutcome outcome;
+  for (const fs::path& file : files) {
+    std::error_code error;
+    outcome.written.push_back({file.string(), fs::file_size(file, error)});
+  }
+  return outcome;
+}
+
 Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command,
                                    std::vector<fs::path>& models_written, const ui::Texts& texts,
                                    LighterModels* lighter, const Progress& progress) {
@@ -148,25 +161,12 @@ Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Ex
     const std::vector<fs::path> more = files_of(shown, models.back());
     files.insert(files.end(), more.begin(), more.end());
   }
-  const auto existing = not_replaceable(files, command.replaced);
-  if (!existing) return tl::unexpected(existing.error());
-  if (!existing->empty()) return ExportOutcome{{}, *existing};
-  auto made = io::create_private_folder(stem->parent_path());
-  if (!made) return tl::unexpected(made.error());
-  io::remove_leftovers(stem->parent_path());
-  LighterModels own(shown.result);
-  const Result<void> done =
-      shown.result != nullptr
-          ? write_finished(models, shown, command.target.density,
-                           lighter != nullptr ? *lighter : own, progress, models_written)
-          : write_models(models, shown, nullptr, texts, models_written);
-  if (!done) return tl::unexpected(done.error());
-  ExportOutcome outcome;
-  for (const fs::path& file : files) {
-    std::error_code error;
-    outcome.written.push_back({file.string(), fs::file_size(file, error)});
-  }
-  return outcome;
+  return write_asked(files, command.replaced, [&]() -> Result<void> {
+    if (shown.result == nullptr) return write_models(models, shown, nullptr, texts, models_written);
+    LighterModels own(shown.result);
+    return write_finished(models, shown, command.target.density,
+                          lighter != nullptr ? *lighter : own, progress, models_written);
+  });
 }
 
 }  // namespace flytri::session

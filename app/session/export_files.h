@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +38,14 @@ struct ExportOutcome {
 ///          kNotFound: there is no home folder.
 [[nodiscard]] Result<std::filesystem::path> export_stem(const ui::ExportTarget& target,
                                                         const ui::Texts& texts = {});
+
+/// Writes files, unless some exist that may not be replaced.
+/// @param files     all that `write` writes, in one folder, which is created if it is not there
+/// @param replaced  paths of files that may be replaced
+/// @errors  kBadOption: a folder, or a file of another kind, has the name; as `write`.
+[[nodiscard]] Result<ExportOutcome> write_asked(const std::vector<std::filesystem::path>& files,
+                                                const std::vector<std::string>& replaced,
+                                                const std::function<Result<void>()>& write);
 
 /// Only their owner may read the files, and enter folders that are created for them.
 /// @param texts  for messages

@@ -79,15 +79,18 @@ std::string file_name_part(std::string_view text) {
   return part;
 }
 
-std::string proposed_export_name(const ui::CaseState& file, io::ScanStage stage,
-                                 std::string_view date) {
+std::string proposed_jaws_name(const ui::CaseState& file, std::string_view date) {
   std::string name;
   if (!file.path.empty()) {
     if (!file.is_encrypted) add_part(name, file.fields.patient_name);
     add_part(name, file.fields.patient_id);
   }
-  if (name.empty()) name = fmt::format("scan-{}", date);
-  return fmt::format("{}-{}", name, io::to_string(stage));
+  return name.empty() ? fmt::format("scan-{}", date) : name;
+}
+
+std::string proposed_export_name(const ui::CaseState& file, io::ScanStage stage,
+                                 std::string_view date) {
+  return fmt::format("{}-{}", proposed_jaws_name(file, date), io::to_string(stage));
 }
 
 }  // namespace flytri::session

@@ -18,4 +18,7 @@ namespace flytri::session {
 [[nodiscard]] std::string proposed_export_name(const ui::CaseState& file, io::ScanStage stage,
                                                std::string_view date);
 
+/// The same for all stages together: "patient-number".
+[[nodiscard]] std::string proposed_jaws_name(const ui::CaseState& file, std::string_view date);
+
 }  // namespace flytri::session

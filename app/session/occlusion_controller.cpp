@@ -59,7 +59,11 @@ struct OcclusionController::Work {
 
   Result<void> close() {
     for (const io::ScanStage stage : io::kScanStages) {
-      if (auto read = read_model(stage); !read) return read;
+      Model& model = models[static_cast<std::size_t>(stage)];
+      if (model != nullptr) continue;
+      auto read = store->load_model(stage, texts);
+      if (!read) return tl::unexpected(read.error());
+      model = *std::move(read);
     }
     const TriangleMesh& upper = models[0]->surface.mesh;
     const TriangleMesh& lower = models[1]->surface.mesh;
@@ -73,16 +77,6 @@ struct OcclusionController::Work {
     outcome.far_uncertainty_mm = found.uncertainty_mm(jaws->least_certain_mm);
     outcome.far_mm = (jaws->least_certain_mm - found.middle_mm).norm();
     return {};
-  }
-
-  Result<void> read_model(io::ScanStage stage) {
-    Model& model = models[static_cast<std::size_t>(stage)];
-    if (model != nullptr) return {};
-    Result<OpenedStage> opened = store->load(stage, texts);
-    if (!opened) return tl::unexpected(opened.error());
-    model = std::move(opened->scan.result);
-    if (model != nullptr) return {};
-    return fail(ErrorCode::kInsufficient, "{}", texts[ui::Text::kFinishEachStageAgain]);
   }
 };
 

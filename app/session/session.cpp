@@ -110,6 +110,15 @@ void Session::carry_out(const ui::Command& command) {
 
 void Session::export_scan(const ui::Export& command) {
   if (scan() == nullptr) return;
+  if (command.target.all_jaws) {
+    std::vector<JawToExport> jaws;
+    for (const io::ScanStage stage : io::kScanStages) {
+      const StageController::StageModel model = stages_.model_of(stage);
+      if (model.is_finished) jaws.push_back({stage, model.scan, nullptr});
+    }
+    if (jaws.empty() || stages_.store() == nullptr) return;
+    return exports_.export_jaws(command, std::move(jaws), stages_.store());
+  }
   exports_.export_scan(command, scan()->snapshot(), stages_.store(), stages_.stage());
 }
 

@@ -185,6 +185,7 @@ struct FakeScan::Parts {
     view.stage = io::ScanStage::kBite;
     view.stage_has_data = {true, true, true};
     view.stage_is_finished = {true, false, true};
+    view.exports.jaws_name = "Rivera-2031";
     return view;
   }
 

@@ -3,8 +3,9 @@
 ///     fake_window [--control SOCKET] [--state NAME] [--width W] [--height H] [--scale S]
 ///                 [--language CODE]
 ///
-/// Over the control channel, `tell NAME` shows another state. Each frame advances the time by 1/60
-/// s, so that motion is the same in every run.
+/// Over the control channel, `tell NAME` shows another state, `tell language=CODE` the same in
+/// another language. Each frame advances the time by 1/60 s, so that motion is the same in every
+/// run.
 #include <imgui.h>
 
 #include <fmt/format.h>
@@ -48,8 +49,14 @@ struct FakeProgram {
     view.now_s = now_s;
     view.settings = settings;
   }
+  void tell(const std::string& words) {
+    constexpr std::string_view kLanguage = "language=";
+    if (!words.starts_with(kLanguage)) return show(words);
+    view.settings.language = words.substr(kLanguage.size());
+    show(state);
+  }
   void obey(const Command& command) {
-    if (const auto* told = std::get_if<flytri::ui::Tell>(&command)) show(told->words);
+    if (const auto* told = std::get_if<flytri::ui::Tell>(&command)) tell(told->words);
     if (const auto* change = std::get_if<flytri::ui::ChangeSettings>(&command)) {
       const bool is_new_language = change->settings.language != view.settings.language;
       view.settings = change->settings;

@@ -43,5 +43,24 @@ TEST_F(BiteWindow, WithoutAllThreeModelsThereAreNoJawsToShow) {
   }
 }
 
+TEST_F(BiteWindow, AllFinishedJawsAreExportedTogether) {
+  show("finished");
+  window().click("export");
+  EXPECT_FALSE(window().where("all_jaws")) << "only one stage is finished";
+  window().key("Escape");
+  show("jaws");
+  window().click("export");
+  EXPECT_FALSE(window().state()["export"]["all_jaws"]);
+  EXPECT_EQ(after_click("all_jaws"), testing::Names{});
+  EXPECT_TRUE(window().state()["export"]["all_jaws"]);
+  EXPECT_EQ(window().state()["export"]["name"], "Rivera-2031");
+  EXPECT_EQ(after_key("Return"), testing::Names{"Export"});
+  window().key("Escape");
+  show("jaws");
+  window().click("export");
+  window().click("all_jaws");
+  EXPECT_EQ(window().state()["export"]["name"], "Rivera-2031-upper");
+}
+
 }  // namespace
 }  // namespace flytri

@@ -49,22 +49,30 @@ std::string name_of(const ::testing::TestParamInfo<Show>& info) {
   return fmt::format("{}{:.0f}", info.param.language, 1000.0 * info.param.scale);
 }
 
-/// The smallest window in which the scale is not reduced.
+/// The smallest window in which the scale is not reduced. It stays open until a test asks for
+/// another scale: it takes seconds to come up.
 class SmallestWindow : public ::testing::TestWithParam<Show> {
  protected:
+  static void TearDownTestSuite() { window_.reset(); }
   void SetUp() override {
     const double scale = GetParam().scale;
     const auto pixels = [&](int units) { return static_cast<int>(std::lround(units * scale)); };
-    window_ = WindowDriver::start(pixels(1024), pixels(640), scale, GetParam().language);
+    if (window_ == nullptr || scale_ != scale) {
+      window_.reset();
+      window_ = WindowDriver::start(pixels(1024), pixels(640), scale);
+      scale_ = scale;
+    }
     if (window_ == nullptr) GTEST_SKIP() << testing::kNoDisplay;
     ASSERT_EQ(window_->state()["scale"], scale);
+    window_->cancel_all();
+    window_->ask(std::string("tell language=") + GetParam().language);
   }
 
-  void show(const std::string& state) {
+  static void show(const std::string& state) {
     window_->cancel_all();
     window_->ask("tell " + state);  // check() waits
   }
-  void check(const std::string& what) {
+  static void check(const std::string& what) {
     window_->ask("wait 2");
     const nlohmann::json state = window_->state();
     for (const std::string text : state["cut_texts"]) {
@@ -78,12 +86,13 @@ class SmallestWindow : public ::testing::TestWithParam<Show> {
       }
     }
   }
-  void check_after(const std::string& action, const std::string& state) {
+  static void check_after(const std::string& action, const std::string& state) {
     window_->ask("do " + action);
     check(state + ", " + action);
   }
 
-  std::unique_ptr<WindowDriver> window_;
+  static inline std::unique_ptr<WindowDriver> window_;
+  static inline double scale_ = 0.0;
 };
 
 TEST_P(SmallestWindow, FitsInEachColorMode) {

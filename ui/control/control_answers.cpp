@@ -10,6 +10,7 @@
 
 #include "core/io/files/png.h"
 #include "ui/actions/action_table.h"
+#include "ui/state/export_target.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
@@ -101,6 +102,11 @@ std::pair<std::string, std::string> words_of(const std::string& request) {
   return {request.substr(0, space), request.substr(std::min(space + 1, request.size()))};
 }
 
+nlohmann::json export_as_json(const DrawnFrame& frame) {
+  const ExportForm& form = frame.state.export_form;
+  return {{"name", form.name}, {"all_jaws", exports_all_jaws(frame.view, form)}};
+}
+
 }  // namespace
 
 void carry_out_request(const std::string& request, const AppView& view, WindowState& state,
@@ -179,6 +185,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"dialog", to_string(state.dialog)},
       {"case", case_as_json(frame.view.file)},
       {"case_form", case_form_as_json(state.case_form, frame.view.texts)},
+      {"export", export_as_json(frame)},
       {"tool", to_string(state.tool)},
       {"color_mode", to_string(state.color_mode)},
       {"texture_blend", state.texture_blend},

@@ -17,15 +17,17 @@ namespace flytri::ui {
 namespace {
 
 constexpr float kExportWidth = 720.0F, kFormatRow = 48.0F, kNote = 96.0F;  // in units
-constexpr float kHeightWithoutRows = 240.0F + kNote, kDensityCaption = 112.0F;
+constexpr float kHeightWithoutRows = 240.0F + kNote, kDensityCaption = 112.0F,
+                kAllJawsTick = 168.0F;
 
 /// Until the user types, the form shows what the program proposes. A name that was typed for one
 /// case or stage is not kept for the next: it may be a patient's.
 void follow_proposal(const PanelContext& context, ExportForm& form) {
   const ExportState& exports = context.view.exports;
   if (!form.is_folder_edited) form.folder = exports.folder;
-  if (form.proposed_name == exports.name) return;
-  form.name = form.proposed_name = exports.name;
+  const std::string& name = exports_all_jaws(context.view, form) ? exports.jaws_name : exports.name;
+  if (form.proposed_name == name) return;
+  form.name = form.proposed_name = name;
 }
 
 bool is_finished(const AppView& view) {
@@ -58,6 +60,12 @@ std::uint64_t written_bytes(const ExportState& exports, const io::ModelFormat& f
   return bytes;
 }
 
+/// A .glb holds all jaws.
+std::int64_t jaw_file_count(const AppView& view, const io::ModelFormat& format) {
+  if (format.extension == ".glb") return 1;
+  return std::count(view.stage_is_finished.begin(), view.stage_is_finished.end(), true);
+}
+
 RowStatus status_of(const PanelContext& context, const io::ModelFormat& format) {
   const ExportState& exports = context.view.exports;
   const auto estimate = exports.estimated_bytes.find(format.extension);
@@ -70,6 +78,10 @@ RowStatus status_of(const PanelContext& context, const io::ModelFormat& format) 
     if (exists) return {kCaution, context.text(Text::kExists)};
     const std::uint64_t bytes = written_bytes(exports, format);
     if (bytes > 0) return {kGood, size_text(bytes)};
+  }
+  if (exports_all_jaws(context.view, context.state.export_form)) {
+    return {kText,
+            context.view.texts.count<Text::kFileCount>(jaw_file_count(context.view, format))};
   }
   if (estimate->second == 0) return {kTextQuiet, "…"};
   return {kText, context.view.texts.fill<Text::kAboutSize>(size_text(estimate->second))};
@@ -130,7 +142,10 @@ void draw_density_button(const PanelContext& context, const Rect& box,
       count == 0 ? "…"
                  : context.view.texts.fill<Text::kThousands>(
                        std::max<std::size_t>(1, (count + kThousand / 2) / kThousand));
-  const std::string label = fmt::format("{}: {}", context.text(words.name), count_text);
+  // The counts are those of the stage that is shown.
+  const std::string label = exports_all_jaws(context.view, context.state.export_form)
+                                ? context.text(words.name)
+                                : fmt::format("{}: {}", context.text(words.name), count_text);
   ButtonLook look;
   look.id = id.c_str();
   look.label = label.c_str();
@@ -204,6 +219,12 @@ Note note_of(const PanelContext& context) {
       return {icon::kWarning, kCaution, existing_text(texts, exports.existing)};
     if (!exports.written.empty()) return {icon::kSaved, kGood, written_text(texts, exports)};
   }
+  if (exports_all_jaws(context.view, context.state.export_form)) {
+    const auto& finished = context.view.stage_is_finished;
+    if (std::find(finished.begin(), finished.end(), false) == finished.end())
+      return {icon::kInformation, kNeutral, texts[Text::kExportsJawsClosed]};
+    return {icon::kWarning, kCaution, texts[Text::kExportsJawsApart]};
+  }
   const std::size_t holes = open_holes(context.view);
   if (holes > 0) {
     return {icon::kWarning, kCaution,
@@ -242,6 +263,11 @@ void draw_export_dialog(const PanelContext& context) {
   Rect left =
       confirm_row(context, dialog, icon::kExport,
                   context.text(is_replacing(context.view, form) ? Text::kReplace : Text::kExport));
+  if (!context.view.exports.jaws_name.empty()) {
+    const TickLook look = {"all_jaws", context.text(Text::kAllJaws)};
+    tick_box(context, left.take_left(context.px(kAllJawsTick), context.px(kGapS)), look,
+             form.all_jaws);
+  }
   const ActionLook open = {icon::kCase, context.text(Text::kOpenFolder)};
   if (has_outcome(context.view, form) && !context.view.exports.written.empty()) {
     const float width = small_action_width(context, Action::kOpenExportFolder, open);

@@ -136,13 +136,15 @@ struct ExportTarget {
   std::string name;                       ///< without extension
   std::vector<std::string_view> formats;  ///< extensions, in the order of io::model_formats()
   reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;  ///< of a finished model
+  bool all_jaws = false;  ///< every finished stage of the case, in one frame
   bool operator==(const ExportTarget&) const = default;
 };
 
 /// What can be exported, and what was.
 struct ExportState {
-  std::string folder;  ///< proposed
-  std::string name;    ///< proposed, without extension
+  std::string folder;     ///< proposed
+  std::string name;       ///< proposed, without extension
+  std::string jaws_name;  ///< proposed for all jaws; empty: at most one stage is finished
   /// About the size of each format's files, by extension. Formats that cannot hold what the window
   /// shows are missing.
   /// 0: not known before the model of this density is made.

@@ -4,8 +4,13 @@
 
 namespace flytri::ui {
 
+bool exports_all_jaws(const AppView& view, const ExportForm& form) {
+  return form.all_jaws && !view.exports.jaws_name.empty();
+}
+
 ExportTarget export_target(const AppView& view, const ExportForm& form) {
-  ExportTarget target = {form.folder, form.name, {}, view.settings.mesh_density};
+  ExportTarget target = {
+      form.folder, form.name, {}, view.settings.mesh_density, exports_all_jaws(view, form)};
   for (const io::ModelFormat& format : io::model_formats()) {
     if (view.exports.estimated_bytes.contains(format.extension) &&
         view.settings.export_formats.contains(std::string(format.extension))) {

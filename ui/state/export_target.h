@@ -6,6 +6,9 @@
 
 namespace flytri::ui {
 
+/// Whether the form asks for all jaws of the case, and there is more than one.
+[[nodiscard]] bool exports_all_jaws(const AppView& view, const ExportForm& form);
+
 /// What the form and the settings ask for now. Formats that cannot hold what is shown are left out.
 [[nodiscard]] ExportTarget export_target(const AppView& view, const ExportForm& form);
 

@@ -68,6 +68,7 @@ struct ExportForm {
   std::string folder;
   std::string name;
   bool is_folder_edited = false;  ///< else the folder is the proposed one
+  bool all_jaws = false;          ///< as far as that is possible, see exports_all_jaws()
   std::string proposed_name;  ///< the latest; a new one, of another case or stage, replaces `name`
 };
 

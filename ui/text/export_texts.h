@@ -45,6 +45,22 @@ FLYTRI_TEXT(kHolesLeft, "{0} hole is left in the surface|{0} holes are left in t
             "Queda {0} hueco en la superficie|Quedan {0} huecos en la superficie")
 FLYTRI_TEXT(kExportsAsShown, "Exports the model as shown", "Exportiert das Modell wie angezeigt",
             "Exporte le modèle tel qu’affiché", "Exporta el modelo tal como se muestra")
+FLYTRI_TEXT(kAllJaws, "All jaws", "Alle Kiefer", "Tout le cas", "Todo el caso")
+FLYTRI_TEXT(kFileCount, "{0} file|{0} files", "{0} Datei|{0} Dateien", "{0} fichier|{0} fichiers",
+            "{0} archivo|{0} archivos")
+FLYTRI_TEXT(kExportsJawsClosed, "Exports all jaws in one frame, as they bite",
+            "Exportiert alle Kiefer in einem Koordinatensystem, im Biss",
+            "Exporte les mâchoires dans un même repère, en occlusion",
+            "Exporta todos los maxilares en un mismo sistema, en oclusión")
+FLYTRI_TEXT(kExportsJawsApart,
+            "The jaws will not lie as they bite: each gets its own occlusal plane. Finish upper "
+            "jaw, lower jaw and bite first.",
+            "Die Kiefer liegen nicht im Biss: jeder in seiner eigenen Okklusionsebene. Zuerst "
+            "Oberkiefer, Unterkiefer und Biss abschließen.",
+            "Les mâchoires ne seront pas en occlusion : chacune a son propre plan occlusal. "
+            "Terminer d’abord le maxillaire, la mandibule et le mordu.",
+            "Los maxilares no quedarán en oclusión: cada uno en su propio plano oclusal. Finalizar "
+            "antes el maxilar, la mandíbula y la mordida.")
 FLYTRI_TEXT(kReplace, "Replace", "Ersetzen", "Remplacer", "Reemplazar")
 FLYTRI_TEXT(kOpenFolder, "Open folder", "Ordner öffnen", "Ouvrir le dossier", "Abrir carpeta")
 FLYTRI_TEXT(kExportedTo, "Exported to {0}", "Exportiert nach {0}", "Exporté vers {0}",

@@ -62,6 +62,12 @@ Result<void> write_model(const std::filesystem::path& path, const TexturedMesh& 
   return (*format)->write(path, model);
 }
 
+Result<void> write_model(const std::filesystem::path& path, const TexturedMesh& cut,
+                         const TriangleMesh& uncut) {
+  return holds_texture(path) ? write_model(path, cut)
+                             : write_model(path, TexturedMesh{uncut, {}, {}});
+}
+
 Result<TexturedMesh> read_model(const std::filesystem::path& path) {
   const Result<const ModelFormat*> format = model_format_of(path);
   if (!format) return tl::unexpected(format.error());

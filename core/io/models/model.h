@@ -13,8 +13,7 @@ namespace flytri::io {
 /// @errors  kBadOption: lists the extensions.
 [[nodiscard]] Result<void> check_model_path(const std::filesystem::path& path);
 
-/// Whether the format holds a texture atlas. For other formats give write_model the mesh that is
-/// not cut into charts, with a color per vertex.
+/// Whether the format holds a texture atlas.
 [[nodiscard]] bool holds_texture(const std::filesystem::path& path);
 
 /// All files that write_model may write: the path itself, and for .obj its .mtl and .png.
@@ -26,6 +25,12 @@ namespace flytri::io {
 ///          range, or a number that is not finite), as commit_together.
 [[nodiscard]] Result<void> write_model(const std::filesystem::path& path,
                                        const TexturedMesh& model);
+
+/// As above: `cut` where the format holds a texture atlas, elsewhere `uncut`.
+/// @param cut    the model, cut into charts if it has a texture
+/// @param uncut  the same surface, with a color per vertex
+[[nodiscard]] Result<void> write_model(const std::filesystem::path& path, const TexturedMesh& cut,
+                                       const TriangleMesh& uncut);
 
 /// Reads what write_model wrote, and any mesh in PLY, in mm of the world frame.
 /// @errors  kBadOption (extension), as read_file and the parsers.

@@ -1,0 +1,145 @@
+#include "app/session/export_jaws.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/io/files/file_bytes.h"
+#include "core/io/models/glb.h"
+#include "core/io/models/model.h"
+#include "core/occlusion/patient_frame.h"
+#include "core/reconstruct/finish_scan.h"
+#include "tests/support/cheek.h"
+#include "tests/support/temporary_folder.h"
+
+namespace flytri::session {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::bite_relation;
+using testing::Cheek;
+using testing::coarse_jaw;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+using Models = std::vector<std::pair<io::ScanStage, const TriangleMesh*>>;
+
+/// Stages that were finished in a case.
+class ExportJaws : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    upper_ = as_read(coarse_jaw(JawKind::kUpper, 3));
+    lower_ = as_read(coarse_jaw(JawKind::kLower, 3));
+    bite_ = Cheek(upper_, lower_, bite_relation(), true, 1).mesh();
+  }
+  static void TearDownTestSuite() { upper_ = lower_ = bite_ = {}; }
+
+  /// Without vertices that no triangle uses.
+  static TriangleMesh as_read(const TriangleMesh& mesh) {
+    return reconstruct::finished_scan_of({mesh, {}, {}}).surface.mesh;
+  }
+  Models all() const {
+    return {{io::ScanStage::kUpper, &upper_},
+            {io::ScanStage::kLower, &lower_},
+            {io::ScanStage::kBite, &bite_}};
+  }
+  /// The first model is loaded, the others must be read from the case.
+  void open(const Models& models) {
+    auto file = io::CaseFile::create(folder_ / "a.flytri", {});
+    ASSERT_TRUE(file);
+    for (const auto& [stage, mesh] : models) {
+      const auto glb = io::encode_glb({*mesh, {}, {}}, "jaw");
+      ASSERT_TRUE(file->write_result(stage, {glb.value(), "{}", io::ResultBasis{}}));
+      jaws_.push_back({stage, nullptr, nullptr});
+    }
+    jaws_.front().scan = std::make_shared<const reconstruct::FinishedScan>(
+        reconstruct::finished_scan_of({*models.front().second, {}, {}}));
+    store_ = std::make_shared<CaseStore>(std::move(*file));
+  }
+  Result<ExportOutcome> write(const std::vector<std::string>& replaced = {}) {
+    const ui::ExportTarget target = {
+        folder_.path().string(), "smith", {".glb", ".ply"}, reconstruct::MeshDensity::kFull, true};
+    written_.clear();
+    return export_jaws(jaws_, *store_, {target, replaced}, written_, ui::Texts(), {});
+  }
+  std::vector<std::string> paths(const std::vector<std::string>& names) const {
+    std::vector<std::string> paths;
+    for (const std::string& name : names) paths.push_back((folder_ / name).string());
+    return paths;
+  }
+  /// Largest distance between the vertices of a file and those of a mesh that was moved.
+  double farthest_mm(const std::string& name, const TriangleMesh& mesh, const Isometry& T) {
+    const auto model = io::read_model(folder_ / name);
+    if (!model || model->mesh.vertices.size() != mesh.vertices.size()) return 1e9;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      const Vec3 expected = T * mesh.vertices[i].position_mm.cast<double>();
+      const Vec3 found = model->mesh.vertices[i].position_mm.cast<double>();
+      farthest = std::max(farthest, (found - expected).norm());
+    }
+    return farthest;
+  }
+
+  static inline TriangleMesh upper_, lower_, bite_;
+  TemporaryFolder folder_;
+  std::shared_ptr<CaseStore> store_;
+  std::vector<JawToExport> jaws_;
+  std::vector<fs::path> written_;
+};
+
+TEST_F(ExportJaws, WritesAllJawsAsTheyBite) {
+  open(all());
+  const auto outcome = write();
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_THAT(outcome->existing, IsEmpty());
+  ASSERT_EQ(outcome->written.size(), 4U);
+  EXPECT_EQ(written_.size(), 4U);
+  const Isometry T_patient_upper = occlusion::T_patient_jaw(upper_, JawKind::kUpper);
+  EXPECT_LT(farthest_mm("smith-upper.ply", upper_, T_patient_upper), 1e-3);
+  EXPECT_LT(farthest_mm("smith-lower.ply", lower_, T_patient_upper * bite_relation()), 0.1);
+  EXPECT_TRUE(fs::exists(folder_ / "smith-bite.ply"));
+  const std::string scene = io::read_file(folder_ / "smith.glb").value();
+  for (const char* const name : {"\"upper\"", "\"lower\"", "\"bite\""})
+    EXPECT_THAT(scene.substr(0, 20000), HasSubstr(name));
+  for (const JawToExport& jaw : jaws_) EXPECT_NE(jaw.scan, nullptr);
+}
+
+TEST_F(ExportJaws, WithoutABiteEachJawLiesInItsOwnOcclusalPlane) {
+  open({{io::ScanStage::kUpper, &upper_}, {io::ScanStage::kLower, &lower_}});
+  ASSERT_TRUE(write());
+  EXPECT_LT(
+      farthest_mm("smith-upper.ply", upper_, occlusion::T_patient_jaw(upper_, JawKind::kUpper)),
+      1e-3);
+  EXPECT_LT(
+      farthest_mm("smith-lower.ply", lower_, occlusion::T_patient_jaw(lower_, JawKind::kLower)),
+      1e-3);
+}
+
+TEST_F(ExportJaws, ReplacesOnlyFilesThatTheUserAllows) {
+  open({{io::ScanStage::kUpper, &upper_}, {io::ScanStage::kLower, &lower_}});
+  ASSERT_TRUE(io::write_file(folder_ / "smith-lower.ply", "ply\nof another patient"));
+  auto outcome = write();
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->existing, paths({"smith-lower.ply"}));
+  EXPECT_THAT(written_, IsEmpty());
+  EXPECT_FALSE(fs::exists(folder_ / "smith-upper.ply")) << "all or nothing";
+  EXPECT_EQ(io::read_file(folder_ / "smith-lower.ply").value(), "ply\nof another patient");
+  outcome = write(outcome->existing);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->written.size(), 3U);
+}
+
+TEST_F(ExportJaws, ABiteThatDoesNotFitWritesNothing) {
+  // Twice the upper jaw: the bite does not lie on the second one.
+  open({{io::ScanStage::kUpper, &upper_},
+        {io::ScanStage::kLower, &upper_},
+        {io::ScanStage::kBite, &bite_}});
+  const auto outcome = write();
+  ASSERT_FALSE(outcome);
+  EXPECT_THAT(outcome.error().message, HasSubstr("Bite"));
+  EXPECT_THAT(written_, IsEmpty());
+  EXPECT_FALSE(fs::exists(folder_ / "smith.glb"));
+}
+
+}  // namespace
+}  // namespace flytri::session
