@@ -59,6 +59,7 @@ struct LightPair {
 
 double gain_of(const std::vector<LightPair>& pairs) {
   std::vector<double> ratios;
+  ratios.reserve(pairs.size());
   for (const LightPair& pair : pairs) {
     ratios.push_back(std::max(luminance(pair.truth), 1e-4) / std::max(luminance(pair.found), 1e-4));
   }

@@ -76,6 +76,7 @@ class EdgeSearch {
   /// Bending that counts as fully sharp.
   void set_sharp(const std::vector<std::uint32_t>& on_edge) {
     std::vector<double> bent;
+    bent.reserve(on_edge.size());
     for (const std::uint32_t vertex : on_edge) bent.push_back(bending_.convexity(vertex));
     sharp_per_mm_ = median_of(bent);
   }
@@ -185,7 +186,7 @@ Result<std::vector<std::uint32_t>> edge_path(const TriangleMesh& mesh,
                 clicks_mm.size());
   EdgeSearch search(mesh, options);
   const auto on_edge = snap_all(search, clicks_mm, options);
-  if (!on_edge) return on_edge;
+  if (!on_edge) return tl::unexpected(on_edge.error());
   search.set_sharp(*on_edge);
   std::vector<std::uint32_t> path;
   for (std::size_t i = 0; i < on_edge->size(); ++i) {

@@ -33,6 +33,7 @@ int steps_in(double length_mm, double step_mm) {
 std::vector<Vec3> start_line(const TriangleMesh& mesh, const std::vector<std::uint32_t>& path,
                              double step_mm) {
   std::vector<Vec3> line_mm;
+  line_mm.reserve(path.size());
   for (const std::uint32_t vertex : path)
     line_mm.push_back(mesh.vertices[vertex].position_mm.cast<double>());
   line_mm = evenly_spaced(line_mm, step_mm);

@@ -39,11 +39,11 @@ Vec3 texture_eye(const calibration::Calibration& calibration) {
   }
   const double diagonal_mm = calibration.volume.size_mm.norm();
   const Vec3 eigenvalues = symmetric_eigen(across).values;
-  const Vec3 far_mm = -kFarEye * diagonal_mm * gaze.normalized();
+  Vec3 far_mm = -kFarEye * diagonal_mm * gaze.normalized();
   // The least eigenvalue is the sum of the squared angles between the rays.
   const double least = 1e-4 * eigenvalues[2];
   if (!(eigenvalues[0] > least / (kFarthestMeeting * kFarthestMeeting))) return far_mm;
-  const Vec3 meeting_mm = across.ldlt().solve(sum);
+  Vec3 meeting_mm = across.ldlt().solve(sum);
   const bool is_in_front = meeting_mm.dot(gaze) < 0.0 && meeting_mm.norm() > 0.5 * diagonal_mm;
   if (!is_in_front || meeting_mm.norm() > kFarthestMeeting * diagonal_mm) return far_mm;
   return meeting_mm;

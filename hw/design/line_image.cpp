@@ -82,18 +82,23 @@ class LineImager::Section {
     return gain_ * profile_(offset_px * across_per_px_, blur_);
   }
   [[nodiscard]] double operator()(double offset_px) const {
-    const auto half = static_cast<double>(spread_.size() / 2);
     double sum = 0.0;
     for (std::size_t k = 0; k < spread_.size(); ++k)
-      sum += spread_[k] * sharp(offset_px - (static_cast<double>(k) - half));
+      sum += spread_[k] * sharp(offset_px - (static_cast<double>(k) - half_px()));
     return sum;
   }
   [[nodiscard]] double reach_px() const {
-    return profile_.reach(blur_) / across_per_px_ + static_cast<double>(spread_.size() / 2) + 1.0;
+    return profile_.reach(blur_) / across_per_px_ + half_px() + 1.0;
   }
   [[nodiscard]] const std::vector<double>& spread() const { return spread_; }
 
  private:
+  // From the middle of the spread to its end.
+  [[nodiscard]] double half_px() const {
+    const std::size_t half = spread_.size() / 2;
+    return static_cast<double>(half);
+  }
+
   const LineProfile& profile_;
   double blur_, across_per_px_, gain_;
   std::vector<double> spread_;

@@ -74,10 +74,10 @@ double variance_at(const LineLight& light, const FittedLine& line, int half_px,
                    const ChipModel& chip, double phase_px) {
   constexpr double kStep_px = 1e-3;
   const auto reach_px = static_cast<int>(std::ceil(kReachSigmas * line.sigma_px));
-  const int count = 2 * std::max(half_px, reach_px) + 1;
+  const int middle = std::max(half_px, reach_px), count = 2 * middle + 1;
   Eigen::VectorXd values(count), slopes(count), weights(count);
   for (int i = 0; i < count; ++i) {
-    const double offset_px = static_cast<double>(i - count / 2) - phase_px;
+    const double offset_px = static_cast<double>(i - middle) - phase_px;
     values[i] = light(offset_px);
     slopes[i] = (light(offset_px - kStep_px) - light(offset_px + kStep_px)) / (2.0 * kStep_px);
     weights[i] = pixel_weight(chip, line, offset_px) * line(offset_px) * offset_px;

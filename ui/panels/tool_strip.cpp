@@ -70,6 +70,13 @@ float strip_width(const PanelContext& context, const char* text, bool has_clear)
   return line + brush + clear + done_width(context) + 3.0F * context.px(kGapM);
 }
 
+/// Whether the button that clears the stage has room beside the text, which may take two lines.
+bool has_room_to_clear(const PanelContext& context, const char* text, float width) {
+  const float room = width - strip_width(context, "", true);
+  const float height = context.px(kHeight - 2.0F * kGapS);
+  return room > 0.0F && wrapped_height(context.theme.fonts.small, room, text) <= height;
+}
+
 }  // namespace
 
 void draw_tool_strip(const PanelContext& context) {
@@ -82,9 +89,9 @@ void draw_tool_strip(const PanelContext& context) {
   const auto findings = findings_box(context);
   const float left = (findings ? findings->right() : picture.x) + margin;
   const float right = picture.right() - margin;
-  // In a narrow window the key alone clears the stage.
+  // In the narrowest windows the key alone clears the stage.
   const bool has_clear =
-      context.state.tool == Tool::kTrim && strip_width(context, text, true) <= right - left;
+      context.state.tool == Tool::kTrim && has_room_to_clear(context, text, right - left);
   const float width = std::round(std::min(strip_width(context, text, has_clear), right - left));
   const float height = context.px(kHeight);
   const float middle = std::round(picture.center().x - width / 2.0F);

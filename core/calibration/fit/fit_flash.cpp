@@ -76,6 +76,7 @@ std::vector<LitDot> lit_dots(const CalibrationPlane& plane, const CalibrationSet
     }
   }
   std::vector<double> brightness;
+  brightness.reserve(dots.size());
   for (const LitDot& dot : dots) brightness.push_back(dot.light.mean());
   std::sort(brightness.begin(), brightness.end());
   const double least = dots.empty() ? 0.0 : kLeastShare * quantile_of(brightness, 0.9);
