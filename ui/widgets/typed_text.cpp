@@ -60,6 +60,15 @@ void wipe_deactivated(Context& context) {
   }
 }
 
+/// As if no field had been edited until this frame.
+template <typename Context>
+void forget_deactivated(Context& context) {
+  if constexpr (requires { context.InputTextDeactivatedState.TextA; }) {
+    wipe_text(context.InputTextDeactivatedState.TextA);
+    context.InputTextDeactivatedState.ID = 0;
+  }
+}
+
 /// Of a field that is edited, what an earlier one left in the same memory.
 void wipe_remains(ImGuiInputTextState& typed) {
   for_each_text(typed, [](auto& text) { wipe_behind_text(text); });
@@ -85,6 +94,7 @@ bool secret_input(const char* id, Secret& secret) {
   if (secret.empty() && has_text) {
     ImGui::ClearActiveID();
     forget(typed);
+    forget_deactivated(context);
   }
   return ImGui::InputText(id, secret.buffer(kCapacity), kCapacity, ImGuiInputTextFlags_Password);
 }
