@@ -12,8 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// "flyt": the mark of a case among SQLite databases.
+constexpr std::int64_t kApplicationId = 0x666c7974;
 /// Version 1 had no journal. Such a case gets one when it is opened to be written.
-constexpr std::int64_t kWithoutJournal = 1;
+constexpr std::int64_t kCaseVersion = 2, kWithoutJournal = 1;
 
 // The defaults differ between releases of the library. Fixed numbers let a case open with all of
 // them. Older releases ignore cipher_compatibility.
@@ -96,7 +98,7 @@ Result<std::int64_t> check_version(SqliteDatabase& database) {
   if (!application) return tl::unexpected(application.error());
   const auto version = database.integer("PRAGMA user_version");
   if (!version) return tl::unexpected(version.error());
-  if (*application != kCaseApplicationId) {
+  if (*application != kApplicationId) {
     return fail(ErrorCode::kBadFormat, "{}: is a database, but not a flytri case", database.name());
   }
   if (*version > kCaseVersion) {
@@ -189,18 +191,15 @@ Result<std::string> fresh_start() {
   });
 }
 
-/// Reads a case with the first page of a new one, so that what its own says is not used.
-/// @param why  its own cannot be used
-Result<CaseDatabase> open_without_start(const fs::path& path, const Error& why) {
+/// Reads a case whose first page was overwritten.
+Result<CaseDatabase> open_without_start(const fs::path& path) {
   const Result<std::string> start = fresh_start();
   if (!start) return tl::unexpected(start.error());
-  std::string damage =
-      why.code == ErrorCode::kInconsistent
-          ? fmt::format("{}: damaged: the start of the file was overwritten", path.string())
-          : why.message;
   return try_open(path, Secret(), reading_access(path), kSalvageSetup,
                   file_system_with_start(*start))
       .map([&](SqliteDatabase&& database) {
+        std::string damage =
+            fmt::format("{}: damaged: the start of the file was overwritten", path.string());
         return CaseDatabase{std::move(database), Secret(), true, {std::move(damage)}};
       });
 }
@@ -223,10 +222,6 @@ Result<void> check_file(const fs::path& path) {
   return {};
 }
 
-bool is_unreadable(const Error& error) {
-  return error.code == ErrorCode::kInconsistent || error.code == ErrorCode::kBadFormat;
-}
-
 }  // namespace
 
 tl::unexpected<Error> under_final_name(Error error, const AtomicFile& file) {
@@ -242,7 +237,7 @@ Result<void> fill_case_database(const fs::path& path, const Secret& passphrase) 
   if (!database) return tl::unexpected(database.error());
   const std::string sql =
       fmt::format("BEGIN; {} PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;",
-                  joined(schema_sql(kCaseVersion)), kCaseApplicationId, kCaseVersion);
+                  joined(schema_sql(kCaseVersion)), kApplicationId, kCaseVersion);
   return set_up(*database, passphrase)
       .and_then([&] { return database->run(kPageSetup); })
       .and_then([&] { return database->run(kNewSetup); })
@@ -281,9 +276,8 @@ Result<CaseDatabase> open_case_database(const fs::path& path, const CaseOptions&
       !options.passphrase.empty()) {
     database = open_with(path, Secret(), options.read_only);
   }
-  if (database || !is_unreadable(database.error())) return database;
-  if (has_lost_start(path)) return open_without_start(path, database.error());
-  if (database.error().code != ErrorCode::kInconsistent) return database;
+  if (database || database.error().code != ErrorCode::kInconsistent) return database;
+  if (has_lost_start(path)) return open_without_start(path);
   if (options.passphrase.empty()) {
     return fail(ErrorCode::kInconsistent,
                 "{}: is encrypted, damaged at its start, or not a case; give its passphrase",

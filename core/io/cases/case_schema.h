@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -39,9 +38,6 @@ inline constexpr std::array kCaseTables = {
     CaseTable::kModels,   CaseTable::kSummaries,   CaseTable::kEvents};
 [[nodiscard]] std::string_view name_of(CaseTable table);
 
-/// "flyt": the mark of a case among SQLite databases.
-inline constexpr std::int64_t kCaseApplicationId = 0x666c7974;
-inline constexpr std::int64_t kCaseVersion = 2;
 inline constexpr int kCasePageBytes = 8192;
 
 /// An open database with the tables of a case.

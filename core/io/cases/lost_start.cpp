@@ -18,7 +18,7 @@ namespace {
 
 // Places in the header of a database: https://www.sqlite.org/fileformat.html, section 1.3.
 constexpr std::string_view kMagic("SQLite format 3\0", 16);
-constexpr std::size_t kPageCountAt = 28, kVersionAt = 60, kApplicationAt = 68, kHeaderBytes = 100;
+constexpr std::size_t kPageCountAt = 28;
 /// Kinds of pages in section 1.6, of which tables consist.
 constexpr unsigned char kInnerPage = 0x05, kLeafPage = 0x0D;
 constexpr std::size_t kContentAt = 5, kFragmentsAt = 7, kPageHeaderBytes = 8;
@@ -26,14 +26,6 @@ constexpr int kMostFragments = 60;
 
 /// Fewer may be there by chance, or because the file is another database.
 constexpr int kFewestTables = 4;
-
-std::uint32_t big_endian(std::string_view bytes, std::size_t at, std::size_t count) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-  }
-  return value;
-}
 
 /// Reads fewer bytes at the end of the file, none where it cannot be read.
 std::string read_at(std::ifstream& file, std::int64_t at, std::size_t count) {
@@ -47,17 +39,10 @@ std::string read_at(std::ifstream& file, std::int64_t at, std::size_t count) {
 
 bool is_of_table(std::string_view page) {
   if (page.size() < kPageHeaderBytes) return false;
-  const auto kind = static_cast<unsigned char>(page[0]);
-  return (kind == kInnerPage || kind == kLeafPage) &&
-         big_endian(page, kContentAt, 2) <= kCasePageBytes &&
-         static_cast<unsigned char>(page[kFragmentsAt]) <= kMostFragments;
-}
-
-/// A whole database of something else, or of a newer version of this program, is not damaged.
-bool is_header_of_another(std::string_view header) {
-  return header.size() == kHeaderBytes && header.substr(0, kMagic.size()) == kMagic &&
-         (big_endian(header, kApplicationAt, 4) != kCaseApplicationId ||
-          big_endian(header, kVersionAt, 4) > kCaseVersion);
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(page[at]); };
+  return (byte(0) == kInnerPage || byte(0) == kLeafPage) &&
+         (byte(kContentAt) << 8 | byte(kContentAt + 1)) <= kCasePageBytes &&
+         byte(kFragmentsAt) <= kMostFragments;
 }
 
 std::array<char, kCasePageBytes> start_page;
@@ -105,7 +90,7 @@ int open_with_start(sqlite3_vfs* /*self*/, const char* name, sqlite3_file* file,
 
 bool has_lost_start(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (is_header_of_another(read_at(file, 0, kHeaderBytes))) return false;
+  if (read_at(file, 0, kMagic.size()) == kMagic) return false;
   int tables = 0;
   for (std::size_t page = 1; page <= kCaseTables.size(); ++page) {
     const std::string header =

@@ -9,8 +9,8 @@
 
 namespace flytri::io {
 
-/// True if the first page is not that of a case, but pages of tables follow where a case has them.
-/// Never true for an encrypted case: without its first page nothing of it can be decrypted.
+/// True if the file does not begin as a database does, but pages of tables follow where a case has
+/// them. Never true for an encrypted case: without its first page nothing of it can be decrypted.
 [[nodiscard]] bool has_lost_start(const std::filesystem::path& path);
 
 /// The name under which SQLite opens a file as if it began with `page`, which is that of a new
