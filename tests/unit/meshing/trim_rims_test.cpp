@@ -54,7 +54,9 @@ void expect_manifold(const TriangleMesh& mesh) {
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     if (!edges[i].same_edge(edges[i + 1])) continue;
     EXPECT_NE(edges[i].rising, edges[i + 1].rising);
-    if (i + 2 < edges.size()) EXPECT_FALSE(edges[i].same_edge(edges[i + 2]));
+    if (i + 2 < edges.size()) {
+      EXPECT_FALSE(edges[i].same_edge(edges[i + 2]));
+    }
   }
   for (const Triangle& t : mesh.triangles) EXPECT_GT(area_vector_mm2(mesh, t).z(), 0.0);
 }
