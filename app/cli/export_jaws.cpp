@@ -84,7 +84,7 @@ Result<void> write_all_jaws(const JawsExport& wanted,
                             std::vector<fs::path>& written) {
   for (const fs::path& output : wanted.outputs) {
     const std::size_t before = written.size();
-    const Result<void> done = reconstruct::write_jaws(output, jaws, written);
+    Result<void> done = reconstruct::write_jaws(output, jaws, written);
     for (std::size_t i = before; i < written.size(); ++i)
       print_out("wrote {}\n", written[i].string());
     if (!done) return done;
