@@ -35,8 +35,7 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   /// @param texts  for messages
   [[nodiscard]] Result<OpenedStage> load(io::ScanStage stage, const ui::Texts& texts = {});
   /// @param texts  for messages
-  /// @errors  As load; kInsufficient: the stage has no model, or one that is not of its scan as it
-  ///          is now.
+  /// @errors  As load; kInsufficient: there is no model, or the scan has changed since.
   [[nodiscard]] Result<std::shared_ptr<const reconstruct::FinishedScan>> load_model(
       io::ScanStage stage, const ui::Texts& texts);
   [[nodiscard]] Result<io::CaseFields> fields();

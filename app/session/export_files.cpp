@@ -76,12 +76,6 @@ Result<void> write_finished(const std::vector<fs::path>& models, const scan::Sca
   return write_models(models, shown, &model, {}, written);
 }
 
-/// The files that write_format() writes: for a model without a texture only one.
-std::vector<fs::path> files_of(const scan::ScanSnapshot& shown, const fs::path& file) {
-  const bool has_texture = shown.result && !shown.result->model.atlas.empty();
-  return has_texture ? io::files_of_model(file) : std::vector<fs::path>{file};
-}
-
 /// The files of an export that exist and that the user did not allow to replace.
 Result<std::vector<std::string>> not_replaceable(const std::vector<fs::path>& files,
                                                  const std::vector<std::string>& replaced) {
@@ -129,6 +123,10 @@ Result<fs::path> export_stem(const ui::ExportTarget& target, const ui::Texts& te
   });
 }
 
+std::vector<fs::path> files_of(const fs::path& model, bool has_texture) {
+  return has_texture ? io::files_of_model(model) : std::vector<fs::path>{model};
+}
+
 Result<ExportOutcome> write_asked(const std::vector<fs::path>& files,
                                   const std::vector<std::string>& replaced,
                                   const std::function<Result<void>()>& write) {
@@ -155,10 +153,11 @@ Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Ex
   }
   const Result<fs::path> stem = export_stem(command.target, texts);
   if (!stem) return tl::unexpected(stem.error());
+  const bool has_texture = shown.result && !shown.result->model.atlas.empty();
   std::vector<fs::path> models, files;
   for (const std::string_view extension : command.target.formats) {
     models.emplace_back(stem->string() + std::string(extension));
-    const std::vector<fs::path> more = files_of(shown, models.back());
+    const std::vector<fs::path> more = files_of(models.back(), has_texture);
     files.insert(files.end(), more.begin(), more.end());
   }
   return write_asked(files, command.replaced, [&]() -> Result<void> {

@@ -39,8 +39,12 @@ struct ExportOutcome {
 [[nodiscard]] Result<std::filesystem::path> export_stem(const ui::ExportTarget& target,
                                                         const ui::Texts& texts = {});
 
+/// The files that are written for a model: without a texture only one.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const std::filesystem::path& model,
+                                                          bool has_texture);
+
 /// Writes files, unless some exist that may not be replaced.
-/// @param files     all that `write` writes, in one folder, which is created if it is not there
+/// @param files     all files that `write` writes; their folder is created if needed
 /// @param replaced  paths of files that may be replaced
 /// @errors  kBadOption: a folder, or a file of another kind, has the name; as `write`.
 [[nodiscard]] Result<ExportOutcome> write_asked(const std::vector<std::filesystem::path>& files,

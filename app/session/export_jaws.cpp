@@ -1,9 +1,7 @@
 #include "app/session/export_jaws.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "core/io/models/model.h"
 #include "core/reconstruct/patient_jaws.h"
 #include "ui/state/jaw_words.h"
 
@@ -18,19 +16,18 @@ struct JawFiles {
   std::vector<fs::path> files;
 };
 
-JawFiles files_of(const fs::path& stem, const std::vector<JawToExport>& jaws,
-                  const std::vector<std::string_view>& formats) {
+JawFiles jaw_files(const fs::path& stem, const std::vector<JawToExport>& jaws,
+                   const std::vector<std::string_view>& formats) {
   std::vector<io::ScanStage> stages;
   stages.reserve(jaws.size());
   for (const JawToExport& jaw : jaws) stages.push_back(jaw.stage);
-  const bool has_texture = std::any_of(jaws.begin(), jaws.end(), [](const JawToExport& jaw) {
-    return !jaw.scan->model.atlas.empty();
-  });
   JawFiles files;
   for (const std::string_view extension : formats) {
     files.outputs.emplace_back(stem.string() + std::string(extension));
-    for (const fs::path& model : reconstruct::jaw_models(files.outputs.back(), stages)) {
-      const auto written = has_texture ? io::files_of_model(model) : std::vector<fs::path>{model};
+    const auto models = reconstruct::jaw_models(files.outputs.back(), stages);
+    // One for each jaw, or a .glb, which holds its textures.
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      const auto written = session::files_of(models[i], !jaws[i].scan->model.atlas.empty());
       files.files.insert(files.files.end(), written.begin(), written.end());
     }
   }
@@ -72,7 +69,7 @@ Result<ExportOutcome> export_jaws(std::vector<JawToExport>& jaws, CaseStore& sto
     if (!loaded) return tl::unexpected(loaded.error());
     jaw.scan = *std::move(loaded);
   }
-  const JawFiles files = files_of(*stem, jaws, command.target.formats);
+  const JawFiles files = jaw_files(*stem, jaws, command.target.formats);
   return write_asked(files.files, command.replaced, [&]() -> Result<void> {
     const auto places = places_of(jaws, texts, progress);
     if (!places) return tl::unexpected(places.error());

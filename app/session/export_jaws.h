@@ -21,7 +21,7 @@ struct JawToExport {
   std::shared_ptr<LighterModels> lighter;                 ///< of the scan; null: none were made
 };
 
-/// Writes the files that reconstruct::write_jaws() names, with the permissions of export_files().
+/// Writes the files of reconstruct::write_jaws(). Only their owner may read them.
 /// Scans that are read from the case are kept in `jaws`.
 /// @param models_written  gets the models that were written, also before a failure
 /// @errors  As export_stem, CaseStore::load_model, reconstruct::place_jaws, write_asked.

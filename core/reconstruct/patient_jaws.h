@@ -42,7 +42,7 @@ struct PatientJaw {
 [[nodiscard]] PatientJaw in_patient(io::ScanStage stage, ModelAtDensity model,
                                     const JawPlaces& places);
 
-/// The models that `output` stands for: NAME.glb holds all stages, NAME.stl becomes NAME-upper.stl,
+/// The models to write for `output`. NAME.glb holds all stages. NAME.stl becomes NAME-upper.stl,
 /// NAME-lower.stl and NAME-bite.stl.
 [[nodiscard]] std::vector<std::filesystem::path> jaw_models(const std::filesystem::path& output,
                                                             std::span<const io::ScanStage> stages);

@@ -82,9 +82,10 @@ class LineImager::Section {
     return gain_ * profile_(offset_px * across_per_px_, blur_);
   }
   [[nodiscard]] double operator()(double offset_px) const {
+    const double half = half_px();
     double sum = 0.0;
     for (std::size_t k = 0; k < spread_.size(); ++k)
-      sum += spread_[k] * sharp(offset_px - (static_cast<double>(k) - half_px()));
+      sum += spread_[k] * sharp(offset_px - (static_cast<double>(k) - half));
     return sum;
   }
   [[nodiscard]] double reach_px() const {

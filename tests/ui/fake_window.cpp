@@ -3,9 +3,8 @@
 ///     fake_window [--control SOCKET] [--state NAME] [--width W] [--height H] [--scale S]
 ///                 [--language CODE]
 ///
-/// Over the control channel, `tell NAME` shows another state, `tell language=CODE` the same in
-/// another language. Each frame advances the time by 1/60 s, so that motion is the same in every
-/// run.
+/// Over the control channel, `tell NAME` shows another state, and `tell language=CODE` changes the
+/// language. Each frame takes 1/60 s, so that motion is the same in every run.
 #include <imgui.h>
 
 #include <fmt/format.h>

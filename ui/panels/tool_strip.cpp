@@ -70,7 +70,7 @@ float strip_width(const PanelContext& context, const char* text, bool has_clear)
   return line + brush + clear + done_width(context) + 3.0F * context.px(kGapM);
 }
 
-/// Whether the button that clears the stage has room beside the text, which may take two lines.
+/// Whether the button "Clear all" fits beside the text. The text may take two lines.
 bool has_room_to_clear(const PanelContext& context, const char* text, float width) {
   const float room = width - strip_width(context, "", true);
   const float height = context.px(kHeight - 2.0F * kGapS);

@@ -45,8 +45,8 @@ struct ChooseReentry {
 struct SelectStage {
   io::ScanStage stage = io::ScanStage::kUpper;
 };
-/// Writes the shown model, or all jaws, to files. If files exist that the user does not allow to
-/// replace, writes nothing: then ExportState::existing lists them.
+/// Writes the shown model, or all jaws. Nothing is written if a file exists that may not be
+/// replaced: ExportState::existing lists such files.
 struct Export {
   ExportTarget target;                ///< at least 1 format
   std::vector<std::string> replaced;  ///< paths of files that may be replaced

@@ -9,12 +9,12 @@
 
 namespace flytri::io {
 
-/// True if the file does not begin as a database does, but pages of tables follow where a case has
-/// them. Never true for an encrypted case: without its first page nothing of it can be decrypted.
+/// True if the start of the file is not that of a database, but the tables of a case follow. False
+/// for an encrypted case, which cannot be read without its first page.
 [[nodiscard]] bool has_lost_start(const std::filesystem::path& path);
 
-/// The name under which SQLite opens a file as if it began with `page`, which is that of a new
-/// case. The page of the first call serves for all.
+/// Makes SQLite read `page`, of a new case, as the first page of a file.
+/// @return  the file system to open the file with; all have the page of the first call
 [[nodiscard]] const char* file_system_with_start(const std::string& page);
 
 }  // namespace flytri::io

@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 using testing::bite_relation;
 using testing::Cheek;
 using testing::coarse_jaw;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
