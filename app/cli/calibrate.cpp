@@ -1,6 +1,7 @@
 /// @file  flytri calibrate: makes calibration.json from target images in a folder or from a sensor.
 #include <fmt/format.h>
 
+#include <ctime>
 #include <filesystem>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
+#include "core/base/iso_time.h"
 #include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
@@ -35,9 +37,10 @@ Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& 
   if (!checked) return checked;
   const Result<calibration::CalibrationSet> set = io::read_calibration_set(arguments.set);
   if (!set) return tl::unexpected(set.error());
-  const Result<calibration::Calibration> calibration = calibration::calibrate(
+  Result<calibration::Calibration> calibration = calibration::calibrate(
       *set, calibration::CalibrateOptions{}, Workers(arguments.of_live.thread_count), progress);
   if (!calibration) return tl::unexpected(calibration.error());
+  calibration->history.made_at = iso_time(std::time(nullptr));
   if (auto written = io::write_calibration(output, *calibration); !written) return written;
   print_residuals(*calibration);
   print_out("wrote {}\n", output.string());

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <ctime>
 #include <memory>
 
 #include "app/cli/console.h"
 #include "app/cli/guide_dialog.h"
+#include "core/base/iso_time.h"
 #include "core/calibration/verify/verify.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "hw/shots/open_shots.h"
@@ -68,6 +70,17 @@ Result<void> conclude(const calibration::VerificationReport& report) {
               "the calibration no longer holds; calibrate again with flytri calibrate --live");
 }
 
+/// Keeps the outcome with the calibration, for reports. That is no reason for the check to fail.
+void note_check(const std::filesystem::path& file, calibration::Calibration calibration,
+                calibration::VerificationOutcome outcome) {
+  if (outcome == calibration::VerificationOutcome::kUnclear) return;
+  calibration.history.checked_at = iso_time(std::time(nullptr));
+  calibration.history.has_passed = outcome == calibration::VerificationOutcome::kValid;
+  if (auto written = io::write_calibration(file, calibration); !written) {
+    print_error("flytri: warning: the check is not noted: {}\n", written.error().message);
+  }
+}
+
 }  // namespace
 
 Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Progress& progress) {
@@ -81,6 +94,7 @@ Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Pro
                           ? calibration::check_on_sphere(*poses, arguments.sphere_mm, *calibration)
                           : calibration::check_on_plane(*poses, *calibration);
   if (!report) return tl::unexpected(report.error());
+  note_check(arguments.calibration, *calibration, report->outcome);
   return conclude(*report);
 }
 

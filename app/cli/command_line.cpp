@@ -13,6 +13,7 @@ void set_up_command_line(CLI::App& app, Invocation& invocation) {
   add_export_command(app, invocation);
   add_occlude_command(app, invocation);
   add_review_command(app, invocation);
+  add_report_command(app, invocation);
   add_rescue_command(app, invocation);
   add_journal_command(app, invocation);
   add_evaluate_command(app, invocation);

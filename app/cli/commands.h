@@ -11,6 +11,7 @@ void add_reconstruct_command(CLI::App& app, Invocation& invocation);
 void add_export_command(CLI::App& app, Invocation& invocation);
 void add_occlude_command(CLI::App& app, Invocation& invocation);
 void add_review_command(CLI::App& app, Invocation& invocation);
+void add_report_command(CLI::App& app, Invocation& invocation);
 void add_rescue_command(CLI::App& app, Invocation& invocation);
 void add_journal_command(CLI::App& app, Invocation& invocation);
 void add_evaluate_command(CLI::App& app, Invocation& invocation);

@@ -1,9 +1,11 @@
 /// @file  flytri reconstruct: makes models from a recording or a case.
 #include <fmt/format.h>
 
+#include <ctime>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/cli/case_access.h"
@@ -12,10 +14,13 @@
 #include "app/cli/density_option.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
+#include "app/report/write_report.h"
 #include "app/session/case_events.h"
+#include "core/base/iso_time.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/calibrations/recording_calibration.h"
+#include "core/io/files/former_file.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
@@ -33,18 +38,49 @@ struct ReconstructArguments {
   bool force = false;
   std::vector<fs::path> outputs;
   fs::path calibration;
-  fs::path report;
+  std::vector<fs::path> reports;
   fs::path points;
   reconstruct::MeshDensity density = reconstruct::MeshDensity::kFull;
   double close_holes_mm = 0.0;
   int thread_count = 0;
 };
 
+/// What was reconstructed.
+struct Origin {
+  const calibration::Calibration& calibration;
+  editing::EditList edits = editing::EditStack().state();
+  std::optional<io::CaseFields> patient = std::nullopt;
+  std::optional<io::ScanStage> stage = std::nullopt;
+};
+
+bool is_page(const fs::path& path) { return io::kind_by_name(path) == ".html"; }
+
+report::ScanFacts facts_of(const ReconstructArguments& arguments, const Origin& origin,
+                           const reconstruct::Reconstruction& reconstruction) {
+  report::ScanFacts facts;
+  facts.source = arguments.input.string();
+  facts.patient = origin.patient;
+  facts.stage = origin.stage;
+  facts.surface = reconstruction.surface;
+  facts.spans = reconstruction.spans;
+  for (const reconstruct::FrameReport& frame : reconstruction.frames) {
+    if (frame.fate == reconstruct::FrameFate::kRejected) {
+      ++facts.rejected[frame.reason];
+    } else {
+      ++facts.registered;
+    }
+  }
+  facts.edits = report::count_edits(origin.edits);
+  facts.calibration = report::facts_of(origin.calibration);
+  facts.made_at = iso_time(std::time(nullptr));
+  facts.program = "flytri " FLYTRI_VERSION;
+  return facts;
+}
+
 /// @param written  gets the files that are complete
 Result<void> write_outputs(const ReconstructArguments& arguments,
-                           const reconstruct::Reconstruction& reconstruction,
-                           const calibration::MeasurementVolume& volume, const Progress& progress,
-                           std::vector<fs::path>& written) {
+                           const reconstruct::Reconstruction& reconstruction, const Origin& origin,
+                           const Progress& progress, std::vector<fs::path>& written) {
   progress.begin_stage(reconstruct::kThinningTriangles);
   const Result<reconstruct::ModelAtDensity> model =
       reconstruct::at_density(reconstruction.model, arguments.density, progress);
@@ -63,18 +99,25 @@ Result<void> write_outputs(const ReconstructArguments& arguments,
     if (!done) return done;
     note(arguments.points);
   }
-  if (arguments.report.empty()) return {};
-  auto done = write_report(arguments.report, {reconstruction, *model, volume.size_mm});
-  if (done) note(arguments.report);
-  return done;
+  for (const fs::path& path : arguments.reports) {
+    auto done =
+        is_page(path)
+            ? report::write_report(path, facts_of(arguments, origin, reconstruction))
+            : write_report(path, {reconstruction, *model, origin.calibration.volume.size_mm});
+    if (!done) return done;
+    note(path);
+  }
+  return {};
 }
 
 void print_warning(const std::string& warning) {
   if (!warning.empty()) print_error("flytri: warning: {}\n", warning);
 }
 
-reconstruct::ReconstructOptions options_of(const ReconstructArguments& arguments) {
+reconstruct::ReconstructOptions options_of(const ReconstructArguments& arguments,
+                                           std::optional<JawKind> jaw = std::nullopt) {
   reconstruct::ReconstructOptions options;
+  options.finish.jaw = jaw;
   options.finish.meshing.close_holes_mm = arguments.close_holes_mm;
   options.now_s = steady_seconds;
   return options;
@@ -96,7 +139,7 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
   std::vector<fs::path> written;
-  return write_outputs(arguments, *reconstruction, used->calibration.volume, progress, written);
+  return write_outputs(arguments, *reconstruction, {used->calibration}, progress, written);
 }
 
 /// The calibration given with --calibration, or else the one that the case keeps.
@@ -168,7 +211,8 @@ Result<void> reconstruct_case(const ReconstructArguments& arguments, CaseAccess&
   print_damage(stored->damage);
   const reconstruct::NamedStage named{arguments.input.string(), *std::move(stored)};
   const Result<reconstruct::Reconstruction> reconstruction = reconstruct::reconstruct_stage(
-      named, *calibration, options_of(arguments), Workers(arguments.thread_count), progress);
+      named, *calibration, options_of(arguments, reconstruct::jaw_of(*stage)),
+      Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
   print_summary(*reconstruction);
   if (arguments.keep) {
@@ -176,8 +220,9 @@ Result<void> reconstruct_case(const ReconstructArguments& arguments, CaseAccess&
     if (!kept) return kept;
   }
   std::vector<fs::path> written;
-  Result<void> done =
-      write_outputs(arguments, *reconstruction, calibration->volume, progress, written);
+  Origin origin = {*calibration, named.stage.edits.state(),
+                   file->fields().value_or(io::CaseFields{}), *stage};
+  Result<void> done = write_outputs(arguments, *reconstruction, origin, progress, written);
   if (!written.empty()) access.note(io::CaseAction::kExported, *stage, written);
   return done;
 }
@@ -191,9 +236,11 @@ Result<void> run_on_case(const ReconstructArguments& arguments, const Progress& 
 }
 
 Result<void> run(const ReconstructArguments& arguments, const Progress& progress) {
-  auto checked = check_output_files(arguments.outputs,
-                                    {{arguments.points, ".ply"}, {arguments.report, kReportFormat}},
-                                    arguments.force);
+  std::vector<OtherOutput> others = {{arguments.points, ".ply"}};
+  for (const fs::path& report : arguments.reports) {
+    others.push_back({report, is_page(report) ? ".html" : kReportFormat});
+  }
+  auto checked = check_output_files(arguments.outputs, others, arguments.force);
   if (!checked) return checked;
   return names_case(arguments.input) ? run_on_case(arguments, progress)
                                      : run_on_recording(arguments, progress);
@@ -213,8 +260,9 @@ void add_reconstruct_command(CLI::App& app, Invocation& invocation) {
       "--calibration", arguments->calibration,
       "Calibration of the sensor. Default: the one that the recording names or the case keeps");
   command->add_option("--points", arguments->points, "Also write the thinned points as .ply");
-  command->add_option("--report", arguments->report,
-                      "Also write counts, poses, rates and times as .json");
+  command->add_option("--report", arguments->reports,
+                      "Also write a page about the scan, .html, or counts, poses, rates and times, "
+                      ".json; may be given several times");
   add_case_options(*command, arguments->case_options);
   command->add_flag("--keep", arguments->keep,
                     "Also save the model in the case, for flytri export and the window");

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "app/cli/console.h"
+#include "app/report/span_json.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/json_place.h"
 #include "core/io/models/model.h"
@@ -109,6 +110,7 @@ Json to_json(const ReportedResult& result) {
       {"points", reconstruction.points.size()},
       {"vertices", reconstruction.surface.mesh.vertices.size()},
       {"triangles", reconstruction.surface.mesh.triangles.size()}};
+  json[report::kDistancesKey] = report::to_json(reconstruction.spans);
   json["mesh"] = mesh_json(result.model, reconstruction.surface.closed_holes);
   for (const StageTime& stage : reconstruction.stages) json["stages"].push_back(stage_json(stage));
   json["frames"] = Json::array();

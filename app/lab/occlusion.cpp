@@ -10,14 +10,12 @@
 
 #include "app/cli/output_files.h"
 #include "app/lab/closed_jaws.h"
-#include "app/lab/simulated_scan.h"
+#include "app/lab/reconstructed_scan.h"
 #include "app/lab/studies.h"
 #include "core/base/median.h"
-#include "core/evaluation/best_fit.h"
 #include "core/io/files/file_bytes.h"
 #include "core/occlusion/clearance.h"
 #include "core/occlusion/occlude.h"
-#include "core/reconstruct/reconstruct.h"
 
 namespace flytri::lab {
 namespace {
@@ -32,42 +30,6 @@ struct OcclusionArguments {
   int bite_view_count = 90;
   int thread_count = 0;
 };
-
-/// Views of a scan, reconstructed, and where its world is in the frame of the model.
-struct ScannedPart {
-  TriangleMesh surface;
-  Isometry T_model_world = Isometry::Identity();
-};
-
-Result<ScannedPart> reconstruct_scan(const SimulatedScan& scan, const TriangleMesh& model,
-                                     const Workers& workers, const Progress& progress) {
-  auto made = reconstruct::reconstruct_views(scan.views, {}, workers, progress);
-  if (!made) return tl::unexpected(made.error());
-  ScannedPart part;
-  part.surface = std::move(made->surface.mesh);
-  const auto first = std::find_if(made->frames.begin(), made->frames.end(), [](const auto& frame) {
-    return frame.T_world_sensor.has_value();
-  });
-  const Isometry T_model_world =
-      scan.T_model_sensor[first->frame.at()] * first->T_world_sensor->inverse();
-  // The error of the first view is none of the occlusion: the world is laid on the true jaw.
-  const auto fit = evaluation::best_fit(evaluation::transformed(part.surface, T_model_world), model,
-                                        {}, workers);
-  if (!fit) return tl::unexpected(fit.error());
-  part.T_model_world = fit->T_truth_result * T_model_world;
-  return part;
-}
-
-Result<ScannedPart> scan_jaw(const TriangleMesh& jaw, const OcclusionArguments& arguments,
-                             std::uint64_t seed, const Workers& workers, const Progress& progress) {
-  SimulatedScanOptions options;
-  options.view_count = arguments.view_count;
-  options.path.seed = options.noise.seed = seed;
-  options.noise.correlation_samples = 1.5;
-  auto scan = simulate_scan(jaw, simulated::intraoral_sensor(), options, workers, progress);
-  if (!scan) return tl::unexpected(scan.error());
-  return reconstruct_scan(*scan, jaw, workers, progress);
-}
 
 /// An error of the relation beside what was predicted, at one place.
 struct PlaceError {
@@ -98,7 +60,7 @@ double contact_error_mm(const ClosedJaws& jaws, const Isometry& T_upper_lower,
 }
 
 OcclusionError error_of(const occlusion::Occlusion& found, const ClosedJaws& jaws,
-                        const ScannedPart& upper, const ScannedPart& lower,
+                        const ReconstructedScan& upper, const ReconstructedScan& lower,
                         const Workers& workers) {
   // Both in the frame of the true upper jaw.
   const Isometry T_found =
@@ -147,22 +109,24 @@ Result<Json> try_jaws(const OcclusionArguments& arguments, std::uint64_t seed,
                       const Workers& workers, const Progress& progress) {
   const auto jaws = close_sample_jaws(seed, workers);
   if (!jaws) return tl::unexpected(jaws.error());
-  const auto upper = scan_jaw(jaws->upper, arguments, 10 * seed + 1, workers, progress);
+  const auto upper = scan_arch(jaws->upper, JawKind::kUpper, arguments.view_count, 10 * seed + 1,
+                               workers, progress);
   if (!upper) return tl::unexpected(upper.error());
-  const auto lower = scan_jaw(jaws->lower, arguments, 10 * seed + 2, workers, progress);
+  const auto lower = scan_arch(jaws->lower, JawKind::kLower, arguments.view_count, 10 * seed + 2,
+                               workers, progress);
   if (!lower) return tl::unexpected(lower.error());
-  std::vector<ScannedPart> bites;
+  std::vector<ReconstructedScan> bites;
   for (const bool is_right : {false, true}) {
     auto scan = scan_bite(*jaws, is_right, arguments.bite_view_count,
                           10 * seed + (is_right ? 4 : 3), workers, progress);
     if (!scan) return tl::unexpected(scan.error());
-    auto bite = reconstruct_scan(*scan, jaws->closed, workers, progress);
+    auto bite = reconstruct_scan(*scan, jaws->closed, std::nullopt, workers, progress);
     if (!bite) return tl::unexpected(bite.error());
     bites.push_back(*std::move(bite));
   }
   Json rows = Json::array();
   std::vector<occlusion::BiteScan> scans;
-  for (const ScannedPart& bite : bites) {
+  for (const ReconstructedScan& bite : bites) {
     scans.push_back({fmt::format("bite {}", scans.size() + 1), bite.surface.vertices});
     const auto found =
         occlusion::find_occlusion(upper->surface, lower->surface, scans, {}, workers, progress);

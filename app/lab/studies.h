@@ -14,6 +14,7 @@ void add_tracking_study(CLI::App& lab, cli::Invocation& invocation);
 void add_continuation_study(CLI::App& lab, cli::Invocation& invocation);
 void add_returns_study(CLI::App& lab, cli::Invocation& invocation);
 void add_occlusion_study(CLI::App& lab, cli::Invocation& invocation);
+void add_lengths_study(CLI::App& lab, cli::Invocation& invocation);
 void add_growth_study(CLI::App& lab, cli::Invocation& invocation);
 void add_synchronization_study(CLI::App& lab, cli::Invocation& invocation);
 void add_live_command(CLI::App& lab, cli::Invocation& invocation);

@@ -1,6 +1,6 @@
 #include "app/session/case_controller.h"
 
-#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <ctime>
@@ -9,6 +9,7 @@
 
 #include "app/session/case_events.h"
 #include "app/session/user_folders.h"
+#include "core/base/iso_time.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/leftovers.h"
@@ -20,7 +21,7 @@ std::filesystem::path cases_folder() { return data_folder() / "cases"; }
 
 /// The fields, with the present time as that of the creation.
 io::CaseFields created_now(io::CaseFields fields) {
-  fields.created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  fields.created = iso_time(std::time(nullptr));
   return fields;
 }
 

@@ -1,11 +1,13 @@
 #include "app/session/case_events.h"
 
-#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <pwd.h>
 #include <unistd.h>
 
 #include <array>
 #include <ctime>
+
+#include "core/base/iso_time.h"
 
 namespace flytri::session {
 namespace {
@@ -34,7 +36,7 @@ io::CaseEvent event_now(io::CaseAction action, std::optional<io::ScanStage> stag
                         const std::vector<std::filesystem::path>& files) {
   io::CaseEvent event;
   event.action = action;
-  event.time = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  event.time = iso_time(std::time(nullptr));
   event.user = user_name();
   event.host = host_name();
   event.program = "flytri " FLYTRI_VERSION;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/report/span_json.h"
 #include "app/session/case_events.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/models/glb.h"
@@ -101,9 +102,11 @@ class CaseStore::Journal final : public scan::ScanJournal {
       if (!glb) return tl::unexpected(glb.error());
       const auto counts = file.counts(stage_);
       if (!counts) return tl::unexpected(counts.error());
-      const nlohmann::json summary = {{"views", result.views.size()},
-                                      {"points", result.points.size()},
-                                      {"triangles", result.model.mesh.triangles.size()}};
+      const nlohmann::ordered_json summary = {
+          {"views", result.views.size()},
+          {"points", result.points.size()},
+          {"triangles", result.model.mesh.triangles.size()},
+          {report::kDistancesKey, report::to_json(result.spans)}};
       const io::StageResult stored{std::move(*glb), summary.dump(), io::basis_of(*counts, edits_)};
       return file.write_result(stage_, stored).and_then([&] {
         return file.add_event(event_now(io::CaseAction::kComputed, stage_));

@@ -15,6 +15,8 @@
 namespace flytri::reconstruct {
 namespace {
 
+/// Share of the meshing time for judging distances.
+constexpr double kJudgingShare = 0.2;
 /// Share of the texturing time for coloring the points, and the same share for the vertices.
 constexpr double kColoringShare = 0.15;
 
@@ -39,6 +41,7 @@ class Finisher {
   Result<std::vector<SurfaceSample>> find_samples();
   Result<void> make_points();
   Result<void> make_surface();
+  Result<void> judge_distances();
   Result<void> apply_texture();
 
   ScannedViews& scanned_;
@@ -124,12 +127,22 @@ Result<void> Finisher::make_points() {
 
 Result<void> Finisher::make_surface() {
   progress_.begin_stage(kMeshing);
-  Result<meshing::SurfaceMesh> surface =
-      meshing::mesh_surface(result_.points, options_.meshing, workers_, progress_);
+  Result<meshing::SurfaceMesh> surface = meshing::mesh_surface(
+      result_.points, options_.meshing, workers_, progress_.part(1.0 - kJudgingShare));
   if (!surface) return tl::unexpected(surface.error());
   result_.surface = std::move(*surface);
   clock_.end_stage("meshing", result_.points.size(), "points");
   result_.model.mesh = result_.surface.mesh;
+  return {};
+}
+
+Result<void> Finisher::judge_distances() {
+  Result<std::vector<JudgedSpan>> spans =
+      judge_spans(result_.surface.mesh, options_.jaw, serving_, options_.refinement, workers_,
+                  progress_.part(kJudgingShare));
+  if (!spans) return tl::unexpected(spans.error());
+  result_.spans = *std::move(spans);
+  clock_.end_stage("uncertainty", result_.spans.size(), "distances");
   return {};
 }
 
@@ -174,6 +187,7 @@ Result<FinishedScan> Finisher::run() {
   place_texture_frames();
   if (auto ok = make_points(); !ok) return tl::unexpected(ok.error());
   if (auto ok = make_surface(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = judge_distances(); !ok) return tl::unexpected(ok.error());
   if (auto ok = apply_texture(); !ok) return tl::unexpected(ok.error());
   // The user may have canceled after the last check.
   if (progress_.cancelled()) return stopped();

@@ -14,6 +14,7 @@
 #include "core/imaging/frame.h"
 #include "core/meshing/mesh_surface.h"
 #include "core/normals/normals.h"
+#include "core/reconstruct/jaw_spans.h"
 #include "core/reduction/reduce.h"
 #include "core/refinement/refine.h"
 #include "core/texture/bake_atlas.h"
@@ -30,6 +31,8 @@ struct FinishOptions {
   /// Default 0.5, > 0. Longest gap in time between views over which the pose of a texture frame is
   /// interpolated, s.
   double max_gap_s = 0.5;
+  /// Which jaw it is, if known: tells left from right.
+  std::optional<JawKind> jaw;
 };
 
 /// The data of a finished scan.
@@ -47,9 +50,10 @@ struct FinishedScan {
   std::vector<FrameIndex> contradicting;  ///< views not used, because they contradict the others
   /// By texture frame; nullopt: no registered view before or after it.
   std::vector<std::optional<Isometry>> T_world_texture;
-  PointCloud points;             ///< reduced points, colored where a texture frame saw them
-  meshing::SurfaceMesh surface;  ///< with its list of holes
-  TexturedMesh model;            ///< the same mesh, cut into charts if there is texture
+  PointCloud points;              ///< reduced points, colored where a texture frame saw them
+  meshing::SurfaceMesh surface;   ///< with its list of holes
+  TexturedMesh model;             ///< the same mesh, cut into charts if there is texture
+  std::vector<JudgedSpan> spans;  ///< distances across the jaw
 };
 
 /// Restores a result from a saved model: the surface, its holes and the model. Views and points are

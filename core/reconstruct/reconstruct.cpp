@@ -238,6 +238,7 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
   result_.points = std::move(finished->points);
   result_.surface = std::move(finished->surface);
   result_.model = std::move(finished->model);
+  result_.spans = std::move(finished->spans);
   result_.stages = clock_.stages();
   return std::move(result_);
 }

@@ -50,6 +50,7 @@ struct Reconstruction {
   PointCloud points;                ///< reduced points, colored where a texture frame saw them
   meshing::SurfaceMesh surface;     ///< with its list of holes
   TexturedMesh model;               ///< the same mesh, cut into charts if there is texture
+  std::vector<JudgedSpan> spans;    ///< distances across the jaw
   std::vector<StageTime> stages;
 };
 

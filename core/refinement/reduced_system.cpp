@@ -13,9 +13,6 @@ constexpr int kMaxIterations = 400;
 /// Relative to the norm of the first residual; far below the change in one step of the outer
 /// iteration.
 constexpr double kTolerance = 1e-5;
-/// Share of a view's own information added as damping, for directions that the other views do not
-/// determine.
-constexpr double kDamping = 1e-7;
 
 Eigen::Matrix3d cross_matrix(const Vec3& v) {
   Eigen::Matrix3d m;
@@ -53,23 +50,23 @@ void ReducedSystem::add_view(std::size_t view, const Matrix6& information, const
   gradient_.segment<6>(6 * static_cast<Eigen::Index>(view)) += gradient;
 }
 
-void ReducedSystem::finish(const Workers& workers) {
-  finish_views(workers);
+void ReducedSystem::finish(const Workers& workers, double damping) {
+  finish_views(workers, damping);
   finish_groups();
 }
 
-void ReducedSystem::finish_views(const Workers& workers) {
+void ReducedSystem::finish_views(const Workers& workers, double damping) {
   view_inverse_.resize(centers_mm_.size());
   workers.for_each(centers_mm_.size(), [&](std::size_t v) {
     Matrix6& D = information_[v];
-    D.diagonal() += kDamping * D.diagonal();
+    D.diagonal() += damping * D.diagonal();
     // A view that is in no cell does not move.
     if (D.trace() <= 0.0) D = Matrix6::Identity();
     Matrix6 own = D;
     for (const std::uint32_t b : blocks_of_view_[v]) {
       own.noalias() -= blocks_[b].coupling * blocks_[b].coupling.transpose();
     }
-    own.diagonal() += kDamping * D.diagonal();
+    own.diagonal() += damping * D.diagonal();
     view_inverse_[v] = inverse_of_symmetric(own);
   });
 }
@@ -152,10 +149,10 @@ Eigen::VectorXd ReducedSystem::precondition(const Eigen::VectorXd& r) const {
   return z;
 }
 
-Result<Eigen::VectorXd> ReducedSystem::solve(const Workers& workers,
-                                             const Progress& progress) const {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(gradient_.size());
-  Eigen::VectorXd r = -gradient_;
+Result<Eigen::VectorXd> ReducedSystem::solve_for(const Eigen::VectorXd& b, const Workers& workers,
+                                                 const Progress& progress) const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+  Eigen::VectorXd r = b;
   const double start = r.norm();
   double done = 0.0;
   Eigen::VectorXd z = precondition(r);

@@ -34,8 +34,11 @@ class ReducedSystem {
   void add_cell(const std::vector<CellViewBlock>& blocks);
   /// Adds to a view's own information J^T W J and to its gradient.
   void add_view(std::size_t view, const Matrix6& information, const Twist& gradient);
+  /// Share of a view's own information that is added as damping, for directions that the other
+  /// views do not determine.
+  static constexpr double kDamping = 1e-7;
   /// Call once after everything is added.
-  void finish(const Workers& workers);
+  void finish(const Workers& workers, double damping = kDamping);
 
   /// g, six entries per view.
   [[nodiscard]] const Eigen::VectorXd& gradient() const { return gradient_; }
@@ -43,20 +46,25 @@ class ReducedSystem {
   /// H x, x and the result have six entries per view.
   [[nodiscard]] Eigen::VectorXd apply(const Eigen::VectorXd& x, const Workers& workers) const;
 
-  /// Solves for the twists by conjugate gradients. The preconditioner has two levels: each view
+  /// The twists x of H x = -g.
+  [[nodiscard]] Result<Eigen::VectorXd> solve(const Workers& workers,
+                                              const Progress& progress = {}) const {
+    return solve_for(-gradient_, workers, progress);
+  }
+  /// Solves H x = b by conjugate gradients. The preconditioner has two levels: each view
   /// separately, and groups of successive views as rigid bodies. The second level corrects slow
   /// drift along the path.
   /// @param progress  advanced by one step, as the logarithm of the residual falls
   /// @source  two-level additive Schwarz; Saad, "Iterative Methods for Sparse Linear Systems".
   /// @errors  kCancelled.
-  [[nodiscard]] Result<Eigen::VectorXd> solve(const Workers& workers,
-                                              const Progress& progress = {}) const;
+  [[nodiscard]] Result<Eigen::VectorXd> solve_for(const Eigen::VectorXd& b, const Workers& workers,
+                                                  const Progress& progress = {}) const;
 
  private:
   [[nodiscard]] std::size_t group_of(std::size_t view) const { return view / group_size_; }
   [[nodiscard]] Matrix6 lift(std::size_t view) const;
   [[nodiscard]] Eigen::VectorXd precondition(const Eigen::VectorXd& r) const;
-  void finish_views(const Workers& workers);
+  void finish_views(const Workers& workers, double damping);
   void finish_groups();
 
   std::vector<Vec3> centers_mm_;

@@ -1,7 +1,9 @@
 #include "hw/shots/guided_session.h"
 
+#include <ctime>
 #include <utility>
 
+#include "core/base/iso_time.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
 #include "core/io/calibrations/guided_session_file.h"
@@ -102,6 +104,7 @@ Result<calibration::GuidedFit> GuidedSession::finish(const Workers& workers,
   if (auto written = io::write_calibration_set_text(folder_, guide_.set()); !written) {
     return tl::unexpected(written.error());
   }
+  fit->calibration.history.made_at = iso_time(std::time(nullptr));
   auto written = io::write_calibration(folder_ / "calibration.json", fit->calibration);
   if (!written) return tl::unexpected(written.error());
   return fit;

@@ -45,6 +45,26 @@ same direct.glb unplaced.glb
 expect 'keep' 0 '^wrote placed\.glb' "$flytri" reconstruct a.flytri -o placed.glb --keep --force
 expect 'the model says what it is of' 0 'made_of' grep -ao '"made_of":{[^}]*}' a.flytri
 
+# What the scan is worth.
+expect 'report' 0 '^wrote r\.json' "$flytri" report a.flytri -o r.html -o r.json
+expect 'the page is a page' 0 '^<!DOCTYPE html>' cat r.html
+expect 'the page names the distance' 0 'A end to end.*mm <b>± ' cat r.html
+name='the page needs no network'
+! grep -qE '(src|href)="?http' r.html || fail 'it loads something'
+expect 'JSON of the report' 0 '"format": "flytri.scan-report"' cat r.json
+expect 'the calibration has its date' 0 '"made_at": "20' cat r.json
+name='only the owner can read'
+[ "$(stat -c %a r.html r.json)" = "$(printf '600\n600')" ] || fail "$(stat -c '%n %a' r.html r.json)"
+expect 'a report stays' 1 'r\.html: exists already; .*--force' "$flytri" report a.flytri -o r.html
+cp direct.ply victim.html
+expect 'other files are never replaced' 1 'victim\.html: exists already and is not' \
+  "$flytri" report a.flytri -o victim.html --force
+expect 'unknown kind of report' 1 'r\.pdf: reports are written as \.html or \.json' \
+  "$flytri" report a.flytri -o r.pdf
+expect 'report of a recording' 0 '^wrote scan\.html' \
+  "$flytri" reconstruct scan --calibration c.json -o again.ply --report scan.html --report scan.json
+expect 'both reports' 0 '"format": "flytri.report"' cat scan.json
+
 # Export of what is kept.
 expect 'export' 0 '^wrote kept\.glb' env FLYTRI_PASSPHRASE=secret \
   "$flytri" export secret.flytri -o kept.glb -o kept.stl -o kept.obj --mesh-density full

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/index.h"
@@ -106,6 +107,13 @@ struct Flash {
   FitResidual residual;  ///< relative
 };
 
+/// When a calibration was made, and when it was last checked on an object. Empty: not known.
+struct CalibrationHistory {
+  std::string made_at;      ///< ISO 8601, UTC
+  std::string checked_at;   ///< ISO 8601, UTC
+  bool has_passed = false;  ///< the last check
+};
+
 /// Converts localized lines to points, and points to texture pixels.
 struct Calibration {
   MeasurementVolume volume;
@@ -115,6 +123,7 @@ struct Calibration {
   TrivariateCubic x_mm, y_mm;                  ///< (u, v, z) -> x, y
   TrivariateCubic texture_u_px, texture_v_px;  ///< (x, y, z) -> U, V in the texture image
   std::optional<Flash> flash;                  ///< none: not calibrated
+  CalibrationHistory history;                  ///< does not change what it measures
 
   [[nodiscard]] const PatternCalibration& of(Pattern pattern) const {
     return patterns[static_cast<std::size_t>(pattern)];

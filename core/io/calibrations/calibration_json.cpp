@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "core/base/fingerprint.h"
 #include "core/io/calibrations/plausible_calibration.h"
@@ -17,6 +19,7 @@ constexpr int kCalibrationVersion = 1;
 constexpr std::size_t kRowNumbers = 9;  // area_min, area_max, Z0..Z3, W0..W2
 constexpr int kMaxImageSide = 32768;
 constexpr std::size_t kMaxLines = 1000;
+constexpr const char *kPassed = "passed", *kFailed = "failed";
 
 template <typename Numbers>
 std::string list(const Numbers& numbers) {
@@ -196,6 +199,42 @@ std::string write_content(const calibration::Calibration& calibration) {
   return text;
 }
 
+std::string write(const calibration::CalibrationHistory& history) {
+  std::vector<std::string> members;
+  if (!history.made_at.empty()) {
+    members.push_back(fmt::format(R"("made_at":"{}")", history.made_at));
+  }
+  if (!history.checked_at.empty()) {
+    members.push_back(fmt::format(R"("checked_at":"{}","check":"{}")", history.checked_at,
+                                  history.has_passed ? kPassed : kFailed));
+  }
+  if (members.empty()) return "";
+  return fmt::format("\"history\":{{{}}},\n", fmt::join(members, ","));
+}
+
+std::string read_time(const JsonPlace& json) {
+  static const std::string kForm = "dddd-dd-ddTdd:dd:ddZ";
+  const std::string text = json.text();
+  const bool is_time =
+      std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(),
+                 [](char c, char form) { return form == 'd' ? c >= '0' && c <= '9' : c == form; });
+  if (!is_time) json.reject("a time such as \"2026-11-25T08:30:00Z\"");
+  return text;
+}
+
+calibration::CalibrationHistory read_history(const JsonPlace& json) {
+  calibration::CalibrationHistory history;
+  if (json.has("made_at")) history.made_at = read_time(json.at("made_at"));
+  if (!json.has("checked_at")) return history;
+  history.checked_at = read_time(json.at("checked_at"));
+  const std::string check = json.at("check").text();
+  history.has_passed = check == kPassed;
+  if (!history.has_passed && check != kFailed) {
+    json.at("check").reject("\"passed\" or \"failed\"");
+  }
+  return history;
+}
+
 std::string fingerprint_of(std::string_view content) {
   Fingerprint print;
   print.add(content);
@@ -219,8 +258,9 @@ std::string fingerprint(const calibration::Calibration& calibration) {
 
 std::string to_json(const calibration::Calibration& calibration) {
   const std::string content = write_content(calibration);
-  return fmt::format("{{\"format\":\"{}\",\"version\":{},\n\"fingerprint\":\"{}\",\n{}",
-                     kCalibrationFormat, kCalibrationVersion, fingerprint_of(content), content);
+  return fmt::format("{{\"format\":\"{}\",\"version\":{},\n{}\"fingerprint\":\"{}\",\n{}",
+                     kCalibrationFormat, kCalibrationVersion, write(calibration.history),
+                     fingerprint_of(content), content);
 }
 
 Result<calibration::Calibration> parse_calibration(std::string_view text, const std::string& name) {
@@ -242,6 +282,7 @@ Result<calibration::Calibration> parse_calibration(std::string_view text, const 
         if (json.has("flash")) {
           calibration.flash = read_flash(json.at("flash"), calibration.volume.size_mm);
         }
+        if (json.has("history")) calibration.history = read_history(json.at("history"));
         for (const Pattern pattern : kPatterns) {
           // After a failure the sizes may be wrong.
           if (auto outcome = json.outcome(); !outcome) return tl::unexpected(outcome.error());

@@ -4,6 +4,8 @@
 /// variable is normalized first: (x - center) / half_range.
 ///
 ///     { "format": "flytri.calibration", "version": 1,
+///       "history": optional: { "made_at", "checked_at": ISO 8601, UTC, both optional,
+///                              "check": "passed" or "failed", with "checked_at" },
 ///       "fingerprint": optional, 16 hex digits: FNV-1a (64 bits) of all that follows in the form
 ///                      that the program writes; names the calibration, and finds changed numbers
 ///       "measurement_volume_mm": [x, y, z],
@@ -33,7 +35,8 @@
 
 namespace flytri::io {
 
-/// Names a calibration by its content: 16 hex digits. The same before writing and after reading.
+/// Names a calibration by its content, without its history: 16 hex digits. The same before writing
+/// and after reading.
 [[nodiscard]] std::string fingerprint(const calibration::Calibration& calibration);
 
 /// Numbers have ten digits: less than a nanometer over the volume.

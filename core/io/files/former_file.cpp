@@ -63,6 +63,7 @@ bool is_ply(const Head& head) {
 }
 
 bool is_pdf(const Head& head) { return head.bytes.starts_with("%PDF-"); }
+bool is_html(const Head& head) { return head.bytes.starts_with("<!DOCTYPE html>"); }
 bool is_svg(const Head& head) {
   return head.bytes.starts_with("<") && head.bytes.find("<svg") != std::string::npos;
 }
@@ -71,14 +72,15 @@ struct Kind {
   std::string_view name;
   bool (*fits)(const Head&);
 };
-constexpr std::array<Kind, 8> kKinds = {{{".glb", is_glb},
+constexpr std::array<Kind, 9> kKinds = {{{".glb", is_glb},
                                          {".ply", is_ply},
                                          {".stl", is_stl},
                                          {".obj", is_obj},
                                          {".mtl", is_mtl},
                                          {".png", is_png},
                                          {".pdf", is_pdf},
-                                         {".svg", is_svg}}};
+                                         {".svg", is_svg},
+                                         {".html", is_html}}};
 
 /// Whether the file is JSON whose "format" is this one. What lies deeper is not kept.
 bool is_json_of(const fs::path& path, std::uintmax_t size, std::string_view format) {

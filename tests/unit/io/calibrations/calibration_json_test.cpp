@@ -88,6 +88,26 @@ TEST(CalibrationJson, ReportsWhatIsWrongWithTheFlash) {
   }
 }
 
+TEST(CalibrationJson, KeepsItsHistoryWithoutChangingItsName) {
+  calibration::Calibration calibration = small_calibration();
+  const std::string name = fingerprint(calibration);
+  calibration.history = {"2026-11-25T08:30:00Z", "2026-11-26T09:00:00Z", true};
+  EXPECT_EQ(fingerprint(calibration), name);
+  const auto read = parse_calibration(to_json(calibration), "c.json");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  EXPECT_EQ(read->history.made_at, "2026-11-25T08:30:00Z");
+  EXPECT_EQ(read->history.checked_at, "2026-11-26T09:00:00Z");
+  EXPECT_TRUE(read->history.has_passed);
+}
+
+TEST(CalibrationJson, RefusesAHistoryThatIsNoTime) {
+  json text = sample_json();
+  text["history"] = {{"made_at", "<b>today</b>"}};
+  const auto read = parse_calibration(text.dump(), "c.json");
+  ASSERT_FALSE(read.has_value());
+  EXPECT_THAT(read.error().message, HasSubstr("made_at"));
+}
+
 TEST(CalibrationJson, IgnoresUnknownKeys) {
   json root = sample_json();
   root["comment"] = {{"a", 1}};

@@ -1,0 +1,31 @@
+#include "app/report/scan_facts.h"
+
+#include "core/io/calibrations/calibration_json.h"
+
+namespace flytri::report {
+
+EditCounts count_edits(const editing::EditList& edits) {
+  EditCounts counts;
+  for (const auto& edit : *edits) {
+    switch (edit->kind) {
+      case editing::EditKind::kTrim:
+        ++counts.trims;
+        break;
+      case editing::EditKind::kLock:
+        ++counts.locks;
+        break;
+      case editing::EditKind::kUnlock:
+        ++counts.unlocks;
+        break;
+    }
+  }
+  return counts;
+}
+
+CalibrationFacts facts_of(const calibration::Calibration& calibration) {
+  return {io::fingerprint(calibration), calibration.history,
+          calibration.of(Pattern::kVertical).depth_residual_mm.rms,
+          calibration.of(Pattern::kHorizontal).depth_residual_mm.rms};
+}
+
+}  // namespace flytri::report

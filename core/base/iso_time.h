@@ -1,0 +1,12 @@
+/// @file  Points in time as text.
+#pragma once
+
+#include <ctime>
+#include <string>
+
+namespace flytri {
+
+/// ISO 8601 in UTC: "2026-11-25T08:30:00Z".
+[[nodiscard]] std::string iso_time(std::time_t time);
+
+}  // namespace flytri
