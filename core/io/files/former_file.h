@@ -18,7 +18,8 @@ enum class Former {
 
 /// Looks at the content, as names lie: a case may be called jaw.glb.
 /// @param kind  of the file that is to be written: an extension, ".glb", ".ply", ".stl", ".obj",
-///              ".mtl", ".png", ".pdf", ".svg" or ".html", or the "format" of a JSON file, "flytri.report"
+///              ".mtl", ".png", ".pdf", ".svg" or ".html", or the "format" of a JSON file,
+///              "flytri.report"
 [[nodiscard]] Former former_at(const std::filesystem::path& path, std::string_view kind);
 
 /// The kind that a file's name means: its extension in lower case.
