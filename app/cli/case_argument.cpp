@@ -73,4 +73,13 @@ Result<io::ScanStage> choose_stage(io::CaseFile& file, const CaseArguments& argu
               file.path().string(), what, candidates);
 }
 
+Result<io::ScanStage> choose_finished_stage(io::CaseFile& file, const CaseArguments& arguments) {
+  Result<io::ScanStage> stage =
+      choose_stage(file, arguments, "a finished model",
+                   [](const io::StageCounts& counts) { return counts.has_result; });
+  if (stage) return stage;
+  return fail(stage.error().code, "{}; make one with flytri reconstruct --keep",
+              stage.error().message);
+}
+
 }  // namespace flytri::cli

@@ -33,5 +33,8 @@ void print_damage(const std::vector<std::string>& damage);
 [[nodiscard]] Result<io::ScanStage> choose_stage(
     io::CaseFile& file, const CaseArguments& arguments, const std::string& what,
     const std::function<bool(const io::StageCounts&)>& has);
+/// The same for a stage with a finished model. The message says how to make one.
+[[nodiscard]] Result<io::ScanStage> choose_finished_stage(io::CaseFile& file,
+                                                          const CaseArguments& arguments);
 
 }  // namespace flytri::cli

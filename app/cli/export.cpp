@@ -61,13 +61,8 @@ Result<void> export_from(const ExportArguments& arguments, CaseAccess& access,
                          const Progress& progress) {
   Result<io::CaseFile> file = access.open(true);
   if (!file) return tl::unexpected(file.error());
-  const Result<io::ScanStage> stage =
-      choose_stage(*file, arguments.case_options, "a finished model",
-                   [](const io::StageCounts& counts) { return counts.has_result; });
-  if (!stage) {
-    return fail(stage.error().code, "{}; make one with flytri reconstruct --keep",
-                stage.error().message);
-  }
+  const Result<io::ScanStage> stage = choose_finished_stage(*file, arguments.case_options);
+  if (!stage) return tl::unexpected(stage.error());
   const Result<io::StageResult> result = file->load_result(*stage);
   if (!result) {
     return fail(result.error().code, "{}; make the model again with flytri reconstruct --keep",

@@ -81,13 +81,8 @@ Result<report::ScanFacts> facts_in(io::CaseFile& file, io::ScanStage stage) {
 Result<void> report_on(const ScanReportArguments& arguments, CaseAccess& access) {
   Result<io::CaseFile> file = access.open(true);
   if (!file) return tl::unexpected(file.error());
-  const Result<io::ScanStage> stage =
-      choose_stage(*file, arguments.case_options, "a finished model",
-                   [](const io::StageCounts& counts) { return counts.has_result; });
-  if (!stage) {
-    return fail(stage.error().code, "{}; make one with flytri reconstruct --keep",
-                stage.error().message);
-  }
+  const Result<io::ScanStage> stage = choose_finished_stage(*file, arguments.case_options);
+  if (!stage) return tl::unexpected(stage.error());
   const auto facts = facts_in(*file, *stage);
   if (!facts) return tl::unexpected(facts.error());
   std::vector<fs::path> written;

@@ -21,9 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of a normal distribution, 95 % lies within this many standard deviations.
-constexpr double kSigmasOf95 = 1.96;
-
 struct LengthsArguments {
   std::filesystem::path output;
   bool force = false;
@@ -34,9 +31,9 @@ struct LengthsArguments {
 
 /// A span of one scan.
 struct LengthError {
-  std::string name;
-  double length_mm = 0.0, error_mm = 0.0, predicted_mm = 0.0;
-  [[nodiscard]] bool is_covered() const { return std::abs(error_mm) <= kSigmasOf95 * predicted_mm; }
+  reconstruct::JudgedSpan judged;
+  double error_mm = 0.0;
+  [[nodiscard]] bool is_covered() const { return std::abs(error_mm) <= judged.range95_mm(); }
 };
 
 /// How the surface around a place must move to lie on the true one.
@@ -75,7 +72,7 @@ Result<std::vector<LengthError>> try_scan(const LengthsArguments& arguments, std
     if (!at_from) return tl::unexpected(at_from.error());
     if (!at_to) return tl::unexpected(at_to.error());
     const double error_mm = (*at_from - *at_to).dot((to_mm - from_mm).normalized());
-    errors.push_back({name_of(judged.span), ends.length_mm(), error_mm, judged.sigma_mm});
+    errors.push_back({judged, error_mm});
   }
   return errors;
 }
@@ -109,19 +106,22 @@ Result<void> run(const LengthsArguments& arguments, const Progress& progress) {
     const auto errors = try_scan(arguments, static_cast<std::uint64_t>(seed), workers, progress);
     if (!errors) return tl::unexpected(errors.error());
     for (const LengthError& error : *errors) {
-      LengthSums& sum = sums[error.name];
+      const std::string name = name_of(error.judged.span);
+      const double length_mm = error.judged.span.ends.length_mm();
+      const double predicted_mm = error.judged.sigma_mm;
+      LengthSums& sum = sums[name];
       ++sum.count;
       sum.covered += error.is_covered() ? 1 : 0;
       sum.errors2_mm2 += error.error_mm * error.error_mm;
-      sum.predicted2_mm2 += error.predicted_mm * error.predicted_mm;
-      fmt::print("{:4}  {:<28} {:10.2f} {:10.1f} {:13.1f}\n", seed, error.name, error.length_mm,
-                 kMicrons * error.error_mm, kMicrons * error.predicted_mm);
+      sum.predicted2_mm2 += predicted_mm * predicted_mm;
+      fmt::print("{:4}  {:<28} {:10.2f} {:10.1f} {:13.1f}\n", seed, name, length_mm,
+                 kMicrons * error.error_mm, kMicrons * predicted_mm);
       std::fflush(stdout);
       rows.push_back({{"seed", seed},
-                      {"distance", error.name},
-                      {"length_mm", error.length_mm},
+                      {"distance", name},
+                      {"length_mm", length_mm},
                       {"error_um", kMicrons * error.error_mm},
-                      {"predicted_um", kMicrons * error.predicted_mm}});
+                      {"predicted_um", kMicrons * predicted_mm}});
     }
   }
   print_sums(sums);

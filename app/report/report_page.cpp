@@ -19,8 +19,6 @@ namespace flytri::report {
 namespace {
 
 constexpr double kMicrons = 1e3;
-/// Of a normal distribution, 95 % lies within this many standard deviations.
-constexpr double kSigmasOf95 = 1.96;
 constexpr int kPictureWidth_px = 900;
 /// A longer list would not fit on the page.
 constexpr std::size_t kShownHoles = 8, kShownReasons = 5;
@@ -124,7 +122,7 @@ std::string Page::distance_table() const {
   for (const reconstruct::JudgedSpan& judged : facts_.spans) {
     rows += row(fmt::format("{} {}", static_cast<char>('A' + number++), name_of(judged.span)),
                 fmt::format("{:.3f} mm <b>± {:.0f} µm</b>", judged.span.ends.length_mm(),
-                            std::ceil(kSigmasOf95 * kMicrons * judged.sigma_mm)));
+                            std::ceil(kMicrons * judged.range95_mm())));
   }
   return table("How certain distances are", rows,
                "In about 9 of 10 simulated scans the true distance lies within the range given. "

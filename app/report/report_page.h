@@ -8,8 +8,8 @@
 
 namespace flytri::report {
 
-/// One page, HTML: the jaw colored by uncertainty, with distances and holes drawn in; what was
-/// covered, how certain the distances are, the calibration, and what was edited. It prints on A4.
+/// One page, HTML, for A4: a picture of the jaw colored by uncertainty, then distances, coverage,
+/// holes, calibration and edits.
 /// @errors  As io::encode_png.
 [[nodiscard]] Result<std::string> report_page(const ScanFacts& facts);
 

@@ -44,6 +44,8 @@ struct JawSpan {
 struct JudgedSpan {
   JawSpan span;
   double sigma_mm = 0.0;  ///< standard uncertainty of its length
+  /// The true length is within this of the measured one with 95 %, if errors are normal.
+  [[nodiscard]] double range95_mm() const { return 1.96 * sigma_mm; }
 };
 
 /// @param mesh   made of the views

@@ -79,8 +79,8 @@ class JointEquations {
                                std::span<const Vec3> centers_mm, const Progress& progress,
                                const TakeCell& take) const;
 
-  /// What the data within a radius say about a motion of each view, its twist about `p_mm`: sums of
-  /// J^T W J by rising view.
+  /// How firmly the data within a radius hold each view: the sum of J^T W J for its twist about
+  /// `p_mm`, by rising view.
   [[nodiscard]] std::map<std::uint32_t, Matrix6> information_near(const FittedSurfaces& surfaces,
                                                                   std::span<const Isometry> poses,
                                                                   const Vec3& p_mm,

@@ -62,8 +62,8 @@ class LengthJudge {
   double inflation_ = 1.0;
 };
 
-/// The fit has taken a part of the residuals: the larger, the fewer of them are independent. Data
-/// of one profile in one cell are neighbors, and share noise.
+/// The fit makes residuals smaller, most where few are independent. Data of one profile in one cell
+/// share noise, so they count as fewer.
 void LengthJudge::find_inflation(const FittedSurfaces& surfaces) {
   double count = 0.0, squares = 0.0, squares_of_sums = 0.0;
   double parameters = 6.0 * static_cast<double>(poses_.size());
@@ -92,8 +92,8 @@ void LengthJudge::find_inflation(const FittedSurfaces& surfaces) {
                std::sqrt(independent / std::max(independent - parameters, 0.1 * independent));
 }
 
-/// The surface around the place moves as a least-squares mean of its views, each as far as its data
-/// hold it there.
+/// The place moves as the mean of its views. A view counts in a direction as much as its data fix
+/// it.
 bool LengthJudge::add_motion(const FittedSurfaces& surfaces, const Vec3& p_mm,
                              const Vec3& direction, Eigen::VectorXd& motion) const {
   const auto by_view = equations_.information_near(surfaces, poses_, p_mm, options_.place_mm);

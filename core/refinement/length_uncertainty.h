@@ -32,10 +32,9 @@ struct LengthUncertaintyOptions {
 /// Standard uncertainties of the lengths of spans, mm, by span. nullopt: no view saw one of its
 /// ends, or nothing connects them.
 ///
-/// Errors of the poses add up along the way from one end to the other. The normal equations of all
-/// poses tell how, and the residuals how large the errors are: as they scatter from cube to cube,
-/// so noise that neighboring points share counts in full. What bends all views alike does not
-/// show in residuals and is not contained, such as an error of the calibration.
+/// Errors of the poses add up from one end to the other, as the normal equations of all poses say.
+/// Their size comes from how the residuals scatter between cubes of space: so noise that neighbors
+/// share counts in full. An error of the calibration leaves no residual and is not contained.
 ///
 /// @param views  with refined poses
 /// @param progress  advanced by one step
