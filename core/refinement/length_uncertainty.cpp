@@ -132,6 +132,7 @@ Result<std::optional<double>> LengthJudge::judge(const Span& span, const FittedS
   Eigen::VectorXd motion = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(poses_.size()));
   if (!add_motion(surfaces, span.to_mm, direction, motion) ||
       !add_motion(surfaces, span.from_mm, -direction, motion)) {
+    progress.advance();
     return std::nullopt;
   }
   const auto influence = system.solve_for(motion, workers_, progress);
@@ -145,7 +146,7 @@ Result<std::optional<double>> LengthJudge::judge(const Span& span, const FittedS
 Result<std::vector<std::optional<double>>> LengthJudge::judge(std::span<const Span> spans,
                                                               const Progress& progress) {
   std::vector<std::optional<double>> sigmas(spans.size());
-  if (equations_.empty()) {
+  if (spans.empty() || equations_.empty()) {
     progress.advance();
     return sigmas;
   }
@@ -168,8 +169,8 @@ Result<std::vector<std::optional<double>>> LengthJudge::judge(std::span<const Sp
   }
   for (auto& [key, cluster] : clusters) clusters_.push_back(std::move(cluster));
   system.finish(workers_, kLowDamping);
-  const Progress of_spans = progress.part((1.0 - kFitShare - kEquationShare) /
-                                          std::max<double>(1.0, static_cast<double>(spans.size())));
+  const Progress of_spans =
+      progress.part((1.0 - kFitShare - kEquationShare) / static_cast<double>(spans.size()));
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const auto sigma = judge(spans[i], *surfaces, system, of_spans);
     if (!sigma) return tl::unexpected(sigma.error());
