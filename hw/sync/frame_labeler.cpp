@@ -8,8 +8,9 @@
 namespace flytri::sync {
 namespace {
 
-// Probability from which swapped patterns are reported to the user.
-constexpr double kSurelySwapped = 0.999;
+// Probability from which the user is told that patterns are swapped, or images do not follow the
+// lights.
+constexpr double kSure = 0.999;
 
 bool is_pattern(device::Light light) {
   return light == device::Light::kVertical || light == device::Light::kHorizontal;
@@ -123,7 +124,7 @@ void FrameLabeler::count(LabelOutcome outcome) {
 }
 
 LightFault FrameLabeler::fault() const {
-  return watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
+  return watch_.fault(is_learned_ && latency_.swapped > kSure, latency_.unexplained > kSure);
 }
 
 }  // namespace flytri::sync
