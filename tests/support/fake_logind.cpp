@@ -66,11 +66,12 @@ int FakeLogind::take_call(sd_bus_message* message, void* self, void* /*error*/) 
 int FakeLogind::lend(sd_bus_message* message) {
   std::array<int, 2> ends{};
   if (pipe(ends.data()) != 0) return -1;
+  // Counted first: who sees the lock must see the number.
+  ++lent_;
   const int before = held_.exchange(ends[0]);
   if (before >= 0) close(before);
   const int code = sd_bus_reply_method_return(message, "h", ends[1]);
   close(ends[1]);
-  ++lent_;
   return code < 0 ? code : 1;
 }
 
