@@ -69,6 +69,13 @@ void add_check_options(CLI::App& command, CLI::Option& check, CLI::Option& simul
       ->check(CLI::PositiveNumber)
       ->group(group);
   command
+      .add_option(
+          "--correct", arguments.corrected,
+          "Write this calibration, with the millimeters corrected by the sphere: for a stage "
+          "that is not square to the target, or a wrong scale")
+      ->needs("--sphere")
+      ->group(group);
+  command
       .add_option("--recording", arguments.recording,
                   "Use this recording of the slowly moving object instead of taking images")
       ->needs(&check)
@@ -79,6 +86,7 @@ Result<void> run_check(CalibrateArguments& arguments, const Progress& progress) 
   arguments.of_check.rig = arguments.of_live.rig;
   arguments.of_check.simulated = arguments.of_live.simulated;
   arguments.of_check.sensor = arguments.of_live.plan.sensor;
+  arguments.of_check.force = arguments.force;
   return calibrate_check(arguments.of_check, progress);
 }
 

@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <memory>
+#include <numbers>
 
 #include "app/cli/console.h"
 #include "app/cli/guide_dialog.h"
+#include "app/cli/output_files.h"
 #include "core/base/iso_time.h"
+#include "core/calibration/verify/estimate_metric.h"
 #include "core/calibration/verify/verify.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "hw/shots/open_shots.h"
@@ -70,6 +75,62 @@ Result<void> conclude(const calibration::VerificationReport& report) {
               "the calibration no longer holds; calibrate again with flytri calibrate --live");
 }
 
+/// Largest standard uncertainties with which a correction is better than none.
+constexpr double kSureAngle_deg = 0.03, kSureScale = 5e-4;
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+void print(const calibration::MetricEstimate& metric) {
+  const calibration::MetricCorrection& by = metric.correction;
+  const calibration::MetricCorrection& sigma = metric.uncertainty;
+  constexpr double kPercent = 100.0;
+  print_out("stage to target: {:+.3f}° ± {:.3f}° along x, {:+.3f}° ± {:.3f}° along y\n",
+            kDegreesPerRadian * std::atan(by.shear.x()), kDegreesPerRadian * sigma.shear.x(),
+            kDegreesPerRadian * std::atan(by.shear.y()), kDegreesPerRadian * sigma.shear.y());
+  print_out("true size: {:+.3f} ± {:.3f} % across, {:+.3f} ± {:.3f} % in depth\n",
+            kPercent * (by.lateral - 1.0), kPercent * sigma.lateral, kPercent * (by.depth - 1.0),
+            kPercent * sigma.depth);
+}
+
+/// The views as the corrected calibration measures them.
+std::vector<calibration::VerificationPose> corrected(
+    std::vector<calibration::VerificationPose> poses,
+    const calibration::MetricCorrection& correction) {
+  const Eigen::Matrix3d map = correction.matrix();
+  for (calibration::VerificationPose& pose : poses)
+    for (View& view : pose.views)
+      for (Profile& profile : view.profiles)
+        for (ProfilePoint& point : profile.points) point.position_mm = map * point.position_mm;
+  return poses;
+}
+
+/// Writes the corrected calibration, and checks it on the same views.
+Result<void> correct(const CalibrateCheckArguments& arguments,
+                     const calibration::Calibration& calibration,
+                     const std::vector<calibration::VerificationPose>& poses) {
+  const auto metric = calibration::estimate_metric(poses, arguments.sphere_mm);
+  if (!metric) return tl::unexpected(metric.error());
+  print(*metric);
+  const calibration::MetricCorrection& sigma = metric->uncertainty;
+  const double angle_deg = kDegreesPerRadian * sigma.shear.maxCoeff();
+  const double scale = std::max(sigma.lateral, sigma.depth);
+  if (angle_deg > kSureAngle_deg || scale > kSureScale)
+    return fail(
+        ErrorCode::kInsufficient,
+        "not corrected: the sphere tells the angle to {:.3f}° and the sizes to {:.3f} %, but "
+        "{:.2f}° and {:.2f} % are needed. Show it at more places, at several depths and near "
+        "the sides of the volume",
+        angle_deg, 100.0 * scale, kSureAngle_deg, 100.0 * kSureScale);
+  calibration::Calibration better = calibration::corrected(calibration, metric->correction);
+  const auto report = calibration::check_on_sphere(corrected(poses, metric->correction),
+                                                   arguments.sphere_mm, better);
+  if (!report) return tl::unexpected(report.error());
+  better.history.checked_at = iso_time(std::time(nullptr));
+  better.history.has_passed = report->outcome == calibration::VerificationOutcome::kValid;
+  if (auto written = io::write_calibration(arguments.corrected, better); !written) return written;
+  print_out("wrote {}; with it:\n", arguments.corrected.string());
+  return conclude(*report);
+}
+
 /// Keeps the outcome with the calibration, for reports. That is no reason for the check to fail.
 void note_check(const std::filesystem::path& file, calibration::Calibration calibration,
                 calibration::VerificationOutcome outcome) {
@@ -84,12 +145,18 @@ void note_check(const std::filesystem::path& file, calibration::Calibration cali
 }  // namespace
 
 Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Progress& progress) {
+  if (!arguments.corrected.empty()) {
+    auto replaceable =
+        check_replaceable({arguments.corrected, "flytri.calibration"}, arguments.force);
+    if (!replaceable) return replaceable;
+  }
   const auto calibration = io::read_calibration(arguments.calibration);
   if (!calibration) return tl::unexpected(calibration.error());
   const auto poses = arguments.recording.empty() ? take_poses(arguments, *calibration, progress)
                                                  : shots::read_verification_poses(
                                                        arguments.recording, *calibration, progress);
   if (!poses) return tl::unexpected(poses.error());
+  if (!arguments.corrected.empty()) return correct(arguments, *calibration, *poses);
   const auto report = arguments.sphere_mm > 0.0
                           ? calibration::check_on_sphere(*poses, arguments.sphere_mm, *calibration)
                           : calibration::check_on_plane(*poses, *calibration);

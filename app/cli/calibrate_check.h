@@ -15,6 +15,8 @@ struct CalibrateCheckArguments {
   bool simulated = false;
   std::string sensor = "intraoral";  ///< with `simulated`: which sensor
   double sphere_mm = 0.0;            ///< diameter; 0: a plane
+  std::filesystem::path corrected;   ///< calibration to write; empty: none. Needs a sphere
+  bool force = false;                ///< `corrected` may replace a file
 };
 
 /// @errors  kInconsistent: the calibration no longer holds; kInsufficient: not clear; as

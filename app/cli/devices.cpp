@@ -11,13 +11,12 @@
 #include "app/cli/console.h"
 #include "hw/device/clock.h"
 #include "hw/gpio/gpio_chips.h"
+#include "hw/rig/camera_drivers.h"
 #include "hw/rig/check_rig.h"
 #include "hw/rig/check_streams.h"
 #include "hw/rig/open_rig.h"
 #include "hw/rig/rig_file.h"
 #include "hw/shots/check_linearity.h"
-#include "hw/v4l2/find_camera.h"
-#include "hw/v4l2/video_system.h"
 
 namespace flytri::cli {
 namespace {
@@ -132,15 +131,15 @@ Result<std::vector<Error>> nonlinear_cameras(const rig::RigSettings& rig, bool p
 }
 
 Result<void> run(const DevicesArguments& arguments, const Progress& progress) {
-  const auto system = v4l2::kernel_video_system();
-  const auto cameras = v4l2::list_cameras(*system);
+  const rig::CameraDrivers drivers = rig::machine_drivers();
+  const auto cameras = rig::list_cameras(drivers);
   const auto chips = gpio::list_chips();
   std::optional<std::vector<Error>> faults;
   if (arguments.rig) {
     const auto rig = rig::read_rig(*arguments.rig);
     if (!rig) return tl::unexpected(rig.error());
-    faults = rig::check_rig(*rig, *system, chips);
-    if (faults->empty()) faults = rig::check_streams(*rig, *system, device::machine_clock());
+    faults = rig::check_rig(*rig, drivers, chips);
+    if (faults->empty()) faults = rig::check_streams(*rig, drivers, device::machine_clock());
     if (faults->empty() && arguments.linearity) {
       auto nonlinear = nonlinear_cameras(*rig, !arguments.as_json, progress);
       if (!nonlinear) return tl::unexpected(nonlinear.error());

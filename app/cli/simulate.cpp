@@ -32,6 +32,7 @@ struct SimulateArguments {
   std::array<double, 2> away_s = {0.0, 0.0};
   std::uint64_t seed = 1;
   bool force = false;
+  std::array<double, 2> stage_tilt_deg = {0.0, 0.0};
   int thread_count = 0;
 };
 
@@ -75,6 +76,7 @@ Result<void> run_calibration_set(const SimulateArguments& arguments, const Progr
   simulated::CalibrationSetOptions options;
   options.sensor = shots::sensor_named(arguments.sensor);
   options.seed = arguments.seed;
+  options.stage_tilt_deg = Vec2(arguments.stage_tilt_deg.data());
   auto written = simulated::simulate_calibration_set(options, arguments.output,
                                                      Workers(arguments.thread_count), progress);
   if (written) print_out("wrote {}\n", arguments.output.string());
@@ -132,6 +134,11 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
   CLI::App* set =
       simulate->add_subcommand("calibration-set", "Make target images for flytri calibrate");
   add_common_options(*set, *arguments);
+  set->add_option(
+         "--stage-tilt", arguments->stage_tilt_deg,
+         "Angles in degrees by which the stage misses the right angle to the target, towards "
+         "x and y, to see what that does")
+      ->capture_default_str();
   set->footer("Example: flytri simulate calibration-set -o out/set");
   set->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) {

@@ -5,7 +5,6 @@
 #include "hw/gpio/gpio_chips.h"
 #include "hw/rig/check_rig.h"
 #include "hw/rig/rig_file.h"
-#include "hw/v4l2/video_system.h"
 
 namespace flytri::session {
 namespace {
@@ -109,8 +108,7 @@ std::vector<std::string> check_chosen_rig(const SourceChoice& choice) {
   const auto rig = chosen_rig(choice);
   if (!rig) return {rig.error().message};
   std::vector<std::string> problems;
-  for (const Error& problem :
-       rig::check_rig(*rig, *v4l2::kernel_video_system(), gpio::list_chips()))
+  for (const Error& problem : rig::check_rig(*rig, rig::machine_drivers(), gpio::list_chips()))
     problems.push_back(problem.message);
   return problems;
 }

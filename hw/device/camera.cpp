@@ -15,7 +15,12 @@ constexpr std::array kFormatNames = {std::pair{PixelFormat::kGrey8, std::string_
                                      std::pair{PixelFormat::kGrey16, std::string_view("Y16")},
                                      std::pair{PixelFormat::kYuyv, std::string_view("YUYV")},
                                      std::pair{PixelFormat::kUyvy, std::string_view("UYVY")},
-                                     std::pair{PixelFormat::kMjpeg, std::string_view("MJPG")}};
+                                     std::pair{PixelFormat::kMjpeg, std::string_view("MJPG")},
+                                     std::pair{PixelFormat::kRgb8, std::string_view("RGB3")},
+                                     std::pair{PixelFormat::kBayerRggb, std::string_view("RGGB")},
+                                     std::pair{PixelFormat::kBayerGrbg, std::string_view("GRBG")},
+                                     std::pair{PixelFormat::kBayerGbrg, std::string_view("GBRG")},
+                                     std::pair{PixelFormat::kBayerBggr, std::string_view("BA81")}};
 
 }  // namespace
 
@@ -29,6 +34,13 @@ std::optional<PixelFormat> pixel_format_of(std::string_view name) {
   for (const auto& [format, candidate] : kFormatNames)
     if (candidate == name) return format;
   return std::nullopt;
+}
+
+std::string pixel_format_names() {
+  std::string names(kFormatNames.front().second);
+  for (std::size_t i = 1; i < kFormatNames.size(); ++i)
+    names += (i + 1 < kFormatNames.size() ? ", " : " or ") + std::string(kFormatNames[i].second);
+  return names;
 }
 
 std::string_view to_string(CameraState state) {

@@ -23,12 +23,28 @@
 
 namespace flytri::device {
 
-/// Pixel format that the camera sends. kGrey10 and kGrey12 use the low bits of 16-bit numbers.
-enum class PixelFormat { kGrey8, kGrey10, kGrey12, kGrey16, kYuyv, kUyvy, kMjpeg };
+/// Pixel format that the camera sends. kGrey10 and kGrey12 use the low bits of 16-bit numbers. The
+/// Bayer formats name the first two pixels of the first two rows.
+enum class PixelFormat {
+  kGrey8,
+  kGrey10,
+  kGrey12,
+  kGrey16,
+  kYuyv,
+  kUyvy,
+  kMjpeg,
+  kRgb8,
+  kBayerRggb,
+  kBayerGrbg,
+  kBayerGbrg,
+  kBayerBggr
+};
 
 /// The name in V4L2, e.g. "GREY" or "MJPG"; rig.json and the command line use the same names.
 [[nodiscard]] std::string_view to_string(PixelFormat format);
 [[nodiscard]] std::optional<PixelFormat> pixel_format_of(std::string_view name);
+/// All names, for messages: "GREY, Y10, ... or BA81".
+[[nodiscard]] std::string pixel_format_names();
 
 /// What a color format is converted to; grey formats always give kGrey.
 enum class Channels { kGrey, kRgb };

@@ -2,8 +2,6 @@
 
 #include "core/io/calibrations/calibration_file.h"
 #include "hw/rig/flash_timing.h"
-#include "hw/v4l2/find_camera.h"
-#include "hw/v4l2/video_failure.h"
 
 namespace flytri::rig {
 namespace {
@@ -14,14 +12,16 @@ void append(std::vector<Error>& problems, std::vector<Error> more) {
 
 // Both camera entries of the rig may match the same camera.
 void check_distinct(std::vector<Error>& problems, const RigSettings& rig,
-                    v4l2::VideoSystem& system) {
-  const auto measurement = v4l2::find_camera(system, rig.measurement.match);
-  const auto texture = v4l2::find_camera(system, rig.texture->match);
+                    const CameraDrivers& drivers) {
+  if (rig.measurement.driver != rig.texture->driver) return;
+  stream::CameraDriver& driver = *drivers.of(rig.measurement.driver);
+  const auto measurement = driver.find(rig.measurement.match);
+  const auto texture = driver.find(rig.texture->match);
   if (!measurement || !texture || measurement->node != texture->node) return;
   problems.push_back({ErrorCode::kInconsistent,
                       fmt::format("camera {} matches both the measurement and the texture camera "
                                   "in rig.json: select each by its serial number or bus path",
-                                  v4l2::to_string(*measurement))});
+                                  measurement->label)});
 }
 
 std::vector<Error> check_lines(const gpio::GpioChip& chip, const gpio::LightWiring& lights) {
@@ -39,13 +39,14 @@ std::vector<Error> check_lines(const gpio::GpioChip& chip, const gpio::LightWiri
 
 }  // namespace
 
-std::vector<Error> check_rig(const RigSettings& rig, v4l2::VideoSystem& system,
+std::vector<Error> check_rig(const RigSettings& rig, const CameraDrivers& drivers,
                              const std::vector<gpio::GpioChip>& chips) {
   std::vector<Error> problems =
-      v4l2::check_camera(system, rig.measurement.match, rig.measurement.settings);
+      drivers.of(rig.measurement.driver)->check(rig.measurement.match, rig.measurement.settings);
   if (rig.texture) {
-    append(problems, v4l2::check_camera(system, rig.texture->match, rig.texture->settings));
-    check_distinct(problems, rig, system);
+    append(problems,
+           drivers.of(rig.texture->driver)->check(rig.texture->match, rig.texture->settings));
+    check_distinct(problems, rig, drivers);
     const FlashCameras cameras{rig.measurement.settings, rig.texture->settings,
                                rig.texture->readout_s};
     const auto allowed = check_flash_period(rig.flash_period_s, cameras, rig.lights.limits.flash);

@@ -5,11 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include "hw/v4l2/find_camera.h"
-#include "hw/v4l2/video_failure.h"
-#include "hw/v4l2/video_modes.h"
-#include "hw/v4l2/video_stream.h"
-
 namespace flytri::rig {
 namespace {
 
@@ -24,9 +19,8 @@ constexpr double kManyDamaged = 0.05;
 
 /// A running camera, and what it sent.
 struct CheckedCamera {
-  device::DeviceNode node;
-  device::CameraSettings wanted;
-  std::unique_ptr<v4l2::VideoStream> stream;
+  RigCamera wanted;
+  std::unique_ptr<stream::ImageStream> stream;
   int images = 0;
   int damaged = 0;
   double first_s = 0.0;
@@ -34,14 +28,11 @@ struct CheckedCamera {
   std::optional<Error> failure;  ///< the stream ended
 };
 
-Result<CheckedCamera> run_camera(const RigCamera& camera, v4l2::VideoSystem& system) {
-  const auto node = v4l2::find_camera(system, camera.match);
-  if (!node) return tl::unexpected(node.error());
-  auto stream = v4l2::VideoStream::open(system, *node, camera.settings, kBuffers);
+Result<CheckedCamera> run_camera(const RigCamera& camera, const CameraDrivers& drivers) {
+  auto stream = drivers.of(camera.driver)->open(camera.match, camera.settings, kBuffers);
   if (!stream) return tl::unexpected(stream.error());
   CheckedCamera checked;
-  checked.node = *node;
-  checked.wanted = camera.settings;
+  checked.wanted = camera;
   checked.stream = *std::move(stream);
   return checked;
 }
@@ -54,35 +45,39 @@ void read_camera(CheckedCamera& camera, const device::Clock& clock) {
     return;
   }
   if (!*taken) return;
-  const v4l2::StreamedImage& image = **taken;
+  const stream::StreamedImage& image = **taken;
   camera.last_s = image.time_s.value_or(clock.now_s());
   if (camera.images++ == 0) camera.first_s = camera.last_s;
-  if (image.flagged || image.converted.outcome != v4l2::Conversion::kDone) ++camera.damaged;
+  if (image.flagged || image.converted.outcome != stream::Conversion::kDone) ++camera.damaged;
 }
 
-std::string rates_of(const CheckedCamera& camera, v4l2::VideoSystem& system) {
-  const auto device = system.open(camera.node.node);
+std::string rates_of(const CheckedCamera& camera, const CameraDrivers& drivers) {
+  stream::CameraDriver& driver = *drivers.of(camera.wanted.driver);
+  const auto found = driver.find(camera.wanted.match);
   std::string rates;
-  if (!device) return rates;
-  for (const device::CameraMode& mode : v4l2::list_modes(**device)) {
-    if (mode.format != device::to_string(camera.wanted.format) || mode.size != camera.wanted.size)
-      continue;
-    for (const double rate_hz : mode.rates_hz)
-      rates += fmt::format("{}{:.4g}", rates.empty() ? "" : ", ", rate_hz);
+  for (const device::CameraDescription& each : driver.list()) {
+    if (!found || each.node != found->node) continue;
+    for (const device::CameraMode& mode : each.modes) {
+      if (mode.format != device::to_string(camera.wanted.settings.format) ||
+          mode.size != camera.wanted.settings.size)
+        continue;
+      for (const double rate_hz : mode.rates_hz)
+        rates += fmt::format("{}{:.4g}", rates.empty() ? "" : ", ", rate_hz);
+    }
   }
   return rates.empty() ? rates : " (it offers " + rates + " Hz)";
 }
 
-void judge_settings(const CheckedCamera& camera, v4l2::VideoSystem& system,
+void judge_settings(const CheckedCamera& camera, const CameraDrivers& drivers,
                     std::vector<Error>& problems) {
   const device::CameraSettings agreed = camera.stream->read_back();
-  const std::string name = v4l2::to_string(camera.node);
-  const double wanted_hz = camera.wanted.rate_hz;
+  const std::string name = camera.stream->label();
+  const double wanted_hz = camera.wanted.settings.rate_hz;
   if (std::abs(agreed.rate_hz - wanted_hz) > kRateTolerance * wanted_hz)
     problems.push_back({ErrorCode::kBadOption,
                         fmt::format("camera {} runs at {:.4g} Hz instead of {:.4g} Hz: choose "
                                     "another rate_hz, size_px or format in rig.json{}",
-                                    name, agreed.rate_hz, wanted_hz, rates_of(camera, system))});
+                                    name, agreed.rate_hz, wanted_hz, rates_of(camera, drivers))});
   if (agreed.exposure_s && *agreed.exposure_s * agreed.rate_hz > 1.0)
     problems.push_back(
         {ErrorCode::kBadOption,
@@ -92,7 +87,7 @@ void judge_settings(const CheckedCamera& camera, v4l2::VideoSystem& system,
 }
 
 void judge_images(const CheckedCamera& camera, std::vector<Error>& problems) {
-  const std::string name = v4l2::to_string(camera.node);
+  const std::string name = camera.stream->label();
   if (camera.failure) return problems.push_back(*camera.failure);
   if (camera.images == 0)
     return problems.push_back(
@@ -119,22 +114,22 @@ void judge_images(const CheckedCamera& camera, std::vector<Error>& problems) {
 
 }  // namespace
 
-std::vector<Error> check_streams(const RigSettings& rig, v4l2::VideoSystem& system,
+std::vector<Error> check_streams(const RigSettings& rig, const CameraDrivers& drivers,
                                  const device::Clock& clock, double duration_s) {
   std::vector<const RigCamera*> wanted = {&rig.measurement};
   if (rig.texture) wanted.push_back(&*rig.texture);
   std::vector<Error> problems;
   std::vector<CheckedCamera> cameras;
   for (const RigCamera* camera : wanted) {
-    auto running = run_camera(*camera, system);
+    auto running = run_camera(*camera, drivers);
     if (running) {
       cameras.push_back(*std::move(running));
       continue;
     }
     Error problem = running.error();
     if (!cameras.empty())
-      problem.message = fmt::format("while camera {} runs: {}", v4l2::to_string(cameras[0].node),
-                                    problem.message);
+      problem.message =
+          fmt::format("while camera {} runs: {}", cameras[0].stream->label(), problem.message);
     problems.push_back(std::move(problem));
   }
   const double end_s = clock.now_s() + duration_s;
@@ -144,7 +139,7 @@ std::vector<Error> check_streams(const RigSettings& rig, v4l2::VideoSystem& syst
       if (camera.failure) clock.sleep_s(kTurn_s);
     }
   for (const CheckedCamera& camera : cameras) {
-    judge_settings(camera, system, problems);
+    judge_settings(camera, drivers, problems);
     judge_images(camera, problems);
   }
   return problems;

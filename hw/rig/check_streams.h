@@ -6,7 +6,6 @@
 #include "core/base/result.h"
 #include "hw/device/clock.h"
 #include "hw/rig/rig_settings.h"
-#include "hw/v4l2/video_system.h"
 
 namespace flytri::rig {
 
@@ -15,7 +14,7 @@ namespace flytri::rig {
 /// missing or damaged images.
 /// @param duration_s  > 0, time to read; a second shows the rate to some percent
 /// @return  each problem, with what to do about it; empty if none was found
-[[nodiscard]] std::vector<Error> check_streams(const RigSettings& rig, v4l2::VideoSystem& system,
+[[nodiscard]] std::vector<Error> check_streams(const RigSettings& rig, const CameraDrivers& drivers,
                                                const device::Clock& clock, double duration_s = 1.0);
 
 }  // namespace flytri::rig

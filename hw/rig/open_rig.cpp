@@ -3,7 +3,7 @@
 #include "core/io/calibrations/calibration_file.h"
 #include "hw/device/threaded_camera.h"
 #include "hw/gpio/gpio_light_switch.h"
-#include "hw/v4l2/v4l2_camera.h"
+#include "hw/stream/streamed_camera.h"
 
 namespace flytri::rig {
 
@@ -28,11 +28,15 @@ Result<RigDevices> open_devices(const RigSettings& rig) {
   if (auto valid = rig.validate(); !valid) return tl::unexpected(valid.error());
   RigDevices devices;
   devices.clock = device::machine_clock();
-  auto measurement = v4l2::V4l2Camera::create(rig.measurement.match, rig.measurement.settings);
+  const CameraDrivers drivers = machine_drivers();
+  const auto make_camera = [&](const RigCamera& camera) {
+    return stream::StreamedCamera::create(drivers.of(camera.driver), camera.match, camera.settings);
+  };
+  auto measurement = make_camera(rig.measurement);
   if (!measurement) return tl::unexpected(measurement.error());
   devices.measurement = *std::move(measurement);
   if (rig.texture) {
-    auto texture = v4l2::V4l2Camera::create(rig.texture->match, rig.texture->settings);
+    auto texture = make_camera(*rig.texture);
     if (!texture) return tl::unexpected(texture.error());
     // On its own thread, so that restarting this camera does not cost frames of the other.
     devices.texture = std::make_shared<device::ThreadedCamera>(*std::move(texture));

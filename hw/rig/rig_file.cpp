@@ -30,7 +30,7 @@ device::CameraMatch read_match(const io::JsonPlace& place) {
 
 device::PixelFormat read_format(const io::JsonPlace& place) {
   const auto format = device::pixel_format_of(place.text());
-  if (!format) place.reject("a pixel format: GREY, Y10, Y12, Y16, YUYV, UYVY or MJPG");
+  if (!format) place.reject("a pixel format: " + device::pixel_format_names());
   return format.value_or(device::PixelFormat::kGrey8);
 }
 
@@ -43,8 +43,15 @@ ImageSize read_size(const io::JsonPlace& place) {
   return {sides[0].whole_number(), sides[1].whole_number()};
 }
 
+DriverKind read_driver(const io::JsonPlace& place) {
+  const auto kind = driver_kind_of(place.text());
+  if (!kind) place.reject("\"v4l2\" or \"genicam\"");
+  return kind.value_or(DriverKind::kV4l2);
+}
+
 RigCamera read_camera(const io::JsonPlace& place, device::Channels channels) {
   RigCamera camera;
+  if (place.has("driver")) camera.driver = read_driver(place.at("driver"));
   camera.match = read_match(place.at("match"));
   device::CameraSettings& settings = camera.settings;
   settings.channels = channels;
@@ -116,10 +123,12 @@ Json to_json(const RigCamera& camera) {
   add_text(match, "serial", camera.match.serial);
   add_text(match, "bus_path", camera.match.bus_path);
   const device::CameraSettings& settings = camera.settings;
-  Json json = {{"match", match},
-               {"format", to_string(settings.format)},
-               {"size_px", {settings.size.width_px, settings.size.height_px}},
-               {"rate_hz", settings.rate_hz}};
+  Json json = Json::object();
+  if (camera.driver != DriverKind::kV4l2) json["driver"] = to_string(camera.driver);
+  json["match"] = match;
+  json["format"] = to_string(settings.format);
+  json["size_px"] = {settings.size.width_px, settings.size.height_px};
+  json["rate_hz"] = settings.rate_hz;
   add_number(json, "exposure_s", settings.exposure_s);
   add_number(json, "gain", settings.gain);
   add_number(json, "white_balance_k", settings.white_balance_k);

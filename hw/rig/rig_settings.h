@@ -8,10 +8,12 @@
 #include "core/base/result.h"
 #include "hw/device/camera.h"
 #include "hw/gpio/light_wiring.h"
+#include "hw/rig/camera_drivers.h"
 
 namespace flytri::rig {
 
 struct RigCamera {
+  DriverKind driver = DriverKind::kV4l2;
   device::CameraMatch match;  ///< at least one field must be given
   device::CameraSettings settings;
   /// >= 0. Delay between the exposures of the first and the last row (rolling shutter); 0: global

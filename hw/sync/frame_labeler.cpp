@@ -10,7 +10,7 @@ namespace {
 
 // Probability from which the user is told that patterns are swapped, or images do not follow the
 // lights.
-constexpr double kSure = 0.999;
+constexpr double kWorthTelling = 0.999;
 
 bool is_pattern(device::Light light) {
   return light == device::Light::kVertical || light == device::Light::kHorizontal;
@@ -124,7 +124,8 @@ void FrameLabeler::count(LabelOutcome outcome) {
 }
 
 LightFault FrameLabeler::fault() const {
-  return watch_.fault(is_learned_ && latency_.swapped > kSure, latency_.unexplained > kSure);
+  return watch_.fault(is_learned_ && latency_.swapped > kWorthTelling,
+                      latency_.unexplained > kWorthTelling);
 }
 
 }  // namespace flytri::sync

@@ -26,8 +26,9 @@ constexpr double kLeast = 1e-12;
 // The least for "unexplained": about a second of images must contradict a latency that was known.
 constexpr double kLeastUnexplained = 1e-40;
 
-// Largest probability of "unexplained" and of "swapped patterns" with which the latency is known.
-constexpr double kSure = 0.01;
+// Largest probability of "swapped patterns" with which the latency is known, and of "unexplained".
+// The latter rises for a moment with a misleading image, and then no frame must lose its label.
+constexpr double kMostSwapped = 0.01, kMostUnexplained = 1e-4;
 
 /// From 0 (no flash in the exposure) to 1 (the flash outshines all other light).
 double flash_visibility(double flash_share) { return std::min(1.0, flash_share / 0.3); }
@@ -223,8 +224,9 @@ LatencyEstimate LatencyFilter::estimate() const {
 
 bool LatencyFilter::is_learned() const {
   const LatencyEstimate now = estimate();
-  const bool is_sure = now.swapped < kSure || now.swapped > 1.0 - kSure;
-  return is_sure && now.unexplained < kSure && now.latency_sigma_s < options_.frame_period_s / 8.0;
+  const bool is_sure = now.swapped < kMostSwapped || now.swapped > 1.0 - kMostSwapped;
+  return is_sure && now.unexplained < kMostUnexplained &&
+         now.latency_sigma_s < options_.frame_period_s / 16.0;
 }
 
 }  // namespace flytri::sync

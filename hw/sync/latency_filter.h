@@ -69,7 +69,7 @@ class LatencyFilter {
   void learn(const LightHistory& history, double stamp_s, const LightEvidence& evidence);
 
   [[nodiscard]] LatencyEstimate estimate() const;
-  /// Whether the latency is known to 1/8 period, whether the patterns are swapped is known, and
+  /// Whether the latency is known to 1/16 period, whether the patterns are swapped is known, and
   /// the images follow the lights.
   [[nodiscard]] bool is_learned() const;
 

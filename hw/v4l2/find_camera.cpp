@@ -81,9 +81,8 @@ device::CameraDescription describe(VideoSystem& system, const device::DeviceNode
   if (!any_known(description.modes))
     description.problems.push_back(
         {ErrorCode::kBadOption,
-         fmt::format("camera {} offers none of the supported formats GREY, "
-                     "Y10, Y12, Y16, YUYV, UYVY and MJPG: use another camera",
-                     to_string(node))});
+         fmt::format("camera {} offers no supported format, which are {}: use another camera",
+                     to_string(node), device::pixel_format_names())});
   return description;
 }
 

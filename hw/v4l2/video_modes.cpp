@@ -31,6 +31,16 @@ std::uint32_t fourcc_of(device::PixelFormat format) {
       return V4L2_PIX_FMT_YUYV;
     case device::PixelFormat::kUyvy:
       return V4L2_PIX_FMT_UYVY;
+    case device::PixelFormat::kRgb8:
+      return V4L2_PIX_FMT_RGB24;
+    case device::PixelFormat::kBayerRggb:
+      return V4L2_PIX_FMT_SRGGB8;
+    case device::PixelFormat::kBayerGrbg:
+      return V4L2_PIX_FMT_SGRBG8;
+    case device::PixelFormat::kBayerGbrg:
+      return V4L2_PIX_FMT_SGBRG8;
+    case device::PixelFormat::kBayerBggr:
+      return V4L2_PIX_FMT_SBGGR8;
     case device::PixelFormat::kMjpeg:
       break;
   }
@@ -169,8 +179,9 @@ Result<AgreedMode> set_mode(const OpenVideo& video, const device::CameraSettings
   const auto rate = set_rate(video, settings.rate_hz);
   if (!rate) return tl::unexpected(rate.error());
   // Some drivers report no line length if lines have no padding.
-  const BufferLayout one_line{settings.format, {settings.size.width_px, 1}, 0, 16};
-  const auto bytes_per_line = std::max<std::size_t>(pixels->bytesperline, bytes_needed(one_line));
+  const stream::BufferLayout one_line{settings.format, {settings.size.width_px, 1}, 0, 16};
+  const auto bytes_per_line =
+      std::max<std::size_t>(pixels->bytesperline, stream::bytes_needed(one_line));
   return AgreedMode{{settings.format, settings.size, bytes_per_line, settings.bits.value_or(16)},
                     *rate};
 }

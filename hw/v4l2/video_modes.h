@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hw/device/camera.h"
-#include "hw/v4l2/pixel_conversion.h"
+#include "hw/stream/pixel_conversion.h"
 #include "hw/v4l2/video_system.h"
 
 namespace flytri::v4l2 {
@@ -20,7 +20,7 @@ struct OpenVideo {
 
 /// The mode that the driver accepted.
 struct AgreedMode {
-  BufferLayout layout;
+  stream::BufferLayout layout;
   double rate_hz = 0.0;  ///< the requested rate if the driver reports none
 };
 

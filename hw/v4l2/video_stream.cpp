@@ -21,7 +21,7 @@ v4l2_buffer empty_buffer() {
 }
 
 // Reads the time stamp, and which moment it marks according to the driver.
-void read_stamp(const v4l2_buffer& buffer, StreamedImage& image) {
+void read_stamp(const v4l2_buffer& buffer, stream::StreamedImage& image) {
   if ((buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC)
     image.time_s = static_cast<double>(buffer.timestamp.tv_sec) +
                    1e-6 * static_cast<double>(buffer.timestamp.tv_usec);
@@ -112,11 +112,14 @@ void VideoStream::expect_bits(int bits) {
   read_back_.bits = layout_.bits;
 }
 
-StreamEnd VideoStream::ended(std::string_view doing, int error_number) const {
+std::string VideoStream::label() const { return to_string(node_); }
+
+stream::StreamEnd VideoStream::ended(std::string_view doing, int error_number) const {
   return {error_number == ENODEV, video_failure(node_, doing, error_number)};
 }
 
-tl::expected<std::optional<StreamedImage>, StreamEnd> VideoStream::take(double timeout_s) {
+tl::expected<std::optional<stream::StreamedImage>, stream::StreamEnd> VideoStream::take(
+    double timeout_s) {
   if (!device_->wait(timeout_s)) return std::nullopt;
   v4l2_buffer buffer = empty_buffer();
   const int error = device_->control(VIDIOC_DQBUF, &buffer);
@@ -125,9 +128,9 @@ tl::expected<std::optional<StreamedImage>, StreamEnd> VideoStream::take(double t
   if (buffer.index >= buffers_.size()) return tl::unexpected(ended("taking a frame", EIO));
   const auto all = buffers_[buffer.index];
   const auto bytes = all.first(std::min<std::size_t>(all.size(), buffer.bytesused));
-  if (learns_bits_) expect_bits(bits_used(bytes, layout_));
-  StreamedImage image;
-  image.converted = convert(bytes, layout_, read_back_.channels);
+  if (learns_bits_) expect_bits(stream::bits_used(bytes, layout_));
+  stream::StreamedImage image;
+  image.converted = stream::convert(bytes, layout_, read_back_.channels);
   image.flagged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0;
   image.sequence = buffer.sequence;
   read_stamp(buffer, image);

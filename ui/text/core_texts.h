@@ -180,6 +180,10 @@ FLYTRI_TEXT(kFigureTwist, "twist", "Verwindung", "torsion", "torsión")
 FLYTRI_TEXT(kFigureBendY, "bend top to bottom", "Biegung oben–unten", "courbure haut-bas",
             "curvatura arriba-abajo")
 FLYTRI_TEXT(kFigureDiameter, "diameter", "Durchmesser", "diamètre", "diámetro")
+FLYTRI_TEXT(kFigureNotSquareX, "stage not square, along x", "Tisch nicht rechtwinklig, in x",
+            "platine non perpendiculaire, en x", "mesa no perpendicular, en x")
+FLYTRI_TEXT(kFigureNotSquareY, "stage not square, along y", "Tisch nicht rechtwinklig, in y",
+            "platine non perpendiculaire, en y", "mesa no perpendicular, en y")
 FLYTRI_TEXT(kFigureScatter, "scatter", "Streuung", "dispersion", "dispersión")
 
 // core/calibration/verify/verification_report.cpp: what has probably happened.
@@ -257,6 +261,18 @@ FLYTRI_TEXT(
     "objectif a été réglé à nouveau.",
     "Los tamaños medidos son erróneos: la cámara se ha movido a lo largo de su eje, o se ha "
     "reenfocado su lente.")
+FLYTRI_TEXT(
+    kMeansShear,
+    "A sphere is measured as a leaning egg: the stage did not move at right angles to the target "
+    "when the sensor was calibrated. flytri calibrate --check --sphere MM --correct FILE corrects "
+    "it.",
+    "Eine Kugel wird als schiefes Ei gemessen: der Tisch fuhr beim Kalibrieren nicht rechtwinklig "
+    "zur Tafel. flytri calibrate --check --sphere MM --correct DATEI korrigiert das.",
+    "Une sphère est mesurée comme un œuf penché : lors de la calibration, la platine ne se "
+    "déplaçait pas perpendiculairement à la mire. flytri calibrate --check --sphere MM --correct "
+    "FICHIER le corrige.",
+    "Una esfera se mide como un huevo inclinado: al calibrar, la mesa no se movía en ángulo recto "
+    "con la diana. flytri calibrate --check --sphere MM --correct ARCHIVO lo corrige.")
 FLYTRI_TEXT(kMeansForm,
             "Points scatter more than expected from noise: lenses are dirty or out of focus, or "
             "the object is not smooth enough.",

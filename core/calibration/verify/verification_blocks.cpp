@@ -131,4 +131,11 @@ std::optional<SharedFit::Solution> SharedFit::solve() const {
   return solution;
 }
 
+std::vector<std::size_t> clusters_of(const std::vector<VerificationBlock>& blocks, bool moves) {
+  std::vector<std::size_t> clusters;
+  clusters.reserve(blocks.size());
+  for (const VerificationBlock& block : blocks) clusters.push_back(moves ? 0 : block.line);
+  return clusters;
+}
+
 }  // namespace flytri::calibration

@@ -78,4 +78,8 @@ class SharedFit {
   std::vector<Pose> poses_;
 };
 
+/// Clusters for SharedFit: blocks of a line share noise, those of a moving pose its jerk.
+[[nodiscard]] std::vector<std::size_t> clusters_of(const std::vector<VerificationBlock>& blocks,
+                                                   bool moves);
+
 }  // namespace flytri::calibration

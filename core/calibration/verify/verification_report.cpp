@@ -59,6 +59,14 @@ std::vector<std::string> meanings_of(const VerificationReport& report) {
         "Measured sizes are wrong: the camera has moved along its axis, or its lens was "
         "refocused.");
   }
+  if (shows(report, kShear)) {
+    meanings.emplace_back(
+        "A sphere is measured as a leaning egg: the stage did not move at right angles to the "
+        "target "
+        "when the sensor was calibrated. flytri calibrate --check --sphere MM --correct FILE "
+        "corrects "
+        "it.");
+  }
   if (shows(report, kForm)) {
     meanings.emplace_back(
         "Points scatter more than expected from noise: lenses are dirty or out of focus, or the "

@@ -50,6 +50,7 @@ enum class VerificationSymptom {
   kOwnBend,        ///< the patterns measure a different curvature
   kBend,           ///< both patterns measure the same wrong curvature
   kDiameter,       ///< the measured diameter of the sphere is wrong
+  kShear,          ///< planes at other depths are shifted sideways
   kForm,           ///< points scatter more than expected from noise
 };
 

@@ -184,13 +184,6 @@ void distinguish_scale_from_roll(std::vector<VerificationFigure>& figures,
   along_x.symptom = along_y.symptom = VerificationSymptom::kMagnification;
 }
 
-std::vector<std::size_t> clusters_of(const std::vector<VerificationBlock>& blocks, bool moves) {
-  std::vector<std::size_t> clusters;
-  clusters.reserve(blocks.size());
-  for (const VerificationBlock& block : blocks) clusters.push_back(moves ? 0 : block.line);
-  return clusters;
-}
-
 }  // namespace
 
 Result<VerificationReport> check_on_plane(const std::vector<VerificationPose>& poses,

@@ -61,12 +61,12 @@ cv::Mat CalibrationCamera::take(calibration::ShotKind kind, double z_mm,
     case calibration::ShotKind::kHorizontal:
       return lines(Pattern::kHorizontal, z_mm, stream);
     case calibration::ShotKind::kDots:
-      return evenly_lit(dots_.light(z_mm), stream);
+      return evenly_lit(dots_.light(z_mm, z_mm * options_.stage_shear), stream);
     case calibration::ShotKind::kDotsTexture:
       break;
   }
   cv::Mat color;
-  cv::cvtColor(texture_dots_.light(z_mm), color, cv::COLOR_GRAY2RGB);
+  cv::cvtColor(texture_dots_.light(z_mm, z_mm * options_.stage_shear), color, cv::COLOR_GRAY2RGB);
   return chip_.read_out_color(color, {8, 1, options_.noise, options_.seed, stream});
 }
 

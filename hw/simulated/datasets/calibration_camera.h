@@ -21,6 +21,9 @@ class CalibrationCamera {
     int bits = 16;       ///< 8 or 16, of the measurement camera's images
     bool noise = true;
     std::uint64_t seed = 1;
+    /// The stage does not move at right angles to the target: the dots move aside by this, per
+    /// depth.
+    Vec2 stage_shear = Vec2::Zero();
   };
   /// @errors  As ImageSimulator::create.
   [[nodiscard]] static Result<CalibrationCamera> create(const SensorModel& sensor,

@@ -35,13 +35,14 @@ AtDot at_dot(const calibration::DotTarget& target, const Vec2& p) {
 DotImage::DotImage(const CameraModel& camera, const calibration::DotTarget& target)
     : camera_(camera), target_(target), directions_(camera.pixel_directions()) {}
 
-// The point of the plane that each pixel center sees.
-std::vector<Vec2> DotImage::places_on_plane(double z_mm) const {
+// The point of the target that each pixel center sees.
+std::vector<Vec2> DotImage::places_on_plane(double z_mm, const Vec2& aside_mm) const {
   std::vector<Vec2> places;
   places.reserve(directions_.size());
   const Vec3 center = camera_.center();
   for (const Vec3& direction : directions_)
-    places.push_back((center + (z_mm - center.z()) / direction.z() * direction).head<2>());
+    places.push_back((center + (z_mm - center.z()) / direction.z() * direction).head<2>() -
+                     aside_mm);
   return places;
 }
 
@@ -61,10 +62,10 @@ double DotImage::bright_share(const Vec2& place, const Vec2& right, const Vec2& 
   return static_cast<double>(bright) / (kSubpixels * kSubpixels);
 }
 
-cv::Mat DotImage::light(double z_mm) const {
+cv::Mat DotImage::light(double z_mm, const Vec2& aside_mm) const {
   const int width = camera_.size.width_px;
   const int height = camera_.size.height_px;
-  const std::vector<Vec2> places = places_on_plane(z_mm);
+  const std::vector<Vec2> places = places_on_plane(z_mm, aside_mm);
   const auto place = [&](int u, int v) { return places[static_cast<std::size_t>(v) * width + u]; };
   cv::Mat light(height, width, CV_32FC1);
   for (int v = 0; v < height; ++v)

@@ -13,12 +13,12 @@ class DotImage {
  public:
   DotImage(const CameraModel& camera, const calibration::DotTarget& target);
 
-  /// The image of the target at z = `z_mm`.
+  /// The image of the target at z = `z_mm`, moved aside by `aside_mm`.
   /// @return  CV_32FC1, share of full scale, without noise
-  [[nodiscard]] cv::Mat light(double z_mm) const;
+  [[nodiscard]] cv::Mat light(double z_mm, const Vec2& aside_mm = Vec2::Zero()) const;
 
  private:
-  [[nodiscard]] std::vector<Vec2> places_on_plane(double z_mm) const;
+  [[nodiscard]] std::vector<Vec2> places_on_plane(double z_mm, const Vec2& aside_mm) const;
   [[nodiscard]] double bright_share(const Vec2& place, const Vec2& right, const Vec2& down) const;
 
   CameraModel camera_;

@@ -1,10 +1,14 @@
 #include "tests/hardware/guest/camera_reader.h"
 
+#include "hw/stream/streamed_camera.h"
+#include "hw/v4l2/v4l2_driver.h"
+
 namespace flytri::testing {
 
 CameraReader::CameraReader(const device::CameraMatch& match,
                            const device::CameraSettings& settings) {
-  auto camera = v4l2::V4l2Camera::create(match, settings);
+  auto camera =
+      stream::StreamedCamera::create(std::make_shared<v4l2::V4l2Driver>(), match, settings);
   if (!camera) throw std::runtime_error(camera.error().message);
   camera_ = std::move(*camera);
 }

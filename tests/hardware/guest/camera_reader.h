@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "hw/v4l2/v4l2_camera.h"
+#include "hw/device/camera.h"
 
 namespace flytri::testing {
 
@@ -22,7 +22,7 @@ class CameraReader {
  public:
   CameraReader(const device::CameraMatch& match, const device::CameraSettings& settings);
 
-  [[nodiscard]] v4l2::V4l2Camera& camera() { return *camera_; }
+  [[nodiscard]] device::Camera& camera() { return *camera_; }
   void start();
 
   /// Reads the given number of frames. Fails the test after `limit_s`.
@@ -39,7 +39,7 @@ class CameraReader {
  private:
   void read_one();
 
-  std::unique_ptr<v4l2::V4l2Camera> camera_;
+  std::unique_ptr<device::Camera> camera_;
   std::vector<ReadFrame> frames_;
   cv::Mat last_image_;
 };

@@ -6,7 +6,7 @@
 
 #include "core/io/files/file_bytes.h"
 #include "hw/device/light_switch.h"
-#include "hw/v4l2/pixel_conversion.h"
+#include "hw/stream/pixel_conversion.h"
 
 namespace flytri::scan {
 namespace {
@@ -28,10 +28,10 @@ Result<std::string> PictureFinder::read_picture(const Shown& shown) const {
   const auto file = folder_ / fmt::format("{}_flash.jpg", shown.number);
   const auto jpeg = io::read_file(file);
   if (!jpeg) return jpeg;
-  const v4l2::ConvertedImage decoded =
-      v4l2::convert({reinterpret_cast<const std::uint8_t*>(jpeg->data()), jpeg->size()},
-                    {device::PixelFormat::kMjpeg, color_}, device::Channels::kRgb);
-  if (decoded.outcome == v4l2::Conversion::kDone) return std::string(pixels_of(decoded.image));
+  const stream::ConvertedImage decoded =
+      stream::convert({reinterpret_cast<const std::uint8_t*>(jpeg->data()), jpeg->size()},
+                      {device::PixelFormat::kMjpeg, color_}, device::Channels::kRgb);
+  if (decoded.outcome == stream::Conversion::kDone) return std::string(pixels_of(decoded.image));
   return fail(ErrorCode::kBadFormat, "{} cannot be decoded", file.string());
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/base/random.h"
+#include "core/calibration/verify/estimate_metric.h"
 #include "tests/support/analytic_calibration.h"
 #include "ui/text/texts.h"
 
@@ -256,6 +257,46 @@ TEST(Verification, DetectsATurnedProjectorWithASphere) {
   // 0.2 mrad at 55 mm are 11 µm across the lines and, with the baseline of 8 mm, 76 µm in depth.
   EXPECT_NEAR(std::abs(report.figures[1].deviation_mm), 0.076, 0.012);
   EXPECT_THAT(report.meanings, Contains(HasSubstr("different depths")));
+}
+
+/// What a calibration whose true millimeters are `correction` of its own measures.
+std::vector<VerificationPose> measured_with(const MetricCorrection& correction,
+                                            std::vector<VerificationPose> poses) {
+  const Eigen::Matrix3d map = correction.matrix().inverse();
+  for (VerificationPose& pose : poses)
+    for (View& view : pose.views)
+      for (Profile& profile : view.profiles)
+        for (ProfilePoint& point : profile.points) point.position_mm = map * point.position_mm;
+  return poses;
+}
+
+TEST(Verification, ASphereTellsShearAndScale) {
+  for (const double tilt_deg : {0.0, 0.2, 1.0, 2.0}) {
+    SCOPED_TRACE(tilt_deg);
+    const double shear = std::tan(tilt_deg * M_PI / 180.0);
+    const MetricCorrection truth{1.002, 0.998, {shear, -0.5 * shear}};
+    const auto metric =
+        estimate_metric(measured_with(truth, rest({}, sphere_places(), 7)), 10.0).value();
+    const MetricCorrection& found = metric.correction;
+    const MetricCorrection& sigma = metric.uncertainty;
+    EXPECT_NEAR(found.shear.x(), truth.shear.x(), 4.0 * sigma.shear.x());
+    EXPECT_NEAR(found.shear.y(), truth.shear.y(), 4.0 * sigma.shear.y());
+    EXPECT_NEAR(found.lateral, truth.lateral, 4.0 * sigma.lateral);
+    EXPECT_NEAR(found.depth, truth.depth, 4.0 * sigma.depth);
+    EXPECT_LT(sigma.shear.maxCoeff(), 0.005);
+  }
+}
+
+TEST(Verification, NamesAStageThatIsNotSquare) {
+  const MetricCorrection leaning{1.0, 1.0, {0.08, 0.0}};
+  const auto report = check_on_sphere(measured_with(leaning, rest({}, sphere_places(), 7)), 10.0,
+                                      analytic_calibration());
+  EXPECT_EQ(report->outcome, VerificationOutcome::kBroken) << all_of(*report);
+  EXPECT_THAT(report->meanings, Contains(HasSubstr("right angles"))) << all_of(*report);
+}
+
+TEST(Verification, ASphereThatIsHardlySeenTellsNoScale) {
+  EXPECT_EQ(estimate_metric({}, 10.0).error().code, ErrorCode::kInsufficient);
 }
 
 TEST(Verification, RejectsBadOptions) {

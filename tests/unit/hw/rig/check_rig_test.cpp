@@ -5,6 +5,7 @@
 #include <linux/videodev2.h>
 
 #include "hw/device/clock.h"
+#include "hw/v4l2/v4l2_driver.h"
 #include "tests/support/fake_video.h"
 #include "tests/support/temporary_folder.h"
 
@@ -36,14 +37,16 @@ class CheckRigTest : public ::testing::Test {
 
   std::vector<std::string> problems() {
     std::vector<std::string> messages;
-    for (const Error& problem : check_rig(rig_, system_, chips_))
+    for (const Error& problem : check_rig(rig_, drivers_, chips_))
       messages.push_back(problem.message);
     return messages;
   }
 
-  FakeVideoSystem system_{device::machine_clock()};
-  std::shared_ptr<FakeCamera> measurement_ = system_.add();
-  std::shared_ptr<FakeCamera> texture_ = system_.add();
+  std::shared_ptr<FakeVideoSystem> system_ =
+      std::make_shared<FakeVideoSystem>(device::machine_clock());
+  CameraDrivers drivers_ = {std::make_shared<v4l2::V4l2Driver>(system_), nullptr};
+  std::shared_ptr<FakeCamera> measurement_ = system_->add();
+  std::shared_ptr<FakeCamera> texture_ = system_->add();
   std::vector<gpio::GpioChip> chips_ = {
       {{"/dev/gpiochip0", "", "1", "1-3", 0}, "ftdi-cbus", {{}, {}, {}, {}}, {}}};
   RigSettings rig_;

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 
+#include "hw/v4l2/v4l2_driver.h"
 #include "tests/support/fake_video.h"
 #include "tests/support/manual_clock.h"
 
@@ -44,15 +45,16 @@ class CheckStreamsTest : public ::testing::Test {
 
   std::vector<std::string> problems() {
     std::vector<std::string> messages;
-    for (const Error& problem : check_streams(rig_, system_, clock_.clock()))
+    for (const Error& problem : check_streams(rig_, drivers_, clock_.clock()))
       messages.push_back(problem.message);
     return messages;
   }
 
   testing::ManualClock clock_;
-  FakeVideoSystem system_{clock_.clock()};
-  std::shared_ptr<FakeCamera> measurement_ = system_.add();
-  std::shared_ptr<FakeCamera> texture_ = system_.add();
+  std::shared_ptr<FakeVideoSystem> system_ = std::make_shared<FakeVideoSystem>(clock_.clock());
+  CameraDrivers drivers_ = {std::make_shared<v4l2::V4l2Driver>(system_), nullptr};
+  std::shared_ptr<FakeCamera> measurement_ = system_->add();
+  std::shared_ptr<FakeCamera> texture_ = system_->add();
   RigSettings rig_;
 };
 

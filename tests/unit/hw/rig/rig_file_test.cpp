@@ -71,7 +71,7 @@ TEST(RigFile, ReportsFileAndKeyAndExpectedValueOfABadKey) {
   };
   EXPECT_THAT(message("\"rate_hz\": 30,", ""),
               AllOf(HasSubstr("chair.json"), HasSubstr("rate_hz")));
-  EXPECT_THAT(message("\"Y12\"", "\"RGB3\""), AllOf(HasSubstr("format"), HasSubstr("GREY")));
+  EXPECT_THAT(message("\"Y12\"", "\"H264\""), AllOf(HasSubstr("format"), HasSubstr("GREY")));
   EXPECT_THAT(message("[1024, 768]", "[1024]"), AllOf(HasSubstr("size_px"), HasSubstr("height")));
   EXPECT_THAT(message("\"low\"", "\"down\""), AllOf(HasSubstr("active"), HasSubstr("high")));
   EXPECT_THAT(message("\"vertical\"", "\"vertikal\""), HasSubstr("lights.vertical"));

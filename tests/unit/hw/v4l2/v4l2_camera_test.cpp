@@ -1,10 +1,11 @@
-#include "hw/v4l2/v4l2_camera.h"
 
 #include <gmock/gmock.h>
 #include <linux/videodev2.h>
 
 #include <cerrno>
 
+#include "hw/stream/streamed_camera.h"
+#include "hw/v4l2/v4l2_driver.h"
 #include "tests/support/fake_video.h"
 #include "tests/support/manual_clock.h"
 
@@ -19,7 +20,7 @@ using testing::ManualClock;
 
 constexpr double kPeriod_s = 0.1;
 
-// A fake camera with 4 x 2 grey pixels at 10 Hz, and the V4l2Camera that reads it.
+// A fake camera with 4 x 2 grey pixels at 10 Hz, and the camera that reads it.
 class V4l2CameraTest : public ::testing::Test {
  protected:
   V4l2CameraTest() {
@@ -29,7 +30,7 @@ class V4l2CameraTest : public ::testing::Test {
   }
 
   void make_camera(const device::CameraMatch& match = {}) {
-    auto camera = V4l2Camera::create(match, settings_, {}, {system_, clock_.clock()});
+    auto camera = stream::StreamedCamera::create(driver_, match, settings_, {}, clock_.clock());
     ASSERT_TRUE(camera) << camera.error().message;
     camera_ = std::move(*camera);
   }
@@ -63,7 +64,8 @@ class V4l2CameraTest : public ::testing::Test {
   std::shared_ptr<FakeVideoSystem> system_ = std::make_shared<FakeVideoSystem>(clock_.clock());
   std::shared_ptr<FakeCamera> fake_ = system_->add();
   device::CameraSettings settings_;
-  std::unique_ptr<V4l2Camera> camera_;
+  std::shared_ptr<V4l2Driver> driver_ = std::make_shared<V4l2Driver>(system_);
+  std::unique_ptr<device::Camera> camera_;
 };
 
 TEST_F(V4l2CameraTest, SetsControlsAgainThatTheCameraResetsWhenItsStreamStarts) {
@@ -261,9 +263,9 @@ TEST_F(V4l2CameraTest, ReportsAFailedStart) {
 
 TEST_F(V4l2CameraTest, RefusesOptionsOutOfRange) {
   settings_.rate_hz = 0.0;
-  EXPECT_FALSE(V4l2Camera::create({}, settings_, {}, {system_, clock_.clock()}));
+  EXPECT_FALSE(stream::StreamedCamera::create(driver_, {}, settings_));
   settings_.rate_hz = 30.0;
-  EXPECT_FALSE(V4l2Camera::create({}, settings_, {.buffers = 1}, {system_, clock_.clock()}));
+  EXPECT_FALSE(stream::StreamedCamera::create(driver_, {}, settings_, {.buffers = 1}));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-/// @file  A camera driven through V4L2. Finds, configures and streams it, and reconnects when it
-/// was unplugged.
+/// @file  A camera made of its stream: notices when frames stop, restarts it, and reconnects when
+/// it was unplugged.
 #pragma once
 
 #include <memory>
@@ -7,13 +7,12 @@
 
 #include "hw/device/camera.h"
 #include "hw/device/clock.h"
-#include "hw/v4l2/frame_stamper.h"
-#include "hw/v4l2/video_stream.h"
-#include "hw/v4l2/video_system.h"
+#include "hw/stream/camera_driver.h"
+#include "hw/stream/frame_stamper.h"
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 
-struct V4l2CameraOptions {
+struct StreamedCameraOptions {
   /// 2..32. Frames that the driver buffers while the reader is busy; 8 are a quarter of a second at
   /// 30 Hz.
   int buffers = 8;
@@ -26,19 +25,14 @@ struct V4l2CameraOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// System calls and clock of a camera; tests replace them.
-struct V4l2Environment {
-  std::shared_ptr<VideoSystem> system = kernel_video_system();
-  device::Clock clock = device::machine_clock();
-};
-
-class V4l2Camera final : public device::Camera {
+class StreamedCamera final : public device::Camera {
  public:
   /// Opens no device before start().
   /// @errors  kBadOption.
-  [[nodiscard]] static Result<std::unique_ptr<V4l2Camera>> create(
-      device::CameraMatch match, const device::CameraSettings& settings,
-      const V4l2CameraOptions& options = {}, V4l2Environment environment = {});
+  [[nodiscard]] static Result<std::unique_ptr<StreamedCamera>> create(
+      std::shared_ptr<CameraDriver> driver, const device::CameraMatch& match,
+      const device::CameraSettings& settings, const StreamedCameraOptions& options = {},
+      const device::Clock& clock = device::machine_clock());
 
   [[nodiscard]] Result<void> start() override;
   void stop() override;
@@ -49,8 +43,9 @@ class V4l2Camera final : public device::Camera {
   [[nodiscard]] std::string name() const override;
 
  private:
-  V4l2Camera(device::CameraMatch match, const device::CameraSettings& settings,
-             const V4l2CameraOptions& options, V4l2Environment environment);
+  StreamedCamera(std::shared_ptr<CameraDriver> driver, device::CameraMatch match,
+                 const device::CameraSettings& settings, const StreamedCameraOptions& options,
+                 device::Clock clock);
   [[nodiscard]] Result<void> open();
   void search(double timeout_s);
   void reopened();
@@ -58,13 +53,14 @@ class V4l2Camera final : public device::Camera {
   void watch_for_frames(double now_s);
   [[nodiscard]] device::CameraFrame enter(const StreamedImage& image);
 
+  const std::shared_ptr<CameraDriver> driver_;
   const device::CameraMatch match_;
   const device::CameraSettings requested_;
-  const V4l2CameraOptions options_;
-  const V4l2Environment environment_;
+  const StreamedCameraOptions options_;
+  const device::Clock clock_;
 
   // Used only by the reading thread.
-  std::unique_ptr<VideoStream> stream_;
+  std::unique_ptr<ImageStream> stream_;
   FrameStamper frame_stamper_;
   double last_arrival_s_ = 0.0;  // of a frame, or since the stream began
   double next_search_s_ = 0.0;
@@ -77,4 +73,4 @@ class V4l2Camera final : public device::Camera {
   std::string name_;
 };
 
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream

@@ -1,4 +1,4 @@
-#include "hw/v4l2/jpeg_decoder.h"
+#include "hw/stream/jpeg_decoder.h"
 
 #include <csetjmp>
 #include <cstdio>
@@ -8,7 +8,7 @@
 
 #include <jerror.h>
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 
 namespace {
 
@@ -64,4 +64,4 @@ bool decode_jpeg(std::span<const std::uint8_t> bytes, cv::Mat& image) {
   return is_whole;
 }
 
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "hw/device/camera.h"
-#include "hw/v4l2/video_stream.h"
+#include "hw/stream/image_stream.h"
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 
 class FrameStamper {
  public:
@@ -31,4 +31,4 @@ class FrameStamper {
   std::uint32_t driver_sequence_ = 0;
 };
 
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream

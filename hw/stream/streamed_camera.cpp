@@ -1,15 +1,14 @@
-#include "hw/v4l2/v4l2_camera.h"
+#include "hw/stream/streamed_camera.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/base/check_options.h"
-#include "hw/v4l2/find_camera.h"
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 
-Result<void> V4l2CameraOptions::validate() const {
-  return OptionCheck("V4l2CameraOptions")
+Result<void> StreamedCameraOptions::validate() const {
+  return OptionCheck("StreamedCameraOptions")
       .in_range("buffers", buffers, 2, 32)
       .above("frozen_after_periods", frozen_after_periods, 1.0)
       .positive("restart_after_s", restart_after_s)
@@ -17,56 +16,56 @@ Result<void> V4l2CameraOptions::validate() const {
       .result();
 }
 
-V4l2Camera::V4l2Camera(device::CameraMatch match, const device::CameraSettings& settings,
-                       const V4l2CameraOptions& options, V4l2Environment environment)
-    : match_(std::move(match)),
+StreamedCamera::StreamedCamera(std::shared_ptr<CameraDriver> driver, device::CameraMatch match,
+                               const device::CameraSettings& settings,
+                               const StreamedCameraOptions& options, device::Clock clock)
+    : driver_(std::move(driver)),
+      match_(std::move(match)),
       requested_(settings),
       options_(options),
-      environment_(std::move(environment)),
+      clock_(std::move(clock)),
       read_back_(settings),
       name_(match_.name) {}
 
-Result<std::unique_ptr<V4l2Camera>> V4l2Camera::create(device::CameraMatch match,
-                                                       const device::CameraSettings& settings,
-                                                       const V4l2CameraOptions& options,
-                                                       V4l2Environment environment) {
+Result<std::unique_ptr<StreamedCamera>> StreamedCamera::create(
+    std::shared_ptr<CameraDriver> driver, const device::CameraMatch& match,
+    const device::CameraSettings& settings, const StreamedCameraOptions& options,
+    const device::Clock& clock) {
   if (const auto valid = settings.validate(); !valid) return tl::unexpected(valid.error());
   if (const auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  return std::unique_ptr<V4l2Camera>(
-      new V4l2Camera(std::move(match), settings, options, std::move(environment)));
+  return std::unique_ptr<StreamedCamera>(
+      new StreamedCamera(std::move(driver), match, settings, options, clock));
 }
 
-device::CameraStatus V4l2Camera::status() const {
+device::CameraStatus StreamedCamera::status() const {
   const std::lock_guard lock(mutex_);
   return status_;
 }
 
-device::CameraSettings V4l2Camera::read_back() const {
+device::CameraSettings StreamedCamera::read_back() const {
   const std::lock_guard lock(mutex_);
   return read_back_;
 }
 
-std::string V4l2Camera::name() const {
+std::string StreamedCamera::name() const {
   const std::lock_guard lock(mutex_);
   return name_;
 }
 
-Result<void> V4l2Camera::open() {
-  const auto node = find_camera(*environment_.system, match_);
-  if (!node) return tl::unexpected(node.error());
-  auto stream = VideoStream::open(*environment_.system, *node, requested_, options_.buffers);
+Result<void> StreamedCamera::open() {
+  auto stream = driver_->open(match_, requested_, options_.buffers);
   if (!stream) return tl::unexpected(stream.error());
   stream_ = std::move(*stream);
   stream_->expect_bits(learned_bits_);
   frame_stamper_.begin_stream(1.0 / stream_->read_back().rate_hz);
-  last_arrival_s_ = environment_.clock.now_s();
+  last_arrival_s_ = clock_.now_s();
   const std::lock_guard lock(mutex_);
   read_back_ = stream_->read_back();
-  name_ = node->name;
+  name_ = stream_->name();
   return {};
 }
 
-Result<void> V4l2Camera::start() {
+Result<void> StreamedCamera::start() {
   const device::CameraState state = status().state;
   if (state != device::CameraState::kIdle && state != device::CameraState::kFailed) return {};
   frame_stamper_ = {};
@@ -79,14 +78,14 @@ Result<void> V4l2Camera::start() {
   return opened;
 }
 
-void V4l2Camera::stop() {
+void StreamedCamera::stop() {
   stream_.reset();
   const std::lock_guard lock(mutex_);
   status_.state = device::CameraState::kIdle;
   status_.message.clear();
 }
 
-Result<std::optional<device::CameraFrame>> V4l2Camera::next(double timeout_s) {
+Result<std::optional<device::CameraFrame>> StreamedCamera::next(double timeout_s) {
   const device::CameraStatus before = status();
   if (before.state == device::CameraState::kIdle)
     return fail(ErrorCode::kBadOption, "the camera was not started");
@@ -102,31 +101,31 @@ Result<std::optional<device::CameraFrame>> V4l2Camera::next(double timeout_s) {
     return std::nullopt;
   }
   if (!*taken) {
-    watch_for_frames(environment_.clock.now_s());
+    watch_for_frames(clock_.now_s());
     return std::nullopt;
   }
   learned_bits_ = stream_->read_back().bits.value_or(0);
   return enter(**taken);
 }
 
-device::CameraFrame V4l2Camera::enter(const StreamedImage& image) {
-  last_arrival_s_ = environment_.clock.now_s();
+device::CameraFrame StreamedCamera::enter(const StreamedImage& image) {
+  last_arrival_s_ = clock_.now_s();
   const std::lock_guard lock(mutex_);
   status_.state = device::CameraState::kRunning;
   status_.message.clear();
   return frame_stamper_.enter(image, last_arrival_s_, status_);
 }
 
-void V4l2Camera::ended(const StreamEnd& end) {
+void StreamedCamera::ended(const StreamEnd& end) {
   stream_.reset();
-  next_search_s_ = environment_.clock.now_s();
+  next_search_s_ = clock_.now_s();
   const std::lock_guard lock(mutex_);
   status_.state = device::CameraState::kLost;
   status_.message = end.error.message;
   if (end.gone && !std::exchange(away_, true)) ++status_.lost;
 }
 
-void V4l2Camera::watch_for_frames(double now_s) {
+void StreamedCamera::watch_for_frames(double now_s) {
   const double silent_s = now_s - last_arrival_s_;
   // Relative to the frame rate: a slow camera normally takes longer.
   const double rate_hz = stream_->read_back().rate_hz;
@@ -143,12 +142,12 @@ void V4l2Camera::watch_for_frames(double now_s) {
   ++status_.frozen;
 }
 
-void V4l2Camera::search(double timeout_s) {
-  const double wait_s = next_search_s_ - environment_.clock.now_s();
-  environment_.clock.sleep_s(std::min(wait_s, timeout_s));
+void StreamedCamera::search(double timeout_s) {
+  const double wait_s = next_search_s_ - clock_.now_s();
+  clock_.sleep_s(std::min(wait_s, timeout_s));
   if (wait_s > timeout_s) return;
   const auto opened = open();
-  next_search_s_ = environment_.clock.now_s() + options_.search_period_s;
+  next_search_s_ = clock_.now_s() + options_.search_period_s;
   if (opened) {
     reopened();
     return;
@@ -160,7 +159,7 @@ void V4l2Camera::search(double timeout_s) {
   if (opened.error().code == ErrorCode::kNotFound && !std::exchange(away_, true)) ++status_.lost;
 }
 
-void V4l2Camera::reopened() {
+void StreamedCamera::reopened() {
   const std::lock_guard lock(mutex_);
   if (status_.state != device::CameraState::kFrozen) {
     status_.state = device::CameraState::kRunning;
@@ -169,4 +168,4 @@ void V4l2Camera::reopened() {
   ++(std::exchange(away_, false) ? status_.returned : status_.restarted);
 }
 
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <span>
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 
 /// Tolerates stray bytes before a marker, which some cameras send with every image: they change no
 /// pixel. Any other damage counts, for example missing data.
@@ -13,4 +13,4 @@ namespace flytri::v4l2 {
 /// @return  false: the image is damaged, or has another size; the pixels are then meaningless
 [[nodiscard]] bool decode_jpeg(std::span<const std::uint8_t> bytes, cv::Mat& image);
 
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream

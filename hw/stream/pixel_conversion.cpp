@@ -1,12 +1,13 @@
-#include "hw/v4l2/pixel_conversion.h"
+#include "hw/stream/pixel_conversion.h"
 
 #include <algorithm>
 #include <array>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
-#include "hw/v4l2/jpeg_decoder.h"
+#include "hw/stream/jpeg_decoder.h"
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 
 namespace {
 
@@ -16,11 +17,36 @@ bool is_packed_yuv(device::PixelFormat format) {
 }
 
 bool is_grey(device::PixelFormat format) {
-  return !is_packed_yuv(format) && format != device::PixelFormat::kMjpeg;
+  return format == device::PixelFormat::kGrey8 || format == device::PixelFormat::kGrey10 ||
+         format == device::PixelFormat::kGrey12 || format == device::PixelFormat::kGrey16;
+}
+
+/// OpenCV's conversion of a Bayer format; nothing for others.
+std::optional<int> bayer_conversion(device::PixelFormat format, device::Channels channels) {
+  const bool is_rgb = channels == device::Channels::kRgb;
+  switch (format) {
+    case device::PixelFormat::kBayerRggb:
+      return is_rgb ? cv::COLOR_BayerBG2RGB : cv::COLOR_BayerBG2GRAY;
+    case device::PixelFormat::kBayerGrbg:
+      return is_rgb ? cv::COLOR_BayerGB2RGB : cv::COLOR_BayerGB2GRAY;
+    case device::PixelFormat::kBayerGbrg:
+      return is_rgb ? cv::COLOR_BayerGR2RGB : cv::COLOR_BayerGR2GRAY;
+    case device::PixelFormat::kBayerBggr:
+      return is_rgb ? cv::COLOR_BayerRG2RGB : cv::COLOR_BayerRG2GRAY;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Type of the packed rows.
+int packed_type(device::PixelFormat format) {
+  if (is_packed_yuv(format)) return CV_8UC2;
+  if (format == device::PixelFormat::kRgb8) return CV_8UC3;
+  return is_grey(format) && format != device::PixelFormat::kGrey8 ? CV_16UC1 : CV_8UC1;
 }
 
 std::size_t bytes_per_pixel(device::PixelFormat format) {
-  return format == device::PixelFormat::kGrey8 ? 1 : 2;
+  return CV_ELEM_SIZE(packed_type(format));
 }
 
 // Left shift that moves the highest bit of a pixel to bit 15.
@@ -59,6 +85,13 @@ void convert_yuv(const cv::Mat& packed, bool is_luminance_first, device::Channel
     cv::extractChannel(packed, target, is_luminance_first ? 0 : 1);
 }
 
+void convert_rgb(const cv::Mat& packed, device::Channels channels, cv::Mat target) {
+  if (channels == device::Channels::kRgb)
+    packed.copyTo(target);
+  else
+    cv::cvtColor(packed, target, cv::COLOR_RGB2GRAY);
+}
+
 // Assumes little-endian 16-bit samples on a little-endian machine.
 void convert_rows(const cv::Mat& packed, const BufferLayout& layout, device::Channels channels,
                   cv::Mat target) {
@@ -75,21 +108,22 @@ void convert_rows(const cv::Mat& packed, const BufferLayout& layout, device::Cha
     case device::PixelFormat::kUyvy:
       convert_yuv(packed, layout.format == device::PixelFormat::kYuyv, channels, target);
       break;
-    case device::PixelFormat::kMjpeg:
+    case device::PixelFormat::kRgb8:
+      convert_rgb(packed, channels, target);
       break;
+    default:
+      // OpenCV cannot interpolate in fewer rows.
+      if (const auto bayer = bayer_conversion(layout.format, channels);
+          bayer && packed.rows >= 3 && packed.cols >= 3)
+        cv::cvtColor(packed, target, *bayer);
   }
 }
 
 /// The bytes as an image, not copied.
 cv::Mat packed_rows(std::span<const std::uint8_t> bytes, const BufferLayout& layout, int rows) {
-  int type = CV_8UC1;
-  if (is_packed_yuv(layout.format))
-    type = CV_8UC2;
-  else if (layout.format != device::PixelFormat::kGrey8)
-    type = CV_16UC1;
   // cv::Mat has no const data pointer; the data is only read.
-  return {rows, layout.size.width_px, type, const_cast<std::uint8_t*>(bytes.data()),
-          layout.bytes_per_line};
+  return {rows, layout.size.width_px, packed_type(layout.format),
+          const_cast<std::uint8_t*>(bytes.data()), layout.bytes_per_line};
 }
 
 ConvertedImage convert_uncompressed(std::span<const std::uint8_t> bytes, const BufferLayout& layout,
@@ -135,4 +169,4 @@ ConvertedImage convert(std::span<const std::uint8_t> bytes, const BufferLayout& 
   return convert_uncompressed(bytes, layout, channels);
 }
 
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream

@@ -1,11 +1,11 @@
-#include "hw/v4l2/pixel_conversion.h"
+#include "hw/stream/pixel_conversion.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -180,4 +180,4 @@ TEST(PixelConversion, DamagedJpegIsBlackAndReported) {
 }
 
 }  // namespace
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream

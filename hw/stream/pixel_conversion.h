@@ -7,7 +7,7 @@
 
 #include "hw/device/camera.h"
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 
 /// Memory layout of an image in a buffer.
 struct BufferLayout {
@@ -35,8 +35,9 @@ struct ConvertedImage {
 [[nodiscard]] int bits_used(std::span<const std::uint8_t> bytes, const BufferLayout& layout);
 
 /// Shifts Y10, Y12 and Y16 to the full scale of 16 bits. Converts YUYV and UYVY to RGB (BT.601,
-/// limited range, as UVC devices send it), or takes their luminance unchanged.
+/// limited range, as UVC devices send it), or takes their luminance unchanged. Interpolates Bayer
+/// images bilinearly.
 [[nodiscard]] ConvertedImage convert(std::span<const std::uint8_t> bytes,
                                      const BufferLayout& layout, device::Channels channels);
 
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream

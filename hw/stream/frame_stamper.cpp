@@ -1,8 +1,8 @@
-#include "hw/v4l2/frame_stamper.h"
+#include "hw/stream/frame_stamper.h"
 
 #include <algorithm>
 
-namespace flytri::v4l2 {
+namespace flytri::stream {
 
 void FrameStamper::begin_stream(double period_s) {
   first_of_stream_ = true;
@@ -55,4 +55,4 @@ device::CameraFrame FrameStamper::enter(const StreamedImage& image, double arriv
   return frame;
 }
 
-}  // namespace flytri::v4l2
+}  // namespace flytri::stream
