@@ -160,6 +160,7 @@ TEST_F(ExportJaws, ThePlaneThatTheUserSetIsThatOfAllJaws) {
 
 TEST_F(ExportJaws, TheCommandLineWritesTheSameBytes) {
   open(all());
+  jaws_.front().scan = nullptr;  // As the case has it: its colors are rounded.
   ASSERT_TRUE(store_->write_plane(io::ScanStage::kLower, tilted_plane(lower_, JawKind::kLower)));
   ASSERT_TRUE(write());
   jaws_.clear();
@@ -174,7 +175,8 @@ TEST_F(ExportJaws, TheCommandLineWritesTheSameBytes) {
   ASSERT_TRUE(done) << done.error().message;
   for (const char* const name :
        {"smith.glb", "smith-upper.ply", "smith-lower.ply", "smith-bite.ply"}) {
-    EXPECT_EQ(io::read_file(folder_ / name).value(), io::read_file(folder_ / "cli" / name).value())
+    EXPECT_TRUE(io::read_file(folder_ / name).value() ==
+                io::read_file(folder_ / "cli" / name).value())
         << name;
   }
 }
