@@ -91,7 +91,8 @@ void draw_panels(const PanelContext& context) {
 void drop_tool(const AppView& view, WindowState& state) {
   constexpr std::array kTools = {
       std::pair{Tool::kTrim, Action::kTrim}, std::pair{Tool::kLock, Action::kLock},
-      std::pair{Tool::kUnlock, Action::kUnlock}, std::pair{Tool::kMeasure, Action::kMeasure}};
+      std::pair{Tool::kUnlock, Action::kUnlock}, std::pair{Tool::kMeasure, Action::kMeasure},
+      std::pair{Tool::kPlane, Action::kOcclusalPlane}};
   if (state.dialog != Dialog::kNone) return;
   for (const auto& [tool, action] : kTools) {
     if (state.tool != tool || action_state(action, view, state).is_enabled) continue;

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <numbers>
 
 #include "app/cli/console.h"
 #include "app/cli/guide_dialog.h"
 #include "app/cli/output_files.h"
-#include "core/base/iso_time.h"
+#include "app/session/calibration_files.h"
 #include "core/calibration/verify/estimate_metric.h"
 #include "core/calibration/verify/verify.h"
 #include "core/io/calibrations/calibration_file.h"
@@ -124,22 +123,21 @@ Result<void> correct(const CalibrateCheckArguments& arguments,
   const auto report = calibration::check_on_sphere(corrected(poses, metric->correction),
                                                    arguments.sphere_mm, better);
   if (!report) return tl::unexpected(report.error());
-  better.history.checked_at = iso_time(std::time(nullptr));
-  better.history.has_passed = report->outcome == calibration::VerificationOutcome::kValid;
+  better.history = session::checked_now(
+      better.history, report->outcome == calibration::VerificationOutcome::kValid);
   if (auto written = io::write_calibration(arguments.corrected, better); !written) return written;
   print_out("wrote {}; with it:\n", arguments.corrected.string());
   return conclude(*report);
 }
 
 /// Keeps the outcome with the calibration, for reports. That is no reason for the check to fail.
-void note_check(const std::filesystem::path& file, calibration::Calibration calibration,
-                calibration::VerificationOutcome outcome) {
+void keep_outcome(const std::filesystem::path& file, const calibration::Calibration& calibration,
+                  calibration::VerificationOutcome outcome) {
   if (outcome == calibration::VerificationOutcome::kUnclear) return;
-  calibration.history.checked_at = iso_time(std::time(nullptr));
-  calibration.history.has_passed = outcome == calibration::VerificationOutcome::kValid;
-  if (auto written = io::write_calibration(file, calibration); !written) {
-    print_error("flytri: warning: the check is not noted: {}\n", written.error().message);
-  }
+  const bool has_passed = outcome == calibration::VerificationOutcome::kValid;
+  const auto noted =
+      session::note_check(file, calibration, session::checked_now(calibration.history, has_passed));
+  if (!noted) print_error("flytri: warning: the check is not noted: {}\n", noted.error().message);
 }
 
 }  // namespace
@@ -161,7 +159,7 @@ Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Pro
                           ? calibration::check_on_sphere(*poses, arguments.sphere_mm, *calibration)
                           : calibration::check_on_plane(*poses, *calibration);
   if (!report) return tl::unexpected(report.error());
-  note_check(arguments.calibration, *calibration, report->outcome);
+  keep_outcome(arguments.calibration, *calibration, report->outcome);
   return conclude(*report);
 }
 

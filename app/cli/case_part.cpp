@@ -20,7 +20,9 @@ Result<Part> load_part(io::CaseFile& file, io::ScanStage stage) {
   Result<TexturedMesh> model = io::parse_glb(result->glb, name);
   if (!model) return tl::unexpected(model.error());
   reconstruct::FinishedScan finished = reconstruct::finished_scan_of(*std::move(model));
-  return Part{name, std::move(finished.surface.mesh), std::move(finished.model)};
+  const auto plane = file.plane(stage);
+  if (!plane) return tl::unexpected(plane.error());
+  return Part{name, std::move(finished.surface.mesh), std::move(finished.model), *plane};
 }
 
 }  // namespace flytri::cli

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/cli/case_access.h"
@@ -13,6 +15,7 @@
 #include "app/cli/export_jaws.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
+#include "app/cli/review_request.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/model.h"
 #include "core/texture/vertex_colors.h"
@@ -28,6 +31,7 @@ struct ExportArguments {
   std::vector<fs::path> outputs;
   reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;
   bool all_jaws = false;
+  std::string plane;  ///< three points; empty: as the case says
   bool force = false;
 };
 
@@ -75,17 +79,35 @@ Result<void> export_from(const ExportArguments& arguments, CaseAccess& access,
   return done;
 }
 
+Result<std::optional<OcclusalPoints>> plane_of(const std::string& text) {
+  constexpr auto kOption = "--occlusal-plane";
+  std::optional<OcclusalPoints> plane;
+  if (text.empty()) return plane;
+  const auto points = parse_points(text, kOption);
+  if (!points) return tl::unexpected(points.error());
+  plane.emplace();
+  if (points->size() != plane->size()) {
+    return fail(ErrorCode::kBadOption,
+                "{}: {} points are given, 3 are needed: \"X,Y,Z X,Y,Z X,Y,Z\"", kOption,
+                points->size());
+  }
+  std::copy(points->begin(), points->end(), plane->begin());
+  return plane;
+}
+
 Result<void> run_on_jaws(const ExportArguments& arguments, const Progress& progress) {
   if (!arguments.case_options.stage.empty())
     return fail(ErrorCode::kBadOption,
                 "--jaws and --stage: --jaws writes all stages; leave one out");
+  const auto plane = plane_of(arguments.plane);
+  if (!plane) return tl::unexpected(plane.error());
   for (const fs::path& output : arguments.outputs) {
     if (auto checked = io::check_model_path(output); !checked) return checked;
   }
   Result<CaseAccess> access = CaseAccess::begin(arguments.case_path, arguments.case_options);
   if (!access) return tl::unexpected(access.error());
-  Result<void> done =
-      export_jaws({arguments.outputs, arguments.density, arguments.force}, *access, progress);
+  Result<void> done = export_jaws({arguments.outputs, arguments.density, arguments.force, *plane},
+                                  *access, progress);
   access->write_notes();
   return done;
 }
@@ -109,9 +131,16 @@ void add_export_command(CLI::App& app, Invocation& invocation) {
   command->add_option("CASE", arguments->case_path, "A case (.flytri)")->required();
   command->add_option("-o,--output", arguments->outputs, model_output_help())->required();
   add_case_options(*command, arguments->case_options);
-  command->add_flag("--jaws", arguments->all_jaws,
-                    "All jaws in one frame, as they bite: NAME.glb holds all, NAME.stl becomes "
-                    "NAME-upper.stl, NAME-lower.stl, NAME-bite.stl");
+  CLI::Option* const jaws = command->add_flag(
+      "--jaws", arguments->all_jaws,
+      "All jaws in one frame, as they bite: NAME.glb holds all, NAME.stl becomes NAME-upper.stl, "
+      "NAME-lower.stl, NAME-bite.stl");
+  command
+      ->add_option("--occlusal-plane", arguments->plane,
+                   "Three points that set the occlusal plane: \"X,Y,Z X,Y,Z X,Y,Z\", mm, in the "
+                   "world of the upper jaw, or of the lower one if it is alone. Default: as it was "
+                   "set in the window, or else found")
+      ->needs(jaws);
   add_density_option(*command, arguments->density);
   add_force_option(*command, arguments->force);
   command->footer("Example: flytri export smith.flytri --stage upper -o upper.glb");

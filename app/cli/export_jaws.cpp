@@ -7,6 +7,7 @@
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
+#include "core/reconstruct/jaw_spans.h"
 #include "core/reconstruct/patient_jaws.h"
 
 namespace flytri::cli {
@@ -36,10 +37,22 @@ Result<std::vector<Jaw>> load_jaws(io::CaseFile& file) {
               file.path().string());
 }
 
+/// For this export. The stages stand in the order of io::kScanStages.
+Result<void> set_plane(std::vector<Jaw>& jaws, const OcclusalPoints& points) {
+  for (Jaw& jaw : jaws) {
+    if (!reconstruct::jaw_of(jaw.stage)) continue;
+    jaw.part.plane = points;
+    return {};
+  }
+  return fail(ErrorCode::kInsufficient,
+              "--occlusal-plane: neither the upper nor the lower jaw is finished");
+}
+
 Result<reconstruct::JawPlaces> places_of(const std::vector<Jaw>& jaws, const Progress& progress) {
   std::vector<reconstruct::FinishedJaw> finished;
   finished.reserve(jaws.size());
-  for (const Jaw& jaw : jaws) finished.push_back({jaw.stage, jaw.part.name, &jaw.part.surface});
+  for (const Jaw& jaw : jaws)
+    finished.push_back({jaw.stage, jaw.part.name, &jaw.part.surface, jaw.part.plane});
   Result<reconstruct::JawPlaces> places = reconstruct::place_jaws(finished, Workers(), progress);
   if (places && !places->are_closed && jaws.size() > 1) {
     print_error(
@@ -101,6 +114,9 @@ Result<void> export_jaws(const JawsExport& wanted, CaseAccess& access, const Pro
   if (!jaws) return tl::unexpected(jaws.error());
   if (auto checked = check_output_files(models_of(wanted, *jaws), {}, wanted.force); !checked)
     return checked;
+  if (wanted.plane) {
+    if (auto set = set_plane(*jaws, *wanted.plane); !set) return set;
+  }
   const Result<reconstruct::JawPlaces> places = places_of(*jaws, progress);
   if (!places) return tl::unexpected(places.error());
   const auto placed = patient_jaws(*jaws, *places, wanted.density, progress);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "app/cli/case_access.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/geometry/jaw_axes.h"
 #include "core/reconstruct/mesh_density.h"
 
 namespace flytri::cli {
@@ -15,6 +17,9 @@ struct JawsExport {
   std::vector<std::filesystem::path> outputs;  ///< as --output
   reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;
   bool force = false;  ///< files that exist are replaced
+  /// Sets the occlusal plane of the upper jaw, or of the lower one if it is alone; none: as the
+  /// case says.
+  std::optional<OcclusalPoints> plane = std::nullopt;
 };
 
 /// Writes every finished stage of a case in the frame of the patient, see

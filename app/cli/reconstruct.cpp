@@ -1,7 +1,6 @@
 /// @file  flytri reconstruct: makes models from a recording or a case.
 #include <fmt/format.h>
 
-#include <ctime>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -16,7 +15,6 @@
 #include "app/cli/report.h"
 #include "app/report/write_report.h"
 #include "app/session/case_events.h"
-#include "core/base/iso_time.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_json.h"
 #include "core/io/calibrations/recording_calibration.h"
@@ -57,8 +55,7 @@ bool is_page(const fs::path& path) { return io::kind_by_name(path) == ".html"; }
 
 report::ScanFacts facts_of(const ReconstructArguments& arguments, const Origin& origin,
                            const reconstruct::Reconstruction& reconstruction) {
-  report::ScanFacts facts;
-  facts.source = arguments.input.string();
+  report::ScanFacts facts = report::facts_now(arguments.input);
   facts.patient = origin.patient;
   facts.stage = origin.stage;
   facts.surface = reconstruction.surface;
@@ -72,8 +69,6 @@ report::ScanFacts facts_of(const ReconstructArguments& arguments, const Origin& 
   }
   facts.edits = report::count_edits(origin.edits);
   facts.calibration = report::facts_of(origin.calibration);
-  facts.made_at = iso_time(std::time(nullptr));
-  facts.program = "flytri " FLYTRI_VERSION;
   return facts;
 }
 

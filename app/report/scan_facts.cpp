@@ -1,5 +1,9 @@
 #include "app/report/scan_facts.h"
 
+#include <ctime>
+#include <system_error>
+
+#include "core/base/iso_time.h"
 #include "core/io/calibrations/calibration_json.h"
 
 namespace flytri::report {
@@ -26,6 +30,16 @@ CalibrationFacts facts_of(const calibration::Calibration& calibration) {
   return {io::fingerprint(calibration), calibration.history,
           calibration.of(Pattern::kVertical).depth_residual_mm.rms,
           calibration.of(Pattern::kHorizontal).depth_residual_mm.rms};
+}
+
+ScanFacts facts_now(const std::filesystem::path& source) {
+  ScanFacts facts;
+  std::error_code unknown;
+  const std::filesystem::path whole = std::filesystem::absolute(source, unknown);
+  facts.source = (unknown ? source : whole.lexically_normal()).string();
+  facts.made_at = iso_time(std::time(nullptr));
+  facts.program = "flytri " FLYTRI_VERSION;
+  return facts;
 }
 
 }  // namespace flytri::report

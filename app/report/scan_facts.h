@@ -1,6 +1,7 @@
 /// @file  What a report says about a finished scan.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,7 +30,7 @@ struct CalibrationFacts {
 [[nodiscard]] CalibrationFacts facts_of(const calibration::Calibration& calibration);
 
 struct ScanFacts {
-  std::string source;                     ///< the case or the recording
+  std::string source;                     ///< the case or the recording, whole path
   std::optional<io::CaseFields> patient;  ///< of a case
   std::optional<io::ScanStage> stage;     ///< of a case
   meshing::SurfaceMesh surface;           ///< welded; its holes
@@ -41,5 +42,8 @@ struct ScanFacts {
   std::string made_at;  ///< ISO 8601, UTC
   std::string program;  ///< "flytri 0.1.0"
 };
+
+/// Facts with their source, the present time and this program; the rest is empty.
+[[nodiscard]] ScanFacts facts_now(const std::filesystem::path& source);
 
 }  // namespace flytri::report

@@ -73,7 +73,34 @@ void CalibrationController::begin(const ui::BeginCalibration& command) {
                     texts = notices_.texts()](std::shared_ptr<shots::ShotSource> source) {
     return begin_work(command, calibration, std::move(source), texts);
   };
+  checked_ = checks ? source_.calibration() : nullptr;
   run_ = std::make_shared<CalibrationRun>(std::move(job));
+}
+
+void CalibrationController::note_finished_check() {
+  if (run_ == nullptr || checked_ == nullptr) return;
+  const ui::RunningCalibration now = run_->state();
+  if (now.step != ui::CalibrationStep::kDone) return;
+  const auto checked = std::exchange(checked_, nullptr);
+  if (!now.outcome.has_passed) return;
+  const auto history = checked_now(checked->history, *now.outcome.has_passed);
+  source_.keep_history(*checked, history);
+  background_.run(
+      [this, file = source_.source().calibration_file, store = stages_.store(), checked, history] {
+        auto noted = std::make_shared<Result<void>>(note_check(file, *checked, history));
+        if (store != nullptr) {
+          if (auto kept = store->note_check(*checked, history); *noted && !kept) *noted = kept;
+        }
+        return [this, noted, file] {
+          const ui::Texts& texts = notices_.texts();
+          if (*noted) {
+            return notices_.add(ui::Severity::kInformation,
+                                texts.fill<ui::Text::kCheckNoted>(file.string()));
+          }
+          notices_.add(ui::Severity::kWarning,
+                       texts.fill<ui::Text::kCheckNotNoted>(noted->error().message));
+        };
+      });
 }
 
 void CalibrationController::take_images() {

@@ -28,6 +28,9 @@ class CalibrationController {
   void retake(std::size_t place);
   /// Ends the calibration and measures with its result from now on.
   void use();
+  /// Call it once a frame of the window. Notes a check that has ended: in the file of the
+  /// calibration, with the open case, and for the cases to come.
+  void note_finished_check();
   /// Ends the calibration or check, and captures frames again.
   void end();
   /// Ends everything at once, as the session does when it ends.
@@ -48,6 +51,8 @@ class CalibrationController {
   Notices& notices_;
   std::filesystem::path proposed_folder_;  ///< for the next calibration
   std::shared_ptr<CalibrationRun> run_;    ///< null: none is running
+  std::shared_ptr<const calibration::Calibration>
+      checked_;  ///< by the run; null: no check, or noted
   bool is_closing_ = false;
 };
 

@@ -1,12 +1,16 @@
 #include "app/session/calibration_files.h"
 
 #include <fmt/chrono.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <ctime>
 #include <system_error>
 #include <vector>
 
+#include "core/base/iso_time.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_json.h"
 #include "core/io/calibrations/guided_session_file.h"
 #include "core/io/files/file_bytes.h"
 #include "hw/rig/rig_file.h"
@@ -34,6 +38,15 @@ Result<std::filesystem::path> place_in_rig(const std::filesystem::path& rig_file
   if (auto written = rig::write_rig(rig_file, *rig); !written)
     return tl::unexpected(written.error());
   return rig_file.parent_path() / kFile;
+}
+
+/// A file that its owner made read-only would be replaced all the same.
+bool may_be_changed(const std::filesystem::path& file) {
+  using std::filesystem::perms;
+  std::error_code unreadable;
+  const perms granted = std::filesystem::status(file, unreadable).permissions();
+  constexpr perms kWrite = perms::owner_write | perms::group_write | perms::others_write;
+  return !unreadable && (granted & kWrite) != perms::none && ::access(file.c_str(), W_OK) == 0;
 }
 
 /// Copies the file to a new name with date and time.
@@ -70,6 +83,30 @@ Result<std::filesystem::path> adopt_calibration(const SourceChoice& choice,
   if (auto written = io::write_file(*place, *bytes); !written)
     return tl::unexpected(written.error());
   return place;
+}
+
+calibration::CalibrationHistory checked_now(calibration::CalibrationHistory history,
+                                            bool has_passed) {
+  history.checked_at = iso_time(std::time(nullptr));
+  history.has_passed = has_passed;
+  return history;
+}
+
+Result<void> note_check(const std::filesystem::path& file, const calibration::Calibration& checked,
+                        const calibration::CalibrationHistory& history) {
+  auto kept = io::read_calibration(file);
+  if (!kept) return tl::unexpected(kept.error());
+  if (io::fingerprint(*kept) != io::fingerprint(checked)) {
+    return fail(ErrorCode::kInconsistent,
+                "{}: has another calibration than the one that was checked; check again",
+                file.string());
+  }
+  if (!may_be_changed(file)) {
+    return fail(ErrorCode::kNotPermitted, "{}: is read-only; make it writable and check again",
+                file.string());
+  }
+  kept->history = history;
+  return io::write_calibration(file, *kept);
 }
 
 }  // namespace flytri::session

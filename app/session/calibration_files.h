@@ -1,4 +1,4 @@
-/// @file  Finds the folders of calibrations, and takes a calibration into use.
+/// @file  Finds the folders of calibrations, takes a calibration into use, and notes its checks.
 #pragma once
 
 #include <filesystem>
@@ -20,5 +20,19 @@ namespace flytri::session {
 /// @errors  As read_file, parse_rig, write_file.
 [[nodiscard]] Result<std::filesystem::path> adopt_calibration(
     const SourceChoice& choice, const std::filesystem::path& calibration);
+
+/// The history of a calibration after a check that ended now.
+[[nodiscard]] calibration::CalibrationHistory checked_now(calibration::CalibrationHistory history,
+                                                          bool has_passed);
+
+/// Notes a check in the file of the calibration.
+/// @param checked  what was checked
+/// @param history  its new one
+/// @errors  As read_calibration and write_file; kNotPermitted: the file is read-only;
+/// kInconsistent:
+///          another calibration has taken its place in the file.
+[[nodiscard]] Result<void> note_check(const std::filesystem::path& file,
+                                      const calibration::Calibration& checked,
+                                      const calibration::CalibrationHistory& history);
 
 }  // namespace flytri::session

@@ -175,9 +175,11 @@ class Checking final : public CalibrationWork {
     }
     switch (report->outcome) {
       case calibration::VerificationOutcome::kValid:
+        outcome.has_passed = true;
         outcome.verdict = texts_[Text::kCalibrationValid];
         break;
       case calibration::VerificationOutcome::kBroken:
+        outcome.has_passed = false;
         outcome.verdict = texts_[Text::kCalibrationInvalid];
         outcome.meanings.emplace_back(texts_[Text::kCalibrateAgain]);
         break;

@@ -201,7 +201,7 @@ void CaseController::accept_opened(bool is_encrypted) {
 void CaseController::warn_of_other_calibration() {
   if (store() == nullptr || source_.calibration() == nullptr) return;
   const auto kept = store()->calibration();
-  if (!kept || !*kept || io::to_json(**kept) == io::to_json(*source_.calibration())) return;
+  if (!kept || !*kept || io::fingerprint(**kept) == io::fingerprint(*source_.calibration())) return;
   notices_.add(ui::Severity::kWarning,
                notices_.texts().fill<ui::Text::kOtherCalibration>(store()->path()));
 }

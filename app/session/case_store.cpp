@@ -15,15 +15,6 @@ namespace flytri::session {
 
 namespace {
 
-/// Whether a model is that of a stage as it is now. Views that were lost since are in the model.
-bool is_made_of(const io::ResultBasis& made_of, const io::StageCounts& counts,
-                const io::StoredStage& stored) {
-  const io::ResultBasis now = io::basis_of(counts, stored.edits.state());
-  const bool has_lost_views = !stored.damage.empty() && made_of.view_count > now.view_count;
-  return made_of.edited_at_s == now.edited_at_s &&
-         (made_of.view_count == now.view_count || has_lost_views);
-}
-
 /// The finished model of a stage. Null if there is none, or if the stage has changed since. If it
 /// cannot be read, `damage` says so.
 std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& file,
@@ -39,11 +30,12 @@ std::shared_ptr<const reconstruct::FinishedScan> current_result(io::CaseFile& fi
   if (!counts || !counts->has_result) return nullptr;
   const auto result = file.load_result(stage);
   if (!result) return lost(result.error());
-  if (!result->made_of || !is_made_of(*result->made_of, *counts, stored)) return nullptr;
+  if (!result->made_of || !io::is_made_of(*result->made_of, *counts, stored)) return nullptr;
   Result<TexturedMesh> model = io::parse_glb(result->glb, file.path().string());
   if (!model) return lost(model.error());
-  return std::make_shared<const reconstruct::FinishedScan>(
-      reconstruct::finished_scan_of(std::move(*model)));
+  reconstruct::FinishedScan finished = reconstruct::finished_scan_of(std::move(*model));
+  finished.spans = report::spans_in(result->summary_json);
+  return std::make_shared<const reconstruct::FinishedScan>(std::move(finished));
 }
 
 using Count = Result<io::StageCounts> (io::CaseFile::*)(io::ScanStage);
@@ -193,7 +185,18 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage, const ui::Texts& texts)
   opened.scan.texture_frames = std::move(stored->texture_frames);
   opened.scan.edits = std::move(stored->edits);
   opened.measurements = std::move(stored->measurements);
+  opened.plane = stored->plane;
   return opened;
+}
+
+Result<report::ScanFacts> CaseStore::facts(io::ScanStage stage) {
+  if (const std::string unsaved = failure(); !unsaved.empty())
+    return fail(ErrorCode::kInsufficient, "{}", unsaved);
+  const std::lock_guard lock(mutex_);
+  auto found = report::facts_in(file_, stage);
+  update_status();
+  if (!found) return tl::unexpected(found.error());
+  return std::move(found->facts);
 }
 
 Result<io::CaseFields> CaseStore::fields() {
@@ -213,6 +216,16 @@ Result<void> CaseStore::write_calibration(const calibration::Calibration& calibr
   const std::lock_guard lock(mutex_);
   if (auto written = file_.write_calibration(io::to_json(calibration)); !written) return written;
   return file_.commit();
+}
+
+Result<void> CaseStore::note_check(const calibration::Calibration& checked,
+                                   const calibration::CalibrationHistory& history) {
+  if (is_read_only()) return {};
+  auto kept = calibration();
+  if (!kept) return tl::unexpected(kept.error());
+  if (!*kept || io::fingerprint(**kept) != io::fingerprint(checked)) return {};
+  (*kept)->history = history;
+  return write_calibration(**kept);
 }
 
 Result<std::optional<calibration::Calibration>> CaseStore::calibration() {
@@ -238,6 +251,18 @@ Result<std::int64_t> CaseStore::add_measurement(io::ScanStage stage, const io::M
 Result<void> CaseStore::remove_measurement(std::int64_t id) {
   const std::lock_guard lock(mutex_);
   if (auto removed = file_.remove_measurement(id); !removed) return removed;
+  return file_.commit();
+}
+
+Result<std::optional<OcclusalPoints>> CaseStore::plane(io::ScanStage stage) {
+  const std::lock_guard lock(mutex_);
+  return file_.plane(stage);
+}
+
+Result<void> CaseStore::write_plane(io::ScanStage stage,
+                                    const std::optional<OcclusalPoints>& points) {
+  const std::lock_guard lock(mutex_);
+  if (auto written = file_.write_plane(stage, points); !written) return written;
   return file_.commit();
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/report/case_facts.h"
 #include "core/io/cases/case_journal.h"
 #include "core/scan/live_scan.h"
 #include "ui/state/app_view.h"
@@ -18,6 +19,7 @@ namespace flytri::session {
 struct OpenedStage {
   scan::KeptScan scan;
   std::vector<io::Measurement> measurements;
+  std::optional<OcclusalPoints> plane;
   std::vector<std::string> damage;  ///< what could not be read, one line each
   FrameIndex last_frame{-1};
   double last_time_s = 0.0;
@@ -38,14 +40,25 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   /// @errors  As load; kInsufficient: there is no model, or the scan has changed since.
   [[nodiscard]] Result<std::shared_ptr<const reconstruct::FinishedScan>> load_model(
       io::ScanStage stage, const ui::Texts& texts);
+  /// For the report of a finished stage. Takes seconds if the scan is long.
+  /// @errors  As report::facts_in; kInsufficient: something is not saved yet.
+  [[nodiscard]] Result<report::ScanFacts> facts(io::ScanStage stage);
   [[nodiscard]] Result<io::CaseFields> fields();
   [[nodiscard]] Result<void> write_fields(const io::CaseFields& fields);
   [[nodiscard]] Result<void> write_calibration(const calibration::Calibration& calibration);
+  /// Keeps the new history of a calibration with the case, if it was scanned with that. Does
+  /// nothing to a case that is read-only.
+  [[nodiscard]] Result<void> note_check(const calibration::Calibration& checked,
+                                        const calibration::CalibrationHistory& history);
   /// None: the case has no calibration yet.
   [[nodiscard]] Result<std::optional<calibration::Calibration>> calibration();
   [[nodiscard]] Result<std::int64_t> add_measurement(io::ScanStage stage,
                                                      const io::Measurement& added);
   [[nodiscard]] Result<void> remove_measurement(std::int64_t id);
+  /// The occlusal plane that the user has set; none: it is found by itself.
+  [[nodiscard]] Result<std::optional<OcclusalPoints>> plane(io::ScanStage stage);
+  [[nodiscard]] Result<void> write_plane(io::ScanStage stage,
+                                         const std::optional<OcclusalPoints>& points);
   /// What can be read of the case. Takes seconds if the scans are long.
   [[nodiscard]] Result<io::CaseSurvey> survey();
   /// As CaseFile::rescue_to. Takes seconds if the scans are long.

@@ -38,37 +38,46 @@ void ExportController::forget_outcome() {
 }
 
 void ExportController::export_scan(const ui::Export& command,
-                                   std::shared_ptr<const scan::ScanSnapshot> shown,
-                                   std::shared_ptr<CaseStore> store, io::ScanStage stage) {
+                                   std::shared_ptr<const scan::ScanSnapshot> shown, ExportCase of,
+                                   io::ScanStage stage) {
   if (state_.is_running) return;
   begin(command);
   const auto lighter = shown->result != nullptr ? lighter_of(shown->result) : nullptr;
-  background_.run([this, command, shown = std::move(shown), store = std::move(store), stage,
-                   lighter, texts = notices_.texts(), progress = background_.progress().part(0.0)] {
+  background_.run([this, command, shown = std::move(shown), of = std::move(of), stage, lighter,
+                   texts = notices_.texts(), progress = background_.progress().part(0.0)] {
+    FindFacts facts;
+    if (of.store != nullptr) {
+      facts = [&] {
+        of.wait_until_kept();
+        return of.store->facts(stage);
+      };
+    }
     std::vector<std::filesystem::path> written;
     auto done = std::make_shared<Result<ExportOutcome>>(
-        export_files(*shown, command, written, texts, lighter.get(), progress));
-    if (store && !written.empty()) {
-      store->note(event_now(io::CaseAction::kExported, stage, written));
+        export_files({*shown, lighter.get(), facts}, command, written, texts, progress));
+    if (of.store && !written.empty()) {
+      of.store->note(event_now(io::CaseAction::kExported, stage, written));
     }
     return [this, done, model = shown->result] { end(*done, {model}); };
   });
 }
 
 void ExportController::export_jaws(const ui::Export& command, std::vector<JawToExport> jaws,
-                                   std::shared_ptr<CaseStore> store) {
+                                   ExportCase of) {
   if (state_.is_running) return;
   begin(command);
   for (JawToExport& jaw : jaws) {
     if (lighter_ != nullptr && lighter_->scan() == jaw.scan) jaw.lighter = lighter_;
   }
-  background_.run([this, command, jaws = std::move(jaws), store = std::move(store),
+  background_.run([this, command, jaws = std::move(jaws), of = std::move(of),
                    texts = notices_.texts(),
                    progress = background_.progress().part(0.0)]() mutable {
+    of.wait_until_kept();
     std::vector<std::filesystem::path> written;
     auto done = std::make_shared<Result<ExportOutcome>>(
-        session::export_jaws(jaws, *store, command, written, texts, progress));
-    if (!written.empty()) store->note(event_now(io::CaseAction::kExported, std::nullopt, written));
+        session::export_jaws(jaws, *of.store, command, written, texts, progress));
+    if (!written.empty())
+      of.store->note(event_now(io::CaseAction::kExported, std::nullopt, written));
     std::vector<Model> models;
     for (const JawToExport& jaw : jaws) models.push_back(jaw.scan);
     return [this, done, models] { end(*done, models); };
@@ -90,7 +99,8 @@ void ExportController::end(const Result<ExportOutcome>& done, const std::vector<
   state_.written = done->written;
   state_.existing = done->existing;
   if (state_.written.empty()) return;
-  exported_.assign(exported.begin(), exported.end());
+  // A report alone does not save a model.
+  if (!state_.latest.formats.empty()) exported_.assign(exported.begin(), exported.end());
   notices_.add(ui::Severity::kInformation,
                notices_.texts().fill<ui::Text::kExportedTo>(state_.written.front().path));
 }

@@ -1,6 +1,7 @@
 /// @file  Controls the export of what the window shows.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,15 +22,19 @@ class ExportController {
  public:
   ExportController(BackgroundWork& background, Notices& notices);
 
+  /// The case of what is exported.
+  struct ExportCase {
+    std::shared_ptr<CaseStore> store;  ///< its journal gets an entry; null: there is none
+    /// Waits, on any thread, until all that was scanned has reached the case.
+    std::function<void()> wait_until_kept;
+  };
   /// Writes the files in the background. Does nothing while an export is running.
-  /// @param store  of the case whose journal gets an entry; null: none
   void export_scan(const ui::Export& command, std::shared_ptr<const scan::ScanSnapshot> shown,
-                   std::shared_ptr<CaseStore> store, io::ScanStage stage);
+                   ExportCase of, io::ScanStage stage);
   /// As export_scan, for all finished stages of a case.
-  /// @param jaws   not empty
-  /// @param store  not null
-  void export_jaws(const ui::Export& command, std::vector<JawToExport> jaws,
-                   std::shared_ptr<CaseStore> store);
+  /// @param jaws  not empty
+  /// @param of    with a store
+  void export_jaws(const ui::Export& command, std::vector<JawToExport> jaws, ExportCase of);
   /// Makes the lighter meshes of a finished model in the background, one with each call: state()
   /// tells their sizes, and an export uses them. Does nothing while one is made, or an export runs.
   /// @param result  null: does nothing

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "app/report/write_report.h"
 #include "app/session/user_folders.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/former_file.h"
 #include "core/io/files/leftovers.h"
 #include "core/io/models/model.h"
 #include "core/io/models/model_formats.h"
+#include "ui/state/export_target.h"
 
 namespace flytri::session {
 namespace {
@@ -66,6 +68,7 @@ Result<void> write_models(const std::vector<fs::path>& models, const scan::ScanS
 Result<void> write_finished(const std::vector<fs::path>& models, const scan::ScanSnapshot& shown,
                             reconstruct::MeshDensity density, LighterModels& lighter,
                             const Progress& progress, std::vector<fs::path>& written) {
+  if (models.empty()) return {};
   if (density == reconstruct::MeshDensity::kFull) {
     const FinishedModel full = {shown.result->model, shown.result->surface.mesh};
     return write_models(models, shown, &full, {}, written);
@@ -145,26 +148,56 @@ Result<ExportOutcome> write_asked(const std::vector<fs::path>& files,
   return outcome;
 }
 
-Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command,
-                                   std::vector<fs::path>& models_written, const ui::Texts& texts,
-                                   LighterModels* lighter, const Progress& progress) {
-  if (shown.result == nullptr && shown.model.empty()) {
+Result<ReportFile> report_file(const fs::path& path, const FindFacts& find,
+                               const ui::Texts& texts) {
+  const auto why_not = [&](const std::string& reason) {
+    return fail(ErrorCode::kInsufficient, "{}", texts.fill<ui::Text::kNoReport>(reason));
+  };
+  if (!find) return why_not(texts[ui::Text::kReportNeedsCase]);
+  auto facts = find();
+  if (!facts) return why_not(facts.error().message);
+  return ReportFile{path, *std::move(facts)};
+}
+
+Result<void> write_reports(const std::vector<ReportFile>& reports, std::vector<fs::path>& written) {
+  for (const ReportFile& report : reports) {
+    if (auto done = report::write_report(report.path, report.facts); !done) return done;
+    written.push_back(report.path);
+  }
+  return {};
+}
+
+Result<ExportOutcome> export_files(const ShownScan& shown, const ui::Export& command,
+                                   std::vector<fs::path>& written, const ui::Texts& texts,
+                                   const Progress& progress) {
+  const scan::ScanSnapshot& scan = shown.scan;
+  const ui::ExportTarget& target = command.target;
+  if (scan.result == nullptr && (scan.model.empty() || target.report)) {
     return fail(ErrorCode::kInsufficient, "{}", texts[ui::Text::kNoSurfaceToExport]);
   }
-  const Result<fs::path> stem = export_stem(command.target, texts);
+  const Result<fs::path> stem = export_stem(target, texts);
   if (!stem) return tl::unexpected(stem.error());
-  const bool has_texture = shown.result && !shown.result->model.atlas.empty();
+  const bool has_texture = scan.result && !scan.result->model.atlas.empty();
   std::vector<fs::path> models, files;
-  for (const std::string_view extension : command.target.formats) {
+  for (const std::string_view extension : target.formats) {
     models.emplace_back(stem->string() + std::string(extension));
     const std::vector<fs::path> more = files_of(models.back(), has_texture);
     files.insert(files.end(), more.begin(), more.end());
   }
+  const fs::path report = stem->string() + std::string(ui::kReportExtension);
+  if (target.report) files.push_back(report);
   return write_asked(files, command.replaced, [&]() -> Result<void> {
-    if (shown.result == nullptr) return write_models(models, shown, nullptr, texts, models_written);
-    LighterModels own(shown.result);
-    return write_finished(models, shown, command.target.density,
-                          lighter != nullptr ? *lighter : own, progress, models_written);
+    std::vector<ReportFile> reports;
+    if (target.report) {
+      auto made = report_file(report, shown.facts, texts);
+      if (!made) return tl::unexpected(made.error());
+      reports.push_back(*std::move(made));
+    }
+    if (scan.result == nullptr) return write_models(models, scan, nullptr, texts, written);
+    LighterModels own(scan.result);
+    return write_finished(models, scan, target.density, shown.lighter ? *shown.lighter : own,
+                          progress, written)
+        .and_then([&] { return write_reports(reports, written); });
   });
 }
 

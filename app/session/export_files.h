@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/report/scan_facts.h"
 #include "app/session/lighter_models.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -51,22 +52,45 @@ struct ExportOutcome {
                                                 const std::vector<std::string>& replaced,
                                                 const std::function<Result<void>()>& write);
 
-/// Only their owner may read the files, and enter folders that are created for them.
+/// Finds what the report of a scan says. Empty: nothing is known of it.
+using FindFacts = std::function<Result<report::ScanFacts>()>;
+
+/// A report that is to be written.
+struct ReportFile {
+  std::filesystem::path path;
+  report::ScanFacts facts;
+};
 /// @param texts  for messages
-/// @errors  As export_stem and write_model; kInsufficient: nothing to write, or the format cannot
-///          hold it; kBadOption: a folder, or a file of another kind, has the name.
-/// @param models_written  gets the models that were written, also before a failure
-/// @param lighter  of the finished scan, keeps the mesh that is made; null: nothing is kept
-[[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
-                                                 const ui::Export& command,
-                                                 std::vector<std::filesystem::path>& models_written,
+/// @errors  As `find`; kInsufficient: it is empty.
+[[nodiscard]] Result<ReportFile> report_file(const std::filesystem::path& path,
+                                             const FindFacts& find, const ui::Texts& texts);
+/// @param written  gets those that are complete
+/// @errors  As report::write_report.
+[[nodiscard]] Result<void> write_reports(const std::vector<ReportFile>& reports,
+                                         std::vector<std::filesystem::path>& written);
+
+/// What the window shows, to be exported.
+struct ShownScan {
+  const scan::ScanSnapshot& scan;
+  /// Of the finished scan: keeps the mesh that is made. Null: nothing is kept.
+  LighterModels* lighter = nullptr;
+  FindFacts facts = {};
+};
+
+/// Only their owner may read the files, and enter folders that are created for them. A report that
+/// cannot be made leaves all files as they are.
+/// @param texts  for messages
+/// @param written  gets the models and reports that were written, also before a failure
+/// @errors  As export_stem, write_model and report_file; kInsufficient: nothing to write, or the
+///          format cannot hold it; kBadOption: a folder, or a file of another kind, has the name.
+[[nodiscard]] Result<ExportOutcome> export_files(const ShownScan& shown, const ui::Export& command,
+                                                 std::vector<std::filesystem::path>& written,
                                                  const ui::Texts& texts = {},
-                                                 LighterModels* lighter = nullptr,
                                                  const Progress& progress = {});
 [[nodiscard]] inline Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
                                                         const ui::Export& command) {
-  std::vector<std::filesystem::path> models;
-  return export_files(shown, command, models);
+  std::vector<std::filesystem::path> written;
+  return export_files(ShownScan{shown}, command, written);
 }
 
 }  // namespace flytri::session

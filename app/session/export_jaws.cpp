@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/reconstruct/patient_jaws.h"
+#include "ui/state/export_target.h"
 #include "ui/state/jaw_words.h"
 
 namespace flytri::session {
@@ -13,16 +14,17 @@ namespace fs = std::filesystem;
 /// Where files are written, and which of them are models.
 struct JawFiles {
   std::vector<fs::path> outputs;  ///< as for reconstruct::write_jaws()
+  std::vector<fs::path> reports;  ///< of each jaw; empty: none are asked for
   std::vector<fs::path> files;
 };
 
 JawFiles jaw_files(const fs::path& stem, const std::vector<JawToExport>& jaws,
-                   const std::vector<std::string_view>& formats) {
+                   const ui::ExportTarget& target) {
   std::vector<io::ScanStage> stages;
   stages.reserve(jaws.size());
   for (const JawToExport& jaw : jaws) stages.push_back(jaw.stage);
   JawFiles files;
-  for (const std::string_view extension : formats) {
+  for (const std::string_view extension : target.formats) {
     files.outputs.emplace_back(stem.string() + std::string(extension));
     const auto models = reconstruct::jaw_models(files.outputs.back(), stages);
     // One for each jaw, or a .glb, which holds its textures.
@@ -31,15 +33,36 @@ JawFiles jaw_files(const fs::path& stem, const std::vector<JawToExport>& jaws,
       files.files.insert(files.files.end(), written.begin(), written.end());
     }
   }
+  if (!target.report) return files;
+  files.reports =
+      reconstruct::jaw_models(stem.string() + std::string(ui::kReportExtension), stages);
+  files.files.insert(files.files.end(), files.reports.begin(), files.reports.end());
   return files;
 }
 
-Result<reconstruct::JawPlaces> places_of(const std::vector<JawToExport>& jaws,
+/// @param paths  of each jaw; empty: no reports
+Result<std::vector<ReportFile>> reports_of(const std::vector<JawToExport>& jaws,
+                                           const std::vector<fs::path>& paths, CaseStore& store,
+                                           const ui::Texts& texts) {
+  std::vector<ReportFile> reports;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    auto report = report_file(
+        paths[i], [&] { return store.facts(jaws[i].stage); }, texts);
+    if (!report) return tl::unexpected(report.error());
+    reports.push_back(*std::move(report));
+  }
+  return reports;
+}
+
+Result<reconstruct::JawPlaces> places_of(const std::vector<JawToExport>& jaws, CaseStore& store,
                                          const ui::Texts& texts, const Progress& progress) {
   std::vector<reconstruct::FinishedJaw> finished;
   finished.reserve(jaws.size());
   for (const JawToExport& jaw : jaws) {
-    finished.push_back({jaw.stage, texts[ui::stage_name(jaw.stage)], &jaw.scan->surface.mesh});
+    const auto plane = store.plane(jaw.stage);
+    if (!plane) return tl::unexpected(plane.error());
+    finished.push_back(
+        {jaw.stage, texts[ui::stage_name(jaw.stage)], &jaw.scan->surface.mesh, *plane});
   }
   return reconstruct::place_jaws(finished, Workers(), progress);
 }
@@ -56,10 +79,23 @@ Result<reconstruct::ModelAtDensity> model_of(const JawToExport& jaw,
       .map([](const LighterModels::Model& made) { return *made; });
 }
 
+Result<std::vector<reconstruct::PatientJaw>> placed_jaws(const std::vector<JawToExport>& jaws,
+                                                         const reconstruct::JawPlaces& places,
+                                                         reconstruct::MeshDensity density,
+                                                         const Progress& progress) {
+  std::vector<reconstruct::PatientJaw> placed;
+  for (const JawToExport& jaw : jaws) {
+    auto model = model_of(jaw, density, progress);
+    if (!model) return tl::unexpected(model.error());
+    placed.push_back(reconstruct::in_patient(jaw.stage, *std::move(model), places));
+  }
+  return placed;
+}
+
 }  // namespace
 
 Result<ExportOutcome> export_jaws(std::vector<JawToExport>& jaws, CaseStore& store,
-                                  const ui::Export& command, std::vector<fs::path>& models_written,
+                                  const ui::Export& command, std::vector<fs::path>& written,
                                   const ui::Texts& texts, const Progress& progress) {
   const Result<fs::path> stem = export_stem(command.target, texts);
   if (!stem) return tl::unexpected(stem.error());
@@ -69,21 +105,20 @@ Result<ExportOutcome> export_jaws(std::vector<JawToExport>& jaws, CaseStore& sto
     if (!loaded) return tl::unexpected(loaded.error());
     jaw.scan = *std::move(loaded);
   }
-  const JawFiles files = jaw_files(*stem, jaws, command.target.formats);
+  const JawFiles files = jaw_files(*stem, jaws, command.target);
   return write_asked(files.files, command.replaced, [&]() -> Result<void> {
-    const auto places = places_of(jaws, texts, progress);
+    const auto reports = reports_of(jaws, files.reports, store, texts);
+    if (!reports) return tl::unexpected(reports.error());
+    if (files.outputs.empty()) return write_reports(*reports, written);
+    const auto places = places_of(jaws, store, texts, progress);
     if (!places) return tl::unexpected(places.error());
-    std::vector<reconstruct::PatientJaw> placed;
-    for (const JawToExport& jaw : jaws) {
-      auto model = model_of(jaw, command.target.density, progress);
-      if (!model) return tl::unexpected(model.error());
-      placed.push_back(reconstruct::in_patient(jaw.stage, *std::move(model), *places));
-    }
+    const auto placed = placed_jaws(jaws, *places, command.target.density, progress);
+    if (!placed) return tl::unexpected(placed.error());
     for (const fs::path& output : files.outputs) {
-      auto written = reconstruct::write_jaws(output, placed, models_written);
-      if (!written) return written;
+      auto done = reconstruct::write_jaws(output, *placed, written);
+      if (!done) return done;
     }
-    return {};
+    return write_reports(*reports, written);
   });
 }
 

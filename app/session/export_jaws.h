@@ -23,11 +23,12 @@ struct JawToExport {
 
 /// Writes the files of reconstruct::write_jaws(). Only their owner may read them.
 /// Scans that are read from the case are kept in `jaws`.
-/// @param models_written  gets the models that were written, also before a failure
-/// @errors  As export_stem, CaseStore::load_model, reconstruct::place_jaws, write_asked.
+/// @param written  gets the models and reports that were written, also before a failure
+/// @errors  As export_stem, CaseStore::load_model, reconstruct::place_jaws, report_file,
+///          write_asked.
 [[nodiscard]] Result<ExportOutcome> export_jaws(std::vector<JawToExport>& jaws, CaseStore& store,
                                                 const ui::Export& command,
-                                                std::vector<std::filesystem::path>& models_written,
+                                                std::vector<std::filesystem::path>& written,
                                                 const ui::Texts& texts, const Progress& progress);
 
 }  // namespace flytri::session

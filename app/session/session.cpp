@@ -39,6 +39,7 @@ Session::Session(SessionOptions options)
       calibration_(source_, stages_, background_, notices_),
       exports_(background_, notices_),
       occlusion_(stages_, background_, notices_),
+      plane_(stages_, background_, notices_),
       chooser_(std::move(options.file_chooser), notices_) {
   if (!options.recording.empty()) source_.record_in(options.recording);
   source_.open();
@@ -74,6 +75,8 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::BringBackStage&) { stages_.bring_back(); },
           [&](const ui::AddMeasurement& added) { stages_.add_measurement(added.measurement); },
           [&](const ui::RemoveMeasurement& removed) { stages_.remove_measurement(removed.index); },
+          [&](const ui::FindOcclusalPlane&) { plane_.find(); },
+          [&](const ui::SetOcclusalPlane& wanted) { plane_.set(wanted.points); },
           [&](const ui::ChooseReentry& chosen) { stages_.choose_reentry(chosen.index); },
           [&](const ui::SelectStage& selected) { stages_.select(selected.stage); },
           [&](const ui::NewCase& wanted) { case_.create(wanted); },
@@ -117,9 +120,11 @@ void Session::export_scan(const ui::Export& command) {
       if (model.is_finished) jaws.push_back({stage, model.scan, nullptr});
     }
     if (jaws.empty() || stages_.store() == nullptr) return;
-    return exports_.export_jaws(command, std::move(jaws), stages_.store());
+    return exports_.export_jaws(command, std::move(jaws),
+                                {stages_.store(), stages_.wait_until_kept()});
   }
-  exports_.export_scan(command, scan()->snapshot(), stages_.store(), stages_.stage());
+  exports_.export_scan(command, scan()->snapshot(), {stages_.store(), stages_.wait_until_kept()},
+                       stages_.stage());
 }
 
 void Session::change_settings(const ui::Settings& settings) {
@@ -143,9 +148,11 @@ ui::AppView Session::view() {
   view.recording = source_.recording_state(view.now_s);
   if (!settings_.recording_folder.empty()) view.recording.folder = settings_.recording_folder;
   view.chooser = chooser_.state();
+  calibration_.note_finished_check();
   view.calibration = calibration_.state();
   view.file = case_.state();
   view.occlusion = occlusion_.state();
+  view.plane = plane_.state();
   view.settings = settings_;
   view.exports = exports_.state(view);
   view.texts = texts_;

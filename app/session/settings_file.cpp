@@ -85,6 +85,10 @@ ui::Settings parse_settings(std::string_view text) {
   if (const auto width = json.find("close_holes_mm"); width != json.end() && width->is_number()) {
     settings.close_holes_mm = std::clamp(width->get<double>(), 0.0, 10.0);
   }
+  if (const auto report = json.find("export_report");
+      report != json.end() && report->is_boolean()) {
+    settings.export_report = report->get<bool>();
+  }
   settings.mesh_density = density_at(json, settings.mesh_density);
   read_formats(json, settings.export_formats);
   return settings;
@@ -99,6 +103,7 @@ std::string settings_to_json(const ui::Settings& settings) {
                                {"window_width", settings.window_width},
                                {"window_height", settings.window_height},
                                {"export_formats", settings.export_formats},
+                               {"export_report", settings.export_report},
                                {"mesh_density", to_string(settings.mesh_density)},
                                {"close_holes_mm", settings.close_holes_mm},
                                {"recording_folder", settings.recording_folder}};

@@ -65,15 +65,22 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
     }
   }
   // Each version of the program makes its own.
-  const Result<calibration::Calibration> calibration = simulated::cached_sensor_calibration(
-      options.sensor, cache_folder() / "calibration-" FLYTRI_VERSION, workers, progress);
+  const std::filesystem::path kept_in = cache_folder() / "calibration-" FLYTRI_VERSION;
+  const Result<calibration::Calibration> calibration =
+      simulated::cached_sensor_calibration(options.sensor, kept_in, workers, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   const auto shared = std::make_shared<const calibration::Calibration>(*calibration);
   Result<std::shared_ptr<simulated::LiveSensor>> sensor =
       simulated::LiveSensor::create(*mesh, options, shared, device::machine_clock());
   if (!sensor) return tl::unexpected(sensor.error());
-  return Source{
-      ui::SourceKind::kSimulated, *sensor, *sensor, shared, std::nullopt, nullptr, warning};
+  return Source{ui::SourceKind::kSimulated,
+                *sensor,
+                *sensor,
+                shared,
+                std::nullopt,
+                nullptr,
+                warning,
+                simulated::sensor_calibration_file(options.sensor, kept_in)};
 }
 
 Result<Source> open_recording_source(const SourceChoice& choice, const ui::Texts& /*texts*/) {
@@ -106,7 +113,7 @@ Result<Source> open_rig_source(const SourceChoice& choice, const ui::Texts& text
                 texts.fill<ui::Text::kRigWithoutCalibration>(choice.path.string(), "C"));
   }
   return Source{ui::SourceKind::kDevices, *sensor, nullptr, (*sensor)->calibration(),
-                RigSource{*sensor, *rig}, nullptr, {}};
+                RigSource{*sensor, *rig}, nullptr, {},      rig->calibration.value_or("")};
 }
 
 constexpr std::array kSources = {

@@ -52,6 +52,7 @@ struct Source {
   std::optional<RigSource> rig;
   std::shared_ptr<recording::RecorderSensor> recorder;  ///< is the sensor; null of a recording
   std::string warning;                                  ///< for the user; empty: none
+  std::filesystem::path calibration_file = {};          ///< of a virtual sensor or a rig
 };
 
 /// A kind of source. To add one, add its row: the command line makes an option of it.

@@ -114,6 +114,14 @@ ui::RecordingState SourceController::recording_state(double now_s) {
   return state;
 }
 
+void SourceController::keep_history(const calibration::Calibration& checked,
+                                    const calibration::CalibrationHistory& history) {
+  if (source_.calibration.get() != &checked) return;
+  calibration::Calibration calibration = checked;
+  calibration.history = history;
+  source_.calibration = std::make_shared<const calibration::Calibration>(std::move(calibration));
+}
+
 void SourceController::lend() {
   is_lent_ = true;
   capture_.reset();

@@ -102,6 +102,7 @@ void StageController::change_stored(std::function<Result<void>(CaseStore&, io::S
           } else {
             scans_[stage].reset();
             measurements_[stage].clear();
+            planes_[stage].reset();
           }
           if (stage == stage_) show();
         };
@@ -133,6 +134,14 @@ void StageController::remove_measurement(std::size_t index) {
     if (!done) return notices_.add(ui::Severity::kError, done.error().message);
   }
   measurements.erase(removed);
+}
+
+void StageController::set_plane(io::ScanStage stage, const std::optional<OcclusalPoints>& points) {
+  if (store_ != nullptr) {
+    const auto done = store_->write_plane(stage, points);
+    if (!done) return notices_.add(ui::Severity::kError, done.error().message);
+  }
+  planes_[static_cast<std::size_t>(stage)] = points;
 }
 
 void StageController::select(io::ScanStage stage) {
@@ -180,6 +189,7 @@ void StageController::use(std::size_t stage, const OpenedStage& opened) {
     notices_.add(ui::Severity::kWarning, text_of(opened.damage, notices_.texts()));
   scans_[stage] = std::move(*scan);
   measurements_[stage] = opened.measurements;
+  planes_[stage] = opened.plane;
   if (stage == stage_) show();
 }
 
@@ -193,6 +203,9 @@ void StageController::save_in(const std::shared_ptr<CaseStore>& store) {
       if (!id) notices_.add(ui::Severity::kError, id.error().message);
       measurement.id = id.value_or(0);
     }
+    if (!planes_[stage]) continue;
+    const auto kept = store->write_plane(name, planes_[stage]);
+    if (!kept) notices_.add(ui::Severity::kError, kept.error().message);
   }
 }
 
@@ -207,6 +220,7 @@ void StageController::forget() {
   source_.router().set_scan(nullptr);
   scans_ = {};
   measurements_ = {};
+  planes_ = {};
   is_loading_ = {};
   load_failures_ = {};
 }
@@ -217,6 +231,14 @@ std::function<void()> StageController::come_to_rest() {
   return [scans = scans_] {
     for (const auto& scan : scans) {
       if (scan != nullptr) scan->wait_until_idle();
+    }
+  };
+}
+
+std::function<void()> StageController::wait_until_kept() const {
+  return [scans = scans_] {
+    for (const auto& scan : scans) {
+      if (scan != nullptr) scan->wait_until_kept();
     }
   };
 }
@@ -235,6 +257,7 @@ void StageController::show_in(ui::AppView& view) {
   }
   view.has_kept_scan = store_ != nullptr && store_->stages_with_kept_scan()[stage_];
   view.measurements = measurements_[stage_];
+  view.has_set_plane = planes_[stage_].has_value();
   if (view.scan == nullptr || view.scan->failure == reported_failure_) return;
   reported_failure_ = view.scan->failure;
   if (!reported_failure_.empty()) notices_.add(ui::Severity::kError, reported_failure_);

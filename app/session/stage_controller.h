@@ -40,6 +40,8 @@ class StageController {
   void bring_back();
   void add_measurement(io::Measurement measurement);
   void remove_measurement(std::size_t index);
+  /// Keeps the occlusal plane of a stage, also in its case. @param points  none: found by itself
+  void set_plane(io::ScanStage stage, const std::optional<OcclusalPoints>& points);
 
   /// Pauses, and turns to another stage.
   void select(io::ScanStage stage);
@@ -57,6 +59,9 @@ class StageController {
   /// all that was scanned has reached the case
   [[nodiscard]] std::function<void()> come_to_rest();
 
+  /// A function that waits, on any thread, until all that was scanned so far has reached the case.
+  [[nodiscard]] std::function<void()> wait_until_kept() const;
+
   /// Of the current stage; null until the source is open.
   [[nodiscard]] const std::shared_ptr<scan::LiveScan>& scan() const { return scans_[stage_]; }
   [[nodiscard]] io::ScanStage stage() const { return io::kScanStages[stage_]; }
@@ -66,6 +71,10 @@ class StageController {
     std::shared_ptr<const reconstruct::FinishedScan> scan;  ///< null: not finished, or not loaded
   };
   [[nodiscard]] StageModel model_of(io::ScanStage stage) const;
+  /// The occlusal plane that the user has set. None: found by itself, or the stage is not loaded.
+  [[nodiscard]] const std::optional<OcclusalPoints>& plane_of(io::ScanStage stage) const {
+    return planes_[static_cast<std::size_t>(stage)];
+  }
   /// The case that scans are saved in; null: none.
   [[nodiscard]] const std::shared_ptr<CaseStore>& store() const { return store_; }
   /// False while a scan is finishing, see scan::may_leave().
@@ -94,6 +103,7 @@ class StageController {
   std::size_t stage_ = 0;
   std::array<std::shared_ptr<scan::LiveScan>, io::kScanStages.size()> scans_;
   std::array<std::vector<io::Measurement>, io::kScanStages.size()> measurements_;
+  std::array<std::optional<OcclusalPoints>, io::kScanStages.size()> planes_;
   std::array<bool, io::kScanStages.size()> is_loading_ = {};
   std::array<std::string, io::kScanStages.size()> load_failures_;
   std::string reported_failure_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <vector>
 
 #include "core/geometry/rigid.h"
@@ -13,6 +14,9 @@
 namespace flytri {
 
 enum class JawKind { kUpper, kLower };
+
+/// Three places on the chewing surfaces of a jaw that set its occlusal plane; world frame, mm.
+using OcclusalPoints = std::array<Vec3, 3>;
 
 struct JawAxes {
   Vec3 occlusal = Vec3::UnitZ();  ///< unit, out of the chewing surfaces

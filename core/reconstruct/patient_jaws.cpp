@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
 #include <utility>
 
 #include "core/evaluation/surface_error.h"
@@ -21,6 +22,17 @@ const FinishedJaw* jaw_of(std::span<const FinishedJaw> jaws, io::ScanStage stage
     if (jaw.stage == stage) return &jaw;
   }
   return nullptr;
+}
+
+/// In its own occlusal plane.
+Result<Isometry> T_patient_world(const FinishedJaw& jaw, JawKind kind) {
+  if (!jaw.plane) return occlusion::T_patient_jaw(*jaw.surface, kind);
+  auto T = occlusion::T_patient_jaw(*jaw.surface, kind, *jaw.plane);
+  if (T) return T;
+  return fail(T.error().code,
+              "{}: the occlusal plane that was set does not fit the scan: {}; or let the program "
+              "find the plane",
+              jaw.name, T.error().message);
 }
 
 bool holds_all_jaws(const fs::path& output) { return output.extension() == ".glb"; }
@@ -53,13 +65,20 @@ Result<JawPlaces> place_jaws(std::span<const FinishedJaw> jaws, const Workers& w
   const FinishedJaw* const upper = jaw_of(jaws, io::ScanStage::kUpper);
   const FinishedJaw* const lower = jaw_of(jaws, io::ScanStage::kLower);
   const FinishedJaw* const bite = jaw_of(jaws, io::ScanStage::kBite);
-  if (upper != nullptr) T_upper = occlusion::T_patient_jaw(*upper->surface, JawKind::kUpper);
-  if (lower != nullptr) T_lower = occlusion::T_patient_jaw(*lower->surface, JawKind::kLower);
+  for (const auto& [jaw, kind, T] : {std::tuple(upper, JawKind::kUpper, &T_upper),
+                                     std::tuple(lower, JawKind::kLower, &T_lower)}) {
+    if (jaw == nullptr) continue;
+    const auto found = T_patient_world(*jaw, kind);
+    if (!found) return tl::unexpected(found.error());
+    *T = *found;
+  }
   if (upper == nullptr || lower == nullptr || bite == nullptr) return places;
   const std::array bites = {occlusion::BiteScan{bite->name, bite->surface->vertices}};
   const auto occlusion =
       occlusion::find_occlusion(*upper->surface, *lower->surface, bites, {}, workers, progress);
   if (!occlusion) return tl::unexpected(occlusion.error());
+  const bool lower_counts = lower->plane && !upper->plane;
+  if (lower_counts) T_upper = T_lower * occlusion->T_upper_lower.inverse();
   T_lower = T_upper * occlusion->T_upper_lower;
   T_bite = T_upper * occlusion->bites.front().T_upper_bite;
   places.are_closed = true;

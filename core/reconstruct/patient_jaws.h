@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/workers.h"
+#include "core/geometry/jaw_axes.h"
 #include "core/io/cases/case_file.h"
 #include "core/reconstruct/mesh_density.h"
 
@@ -18,8 +20,9 @@ namespace flytri::reconstruct {
 /// A finished stage.
 struct FinishedJaw {
   io::ScanStage stage = io::ScanStage::kUpper;
-  std::string name;                       ///< for messages
-  const TriangleMesh* surface = nullptr;  ///< not null
+  std::string name;                                    ///< for messages
+  const TriangleMesh* surface = nullptr;               ///< not null
+  std::optional<OcclusalPoints> plane = std::nullopt;  ///< set by the user; none: found by itself
 };
 
 /// Where the stages of a case lie in the patient, see occlusion::T_patient_jaw.
@@ -29,8 +32,10 @@ struct JawPlaces {
   bool are_closed = false;
 };
 
+/// Jaws that are closed share one occlusal plane. One that the user has set counts before one that
+/// was found; of two of the same kind, that of the upper jaw counts.
 /// @param jaws  at most one for each stage
-/// @errors  As occlusion::find_occlusion.
+/// @errors  As occlusion::find_occlusion; kInconsistent: a plane that was set does not fit its jaw.
 [[nodiscard]] Result<JawPlaces> place_jaws(std::span<const FinishedJaw> jaws,
                                            const Workers& workers, const Progress& progress);
 

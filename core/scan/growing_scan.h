@@ -49,6 +49,8 @@ class GrowingScan {
   void cancel_finish() const { finishing_.cancel(); }
   /// Tasks that are waiting or running on its threads.
   [[nodiscard]] std::size_t pending() const;
+  /// Waits until the journal has written all that it was given.
+  void wait_until_kept() const { journal_.wait_until_idle(); }
   /// Cancels all long work.
   void cancel_all() const;
   /// Writes the rest of the journal and ends all threads. Call it after the owner's thread has

@@ -193,4 +193,6 @@ void LiveScan::cancel_finish() { impl_->scan().cancel_finish(); }
 std::shared_ptr<const ScanSnapshot> LiveScan::snapshot() const { return impl_->scan().snapshot(); }
 void LiveScan::wait_until_idle() const { impl_->wait_until_idle(); }
 
+void LiveScan::wait_until_kept() const { impl_->scan().wait_until_kept(); }
+
 }  // namespace flytri::scan

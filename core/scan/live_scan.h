@@ -96,6 +96,8 @@ class LiveScan {
   /// Waits until all frames and commands are processed. For tests and for programs without a
   /// window.
   void wait_until_idle() const;
+  /// Waits until all that was scanned so far has reached the journal.
+  void wait_until_kept() const;
 
  private:
   class Impl;

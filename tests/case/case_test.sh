@@ -112,6 +112,12 @@ expect 'jaws replace nothing' 1 'jaws/smith-upper\.ply: exists already' \
   "$flytri" export a.flytri --jaws -o jaws/smith.ply
 expect 'jaws or a stage' 1 '--jaws and --stage' \
   "$flytri" export a.flytri --jaws --stage upper -o no.glb
+expect 'a plane of two points' 1 '--occlusal-plane: 2 points are given' \
+  "$flytri" export a.flytri --jaws --occlusal-plane '0,0,0 9,0,0' -o no.glb
+expect 'a plane on a line' 1 'occlusal plane that was set does not fit.*nearly on a line' \
+  "$flytri" export a.flytri --jaws --occlusal-plane '0,0,0 10,0,0 20,0,0' -o no.glb
+expect 'a plane without jaws' 2 '--occlusal-plane requires --jaws' \
+  "$flytri" export a.flytri --occlusal-plane '0,0,0 10,0,0 0,10,0' -o no.glb
 name='jaws: as many files as stages'
 [ "$(find jaws -name 'smith*.*' -not -name '*.png' -not -name '*.mtl' | wc -l)" = 7 ] || fail "$(ls jaws)"
 if command -v node > /dev/null && [ -d "$gltf/node_modules/three" ]; then

@@ -175,6 +175,8 @@ std::shared_ptr<const reconstruct::FinishedScan> FakeJaw::finish() const {
   result->surface.mesh = mesh_;
   result->surface.boundaries = holes();
   result->model.mesh = mesh_;
+  for (const reconstruct::JawSpan& span : reconstruct::jaw_spans(mesh_, JawKind::kUpper))
+    result->spans.push_back({span, 0.011});
   return result;
 }
 

@@ -23,6 +23,30 @@ TEST_F(RealWindow, ExportDialogExportsTheChosenFormats) {
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 
+TEST_F(RealWindow, ExportDialogWritesAReportBesideTheModel) {
+  show("scanning");
+  window().click("export");
+  EXPECT_EQ(after_click("report"), Names{}) << "there is no finished model";
+  window().key("Escape");
+  show("finished");
+  window().click("export");
+  EXPECT_FALSE(window().state()["export"]["report"]);
+  EXPECT_EQ(after_click("report"), Names{"ChangeSettings"}) << "the choice is remembered";
+  EXPECT_TRUE(window().state()["export"]["report"]);
+  EXPECT_NE(window().state()["hint"].get<std::string>().find("Rivera-2031-upper.html"),
+            std::string::npos);
+  EXPECT_EQ(after_key("Return"), Names{"Export"});
+  EXPECT_EQ(after_click("report"), Names{"ChangeSettings"});
+  window().key("Escape");
+}
+
+TEST_F(RealWindow, AFinishedModelSaysHowCertainItsDistanceIs) {
+  show("scanning");
+  EXPECT_FALSE(window().where("span"));
+  show("finished");
+  EXPECT_TRUE(window().where("span"));
+}
+
 TEST_F(RealWindow, ExportDialogAsksBeforeItReplacesFiles) {
   show("finished");
   window().click("export");

@@ -13,8 +13,10 @@
 #include <cmath>
 #include <string>
 
+#include "app/session/plane_controller.h"
 #include "tests/support/fake_scan.h"
 #include "ui/app_window.h"
+#include "ui/state/jaw_words.h"
 
 namespace {
 
@@ -32,7 +34,7 @@ struct FakeProgram {
   AppView view;
   std::string state = {};
   bool is_running = true;
-  std::uint64_t choices = 0;
+  std::uint64_t choices = 0, notices = 100;
 
   void show(const std::string& shown) {
     const flytri::ui::Texts texts(
@@ -53,6 +55,17 @@ struct FakeProgram {
     if (!words.starts_with(kLanguage)) return show(words);
     view.settings.language = words.substr(kLanguage.size());
     show(state);
+  }
+  void set_plane(const std::optional<flytri::OcclusalPoints>& points) {
+    const auto plane = flytri::session::plane_of(view.scan->result->surface.mesh,
+                                                 flytri::ui::jaw_of(view.stage), points);
+    if (plane) {
+      view.plane = *plane;
+      view.has_set_plane = points.has_value();
+      return;
+    }
+    view.notices = {{++notices, flytri::ui::Severity::kWarning,
+                     view.texts.fill<flytri::ui::Text::kPlaneRefused>(plane.error().message)}};
   }
   void obey(const Command& command) {
     if (const auto* told = std::get_if<flytri::ui::Tell>(&command)) tell(told->words);
@@ -77,6 +90,9 @@ struct FakeProgram {
     if (const auto* asked = std::get_if<flytri::ui::ChoosePath>(&command)) {
       view.chooser.chosen = {++choices, asked->field, "/media/clinic/stick/chosen"};
     }
+    if (std::holds_alternative<flytri::ui::FindOcclusalPlane>(command)) set_plane({});
+    if (const auto* set = std::get_if<flytri::ui::SetOcclusalPlane>(&command))
+      set_plane(set->points);
     if (std::holds_alternative<flytri::ui::Quit>(command)) is_running = false;
   }
 };

@@ -108,7 +108,8 @@ TEST_P(SmallestWindow, FitsWithEachTool) {
     show(state);
     for (const char* mode : {"coverage", "shading"}) {
       window_->ask(std::string("do ") + mode);
-      for (const char* tool : {"trim", "lock", "unlock", "measure"}) check_after(tool, state);
+      for (const char* tool : {"trim", "lock", "unlock", "measure", "occlusal_plane"})
+        check_after(tool, state);
       window_->ask("do cancel");
     }
   }

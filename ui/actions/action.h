@@ -49,6 +49,8 @@ enum class Action {
   kShowAll,
   kJaws,
   kClearance,
+  kOcclusalPlane,
+  kAutomaticPlane,
   kZoomIn,
   kZoomOut,
   // Hand

@@ -21,12 +21,19 @@ bool can_bring_back(const Situation& now) {
 /// scan.
 bool undoes_clearing(const Situation& now) { return can_bring_back(now) && !now.has_surface(); }
 
+/// While the points of a plane are clicked, Undo takes the last one back.
+bool undoes_point(const WindowState& state) {
+  return state.tool == Tool::kPlane && !state.plane_points_mm.empty();
+}
+
 ActionState undo_state(const Situation& now) {
+  if (undoes_point(now.state)) return enabled();
   if (undoes_clearing(now)) return enabled(Text::kBringsScanBack);
   return only_if(now.can_edit() && now.view.scan->can_undo, Text::kNothingToUndo);
 }
 
 void undo(const ActionRunner& run) {
+  if (undoes_point(run.state)) return run.state.plane_points_mm.pop_back();
   if (undoes_clearing({run.view, run.state})) return run.send(BringBackStage{});
   run.send(Undo{});
 }

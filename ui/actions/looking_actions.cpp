@@ -86,6 +86,25 @@ void toggle_clearance(const ActionRunner& run) {
   run.state.jaws.shows_clearance = !run.state.jaws.shows_clearance;
 }
 
+ActionState plane_state(const Situation& now) {
+  if (now.view.stage == io::ScanStage::kBite) return disabled(Text::kNotForTheBite);
+  const bool has_model = now.is_finished() && now.view.scan->result != nullptr;
+  if (!has_model) return disabled(Text::kAfterFinish);
+  return chosen(now.state.tool == Tool::kPlane, Text::kActive);
+}
+
+ActionState automatic_plane_state(const Situation& now) {
+  const ActionState plane = plane_state(now);
+  if (!plane.is_enabled) return plane;
+  if (now.view.file.is_read_only) return disabled(Text::kCaseIsReadOnly);
+  return only_if(now.view.has_set_plane, Text::kPlaneIsAutomatic);
+}
+
+void reset_plane(const ActionRunner& run) {
+  run.state.plane_points_mm.clear();
+  run.send(SetOcclusalPlane{});
+}
+
 ActionState show_all_state(const Situation& now) {
   return chosen(now.state.view.follows_scan, Text::kFollowsScan);
 }
@@ -180,6 +199,18 @@ constexpr std::array kLookingActions = {
               .shortcut = {GLFW_KEY_6},
               .state = clearance_state,
               .perform = toggle_clearance},
+    ActionRow{.action = Action::kOcclusalPlane,
+              .id = "occlusal_plane",
+              .name = Text::kOcclusalPlane,
+              .shortcut = {GLFW_KEY_O, GLFW_MOD_SHIFT},
+              .state = plane_state,
+              .perform = [](const ActionRunner& run) { run.toggle(Tool::kPlane); }},
+    ActionRow{.action = Action::kAutomaticPlane,
+              .id = "automatic_plane",
+              .name = Text::kAutomaticPlane,
+              .shortcut = {GLFW_KEY_DELETE, GLFW_MOD_SHIFT},
+              .state = automatic_plane_state,
+              .perform = reset_plane},
     ActionRow{.action = Action::kZoomIn,
               .id = "zoom_in",
               .name = Text::kZoomIn,

@@ -96,7 +96,7 @@ bool can_confirm(const Situation& now) {
   switch (now.state.dialog) {
     case Dialog::kExport:
       return !now.view.exports.is_running && !form.name.empty() &&
-             !export_target(now.view, form).formats.empty();
+             asks_for_files(export_target(now.view, form));
     case Dialog::kCase:
       if (problem_of(case_form)) return false;
       if (case_form.tab == CaseTab::kFields) return !now.view.file.is_read_only;

@@ -104,7 +104,9 @@ std::pair<std::string, std::string> words_of(const std::string& request) {
 
 nlohmann::json export_as_json(const DrawnFrame& frame) {
   const ExportForm& form = frame.state.export_form;
-  return {{"name", form.name}, {"all_jaws", exports_all_jaws(frame.view, form)}};
+  return {{"name", form.name},
+          {"all_jaws", exports_all_jaws(frame.view, form)},
+          {"report", export_target(frame.view, form).report}};
 }
 
 }  // namespace
@@ -190,6 +192,10 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
       {"color_mode", to_string(state.color_mode)},
       {"texture_blend", state.texture_blend},
       {"jaws", {{"opening", state.jaws.opening}, {"contact_mm", state.jaws.contact_mm}}},
+      {"plane",
+       {{"known", frame.view.plane.has_value()},
+        {"set", frame.view.has_set_plane},
+        {"points", state.plane_points_mm.size()}}},
       {"brush_share", state.brush.radius_share},
       {"camera", camera_as_json(state.view)},
       {"actions", actions_as_json(frame.view, state)},

@@ -1,11 +1,15 @@
-/// @file  The length of each measured distance, beside its middle in the scene.
+/// @file  The length of each measured distance, beside its middle in the scene, and names of axes.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "ui/panels/panels.h"
+#include "ui/scene/scene_content.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/shown_plane.h"
 
 namespace flytri::ui {
 namespace {
@@ -34,10 +38,27 @@ void draw_label(const PanelContext& context, const ImVec2& middle, const std::st
   draw_text(box, {theme.fonts.strong, kText, Align::kCenter}, text);
 }
 
+/// Which way the axes of the patient point.
+void draw_plane_labels(const PanelContext& context) {
+  const auto plane = shown_plane(context.view, context.state);
+  if (!plane) return;
+  const auto [left, front, up] = ScenePlane{plane->T_world_patient, plane->box_mm}.axis_ends_mm();
+  // Of a quadrant nothing shows whether it is the right or the left one.
+  std::vector<std::pair<Vec3, Text>> labels = {{up, Text::kAxisUp}};
+  labels.emplace_back(front, plane->is_arch ? Text::kViewFront : Text::kViewBuccal);
+  if (plane->is_arch) labels.emplace_back(left, Text::kViewLeft);
+  const Rect& picture = context.layout.picture;
+  for (const auto& [end_mm, text] : labels) {
+    const auto at = place_in_window(context.state.view, picture, end_mm);
+    if (at && picture.contains(*at)) draw_label(context, *at, context.text(text));
+  }
+}
+
 }  // namespace
 
 void draw_distance_labels(const PanelContext& context) {
   if (shown_jaws(context.view, context.state) != nullptr) return;
+  draw_plane_labels(context);
   const Rect& picture = context.layout.picture;
   for (const io::Measurement& measured : context.view.measurements) {
     const auto middle =

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <functional>
+#include <optional>
 
 #include "core/io/models/model_formats.h"
 #include "ui/panels/dialog.h"
@@ -30,10 +33,6 @@ void follow_proposal(const PanelContext& context, ExportForm& form) {
   form.name = form.proposed_name = name;
 }
 
-bool is_finished(const AppView& view) {
-  return view.scan != nullptr && view.scan->result != nullptr;
-}
-
 /// The text and look at the right of a format's row.
 struct RowStatus {
   Color color;
@@ -51,18 +50,26 @@ bool belongs_to(const std::string& path, const io::ModelFormat& format) {
                      [&](std::string_view companion) { return ends_in(path, companion); });
 }
 
-/// Bytes of all files that were written for a format; 0 if none was.
-std::uint64_t written_bytes(const ExportState& exports, const io::ModelFormat& format) {
+/// What became of the files of a row. None: they were not asked for yet.
+/// @param is_of_row  of a path
+std::optional<RowStatus> outcome_of(const PanelContext& context,
+                                    const std::function<bool(const std::string&)>& is_of_row) {
+  const ExportState& exports = context.view.exports;
+  if (!has_outcome(context.view, context.state.export_form)) return std::nullopt;
+  if (std::any_of(exports.existing.begin(), exports.existing.end(), is_of_row))
+    return RowStatus{kCaution, context.text(Text::kExists)};
   std::uint64_t bytes = 0;
   for (const ExportedFile& file : exports.written) {
-    if (belongs_to(file.path, format)) bytes += file.bytes;
+    if (is_of_row(file.path)) bytes += file.bytes;
   }
-  return bytes;
+  return bytes > 0 ? std::optional(RowStatus{kGood, size_text(bytes)}) : std::nullopt;
 }
 
-/// A .glb holds all jaws.
-std::int64_t jaw_file_count(const AppView& view, const io::ModelFormat& format) {
-  if (format.extension == ".glb") return 1;
+RowStatus file_count(const PanelContext& context, std::int64_t count) {
+  return {kText, context.view.texts.count<Text::kFileCount>(count)};
+}
+
+std::int64_t finished_stages(const AppView& view) {
   return std::count(view.stage_is_finished.begin(), view.stage_is_finished.end(), true);
 }
 
@@ -71,17 +78,12 @@ RowStatus status_of(const PanelContext& context, const io::ModelFormat& format) 
   const auto estimate = exports.estimated_bytes.find(format.extension);
   if (estimate == exports.estimated_bytes.end())
     return {kTextQuiet, context.text(Text::kAfterFinish)};
-  if (has_outcome(context.view, context.state.export_form)) {
-    const bool exists =
-        std::any_of(exports.existing.begin(), exports.existing.end(),
-                    [&](const std::string& path) { return belongs_to(path, format); });
-    if (exists) return {kCaution, context.text(Text::kExists)};
-    const std::uint64_t bytes = written_bytes(exports, format);
-    if (bytes > 0) return {kGood, size_text(bytes)};
-  }
+  const auto outcome =
+      outcome_of(context, [&](const std::string& path) { return belongs_to(path, format); });
+  if (outcome) return *outcome;
   if (exports_all_jaws(context.view, context.state.export_form)) {
-    return {kText,
-            context.view.texts.count<Text::kFileCount>(jaw_file_count(context.view, format))};
+    // A .glb holds all jaws.
+    return file_count(context, format.extension == ".glb" ? 1 : finished_stages(context.view));
   }
   if (estimate->second == 0) return {kTextQuiet, "…"};
   return {kText, context.view.texts.fill<Text::kAboutSize>(size_text(estimate->second))};
@@ -89,7 +91,7 @@ RowStatus status_of(const PanelContext& context, const io::ModelFormat& format) 
 
 /// Before the scan is finished there is no surface.
 std::string_view purpose_of(const AppView& view, const io::ModelFormat& format) {
-  const bool holds_points = !is_finished(view) && format.write_points != nullptr;
+  const bool holds_points = !has_report(view) && format.write_points != nullptr;
   return holds_points ? view.texts[Text::kPointsOnly] : view.texts.translated(format.purpose);
 }
 
@@ -114,6 +116,35 @@ void draw_format(const PanelContext& context, Rect row, const io::ModelFormat& f
             {context.theme.fonts.strong, status.color, Align::kRight}, status.text);
   draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft},
             purpose_of(context.view, format));
+}
+
+RowStatus report_status(const PanelContext& context) {
+  if (!has_report(context.view)) return {kTextQuiet, context.text(Text::kAfterFinish)};
+  const auto outcome =
+      outcome_of(context, [](const std::string& path) { return ends_in(path, kReportExtension); });
+  if (outcome) return *outcome;
+  const bool is_of_jaws = exports_all_jaws(context.view, context.state.export_form);
+  return file_count(context, is_of_jaws ? finished_stages(context.view) : 1);
+}
+
+void draw_report(const PanelContext& context, Rect row) {
+  const bool is_possible = has_report(context.view);
+  const TickLook look = {"report", context.text(Text::kReport), is_possible};
+  bool is_chosen = is_possible && context.view.settings.export_report;
+  const ExportForm& form = context.state.export_form;
+  const std::filesystem::path path =
+      std::filesystem::path(form.folder) / (form.name + std::string(kReportExtension));
+  hint_over(row, context.view.texts.fill<Text::kReportFor>(path.string()));
+  if (tick_box(context, row.take_left(context.px(112.0F), context.px(kGapM)), look, is_chosen)) {
+    Settings settings = context.view.settings;
+    settings.export_report = is_chosen;
+    context.commands.emplace_back(ChangeSettings{settings});
+  }
+  const RowStatus status = report_status(context);
+  draw_text(row.take_right(context.px(144.0F)),
+            {context.theme.fonts.strong, status.color, Align::kRight}, status.text);
+  draw_text(row, {context.theme.fonts.body, kTextQuiet, Align::kLeft},
+            context.text(Text::kReportPurpose));
 }
 
 struct DensityWords {
@@ -160,7 +191,7 @@ void draw_density_button(const PanelContext& context, const Rect& box,
 
 /// How many triangles the files get, which only a finished scan has.
 void draw_density(const PanelContext& context, Rect row) {
-  if (!is_finished(context.view)) return;
+  if (!has_report(context.view)) return;
   const auto& triangles = context.view.exports.triangles;
   if (std::find(triangles.begin(), triangles.end(), 0U) != triangles.end())
     context.commands.emplace_back(PrepareExport{});
@@ -246,19 +277,31 @@ float extra_height(const PanelContext& context, const Note& note) {
   return std::max(needed / context.px(1.0F) - kNote, 0.0F);
 }
 
+/// Of the density, of each format and of the report.
+float row_count() { return static_cast<float>(io::model_formats().size() + 2); }
+
+/// The height of a row, in units: less in a low window.
+/// @param others  height of the rest of the dialog, in units
+float export_row(const PanelContext& context, float others) {
+  constexpr float kLeast = 36.0F;
+  const float room = context.layout.window.height / context.px(1.0F) - 2.0F * kGapL - others;
+  return std::clamp(std::floor(room / row_count() - kGapS), kLeast, kFormatRow);
+}
+
 }  // namespace
 
 void draw_export_dialog(const PanelContext& context) {
   ExportForm& form = context.state.export_form;
   follow_proposal(context, form);
   const Note note = note_of(context);
-  const float rows = static_cast<float>(io::model_formats().size() + 1) * (kFormatRow + kGapS);
+  const float others = kHeightWithoutRows + extra_height(context, note);
+  const float row = export_row(context, others);
   DialogPlate dialog(context, context.text(Text::kExport),
-                     {kExportWidth, kHeightWithoutRows + rows + extra_height(context, note)});
-  draw_density(context, dialog.rest.take_top(context.px(kFormatRow), context.px(kGapS)));
-  for (const io::ModelFormat& format : io::model_formats()) {
-    draw_format(context, dialog.rest.take_top(context.px(kFormatRow), context.px(kGapS)), format);
-  }
+                     {kExportWidth, others + row_count() * (row + kGapS)});
+  const auto next = [&] { return dialog.rest.take_top(context.px(row), context.px(kGapS)); };
+  draw_density(context, next());
+  for (const io::ModelFormat& format : io::model_formats()) draw_format(context, next(), format);
+  draw_report(context, next());
   draw_place(context, dialog, form);
   Rect left =
       confirm_row(context, dialog, icon::kExport,

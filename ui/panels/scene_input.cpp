@@ -68,6 +68,20 @@ void measure(const PanelContext& context) {
   from.reset();
 }
 
+/// The third click sets the occlusal plane.
+void click_plane(const PanelContext& context) {
+  if (!ImGui::IsItemActivated() || !ImGui::IsMouseDown(0)) return;
+  const auto& dab = context.state.brush.under_pointer;
+  if (!dab) return;
+  std::vector<Vec3>& clicked = context.state.plane_points_mm;
+  clicked.emplace_back(dab->center_mm.cast<double>());
+  OcclusalPoints points;
+  if (clicked.size() < points.size()) return;
+  std::copy_n(clicked.begin(), points.size(), points.begin());
+  context.commands.emplace_back(SetOcclusalPlane{points});
+  clicked.clear();
+}
+
 void point_hand(const PanelContext& context) {
   if (!ImGui::IsItemActive() || !ImGui::IsMouseDown(0)) return;
   const Vec2 at = pointer_px(context);
@@ -133,6 +147,7 @@ void handle_scene_input(const PanelContext& context) {
   const Tool tool = context.state.tool;
   if (has_brush(tool)) paint(context);
   if (tool == Tool::kMeasure) measure(context);
+  if (tool == Tool::kPlane) click_plane(context);
   const bool steers = steers_by_pointer(context);
   if (steers) point_hand(context);
   const bool left_is_free = tool == Tool::kNone && !steers;

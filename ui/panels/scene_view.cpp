@@ -4,6 +4,7 @@
 
 #include "ui/state/camera_moves.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/shown_plane.h"
 #include "ui/state/way_back.h"
 
 namespace flytri::ui {
@@ -123,6 +124,9 @@ void add_tools(const PanelContext& context, SceneContent& content) {
     content.measurements.push_back(
         {*state.measured_from_mm, state.brush.under_pointer->center_mm.cast<double>(), true});
   }
+  if (const auto plane = shown_plane(context.view, state))
+    content.plane = ScenePlane{plane->T_world_patient, plane->box_mm};
+  content.marked_mm = state.plane_points_mm;
   if (has_brush(state.tool) && state.brush.under_pointer) {
     content.brush = BrushCursor{*state.brush.under_pointer, kind_of(state.tool)};
   }

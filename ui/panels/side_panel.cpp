@@ -1,6 +1,8 @@
 /// @file  The panel at the right: live image, distance of the sensor, alignment error.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "ui/panels/panels.h"
 #include "ui/panels/scene_view.h"
 #include "ui/theme/icons.h"
@@ -74,8 +76,23 @@ void draw_hand(const PanelContext& context, Rect row) {
       {nullptr, context.text(is_away ? Text::kReturnSensor : Text::kLiftSensor), false, kCaution});
 }
 
+/// Of a finished model: how certain its longest distance is.
+void draw_span(const PanelContext& context, Rect rest, const reconstruct::JudgedSpan& judged) {
+  constexpr double kMicrons = 1e3;
+  const Rect both = rest;
+  context.places.set("span", both);
+  labeled_value(context.theme, rest.take_top(context.px(24.0F)),
+                sentence(std::string(context.view.texts.translated(name_of(judged.span)))),
+                fmt::format("{:.3f} mm", judged.span.ends.length_mm()));
+  labeled_value(context.theme, rest, context.text(Text::kSpanUncertainty),
+                fmt::format("\u00b1 {:.0f} \u00b5m", std::ceil(kMicrons * judged.range95_mm())));
+  hint_over(both, context.text(Text::kSpanHint));
+}
+
 void draw_figures(const PanelContext& context, Rect rest) {
   const auto& scan = context.view.scan;
+  if (scan != nullptr && scan->result != nullptr && !scan->result->spans.empty())
+    return draw_span(context, rest, scan->result->spans.front());
   const float row = context.px(24.0F);
   const bool has_residual = scan != nullptr && scan->residual_mm.has_value();
   const Rect alignment = rest.take_top(row), delay = rest.take_top(row);
@@ -112,6 +129,9 @@ void draw_ordinary(const PanelContext& context, Rect rest) {
   distance_bar(context.theme, bar, distance, context.view.texts);
   hint_over(bar, context.text(Text::kDistanceHint));
   draw_figures(context, rest.take_top(context.px(48.0F), gap));
+  const bool is_finished = context.phase() == scan::ScanPhase::kFinished;
+  if (is_finished && rest.height >= context.px(44.0F))
+    small_action(context, rest.take_top(context.px(44.0F), gap), Action::kOcclusalPlane, {});
   draw_preview(context, rest);
 }
 

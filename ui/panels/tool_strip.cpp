@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
@@ -14,20 +15,26 @@ namespace {
 constexpr float kHeight = 60.0F;
 constexpr float kToolButton = 44.0F;
 
-std::optional<Text> instruction(const WindowState& state) {
+/// Empty without a tool.
+std::string instruction(const PanelContext& context) {
+  const WindowState& state = context.state;
   switch (state.tool) {
     case Tool::kTrim:
-      return Text::kPaintToRemove;
+      return context.text(Text::kPaintToRemove);
     case Tool::kLock:
-      return Text::kPaintToLock;
+      return context.text(Text::kPaintToLock);
     case Tool::kUnlock:
-      return Text::kPaintToUnlock;
+      return context.text(Text::kPaintToUnlock);
     case Tool::kMeasure:
-      return state.measured_from_mm ? Text::kClickSecondPoint : Text::kClickFirstPoint;
+      return context.text(state.measured_from_mm ? Text::kClickSecondPoint
+                                                 : Text::kClickFirstPoint);
+    case Tool::kPlane:
+      if (!context.view.plane) return context.text(Text::kPlaneIsSought);
+      return context.view.texts.fill<Text::kClickPlane>(state.plane_points_mm.size() + 1);
     case Tool::kNone:
       break;
   }
-  return std::nullopt;
+  return {};
 }
 
 void draw_brush_size(const PanelContext& context, Rect& row) {
@@ -42,12 +49,24 @@ void draw_brush_size(const PanelContext& context, Rect& row) {
                {nullptr, "\u2212", false, kNeutral, false});
 }
 
-ActionLook clear_look(const PanelContext& context) {
-  return {nullptr, context.text(Text::kClearAll), false, kNeutral, false};
+/// The button that takes back what the tool has done as a whole.
+struct ResetButton {
+  Action action;
+  ActionLook look;
+};
+
+std::optional<ResetButton> reset_button(const PanelContext& context) {
+  const auto named = [&](Action action, Text name) {
+    return ResetButton{action, {nullptr, context.text(name), false, kNeutral, false}};
+  };
+  if (context.state.tool == Tool::kTrim) return named(Action::kClearStage, Text::kClearAll);
+  if (context.state.tool == Tool::kPlane) return named(Action::kAutomaticPlane, Text::kAutomatic);
+  return std::nullopt;
 }
 
-float clear_width(const PanelContext& context) {
-  return small_action_width(context, Action::kClearStage, clear_look(context));
+float reset_width(const PanelContext& context, const std::optional<ResetButton>& reset) {
+  if (!reset) return 0.0F;
+  return small_action_width(context, reset->action, reset->look) + context.px(kGapM);
 }
 
 ActionLook done_look(const PanelContext& context) {
@@ -59,20 +78,21 @@ float done_width(const PanelContext& context) {
                   context.px(96.0F));
 }
 
-/// @param has_clear  with the button that clears the stage
-float strip_width(const PanelContext& context, const char* text, bool has_clear) {
+float strip_width(const PanelContext& context, const std::string& text,
+                  const std::optional<ResetButton>& reset) {
   const float brush = has_brush(context.state.tool)
                           ? context.px(2.0F * kToolButton + 76.0F + 2.0F * kGapXs + kGapM)
                           : 0.0F;
   // Rounding must not send the last word to a line of its own.
-  const float clear = has_clear ? clear_width(context) + context.px(kGapM) : 0.0F;
   const float line = std::ceil(text_width(context.theme.fonts.body, text)) + context.px(kGapXs);
-  return line + brush + clear + done_width(context) + 3.0F * context.px(kGapM);
+  return line + brush + reset_width(context, reset) + done_width(context) +
+         3.0F * context.px(kGapM);
 }
 
-/// Whether the button "Clear all" fits beside the text. The text may take two lines.
-bool has_room_to_clear(const PanelContext& context, const char* text, float width) {
-  const float room = width - strip_width(context, "", true);
+/// Whether the button fits beside the text. The text may take two lines.
+bool has_room(const PanelContext& context, const std::string& text,
+              const std::optional<ResetButton>& reset, float width) {
+  const float room = width - strip_width(context, "", reset);
   const float height = context.px(kHeight - 2.0F * kGapS);
   return room > 0.0F && wrapped_height(context.theme.fonts.small, room, text) <= height;
 }
@@ -80,19 +100,18 @@ bool has_room_to_clear(const PanelContext& context, const char* text, float widt
 }  // namespace
 
 void draw_tool_strip(const PanelContext& context) {
-  const auto to_do = instruction(context.state);
-  if (!to_do) return;
-  const char* text = context.text(*to_do);
+  const std::string text = instruction(context);
+  if (text.empty()) return;
   const Rect& picture = context.layout.picture;
   const float margin = context.px(kGapM);
   // To the right of the findings panel.
   const auto findings = findings_box(context);
   const float left = (findings ? findings->right() : picture.x) + margin;
   const float right = picture.right() - margin;
-  // In the narrowest windows the key alone clears the stage.
-  const bool has_clear =
-      context.state.tool == Tool::kTrim && has_room_to_clear(context, text, right - left);
-  const float width = std::round(std::min(strip_width(context, text, has_clear), right - left));
+  // In the narrowest windows the key alone does it.
+  std::optional<ResetButton> reset = reset_button(context);
+  if (!has_room(context, text, reset, right - left)) reset.reset();
+  const float width = std::round(std::min(strip_width(context, text, reset), right - left));
   const float height = context.px(kHeight);
   const float middle = std::round(picture.center().x - width / 2.0F);
   const Rect box = {std::max(middle, left), picture.bottom() - margin - height, width, height};
@@ -100,11 +119,14 @@ void draw_tool_strip(const PanelContext& context) {
   Rect row = box.inset(context.px(kGapM), context.px(kGapS));
   small_action(context, row.take_right(done_width(context), context.px(kGapM)), Action::kCancel,
                done_look(context));
-  if (has_clear) {
-    small_action(context, row.take_right(clear_width(context), context.px(kGapM)),
-                 Action::kClearStage, clear_look(context));
+  if (reset) {
+    const float reset_px = small_action_width(context, reset->action, reset->look);
+    small_action(context, row.take_right(reset_px, context.px(kGapM)), reset->action, reset->look);
   }
   if (has_brush(context.state.tool)) draw_brush_size(context, row);
+  // The scan was finished again: another plane.
+  if (context.state.tool == Tool::kPlane && !context.view.plane)
+    context.commands.emplace_back(FindOcclusalPlane{});
   // In two lines where one is too long.
   draw_fitted(row, {context.theme.fonts.body, context.theme.fonts.small}, kText, text);
 }

@@ -105,7 +105,7 @@ void add_sensor(Pen& pen, const SceneSensor& sensor, double now_s) {
 }
 
 /// Its head lies in the plane of the picture, so that it never looks like a line.
-void add_arrow(Pen& pen, const SceneArrow& arrow, const Eye& eye) {
+void add_arrow(Pen& pen, const SceneArrow& arrow, const Eye& eye, const Color& color = kCaution) {
   const Vec3 way = arrow.to_mm - arrow.from_mm;
   const double length_mm = way.norm();
   if (length_mm < 1e-6) return;
@@ -120,7 +120,41 @@ void add_arrow(Pen& pen, const SceneArrow& arrow, const Eye& eye) {
     }
   };
   stroke(7.0, kCasing);
-  stroke(4.0, kCaution);
+  stroke(4.0, color);
+}
+
+/// Of the occlusal plane: lines a fixed distance apart, which cross at its origin.
+struct Grid {
+  static constexpr double kCell_mm = 5.0, kMargin_mm = 4.0;
+  long first_x, last_x, first_y, last_y;
+
+  explicit Grid(const Eigen::AlignedBox3d& box_mm)
+      : first_x(std::lround(std::floor((box_mm.min().x() - kMargin_mm) / kCell_mm))),
+        last_x(std::lround(std::ceil((box_mm.max().x() + kMargin_mm) / kCell_mm))),
+        first_y(std::lround(std::floor((box_mm.min().y() - kMargin_mm) / kCell_mm))),
+        last_y(std::lround(std::ceil((box_mm.max().y() + kMargin_mm) / kCell_mm))) {}
+
+  static Vec3 corner_mm(long x, long y) {
+    return {kCell_mm * static_cast<double>(x), kCell_mm * static_cast<double>(y), 0.0};
+  }
+};
+
+void add_plane(Pen& pen, const ScenePlane& plane, const Eye& eye) {
+  if (plane.box_mm.isEmpty()) return;
+  const Grid grid(plane.box_mm);
+  const auto line = [&](const Vec3& from_mm, const Vec3& to_mm, bool is_border) {
+    pen.line(plane.T_world_patient * from_mm, plane.T_world_patient * to_mm, is_border ? 2.5 : 1.2,
+             faded(kNeutral, is_border ? 0.9 : 0.5));
+  };
+  for (long x = grid.first_x; x <= grid.last_x; ++x)
+    line(Grid::corner_mm(x, grid.first_y), Grid::corner_mm(x, grid.last_y),
+         x == grid.first_x || x == grid.last_x);
+  for (long y = grid.first_y; y <= grid.last_y; ++y)
+    line(Grid::corner_mm(grid.first_x, y), Grid::corner_mm(grid.last_x, y),
+         y == grid.first_y || y == grid.last_y);
+  const Vec3 origin_mm = plane.T_world_patient.translation();
+  for (const Vec3& end_mm : plane.axis_ends_mm())
+    add_arrow(pen, {origin_mm, end_mm}, eye, kMeasurement);
 }
 
 void add_preview(Pen& pen, const PreviewContent& preview, double step_mm) {
@@ -190,6 +224,13 @@ void add_measurement(Pen& pen, const MeasuredSegment& segment, const Eye& eye) {
   stroke(0.0, color);
 }
 
+void add_mark(Pen& pen, const Vec3& place_mm, const Eye& eye) {
+  const Vec3 towards_eye = eye.T_eye_world.block<1, 3>(2, 0).transpose().cast<double>();
+  const double radius_mm = 0.009 * eye.height_mm;
+  pen.ring(place_mm, towards_eye, radius_mm, 6.0, kCasing);
+  pen.ring(place_mm, towards_eye, radius_mm, 3.5, kCaution);
+}
+
 void add_brush(Pen& pen, const BrushCursor& brush) {
   const Color color = brush.kind == editing::EditKind::kTrim   ? kBad
                       : brush.kind == editing::EditKind::kLock ? kLock
@@ -213,6 +254,8 @@ std::vector<OverlayLine> overlay_lines(const SceneContent& content, const SceneO
   if (content.preview) add_preview(pen, *content.preview, step_mm);
   add_holes(pen, content, eye);
   for (const MeasuredSegment& segment : content.measurements) add_measurement(pen, segment, eye);
+  if (content.plane) add_plane(pen, *content.plane, eye);
+  for (const Vec3& place_mm : content.marked_mm) add_mark(pen, place_mm, eye);
   if (content.brush) add_brush(pen, *content.brush);
   return std::move(pen).lines();
 }
@@ -226,6 +269,14 @@ Eigen::AlignedBox3d overlay_box_mm(const SceneContent& content) {
     box.extend(tip(T_world_sensor, volume_mm));
   };
   for (const SceneSensor& sensor : content.sensors) extend(sensor.T_world_sensor, sensor.volume_mm);
+  if (content.plane && !content.plane->box_mm.isEmpty()) {
+    const Grid grid(content.plane->box_mm);
+    for (const long x : {grid.first_x, grid.last_x}) {
+      for (const long y : {grid.first_y, grid.last_y})
+        box.extend(Vec3(content.plane->T_world_patient * Grid::corner_mm(x, y)));
+    }
+    for (const Vec3& end_mm : content.plane->axis_ends_mm()) box.extend(end_mm);
+  }
   if (content.preview) extend(Isometry::Identity(), content.preview->volume_mm);
   return box;
 }

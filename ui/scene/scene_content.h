@@ -1,6 +1,7 @@
 /// @file  Content of the scene: the model and everything drawn over it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -41,6 +42,21 @@ struct SceneArrow {
   Vec3 to_mm = Vec3::Zero();
 };
 
+/// The occlusal plane: a grid around the jaw, and the axes of the patient.
+struct ScenePlane {
+  Isometry T_world_patient = Isometry::Identity();  ///< the plane is z = 0
+  Eigen::AlignedBox3d box_mm;                       ///< of the jaw, frame of the patient
+
+  /// Ends of the axes to the patient's left, to the front and up, world frame.
+  [[nodiscard]] std::array<Vec3, 3> axis_ends_mm() const {
+    constexpr double kBeyond_mm = 9.0;
+    const double up_mm = std::max(box_mm.max().z(), 0.0) + kBeyond_mm;
+    return {T_world_patient * Vec3(box_mm.max().x() + kBeyond_mm, 0.0, 0.0),
+            T_world_patient * Vec3(0.0, box_mm.min().y() - kBeyond_mm, 0.0),
+            T_world_patient * Vec3(0.0, 0.0, up_mm)};
+  }
+};
+
 /// The brush on the surface under the pointer.
 struct BrushCursor {
   editing::BrushDab dab;
@@ -71,6 +87,8 @@ struct SceneContent {
   std::optional<std::size_t> selected_hole;
 
   std::vector<MeasuredSegment> measurements;
+  std::optional<ScenePlane> plane;
+  std::vector<Vec3> marked_mm;  ///< places that were clicked, world frame
   std::optional<BrushCursor> brush;
   Tints tints;
 };

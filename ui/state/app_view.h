@@ -130,13 +130,23 @@ struct OcclusionState {
   double far_mm = 0.0;  ///< from the middle of the bite to where the uncertainty is largest
 };
 
+/// The occlusal plane of a finished jaw, and the axes of the patient.
+struct OcclusalPlane {
+  /// The plane is z = 0, see occlusion::T_patient_jaw.
+  Isometry T_world_patient = Isometry::Identity();
+  Eigen::AlignedBox3d box_mm;  ///< of the jaw, frame of the patient
+  bool is_arch = false;        ///< else -y is the side of the cheek, and x is not known
+};
+
 /// What the user asks to export.
 struct ExportTarget {
-  std::string folder;                     ///< as typed: may begin with ~
-  std::string name;                       ///< without extension
-  std::vector<std::string_view> formats;  ///< extensions, in the order of io::model_formats()
+  std::string folder;  ///< as typed: may begin with ~
+  std::string name;    ///< without extension
+  /// Extensions, in the order of io::model_formats(). With a report there may be none.
+  std::vector<std::string_view> formats;
   reconstruct::MeshDensity density = reconstruct::MeshDensity::kCad;  ///< of a finished model
   bool all_jaws = false;  ///< every finished stage of the case, in one frame
+  bool report = false;    ///< of a finished model, or of each: a page about the scan beside it
   bool operator==(const ExportTarget&) const = default;
 };
 
@@ -172,6 +182,7 @@ struct Settings {
   int window_height = 800;       ///< >= 400
   std::string recording_folder;  ///< empty: the proposed one
   std::set<std::string> export_formats = {".glb", ".stl", ".ply"};         ///< extensions
+  bool export_report = false;                                              ///< beside the models
   reconstruct::MeshDensity mesh_density = reconstruct::MeshDensity::kCad;  ///< of exports
   double close_holes_mm = 0.0;  ///< 0..10, see meshing::MeshOptions; from the next Finish on
   bool operator==(const Settings&) const = default;
@@ -206,6 +217,8 @@ struct AppView {
   RecordingState recording;
   ChooserState chooser;
   std::vector<io::Measurement> measurements;  ///< of the current stage
+  std::optional<OcclusalPlane> plane;  ///< of the current stage; none: not finished, or not known
+  bool has_set_plane = false;          ///< the user has set the plane of the current stage
   Settings settings;
   Texts texts;                          ///< in the language of the settings
   std::vector<Notice> notices;          ///< newest last

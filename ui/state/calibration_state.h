@@ -47,6 +47,7 @@ struct JudgedShot {
 /// The result of a task.
 struct CalibrationOutcome {
   bool is_good = false;
+  std::optional<bool> has_passed;                        ///< a check; none: no verdict, or no check
   std::string verdict;                                   ///< one line
   std::vector<std::string> meanings;                     ///< explanations, one sentence each
   std::vector<calibration::PlaneResidual> planes;        ///< of a calibration

@@ -16,6 +16,8 @@ std::string_view name_of(const Command& command) {
       "BringBackStage",
       "AddMeasurement",
       "RemoveMeasurement",
+      "FindOcclusalPlane",
+      "SetOcclusalPlane",
       "Finish",
       "CancelFinish",
       "ResumeScan",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -35,6 +36,12 @@ struct AddMeasurement {
 struct RemoveMeasurement {
   std::size_t index = 0;  ///< in AppView::measurements
 };
+/// Finds the occlusal plane of the finished jaw that is shown.
+struct FindOcclusalPlane {};
+/// Sets it. It stays as it is if the points cannot be those of an occlusal plane.
+struct SetOcclusalPlane {
+  std::optional<OcclusalPoints> points;  ///< none: the program finds the plane
+};
 struct Finish {};
 struct CancelFinish {};
 /// Discards the result and resumes scanning.
@@ -48,7 +55,7 @@ struct SelectStage {
 /// Writes the shown model, or all jaws. Nothing is written if a file exists that may not be
 /// replaced: ExportState::existing lists such files.
 struct Export {
-  ExportTarget target;                ///< at least 1 format
+  ExportTarget target;                ///< at least 1 format, or a report
   std::vector<std::string> replaced;  ///< paths of files that may be replaced
 };
 /// Makes the lighter meshes of the finished model, so that their sizes can be shown.
@@ -134,12 +141,12 @@ struct Quit {};
 
 using Command =
     std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage,
-                 AddMeasurement, RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
-                 SelectStage, Export, PrepareExport, OpenExportFolder, NewCase, OpenCase,
-                 DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
-                 PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices,
-                 BeginCalibration, TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration,
-                 EndCalibration, Tell, Quit>;
+                 AddMeasurement, RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane, Finish,
+                 CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, PrepareExport,
+                 OpenExportFolder, NewCase, OpenCase, DiscardCase, SaveRescueCopy, SetCaseFields,
+                 SteerHand, FollowPath, TakeSensorAway, PointHand, ChangeSettings, RecordFrames,
+                 ChoosePath, CheckDevices, BeginCalibration, TakeCalibrationImages,
+                 RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

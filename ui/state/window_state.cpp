@@ -14,6 +14,8 @@ std::string_view to_string(Tool tool) {
       return "unlock";
     case Tool::kMeasure:
       return "measure";
+    case Tool::kPlane:
+      return "plane";
     case Tool::kNone:
       break;
   }
@@ -84,6 +86,7 @@ void put_tool_away(WindowState& state) {
   state.tool = Tool::kNone;
   state.brush.stroke.clear();
   state.measured_from_mm.reset();
+  state.plane_points_mm.clear();
 }
 
 }  // namespace flytri::ui

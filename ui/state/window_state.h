@@ -19,7 +19,7 @@
 namespace flytri::ui {
 
 /// The tool that the pointer uses on the surface.
-enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure };
+enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure, kPlane };
 
 [[nodiscard]] std::string_view to_string(Tool tool);
 [[nodiscard]] constexpr bool has_brush(Tool tool) {
@@ -111,6 +111,7 @@ struct WindowState {
   BrushState brush;
   JawsLook jaws;
   std::optional<Vec3> measured_from_mm;  ///< first of the two points
+  std::vector<Vec3> plane_points_mm;     ///< those clicked of three, for the occlusal plane
   std::optional<SelectedHole> selected_hole;
   Dialog dialog = Dialog::kNone;
   ExportForm export_form;
@@ -125,7 +126,7 @@ struct WindowState {
   double frame_s = 0.0;             ///< between the latest two frames
 };
 
-/// Forgets an unfinished stroke or distance with it.
+/// Forgets an unfinished stroke, distance or plane with it.
 void put_tool_away(WindowState& state);
 
 }  // namespace flytri::ui

@@ -49,6 +49,9 @@ FLYTRI_TEXT(kLingualView, "Lingual view", "Linguale Ansicht", "Vue linguale", "V
 FLYTRI_TEXT(kRightSide, "Right side", "Rechte Seite", "Côté droit", "Lado derecho")
 FLYTRI_TEXT(kLeftSide, "Left side", "Linke Seite", "Côté gauche", "Lado izquierdo")
 FLYTRI_TEXT(kShowAll, "Show all", "Alles zeigen", "Tout afficher", "Mostrar todo")
+FLYTRI_TEXT(kOcclusalPlane, "Occlusal plane", "Okklusionsebene", "Plan occlusal", "Plano oclusal")
+FLYTRI_TEXT(kAutomaticPlane, "Automatic plane", "Ebene automatisch", "Plan automatique",
+            "Plano automático")
 FLYTRI_TEXT(kZoomIn, "Zoom in", "Vergrößern", "Zoom avant", "Acercar")
 FLYTRI_TEXT(kZoomOut, "Zoom out", "Verkleinern", "Zoom arrière", "Alejar")
 
@@ -192,6 +195,10 @@ FLYTRI_TEXT(kNothingToCancel, "nothing to cancel", "nichts abzubrechen", "rien �
 FLYTRI_TEXT(kBringsScanBack, "brings the scan back", "holt den Scan zurück", "rétablit le scan",
             "recupera el escaneo")
 FLYTRI_TEXT(kNotSavedYet, "not saved yet", "nicht gespeichert", "pas enregistré", "sin guardar")
+FLYTRI_TEXT(kNotForTheBite, "not for the bite", "nicht für den Biss", "pas pour le mordu",
+            "no para la mordida")
+FLYTRI_TEXT(kPlaneIsAutomatic, "is automatic", "ist automatisch", "est automatique",
+            "es automático")
 FLYTRI_TEXT(kNothingCleared, "nothing cleared", "nichts geleert", "rien d’effacé", "nada vaciado")
 FLYTRI_TEXT(kRecordingPlayed, "a recording is played", "eine Aufnahme läuft", "lecture en cours",
             "se reproduce una")

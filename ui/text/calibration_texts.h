@@ -114,6 +114,12 @@ FLYTRI_TEXT(kCalibrateAgain, "Calibrate the sensor again.", "Den Sensor neu kali
             "Étalonner à nouveau le capteur.", "Calibrar de nuevo el sensor.")
 FLYTRI_TEXT(kNoVerdict, "No verdict", "Kein Ergebnis", "Pas de verdict", "Sin veredicto")
 FLYTRI_TEXT(kCalibrationInUse, "In use: {0}", "In Verwendung: {0}", "Utilisé : {0}", "En uso: {0}")
+FLYTRI_TEXT(kCheckNoted, "The check is noted in {0}", "Die Prüfung ist vermerkt in {0}",
+            "Contrôle noté dans {0}", "Comprobación anotada en {0}")
+FLYTRI_TEXT(kCheckNotNoted, "The check holds, but is not noted in the calibration: {0}",
+            "Die Prüfung gilt, ist aber nicht in der Kalibrierung vermerkt: {0}",
+            "Le contrôle est valable, mais n’est pas noté dans l’étalonnage : {0}",
+            "La comprobación es válida, pero no está anotada en la calibración: {0}")
 FLYTRI_TEXT(kVirtualHasItsOwn, "the virtual sensor has its own calibration",
             "der virtuelle Sensor hat seine eigene Kalibrierung",
             "le capteur virtuel a son propre étalonnage",

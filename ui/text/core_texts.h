@@ -25,6 +25,19 @@ FLYTRI_TEXT(kStepMeshing, "Meshing", "Oberfläche bilden", "Création de la surf
 FLYTRI_TEXT(kStepTexturing, "Texturing", "Textur auftragen", "Application de la texture",
             "Aplicando la textura")
 
+// core/reconstruct/jaw_spans.cpp: distances across a jaw.
+FLYTRI_TEXT(kSpanLastTeeth, "last teeth, left to right", "Letzte Zähne, links\u2013rechts",
+            "Dernières dents, g.\u2013d.", "Últimos dientes, izq.\u2013der.")
+FLYTRI_TEXT(kSpanPremolars, "premolars, left to right", "Prämolaren, links\u2013rechts",
+            "Prémolaires, g.\u2013d.", "Premolares, izq.\u2013der.")
+FLYTRI_TEXT(kSpanHalfLeft, "front to last tooth, left", "Front bis hinten, links",
+            "Avant à arrière, gauche", "Delante a detrás, izq.")
+FLYTRI_TEXT(kSpanHalfRight, "front to last tooth, right", "Front bis hinten, rechts",
+            "Avant à arrière, droite", "Delante a detrás, der.")
+FLYTRI_TEXT(kSpanHalfOne, "front to last tooth, one side", "Front bis hinten, eine Seite",
+            "Avant à arrière, un côté", "Delante a detrás, un lado")
+FLYTRI_TEXT(kSpanLength, "end to end", "Ende zu Ende", "Bout à bout", "De extremo a extremo")
+
 // core/io/models/model_formats.cpp: what a format is good for.
 FLYTRI_TEXT(kForGlb, "one file, with texture", "eine Datei, mit Textur",
             "un seul fichier, avec texture", "un solo archivo, con textura")

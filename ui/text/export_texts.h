@@ -61,6 +61,25 @@ FLYTRI_TEXT(kExportsJawsApart,
             "Terminer d’abord le maxillaire, la mandibule et le mordu.",
             "Los maxilares no quedarán en oclusión: cada uno en su propio plano oclusal. Finalizar "
             "antes el maxilar, la mandíbula y la mordida.")
+FLYTRI_TEXT(kReport, "Report", "Bericht", "Rapport", "Informe")
+FLYTRI_TEXT(kReportPurpose, "a page: how certain the scan is",
+            "eine Seite: wie sicher der Scan ist", "une page : la fiabilité du scan",
+            "una página: qué fiable es el escaneo")
+FLYTRI_TEXT(kReportFor,
+            "{0}: distances across the jaw with their uncertainty, coverage, holes, "
+            "calibration, edits",
+            "{0}: Abstände über den Kiefer mit ihrer Unsicherheit, Abdeckung, Löcher, "
+            "Kalibrierung, Änderungen",
+            "{0} : distances à travers la mâchoire avec leur incertitude, couverture, trous, "
+            "étalonnage, modifications",
+            "{0}: distancias a través del maxilar con su incertidumbre, cobertura, huecos, "
+            "calibración, cambios")
+FLYTRI_TEXT(kNoReport, "the report cannot be made: {0}", "Der Bericht ist nicht möglich: {0}",
+            "Le rapport est impossible : {0}", "El informe no es posible: {0}")
+FLYTRI_TEXT(kReportNeedsCase, "the scan is in no case; save it first",
+            "Der Scan ist in keinem Fall; zuerst speichern",
+            "Le scan n’est dans aucun cas ; l’enregistrer d’abord",
+            "El escaneo no está en ningún caso; guardarlo antes")
 FLYTRI_TEXT(kReplace, "Replace", "Ersetzen", "Remplacer", "Reemplazar")
 FLYTRI_TEXT(kOpenFolder, "Open folder", "Ordner öffnen", "Ouvrir le dossier", "Abrir carpeta")
 FLYTRI_TEXT(kExportedTo, "Exported to {0}", "Exportiert nach {0}", "Exporté vers {0}",

@@ -166,6 +166,22 @@ FLYTRI_TEXT(
     "de {0} est bon ; au-delà, il y a du bruit, un mouvement ou un étalonnage erroné.",
     "Distancia entre las últimas líneas y la superficie ya escaneada, donde se cruzan. Menos de "
     "{0} es bueno; más indica ruido, movimiento o una calibración errónea.")
+FLYTRI_TEXT(kSpanUncertainty, "Uncertain by (95 %)", "Unsicherheit (95 %)", "Incertitude (95 %)",
+            "Incertidumbre (95 %)")
+FLYTRI_TEXT(
+    kSpanHint,
+    "A distance across this scan, and how far the true one may be from it: from "
+    "the noise of the scan. An error of the calibration comes on top. The report lists all "
+    "distances.",
+    "Ein Abstand über diesen Scan, und wie weit der wahre davon abweichen kann: aus "
+    "dem Rauschen des Scans. Ein Fehler der Kalibrierung kommt hinzu. Der Bericht nennt "
+    "alle Abstände.",
+    "Une distance à travers ce scan, et l’écart possible avec la vraie : d’après le "
+    "bruit du scan. Une erreur d’étalonnage s’y ajoute. Le rapport donne toutes les "
+    "distances.",
+    "Una distancia a través de este escaneo y cuánto puede diferir de la verdadera: según el "
+    "ruido del escaneo. Un error de calibración se suma. El informe da todas las "
+    "distancias.")
 FLYTRI_TEXT(kDelay, "Delay", "Verzögerung", "Retard", "Retardo")
 FLYTRI_TEXT(kDelayHint,
             "From the arrival of a camera image until the surface on the screen shows it. Below "

@@ -45,6 +45,8 @@ Vec3 take_point(const JsonPlace& place) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
+constexpr auto kPlaneKey = "occlusal_points_mm";
+
 tl::unexpected<Error> bad_size(std::size_t size) {
   return fail(ErrorCode::kBadFormat, "damaged: {} bytes do not fit", size);
 }
@@ -124,6 +126,24 @@ Result<Measurement> decode_measurement(std::string_view bytes, std::int64_t id) 
   Measurement measurement{id, take_point(json->at("from_mm")), take_point(json->at("to_mm")),
                           take_text(*json, "label")};
   return json->outcome().map([&] { return measurement; });
+}
+
+std::string encode_plane(const OcclusalPoints& points) {
+  nlohmann::json numbers = nlohmann::json::array();
+  for (const Vec3& point : points) {
+    for (const double number : point) numbers.push_back(number);
+  }
+  return nlohmann::json{{kPlaneKey, numbers}}.dump();
+}
+
+Result<OcclusalPoints> decode_plane(std::string_view bytes) {
+  const Result<JsonPlace> json = JsonPlace::parse(bytes, kRecord);
+  if (!json) return tl::unexpected(json.error());
+  OcclusalPoints points;
+  const std::vector<double> numbers = json->at(kPlaneKey).numbers(3 * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+  return json->outcome().map([&] { return points; });
 }
 
 std::string encode_pose(const Isometry& T_world_sensor) {

@@ -23,6 +23,10 @@ namespace flytri::io {
 [[nodiscard]] std::string encode_measurement(const Measurement& measurement);
 [[nodiscard]] Result<Measurement> decode_measurement(std::string_view bytes, std::int64_t id);
 
+/// JSON: occlusal_points_mm, the nine coordinates of the three points.
+[[nodiscard]] std::string encode_plane(const OcclusalPoints& points);
+[[nodiscard]] Result<OcclusalPoints> decode_plane(std::string_view bytes);
+
 /// f64[12]: the upper three rows of the matrix, row by row.
 [[nodiscard]] std::string encode_pose(const Isometry& T_world_sensor);
 [[nodiscard]] Result<Isometry> decode_pose(std::string_view bytes);

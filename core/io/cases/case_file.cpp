@@ -61,6 +61,13 @@ ResultBasis basis_of(const StageCounts& counts, const editing::EditList& edits) 
   return basis;
 }
 
+bool is_made_of(const ResultBasis& made_of, const StageCounts& counts, const StoredStage& stored) {
+  const ResultBasis now = basis_of(counts, stored.edits.state());
+  const bool has_lost_views = !stored.damage.empty() && made_of.view_count > now.view_count;
+  return made_of.edited_at_s == now.edited_at_s &&
+         (made_of.view_count == now.view_count || has_lost_views);
+}
+
 CaseFile::CaseFile(std::filesystem::path path, std::unique_ptr<CaseRecords> records)
     : path_(std::move(path)), records_(std::move(records)) {
   for (const ScanStage stage : kScanStages) scans_.push_back(read_scans(*records_, stage));
@@ -173,6 +180,16 @@ Result<std::int64_t> CaseFile::add_measurement(ScanStage stage, const Measuremen
 
 Result<void> CaseFile::remove_measurement(std::int64_t id) {
   return records_->erase(CaseTable::kMeasurements, {id, id});
+}
+
+Result<void> CaseFile::write_plane(ScanStage stage, const std::optional<OcclusalPoints>& points) {
+  const std::int64_t id = scans_of(stage).shown_id(stage, kPlaneNumber);
+  if (!points) return records_->erase(CaseTable::kSummaries, {id, id});
+  for (const Vec3& point : *points) {
+    if (!point.allFinite())
+      return fail(ErrorCode::kBadOption, "an occlusal plane needs points with finite coordinates");
+  }
+  return records_->replace(CaseTable::kSummaries, id, encode_plane(*points));
 }
 
 Result<void> CaseFile::write_result(ScanStage stage, const StageResult& result) {

@@ -18,6 +18,7 @@
 #include "core/base/result.h"
 #include "core/base/secret.h"
 #include "core/editing/edits.h"
+#include "core/geometry/jaw_axes.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
 
@@ -87,6 +88,7 @@ struct StoredStage {
   std::vector<StoredFrame> frames;    ///< by rising frame index
   editing::EditStack edits;           ///< including what can be undone and redone
   std::vector<Measurement> measurements;
+  std::optional<OcclusalPoints> plane;  ///< that the user has set
   /// The largest frame index in the stage, also of a scan that was cleared; -1: none. New frames
   /// come after it.
   FrameIndex last_frame{-1};
@@ -110,6 +112,9 @@ struct CaseSurvey {
 
 /// The basis of a model that is made of a stage now.
 [[nodiscard]] ResultBasis basis_of(const StageCounts& counts, const editing::EditList& edits);
+/// Whether a model is that of a stage as it is now. Views that were lost since are in the model.
+[[nodiscard]] bool is_made_of(const ResultBasis& made_of, const StageCounts& counts,
+                              const StoredStage& stored);
 
 struct CaseOptions {
   /// Empty: not encrypted. A case that is not encrypted opens with any passphrase.
@@ -196,6 +201,10 @@ class CaseFile {
                                                      const Measurement& measurement);
   /// Does nothing if there is no measurement with this id.
   [[nodiscard]] Result<void> remove_measurement(std::int64_t id);
+  /// Keeps the occlusal plane that the user has set. None: it is found by itself.
+  /// @errors  Also kBadOption: a coordinate is not finite.
+  [[nodiscard]] Result<void> write_plane(ScanStage stage,
+                                         const std::optional<OcclusalPoints>& points);
   /// Replaces the result of the stage.
   [[nodiscard]] Result<void> write_result(ScanStage stage, const StageResult& result);
   /// Empties a stage, so that it can be scanned again. What was in it is kept until the stage is
@@ -227,6 +236,8 @@ class CaseFile {
   [[nodiscard]] Result<StageCounts> kept_counts(ScanStage stage);
   /// Loads everything of a stage that can be read. Its list of damage names the rest.
   [[nodiscard]] Result<StoredStage> load_stage(ScanStage stage);
+  /// None: the user has set no occlusal plane.
+  [[nodiscard]] Result<std::optional<OcclusalPoints>> plane(ScanStage stage);
   /// @errors  Also kInsufficient: the stage has no result.
   [[nodiscard]] Result<StageResult> load_result(ScanStage stage);
   /// Empty for a case of version 1 that is open read-only.

@@ -117,6 +117,11 @@ Result<StoredStage> CaseFile::load_stage(ScanStage stage) {
   read_measurements(reader);
   if (!reader.outcome()) return tl::unexpected(reader.outcome().error());
   // A damaged table may not say; then the frames that could be read do.
+  if (auto set = plane(stage)) {
+    reader.loaded.plane = *set;
+  } else {
+    reader.loaded.damage.push_back("the occlusal plane that was set: " + set.error().message);
+  }
   reader.loaded.last_frame = last_frame(stage).value_or(FrameIndex(-1));
   return std::move(reader.loaded);
 }
@@ -160,6 +165,15 @@ Result<StageCounts> CaseFile::counts_of(ScanStage stage, int scan) {
   }
   counts.has_result = models > 0;
   return counts;
+}
+
+Result<std::optional<OcclusalPoints>> CaseFile::plane(ScanStage stage) {
+  using Points = std::optional<OcclusalPoints>;
+  const auto bytes =
+      records_->find(CaseTable::kSummaries, scans_of(stage).shown_id(stage, kPlaneNumber));
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (!*bytes) return Points();
+  return decode_plane(**bytes).map([](const OcclusalPoints& points) { return Points(points); });
 }
 
 Result<StageResult> CaseFile::load_result(ScanStage stage) {

@@ -36,9 +36,11 @@ Result<void> check_record(CaseTable table, std::int64_t id, std::string_view dat
       return decode_count(data).map(kForget);
     case CaseTable::kMeasurements:
       return decode_measurement(data, id).map(kForget);
+    case CaseTable::kSummaries:
+      if (number_of(id) % kScanNumbers == kPlaneNumber) return decode_plane(data).map(kForget);
+      break;
     case CaseTable::kCalibration:
     case CaseTable::kModels:
-    case CaseTable::kSummaries:
     case CaseTable::kEvents:
       break;
   }

@@ -18,6 +18,8 @@ namespace flytri::io {
 inline constexpr int kScanNumbers = 1 << 29;
 /// The number of the record that says which frames belong to which scan.
 inline constexpr int kScansNumber = 1 << 30;
+/// In the summaries, the number of the record with the occlusal plane that the user has set.
+inline constexpr int kPlaneNumber = 1;
 /// Both tables hold it: if one is damaged, the scans are not mixed up.
 inline constexpr std::array kScansTables = {CaseTable::kEditCursors, CaseTable::kSummaries};
 

@@ -20,11 +20,16 @@ Result<calibration::Calibration> calibrate_virtual_sensor(const SensorModel& sen
   return calibration::calibrate(*set, {}, workers, progress);
 }
 
+std::filesystem::path sensor_calibration_file(const SensorModel& sensor,
+                                              const std::filesystem::path& folder) {
+  return folder / fmt::format("virtual-sensor-{:016x}.json", fingerprint(sensor));
+}
+
 Result<calibration::Calibration> cached_sensor_calibration(const SensorModel& sensor,
                                                            const std::filesystem::path& folder,
                                                            const Workers& workers,
                                                            const Progress& progress) {
-  const auto file = folder / fmt::format("virtual-sensor-{:016x}.json", fingerprint(sensor));
+  const auto file = sensor_calibration_file(sensor, folder);
   if (auto kept = io::read_calibration(file)) return kept;
   auto calibration = calibrate_virtual_sensor(sensor, workers, progress);
   if (!calibration) return calibration;

@@ -17,6 +17,10 @@ namespace flytri::simulated {
                                                                         const Workers& workers,
                                                                         const Progress& progress);
 
+/// Where cached_sensor_calibration() keeps the calibration of a sensor model.
+[[nodiscard]] std::filesystem::path sensor_calibration_file(const SensorModel& sensor,
+                                                            const std::filesystem::path& folder);
+
 /// The calibration of exactly this sensor model, read from the cache in `folder`. If it is missing
 /// or damaged, computes it and, if possible, saves it there.
 /// @errors  As calibrate_virtual_sensor.

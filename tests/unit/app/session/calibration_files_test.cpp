@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_json.h"
 #include "core/io/calibrations/guided_session_file.h"
 #include "core/io/files/file_bytes.h"
 #include "hw/rig/rig_file.h"
 #include "hw/shots/simulated_shots.h"
+#include "tests/support/small_calibration.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::session {
@@ -85,6 +88,47 @@ TEST(CalibrationFiles, LeavesADamagedRigFileUnchanged) {
   EXPECT_FALSE(adopt_calibration(choice, made).has_value());
   EXPECT_EQ(io::read_file(rig).value(), "{");
   EXPECT_FALSE(fs::exists(folder.path() / "calibration.json"));
+}
+
+/// The file of a calibration.
+class NotedCheck : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    made_.history.made_at = "2031-01-01T08:00:00Z";
+    ASSERT_TRUE(io::write_calibration(file_, made_));
+  }
+  Result<void> note(const calibration::Calibration& checked) {
+    return note_check(file_, checked, checked_now(checked.history, false));
+  }
+
+  calibration::Calibration made_ = testing::small_calibration();
+  TemporaryFolder folder_;
+  fs::path file_ = folder_ / "calibration.json";
+};
+
+TEST_F(NotedCheck, IsInTheHistoryOfTheCalibration) {
+  ASSERT_TRUE(note(made_));
+  const auto kept = io::read_calibration(file_).value();
+  EXPECT_EQ(kept.history.made_at, made_.history.made_at);
+  EXPECT_FALSE(kept.history.checked_at.empty());
+  EXPECT_FALSE(kept.history.has_passed);
+  EXPECT_EQ(io::fingerprint(kept), io::fingerprint(made_));
+}
+
+TEST_F(NotedCheck, AReadOnlyFileStaysAsItIs) {
+  const std::string before = io::read_file(file_).value();
+  fs::permissions(file_, fs::perms::owner_read);
+  const auto noted = note(made_);
+  ASSERT_FALSE(noted);
+  EXPECT_THAT(noted.error().message, ::testing::HasSubstr("calibration.json: is read-only"));
+  EXPECT_EQ(io::read_file(file_).value(), before);
+}
+
+TEST_F(NotedCheck, AnotherCalibrationStaysAsItIs) {
+  calibration::Calibration other = made_;
+  other.volume.size_mm.z() = 14.0;
+  EXPECT_EQ(note(other).error().code, ErrorCode::kInconsistent);
+  EXPECT_TRUE(io::read_calibration(file_)->history.checked_at.empty());
 }
 
 }  // namespace

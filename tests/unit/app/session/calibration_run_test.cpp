@@ -164,6 +164,7 @@ TEST(CalibrationRun, ACheckOnAPlanePassesWithTheRightCalibration) {
   const ui::RunningCalibration state = run.state();
   ASSERT_EQ(state.step, CalibrationStep::kDone) << state.message;
   EXPECT_TRUE(state.outcome.is_good) << state.outcome.verdict;
+  EXPECT_EQ(state.outcome.has_passed, true);
   EXPECT_FALSE(state.outcome.figures.empty());
 }
 

@@ -155,6 +155,61 @@ TEST(ExportFiles, ATildeIsTheHomeFolder) {
   EXPECT_THAT(homeless.error().message, HasSubstr("HOME is not set"));
 }
 
+/// An export with a report, or of a report alone.
+ui::Export with_report(ui::Export command) {
+  command.target.report = true;
+  return command;
+}
+
+Result<report::ScanFacts> facts() {
+  report::ScanFacts facts = report::facts_now("smith.flytri");
+  facts.surface.mesh = textured_sphere().mesh;
+  return facts;
+}
+
+TEST(ExportFiles, AReportStandsBesideTheModelAndIsAskedFor) {
+  const TemporaryFolder folder;
+  const scan::ScanSnapshot scan = finished_scan();
+  const ui::Export command = with_report(export_to(folder.path(), "jaw"));
+  std::vector<fs::path> written;
+  auto outcome = export_files({scan, nullptr, facts}, command, written);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->written.size(), 3U);
+  EXPECT_EQ(written.back(), folder / "jaw.html");
+  EXPECT_EQ(mode_of(folder / "jaw.html"), static_cast<fs::perms>(0600));
+  EXPECT_THAT(*io::read_file(folder / "jaw.html"), HasSubstr("smith.flytri"));
+  outcome = export_files({scan, nullptr, facts}, command, written);
+  ASSERT_TRUE(outcome);
+  EXPECT_THAT(outcome->existing, ::testing::Contains((folder / "jaw.html").string()));
+}
+
+TEST(ExportFiles, AReportIsWrittenWithoutAModel) {
+  const TemporaryFolder folder;
+  const scan::ScanSnapshot scan = finished_scan();
+  std::vector<fs::path> written;
+  ASSERT_TRUE(export_files({scan, nullptr, facts}, with_report(export_to(folder.path(), "jaw", {})),
+                           written));
+  EXPECT_THAT(written, ElementsAre(folder / "jaw.html"));
+}
+
+TEST(ExportFiles, AReportThatCannotBeMadeLeavesAllFilesAsTheyAre) {
+  const TemporaryFolder folder;
+  const scan::ScanSnapshot scan = finished_scan();
+  const ui::Export command = with_report(export_to(folder.path(), "jaw"));
+  const auto damaged = [] {
+    return Result<report::ScanFacts>(fail(ErrorCode::kBadFormat, "torn"));
+  };
+  std::vector<fs::path> written;
+  auto outcome = export_files({scan, nullptr, damaged}, command, written);
+  ASSERT_FALSE(outcome);
+  EXPECT_THAT(outcome.error().message, HasSubstr("torn"));
+  outcome = export_files({scan}, command, written);
+  ASSERT_FALSE(outcome);
+  EXPECT_THAT(outcome.error().message, HasSubstr("no case"));
+  EXPECT_TRUE(written.empty());
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
 TEST(ExportFiles, WhatAKilledExportLeftIsRemoved) {
   const TemporaryFolder folder;
   ASSERT_TRUE(io::write_file(folder / ".flytri-0123abcd", "half a jaw"));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/cli/export_jaws.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/model.h"
@@ -56,8 +57,8 @@ class ExportJaws : public ::testing::Test {
     store_ = std::make_shared<CaseStore>(std::move(*file));
   }
   Result<ExportOutcome> write(const std::vector<std::string>& replaced = {}) {
-    const ui::ExportTarget target = {
-        folder_.path().string(), "smith", {".glb", ".ply"}, reconstruct::MeshDensity::kFull, true};
+    const ui::ExportTarget target = {folder_.path().string(),         "smith", {".glb", ".ply"},
+                                     reconstruct::MeshDensity::kFull, true,    report_};
     written_.clear();
     return export_jaws(jaws_, *store_, {target, replaced}, written_, ui::Texts(), {});
   }
@@ -84,6 +85,7 @@ class ExportJaws : public ::testing::Test {
   std::shared_ptr<CaseStore> store_;
   std::vector<JawToExport> jaws_;
   std::vector<fs::path> written_;
+  bool report_ = false;
 };
 
 TEST_F(ExportJaws, WritesAllJawsAsTheyBite) {
@@ -126,6 +128,77 @@ TEST_F(ExportJaws, ReplacesOnlyFilesThatTheUserAllows) {
   outcome = write(outcome->existing);
   ASSERT_TRUE(outcome);
   EXPECT_EQ(outcome->written.size(), 3U);
+}
+
+/// Three tops of a jaw, one of them lowered: a plane that would not be found.
+OcclusalPoints tilted_plane(const TriangleMesh& jaw, JawKind kind) {
+  const Isometry T = occlusion::T_patient_jaw(jaw, kind);
+  const double up = kind == JawKind::kLower ? 1.0 : -1.0;
+  return {T.inverse() * Vec3(-20, 10, 0), T.inverse() * Vec3(20, 10, 0),
+          T.inverse() * Vec3(0, -20, -2.0 * up)};
+}
+
+TEST_F(ExportJaws, ThePlaneThatTheUserSetIsThatOfAllJaws) {
+  open(all());
+  const OcclusalPoints lower = tilted_plane(lower_, JawKind::kLower);
+  ASSERT_TRUE(store_->write_plane(io::ScanStage::kLower, lower));
+  ASSERT_TRUE(write());
+  const Isometry T_patient_lower = occlusion::T_patient_jaw(lower_, JawKind::kLower, lower).value();
+  EXPECT_LT(farthest_mm("smith-lower.ply", lower_, T_patient_lower), 1e-3)
+      << "it counts before one that was found";
+  EXPECT_LT(farthest_mm("smith-upper.ply", upper_, T_patient_lower * bite_relation().inverse()),
+            0.1);
+
+  const OcclusalPoints upper = tilted_plane(upper_, JawKind::kUpper);
+  ASSERT_TRUE(store_->write_plane(io::ScanStage::kUpper, upper));
+  ASSERT_TRUE(write(paths({"smith.glb", "smith-upper.ply", "smith-lower.ply", "smith-bite.ply"})));
+  EXPECT_LT(farthest_mm("smith-upper.ply", upper_,
+                        occlusion::T_patient_jaw(upper_, JawKind::kUpper, upper).value()),
+            1e-3)
+      << "of two that were set, that of the upper jaw counts";
+}
+
+TEST_F(ExportJaws, TheCommandLineWritesTheSameBytes) {
+  open(all());
+  jaws_.front().scan = nullptr;  // As the case has it: its colors are rounded.
+  ASSERT_TRUE(store_->write_plane(io::ScanStage::kLower, tilted_plane(lower_, JawKind::kLower)));
+  ASSERT_TRUE(write());
+  jaws_.clear();
+  store_.reset();  // Only one program may write a case.
+  fs::create_directory(folder_ / "cli");
+  cli::JawsExport wanted;
+  wanted.density = reconstruct::MeshDensity::kFull;
+  wanted.outputs = {folder_ / "cli" / "smith.glb", folder_ / "cli" / "smith.ply"};
+  auto access = cli::CaseAccess::begin(folder_ / "a.flytri", {});
+  ASSERT_TRUE(access);
+  const auto done = cli::export_jaws(wanted, *access, {});
+  ASSERT_TRUE(done) << done.error().message;
+  for (const char* const name :
+       {"smith.glb", "smith-upper.ply", "smith-lower.ply", "smith-bite.ply"}) {
+    EXPECT_TRUE(io::read_file(folder_ / name).value() ==
+                io::read_file(folder_ / "cli" / name).value())
+        << name;
+  }
+}
+
+TEST_F(ExportJaws, APlaneThatDoesNotFitWritesNothing) {
+  open({{io::ScanStage::kUpper, &upper_}, {io::ScanStage::kLower, &lower_}});
+  ASSERT_TRUE(store_->write_plane(io::ScanStage::kLower, OcclusalPoints{}));
+  const auto outcome = write();
+  ASSERT_FALSE(outcome);
+  EXPECT_THAT(outcome.error().message,
+              HasSubstr("Lower jaw: the occlusal plane that was set does not fit the scan"));
+  EXPECT_THAT(written_, IsEmpty());
+}
+
+TEST_F(ExportJaws, EachJawHasItsReport) {
+  open({{io::ScanStage::kUpper, &upper_}, {io::ScanStage::kLower, &lower_}});
+  report_ = true;
+  const auto outcome = write();
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_EQ(outcome->written.size(), 5U);
+  EXPECT_THAT(io::read_file(folder_ / "smith-upper.html").value(), HasSubstr("Upper jaw"));
+  EXPECT_THAT(io::read_file(folder_ / "smith-lower.html").value(), HasSubstr("Lower jaw"));
 }
 
 TEST_F(ExportJaws, ABiteThatDoesNotFitWritesNothing) {

@@ -9,12 +9,16 @@
 #include <chrono>
 #include <cstdlib>
 #include <optional>
+#include <regex>
 #include <thread>
 
+#include "app/report/case_facts.h"
+#include "app/report/report_page.h"
 #include "app/session/user_folders.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
+#include "core/io/calibrations/calibration_json.h"
 #include "core/io/calibrations/calibration_set_file.h"
 #include "core/io/calibrations/recording_calibration.h"
 #include "core/io/cases/case_journal.h"
@@ -58,6 +62,11 @@ std::vector<io::CaseAction> actions_in(io::CaseFile& file) {
   const io::CaseJournal journal = file.journal().value();
   for (const io::CaseEvent& event : journal.events) actions.push_back(event.action);
   return actions;
+}
+
+/// A report without the time at which it was made.
+std::string without_time(const std::string& page) {
+  return std::regex_replace(page, std::regex("Report of</th><td>[^<]*"), "Report of</th><td>");
 }
 
 class SessionOnARecording : public ::testing::Test {
@@ -254,11 +263,13 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
     session.carry_out(ui::Finish{});
     ASSERT_TRUE(wait_for(session, has_result));
-    session.scan()->wait_until_idle();
     triangles = session.view().scan->result->model.mesh.triangles.size();
-    holes = session.view().scan->holes.size();
-    session.carry_out(ui::Export{{folder_.path().string(), "jaw", {".glb", ".stl"}}, {}});
+    ui::ExportTarget target = {folder_.path().string(), "jaw", {".glb", ".stl"}};
+    target.report = true;
+    session.carry_out(ui::Export{target, {}});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return !view.exports.written.empty(); }));
+    session.scan()->wait_until_idle();
+    holes = session.view().scan->holes.size();
   }
   {
     auto file = io::CaseFile::open(path, {.passphrase = {}, .read_only = true}).value();
@@ -267,7 +278,14 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
     const io::CaseEvent exported = file.journal().value().events.back();
     EXPECT_EQ(exported.stage, io::ScanStage::kUpper);
     EXPECT_EQ(exported.files, (std::vector{(folder_.path() / "jaw.glb").string(),
-                                           (folder_.path() / "jaw.stl").string()}));
+                                           (folder_.path() / "jaw.stl").string(),
+                                           (folder_.path() / "jaw.html").string()}));
+    const auto facts = report::facts_in(file, io::ScanStage::kUpper);
+    ASSERT_TRUE(facts) << facts.error().message;
+    EXPECT_FALSE(facts->facts.spans.empty());
+    EXPECT_EQ(without_time(io::read_file(folder_.path() / "jaw.html").value()),
+              without_time(report::report_page(facts->facts).value()))
+        << "as flytri report writes it";
   }
   {
     Session session(options_);
@@ -278,6 +296,7 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
     EXPECT_EQ(scan->phase, scan::ScanPhase::kFinished);
     EXPECT_EQ(scan->result->surface.mesh.triangles.size(), triangles);
     EXPECT_EQ(scan->holes.size(), holes);
+    EXPECT_FALSE(scan->result->spans.empty()) << "the window shows the first";
     EXPECT_GT(scan->result->surface.mesh.vertices.front().sigma_mm, 0.0F);
     // A scan that continues has no result any more.
     session.carry_out(ui::ResumeScan{});
@@ -518,6 +537,55 @@ TEST_F(SessionOnAMesh, FindsTheTeethOfAJawThatIsUpsideDownAndPointsTheHandAfterA
     return registered(view) > before + 5;
   }));
   EXPECT_EQ(session.view().scan->phase, scan::ScanPhase::kMeasurement);
+}
+
+TEST_F(SessionOnAMesh, ACheckOfTheCalibrationIsNotedForReports) {
+  setenv("XDG_CACHE_HOME", (folder_.path() / "cache").c_str(), 1);
+  options_.source = {};
+  Session session(options_);
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+  unsetenv("XDG_CACHE_HOME");
+  const std::string path = (folder_.path() / "checked.flytri").string();
+  session.carry_out(ui::NewCase{path, {}, {}});
+  const auto check = [&] {
+    session.carry_out(ui::BeginCalibration{ui::CalibrationTask::kCheckOnPlane, {}, 0.0});
+    const bool is_done = wait_for(session, [&](const ui::AppView& view) {
+      if (!view.calibration->running) return false;
+      if (view.calibration->running->step == ui::CalibrationStep::kTarget)
+        session.carry_out(ui::TakeCalibrationImages{});
+      return view.calibration->running->step == ui::CalibrationStep::kDone;
+    });
+    EXPECT_TRUE(is_done);
+    session.carry_out(ui::EndCalibration{});
+    EXPECT_TRUE(
+        wait_for(session, [](const ui::AppView& view) { return !view.calibration->running; }));
+  };
+  const auto is_told = [&](const std::string& words) {
+    return wait_for(session, [&](const ui::AppView& view) {
+      return std::any_of(view.notices.begin(), view.notices.end(), [&](const ui::Notice& notice) {
+        return notice.text.find(words) != std::string::npos;
+      });
+    });
+  };
+  check();
+  EXPECT_TRUE(is_told("The check is noted in"));
+  const fs::path file = session.source().calibration_file;
+  const auto noted = io::read_calibration(file).value().history;
+  EXPECT_FALSE(noted.checked_at.empty());
+  EXPECT_TRUE(noted.has_passed);
+  EXPECT_EQ(session.source().calibration->history.checked_at, noted.checked_at);
+  EXPECT_FALSE(warns_of_other_calibration(session.view()));
+  // The check holds, too, if its file cannot be written.
+  fs::permissions(file, fs::perms::owner_read);
+  check();
+  EXPECT_TRUE(is_told("is read-only"));
+  EXPECT_EQ(io::read_calibration(file).value().history.checked_at, noted.checked_at);
+  // Lets go of the first case.
+  session.carry_out(ui::NewCase{(folder_.path() / "next.flytri").string(), {}, {}});
+  auto opened = io::CaseFile::open(path, {.passphrase = {}, .read_only = true}).value();
+  const auto in_case = io::parse_calibration(opened.calibration().value(), path).value().history;
+  EXPECT_GE(in_case.checked_at, noted.checked_at) << "the case has the second check, too";
+  EXPECT_TRUE(in_case.has_passed);
 }
 
 TEST_F(SessionOnAMesh, RecordsRawImagesWithTheirCalibration) {

@@ -71,6 +71,7 @@ TEST(SettingsFile, RemembersTheLanguage) {
   EXPECT_EQ(read_settings(file).language, "") << "that of the desktop";
   ui::Settings settings;
   settings.language = "fr";
+  settings.export_report = true;
   ASSERT_TRUE(write_settings(file, settings));
   EXPECT_EQ(read_settings(file).language, "fr");
   for (const char* wrong : {R"({"language": "xx"})", R"({"language": 3})"}) {

@@ -205,6 +205,30 @@ TEST(CaseFile, SavesMeasurements) {
   EXPECT_FALSE(file.add_measurement(kStage, {0, Vec3::Constant(NAN), Vec3::Zero(), ""}));
 }
 
+TEST(CaseFile, SavesTheOcclusalPlaneOfEachStage) {
+  const TemporaryFolder folder;
+  const OcclusalPoints points = {Vec3(1.0 / 3.0, -2e-17, 3), Vec3(4, 5, 0.1), Vec3(-7, 8, 9)};
+  {
+    CaseFile file = new_case(folder / "a.flytri");
+    EXPECT_FALSE(file.plane(kStage).value());
+    expect_done(file.write_plane(kStage, points));
+    expect_done(file.write_plane(ScanStage::kLower, OcclusalPoints()));
+    expect_done(file.write_plane(ScanStage::kLower, std::nullopt));
+    expect_done(file.write_result(kStage, {"glb", R"({"views": 1})", {}}));
+    expect_done(file.commit());
+  }
+  CaseFile file = CaseFile::open(folder / "a.flytri", {}).value();
+  EXPECT_EQ(file.plane(kStage).value(), points);
+  EXPECT_EQ(loaded(file).plane, points);
+  EXPECT_THAT(loaded(file).damage, ::testing::IsEmpty());
+  EXPECT_FALSE(file.plane(ScanStage::kLower).value());
+  EXPECT_FALSE(file.plane(ScanStage::kBite).value());
+  EXPECT_EQ(file.load_result(kStage)->summary_json, R"({"views":1})") << "beside it";
+  OcclusalPoints wrong = points;
+  wrong[1].x() = NAN;
+  EXPECT_FALSE(file.write_plane(kStage, wrong));
+}
+
 TEST(CaseFile, SavesCalibrationAndModel) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");

@@ -52,6 +52,8 @@ void fill_stage(CaseFile& file, ScanStage stage) {
   expect_success(file.write_edits(stage, edits));
   (void)file.add_measurement(stage, {0, Vec3::Zero(), Vec3::Ones(), "a"}).value();
   const ResultBasis made_of = basis_of(file.counts(stage).value(), edits.state());
+  expect_success(
+      file.write_plane(stage, OcclusalPoints{Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9)}));
   expect_success(file.write_result(stage, {std::string(30000, 'x'), "{}", made_of}));
 }
 
@@ -88,6 +90,7 @@ void expect_same(const StoredStage& a, const StoredStage& b) {
   }
   EXPECT_EQ(a.edits.state()->size(), b.edits.state()->size());
   EXPECT_EQ(a.measurements.size(), b.measurements.size());
+  EXPECT_EQ(a.plane, b.plane);
 }
 
 /// The copy has no damage, and exactly what can be read of the damaged case.

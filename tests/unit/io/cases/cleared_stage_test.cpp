@@ -28,6 +28,9 @@ using testing::sample_view;
 
 constexpr ScanStage kClearedStage = ScanStage::kLower;
 
+/// Of a scan that begins with this frame.
+OcclusalPoints plane_of(int first) { return {Vec3(first, 1, 2), Vec3(3, 4, 5), Vec3(6, 7, 8)}; }
+
 /// A scan of some views, with a texture frame, an edit, a distance and a model named after it.
 void scan(CaseFile& file, int first, int count, const std::string& name) {
   for (int i = first; i < first + count; ++i) {
@@ -45,6 +48,7 @@ void scan(CaseFile& file, int first, int count, const std::string& name) {
   ASSERT_TRUE(file.write_edits(kClearedStage, edits));
   ASSERT_TRUE(file.add_measurement(kClearedStage, {0, Vec3::Zero(), Vec3::Ones(), name}));
   ASSERT_TRUE(file.write_result(kClearedStage, {name, "{}", {}}));
+  ASSERT_TRUE(file.write_plane(kClearedStage, plane_of(first)));
   ASSERT_TRUE(file.commit());
 }
 
@@ -66,6 +70,7 @@ void expect_shown(CaseFile& file, int first, int count, const std::string& name)
   ASSERT_EQ(stage.measurements.size(), 1U);
   EXPECT_EQ(stage.measurements.front().label, name);
   EXPECT_EQ(file.load_result(kClearedStage).value().glb, name);
+  EXPECT_EQ(stage.plane, plane_of(first));
   EXPECT_EQ(file.counts(kClearedStage).value(), (StageCounts{count, 1, 1, true}));
 }
 
@@ -76,6 +81,7 @@ void expect_empty(CaseFile& file) {
   EXPECT_THAT(stage.texture_frames, IsEmpty());
   EXPECT_TRUE(stage.edits.all()->empty());
   EXPECT_THAT(stage.measurements, IsEmpty());
+  EXPECT_FALSE(stage.plane);
   EXPECT_FALSE(file.load_result(kClearedStage));
   EXPECT_EQ(file.counts(kClearedStage).value(), StageCounts{});
 }

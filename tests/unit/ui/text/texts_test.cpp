@@ -160,6 +160,14 @@ TEST(CoreTexts, HoldTheStepsOfFinishingAndTheFormats) {
   for (const io::ModelFormat& format : io::model_formats()) expect_in_table(format.purpose);
 }
 
+TEST(CoreTexts, HoldTheDistancesAcrossAJaw) {
+  using enum reconstruct::JawSpanKind;
+  for (const auto kind : {kLastTeeth, kPremolars, kHalf, kLength})
+    expect_in_table(name_of(reconstruct::JawSpan{kind, std::nullopt, {}}));
+  for (const bool is_right : {false, true})
+    expect_in_table(name_of(reconstruct::JawSpan{kHalf, is_right, {}}));
+}
+
 TEST(CoreTexts, HoldTargetsImagesAndRemediesOfACalibration) {
   using namespace calibration;
   for (const auto face : {TargetFace::kWhitePlane, TargetFace::kDots}) {
