@@ -193,6 +193,7 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage, const ui::Texts& texts)
   opened.scan.texture_frames = std::move(stored->texture_frames);
   opened.scan.edits = std::move(stored->edits);
   opened.measurements = std::move(stored->measurements);
+  opened.margins = std::move(stored->margins);
   return opened;
 }
 
@@ -238,6 +239,26 @@ Result<std::int64_t> CaseStore::add_measurement(io::ScanStage stage, const io::M
 Result<void> CaseStore::remove_measurement(std::int64_t id) {
   const std::lock_guard lock(mutex_);
   if (auto removed = file_.remove_measurement(id); !removed) return removed;
+  return file_.commit();
+}
+
+Result<std::int64_t> CaseStore::add_margin(io::ScanStage stage, const io::StoredMargin& added) {
+  const std::lock_guard lock(mutex_);
+  auto id = file_.add_margin(stage, added);
+  if (!id) return id;
+  if (auto kept = file_.commit(); !kept) return tl::unexpected(kept.error());
+  return id;
+}
+
+Result<void> CaseStore::replace_margin(const io::StoredMargin& margin) {
+  const std::lock_guard lock(mutex_);
+  if (auto replaced = file_.replace_margin(margin); !replaced) return replaced;
+  return file_.commit();
+}
+
+Result<void> CaseStore::remove_margin(std::int64_t id) {
+  const std::lock_guard lock(mutex_);
+  if (auto removed = file_.remove_margin(id); !removed) return removed;
   return file_.commit();
 }
 

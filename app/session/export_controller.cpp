@@ -39,15 +39,17 @@ void ExportController::forget_outcome() {
 
 void ExportController::export_scan(const ui::Export& command,
                                    std::shared_ptr<const scan::ScanSnapshot> shown,
+                                   std::vector<io::StoredMargin> margins,
                                    std::shared_ptr<CaseStore> store, io::ScanStage stage) {
   if (state_.is_running) return;
   begin(command);
   const auto lighter = shown->result != nullptr ? lighter_of(shown->result) : nullptr;
-  background_.run([this, command, shown = std::move(shown), store = std::move(store), stage,
-                   lighter, texts = notices_.texts(), progress = background_.progress().part(0.0)] {
+  background_.run([this, command, shown = std::move(shown), margins = std::move(margins),
+                   store = std::move(store), stage, lighter, texts = notices_.texts(),
+                   progress = background_.progress().part(0.0)] {
     std::vector<std::filesystem::path> written;
     auto done = std::make_shared<Result<ExportOutcome>>(
-        export_files(*shown, command, written, texts, lighter.get(), progress));
+        export_files({*shown, margins}, command, written, texts, lighter.get(), progress));
     if (store && !written.empty()) {
       store->note(event_now(io::CaseAction::kExported, stage, written));
     }

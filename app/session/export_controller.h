@@ -22,9 +22,11 @@ class ExportController {
   ExportController(BackgroundWork& background, Notices& notices);
 
   /// Writes the files in the background. Does nothing while an export is running.
+  /// @param margins  of the finished model
   /// @param store  of the case whose journal gets an entry; null: none
   void export_scan(const ui::Export& command, std::shared_ptr<const scan::ScanSnapshot> shown,
-                   std::shared_ptr<CaseStore> store, io::ScanStage stage);
+                   std::vector<io::StoredMargin> margins, std::shared_ptr<CaseStore> store,
+                   io::ScanStage stage);
   /// As export_scan, for all finished stages of a case.
   /// @param jaws   not empty
   /// @param store  not null

@@ -8,6 +8,7 @@
 #include "core/io/files/leftovers.h"
 #include "core/io/models/model.h"
 #include "core/io/models/model_formats.h"
+#include "core/reconstruct/margin_files.h"
 
 namespace flytri::session {
 namespace {
@@ -91,6 +92,11 @@ Result<std::vector<std::string>> not_replaceable(const std::vector<fs::path>& fi
   return existing;
 }
 
+std::vector<review::Polyline> margins_of(const ExportedScan& scan) {
+  if (scan.shown.result == nullptr) return {};
+  return reconstruct::margins_on(scan.shown.result->surface.mesh, scan.margins, Workers()).lines;
+}
+
 Result<void> check_name(const std::string& name, const ui::Texts& texts) {
   const bool is_plain = std::none_of(name.begin(), name.end(), [](char c) {
     return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20U;
@@ -145,9 +151,10 @@ Result<ExportOutcome> write_asked(const std::vector<fs::path>& files,
   return outcome;
 }
 
-Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Export& command,
+Result<ExportOutcome> export_files(const ExportedScan& scan, const ui::Export& command,
                                    std::vector<fs::path>& models_written, const ui::Texts& texts,
                                    LighterModels* lighter, const Progress& progress) {
+  const scan::ScanSnapshot& shown = scan.shown;
   if (shown.result == nullptr && shown.model.empty()) {
     return fail(ErrorCode::kInsufficient, "{}", texts[ui::Text::kNoSurfaceToExport]);
   }
@@ -160,11 +167,18 @@ Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown, const ui::Ex
     const std::vector<fs::path> more = files_of(models.back(), has_texture);
     files.insert(files.end(), more.begin(), more.end());
   }
+  const std::vector<review::Polyline> margins = margins_of(scan);
+  const fs::path margin_file = reconstruct::margin_file_of(models.front());
+  if (!margins.empty()) files.push_back(margin_file);
   return write_asked(files, command.replaced, [&]() -> Result<void> {
     if (shown.result == nullptr) return write_models(models, shown, nullptr, texts, models_written);
     LighterModels own(shown.result);
-    return write_finished(models, shown, command.target.density,
-                          lighter != nullptr ? *lighter : own, progress, models_written);
+    auto done = write_finished(models, shown, command.target.density,
+                               lighter != nullptr ? *lighter : own, progress, models_written);
+    if (!done || margins.empty()) return done;
+    done = io::write_file(margin_file, reconstruct::margins_obj(margins), io::Access::kOwnerOnly);
+    if (done) models_written.push_back(margin_file);
+    return done;
   });
 }
 

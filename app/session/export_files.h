@@ -24,6 +24,12 @@ namespace flytri::session {
 [[nodiscard]] std::map<std::string_view, std::uint64_t> estimated_bytes(
     const scan::ScanSnapshot& shown, const TexturedMesh* model);
 
+/// What is exported.
+struct ExportedScan {
+  const scan::ScanSnapshot& shown;
+  std::vector<io::StoredMargin> margins;  ///< of its finished model; written beside it
+};
+
 /// What an export did.
 struct ExportOutcome {
   std::vector<ui::ExportedFile> written;
@@ -55,9 +61,10 @@ struct ExportOutcome {
 /// @param texts  for messages
 /// @errors  As export_stem and write_model; kInsufficient: nothing to write, or the format cannot
 ///          hold it; kBadOption: a folder, or a file of another kind, has the name.
-/// @param models_written  gets the models that were written, also before a failure
+/// @param models_written  gets the models that were written, also before a failure, and the file of
+///                        the margin lines
 /// @param lighter  of the finished scan, keeps the mesh that is made; null: nothing is kept
-[[nodiscard]] Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
+[[nodiscard]] Result<ExportOutcome> export_files(const ExportedScan& scan,
                                                  const ui::Export& command,
                                                  std::vector<std::filesystem::path>& models_written,
                                                  const ui::Texts& texts = {},
@@ -66,7 +73,7 @@ struct ExportOutcome {
 [[nodiscard]] inline Result<ExportOutcome> export_files(const scan::ScanSnapshot& shown,
                                                         const ui::Export& command) {
   std::vector<std::filesystem::path> models;
-  return export_files(shown, command, models);
+  return export_files({shown, {}}, command, models);
 }
 
 }  // namespace flytri::session

@@ -12,6 +12,7 @@
 #include "app/session/notices.h"
 #include "app/session/occlusion_controller.h"
 #include "app/session/path_chooser.h"
+#include "app/session/review_controller.h"
 #include "app/session/source_controller.h"
 #include "app/session/stage_controller.h"
 #include "app/session/user_folders.h"
@@ -72,6 +73,7 @@ class Session {
   CalibrationController calibration_;
   ExportController exports_;
   OcclusionController occlusion_;
+  ReviewController review_;
   PathChooser chooser_;
 };
 

@@ -102,6 +102,7 @@ void StageController::change_stored(std::function<Result<void>(CaseStore&, io::S
           } else {
             scans_[stage].reset();
             measurements_[stage].clear();
+            margins_[stage].clear();
           }
           if (stage == stage_) show();
         };
@@ -133,6 +134,42 @@ void StageController::remove_measurement(std::size_t index) {
     if (!done) return notices_.add(ui::Severity::kError, done.error().message);
   }
   measurements.erase(removed);
+}
+
+bool StageController::add_margin(io::StoredMargin margin) {
+  margin.id = --latest_margin_;
+  if (store_ != nullptr) {
+    const auto id = store_->add_margin(io::kScanStages[stage_], margin);
+    if (!id) {
+      notices_.add(ui::Severity::kError, id.error().message);
+      return false;
+    }
+    margin.id = *id;
+  }
+  margins_[stage_].push_back(std::move(margin));
+  return true;
+}
+
+void StageController::renew_margin(std::int64_t id, review::Margin line) {
+  auto& margins = margins_[stage_];
+  const auto found = std::find_if(margins.begin(), margins.end(),
+                                  [&](const io::StoredMargin& margin) { return margin.id == id; });
+  if (found == margins.end()) return;
+  found->margin = std::move(line);
+  if (store_ == nullptr || store_->is_read_only()) return;
+  if (auto done = store_->replace_margin(*found); !done)
+    notices_.add(ui::Severity::kError, done.error().message);
+}
+
+void StageController::remove_margin(std::size_t index) {
+  auto& margins = margins_[stage_];
+  if (index >= margins.size()) return;
+  const auto removed = margins.begin() + static_cast<std::ptrdiff_t>(index);
+  if (store_ != nullptr) {
+    const auto done = store_->remove_margin(removed->id);
+    if (!done) return notices_.add(ui::Severity::kError, done.error().message);
+  }
+  margins.erase(removed);
 }
 
 void StageController::select(io::ScanStage stage) {
@@ -180,6 +217,7 @@ void StageController::use(std::size_t stage, const OpenedStage& opened) {
     notices_.add(ui::Severity::kWarning, text_of(opened.damage, notices_.texts()));
   scans_[stage] = std::move(*scan);
   measurements_[stage] = opened.measurements;
+  margins_[stage] = opened.margins;
   if (stage == stage_) show();
 }
 
@@ -192,6 +230,11 @@ void StageController::save_in(const std::shared_ptr<CaseStore>& store) {
       const auto id = store->add_measurement(name, measurement);
       if (!id) notices_.add(ui::Severity::kError, id.error().message);
       measurement.id = id.value_or(0);
+    }
+    for (io::StoredMargin& margin : margins_[stage]) {
+      const auto id = store->add_margin(name, margin);
+      if (!id) notices_.add(ui::Severity::kError, id.error().message);
+      margin.id = id.value_or(--latest_margin_);
     }
   }
 }
@@ -207,6 +250,7 @@ void StageController::forget() {
   source_.router().set_scan(nullptr);
   scans_ = {};
   measurements_ = {};
+  margins_ = {};
   is_loading_ = {};
   load_failures_ = {};
 }

@@ -40,6 +40,11 @@ class StageController {
   void bring_back();
   void add_measurement(io::Measurement measurement);
   void remove_measurement(std::size_t index);
+  /// Of the current stage. @return  whether it was kept: the case may refuse it
+  bool add_margin(io::StoredMargin margin);
+  /// The line of a margin that was drawn anew, on a newer model.
+  void renew_margin(std::int64_t id, review::Margin line);
+  void remove_margin(std::size_t index);
 
   /// Pauses, and turns to another stage.
   void select(io::ScanStage stage);
@@ -66,6 +71,11 @@ class StageController {
     std::shared_ptr<const reconstruct::FinishedScan> scan;  ///< null: not finished, or not loaded
   };
   [[nodiscard]] StageModel model_of(io::ScanStage stage) const;
+  /// Of the current stage.
+  [[nodiscard]] const std::vector<io::Measurement>& measurements() const {
+    return measurements_[stage_];
+  }
+  [[nodiscard]] const std::vector<io::StoredMargin>& margins() const { return margins_[stage_]; }
   /// The case that scans are saved in; null: none.
   [[nodiscard]] const std::shared_ptr<CaseStore>& store() const { return store_; }
   /// False while a scan is finishing, see scan::may_leave().
@@ -94,6 +104,8 @@ class StageController {
   std::size_t stage_ = 0;
   std::array<std::shared_ptr<scan::LiveScan>, io::kScanStages.size()> scans_;
   std::array<std::vector<io::Measurement>, io::kScanStages.size()> measurements_;
+  std::array<std::vector<io::StoredMargin>, io::kScanStages.size()> margins_;
+  std::int64_t latest_margin_ = 0;  ///< id of one that is in no case: negative
   std::array<bool, io::kScanStages.size()> is_loading_ = {};
   std::array<std::string, io::kScanStages.size()> load_failures_;
   std::string reported_failure_;

@@ -60,6 +60,7 @@ FakeJaw::FakeJaw()
   surfels_ = seen_until(kLiveShare);
   places_ = find_places();
   result_ = finish();
+  prepared_jaw_ = testing::prepared_jaw(mesh_, T_world_jaw());
 }
 
 Isometry FakeJaw::sensor_at(double share) const {
@@ -175,6 +176,13 @@ std::shared_ptr<const reconstruct::FinishedScan> FakeJaw::finish() const {
   result->surface.mesh = mesh_;
   result->surface.boundaries = holes();
   result->model.mesh = mesh_;
+  return result;
+}
+
+std::shared_ptr<const reconstruct::FinishedScan> FakeJaw::prepared() const {
+  auto result = std::make_shared<reconstruct::FinishedScan>();
+  result->surface.mesh = prepared_jaw_.mesh;
+  result->model.mesh = prepared_jaw_.mesh;
   return result;
 }
 

@@ -1,4 +1,4 @@
-/// @file  The length of each measured distance, beside its middle in the scene.
+/// @file  The length of each measured distance, beside its middle in the scene, and the angles.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include "ui/panels/panels.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/review_look.h"
 
 namespace flytri::ui {
 namespace {
@@ -39,13 +40,20 @@ void draw_label(const PanelContext& context, const ImVec2& middle, const std::st
 void draw_distance_labels(const PanelContext& context) {
   if (shown_jaws(context.view, context.state) != nullptr) return;
   const Rect& picture = context.layout.picture;
-  for (const io::Measurement& measured : context.view.measurements) {
-    const auto middle =
-        place_in_window(context.state.view, picture, 0.5 * (measured.from_mm + measured.to_mm));
-    if (!middle || !picture.contains(*middle)) continue;
-    draw_label(context, *middle,
-               fmt::format("{:.2f} mm", (measured.to_mm - measured.from_mm).norm()));
+  const auto label = [&](const Vec3& place_mm, const std::string& text) {
+    const auto place = place_in_window(context.state.view, picture, place_mm);
+    if (place && picture.contains(*place)) draw_label(context, *place, text);
+  };
+  const std::vector<review::Measured>& known = context.view.review.distances_mm;
+  for (std::size_t i = 0; i < context.view.measurements.size(); ++i) {
+    const io::Measurement& measured = context.view.measurements[i];
+    label(0.5 * (measured.from_mm + measured.to_mm),
+          i < known.size() ? measured_mm_text(known[i])
+                           : fmt::format("{:.2f} mm", (measured.to_mm - measured.from_mm).norm()));
   }
+  if (!is_reviewing(context.view, context.state)) return;
+  for (const review::ReviewedNumber& angle : context.view.review.angles_rad)
+    label(angle.points[1].position_mm, measured_angle_text(angle.measured));
 }
 
 }  // namespace flytri::ui

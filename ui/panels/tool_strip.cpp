@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ui/panels/panels.h"
+#include "ui/state/review_look.h"
 #include "ui/theme/icons.h"
 
 namespace flytri::ui {
@@ -14,7 +15,24 @@ namespace {
 constexpr float kHeight = 60.0F;
 constexpr float kToolButton = 44.0F;
 
-std::optional<Text> instruction(const WindowState& state) {
+Text review_instruction(const WindowState& state) {
+  switch (state.review.mode) {
+    case ReviewMode::kAngle:
+      return Text::kClickAngle;
+    case ReviewMode::kSection:
+      return Text::kClickSection;
+    case ReviewMode::kUndercut:
+      return Text::kClickPrepared;
+    case ReviewMode::kMargin:
+      return Text::kClickMargin;
+    case ReviewMode::kDistance:
+      break;
+  }
+  return state.measured_from_mm ? Text::kClickSecondPoint : Text::kClickFirstPoint;
+}
+
+std::optional<Text> instruction(const AppView& view, const WindowState& state) {
+  if (is_reviewing(view, state)) return review_instruction(state);
   switch (state.tool) {
     case Tool::kTrim:
       return Text::kPaintToRemove;
@@ -80,7 +98,7 @@ bool has_room_to_clear(const PanelContext& context, const char* text, float widt
 }  // namespace
 
 void draw_tool_strip(const PanelContext& context) {
-  const auto to_do = instruction(context.state);
+  const auto to_do = instruction(context.view, context.state);
   if (!to_do) return;
   const char* text = context.text(*to_do);
   const Rect& picture = context.layout.picture;

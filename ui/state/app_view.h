@@ -18,6 +18,7 @@
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/calibration_state.h"
 #include "ui/state/devices_state.h"
+#include "ui/state/review_state.h"
 #include "ui/text/texts.h"
 
 namespace flytri::ui {
@@ -206,6 +207,7 @@ struct AppView {
   RecordingState recording;
   ChooserState chooser;
   std::vector<io::Measurement> measurements;  ///< of the current stage
+  ReviewState review;                         ///< of its finished model
   Settings settings;
   Texts texts;                          ///< in the language of the settings
   std::vector<Notice> notices;          ///< newest last

@@ -11,5 +11,6 @@
 #include "ui/text/jaw_texts.h"
 #include "ui/text/key_texts.h"
 #include "ui/text/occlusion_texts.h"
+#include "ui/text/review_texts.h"
 #include "ui/text/scanning_texts.h"
 #include "ui/text/settings_texts.h"

@@ -23,6 +23,14 @@ namespace flytri::io {
 [[nodiscard]] std::string encode_measurement(const Measurement& measurement);
 [[nodiscard]] Result<Measurement> decode_measurement(std::string_view bytes, std::int64_t id);
 
+/// JSON: clicks_mm, points_mm (x, y, z, and sigma where it is known), edge_share, least_turn_rad.
+/// The id is that of the record.
+[[nodiscard]] std::string encode_margin(const StoredMargin& margin);
+[[nodiscard]] Result<StoredMargin> decode_margin(std::string_view bytes, std::int64_t id);
+/// Whether it is a closed line that somebody can have drawn.
+/// @errors  kBadOption.
+[[nodiscard]] Result<void> check_margin(const StoredMargin& margin);
+
 /// f64[12]: the upper three rows of the matrix, row by row.
 [[nodiscard]] std::string encode_pose(const Isometry& T_world_sensor);
 [[nodiscard]] Result<Isometry> decode_pose(std::string_view bytes);

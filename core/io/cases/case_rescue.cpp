@@ -37,8 +37,10 @@ Result<void> check_record(CaseTable table, std::int64_t id, std::string_view dat
     case CaseTable::kMeasurements:
       return decode_measurement(data, id).map(kForget);
     case CaseTable::kCalibration:
-    case CaseTable::kModels:
     case CaseTable::kSummaries:
+      if (is_margin(table, id)) return decode_margin(data, id).map(kForget);
+      break;
+    case CaseTable::kModels:
     case CaseTable::kEvents:
       break;
   }

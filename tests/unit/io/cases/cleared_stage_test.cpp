@@ -45,6 +45,7 @@ void scan(CaseFile& file, int first, int count, const std::string& name) {
   ASSERT_TRUE(file.write_edits(kClearedStage, edits));
   ASSERT_TRUE(file.add_measurement(kClearedStage, {0, Vec3::Zero(), Vec3::Ones(), name}));
   ASSERT_TRUE(file.write_result(kClearedStage, {name, "{}", {}}));
+  ASSERT_TRUE(file.add_margin(kClearedStage, testing::sample_margin(first + count)));
   ASSERT_TRUE(file.commit());
 }
 
@@ -65,6 +66,9 @@ void expect_shown(CaseFile& file, int first, int count, const std::string& name)
   EXPECT_TRUE(same_bits(*stage.edits.state()->front(), sample_edit(first)));
   ASSERT_EQ(stage.measurements.size(), 1U);
   EXPECT_EQ(stage.measurements.front().label, name);
+  ASSERT_EQ(stage.margins.size(), 1U);
+  EXPECT_EQ(stage.margins.front().margin.line.points.size(),
+            static_cast<std::size_t>(first + count));
   EXPECT_EQ(file.load_result(kClearedStage).value().glb, name);
   EXPECT_EQ(file.counts(kClearedStage).value(), (StageCounts{count, 1, 1, true}));
 }
@@ -76,6 +80,7 @@ void expect_empty(CaseFile& file) {
   EXPECT_THAT(stage.texture_frames, IsEmpty());
   EXPECT_TRUE(stage.edits.all()->empty());
   EXPECT_THAT(stage.measurements, IsEmpty());
+  EXPECT_THAT(stage.margins, IsEmpty());
   EXPECT_FALSE(file.load_result(kClearedStage));
   EXPECT_EQ(file.counts(kClearedStage).value(), StageCounts{});
 }
