@@ -1,7 +1,6 @@
 #include "tests/support/prepared_jaw.h"
 
 #include <algorithm>
-#include <array>
 
 #include "assets/sample_jaw/dentition.h"
 #include "core/geometry/mesh_normals.h"
@@ -17,27 +16,62 @@ constexpr std::size_t kPreparedTooth = 1;
 const Vec3 kPreparationScale(1.15, 1.3, 1.15);
 constexpr double kMarginHeight_mm = 1.6;
 /// What is so near to the tooth that was there, or inside it, is taken out.
-constexpr double kTakenOut_mm = 0.35;
+constexpr double kTakenOut_mm = 0.1;
 constexpr float kSigma_mm = 0.012F;
+/// Height of the flat top above the margin, before the scale.
+constexpr float kTop_mm = 2.3F;
 
-/// Closes the upper border by a fan.
-void add_top(TriangleMesh& mesh) {
-  const auto height_mm = [&](const std::vector<std::uint32_t>& border) {
-    return mesh.vertices[border.front()].position_mm.z();
-  };
-  const auto borders = meshing::boundary_lines(mesh);
-  const auto& top =
-      *std::max_element(borders.begin(), borders.end(),
-                        [&](const auto& a, const auto& b) { return height_mm(a) < height_mm(b); });
-  SurfacePoint middle;
-  middle.position_mm = Vec3f(0.0F, 0.0F, height_mm(top) - 0.1F);
-  middle.sigma_mm = mesh.vertices[top.front()].sigma_mm;
-  const auto center = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.push_back(middle);
-  for (std::size_t i = 0; i < top.size(); ++i) {
-    Triangle fan = {top[i], top[(i + 1) % top.size()], center};
-    if (area_vector_mm2(mesh, fan).z() < 0.0) std::swap(fan[0], fan[1]);
-    mesh.triangles.push_back(fan);
+using Border = std::vector<std::uint32_t>;
+
+std::uint32_t add_vertex(TriangleMesh& mesh, const Vec3f& p_mm) {
+  SurfacePoint vertex;
+  vertex.position_mm = p_mm;
+  vertex.sigma_mm = kSigma_mm;
+  mesh.vertices.push_back(vertex);
+  return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+}
+
+/// Its normal gets up.
+void add_triangle(TriangleMesh& mesh, Triangle triangle) {
+  if (area_vector_mm2(mesh, triangle).z() < 0.0) std::swap(triangle[0], triangle[1]);
+  mesh.triangles.push_back(triangle);
+}
+
+/// A strip of triangles from a border to its points as `place` moves them.
+template <typename Place>
+Border add_strip(TriangleMesh& mesh, const Border& border, const Place& place) {
+  Border next;
+  for (const std::uint32_t v : border)
+    next.push_back(add_vertex(mesh, place(mesh.vertices[v].position_mm)));
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const std::size_t k = (i + 1) % border.size();
+    add_triangle(mesh, {border[i], border[k], next[i]});
+    add_triangle(mesh, {border[k], next[k], next[i]});
+  }
+  return next;
+}
+
+/// Closes the upper border, and goes on from the lower one to the side: the gum.
+void close(TriangleMesh& mesh) {
+  auto borders = meshing::boundary_lines(mesh);
+  std::sort(borders.begin(), borders.end(), [&](const Border& a, const Border& b) {
+    return mesh.vertices[a.front()].position_mm.z() > mesh.vertices[b.front()].position_mm.z();
+  });
+  Border ring = borders.front();
+  for (const float narrower : {0.8F, 0.7F, 0.5F}) {
+    ring = add_strip(mesh, ring, [&](const Vec3f& p_mm) {
+      return Vec3f(narrower * p_mm.x(), narrower * p_mm.y(), 0.5F * (p_mm.z() + kTop_mm));
+    });
+  }
+  const std::uint32_t center = add_vertex(mesh, {0.0F, 0.0F, kTop_mm});
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    add_triangle(mesh, {ring[i], ring[(i + 1) % ring.size()], center});
+  ring = borders.back();
+  for (int row = 0; row < 6; ++row) {
+    const float up_mm = row < 3 ? 0.12F : -0.08F;
+    ring = add_strip(mesh, ring, [&](const Vec3f& p_mm) {
+      return Vec3f(1.06F * p_mm.x(), 1.06F * p_mm.y(), p_mm.z() + up_mm);
+    });
   }
 }
 
@@ -67,7 +101,7 @@ PreparedJaw prepared_jaw(const TriangleMesh& jaw, const Isometry& T_world_jaw) {
   const sample_jaw::Dentition teeth = sample_jaw::make_dentition(JawKind::kUpper, 1);
   const sample_jaw::PlacedTooth& tooth = teeth.teeth.at(kPreparedTooth);
   Preparation prepared = preparation({});
-  add_top(prepared.mesh);
+  close(prepared.mesh);
   const auto in_world = [&](const Vec3& p_mm) -> Vec3 {
     const Vec3 p_tooth = kPreparationScale.cwiseProduct(p_mm) + kMarginHeight_mm * Vec3::UnitZ();
     return T_world_jaw * (tooth.origin_mm + tooth.R_tooth_jaw.transpose() * p_tooth);

@@ -17,7 +17,11 @@ using testing::FakeJaw;
 using testing::Names;
 using testing::RealWindow;
 
-Vec3 point_of(const nlohmann::json& json) { return {json[0], json[1], json[2]}; }
+double number_of(const nlohmann::json& json) { return json.get<double>(); }
+
+Vec3 point_of(const nlohmann::json& json) {
+  return {number_of(json[0]), number_of(json[1]), number_of(json[2])};
+}
 
 std::vector<Vec3> points_of(const nlohmann::json& json) {
   std::vector<Vec3> points_mm;
@@ -56,8 +60,10 @@ class ReviewWindow : public RealWindow {
     const nlohmann::json camera = window().state()["camera"];
     const auto& q = camera["q_wxyz"];
     ui::OrbitCamera seen;
-    seen.set_pose({point_of(camera["target_mm"]), Eigen::Quaterniond(q[0], q[1], q[2], q[3]),
-                   camera["height_mm"]});
+    seen.set_pose(
+        {point_of(camera["target_mm"]),
+         Eigen::Quaterniond(number_of(q[0]), number_of(q[1]), number_of(q[2]), number_of(q[3])),
+         number_of(camera["height_mm"])});
     const auto scene = window().where("scene").value();
     const Vec3 p_eye = seen.T_world_eye().inverse() * p_mm;
     const Eigen::Matrix4d P =
@@ -76,8 +82,8 @@ class ReviewWindow : public RealWindow {
     return line_mm[static_cast<std::size_t>(share * static_cast<double>(line_mm.size()))];
   }
   static void expect_same(const nlohmann::json& shown, const review::Measured& measured) {
-    EXPECT_DOUBLE_EQ(shown["value"], measured.value);
-    EXPECT_DOUBLE_EQ(shown["uncertainty"], measured.uncertainty);
+    EXPECT_DOUBLE_EQ(number_of(shown["value"]), measured.value);
+    EXPECT_DOUBLE_EQ(number_of(shown["uncertainty"]), measured.uncertainty);
     EXPECT_GT(measured.uncertainty, 0.0);
   }
 
@@ -103,7 +109,7 @@ TEST_F(ReviewWindow, TwoClicksMeasureADistance) {
   const MeshDistance surface(mesh_);
   expect_same(distance,
               review::reviewed_number(mesh_, surface, points_of(distance["points_mm"])).measured);
-  EXPECT_NEAR(distance["value"], (margin_at(0.0) - margin_at(0.5)).norm(), 0.5);
+  EXPECT_NEAR(number_of(distance["value"]), (margin_at(0.0) - margin_at(0.5)).norm(), 0.5);
 }
 
 TEST_F(ReviewWindow, ThreeClicksMeasureAnAngle) {
@@ -116,8 +122,8 @@ TEST_F(ReviewWindow, ThreeClicksMeasureAnAngle) {
   const MeshDistance surface(mesh_);
   const review::Measured expected =
       review::reviewed_number(mesh_, surface, points_of(angle["points_mm"])).measured;
-  EXPECT_NEAR(angle["value"], expected.value, 1e-6);
-  EXPECT_NEAR(angle["uncertainty"], expected.uncertainty, 1e-6);
+  EXPECT_NEAR(number_of(angle["value"]), expected.value, 1e-6);
+  EXPECT_NEAR(number_of(angle["uncertainty"]), expected.uncertainty, 1e-6);
 }
 
 TEST_F(ReviewWindow, AClickCutsASectionThatIsMeasuredInItsPicture) {
@@ -164,7 +170,7 @@ TEST_F(ReviewWindow, AClickFindsTheUndercutAndColorsTheModel) {
   undercut = measured()["undercut"];
   const Vec3 axis = point_of(undercut["axis"]);
   expected = review::reviewed_undercut(mesh_, {axis, around_mm, 7.0}, Workers()).value();
-  EXPECT_NEAR(undercut["value"], expected.undercut.area_mm2.value, 1e-9);
+  EXPECT_NEAR(number_of(undercut["value"]), expected.undercut.area_mm2.value, 1e-9);
   // Other colors are at hand.
   window().key("4");
   EXPECT_FALSE(measured()["undercut"]["shown"]);

@@ -44,6 +44,12 @@ void draw_distance_labels(const PanelContext& context) {
     const auto place = place_in_window(context.state.view, picture, place_mm);
     if (place && picture.contains(*place)) draw_label(context, *place, text);
   };
+  const bool reviews = is_reviewing(context.view, context.state);
+  if (reviews && context.state.review.mode == ReviewMode::kAngle) {
+    for (const review::ReviewedNumber& angle : context.view.review.angles_rad)
+      label(angle.points[1].position_mm, measured_angle_text(angle.measured));
+  }
+  if (reviews && context.state.review.mode != ReviewMode::kDistance) return;
   const std::vector<review::Measured>& known = context.view.review.distances_mm;
   for (std::size_t i = 0; i < context.view.measurements.size(); ++i) {
     const io::Measurement& measured = context.view.measurements[i];
@@ -51,9 +57,6 @@ void draw_distance_labels(const PanelContext& context) {
           i < known.size() ? measured_mm_text(known[i])
                            : fmt::format("{:.2f} mm", (measured.to_mm - measured.from_mm).norm()));
   }
-  if (!is_reviewing(context.view, context.state)) return;
-  for (const review::ReviewedNumber& angle : context.view.review.angles_rad)
-    label(angle.points[1].position_mm, measured_angle_text(angle.measured));
 }
 
 }  // namespace flytri::ui

@@ -116,11 +116,14 @@ void add_tints(const PanelContext& context, SceneContent& content) {
 }
 
 void add_tools(const PanelContext& context, SceneContent& content) {
-  for (const io::Measurement& measured : context.view.measurements) {
-    content.measurements.push_back({measured.from_mm, measured.to_mm, false});
-  }
   const WindowState& state = context.state;
-  if (state.measured_from_mm && state.brush.under_pointer) {
+  const bool measures_otherwise = is_reviewing(context.view, state) &&
+                                  !is_reviewing(context.view, state, ReviewMode::kDistance);
+  if (!measures_otherwise) {
+    for (const io::Measurement& measured : context.view.measurements)
+      content.measurements.push_back({measured.from_mm, measured.to_mm, false});
+  }
+  if (!measures_otherwise && state.measured_from_mm && state.brush.under_pointer) {
     content.measurements.push_back(
         {*state.measured_from_mm, state.brush.under_pointer->center_mm.cast<double>(), true});
   }
@@ -173,8 +176,10 @@ void add_review(const PanelContext& context, SceneContent& content) {
     add_line(kept.margin->line, kept.is_outdated ? kOutdated : kGood, content);
   if (!is_reviewing(view, context.state)) return;
   const ReviewForm& form = context.state.review;
-  add_angles(context, content);
-  if (form.mode == ReviewMode::kAngle) content.marks_mm = form.angle_mm;
+  if (form.mode == ReviewMode::kAngle) {
+    add_angles(context, content);
+    content.marks_mm = form.angle_mm;
+  }
   if (form.mode == ReviewMode::kSection) add_section(context, content);
   if (form.mode == ReviewMode::kUndercut) add_axis(context, content);
   if (form.mode != ReviewMode::kMargin) return;

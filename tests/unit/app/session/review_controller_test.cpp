@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 using testing::Preparation;
 using testing::preparation;
 
-constexpr auto kStage = io::ScanStage::kUpper;
+constexpr auto kReviewedStage = io::ScanStage::kUpper;
 
 /// A case whose upper jaw is finished: a prepared tooth.
 class ReviewOfACase : public ::testing::Test {
@@ -40,9 +40,9 @@ class ReviewOfACase : public ::testing::Test {
     auto file = io::CaseFile::open(path_);
     ASSERT_TRUE(file);
     const auto glb = io::encode_glb({model, {}, {}}, "jaw");
-    ASSERT_TRUE(file->write_result(kStage, {glb.value(), "{}", io::ResultBasis{}}));
+    ASSERT_TRUE(file->write_result(kReviewedStage, {glb.value(), "{}", io::ResultBasis{}}));
     stages_.replace_by(std::make_shared<CaseStore>(std::move(*file)));
-    wait_until([&] { return stages_.model_of(kStage).scan != nullptr; });
+    wait_until([&] { return stages_.model_of(kReviewedStage).scan != nullptr; });
   }
   template <typename Condition>
   ui::ReviewState wait_until(const Condition& is_done) {
@@ -137,7 +137,7 @@ TEST_F(ReviewOfACase, AMarginLineSurvivesClosingTheCase) {
   stages_.replace_by(nullptr);
   EXPECT_TRUE(controller_.state().margins.empty());
   stages_.replace_by(std::make_shared<CaseStore>(io::CaseFile::open(path_).value()));
-  wait_until([&] { return stages_.model_of(kStage).scan != nullptr; });
+  wait_until([&] { return stages_.model_of(kReviewedStage).scan != nullptr; });
   const ui::ReviewState again = wait_for_end();
   ASSERT_EQ(again.margins.size(), 1U);
   EXPECT_FALSE(again.margins[0].is_outdated);
@@ -181,7 +181,7 @@ TEST_F(ReviewOfACase, AMarginLineWhoseEdgeIsGoneIsOutdatedAndNotExported) {
 TEST_F(ReviewOfACase, AMarginLineIsExportedBesideTheModel) {
   draw_and_keep();
   scan::ScanSnapshot shown;
-  shown.result = stages_.model_of(kStage).scan;
+  shown.result = stages_.model_of(kReviewedStage).scan;
   ui::Export command{{folder_.path().string(), "tooth", {".stl", ".obj"}}, {}};
   std::vector<std::filesystem::path> models;
   const auto outcome = export_files({shown, stages_.margins()}, command, models);
