@@ -10,6 +10,7 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/toasts.h"
 #include "ui/state/chosen_path.h"
+#include "ui/state/review_look.h"
 #include "ui/widgets/draw_record.h"
 #include "ui/window/imgui_host.h"
 
@@ -190,6 +191,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
   const Theme theme = impl.theme_for(view, size).value_or(impl.host->theme());
   update_toasts(view, impl.state);
   take_chosen_path(view, impl.state);
+  follow_reviewed_model(view, impl.state);
   const std::vector<KeyEvent> presses = impl.host->begin_frame(size, view.now_s);
   for (const KeyEvent& press : presses) {
     if (const auto action = action_of(press)) perform(*action, view, impl.state, commands);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,10 @@
 #include "app/cli/output_files.h"
 #include "app/cli/report.h"
 #include "app/cli/review_request.h"
+#include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/model.h"
+#include "core/reconstruct/margin_files.h"
 #include "core/texture/vertex_colors.h"
 
 namespace flytri::cli {
@@ -39,13 +42,55 @@ struct ExportArguments {
 struct KeptModel {
   const std::string& glb;
   std::string name;  ///< of the case, for messages
+  std::vector<io::StoredMargin> margins;
 };
+
+/// The margin lines as text, and the files that hold it: one for each name of a model.
+struct MarginFiles {
+  std::string text;
+  std::set<fs::path> files;
+};
+
+/// @errors  As check_output_files, for the files of the margin lines.
+Result<MarginFiles> margin_files(const ExportArguments& arguments, const TriangleMesh& model,
+                                 const KeptModel& kept) {
+  const reconstruct::MarginLines margins = reconstruct::margins_on(model, kept.margins, Workers());
+  if (margins.outdated > 0) {
+    print_error(
+        "flytri: warning: margin lines left out: {}. They were drawn on an older model, and the "
+        "edge is no longer there; draw them again in the window\n",
+        margins.outdated);
+  }
+  MarginFiles found;
+  if (margins.lines.empty()) return found;
+  found.text = reconstruct::margins_obj(margins.lines);
+  std::vector<OtherOutput> others;
+  for (const fs::path& output : arguments.outputs) {
+    const auto [file, is_new] = found.files.insert(reconstruct::margin_file_of(output));
+    if (is_new) others.push_back({*file, ".obj"});
+  }
+  if (auto checked = check_output_files(arguments.outputs, others, arguments.force); !checked)
+    return tl::unexpected(checked.error());
+  return found;
+}
+
+Result<void> write_margins(const MarginFiles& margins, std::vector<fs::path>& written) {
+  for (const fs::path& file : margins.files) {
+    auto done = io::write_file(file, margins.text, io::Access::kOwnerOnly);
+    if (!done) return done;
+    written.push_back(file);
+    print_out("wrote {}\n", file.string());
+  }
+  return {};
+}
 
 /// Writes all outputs. @param written  gets those that are complete
 Result<void> write_all(const ExportArguments& arguments, const KeptModel& kept,
                        const Progress& progress, std::vector<fs::path>& written) {
   Result<TexturedMesh> model = io::parse_glb(kept.glb, kept.name);
   if (!model) return tl::unexpected(model.error());
+  const Result<MarginFiles> margins = margin_files(arguments, model->mesh, kept);
+  if (!margins) return tl::unexpected(margins.error());
   texture::color_vertices(*model);
   if (arguments.density != reconstruct::MeshDensity::kFull)
     progress.begin_stage(reconstruct::kThinningTriangles);
@@ -58,7 +103,7 @@ Result<void> write_all(const ExportArguments& arguments, const KeptModel& kept,
     written.push_back(output);
     print_out("wrote {}\n", output.string());
   }
-  return {};
+  return write_margins(*margins, written);
 }
 
 Result<void> export_from(const ExportArguments& arguments, CaseAccess& access,
@@ -72,9 +117,12 @@ Result<void> export_from(const ExportArguments& arguments, CaseAccess& access,
     return fail(result.error().code, "{}; make the model again with flytri reconstruct --keep",
                 result.error().message);
   }
+  auto margins = file->load_margins(*stage);
+  if (!margins) return tl::unexpected(margins.error());
   std::vector<fs::path> written;
   Result<void> done =
-      write_all(arguments, {result->glb, arguments.case_path.string()}, progress, written);
+      write_all(arguments, {result->glb, arguments.case_path.string(), *std::move(margins)},
+                progress, written);
   if (!written.empty()) access.note(io::CaseAction::kExported, *stage, written);
   return done;
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,12 +14,10 @@
 #include "app/cli/review_measure.h"
 #include "app/cli/review_report.h"
 #include "app/cli/review_request.h"
-#include "core/geometry/mesh_normals.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/model.h"
 #include "core/io/models/model_formats.h"
 #include "core/io/models/ply.h"
-#include "core/meshing/mesh_topology.h"
 
 namespace flytri::cli {
 namespace {
@@ -60,17 +57,14 @@ Result<ReviewRequest> check_review(const ReviewArguments& arguments) {
   return request;
 }
 
-/// Welds the mesh, and says where the uncertainty of its points is from.
+/// Says where the uncertainty of the model's points is from.
 ReviewedModel prepared(std::string name, const TriangleMesh& mesh,
                        const ReviewArguments& arguments) {
-  ReviewedModel model{std::move(name), meshing::welded(mesh), "from the model"};
-  meshing::repair_manifold(model.mesh);
-  compute_vertex_normals(model.mesh);
+  ReviewedModel model{std::move(name), review::made_ready(mesh), "from the model"};
   if (arguments.sigma_um) {
     review::set_uncertainty(model.mesh, kMmOfMicron * *arguments.sigma_um);
     model.uncertainty = "as given by --sigma-um";
-  } else if (!review::has_uncertainty(model.mesh)) {
-    review::set_uncertainty(model.mesh, std::numeric_limits<double>::infinity());
+  } else if (!review::mark_unknown_uncertainty(model.mesh)) {
     model.uncertainty = "unknown: the model does not say it; give it with --sigma-um";
   }
   return model;

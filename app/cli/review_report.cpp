@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/cli/console.h"
+#include "core/review/lines_obj.h"
 
 namespace flytri::cli {
 namespace {
@@ -44,7 +45,7 @@ ReviewJson line_json(const review::Polyline& line) {
           {"sigma_mm", std::move(sigmas)}};
 }
 
-ReviewJson section_json(const ReviewedSection& section) {
+ReviewJson section_json(const review::ReviewedSection& section) {
   ReviewJson json = {{"point_mm", point_json(section.plane.point_mm)},
                      {"normal", point_json(section.plane.normal.normalized())}};
   json["outlines"] = ReviewJson::array();
@@ -64,7 +65,7 @@ ReviewJson section_json(const ReviewedSection& section) {
   return json;
 }
 
-ReviewJson undercut_json(const ReviewedUndercut& reviewed) {
+ReviewJson undercut_json(const review::ReviewedUndercut& reviewed) {
   const review::Undercut& undercut = reviewed.undercut;
   ReviewJson json = {{"axis", point_json(reviewed.axis)}};
   if (reviewed.found)
@@ -87,10 +88,10 @@ ReviewJson margin_json(const review::Margin& margin) {
   return json;
 }
 
-ReviewJson numbers_json(const std::vector<ReviewedNumber>& numbers, double factor,
+ReviewJson numbers_json(const std::vector<review::ReviewedNumber>& numbers, double factor,
                         const std::string& unit) {
   ReviewJson json = ReviewJson::array();
-  for (const ReviewedNumber& number : numbers) {
+  for (const review::ReviewedNumber& number : numbers) {
     ReviewJson points = ReviewJson::array(), sigmas = ReviewJson::array();
     for (const review::MeasuredPoint& point : number.points) {
       points.push_back(point_json(point.position_mm));
@@ -113,7 +114,7 @@ std::string with_uncertainty(const review::Measured& measured, double factor,
                      unit);
 }
 
-void print_section(const ReviewedSection& section) {
+void print_section(const review::ReviewedSection& section) {
   for (std::size_t i = 0; i < section.outlines.size(); ++i)
     print_out("section, outline {}: {}, {}\n", i + 1,
               section.outlines[i].is_closed ? "closed" : "open",
@@ -127,7 +128,7 @@ void print_section(const ReviewedSection& section) {
                                             : std::string("none: they are on different outlines"));
 }
 
-void print_undercut(const ReviewedUndercut& reviewed) {
+void print_undercut(const review::ReviewedUndercut& reviewed) {
   const Vec3& axis = reviewed.axis;
   print_out("insertion axis: ({:.4f}, {:.4f}, {:.4f})", axis.x(), axis.y(), axis.z());
   if (reviewed.found)
@@ -138,38 +139,12 @@ void print_undercut(const ReviewedUndercut& reviewed) {
             reviewed.undercut.deepest_mm);
 }
 
-/// RMS of the known uncertainties.
-double line_sigma_mm(const review::Polyline& line) {
-  double squares = 0.0;
-  int count = 0;
-  for (const review::MeasuredPoint& point : line.points) {
-    if (!std::isfinite(point.sigma_mm)) continue;
-    squares += point.sigma_mm * point.sigma_mm;
-    ++count;
-  }
-  return std::sqrt(squares / std::max(count, 1));
-}
-
 void print_margin(const review::Margin& margin) {
   print_out(
       "margin: {} long, {:.0f} % of it on an edge, which turns by {:.0f} degrees or more; "
       "uncertainty across the line {:.0f} µm RMS\n",
       with_uncertainty(review::length_mm(margin.line), 1.0, "mm"), 100.0 * margin.edge_share,
-      kReviewDegreesOfRad * margin.least_turn_rad, 1e3 * line_sigma_mm(margin.line));
-}
-
-void add_line(const review::Polyline& line, const std::string& name, std::size_t& vertices,
-              std::string& text) {
-  text += fmt::format("o {}\n", name);
-  std::string indices = "l";
-  for (std::size_t i = 0; i < line.points.size(); ++i) {
-    const Vec3& p = line.points[i].position_mm;
-    text += fmt::format("v {:.6f} {:.6f} {:.6f}\n", p.x(), p.y(), p.z());
-    indices += fmt::format(" {}", vertices + i + 1);
-  }
-  if (line.is_closed) indices += fmt::format(" {}", vertices + 1);
-  text += indices + "\n";
-  vertices += line.points.size();
+      kReviewDegreesOfRad * margin.least_turn_rad, 1e3 * review::sigma_rms_mm(margin.line));
 }
 
 }  // namespace
@@ -179,9 +154,9 @@ void print_review(const Review& review) {
   if (review.section) print_section(*review.section);
   if (review.undercut) print_undercut(*review.undercut);
   if (review.margin) print_margin(*review.margin);
-  for (const ReviewedNumber& number : review.distances_mm)
+  for (const review::ReviewedNumber& number : review.distances_mm)
     print_out("distance: {}\n", with_uncertainty(number.measured, 1.0, "mm"));
-  for (const ReviewedNumber& number : review.angles_rad)
+  for (const review::ReviewedNumber& number : review.angles_rad)
     print_out("angle: {}\n", with_uncertainty(number.measured, kReviewDegreesOfRad, "degrees"));
 }
 
@@ -201,24 +176,18 @@ std::string review_text(const Review& review) {
 }
 
 std::string review_lines(const Review& review) {
-  std::string text = "# lines of flytri review, mm\n";
-  std::size_t vertices = 0;
+  review::LinesObj lines("lines of flytri review");
   if (review.section) {
     for (std::size_t i = 0; i < review.section->outlines.size(); ++i)
-      add_line(review.section->outlines[i], fmt::format("section-{}", i + 1), vertices, text);
+      lines.add(review.section->outlines[i], fmt::format("section-{}", i + 1));
   }
-  if (review.margin) add_line(review.margin->line, "margin", vertices, text);
-  return text;
+  if (review.margin) lines.add(review.margin->line, "margin");
+  return lines.text();
 }
 
-TriangleMesh undercut_map(const ReviewedUndercut& reviewed) {
+TriangleMesh undercut_map(const review::ReviewedUndercut& reviewed) {
   TriangleMesh map = reviewed.part;
-  std::vector<float> deepest_mm(map.vertices.size(), 0.0F);
-  for (std::size_t t = 0; t < map.triangles.size(); ++t) {
-    if (reviewed.undercut.hidden_share[t] < 0.5F) continue;
-    for (const std::uint32_t v : map.triangles[t])
-      deepest_mm[v] = std::max(deepest_mm[v], reviewed.undercut.depth_mm[t]);
-  }
+  const std::vector<float> deepest_mm = review::vertex_depths_mm(reviewed);
   for (std::size_t v = 0; v < map.vertices.size(); ++v) {
     const float pale = 1.0F - std::min(deepest_mm[v] / kRed_mm, 1.0F);
     const auto other = static_cast<std::uint8_t>(std::lround(230.0F * pale));

@@ -186,6 +186,7 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage, const ui::Texts& texts)
   opened.scan.edits = std::move(stored->edits);
   opened.measurements = std::move(stored->measurements);
   opened.plane = stored->plane;
+  opened.margins = std::move(stored->margins);
   return opened;
 }
 
@@ -263,6 +264,26 @@ Result<void> CaseStore::write_plane(io::ScanStage stage,
                                     const std::optional<OcclusalPoints>& points) {
   const std::lock_guard lock(mutex_);
   if (auto written = file_.write_plane(stage, points); !written) return written;
+  return file_.commit();
+}
+
+Result<std::int64_t> CaseStore::add_margin(io::ScanStage stage, const io::StoredMargin& added) {
+  const std::lock_guard lock(mutex_);
+  auto id = file_.add_margin(stage, added);
+  if (!id) return id;
+  if (auto kept = file_.commit(); !kept) return tl::unexpected(kept.error());
+  return id;
+}
+
+Result<void> CaseStore::replace_margin(const io::StoredMargin& margin) {
+  const std::lock_guard lock(mutex_);
+  if (auto replaced = file_.replace_margin(margin); !replaced) return replaced;
+  return file_.commit();
+}
+
+Result<void> CaseStore::remove_margin(std::int64_t id) {
+  const std::lock_guard lock(mutex_);
+  if (auto removed = file_.remove_margin(id); !removed) return removed;
   return file_.commit();
 }
 

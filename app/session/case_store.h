@@ -20,6 +20,7 @@ struct OpenedStage {
   scan::KeptScan scan;
   std::vector<io::Measurement> measurements;
   std::optional<OcclusalPoints> plane;
+  std::vector<io::StoredMargin> margins;
   std::vector<std::string> damage;  ///< what could not be read, one line each
   FrameIndex last_frame{-1};
   double last_time_s = 0.0;
@@ -59,6 +60,9 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] Result<std::optional<OcclusalPoints>> plane(io::ScanStage stage);
   [[nodiscard]] Result<void> write_plane(io::ScanStage stage,
                                          const std::optional<OcclusalPoints>& points);
+  [[nodiscard]] Result<std::int64_t> add_margin(io::ScanStage stage, const io::StoredMargin& added);
+  [[nodiscard]] Result<void> replace_margin(const io::StoredMargin& margin);
+  [[nodiscard]] Result<void> remove_margin(std::int64_t id);
   /// What can be read of the case. Takes seconds if the scans are long.
   [[nodiscard]] Result<io::CaseSurvey> survey();
   /// As CaseFile::rescue_to. Takes seconds if the scans are long.

@@ -38,13 +38,15 @@ void ExportController::forget_outcome() {
 }
 
 void ExportController::export_scan(const ui::Export& command,
-                                   std::shared_ptr<const scan::ScanSnapshot> shown, ExportCase of,
+                                   std::shared_ptr<const scan::ScanSnapshot> shown,
+                                   std::vector<io::StoredMargin> margins, ExportCase of,
                                    io::ScanStage stage) {
   if (state_.is_running) return;
   begin(command);
   const auto lighter = shown->result != nullptr ? lighter_of(shown->result) : nullptr;
-  background_.run([this, command, shown = std::move(shown), of = std::move(of), stage, lighter,
-                   texts = notices_.texts(), progress = background_.progress().part(0.0)] {
+  background_.run([this, command, shown = std::move(shown), margins = std::move(margins),
+                   of = std::move(of), stage, lighter, texts = notices_.texts(),
+                   progress = background_.progress().part(0.0)] {
     FindFacts facts;
     if (of.store != nullptr) {
       facts = [&] {
@@ -54,7 +56,7 @@ void ExportController::export_scan(const ui::Export& command,
     }
     std::vector<std::filesystem::path> written;
     auto done = std::make_shared<Result<ExportOutcome>>(
-        export_files({*shown, lighter.get(), facts}, command, written, texts, progress));
+        export_files({*shown, lighter.get(), facts, margins}, command, written, texts, progress));
     if (of.store && !written.empty()) {
       of.store->note(event_now(io::CaseAction::kExported, stage, written));
     }

@@ -29,8 +29,9 @@ class ExportController {
     std::function<void()> wait_until_kept;
   };
   /// Writes the files in the background. Does nothing while an export is running.
+  /// @param margins  of the finished model
   void export_scan(const ui::Export& command, std::shared_ptr<const scan::ScanSnapshot> shown,
-                   ExportCase of, io::ScanStage stage);
+                   std::vector<io::StoredMargin> margins, ExportCase of, io::ScanStage stage);
   /// As export_scan, for all finished stages of a case.
   /// @param jaws  not empty
   /// @param of    with a store

@@ -9,6 +9,7 @@
 #include "core/io/files/leftovers.h"
 #include "core/io/models/model.h"
 #include "core/io/models/model_formats.h"
+#include "core/reconstruct/margin_files.h"
 #include "ui/state/export_target.h"
 
 namespace flytri::session {
@@ -92,6 +93,11 @@ Result<std::vector<std::string>> not_replaceable(const std::vector<fs::path>& fi
     if (former == io::Former::kSameKind && !may_replace) existing.push_back(file.string());
   }
   return existing;
+}
+
+std::vector<review::Polyline> margins_of(const ShownScan& shown) {
+  if (shown.scan.result == nullptr) return {};
+  return reconstruct::margins_on(shown.scan.result->surface.mesh, shown.margins, Workers()).lines;
 }
 
 Result<void> check_name(const std::string& name, const ui::Texts& texts) {
@@ -184,6 +190,9 @@ Result<ExportOutcome> export_files(const ShownScan& shown, const ui::Export& com
     const std::vector<fs::path> more = files_of(models.back(), has_texture);
     files.insert(files.end(), more.begin(), more.end());
   }
+  const std::vector<review::Polyline> margins = margins_of(shown);
+  const fs::path margin_file = reconstruct::margin_file_of(models.front());
+  if (!margins.empty()) files.push_back(margin_file);
   const fs::path report = stem->string() + std::string(ui::kReportExtension);
   if (target.report) files.push_back(report);
   return write_asked(files, command.replaced, [&]() -> Result<void> {
@@ -197,6 +206,13 @@ Result<ExportOutcome> export_files(const ShownScan& shown, const ui::Export& com
     LighterModels own(scan.result);
     return write_finished(models, scan, target.density, shown.lighter ? *shown.lighter : own,
                           progress, written)
+        .and_then([&]() -> Result<void> {
+          if (margins.empty()) return {};
+          auto done = io::write_file(margin_file, reconstruct::margins_obj(margins),
+                                     io::Access::kOwnerOnly);
+          if (done) written.push_back(margin_file);
+          return done;
+        })
         .and_then([&] { return write_reports(reports, written); });
   });
 }

@@ -75,6 +75,7 @@ struct ShownScan {
   /// Of the finished scan: keeps the mesh that is made. Null: nothing is kept.
   LighterModels* lighter = nullptr;
   FindFacts facts = {};
+  std::vector<io::StoredMargin> margins = {};  ///< of its finished model; written beside it
 };
 
 /// Only their owner may read the files, and enter folders that are created for them. A report that

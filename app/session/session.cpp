@@ -40,6 +40,7 @@ Session::Session(SessionOptions options)
       exports_(background_, notices_),
       occlusion_(stages_, background_, notices_),
       plane_(stages_, background_, notices_),
+      review_(stages_, background_),
       chooser_(std::move(options.file_chooser), notices_) {
   if (!options.recording.empty()) source_.record_in(options.recording);
   source_.open();
@@ -77,6 +78,14 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::RemoveMeasurement& removed) { stages_.remove_measurement(removed.index); },
           [&](const ui::FindOcclusalPlane&) { plane_.find(); },
           [&](const ui::SetOcclusalPlane& wanted) { plane_.set(wanted.points); },
+          [&](const ui::BeginReview&) { review_.begin(); },
+          [&](const ui::MeasureAngle& wanted) { review_.measure_angle(wanted); },
+          [&](const ui::RemoveAngle& removed) { review_.remove_angle(removed.index); },
+          [&](const ui::CutSection& wanted) { review_.cut(wanted); },
+          [&](const ui::FindUndercut& wanted) { review_.find_undercut(wanted); },
+          [&](const ui::DrawMargin& wanted) { review_.draw_margin(wanted); },
+          [&](const ui::KeepMargin&) { review_.keep_margin(); },
+          [&](const ui::RemoveMargin& removed) { review_.remove_margin(removed.index); },
           [&](const ui::ChooseReentry& chosen) { stages_.choose_reentry(chosen.index); },
           [&](const ui::SelectStage& selected) { stages_.select(selected.stage); },
           [&](const ui::NewCase& wanted) { case_.create(wanted); },
@@ -123,8 +132,8 @@ void Session::export_scan(const ui::Export& command) {
     return exports_.export_jaws(command, std::move(jaws),
                                 {stages_.store(), stages_.wait_until_kept()});
   }
-  exports_.export_scan(command, scan()->snapshot(), {stages_.store(), stages_.wait_until_kept()},
-                       stages_.stage());
+  exports_.export_scan(command, scan()->snapshot(), stages_.margins(),
+                       {stages_.store(), stages_.wait_until_kept()}, stages_.stage());
 }
 
 void Session::change_settings(const ui::Settings& settings) {
@@ -153,6 +162,7 @@ ui::AppView Session::view() {
   view.file = case_.state();
   view.occlusion = occlusion_.state();
   view.plane = plane_.state();
+  view.review = review_.state();
   view.settings = settings_;
   view.exports = exports_.state(view);
   view.texts = texts_;

@@ -13,6 +13,7 @@
 #include "app/session/occlusion_controller.h"
 #include "app/session/path_chooser.h"
 #include "app/session/plane_controller.h"
+#include "app/session/review_controller.h"
 #include "app/session/source_controller.h"
 #include "app/session/stage_controller.h"
 #include "app/session/user_folders.h"
@@ -74,6 +75,7 @@ class Session {
   ExportController exports_;
   OcclusionController occlusion_;
   PlaneController plane_;
+  ReviewController review_;
   PathChooser chooser_;
 };
 

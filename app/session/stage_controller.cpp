@@ -103,6 +103,7 @@ void StageController::change_stored(std::function<Result<void>(CaseStore&, io::S
             scans_[stage].reset();
             measurements_[stage].clear();
             planes_[stage].reset();
+            margins_[stage].clear();
           }
           if (stage == stage_) show();
         };
@@ -142,6 +143,42 @@ void StageController::set_plane(io::ScanStage stage, const std::optional<Occlusa
     if (!done) return notices_.add(ui::Severity::kError, done.error().message);
   }
   planes_[static_cast<std::size_t>(stage)] = points;
+}
+
+bool StageController::add_margin(io::StoredMargin margin) {
+  margin.id = --latest_margin_;
+  if (store_ != nullptr) {
+    const auto id = store_->add_margin(io::kScanStages[stage_], margin);
+    if (!id) {
+      notices_.add(ui::Severity::kError, id.error().message);
+      return false;
+    }
+    margin.id = *id;
+  }
+  margins_[stage_].push_back(std::move(margin));
+  return true;
+}
+
+void StageController::renew_margin(std::int64_t id, review::Margin line) {
+  auto& margins = margins_[stage_];
+  const auto found = std::find_if(margins.begin(), margins.end(),
+                                  [&](const io::StoredMargin& margin) { return margin.id == id; });
+  if (found == margins.end()) return;
+  found->margin = std::move(line);
+  if (store_ == nullptr || store_->is_read_only()) return;
+  if (auto done = store_->replace_margin(*found); !done)
+    notices_.add(ui::Severity::kError, done.error().message);
+}
+
+void StageController::remove_margin(std::size_t index) {
+  auto& margins = margins_[stage_];
+  if (index >= margins.size()) return;
+  const auto removed = margins.begin() + static_cast<std::ptrdiff_t>(index);
+  if (store_ != nullptr) {
+    const auto done = store_->remove_margin(removed->id);
+    if (!done) return notices_.add(ui::Severity::kError, done.error().message);
+  }
+  margins.erase(removed);
 }
 
 void StageController::select(io::ScanStage stage) {
@@ -190,6 +227,7 @@ void StageController::use(std::size_t stage, const OpenedStage& opened) {
   scans_[stage] = std::move(*scan);
   measurements_[stage] = opened.measurements;
   planes_[stage] = opened.plane;
+  margins_[stage] = opened.margins;
   if (stage == stage_) show();
 }
 
@@ -203,9 +241,15 @@ void StageController::save_in(const std::shared_ptr<CaseStore>& store) {
       if (!id) notices_.add(ui::Severity::kError, id.error().message);
       measurement.id = id.value_or(0);
     }
-    if (!planes_[stage]) continue;
-    const auto kept = store->write_plane(name, planes_[stage]);
-    if (!kept) notices_.add(ui::Severity::kError, kept.error().message);
+    if (planes_[stage]) {
+      const auto kept = store->write_plane(name, planes_[stage]);
+      if (!kept) notices_.add(ui::Severity::kError, kept.error().message);
+    }
+    for (io::StoredMargin& margin : margins_[stage]) {
+      const auto id = store->add_margin(name, margin);
+      if (!id) notices_.add(ui::Severity::kError, id.error().message);
+      margin.id = id.value_or(--latest_margin_);
+    }
   }
 }
 
@@ -221,6 +265,7 @@ void StageController::forget() {
   scans_ = {};
   measurements_ = {};
   planes_ = {};
+  margins_ = {};
   is_loading_ = {};
   load_failures_ = {};
 }

@@ -42,6 +42,11 @@ class StageController {
   void remove_measurement(std::size_t index);
   /// Keeps the occlusal plane of a stage, also in its case. @param points  none: found by itself
   void set_plane(io::ScanStage stage, const std::optional<OcclusalPoints>& points);
+  /// Of the current stage. @return  whether it was kept: the case may refuse it
+  bool add_margin(io::StoredMargin margin);
+  /// The line of a margin that was drawn anew, on a newer model.
+  void renew_margin(std::int64_t id, review::Margin line);
+  void remove_margin(std::size_t index);
 
   /// Pauses, and turns to another stage.
   void select(io::ScanStage stage);
@@ -75,6 +80,11 @@ class StageController {
   [[nodiscard]] const std::optional<OcclusalPoints>& plane_of(io::ScanStage stage) const {
     return planes_[static_cast<std::size_t>(stage)];
   }
+  /// Of the current stage.
+  [[nodiscard]] const std::vector<io::Measurement>& measurements() const {
+    return measurements_[stage_];
+  }
+  [[nodiscard]] const std::vector<io::StoredMargin>& margins() const { return margins_[stage_]; }
   /// The case that scans are saved in; null: none.
   [[nodiscard]] const std::shared_ptr<CaseStore>& store() const { return store_; }
   /// False while a scan is finishing, see scan::may_leave().
@@ -104,6 +114,8 @@ class StageController {
   std::array<std::shared_ptr<scan::LiveScan>, io::kScanStages.size()> scans_;
   std::array<std::vector<io::Measurement>, io::kScanStages.size()> measurements_;
   std::array<std::optional<OcclusalPoints>, io::kScanStages.size()> planes_;
+  std::array<std::vector<io::StoredMargin>, io::kScanStages.size()> margins_;
+  std::int64_t latest_margin_ = 0;  ///< id of one that is in no case: negative
   std::array<bool, io::kScanStages.size()> is_loading_ = {};
   std::array<std::string, io::kScanStages.size()> load_failures_;
   std::string reported_failure_;

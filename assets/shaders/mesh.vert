@@ -6,7 +6,7 @@ layout(location = 1) in vec4 normal;       // world, unit
 layout(location = 2) in vec2 uv;
 // sRGB; alpha holds bits: 2 good, 4 locked, 8 to trim, 16 not measured, 32 lower jaw
 layout(location = 3) in vec4 color_flags;
-layout(location = 4) in float value_mm;  // uncertainty, or clearance of two jaws
+layout(location = 4) in float value_mm;  // uncertainty, clearance of two jaws, or depth of undercut
 
 uniform mat4 T_eye_world;
 uniform mat4 P_clip_eye;
@@ -34,4 +34,5 @@ void main() {
   if (color_mode == 2) base_color = (flags & 2) != 0 ? good_color : thin_color;
   if (color_mode == 3) base_color = sigma_color(min(value_mm, 1e9));
   if (color_mode == 4) base_color = clearance_color(value_mm);
+  if (color_mode == 5) base_color = undercut_color(value_mm);
 }

@@ -191,6 +191,17 @@ Measured length_mm(const Polyline& line) {
   return length;
 }
 
+double sigma_rms_mm(const Polyline& line) {
+  double squares = 0.0;
+  int count = 0;
+  for (const MeasuredPoint& point : line.points) {
+    if (!std::isfinite(point.sigma_mm)) continue;
+    squares += point.sigma_mm * point.sigma_mm;
+    ++count;
+  }
+  return std::sqrt(squares / std::max(count, 1));
+}
+
 Result<Section> section_of(const TriangleMesh& mesh, const Plane& plane) {
   if (!(plane.normal.norm() > 0.0) || !plane.normal.allFinite() || !plane.point_mm.allFinite())
     return fail(ErrorCode::kBadOption,

@@ -28,6 +28,9 @@ struct Polyline {
 ///          that is not in u.
 [[nodiscard]] Measured length_mm(const Polyline& line);
 
+/// RMS of the known sigmas of the line's points; 0 if none is known.
+[[nodiscard]] double sigma_rms_mm(const Polyline& line);
+
 /// Outlines of a section, the longest first.
 ///
 /// If the normal of the plane points at you, an outline runs counterclockwise around the solid. The

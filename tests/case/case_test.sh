@@ -156,6 +156,26 @@ expect 'its copy is encrypted' 1 'secret2\.flytri: is encrypted' \
 expect 'keep in a truncated case' 1 'cut\.flytri: .*damaged' \
   "$flytri" reconstruct cut.flytri -o no.ply --calibration c.json --keep
 
+# Margin lines of a case go with its model.
+expect 'a case with a margin line' 0 '^made' "$make_case" prepared prepared.flytri margin
+clicks=$(sed -n 's/^margin //p' log)
+expect 'export with a margin line' 0 '^wrote tooth-margin\.obj' \
+  "$flytri" export prepared.flytri -o tooth.glb -o tooth.stl
+expect 'the margin line is an object' 0 '^o margin-1$' cat tooth-margin.obj
+name='one file for both models'
+[ "$(echo ./*-margin.obj)" = ./tooth-margin.obj ] || fail "$(echo ./*-margin.obj)"
+rm tooth.glb tooth.stl
+expect 'a margin line stays' 1 'tooth-margin\.obj: exists already; .*--force' \
+  "$flytri" export prepared.flytri -o tooth.glb
+name='no model without its margin line'
+[ ! -e tooth.glb ] || fail 'tooth.glb was written'
+expect 'a margin line by review' 0 '^wrote lines\.obj' \
+  "$flytri" review prepared.flytri --margin "$clicks" --lines lines.obj
+name='both are the same line'
+paste <(grep '^v' lines.obj) <(grep '^v' tooth-margin.obj) \
+  | awk '{ for (i = 2; i < 5; ++i) if (($i - $(i + 4))^2 > 1e-8) exit 1 } END { exit NR < 100 }' \
+  || fail 'they differ'
+
 # A system call that fails: the message says the file and the reason, and nothing half is left.
 if strace -qq -o strace.log true 2> /dev/null; then
   for call in write fsync rename; do

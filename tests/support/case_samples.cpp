@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "core/base/random.h"
@@ -119,6 +120,20 @@ bool same_bits(const Frame& a, const Frame& b) {
   return a.index == b.index && a.kind == b.kind && same_bits_of(a.time_s, b.time_s) &&
          p.size() == q.size() && p.type() == q.type() && p.isContinuous() && q.isContinuous() &&
          std::memcmp(p.data, q.data, p.total() * p.elemSize()) == 0;
+}
+
+io::StoredMargin sample_margin(int points) {
+  io::StoredMargin margin;
+  margin.clicks_mm = {Vec3(1.0 / 3.0, 0.0, 2e-17), Vec3(-4.0, 5.5, 0.1), Vec3(3.0, -2.0, 1.0)};
+  margin.margin.line.is_closed = true;
+  for (int i = 0; i < points; ++i) {
+    const double sigma_mm = i == 1 ? std::numeric_limits<double>::infinity() : 0.01 + 0.001 * i;
+    margin.margin.line.points.push_back(
+        {Vec3(std::cos(0.5 * i), std::sin(0.5 * i), i / 7.0), sigma_mm});
+  }
+  margin.margin.edge_share = 11.0 / 12.0;
+  margin.margin.least_turn_rad = 0.7;
+  return margin;
 }
 
 std::string run_sql(const std::filesystem::path& path, const std::string& sql) {

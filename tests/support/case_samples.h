@@ -6,6 +6,7 @@
 #include "core/editing/edits.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
+#include "core/io/cases/case_file.h"
 
 namespace flytri::testing {
 
@@ -21,6 +22,9 @@ namespace flytri::testing {
 
 /// A stroke of three dabs.
 [[nodiscard]] editing::Edit sample_edit(int number);
+
+/// A closed line of `points` points with three clicks; the second point has no known uncertainty.
+[[nodiscard]] io::StoredMargin sample_margin(int points = 12);
 
 /// Runs SQL on a closed case with the library alone, as somebody who makes a crafted case would.
 /// @return  the library's error message; empty: it was done

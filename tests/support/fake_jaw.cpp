@@ -60,6 +60,7 @@ FakeJaw::FakeJaw()
   surfels_ = seen_until(kLiveShare);
   places_ = find_places();
   result_ = finish();
+  prepared_jaw_ = testing::prepared_jaw(mesh_, T_world_jaw());
 }
 
 Isometry FakeJaw::sensor_at(double share) const {
@@ -177,6 +178,13 @@ std::shared_ptr<const reconstruct::FinishedScan> FakeJaw::finish() const {
   result->model.mesh = mesh_;
   for (const reconstruct::JawSpan& span : reconstruct::jaw_spans(mesh_, JawKind::kUpper))
     result->spans.push_back({span, 0.011});
+  return result;
+}
+
+std::shared_ptr<const reconstruct::FinishedScan> FakeJaw::prepared() const {
+  auto result = std::make_shared<reconstruct::FinishedScan>();
+  result->surface.mesh = prepared_jaw_.mesh;
+  result->model.mesh = prepared_jaw_.mesh;
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "core/scan/scan_snapshot.h"
 #include "hw/simulated/optics/image_simulator.h"
 #include "hw/simulated/optics/view_simulator.h"
+#include "tests/support/prepared_jaw.h"
 #include "ui/state/app_view.h"
 
 namespace flytri::testing {
@@ -29,6 +30,9 @@ class FakeJaw {
   [[nodiscard]] Isometry T_world_sensor() const;
   [[nodiscard]] const std::vector<scan::ReentryPlace>& reentry_places() const { return places_; }
   [[nodiscard]] std::shared_ptr<const reconstruct::FinishedScan> result() const { return result_; }
+  /// The same, with a tooth prepared for a crown.
+  [[nodiscard]] std::shared_ptr<const reconstruct::FinishedScan> prepared() const;
+  [[nodiscard]] const PreparedJaw& prepared_jaw() const { return prepared_jaw_; }
   [[nodiscard]] io::Measurement measurement() const;
 
  private:
@@ -52,6 +56,7 @@ class FakeJaw {
   SurfelModel surfels_;
   std::vector<scan::ReentryPlace> places_;
   std::shared_ptr<const reconstruct::FinishedScan> result_;
+  PreparedJaw prepared_jaw_;
 };
 
 }  // namespace flytri::testing

@@ -9,6 +9,7 @@
 #include "tests/support/fake_devices.h"
 #include "tests/support/fake_jaw.h"
 #include "tests/support/fake_occlusion.h"
+#include "ui/state/command.h"
 
 namespace flytri::testing {
 namespace {
@@ -91,6 +92,9 @@ void set_scan(AppView& view, scan::ScanSnapshot scan) {
 struct FakeScan::Parts {
   FakeJaw jaw;
   std::shared_ptr<const ui::JawPair> pair = fake_pair(jaw.result()->surface.mesh);
+  std::shared_ptr<const reconstruct::FinishedScan> prepared_model = jaw.prepared();
+  FakeReview review{prepared_model};
+  AppView reviewed_view = review_all();
 
   [[nodiscard]] AppView preview() const {
     AppView view = ordinary_view();
@@ -209,6 +213,49 @@ struct FakeScan::Parts {
     view.occlusion.failure =
         "Bite: only 4 % of its points lie on the lower jaw (at least 10 % are needed): scan the "
         "teeth of both jaws from the cheek";
+    return view;
+  }
+
+  /// A finished jaw with a prepared tooth.
+  [[nodiscard]] AppView prepared(const ui::Texts& texts) const {
+    AppView view = finished(texts);
+    scan::ScanSnapshot scan = *view.scan;
+    scan.result = prepared_model;
+    scan.holes.clear();
+    set_scan(view, std::move(scan));
+    view.measurements.clear();
+    view.notices.clear();
+    return view;
+  }
+
+  /// All of it is measured once: it takes seconds.
+  [[nodiscard]] AppView review_all() const {
+    AppView view = prepared({});
+    const std::vector<Vec3>& margin_mm = jaw.prepared_jaw().margin_mm;
+    const auto at = [&](std::size_t percent) {
+      return margin_mm[percent * margin_mm.size() / 100];
+    };
+    const Vec3 tooth_mm = jaw.prepared_jaw().tooth_mm;
+    review.obey(ui::AddMeasurement{{0, at(0), at(50), {}}}, view);
+    review.obey(ui::AddMeasurement{{0, at(25), at(75), {}}}, view);
+    review.obey(ui::MeasureAngle{{at(0), tooth_mm, at(50)}}, view);
+    const Vec3 along = (at(50) - at(0)).normalized(), across = (at(75) - at(25)).normalized();
+    const review::Plane plane = {tooth_mm, along};
+    review.obey(ui::CutSection{plane, {}}, view);
+    review.obey(ui::FindUndercut{{std::nullopt, tooth_mm, 7.0}}, view);
+    const std::vector<Vec3> clicks_mm = {at(0), at(20), at(40), at(60), at(80)};
+    review.obey(ui::DrawMargin{clicks_mm}, view);
+    review.obey(ui::KeepMargin{}, view);
+    auto former = *view.review.margins.front().margin;
+    for (review::MeasuredPoint& point : former.line.points) point.position_mm += 0.6 * across;
+    view.review.margins.push_back({std::make_shared<const review::Margin>(former), true});
+    return view;
+  }
+
+  [[nodiscard]] AppView reviewed(const ui::Texts& texts) const {
+    AppView view = prepared(texts);
+    view.measurements = reviewed_view.measurements;
+    view.review = reviewed_view.review;
     return view;
   }
 
@@ -362,6 +409,8 @@ struct FakeScan::Parts {
 FakeScan::FakeScan() : parts_(std::make_unique<Parts>()) {}
 FakeScan::~FakeScan() = default;
 
+const FakeReview& FakeScan::review() const { return parts_->review; }
+
 std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Texts& texts) const {
   const Parts& parts = *parts_;
   const std::array<std::function<AppView()>, kFakeStates.size()> makers = {
@@ -392,7 +441,9 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
       [&] { return parts.bite(texts); },
       [&] { return parts.closing(texts); },
       [&] { return parts.jaws(texts); },
-      [&] { return parts.jaws_refused(texts); }};
+      [&] { return parts.jaws_refused(texts); },
+      [&] { return parts.prepared(texts); },
+      [&] { return parts.reviewed(texts); }};
   std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/support/fake_review.h"
 #include "tests/support/fake_states.h"
 #include "ui/state/app_view.h"
 
@@ -18,6 +19,9 @@ class FakeScan {
   ~FakeScan();
   FakeScan(const FakeScan&) = delete;
   FakeScan& operator=(const FakeScan&) = delete;
+
+  /// Measures on the model of the states prepared and reviewed.
+  [[nodiscard]] const FakeReview& review() const;
 
   /// @return  none for a name outside kFakeStates and kExportStates
   [[nodiscard]] std::optional<ui::AppView> view(std::string_view state,

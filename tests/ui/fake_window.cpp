@@ -81,6 +81,7 @@ struct FakeProgram {
       view.calibration->running.reset();
     }
     if (const auto* made = std::get_if<flytri::ui::NewCase>(&command)) view.file.path = made->path;
+    if (state == "prepared" || state == "reviewed") scans.review().obey(command, view);
     // Files exist, as in the state export_exists, until the user allows to replace them.
     if (const auto* wanted = std::get_if<flytri::ui::Export>(&command)) {
       show(wanted->replaced.empty() ? "export_exists" : "exported");

@@ -131,6 +131,14 @@ TEST_P(SmallestWindow, FitsInTheExportDialogAfterAnExport) {
   }
 }
 
+TEST_P(SmallestWindow, FitsWhileAFinishedModelIsMeasured) {
+  for (const std::string state : {"prepared", "reviewed"}) {
+    show(state);
+    for (const char* mode : {"measure_distance", "measure_angle", "section", "undercut", "margin"})
+      check_after(mode, state);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AtScales, SmallestWindow,
                          ::testing::Values(Show{"en", 1.0}, Show{"en", 1.125}, Show{"en", 1.25},
                                            Show{"en", 1.5}),

@@ -5,6 +5,7 @@
 
 #include "ui/actions/action_groups.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/review_look.h"
 
 namespace flytri::ui {
 namespace {
@@ -26,14 +27,28 @@ bool undoes_point(const WindowState& state) {
   return state.tool == Tool::kPlane && !state.plane_points_mm.empty();
 }
 
+bool undoes_click(const Situation& now) {
+  return is_reviewing(now.view, now.state) && has_click(now.state);
+}
+
 ActionState undo_state(const Situation& now) {
   if (undoes_point(now.state)) return enabled();
+  if (undoes_click(now)) return enabled(Text::kTakesClickBack);
   if (undoes_clearing(now)) return enabled(Text::kBringsScanBack);
   return only_if(now.can_edit() && now.view.scan->can_undo, Text::kNothingToUndo);
 }
 
+/// What was found from all clicks is no longer asked for.
+void undo_click(const ActionRunner& run) {
+  take_click_back(run.state);
+  const ReviewForm& form = run.state.review;
+  if (form.mode == ReviewMode::kMargin) run.send(DrawMargin{form.margin_mm});
+  if (form.mode == ReviewMode::kSection && form.plane) run.send(CutSection{*form.plane, {}});
+}
+
 void undo(const ActionRunner& run) {
   if (undoes_point(run.state)) return run.state.plane_points_mm.pop_back();
+  if (undoes_click({run.view, run.state})) return undo_click(run);
   if (undoes_clearing({run.view, run.state})) return run.send(BringBackStage{});
   run.send(Undo{});
 }
@@ -78,6 +93,22 @@ ActionState tool_state(const Situation& now) {
 template <Tool kTool>
 void toggle_tool(const ActionRunner& run) {
   run.toggle(kTool);
+  if (is_reviewing(run.view, run.state)) run.send(BeginReview{});
+}
+
+template <ReviewMode kMode>
+ActionState review_state(const Situation& now) {
+  if (!now.is_finished()) return disabled(Text::kFinishTheScan);
+  if (shown_jaws(now.view, now.state) != nullptr) return disabled(Text::kNotForBothJaws);
+  return chosen(is_reviewing(now.view, now.state, kMode), Text::kActive);
+}
+
+template <ReviewMode kMode>
+void review_by(const ActionRunner& run) {
+  if (run.state.tool != Tool::kMeasure) run.toggle(Tool::kMeasure);
+  run.state.review.mode = kMode;
+  run.state.review.shows_undercut = true;
+  run.send(BeginReview{});
 }
 
 ActionState brush_state(const Situation& now) {
@@ -147,6 +178,36 @@ constexpr std::array kEditingActions = {
               .shortcut = {GLFW_KEY_M},
               .state = tool_state<Tool::kMeasure>,
               .perform = toggle_tool<Tool::kMeasure>},
+    ActionRow{.action = Action::kMeasureDistance,
+              .id = "measure_distance",
+              .name = Text::kMeasureDistance,
+              .shortcut = {GLFW_KEY_M, GLFW_MOD_SHIFT},
+              .state = review_state<ReviewMode::kDistance>,
+              .perform = review_by<ReviewMode::kDistance>},
+    ActionRow{.action = Action::kMeasureAngle,
+              .id = "measure_angle",
+              .name = Text::kMeasureAngle,
+              .shortcut = {GLFW_KEY_7},
+              .state = review_state<ReviewMode::kAngle>,
+              .perform = review_by<ReviewMode::kAngle>},
+    ActionRow{.action = Action::kSection,
+              .id = "section",
+              .name = Text::kSection,
+              .shortcut = {GLFW_KEY_8},
+              .state = review_state<ReviewMode::kSection>,
+              .perform = review_by<ReviewMode::kSection>},
+    ActionRow{.action = Action::kUndercut,
+              .id = "undercut",
+              .name = Text::kUndercut,
+              .shortcut = {GLFW_KEY_9},
+              .state = review_state<ReviewMode::kUndercut>,
+              .perform = review_by<ReviewMode::kUndercut>},
+    ActionRow{.action = Action::kMargin,
+              .id = "margin",
+              .name = Text::kMargin,
+              .shortcut = {GLFW_KEY_0},
+              .state = review_state<ReviewMode::kMargin>,
+              .perform = review_by<ReviewMode::kMargin>},
     ActionRow{.action = Action::kRemoveMeasurement,
               .id = "remove_measurement",
               .name = Text::kRemoveLastDistance,

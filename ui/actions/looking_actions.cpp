@@ -6,6 +6,7 @@
 #include "ui/actions/action_groups.h"
 #include "ui/state/camera_moves.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/review_look.h"
 
 namespace flytri::ui {
 namespace {
@@ -20,6 +21,7 @@ ActionState color_state(const Situation& now) {
       return disabled(Text::kNotForBothJaws);
     if (now.state.jaws.shows_clearance) return enabled();
   }
+  if (shown_undercut(now.view, now.state) != nullptr) return enabled();
   const bool is_on = now.state.color_mode == kMode;
   if (kMode == ColorMode::kTexture && is_on) {
     return {.is_on = true, .text = percent_text(now.state.texture_blend)};
@@ -31,6 +33,7 @@ template <ColorMode kMode>
 void color_by(const ActionRunner& run) {
   // Another stage's colors say nothing about the clearance.
   if (shown_jaws(run.view, run.state) != nullptr) run.state.jaws.shows_clearance = false;
+  run.state.review.shows_undercut = false;
   run.state.color_mode = kMode;
 }
 

@@ -5,6 +5,7 @@
 
 #include "ui/actions/action_groups.h"
 #include "ui/state/export_target.h"
+#include "ui/state/review_look.h"
 
 namespace flytri::ui {
 namespace {
@@ -103,7 +104,7 @@ bool can_confirm(const Situation& now) {
       if (case_form.tab == CaseTab::kDamage && !can_be_rescued(now.view.file)) return false;
       return now.may_leave() && !now.view.file.is_moving && !now.view.file.is_opening;
     case Dialog::kNone:
-      return false;
+      return can_keep_margin(now.view, now.state);
     case Dialog::kHelp:
     case Dialog::kSettings:
     case Dialog::kDevices:
@@ -192,6 +193,11 @@ void confirm_question(const ActionRunner& run) {
   run.state.dialog = is_case ? Dialog::kCase : Dialog::kNone;
 }
 
+void keep_margin(const ActionRunner& run) {
+  run.send(KeepMargin{});
+  run.state.review.margin_mm.clear();
+}
+
 void confirm(const ActionRunner& run) {
   switch (run.state.dialog) {
     case Dialog::kCalibration:
@@ -204,6 +210,7 @@ void confirm(const ActionRunner& run) {
     case Dialog::kQuestion:
       return confirm_question(run);
     case Dialog::kNone:
+      return keep_margin(run);
     case Dialog::kHelp:
     case Dialog::kSettings:
     case Dialog::kDevices:

@@ -11,6 +11,7 @@
 #include "core/io/files/png.h"
 #include "ui/actions/action_table.h"
 #include "ui/state/export_target.h"
+#include "ui/state/review_look.h"
 #include "ui/widgets/meter.h"
 
 namespace flytri::ui {
@@ -109,6 +110,74 @@ nlohmann::json export_as_json(const DrawnFrame& frame) {
           {"report", export_target(frame.view, form).report}};
 }
 
+nlohmann::json point_as_json(const Vec3& p_mm) { return {p_mm.x(), p_mm.y(), p_mm.z()}; }
+
+/// JSON has no infinity: null is not known.
+nlohmann::json measured_as_json(const review::Measured& measured) {
+  return {{"value", measured.value}, {"uncertainty", measured.uncertainty}};
+}
+
+nlohmann::json points_as_json(const std::vector<Vec3>& points_mm) {
+  nlohmann::json points = nlohmann::json::array();
+  for (const Vec3& p_mm : points_mm) points.push_back(point_as_json(p_mm));
+  return points;
+}
+
+nlohmann::json section_as_json(const review::ReviewedSection& section,
+                               const std::vector<Vec3>& clicked_mm) {
+  nlohmann::json json = {{"point_mm", point_as_json(section.plane.point_mm)},
+                         {"normal", point_as_json(section.plane.normal)},
+                         {"outlines", section.outlines.size()},
+                         {"clicked_mm", points_as_json(clicked_mm)}};
+  if (section.places.size() == 2) {
+    json["straight"] =
+        measured_as_json(review::distance_mm(section.places[0].point, section.places[1].point));
+  }
+  if (section.along_mm) json["along"] = measured_as_json(*section.along_mm);
+  return json;
+}
+
+/// What is measured on the finished model, with the places that were clicked for it.
+nlohmann::json review_as_json(const AppView& view, const WindowState& state) {
+  const ReviewState& review = view.review;
+  const ReviewForm& form = state.review;
+  nlohmann::json json = {
+      {"mode", is_reviewing(view, state) ? to_string(form.mode) : "none"},
+      {"running", review.is_running},
+      {"checking", review.is_checking},
+      {"failures", {review.section_failure, review.undercut_failure, review.margin_failure}},
+      {"angle_clicks_mm", points_as_json(form.angle_mm)},
+      {"margin_clicks_mm", points_as_json(form.margin_mm)}};
+  json["distances"] = json["angles"] = json["margins"] = nlohmann::json::array();
+  for (std::size_t i = 0; i < std::min(view.measurements.size(), review.distances_mm.size()); ++i) {
+    json["distances"].push_back(measured_as_json(review.distances_mm[i]));
+    json["distances"].back()["points_mm"] =
+        points_as_json({view.measurements[i].from_mm, view.measurements[i].to_mm});
+  }
+  for (const review::ReviewedNumber& angle : review.angles_rad) {
+    json["angles"].push_back(measured_as_json(angle.measured));
+    for (const review::MeasuredPoint& point : angle.points)
+      json["angles"].back()["points_mm"].push_back(point_as_json(point.position_mm));
+  }
+  if (review.section != nullptr)
+    json["section"] = section_as_json(*review.section, form.section_mm);
+  if (review.undercut != nullptr) {
+    const review::ReviewedUndercut& undercut = review.undercut->reviewed;
+    json["undercut"] = measured_as_json(undercut.undercut.area_mm2);
+    json["undercut"]["axis"] = point_as_json(undercut.axis);
+    json["undercut"]["deepest_mm"] = undercut.undercut.deepest_mm;
+    json["undercut"]["shown"] = shown_undercut(view, state) != nullptr;
+    if (form.around_mm) json["undercut"]["around_mm"] = point_as_json(*form.around_mm);
+  }
+  if (review.drawn != nullptr)
+    json["drawn"] = measured_as_json(review::length_mm(review.drawn->margin.line));
+  for (const KeptMargin& kept : review.margins) {
+    json["margins"].push_back(measured_as_json(review::length_mm(kept.margin->line)));
+    json["margins"].back()["outdated"] = kept.is_outdated;
+  }
+  return json;
+}
+
 }  // namespace
 
 void carry_out_request(const std::string& request, const AppView& view, WindowState& state,
@@ -196,6 +265,7 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
        {{"known", frame.view.plane.has_value()},
         {"set", frame.view.has_set_plane},
         {"points", state.plane_points_mm.size()}}},
+      {"review", review_as_json(frame.view, state)},
       {"brush_share", state.brush.radius_share},
       {"camera", camera_as_json(state.view)},
       {"actions", actions_as_json(frame.view, state)},

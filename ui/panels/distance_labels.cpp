@@ -1,4 +1,5 @@
-/// @file  The length of each measured distance, beside its middle in the scene, and names of axes.
+/// @file  The length of each measured distance, beside its middle in the scene, the angles, and
+/// names of axes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "ui/panels/panels.h"
 #include "ui/scene/scene_content.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/review_look.h"
 #include "ui/state/shown_plane.h"
 
 namespace flytri::ui {
@@ -60,12 +62,22 @@ void draw_distance_labels(const PanelContext& context) {
   if (shown_jaws(context.view, context.state) != nullptr) return;
   draw_plane_labels(context);
   const Rect& picture = context.layout.picture;
-  for (const io::Measurement& measured : context.view.measurements) {
-    const auto middle =
-        place_in_window(context.state.view, picture, 0.5 * (measured.from_mm + measured.to_mm));
-    if (!middle || !picture.contains(*middle)) continue;
-    draw_label(context, *middle,
-               fmt::format("{:.2f} mm", (measured.to_mm - measured.from_mm).norm()));
+  const auto label = [&](const Vec3& place_mm, const std::string& text) {
+    const auto place = place_in_window(context.state.view, picture, place_mm);
+    if (place && picture.contains(*place)) draw_label(context, *place, text);
+  };
+  const bool reviews = is_reviewing(context.view, context.state);
+  if (reviews && context.state.review.mode == ReviewMode::kAngle) {
+    for (const review::ReviewedNumber& angle : context.view.review.angles_rad)
+      label(angle.points[1].position_mm, measured_angle_text(angle.measured));
+  }
+  if (reviews && context.state.review.mode != ReviewMode::kDistance) return;
+  const std::vector<review::Measured>& known = context.view.review.distances_mm;
+  for (std::size_t i = 0; i < context.view.measurements.size(); ++i) {
+    const io::Measurement& measured = context.view.measurements[i];
+    label(0.5 * (measured.from_mm + measured.to_mm),
+          i < known.size() ? measured_mm_text(known[i])
+                           : fmt::format("{:.2f} mm", (measured.to_mm - measured.from_mm).norm()));
   }
 }
 

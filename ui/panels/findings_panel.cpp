@@ -9,6 +9,7 @@
 #include "ui/state/camera_moves.h"
 #include "ui/state/jaw_words.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/review_look.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/meter.h"
 
@@ -131,6 +132,8 @@ struct FindingsPlate {
 std::optional<FindingsPlate> findings_plate(const PanelContext& context) {
   // They are about the bite scan.
   if (shown_jaws(context.view, context.state) != nullptr) return std::nullopt;
+  // The side panel lists what was measured.
+  if (is_reviewing(context.view, context.state)) return std::nullopt;
   switch (findings_of(context)) {
     case Findings::kHoles: {
       // One row for the button to the next hole.

@@ -77,6 +77,7 @@ float extra_height(ColorMode mode) {
       return 34.0F + kGapS;
     case ColorMode::kShading:
     case ColorMode::kClearance:
+    case ColorMode::kUndercut:
       break;
   }
   return 0.0F;

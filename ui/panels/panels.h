@@ -39,6 +39,9 @@ void draw_continuation(const PanelContext& context, const Rect& box);
 /// The side panel of a finished bite: how the jaws meet, or what is missing for it.
 void draw_occlusion(const PanelContext& context, const Rect& box);
 
+/// The side panel while a finished model is measured.
+void draw_review(const PanelContext& context, const Rect& box);
+
 // Dialogs, while they are open.
 void draw_help_dialog(const PanelContext& context);
 void draw_export_dialog(const PanelContext& context);

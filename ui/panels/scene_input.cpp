@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/review_input.h"
+#include "ui/state/review_look.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -146,7 +149,11 @@ void handle_scene_input(const PanelContext& context) {
   find_under_pointer(context);
   const Tool tool = context.state.tool;
   if (has_brush(tool)) paint(context);
-  if (tool == Tool::kMeasure) measure(context);
+  if (is_reviewing(context.view, context.state)) {
+    handle_review_input(context);
+  } else if (tool == Tool::kMeasure) {
+    measure(context);
+  }
   if (tool == Tool::kPlane) click_plane(context);
   const bool steers = steers_by_pointer(context);
   if (steers) point_hand(context);

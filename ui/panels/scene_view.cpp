@@ -4,6 +4,7 @@
 
 #include "ui/state/camera_moves.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/review_look.h"
 #include "ui/state/shown_plane.h"
 #include "ui/state/way_back.h"
 
@@ -116,20 +117,79 @@ void add_tints(const PanelContext& context, SceneContent& content) {
 }
 
 void add_tools(const PanelContext& context, SceneContent& content) {
-  for (const io::Measurement& measured : context.view.measurements) {
-    content.measurements.push_back({measured.from_mm, measured.to_mm, false});
-  }
   const WindowState& state = context.state;
-  if (state.measured_from_mm && state.brush.under_pointer) {
+  const bool measures_otherwise = is_reviewing(context.view, state) &&
+                                  !is_reviewing(context.view, state, ReviewMode::kDistance);
+  if (!measures_otherwise) {
+    for (const io::Measurement& measured : context.view.measurements)
+      content.measurements.push_back({measured.from_mm, measured.to_mm, false});
+  }
+  if (!measures_otherwise && state.measured_from_mm && state.brush.under_pointer) {
     content.measurements.push_back(
         {*state.measured_from_mm, state.brush.under_pointer->center_mm.cast<double>(), true});
   }
   if (const auto plane = shown_plane(context.view, state))
     content.plane = ScenePlane{plane->T_world_patient, plane->box_mm};
-  content.marked_mm = state.plane_points_mm;
+  content.marks_mm = state.plane_points_mm;
   if (has_brush(state.tool) && state.brush.under_pointer) {
     content.brush = BrushCursor{*state.brush.under_pointer, kind_of(state.tool)};
   }
+}
+
+constexpr Color kOutdated = {0.55F, 0.55F, 0.55F, 1.0F};
+
+std::vector<Vec3> places_of(const review::Polyline& line) {
+  std::vector<Vec3> places_mm;
+  places_mm.reserve(line.points.size());
+  for (const review::MeasuredPoint& point : line.points) places_mm.push_back(point.position_mm);
+  return places_mm;
+}
+
+void add_line(const review::Polyline& line, const Color& color, SceneContent& content) {
+  content.lines.push_back({places_of(line), line.is_closed, color});
+}
+
+void add_angles(const PanelContext& context, SceneContent& content) {
+  for (const review::ReviewedNumber& angle : context.view.review.angles_rad) {
+    const auto& at = angle.points;
+    content.measurements.push_back({at[1].position_mm, at[0].position_mm, false});
+    content.measurements.push_back({at[1].position_mm, at[2].position_mm, false});
+  }
+}
+
+void add_section(const PanelContext& context, SceneContent& content) {
+  const auto& section = context.view.review.section;
+  if (section == nullptr) return;
+  for (const review::Polyline& line : section->outlines) add_line(line, kNeutral, content);
+  for (const review::SectionPlace& place : section->places)
+    content.marks_mm.push_back(place.point.position_mm);
+}
+
+void add_axis(const PanelContext& context, SceneContent& content) {
+  const auto map = shown_undercut(context.view, context.state);
+  if (map == nullptr) return;
+  content.undercut = SceneUndercut{&map->depth_mm, context.state.undercut_number.of(map)};
+  const double length_mm = 1.6 * map->radius_mm;
+  content.axis = SceneArrow{map->middle_mm, map->middle_mm + length_mm * map->reviewed.axis};
+}
+
+/// What the tool for measuring shows in its mode; kept margin lines are always shown.
+void add_review(const PanelContext& context, SceneContent& content) {
+  const AppView& view = context.view;
+  for (const KeptMargin& kept : view.review.margins)
+    add_line(kept.margin->line, kept.is_outdated ? kOutdated : kGood, content);
+  if (!is_reviewing(view, context.state)) return;
+  const ReviewForm& form = context.state.review;
+  if (form.mode == ReviewMode::kAngle) {
+    add_angles(context, content);
+    content.marks_mm = form.angle_mm;
+  }
+  if (form.mode == ReviewMode::kSection) add_section(context, content);
+  if (form.mode == ReviewMode::kUndercut) add_axis(context, content);
+  if (form.mode != ReviewMode::kMargin) return;
+  content.marks_mm = form.margin_mm;
+  if (view.review.drawn != nullptr && !form.margin_mm.empty())
+    add_line(view.review.drawn->margin.line, kCaution, content);
 }
 
 SceneContent content_of(const PanelContext& context) {
@@ -143,6 +203,7 @@ SceneContent content_of(const PanelContext& context) {
     add_tints(context, content);
   }
   add_tools(context, content);
+  add_review(context, content);
   return content;
 }
 
@@ -152,6 +213,8 @@ SceneOptions options_of(const PanelContext& context) {
   options.texture_blend = context.state.texture_blend;
   options.max_sigma_mm = max_sigma_mm(context.view);
   options.scale = static_cast<double>(context.theme.scale);
+  // Surfels have no depth of undercut.
+  if (options.color_mode == ColorMode::kUndercut) options.level_of_detail = false;
   if (const JawPair* jaws = shown_jaws(context.view, context.state); jaws != nullptr) {
     options.contact_mm = context.state.jaws.contact_mm;
     options.T_open_closed = opening(jaws->upper_axes, context.state.jaws.opening);

@@ -5,6 +5,7 @@
 
 #include "ui/panels/panels.h"
 #include "ui/panels/scene_view.h"
+#include "ui/state/review_look.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/distance_bar.h"
 #include "ui/widgets/hint.h"
@@ -143,6 +144,8 @@ void draw_side_panel(const PanelContext& context) {
   if (context.phase() == scan::ScanPhase::kContinuation) {
     context.pictures.live.show(latest_frame(context.view));
     draw_continuation(context, inner);
+  } else if (is_reviewing(context.view, context.state)) {
+    draw_review(context, inner);
   } else if (context.view.stage == io::ScanStage::kBite &&
              context.phase() == scan::ScanPhase::kFinished) {
     draw_occlusion(context, inner);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ui/panels/panels.h"
+#include "ui/state/review_look.h"
 #include "ui/theme/icons.h"
 
 namespace flytri::ui {
@@ -15,9 +16,26 @@ namespace {
 constexpr float kHeight = 60.0F;
 constexpr float kToolButton = 44.0F;
 
+Text review_instruction(const WindowState& state) {
+  switch (state.review.mode) {
+    case ReviewMode::kAngle:
+      return Text::kClickAngle;
+    case ReviewMode::kSection:
+      return Text::kClickSection;
+    case ReviewMode::kUndercut:
+      return Text::kClickPrepared;
+    case ReviewMode::kMargin:
+      return Text::kClickMargin;
+    case ReviewMode::kDistance:
+      break;
+  }
+  return state.measured_from_mm ? Text::kClickSecondPoint : Text::kClickFirstPoint;
+}
+
 /// Empty without a tool.
 std::string instruction(const PanelContext& context) {
   const WindowState& state = context.state;
+  if (is_reviewing(context.view, state)) return context.text(review_instruction(state));
   switch (state.tool) {
     case Tool::kTrim:
       return context.text(Text::kPaintToRemove);

@@ -4,6 +4,21 @@
 
 namespace flytri::ui {
 
+namespace {
+
+void set_undercut_colors(const ShaderProgram& program) {
+  program.set("deep_undercut_mm", static_cast<float>(kDeepUndercut_mm));
+  program.set("free_color", rgb_of(kFreeColor));
+  constexpr std::array<const char*, 3> kDepths = {"undercut_ramp[0]", "undercut_ramp[1]",
+                                                  "undercut_ramp[2]"};
+  for (std::size_t i = 0; i < kDepths.size(); ++i) {
+    const double share = static_cast<double>(i) / (kDepths.size() - 1);
+    program.set(kDepths[i], rgb_of(undercut_color(share)));
+  }
+}
+
+}  // namespace
+
 void set_coloring(const ShaderProgram& program, const SceneOptions& options) {
   program.set("color_mode", static_cast<int>(options.color_mode));
   program.set("texture_blend", static_cast<float>(options.texture_blend));
@@ -25,6 +40,7 @@ void set_coloring(const ShaderProgram& program, const SceneOptions& options) {
     const double share = static_cast<double>(i) / (kClearances.size() - 1);
     program.set(kClearances[i], rgb_of(clearance_color(share)));
   }
+  set_undercut_colors(program);
 }
 
 bool look_same(const SceneOptions& a, const SceneOptions& b) {

@@ -17,7 +17,7 @@ struct MeshVertex {
   std::uint32_t normal;
   Eigen::Vector2f uv;
   std::uint32_t color_flags;
-  float value_mm;  ///< uncertainty, or clearance
+  float value_mm;  ///< uncertainty, clearance, or depth of undercut
 };
 
 std::array<Attribute, 5> mesh_attributes() {
@@ -28,11 +28,11 @@ std::array<Attribute, 5> mesh_attributes() {
            {4, 1, GL_FLOAT, false, offsetof(MeshVertex, value_mm)}}};
 }
 
-float value_of(const SurfacePoint& vertex, std::size_t index,
-               const std::optional<SceneJaws>& jaws) {
-  if (!jaws) return vertex.sigma_mm;
+float value_of(const SurfacePoint& vertex, std::size_t index, const MeshPainter::Marks& marks) {
+  if (marks.undercut) return (*marks.undercut->depth_mm)[index];
+  if (!marks.jaws) return vertex.sigma_mm;
   // Graphics cards need not know NaN.
-  const float clearance_mm = (*jaws->clearance_mm)[index];
+  const float clearance_mm = (*marks.jaws->clearance_mm)[index];
   return std::isnan(clearance_mm) ? std::numeric_limits<float>::max() : clearance_mm;
 }
 
@@ -48,7 +48,7 @@ std::vector<MeshVertex> vertices_of(const TexturedMesh& mesh, const MeshPainter:
     vertices.push_back({v.position_mm, packed_normal(v.normal),
                         mesh.uv.empty() ? Eigen::Vector2f(0.0F, 0.0F) : mesh.uv[i],
                         packed_color(v.color, static_cast<std::uint8_t>(flags)),
-                        value_of(v, i, marks.jaws)});
+                        value_of(v, i, marks)});
   }
   return vertices;
 }

@@ -26,6 +26,7 @@ class MeshPainter {
     const std::vector<Coverage>& coverage;  ///< by vertex
     const Tints& tints;
     const std::optional<SceneJaws>& jaws;
+    const std::optional<SceneUndercut>& undercut;
   };
   /// Sends a mesh to graphics memory.
   void take(const TexturedMesh& mesh, const Marks& marks);

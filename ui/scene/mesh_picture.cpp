@@ -11,8 +11,9 @@ namespace flytri::ui {
 void MeshPicture::take(const SceneContent& content, const SurfelModel& scanned) {
   const TexturedMesh& mesh = *content.mesh;
   const bool is_known = &mesh == mesh_ && content.mesh_number == number_;
-  if (is_known && are_same(content.tints, tints_)) return;
-  const MeshPainter::Marks marks = {coverage_, content.tints, content.jaws};
+  const std::uint64_t undercut = content.undercut ? content.undercut->number : 0;
+  if (is_known && undercut == undercut_ && are_same(content.tints, tints_)) return;
+  const MeshPainter::Marks marks = {coverage_, content.tints, content.jaws, content.undercut};
   if (is_known) {
     painter_.mark(mesh, marks);
   } else {
@@ -23,6 +24,7 @@ void MeshPicture::take(const SceneContent& content, const SurfelModel& scanned) 
   }
   mesh_ = &mesh;
   number_ = content.mesh_number;
+  undercut_ = undercut;
   tints_ = content.tints;
   is_new_ = true;
 }

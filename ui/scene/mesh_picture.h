@@ -39,7 +39,7 @@ class MeshPicture {
   std::vector<Coverage> coverage_;  ///< by vertex
   SurfelModel surfels_;             ///< of the mesh; empty until they are needed
   const TexturedMesh* mesh_ = nullptr;
-  std::uint64_t number_ = 0;
+  std::uint64_t number_ = 0, undercut_ = 0;
   Tints tints_;
   bool is_new_ = false;
   bool is_coarse_ = false;

@@ -224,11 +224,36 @@ void add_measurement(Pen& pen, const MeasuredSegment& segment, const Eye& eye) {
   stroke(0.0, color);
 }
 
+/// In pieces of a few pixels: a line has a point every 0.1 mm or less.
+void add_line(Pen& pen, const SceneLine& line, double step_mm) {
+  std::vector<Vec3> corners;
+  for (const Vec3& p_mm : line.points_mm) {
+    const bool is_last = &p_mm == &line.points_mm.back();
+    if (corners.empty() || is_last || (p_mm - corners.back()).norm() >= step_mm)
+      corners.push_back(p_mm);
+  }
+  if (line.is_closed && !corners.empty()) corners.push_back(corners.front());
+  const auto stroke = [&](double width_px, const Color& ink) {
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+      pen.line(corners[i], corners[i + 1], width_px, ink);
+  };
+  stroke(5.0, kCasing);
+  stroke(3.0, line.color);
+}
+
+/// A small cross.
 void add_mark(Pen& pen, const Vec3& place_mm, const Eye& eye) {
-  const Vec3 towards_eye = eye.T_eye_world.block<1, 3>(2, 0).transpose().cast<double>();
-  const double radius_mm = 0.009 * eye.height_mm;
-  pen.ring(place_mm, towards_eye, radius_mm, 6.0, kCasing);
-  pen.ring(place_mm, towards_eye, radius_mm, 3.5, kCaution);
+  const double arm_mm = 0.008 * eye.height_mm;
+  const Eigen::Matrix3d R_world_eye =
+      eye.T_eye_world.topLeftCorner<3, 3>().transpose().cast<double>();
+  const auto stroke = [&](double width_px, const Color& ink) {
+    for (const int axis : {0, 1}) {
+      const Vec3 arm = arm_mm * R_world_eye.col(axis);
+      pen.line(place_mm - arm, place_mm + arm, width_px, ink);
+    }
+  };
+  stroke(5.5, kCasing);
+  stroke(3.5, kCaution);
 }
 
 void add_brush(Pen& pen, const BrushCursor& brush) {
@@ -255,7 +280,9 @@ std::vector<OverlayLine> overlay_lines(const SceneContent& content, const SceneO
   add_holes(pen, content, eye);
   for (const MeasuredSegment& segment : content.measurements) add_measurement(pen, segment, eye);
   if (content.plane) add_plane(pen, *content.plane, eye);
-  for (const Vec3& place_mm : content.marked_mm) add_mark(pen, place_mm, eye);
+  for (const SceneLine& line : content.lines) add_line(pen, line, step_mm / 3.0);
+  for (const Vec3& mark_mm : content.marks_mm) add_mark(pen, mark_mm, eye);
+  if (content.axis) add_arrow(pen, *content.axis, eye);
   if (content.brush) add_brush(pen, *content.brush);
   return std::move(pen).lines();
 }
@@ -278,6 +305,7 @@ Eigen::AlignedBox3d overlay_box_mm(const SceneContent& content) {
     for (const Vec3& end_mm : content.plane->axis_ends_mm()) box.extend(end_mm);
   }
   if (content.preview) extend(Isometry::Identity(), content.preview->volume_mm);
+  if (content.axis) box.extend(content.axis->from_mm).extend(content.axis->to_mm);
   return box;
 }
 

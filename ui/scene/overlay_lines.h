@@ -19,8 +19,8 @@ struct OverlayLine {
   bool operator==(const OverlayLine&) const = default;
 };
 
-/// Profiles, sensors, rims of the holes that face the eye, measured segments, the occlusal plane
-/// and the brush.
+/// Profiles, sensors, rims of the holes that face the eye, measured segments, the occlusal plane,
+/// lines on the surface and the brush.
 /// @param now_s  drives what pulses
 [[nodiscard]] std::vector<OverlayLine> overlay_lines(const SceneContent& content,
                                                      const SceneOptions& options, const Eye& eye,

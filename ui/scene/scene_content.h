@@ -13,6 +13,7 @@
 #include "core/geometry/view.h"
 #include "core/meshing/surface_mesh.h"
 #include "ui/scene/vertex_format.h"
+#include "ui/theme/status_colors.h"
 
 namespace flytri::ui {
 
@@ -57,6 +58,19 @@ struct ScenePlane {
   }
 };
 
+/// A line on the surface, world frame.
+struct SceneLine {
+  std::vector<Vec3> points_mm;
+  bool is_closed = false;
+  Color color = {1.0F, 1.0F, 1.0F, 1.0F};
+};
+
+/// How deep the mesh is undercut.
+struct SceneUndercut {
+  const std::vector<float>* depth_mm = nullptr;  ///< by vertex; 0 free, negative: not looked at
+  std::uint64_t number = 0;                      ///< changes when the depths do
+};
+
 /// The brush on the surface under the pointer.
 struct BrushCursor {
   editing::BrushDab dab;
@@ -72,11 +86,12 @@ struct SceneJaws {
 /// Pointers are used only during draw().
 struct SceneContent {
   const SurfelModel* model = nullptr;
-  const TexturedMesh* mesh = nullptr;  ///< if set, shown instead of the model; its coverage is
-                                       ///< that of the model
-  std::uint64_t mesh_number = 0;       ///< changes when the mesh does, even at the same address
-  std::optional<SceneJaws> jaws;       ///< of the mesh; then it has no coverage
-  bool is_dimmed = false;              ///< the model is frozen, and drawn darker
+  const TexturedMesh* mesh = nullptr;     ///< if set, shown instead of the model; its coverage is
+                                          ///< that of the model
+  std::uint64_t mesh_number = 0;          ///< changes when the mesh does, even at the same address
+  std::optional<SceneJaws> jaws;          ///< of the mesh; then it has no coverage
+  std::optional<SceneUndercut> undercut;  ///< of the mesh
+  bool is_dimmed = false;                 ///< the model is frozen, and drawn darker
 
   std::vector<AlignedView> highlighted;  ///< drawn as bright profiles on the model
   std::vector<SceneSensor> sensors;
@@ -88,7 +103,9 @@ struct SceneContent {
 
   std::vector<MeasuredSegment> measurements;
   std::optional<ScenePlane> plane;
-  std::vector<Vec3> marked_mm;  ///< places that were clicked, world frame
+  std::vector<SceneLine> lines;
+  std::vector<Vec3> marks_mm;      ///< places that were clicked
+  std::optional<SceneArrow> axis;  ///< of insertion
   std::optional<BrushCursor> brush;
   Tints tints;
 };

@@ -53,4 +53,12 @@ Color clearance_color(double share) {
   return color_on(kRamp, share);
 }
 
+Color undercut_color(double share) {
+  /// Yellow over orange to dark red, on pale blue where it is free: distinguishable with any color
+  /// vision.
+  static constexpr std::array<Color, 3> kRamp = {
+      {{0.98F, 0.86F, 0.32F, 1.0F}, {0.92F, 0.50F, 0.14F, 1.0F}, {0.62F, 0.08F, 0.12F, 1.0F}}};
+  return color_on(kRamp, share);
+}
+
 }  // namespace flytri::ui

@@ -12,7 +12,8 @@ enum class ColorMode {
   kTexture,      ///< the image of the texture camera over the plaster
   kCoverage,     ///< thin or good
   kUncertainty,  ///< standard uncertainty along the normal, from blue (low) to orange
-  kClearance     ///< of two jaws: distance to the other one
+  kClearance,    ///< of two jaws: distance to the other one
+  kUndercut      ///< of the part that is looked at: how deep it is undercut
 };
 
 struct SceneOptions {
@@ -46,5 +47,11 @@ inline constexpr Color kContactColor = {0.84F, 0.25F, 0.10F, 1.0F};
 inline constexpr Color kPenetrationColor = {0.45F, 0.12F, 0.50F, 1.0F};
 /// The scale of other clearances, from contact_mm at 0 to kFarClearance_mm at 1.
 [[nodiscard]] Color clearance_color(double share);
+
+/// Deeper than this, kUndercut has its last color.
+inline constexpr double kDeepUndercut_mm = 0.5;
+inline constexpr Color kFreeColor = {0.62F, 0.80F, 0.88F, 1.0F};
+/// The scale of kUndercut, from just undercut at 0 to kDeepUndercut_mm at 1.
+[[nodiscard]] Color undercut_color(double share);
 
 }  // namespace flytri::ui

@@ -18,6 +18,7 @@
 #include "core/scan/scan_snapshot.h"
 #include "ui/state/calibration_state.h"
 #include "ui/state/devices_state.h"
+#include "ui/state/review_state.h"
 #include "ui/text/texts.h"
 
 namespace flytri::ui {
@@ -219,6 +220,7 @@ struct AppView {
   std::vector<io::Measurement> measurements;  ///< of the current stage
   std::optional<OcclusalPlane> plane;  ///< of the current stage; none: not finished, or not known
   bool has_set_plane = false;          ///< the user has set the plane of the current stage
+  ReviewState review;                  ///< of its finished model
   Settings settings;
   Texts texts;                          ///< in the language of the settings
   std::vector<Notice> notices;          ///< newest last

@@ -1,6 +1,7 @@
 /// @file  Commands of the user: the window returns them, the program carries them out.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -41,6 +42,33 @@ struct FindOcclusalPlane {};
 /// Sets it. It stays as it is if the points cannot be those of an occlusal plane.
 struct SetOcclusalPlane {
   std::optional<OcclusalPoints> points;  ///< none: the program finds the plane
+};
+/// Makes the finished model ready to be measured on.
+struct BeginReview {};
+/// Measures the angle at the second of three points.
+struct MeasureAngle {
+  std::array<Vec3, 3> points_mm;
+};
+struct RemoveAngle {
+  std::size_t index = 0;  ///< in ReviewState::angles_rad
+};
+/// Cuts the finished model.
+struct CutSection {
+  review::Plane plane;
+  std::vector<Vec3> points_mm;  ///< none, or two near the section: measures between them
+};
+/// Finds what of the finished model is undercut.
+struct FindUndercut {
+  review::UndercutRequest request;
+};
+/// Finds the margin line along these clicks. Fewer than three: there is none.
+struct DrawMargin {
+  std::vector<Vec3> clicks_mm;
+};
+/// Keeps the drawn margin line in the case.
+struct KeepMargin {};
+struct RemoveMargin {
+  std::size_t index = 0;  ///< in ReviewState::margins
 };
 struct Finish {};
 struct CancelFinish {};
@@ -139,14 +167,14 @@ struct Tell {
 };
 struct Quit {};
 
-using Command =
-    std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage,
-                 AddMeasurement, RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane, Finish,
-                 CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, PrepareExport,
-                 OpenExportFolder, NewCase, OpenCase, DiscardCase, SaveRescueCopy, SetCaseFields,
-                 SteerHand, FollowPath, TakeSensorAway, PointHand, ChangeSettings, RecordFrames,
-                 ChoosePath, CheckDevices, BeginCalibration, TakeCalibrationImages,
-                 RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
+using Command = std::variant<
+    StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage, AddMeasurement,
+    RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane, BeginReview, MeasureAngle, RemoveAngle,
+    CutSection, FindUndercut, DrawMargin, KeepMargin, RemoveMargin, Finish, CancelFinish,
+    ResumeScan, ChooseReentry, SelectStage, Export, PrepareExport, OpenExportFolder, NewCase,
+    OpenCase, DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
+    PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices, BeginCalibration,
+    TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "ui/state/review_look.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -19,6 +21,7 @@ const JawPair* shown_jaws(const AppView& view, const WindowState& state) {
 }
 
 ColorMode shown_colors(const AppView& view, const WindowState& state) {
+  if (shown_undercut(view, state) != nullptr) return ColorMode::kUndercut;
   if (shown_jaws(view, state) == nullptr) return state.color_mode;
   if (state.jaws.shows_clearance) return ColorMode::kClearance;
   return state.color_mode == ColorMode::kTexture ? ColorMode::kTexture : ColorMode::kShading;

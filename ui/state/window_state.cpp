@@ -54,10 +54,28 @@ std::string_view to_string(ColorMode mode) {
       return "uncertainty";
     case ColorMode::kClearance:
       return "clearance";
+    case ColorMode::kUndercut:
+      return "undercut";
     case ColorMode::kShading:
       break;
   }
   return "shading";
+}
+
+std::string_view to_string(ReviewMode mode) {
+  switch (mode) {
+    case ReviewMode::kAngle:
+      return "angle";
+    case ReviewMode::kSection:
+      return "section";
+    case ReviewMode::kUndercut:
+      return "undercut";
+    case ReviewMode::kMargin:
+      return "margin";
+    case ReviewMode::kDistance:
+      break;
+  }
+  return "distance";
 }
 
 std::optional<double> typed_length_mm(const std::string& text) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,6 +65,25 @@ struct JawsLook {
   double contact_mm = 0.02;  ///< nearer than this is contact
 };
 
+/// What is measured on a finished model.
+enum class ReviewMode { kDistance, kAngle, kSection, kUndercut, kMargin };
+[[nodiscard]] std::string_view to_string(ReviewMode mode);
+
+/// What the user asked of the finished model, while the tool for measuring is in hand.
+struct ReviewForm {
+  ReviewMode mode = ReviewMode::kDistance;
+  std::vector<Vec3> angle_mm;   ///< clicked so far: at most two
+  std::vector<Vec3> margin_mm;  ///< clicked so far, in order along the edge
+  std::optional<review::Plane> plane;
+  std::vector<Vec3> section_mm;    ///< clicked in the picture of the section: at most two
+  double section_width_mm = 16.0;  ///< 2..100, of that picture
+  std::optional<Vec3> around_mm;   ///< a place on the prepared tooth
+  double radius_mm = 7.0;          ///< 2..15, how much around it is looked at
+  bool shows_undercut = true;      ///< the model has the colors of the undercut
+  ResultNumber model;              ///< that all of this is about
+  std::uint64_t model_number = 0;
+};
+
 struct ExportForm {
   std::string folder;
   std::string name;
@@ -110,6 +130,7 @@ struct WindowState {
   Tool tool = Tool::kNone;
   BrushState brush;
   JawsLook jaws;
+  ReviewForm review;
   std::optional<Vec3> measured_from_mm;  ///< first of the two points
   std::vector<Vec3> plane_points_mm;     ///< those clicked of three, for the occlusal plane
   std::optional<SelectedHole> selected_hole;
@@ -123,6 +144,7 @@ struct WindowState {
   std::uint64_t latest_notice = 0;
   std::uint64_t latest_choice = 0;  ///< of the file chooser, see take_chosen_path()
   ResultNumber result_number;       ///< of the result that is shown
+  ResultNumber undercut_number;     ///< of the undercut that is shown
   double frame_s = 0.0;             ///< between the latest two frames
 };
 

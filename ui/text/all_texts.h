@@ -12,5 +12,6 @@
 #include "ui/text/key_texts.h"
 #include "ui/text/occlusion_texts.h"
 #include "ui/text/plane_texts.h"
+#include "ui/text/review_texts.h"
 #include "ui/text/scanning_texts.h"
 #include "ui/text/settings_texts.h"

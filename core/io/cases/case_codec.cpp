@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/io/cases/view_codec.h"
@@ -144,6 +145,61 @@ Result<OcclusalPoints> decode_plane(std::string_view bytes) {
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   return json->outcome().map([&] { return points; });
+}
+
+std::string encode_margin(const StoredMargin& margin) {
+  nlohmann::json clicks = nlohmann::json::array(), points = nlohmann::json::array();
+  for (const Vec3& p : margin.clicks_mm) clicks.push_back({p.x(), p.y(), p.z()});
+  for (const review::MeasuredPoint& point : margin.margin.line.points) {
+    const Vec3& p = point.position_mm;
+    nlohmann::json numbers = {p.x(), p.y(), p.z()};
+    if (std::isfinite(point.sigma_mm)) numbers.push_back(point.sigma_mm);
+    points.push_back(std::move(numbers));
+  }
+  return json_text({{"clicks_mm", std::move(clicks)},
+                    {"points_mm", std::move(points)},
+                    {"edge_share", margin.margin.edge_share},
+                    {"least_turn_rad", margin.margin.least_turn_rad}});
+}
+
+Result<StoredMargin> decode_margin(std::string_view bytes, std::int64_t id) {
+  const Result<JsonPlace> json = JsonPlace::parse(bytes, kRecord);
+  if (!json) return tl::unexpected(json.error());
+  StoredMargin margin;
+  margin.id = id;
+  for (const JsonPlace& click : json->at("clicks_mm").elements())
+    margin.clicks_mm.push_back(take_point(click));
+  margin.margin.line.is_closed = true;
+  for (const JsonPlace& place : json->at("points_mm").elements()) {
+    const bool has_sigma = place.elements().size() == 4;
+    const std::vector<double> numbers = place.numbers(has_sigma ? 4 : 3);
+    margin.margin.line.points.push_back(
+        {{numbers[0], numbers[1], numbers[2]},
+         has_sigma ? numbers[3] : std::numeric_limits<double>::infinity()});
+  }
+  margin.margin.edge_share = json->at("edge_share").number();
+  margin.margin.least_turn_rad = json->at("least_turn_rad").number();
+  if (auto read = json->outcome(); !read) return tl::unexpected(read.error());
+  if (auto plausible = check_margin(margin); !plausible)
+    return fail(ErrorCode::kBadFormat, "damaged: this is no margin line");
+  return margin;
+}
+
+Result<void> check_margin(const StoredMargin& margin) {
+  constexpr double kFarthest_mm = 1e5;
+  const auto is_near = [](const Vec3& p_mm) {
+    return p_mm.allFinite() && p_mm.cwiseAbs().maxCoeff() <= kFarthest_mm;
+  };
+  const auto& points = margin.margin.line.points;
+  const bool is_plausible =
+      margin.clicks_mm.size() >= 3 && points.size() >= 3 && margin.margin.line.is_closed &&
+      std::all_of(margin.clicks_mm.begin(), margin.clicks_mm.end(), is_near) &&
+      std::all_of(points.begin(), points.end(), [&](const review::MeasuredPoint& point) {
+        return is_near(point.position_mm) && point.sigma_mm >= 0.0;
+      });
+  if (is_plausible) return {};
+  return fail(ErrorCode::kBadOption,
+              "a margin line needs three clicks and three points with finite coordinates");
 }
 
 std::string encode_pose(const Isometry& T_world_sensor) {

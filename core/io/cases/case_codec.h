@@ -26,6 +26,13 @@ namespace flytri::io {
 /// JSON: occlusal_points_mm, the nine coordinates of the three points.
 [[nodiscard]] std::string encode_plane(const OcclusalPoints& points);
 [[nodiscard]] Result<OcclusalPoints> decode_plane(std::string_view bytes);
+/// JSON: clicks_mm, points_mm (x, y, z, and sigma where it is known), edge_share, least_turn_rad.
+/// The id is that of the record.
+[[nodiscard]] std::string encode_margin(const StoredMargin& margin);
+[[nodiscard]] Result<StoredMargin> decode_margin(std::string_view bytes, std::int64_t id);
+/// Whether it is a closed line that somebody can have drawn.
+/// @errors  kBadOption.
+[[nodiscard]] Result<void> check_margin(const StoredMargin& margin);
 
 /// f64[12]: the upper three rows of the matrix, row by row.
 [[nodiscard]] std::string encode_pose(const Isometry& T_world_sensor);

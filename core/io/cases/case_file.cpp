@@ -192,6 +192,33 @@ Result<void> CaseFile::write_plane(ScanStage stage, const std::optional<Occlusal
   return records_->replace(CaseTable::kSummaries, id, encode_plane(*points));
 }
 
+Result<std::int64_t> CaseFile::add_margin(ScanStage stage, const StoredMargin& margin) {
+  if (auto checked = check_margin(margin); !checked) return tl::unexpected(checked.error());
+  return records_->append(CaseTable::kSummaries, scans_of(stage).margins_of(stage),
+                          encode_margin(margin));
+}
+
+Result<void> CaseFile::replace_margin(const StoredMargin& margin) {
+  if (auto checked = check_margin(margin); !checked) return checked;
+  return records_->replace(CaseTable::kSummaries, margin.id, encode_margin(margin));
+}
+
+Result<void> CaseFile::remove_margin(std::int64_t id) {
+  return records_->erase(CaseTable::kSummaries, {id, id});
+}
+
+Result<std::vector<StoredMargin>> CaseFile::load_margins(ScanStage stage) {
+  std::vector<StoredMargin> margins;
+  const auto damage =
+      records_->walk(CaseTable::kSummaries, scans_of(stage).margins_of(stage),
+                     [&](std::int64_t id, std::string_view data) -> Result<void> {
+                       return decode_margin(data, id).map(
+                           [&](StoredMargin&& margin) { margins.push_back(std::move(margin)); });
+                     });
+  if (!damage) return tl::unexpected(damage.error());
+  return margins;
+}
+
 Result<void> CaseFile::write_result(ScanStage stage, const StageResult& result) {
   const std::int64_t id = scans_of(stage).shown_id(stage);
   Result<void> outcome = records_->replace(CaseTable::kModels, id, result.glb);

@@ -21,6 +21,7 @@
 #include "core/geometry/jaw_axes.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
+#include "core/review/margin.h"
 
 namespace flytri::io {
 
@@ -58,6 +59,13 @@ struct Measurement {
   std::string label;
 };
 
+/// A margin line that the user drew on the finished model.
+struct StoredMargin {
+  std::int64_t id = 0;          ///< chosen by the case
+  std::vector<Vec3> clicks_mm;  ///< that it was found from, in order; world frame of the stage
+  review::Margin margin;        ///< world frame of the stage
+};
+
 /// A measured view, with its pose if it was registered.
 struct StoredView {
   std::shared_ptr<const View> view;
@@ -89,6 +97,7 @@ struct StoredStage {
   editing::EditStack edits;           ///< including what can be undone and redone
   std::vector<Measurement> measurements;
   std::optional<OcclusalPoints> plane;  ///< that the user has set
+  std::vector<StoredMargin> margins;
   /// The largest frame index in the stage, also of a scan that was cleared; -1: none. New frames
   /// come after it.
   FrameIndex last_frame{-1};
@@ -205,6 +214,14 @@ class CaseFile {
   /// @errors  Also kBadOption: a coordinate is not finite.
   [[nodiscard]] Result<void> write_plane(ScanStage stage,
                                          const std::optional<OcclusalPoints>& points);
+  /// Adds a margin line, chooses its id and returns it.
+  /// @errors  Also kBadOption: fewer than three clicks, no points, or numbers that are not finite.
+  [[nodiscard]] Result<std::int64_t> add_margin(ScanStage stage, const StoredMargin& margin);
+  /// Replaces the margin line with the same id.
+  /// @errors  As add_margin.
+  [[nodiscard]] Result<void> replace_margin(const StoredMargin& margin);
+  /// Does nothing if there is no margin line with this id.
+  [[nodiscard]] Result<void> remove_margin(std::int64_t id);
   /// Replaces the result of the stage.
   [[nodiscard]] Result<void> write_result(ScanStage stage, const StageResult& result);
   /// Empties a stage, so that it can be scanned again. What was in it is kept until the stage is
@@ -238,6 +255,8 @@ class CaseFile {
   [[nodiscard]] Result<StoredStage> load_stage(ScanStage stage);
   /// None: the user has set no occlusal plane.
   [[nodiscard]] Result<std::optional<OcclusalPoints>> plane(ScanStage stage);
+  /// The margin lines of a stage, without all that is damaged.
+  [[nodiscard]] Result<std::vector<StoredMargin>> load_margins(ScanStage stage);
   /// @errors  Also kInsufficient: the stage has no result.
   [[nodiscard]] Result<StageResult> load_result(ScanStage stage);
   /// Empty for a case of version 1 that is open read-only.

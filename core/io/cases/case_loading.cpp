@@ -21,7 +21,22 @@ class StageReader {
   /// @param take  called with the id and the data of a record; returns a Result
   template <typename Take>
   void read(CaseTable table, const Take& take) {
-    for (const RecordRange& range : scans_.records_of(table, stage_, scans_.shown())) {
+    read(table, scans_.records_of(table, stage_, scans_.shown()), take);
+  }
+
+  template <typename Take>
+  void read_margins(const Take& take) {
+    read(CaseTable::kSummaries, {scans_.margins_of(stage_)}, take);
+  }
+
+  [[nodiscard]] const Result<void>& outcome() const { return outcome_; }
+
+  StoredStage loaded;
+
+ private:
+  template <typename Take>
+  void read(CaseTable table, const std::vector<RecordRange>& ranges, const Take& take) {
+    for (const RecordRange& range : ranges) {
       if (!outcome_) return;
       auto damage = records_.walk(
           table, range,
@@ -34,11 +49,6 @@ class StageReader {
     }
   }
 
-  [[nodiscard]] const Result<void>& outcome() const { return outcome_; }
-
-  StoredStage loaded;
-
- private:
   CaseRecords& records_;
   ScanStage stage_;
   const StageScans& scans_;
@@ -106,6 +116,13 @@ void read_measurements(StageReader& reader) {
   });
 }
 
+void read_margins(StageReader& reader) {
+  reader.read_margins([&](std::int64_t id, std::string_view data) {
+    return decode_margin(data, id).map(
+        [&](StoredMargin&& margin) { reader.loaded.margins.push_back(std::move(margin)); });
+  });
+}
+
 }  // namespace
 
 Result<StoredStage> CaseFile::load_stage(ScanStage stage) {
@@ -115,6 +132,7 @@ Result<StoredStage> CaseFile::load_stage(ScanStage stage) {
   read_frames(reader);
   read_edits(reader);
   read_measurements(reader);
+  read_margins(reader);
   if (!reader.outcome()) return tl::unexpected(reader.outcome().error());
   // A damaged table may not say; then the frames that could be read do.
   if (auto set = plane(stage)) {

@@ -38,6 +38,7 @@ Result<void> check_record(CaseTable table, std::int64_t id, std::string_view dat
       return decode_measurement(data, id).map(kForget);
     case CaseTable::kSummaries:
       if (number_of(id) % kScanNumbers == kPlaneNumber) return decode_plane(data).map(kForget);
+      if (is_margin(table, id)) return decode_margin(data, id).map(kForget);
       break;
     case CaseTable::kCalibration:
     case CaseTable::kModels:

@@ -10,6 +10,12 @@ bool is_by_frame(CaseTable table) {
          table == CaseTable::kFrames || table == CaseTable::kPoses;
 }
 
+bool is_margin(CaseTable table, std::int64_t id) {
+  const int number = number_of(id);
+  return table == CaseTable::kSummaries && number != kScansNumber &&
+         number % kScanNumbers >= kFirstMargin;
+}
+
 std::vector<RecordRange> StageScans::records_of(CaseTable table, ScanStage stage, int scan) const {
   if (!is_by_frame(table)) {
     const int first = scan * kScanNumbers;
@@ -26,6 +32,12 @@ std::vector<RecordRange> StageScans::records_of(CaseTable table, ScanStage stage
 
 std::int64_t StageScans::shown_id(ScanStage stage, int number) const {
   return record_id(stage, shown() * kScanNumbers + number);
+}
+
+RecordRange StageScans::margins_of(ScanStage stage) const {
+  RecordRange range = records_of(CaseTable::kSummaries, stage, shown()).front();
+  range.first += kFirstMargin;
+  return range;
 }
 
 std::string StageScans::encode() const {

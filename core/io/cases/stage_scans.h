@@ -20,6 +20,9 @@ inline constexpr int kScanNumbers = 1 << 29;
 inline constexpr int kScansNumber = 1 << 30;
 /// In the summaries, the number of the record with the occlusal plane that the user has set.
 inline constexpr int kPlaneNumber = 1;
+/// The numbers of margin lines begin here, in the table of summaries: programs that know none of
+/// them pass them over.
+inline constexpr int kFirstMargin = 2;
 /// Both tables hold it: if one is damaged, the scans are not mixed up.
 inline constexpr std::array kScansTables = {CaseTable::kEditCursors, CaseTable::kSummaries};
 
@@ -36,6 +39,8 @@ class StageScans {
                                                     int scan) const;
   /// The id of a record of the shown scan that belongs to no frame.
   [[nodiscard]] std::int64_t shown_id(ScanStage stage, int number = 0) const;
+  /// The margin lines of the shown scan.
+  [[nodiscard]] RecordRange margins_of(ScanStage stage) const;
 
   /// A JSON object: `scans`, a list of pairs of first frame and scan.
   [[nodiscard]] std::string encode() const;
@@ -48,6 +53,9 @@ class StageScans {
   };
   std::vector<Start> starts_ = {{0, 0}};  ///< by rising frame; the first is 0
 };
+
+/// Whether a record is a margin line.
+[[nodiscard]] bool is_margin(CaseTable table, std::int64_t id);
 
 /// Whether the records of a table belong to frames.
 [[nodiscard]] bool is_by_frame(CaseTable table);

@@ -229,6 +229,46 @@ TEST(CaseFile, SavesTheOcclusalPlaneOfEachStage) {
   EXPECT_FALSE(file.write_plane(kStage, wrong));
 }
 
+TEST(CaseFile, SavesMarginLines) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "a.flytri";
+  StoredMargin wanted = testing::sample_margin();
+  std::int64_t first = 0;
+  {
+    CaseFile file = new_case(path);
+    expect_done(file.write_result(kStage, {"glb", "{}"}));
+    first = file.add_margin(kStage, testing::sample_margin(5)).value();
+    const auto second = file.add_margin(kStage, testing::sample_margin(6));
+    ASSERT_TRUE(second && file.add_margin(ScanStage::kBite, wanted));
+    expect_done(file.remove_margin(*second));
+    wanted.id = first;
+    expect_done(file.replace_margin(wanted));
+    expect_done(file.commit());
+  }
+  CaseFile file = opened(path);
+  const std::vector<StoredMargin> kept = loaded(file).margins;
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(kept[0].id, first);
+  EXPECT_EQ(kept[0].clicks_mm, wanted.clicks_mm);
+  EXPECT_TRUE(kept[0].margin.line.is_closed);
+  ASSERT_EQ(kept[0].margin.line.points.size(), wanted.margin.line.points.size());
+  for (std::size_t i = 0; i < wanted.margin.line.points.size(); ++i) {
+    EXPECT_EQ(kept[0].margin.line.points[i].position_mm, wanted.margin.line.points[i].position_mm);
+    EXPECT_EQ(kept[0].margin.line.points[i].sigma_mm, wanted.margin.line.points[i].sigma_mm);
+  }
+  EXPECT_EQ(kept[0].margin.edge_share, wanted.margin.edge_share);
+  EXPECT_EQ(kept[0].margin.least_turn_rad, wanted.margin.least_turn_rad);
+  EXPECT_EQ(file.load_margins(kStage).value().size(), 1U);
+  EXPECT_EQ(file.load_result(kStage).value_or(StageResult{}).summary_json, "{}");
+
+  StoredMargin bad = wanted;
+  bad.clicks_mm.pop_back();
+  EXPECT_EQ(file.add_margin(kStage, bad).error().code, ErrorCode::kBadOption);
+  bad = wanted;
+  bad.margin.line.points[0].position_mm.x() = NAN;
+  EXPECT_EQ(file.replace_margin(bad).error().code, ErrorCode::kBadOption);
+}
+
 TEST(CaseFile, SavesCalibrationAndModel) {
   const TemporaryFolder folder;
   CaseFile file = new_case(folder / "a.flytri");

@@ -51,6 +51,7 @@ void fill_stage(CaseFile& file, ScanStage stage) {
   edits.undo();
   expect_success(file.write_edits(stage, edits));
   (void)file.add_measurement(stage, {0, Vec3::Zero(), Vec3::Ones(), "a"}).value();
+  (void)file.add_margin(stage, testing::sample_margin()).value();
   const ResultBasis made_of = basis_of(file.counts(stage).value(), edits.state());
   expect_success(
       file.write_plane(stage, OcclusalPoints{Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9)}));
@@ -91,6 +92,7 @@ void expect_same(const StoredStage& a, const StoredStage& b) {
   EXPECT_EQ(a.edits.state()->size(), b.edits.state()->size());
   EXPECT_EQ(a.measurements.size(), b.measurements.size());
   EXPECT_EQ(a.plane, b.plane);
+  EXPECT_EQ(a.margins.size(), b.margins.size());
 }
 
 /// The copy has no damage, and exactly what can be read of the damaged case.

@@ -49,6 +49,7 @@ void scan(CaseFile& file, int first, int count, const std::string& name) {
   ASSERT_TRUE(file.add_measurement(kClearedStage, {0, Vec3::Zero(), Vec3::Ones(), name}));
   ASSERT_TRUE(file.write_result(kClearedStage, {name, "{}", {}}));
   ASSERT_TRUE(file.write_plane(kClearedStage, plane_of(first)));
+  ASSERT_TRUE(file.add_margin(kClearedStage, testing::sample_margin(first + count)));
   ASSERT_TRUE(file.commit());
 }
 
@@ -69,6 +70,9 @@ void expect_shown(CaseFile& file, int first, int count, const std::string& name)
   EXPECT_TRUE(same_bits(*stage.edits.state()->front(), sample_edit(first)));
   ASSERT_EQ(stage.measurements.size(), 1U);
   EXPECT_EQ(stage.measurements.front().label, name);
+  ASSERT_EQ(stage.margins.size(), 1U);
+  EXPECT_EQ(stage.margins.front().margin.line.points.size(),
+            static_cast<std::size_t>(first + count));
   EXPECT_EQ(file.load_result(kClearedStage).value().glb, name);
   EXPECT_EQ(stage.plane, plane_of(first));
   EXPECT_EQ(file.counts(kClearedStage).value(), (StageCounts{count, 1, 1, true}));
@@ -82,6 +86,7 @@ void expect_empty(CaseFile& file) {
   EXPECT_TRUE(stage.edits.all()->empty());
   EXPECT_THAT(stage.measurements, IsEmpty());
   EXPECT_FALSE(stage.plane);
+  EXPECT_THAT(stage.margins, IsEmpty());
   EXPECT_FALSE(file.load_result(kClearedStage));
   EXPECT_EQ(file.counts(kClearedStage).value(), StageCounts{});
 }
