@@ -49,25 +49,32 @@ Result<JawPlaces> place_jaws(std::span<const FinishedJaw> jaws, const Workers& w
                              const Progress& progress) {
   JawPlaces places;
   places.T_patient_world.fill(Isometry::Identity());
-  auto& [T_upper, T_lower, T_bite] = places.T_patient_world;
+  Isometry& T_upper = places.of(io::ScanStage::kUpper);
+  Isometry& T_lower = places.of(io::ScanStage::kLower);
   const FinishedJaw* const upper = jaw_of(jaws, io::ScanStage::kUpper);
   const FinishedJaw* const lower = jaw_of(jaws, io::ScanStage::kLower);
-  const FinishedJaw* const bite = jaw_of(jaws, io::ScanStage::kBite);
   if (upper != nullptr) T_upper = occlusion::T_patient_jaw(*upper->surface, JawKind::kUpper);
   if (lower != nullptr) T_lower = occlusion::T_patient_jaw(*lower->surface, JawKind::kLower);
-  if (upper == nullptr || lower == nullptr || bite == nullptr) return places;
-  const std::array bites = {occlusion::BiteScan{bite->name, bite->surface->vertices}};
+  std::vector<io::ScanStage> stages;
+  std::vector<occlusion::BiteScan> bites;
+  for (const FinishedJaw& jaw : jaws) {
+    if (!io::is_bite(jaw.stage)) continue;
+    stages.push_back(jaw.stage);
+    bites.push_back({jaw.name, jaw.surface->vertices});
+  }
+  if (upper == nullptr || lower == nullptr || bites.empty()) return places;
   const auto occlusion =
       occlusion::find_occlusion(*upper->surface, *lower->surface, bites, {}, workers, progress);
   if (!occlusion) return tl::unexpected(occlusion.error());
   T_lower = T_upper * occlusion->T_upper_lower;
-  T_bite = T_upper * occlusion->bites.front().T_upper_bite;
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    places.of(stages[i]) = T_upper * occlusion->bites[i].T_upper_bite;
   places.are_closed = true;
   return places;
 }
 
 PatientJaw in_patient(io::ScanStage stage, ModelAtDensity model, const JawPlaces& places) {
-  const Isometry& T = places.T_patient_world[static_cast<std::size_t>(stage)];
+  const Isometry& T = places.T_patient_world[index_of(stage)];
   model.model.mesh = evaluation::transformed(model.model.mesh, T);
   model.uncut = evaluation::transformed(model.uncut, T);
   return {stage, std::move(model)};

@@ -27,6 +27,8 @@ struct JawPlaces {
   std::array<Isometry, io::kScanStages.size()> T_patient_world;  ///< by stage
   /// They lie as they bite. False: a stage is missing, and each lies in its own occlusal plane.
   bool are_closed = false;
+
+  [[nodiscard]] Isometry& of(io::ScanStage stage) { return T_patient_world[index_of(stage)]; }
 };
 
 /// @param jaws  at most one for each stage
@@ -43,7 +45,7 @@ struct PatientJaw {
                                     const JawPlaces& places);
 
 /// The models to write for `output`. NAME.glb holds all stages. NAME.stl becomes NAME-upper.stl,
-/// NAME-lower.stl and NAME-bite.stl.
+/// NAME-lower.stl, NAME-bite.stl and so on, see to_string(ScanStage).
 [[nodiscard]] std::vector<std::filesystem::path> jaw_models(const std::filesystem::path& output,
                                                             std::span<const io::ScanStage> stages);
 

@@ -6,11 +6,11 @@
 namespace flytri::testing {
 
 inline constexpr std::array kFakeStates = {
-    "ready",      "preview",      "scanning",      "near",        "paused",       "lost",
-    "finishing",  "finished",     "failed",        "no_sensor",   "empty_case",   "unnamed",
-    "not_saved",  "devices",      "devices_wrong", "calibrating", "shot_refused", "set_refused",
-    "calibrated", "check_broken", "lost_smooth",   "damaged",     "cleared",      "recording",
-    "bite",       "closing",      "jaws",          "jaws_refused"};
+    "ready",      "preview",      "scanning",      "near",         "paused",       "lost",
+    "finishing",  "finished",     "failed",        "no_sensor",    "empty_case",   "unnamed",
+    "not_saved",  "devices",      "devices_wrong", "calibrating",  "shot_refused", "set_refused",
+    "calibrated", "check_broken", "lost_smooth",   "damaged",      "cleared",      "recording",
+    "bite",       "closing",      "jaws",          "jaws_refused", "other_side",   "two_bites"};
 
 /// States of the export dialog, all of a finished scan: files exist, they are being written, they
 /// were written, it failed.

@@ -22,6 +22,7 @@ enum class Action {
   kStageUpper,
   kStageLower,
   kStageBite,
+  kStageBite2,
   // Editing
   kUndo,
   kRedo,

@@ -42,8 +42,9 @@ JawKind jaw_of(io::ScanStage stage) {
 }
 
 Text stage_name(io::ScanStage stage) {
-  constexpr std::array kNames = {Text::kUpperJaw, Text::kLowerJaw, Text::kBite};
-  return kNames[static_cast<std::size_t>(stage)];
+  constexpr std::array kNames = {Text::kUpperJaw, Text::kLowerJaw, Text::kBite,
+                                 Text::kBiteOtherSide};
+  return kNames[index_of(stage)];
 }
 
 Text lingual_name(JawKind jaw) {

@@ -18,6 +18,8 @@ FLYTRI_TEXT(kNextHole, "Next hole", "Nächstes Loch", "Trou suivant", "Siguiente
 FLYTRI_TEXT(kUpperJaw, "Upper jaw", "Oberkiefer", "Maxillaire", "Maxilar")
 FLYTRI_TEXT(kLowerJaw, "Lower jaw", "Unterkiefer", "Mandibule", "Mandíbula")
 FLYTRI_TEXT(kBite, "Bite", "Biss", "Mordu", "Mordida")
+FLYTRI_TEXT(kBiteOtherSide, "Bite, other side", "Biss, Gegenseite", "Mordu, autre côté",
+            "Mordida, otro lado")
 
 // Editing.
 FLYTRI_TEXT(kUndo, "Undo", "Rückgängig", "Annuler", "Deshacer")

@@ -15,6 +15,8 @@ FLYTRI_TEXT(kCasesHint, "Cases ({0})", "Fälle ({0})", "Cas ({0})", "Casos ({0})
 FLYTRI_TEXT(kStageUpper, "Upper", "Oben", "Haut", "Superior")
 FLYTRI_TEXT(kStageLower, "Lower", "Unten", "Bas", "Inferior")
 FLYTRI_TEXT(kStageBite, "Bite", "Biss", "Mordu", "Mordida")
+FLYTRI_TEXT(kStageBite2, "Bite 2", "Biss 2", "Mordu 2", "Mordida 2")
+FLYTRI_TEXT(kOtherSide, "Other side", "Gegenseite", "Autre côté", "Otro lado")
 FLYTRI_TEXT(kTime, "Time", "Zeit", "Durée", "Tiempo")
 FLYTRI_TEXT(kTimeHint, "Time spent scanning, without pauses.", "Dauer des Scans, ohne Pausen.",
             "Durée du scan, sans les pauses.", "Duración del escaneo, sin las pausas.")

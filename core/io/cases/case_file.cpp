@@ -50,11 +50,6 @@ Result<void> remove_former(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string_view to_string(ScanStage stage) {
-  constexpr std::array<std::string_view, kScanStages.size()> kNames = {"upper", "lower", "bite"};
-  return kNames[static_cast<std::size_t>(stage)];
-}
-
 ResultBasis basis_of(const StageCounts& counts, const editing::EditList& edits) {
   ResultBasis basis{counts.views, {}};
   for (const auto& edit : *edits) basis.edited_at_s.push_back(edit->made_at_s);

@@ -20,14 +20,9 @@
 #include "core/editing/edits.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
+#include "core/io/cases/scan_stage.h"
 
 namespace flytri::io {
-
-/// A part of a case that is scanned in one go. Each stage has its own world frame.
-enum class ScanStage { kUpper, kLower, kBite };
-inline constexpr std::array kScanStages = {ScanStage::kUpper, ScanStage::kLower, ScanStage::kBite};
-/// "upper", "lower", "bite".
-[[nodiscard]] std::string_view to_string(ScanStage stage);
 
 /// What the user entered about the case. Any text is allowed.
 struct CaseFields {

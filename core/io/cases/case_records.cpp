@@ -11,6 +11,8 @@ namespace flytri::io {
 namespace {
 
 constexpr int kNumberBits = 32;
+/// The first one that programs of kThreeStages do not know.
+constexpr ScanStage kFirstLaterStage = ScanStage::kBite2;
 
 /// Includes the id, so that a record in the wrong place is noticed.
 std::int64_t record_checksum(std::int64_t id, std::string_view data) {
@@ -209,6 +211,7 @@ tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
   // After some failures the transaction has ended already; then this fails, too.
   (void)database_.run("ROLLBACK");
   is_writing_ = false;
+  has_latest_version_ = false;
   failure_ = error;
   if (!is_damage(error)) return tl::unexpected(error);
   is_damaged_ = true;
@@ -228,8 +231,19 @@ Result<void> CaseRecords::insert(CaseTable table, std::int64_t id, std::string_v
   return insertion->step().map([](bool) {});
 }
 
+Result<void> CaseRecords::raise_version(std::int64_t id) {
+  if (has_latest_version_ || id < record_id(kFirstLaterStage)) return {};
+  Result<void> raised = database_.run(fmt::format("PRAGMA user_version = {}", kCaseVersion));
+  has_latest_version_ = raised.has_value();
+  return raised;
+}
+
 Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
-  if (pending.data) return insert(pending.table, pending.range.first, *pending.data);
+  if (pending.data) {
+    return raise_version(pending.range.first).and_then([&] {
+      return insert(pending.table, pending.range.first, *pending.data);
+    });
+  }
   auto statement = database_.prepare(
       fmt::format("DELETE FROM {} WHERE id BETWEEN ? AND ?", name_of(pending.table)));
   if (!statement) return tl::unexpected(statement.error());

@@ -97,6 +97,8 @@ class CaseRecords {
   [[nodiscard]] Result<void> begin();
   [[nodiscard]] Result<void> write(PendingWrite pending);
   [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);
+  /// Makes the case one of a version in which a record with this id is known.
+  [[nodiscard]] Result<void> raise_version(std::int64_t id);
   /// Also commits now and then: what is not committed is in memory.
   [[nodiscard]] Result<void> copy(CaseTable table, std::int64_t id, std::string_view data);
   [[nodiscard]] Result<void> insert(CaseTable table, std::int64_t id, std::string_view data);
@@ -111,6 +113,7 @@ class CaseRecords {
   bool is_damaged_ = false;  ///< damage was found: nothing is written any more, all writes wait
   std::size_t max_waiting_bytes_;
   bool is_writing_ = false;            ///< a transaction is open
+  bool has_latest_version_ = false;    ///< certainly
   std::optional<Error> failure_;       ///< of the latest write or commit; none: it succeeded
   std::vector<PendingWrite> pending_;  ///< since the last commit
   std::size_t pending_bytes_ = 0;

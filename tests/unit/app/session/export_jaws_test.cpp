@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/median.h"
+#include "core/geometry/mesh_distance.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/model.h"
@@ -101,6 +103,29 @@ TEST_F(ExportJaws, WritesAllJawsAsTheyBite) {
   for (const char* const name : {"\"upper\"", "\"lower\"", "\"bite\""})
     EXPECT_THAT(scene.substr(0, 20000), HasSubstr(name));
   for (const JawToExport& jaw : jaws_) EXPECT_NE(jaw.scan, nullptr);
+}
+
+TEST_F(ExportJaws, BothBitesLieOnTheJaws) {
+  const TriangleMesh left = as_read(Cheek(upper_, lower_, bite_relation(), false, 2).mesh());
+  Models models = all();
+  models.push_back({io::ScanStage::kBite2, &left});
+  open(models);
+  const auto outcome = write();
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_EQ(outcome->written.size(), 5U);
+  const std::string scene = io::read_file(folder_ / "smith.glb").value();
+  EXPECT_THAT(scene.substr(0, 20000), HasSubstr("\"bite-2\""));
+  // The second bite is a part of the jaws: where they are, it is.
+  const TriangleMesh upper = io::read_model(folder_ / "smith-upper.ply")->mesh;
+  const TriangleMesh lower = io::read_model(folder_ / "smith-lower.ply")->mesh;
+  const TriangleMesh bite = io::read_model(folder_ / "smith-bite-2.ply")->mesh;
+  const MeshDistance to_upper(upper), to_lower(lower);
+  std::vector<double> distances_mm;
+  for (const SurfacePoint& point : bite.vertices) {
+    distances_mm.push_back(std::min(to_upper.closest(point.position_mm).distance_mm,
+                                    to_lower.closest(point.position_mm).distance_mm));
+  }
+  EXPECT_LT(median_of(distances_mm), 0.03);
 }
 
 TEST_F(ExportJaws, WithoutABiteEachJawLiesInItsOwnOcclusalPlane) {
