@@ -111,7 +111,7 @@ void add_export_command(CLI::App& app, Invocation& invocation) {
   add_case_options(*command, arguments->case_options);
   command->add_flag("--jaws", arguments->all_jaws,
                     "All jaws in one frame, as they bite: NAME.glb holds all, NAME.stl becomes "
-                    "NAME-upper.stl, NAME-lower.stl, NAME-bite.stl, NAME-bite-2.stl");
+                    "NAME-upper.stl, NAME-lower.stl, NAME-bite.stl and so on");
   add_density_option(*command, arguments->density);
   add_force_option(*command, arguments->force);
   command->footer("Example: flytri export smith.flytri --stage upper -o upper.glb");

@@ -45,6 +45,9 @@ ui::JawPair pair_of(const TriangleMesh& upper, const TriangleMesh& lower,
   return pair;
 }
 
+constexpr std::array kStagesThatMeet = {io::ScanStage::kUpper, io::ScanStage::kLower,
+                                        io::ScanStage::kBite, io::ScanStage::kBite2};
+
 /// True if there are several bite scans, all of the same half of the arch.
 bool are_on_one_side(const JawAxes& upper_axes, const std::vector<occlusion::BiteScan>& bites,
                      const occlusion::Occlusion& found) {
@@ -115,7 +118,7 @@ bool OcclusionController::look_at_models() {
     marks_ = {};
     is_tried_ = false;
   }
-  for (const io::ScanStage stage : io::kScanStages) {
+  for (const io::ScanStage stage : kStagesThatMeet) {
     const std::size_t index = index_of(stage);
     const StageController::StageModel model = stages_.model_of(stage);
     are_finished_[index] = model.is_finished;

@@ -10,6 +10,7 @@
 #include "core/io/models/model.h"
 #include "core/occlusion/occlude.h"
 #include "core/occlusion/patient_frame.h"
+#include "core/reconstruct/same_jaw.h"
 
 namespace flytri::reconstruct {
 namespace {
@@ -21,6 +22,40 @@ const FinishedJaw* jaw_of(std::span<const FinishedJaw> jaws, io::ScanStage stage
     if (jaw.stage == stage) return &jaw;
   }
   return nullptr;
+}
+
+/// Of the scans of one jaw, the one on which the others are placed: the ordinary one if there is
+/// one.
+const FinishedJaw* main_of(std::span<const FinishedJaw> jaws, io::ScanStage base) {
+  const FinishedJaw* main = nullptr;
+  for (const FinishedJaw& jaw : jaws) {
+    if (base_of(jaw.stage) == base && (main == nullptr || jaw.stage < main->stage)) main = &jaw;
+  }
+  return main;
+}
+
+/// Places the lower jaw and the bites on the upper jaw, if none of them is missing.
+Result<void> close_jaws(std::span<const FinishedJaw> jaws, const Workers& workers,
+                        const Progress& progress, JawPlaces& places) {
+  std::vector<io::ScanStage> stages;
+  std::vector<occlusion::BiteScan> bites;
+  for (const FinishedJaw& jaw : jaws) {
+    if (!io::is_bite(jaw.stage)) continue;
+    stages.push_back(jaw.stage);
+    bites.push_back({jaw.name, jaw.surface->vertices});
+  }
+  const FinishedJaw* const upper = jaw_of(jaws, io::ScanStage::kUpper);
+  const FinishedJaw* const lower = jaw_of(jaws, io::ScanStage::kLower);
+  if (upper == nullptr || lower == nullptr || bites.empty()) return {};
+  const auto occlusion =
+      occlusion::find_occlusion(*upper->surface, *lower->surface, bites, {}, workers, progress);
+  if (!occlusion) return tl::unexpected(occlusion.error());
+  const Isometry& T_upper = places.of(io::ScanStage::kUpper);
+  places.of(io::ScanStage::kLower) = T_upper * occlusion->T_upper_lower;
+  for (std::size_t i = 0; i < stages.size(); ++i)
+    places.of(stages[i]) = T_upper * occlusion->bites[i].T_upper_bite;
+  places.are_closed = true;
+  return {};
 }
 
 bool holds_all_jaws(const fs::path& output) { return output.extension() == ".glb"; }
@@ -49,27 +84,21 @@ Result<JawPlaces> place_jaws(std::span<const FinishedJaw> jaws, const Workers& w
                              const Progress& progress) {
   JawPlaces places;
   places.T_patient_world.fill(Isometry::Identity());
-  Isometry& T_upper = places.of(io::ScanStage::kUpper);
-  Isometry& T_lower = places.of(io::ScanStage::kLower);
-  const FinishedJaw* const upper = jaw_of(jaws, io::ScanStage::kUpper);
-  const FinishedJaw* const lower = jaw_of(jaws, io::ScanStage::kLower);
-  if (upper != nullptr) T_upper = occlusion::T_patient_jaw(*upper->surface, JawKind::kUpper);
-  if (lower != nullptr) T_lower = occlusion::T_patient_jaw(*lower->surface, JawKind::kLower);
-  std::vector<io::ScanStage> stages;
-  std::vector<occlusion::BiteScan> bites;
-  for (const FinishedJaw& jaw : jaws) {
-    if (!io::is_bite(jaw.stage)) continue;
-    stages.push_back(jaw.stage);
-    bites.push_back({jaw.name, jaw.surface->vertices});
+  for (const auto& [base, kind] : {std::pair{io::ScanStage::kUpper, JawKind::kUpper},
+                                   std::pair{io::ScanStage::kLower, JawKind::kLower}}) {
+    if (const FinishedJaw* const jaw = main_of(jaws, base); jaw != nullptr)
+      places.of(jaw->stage) = occlusion::T_patient_jaw(*jaw->surface, kind);
   }
-  if (upper == nullptr || lower == nullptr || bites.empty()) return places;
-  const auto occlusion =
-      occlusion::find_occlusion(*upper->surface, *lower->surface, bites, {}, workers, progress);
-  if (!occlusion) return tl::unexpected(occlusion.error());
-  T_lower = T_upper * occlusion->T_upper_lower;
-  for (std::size_t i = 0; i < stages.size(); ++i)
-    places.of(stages[i]) = T_upper * occlusion->bites[i].T_upper_bite;
-  places.are_closed = true;
+  if (auto closed = close_jaws(jaws, workers, progress, places); !closed)
+    return tl::unexpected(closed.error());
+  for (const FinishedJaw& jaw : jaws) {
+    const FinishedJaw& main = *main_of(jaws, base_of(jaw.stage));
+    if (io::is_bite(jaw.stage) || main.stage == jaw.stage) continue;
+    const auto T_main_jaw =
+        place_on_jaw({main.name, main.surface}, {jaw.name, jaw.surface}, workers);
+    if (!T_main_jaw) return tl::unexpected(T_main_jaw.error());
+    places.of(jaw.stage) = places.of(main.stage) * *T_main_jaw;
+  }
   return places;
 }
 

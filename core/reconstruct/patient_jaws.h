@@ -31,8 +31,9 @@ struct JawPlaces {
   [[nodiscard]] Isometry& of(io::ScanStage stage) { return T_patient_world[index_of(stage)]; }
 };
 
+/// Other scans of a jaw, as before a preparation, lie on that jaw.
 /// @param jaws  at most one for each stage
-/// @errors  As occlusion::find_occlusion.
+/// @errors  As occlusion::find_occlusion and place_on_jaw.
 [[nodiscard]] Result<JawPlaces> place_jaws(std::span<const FinishedJaw> jaws,
                                            const Workers& workers, const Progress& progress);
 

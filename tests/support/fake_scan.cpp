@@ -224,6 +224,28 @@ struct FakeScan::Parts {
     return view;
   }
 
+  /// A copy of the upper jaw on which scan bodies are scanned; the jaw was kept as pre-op, too.
+  [[nodiscard]] AppView scan_body() const {
+    AppView view = paused();
+    view.stage = io::ScanStage::kUpperScanBody;
+    for (const io::ScanStage stage :
+         {io::ScanStage::kUpper, io::ScanStage::kUpperPreop, io::ScanStage::kUpperScanBody}) {
+      view.stage_has_data[index_of(stage)] = true;
+    }
+    view.stage_is_finished[index_of(io::ScanStage::kUpper)] = true;
+    view.stage_is_finished[index_of(io::ScanStage::kUpperPreop)] = true;
+    view.exports.name = "Rivera-2031-upper-scanbody";
+    return view;
+  }
+
+  /// The upper jaw, of which a finished pre-op scan was kept.
+  [[nodiscard]] AppView preop() const {
+    AppView view = paused();
+    const std::size_t preop = index_of(io::ScanStage::kUpperPreop);
+    view.stage_has_data[preop] = view.stage_is_finished[preop] = true;
+    return view;
+  }
+
   [[nodiscard]] AppView jaws_refused(const ui::Texts& texts) const {
     AppView view = closing(texts);
     view.occlusion = {};
@@ -415,7 +437,9 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
       [&] { return parts.jaws(texts); },
       [&] { return parts.jaws_refused(texts); },
       [&] { return parts.other_side(texts); },
-      [&] { return parts.two_bites(texts); }};
+      [&] { return parts.two_bites(texts); },
+      [&] { return parts.scan_body(); },
+      [&] { return parts.preop(); }};
   std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {

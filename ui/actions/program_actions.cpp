@@ -109,6 +109,7 @@ bool can_confirm(const Situation& now) {
     case Dialog::kDevices:
     case Dialog::kCalibration:
     case Dialog::kQuestion:
+    case Dialog::kStages:
       break;
   }
   return true;
@@ -207,6 +208,7 @@ void confirm(const ActionRunner& run) {
     case Dialog::kHelp:
     case Dialog::kSettings:
     case Dialog::kDevices:
+    case Dialog::kStages:
       break;
   }
   run.state.dialog = Dialog::kNone;

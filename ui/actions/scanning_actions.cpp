@@ -78,6 +78,17 @@ void select_stage(const ActionRunner& run) {
   run.send(SelectStage{kStage});
 }
 
+ActionState stages_state(const Situation& now) {
+  if (!now.may_leave()) return disabled(Text::kFinishing);
+  return only_if(!io::is_bite(now.view.stage), Text::kOnlyForAJaw);
+}
+
+void open_stages(const ActionRunner& run) {
+  if (run.view.is_scanning) run.send(PauseScan{});
+  put_tool_away(run.state);
+  run.toggle(Dialog::kStages);
+}
+
 constexpr std::array kScanningActions = {
     ActionRow{.action = Action::kScan,
               .id = "scan",
@@ -126,7 +137,14 @@ constexpr std::array kScanningActions = {
               .name = Text::kBiteOtherSide,
               .shortcut = {GLFW_KEY_F4},
               .state = bite_2_state,
-              .perform = select_stage<io::ScanStage::kBite2>}};
+              .perform = select_stage<io::ScanStage::kBite2>},
+    ActionRow{.action = Action::kStages,
+              .id = "stages",
+              .name = Text::kScansOfJaw,
+              .shortcut = {GLFW_KEY_F6},
+              .state = stages_state,
+              .perform = open_stages,
+              .works_in = in(Dialog::kStages)}};
 static_assert(lists_all_of(ActionGroup::kScanning, kScanningActions));
 
 }  // namespace

@@ -96,7 +96,7 @@ void draw_legend(const PanelContext& context, Rect& rest) {
 }
 
 /// What makes a far side more certain.
-std::string advice(const AppView& view) {
+std::string bite_advice(const AppView& view) {
   const OcclusionState& occlusion = view.occlusion;
   const std::string far = length_text(occlusion.far_uncertainty_mm);
   if (occlusion.bites_are_on_one_side) return view.texts.fill<Text::kBitesOnOneSide>(far);
@@ -122,7 +122,7 @@ void draw_certainty(const PanelContext& context, Rect rest) {
       length_text(occlusion.far_uncertainty_mm));
   hint_over(both, context.text(Text::kUncertaintyOfBiteHint));
   if (occlusion.far_uncertainty_mm < kFarLimit_mm) return;
-  draw_wrapped(rest, {context.theme.fonts.small, kCaution}, advice(context.view));
+  draw_wrapped(rest, {context.theme.fonts.small, kCaution}, bite_advice(context.view));
 }
 
 void draw_pair(const PanelContext& context, Rect rest) {

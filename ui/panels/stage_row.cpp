@@ -9,26 +9,17 @@ namespace {
 
 constexpr float kStageRow = 36.0F;
 
-Action action_of(io::ScanStage stage) {
-  constexpr std::array kActions = {Action::kStageUpper, Action::kStageLower, Action::kStageBite,
-                                   Action::kStageBite2};
-  return kActions[index_of(stage)];
-}
-
-void draw_stage(const PanelContext& context, const Rect& box, io::ScanStage stage) {
-  const Action action = action_of(stage);
-  const ActionState current = action_state(action, context.view, context.state);
+void draw_stage_button(const PanelContext& context, const Rect& box, io::ScanStage stage) {
   const std::string id = fmt::format("scan_{}", to_string(stage));
   ButtonLook look;
   look.id = id.c_str();
   look.icon = mark_of(progress_of(stage, context.view));
   look.label = context.text(name_in_group(stage));
-  look.is_enabled = current.is_enabled;
+  look.is_enabled = scan::may_leave(context.phase());
   look.is_on = context.view.stage == stage;
   look.hint = context.text(stage_name(stage));
   context.places.set(id, box);
-  if (small_button(context.theme, box, look))
-    perform(action, context.view, context.state, context.commands);
+  if (small_button(context.theme, box, look)) context.commands.emplace_back(SelectStage{stage});
 }
 
 }  // namespace
@@ -39,13 +30,21 @@ const char* mark_of(StageProgress progress) {
 }
 
 void draw_stage_row(const PanelContext& context, Rect& rest) {
-  const std::vector<io::ScanStage> stages = offered_with(context.view.stage, context.view);
-  if (stages.size() < 2 || context.view.is_scanning) return;
+  const io::ScanStage shown = context.view.stage;
+  const std::vector<io::ScanStage> stages = offered_with(shown, context.view);
+  const bool has_others =
+      !io::is_bite(shown) && progress_of_group(shown, context.view) != StageProgress::kEmpty;
+  if ((stages.size() < 2 && !has_others) || context.view.is_scanning) return;
   Rect row = rest.take_top(context.px(kStageRow), context.px(kGapM));
   const float gap = context.px(kGapXs);
+  if (has_others) {
+    small_action(context, row.take_right(row.height, gap), Action::kStages,
+                 {nullptr, "+", false, kNeutral, false});
+  }
   const auto count = static_cast<float>(stages.size());
   const float width = (row.width - (count - 1.0F) * gap) / count;
-  for (const io::ScanStage stage : stages) draw_stage(context, row.take_left(width, gap), stage);
+  for (const io::ScanStage stage : stages)
+    draw_stage_button(context, row.take_left(width, gap), stage);
 }
 
 }  // namespace flytri::ui

@@ -9,7 +9,8 @@ namespace flytri::ui {
 /// Half a disk for what is scanned, a check mark for what is finished; null: nothing is.
 [[nodiscard]] const char* mark_of(StageProgress progress);
 
-/// A button for each scan that the window offers, if there are several. Not while one is scanned.
+/// A button for each scan that the window offers, and for a jaw one to begin another scan. Not
+/// while one is scanned.
 /// @param rest  the panel; afterwards what is free of it
 void draw_stage_row(const PanelContext& context, Rect& rest);
 

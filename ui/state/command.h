@@ -29,6 +29,10 @@ struct ClearStage {
 };
 /// Shows the scan of the current stage that was cleared, and keeps the one that is shown.
 struct BringBackStage {};
+/// Starts an empty stage of the same jaw as a copy of the current one.
+struct CopyStage {
+  io::ScanStage to = io::ScanStage::kUpperPreop;
+};
 struct AddMeasurement {
   io::Measurement measurement;
 };
@@ -134,10 +138,10 @@ struct Quit {};
 
 using Command =
     std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage,
-                 AddMeasurement, RemoveMeasurement, Finish, CancelFinish, ResumeScan, ChooseReentry,
-                 SelectStage, Export, PrepareExport, OpenExportFolder, NewCase, OpenCase,
-                 DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
-                 PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices,
+                 CopyStage, AddMeasurement, RemoveMeasurement, Finish, CancelFinish, ResumeScan,
+                 ChooseReentry, SelectStage, Export, PrepareExport, OpenExportFolder, NewCase,
+                 OpenCase, DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand, FollowPath,
+                 TakeSensorAway, PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices,
                  BeginCalibration, TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration,
                  EndCalibration, Tell, Quit>;
 

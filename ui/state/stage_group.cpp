@@ -16,14 +16,28 @@ std::vector<io::ScanStage> offered_with(io::ScanStage stage, const AppView& view
 }
 
 Text name_in_group(io::ScanStage stage) {
-  constexpr std::array kNames = {Text::kUpperJaw, Text::kLowerJaw, Text::kBite, Text::kOtherSide};
+  constexpr std::array kNames = {Text::kUpperJaw,  Text::kLowerJaw, Text::kBite,
+                                 Text::kOtherSide, Text::kPreop,    Text::kPreop,
+                                 Text::kScanBody,  Text::kScanBody};
+  static_assert(kNames.size() == io::kScanStages.size());
   return kNames[index_of(stage)];
 }
 
 Text tab_name(io::ScanStage stage) {
   constexpr std::array kNames = {Text::kStageUpper, Text::kStageLower, Text::kStageBite,
-                                 Text::kStageBite2};
+                                 Text::kStageBite2, Text::kPreop,      Text::kPreop,
+                                 Text::kScanBody,   Text::kScanBody};
+  static_assert(kNames.size() == io::kScanStages.size());
   return kNames[index_of(stage)];
+}
+
+bool can_copy_to(io::ScanStage stage, const AppView& view) {
+  const bool is_ready = !view.file.path.empty() && !view.file.is_read_only && !view.is_loading &&
+                        view.file.failure.empty() && view.scan != nullptr &&
+                        scan::may_leave(view.scan->phase);
+  return is_ready && are_of_one_jaw(view.stage, stage) &&
+         progress_of(view.stage, view) != StageProgress::kEmpty &&
+         progress_of(stage, view) == StageProgress::kEmpty;
 }
 
 StageProgress progress_of(io::ScanStage stage, const AppView& view) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/median.h"
+#include "core/evaluation/surface_error.h"
 #include "core/geometry/mesh_distance.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
@@ -126,6 +127,56 @@ TEST_F(ExportJaws, BothBitesLieOnTheJaws) {
                                     to_lower.closest(point.position_mm).distance_mm));
   }
   EXPECT_LT(median_of(distances_mm), 0.03);
+}
+
+/// The lower jaw without a molar, in a frame that differs by micrometers, as after a copy; and the
+/// upper jaw once more, scanned anew in a frame of its own.
+TEST_F(ExportJaws, OtherScansOfAJawLieOnIt) {
+  const Isometry T_drift = Eigen::Translation3d(0.008, -0.004, 0.006) *
+                           exp_twist((Twist() << 2e-4, -1e-4, 3e-4, 0, 0, 0).finished());
+  const Isometry T_anew(Eigen::Translation3d(12.0, -3.0, 40.0) *
+                        Eigen::AngleAxisd(1.1, Vec3(0.2, -1.0, 0.4).normalized()));
+  const auto cut = [](const TriangleMesh& mesh) {
+    TriangleMesh rest = mesh;
+    std::erase_if(rest.triangles, [&](const Triangle& triangle) {
+      const Vec3f& p_mm = mesh.vertices[triangle[0]].position_mm;
+      return p_mm.x() > 18.0F && p_mm.y() < -8.0F;
+    });
+    return as_read(rest);
+  };
+  const TriangleMesh preop = as_read(evaluation::transformed(cut(lower_), T_drift.inverse()));
+  const TriangleMesh anew = as_read(evaluation::transformed(cut(upper_), T_anew.inverse()));
+  ASSERT_LT(preop.triangles.size(), lower_.triangles.size());
+  Models models = all();
+  models.push_back({io::ScanStage::kLowerPreop, &preop});
+  models.push_back({io::ScanStage::kUpperScanBody, &anew});
+  open(models);
+  const auto outcome = write();
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_EQ(outcome->written.size(), 6U);
+  const Isometry T_patient_upper = occlusion::T_patient_jaw(upper_, JawKind::kUpper);
+  EXPECT_LT(farthest_mm("smith-upper-scanbody.ply", anew, T_patient_upper * T_anew), 0.005);
+  // Where it is on the lower jaw, not where the bite puts that.
+  const TriangleMesh lower = io::read_model(folder_ / "smith-lower.ply")->mesh;
+  const TriangleMesh written = io::read_model(folder_ / "smith-lower-preop.ply")->mesh;
+  const MeshDistance to_lower(lower);
+  double farthest = 0.0;
+  for (const SurfacePoint& point : written.vertices)
+    farthest = std::max(farthest, to_lower.closest(point.position_mm).distance_mm);
+  EXPECT_LT(farthest, 0.003);
+  const std::string scene = io::read_file(folder_ / "smith.glb").value();
+  for (const char* const name : {"\"lower-preop\"", "\"upper-scanbody\""})
+    EXPECT_THAT(scene.substr(0, 20000), HasSubstr(name));
+}
+
+TEST_F(ExportJaws, AScanOfAnotherJawIsRefused) {
+  Models models = {{io::ScanStage::kUpper, &upper_}};
+  models.push_back({io::ScanStage::kUpperPreop, &lower_});
+  open(models);
+  const auto outcome = write();
+  ASSERT_FALSE(outcome);
+  EXPECT_THAT(outcome.error().message, HasSubstr("Upper jaw, pre-op: does not fit Upper jaw"));
+  EXPECT_THAT(written_, IsEmpty());
 }
 
 TEST_F(ExportJaws, WithoutABiteEachJawLiesInItsOwnOcclusalPlane) {
