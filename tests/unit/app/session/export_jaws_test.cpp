@@ -129,7 +129,7 @@ TEST_F(ExportJaws, BothBitesLieOnTheJaws) {
   EXPECT_LT(median_of(distances_mm), 0.03);
 }
 
-/// The lower jaw without a molar, in a frame that differs by micrometers, as after a copy; and the
+/// The lower jaw in part, in a frame that differs by micrometers, as after a copy; and the
 /// upper jaw once more, scanned anew in a frame of its own.
 TEST_F(ExportJaws, OtherScansOfAJawLieOnIt) {
   const Isometry T_drift = Eigen::Translation3d(0.008, -0.004, 0.006) *
@@ -138,10 +138,7 @@ TEST_F(ExportJaws, OtherScansOfAJawLieOnIt) {
                         Eigen::AngleAxisd(1.1, Vec3(0.2, -1.0, 0.4).normalized()));
   const auto cut = [](const TriangleMesh& mesh) {
     TriangleMesh rest = mesh;
-    std::erase_if(rest.triangles, [&](const Triangle& triangle) {
-      const Vec3f& p_mm = mesh.vertices[triangle[0]].position_mm;
-      return p_mm.x() > 18.0F && p_mm.y() < -8.0F;
-    });
+    rest.triangles.resize(rest.triangles.size() * 9 / 10);
     return as_read(rest);
   };
   const TriangleMesh preop = as_read(evaluation::transformed(cut(lower_), T_drift.inverse()));

@@ -29,7 +29,8 @@ class JawsOfACase : public ::testing::Test {
 
   /// A case with these models, chosen in the window.
   void open(const std::vector<std::pair<io::ScanStage, const TriangleMesh*>>& models) {
-    auto file = io::CaseFile::create(folder_.path() / "bite.flytri", {});
+    const std::string name = "bite" + std::to_string(++case_count_) + ".flytri";
+    auto file = io::CaseFile::create(folder_.path() / name, {});
     ASSERT_TRUE(file);
     for (const auto& [stage, mesh] : models) {
       const auto glb = io::encode_glb({*mesh, {}, {}}, "jaw");
@@ -56,6 +57,7 @@ class JawsOfACase : public ::testing::Test {
   }
 
   static inline TriangleMesh upper_, lower_, bite_, left_;
+  int case_count_ = 0;
   TemporaryFolder folder_;
   ui::Texts texts_;
   Notices notices_{texts_};
