@@ -74,6 +74,8 @@ void draw_dialog(const PanelContext& context) {
       return draw_calibration_panel(context);
     case Dialog::kQuestion:
       return draw_question_dialog(context);
+    case Dialog::kStages:
+      return draw_stages_dialog(context);
     case Dialog::kNone:
       break;
   }
@@ -86,6 +88,18 @@ void draw_panels(const PanelContext& context) {
   draw_side_panel(context);
   draw_overlays(context);
   draw_dialog(context);
+}
+
+/// A copy begins with cutting out what has changed.
+void take_trim_in_hand(const AppView& view, WindowState& state) {
+  if (!state.copy) return;
+  const auto [from, next] = *state.copy;
+  if (view.is_scanning || (view.stage != from && view.stage != next)) return state.copy.reset();
+  const bool is_shown = view.stage == next && !view.is_loading;
+  if (!is_shown || !action_state(Action::kTrim, view, state).is_enabled) return;
+  state.copy.reset();
+  put_tool_away(state);
+  state.tool = Tool::kTrim;
 }
 
 /// Puts the tool away where it cannot be used any longer.
@@ -197,6 +211,7 @@ bool AppWindow::frame(const AppView& view, std::vector<Command>& commands) {
     if (const auto action = action_of(press)) perform(*action, view, impl.state, commands);
   }
   if (impl.control) impl.control->ask(view, impl.state, commands);
+  take_trim_in_hand(view, impl.state);
   drop_tool(view, impl.state);
   impl.draw(view, theme, commands);
   const std::vector<PixelBox> changed = impl.host->end_frame(impl.repainted);

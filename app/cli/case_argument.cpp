@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <system_error>
+#include <vector>
 
 #include "app/cli/console.h"
 
@@ -12,20 +14,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<io::ScanStage> stage_named(const std::string& name) {
-  for (const io::ScanStage stage : io::kScanStages) {
-    if (to_string(stage) == name) return stage;
-  }
-  return std::nullopt;
+std::string joined(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
 
 void add_case_options(CLI::App& command, CaseArguments& arguments) {
+  std::vector<std::string> names;
+  for (const io::ScanStage stage : io::kScanStages) names.emplace_back(to_string(stage));
   command
       .add_option("--stage", arguments.stage,
-                  "For a case: upper, lower or bite; needed if several were scanned")
-      ->check(CLI::IsMember({"upper", "lower", "bite"}));
+                  "For a case: " + io::stage_names() + "; needed if several were scanned")
+      ->check(CLI::IsMember(names));
   add_passphrase_option(command, arguments);
 }
 
@@ -48,29 +49,27 @@ Result<io::ScanStage> choose_stage(io::CaseFile& file, const CaseArguments& argu
                                    const std::string& what,
                                    const std::function<bool(const io::StageCounts&)>& has) {
   std::optional<io::ScanStage> chosen;
-  std::string candidates;
-  int count = 0;
+  std::vector<std::string> candidates;
   for (const io::ScanStage stage : io::kScanStages) {
     const Result<io::StageCounts> counts = file.counts(stage);
     if (!counts) return tl::unexpected(counts.error());
     if (!has(*counts)) continue;
-    ++count;
-    candidates += fmt::format("{}{}", candidates.empty() ? "" : ", ", to_string(stage));
+    candidates.emplace_back(to_string(stage));
     chosen = stage;
   }
-  const std::optional<io::ScanStage> asked = stage_named(arguments.stage);
-  if (asked && (candidates.empty() || candidates.find(arguments.stage) == std::string::npos)) {
+  const std::optional<io::ScanStage> asked = io::stage_named(arguments.stage);
+  if (asked &&
+      std::find(candidates.begin(), candidates.end(), arguments.stage) == candidates.end()) {
     return fail(ErrorCode::kInsufficient, "{}: the stage {} has no {}; the stages with {}: {}",
-                file.path().string(), arguments.stage, what, what,
-                candidates.empty() ? "none" : candidates);
+                file.path().string(), arguments.stage, what, what, joined(candidates));
   }
   if (asked) return *asked;
-  if (count == 1) return *chosen;
-  if (count == 0) {
+  if (candidates.size() == 1) return *chosen;
+  if (candidates.empty()) {
     return fail(ErrorCode::kInsufficient, "{}: no stage has {}", file.path().string(), what);
   }
   return fail(ErrorCode::kBadOption, "{}: several stages have {}: {}; choose one with --stage",
-              file.path().string(), what, candidates);
+              file.path().string(), what, joined(candidates));
 }
 
 Result<io::ScanStage> choose_finished_stage(io::CaseFile& file, const CaseArguments& arguments) {

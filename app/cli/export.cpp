@@ -182,7 +182,7 @@ void add_export_command(CLI::App& app, Invocation& invocation) {
   CLI::Option* const jaws = command->add_flag(
       "--jaws", arguments->all_jaws,
       "All jaws in one frame, as they bite: NAME.glb holds all, NAME.stl becomes NAME-upper.stl, "
-      "NAME-lower.stl, NAME-bite.stl");
+      "NAME-lower.stl, NAME-bite.stl and so on");
   command
       ->add_option("--occlusal-plane", arguments->plane,
                    "Three points that set the occlusal plane: \"X,Y,Z X,Y,Z X,Y,Z\", mm, in the "

@@ -23,10 +23,16 @@ std::string stage_of(const io::CaseEvent& event) {
   return event.stage ? std::string(to_string(*event.stage)) : std::string();
 }
 
+/// "upper-preop", or "upper-preop of upper" of a copy.
+std::string stages_of(const io::CaseEvent& event) {
+  return event.from ? fmt::format("{} of {}", stage_of(event), to_string(*event.from))
+                    : stage_of(event);
+}
+
 void print_as_text(const io::CaseJournal& journal) {
   for (const io::CaseEvent& event : journal.events) {
     print_out("{}  {:<16}  {:<5}  {}@{}  {}\n", event.time, std::string(to_string(event.action)),
-              stage_of(event), event.user, event.host, event.program);
+              stages_of(event), event.user, event.host, event.program);
     for (const std::string& file : event.files) print_out("                      {}\n", file);
   }
 }
@@ -41,6 +47,7 @@ void print_as_json(const io::CaseJournal& journal) {
                       {"user", event.user},
                       {"host", event.host},
                       {"program", event.program}});
+    if (event.from) events.back()["from"] = to_string(*event.from);
   }
   const nlohmann::json document = {
       {"format", "flytri.journal"}, {"version", 1}, {"events", std::move(events)}};

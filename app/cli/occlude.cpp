@@ -78,6 +78,24 @@ Result<Parts> reconstruct_parts(const OccludeArguments& arguments, const Workers
   return parts;
 }
 
+/// Those that are finished.
+Result<std::vector<Part>> load_bites(io::CaseFile& file) {
+  std::vector<Part> bites;
+  for (const io::ScanStage stage : io::kBites) {
+    const Result<io::StageCounts> counts = file.counts(stage);
+    if (!counts) return tl::unexpected(counts.error());
+    if (!counts->has_result) continue;
+    auto bite = load_part(file, stage);
+    if (!bite) return tl::unexpected(bite.error());
+    bites.push_back(*std::move(bite));
+  }
+  if (!bites.empty()) return bites;
+  // Its message says how to make the model.
+  return load_part(file, io::ScanStage::kBite).map([](Part&& bite) {
+    return std::vector<Part>{std::move(bite)};
+  });
+}
+
 Result<Parts> load_parts(CaseAccess& access) {
   Result<io::CaseFile> file = access.open(true);
   if (!file) return tl::unexpected(file.error());
@@ -85,9 +103,9 @@ Result<Parts> load_parts(CaseAccess& access) {
   if (!upper) return tl::unexpected(upper.error());
   auto lower = load_part(*file, io::ScanStage::kLower);
   if (!lower) return tl::unexpected(lower.error());
-  auto bite = load_part(*file, io::ScanStage::kBite);
-  if (!bite) return tl::unexpected(bite.error());
-  return Parts{*std::move(upper), *std::move(lower), {*std::move(bite)}};
+  auto bites = load_bites(*file);
+  if (!bites) return tl::unexpected(bites.error());
+  return Parts{*std::move(upper), *std::move(lower), *std::move(bites)};
 }
 
 Json place_json(const occlusion::Occlusion& occlusion, const Vec3& p_mm) {
@@ -223,8 +241,10 @@ Result<void> run(const OccludeArguments& arguments, const Progress& progress) {
 void add_occlude_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<OccludeArguments>();
   CLI::App* command = app.add_subcommand("occlude", "Bring the jaws together as they bite");
-  command->add_option("CASE", arguments->case_path,
-                      "A case (.flytri) with finished upper, lower and bite scans");
+  command->add_option(
+      "CASE", arguments->case_path,
+      "A case (.flytri) with finished scans of the upper jaw, the lower jaw and one bite or "
+      "two");
   command->add_option("--upper", arguments->upper,
                       "Recording of the upper jaw, in place of a case");
   command->add_option("--lower", arguments->lower, "Recording of the lower jaw");

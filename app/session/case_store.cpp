@@ -115,12 +115,19 @@ class CaseStore::Journal final : public scan::ScanJournal {
   editing::EditList edits_ = editing::EditStack().state();
 };
 
-CaseStore::CaseStore(io::CaseFile file)
-    : file_(std::move(file)),
-      stages_with_views_(find_views(file_, &io::CaseFile::counts)),
-      stages_with_model_(find_models(file_)) {
+CaseStore::CaseStore(io::CaseFile file) : file_(std::move(file)) {
+  update_stages();
   update_status();
-  status_.has_kept_scan = find_views(file_, &io::CaseFile::kept_counts);
+}
+
+void CaseStore::update_stages() {
+  const StagesWithViews views = find_views(file_, &io::CaseFile::counts);
+  const StagesWithViews models = find_models(file_);
+  const StagesWithViews kept = find_views(file_, &io::CaseFile::kept_counts);
+  const std::lock_guard lock(status_mutex_);
+  status_.has_views = views;
+  status_.has_model = models;
+  status_.has_kept_scan = kept;
 }
 
 void CaseStore::update_status() {
@@ -300,10 +307,8 @@ Result<io::CaseSurvey> CaseStore::rescue_to(const std::filesystem::path& path) {
 Result<void> CaseStore::change_stage(const std::function<Result<void>(io::CaseFile&)>& change) {
   const std::lock_guard lock(mutex_);
   Result<void> changed = change(file_).and_then([&] { return file_.commit(); });
+  update_stages();
   update_status();
-  const StagesWithViews kept = find_views(file_, &io::CaseFile::kept_counts);
-  const std::lock_guard status_lock(status_mutex_);
-  status_.has_kept_scan = kept;
   return changed;
 }
 
@@ -313,6 +318,24 @@ Result<void> CaseStore::clear(io::ScanStage stage) {
 
 Result<void> CaseStore::bring_back(io::ScanStage stage) {
   return change_stage([&](io::CaseFile& file) { return file.bring_back_stage(stage); });
+}
+
+Result<void> CaseStore::copy(io::ScanStage from, io::ScanStage to, bool with_model) {
+  return change_stage([&](io::CaseFile& file) {
+    io::CaseEvent event = event_now(io::CaseAction::kCopied, to);
+    event.from = from;
+    return file.copy_stage(from, to, with_model).and_then([&] { return file.add_event(event); });
+  });
+}
+
+StagesWithViews CaseStore::stages_with_views() const {
+  const std::lock_guard lock(status_mutex_);
+  return status_.has_views;
+}
+
+StagesWithViews CaseStore::stages_with_model() const {
+  const std::lock_guard lock(status_mutex_);
+  return status_.has_model;
 }
 
 StagesWithViews CaseStore::stages_with_kept_scan() const {

@@ -71,6 +71,8 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] Result<void> clear(io::ScanStage stage);
   /// See CaseFile::bring_back_stage.
   [[nodiscard]] Result<void> bring_back(io::ScanStage stage);
+  /// See CaseFile::copy_stage.
+  [[nodiscard]] Result<void> copy(io::ScanStage from, io::ScanStage to, bool with_model);
   /// Adds an entry to the journal of the case and commits. A failure is remembered, see failure();
   /// a case that is read-only gets none.
   void note(const io::CaseEvent& event);
@@ -87,12 +89,12 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   // The window asks for these in each frame: they do not wait for a write.
   [[nodiscard]] std::string path() const;
   [[nodiscard]] bool is_read_only() const;
-  /// Whether each stage had views when the case was opened.
-  [[nodiscard]] StagesWithViews stages_with_views() const { return stages_with_views_; }
+  /// Whether each stage had views when the case was opened, or a stage was last cleared or copied.
+  [[nodiscard]] StagesWithViews stages_with_views() const;
   /// Damage was found, when the case was opened or since.
   [[nodiscard]] bool is_damaged() const;
-  /// Whether each stage had a finished model when the case was opened, perhaps an older one.
-  [[nodiscard]] StagesWithViews stages_with_model() const { return stages_with_model_; }
+  /// Whether each stage had a finished model then, perhaps an older one.
+  [[nodiscard]] StagesWithViews stages_with_model() const;
   /// Whether each stage keeps a scan that was cleared.
   [[nodiscard]] StagesWithViews stages_with_kept_scan() const;
   /// Why something is not saved; empty: everything is. A failure is over as soon as all that waited
@@ -105,7 +107,7 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
     std::string path;
     bool is_read_only = false;
     bool is_damaged = false;
-    StagesWithViews has_kept_scan = {};
+    StagesWithViews has_views = {}, has_model = {}, has_kept_scan = {};
     std::string waiting_failure;  ///< of records that will be written again
     std::string loss;             ///< of records that will not
   };
@@ -113,12 +115,13 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   void write(const std::function<Result<void>(io::CaseFile&)>& writing);
   /// Makes the state of the file known.
   void update_status();
-  /// Calls `change`, commits it, and makes known what is kept.
+  /// Counts what the stages hold.
+  void update_stages();
+  /// Calls `change`, commits it, and makes known what the stages hold.
   [[nodiscard]] Result<void> change_stage(const std::function<Result<void>(io::CaseFile&)>& change);
 
   std::mutex mutex_;
   io::CaseFile file_;
-  const StagesWithViews stages_with_views_, stages_with_model_;
   mutable std::mutex status_mutex_;
   Status status_;
 };

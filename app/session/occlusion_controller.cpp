@@ -6,6 +6,8 @@
 #include "core/evaluation/surface_error.h"
 #include "core/occlusion/close_jaws.h"
 #include "core/reconstruct/finish_scan.h"
+#include "ui/state/jaw_words.h"
+#include "ui/state/jaws_look.h"
 
 namespace flytri::session {
 namespace {
@@ -43,11 +45,31 @@ ui::JawPair pair_of(const TriangleMesh& upper, const TriangleMesh& lower,
   return pair;
 }
 
+constexpr std::array kStagesThatMeet = {io::ScanStage::kUpper, io::ScanStage::kLower,
+                                        io::ScanStage::kBite, io::ScanStage::kBite2};
+
+/// True if there are several bite scans, all of the same half of the arch.
+bool are_on_one_side(const JawAxes& upper_axes, const std::vector<occlusion::BiteScan>& bites,
+                     const occlusion::Occlusion& found) {
+  if (bites.size() < 2 || !upper_axes.is_arch) return false;
+  int right = 0;
+  for (std::size_t k = 0; k < bites.size(); ++k) {
+    Vec3 sum_mm = Vec3::Zero();
+    for (const SurfacePoint& point : bites[k].points) sum_mm += point.position_mm.cast<double>();
+    const Vec3 middle_mm =
+        found.bites[k].T_upper_bite * Vec3(sum_mm / static_cast<double>(bites[k].points.size()));
+    const Vec3 middle_jaw_mm = upper_axes.R_jaw_world() * middle_mm;
+    if (middle_jaw_mm.x() > upper_axes.box_mm.center().x()) ++right;
+  }
+  return right == 0 || right == static_cast<int>(bites.size());
+}
+
 }  // namespace
 
 /// Runs in the background.
 struct OcclusionController::Work {
   std::shared_ptr<CaseStore> store;
+  ByStage<bool> uses;
   ByStage<Model> models;  ///< null: to be read from the case
   ui::Texts texts;
   const Progress& progress;
@@ -57,22 +79,31 @@ struct OcclusionController::Work {
     if (auto done = close(); !done) outcome.failure = done.error().message;
   }
 
+  [[nodiscard]] const TriangleMesh& mesh_of(io::ScanStage stage) const {
+    return models[index_of(stage)]->surface.mesh;
+  }
+
   Result<void> close() {
     for (const io::ScanStage stage : io::kScanStages) {
-      Model& model = models[static_cast<std::size_t>(stage)];
-      if (model != nullptr) continue;
+      Model& model = models[index_of(stage)];
+      if (!uses[index_of(stage)] || model != nullptr) continue;
       auto read = store->load_model(stage, texts);
       if (!read) return tl::unexpected(read.error());
       model = *std::move(read);
     }
-    const TriangleMesh& upper = models[0]->surface.mesh;
-    const TriangleMesh& lower = models[1]->surface.mesh;
-    const occlusion::BiteScan bite = {texts[ui::Text::kBite], models[2]->surface.mesh.vertices};
-    const auto jaws =
-        occlusion::close_jaws(upper, lower, std::span(&bite, 1), {}, Workers(), progress);
+    const TriangleMesh& upper = mesh_of(io::ScanStage::kUpper);
+    const TriangleMesh& lower = mesh_of(io::ScanStage::kLower);
+    std::vector<occlusion::BiteScan> bites;
+    for (const io::ScanStage stage : io::kBites) {
+      if (uses[index_of(stage)])
+        bites.push_back({texts[ui::stage_name(stage)], mesh_of(stage).vertices});
+    }
+    const auto jaws = occlusion::close_jaws(upper, lower, bites, {}, Workers(), progress);
     if (!jaws) return tl::unexpected(jaws.error());
     outcome.pair = std::make_shared<const ui::JawPair>(pair_of(upper, lower, *jaws));
     const occlusion::Occlusion& found = jaws->occlusion;
+    outcome.bite_count = bites.size();
+    outcome.bites_are_on_one_side = are_on_one_side(outcome.pair->upper_axes, bites, found);
     outcome.middle_uncertainty_mm = found.uncertainty_mm(found.middle_mm);
     outcome.far_uncertainty_mm = found.uncertainty_mm(jaws->least_certain_mm);
     outcome.far_mm = (jaws->least_certain_mm - found.middle_mm).norm();
@@ -87,22 +118,22 @@ bool OcclusionController::look_at_models() {
     marks_ = {};
     is_tried_ = false;
   }
-  bool are_finished = true;
-  for (const io::ScanStage stage : io::kScanStages) {
-    const auto index = static_cast<std::size_t>(stage);
+  for (const io::ScanStage stage : kStagesThatMeet) {
+    const std::size_t index = index_of(stage);
     const StageController::StageModel model = stages_.model_of(stage);
-    are_finished = are_finished && model.is_finished;
+    are_finished_[index] = model.is_finished;
     if (model.scan == seen_[index]) continue;
     seen_[index] = model.scan;
     if (model.scan != nullptr) marks_[index] = mark_of(*model.scan);
   }
-  return are_finished;
+  return ui::can_meet(are_finished_);
 }
 
 void OcclusionController::begin() {
-  const auto work =
-      std::make_shared<Work>(Work{store_, seen_, notices_.texts(), background_.progress(), {}});
+  const auto work = std::make_shared<Work>(
+      Work{store_, are_finished_, seen_, notices_.texts(), background_.progress(), {}});
   is_tried_ = true;
+  used_ = are_finished_;
   used_marks_ = marks_;
   state_ = {};
   state_.is_running = true;
@@ -117,8 +148,9 @@ void OcclusionController::begin() {
 
 ui::OcclusionState OcclusionController::state() {
   const bool are_finished = look_at_models();
-  bool is_current = is_tried_;
+  bool is_current = is_tried_ && used_ == are_finished_;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
+    if (!used_[i]) continue;
     // A model that was read from the case and is loaded only now is the same.
     if (!used_marks_[i]) used_marks_[i] = marks_[i];
     is_current = is_current && used_marks_[i] == marks_[i];
@@ -127,9 +159,9 @@ ui::OcclusionState OcclusionController::state() {
     is_tried_ = false;
     state_ = {};
   }
-  if (stages_.stage() == io::ScanStage::kBite && are_finished && !is_tried_ && !state_.is_running) {
-    begin();
-  }
+  const io::ScanStage shown = stages_.stage();
+  const bool is_shown = io::is_bite(shown) && are_finished_[index_of(shown)];
+  if (is_shown && are_finished && !is_tried_ && !state_.is_running) begin();
   ui::OcclusionState state = state_;
   if (state.is_running) state.done_share = background_.progress().snapshot().fraction;
   return state;

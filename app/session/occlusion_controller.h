@@ -1,4 +1,4 @@
-/// @file  Brings the jaws of a session together, once both and the bite are finished.
+/// @file  Brings the jaws of a session together, once both and a bite are finished.
 #pragma once
 
 #include <array>
@@ -19,16 +19,17 @@ class OcclusionController {
   OcclusionController(StageController& stages, BackgroundWork& background, Notices& notices)
       : stages_(stages), background_(background), notices_(notices) {}
 
-  /// Starts the work while the bite is shown, if a model has changed.
+  /// Starts the work while a finished bite is shown, if a model has changed. All bites that are
+  /// finished count.
   [[nodiscard]] ui::OcclusionState state();
 
  private:
   using Model = std::shared_ptr<const reconstruct::FinishedScan>;
   template <typename T>
-  using ByStage = std::array<T, io::kScanStages.size()>;
+  using ByStage = ui::ByStage<T>;
   struct Work;
 
-  /// Recognizes the models. @return  false if one of them is not finished
+  /// Recognizes the models. @return  false if one is missing for an occlusion
   bool look_at_models();
   void begin();
 
@@ -39,7 +40,8 @@ class OcclusionController {
   ByStage<Model> seen_;               ///< as loaded now; null: as it is in the case
   /// Of the models now, and of those that `state_` is about. Empty: not loaded.
   ByStage<std::optional<std::uint64_t>> marks_, used_marks_;
-  bool is_tried_ = false;  ///< `state_` is about used_marks_
+  ByStage<bool> are_finished_ = {}, used_ = {};  ///< now, and as `state_` is about
+  bool is_tried_ = false;                        ///< `state_` is about used_marks_
   ui::OcclusionState state_;
 };
 

@@ -74,6 +74,7 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::EditSurface& edit) { stages_.edit(edit); },
           [&](const ui::ClearStage& cleared) { stages_.clear(cleared.stage); },
           [&](const ui::BringBackStage&) { stages_.bring_back(); },
+          [&](const ui::CopyStage& copied) { stages_.copy_to(copied.to); },
           [&](const ui::AddMeasurement& added) { stages_.add_measurement(added.measurement); },
           [&](const ui::RemoveMeasurement& removed) { stages_.remove_measurement(removed.index); },
           [&](const ui::FindOcclusalPlane&) { plane_.find(); },

@@ -85,37 +85,52 @@ void StageController::choose_reentry(std::size_t index) {
   if (scan()) scan()->choose_reentry(index);
 }
 
-void StageController::change_stored(std::function<Result<void>(CaseStore&, io::ScanStage)> change) {
+void StageController::change_stored(io::ScanStage changed, io::ScanStage shown, Change change) {
   if (!may_leave() || store_ == nullptr || store_->is_read_only() || is_loading_[stage_]) return;
   // All that was scanned reaches the case before: nothing comes late.
   auto rest = come_to_rest();
   is_loading_[stage_] = true;
-  background_.run(
-      [this, change = std::move(change), rest = std::move(rest), stage = stage_, store = store_] {
-        rest();
-        auto changed = std::make_shared<Result<void>>(change(*store, io::kScanStages[stage]));
-        return [this, stage, store, changed] {
-          if (store != store_) return;
-          is_loading_[stage] = false;
-          if (!*changed) {
-            notices_.add(ui::Severity::kError, changed->error().message);
-          } else {
-            scans_[stage].reset();
-            measurements_[stage].clear();
-            planes_[stage].reset();
-            margins_[stage].clear();
-          }
-          if (stage == stage_) show();
-        };
-      });
+  background_.run([this, change = std::move(change), rest = std::move(rest), from = stage_,
+                   to = index_of(changed), shown = index_of(shown), store = store_] {
+    rest();
+    auto done = std::make_shared<Result<void>>(change(*store));
+    return [this, from, to, shown, store, done] {
+      if (store != store_) return;
+      is_loading_[from] = false;
+      if (!*done) {
+        notices_.add(ui::Severity::kError, done->error().message);
+      } else {
+        scans_[to].reset();
+        measurements_[to].clear();
+        planes_[to].reset();
+        margins_[to].clear();
+        if (stage_ == from) stage_ = shown;
+        if (to != from && shown == from) {
+          notices_.add(ui::Severity::kInformation, notices_.texts()[ui::Text::kKeptAsPreop]);
+        }
+      }
+      if (stage_ == from || stage_ == to || stage_ == shown) show();
+    };
+  });
 }
 
 void StageController::clear(io::ScanStage stage) {
-  if (stage != io::kScanStages[stage_]) return;
-  change_stored(&CaseStore::clear);
+  if (stage != this->stage()) return;
+  change_stored(stage, stage, [stage](CaseStore& store) { return store.clear(stage); });
 }
 
-void StageController::bring_back() { change_stored(&CaseStore::bring_back); }
+void StageController::bring_back() {
+  change_stored(stage(), stage(),
+                [stage = stage()](CaseStore& store) { return store.bring_back(stage); });
+}
+
+void StageController::copy_to(io::ScanStage stage) {
+  const io::ScanStage from = this->stage();
+  const bool is_kept = io::is_preop(stage);
+  change_stored(stage, is_kept ? from : stage, [from, stage, is_kept](CaseStore& store) {
+    return store.copy(from, stage, is_kept);
+  });
+}
 
 void StageController::add_measurement(io::Measurement measurement) {
   if (store_ != nullptr) {

@@ -38,6 +38,10 @@ class StageController {
   void clear(io::ScanStage stage);
   /// Shows what the case has kept of the current stage, and keeps what is shown.
   void bring_back();
+  /// Starts an empty stage as a copy of the current one, see CaseFile::copy_stage. Turns to the
+  /// copy, but stays if the copy keeps what was before a preparation: then it has the finished
+  /// model, too.
+  void copy_to(io::ScanStage stage);
   void add_measurement(io::Measurement measurement);
   void remove_measurement(std::size_t index);
   /// Keeps the occlusal plane of a stage, also in its case. @param points  none: found by itself
@@ -101,8 +105,9 @@ class StageController {
  private:
   [[nodiscard]] bool accepts(scan::ScanEvent event) const;
   void use(std::size_t stage, const OpenedStage& opened);
-  /// Changes what the case has of the current stage, in the background, and loads it anew.
-  void change_stored(std::function<Result<void>(CaseStore&, io::ScanStage)> change);
+  using Change = std::function<Result<void>(CaseStore&)>;
+  /// Changes what the case has of a stage, in the background, and turns to `shown` afterwards.
+  void change_stored(io::ScanStage changed, io::ScanStage shown, Change change);
 
   const scan::LiveScanOptions options_;
   SourceController& source_;

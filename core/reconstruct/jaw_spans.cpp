@@ -125,8 +125,8 @@ std::string name_of(const JawSpan& span) {
 }
 
 std::optional<JawKind> jaw_of(io::ScanStage stage) {
-  if (stage == io::ScanStage::kBite) return std::nullopt;
-  return stage == io::ScanStage::kUpper ? JawKind::kUpper : JawKind::kLower;
+  if (io::is_bite(stage)) return std::nullopt;
+  return base_of(stage) == io::ScanStage::kUpper ? JawKind::kUpper : JawKind::kLower;
 }
 
 std::vector<JawSpan> jaw_spans(const TriangleMesh& mesh, std::optional<JawKind> jaw) {

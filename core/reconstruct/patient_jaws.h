@@ -30,12 +30,17 @@ struct JawPlaces {
   std::array<Isometry, io::kScanStages.size()> T_patient_world;  ///< by stage
   /// They lie as they bite. False: a stage is missing, and each lies in its own occlusal plane.
   bool are_closed = false;
+
+  [[nodiscard]] Isometry& of(io::ScanStage stage) { return T_patient_world[index_of(stage)]; }
 };
 
 /// Jaws that are closed share one occlusal plane. One that the user has set counts before one that
 /// was found; of two of the same kind, that of the upper jaw counts.
+/// Other scans of a jaw, as before a preparation, lie on that jaw.
 /// @param jaws  at most one for each stage
-/// @errors  As occlusion::find_occlusion; kInconsistent: a plane that was set does not fit its jaw.
+/// @errors  As occlusion::find_occlusion and place_on_jaw; kInconsistent: a plane that was set does
+/// not fit its
+///          jaw.
 [[nodiscard]] Result<JawPlaces> place_jaws(std::span<const FinishedJaw> jaws,
                                            const Workers& workers, const Progress& progress);
 
@@ -48,7 +53,7 @@ struct PatientJaw {
                                     const JawPlaces& places);
 
 /// The models to write for `output`. NAME.glb holds all stages. NAME.stl becomes NAME-upper.stl,
-/// NAME-lower.stl and NAME-bite.stl.
+/// NAME-lower.stl, NAME-bite.stl and so on, see to_string(ScanStage).
 [[nodiscard]] std::vector<std::filesystem::path> jaw_models(const std::filesystem::path& output,
                                                             std::span<const io::ScanStage> stages);
 

@@ -120,6 +120,14 @@ expect 'a plane without jaws' 2 '--occlusal-plane requires --jaws' \
   "$flytri" export a.flytri --occlusal-plane '0,0,0 10,0,0 0,10,0' -o no.glb
 name='jaws: as many files as stages'
 [ "$(find jaws -name 'smith*.*' -not -name '*.png' -not -name '*.mtl' | wc -l)" = 7 ] || fail "$(ls jaws)"
+expect 'another scan of the jaw' 0 '^made' "$make_case" scan c.json a.flytri upper-preop unplaced
+expect 'keep its model' 0 '^wrote preop\.glb' \
+  "$flytri" reconstruct a.flytri -o preop.glb --stage upper-preop --keep
+expect 'both scans of the jaw lie on each other' 0 '^wrote jaws/two-upper-preop\.stl' \
+  "$flytri" export a.flytri --jaws -o jaws/two.stl -o jaws/two.glb --mesh-density full
+expect 'a node for each scan' 0 '"name":"upper-preop"' grep -ao '"name":"[a-z-]*"' jaws/two.glb
+name='both scans are whole'
+[ "$(stat -c %s jaws/two-upper.stl)" = "$(stat -c %s jaws/two-upper-preop.stl)" ] || fail "$(ls -l jaws)"
 if command -v node > /dev/null && [ -d "$gltf/node_modules/three" ]; then
   expect 'other programs read the same jaws from all formats' 0 '^ok: .*offset' node "$gltf/overlay.mjs" jaws/smith.glb \
     jaws/smith-upper.stl jaws/smith-upper.ply jaws/smith-upper.obj jaws/smith-lower.stl jaws/smith-lower.ply jaws/smith-lower.obj

@@ -1,12 +1,11 @@
 /// @file  Makes a case from a recording: its views and texture frames, with or without poses.
-/// Usage: flytri_make_case RECORDING CALIBRATION CASE upper|lower|bite placed|unplaced
+/// Usage: flytri_make_case RECORDING CALIBRATION CASE STAGE placed|unplaced
 ///        flytri_make_case prepared CASE [margin]
 /// The second makes one with a finished model, a jaw with a tooth prepared for a crown, and if
 /// asked for with its margin line. Prints the middle of that tooth and points of its margin.
 /// Creates the case if it does not exist; encrypts it if FLYTRI_PASSPHRASE is set.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -126,10 +125,8 @@ int main(int argc, char** argv) {
     return made ? 0 : 1;
   }
   if (words.size() != 6) return 2;
-  const auto stage =
-      std::find_if(flytri::io::kScanStages.begin(), flytri::io::kScanStages.end(),
-                   [&](flytri::io::ScanStage stage) { return to_string(stage) == words[4]; });
-  if (stage == flytri::io::kScanStages.end()) return 2;
+  const auto stage = flytri::io::stage_named(words[4]);
+  if (!stage) return 2;
   const auto made = flytri::make_case({words[1], words[2], words[3], *stage, words[5] == "placed"});
   fmt::print("{}\n", made ? "made " + words[3] : made.error().message);
   return made ? 0 : 1;

@@ -26,7 +26,7 @@ AppView ordinary_view() {
       {"/home/clinic/cases/Rivera-2031.flytri", "Ana Rivera", "Today 10:42", false},
       {"/home/clinic/cases/Okafor-2030.flytri", "Chidi Okafor", "Today 09:15", false},
       {"/home/clinic/cases/case-17.flytri", "", "Yesterday 16:30", true}};
-  view.stage_has_data = {true, false, false};
+  view.stage_has_data = {true};
   view.source.name = "virtual sensor";
   view.source.is_running = true;
   view.source.hand = ui::SimulatedHand{};
@@ -187,15 +187,15 @@ struct FakeScan::Parts {
     AppView view = finished(texts);
     view.notices.clear();
     view.stage = io::ScanStage::kBite;
-    view.stage_has_data = {true, true, true};
-    view.stage_is_finished = {true, false, true};
+    view.stage_has_data = {true, true, true, false};
+    view.stage_is_finished = {true, false, true, false};
     view.exports.jaws_name = "Rivera-2031";
     return view;
   }
 
   [[nodiscard]] AppView closing(const ui::Texts& texts) const {
     AppView view = bite(texts);
-    view.stage_is_finished = {true, true, true};
+    view.stage_is_finished = {true, true, true, false};
     view.occlusion.is_running = true;
     view.occlusion.done_share = 0.4;
     return view;
@@ -204,6 +204,49 @@ struct FakeScan::Parts {
   [[nodiscard]] AppView jaws(const ui::Texts& texts) const {
     AppView view = closing(texts);
     view.occlusion = {false, 0.0, "", pair, 0.007, 0.061, 52.0};
+    return view;
+  }
+
+  /// The second bite, before it is scanned.
+  [[nodiscard]] AppView other_side(const ui::Texts& texts) const {
+    AppView view = preview();
+    view.is_scanning = false;
+    const AppView before = jaws(texts);
+    view.stage = io::ScanStage::kBite2;
+    view.stage_has_data = before.stage_has_data;
+    view.stage_is_finished = before.stage_is_finished;
+    return view;
+  }
+
+  [[nodiscard]] AppView two_bites(const ui::Texts& texts) const {
+    AppView view = jaws(texts);
+    view.stage = io::ScanStage::kBite2;
+    view.stage_has_data[index_of(view.stage)] = view.stage_is_finished[index_of(view.stage)] = true;
+    view.occlusion.bite_count = 2;
+    view.occlusion.far_uncertainty_mm = 0.011;
+    view.occlusion.far_mm = 34.0;
+    return view;
+  }
+
+  /// A copy of the upper jaw on which scan bodies are scanned; the jaw was kept as pre-op, too.
+  [[nodiscard]] AppView scan_body() const {
+    AppView view = paused();
+    view.stage = io::ScanStage::kUpperScanBody;
+    for (const io::ScanStage stage :
+         {io::ScanStage::kUpper, io::ScanStage::kUpperPreop, io::ScanStage::kUpperScanBody}) {
+      view.stage_has_data[index_of(stage)] = true;
+    }
+    view.stage_is_finished[index_of(io::ScanStage::kUpper)] = true;
+    view.stage_is_finished[index_of(io::ScanStage::kUpperPreop)] = true;
+    view.exports.name = "Rivera-2031-upper-scanbody";
+    return view;
+  }
+
+  /// The upper jaw, of which a finished pre-op scan was kept.
+  [[nodiscard]] AppView preop() const {
+    AppView view = paused();
+    const std::size_t preop = index_of(io::ScanStage::kUpperPreop);
+    view.stage_has_data[preop] = view.stage_is_finished[preop] = true;
     return view;
   }
 
@@ -323,7 +366,7 @@ struct FakeScan::Parts {
     ui::DamagedCase& damaged = view.file.damaged.emplace();
     damaged.copy_path = "/home/clinic/cases/Rivera-2031-rescued.flytri";
     io::CaseSurvey& survey = damaged.survey.emplace();
-    survey.readable = {{{2389, 70, 1, true}, {812, 24, 0, false}, {}}};
+    survey.readable = {{{2389, 70, 1, true}, {812, 24, 0, false}}};
     for (int i = 0; i < 12; ++i) {
       survey.lost.push_back("views: upper " + std::to_string(1204 + i) + ": cannot be read");
     }
@@ -443,7 +486,11 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
       [&] { return parts.jaws(texts); },
       [&] { return parts.jaws_refused(texts); },
       [&] { return parts.prepared(texts); },
-      [&] { return parts.reviewed(texts); }};
+      [&] { return parts.reviewed(texts); },
+      [&] { return parts.other_side(texts); },
+      [&] { return parts.two_bites(texts); },
+      [&] { return parts.scan_body(); },
+      [&] { return parts.preop(); }};
   std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {

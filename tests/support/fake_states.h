@@ -10,7 +10,8 @@ inline constexpr std::array kFakeStates = {
     "finishing",  "finished",     "failed",        "no_sensor",    "empty_case",   "unnamed",
     "not_saved",  "devices",      "devices_wrong", "calibrating",  "shot_refused", "set_refused",
     "calibrated", "check_broken", "lost_smooth",   "damaged",      "cleared",      "recording",
-    "bite",       "closing",      "jaws",          "jaws_refused", "prepared",     "reviewed"};
+    "bite",       "closing",      "jaws",          "jaws_refused", "prepared",     "reviewed",
+    "other_side", "two_bites",    "scan_body",     "preop"};
 
 /// States of the export dialog, all of a finished scan: files exist, they are being written, they
 /// were written, it failed.

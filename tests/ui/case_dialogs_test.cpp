@@ -239,5 +239,64 @@ TEST_F(RealWindow, ScanningPausesBehindTheDialogOfCases) {
   EXPECT_EQ(after_key("d"), Names{"PauseScan"});
 }
 
+class StagesWindow : public RealWindow {
+ protected:
+  static nlohmann::json state() { return window().state(); }
+};
+
+TEST_F(StagesWindow, AJawIsKeptAsPreopAndItsToothIsCutOutNext) {
+  show("paused");
+  EXPECT_FALSE(window().where("scan_upper-preop")) << "there is no such scan yet";
+  EXPECT_EQ(after_click("stages"), Names{});
+  EXPECT_EQ(state()["dialog"], "stages");
+  EXPECT_TRUE(window().where("copy_upper-preop"));
+  EXPECT_TRUE(window().where("copy_upper-scanbody"));
+  EXPECT_FALSE(window().where("copy_upper")) << "a jaw is no copy of itself";
+  EXPECT_FALSE(window().where("copy_lower-preop"));
+  EXPECT_EQ(after_click("copy_upper-preop"), Names{"CopyStage"});
+  EXPECT_EQ(state()["dialog"], "none");
+  EXPECT_EQ(state()["tool"], "trim") << "the jaw goes on";
+}
+
+TEST_F(StagesWindow, ACopyIsOpenedWithTheToolToTrim) {
+  show("paused");
+  window().key("F6");
+  EXPECT_EQ(after_click("copy_upper-scanbody"), Names{"CopyStage"});
+  EXPECT_EQ(state()["tool"], "none") << "the jaw stays as it is";
+  show("scan_body");
+  EXPECT_EQ(state()["tool"], "trim");
+}
+
+TEST_F(StagesWindow, TheScansOfAJawAreChosenBesideTheLiveImage) {
+  show("scan_body");
+  for (const char* id : {"scan_upper", "scan_upper-preop"})
+    EXPECT_EQ(after_click(id), Names{"SelectStage"}) << id;
+  EXPECT_EQ(after_key("F1"), Names{"SelectStage"});
+  window().key("F6");
+  EXPECT_FALSE(window().where("copy_upper-preop")) << "it is not empty";
+  EXPECT_EQ(after_click("open_upper-preop"), Names{"SelectStage"});
+  EXPECT_EQ(state()["dialog"], "none");
+  show("scanning");
+  EXPECT_FALSE(window().where("stages")) << "the image has the room";
+  EXPECT_EQ(after_key("F6"), Names{"PauseScan"});
+}
+
+TEST_F(StagesWindow, NothingIsCopiedThatCannotBe) {
+  for (const char* name : {"ready", "damaged", "not_saved"}) {
+    show(name);
+    window().key("F6");
+    EXPECT_EQ(state()["dialog"], "stages") << name;
+    EXPECT_FALSE(window().where("copy_upper-preop")) << name;
+    EXPECT_TRUE(window().where("open_upper-preop")) << name;
+    window().key("Escape");
+  }
+  show("bite");
+  window().key("F6");
+  EXPECT_EQ(state()["dialog"], "none");
+  show("finishing");
+  window().key("F6");
+  EXPECT_EQ(state()["dialog"], "none");
+}
+
 }  // namespace
 }  // namespace flytri

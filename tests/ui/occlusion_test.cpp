@@ -43,6 +43,30 @@ TEST_F(BiteWindow, WithoutAllThreeModelsThereAreNoJawsToShow) {
   }
 }
 
+TEST_F(BiteWindow, ASecondBiteIsOfferedOnceTheFirstIsScanned) {
+  show("paused");
+  EXPECT_FALSE(action("bite_2")["enabled"]);
+  EXPECT_EQ(after_key("F4"), testing::Names{});
+  EXPECT_FALSE(window().where("scan_bite-2")) << "the upper jaw has one scan";
+
+  show("jaws");
+  EXPECT_EQ(after_click("scan_bite-2"), testing::Names{"SelectStage"});
+  EXPECT_EQ(after_key("F4"), testing::Names{"SelectStage"});
+  EXPECT_TRUE(action("bite")["on"]);
+  EXPECT_FALSE(action("bite_2")["on"]);
+
+  show("other_side");
+  EXPECT_TRUE(action("bite")["on"]) << "the tab is that of both bites";
+  EXPECT_TRUE(action("bite_2")["on"]);
+  EXPECT_FALSE(action("jaws")["enabled"]) << "this bite is not finished";
+  EXPECT_EQ(after_click("scan_bite"), testing::Names{"SelectStage"});
+  EXPECT_EQ(after_key("F3"), testing::Names{"SelectStage"});
+
+  show("two_bites");
+  window().key("5");
+  EXPECT_TRUE(action("jaws")["on"]) << "either bite shows the jaws";
+}
+
 TEST_F(BiteWindow, AllFinishedJawsAreExportedTogether) {
   show("finished");
   window().click("export");

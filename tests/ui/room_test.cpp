@@ -117,7 +117,8 @@ TEST_P(SmallestWindow, FitsWithEachTool) {
 
 TEST_P(SmallestWindow, FitsInEachDialog) {
   for (const char* state : kFakeStates) {
-    for (const char* dialog : {"help", "export", "case", "settings", "devices", "calibration"}) {
+    for (const char* dialog :
+         {"help", "export", "case", "settings", "devices", "calibration", "stages"}) {
       show(state);
       check_after(dialog, state);
     }

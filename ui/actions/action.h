@@ -22,6 +22,8 @@ enum class Action {
   kStageUpper,
   kStageLower,
   kStageBite,
+  kStageBite2,
+  kStages,
   // Editing
   kUndo,
   kRedo,

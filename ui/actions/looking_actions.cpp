@@ -65,8 +65,7 @@ ActionState arch_side_state(const Situation& now) {
 }
 
 ActionState jaws_state(const Situation& now) {
-  const bool is_possible = now.view.stage == io::ScanStage::kBite && now.is_finished() &&
-                           now.view.occlusion.pair != nullptr;
+  const bool is_possible = shows_finished_bite(now.view) && now.view.occlusion.pair != nullptr;
   if (!is_possible) return disabled(Text::kNeedsOcclusion);
   return chosen(now.state.jaws.are_shown);
 }

@@ -110,6 +110,7 @@ bool can_confirm(const Situation& now) {
     case Dialog::kDevices:
     case Dialog::kCalibration:
     case Dialog::kQuestion:
+    case Dialog::kStages:
       break;
   }
   return true;
@@ -214,6 +215,7 @@ void confirm(const ActionRunner& run) {
     case Dialog::kHelp:
     case Dialog::kSettings:
     case Dialog::kDevices:
+    case Dialog::kStages:
       break;
   }
   run.state.dialog = Dialog::kNone;

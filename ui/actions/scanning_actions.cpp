@@ -1,8 +1,11 @@
 /// @file  Scan, finish, and choose what to scan next.
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
+
 #include "ui/actions/action_groups.h"
 #include "ui/state/camera_moves.h"
+#include "ui/state/stage_group.h"
 
 namespace flytri::ui {
 namespace {
@@ -51,16 +54,39 @@ ActionState next_hole_state(const Situation& now) {
   return only_if(now.view.scan != nullptr && !now.view.scan->holes.empty(), Text::kNoHolesFound);
 }
 
+/// On while any scan of the same jaw or of the bite is shown.
 template <io::ScanStage kStage>
 ActionState stage_state(const Situation& now) {
   if (!now.may_leave()) return disabled(Text::kFinishing);
-  const bool has_data = now.view.stage_has_data[static_cast<std::size_t>(kStage)];
-  return {.is_on = now.view.stage == kStage, .why = has_data ? Text::kScanned : Text::kEmpty};
+  const bool has_data = now.view.stage_has_data[index_of(kStage)];
+  return {.is_on = base_of(now.view.stage) == kStage,
+          .why = has_data ? Text::kScanned : Text::kEmpty};
+}
+
+ActionState bite_2_state(const Situation& now) {
+  constexpr io::ScanStage kStage = io::ScanStage::kBite2;
+  const std::vector<io::ScanStage> offered = offered_with(kStage, now.view);
+  if (std::find(offered.begin(), offered.end(), kStage) == offered.end())
+    return disabled(Text::kBiteFirst);
+  ActionState state = stage_state<kStage>(now);
+  state.is_on = now.view.stage == kStage;
+  return state;
 }
 
 template <io::ScanStage kStage>
 void select_stage(const ActionRunner& run) {
   run.send(SelectStage{kStage});
+}
+
+ActionState stages_state(const Situation& now) {
+  if (!now.may_leave()) return disabled(Text::kFinishing);
+  return only_if(!io::is_bite(now.view.stage), Text::kOnlyForAJaw);
+}
+
+void open_stages(const ActionRunner& run) {
+  if (run.view.is_scanning) run.send(PauseScan{});
+  put_tool_away(run.state);
+  run.toggle(Dialog::kStages);
 }
 
 constexpr std::array kScanningActions = {
@@ -105,7 +131,20 @@ constexpr std::array kScanningActions = {
               .name = Text::kBite,
               .shortcut = {GLFW_KEY_F3},
               .state = stage_state<io::ScanStage::kBite>,
-              .perform = select_stage<io::ScanStage::kBite>}};
+              .perform = select_stage<io::ScanStage::kBite>},
+    ActionRow{.action = Action::kStageBite2,
+              .id = "bite_2",
+              .name = Text::kBiteOtherSide,
+              .shortcut = {GLFW_KEY_F4},
+              .state = bite_2_state,
+              .perform = select_stage<io::ScanStage::kBite2>},
+    ActionRow{.action = Action::kStages,
+              .id = "stages",
+              .name = Text::kScansOfJaw,
+              .shortcut = {GLFW_KEY_F6},
+              .state = stages_state,
+              .perform = open_stages,
+              .works_in = in(Dialog::kStages)}};
 static_assert(lists_all_of(ActionGroup::kScanning, kScanningActions));
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
 #include "ui/state/export_target.h"
+#include "ui/state/jaws_look.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/hint.h"
@@ -251,8 +252,7 @@ Note note_of(const PanelContext& context) {
     if (!exports.written.empty()) return {icon::kSaved, kGood, written_text(texts, exports)};
   }
   if (exports_all_jaws(context.view, context.state.export_form)) {
-    const auto& finished = context.view.stage_is_finished;
-    if (std::find(finished.begin(), finished.end(), false) == finished.end())
+    if (can_meet(context.view.stage_is_finished))
       return {icon::kInformation, kNeutral, texts[Text::kExportsJawsClosed]};
     return {icon::kWarning, kCaution, texts[Text::kExportsJawsApart]};
   }

@@ -8,6 +8,7 @@
 #include "ui/panels/panels.h"
 #include "ui/state/jaw_words.h"
 #include "ui/state/jaws_look.h"
+#include "ui/state/stage_group.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/badge.h"
 #include "ui/widgets/hint.h"
@@ -20,16 +21,17 @@ constexpr float kValueRow = 24.0F, kTopButton = 44.0F, kSliderHeight = 36.0F;
 /// A far side that is less certain than this gets advice: half of what intra-oral scanners reach.
 constexpr double kFarLimit_mm = 0.05;
 
-Text stage_progress(const AppView& view, std::size_t stage) {
-  if (view.stage_is_finished[stage]) return Text::kFinished;
-  return view.stage_has_data[stage] ? Text::kStageScanned : Text::kStageEmpty;
+Text progress_text(StageProgress progress) {
+  if (progress == StageProgress::kFinished) return Text::kFinished;
+  return progress == StageProgress::kScanned ? Text::kStageScanned : Text::kStageEmpty;
 }
 
 void draw_missing(const PanelContext& context, Rect rest) {
   for (const io::ScanStage stage : io::kScanStages) {
+    const StageProgress progress = progress_of(stage, context.view);
+    if (stage != base_of(stage) && progress == StageProgress::kEmpty) continue;
     labeled_value(context.theme, rest.take_top(context.px(kValueRow)),
-                  context.text(stage_name(stage)),
-                  context.text(stage_progress(context.view, static_cast<std::size_t>(stage))));
+                  context.text(stage_name(stage)), context.text(progress_text(progress)));
   }
   rest.take_top(context.px(kGapM));
   draw_wrapped(rest, {context.theme.fonts.small, kTextQuiet},
@@ -93,25 +95,38 @@ void draw_legend(const PanelContext& context, Rect& rest) {
   hint_over(box, context.text(Text::kClearanceHint));
 }
 
+/// What makes a far side more certain.
+std::string bite_advice(const AppView& view) {
+  const OcclusionState& occlusion = view.occlusion;
+  const std::string far = length_text(occlusion.far_uncertainty_mm);
+  if (occlusion.bites_are_on_one_side) return view.texts.fill<Text::kBitesOnOneSide>(far);
+  if (occlusion.bite_count > 1) return view.texts.fill<Text::kBothBitesUncertain>(far);
+  const bool is_one_unfinished = std::any_of(
+      io::kBites.begin(), io::kBites.end(),
+      [&](io::ScanStage bite) { return progress_of(bite, view) == StageProgress::kScanned; });
+  return is_one_unfinished ? view.texts.fill<Text::kFinishOtherBite>(far)
+                           : view.texts.fill<Text::kFarSideUncertain>(far);
+}
+
 void draw_certainty(const PanelContext& context, Rect rest) {
   const OcclusionState& occlusion = context.view.occlusion;
   Rect rows = rest.take_top(2.0F * context.px(kValueRow), context.px(kGapS));
   const Rect both = rows;
-  labeled_value(context.theme, rows.take_top(context.px(kValueRow)),
-                context.text(Text::kBiteUncertainty), length_text(occlusion.middle_uncertainty_mm));
+  labeled_value(
+      context.theme, rows.take_top(context.px(kValueRow)),
+      context.text(occlusion.bite_count > 1 ? Text::kBetweenBites : Text::kBiteUncertainty),
+      length_text(occlusion.middle_uncertainty_mm));
   labeled_value(
       context.theme, rows,
       context.view.texts.fill<Text::kFarUncertainty>(fmt::format("{:.0f}", occlusion.far_mm)),
       length_text(occlusion.far_uncertainty_mm));
   hint_over(both, context.text(Text::kUncertaintyOfBiteHint));
   if (occlusion.far_uncertainty_mm < kFarLimit_mm) return;
-  draw_wrapped(
-      rest, {context.theme.fonts.small, kCaution},
-      context.view.texts.fill<Text::kFarSideUncertain>(length_text(occlusion.far_uncertainty_mm)));
+  draw_wrapped(rest, {context.theme.fonts.small, kCaution}, bite_advice(context.view));
 }
 
 void draw_pair(const PanelContext& context, Rect rest) {
-  Rect row = rest.take_top(context.px(kTopButton), context.px(kGapM));
+  Rect row = rest.take_top(context.px(kTopButton), context.px(kGapS));
   const float width = (row.width - context.px(kGapS)) / 2.0F;
   small_action(context, row.take_left(width, context.px(kGapS)), Action::kJaws, {});
   small_action(context, row, Action::kClearance, {});
@@ -129,13 +144,10 @@ void draw_pair(const PanelContext& context, Rect rest) {
 
 void draw_occlusion(const PanelContext& context, const Rect& box) {
   const OcclusionState& occlusion = context.view.occlusion;
-  Rect rest = box;
-  draw_text(rest.take_top(context.px(28.0F), context.px(kGapM)),
-            {context.theme.fonts.title, kText, Align::kLeft}, context.text(Text::kOcclusion));
-  if (occlusion.is_running) return draw_running(context, rest);
-  if (!occlusion.failure.empty()) return draw_failure(context, rest);
-  if (occlusion.pair == nullptr) return draw_missing(context, rest);
-  draw_pair(context, rest);
+  if (occlusion.is_running) return draw_running(context, box);
+  if (!occlusion.failure.empty()) return draw_failure(context, box);
+  if (occlusion.pair == nullptr) return draw_missing(context, box);
+  draw_pair(context, box);
 }
 
 }  // namespace flytri::ui

@@ -47,6 +47,7 @@ void draw_help_dialog(const PanelContext& context);
 void draw_export_dialog(const PanelContext& context);
 void draw_case_dialog(const PanelContext& context);
 void draw_question_dialog(const PanelContext& context);
+void draw_stages_dialog(const PanelContext& context);
 void draw_settings_dialog(const PanelContext& context);
 void draw_device_panel(const PanelContext& context);
 void draw_calibration_panel(const PanelContext& context);

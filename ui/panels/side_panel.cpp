@@ -1,10 +1,13 @@
 /// @file  The panel at the right: live image, distance of the sensor, alignment error.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/panels/panels.h"
 #include "ui/panels/scene_view.h"
+#include "ui/panels/stage_row.h"
+#include "ui/state/jaws_look.h"
 #include "ui/state/review_look.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/distance_bar.h"
@@ -17,6 +20,7 @@ namespace {
 
 constexpr float kSideCaption = 18.0F;
 constexpr float kPictureRatio = 0.75F;
+constexpr float kHandRow = 44.0F, kDistanceRow = 70.0F, kFigureRows = 48.0F;
 
 /// The later of the two measurement frames.
 std::shared_ptr<const scan::LiveFrame> latest_frame(const AppView& view) {
@@ -123,13 +127,17 @@ void draw_preview(const PanelContext& context, Rect rest) {
 void draw_ordinary(const PanelContext& context, Rect rest) {
   const float gap = context.px(kGapM);
   draw_source(context, rest.take_top(context.px(kSideCaption), context.px(kGapXs)));
-  draw_live_image(context, rest.take_top(rest.width * kPictureRatio, gap));
-  if (context.view.source.hand) draw_hand(context, rest.take_top(context.px(44.0F), gap));
+  // The image gives way where the window is low.
+  const float hand = context.view.source.hand ? context.px(kHandRow) + gap : 0.0F;
+  const float others = gap + hand + context.px(kDistanceRow) + gap + context.px(kFigureRows);
+  draw_live_image(context,
+                  rest.take_top(std::min(rest.width * kPictureRatio, rest.height - others), gap));
+  if (context.view.source.hand) draw_hand(context, rest.take_top(context.px(kHandRow), gap));
   const auto distance = context.view.scan == nullptr ? std::nullopt : context.view.scan->distance;
-  const Rect bar = rest.take_top(context.px(70.0F), gap);
+  const Rect bar = rest.take_top(context.px(kDistanceRow), gap);
   distance_bar(context.theme, bar, distance, context.view.texts);
   hint_over(bar, context.text(Text::kDistanceHint));
-  draw_figures(context, rest.take_top(context.px(48.0F), gap));
+  draw_figures(context, rest.take_top(context.px(kFigureRows), gap));
   const bool is_finished = context.phase() == scan::ScanPhase::kFinished;
   if (is_finished && rest.height >= context.px(44.0F))
     small_action(context, rest.take_top(context.px(44.0F), gap), Action::kOcclusalPlane, {});
@@ -140,14 +148,18 @@ void draw_ordinary(const PanelContext& context, Rect rest) {
 
 void draw_side_panel(const PanelContext& context) {
   const Plate plate("side", context.layout.side);
-  const Rect inner = context.layout.side.inset(context.px(kGapM));
+  Rect inner = context.layout.side.inset(context.px(kGapM));
   if (context.phase() == scan::ScanPhase::kContinuation) {
     context.pictures.live.show(latest_frame(context.view));
     draw_continuation(context, inner);
-  } else if (is_reviewing(context.view, context.state)) {
+    return;
+  }
+  if (is_reviewing(context.view, context.state)) {
     draw_review(context, inner);
-  } else if (context.view.stage == io::ScanStage::kBite &&
-             context.phase() == scan::ScanPhase::kFinished) {
+    return;
+  }
+  draw_stage_row(context, inner);
+  if (shows_finished_bite(context.view)) {
     draw_occlusion(context, inner);
   } else {
     draw_ordinary(context, inner);

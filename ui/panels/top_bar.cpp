@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/panels/panels.h"
+#include "ui/panels/stage_row.h"
 #include "ui/theme/icons.h"
 #include "ui/widgets/badge.h"
 #include "ui/widgets/hint.h"
@@ -63,36 +64,35 @@ float case_width(const PanelContext& context) {
          context.px(2.0F * kCaseMargin + kCaseIcon + kCaseIconGap);
 }
 
-constexpr std::array<std::pair<Action, Text>, 3> kStages = {
-    {{Action::kStageUpper, Text::kStageUpper},
-     {Action::kStageLower, Text::kStageLower},
-     {Action::kStageBite, Text::kStageBite}}};
+constexpr std::array<std::pair<Action, io::ScanStage>, 3> kTabs = {
+    {{Action::kStageUpper, io::ScanStage::kUpper},
+     {Action::kStageLower, io::ScanStage::kLower},
+     {Action::kStageBite, io::ScanStage::kBite}}};
 constexpr float kStagesWidth = 312.0F;
+
+/// The tab of the shown stage says which scan of its jaw or of the bite that is.
+const char* tab_label(const PanelContext& context, io::ScanStage tab) {
+  const io::ScanStage shown = context.view.stage;
+  return context.text(tab_name(base_of(shown) == tab ? shown : tab));
+}
 
 /// Width that the labels of all stages need, in small letters, with their marks.
 float least_stages_width(const PanelContext& context) {
   const Fonts& fonts = context.theme.fonts;
   float label = 0.0F;
-  for (const auto& [action, text] : kStages) {
-    label = std::max(label, text_width(fonts.small, context.text(text)));
+  for (const auto& [action, stage] : kTabs) {
+    label = std::max(label, text_width(fonts.small, tab_label(context, stage)));
   }
   const float mark = text_width(fonts.strong, icon::kSaved) + context.px(kGapS);
   return 3.0F * (std::ceil(label + mark) + context.px(24.0F)) + 2.0F * context.px(kGapXs);
 }
 
-/// Half a disk for what is scanned, a check mark for what is finished.
-const char* mark_of(const AppView& view, std::size_t stage) {
-  if (view.stage_is_finished[stage]) return icon::kSaved;
-  return view.stage_has_data[stage] ? icon::kScanned : nullptr;
-}
-
 void draw_stages(const PanelContext& context, Rect row) {
   const float width = (row.width - 2.0F * context.px(kGapXs)) / 3.0F;
-  for (std::size_t i = 0; i < kStages.size(); ++i) {
-    const auto& [action, label] = kStages[i];
-    const char* mark = mark_of(context.view, i);
+  for (const auto& [action, stage] : kTabs) {
+    const char* mark = mark_of(progress_of_group(stage, context.view));
     small_action(context, row.take_left(width, context.px(kGapXs)), action,
-                 {mark, context.text(label), false, kNeutral, false});
+                 {mark, tab_label(context, stage), false, kNeutral, false});
   }
 }
 

@@ -129,6 +129,8 @@ struct OcclusionState {
   std::shared_ptr<const JawPair> pair;  ///< null: not known yet; the following is about it
   double middle_uncertainty_mm = 0.0, far_uncertainty_mm = 0.0;
   double far_mm = 0.0;  ///< from the middle of the bite to where the uncertainty is largest
+  std::size_t bite_count = 1;
+  bool bites_are_on_one_side = false;  ///< there are several, all of the same half of the arch
 };
 
 /// The occlusal plane of a finished jaw, and the axes of the patient.
@@ -198,6 +200,9 @@ struct Notice {
   std::string text;
 };
 
+template <typename T>
+using ByStage = std::array<T, io::kScanStages.size()>;
+
 /// Immutable. Texts are UTF-8.
 struct AppView {
   double now_s = 0.0;                              ///< monotonic; drives all animation
@@ -209,8 +214,8 @@ struct AppView {
 
   CaseState file;
   io::ScanStage stage = io::ScanStage::kUpper;
-  std::array<bool, io::kScanStages.size()> stage_has_data = {};
-  std::array<bool, io::kScanStages.size()> stage_is_finished = {};
+  ByStage<bool> stage_has_data = {};
+  ByStage<bool> stage_is_finished = {};
   OcclusionState occlusion;
   bool has_kept_scan = false;  ///< the current stage was cleared, and its scan is kept
   SourceState source;

@@ -14,6 +14,7 @@ std::string_view name_of(const Command& command) {
       "EditSurface",
       "ClearStage",
       "BringBackStage",
+      "CopyStage",
       "AddMeasurement",
       "RemoveMeasurement",
       "FindOcclusalPlane",

@@ -31,6 +31,10 @@ struct ClearStage {
 };
 /// Shows the scan of the current stage that was cleared, and keeps the one that is shown.
 struct BringBackStage {};
+/// Starts an empty stage of the same jaw as a copy of the current one.
+struct CopyStage {
+  io::ScanStage to = io::ScanStage::kUpperPreop;
+};
 struct AddMeasurement {
   io::Measurement measurement;
 };
@@ -167,14 +171,16 @@ struct Tell {
 };
 struct Quit {};
 
-using Command = std::variant<
-    StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage, AddMeasurement,
-    RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane, BeginReview, MeasureAngle, RemoveAngle,
-    CutSection, FindUndercut, DrawMargin, KeepMargin, RemoveMargin, Finish, CancelFinish,
-    ResumeScan, ChooseReentry, SelectStage, Export, PrepareExport, OpenExportFolder, NewCase,
-    OpenCase, DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
-    PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices, BeginCalibration,
-    TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration, EndCalibration, Tell, Quit>;
+using Command =
+    std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage,
+                 CopyStage, AddMeasurement, RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane,
+                 BeginReview, MeasureAngle, RemoveAngle, CutSection, FindUndercut, DrawMargin,
+                 KeepMargin, RemoveMargin, Finish, CancelFinish, ResumeScan, ChooseReentry,
+                 SelectStage, Export, PrepareExport, OpenExportFolder, NewCase, OpenCase,
+                 DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
+                 PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices,
+                 BeginCalibration, TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration,
+                 EndCalibration, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

@@ -38,12 +38,15 @@ Text side_text(const JawPlace& place, JawKind jaw) {
 }  // namespace
 
 JawKind jaw_of(io::ScanStage stage) {
-  return stage == io::ScanStage::kUpper ? JawKind::kUpper : JawKind::kLower;
+  return base_of(stage) == io::ScanStage::kUpper ? JawKind::kUpper : JawKind::kLower;
 }
 
 Text stage_name(io::ScanStage stage) {
-  constexpr std::array kNames = {Text::kUpperJaw, Text::kLowerJaw, Text::kBite};
-  return kNames[static_cast<std::size_t>(stage)];
+  constexpr std::array kNames = {Text::kUpperJaw,      Text::kLowerJaw,     Text::kBite,
+                                 Text::kBiteOtherSide, Text::kUpperPreop,   Text::kLowerPreop,
+                                 Text::kUpperScanBody, Text::kLowerScanBody};
+  static_assert(kNames.size() == io::kScanStages.size());
+  return kNames[index_of(stage)];
 }
 
 Text lingual_name(JawKind jaw) {

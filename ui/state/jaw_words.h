@@ -13,7 +13,7 @@ namespace flytri::ui {
 /// The bite is scanned from the side, and shown as a lower jaw.
 [[nodiscard]] JawKind jaw_of(io::ScanStage stage);
 
-/// "Upper jaw", "Lower jaw" or "Bite".
+/// "Upper jaw", "Bite, other side".
 [[nodiscard]] Text stage_name(io::ScanStage stage);
 
 /// "Lingual", or "Palatal" of an upper jaw.

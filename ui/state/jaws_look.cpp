@@ -1,5 +1,6 @@
 #include "ui/state/jaws_look.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "ui/state/review_look.h"
@@ -14,10 +15,21 @@ constexpr double kJointBehind_mm = 40.0, kJointAbove_mm = 40.0;
 
 }  // namespace
 
+bool can_meet(const ByStage<bool>& are_finished) {
+  const bool has_bite = std::any_of(io::kBites.begin(), io::kBites.end(), [&](io::ScanStage bite) {
+    return are_finished[index_of(bite)];
+  });
+  return has_bite && are_finished[index_of(io::ScanStage::kUpper)] &&
+         are_finished[index_of(io::ScanStage::kLower)];
+}
+
+bool shows_finished_bite(const AppView& view) {
+  return io::is_bite(view.stage) && view.scan != nullptr &&
+         view.scan->phase == scan::ScanPhase::kFinished;
+}
+
 const JawPair* shown_jaws(const AppView& view, const WindowState& state) {
-  const bool is_possible = view.stage == io::ScanStage::kBite && view.scan != nullptr &&
-                           view.scan->phase == scan::ScanPhase::kFinished;
-  return is_possible && state.jaws.are_shown ? view.occlusion.pair.get() : nullptr;
+  return shows_finished_bite(view) && state.jaws.are_shown ? view.occlusion.pair.get() : nullptr;
 }
 
 ColorMode shown_colors(const AppView& view, const WindowState& state) {

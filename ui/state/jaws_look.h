@@ -6,6 +6,12 @@
 
 namespace flytri::ui {
 
+/// Whether the finished stages are enough to bring the jaws together: both jaws and a bite.
+[[nodiscard]] bool can_meet(const ByStage<bool>& are_finished);
+
+/// A finished bite is shown, or both jaws in its place.
+[[nodiscard]] bool shows_finished_bite(const AppView& view);
+
 /// The jaws that are shown in place of the bite scan; null: the scan is shown.
 [[nodiscard]] const JawPair* shown_jaws(const AppView& view, const WindowState& state);
 

@@ -38,6 +38,8 @@ std::string_view to_string(Dialog dialog) {
       return "calibration";
     case Dialog::kQuestion:
       return "question";
+    case Dialog::kStages:
+      return "stages";
     case Dialog::kNone:
       break;
   }

@@ -32,7 +32,17 @@ enum class Tool { kNone, kTrim, kLock, kUnlock, kMeasure, kPlane };
   return tool == Tool::kUnlock ? editing::EditKind::kUnlock : editing::EditKind::kTrim;
 }
 
-enum class Dialog { kNone, kHelp, kExport, kCase, kSettings, kDevices, kCalibration, kQuestion };
+enum class Dialog {
+  kNone,
+  kHelp,
+  kExport,
+  kCase,
+  kSettings,
+  kDevices,
+  kCalibration,
+  kQuestion,
+  kStages
+};
 [[nodiscard]] std::string_view to_string(Dialog dialog);
 [[nodiscard]] std::string_view to_string(ColorMode mode);
 
@@ -117,6 +127,12 @@ struct SelectedHole {
 [[nodiscard]] std::optional<SelectedHole> found_again(const SelectedHole& selected,
                                                       std::span<const meshing::BoundaryLoop> holes);
 
+/// A stage is being copied, and `next` is shown afterwards: there the tool to trim is taken in
+/// hand, unless the user does something else meanwhile.
+struct CopyOnItsWay {
+  io::ScanStage from = io::ScanStage::kUpper, next = io::ScanStage::kUpper;
+};
+
 /// A notice on the screen.
 struct ShownNotice {
   Notice notice;
@@ -128,6 +144,7 @@ struct WindowState {
   ColorMode color_mode = ColorMode::kShading;
   double texture_blend = 1.0;  ///< 0..1
   Tool tool = Tool::kNone;
+  std::optional<CopyOnItsWay> copy;
   BrushState brush;
   JawsLook jaws;
   ReviewForm review;

@@ -18,6 +18,18 @@ FLYTRI_TEXT(kNextHole, "Next hole", "Nächstes Loch", "Trou suivant", "Siguiente
 FLYTRI_TEXT(kUpperJaw, "Upper jaw", "Oberkiefer", "Maxillaire", "Maxilar")
 FLYTRI_TEXT(kLowerJaw, "Lower jaw", "Unterkiefer", "Mandibule", "Mandíbula")
 FLYTRI_TEXT(kBite, "Bite", "Biss", "Mordu", "Mordida")
+FLYTRI_TEXT(kBiteOtherSide, "Bite, other side", "Biss, Gegenseite", "Mordu, autre côté",
+            "Mordida, otro lado")
+FLYTRI_TEXT(kScansOfJaw, "Scans of this jaw", "Scans des Kiefers", "Scans de l’arcade",
+            "Escaneos del arco")
+FLYTRI_TEXT(kUpperPreop, "Upper jaw, pre-op", "Oberkiefer, Präop", "Maxillaire, pré-op",
+            "Maxilar, preop")
+FLYTRI_TEXT(kLowerPreop, "Lower jaw, pre-op", "Unterkiefer, Präop", "Mandibule, pré-op",
+            "Mandíbula, preop")
+FLYTRI_TEXT(kUpperScanBody, "Upper jaw, scan body", "Oberkiefer, Scanbody", "Maxillaire, scanbody",
+            "Maxilar, scanbody")
+FLYTRI_TEXT(kLowerScanBody, "Lower jaw, scan body", "Unterkiefer, Scanbody", "Mandibule, scanbody",
+            "Mandíbula, scanbody")
 
 // Editing.
 FLYTRI_TEXT(kUndo, "Undo", "Rückgängig", "Annuler", "Deshacer")

@@ -1,6 +1,5 @@
 /// @file  How the jaws meet: the panel of the finished bite.
 
-FLYTRI_TEXT(kOcclusion, "Occlusion", "Okklusion", "Occlusion", "Oclusión")
 FLYTRI_TEXT(kStageEmpty, "not scanned", "nicht gescannt", "pas scanné", "sin escanear")
 FLYTRI_TEXT(kStageScanned, "press Finish", "abschließen", "à terminer", "por finalizar")
 FLYTRI_TEXT(kOcclusionMissing,
@@ -49,6 +48,29 @@ FLYTRI_TEXT(kFarSideUncertain,
             "Die andere Seite ist um {0} unsicher. Scannen Sie den Biss auch dort.",
             "L’autre côté est incertain de {0}. Scannez aussi le mordu de ce côté.",
             "El otro lado tiene {0} de incertidumbre. Escanee también la mordida allí.")
+FLYTRI_TEXT(kFinishOtherBite,
+            "The far side is uncertain by {0}. Finish the bite on the other side.",
+            "Die andere Seite ist um {0} unsicher. Den Biss der Gegenseite abschließen.",
+            "L’autre côté est incertain de {0}. Terminer le mordu de ce côté.",
+            "El otro lado tiene {0} de incertidumbre. Finalizar la mordida de ese lado.")
+FLYTRI_TEXT(kBitesOnOneSide,
+            "The far side is uncertain by {0}: both bites are of the same side. Clear one and scan "
+            "the other side.",
+            "Die andere Seite ist um {0} unsicher: Beide Bisse zeigen dieselbe Seite. Einen leeren "
+            "und die Gegenseite scannen.",
+            "L’autre côté est incertain de {0} : les deux mordus sont du même côté. En vider "
+            "un et scanner l’autre côté.",
+            "El otro lado tiene {0} de incertidumbre: las dos mordidas son del mismo lado. Vaciar "
+            "una y escanear el otro lado.")
+FLYTRI_TEXT(kBothBitesUncertain,
+            "The lower jaw is uncertain by {0} there. Scan more teeth in each bite.",
+            "Der Unterkiefer ist dort um {0} unsicher. Mit jedem Biss mehr Zähne scannen.",
+            "La mandibule y est incertaine de {0}. Scanner plus de dents dans chaque mordu.",
+            "La mandíbula tiene ahí {0} de incertidumbre. Escanear más dientes en cada mordida.")
+FLYTRI_TEXT(kBetweenBites, "Uncertainty, middle", "Unsicherheit, Mitte", "Incertitude au milieu",
+            "Incertidumbre, centro")
+FLYTRI_TEXT(kBiteFirst, "scan the bite first", "erst den Biss scannen", "d’abord le mordu",
+            "antes la mordida")
 FLYTRI_TEXT(kNotForBothJaws, "not for both jaws", "nicht für beide Kiefer", "pas pour les deux",
             "no para ambos")
 FLYTRI_TEXT(kNeedsOcclusion, "bite not finished", "Biss nicht fertig", "mordu à terminer",

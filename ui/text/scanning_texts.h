@@ -15,6 +15,10 @@ FLYTRI_TEXT(kCasesHint, "Cases ({0})", "Fälle ({0})", "Cas ({0})", "Casos ({0})
 FLYTRI_TEXT(kStageUpper, "Upper", "Oben", "Haut", "Superior")
 FLYTRI_TEXT(kStageLower, "Lower", "Unten", "Bas", "Inferior")
 FLYTRI_TEXT(kStageBite, "Bite", "Biss", "Mordu", "Mordida")
+FLYTRI_TEXT(kStageBite2, "Bite 2", "Biss 2", "Mordu 2", "Mordida 2")
+FLYTRI_TEXT(kOtherSide, "Other side", "Gegenseite", "Autre côté", "Otro lado")
+FLYTRI_TEXT(kPreop, "Pre-op", "Präop", "Pré-op", "Preop")
+FLYTRI_TEXT(kScanBody, "Scan body", "Scanbody", "Scanbody", "Scanbody")
 FLYTRI_TEXT(kTime, "Time", "Zeit", "Durée", "Tiempo")
 FLYTRI_TEXT(kTimeHint, "Time spent scanning, without pauses.", "Dauer des Scans, ohne Pausen.",
             "Durée du scan, sans les pauses.", "Duración del escaneo, sin las pausas.")
@@ -267,3 +271,48 @@ FLYTRI_TEXT(kHintNameAndKey, "{0}, key: {1}", "{0}, Taste: {1}", "{0}, touche :
 
 // The strip of the trim tool.
 FLYTRI_TEXT(kClearAll, "Clear all", "Alles leeren", "Tout effacer", "Vaciar todo")
+
+// The scans of a jaw.
+FLYTRI_TEXT(kOnlyForAJaw, "only for a jaw", "nur für einen Kiefer", "seulement pour une arcade",
+            "solo para un maxilar")
+FLYTRI_TEXT(kScanAnew, "Scan anew", "Neu scannen", "Scanner", "Escanear")
+FLYTRI_TEXT(kStartAsCopy, "Start as a copy", "Als Kopie beginnen", "Partir d’une copie",
+            "Empezar como copia")
+FLYTRI_TEXT(kKeepAsPreop, "Keep as pre-op", "Als Präop behalten", "Garder comme pré-op",
+            "Guardar como preop")
+FLYTRI_TEXT(kJawHint, "The jaw as it is restored, with the prepared teeth.",
+            "Der Kiefer, wie er versorgt wird, mit den präparierten Zähnen.",
+            "L’arcade à restaurer, avec les dents préparées.",
+            "El maxilar que se restaura, con los dientes preparados.")
+FLYTRI_TEXT(kPreopHint,
+            "Before the preparation. Keep the scan here, then cut the tooth out of the jaw and "
+            "scan it again.",
+            "Vor der Präparation. Den Scan hier behalten, dann den Zahn aus dem Kiefer schneiden "
+            "und neu scannen.",
+            "Avant la préparation. Garder le scan ici, puis découper la dent de l’arcade et la "
+            "scanner de nouveau.",
+            "Antes de la preparación. Guardar aquí el escaneo; después recortar el diente del "
+            "maxilar y volver a escanearlo.")
+FLYTRI_TEXT(kScanBodyHint,
+            "With scan bodies on the implants. Start as a copy, cut the place out and scan it "
+            "again.",
+            "Mit Scanbodys auf den Implantaten. Als Kopie beginnen, die Stelle ausschneiden und "
+            "neu scannen.",
+            "Avec les scanbodies sur les implants. Partir d’une copie, découper l’endroit et le "
+            "scanner de nouveau.",
+            "Con los scanbodies sobre los implantes. Empezar como copia, recortar la zona y volver "
+            "a escanearla.")
+FLYTRI_TEXT(
+    kCopiesHint,
+    "A copy lies in the frame of its jaw: exported together, they fit on each other. What "
+    "is copied stays as it is.",
+    "Eine Kopie liegt im Koordinatensystem ihres Kiefers: Zusammen exportiert liegen sie "
+    "aufeinander. Das Original bleibt, wie es ist.",
+    "Une copie garde le repère de son arcade : exportées ensemble, elles se "
+    "superposent. L’original reste tel quel.",
+    "Una copia conserva el sistema de su maxilar: exportados juntos, coinciden. El original "
+    "queda como está.")
+FLYTRI_TEXT(kKeptAsPreop, "Kept as pre-op. Cut out what is prepared, and scan it again.",
+            "Als Präop behalten. Ausschneiden, was präpariert ist, und neu scannen.",
+            "Gardé comme pré-op. Découper ce qui est préparé et le scanner de nouveau.",
+            "Guardado como preop. Recortar lo preparado y volver a escanearlo.")

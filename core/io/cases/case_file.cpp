@@ -50,11 +50,6 @@ Result<void> remove_former(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string_view to_string(ScanStage stage) {
-  constexpr std::array<std::string_view, kScanStages.size()> kNames = {"upper", "lower", "bite"};
-  return kNames[static_cast<std::size_t>(stage)];
-}
-
 ResultBasis basis_of(const StageCounts& counts, const editing::EditList& edits) {
   ResultBasis basis{counts.views, {}};
   for (const auto& edit : *edits) basis.edited_at_s.push_back(edit->made_at_s);
@@ -277,6 +272,47 @@ Result<void> CaseFile::bring_back_stage(ScanStage stage) {
                 path_.string(), to_string(stage));
   }
   return turn_stage(stage);
+}
+
+Result<void> CaseFile::check_copy(ScanStage from, ScanStage to) {
+  if (!are_of_one_jaw(from, to)) {
+    return fail(ErrorCode::kBadOption, "{}: stage {} cannot start as a copy of {}", path_.string(),
+                to_string(to), to_string(from));
+  }
+  const auto source = counts(from);
+  if (!source) return tl::unexpected(source.error());
+  if (source->views == 0) {
+    return fail(ErrorCode::kInsufficient, "{}: stage {} has no views to copy", path_.string(),
+                to_string(from));
+  }
+  const auto target = counts(to);
+  if (!target) return tl::unexpected(target.error());
+  if (*target == StageCounts{}) return {};
+  return fail(ErrorCode::kInconsistent, "{}: stage {} is not empty; clear it first", path_.string(),
+              to_string(to));
+}
+
+Result<void> CaseFile::copy_stage(ScanStage from, ScanStage to, bool with_model) {
+  if (auto checked = check_copy(from, to); !checked) return checked;
+  const StageScans& source = scans_of(from);
+  const StageScans& target = scans_of(to);
+  const auto last = last_frame(from);
+  if (!last) return tl::unexpected(last.error());
+  // Frames of the shown scan come after those that are kept.
+  if (last->value > std::numeric_limits<int>::max() - target.first_shown()) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged: no number is left for the frames of stage {}",
+                path_.string(), to_string(to));
+  }
+  const std::int64_t frame_shift = record_id(to, target.first_shown()) - record_id(from);
+  const std::int64_t other_shift = target.shown_id(to) - source.shown_id(from);
+  std::vector<CaseRecords::RecordCopy> copies;
+  for (const CaseTable table : kCaseTables) {
+    const bool is_of_model = table == CaseTable::kModels || table == CaseTable::kSummaries;
+    if (is_of_model && !with_model) continue;
+    for (const RecordRange& range : source.records_of(table, from, source.shown()))
+      copies.push_back({table, range, is_by_frame(table) ? frame_shift : other_shift});
+  }
+  return records_->copy_records(copies);
 }
 
 Result<void> CaseFile::commit() { return records_->commit(); }

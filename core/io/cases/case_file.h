@@ -21,15 +21,10 @@
 #include "core/geometry/jaw_axes.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
+#include "core/io/cases/scan_stage.h"
 #include "core/review/margin.h"
 
 namespace flytri::io {
-
-/// A part of a case that is scanned in one go. Each stage has its own world frame.
-enum class ScanStage { kUpper, kLower, kBite };
-inline constexpr std::array kScanStages = {ScanStage::kUpper, ScanStage::kLower, ScanStage::kBite};
-/// "upper", "lower", "bite".
-[[nodiscard]] std::string_view to_string(ScanStage stage);
 
 /// What the user entered about the case. Any text is allowed.
 struct CaseFields {
@@ -230,6 +225,13 @@ class CaseFile {
   /// Shows what was kept when the stage was cleared, and keeps what was shown in its place.
   /// @errors  Also kInsufficient: nothing is kept.
   [[nodiscard]] Result<void> bring_back_stage(ScanStage stage);
+  /// Starts an empty stage as a copy of another scan of the same jaw: its views, poses, texture
+  /// frames, edits and distances, and so in its frame. Commits. After a failure the stage is still
+  /// empty. What it keeps of a scan that was cleared stays.
+  /// @param with_model  the finished model, too
+  /// @errors  Also kBadOption: not of the same jaw; kInsufficient: `from` is empty; kInconsistent:
+  ///          `to` is not; kBadFormat: `from` is damaged.
+  [[nodiscard]] Result<void> copy_stage(ScanStage from, ScanStage to, bool with_model);
   /// Adds an entry to the journal, see case_journal.h.
   [[nodiscard]] Result<void> add_event(const CaseEvent& event);
   /// Saves all writes since the last commit, so that they survive the end of the process. A power
@@ -269,6 +271,7 @@ class CaseFile {
   [[nodiscard]] Result<StageCounts> counts_of(ScanStage stage, int scan);
   [[nodiscard]] Result<FrameIndex> last_frame(ScanStage stage);
   [[nodiscard]] Result<void> turn_stage(ScanStage stage);
+  [[nodiscard]] Result<void> check_copy(ScanStage from, ScanStage to);
 
   std::filesystem::path path_;
   std::unique_ptr<CaseRecords> records_;

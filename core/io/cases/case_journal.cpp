@@ -19,6 +19,7 @@ std::string encode_event(const CaseEvent& event) {
                          {"host", event.host},
                          {"program", event.program}};
   if (event.stage) json["stage"] = to_string(*event.stage);
+  if (event.from) json["from"] = to_string(*event.from);
   if (!event.files.empty()) json["files"] = event.files;
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -44,6 +45,7 @@ Result<CaseEvent> decode_event(std::string_view bytes) {
                   json->at("program").text(),
                   std::nullopt,
                   {}};
+  if (json->has("from")) event.from = named(kScanStages, json->at("from"));
   if (json->has("stage")) event.stage = named(kScanStages, json->at("stage"));
   if (json->has("files")) {
     for (const JsonPlace& file : json->at("files").elements()) event.files.push_back(file.text());
@@ -55,7 +57,7 @@ Result<CaseEvent> decode_event(std::string_view bytes) {
 
 std::string_view to_string(CaseAction action) {
   constexpr std::array<std::string_view, kCaseActions.size()> kNames = {
-      "created", "opened", "opened read-only", "exported", "computed", "moved"};
+      "created", "opened", "opened read-only", "exported", "computed", "moved", "copied"};
   return kNames[static_cast<std::size_t>(action)];
 }
 

@@ -18,11 +18,12 @@ enum class CaseAction {
   kExported,        ///< models were written to files
   kComputed,        ///< a model was made of a stage, and saved in the case
   kMoved,           ///< got this file, for instance when an unnamed scan was named
+  kCopied,          ///< a stage was started as a copy of another one
 };
-inline constexpr std::array kCaseActions = {CaseAction::kCreated,        CaseAction::kOpened,
-                                            CaseAction::kOpenedReadOnly, CaseAction::kExported,
-                                            CaseAction::kComputed,       CaseAction::kMoved};
-/// "created", "opened", "opened read-only", "exported", "computed", "moved".
+inline constexpr std::array kCaseActions = {
+    CaseAction::kCreated,  CaseAction::kOpened, CaseAction::kOpenedReadOnly, CaseAction::kExported,
+    CaseAction::kComputed, CaseAction::kMoved,  CaseAction::kCopied};
+/// "created", "opened", "opened read-only", "exported", "computed", "moved", "copied".
 [[nodiscard]] std::string_view to_string(CaseAction action);
 
 /// An entry of the journal.
@@ -31,8 +32,9 @@ struct CaseEvent {
   std::string time;                ///< ISO 8601, UTC
   std::string user, host;          ///< as the system says
   std::string program;             ///< with its version: "flytri 0.1.0"
-  std::optional<ScanStage> stage;  ///< of what was exported or computed
+  std::optional<ScanStage> stage;  ///< of what was exported, computed or started
   std::vector<std::string> files;  ///< paths that were written; their extensions say the formats
+  std::optional<ScanStage> from = std::nullopt;  ///< the stage that was copied
   bool operator==(const CaseEvent&) const = default;
 };
 

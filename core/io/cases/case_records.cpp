@@ -11,6 +11,8 @@ namespace flytri::io {
 namespace {
 
 constexpr int kNumberBits = 32;
+/// The first one that programs of kThreeStages do not know.
+constexpr ScanStage kFirstLaterStage = ScanStage::kBite2;
 
 /// Includes the id, so that a record in the wrong place is noticed.
 std::int64_t record_checksum(std::int64_t id, std::string_view data) {
@@ -24,9 +26,9 @@ std::int64_t record_checksum(std::int64_t id, std::string_view data) {
 /// Names a record for the user: "views: upper 17".
 std::string name_of_record(CaseTable table, std::int64_t id) {
   if (id <= kOnlyRecord) return std::string(name_of(table));
-  const auto stage = static_cast<std::size_t>(id >> kNumberBits) - 1;
-  if (stage >= kScanStages.size()) return fmt::format("{}: record {}", name_of(table), id);
-  return fmt::format("{}: {} {}", name_of(table), to_string(kScanStages[stage]), number_of(id));
+  const std::optional<ScanStage> stage = stage_of(id);
+  if (!stage) return fmt::format("{}: record {}", name_of(table), id);
+  return fmt::format("{}: {} {}", name_of(table), to_string(*stage), number_of(id));
 }
 
 /// A database is whole in its one file only if no log of it is left. SQLite keeps an empty one
@@ -152,6 +154,11 @@ std::int64_t record_id(ScanStage stage, int number) {
   return ((static_cast<std::int64_t>(stage) + 1) << kNumberBits) + number;
 }
 
+std::optional<ScanStage> stage_of(std::int64_t id) {
+  const auto index = static_cast<std::size_t>(id >> kNumberBits) - 1;
+  return index < kScanStages.size() ? std::optional(kScanStages[index]) : std::nullopt;
+}
+
 RecordRange records_of(ScanStage stage) {
   return {record_id(stage), record_id(stage, std::numeric_limits<int>::max())};
 }
@@ -205,10 +212,15 @@ Result<void> CaseRecords::begin() {
   return {};
 }
 
-tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
+void CaseRecords::roll_back() {
   // After some failures the transaction has ended already; then this fails, too.
   (void)database_.run("ROLLBACK");
   is_writing_ = false;
+  has_latest_version_ = false;
+}
+
+tl::unexpected<Error> CaseRecords::postponed(const Error& error) {
+  roll_back();
   failure_ = error;
   if (!is_damage(error)) return tl::unexpected(error);
   is_damaged_ = true;
@@ -228,8 +240,19 @@ Result<void> CaseRecords::insert(CaseTable table, std::int64_t id, std::string_v
   return insertion->step().map([](bool) {});
 }
 
+Result<void> CaseRecords::raise_version(std::int64_t id) {
+  if (has_latest_version_ || id < record_id(kFirstLaterStage)) return {};
+  Result<void> raised = database_.run(fmt::format("PRAGMA user_version = {}", kCaseVersion));
+  has_latest_version_ = raised.has_value();
+  return raised;
+}
+
 Result<void> CaseRecords::carry_out(const PendingWrite& pending) {
-  if (pending.data) return insert(pending.table, pending.range.first, *pending.data);
+  if (pending.data) {
+    return raise_version(pending.range.first).and_then([&] {
+      return insert(pending.table, pending.range.first, *pending.data);
+    });
+  }
   auto statement = database_.prepare(
       fmt::format("DELETE FROM {} WHERE id BETWEEN ? AND ?", name_of(pending.table)));
   if (!statement) return tl::unexpected(statement.error());
@@ -303,6 +326,47 @@ Result<void> CaseRecords::commit() {
   pending_.clear();
   pending_bytes_ = 0;
   return {};
+}
+
+Result<void> CaseRecords::try_to_copy(const RecordCopy& copy) {
+  // First whether all can be read. Not in one go: a write that fails ends statements that read.
+  std::vector<std::int64_t> ids;
+  const auto damage = walk(copy.table, copy.from, [&](std::int64_t id, std::string_view) {
+    ids.push_back(id);
+    return Result<void>();
+  });
+  if (!damage) return tl::unexpected(damage.error());
+  if (!damage->empty()) {
+    return fail(ErrorCode::kBadFormat, "{}: damaged: {}; save a rescue copy", database_.name(),
+                damage->front());
+  }
+  for (const std::int64_t id : ids) {
+    const auto data = find(copy.table, id);
+    if (!data) return tl::unexpected(data.error());
+    if (!*data) continue;
+    const std::int64_t new_id = id + copy.shift;
+    Result<void> inserted =
+        raise_version(new_id).and_then([&] { return insert(copy.table, new_id, **data); });
+    if (!inserted) return inserted;
+  }
+  return {};
+}
+
+Result<void> CaseRecords::copy_records(const std::vector<RecordCopy>& copies) {
+  if (Result<void> committed = commit(); !committed) return committed;
+  Result<void> done = begin();
+  for (const RecordCopy& copy : copies) {
+    if (done) done = try_to_copy(copy);
+  }
+  if (done) done = database_.run("COMMIT");
+  if (done) {
+    is_writing_ = false;
+    return done;
+  }
+  roll_back();
+  // Nothing waits: all that was written before is committed.
+  failure_.reset();
+  return done;
 }
 
 Result<void> CaseRecords::copy_to_file(const std::filesystem::path& path,

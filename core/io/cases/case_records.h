@@ -26,6 +26,8 @@ struct RecordRange {
 [[nodiscard]] std::int64_t record_id(ScanStage stage, int number = 0);
 /// All records of a stage.
 [[nodiscard]] RecordRange records_of(ScanStage stage);
+/// None: the record belongs to no stage that this program knows.
+[[nodiscard]] std::optional<ScanStage> stage_of(std::int64_t id);
 /// The number within the stage.
 [[nodiscard]] int number_of(std::int64_t id);
 
@@ -59,6 +61,16 @@ class CaseRecords {
                                             std::string_view data);
   [[nodiscard]] Result<void> erase(CaseTable table, const RecordRange& range);
   [[nodiscard]] Result<void> commit();
+  /// Records that get a copy whose id is larger by `shift`.
+  struct RecordCopy {
+    CaseTable table;
+    RecordRange from;
+    std::int64_t shift;
+  };
+  /// Commits what was written before, and then all copies together. After a failure there is none
+  /// of them; it does not wait to be repeated.
+  /// @errors  Also kBadFormat: a record to copy is damaged.
+  [[nodiscard]] Result<void> copy_records(const std::vector<RecordCopy>& copies);
 
   /// Copies all records to a new case, which gets its name when it is complete.
   /// @errors  As create; kBadFormat: a record cannot be read.
@@ -97,9 +109,13 @@ class CaseRecords {
   [[nodiscard]] Result<void> begin();
   [[nodiscard]] Result<void> write(PendingWrite pending);
   [[nodiscard]] Result<void> carry_out(const PendingWrite& pending);
+  /// Makes the case one of a version in which a record with this id is known.
+  [[nodiscard]] Result<void> raise_version(std::int64_t id);
   /// Also commits now and then: what is not committed is in memory.
   [[nodiscard]] Result<void> copy(CaseTable table, std::int64_t id, std::string_view data);
   [[nodiscard]] Result<void> insert(CaseTable table, std::int64_t id, std::string_view data);
+  [[nodiscard]] Result<void> try_to_copy(const RecordCopy& copy);
+  void roll_back();
   /// Rolls the transaction back, so that the next one repeats it, and returns the failure.
   [[nodiscard]] tl::unexpected<Error> postponed(const Error& error);
 
@@ -111,6 +127,7 @@ class CaseRecords {
   bool is_damaged_ = false;  ///< damage was found: nothing is written any more, all writes wait
   std::size_t max_waiting_bytes_;
   bool is_writing_ = false;            ///< a transaction is open
+  bool has_latest_version_ = false;    ///< certainly
   std::optional<Error> failure_;       ///< of the latest write or commit; none: it succeeded
   std::vector<PendingWrite> pending_;  ///< since the last commit
   std::size_t pending_bytes_ = 0;

@@ -79,11 +79,11 @@ Result<CaseSurvey> CaseFile::rescue(CaseRecords* target) {
   const auto lost =
       records_->rescue(target, [&](CaseTable table, std::int64_t id, std::string_view data) {
         return check_record(table, id, data).map([&] {
-          for (const ScanStage stage : kScanStages) {
-            const StageScans& scans = scans_of(stage);
-            if (!is_in(scans.records_of(table, stage, scans.shown()), id)) continue;
-            count_record(table, survey.readable[static_cast<std::size_t>(stage)]);
-          }
+          const std::optional<ScanStage> stage = stage_of(id);
+          if (!stage) return;
+          const StageScans& scans = scans_of(*stage);
+          if (is_in(scans.records_of(table, *stage, scans.shown()), id))
+            count_record(table, survey.readable[index_of(*stage)]);
         });
       });
   if (!lost) return tl::unexpected(lost.error());

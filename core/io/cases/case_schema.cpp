@@ -14,8 +14,6 @@ namespace fs = std::filesystem;
 
 /// "flyt": the mark of a case among SQLite databases.
 constexpr std::int64_t kApplicationId = 0x666c7974;
-/// Version 1 had no journal. Such a case gets one when it is opened to be written.
-constexpr std::int64_t kCaseVersion = 2, kWithoutJournal = 1;
 
 // The defaults differ between releases of the library. Fixed numbers let a case open with all of
 // them. Older releases ignore cipher_compatibility.
@@ -128,7 +126,7 @@ Result<void> add_journal(SqliteDatabase& database, SqliteAccess access) {
                         table_sql(CaseTable::kEvents).substr(std::string_view("CREATE").size()));
   }
   return database.run(fmt::format("BEGIN IMMEDIATE; {} PRAGMA user_version = {}; COMMIT;",
-                                  joined(journal_sql()), kCaseVersion));
+                                  joined(journal_sql()), kThreeStages));
 }
 
 /// Opens an existing file and checks its version and tables.
@@ -237,7 +235,7 @@ Result<void> fill_case_database(const fs::path& path, const Secret& passphrase) 
   if (!database) return tl::unexpected(database.error());
   const std::string sql =
       fmt::format("BEGIN; {} PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;",
-                  joined(schema_sql(kCaseVersion)), kApplicationId, kCaseVersion);
+                  joined(schema_sql(kThreeStages)), kApplicationId, kThreeStages);
   return set_up(*database, passphrase)
       .and_then([&] { return database->run(kPageSetup); })
       .and_then([&] { return database->run(kNewSetup); })

@@ -31,6 +31,8 @@ class StageScans {
   /// 0 or 1.
   [[nodiscard]] int shown() const { return starts_.back().scan; }
   [[nodiscard]] int kept() const { return 1 - shown(); }
+  /// All frames from this one on belong to the scan that is shown.
+  [[nodiscard]] int first_shown() const { return starts_.back().frame; }
   /// From this frame on, all frames belong to the other scan, which is shown from now on.
   void turn_at(int frame) { starts_.push_back({frame, kept()}); }
 

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/export_jaws.h"
+#include "core/base/median.h"
+#include "core/evaluation/surface_error.h"
+#include "core/geometry/mesh_distance.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/model.h"
@@ -103,6 +106,76 @@ TEST_F(ExportJaws, WritesAllJawsAsTheyBite) {
   for (const char* const name : {"\"upper\"", "\"lower\"", "\"bite\""})
     EXPECT_THAT(scene.substr(0, 20000), HasSubstr(name));
   for (const JawToExport& jaw : jaws_) EXPECT_NE(jaw.scan, nullptr);
+}
+
+TEST_F(ExportJaws, BothBitesLieOnTheJaws) {
+  const TriangleMesh left = as_read(Cheek(upper_, lower_, bite_relation(), false, 2).mesh());
+  Models models = all();
+  models.push_back({io::ScanStage::kBite2, &left});
+  open(models);
+  const auto outcome = write();
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_EQ(outcome->written.size(), 5U);
+  const std::string scene = io::read_file(folder_ / "smith.glb").value();
+  EXPECT_THAT(scene.substr(0, 20000), HasSubstr("\"bite-2\""));
+  // The second bite is a part of the jaws: where they are, it is.
+  const TriangleMesh upper = io::read_model(folder_ / "smith-upper.ply")->mesh;
+  const TriangleMesh lower = io::read_model(folder_ / "smith-lower.ply")->mesh;
+  const TriangleMesh bite = io::read_model(folder_ / "smith-bite-2.ply")->mesh;
+  const MeshDistance to_upper(upper), to_lower(lower);
+  std::vector<double> distances_mm;
+  for (const SurfacePoint& point : bite.vertices) {
+    distances_mm.push_back(std::min(to_upper.closest(point.position_mm).distance_mm,
+                                    to_lower.closest(point.position_mm).distance_mm));
+  }
+  EXPECT_LT(median_of(distances_mm), 0.03);
+}
+
+/// The lower jaw in part, in a frame that differs by micrometers, as after a copy; and the
+/// upper jaw once more, scanned anew in a frame of its own.
+TEST_F(ExportJaws, OtherScansOfAJawLieOnIt) {
+  const Isometry T_drift = Eigen::Translation3d(0.008, -0.004, 0.006) *
+                           exp_twist((Twist() << 2e-4, -1e-4, 3e-4, 0, 0, 0).finished());
+  const Isometry T_anew(Eigen::Translation3d(12.0, -3.0, 40.0) *
+                        Eigen::AngleAxisd(1.1, Vec3(0.2, -1.0, 0.4).normalized()));
+  const auto cut = [](const TriangleMesh& mesh) {
+    TriangleMesh rest = mesh;
+    rest.triangles.resize(rest.triangles.size() * 9 / 10);
+    return as_read(rest);
+  };
+  const TriangleMesh preop = as_read(evaluation::transformed(cut(lower_), T_drift.inverse()));
+  const TriangleMesh anew = as_read(evaluation::transformed(cut(upper_), T_anew.inverse()));
+  ASSERT_LT(preop.triangles.size(), lower_.triangles.size());
+  Models models = all();
+  models.push_back({io::ScanStage::kLowerPreop, &preop});
+  models.push_back({io::ScanStage::kUpperScanBody, &anew});
+  open(models);
+  const auto outcome = write();
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  EXPECT_EQ(outcome->written.size(), 6U);
+  const Isometry T_patient_upper = occlusion::T_patient_jaw(upper_, JawKind::kUpper);
+  EXPECT_LT(farthest_mm("smith-upper-scanbody.ply", anew, T_patient_upper * T_anew), 0.005);
+  // Where it is on the lower jaw, not where the bite puts that.
+  const TriangleMesh lower = io::read_model(folder_ / "smith-lower.ply")->mesh;
+  const TriangleMesh written = io::read_model(folder_ / "smith-lower-preop.ply")->mesh;
+  const MeshDistance to_lower(lower);
+  double farthest = 0.0;
+  for (const SurfacePoint& point : written.vertices)
+    farthest = std::max(farthest, to_lower.closest(point.position_mm).distance_mm);
+  EXPECT_LT(farthest, 0.003);
+  const std::string scene = io::read_file(folder_ / "smith.glb").value();
+  for (const char* const name : {"\"lower-preop\"", "\"upper-scanbody\""})
+    EXPECT_THAT(scene.substr(0, 20000), HasSubstr(name));
+}
+
+TEST_F(ExportJaws, AScanOfAnotherJawIsRefused) {
+  Models models = {{io::ScanStage::kUpper, &upper_}};
+  models.push_back({io::ScanStage::kUpperPreop, &lower_});
+  open(models);
+  const auto outcome = write();
+  ASSERT_FALSE(outcome);
+  EXPECT_THAT(outcome.error().message, HasSubstr("Upper jaw, pre-op: does not fit Upper jaw"));
+  EXPECT_THAT(written_, IsEmpty());
 }
 
 TEST_F(ExportJaws, WithoutABiteEachJawLiesInItsOwnOcclusalPlane) {

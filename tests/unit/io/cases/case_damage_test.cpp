@@ -187,12 +187,12 @@ TEST(CaseDamage, RefusesANewerVersion) {
   (void)case_bytes(path);
   {
     SqliteDatabase database = SqliteDatabase::open(path, SqliteAccess::kReadWrite).value();
-    ASSERT_TRUE(database.run("PRAGMA user_version = 3"));
+    ASSERT_TRUE(database.run("PRAGMA user_version = 4"));
   }
   const Result<CaseFile> file = CaseFile::open(path);
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, ErrorCode::kBadFormat);
-  EXPECT_THAT(file.error().message, HasSubstr("version 3"));
+  EXPECT_THAT(file.error().message, HasSubstr("version 4"));
   EXPECT_THAT(file.error().message, HasSubstr("use a newer flytri"));
 }
 
