@@ -58,6 +58,8 @@ struct ActionRow {
   void (*perform)(const ActionRunner&) = nullptr;
   /// The open dialogs that leave it possible. The list of keys always does.
   Dialogs works_in = kNoDialog;
+  /// False: the list of keys leaves it to the panel of its tool.
+  bool is_listed = true;
 };
 
 /// All rows, in the order of Action.

@@ -26,7 +26,11 @@ constexpr std::array kThirdColumn = {ActionGroup::kProgram, ActionGroup::kHand};
 float row_height(const PanelContext& context, float height, std::span<const ActionGroup> groups,
                  std::size_t more_rows) {
   std::size_t rows = more_rows;
-  for (const ActionGroup group : groups) rows += rows_of(group).size();
+  for (const ActionGroup group : groups) {
+    const auto& all = rows_of(group);
+    rows += static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [](const ActionRow& entry) { return entry.is_listed; }));
+  }
   const std::size_t headings = groups.size() + (more_rows > 0 ? 1 : 0);
   const float heading = context.px(kHelpHeading) + context.px(kGapS);
   return std::floor((height - static_cast<float>(headings) * heading) / static_cast<float>(rows));
@@ -60,7 +64,7 @@ void draw_group(const PanelContext& context, Rect& column, float row, ActionGrou
   draw_text(column.take_top(context.px(kHelpHeading)),
             {context.theme.fonts.strong, kNeutral, Align::kLeft}, context.text(heading_of(group)));
   for (const ActionRow& entry : rows_of(group)) {
-    draw_row(context, column.take_top(row), entry);
+    if (entry.is_listed) draw_row(context, column.take_top(row), entry);
   }
   column.take_top(context.px(kGapS));
 }

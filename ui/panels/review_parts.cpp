@@ -18,7 +18,7 @@ bool removable(const PanelContext& context, Rect& rest, const RemovableRow& row)
   look.id = row.id.c_str();
   look.icon = icon::kTrash;
   look.hint = context.text(row.hint);
-  const Rect box = line.take_right(line.height, context.px(kGapS));
+  const Rect box = line.take_right(small_button_width(context.theme, look), context.px(kGapS));
   context.places.set(row.id, box);
   const bool is_clicked = small_button(context.theme, box, look);
   // In a narrow panel the number goes first.

@@ -83,14 +83,14 @@ void draw_hand(const PanelContext& context, Rect row) {
 
 /// Of a finished model: how certain its longest distance is.
 void draw_span(const PanelContext& context, Rect rest, const reconstruct::JudgedSpan& judged) {
-  constexpr double kMicrons = 1e3;
+  constexpr double kToMicrons = 1e3;
   const Rect both = rest;
   context.places.set("span", both);
   labeled_value(context.theme, rest.take_top(context.px(24.0F)),
                 sentence(std::string(context.view.texts.translated(name_of(judged.span)))),
                 fmt::format("{:.3f} mm", judged.span.ends.length_mm()));
   labeled_value(context.theme, rest, context.text(Text::kSpanUncertainty),
-                fmt::format("\u00b1 {:.0f} \u00b5m", std::ceil(kMicrons * judged.range95_mm())));
+                fmt::format("\u00b1 {:.0f} \u00b5m", std::ceil(kToMicrons * judged.range95_mm())));
   hint_over(both, context.text(Text::kSpanHint));
 }
 

@@ -46,8 +46,8 @@ void draw_stage_row(const PanelContext& context, Rect& rest) {
   const bool has_others =
       !io::is_bite(shown) && progress_of_group(shown, context.view) != StageProgress::kEmpty;
   if ((stages.size() < 2 && !has_others) || context.view.is_scanning) return;
-  // Three labels do not fit beside each other in a narrow panel.
-  const std::size_t in_first = stages.size() > 2 ? 1 : stages.size();
+  // Two labels and the button do not fit beside each other in a narrow panel.
+  const std::size_t in_first = has_others ? 1 : stages.size();
   const float gap = context.px(kGapXs);
   Rect row =
       rest.take_top(context.px(kStageRow), in_first < stages.size() ? gap : context.px(kGapM));

@@ -26,10 +26,10 @@ FLYTRI_TEXT(kStepTexturing, "Texturing", "Textur auftragen", "Application de la 
             "Aplicando la textura")
 
 // core/reconstruct/jaw_spans.cpp: distances across a jaw.
-FLYTRI_TEXT(kSpanLastTeeth, "last teeth, left to right", "Letzte Zähne, links\u2013rechts",
-            "Dernières dents, g.\u2013d.", "Últimos dientes, izq.\u2013der.")
-FLYTRI_TEXT(kSpanPremolars, "premolars, left to right", "Prämolaren, links\u2013rechts",
-            "Prémolaires, g.\u2013d.", "Premolares, izq.\u2013der.")
+FLYTRI_TEXT(kSpanLastTeeth, "last teeth, left to right", "Letzte Zähne, l.\u2013r.",
+            "Dernières dents, g.\u2013d.", "Últimos dientes, i.\u2013d.")
+FLYTRI_TEXT(kSpanPremolars, "premolars, left to right", "Prämolaren, l.\u2013r.",
+            "Prémolaires, g.\u2013d.", "Premolares, i.\u2013d.")
 FLYTRI_TEXT(kSpanHalfLeft, "front to last tooth, left", "Front bis hinten, links",
             "Avant à arrière, gauche", "Delante a detrás, izq.")
 FLYTRI_TEXT(kSpanHalfRight, "front to last tooth, right", "Front bis hinten, rechts",
