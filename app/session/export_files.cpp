@@ -190,8 +190,13 @@ Result<ExportOutcome> export_files(const ShownScan& shown, const ui::Export& com
     const std::vector<fs::path> more = files_of(models.back(), has_texture);
     files.insert(files.end(), more.begin(), more.end());
   }
-  const std::vector<review::Polyline> margins = margins_of(shown);
-  const fs::path margin_file = reconstruct::margin_file_of(models.front());
+  // They lie beside a model. A report alone has none.
+  std::vector<review::Polyline> margins;
+  fs::path margin_file;
+  if (!models.empty()) {
+    margins = margins_of(shown);
+    margin_file = reconstruct::margin_file_of(models.front());
+  }
   if (!margins.empty()) files.push_back(margin_file);
   const fs::path report = stem->string() + std::string(ui::kReportExtension);
   if (target.report) files.push_back(report);

@@ -27,12 +27,12 @@ using testing::sample_texture;
 using testing::sample_view;
 
 constexpr ScanStage kSource = ScanStage::kUpper, kTarget = ScanStage::kUpperPreop;
-constexpr int kViews = 6;
+constexpr int kCopiedViews = 6;
 
 /// Views with poses and fates, a texture frame, an edit that applies and one that was undone, a
 /// distance and a model.
 void scan(CaseFile& file, ScanStage stage, int first) {
-  for (int i = first; i < first + kViews; ++i) {
+  for (int i = first; i < first + kCopiedViews; ++i) {
     const auto view = std::make_shared<const View>(sample_view(i, 2, 20));
     ASSERT_TRUE(file.append_view(stage, *view));
     const std::array placed = {AlignedView{view, sample_pose(i)}};
@@ -41,14 +41,14 @@ void scan(CaseFile& file, ScanStage stage, int first) {
         StoredFrame{FrameIndex(i), i / 30.0, FrameKind::kVertical, "registered", ""}};
     ASSERT_TRUE(file.write_frames(stage, frames));
   }
-  ASSERT_TRUE(file.append_texture(stage, sample_texture(first + kViews)));
+  ASSERT_TRUE(file.append_texture(stage, sample_texture(first + kCopiedViews)));
   editing::EditStack edits;
   edits.push(sample_edit(first));
   edits.push(sample_edit(first + 1));
   edits.undo();
   ASSERT_TRUE(file.write_edits(stage, edits));
   ASSERT_TRUE(file.add_measurement(stage, {0, Vec3::Zero(), Vec3::Ones(), "a"}));
-  const ResultBasis basis{kViews, {sample_edit(first).made_at_s}};
+  const ResultBasis basis{kCopiedViews, {sample_edit(first).made_at_s}};
   ASSERT_TRUE(file.write_result(stage, {"model", "{}", basis}));
   ASSERT_TRUE(file.commit());
 }
@@ -57,8 +57,8 @@ void scan(CaseFile& file, ScanStage stage, int first) {
 void expect_scan(CaseFile& file, ScanStage stage, int first, int shift, bool has_model) {
   const StoredStage stored = file.load_stage(stage).value();
   EXPECT_THAT(stored.damage, IsEmpty());
-  ASSERT_EQ(stored.views.size(), static_cast<std::size_t>(kViews));
-  for (int i = 0; i < kViews; ++i) {
+  ASSERT_EQ(stored.views.size(), static_cast<std::size_t>(kCopiedViews));
+  for (int i = 0; i < kCopiedViews; ++i) {
     const StoredView& view = stored.views[static_cast<std::size_t>(i)];
     View expected = sample_view(first + i, 2, 20);
     expected.frame = FrameIndex(first + i + shift);
@@ -66,13 +66,13 @@ void expect_scan(CaseFile& file, ScanStage stage, int first, int shift, bool has
     ASSERT_TRUE(view.T_world_sensor);
     EXPECT_TRUE(same_bits(*view.T_world_sensor, sample_pose(first + i)));
   }
-  EXPECT_EQ(stored.frames.size(), static_cast<std::size_t>(kViews));
+  EXPECT_EQ(stored.frames.size(), static_cast<std::size_t>(kCopiedViews));
   EXPECT_EQ(stored.texture_frames.size(), 1U);
   ASSERT_EQ(stored.edits.state()->size(), 1U);
   EXPECT_TRUE(same_bits(*stored.edits.state()->front(), sample_edit(first)));
   EXPECT_TRUE(stored.edits.can_redo());
   EXPECT_EQ(stored.measurements.size(), 1U);
-  EXPECT_EQ(file.counts(stage).value(), (StageCounts{kViews, 1, 1, has_model}));
+  EXPECT_EQ(file.counts(stage).value(), (StageCounts{kCopiedViews, 1, 1, has_model}));
   if (!has_model) return;
   const StageResult result = file.load_result(stage).value();
   EXPECT_EQ(result.glb, "model");
@@ -107,7 +107,7 @@ TEST(CopiedStage, GoesOnByItself) {
   ASSERT_TRUE(file.write_edits(kTarget, edits));
   ASSERT_TRUE(file.append_view(kTarget, sample_view(20, 2, 20)));
   ASSERT_TRUE(file.commit());
-  EXPECT_EQ(file.counts(kTarget)->views, kViews + 1);
+  EXPECT_EQ(file.counts(kTarget)->views, kCopiedViews + 1);
   EXPECT_EQ(file.load_stage(kTarget)->edits.state()->size(), 2U);
   expect_scan(file, kSource, 0, 0, true);
   ASSERT_TRUE(file.clear_stage(kTarget));
@@ -123,9 +123,9 @@ TEST(CopiedStage, KeepsWhatWasClearedInIt) {
   ASSERT_TRUE(file.clear_stage(kTarget));
   scan(file, kSource, 3);
   ASSERT_TRUE(file.copy_stage(kSource, kTarget, true));
-  const int shift = 100 + kViews + 1;  // after the frames that are kept
+  const int shift = 100 + kCopiedViews + 1;  // after the frames that are kept
   expect_scan(file, kTarget, 3, shift, true);
-  EXPECT_EQ(file.kept_counts(kTarget)->views, kViews);
+  EXPECT_EQ(file.kept_counts(kTarget)->views, kCopiedViews);
   ASSERT_TRUE(file.bring_back_stage(kTarget));
   ASSERT_TRUE(file.commit());
   expect_scan(file, kTarget, 100, 0, true);
