@@ -38,6 +38,14 @@ StageScans read_scans(CaseRecords& records, ScanStage stage) {
   return {};
 }
 
+/// A view holds the number of its frame.
+Result<std::string> renumbered_view(std::string_view data, std::int64_t id, std::int64_t new_id) {
+  return decode_measured_view(data, FrameIndex(number_of(id))).map([&](View view) {
+    view.frame = FrameIndex(number_of(new_id));
+    return encode_view(view);
+  });
+}
+
 /// The copy holds all by now. If the former file stays, so does the case: nobody should believe
 /// that it is encrypted while an open copy lies about.
 Result<void> remove_former(const std::filesystem::path& path) {
@@ -310,7 +318,8 @@ Result<void> CaseFile::copy_stage(ScanStage from, ScanStage to, bool with_model)
     const bool is_of_model = table == CaseTable::kModels || table == CaseTable::kSummaries;
     if (is_of_model && !with_model) continue;
     for (const RecordRange& range : source.records_of(table, from, source.shown()))
-      copies.push_back({table, range, is_by_frame(table) ? frame_shift : other_shift});
+      copies.push_back({table, range, is_by_frame(table) ? frame_shift : other_shift,
+                        table == CaseTable::kViews ? renumbered_view : nullptr});
   }
   return records_->copy_records(copies);
 }

@@ -345,8 +345,11 @@ Result<void> CaseRecords::try_to_copy(const RecordCopy& copy) {
     if (!data) return tl::unexpected(data.error());
     if (!*data) continue;
     const std::int64_t new_id = id + copy.shift;
+    const auto renumbered = copy.renumber ? copy.renumber(**data, id, new_id)
+                                          : Result<std::string>(std::string(**data));
+    if (!renumbered) return tl::unexpected(renumbered.error());
     Result<void> inserted =
-        raise_version(new_id).and_then([&] { return insert(copy.table, new_id, **data); });
+        raise_version(new_id).and_then([&] { return insert(copy.table, new_id, *renumbered); });
     if (!inserted) return inserted;
   }
   return {};

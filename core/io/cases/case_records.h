@@ -66,6 +66,8 @@ class CaseRecords {
     CaseTable table;
     RecordRange from;
     std::int64_t shift;
+    /// Null, or makes the data of the copy where they hold the id: data, id, new id.
+    Result<std::string> (*renumber)(std::string_view, std::int64_t, std::int64_t) = nullptr;
   };
   /// Commits what was written before, and then all copies together. After a failure there is none
   /// of them; it does not wait to be repeated.

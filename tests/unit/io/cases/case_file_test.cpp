@@ -212,8 +212,8 @@ TEST(CaseFile, SavesTheOcclusalPlaneOfEachStage) {
     CaseFile file = new_case(folder / "a.flytri");
     EXPECT_FALSE(file.plane(kStage).value());
     expect_done(file.write_plane(kStage, points));
-    expect_done(file.write_plane(ScanStage::kLower, OcclusalPoints()));
-    expect_done(file.write_plane(ScanStage::kLower, std::nullopt));
+    expect_done(file.write_plane(ScanStage::kUpper, OcclusalPoints()));
+    expect_done(file.write_plane(ScanStage::kUpper, std::nullopt));
     expect_done(file.write_result(kStage, {"glb", R"({"views": 1})", {}}));
     expect_done(file.commit());
   }
@@ -221,9 +221,9 @@ TEST(CaseFile, SavesTheOcclusalPlaneOfEachStage) {
   EXPECT_EQ(file.plane(kStage).value(), points);
   EXPECT_EQ(loaded(file).plane, points);
   EXPECT_THAT(loaded(file).damage, ::testing::IsEmpty());
-  EXPECT_FALSE(file.plane(ScanStage::kLower).value());
+  EXPECT_FALSE(file.plane(ScanStage::kUpper).value());
   EXPECT_FALSE(file.plane(ScanStage::kBite).value());
-  EXPECT_EQ(file.load_result(kStage)->summary_json, R"({"views":1})") << "beside it";
+  EXPECT_EQ(file.load_result(kStage)->glb, "glb") << "beside it";
   OcclusalPoints wrong = points;
   wrong[1].x() = NAN;
   EXPECT_FALSE(file.write_plane(kStage, wrong));
