@@ -8,9 +8,8 @@
 namespace flytri::sync {
 namespace {
 
-// Probability from which the user is told that patterns are swapped, or images do not follow the
-// lights.
-constexpr double kWorthTelling = 0.999;
+// Probability from which swapped patterns are reported to the user.
+constexpr double kSurelySwapped = 0.999;
 
 bool is_pattern(device::Light light) {
   return light == device::Light::kVertical || light == device::Light::kHorizontal;
@@ -124,8 +123,7 @@ void FrameLabeler::count(LabelOutcome outcome) {
 }
 
 LightFault FrameLabeler::fault() const {
-  return watch_.fault(is_learned_ && latency_.swapped > kWorthTelling,
-                      latency_.unexplained > kWorthTelling);
+  return watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
 }
 
 }  // namespace flytri::sync
