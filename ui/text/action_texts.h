@@ -125,7 +125,7 @@ FLYTRI_TEXT(kQuit, "Quit", "Beenden", "Quitter", "Salir")
 // Why an action is not possible, or its setting: short, for the list of keys.
 FLYTRI_TEXT(kOpeningTheCase, "opening the case", "Fall wird geöffnet", "ouverture du cas",
             "abriendo el caso")
-FLYTRI_TEXT(kFinishing, "finishing", "wird abgeschlossen", "finalisation", "finalizando")
+FLYTRI_TEXT(kFinishing, "finishing", "schließt ab", "finalisation", "finalizando")
 FLYTRI_TEXT(kFinished, "finished", "abgeschlossen", "terminé", "finalizado")
 FLYTRI_TEXT(kCaseIsReadOnly, "the case is read-only", "Fall schreibgeschützt",
             "cas en lecture seule", "solo lectura")

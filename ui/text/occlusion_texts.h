@@ -69,7 +69,7 @@ FLYTRI_TEXT(kBothBitesUncertain,
             "La mandíbula tiene ahí {0} de incertidumbre. Escanear más dientes en cada mordida.")
 FLYTRI_TEXT(kBetweenBites, "Uncertainty, middle", "Unsicherheit, Mitte", "Incertitude au milieu",
             "Incertidumbre, centro")
-FLYTRI_TEXT(kBiteFirst, "scan the bite first", "erst den Biss scannen", "d’abord le mordu",
+FLYTRI_TEXT(kBiteFirst, "scan the bite first", "erst Biss scannen", "d’abord le mordu",
             "antes la mordida")
 FLYTRI_TEXT(kNotForBothJaws, "not for both jaws", "nicht für beide Kiefer", "pas pour les deux",
             "no para ambos")

@@ -273,8 +273,8 @@ FLYTRI_TEXT(kHintNameAndKey, "{0}, key: {1}", "{0}, Taste: {1}", "{0}, touche :
 FLYTRI_TEXT(kClearAll, "Clear all", "Alles leeren", "Tout effacer", "Vaciar todo")
 
 // The scans of a jaw.
-FLYTRI_TEXT(kOnlyForAJaw, "only for a jaw", "nur für einen Kiefer", "seulement pour une arcade",
-            "solo para un maxilar")
+FLYTRI_TEXT(kOnlyForAJaw, "only for a jaw", "nur für einen Kiefer", "arcade seulement",
+            "solo un maxilar")
 FLYTRI_TEXT(kScanAnew, "Scan anew", "Neu scannen", "Scanner", "Escanear")
 FLYTRI_TEXT(kStartAsCopy, "Start as a copy", "Als Kopie beginnen", "Partir d’une copie",
             "Empezar como copia")
