@@ -38,9 +38,7 @@ struct JawPlaces {
 /// was found; of two of the same kind, that of the upper jaw counts.
 /// Other scans of a jaw, as before a preparation, lie on that jaw.
 /// @param jaws  at most one for each stage
-/// @errors  As occlusion::find_occlusion and place_on_jaw; kInconsistent: a plane that was set does
-/// not fit its
-///          jaw.
+/// @errors  As occlusion::find_occlusion and place_on_jaw. kInconsistent: a set plane does not fit.
 [[nodiscard]] Result<JawPlaces> place_jaws(std::span<const FinishedJaw> jaws,
                                            const Workers& workers, const Progress& progress);
 

@@ -15,9 +15,8 @@ struct JawScan {
   const TriangleMesh* surface = nullptr;  ///< not null; welded, with unit normals
 };
 
-/// A copy that was scanned on lies in the frame of the other scan already, but for micrometers: all
-/// poses of a scan are optimized together. A scan that began anew is searched for on the whole jaw.
-/// Teeth that have changed in between do not count.
+/// A copy that was scanned on already lies in the frame of the jaw, and is only moved a little. A
+/// scan that began anew is searched for on the whole jaw. Teeth that have changed do not count.
 /// @return  T_jaw_other
 /// @errors  kInconsistent: `other` does not fit.
 [[nodiscard]] Result<Isometry> place_on_jaw(const JawScan& jaw, const JawScan& other,

@@ -15,9 +15,8 @@ struct OpenCamera {
   const std::string& label;
 };
 
-/// Sets format, size and rate, then exposure and gain. Turns off triggers, automatic modes and what
-/// bends the image: gamma becomes 1, sharpness and noise filters off. The image is taken from the
-/// middle of the chip.
+/// Sets format, size, rate, exposure and gain. Turns off triggers, automatic modes, sharpness and
+/// noise filters, and sets gamma to 1. The image is taken from the middle of the chip.
 /// @return  the settings read back; missing controls have no value
 /// @errors  kBadOption: unsupported format, size or control, or out of range; else as
 ///          ArvFailure::told

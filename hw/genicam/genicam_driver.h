@@ -12,8 +12,8 @@ struct GenicamDriverOptions {
   bool has_simulated = false;
 };
 
-/// Formats have the names of V4L2 in rig.json, whatever GenICam calls them. Gain is in the camera's
-/// units, mostly dB; controls are features of the camera, by their GenICam names.
+/// Formats have their V4L2 names. Gain is in the camera's units, mostly dB. Controls have their
+/// GenICam names.
 class GenicamDriver final : public stream::CameraDriver {
  public:
   explicit GenicamDriver(const GenicamDriverOptions& options = {}) : options_(options) {}

@@ -1,5 +1,4 @@
-/// @file  In place of the live image, while a finished model is measured: what is measured, and the
-/// numbers with their uncertainty.
+/// @file  The side panel while a finished model is measured: the ways to measure, and the numbers.
 #include <fmt/format.h>
 
 #include <algorithm>

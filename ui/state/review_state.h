@@ -33,8 +33,8 @@ struct KeptMargin {
   bool is_outdated = false;
 };
 
-/// Immutable. Results are about the shown model; they are forgotten when it changes, except for the
-/// distances and the margin lines, which the case keeps.
+/// Immutable. Another model forgets the results. Distances and margin lines stay: the case keeps
+/// them.
 struct ReviewState {
   bool is_running = false;   ///< something is being computed
   bool is_checking = false;  ///< whether margin lines still lie on the model is not known yet

@@ -18,8 +18,8 @@ struct MetricCorrection {
   [[nodiscard]] Eigen::Matrix3d matrix() const;
 };
 
-/// Exact: all parts of a calibration are polynomials that such a map leaves of the same degree. The
-/// volume and the areas of the lines stay.
+/// Exact: the polynomials of a calibration keep their degree. The volume and the areas of the lines
+/// stay.
 [[nodiscard]] Calibration corrected(const Calibration& calibration,
                                     const MetricCorrection& correction);
 

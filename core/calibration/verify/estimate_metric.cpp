@@ -5,8 +5,8 @@
 namespace flytri::calibration {
 namespace {
 
-/// Shared unknowns: changes of lateral and depth scale, shear of x and y, and the depth of vertical
-/// minus horizontal, which a bumped projector changes, too.
+/// All poses share them: lateral and depth scale, shear of x and y, and the depth of vertical minus
+/// horizontal lines, since a bumped projector changes that.
 constexpr Eigen::Index kMetricUnknowns = 5;
 
 /// The map is linear in its numbers; the spheres are found anew after each step.

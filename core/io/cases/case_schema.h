@@ -40,9 +40,9 @@ inline constexpr std::array kCaseTables = {
 
 inline constexpr int kCasePageBytes = 8192;
 
-/// Version 1 had no journal; such a case gets one when it is opened to be written. Programs of
-/// version 2 know the first three stages only: with its first record of another one, a case becomes
-/// one of version 3, so that they refuse it rather than lose that stage in a copy.
+/// Version 1 had no journal: it gets one when it is opened to be written. Version 2 has three
+/// stages. The first record of another stage makes it version 3, which older programs refuse: they
+/// would lose that stage in a copy.
 inline constexpr std::int64_t kWithoutJournal = 1, kThreeStages = 2, kCaseVersion = 3;
 
 /// An open database with the tables of a case.
