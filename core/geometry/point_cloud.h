@@ -7,6 +7,7 @@
 
 #include "core/base/index.h"
 #include "core/geometry/rigid.h"
+#include "core/imaging/pattern.h"
 
 namespace flytri {
 
@@ -22,6 +23,7 @@ struct SurfaceSample {
   Vec3f normal;        ///< unit, outwards (towards the sensor)
   Vec3f deviation_mm;  ///< ProfilePoint::deviation_mm rotated into the world frame
   ViewIndex view;      ///< the view that measured it
+  Pattern pattern = Pattern::kVertical;  ///< of that view
 };
 
 /// One point of the reduced surface, in the world frame.
@@ -29,7 +31,8 @@ struct SurfacePoint {
   Vec3f position_mm = Vec3f::Zero();
   Vec3f normal = Vec3f::UnitZ();  ///< unit, outwards
   Rgb color = kUntexturedColor;
-  float sigma_mm = 0.0F;  ///< standard uncertainty along the normal; infinite: not measured
+  float sigma_mm = 0.0F;    ///< standard uncertainty along the normal; infinite: not measured
+  PatternSet patterns = 0;  ///< those that measured the surface here; 0: not known
 };
 
 using PointCloud = std::vector<SurfacePoint>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace flytri {
@@ -11,6 +12,13 @@ namespace flytri {
 enum class Pattern { kVertical, kHorizontal };
 
 inline constexpr std::array kPatterns = {Pattern::kVertical, Pattern::kHorizontal};
+
+/// A set of patterns, one bit each.
+using PatternSet = std::uint8_t;
+
+[[nodiscard]] constexpr PatternSet set_of(Pattern pattern) {
+  return pattern == Pattern::kVertical ? 1 : 2;
+}
 
 [[nodiscard]] constexpr Pattern other(Pattern pattern) {
   return pattern == Pattern::kVertical ? Pattern::kHorizontal : Pattern::kVertical;

@@ -73,6 +73,7 @@ std::optional<SurfaceEstimate> ImplicitSurface::at(const Vec3f& place_mm) const 
     sum.mean.position_mm += w * point.position_mm;
     sum.mean.normal += w * point.normal;
     sum.mean.sigma_mm += w * point.sigma_mm;
+    sum.mean.patterns |= point.patterns;
     for (int c = 0; c < 3; ++c) color[c] += w * static_cast<float>(point.color[c]);
   }
   sum.distance_mm /= sum_w;

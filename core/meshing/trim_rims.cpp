@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -24,6 +25,8 @@ constexpr float kBackReachSpacings = 1.5F;
 constexpr float kLeastPiece = 4.0F;
 /// Of the area, at least this share must be left.
 constexpr double kLeastShare = 0.5;
+/// Lines of the other pattern confirm the surface up to this distance, in strip widths.
+constexpr float kCrossingStrips = 0.85F;
 constexpr int kRimSmoothings = 10;
 /// A rim moves by at most this share of the spacing.
 constexpr float kMostRimMotion = 0.5F;
@@ -44,6 +47,15 @@ struct Neighborhood {
     neighbors.resize(begins.back());
     std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
     for_each_pair([&](std::uint32_t from, std::uint32_t to) { neighbors[next[from]++] = to; });
+  }
+  [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t v) const {
+    return std::span(neighbors).subspan(begins[v], begins[v + 1] - begins[v]);
+  }
+  /// True if all neighbors are marked.
+  [[nodiscard]] bool all_of(std::uint32_t v, const std::vector<char>& is_marked) const {
+    const auto near = of(v);
+    return std::all_of(near.begin(), near.end(),
+                       [&](std::uint32_t other) { return is_marked[other] != 0; });
   }
   std::vector<std::size_t> begins;
   std::vector<std::uint32_t> neighbors;
@@ -66,14 +78,13 @@ std::vector<float> distances_mm(const TriangleMesh& mesh, const Neighborhood& ar
   for (std::uint32_t v = 0; v < distances.size(); ++v) {
     if (is_source[v] == 0) continue;
     distances[v] = 0.0F;
-    queue.push({0.0F, v, v});
+    if (!around.all_of(v, is_source)) queue.push({0.0F, v, v});
   }
   while (!queue.empty()) {
     const Reached at = queue.top();
     queue.pop();
     if (at.distance_mm > distances[at.vertex]) continue;
-    for (std::size_t i = around.begins[at.vertex]; i < around.begins[at.vertex + 1]; ++i) {
-      const std::uint32_t next = around.neighbors[i];
+    for (const std::uint32_t next : around.of(at.vertex)) {
       const float distance_mm =
           (mesh.vertices[next].position_mm - mesh.vertices[at.source].position_mm).norm();
       if (distance_mm > limit_mm || distance_mm >= distances[next]) continue;
@@ -100,13 +111,65 @@ double area_mm2(const TriangleMesh& mesh) {
   return area;
 }
 
-/// Opens the surface by a disk: what no disk covers that lies on the surface goes.
-void open_by_disk(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
+/// The vertices along rims; pinholes have none.
+std::vector<char> rim_vertices(const TriangleMesh& mesh, float strip_mm) {
   std::vector<char> is_rim(mesh.vertices.size(), 0);
   for (const std::vector<std::uint32_t>& line : boundary_lines(mesh)) {
     if (length_mm(mesh, line) < kPinholeRim * strip_mm) continue;
     for (const std::uint32_t v : line) is_rim[v] = 1;
   }
+  return is_rim;
+}
+
+/// Marks what lines of both patterns measured within a distance, and what measured it is not known.
+std::vector<char> crossed_vertices(const TriangleMesh& mesh, const Neighborhood& around,
+                                   float reach_mm) {
+  std::vector<char> is_crossed(mesh.vertices.size(), 1);
+  for (const Pattern pattern : kPatterns) {
+    std::vector<char> is_measured(mesh.vertices.size());
+    std::transform(mesh.vertices.begin(), mesh.vertices.end(), is_measured.begin(),
+                   [&](const SurfacePoint& v) {
+                     return v.patterns == 0 || (v.patterns & set_of(pattern)) != 0 ? 1 : 0;
+                   });
+    const std::vector<float> from_measured = distances_mm(mesh, around, is_measured, reach_mm);
+    for (std::size_t v = 0; v < is_crossed.size(); ++v) {
+      if (from_measured[v] == kFar) is_crossed[v] = 0;
+    }
+  }
+  return is_crossed;
+}
+
+/// From the rims inwards, drops what only one pattern measured: the ends of single lines, which
+/// nothing confirms.
+void drop_uncrossed_rims(TriangleMesh& mesh, float strip_mm) {
+  const Neighborhood around(mesh);
+  const std::vector<char> is_crossed = crossed_vertices(mesh, around, kCrossingStrips * strip_mm);
+  std::vector<char> is_dropped(mesh.vertices.size(), 0);
+  std::vector<std::uint32_t> front;
+  const auto visit = [&](std::uint32_t v) {
+    if (is_crossed[v] != 0 || std::exchange(is_dropped[v], 1) != 0) return;
+    front.push_back(v);
+  };
+  const std::vector<char> is_rim = rim_vertices(mesh, strip_mm);
+  for (std::uint32_t v = 0; v < is_rim.size(); ++v) {
+    if (is_rim[v] != 0) visit(v);
+  }
+  while (!front.empty()) {
+    const std::uint32_t v = front.back();
+    front.pop_back();
+    for (const std::uint32_t next : around.of(v)) visit(next);
+  }
+  std::vector<char> keep;
+  keep.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+    keep.push_back((is_dropped[t[0]] | is_dropped[t[1]] | is_dropped[t[2]]) == 0 ? 1 : 0);
+  keep_triangles(mesh, keep);
+  repair_manifold(mesh);
+}
+
+/// Opens the surface by a disk: what no disk covers that lies on the surface goes.
+void open_by_disk(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
+  const std::vector<char> is_rim = rim_vertices(mesh, strip_mm);
   const Neighborhood around(mesh);
   const float radius_mm = 0.5F * strip_mm;
   const std::vector<float> from_rim = distances_mm(mesh, around, is_rim, radius_mm);
@@ -159,6 +222,7 @@ void smooth_rim(TriangleMesh& mesh, const std::vector<std::uint32_t>& line, floa
 
 void trim_rims(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
   TriangleMesh opened = mesh;
+  drop_uncrossed_rims(opened, strip_mm);
   open_by_disk(opened, strip_mm, spacing_mm);
   repair_manifold(opened);
   drop_islands(opened, kLeastPiece * strip_mm * strip_mm);

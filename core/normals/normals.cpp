@@ -323,7 +323,7 @@ std::vector<SurfaceSample> surface_samples(std::span<const AlignedView> views,
         if (normals[v][k][i].isZero()) continue;
         samples.push_back({(T_world_sensor * points[i].position_mm).cast<float>(), normals[v][k][i],
                            T_world_sensor.linear().cast<float>() * points[i].deviation_mm,
-                           ViewIndex(v)});
+                           ViewIndex(v), views[v].view->pattern});
       }
     }
   }

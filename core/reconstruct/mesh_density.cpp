@@ -92,11 +92,8 @@ Result<ModelAtDensity> at_density(const TexturedMesh& model, MeshDensity density
     result.rms_mm = simplified->rms_mm;
     result.max_mm = simplified->max_mm;
   }
-  result.uncut = result.model.mesh;
-  if (!model.uv.empty()) {
-    result.uncut = meshing::welded(result.model.mesh);
-    meshing::repair_manifold(result.uncut);
-  }
+  result.uncut = meshing::welded(result.model.mesh);
+  meshing::repair_manifold(result.uncut);
   return result;
 }
 

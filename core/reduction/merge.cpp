@@ -79,6 +79,7 @@ SurfacePoint merge_samples(std::span<const SurfaceSample> samples,
   point.position_mm = position.cast<float>();
   point.normal = normal;
   point.sigma_mm = static_cast<float>(std::sqrt(std::max(1.0, chi2 / freedom) / weight_sum));
+  for (const std::uint32_t i : members) point.patterns |= set_of(samples[i].pattern);
   return point;
 }
 

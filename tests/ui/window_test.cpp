@@ -206,9 +206,13 @@ TEST_F(RealWindow, ADoubleClickBringsAPlaceToTheMiddle) {
   window().key("o");
   window().ask("wait 60");
   const auto before = window().state()["camera"];
-  window().double_click_at(400.0, 520.0);
-  window().ask("wait 60");
-  const auto after = window().state()["camera"];
+  auto after = before;
+  // On a loaded machine the two clicks may come too late after each other.
+  for (int i = 0; i < 3 && after["target_mm"] == before["target_mm"]; ++i) {
+    window().double_click_at(400.0, 520.0);
+    window().ask("wait 60");
+    after = window().state()["camera"];
+  }
   EXPECT_NE(after["target_mm"], before["target_mm"]);
   EXPECT_EQ(after["height_mm"], before["height_mm"]);
 }

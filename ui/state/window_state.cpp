@@ -107,6 +107,7 @@ void put_tool_away(WindowState& state) {
   state.brush.stroke.clear();
   state.measured_from_mm.reset();
   state.plane_points_mm.clear();
+  state.review.angle_mm.clear();
 }
 
 }  // namespace flytri::ui

@@ -12,6 +12,9 @@
 namespace flytri::ui {
 namespace {
 
+/// As on common desktops. A slow picture takes a part of it.
+constexpr float kDoubleClick_s = 0.5F;
+
 /// The keys that the text fields of Dear ImGui use.
 void name_keys(ImGuiIO& io) {
   io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
@@ -73,6 +76,7 @@ ImGuiHost::ImGuiHost(Window& window) : window_(window), context_(ImGui::CreateCo
   io.GetClipboardTextFn = read_clipboard;
   io.SetClipboardTextFn = write_clipboard;
   io.ClipboardUserData = window.handle();
+  io.MouseDoubleClickTime = kDoubleClick_s;
   name_keys(io);
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }

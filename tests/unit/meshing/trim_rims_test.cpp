@@ -113,5 +113,37 @@ TEST(TrimRims, AJaggedRimBecomesSmoothAndStaysWhereItWas) {
   expect_manifold(mesh);
 }
 
+/// Vertical lines below, and above 2 mm of one pattern alone.
+void mark_crossed_up_to(TriangleMesh& mesh, float crossed_mm) {
+  for (SurfacePoint& vertex : mesh.vertices) {
+    vertex.patterns = set_of(Pattern::kVertical);
+    if (vertex.position_mm.y() <= crossed_mm) vertex.patterns |= set_of(Pattern::kHorizontal);
+  }
+}
+
+TEST(TrimRims, WhatOnePatternAloneMeasuredGoes) {
+  TriangleMesh mesh = plate_without([](std::uint32_t, std::uint32_t) { return false; });
+  TriangleMesh not_known = mesh;
+  mark_crossed_up_to(mesh, 2.5F);
+  trim_rims(mesh, 0.8F, kCell_mm);
+  // A line confirms what is nearer than most of a strip.
+  EXPECT_NEAR(highest_mm(mesh), 2.5F + 0.68F, 0.15F);
+  expect_manifold(mesh);
+  trim_rims(not_known, 0.8F, kCell_mm);
+  EXPECT_NEAR(highest_mm(not_known), 4.0F, 0.05F) << "nothing says who measured it";
+}
+
+TEST(TrimRims, WhatOnePatternMeasuredStaysInside) {
+  TriangleMesh mesh = plate_without([](std::uint32_t, std::uint32_t) { return false; });
+  for (SurfacePoint& vertex : mesh.vertices) {
+    const bool is_inside = (vertex.position_mm - Vec3f(2.0F, 2.0F, 0.0F)).norm() < 1.2F;
+    vertex.patterns = set_of(Pattern::kVertical);
+    if (!is_inside) vertex.patterns |= set_of(Pattern::kHorizontal);
+  }
+  TriangleMesh trimmed = mesh;
+  trim_rims(trimmed, 0.8F, kCell_mm);
+  EXPECT_EQ(find_boundaries(trimmed).size(), 1U);
+}
+
 }  // namespace
 }  // namespace flytri::meshing

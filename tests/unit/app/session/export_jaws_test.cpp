@@ -247,8 +247,8 @@ TEST_F(ExportJaws, TheCommandLineWritesTheSameBytes) {
   ASSERT_TRUE(access);
   const auto done = cli::export_jaws(wanted, *access, {});
   ASSERT_TRUE(done) << done.error().message;
-  // Not smith-bite.ply: the bite made here has points that coincide, and they may be joined or not.
-  for (const char* const name : {"smith.glb", "smith-upper.ply", "smith-lower.ply"}) {
+  for (const char* const name :
+       {"smith.glb", "smith-upper.ply", "smith-lower.ply", "smith-bite.ply"}) {
     EXPECT_TRUE(io::read_file(folder_ / name).value() ==
                 io::read_file(folder_ / "cli" / name).value())
         << name;
