@@ -78,8 +78,7 @@ struct ShownScan {
   std::vector<io::StoredMargin> margins = {};  ///< of its finished model; written beside it
 };
 
-/// Only their owner may read the files, and enter folders that are created for them. A report that
-/// cannot be made leaves all files as they are.
+/// Files and new folders are for their owner only. If a report cannot be made, no file is written.
 /// @param texts  for messages
 /// @param written  gets the models and reports that were written, also before a failure
 /// @errors  As export_stem, write_model and report_file; kInsufficient: nothing to write, or the

@@ -111,6 +111,16 @@ double area_mm2(const TriangleMesh& mesh) {
   return area;
 }
 
+/// Keeps the triangles with three vertices that stay.
+template <typename Stays>
+void keep_between(TriangleMesh& mesh, const Stays& stays) {
+  std::vector<char> keep;
+  keep.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+    keep.push_back(stays(t[0]) && stays(t[1]) && stays(t[2]) ? 1 : 0);
+  keep_triangles(mesh, keep);
+}
+
 /// The vertices along rims; pinholes have none.
 std::vector<char> rim_vertices(const TriangleMesh& mesh, float strip_mm) {
   std::vector<char> is_rim(mesh.vertices.size(), 0);
@@ -121,7 +131,7 @@ std::vector<char> rim_vertices(const TriangleMesh& mesh, float strip_mm) {
   return is_rim;
 }
 
-/// Marks what lines of both patterns measured within a distance, and what measured it is not known.
+/// Marks vertices that have lines of both patterns within a distance, or of which it is not known.
 std::vector<char> crossed_vertices(const TriangleMesh& mesh, const Neighborhood& around,
                                    float reach_mm) {
   std::vector<char> is_crossed(mesh.vertices.size(), 1);
@@ -159,11 +169,7 @@ void drop_uncrossed_rims(TriangleMesh& mesh, float strip_mm) {
     front.pop_back();
     for (const std::uint32_t next : around.of(v)) visit(next);
   }
-  std::vector<char> keep;
-  keep.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
-    keep.push_back((is_dropped[t[0]] | is_dropped[t[1]] | is_dropped[t[2]]) == 0 ? 1 : 0);
-  keep_triangles(mesh, keep);
+  keep_between(mesh, [&](std::uint32_t v) { return is_dropped[v] == 0; });
   repair_manifold(mesh);
 }
 
@@ -177,12 +183,7 @@ void open_by_disk(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
   for (std::size_t v = 0; v < is_core.size(); ++v) is_core[v] = from_rim[v] == kFar ? 1 : 0;
   const std::vector<float> from_core =
       distances_mm(mesh, around, is_core, radius_mm + kBackReachSpacings * spacing_mm);
-  std::vector<char> keep;
-  keep.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    keep.push_back(from_core[t[0]] < kFar && from_core[t[1]] < kFar && from_core[t[2]] < kFar);
-  }
-  keep_triangles(mesh, keep);
+  keep_between(mesh, [&](std::uint32_t v) { return from_core[v] < kFar; });
 }
 
 /// Moves each vertex of a rim by a share of the way to the middle of its neighbors on the rim,

@@ -5,12 +5,12 @@
 
 namespace flytri::meshing {
 
-/// Where the scan runs out, single lines end one beside the other: nothing crosses and confirms
-/// them. From the rims inwards, this drops what lines of one pattern alone measured
-/// (SurfacePoint::patterns), then strips of surface that are narrower than a width, and pieces that
-/// are hardly larger. At last it smooths the rims along the surface. A scan of a moment, of which
-/// less than half would be left, stays as it is. Holes smaller across than the width do not count
-/// as rims, so that pinholes cost nothing around them.
+/// At its rims a scan ends in single lines, which no other line confirms. In this order:
+/// - from the rims inwards, drops what only one pattern measured (SurfacePoint::patterns);
+/// - drops strips that are narrower than a width, and small pieces;
+/// - smooths the rims along the surface.
+/// If less than half would be left, as of a very short scan, the mesh stays as it is. Holes smaller
+/// than the width are no rims: nothing around pinholes is lost.
 /// @param mesh        an oriented manifold, and stays one
 /// @param strip_mm    > 0
 /// @param spacing_mm  > 0, of the vertices: a rim moves by at most half of it

@@ -34,11 +34,11 @@ struct JawPlaces {
   [[nodiscard]] Isometry& of(io::ScanStage stage) { return T_patient_world[index_of(stage)]; }
 };
 
-/// Jaws that are closed share one occlusal plane. One that the user has set counts before one that
-/// was found; of two of the same kind, that of the upper jaw counts.
-/// Other scans of a jaw, as before a preparation, lie on that jaw.
+/// Closed jaws share one occlusal plane: one that the user has set, else one that was found. If
+/// both jaws have one, that of the upper jaw. Pre-op and scan body are placed on their jaw.
 /// @param jaws  at most one for each stage
-/// @errors  As occlusion::find_occlusion and place_on_jaw. kInconsistent: a set plane does not fit.
+/// @errors  As occlusion::find_occlusion and place_on_jaw; kInconsistent: the plane that the user
+///          has set does not fit.
 [[nodiscard]] Result<JawPlaces> place_jaws(std::span<const FinishedJaw> jaws,
                                            const Workers& workers, const Progress& progress);
 

@@ -62,8 +62,8 @@ class LengthJudge {
   double inflation_ = 1.0;
 };
 
-/// The fit makes residuals smaller than the errors, most where it has few data. Data of one profile
-/// in one cell share noise, so they count as fewer.
+/// Residuals are smaller than the errors, above all where there are few data. Data of one profile
+/// in one cell share their noise: they count as fewer.
 void LengthJudge::find_inflation(const FittedSurfaces& surfaces) {
   double count = 0.0, squares = 0.0, squares_of_sums = 0.0;
   double parameters = 6.0 * static_cast<double>(poses_.size());

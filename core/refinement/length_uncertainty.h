@@ -33,8 +33,8 @@ struct LengthUncertaintyOptions {
 /// ends, or nothing connects them.
 ///
 /// Errors of the poses add up from one end to the other, as the normal equations of all poses say.
-/// Their size comes from how residuals differ between cubes of space, so noise that neighbors share
-/// counts in full. An error of the calibration leaves no residual: it is not included.
+/// Their size is estimated from the residuals of whole cubes of space: neighbors may share noise.
+/// Errors of the calibration are not included: they leave no residuals.
 ///
 /// @param views  with refined poses
 /// @param progress  advanced by one step

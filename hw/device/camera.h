@@ -23,8 +23,8 @@
 
 namespace flytri::device {
 
-/// Pixel format that the camera sends. kGrey10 and kGrey12 use the low bits of 16-bit numbers. The
-/// Bayer formats name the first two pixels of the first two rows.
+/// Pixel format of the images. kGrey10 and kGrey12 use the low bits of 16-bit numbers. Bayer
+/// formats are named after the first two pixels of the first two rows.
 enum class PixelFormat {
   kGrey8,
   kGrey10,

@@ -19,7 +19,7 @@ struct Neutral {
   const char* feature;
   double value;
 };
-/// @source  EMVA, "GenICam Standard Features Naming Convention" (SFNC) 2.7; switches have 0 and 1.
+/// @source  EMVA, "GenICam Standard Features Naming Convention" (SFNC) 2.7. Switches: 0 or 1.
 constexpr std::array kNeutral = {Neutral{"GammaEnable", 0.0},     Neutral{"Gamma", 1.0},
                                  Neutral{"SharpnessEnable", 0.0}, Neutral{"LUTEnable", 0.0},
                                  Neutral{"NoiseReduction", 0.0},  Neutral{"Sharpness", 0.0}};

@@ -18,8 +18,8 @@ struct MetricCorrection {
   [[nodiscard]] Eigen::Matrix3d matrix() const;
 };
 
-/// Exact: the polynomials of a calibration keep their degree. The volume and the areas of the lines
-/// stay.
+/// Corrects the polynomials, which keep their degree, exactly. The measurement volume and the areas
+/// of the lines stay as they are.
 [[nodiscard]] Calibration corrected(const Calibration& calibration,
                                     const MetricCorrection& correction);
 

@@ -5,8 +5,8 @@
 namespace flytri::calibration {
 namespace {
 
-/// All poses share them: lateral and depth scale, shear of x and y, and the depth of vertical minus
-/// horizontal lines, since a bumped projector changes that.
+/// The same for all poses: two scales (lateral, depth), two shears, and the depth between vertical
+/// and horizontal lines. A bumped projector changes the last.
 constexpr Eigen::Index kMetricUnknowns = 5;
 
 /// The map is linear in its numbers; the spheres are found anew after each step.

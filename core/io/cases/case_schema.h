@@ -40,9 +40,9 @@ inline constexpr std::array kCaseTables = {
 
 inline constexpr int kCasePageBytes = 8192;
 
-/// Version 1 had no journal: it gets one when it is opened to be written. Version 2 has three
-/// stages. The first record of another stage makes it version 3, which older programs refuse: they
-/// would lose that stage in a copy.
+/// Version 1: no journal; it gets one when it is opened for writing. Version 2: three stages.
+/// Version 3: more stages; a case becomes one with the first record of such a stage. Older programs
+/// would lose it in a copy, so they refuse version 3.
 inline constexpr std::int64_t kWithoutJournal = 1, kThreeStages = 2, kCaseVersion = 3;
 
 /// An open database with the tables of a case.

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <thread>
 
 #include "app/session/session.h"
 #include "app/session/user_folders.h"
@@ -17,11 +15,10 @@
 #include "core/review/measure.h"
 #include "tests/support/fake_jaw.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/app/session/session_fixture.h"
 
 namespace flytri::session {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A case with the simulated sensor's calibration and a finished upper jaw, one molar of which is
 /// prepared for a crown.
@@ -56,14 +53,6 @@ class SessionReview : public ::testing::Test {
     ASSERT_TRUE(file->commit());
   }
 
-  template <typename Condition>
-  static bool wait_for(Session& session, const Condition& holds) {
-    for (const double end_s = session.now_s() + 30.0; session.now_s() < end_s;) {
-      if (holds(session.view())) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return false;
-  }
   [[nodiscard]] bool open(Session& session) const {
     session.carry_out(ui::OpenCase{path(), {}});
     return wait_for(session, [](const ui::AppView& view) {

@@ -6,57 +6,22 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cstdlib>
-#include <optional>
 #include <regex>
-#include <thread>
 
 #include "app/report/case_facts.h"
 #include "app/report/report_page.h"
 #include "app/session/user_folders.h"
-#include "assets/sample_jaw/sample_jaw.h"
-#include "core/calibration/fit/calibrate.h"
 #include "core/io/calibrations/calibration_file.h"
-#include "core/io/calibrations/calibration_json.h"
-#include "core/io/calibrations/calibration_set_file.h"
-#include "core/io/calibrations/recording_calibration.h"
 #include "core/io/cases/case_journal.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/model.h"
-#include "core/io/recordings/recording.h"
-#include "core/measurement/measure_view.h"
-#include "core/reconstruct/same_jaw.h"
 #include "tests/support/case_samples.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/memory_scan.h"
-#include "tests/support/places.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/unit/app/session/session_fixture.h"
 
 namespace flytri::session {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Waits until the condition holds; false after a minute.
-template <typename Condition>
-bool wait_for(Session& session, const Condition& holds) {
-  for (const double end_s = session.now_s() + 60.0; session.now_s() < end_s;) {
-    if (holds(session.view())) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return false;
-}
-
-std::int64_t registered(const ui::AppView& view) {
-  return view.scan == nullptr ? 0 : view.scan->counts.registered;
-}
-
-bool warns_of_other_calibration(const ui::AppView& view) {
-  return std::any_of(view.notices.begin(), view.notices.end(), [](const ui::Notice& notice) {
-    return notice.text.find("another calibration") != std::string::npos;
-  });
-}
 
 std::vector<io::CaseAction> actions_in(io::CaseFile& file) {
   std::vector<io::CaseAction> actions;
@@ -69,36 +34,6 @@ std::vector<io::CaseAction> actions_in(io::CaseFile& file) {
 std::string without_time(const std::string& page) {
   return std::regex_replace(page, std::regex("Report of</th><td>[^<]*"), "Report of</th><td>");
 }
-
-class SessionOnARecording : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    const auto set = io::read_calibration_set(testing::shared_data() / "calibration-intraoral");
-    if (set) calibration_ = calibration::calibrate(*set, {}, Workers(), Progress()).value();
-  }
-
-  void SetUp() override {
-    if (!fs::exists(testing::shared_data())) {
-      GTEST_SKIP() << "no recording in " << testing::shared_data().string();
-    }
-    setenv("XDG_DATA_HOME", folder_.path().c_str(), 1);
-    setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
-    setenv("XDG_STATE_HOME", folder_.path().c_str(), 1);
-    options_.unnamed_folder = unnamed_cases_folder();
-    ASSERT_TRUE(calibration_);
-    ASSERT_TRUE(io::write_calibration(folder_.path() / "calibration.json", *calibration_));
-    options_.scan.background = TaskThread::Priority::kNormal;
-    options_.source.name = kRecordingSource;
-    options_.source.path = testing::shared_data() / "recording-quadrant";
-    options_.source.calibration = folder_.path() / "calibration.json";
-  }
-
-  TemporaryFolder folder_;
-  SessionOptions options_;
-
- private:
-  static inline std::optional<calibration::Calibration> calibration_;
-};
 
 TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
   const std::string path = (folder_.path() / "cases" / "smith.flytri").string();
@@ -359,165 +294,6 @@ TEST_F(SessionOnARecording, ADamagedCaseIsShownAndRescued) {
   EXPECT_EQ(io::read_file(path).value(), before) << "the damaged case stays as it is";
 }
 
-TEST_F(SessionOnARecording, AClearedStageIsScannedAgainAndItsScanComesBack) {
-  const std::string path = (folder_.path() / "cases" / "again.flytri").string();
-  const auto is_empty = [](const auto& view) {
-    return view.scan != nullptr && view.scan->model.empty() && view.has_kept_scan &&
-           !view.is_loading;
-  };
-  const auto has_surface = [](const auto& view) {
-    return view.scan != nullptr && !view.scan->model.empty() && !view.is_loading;
-  };
-  {
-    Session session(options_);
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
-    session.carry_out(ui::NewCase{path, {}, {}});
-    session.carry_out(ui::StartScan{});
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
-    session.carry_out(ui::PauseScan{});
-    session.carry_out(ui::AddMeasurement{{0, Vec3(0, 0, 0), Vec3(1, 0, 0), ""}});
-    session.carry_out(ui::ClearStage{io::ScanStage::kLower});
-    EXPECT_FALSE(session.view().is_loading) << "another stage";
-    session.carry_out(ui::ClearStage{io::ScanStage::kUpper});
-    ASSERT_TRUE(wait_for(session, is_empty));
-    EXPECT_TRUE(session.view().measurements.empty());
-    EXPECT_FALSE(session.view().stage_has_data[0]);
-  }
-  Session session(options_);
-  session.carry_out(ui::OpenCase{path, {}});
-  ASSERT_TRUE(wait_for(session, is_empty));
-  session.carry_out(ui::BringBackStage{});
-  ASSERT_TRUE(wait_for(session, has_surface));
-  EXPECT_EQ(session.view().measurements.size(), 1U);
-  EXPECT_FALSE(session.view().has_kept_scan);
-  // A new scan in the cleared stage is another one, and both can be swapped.
-  session.carry_out(ui::ClearStage{io::ScanStage::kUpper});
-  ASSERT_TRUE(wait_for(session, is_empty));
-  session.carry_out(ui::StartScan{});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 10; }));
-  session.carry_out(ui::PauseScan{});
-  session.carry_out(ui::BringBackStage{});
-  ASSERT_TRUE(wait_for(session, [&](const auto& view) {
-    return has_surface(view) && view.measurements.size() == 1;
-  }));
-  EXPECT_TRUE(session.view().has_kept_scan);
-}
-
-/// A copy of the upper jaw is trimmed, scanned on and finished; the jaw itself stays.
-TEST_F(SessionOnARecording, AStageStartsAsACopyOfItsJaw) {
-  const std::string path = (folder_.path() / "cases" / "implant.flytri").string();
-  constexpr io::ScanStage kUpper = io::ScanStage::kUpper, kCopy = io::ScanStage::kUpperScanBody;
-  const auto shows = [](const ui::AppView& view, io::ScanStage stage) {
-    return view.stage == stage && !view.is_loading && view.scan && !view.scan->model.empty();
-  };
-  const auto points = [](const ui::AppView& view) { return surfel_count(view.scan->model); };
-  std::int64_t scanned = 0;
-  std::size_t whole = 0, cut = 0;
-  {
-    Session session(options_);
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
-    session.carry_out(ui::NewCase{path, {}, {}});
-    session.carry_out(ui::StartScan{});
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 90; }));
-    session.carry_out(ui::PauseScan{});
-    session.scan()->wait_until_idle();
-    scanned = session.view().scan->view_count();
-    session.carry_out(ui::CopyStage{io::ScanStage::kLowerScanBody});
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return !view.is_loading; }));
-    EXPECT_EQ(session.view().notices.back().severity, ui::Severity::kError) << "another jaw";
-    session.carry_out(ui::CopyStage{kCopy});
-    ASSERT_TRUE(wait_for(session, [&](const auto& view) { return shows(view, kCopy); }));
-    session.scan()->wait_until_idle();
-    EXPECT_EQ(session.view().scan->view_count(), scanned);
-    EXPECT_TRUE(session.view().stage_has_data[index_of(kUpper)]);
-
-    // Cut out a place, take that back, and cut it out again.
-    whole = points(session.view());
-    const scan::ScanSnapshot before = *session.view().scan;
-    const Surfel middle = before.model[before.model.size() / 2]->surfels.front();
-    session.carry_out(
-        ui::EditSurface{editing::EditKind::kTrim, {{middle.position_mm, middle.normal, 3.0F}}});
-    ASSERT_TRUE(wait_for(session, [&](const auto& view) { return points(view) < whole; }));
-    session.scan()->wait_until_idle();
-    cut = points(session.view());
-    session.carry_out(ui::Undo{});
-    EXPECT_TRUE(wait_for(session, [&](const auto& view) { return points(view) == whole; }));
-    session.carry_out(ui::Redo{});
-    EXPECT_TRUE(wait_for(session, [&](const auto& view) { return points(view) == cut; }));
-  }
-  // The case is opened again, and the copy scanned on.
-  TriangleMesh jaw, copy;
-  {
-    Session session(options_);
-    session.carry_out(ui::OpenCase{path, {}});
-    ASSERT_TRUE(wait_for(session, [&](const auto& view) { return shows(view, kUpper); }));
-    EXPECT_TRUE(session.view().stage_has_data[index_of(kCopy)]);
-    session.carry_out(ui::SelectStage{kCopy});
-    ASSERT_TRUE(wait_for(session, [&](const auto& view) { return shows(view, kCopy); }));
-    EXPECT_TRUE(session.view().scan->can_undo) << "what was cut out is still cut out";
-    session.carry_out(ui::StartScan{});
-    ASSERT_TRUE(wait_for(session,
-                         [&](const auto& view) { return view.scan->view_count() > scanned + 20; }));
-    session.carry_out(ui::PauseScan{});
-    const auto finish = [&] {
-      session.carry_out(ui::Finish{});
-      return wait_for(session, [](const auto& view) { return view.scan->result != nullptr; });
-    };
-    ASSERT_TRUE(finish());
-    copy = session.view().scan->result->surface.mesh;
-    session.carry_out(ui::SelectStage{kUpper});
-    ASSERT_TRUE(wait_for(session, [&](const auto& view) { return shows(view, kUpper); }));
-    EXPECT_EQ(session.view().scan->view_count(), scanned) << "the jaw stays as it is";
-    EXPECT_FALSE(session.view().scan->can_undo);
-    ASSERT_TRUE(finish());
-    jaw = session.view().scan->result->surface.mesh;
-  }
-  auto stored = io::CaseFile::open(path, {.passphrase = {}, .read_only = true}).value();
-  EXPECT_TRUE(stored.counts(kUpper)->has_result);
-  EXPECT_TRUE(stored.counts(kCopy)->has_result);
-  EXPECT_GT(stored.counts(kCopy)->views, stored.counts(kUpper)->views + 20);
-
-  // Both lie in one frame, but for micrometers.
-  const auto T_jaw_copy = reconstruct::place_on_jaw({"jaw", &jaw}, {"copy", &copy}, Workers());
-  ASSERT_TRUE(T_jaw_copy) << T_jaw_copy.error().message;
-  double farthest_mm = 0.0;
-  for (const SurfacePoint& vertex : copy.vertices) {
-    const Vec3 p_mm = vertex.position_mm.cast<double>();
-    farthest_mm = std::max(farthest_mm, (*T_jaw_copy * p_mm - p_mm).norm());
-  }
-  RecordProperty("frame_differs_um", std::to_string(1e3 * farthest_mm));
-  EXPECT_LT(farthest_mm, 0.05);
-}
-
-/// The jaw before a preparation is kept, with its model; the jaw goes on.
-TEST_F(SessionOnARecording, KeepsAFinishedJawAsPreop) {
-  const std::string path = (folder_.path() / "cases" / "crown.flytri").string();
-  constexpr io::ScanStage kPreop = io::ScanStage::kUpperPreop;
-  Session session(options_);
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
-  session.carry_out(ui::NewCase{path, {}, {}});
-  session.carry_out(ui::StartScan{});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
-  session.carry_out(ui::Finish{});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan->result != nullptr; }));
-  const std::size_t triangles = session.view().scan->result->surface.mesh.triangles.size();
-  session.carry_out(ui::CopyStage{kPreop});
-  ASSERT_TRUE(wait_for(session, [&](const auto& view) {
-    return !view.is_loading && view.stage_is_finished[index_of(kPreop)];
-  }));
-  EXPECT_EQ(session.view().stage, io::ScanStage::kUpper);
-  EXPECT_NE(session.view().scan->result, nullptr) << "the jaw is still finished";
-  EXPECT_NE(session.view().notices.back().text.find("Kept as pre-op"), std::string::npos);
-  session.carry_out(ui::SelectStage{kPreop});
-  ASSERT_TRUE(wait_for(session, [&](const auto& view) {
-    return view.stage == kPreop && !view.is_loading && view.scan && view.scan->result;
-  }));
-  EXPECT_EQ(session.view().scan->result->surface.mesh.triangles.size(), triangles);
-  session.carry_out(ui::CopyStage{io::ScanStage::kUpper});
-  EXPECT_TRUE(wait_for(session, [](const auto& view) { return !view.is_loading; }));
-  EXPECT_NE(session.view().notices.back().text.find("stage upper is not empty"), std::string::npos);
-}
-
 TEST_F(SessionOnARecording, KeepsScanningIfANewCaseCannotBeCreated) {
   Session session(options_);
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
@@ -618,153 +394,5 @@ TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
 }
 
 /// A session with the virtual sensor, on the sample jaw turned over.
-class SessionOnAMesh : public SessionOnARecording {};
-
-TEST_F(SessionOnAMesh, FindsTheTeethOfAJawThatIsUpsideDownAndPointsTheHandAfterALoss) {
-  sample_jaw::SampleJawOptions coarse;
-  coarse.tooth_cell_mm = 0.4;
-  coarse.gum_cell_mm = 0.6;
-  TexturedMesh jaw{sample_jaw::make_sample_jaw(coarse, Workers()).value(), {}, {}};
-  for (SurfacePoint& vertex : jaw.mesh.vertices) {
-    vertex.position_mm.tail<2>() *= -1.0F;
-    vertex.normal.tail<2>() *= -1.0F;
-  }
-  const fs::path mesh = folder_.path() / "turned.ply";
-  ASSERT_TRUE(io::write_model(mesh, jaw));
-  options_.source = {};
-  options_.source.object.mesh = mesh;
-  Session session(options_);
-  session.carry_out(ui::StartScan{});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 40; }));
-  const auto tracked = session.view();
-  const Isometry T_world_sensor = *tracked.scan->T_world_sensor;
-  EXPECT_TRUE(std::any_of(tracked.notices.begin(), tracked.notices.end(), [](const auto& notice) {
-    return notice.text.find("its teeth point along") != std::string::npos;
-  }));
-  session.carry_out(ui::TakeSensorAway{true});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) {
-    return view.scan->phase == scan::ScanPhase::kContinuation;
-  }));
-  // The hand has moved away; the place that is pointed at is the one that was scanned.
-  const std::int64_t before = registered(session.view());
-  ASSERT_TRUE(wait_for(session, [&](const auto& view) {
-    const Vec3 sight = T_world_sensor.linear().col(2);
-    session.carry_out(ui::PointHand{T_world_sensor.translation() - 50.0 * sight, sight});
-    return registered(view) > before + 5;
-  }));
-  EXPECT_EQ(session.view().scan->phase, scan::ScanPhase::kMeasurement);
-}
-
-TEST_F(SessionOnAMesh, ACheckOfTheCalibrationIsNotedForReports) {
-  setenv("XDG_CACHE_HOME", (folder_.path() / "cache").c_str(), 1);
-  options_.source = {};
-  Session session(options_);
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
-  unsetenv("XDG_CACHE_HOME");
-  const std::string path = (folder_.path() / "checked.flytri").string();
-  session.carry_out(ui::NewCase{path, {}, {}});
-  const auto check = [&] {
-    session.carry_out(ui::BeginCalibration{ui::CalibrationTask::kCheckOnPlane, {}, 0.0});
-    const bool is_done = wait_for(session, [&](const ui::AppView& view) {
-      if (!view.calibration->running) return false;
-      if (view.calibration->running->step == ui::CalibrationStep::kTarget)
-        session.carry_out(ui::TakeCalibrationImages{});
-      return view.calibration->running->step == ui::CalibrationStep::kDone;
-    });
-    EXPECT_TRUE(is_done);
-    session.carry_out(ui::EndCalibration{});
-    EXPECT_TRUE(
-        wait_for(session, [](const ui::AppView& view) { return !view.calibration->running; }));
-  };
-  const auto is_told = [&](const std::string& words) {
-    return wait_for(session, [&](const ui::AppView& view) {
-      return std::any_of(view.notices.begin(), view.notices.end(), [&](const ui::Notice& notice) {
-        return notice.text.find(words) != std::string::npos;
-      });
-    });
-  };
-  check();
-  EXPECT_TRUE(is_told("The check is noted in"));
-  const fs::path file = session.source().calibration_file;
-  const auto noted = io::read_calibration(file).value().history;
-  EXPECT_FALSE(noted.checked_at.empty());
-  EXPECT_TRUE(noted.has_passed);
-  EXPECT_EQ(session.source().calibration->history.checked_at, noted.checked_at);
-  EXPECT_FALSE(warns_of_other_calibration(session.view()));
-}
-
-TEST_F(SessionOnAMesh, RecordsRawImagesWithTheirCalibration) {
-  options_.source = {};
-  const fs::path recordings = folder_.path() / "recordings";
-  Session session(options_);
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
-  EXPECT_TRUE(session.view().recording.is_possible);
-  session.carry_out(ui::RecordFrames{true, recordings.string()});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.recording.frames > 40; }));
-  const ui::RecordingState shown = session.view().recording;
-  EXPECT_TRUE(shown.is_on);
-  EXPECT_GT(shown.bytes, 0U);
-  EXPECT_TRUE(shown.free_bytes);
-  EXPECT_EQ(fs::path(shown.path).parent_path(), recordings);
-  session.carry_out(ui::RecordFrames{false, recordings.string()});
-  // The list of frames is written now and then, and at the end.
-  ASSERT_TRUE(wait_for(session, [&](const auto&) {
-    const auto written = io::open_recording(shown.path);
-    return written && written->frames.size() > 40;
-  }));
-  const io::Recording recording = io::open_recording(shown.path).value();
-  const auto used = io::calibration_of(recording, {});
-  ASSERT_TRUE(used) << used.error().message;
-  EXPECT_EQ(used->warning, "");
-  int measured = 0;
-  for (std::size_t i = 10; i < 40; ++i) {
-    const Frame frame = io::load_frame(recording, FrameIndex(i)).value();
-    if (frame.kind == FrameKind::kTexture) continue;
-    const auto view = measurement::measure_view(frame, used->calibration, {});
-    measured += view && view->outcome == measurement::MeasureOutcome::kMeasured ? 1 : 0;
-  }
-  EXPECT_GT(measured, 10);
-}
-
-TEST_F(SessionOnARecording, ARecordingIsNotRecorded) {
-  Session session(options_);
-  EXPECT_FALSE(session.view().recording.is_possible);
-}
-
-TEST_F(SessionOnARecording, NamesAllDevicesThatAreMissing) {
-  const fs::path rig = folder_.path() / "rig.json";
-  ASSERT_TRUE(io::write_file(rig, R"({
-    "format": "flytri.rig", "version": 1, "name": "chair 2",
-    "measurement_camera": {"match": {"serial": "no-such-mono"}, "format": "Y12",
-                           "size_px": [1024, 768], "rate_hz": 30},
-    "texture_camera": {"match": {"serial": "no-such-color"}, "format": "MJPG",
-                       "size_px": [1280, 960], "rate_hz": 25},
-    "lights": {"chip": {"label": "no-such-chip"}, "vertical": {"line": 0},
-               "horizontal": {"line": 1}, "flash": {"line": 2}},
-    "calibration": "calibration.json"})"));
-  options_.source = {};
-  options_.source.name = kRigSource;
-  options_.source.path = rig;
-  Session session(options_);
-  const auto names = [](const ui::AppView& view, const char* device) {
-    return std::any_of(
-        view.devices->problems.begin(), view.devices->problems.end(),
-        [&](const std::string& text) { return text.find(device) != std::string::npos; });
-  };
-  EXPECT_TRUE(wait_for(session, [&](const ui::AppView& view) {
-    return view.source.is_lost && names(view, "no-such-mono") && names(view, "no-such-color") &&
-           names(view, "no-such-chip");
-  })) << session.view().source.message;
-}
-
-TEST_F(SessionOnARecording, SaysWhyASourceCannotBeOpened) {
-  options_.source.name = kRecordingSource;
-  options_.source.path = folder_.path() / "nothing";
-  Session session(options_);
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.is_lost; }));
-  EXPECT_NE(session.view().source.message.find("nothing"), std::string::npos);
-  EXPECT_FALSE(session.view().notices.empty());
-}
-
 }  // namespace
 }  // namespace flytri::session
