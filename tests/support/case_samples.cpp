@@ -1,6 +1,8 @@
 #include "tests/support/case_samples.h"
 
 #include <sqlcipher/sqlite3.h>
+#include <array>
+#include <memory>
 
 #include <cmath>
 #include <cstring>
@@ -120,6 +122,20 @@ bool same_bits(const Frame& a, const Frame& b) {
   return a.index == b.index && a.kind == b.kind && same_bits_of(a.time_s, b.time_s) &&
          p.size() == q.size() && p.type() == q.type() && p.isContinuous() && q.isContinuous() &&
          std::memcmp(p.data, q.data, p.total() * p.elemSize()) == 0;
+}
+
+Result<void> append_registered_views(io::CaseFile& file, io::ScanStage stage, int first,
+                                     int count) {
+  for (int i = first; i < first + count; ++i) {
+    const auto view = std::make_shared<const View>(sample_view(i, 2, 20));
+    if (auto done = file.append_view(stage, *view); !done) return done;
+    const std::array placed = {AlignedView{view, sample_pose(i)}};
+    if (auto done = file.write_poses(stage, placed); !done) return done;
+    const std::array frames = {
+        io::StoredFrame{FrameIndex(i), i / 30.0, FrameKind::kVertical, "registered", ""}};
+    if (auto done = file.write_frames(stage, frames); !done) return done;
+  }
+  return {};
 }
 
 io::StoredMargin sample_margin(int points) {

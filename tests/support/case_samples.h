@@ -23,6 +23,10 @@ namespace flytri::testing {
 /// A stroke of three dabs.
 [[nodiscard]] editing::Edit sample_edit(int number);
 
+/// Appends sample views, each with a pose and the frame that it is of.
+[[nodiscard]] Result<void> append_registered_views(io::CaseFile& file, io::ScanStage stage,
+                                                   int first, int count);
+
 /// A closed line of `points` points with three clicks; the second point has no known uncertainty.
 [[nodiscard]] io::StoredMargin sample_margin(int points = 12);
 

@@ -33,15 +33,7 @@ OcclusalPoints plane_of(int first) { return {Vec3(first, 1, 2), Vec3(3, 4, 5), V
 
 /// A scan of some views, with a texture frame, an edit, a distance and a model named after it.
 void scan(CaseFile& file, int first, int count, const std::string& name) {
-  for (int i = first; i < first + count; ++i) {
-    const auto view = std::make_shared<const View>(sample_view(i, 2, 20));
-    ASSERT_TRUE(file.append_view(kClearedStage, *view));
-    const std::array placed = {AlignedView{view, sample_pose(i)}};
-    ASSERT_TRUE(file.write_poses(kClearedStage, placed));
-    const std::array frames = {
-        StoredFrame{FrameIndex(i), i / 30.0, FrameKind::kVertical, "registered", ""}};
-    ASSERT_TRUE(file.write_frames(kClearedStage, frames));
-  }
+  ASSERT_TRUE(testing::append_registered_views(file, kClearedStage, first, count));
   ASSERT_TRUE(file.append_texture(kClearedStage, sample_texture(first + count)));
   editing::EditStack edits;
   edits.push(sample_edit(first));

@@ -32,15 +32,7 @@ constexpr int kCopiedViews = 6;
 /// Views with poses and fates, a texture frame, an edit that applies and one that was undone, a
 /// distance and a model.
 void scan(CaseFile& file, ScanStage stage, int first) {
-  for (int i = first; i < first + kCopiedViews; ++i) {
-    const auto view = std::make_shared<const View>(sample_view(i, 2, 20));
-    ASSERT_TRUE(file.append_view(stage, *view));
-    const std::array placed = {AlignedView{view, sample_pose(i)}};
-    ASSERT_TRUE(file.write_poses(stage, placed));
-    const std::array frames = {
-        StoredFrame{FrameIndex(i), i / 30.0, FrameKind::kVertical, "registered", ""}};
-    ASSERT_TRUE(file.write_frames(stage, frames));
-  }
+  ASSERT_TRUE(testing::append_registered_views(file, stage, first, kCopiedViews));
   ASSERT_TRUE(file.append_texture(stage, sample_texture(first + kCopiedViews)));
   editing::EditStack edits;
   edits.push(sample_edit(first));
