@@ -274,7 +274,7 @@ void draw_note(const PanelContext& context, Rect box, const Note& note) {
 float extra_height(const PanelContext& context, const Note& note) {
   const float width = context.px(kExportWidth - 2.0F * kGapL - 20.0F - kGapS);
   const float needed = wrapped_height(context.theme.fonts.small, width, note.text);
-  return std::max(needed / context.px(1.0F) - kNote, 0.0F);
+  return std::max(needed / context.theme.scale - kNote, 0.0F);
 }
 
 /// Of the density, of each format and of the report.
@@ -283,8 +283,8 @@ float row_count() { return static_cast<float>(io::model_formats().size() + 2); }
 /// The height of a row, in units: less in a low window.
 /// @param others  height of the rest of the dialog, in units
 float export_row(const PanelContext& context, float others) {
-  constexpr float kLeast = 36.0F;
-  const float room = context.layout.window.height / context.px(1.0F) - 2.0F * kGapL - others;
+  constexpr float kLeast = 34.0F;
+  const float room = context.layout.window.height / context.theme.scale - 2.0F * kGapL - others;
   return std::clamp(std::floor(room / row_count() - kGapS), kLeast, kFormatRow);
 }
 

@@ -16,11 +16,10 @@ constexpr float kKey = 84.0F;
 /// Room for the longest name, and for the longest state.
 constexpr float kName = 136.0F, kStateWidth = 124.0F;
 constexpr std::size_t kPointerRows = 5;
-/// The columns are about equally long; what the pointer does follows in the second.
-constexpr std::array kFirstColumn = {ActionGroup::kScanning, ActionGroup::kEditing,
-                                     ActionGroup::kCalibrating};
-constexpr std::array kSecondColumn = {ActionGroup::kLooking};
-constexpr std::array kThirdColumn = {ActionGroup::kProgram, ActionGroup::kHand};
+/// The columns are about equally long; what the pointer does stands on top of the third.
+constexpr std::array kFirstColumn = {ActionGroup::kScanning, ActionGroup::kLooking};
+constexpr std::array kSecondColumn = {ActionGroup::kEditing, ActionGroup::kProgram};
+constexpr std::array kThirdColumn = {ActionGroup::kCalibrating, ActionGroup::kHand};
 
 /// The height that a column leaves for each of its rows.
 float row_height(const PanelContext& context, float height, std::span<const ActionGroup> groups,
@@ -39,8 +38,8 @@ float row_height(const PanelContext& context, float height, std::span<const Acti
 /// All rows have the same height, a lower one in a low window.
 float row_height(const PanelContext& context, float height) {
   return std::min({context.px(kHelpRow), row_height(context, height, kFirstColumn, 0),
-                   row_height(context, height, kSecondColumn, kPointerRows),
-                   row_height(context, height, kThirdColumn, 0)});
+                   row_height(context, height, kSecondColumn, 0),
+                   row_height(context, height, kThirdColumn, kPointerRows)});
 }
 
 void draw_row(const PanelContext& context, Rect row, const ActionRow& entry) {
@@ -87,6 +86,7 @@ void draw_pointer(const PanelContext& context, Rect& column, float row_height_px
     font = fitting_font({fonts.body, fonts.small}, row.width, context.text(does));
     draw_text(row, {font, kText}, context.text(does));
   }
+  column.take_top(context.px(kGapS));
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ void draw_help_dialog(const PanelContext& context) {
   const float row = row_height(context, dialog.rest.height);
   for (const ActionGroup group : kFirstColumn) draw_group(context, first, row, group);
   for (const ActionGroup group : kSecondColumn) draw_group(context, second, row, group);
-  draw_pointer(context, second, row);
+  draw_pointer(context, third, row);
   for (const ActionGroup group : kThirdColumn) draw_group(context, third, row, group);
 }
 

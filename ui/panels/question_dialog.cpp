@@ -19,7 +19,7 @@ void draw_question_dialog(const PanelContext& context) {
   const float text =
       wrapped_height(fonts.body, context.px(kQuestionWidth - 2.0F * kGapL), words.text);
   DialogPlate dialog(context, words.title.c_str(),
-                     {kQuestionWidth, kQuestionFrame + text / context.px(1.0F)});
+                     {kQuestionWidth, kQuestionFrame + text / context.theme.scale});
   Rect left = confirm_row(context, dialog, icon::kWarning, words.confirm.c_str());
   const bool offers_kept = question.kind == QuestionKind::kClearStage && context.view.has_kept_scan;
   if (offers_kept) {

@@ -17,7 +17,7 @@
 namespace flytri::ui {
 namespace {
 
-constexpr float kAxisRow = 40.0F, kSliderRow = 32.0F;
+constexpr float kAxisRow = 36.0F, kSliderRow = 32.0F;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 bool axis_button(const PanelContext& context, const Rect& box, const char* id, Text label,
@@ -69,7 +69,7 @@ void draw_depths(const PanelContext& context, Rect& rest) {
   std::array<Color, kSteps> colors;
   for (std::size_t i = 0; i < kSteps; ++i)
     colors[i] = undercut_color(static_cast<double>(i) / (kSteps - 1));
-  const Rect box = rest.take_top(context.px(34.0F), context.px(kGapS));
+  const Rect box = rest.take_top(context.px(34.0F), context.px(kGapXs));
   color_scale(context.theme, box,
               {colors, "0", fmt::format("{:g} mm", kDeepUndercut_mm / 2.0),
                fmt::format("≥ {:g} mm", kDeepUndercut_mm)});

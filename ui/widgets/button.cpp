@@ -5,6 +5,9 @@
 namespace flytri::ui {
 namespace {
 
+/// Beside what stands in a small button; the second where there is little room.
+constexpr float kMargin = 12.0F, kNarrowMargin = 6.0F;
+
 /// What the pointer does with a button.
 struct Touch {
   bool is_clicked = false, is_hovered = false, is_held = false;
@@ -69,7 +72,7 @@ bool large_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
 }
 
 float small_button_width(const Theme& theme, const ButtonLook& look) {
-  float width = 2.0F * theme.px(12.0F);
+  float width = 2.0F * theme.px(kMargin);
   if (look.icon != nullptr) width += text_width(theme.fonts.strong, look.icon);
   if (look.icon != nullptr && !look.label.empty()) width += theme.px(kGapS);
   width += text_width(theme.fonts.strong, look.label);
@@ -80,8 +83,8 @@ float small_button_width(const Theme& theme, const ButtonLook& look) {
 bool small_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
   const Touch touched = draw_face(theme, box, look);
   const Color ink = ink_color(look);
-  const float content =
-      std::min(small_button_width(theme, look), box.width) - 2.0F * theme.px(12.0F);
+  const float content = std::min(small_button_width(theme, look) - 2.0F * theme.px(kMargin),
+                                 box.width - 2.0F * theme.px(kNarrowMargin));
   Rect row = box.centered(content, box.height);
   if (look.icon != nullptr) {
     const float width = text_width(theme.fonts.strong, look.icon);
@@ -94,8 +97,9 @@ bool small_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
     draw_text(row.take_right(width, theme.px(kGapS)), {theme.fonts.small, quiet, Align::kRight},
               look.key);
   }
-  ImFont* font =
-      fitting_font({theme.fonts.strong, theme.fonts.small}, row.width + 1.0F, look.label);
+  // Widths are sums of rounded ones.
+  row.width += 1.0F;
+  ImFont* font = fitting_font({theme.fonts.strong, theme.fonts.small}, row.width, look.label);
   const bool is_small = font != theme.fonts.strong;
   draw_text(row, {font, ink, is_small ? Align::kCenter : Align::kLeft}, look.label);
   return touched.is_clicked;
