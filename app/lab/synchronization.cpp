@@ -23,6 +23,7 @@ constexpr double kPeriod_s = 1.0 / 30.0;
 struct SynchronizationArguments {
   double duration_s = 12.0;
   int latency_count = 7;
+  double largest_latency = 3.0;  // frames
   int thread_count = 0;
 };
 
@@ -36,6 +37,7 @@ struct Case {
   InView in_view = InView::kJaw;
   bool is_16_bit = false;
   bool is_readout_told = false;
+  double later = 0.0;  // frames added to the latency
 };
 
 std::vector<Case> cases(double duration_s) {
@@ -70,6 +72,7 @@ std::vector<Case> cases(double duration_s) {
   add("nothing in view half of the time").in_view = InView::kComesAndGoes;
   add("patterns swapped").trial.lights.faults.is_swapped = true;
   add("no flash").trial.plan.has_flash = false;
+  add("20 frames later, not searched").later = 20.0;
   return all;
 }
 
@@ -126,7 +129,7 @@ void print_head() {
 void print_row(const std::string& name, const std::vector<LabelTrialResult>& results) {
   LabelTrialResult sum;
   double square = 0.0, largest_s = 0.0, in_step_s = 0.0;
-  int late = 0, swapped = 0;
+  int late = 0, swapped = 0, unrelated = 0;
   for (const LabelTrialResult& result : results) {
     sum.whole += result.whole;
     sum.right += result.right;
@@ -140,6 +143,7 @@ void print_row(const std::string& name, const std::vector<LabelTrialResult>& res
     in_step_s = std::max(in_step_s, result.in_step_after_s.value_or(0.0));
     late += result.in_step_after_s ? 0 : 1;
     swapped += result.fault == sync::LightFault::kSwapped ? 1 : 0;
+    unrelated += result.fault == sync::LightFault::kUnrelated ? 1 : 0;
   }
   const auto count = static_cast<double>(results.size());
   fmt::print(
@@ -151,6 +155,7 @@ void print_row(const std::string& name, const std::vector<LabelTrialResult>& res
       in_step_s, 1e3 * std::sqrt(square / count), 1e3 * largest_s);
   if (late > 0) fmt::print("  {} never synchronized", late);
   if (swapped > 0) fmt::print("  {} reported as swapped", swapped);
+  if (unrelated > 0) fmt::print("  {} reported as not following the lights", unrelated);
   fmt::print("\n");
 }
 
@@ -162,9 +167,9 @@ Result<std::vector<LabelTrialResult>> run_case(const Case& row, Images& images,
   const simulated::SimulatedCamera::Scene scene = scene_of(row.in_view, images);
   workers.for_each(count, [&](std::size_t i) {
     LabelTrialOptions options = row.trial;
-    // Latencies from 0 to 3 frames; the exposures start at a different time in each.
+    // The exposures start at a different time in each stream.
     const double share = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.5;
-    options.camera.latency_s = 3.0 * share * kPeriod_s;
+    options.camera.latency_s = (arguments.largest_latency * share + row.later) * kPeriod_s;
     options.camera.phase_s = share * kPeriod_s;
     options.camera.seed = i + 1;
     options.labeler.latency.min_window_s =
@@ -207,17 +212,20 @@ void add_synchronization_study(CLI::App& study, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<SynchronizationArguments>();
   CLI::App* command = study.add_subcommand(
       "synchronization",
-      "Measure how many frames get the right label, with latencies from 0 to 3 frames");
+      "Measure how many frames get the right label, for each latency and each fault of USB");
   command->add_option("--duration", arguments->duration_s, "Length of each stream in seconds")
       ->check(CLI::Range(2.0, 3600.0))
       ->capture_default_str();
   command
       ->add_option("--latencies", arguments->latency_count,
-                   "Streams per row, with latencies from 0 to 3 frames")
+                   "Streams per row, with latencies from 0 to the largest")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  command->add_option("--largest-latency", arguments->largest_latency, "Largest latency in frames")
+      ->check(CLI::Range(0.0, 30.0))
+      ->capture_default_str();
   cli::add_threads_option(*command, arguments->thread_count);
-  command->footer("Example: flytri-lab synchronization --duration 60");
+  command->footer("Example: flytri-lab synchronization --latencies 13 --largest-latency 12");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
   });

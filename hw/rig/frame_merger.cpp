@@ -8,8 +8,6 @@ namespace {
 
 /// Flashes to remember: the planned ones, and those whose frames have not arrived yet.
 constexpr std::size_t kFlashes = 8;
-/// Ratio above which one image of a flash is brighter than another beyond noise.
-constexpr double kBrighter = 1.05;
 
 }  // namespace
 
@@ -28,12 +26,16 @@ void FrameMerger::add_texture(const cv::Mat& image, const sync::FrameLabel& labe
   const bool is_other =
       label.outcome == sync::LabelOutcome::kLabeled && label.light != device::Light::kFlash;
   if (label.evidence.is_flash && !is_other) {
-    if (brightest_ && label.evidence.area <= kBrighter * brightest_area_) return;
-    brightest_area_ = label.evidence.area;
+    // A label by the clock counts more than brightness: a mixture with little of a pattern is
+    // hardly darker.
+    const std::pair rank(label.outcome == sync::LabelOutcome::kLabeled, label.evidence.area);
+    if (brightest_ && rank <= brightest_rank_) return;
+    brightest_rank_ = rank;
+    brightest_has_time_ = label.has_time;
     brightest_ = {{FrameIndex(), FrameKind::kTexture, label.time_s, image}, now_s};
     return;
   }
-  if (brightest_) textures_.push_back(*std::move(brightest_));
+  if (brightest_ && brightest_has_time_) textures_.push_back(*std::move(brightest_));
   brightest_.reset();
   texture_seen_s_ = label.time_s;
 }

@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <optional>
+#include <utility>
 
 #include "core/imaging/frame.h"
 #include "hw/sync/frame_labeler.h"
@@ -29,9 +30,10 @@ class FrameMerger {
   void flash_at(double begin_s);
   /// Adds a frame of the measurement camera with its pattern.
   void add_pattern(Pattern pattern, const cv::Mat& image, double time_s, double now_s);
-  /// Adds any frame of the texture camera. Of the frames that show the same flash, the brightest is
-  /// used: the flash was on during its whole exposure. A frame without flash only shows that the
-  /// flash is over.
+  /// Adds any frame of the texture camera. Of the frames that show the same flash, one with a
+  /// certain label is used, and of several or none of these the brightest: the flash was on during
+  /// its whole exposure. Without a time it is not used: nobody would know from where it was taken.
+  /// A frame without flash only shows that the flash is over.
   void add_texture(const cv::Mat& image, const sync::FrameLabel& label, double now_s);
 
   /// The next frame of the stream, with its index.
@@ -53,8 +55,9 @@ class FrameMerger {
   FrameMergerOptions options_;
   std::deque<double> flashes_s_;  // planned begin of each flash
   std::deque<Waiting> patterns_, textures_;
-  std::optional<Waiting> brightest_;  // brightest frame of the current flash
-  double brightest_area_ = 0.0;
+  std::optional<Waiting> brightest_;        // brightest frame of the current flash
+  std::pair<bool, double> brightest_rank_;  // whether its label is certain, and its brightness
+  bool brightest_has_time_ = false;
   double last_s_;          // time of the last delivered frame
   double texture_seen_s_;  // time of the texture camera's latest frame without flash
   std::int64_t count_ = 0;

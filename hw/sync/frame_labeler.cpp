@@ -8,8 +8,11 @@
 namespace flytri::sync {
 namespace {
 
-// Probability from which swapped patterns are reported to the user.
-constexpr double kSurelySwapped = 0.999;
+// Probability from which the user is told that patterns are swapped, or images do not follow the
+// lights.
+constexpr double kWorthTelling = 0.999;
+// Probability from which a light may have lit a frame at all.
+constexpr double kPossible = 1e-3;
 
 bool is_pattern(device::Light light) {
   return light == device::Light::kVertical || light == device::Light::kHorizontal;
@@ -103,10 +106,22 @@ FrameLabel FrameLabeler::label(const cv::Mat& image, double stamp_s) {
   filter_.learn(history_, steady_s, label.evidence);
   latency_ = filter_.estimate();
   is_learned_ = filter_.is_learned();
-  label.time_s = steady_s - latency_.latency_s;
+  set_time(label, steady_s, prediction);
   watch_.add({light, label.evidence, switchings_});
   count(label.outcome);
   return label;
+}
+
+// The brightest image of a flash shows it alone, so that the flash tells its time before the
+// latency is known: a camera that sees no lines learns it from flashes only.
+void FrameLabeler::set_time(FrameLabel& label, double steady_s,
+                            const LightPrediction& prediction) const {
+  constexpr auto kFlash = at(device::Light::kFlash);
+  const bool has_flash = label.evidence.is_flash && prediction.alone[kFlash] > kPossible;
+  const double latency_s = has_flash ? prediction.latency_s[kFlash] : latency_.latency_s;
+  const double sigma_s = has_flash ? prediction.latency_sigma_s[kFlash] : latency_.latency_sigma_s;
+  label.time_s = steady_s - latency_s;
+  label.has_time = sigma_s < 0.25 * clock_.period_s();
 }
 
 void FrameLabeler::count(LabelOutcome outcome) {
@@ -123,7 +138,8 @@ void FrameLabeler::count(LabelOutcome outcome) {
 }
 
 LightFault FrameLabeler::fault() const {
-  return watch_.fault(is_learned_ && latency_.swapped > kSurelySwapped);
+  return watch_.fault(is_learned_ && latency_.swapped > kWorthTelling,
+                      latency_.unexplained > kWorthTelling);
 }
 
 }  // namespace flytri::sync

@@ -47,6 +47,8 @@ struct FrameLabel {
   LabelOutcome outcome = LabelOutcome::kUnknown;
   device::Light light = device::Light::kDark;  ///< only if labeled
   double time_s = 0.0;  ///< middle of the exposure, on the clock of the switch times
+  /// False: time_s may be off by a frame.
+  bool has_time = true;
   LightEvidence evidence;
 };
 
@@ -92,6 +94,7 @@ class FrameLabeler {
   [[nodiscard]] std::optional<device::Light> expected(const LightPrediction& prediction,
                                                       const LightEvidence& evidence) const;
   [[nodiscard]] LabelOutcome judge(device::Light light, const LightEvidence& evidence) const;
+  void set_time(FrameLabel& label, double steady_s, const LightPrediction& prediction) const;
   void count(LabelOutcome outcome);
 
   LabelerOptions options_;

@@ -23,6 +23,13 @@ constexpr double kNearlyAlone = 0.9;
 // Smallest probability: after a jump of the latency, about twelve images find the new value.
 constexpr double kLeast = 1e-12;
 
+// The least for "unexplained": about a second of images must contradict a latency that was known.
+constexpr double kLeastUnexplained = 1e-40;
+
+// Largest probability of "swapped patterns" with which the latency is known, and of "unexplained".
+// The latter rises for a moment with a misleading image, and then no frame must lose its label.
+constexpr double kMostSwapped = 0.01, kMostUnexplained = 1e-4;
+
 /// From 0 (no flash in the exposure) to 1 (the flash outshines all other light).
 double flash_visibility(double flash_share) { return std::min(1.0, flash_share / 0.3); }
 
@@ -54,7 +61,7 @@ Result<void> LatencyOptions::validate() const {
   return OptionCheck("LatencyOptions")
       .positive("frame_period_s", frame_period_s)
       .in_range("min_latency_periods", min_latency_periods, -4.0, 0.0)
-      .in_range("max_latency_periods", max_latency_periods, 1.0, 16.0)
+      .in_range("max_latency_periods", max_latency_periods, 1.0, 32.0)
       .not_negative("min_window_s", min_window_s)
       .in_range("outlier_share", outlier_share, 0.0, 0.5)
       .positive("share_sigma", share_sigma)
@@ -74,6 +81,7 @@ LatencyFilter::LatencyFilter(const LatencyOptions& options)
   probability_.assign(2 * kHalfWindows.size() * latency_count_, 0.0);
   for (std::size_t cell = 0; cell < probability_.size(); ++cell)
     if (is_possible(cell)) probability_[cell] = 1.0;
+  unexplained_ = std::accumulate(probability_.begin(), probability_.end(), 0.0);
   normalize();
 }
 
@@ -114,13 +122,25 @@ void LatencyFilter::visit(const LightHistory& history, double stamp_s, const Use
 
 LightPrediction LatencyFilter::predict(const LightHistory& history, double stamp_s) const {
   LightPrediction prediction;
+  std::array<double, kLightCount> squares = {};
   visit(history, stamp_s, [&](std::size_t cell, const LightTimes& times, double window_s) {
+    const double p = probability_[cell];
+    const double latency = latency_s(cell % latency_count_);
     for (std::size_t light = 0; light < kLightCount; ++light) {
       const double share = times.lit_s[light] / window_s;
-      if (share >= kAlone) prediction.alone[light] += probability_[cell];
-      if (share >= kNearlyAlone) prediction.nearly_alone[light] += probability_[cell];
+      if (share >= kNearlyAlone) prediction.nearly_alone[light] += p;
+      if (share < kAlone) continue;
+      prediction.alone[light] += p;
+      prediction.latency_s[light] += p * latency;
+      squares[light] += p * latency * latency;
     }
   });
+  for (std::size_t light = 0; light < kLightCount; ++light) {
+    if (prediction.alone[light] <= 0.0) continue;
+    const double mean = prediction.latency_s[light] /= prediction.alone[light];
+    const double variance = squares[light] / prediction.alone[light] - mean * mean;
+    prediction.latency_sigma_s[light] = std::sqrt(std::max(0.0, variance));
+  }
   return prediction;
 }
 
@@ -148,16 +168,34 @@ double LatencyFilter::likelihood(const LightTimes& times, double window_s,
 void LatencyFilter::learn(const LightHistory& history, double stamp_s,
                           const LightEvidence& evidence) {
   drift();
+  std::vector<double> likelihoods(probability_.size());
   visit(history, stamp_s, [&](std::size_t cell, const LightTimes& times, double window_s) {
-    probability_[cell] *= likelihood(times, window_s, evidence);
+    likelihoods[cell] = likelihood(times, window_s, evidence);
   });
+  learn_of_unexplained(likelihoods, !evidence.is_empty());
+  for (std::size_t cell = 0; cell < probability_.size(); ++cell)
+    probability_[cell] *= likelihoods[cell];
   normalize();
 }
 
+// An image of any other time is as likely as the mean over all cells. An image without light tells
+// nothing: with no object in view, all images are alike, and the latency must stay known.
+void LatencyFilter::learn_of_unexplained(std::span<const double> likelihoods, bool shows_light) {
+  double sum = 0.0, weights = 0.0;
+  for (std::size_t cell = 0; cell < likelihoods.size(); ++cell) {
+    if (!is_possible(cell)) continue;
+    const double weight = shows_light ? 1.0 : probability_[cell];
+    sum += weight * likelihoods[cell];
+    weights += weight;
+  }
+  unexplained_ *= sum / weights;
+}
+
 void LatencyFilter::normalize() {
-  const double sum = std::accumulate(probability_.begin(), probability_.end(), 0.0);
+  const double sum = std::accumulate(probability_.begin(), probability_.end(), unexplained_);
   for (std::size_t cell = 0; cell < probability_.size(); ++cell)
     if (is_possible(cell)) probability_[cell] = std::max(probability_[cell] / sum, kLeast);
+  unexplained_ = std::max(unexplained_ / sum, kLeastUnexplained);
 }
 
 void LatencyFilter::drift() {
@@ -190,6 +228,7 @@ LatencyEstimate LatencyFilter::estimate() const {
   estimate.latency_s /= sum;
   estimate.window_s /= sum;
   estimate.swapped /= sum;
+  estimate.unexplained = unexplained_ / (sum + unexplained_);
   const double variance = latency_square / sum - estimate.latency_s * estimate.latency_s;
   estimate.latency_sigma_s = std::sqrt(std::max(0.0, variance));
   return estimate;
@@ -197,8 +236,9 @@ LatencyEstimate LatencyFilter::estimate() const {
 
 bool LatencyFilter::is_learned() const {
   const LatencyEstimate now = estimate();
-  const bool is_sure = now.swapped < 0.01 || now.swapped > 0.99;
-  return is_sure && now.latency_sigma_s < options_.frame_period_s / 8.0;
+  const bool is_sure = now.swapped < kMostSwapped || now.swapped > 1.0 - kMostSwapped;
+  return is_sure && now.unexplained < kMostUnexplained &&
+         now.latency_sigma_s < options_.frame_period_s / 16.0;
 }
 
 }  // namespace flytri::sync

@@ -5,10 +5,13 @@
 /// the time in which light reaches a frame; with a rolling shutter it is longer than the exposure
 /// of a row. The third unknown is whether the patterns are swapped. The filter keeps the
 /// probability of each combination on a grid and updates it by how well it explains each image.
+/// One more possibility is that no latency of the grid is true: then images follow the lights no
+/// better than images of any other time. While it is likely, no frame gets a label.
 /// @source  Bayes' rule on a grid, e.g. Thrun, Burgard, Fox, "Probabilistic Robotics", 2005,
 /// ch. 4.1.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -21,8 +24,8 @@ struct LatencyOptions {
   double frame_period_s = 1.0 / 30.0;  ///< > 0; the grid step is 1/32 of it
   /// <= 0, in periods. Negative if the stamp marks the start, which is before the middle.
   double min_latency_periods = -1.0;
-  /// 1..16 periods. The default allows for three frames queued in the driver and half an exposure.
-  double max_latency_periods = 4.0;
+  /// 1..32 periods. Drivers and hubs that queue a dozen frames exist.
+  double max_latency_periods = 14.0;
   /// >= 0. Lower limit of the window: exposure plus readout of a rolling shutter. Needed because
   /// rows that see no object do not show which light they received.
   double min_window_s = 0.0;
@@ -44,6 +47,7 @@ struct LatencyEstimate {
   double latency_sigma_s = 0.0;  ///< standard deviation
   double window_s = 0.0;         ///< mean
   double swapped = 0.0;          ///< probability that the patterns are swapped
+  double unexplained = 0.0;      ///< probability that no latency of the grid is true
 };
 
 /// Probabilities of the lights of a frame, from times alone.
@@ -52,6 +56,9 @@ struct LightPrediction {
   std::array<double, kLightCount> alone = {};
   /// Probability that at least 90 % of the light is of this kind.
   std::array<double, kLightCount> nearly_alone = {};
+  /// The latency if all light of the frame is of this kind; only where `alone` is not 0.
+  std::array<double, kLightCount> latency_s = {};
+  std::array<double, kLightCount> latency_sigma_s = {};
 };
 
 class LatencyFilter {
@@ -65,7 +72,8 @@ class LatencyFilter {
   void learn(const LightHistory& history, double stamp_s, const LightEvidence& evidence);
 
   [[nodiscard]] LatencyEstimate estimate() const;
-  /// Whether the latency is known to 1/8 period, and whether the patterns are swapped is known.
+  /// Whether the latency is known to 1/16 period, whether the patterns are swapped is known, and
+  /// the images follow the lights.
   [[nodiscard]] bool is_learned() const;
 
  private:
@@ -75,6 +83,7 @@ class LatencyFilter {
   [[nodiscard]] double likelihood(const LightTimes& times, double window_s,
                                   const LightEvidence& evidence) const;
   void drift();
+  void learn_of_unexplained(std::span<const double> likelihoods, bool shows_light);
   void normalize();
   [[nodiscard]] std::size_t window_of(std::size_t cell) const;
   /// Impossible cells keep probability 0, however well they would explain the images.
@@ -89,6 +98,7 @@ class LatencyFilter {
   std::size_t latency_count_;
   std::size_t first_window_ = 0;     // index of the shortest possible window
   std::vector<double> probability_;  // [swapped][window][latency]
+  double unexplained_ = 0.0;         // with those above, the sum is 1; at first 1/2
 };
 
 }  // namespace flytri::sync

@@ -15,6 +15,8 @@ constexpr double kLearningDark = 1.7;
 // Duration of a pattern while the latency is learned, in frames: random, from the first number to
 // the sum of both.
 constexpr double kLearningShortest = 1.2, kLearningSpread = 1.0;
+// Share of slots that repeat the pattern before.
+constexpr double kLearningRepeat = 0.15;
 
 device::Light light_of(Pattern pattern) {
   return pattern == Pattern::kVertical ? device::Light::kVertical : device::Light::kHorizontal;
@@ -76,7 +78,10 @@ LightPlan::Slot LightPlan::learning_slot(double period_s) {
     flash_s_ = next_s_;
     return {device::Light::kFlash, options_.flash_frames * period_s};
   }
-  return {next_pattern(), (kLearningShortest + kLearningSpread * random_.uniform()) * period_s};
+  const double duration_s = (kLearningShortest + kLearningSpread * random_.uniform()) * period_s;
+  // Patterns that only alternate look much the same when shifted by two slots.
+  if (random_.uniform() < kLearningRepeat) return {light_of(pattern_), duration_s};
+  return {next_pattern(), duration_s};
 }
 
 /// Whether the time since the latest flash is long enough for its share.

@@ -1,5 +1,7 @@
 #include "hw/sync/light_watch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/base/check_options.h"
@@ -38,6 +40,14 @@ std::string message_of(LightFault fault) {
              "projector and its line in rig.json.";
     case LightFault::kNoFlash:
       return "No image shows the flash: check its cable and power and its line in rig.json.";
+    case LightFault::kUnrelated:
+      return fmt::format(
+          "The images do not follow the lights. Perhaps they come more than {:.0f} frames late: "
+          "plug "
+          "the camera into a port of the computer, without a hub, or choose a smaller image in "
+          "rig.json. Perhaps the camera does not see these projectors: check cameras and lights in "
+          "rig.json.",
+          LatencyOptions{}.max_latency_periods);
     case LightFault::kNothingSeen:
       break;
   }
@@ -95,8 +105,9 @@ bool LightWatch::is_missing(device::Light light) const {
          others >= options_.enough;
 }
 
-LightFault LightWatch::fault(bool is_swapped) const {
+LightFault LightWatch::fault(bool is_swapped, bool is_unrelated) const {
   if (is_stuck()) return LightFault::kStuck;
+  if (is_unrelated && frames_ >= options_.enough) return LightFault::kUnrelated;
   if (is_swapped) return LightFault::kSwapped;
   if (is_missing(device::Light::kVertical)) return LightFault::kNoVertical;
   if (is_missing(device::Light::kHorizontal)) return LightFault::kNoHorizontal;

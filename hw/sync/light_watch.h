@@ -13,7 +13,8 @@ namespace flytri::sync {
 
 /// kSwapped: the vertical projector lights up when the horizontal one should, and vice versa.
 /// kStuck: the switch reports success, but the images do not change. kNothingSeen: no image since
-/// the start shows any light; maybe no object is in front of the sensor.
+/// the start shows any light; maybe no object is in front of the sensor. kUnrelated: the images
+/// show light, but no latency explains when.
 enum class LightFault {
   kNone,
   kSwapped,
@@ -21,7 +22,8 @@ enum class LightFault {
   kNoVertical,
   kNoHorizontal,
   kNoFlash,
-  kNothingSeen
+  kNothingSeen,
+  kUnrelated
 };
 
 /// The message for the user: the fault and what to do; empty for kNone.
@@ -50,8 +52,9 @@ class LightWatch {
   };
   void add(const Seen& seen);
 
-  /// @param is_swapped  the filter is certain that the patterns are swapped
-  [[nodiscard]] LightFault fault(bool is_swapped) const;
+  /// @param is_swapped    the filter is certain that the patterns are swapped
+  /// @param is_unrelated  the filter is certain that no latency explains the images
+  [[nodiscard]] LightFault fault(bool is_swapped, bool is_unrelated) const;
 
  private:
   [[nodiscard]] bool is_stuck() const;

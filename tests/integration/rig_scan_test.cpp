@@ -22,8 +22,8 @@ using testing::make_simulated_rig;
 using testing::SimulatedRig;
 using testing::SimulatedRigOptions;
 
-/// The hand rests at the start for this time, while the rig learns its latency.
-constexpr double kRest_s = 1.4;
+/// The hand rests at the start for this time, while the rig learns the latency of both cameras.
+constexpr double kRest_s = 2.4;
 constexpr double kScan_s = 2.2;
 /// Start time of the simulated clock.
 constexpr double kStart_s = 100.0;
@@ -111,14 +111,17 @@ struct FrameCounts {
   int measurement = 0, texture = 0;
 };
 
-/// Checks that each frame equals the image under only its light, bit for bit.
+/// A label may let 2 % of another light through, of at most 120 gray values.
+constexpr double kMixed = 2.0;
+
+/// Checks that each frame is the image under only its light.
 FrameCounts expect_true(const io::Recording& recording, const SimulatedRig& rig,
                         const Stage& stage) {
   FrameCounts counts;
   for (std::size_t i = 0; i < recording.frames.size(); ++i) {
     const Frame frame = io::load_frame(recording, FrameIndex(i)).value();
     ++(frame.kind == FrameKind::kTexture ? counts.texture : counts.measurement);
-    EXPECT_EQ(cv::norm(frame.image, true_image(frame, rig, stage), cv::NORM_INF), 0.0)
+    EXPECT_LE(cv::norm(frame.image, true_image(frame, rig, stage), cv::NORM_INF), kMixed)
         << "frame " << i << ", " << io::to_string(frame.kind) << ", at " << frame.time_s << " s";
   }
   return counts;

@@ -175,8 +175,9 @@ Result<void> judge(const Labels& labels, const ScanOptions& options) {
   if (labels.other + labels.mixed + labels.backward > 0 || off_s > kTextureOff_s)
     return fail(ErrorCode::kInconsistent,
                 "the recording has frames with a wrong label or a wrong time");
-  // One flash may be missing at the ends of the scan.
-  if (patterns < kEnough * wanted || textures < flashes - 1)
+  // One flash may be missing at the ends of the scan; and the first flashes only teach the latency
+  // of the texture camera.
+  if (patterns < kEnough * wanted || textures < flashes - 2)
     return fail(ErrorCode::kInsufficient, "too few frames of the scan were recorded");
   return {};
 }

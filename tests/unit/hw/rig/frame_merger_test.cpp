@@ -81,8 +81,31 @@ TEST_F(FrameMergerTest, UsesTheBrightestImageOfAFlash) {
   const auto texture = merger_.next(10.75, true);
   ASSERT_TRUE(texture);
   EXPECT_EQ(texture->kind, FrameKind::kTexture);
-  // The third image is brighter only within the noise.
-  EXPECT_EQ(texture->image.at<std::uint8_t>(0, 0), 2);
+  EXPECT_EQ(texture->image.at<std::uint8_t>(0, 0), 3);
+}
+
+// A moving hand changes the brightness by more than a little light of a pattern.
+TEST_F(FrameMergerTest, PrefersAnImageThatIsSurelyOfTheFlashAlone) {
+  sync::FrameLabel mixture = flash_of(10.52, 0.52);
+  mixture.outcome = sync::LabelOutcome::kStraddled;
+  merger_.add_texture(image(1), flash_of(10.51, 0.5), 10.6);
+  merger_.add_texture(image(2), mixture, 10.6);
+  merger_.add_texture(image(0), dark_at(10.7), 10.7);
+  pattern(10.75);
+  const auto texture = merger_.next(10.75, true);
+  ASSERT_TRUE(texture);
+  EXPECT_EQ(texture->image.at<std::uint8_t>(0, 0), 1);
+}
+
+// The whole image of this flash came too early; the mixture after it must not take its place.
+TEST_F(FrameMergerTest, UsesNoImageOfAFlashWhoseWholeOneHasNoTime) {
+  sync::FrameLabel whole = flash_of(10.51, 0.5);
+  whole.has_time = false;
+  merger_.add_texture(image(1), whole, 10.6);
+  merger_.add_texture(image(2), flash_of(10.54, 0.3), 10.6);
+  merger_.add_texture(image(0), dark_at(10.7), 10.7);
+  pattern(10.75);
+  EXPECT_EQ(taken(10.75), std::vector{0.75});
 }
 
 TEST_F(FrameMergerTest, DropsAndCountsFramesThatArriveAfterALaterOne) {

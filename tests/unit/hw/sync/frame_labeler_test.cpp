@@ -35,7 +35,7 @@ void expect_all_right(const lab::LabelTrialResult& result, double in_step_within
 }
 
 TEST(FrameLabeler, LabelsAllUnmixedFramesForAnyLatency) {
-  for (const double periods : {0.0, 0.37, 1.0, 1.5, 2.2, 3.0}) {
+  for (const double periods : {0.0, 0.37, 1.0, 1.5, 2.2, 3.0, 4.5, 7.8, 12.0}) {
     SCOPED_TRACE(periods);
     lab::LabelTrialOptions options = usual();
     options.camera.latency_s = periods * kCameraPeriod_s;
@@ -45,6 +45,32 @@ TEST(FrameLabeler, LabelsAllUnmixedFramesForAnyLatency) {
     EXPECT_NEAR(result.latency_error_s, 0.0, kCameraPeriod_s / 8.0);
     EXPECT_EQ(result.fault, LightFault::kNone);
   }
+}
+
+// A latency outside of what is searched looks like another one, shifted by two frames or with
+// swapped patterns, for as long as the lights only alternate.
+TEST(FrameLabeler, RefusesALatencyThatItDoesNotSearch) {
+  for (const double periods : {5.3, 6.0, 7.0, 9.5}) {
+    SCOPED_TRACE(periods);
+    lab::LabelTrialOptions options = usual();
+    options.labeler.latency.max_latency_periods = 4.0;
+    options.camera.latency_s = periods * kCameraPeriod_s;
+    const lab::LabelTrialResult result = run(options);
+    EXPECT_EQ(result.wrong, 0);
+    EXPECT_EQ(result.right, 0);
+    EXPECT_FALSE(result.in_step_after_s);
+    EXPECT_EQ(result.fault, LightFault::kUnrelated);
+  }
+}
+
+TEST(FrameLabeler, KeepsALatencyThroughASecondOfMisleadingImages) {
+  const lab::LabelTrialResult result = run(usual(), [](device::Light light, double time_s) {
+    const bool is_misled = time_s > 105.0 && time_s < 105.7;
+    return testing::striped_scene(is_misled ? device::Light::kVertical : light, time_s);
+  });
+  EXPECT_EQ(result.wrong, 0);
+  EXPECT_GT(result.right, result.whole - 40);
+  EXPECT_EQ(result.fault, LightFault::kNone);
 }
 
 TEST(FrameLabeler, LosesNoLabelsByJitterAndDroppedFrames) {
