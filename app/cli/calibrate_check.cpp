@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "app/cli/console.h"
-#include "app/cli/guide_dialog.h"
 #include "app/cli/output_files.h"
+#include "app/cli/prompt.h"
 #include "app/session/calibration_files.h"
 #include "core/calibration/verify/estimate_metric.h"
 #include "core/calibration/verify/verify.h"

@@ -20,6 +20,7 @@ void set_up_command_line(CLI::App& app, Invocation& invocation) {
   add_demo_command(app, invocation);
   add_app_command(app, invocation);
   add_devices_command(app, invocation);
+  add_setup_command(app, invocation);
   add_record_command(app, invocation);
   add_design_command(app, invocation);
   add_make_command(app, invocation);

@@ -18,6 +18,7 @@ void add_evaluate_command(CLI::App& app, Invocation& invocation);
 void add_demo_command(CLI::App& app, Invocation& invocation);
 void add_app_command(CLI::App& app, Invocation& invocation);
 void add_devices_command(CLI::App& app, Invocation& invocation);
+void add_setup_command(CLI::App& app, Invocation& invocation);
 void add_record_command(CLI::App& app, Invocation& invocation);
 void add_design_command(CLI::App& app, Invocation& invocation);
 void add_make_command(CLI::App& app, Invocation& invocation);

@@ -81,11 +81,9 @@ Result<void> run(const RecordArguments& arguments, const Progress& progress) {
   auto settings = rig::read_rig(arguments.rig);
   if (!settings) {
     if (settings.error().code != ErrorCode::kNotFound) return tl::unexpected(settings.error());
-    return fail(
-        ErrorCode::kNotFound,
-        "{}; `flytri devices` lists what is plugged in, and docs/formats.md says how to write a "
-        "rig.json",
-        settings.error().message);
+    return fail(ErrorCode::kNotFound,
+                "{}; `flytri setup` finds out what is plugged in and writes a rig.json",
+                settings.error().message);
   }
   auto rig = rig::open_rig(*settings);
   if (!rig) return tl::unexpected(rig.error());

@@ -8,7 +8,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kFormat = "flytri.rig";
 constexpr int kVersion = 1;
 
 std::string text_or_nothing(const io::JsonPlace& place, std::string_view key) {
@@ -169,7 +168,7 @@ Json to_json(const gpio::LightWiring& lights) {
 Result<RigSettings> parse_rig(std::string_view text, const std::string& name) {
   const Result<io::JsonPlace> json = io::JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
-  json->expect_format(kFormat, kVersion);
+  json->expect_format(kRigFormat, kVersion);
   RigSettings rig;
   if (json->has("name")) rig.name = json->at("name").text();
   rig.measurement = read_camera(json->at("measurement_camera"), device::Channels::kGrey);
@@ -194,7 +193,7 @@ Result<RigSettings> read_rig(const std::filesystem::path& path) {
 }
 
 std::string rig_to_json(const RigSettings& rig) {
-  Json json = {{"format", kFormat},
+  Json json = {{"format", kRigFormat},
                {"version", kVersion},
                {"name", rig.name},
                {"measurement_camera", to_json(rig.measurement)}};

@@ -10,6 +10,9 @@
 
 namespace flytri::rig {
 
+/// `format` of the file.
+inline constexpr std::string_view kRigFormat = "flytri.rig";
+
 /// @param name  of the file, used in messages
 /// @errors  kBadFormat with the file, the key and the expected value; kBadOption: see RigSettings.
 [[nodiscard]] Result<RigSettings> parse_rig(std::string_view text, const std::string& name);

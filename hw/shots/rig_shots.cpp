@@ -39,6 +39,12 @@ cv::Mat mean_of(const cv::Mat& sum, int count, int depth) {
   return mean;
 }
 
+Error without_texture(const std::string& rig) {
+  return {ErrorCode::kBadOption,
+          fmt::format("{} has no texture camera, but a calibration needs one: add it to rig.json",
+                      rig)};
+}
+
 }  // namespace
 
 Result<void> RigShotOptions::validate() const {
@@ -53,10 +59,6 @@ Result<void> RigShotOptions::validate() const {
 Result<std::unique_ptr<RigShots>> RigShots::create(rig::RigDevices devices, const std::string& name,
                                                    const RigShotOptions& options) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  if (devices.texture == nullptr) {
-    return fail(ErrorCode::kBadOption,
-                "{} has no texture camera, but a calibration needs one: add it to rig.json", name);
-  }
   return std::unique_ptr<RigShots>(new RigShots(std::move(devices), name, options));
 }
 
@@ -70,6 +72,7 @@ Result<void> RigShots::start() {
   looked_.release();
   if (auto started = devices_.lights->start(); !started) return started;
   for (const auto& camera : {devices_.measurement, devices_.texture}) {
+    if (camera == nullptr) continue;
     if (auto started = camera->start(); !started) {
       stop();
       return started;
@@ -82,7 +85,7 @@ Result<void> RigShots::start() {
 void RigShots::stop() {
   devices_.lights->stop();
   devices_.measurement->stop();
-  devices_.texture->stop();
+  if (devices_.texture != nullptr) devices_.texture->stop();
 }
 
 // Requests the light again and again while a limit keeps it dark.
@@ -164,6 +167,8 @@ Result<cv::Mat> RigShots::average(device::Light light, device::Camera& camera, i
 /// The lights are dark at the end, whatever happens.
 Result<cv::Mat> RigShots::expose(calibration::ShotKind kind, int exposures,
                                  const Progress& progress) {
+  if (kind == calibration::ShotKind::kDotsTexture && devices_.texture == nullptr)
+    return tl::unexpected(without_texture(name_));
   const device::Light wanted = light_of(kind);
   const auto lit = light(wanted, progress);
   device::Camera& camera =
@@ -198,6 +203,7 @@ Result<cv::Mat> RigShots::look(calibration::ShotKind kind, double /*z_mm*/,
 }
 
 Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig) {
+  if (!rig.texture) return tl::unexpected(without_texture(rig.name));
   auto devices = rig::open_devices(rig);
   if (!devices) return tl::unexpected(devices.error());
   RigShotOptions options;

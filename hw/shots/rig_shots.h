@@ -25,7 +25,7 @@ struct RigShotOptions {
 class RigShots final : public ShotSource {
  public:
   /// Opens no device before start().
-  /// @param devices  must include a texture camera, which takes images of the dots
+  /// @param devices  without a texture camera, kDotsTexture cannot be taken
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::unique_ptr<RigShots>> create(rig::RigDevices devices,
                                                                 const std::string& name,
@@ -62,7 +62,7 @@ class RigShots final : public ShotSource {
   double looked_until_s_ = 0.0;
 };
 
-/// Uses the devices of this machine that the rig names.
+/// Uses the devices of this machine that the rig names, for a calibration.
 /// @errors  kBadOption: no texture camera; as open_rig.
 [[nodiscard]] Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig);
 

@@ -151,12 +151,21 @@ TEST(RigShots, ReportsAnUnpluggedLightSwitch) {
   EXPECT_EQ(image.error().code, ErrorCode::kNotFound);
 }
 
-TEST(RigShots, RefusesARigWithoutTextureCamera) {
+TEST(RigShots, TakesAllButTheDotsInColorWithoutATextureCamera) {
   SimulatedRig rig = make_rig();
   const auto shots =
-      RigShots::create({rig.measurement, nullptr, rig.lights, rig.clock.clock()}, "rig");
-  ASSERT_FALSE(shots.has_value());
-  EXPECT_EQ(shots.error().code, ErrorCode::kBadOption);
+      RigShots::create({rig.measurement, nullptr, rig.lights, rig.clock.clock()}, "rig").value();
+  ASSERT_TRUE(shots->start());
+  EXPECT_TRUE(shots->take(calibration::ShotKind::kVertical, 0.0, {}));
+  const auto dots = shots->take(calibration::ShotKind::kDotsTexture, 0.0, {});
+  ASSERT_FALSE(dots);
+  EXPECT_EQ(dots.error().code, ErrorCode::kBadOption);
+}
+
+TEST(RigShots, ACalibrationNeedsATextureCamera) {
+  const auto shots = open_rig_shots({});
+  ASSERT_FALSE(shots);
+  EXPECT_THAT(shots.error().message, HasSubstr("no texture camera"));
 }
 
 }  // namespace

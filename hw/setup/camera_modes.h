@@ -1,0 +1,25 @@
+/// @file  Which of a camera's formats, sizes and rates suit a rig.
+#pragma once
+
+#include <vector>
+
+#include "hw/device/camera.h"
+
+namespace flytri::setup {
+
+/// The settings that suit the measurement camera (kGrey) or the texture camera (kRgb), best first:
+/// formats that keep gray values or colors as the chip measured them before converted and
+/// compressed ones, then the size nearest to the paper's 1024 x 768. Each has the rate nearest to
+/// the wanted one; slow ones come last.
+/// @param rate_hz  > 0. A camera that does not tell its rates is expected to have this one.
+/// @return  empty: the camera has no such format at a third of the rate or more
+[[nodiscard]] std::vector<device::CameraSettings> suitable_settings(
+    const std::vector<device::CameraMode>& modes, device::Channels channels, double rate_hz);
+
+/// Whether the camera has gray formats only.
+[[nodiscard]] bool is_monochrome(const std::vector<device::CameraMode>& modes);
+
+/// "GREY, 1024 x 768 at 30 Hz".
+[[nodiscard]] std::string text_of(const device::CameraSettings& settings);
+
+}  // namespace flytri::setup
