@@ -154,7 +154,7 @@ Result<std::size_t> find_by_hand(const std::vector<Candidate>& cameras,
   if (!before) return tl::unexpected(before.error());
   std::size_t suggested = 0;
   while (true) {
-    const auto answer = context.choose(
+    auto answer = context.choose(
         "Hold a hand right in front of the measurement camera, which sees the lines.",
         {"The hand is there", "Choose from a list instead"}, suggested);
     if (!answer) return answer;
@@ -181,7 +181,7 @@ Result<std::size_t> choose_measurement(const std::vector<Candidate>& cameras,
   };
   if (std::count_if(cameras.begin(), cameras.end(), is_gray) == 1) {
     const auto gray = std::find_if(cameras.begin(), cameras.end(), is_gray);
-    const auto answer = context.choose(
+    auto answer = context.choose(
         fmt::format("Only {} is monochrome. Is it the measurement camera, which sees the lines?",
                     gray->label),
         {"Yes", "No"});
@@ -217,7 +217,7 @@ rig::RigCamera run_together(const rig::RigCamera& measurement, const Candidate& 
                             const SetupContext& context) {
   std::vector<device::CameraSettings> settings =
       suitable_settings(texture.description.modes, device::Channels::kRgb, context.rate_hz);
-  const rig::RigCamera best = camera_of(texture, settings.front());
+  rig::RigCamera best = camera_of(texture, settings.front());
   settings.resize(std::min(settings.size(), kTries));
   std::string trouble;
   for (const device::CameraSettings& each : settings) {

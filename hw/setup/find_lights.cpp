@@ -80,6 +80,7 @@ Result<gpio::GpioChip> choose_chip(const SetupContext& context) {
     return chips[0];
   }
   std::vector<std::string> answers;
+  answers.reserve(chips.size() + 1);
   for (const gpio::GpioChip& chip : chips)
     answers.push_back(
         label_of(chip) +

@@ -20,13 +20,13 @@ std::vector<std::pair<device::Light, gpio::LineMatch>> lines_of(const gpio::Ligh
 }  // namespace
 
 /// The simulated camera as a driver's stream.
-class SimulatedHead::Stream final : public stream::ImageStream {
+class SimulatedHead::HeadStream final : public stream::ImageStream {
  public:
-  explicit Stream(std::shared_ptr<device::Camera> camera)
+  explicit HeadStream(std::shared_ptr<device::Camera> camera)
       : camera_(std::move(camera)), settings_(camera_->read_back()) {
     (void)camera_->start();
   }
-  ~Stream() override { camera_->stop(); }
+  ~HeadStream() override { camera_->stop(); }
 
   tl::expected<std::optional<stream::StreamedImage>, stream::StreamEnd> take(
       double timeout_s) override {
@@ -72,7 +72,7 @@ class SimulatedHead::Driver final : public stream::CameraDriver {
                                                     const device::CameraSettings& settings,
                                                     int /*buffers*/) override {
     if (auto found = find(match); !found) return tl::unexpected(found.error());
-    return std::make_unique<Stream>(head_->make_camera(match, settings, {}));
+    return std::make_unique<HeadStream>(head_->make_camera(match, settings, {}));
   }
 
  private:

@@ -44,7 +44,7 @@ class SimulatedHead {
 
  private:
   class Driver;
-  class Stream;
+  class HeadStream;
   [[nodiscard]] std::shared_ptr<device::Camera> make_camera(const device::CameraMatch& match,
                                                             const device::CameraSettings& settings,
                                                             const gpio::LightWiring& wiring);
