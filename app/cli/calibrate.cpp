@@ -69,10 +69,8 @@ void add_check_options(CLI::App& command, CLI::Option& check, CLI::Option& simul
       ->check(CLI::PositiveNumber)
       ->group(group);
   command
-      .add_option(
-          "--correct", arguments.corrected,
-          "Write this calibration, with the millimeters corrected by the sphere: for a stage "
-          "that is not square to the target, or a wrong scale")
+      .add_option("--correct", arguments.corrected,
+                  "Write this calibration, corrected for a stage that is not square to the target")
       ->needs("--sphere")
       ->group(group);
   command

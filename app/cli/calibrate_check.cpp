@@ -74,20 +74,16 @@ Result<void> conclude(const calibration::VerificationReport& report) {
               "the calibration no longer holds; calibrate again with flytri calibrate --live");
 }
 
-/// Largest standard uncertainties with which a correction is better than none.
-constexpr double kSureAngle_deg = 0.03, kSureScale = 5e-4;
+/// Largest standard uncertainty with which a correction is better than none.
+constexpr double kSureAngle_deg = 0.03;
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 void print(const calibration::MetricEstimate& metric) {
-  const calibration::MetricCorrection& by = metric.correction;
-  const calibration::MetricCorrection& sigma = metric.uncertainty;
-  constexpr double kPercent = 100.0;
+  const Eigen::Vector2d& shear = metric.correction.shear;
+  const Eigen::Vector2d sigma_deg = kDegreesPerRadian * metric.uncertainty;
   print_out("stage to target: {:+.3f}° ± {:.3f}° along x, {:+.3f}° ± {:.3f}° along y\n",
-            kDegreesPerRadian * std::atan(by.shear.x()), kDegreesPerRadian * sigma.shear.x(),
-            kDegreesPerRadian * std::atan(by.shear.y()), kDegreesPerRadian * sigma.shear.y());
-  print_out("true size: {:+.3f} ± {:.3f} % across, {:+.3f} ± {:.3f} % in depth\n",
-            kPercent * (by.lateral - 1.0), kPercent * sigma.lateral, kPercent * (by.depth - 1.0),
-            kPercent * sigma.depth);
+            kDegreesPerRadian * std::atan(shear.x()), sigma_deg.x(),
+            kDegreesPerRadian * std::atan(shear.y()), sigma_deg.y());
 }
 
 /// The views as the corrected calibration measures them.
@@ -109,16 +105,13 @@ Result<void> correct(const CalibrateCheckArguments& arguments,
   const auto metric = calibration::estimate_metric(poses, arguments.sphere_mm);
   if (!metric) return tl::unexpected(metric.error());
   print(*metric);
-  const calibration::MetricCorrection& sigma = metric->uncertainty;
-  const double angle_deg = kDegreesPerRadian * sigma.shear.maxCoeff();
-  const double scale = std::max(sigma.lateral, sigma.depth);
-  if (angle_deg > kSureAngle_deg || scale > kSureScale)
+  const double angle_deg = kDegreesPerRadian * metric->uncertainty.maxCoeff();
+  if (angle_deg > kSureAngle_deg)
     return fail(
         ErrorCode::kInsufficient,
-        "not corrected: the sphere tells the angle to {:.3f}° and the sizes to {:.3f} %, but "
-        "{:.2f}° and {:.2f} % are needed. Show it at more places, at several depths and near "
-        "the sides of the volume",
-        angle_deg, 100.0 * scale, kSureAngle_deg, 100.0 * kSureScale);
+        "not corrected: the sphere tells the angle to {:.3f}°, but {:.2f}° are needed. Show "
+        "it at more places, at several depths",
+        angle_deg, kSureAngle_deg);
   calibration::Calibration better = calibration::corrected(calibration, metric->correction);
   const auto report = calibration::check_on_sphere(corrected(poses, metric->correction),
                                                    arguments.sphere_mm, better);

@@ -5,9 +5,9 @@
 namespace flytri::calibration {
 namespace {
 
-/// The same for all poses: two scales (lateral, depth), two shears, and the depth between vertical
-/// and horizontal lines. A bumped projector changes the last.
-constexpr Eigen::Index kMetricUnknowns = 5;
+/// The same for all poses: two shears, and the depth between vertical and horizontal lines, which a
+/// bumped projector changes.
+constexpr Eigen::Index kMetricUnknowns = 3;
 
 /// The map is linear in its numbers; the spheres are found anew after each step.
 constexpr int kSteps = 4;
@@ -26,8 +26,7 @@ SharedFit fit_of(const SphereData& data, const std::vector<VerificationPose>& po
       const VerificationBlock& block = blocks[static_cast<std::size_t>(i)];
       const Vec3 out = outward(block, sphere);
       const Vec3& at = block.position_mm;
-      shared.row(i) << out.x() * at.x() + out.y() * at.y(), out.z() * at.z(), out.x() * at.z(),
-          out.y() * at.z(), block.sign * out.z();
+      shared.row(i) << out.x() * at.z(), out.y() * at.z(), block.sign * out.z();
       values[i] = -distance_off(block, sphere, radius_mm);
     }
     fit.add_pose(shared, rows_of_center(blocks, sphere, poses[p].moves), values,
@@ -44,16 +43,6 @@ std::vector<std::vector<VerificationBlock>> mapped(
   return blocks;
 }
 
-/// The map that first makes `before`, then changes the result by these numbers.
-MetricCorrection after(const MetricCorrection& before, const Eigen::VectorXd& change) {
-  MetricCorrection step;
-  step.lateral += change[0];
-  step.depth += change[1];
-  step.shear = change.segment<2>(2);
-  const Eigen::Matrix3d map = step.matrix() * before.matrix();
-  return {map(0, 0), map(2, 2), map.topRightCorner<2, 1>()};
-}
-
 }  // namespace
 
 Result<MetricEstimate> estimate_metric(const std::vector<VerificationPose>& poses,
@@ -68,9 +57,9 @@ Result<MetricEstimate> estimate_metric(const std::vector<VerificationPose>& pose
     if (!solution)
       return fail(ErrorCode::kInsufficient,
                   "the sphere was hardly seen; hold it at several depths and at the sides");
-    estimate.correction = after(estimate.correction, solution->shared);
-    const Eigen::VectorXd& sigma = solution->uncertainty;
-    estimate.uncertainty = {sigma[0], sigma[1], sigma.segment<2>(2)};
+    // One shear after another is the shear by their sum.
+    estimate.correction.shear += solution->shared.head<2>();
+    estimate.uncertainty = solution->uncertainty.head<2>();
   }
   return estimate;
 }

@@ -10,12 +10,13 @@
 namespace flytri::calibration {
 
 struct MetricEstimate {
-  MetricCorrection correction;
-  MetricCorrection uncertainty;  ///< standard uncertainty of each number
+  MetricCorrection correction;  ///< its scales are 1
+  Eigen::Vector2d uncertainty;  ///< standard uncertainty of the shear
 };
 
-/// A sphere that a sheared or scaled sensor measures is an ellipsoid. One place of the sphere in
-/// the middle tells the shear; places at the sides and depths tell the scales.
+/// A sphere that a sheared sensor measures is a leaning ellipsoid. Scales are not estimated: the
+/// cap of a sphere, made smaller across and much smaller in depth, stays nearly a cap of the same
+/// sphere, so that noise decides. A common scale shows in the diameter, see check_on_sphere().
 /// @param poses  of the sphere at rest or in slow motion
 /// @param diameter_mm  > 0, true diameter
 /// @errors  kInsufficient: the sphere was not seen well enough to tell.

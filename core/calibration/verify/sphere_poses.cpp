@@ -58,6 +58,12 @@ SpherePose find_sphere(const std::vector<VerificationBlock>& blocks, double radi
   return pose;
 }
 
+/// Where the sphere turns away from the camera, lines widen and leave the surface at one side.
+bool is_steep(const VerificationBlock& block, const SpherePose& pose) {
+  constexpr double kLeastFacing = 0.6;  // cosine of the angle between normal and view
+  return -outward(block, pose).z() < kLeastFacing;
+}
+
 std::vector<VerificationBlock> on_sphere(const std::vector<VerificationBlock>& blocks,
                                          const SpherePose& pose, double radius_mm) {
   constexpr double kOutlier = 6.0;  // robust deviations
@@ -87,6 +93,13 @@ SphereData gather_spheres(std::vector<std::vector<VerificationBlock>> blocks_of_
   data.spheres.resize(poses.size());
   for (std::size_t p = 0; p < poses.size(); ++p) {
     auto& blocks = data.blocks[p];
+    if (blocks.size() < kMinBlocks) {
+      blocks.clear();
+      continue;
+    }
+    data.spheres[p] = find_sphere(blocks, radius_mm, poses[p].moves);
+    std::erase_if(blocks,
+                  [&](const VerificationBlock& block) { return is_steep(block, data.spheres[p]); });
     data.found += blocks.size();
     if (blocks.size() < kMinBlocks) {
       blocks.clear();

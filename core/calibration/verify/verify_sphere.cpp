@@ -8,6 +8,9 @@
 namespace flytri::calibration {
 namespace {
 
+/// Shear that a sphere seems to have without any, see docs/figures.md.
+constexpr double kLeanOfSlopes = 0.0026;
+
 /// Shared unknowns: error of the radius, and depth of vertical minus horizontal.
 constexpr Eigen::Index kShared = 2;
 
@@ -50,8 +53,10 @@ void add_shear(VerificationReport& report, const std::vector<VerificationPose>& 
     VerificationFigure figure = make_figure(
         VerificationSymptom::kShear,
         axis == 0 ? "stage not square, along x" : "stage not square, along y",
-        0.5 * depth_mm * metric->correction.shear[axis],
-        0.5 * depth_mm * metric->uncertainty.shear[axis], residual_mm(calibration, false), options);
+        0.5 * depth_mm * metric->correction.shear[axis], 0.5 * depth_mm * metric->uncertainty[axis],
+        residual_mm(calibration, false), options);
+    // A slope shifts lines a little to one side, which looks like a lean of up to 0.15 degrees.
+    figure.limit_mm += 0.5 * depth_mm * kLeanOfSlopes;
     const bool is_told = figure.limit_mm <= options.max_limit_share * depth_mm;
     if (is_told || !figure.good()) report.figures.push_back(std::move(figure));
   }
