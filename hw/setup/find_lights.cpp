@@ -170,11 +170,44 @@ std::string_view name_of(Light light) {
   return light == Light::kHorizontal ? "the projector of the horizontal lines" : "the flash";
 }
 
-Error missing(Light light) {
-  return {ErrorCode::kNotFound,
-          fmt::format("no line turned on {}: check the power and the cable of its driver, and "
-                      "whether the driver's input goes to a line of this chip; then start again",
-                      name_of(light))};
+using FoundLines = std::array<std::optional<gpio::LineMatch>, kLights.size()>;
+
+/// The first light that is still missing.
+std::optional<Light> missing(const FoundLines& found, bool has_texture) {
+  for (std::size_t i = 0; i < kLights.size(); ++i)
+    if (!found[i] && (has_texture || kLights[i] != Light::kFlash)) return kLights[i];
+  return std::nullopt;
+}
+
+Result<void> try_lines(const rig::RigCamera& camera, const gpio::GpioChip& chip, bool has_texture,
+                       FoundLines& found, const SetupContext& context) {
+  const std::vector<int> lines = free_lines(chip);
+  for (std::size_t i = 0; i < lines.size() && missing(found, has_texture); ++i) {
+    const int other = lines[(i + 1) % lines.size()];
+    const auto line = try_line(camera, chip, lines[i], other, context);
+    if (!line) return tl::unexpected(line.error());
+    const auto light = std::find(kLights.begin(), kLights.end(), line->light);
+    if (light != kLights.end())
+      found[static_cast<std::size_t>(light - kLights.begin())] = line->line;
+  }
+  return {};
+}
+
+/// @return  whether to try the lines again; false: without a flash
+Result<bool> choose_what_next(Light light, bool is_first, const SetupContext& context) {
+  constexpr std::string_view kRemedy =
+      "check the power and the cable of its driver, and whether the driver's input goes to a line "
+      "of "
+      "this chip";
+  std::vector<std::string> answers = {"Try the lines again", "Stop"};
+  if (light == Light::kFlash) answers.emplace_back("Go on without texture");
+  const auto answer = context.choose(
+      fmt::format("No line turned on {}: {}.", name_of(light), kRemedy), answers, is_first ? 0 : 1);
+  if (!answer) return tl::unexpected(answer.error());
+  if (*answer == 1)
+    return fail(ErrorCode::kNotFound, "no line turned on {}: {}; then start again", name_of(light),
+                kRemedy);
+  return *answer == 0;
 }
 
 }  // namespace
@@ -185,20 +218,16 @@ Result<gpio::LightWiring> find_lights(const rig::RigCamera& measurement, bool ha
   if (!chip) return tl::unexpected(chip.error());
   context.talk.tell(
       "Put a white sheet before the sensor, at its usual distance. Do not look into the lights.");
-  const std::vector<int> lines = free_lines(*chip);
-  std::array<std::optional<gpio::LineMatch>, kLights.size()> found;
-  const auto is_complete = [&] { return found[0] && found[1] && (found[2] || !has_texture); };
-  for (std::size_t i = 0; i < lines.size() && !is_complete(); ++i) {
-    const int other = lines[(i + 1) % lines.size()];
-    const auto line = try_line(measurement, *chip, lines[i], other, context);
-    if (!line) return tl::unexpected(line.error());
-    const auto light = std::find(kLights.begin(), kLights.end(), line->light);
-    if (light != kLights.end())
-      found[static_cast<std::size_t>(light - kLights.begin())] = line->line;
+  FoundLines found;
+  for (bool is_first = true;; is_first = false) {
+    if (auto tried = try_lines(measurement, *chip, has_texture, found, context); !tried)
+      return tl::unexpected(tried.error());
+    const auto light = missing(found, has_texture);
+    if (!light) break;
+    const auto again = choose_what_next(*light, is_first, context);
+    if (!again) return tl::unexpected(again.error());
+    has_texture = *again;
   }
-  for (std::size_t i = 0; i < kLights.size(); ++i)
-    if (!found[i] && (has_texture || kLights[i] != Light::kFlash))
-      return tl::unexpected(missing(kLights[i]));
   gpio::LightWiring wiring;
   wiring.chip = match_of(*chip);
   wiring.vertical = *found[0];

@@ -114,6 +114,7 @@ Result<rig::RigSettings> run_setup(const std::string& name, const SetupContext& 
   auto lights = find_lights(rig.measurement, rig.texture.has_value(), context);
   if (!lights) return tl::unexpected(lights.error());
   rig.lights = *std::move(lights);
+  if (!rig.lights.flash) rig.texture.reset();
   auto exposed = set_exposures(rig, context);
   if (!exposed) return exposed;
   rig = *std::move(exposed);

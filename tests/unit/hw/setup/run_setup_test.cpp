@@ -151,6 +151,26 @@ TEST_F(RunSetup, NamesTheLightThatNoLineSwitches) {
   EXPECT_THAT(rig.error().message, HasSubstr("the projector of the vertical lines"));
 }
 
+TEST_F(RunSetup, TriesTheLinesAgainAfterACableWasPluggedIn) {
+  const testing::HeadLamp lamp = head_.lamps[3];
+  head_.lamps.erase(3);
+  talk_.on("No line turned on", [&](std::size_t suggested) {
+    head_.lamps[3] = lamp;
+    return suggested;
+  });
+  const auto rig = run();
+  ASSERT_TRUE(rig) << rig.error().message;
+  EXPECT_EQ(rig->lights.vertical.offset, 3);
+}
+
+TEST_F(RunSetup, GoesOnWithoutTextureWhereTheFlashIsMissing) {
+  head_.lamps.erase(0);
+  talk_.on("No line turned on the flash", [](std::size_t) { return std::size_t{2}; });
+  const auto rig = run();
+  ASSERT_TRUE(rig) << rig.error().message;
+  EXPECT_FALSE(rig->texture);
+}
+
 TEST_F(RunSetup, SaysWhatIsMissing) {
   head_.chips.clear();
   auto rig = run();
