@@ -131,7 +131,8 @@ std::vector<char> rim_vertices(const TriangleMesh& mesh, float strip_mm) {
   return is_rim;
 }
 
-/// Marks vertices that have lines of both patterns within a distance, or of which it is not known.
+/// Marks vertices with lines of both patterns within a distance, and those whose patterns are not
+/// known.
 std::vector<char> crossed_vertices(const TriangleMesh& mesh, const Neighborhood& around,
                                    float reach_mm) {
   std::vector<char> is_crossed(mesh.vertices.size(), 1);

@@ -29,14 +29,13 @@ void FrameMerger::add_texture(const cv::Mat& image, const sync::FrameLabel& labe
     // A label by the clock counts more than brightness: a mixture with little of a pattern is
     // hardly darker.
     const std::pair rank(label.outcome == sync::LabelOutcome::kLabeled, label.evidence.area);
-    if (brightest_ && rank <= brightest_rank_) return;
-    brightest_rank_ = rank;
-    brightest_has_time_ = label.has_time;
-    brightest_ = {{FrameIndex(), FrameKind::kTexture, label.time_s, image}, now_s};
+    if (best_ && rank <= best_->rank) return;
+    best_ = {
+        {{FrameIndex(), FrameKind::kTexture, label.time_s, image}, now_s}, label.has_time, rank};
     return;
   }
-  if (brightest_ && brightest_has_time_) textures_.push_back(*std::move(brightest_));
-  brightest_.reset();
+  if (best_ && best_->has_time) textures_.push_back(std::move(best_->image));
+  best_.reset();
   texture_seen_s_ = label.time_s;
 }
 

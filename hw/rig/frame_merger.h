@@ -49,17 +49,20 @@ class FrameMerger {
     Frame frame;
     double arrived_s = 0.0;
   };
+  struct FlashImage {
+    Waiting image;
+    bool has_time = false;         ///< see FrameLabel
+    std::pair<bool, double> rank;  ///< whether its label is certain, and its brightness
+  };
   [[nodiscard]] bool waits_for_texture(const Waiting& pattern) const;
   [[nodiscard]] std::optional<Frame> numbered(Frame frame);
 
   FrameMergerOptions options_;
   std::deque<double> flashes_s_;  // planned begin of each flash
   std::deque<Waiting> patterns_, textures_;
-  std::optional<Waiting> brightest_;        // brightest frame of the current flash
-  std::pair<bool, double> brightest_rank_;  // whether its label is certain, and its brightness
-  bool brightest_has_time_ = false;
-  double last_s_;          // time of the last delivered frame
-  double texture_seen_s_;  // time of the texture camera's latest frame without flash
+  std::optional<FlashImage> best_;  // of the current flash
+  double last_s_;                   // time of the last delivered frame
+  double texture_seen_s_;           // time of the texture camera's latest frame without flash
   std::int64_t count_ = 0;
   std::int64_t late_ = 0;
 };

@@ -13,8 +13,8 @@ namespace {
 
 using device::PixelFormat;
 
-/// Of the wanted rate. With slower cameras, the hand would have to move too slowly.
-constexpr double kSlowest = 1.0 / 3.0, kSlow = 0.8;
+/// Share of the wanted rate below which a setting is slow.
+constexpr double kSlow = 0.8;
 constexpr double kUsualPixels = 1024.0 * 768.0;
 
 /// 8 bits need half of the bandwidth of 16, and the noise of a camera is above their steps.
@@ -60,7 +60,7 @@ std::vector<device::CameraSettings> suitable_settings(const std::vector<device::
     const auto format = device::pixel_format_of(mode.format);
     const auto rank = format ? rank_of(*format, channels) : std::nullopt;
     const double rate_hz = nearest_rate_hz(mode.rates_hz, wanted_hz);
-    if (!rank || rate_hz < kSlowest * wanted_hz) continue;
+    if (!rank || rate_hz < kSlowestShare * wanted_hz) continue;
     device::CameraSettings settings;
     settings.format = *format;
     settings.channels = channels;

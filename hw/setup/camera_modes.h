@@ -7,12 +7,15 @@
 
 namespace flytri::setup {
 
-/// The settings that suit the measurement camera (kGrey) or the texture camera (kRgb), best first:
-/// formats that keep gray values or colors as the chip measured them before converted and
-/// compressed ones, then the size nearest to the paper's 1024 x 768. Each has the rate nearest to
-/// the wanted one; slow ones come last.
+/// Slowest usable rate, as a share of the wanted one: the hand would have to move too slowly.
+inline constexpr double kSlowestShare = 1.0 / 3.0;
+
+/// The settings that suit a camera, best first: raw formats before converted and compressed ones,
+/// then the size nearest to the paper's 1024 x 768. Each has the rate nearest to the wanted one;
+/// slow ones come last.
+/// @param channels  kGrey for the measurement camera, kRgb for the texture camera
 /// @param rate_hz  > 0. A camera that does not tell its rates is expected to have this one.
-/// @return  empty: the camera has no such format at a third of the rate or more
+/// @return  empty: the camera has no such format at kSlowestShare of the rate or more
 [[nodiscard]] std::vector<device::CameraSettings> suitable_settings(
     const std::vector<device::CameraMode>& modes, device::Channels channels, double rate_hz);
 

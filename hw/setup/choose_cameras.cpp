@@ -15,7 +15,7 @@ constexpr int kBuffers = 4;
 /// The driver's queue has old images, and a camera needs a moment after its start.
 constexpr double kSettle_s = 0.5;
 constexpr double kNoImage_s = 3.0;
-/// A hand before a camera takes more than half of its light, and from the others less than a fifth.
+/// A covered camera gets less than half of its light; the others keep more than four fifths.
 constexpr double kCovered = 0.5, kNotCovered = 0.8;
 /// Share of full scale below which a drop says nothing.
 constexpr double kDarkRoom = 0.02;
@@ -55,7 +55,7 @@ std::vector<Candidate> find_candidates(const SetupContext& context) {
       if (suitable_settings(camera.modes, device::Channels::kGrey, context.rate_hz).empty()) {
         context.talk.tell(
             fmt::format("Not usable: {} offers no format that flytri reads at {:.3g} Hz or more",
-                        camera.name, context.rate_hz / 3.0));
+                        camera.name, kSlowestShare * context.rate_hz));
         continue;
       }
       auto match = match_of(camera, driver);

@@ -13,9 +13,9 @@ struct ChosenCameras {
   std::optional<rig::RigCamera> texture;
 };
 
-/// Asks the user to hold a hand in front of the measurement camera: its image gets dark. Where one
-/// camera is monochrome and all others are not, it is suggested at once. The texture camera gets
-/// the best settings with which both cameras keep their rates.
+/// Asks the user to cover the measurement camera with a hand: its image gets dark. If only one
+/// camera is monochrome, it is suggested first. The texture camera gets the best settings with
+/// which both cameras keep their rates.
 /// @errors  kNotFound: no camera can be used, and why; kCancelled; of the cameras.
 [[nodiscard]] Result<ChosenCameras> choose_cameras(const SetupContext& context);
 

@@ -103,8 +103,6 @@ gpio::ChipMatch match_of(const gpio::GpioChip& chip) {
   return match;
 }
 
-gpio::LineMatch line_match(int line, bool active_low) { return {{}, line, active_low}; }
-
 /// Turns one line on and off again.
 /// @param other  a free line that stays off
 /// @return  what the camera saw
@@ -147,10 +145,10 @@ struct FoundLine {
 
 Result<FoundLine> try_line(const rig::RigCamera& camera, const gpio::GpioChip& chip, int line,
                            int other, const SetupContext& context) {
-  gpio::LineMatch match = line_match(line, false);
+  gpio::LineMatch match = {{}, line, false};
   while (true) {
     context.talk.tell(fmt::format("Turning on {} for a moment ...", label_of(chip, line)));
-    const auto seen = show(camera, match_of(chip), match, line_match(other, false), context);
+    const auto seen = show(camera, match_of(chip), match, {{}, other, false}, context);
     if (!seen) return tl::unexpected(seen.error());
     const std::size_t suggested = answer_of(*seen);
     const auto answer = context.choose(
@@ -196,9 +194,7 @@ Result<void> try_lines(const rig::RigCamera& camera, const gpio::GpioChip& chip,
 /// @return  whether to try the lines again; false: without a flash
 Result<bool> choose_what_next(Light light, bool is_first, const SetupContext& context) {
   constexpr std::string_view kRemedy =
-      "check the power and the cable of its driver, and whether the driver's input goes to a line "
-      "of "
-      "this chip";
+      "check the power and the cable of its driver, and whether its input goes to this chip";
   std::vector<std::string> answers = {"Try the lines again", "Stop"};
   if (light == Light::kFlash) answers.emplace_back("Go on without texture");
   const auto answer = context.choose(

@@ -6,10 +6,9 @@
 
 namespace flytri::setup {
 
-/// Exposes a white sheet under each light, so that the lines, or the sheet under the flash, reach
-/// 70 % of full scale. The measurement camera is exposed for at most 45 % of a frame, so that the
-/// lights can change between two frames; the texture camera for at most half of a frame. Says where
-/// a light is too weak for that, or too bright.
+/// Exposes a white sheet under each light until the brightest places reach 70 % of full scale. At
+/// most 45 % of a frame for the measurement camera, so that the lights can change between frames,
+/// and half of a frame for the texture camera. Tells if a light is too weak or too bright.
 /// @param rig  with cameras and lights
 /// @return  the rig with exposures
 /// @errors  kCancelled; of the devices.

@@ -26,8 +26,8 @@ constexpr double kLeast = 1e-12;
 // The least for "unexplained": about a second of images must contradict a latency that was known.
 constexpr double kLeastUnexplained = 1e-40;
 
-// Largest probability of "swapped patterns" with which the latency is known, and of "unexplained".
-// The latter rises for a moment with a misleading image, and then no frame must lose its label.
+// The latency is known while "swapped patterns" and "unexplained" are at most this likely. One
+// misleading image makes "unexplained" rise a little; frames must keep their labels then.
 constexpr double kMostSwapped = 0.01, kMostUnexplained = 1e-4;
 
 /// From 0 (no flash in the exposure) to 1 (the flash outshines all other light).

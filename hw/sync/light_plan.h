@@ -1,10 +1,10 @@
 /// @file  Plans when each light is on: the sequence of the paper, synchronized with the camera.
 ///
-/// Until the latency is known, random patterns follow each other after random times, because a
-/// periodic sequence is ambiguous: shifted by one period it looks the same, shifted by half a
-/// period it looks like swapped patterns. Once the latency is known, the light changes in the gaps
-/// between exposures, one frame per pattern. If the gaps are too short, each pattern stays on for
-/// two frame periods, so that one whole exposure fits in.
+/// Until the latency is known, patterns and times are random. A periodic sequence would be
+/// ambiguous: shifted by one period it looks the same, by half a period like swapped patterns. Once
+/// the latency is known, the light changes in the gaps between exposures, one frame per pattern. If
+/// the gaps are too short, each pattern stays on for two frames, so that one whole exposure fits
+/// in.
 /// @source  Arold et al., "Sensor Setup" (alternating patterns) and "Texture Acquisition and
 /// Mapping"
 ///          (the acquisition is interrupted about every second for a flash).

@@ -42,11 +42,10 @@ std::string message_of(LightFault fault) {
       return "No image shows the flash: check its cable and power and its line in rig.json.";
     case LightFault::kUnrelated:
       return fmt::format(
-          "The images do not follow the lights. Perhaps they come more than {:.0f} frames late: "
-          "plug "
-          "the camera into a port of the computer, without a hub, or choose a smaller image in "
-          "rig.json. Perhaps the camera does not see these projectors: check cameras and lights in "
-          "rig.json.",
+          "The images do not follow the lights. They may come more than {:.0f} frames late: plug "
+          "the camera in without a hub, or choose a smaller size_px in rig.json. Or the camera "
+          "does "
+          "not see these projectors: check cameras and lights in rig.json.",
           LatencyOptions{}.max_latency_periods);
     case LightFault::kNothingSeen:
       break;
