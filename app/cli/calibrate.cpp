@@ -121,6 +121,7 @@ void print_residuals(const calibration::Calibration& calibration) {
   }
   row("X", calibration.x_mm.residual, kMicrons, "µm");
   row("Y", calibration.y_mm.residual, kMicrons, "µm");
+  if (!calibration.has_texture()) return;
   row("U", calibration.texture_u_px.residual, 1.0, "px");
   row("V", calibration.texture_v_px.residual, 1.0, "px");
   if (calibration.flash) {

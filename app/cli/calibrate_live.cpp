@@ -36,8 +36,10 @@ calibration::CalibrationPlan make_plan(const PlanArguments& arguments) {
 }
 
 /// Without options, an interrupted session continues with its own plan.
-Result<calibration::CalibrationPlan> choose_plan(const CalibrateLiveArguments& arguments) {
-  const calibration::CalibrationPlan plan = make_plan(arguments.plan);
+Result<calibration::CalibrationPlan> choose_plan(const CalibrateLiveArguments& arguments,
+                                                 bool has_texture) {
+  calibration::CalibrationPlan plan = make_plan(arguments.plan);
+  plan.has_texture = has_texture;
   if (has_any_option(arguments.plan)) return plan;
   return io::guided_plan_or(plan, arguments.output);
 }
@@ -83,13 +85,18 @@ void add_plan_options(CLI::App& command, PlanArguments& plan) {
 }
 
 Result<void> calibrate_live(const CalibrateLiveArguments& arguments, const Progress& progress) {
-  const auto plan = choose_plan(arguments);
-  if (!plan) return tl::unexpected(plan.error());
   auto source = shots::open_shots({arguments.simulated, arguments.plan.sensor, arguments.rig});
   if (!source) return tl::unexpected(source.error());
+  const auto plan = choose_plan(arguments, (*source)->has_texture());
+  if (!plan) return tl::unexpected(plan.error());
   auto session = shots::GuidedSession::open(arguments.output, *plan, *source);
   if (!session) return tl::unexpected(session.error());
   print_restored(*session);
+  if (!plan->has_texture) {
+    print_out(
+        "The sensor has no texture camera, so no flash: light the dots with a lamp, evenly and "
+        "without glare. Turn it off for the white plane.\n");
+  }
   if (auto started = (*source)->start(); !started) return started;
   const auto fit = run_guide_dialog(*session, Workers(arguments.thread_count), progress);
   (*source)->stop();

@@ -30,9 +30,11 @@ struct SimulateArguments {
   double dropped_share = 0.0;
   bool unknown_patterns = false;
   std::array<double, 2> away_s = {0.0, 0.0};
+  std::array<double, 2> bump = {0.0, 0.0};
   std::uint64_t seed = 1;
   bool force = false;
   std::array<double, 2> stage_tilt_deg = {0.0, 0.0};
+  bool no_texture = false;
   int thread_count = 0;
 };
 
@@ -52,6 +54,8 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   options.faults.unknown_patterns = arguments.unknown_patterns;
   options.faults.away_start_s = arguments.away_s[0];
   options.faults.away_duration_s = arguments.away_s[1];
+  options.faults.bump_mm = 1e-3 * arguments.bump[0];
+  options.faults.bump_at_s = arguments.bump[1];
   if (arguments.path == "quadrant") {
     options.path.kind = simulated::PathKind::kQuadrant;
   } else if (arguments.path == "arch") {
@@ -77,6 +81,7 @@ Result<void> run_calibration_set(const SimulateArguments& arguments, const Progr
   options.sensor = shots::sensor_named(arguments.sensor);
   options.seed = arguments.seed;
   options.stage_tilt_deg = Vec2(arguments.stage_tilt_deg.data());
+  options.has_texture = !arguments.no_texture;
   auto written = simulated::simulate_calibration_set(options, arguments.output,
                                                      Workers(arguments.thread_count), progress);
   if (written) print_out("wrote {}\n", arguments.output.string());
@@ -119,6 +124,9 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
       ->capture_default_str();
   recording->add_option("--away", arguments->away_s,
                         "Take the sensor away: from when and for how long, in seconds");
+  recording->add_option("--bump", arguments->bump,
+                        "Move the projector of the vertical lines across them: by how many "
+                        "micrometers, and from when on, in seconds");
   recording->add_option("--drop", arguments->dropped_share, "Share of frames that are lost")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
@@ -139,6 +147,7 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
          "Angles in degrees by which the stage misses the right angle to the target, towards "
          "x and y, to see what that does")
       ->capture_default_str();
+  set->add_flag("--no-texture", arguments->no_texture, "The sensor has no texture camera");
   set->footer("Example: flytri simulate calibration-set -o out/set");
   set->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) {

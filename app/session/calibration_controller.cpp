@@ -12,10 +12,11 @@ namespace flytri::session {
 namespace {
 
 /// The plan for a sensor with this calibration. Null: for the intra-oral sensor of the paper.
-calibration::CalibrationPlan plan_for(const calibration::Calibration* known) {
+calibration::CalibrationPlan plan_for(const calibration::Calibration* known, bool has_texture) {
   simulated::SensorModel sensor = simulated::intraoral_sensor();
   if (known != nullptr) sensor.volume = known->volume;
   calibration::CalibrationPlan plan = shots::plan_of(sensor);
+  plan.has_texture = has_texture;
   for (const Pattern pattern : kPatterns) {
     if (known == nullptr) break;
     plan.line_counts[static_cast<std::size_t>(pattern)] = known->of(pattern).line_count();
@@ -35,7 +36,8 @@ Result<std::unique_ptr<CalibrationWork>> begin_work(
     case ui::CalibrationTask::kCalibrate:
       break;
   }
-  const auto plan = io::guided_plan_or(plan_for(calibration.get()), command.folder);
+  const auto plan =
+      io::guided_plan_or(plan_for(calibration.get(), source->has_texture()), command.folder);
   if (!plan) return tl::unexpected(plan.error());
   return calibrate_guided(command.folder, *plan, std::move(source), texts);
 }

@@ -59,7 +59,11 @@ class Calibrating final : public CalibrationWork {
     for (std::size_t i = 0; i < guide.placements().size(); ++i) {
       const calibration::Placement& placement = guide.placements()[i];
       const double z_mm = guide.plan().z_mm[placement.plane];
-      places.push_back({std::string(texts_.translated(to_string(placement.face))),
+      // Without a texture camera there is no flash.
+      const bool needs_lamp =
+          placement.face == calibration::TargetFace::kDots && !guide.plan().has_texture;
+      places.push_back({needs_lamp ? texts_[Text::kDotsUnderLamp]
+                                   : std::string(texts_.translated(to_string(placement.face))),
                         texts_.fill<Text::kAtDepth>(depth_text(z_mm, 2)), depth_text(z_mm, 1),
                         placement.plane, static_cast<std::size_t>(placement.face),
                         guide.is_done(i)});

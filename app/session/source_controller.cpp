@@ -9,6 +9,7 @@
 
 #include "app/session/rig_devices.h"
 #include "app/session/user_folders.h"
+#include "core/calibration/record/calibration_age.h"
 
 namespace flytri::session {
 namespace {
@@ -47,8 +48,21 @@ void SourceController::open() {
       if (!source_.warning.empty()) notices_.add(ui::Severity::kWarning, source_.warning);
       opened_();
       start_capture();
+      remind_of_check();
     };
   });
+}
+
+/// Of devices alone: a recording is over, and the virtual sensor does not age.
+void SourceController::remind_of_check() {
+  if (!choice_.is_rig() || source_.calibration == nullptr) return;
+  const calibration::CalibrationHistory& history = source_.calibration->history;
+  const ui::Texts& texts = notices_.texts();
+  if (!history.checked_at.empty() && !history.has_passed)
+    return notices_.add(ui::Severity::kWarning, texts[ui::Text::kCalibrationFailedCheck]);
+  const auto days = calibration::days_since_valid(history, std::time(nullptr));
+  if (days && *days >= calibration::kCheckEvery_days)
+    notices_.add(ui::Severity::kInformation, texts.fill<ui::Text::kCalibrationIsOld>(*days));
 }
 
 void SourceController::start_capture() {

@@ -74,6 +74,7 @@ class SourceController {
  private:
   void start_capture();
   void begin_recording();
+  void remind_of_check();
   void retry();
   [[nodiscard]] bool is_running() const;
   [[nodiscard]] bool has_failed() const;

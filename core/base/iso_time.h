@@ -2,11 +2,14 @@
 #pragma once
 
 #include <ctime>
+#include <optional>
 #include <string>
 
 namespace flytri {
 
 /// ISO 8601 in UTC: "2026-11-25T08:30:00Z".
 [[nodiscard]] std::string iso_time(std::time_t time);
+/// The reverse. None: the text is no such time.
+[[nodiscard]] std::optional<std::time_t> parse_iso_time(const std::string& text);
 
 }  // namespace flytri

@@ -15,7 +15,7 @@ bool is_alike(const calibration::CalibrationPlan& a, const calibration::Calibrat
   return a.volume.size_mm == b.volume.size_mm && a.line_counts == b.line_counts &&
          a.dots.pitch_mm == b.dots.pitch_mm && a.dots.diameter_mm == b.dots.diameter_mm &&
          a.dots.marker_diameter_mm == b.dots.marker_diameter_mm && a.z_mm == b.z_mm &&
-         a.order == b.order;
+         a.order == b.order && a.has_texture == b.has_texture;
 }
 
 /// Checks that the folder's session has this plan, or creates a session there.
@@ -52,7 +52,8 @@ GuidedSession::GuidedSession(std::filesystem::path folder, calibration::GuidedCa
 
 void GuidedSession::restore() {
   for (std::size_t i = 0; i < guide_.placements().size(); ++i) {
-    const auto images = io::read_placement(folder_, guide_.placements()[i]);
+    const auto images =
+        io::read_placement(folder_, guide_.placements()[i], guide_.plan().has_texture);
     if (!images) {
       problems_.push_back(images.error().message);
       continue;

@@ -13,22 +13,6 @@ constexpr double kLook_s = 0.05;  // interval at which the light switch is polle
 // Share of a light's duty that look() takes: the rest is left for the shots.
 constexpr double kLookShare = 0.7;
 
-device::Light light_of(calibration::ShotKind kind) {
-  switch (kind) {
-    case calibration::ShotKind::kDark:
-      return device::Light::kDark;
-    case calibration::ShotKind::kVertical:
-    case calibration::ShotKind::kVerticalAgain:
-      return device::Light::kVertical;
-    case calibration::ShotKind::kHorizontal:
-      return device::Light::kHorizontal;
-    case calibration::ShotKind::kDots:
-    case calibration::ShotKind::kDotsTexture:
-      break;
-  }
-  return device::Light::kFlash;
-}
-
 /// The mean image in the format of the calibration set: grey in 16 bits, color in 8.
 cv::Mat mean_of(const cv::Mat& sum, int count, int depth) {
   constexpr double kTo16Bits = 257.0;  // 255 becomes 65535
@@ -37,12 +21,6 @@ cv::Mat mean_of(const cv::Mat& sum, int count, int depth) {
   cv::Mat mean;
   sum.convertTo(mean, is_gray ? CV_16U : CV_8U, scale / count);
   return mean;
-}
-
-Error without_texture(const std::string& rig) {
-  return {ErrorCode::kBadOption,
-          fmt::format("{} has no texture camera, but a calibration needs one: add it to rig.json",
-                      rig)};
 }
 
 }  // namespace
@@ -66,6 +44,22 @@ RigShots::RigShots(rig::RigDevices devices, const std::string& name, const RigSh
     : devices_(std::move(devices)), name_(name), options_(options) {}
 
 RigShots::~RigShots() { stop(); }
+
+device::Light RigShots::light_of(calibration::ShotKind kind) const {
+  switch (kind) {
+    case calibration::ShotKind::kDark:
+      return device::Light::kDark;
+    case calibration::ShotKind::kVertical:
+    case calibration::ShotKind::kVerticalAgain:
+      return device::Light::kVertical;
+    case calibration::ShotKind::kHorizontal:
+      return device::Light::kHorizontal;
+    case calibration::ShotKind::kDots:
+    case calibration::ShotKind::kDotsTexture:
+      break;
+  }
+  return has_texture() ? device::Light::kFlash : device::Light::kDark;
+}
 
 Result<void> RigShots::start() {
   shines_ = device::Light::kDark;
@@ -167,8 +161,12 @@ Result<cv::Mat> RigShots::average(device::Light light, device::Camera& camera, i
 /// The lights are dark at the end, whatever happens.
 Result<cv::Mat> RigShots::expose(calibration::ShotKind kind, int exposures,
                                  const Progress& progress) {
-  if (kind == calibration::ShotKind::kDotsTexture && devices_.texture == nullptr)
-    return tl::unexpected(without_texture(name_));
+  if (kind == calibration::ShotKind::kDotsTexture && !has_texture()) {
+    return fail(ErrorCode::kBadOption,
+                "{} has no texture camera, but this calibration was begun with one: add it to "
+                "rig.json, or begin a calibration in another folder",
+                name_);
+  }
   const device::Light wanted = light_of(kind);
   const auto lit = light(wanted, progress);
   device::Camera& camera =
@@ -203,7 +201,6 @@ Result<cv::Mat> RigShots::look(calibration::ShotKind kind, double /*z_mm*/,
 }
 
 Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig) {
-  if (!rig.texture) return tl::unexpected(without_texture(rig.name));
   auto devices = rig::open_devices(rig);
   if (!devices) return tl::unexpected(devices.error());
   RigShotOptions options;

@@ -25,7 +25,8 @@ struct RigShotOptions {
 class RigShots final : public ShotSource {
  public:
   /// Opens no device before start().
-  /// @param devices  without a texture camera, kDotsTexture cannot be taken
+  /// @param devices  without a texture camera, kDotsTexture cannot be taken, and kDots is taken
+  ///                 without a light of the rig: a lamp lights the dots
   /// @errors  kBadOption.
   [[nodiscard]] static Result<std::unique_ptr<RigShots>> create(rig::RigDevices devices,
                                                                 const std::string& name,
@@ -38,10 +39,12 @@ class RigShots final : public ShotSource {
                                      const Progress& progress) override;
   [[nodiscard]] Result<cv::Mat> look(calibration::ShotKind kind, double z_mm,
                                      const Progress& progress) override;
+  [[nodiscard]] bool has_texture() const override { return devices_.texture != nullptr; }
   [[nodiscard]] std::string name() const override { return name_; }
 
  private:
   RigShots(rig::RigDevices devices, const std::string& name, const RigShotOptions& options);
+  [[nodiscard]] device::Light light_of(calibration::ShotKind kind) const;
   [[nodiscard]] Result<void> light(device::Light light, const Progress& progress);
   void darken();
   [[nodiscard]] bool was_turned_off();
@@ -63,7 +66,7 @@ class RigShots final : public ShotSource {
 };
 
 /// Uses the devices of this machine that the rig names, for a calibration.
-/// @errors  kBadOption: no texture camera; as open_rig.
+/// @errors  As open_rig.
 [[nodiscard]] Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig);
 
 }  // namespace flytri::shots

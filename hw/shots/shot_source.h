@@ -33,6 +33,9 @@ class ShotSource {
   [[nodiscard]] virtual Result<cv::Mat> look(calibration::ShotKind kind, double z_mm,
                                              const Progress& progress) = 0;
 
+  /// Whether it can take kDotsTexture. Otherwise it has no flash: kDots needs a lamp.
+  [[nodiscard]] virtual bool has_texture() const { return true; }
+
   /// Name shown to the user.
   [[nodiscard]] virtual std::string name() const = 0;
 

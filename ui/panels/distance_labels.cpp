@@ -2,6 +2,7 @@
 /// names of axes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -30,9 +31,11 @@ std::optional<ImVec2> place_in_window(const CameraState& view, const Rect& pictu
   return ImVec2(picture.x + x * picture.width, picture.y + y * picture.height);
 }
 
+constexpr float kLabelHeight = 28.0F;
+
 void draw_label(const PanelContext& context, const ImVec2& middle, const std::string& text) {
   const Theme& theme = context.theme;
-  const float height = context.px(28.0F);
+  const float height = context.px(kLabelHeight);
   const float width = std::ceil(text_width(theme.fonts.strong, text)) + 2.0F * context.px(10.0F);
   const Rect box = {std::round(middle.x - width / 2.0F), std::round(middle.y - height / 2.0F),
                     width, height};
@@ -50,9 +53,14 @@ void draw_plane_labels(const PanelContext& context) {
   labels.emplace_back(front, plane->is_arch ? Text::kViewFront : Text::kViewBuccal);
   if (plane->is_arch) labels.emplace_back(left, Text::kViewLeft);
   const Rect& picture = context.layout.picture;
+  // Below the banner.
+  const float top =
+      context.layout.frame.y + context.px(kBannerHeight + kGapM + kLabelHeight / 2.0F);
   for (const auto& [end_mm, text] : labels) {
-    const auto at = place_in_window(context.state.view, picture, end_mm);
-    if (at && picture.contains(*at)) draw_label(context, *at, context.text(text));
+    auto at = place_in_window(context.state.view, picture, end_mm);
+    if (!at || !picture.contains(*at)) continue;
+    at->y = std::max(at->y, top);
+    draw_label(context, *at, context.text(text));
   }
 }
 

@@ -87,6 +87,9 @@ FLYTRI_TEXT(kDeviations, "Deviations at the edge of the volume",
 
 // What a calibration or a check tells.
 FLYTRI_TEXT(kAtDepth, "at z = {0} mm", "bei z = {0} mm", "à z = {0} mm", "en z = {0} mm")
+FLYTRI_TEXT(kDotsUnderLamp, "dot target, lit by a lamp,",
+            "Punktetafel, von einer Lampe beleuchtet,", "mire de points, éclairée par une lampe,",
+            "placa de puntos, bajo una lámpara,")
 FLYTRI_TEXT(kTargetSphere, "sphere", "Kugel", "sphère", "esfera")
 FLYTRI_TEXT(kTargetPlane, "plane", "Ebene", "plan", "plano")
 FLYTRI_TEXT(kPlaceNumber, "place {0}", "Stelle {0}", "endroit {0}", "lugar {0}")
@@ -113,6 +116,29 @@ FLYTRI_TEXT(kCalibrationInvalid, "Calibration no longer valid", "Kalibrierung ni
 FLYTRI_TEXT(kCalibrateAgain, "Calibrate the sensor again.", "Den Sensor neu kalibrieren.",
             "Étalonner à nouveau le capteur.", "Calibrar de nuevo el sensor.")
 FLYTRI_TEXT(kNoVerdict, "No verdict", "Kein Ergebnis", "Pas de verdict", "Sin veredicto")
+FLYTRI_TEXT(
+    kCalibrationIsOld,
+    "The calibration was last found valid {0} days ago. Check it on the plane or the sphere.",
+    "Die Kalibrierung wurde zuletzt vor {0} Tagen für gültig befunden. Sie an der Ebene oder "
+    "der Kugel prüfen.",
+    "L’étalonnage a été jugé valable pour la dernière fois il y a {0} jours. Le contrôler sur "
+    "le plan ou la sphère.",
+    "La calibración se dio por válida por última vez hace {0} días. Comprobarla con el plano "
+    "o la esfera.")
+FLYTRI_TEXT(kCalibrationFailedCheck,
+            "The last check of the calibration failed. Calibrate the sensor again.",
+            "Die letzte Prüfung der Kalibrierung ist fehlgeschlagen. Den Sensor neu kalibrieren.",
+            "Le dernier contrôle de l’étalonnage a échoué. Étalonner à nouveau le capteur.",
+            "La última comprobación de la calibración falló. Calibrar de nuevo el sensor.")
+FLYTRI_TEXT(kProjectorMoved,
+            "Vertical and horizontal lines disagree by {0:.0f} µm: a projector has probably moved. "
+            "Check the calibration.",
+            "Vertikale und horizontale Linien weichen um {0:.0f} µm voneinander ab: Ein Projektor "
+            "hat sich wohl bewegt. Die Kalibrierung prüfen.",
+            "Les lignes verticales et horizontales s’écartent de {0:.0f} µm : un projecteur a sans "
+            "doute bougé. Contrôler l’étalonnage.",
+            "Las líneas verticales y horizontales difieren en {0:.0f} µm: es probable que un "
+            "proyector se haya movido. Comprobar la calibración.")
 FLYTRI_TEXT(kCalibrationInUse, "In use: {0}", "In Verwendung: {0}", "Utilisé : {0}", "En uso: {0}")
 FLYTRI_TEXT(kCheckNoted, "The check is noted in {0}", "Die Prüfung ist vermerkt in {0}",
             "Contrôle noté dans {0}", "Comprobación anotada en {0}")

@@ -79,7 +79,8 @@ Result<Calibration> calibrate(const CalibrationSet& set, const CalibrateOptions&
   calibration.y_mm = lateral->y_mm;
   calibration.texture_u_px = lateral->texture_u_px;
   calibration.texture_v_px = lateral->texture_v_px;
-  calibration.flash = fit_flash(set, lateral->texture_u_px, lateral->texture_v_px, workers);
+  if (set.has_texture())
+    calibration.flash = fit_flash(set, lateral->texture_u_px, lateral->texture_v_px, workers);
   progress.advance();
 
   for (const Pattern pattern : kPatterns) {

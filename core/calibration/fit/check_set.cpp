@@ -27,6 +27,22 @@ Result<void> check_gray(const cv::Mat& image, const std::string& name) {
               "{}: images of the measurement camera must be 8- or 16-bit gray", name);
 }
 
+/// All planes have an image of the texture camera, or none has.
+Result<void> check_texture(const CalibrationPlane& plane, const CalibrationPlane& first) {
+  if (first.dots_texture.empty() && plane.dots_texture.empty()) return {};
+  if (first.dots_texture.empty()) {
+    return fail(ErrorCode::kInconsistent,
+                "{}: there is no such image of the first plane; take it at all depths, or at none",
+                plane.dots_texture_name);
+  }
+  if (!plane.dots_texture.empty() && plane.dots_texture.type() != CV_8UC3) {
+    return fail(ErrorCode::kBadFormat, "{}: texture images must be 8-bit RGB",
+                plane.dots_texture_name);
+  }
+  return check_image(plane.dots_texture, plane.dots_texture_name, first.dots_texture,
+                     first.dots_texture_name);
+}
+
 Result<void> check_plane(const CalibrationPlane& plane, const CalibrationPlane& first) {
   const auto first_error = [](std::initializer_list<Result<void>> results) -> Result<void> {
     for (const auto& result : results) {
@@ -34,16 +50,11 @@ Result<void> check_plane(const CalibrationPlane& plane, const CalibrationPlane& 
     }
     return {};
   };
-  if (plane.dots_texture.type() != CV_8UC3) {
-    return fail(ErrorCode::kBadFormat, "{}: texture images must be 8-bit RGB",
-                plane.dots_texture_name);
-  }
   return first_error({
       check_image(plane.vertical, plane.vertical_name, first.vertical, first.vertical_name),
       check_image(plane.horizontal, plane.horizontal_name, first.vertical, first.vertical_name),
       check_image(plane.dots, plane.dots_name, first.vertical, first.vertical_name),
-      check_image(plane.dots_texture, plane.dots_texture_name, first.dots_texture,
-                  first.dots_texture_name),
+      check_texture(plane, first),
       check_gray(plane.vertical, plane.vertical_name),
       check_gray(plane.horizontal, plane.horizontal_name),
       check_gray(plane.dots, plane.dots_name),

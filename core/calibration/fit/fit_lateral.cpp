@@ -47,33 +47,53 @@ Result<TrivariateCubic> fit_named(const std::vector<CubicDatum>& data, const cha
   return cubic;
 }
 
-}  // namespace
-
-Result<LateralCalibration> fit_lateral(const CalibrationSet& set, const Workers& workers) {
-  const auto measured = all_dots(set, false, workers);
-  if (!measured) return tl::unexpected(measured.error());
-  const auto textured = all_dots(set, true, workers);
-  if (!textured) return tl::unexpected(textured.error());
-
-  std::vector<CubicDatum> x, y, u, v;
-  for (const PlacedDot& dot : *measured) {
+Result<void> fit_measurement_camera(const CalibrationSet& set, const Workers& workers,
+                                    LateralCalibration& lateral) {
+  const auto dots = all_dots(set, false, workers);
+  if (!dots) return tl::unexpected(dots.error());
+  std::vector<CubicDatum> x, y;
+  for (const PlacedDot& dot : *dots) {
     const Vec3 uvz(dot.center.u_px, dot.center.v_px, dot.p_sensor.z());
     x.push_back({uvz, dot.p_sensor.x()});
     y.push_back({uvz, dot.p_sensor.y()});
-  }
-  for (const PlacedDot& dot : *textured) {
-    u.push_back({dot.p_sensor, dot.center.u_px});
-    v.push_back({dot.p_sensor, dot.center.v_px});
   }
   const auto x_mm = fit_named(x, "X");
   if (!x_mm) return tl::unexpected(x_mm.error());
   const auto y_mm = fit_named(y, "Y");
   if (!y_mm) return tl::unexpected(y_mm.error());
+  lateral.x_mm = *x_mm;
+  lateral.y_mm = *y_mm;
+  return {};
+}
+
+Result<void> fit_texture_camera(const CalibrationSet& set, const Workers& workers,
+                                LateralCalibration& lateral) {
+  const auto dots = all_dots(set, true, workers);
+  if (!dots) return tl::unexpected(dots.error());
+  std::vector<CubicDatum> u, v;
+  for (const PlacedDot& dot : *dots) {
+    u.push_back({dot.p_sensor, dot.center.u_px});
+    v.push_back({dot.p_sensor, dot.center.v_px});
+  }
   const auto u_px = fit_named(u, "U");
   if (!u_px) return tl::unexpected(u_px.error());
   const auto v_px = fit_named(v, "V");
   if (!v_px) return tl::unexpected(v_px.error());
-  return LateralCalibration{*x_mm, *y_mm, *u_px, *v_px};
+  lateral.texture_u_px = *u_px;
+  lateral.texture_v_px = *v_px;
+  return {};
+}
+
+}  // namespace
+
+Result<LateralCalibration> fit_lateral(const CalibrationSet& set, const Workers& workers) {
+  LateralCalibration lateral;
+  return fit_measurement_camera(set, workers, lateral)
+      .and_then([&]() -> Result<void> {
+        if (!set.has_texture()) return {};
+        return fit_texture_camera(set, workers, lateral);
+      })
+      .map([&] { return lateral; });
 }
 
 }  // namespace flytri::calibration

@@ -12,6 +12,7 @@ struct LateralCalibration {
   TrivariateCubic texture_u_px, texture_v_px;
 };
 
+/// Without a texture camera, U and V stay empty.
 /// @source  Arold et al., "xy-Calibration" and "Inverse Lateral Calibration".
 /// @errors  kInsufficient or kInconsistent, naming the image.
 [[nodiscard]] Result<LateralCalibration> fit_lateral(const CalibrationSet& set,

@@ -31,11 +31,13 @@ TargetFace face_of(ShotKind kind) {
                                                                    : TargetFace::kWhitePlane;
 }
 
-const std::vector<ShotKind>& shots_of(TargetFace face) {
+const std::vector<ShotKind>& shots_of(TargetFace face, bool has_texture) {
   static const std::vector<ShotKind> kWhite = {ShotKind::kDark, ShotKind::kVertical,
                                                ShotKind::kHorizontal, ShotKind::kVerticalAgain};
   static const std::vector<ShotKind> kDots = {ShotKind::kDots, ShotKind::kDotsTexture};
-  return face == TargetFace::kDots ? kDots : kWhite;
+  static const std::vector<ShotKind> kGrayDots = {ShotKind::kDots};
+  if (face == TargetFace::kWhitePlane) return kWhite;
+  return has_texture ? kDots : kGrayDots;
 }
 
 Result<void> CalibrationPlan::validate() const {

@@ -15,7 +15,7 @@ enum class TargetFace { kWhitePlane, kDots };
 
 /// Kind of an image. kVerticalAgain does not belong to the set: it shows whether the plane moved
 /// during the shots before. kDots is taken by the measurement camera, kDotsTexture by the texture
-/// camera, both with the flash.
+/// camera, both with the flash. Without a texture camera there is no flash: a lamp lights the dots.
 enum class ShotKind { kDark, kVertical, kHorizontal, kVerticalAgain, kDots, kDotsTexture };
 
 /// The name shown to the user.
@@ -23,7 +23,8 @@ enum class ShotKind { kDark, kVertical, kHorizontal, kVerticalAgain, kDots, kDot
 [[nodiscard]] std::string_view to_string(ShotKind kind);
 [[nodiscard]] TargetFace face_of(ShotKind kind);
 /// The shots of a target, in the order of taking.
-[[nodiscard]] const std::vector<ShotKind>& shots_of(TargetFace face);
+/// @param has_texture  the sensor has a texture camera
+[[nodiscard]] const std::vector<ShotKind>& shots_of(TargetFace face, bool has_texture);
 
 /// kByPlane: both targets at one depth, then the next depth. kByTarget: the white plane at all
 /// depths, then the dots; the stage must return to the same depths.
@@ -42,6 +43,7 @@ struct CalibrationPlan {
   DotTarget dots;
   std::vector<double> z_mm;  ///< depths of the planes, rising; z points away from the camera
   PlacementOrder order = PlacementOrder::kByPlane;
+  bool has_texture = true;  ///< the sensor has a texture camera
   /// As check_numbers: a check before any image is taken.
   [[nodiscard]] Result<void> validate() const;
 };

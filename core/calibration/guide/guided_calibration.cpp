@@ -67,7 +67,7 @@ ShotVerdict GuidedCalibration::take(const cv::Mat& image) {
   return verdict;
 }
 
-std::vector<ShotKind> GuidedCalibration::kept_shots(TargetFace face) {
+std::vector<ShotKind> GuidedCalibration::kept_shots(TargetFace face) const {
   std::vector<ShotKind> shots = shots_of(face);
   std::erase(shots, ShotKind::kVerticalAgain);
   return shots;
@@ -188,7 +188,7 @@ CalibrationSet GuidedCalibration::set() const {
       plane.horizontal = images_[i][2];
     } else {
       plane.dots = images_[i][0];
-      plane.dots_texture = images_[i][1];
+      if (plan_.has_texture) plane.dots_texture = images_[i][1];
     }
   }
   for (std::size_t i = 0; i < set.planes.size(); ++i) name_images(set.planes[i], i);

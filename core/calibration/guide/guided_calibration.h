@@ -69,7 +69,7 @@ class GuidedCalibration {
     return images_[placement];
   }
   /// The shots of a placement that a session keeps: all but kVerticalAgain.
-  [[nodiscard]] static std::vector<ShotKind> kept_shots(TargetFace face);
+  [[nodiscard]] std::vector<ShotKind> kept_shots(TargetFace face) const;
 
   /// Restores a placement of an earlier session; checks its images again.
   /// @param images  in the order of kept_shots()
@@ -95,6 +95,9 @@ class GuidedCalibration {
     LineShot vertical;
   };
   GuidedCalibration(const CalibrationPlan& plan, const GuidedOptions& options);
+  [[nodiscard]] const std::vector<ShotKind>& shots_of(TargetFace face) const {
+    return calibration::shots_of(face, plan_.has_texture);
+  }
   [[nodiscard]] ShotVerdict check(const WantedShot& shot, const cv::Mat& image);
   [[nodiscard]] ShotVerdict check_type(ShotKind kind, const cv::Mat& image) const;
   /// The first image of the texture camera or of the measurement camera, to compare size and type;

@@ -118,13 +118,14 @@ struct CalibrationHistory {
 struct Calibration {
   MeasurementVolume volume;
   ImageSize measurement_size;
-  ImageSize texture_size;
+  ImageSize texture_size;                      ///< 0 x 0: the sensor has no texture camera
   std::array<PatternCalibration, 2> patterns;  ///< by Pattern
   TrivariateCubic x_mm, y_mm;                  ///< (u, v, z) -> x, y
-  TrivariateCubic texture_u_px, texture_v_px;  ///< (x, y, z) -> U, V in the texture image
+  TrivariateCubic texture_u_px, texture_v_px;  ///< (x, y, z) -> U, V in the texture image, if any
   std::optional<Flash> flash;                  ///< none: not calibrated
   CalibrationHistory history;                  ///< does not change what it measures
 
+  [[nodiscard]] bool has_texture() const { return texture_size.width_px > 0; }
   [[nodiscard]] const PatternCalibration& of(Pattern pattern) const {
     return patterns[static_cast<std::size_t>(pattern)];
   }

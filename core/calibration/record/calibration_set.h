@@ -22,7 +22,7 @@ struct CalibrationPlane {
   double z_mm = 0.0;
   cv::Mat vertical, horizontal;  ///< CV_8UC1 or CV_16UC1, linear in light
   cv::Mat dots;                  ///< measurement camera, CV_8UC1 or CV_16UC1
-  cv::Mat dots_texture;          ///< texture camera, CV_8UC3 in R, G, B order, sRGB
+  cv::Mat dots_texture;  ///< texture camera, CV_8UC3 in R, G, B order, sRGB; empty: there is none
   std::string vertical_name, horizontal_name, dots_name, dots_texture_name;
 };
 
@@ -32,6 +32,11 @@ struct CalibrationSet {
   std::array<int, 2> line_counts{};  ///< by Pattern
   DotTarget dots;
   std::vector<CalibrationPlane> planes;  ///< by rising z
+
+  /// Whether a texture camera took part: then in all planes.
+  [[nodiscard]] bool has_texture() const {
+    return !planes.empty() && !planes.front().dots_texture.empty();
+  }
 };
 
 /// Sets the file names of the images of plane `index`: z00_v.png and so on.

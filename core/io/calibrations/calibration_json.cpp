@@ -182,15 +182,18 @@ ImageSize read_size(const JsonPlace& place) {
 
 /// All of the file but its first keys.
 std::string write_content(const calibration::Calibration& calibration) {
-  std::string text = fmt::format(
-                         "\"measurement_volume_mm\":{},\n\"measurement_size_px\":{},\n"
-                         "\"texture_size_px\":{},\n",
-                         list(calibration.volume.size_mm), write(calibration.measurement_size),
-                         write(calibration.texture_size)) +
-                     fmt::format("\"x_mm\":{},\n\"y_mm\":{},\n", write(calibration.x_mm),
-                                 write(calibration.y_mm)) +
-                     fmt::format("\"texture_u_px\":{},\n\"texture_v_px\":{},\n",
-                                 write(calibration.texture_u_px), write(calibration.texture_v_px));
+  std::string text =
+      fmt::format("\"measurement_volume_mm\":{},\n\"measurement_size_px\":{},\n",
+                  list(calibration.volume.size_mm), write(calibration.measurement_size));
+  const bool has_texture = calibration.has_texture();
+  if (has_texture)
+    text += fmt::format("\"texture_size_px\":{},\n", write(calibration.texture_size));
+  text +=
+      fmt::format("\"x_mm\":{},\n\"y_mm\":{},\n", write(calibration.x_mm), write(calibration.y_mm));
+  if (has_texture) {
+    text += fmt::format("\"texture_u_px\":{},\n\"texture_v_px\":{},\n",
+                        write(calibration.texture_u_px), write(calibration.texture_v_px));
+  }
   if (calibration.flash) text += fmt::format("\"flash\":{},\n", write(*calibration.flash));
   for (const Pattern pattern : kPatterns) {
     text += fmt::format("\"{}\":{}{}\n", to_string(pattern), write(calibration.of(pattern)),
@@ -274,11 +277,13 @@ Result<calibration::Calibration> parse_calibration(std::string_view text, const 
           json.at("measurement_volume_mm").reject("positive numbers");
         }
         calibration.measurement_size = read_size(json.at("measurement_size_px"));
-        calibration.texture_size = read_size(json.at("texture_size_px"));
         calibration.x_mm = read_cubic(json.at("x_mm"));
         calibration.y_mm = read_cubic(json.at("y_mm"));
-        calibration.texture_u_px = read_cubic(json.at("texture_u_px"));
-        calibration.texture_v_px = read_cubic(json.at("texture_v_px"));
+        if (json.has("texture_size_px") || json.has("texture_u_px") || json.has("texture_v_px")) {
+          calibration.texture_size = read_size(json.at("texture_size_px"));
+          calibration.texture_u_px = read_cubic(json.at("texture_u_px"));
+          calibration.texture_v_px = read_cubic(json.at("texture_v_px"));
+        }
         if (json.has("flash")) {
           calibration.flash = read_flash(json.at("flash"), calibration.volume.size_mm);
         }

@@ -21,7 +21,7 @@ struct Slot {
   const char* key;
   cv::Mat calibration::CalibrationPlane::*image;
   std::string calibration::CalibrationPlane::*name;
-  bool color;
+  bool color;  ///< of the texture camera, which may be missing
 };
 
 constexpr std::array<Slot, 4> kSlots = {
@@ -39,7 +39,9 @@ std::vector<calibration::CalibrationPlane> read_planes(const JsonPlace& list) {
   for (const JsonPlace& place : list.elements()) {
     calibration::CalibrationPlane plane;
     plane.z_mm = place.at("z_mm").number();
-    for (const Slot& slot : kSlots) plane.*slot.name = place.at(slot.key).text();
+    for (const Slot& slot : kSlots) {
+      if (!slot.color || place.has(slot.key)) plane.*slot.name = place.at(slot.key).text();
+    }
     for (const calibration::CalibrationPlane& other : planes) {
       if (other.z_mm == plane.z_mm) place.at("z_mm").reject("a depth that no other plane has");
     }
@@ -83,7 +85,9 @@ nlohmann::ordered_json describe(const calibration::CalibrationSet& set) {
   put_calibration_scene(json, set);
   for (std::size_t i = 0; i < set.planes.size(); ++i) {
     nlohmann::ordered_json plane = {{"z_mm", set.planes[i].z_mm}};
-    for (const Slot& slot : kSlots) plane[slot.key] = name_in(set.planes[i], slot, i);
+    for (const Slot& slot : kSlots) {
+      if (!slot.color || set.has_texture()) plane[slot.key] = name_in(set.planes[i], slot, i);
+    }
     json["planes"].push_back(std::move(plane));
   }
   return json;
@@ -111,6 +115,7 @@ Result<calibration::CalibrationSet> read_calibration_set(const std::filesystem::
   std::array<cv::Size, 2> sizes;  // of the measurement and of the texture camera
   for (calibration::CalibrationPlane& plane : set->planes) {
     for (const Slot& slot : kSlots) {
+      if ((plane.*slot.name).empty()) continue;
       Result<cv::Mat> image =
           load_image(folder / (plane.*slot.name), slot.color, sizes[slot.color ? 1 : 0]);
       if (!image) return tl::unexpected(image.error());
@@ -125,6 +130,7 @@ Result<void> write_calibration_set(const std::filesystem::path& folder,
   if (Result<void> made = create_folder(folder); !made) return made;
   for (std::size_t i = 0; i < set.planes.size(); ++i) {
     for (const Slot& slot : kSlots) {
+      if (slot.color && !set.has_texture()) continue;
       const std::filesystem::path path = folder / name_in(set.planes[i], slot, i);
       if (Result<void> written = write_png(path, set.planes[i].*slot.image); !written)
         return written;

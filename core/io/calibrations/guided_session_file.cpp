@@ -14,11 +14,14 @@ constexpr std::string_view kSessionFormat = "flytri.calibration-session";
 constexpr int kSessionVersion = 1;
 constexpr std::string_view kByPlane = "by plane";
 constexpr std::string_view kByTarget = "by target";
+constexpr const char* kTextureKey = "texture";
+constexpr std::string_view kNone = "none";
 
 /// In the order of GuidedCalibration::kept_shots; images of the set have the names of the set.
-std::vector<std::string> names_of(const calibration::Placement& place) {
+std::vector<std::string> names_of(const calibration::Placement& place, bool has_texture) {
   calibration::CalibrationPlane plane;
   calibration::name_images(plane, place.plane);
+  if (place.face == calibration::TargetFace::kDots && !has_texture) return {plane.dots_name};
   if (place.face == calibration::TargetFace::kDots)
     return {plane.dots_name, plane.dots_texture_name};
   return {fmt::format("z{:02}_dark.png", place.plane), plane.vertical_name, plane.horizontal_name};
@@ -48,6 +51,10 @@ Result<calibration::CalibrationPlan> parse_guided_plan(std::string_view text,
   calibration::CalibrationPlan plan{
       scene.volume, scene.line_counts, scene.dots, {}, read_order(json->at("order"))};
   for (const JsonPlace& z : json->at("z_mm").elements()) plan.z_mm.push_back(z.number());
+  if (json->has(kTextureKey)) {
+    plan.has_texture = false;
+    if (json->at(kTextureKey).text() != kNone) json->at(kTextureKey).reject("\"none\"");
+  }
   if (auto outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
   if (auto valid = plan.validate(); !valid) {
     return fail(valid.error().code, "{}: {}", name, valid.error().message);
@@ -69,6 +76,7 @@ Result<void> write_guided_plan(const std::filesystem::path& folder,
   put_calibration_scene(json, {plan.volume, plan.line_counts, plan.dots, {}});
   json["order"] = plan.order == calibration::PlacementOrder::kByTarget ? kByTarget : kByPlane;
   json["z_mm"] = plan.z_mm;
+  if (!plan.has_texture) json[kTextureKey] = kNone;
   return write_file(folder / kSessionFile, json.dump(1) + "\n");
 }
 
@@ -76,7 +84,7 @@ Result<void> write_placement(const std::filesystem::path& folder,
                              const calibration::Placement& place,
                              const std::vector<cv::Mat>& images) {
   if (auto removed = remove_placement(folder, place); !removed) return removed;
-  const std::vector<std::string> names = names_of(place);
+  const std::vector<std::string> names = names_of(place, images.size() > 1);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (auto written = write_png(folder / names[i], images[i]); !written) return written;
   }
@@ -84,8 +92,8 @@ Result<void> write_placement(const std::filesystem::path& folder,
 }
 
 Result<std::vector<cv::Mat>> read_placement(const std::filesystem::path& folder,
-                                            const calibration::Placement& place) {
-  const std::vector<std::string> names = names_of(place);
+                                            const calibration::Placement& place, bool has_texture) {
+  const std::vector<std::string> names = names_of(place, has_texture);
   std::vector<cv::Mat> images;
   std::error_code error;
   if (!std::filesystem::exists(folder / names.back(), error)) return images;
@@ -99,7 +107,7 @@ Result<std::vector<cv::Mat>> read_placement(const std::filesystem::path& folder,
 
 Result<void> remove_placement(const std::filesystem::path& folder,
                               const calibration::Placement& place) {
-  const std::vector<std::string> names = names_of(place);
+  const std::vector<std::string> names = names_of(place, true);
   for (auto name = names.rbegin(); name != names.rend(); ++name) {
     std::error_code error;
     std::filesystem::remove(folder / *name, error);

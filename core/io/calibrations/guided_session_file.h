@@ -39,10 +39,12 @@ namespace flytri::io {
                                            const calibration::Placement& place,
                                            const std::vector<cv::Mat>& images);
 
+/// @param has_texture  as CalibrationPlan
 /// @return  empty: the placement is not done
 /// @errors  As read_png.
 [[nodiscard]] Result<std::vector<cv::Mat>> read_placement(const std::filesystem::path& folder,
-                                                          const calibration::Placement& place);
+                                                          const calibration::Placement& place,
+                                                          bool has_texture);
 
 /// @errors  kWriteFailed.
 [[nodiscard]] Result<void> remove_placement(const std::filesystem::path& folder,

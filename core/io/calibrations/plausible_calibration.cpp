@@ -93,8 +93,10 @@ class Check {
     };
     check("x_mm", calibration_.x_mm, size_mm.x());
     check("y_mm", calibration_.y_mm, size_mm.y());
-    check("texture_u_px", calibration_.texture_u_px, texture.width_px);
-    check("texture_v_px", calibration_.texture_v_px, texture.height_px);
+    if (calibration_.has_texture()) {
+      check("texture_u_px", calibration_.texture_u_px, texture.width_px);
+      check("texture_v_px", calibration_.texture_v_px, texture.height_px);
+    }
     for (const Pattern pattern : kPatterns) {
       const JsonPlace place = json_.at(to_string(pattern));
       const auto& lines = calibration_.of(pattern);
@@ -145,6 +147,7 @@ class Check {
     check_value("y_mm", p_sensor.y(), {-size_mm.y(), size_mm.y()});
     check_stretch("x_mm", stretch(calibration_.x_mm, calibration_.y_mm, uvz), measured_sign_,
                   size_mm.x() * size_mm.y() / image.width_px / image.height_px);
+    if (!calibration_.has_texture()) return;
     const Pixel seen = calibration_.project_to_texture(p_sensor);
     check_value("texture_u_px", seen.u_px, {-2.0 * texture.width_px, 3.0 * texture.width_px});
     check_value("texture_v_px", seen.v_px, {-2.0 * texture.height_px, 3.0 * texture.height_px});

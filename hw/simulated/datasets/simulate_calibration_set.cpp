@@ -13,7 +13,7 @@ namespace {
 /// @param z_mm  how far the stage has moved, which counts as the depth
 /// @param depth_share  how much of that the depth has changed
 calibration::CalibrationPlane take_plane(const CalibrationCamera& camera, std::size_t index,
-                                         double z_mm, double depth_share) {
+                                         double z_mm, double depth_share, bool has_texture) {
   const double depth_mm = depth_share * z_mm;
   const std::uint64_t stream = 4 * index;
   calibration::CalibrationPlane plane;
@@ -21,7 +21,8 @@ calibration::CalibrationPlane take_plane(const CalibrationCamera& camera, std::s
   plane.vertical = camera.take(calibration::ShotKind::kVertical, depth_mm, stream);
   plane.horizontal = camera.take(calibration::ShotKind::kHorizontal, depth_mm, stream + 1);
   plane.dots = camera.take(calibration::ShotKind::kDots, depth_mm, stream + 2);
-  plane.dots_texture = camera.take(calibration::ShotKind::kDotsTexture, depth_mm, stream + 3);
+  if (has_texture)
+    plane.dots_texture = camera.take(calibration::ShotKind::kDotsTexture, depth_mm, stream + 3);
   return plane;
 }
 
@@ -59,7 +60,8 @@ Result<calibration::CalibrationSet> take_calibration_set(const CalibrationSetOpt
   progress.begin_stage("Taking calibration images", set.planes.size());
   workers.for_each(set.planes.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
-    set.planes[i] = take_plane(*camera, i, z_mm[i], 1.0 / std::hypot(1.0, shear.norm()));
+    set.planes[i] =
+        take_plane(*camera, i, z_mm[i], 1.0 / std::hypot(1.0, shear.norm()), options.has_texture);
     progress.advance();
   });
   if (progress.cancelled())

@@ -22,6 +22,7 @@ struct CalibrationSetOptions {
   int bits = 16;       ///< 8 or 16, of the measurement camera's images
   bool noise = true;
   std::uint64_t seed = 1;
+  bool has_texture = true;  ///< false: the sensor has no texture camera
   /// -10..10. Angles by which the stage misses the right angle to the target, towards x and y.
   Vec2 stage_tilt_deg = Vec2::Zero();
   [[nodiscard]] Result<void> validate() const;

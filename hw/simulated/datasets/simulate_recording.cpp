@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/check_options.h"
@@ -82,8 +84,40 @@ Result<SensorPath> choose_path(const RecordingOptions& options, const RayScene& 
   return with_absence(*path, options);
 }
 
-Frame take_frame(const ImageSimulator& simulator, const SensorPath& path,
-                 const PlannedFrame& planned, std::uint64_t stream) {
+/// What takes the images before and after a projector was bumped.
+class BumpedSensor {
+ public:
+  static Result<BumpedSensor> create(const TriangleMesh& mesh, const RecordingOptions& options) {
+    auto before = ImageSimulator::create(mesh, options.sensor, options.image);
+    if (!before) return tl::unexpected(before.error());
+    BumpedSensor sensor(*std::move(before));
+    if (options.faults.bump_mm == 0.0) return sensor;
+    SensorModel bumped = options.sensor;
+    bumped.projectors[static_cast<std::size_t>(Pattern::kVertical)].T_sensor_projector.translate(
+        options.faults.bump_mm * Vec3::UnitX());
+    auto after = ImageSimulator::create(mesh, bumped, options.image);
+    if (!after) return tl::unexpected(after.error());
+    sensor.after_ = *std::move(after);
+    sensor.bump_at_s_ = options.faults.bump_at_s;
+    return sensor;
+  }
+  [[nodiscard]] const ImageSimulator& before() const { return before_; }
+  /// @param scanned_s  since the scan began
+  [[nodiscard]] const ImageSimulator& at(double scanned_s) const {
+    return after_ && scanned_s >= bump_at_s_ ? *after_ : before_;
+  }
+
+ private:
+  explicit BumpedSensor(ImageSimulator before) : before_(std::move(before)) {}
+
+  ImageSimulator before_;
+  std::optional<ImageSimulator> after_;
+  double bump_at_s_ = 0.0;
+};
+
+Frame take_frame(const BumpedSensor& sensor, const SensorPath& path, const PlannedFrame& planned,
+                 std::uint64_t stream) {
+  const ImageSimulator& simulator = sensor.at(planned.time_s - path.start_s());
   Frame frame;
   frame.kind = planned.kind;
   frame.time_s = planned.time_s;
@@ -95,7 +129,7 @@ Frame take_frame(const ImageSimulator& simulator, const SensorPath& path,
 }
 
 // Takes frames in batches: many in parallel, but few in memory.
-Result<void> write_frames(const ImageSimulator& simulator, const SensorPath& path,
+Result<void> write_frames(const BumpedSensor& sensor, const SensorPath& path,
                           const std::vector<PlannedFrame>& planned, const Workers& workers,
                           const Progress& progress, bool unknown_patterns,
                           io::RecordingWriter& writer) {
@@ -105,7 +139,7 @@ Result<void> write_frames(const ImageSimulator& simulator, const SensorPath& pat
     if (progress.cancelled()) return {};
     const std::size_t count = std::min(batch_size, planned.size() - begin);
     workers.for_each(count, [&](std::size_t i) {
-      batch[i] = take_frame(simulator, path, planned[begin + i], begin + i);
+      batch[i] = take_frame(sensor, path, planned[begin + i], begin + i);
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (unknown_patterns && batch[i].kind != FrameKind::kTexture)
@@ -149,6 +183,8 @@ Result<void> RecordingFaults::validate() const {
       .in_range("dropped_share", dropped_share, 0.0, 0.9)
       .not_negative("away_start_s", away_start_s)
       .not_negative("away_duration_s", away_duration_s)
+      .in_range("bump_mm", bump_mm, -1.0, 1.0)
+      .not_negative("bump_at_s", bump_at_s)
       .result();
 }
 
@@ -167,9 +203,10 @@ Result<RecordingCounts> simulate_recording(const TriangleMesh& mesh,
                                            const std::filesystem::path& folder,
                                            const Workers& workers, const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  const auto simulator = ImageSimulator::create(mesh, options.sensor, options.image);
-  if (!simulator) return tl::unexpected(simulator.error());
-  const Result<SensorPath> path = choose_path(options, simulator->scene());
+  const auto sensor = BumpedSensor::create(mesh, options);
+  if (!sensor) return tl::unexpected(sensor.error());
+  const ImageSimulator& simulator = sensor->before();
+  const Result<SensorPath> path = choose_path(options, simulator.scene());
   if (!path) return tl::unexpected(path.error());
   auto writer = io::RecordingWriter::create(folder, options.calibration);
   if (!writer) return tl::unexpected(writer.error());
@@ -177,14 +214,14 @@ Result<RecordingCounts> simulate_recording(const TriangleMesh& mesh,
   RecordingCounts counts;
   const std::vector<PlannedFrame> planned = plan_frames(options, *path, counts);
   progress.begin_stage("Scanning with the virtual sensor", planned.size());
-  const auto written = write_frames(*simulator, *path, planned, workers, progress,
+  const auto written = write_frames(*sensor, *path, planned, workers, progress,
                                     options.faults.unknown_patterns, *writer);
   if (!written) return tl::unexpected(written.error());
   if (const std::size_t count = writer->frames().size(); count > 0) {
     const std::vector<PlannedFrame> taken(planned.begin(),
                                           planned.begin() + static_cast<std::ptrdiff_t>(count));
     auto scene = write_poses(folder, *path, writer->frames());
-    if (scene) scene = write_mesh(folder, *path, taken, *simulator, workers);
+    if (scene) scene = write_mesh(folder, *path, taken, simulator, workers);
     if (!scene) return tl::unexpected(scene.error());
   }
   if (auto closed = writer->write_list(); !closed) return tl::unexpected(closed.error());

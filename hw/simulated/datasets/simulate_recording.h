@@ -22,6 +22,8 @@ struct RecordingFaults {
   bool unknown_patterns = false;  ///< projector not synchronized: frame kinds are `unknown`
   double away_start_s = 0.0;      ///< >= 0, when the hand lifts the sensor off ...
   double away_duration_s = 0.0;   ///< >= 0, ... and for how long; 0: never
+  double bump_mm = 0.0;    ///< by which the projector of the vertical lines moves across them ...
+  double bump_at_s = 0.0;  ///< >= 0, ... from this time of the scan on
   [[nodiscard]] Result<void> validate() const;
 };
 

@@ -55,7 +55,7 @@ Result<void> write_placement(const fs::path& folder, const simulated::Calibratio
                              calibration::TargetFace face, double z_mm) {
   if (auto made = io::create_folder(folder); !made) return made;
   std::uint64_t stream = 0;
-  for (const calibration::ShotKind kind : calibration::shots_of(face)) {
+  for (const calibration::ShotKind kind : calibration::shots_of(face, true)) {
     // The second vertical shot uses the same pictures as the first.
     if (kind == calibration::ShotKind::kVerticalAgain) continue;
     for (int i = 0; i < shots::RigShotOptions().exposures; ++i) {

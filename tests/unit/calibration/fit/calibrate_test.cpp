@@ -118,6 +118,19 @@ CalibrationSet deep_copy(CalibrationSet set) {
   return set;
 }
 
+TEST(Calibrate, ASensorWithoutATextureCameraGetsTheSameXYAndZ) {
+  CalibrationSet set = good_set();
+  for (CalibrationPlane& plane : set.planes) plane.dots_texture.release();
+  const auto calibration = calibrate_quietly(set);
+  ASSERT_TRUE(calibration.has_value()) << calibration.error().message;
+  EXPECT_FALSE(calibration->has_texture());
+  EXPECT_FALSE(calibration->flash.has_value());
+  EXPECT_EQ(calibration->x_mm.coefficients, good_calibration().x_mm.coefficients);
+  EXPECT_EQ(calibration->y_mm.coefficients, good_calibration().y_mm.coefficients);
+  EXPECT_EQ(calibration->of(Pattern::kVertical).lines[2][100].depth_mm.coefficients,
+            good_calibration().of(Pattern::kVertical).lines[2][100].depth_mm.coefficients);
+}
+
 /// A defect of a set, and a part of the error message.
 struct Refusal {
   const char* name;
@@ -132,6 +145,11 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Refusal{"TooFewPlanes", [](CalibrationSet& set) { set.planes.resize(4); }, "4 planes"},
         Refusal{"ShallowPlanes", [](CalibrationSet& set) { set.planes.resize(6); }, "end to end"},
+        Refusal{"TextureOfSomePlanes",
+                [](CalibrationSet& set) { set.planes[3].dots_texture.release(); }, "z3_t.png"},
+        Refusal{"NoTextureOfTheFirstPlane",
+                [](CalibrationSet& set) { set.planes[0].dots_texture.release(); },
+                "z1_t.png: there is no such image of the first plane"},
         Refusal{"LineCount", [](CalibrationSet& set) { set.line_counts[0] = 7; }, "z4_v.png"},
         Refusal{
             "BlankLines",

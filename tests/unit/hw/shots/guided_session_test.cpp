@@ -68,6 +68,28 @@ TEST(GuidedSession, ContinuesAfterAnInterruptionWithTheSameResultAsTheOfflineCom
   EXPECT_EQ(fit->calibration.x_mm.residual.rms, offline->x_mm.residual.rms);
 }
 
+TEST(GuidedSession, ASensorWithoutATextureCameraIsCalibratedToo) {
+  const TemporaryFolder folder;
+  calibration::CalibrationPlan plan = small_plan();
+  plan.has_texture = false;
+  {
+    auto session = GuidedSession::open(folder.path(), plan, make_shots()).value();
+    ASSERT_NO_FATAL_FAILURE(take_until(session, 1, calibration::ShotKind::kDark));
+  }
+  EXPECT_FALSE(GuidedSession::open(folder.path(), small_plan(), make_shots()).has_value());
+  auto session = GuidedSession::open(folder.path(), plan, make_shots()).value();
+  EXPECT_EQ(session.restored(), 2);
+  ASSERT_NO_FATAL_FAILURE(take_until(session, kPlanes, calibration::ShotKind::kDark));
+  const auto fit = session.finish(Workers(2), {});
+  ASSERT_TRUE(fit.has_value()) << fit.error().message;
+  EXPECT_FALSE(fit->calibration.has_texture());
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "z00_t.png"));
+  const auto read = io::read_calibration(folder.path() / "calibration.json");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  EXPECT_FALSE(read->has_texture());
+  EXPECT_FALSE(io::read_calibration_set(folder.path()).value().has_texture());
+}
+
 TEST(GuidedSession, TakesADamagedImageAgain) {
   const TemporaryFolder folder;
   {

@@ -160,12 +160,18 @@ TEST(RigShots, TakesAllButTheDotsInColorWithoutATextureCamera) {
   const auto dots = shots->take(calibration::ShotKind::kDotsTexture, 0.0, {});
   ASSERT_FALSE(dots);
   EXPECT_EQ(dots.error().code, ErrorCode::kBadOption);
+  EXPECT_THAT(dots.error().message, HasSubstr("no texture camera"));
 }
 
-TEST(RigShots, ACalibrationNeedsATextureCamera) {
-  const auto shots = open_rig_shots({});
-  ASSERT_FALSE(shots);
-  EXPECT_THAT(shots.error().message, HasSubstr("no texture camera"));
+TEST(RigShots, WithoutATextureCameraALampLightsTheDots) {
+  const SimulatedRig rig = make_rig();
+  const auto shots =
+      RigShots::create({rig.measurement, nullptr, rig.lights, rig.clock.clock()}, "rig").value();
+  EXPECT_FALSE(shots->has_texture());
+  ASSERT_TRUE(shots->start());
+  const auto dots = shots->take(calibration::ShotKind::kDots, 0.0, {});
+  ASSERT_TRUE(dots.has_value()) << dots.error().message;
+  EXPECT_LT(difference(*dots, striped_scene(device::Light::kDark, 0.0)), 0.3 * kNoise);
 }
 
 }  // namespace

@@ -73,6 +73,18 @@ TEST(CalibrationJson, KeepsTheFlashAndDoesWithoutOne) {
   EXPECT_NE(fingerprint(written), fingerprint(small_calibration()));
 }
 
+TEST(CalibrationJson, ASensorWithoutATextureCameraHasNoKeysOfIt) {
+  calibration::Calibration written = small_calibration();
+  written.texture_size = {};
+  written.texture_u_px = written.texture_v_px = {};
+  const std::string text = to_json(written);
+  EXPECT_EQ(text.find("texture"), std::string::npos);
+  const auto read = parse_calibration(text, "c.json");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  EXPECT_FALSE(read->has_texture());
+  EXPECT_EQ(to_json(*read), text);
+}
+
 TEST(CalibrationJson, ReportsWhatIsWrongWithTheFlash) {
   const std::pair<const char*, json> damages[] = {{"/flash/p_sensor_mm/2", 3},
                                                   {"/flash/p_sensor_mm", json::array({1, 2})},

@@ -42,6 +42,18 @@ TEST(CalibrationSetFile, ReadsWhatItWrote) {
   EXPECT_EQ(set->planes[1].dots_texture.at<cv::Vec3b>(0, 0), cv::Vec3b(1, 2, 3));
 }
 
+TEST(CalibrationSetFile, ASensorMayHaveNoTextureCamera) {
+  const TemporaryFolder folder;
+  calibration::CalibrationSet written = small_set();
+  for (calibration::CalibrationPlane& plane : written.planes) plane.dots_texture.release();
+  ASSERT_TRUE(write_calibration_set(folder.path(), written));
+  EXPECT_FALSE(std::filesystem::exists(folder / "z00_t.png"));
+  const auto set = read_calibration_set(folder.path());
+  ASSERT_TRUE(set) << set.error().message;
+  EXPECT_FALSE(set->has_texture());
+  EXPECT_EQ(set->planes[1].dots.type(), CV_16UC1);
+}
+
 TEST(CalibrationSetFile, ReportsImagesOfAnotherSizeOrType) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_calibration_set(folder.path(), small_set()));

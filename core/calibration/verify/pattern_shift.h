@@ -1,0 +1,55 @@
+/// @file  Notices during a scan that a projector has moved since the calibration.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <span>
+
+#include "core/geometry/view.h"
+
+namespace flytri::calibration {
+
+/// How far the two patterns disagree.
+struct PatternShift {
+  /// From where the horizontal lines see the surface to where the vertical ones see it, in the
+  /// middle of the volume, frame of the sensor.
+  Vec3 shift_mm = Vec3::Zero();
+  double uncertainty_mm = 0.0;  ///< standard uncertainty of each component
+  std::size_t views = 0;        ///< that it was found from
+
+  /// Whether the sensor should be calibrated again: far more than noise, and enough to spoil
+  /// a model.
+  [[nodiscard]] bool is_large() const;
+};
+
+/// If a projector moves by 20 µm, all of its lines are measured some 0.15 mm too near or too far.
+/// The registration brings them onto those of the other pattern all the same, as each view has a
+/// pose of its own. But then the path of the sensor jumps to and fro from view to view, in step
+/// with the patterns. A hand does not: over many views its jumps average out.
+class PatternShiftGauge {
+ public:
+  /// @param view  the next registered one, by rising time
+  void add(const AlignedView& view);
+  /// Of the latest 12 s; none before there are enough views.
+  [[nodiscard]] std::optional<PatternShift> shift() const;
+
+ private:
+  struct Placed {
+    Pattern pattern = Pattern::kVertical;
+    double time_s = 0.0;
+    Isometry T_world_sensor = Isometry::Identity();
+  };
+  struct Jump {
+    double time_s = 0.0;
+    Vec3 shift_mm = Vec3::Zero();
+  };
+  std::deque<Placed> latest_;  ///< three at most
+  std::deque<Jump> jumps_;     ///< by rising time
+};
+
+/// Of a whole scan.
+/// @param views  registered, by rising time
+[[nodiscard]] std::optional<PatternShift> find_pattern_shift(std::span<const AlignedView> views);
+
+}  // namespace flytri::calibration
