@@ -183,7 +183,7 @@ Result<void> keep_result(io::CaseFile& file, io::ScanStage stage, const io::Stor
   const auto full = reconstruct::at_density(reconstruction.model, reconstruct::MeshDensity::kFull);
   if (!full) return tl::unexpected(full.error());
   const io::StageResult result{*glb, report_text({reconstruction, *full, volume.size_mm}),
-                               io::basis_of(*counts, stored.edits.state())};
+                               io::basis_of(*counts, stored.edits.state()), reconstruction.held};
   return file.write_poses(stage, newly_placed(stored, reconstruction))
       .and_then([&] { return file.write_result(stage, result); })
       .and_then(

@@ -111,6 +111,12 @@ Json to_json(const ReportedResult& result) {
       {"vertices", reconstruction.surface.mesh.vertices.size()},
       {"triangles", reconstruction.surface.mesh.triangles.size()}};
   json[report::kDistancesKey] = report::to_json(reconstruction.spans);
+  if (const auto& shift = reconstruction.pattern_shift) {
+    json["pattern_shift"] = {
+        {"shift_mm", {shift->shift_mm.x(), shift->shift_mm.y(), shift->shift_mm.z()}},
+        {"uncertainty_mm", shift->uncertainty_mm},
+        {"is_large", shift->is_large()}};
+  }
   json["mesh"] = mesh_json(result.model, reconstruction.surface.closed_holes);
   for (const StageTime& stage : reconstruction.stages) json["stages"].push_back(stage_json(stage));
   json["frames"] = Json::array();
@@ -149,6 +155,12 @@ void print_summary(const reconstruct::Reconstruction& reconstruction) {
             reconstruction.surface.mesh.triangles.size(),
             meshing::coverage_holes(reconstruction.surface.boundaries).size(),
             meshing::kLeastHoleWidth_mm);
+  if (const auto& shift = reconstruction.pattern_shift; shift && shift->is_large()) {
+    print_error(
+        "flytri: warning: vertical and horizontal lines disagree by {:.0f} µm: a projector has "
+        "probably moved since the calibration. Check the sensor with flytri calibrate --check\n",
+        1e3 * shift->shift_mm.norm());
+  }
   for (const StageTime& stage : reconstruction.stages) {
     print_out("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,
               stage.item_name);

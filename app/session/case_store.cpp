@@ -99,7 +99,8 @@ class CaseStore::Journal final : public scan::ScanJournal {
           {"points", result.points.size()},
           {"triangles", result.model.mesh.triangles.size()},
           {report::kDistancesKey, report::to_json(result.spans)}};
-      const io::StageResult stored{std::move(*glb), summary.dump(), io::basis_of(*counts, edits_)};
+      const io::StageResult stored{std::move(*glb), summary.dump(), io::basis_of(*counts, edits_),
+                                   result.held};
       return file.write_result(stage_, stored).and_then([&] {
         return file.add_event(event_now(io::CaseAction::kComputed, stage_));
       });
@@ -191,6 +192,7 @@ Result<OpenedStage> CaseStore::load(io::ScanStage stage, const ui::Texts& texts)
   update_status();
   opened.scan.texture_frames = std::move(stored->texture_frames);
   opened.scan.edits = std::move(stored->edits);
+  opened.scan.held = std::move(stored->held);
   opened.measurements = std::move(stored->measurements);
   opened.plane = stored->plane;
   opened.margins = std::move(stored->margins);

@@ -303,6 +303,15 @@ std::function<void()> StageController::wait_until_kept() const {
   };
 }
 
+/// Once for each source: the scan goes on, and the user checks the sensor when there is time.
+void StageController::report_moved_projector(const ui::AppView& view) {
+  if (has_reported_projector_ || view.scan == nullptr || !view.scan->moved_projector) return;
+  has_reported_projector_ = true;
+  const double shift_mm = view.scan->moved_projector->shift_mm.norm();
+  notices_.add(ui::Severity::kWarning,
+               notices_.texts().fill<ui::Text::kProjectorMoved>(1e3 * shift_mm));
+}
+
 void StageController::show_in(ui::AppView& view) {
   if (scan()) view.scan = scan()->snapshot();
   view.is_scanning = is_started_;
@@ -318,6 +327,7 @@ void StageController::show_in(ui::AppView& view) {
   view.has_kept_scan = store_ != nullptr && store_->stages_with_kept_scan()[stage_];
   view.measurements = measurements_[stage_];
   view.has_set_plane = planes_[stage_].has_value();
+  report_moved_projector(view);
   if (view.scan == nullptr || view.scan->failure == reported_failure_) return;
   reported_failure_ = view.scan->failure;
   if (!reported_failure_.empty()) notices_.add(ui::Severity::kError, reported_failure_);

@@ -104,6 +104,7 @@ class StageController {
 
  private:
   [[nodiscard]] bool accepts(scan::ScanEvent event) const;
+  void report_moved_projector(const ui::AppView& view);
   void use(std::size_t stage, const OpenedStage& opened);
   using Change = std::function<Result<void>(CaseStore&)>;
   /// Changes what the case has of a stage, in the background, and turns to `shown` afterwards.
@@ -124,6 +125,7 @@ class StageController {
   std::array<bool, io::kScanStages.size()> is_loading_ = {};
   std::array<std::string, io::kScanStages.size()> load_failures_;
   std::string reported_failure_;
+  bool has_reported_projector_ = false;
 };
 
 }  // namespace flytri::session

@@ -1,6 +1,7 @@
 #include "core/editing/edits.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace flytri::editing {
 namespace {
@@ -13,9 +14,11 @@ bool reaches(const BrushDab& dab, const Vec3f& position_mm, const Vec3f& normal)
   return holds(dab, position_mm) && normal.dot(dab.normal) > 0.0F;
 }
 
-bool reaches(const Edit& edit, const Vec3f& position_mm, const Vec3f& normal) {
-  return std::any_of(edit.dabs.begin(), edit.dabs.end(),
-                     [&](const BrushDab& dab) { return reaches(dab, position_mm, normal); });
+/// A crafted case may hold any numbers: the search needs such as a user can have painted.
+bool can_be_painted(const BrushDab& dab) {
+  constexpr float kLargest_mm = 1e3F, kFarthest_mm = 1e5F;
+  return dab.radius_mm > 0.0F && dab.radius_mm <= kLargest_mm &&
+         (dab.center_mm.array().abs() <= kFarthest_mm).all();
 }
 
 }  // namespace
@@ -58,31 +61,58 @@ void EditStack::redo() {
   if (can_redo()) ++at_;
 }
 
-EditFilter::EditFilter(const EditList& edits) : edits_(edits) {
-  for (const auto& edit : *edits) {
-    Stroke stroke{edit, {}};
-    for (const BrushDab& dab : edit->dabs) {
-      stroke.box.extend((dab.center_mm.array() - dab.radius_mm).matrix());
-      stroke.box.extend((dab.center_mm.array() + dab.radius_mm).matrix());
-    }
-    strokes_.push_back(std::move(stroke));
+EditFilter::Stroke::Stroke(std::shared_ptr<const Edit> edit) : edit_(std::move(edit)) {
+  std::vector<Vec3f> centers_mm;
+  for (const BrushDab& dab : edit_->dabs) {
+    box_.extend((dab.center_mm.array() - dab.radius_mm).matrix());
+    box_.extend((dab.center_mm.array() + dab.radius_mm).matrix());
+    largest_radius_mm_ = std::max(largest_radius_mm_, dab.radius_mm);
+    centers_mm.push_back(dab.center_mm);
+  }
+  constexpr std::size_t kFew = 8;
+  if (centers_mm.size() > kFew &&
+      std::all_of(edit_->dabs.begin(), edit_->dabs.end(), can_be_painted)) {
+    centers_.emplace(centers_mm, largest_radius_mm_);
   }
 }
 
+/// Whether a dab that may hold this place passes the test. In the middle of a painted area the
+/// nearest one does.
+template <typename Test>
+bool EditFilter::Stroke::any_dab(const Vec3f& position_mm, const Test& test) const {
+  if (!box_.contains(position_mm)) return false;
+  const std::vector<BrushDab>& dabs = edit_->dabs;
+  if (!centers_) return std::any_of(dabs.begin(), dabs.end(), test);
+  const auto nearest = centers_->nearest(position_mm, largest_radius_mm_);
+  if (!nearest) return false;
+  if (test(dabs[nearest->index])) return true;
+  thread_local std::vector<Neighbor> found;
+  centers_->within(position_mm, largest_radius_mm_, found);
+  return std::any_of(found.begin(), found.end(),
+                     [&](const Neighbor& near) { return test(dabs[near.index]); });
+}
+
 bool EditFilter::Stroke::touches(const Vec3f& position_mm) const {
-  return box.contains(position_mm) &&
-         std::any_of(edit->dabs.begin(), edit->dabs.end(),
-                     [&](const BrushDab& dab) { return holds(dab, position_mm); });
+  return any_dab(position_mm, [&](const BrushDab& dab) { return holds(dab, position_mm); });
+}
+
+bool EditFilter::Stroke::reaches(const Vec3f& position_mm, const Vec3f& normal) const {
+  return any_dab(position_mm,
+                 [&](const BrushDab& dab) { return editing::reaches(dab, position_mm, normal); });
+}
+
+EditFilter::EditFilter(const EditList& edits) : edits_(edits) {
+  for (const auto& edit : *edits) strokes_.emplace_back(edit);
 }
 
 bool EditFilter::may_remove(const Vec3f& middle_mm, float radius_mm, double seen_at_s) const {
   return std::any_of(strokes_.begin(), strokes_.end(), [&](const Stroke& stroke) {
-    const Edit& edit = *stroke.edit;
+    const Edit& edit = stroke.edit();
     const bool seen_before = seen_at_s <= edit.made_at_s;
     const bool removes = edit.kind == EditKind::kTrim   ? seen_before
                          : edit.kind == EditKind::kLock ? !seen_before
                                                         : false;
-    return removes && stroke.box.squaredExteriorDistance(middle_mm) <= radius_mm * radius_mm;
+    return removes && stroke.box().squaredExteriorDistance(middle_mm) <= radius_mm * radius_mm;
   });
 }
 
@@ -102,7 +132,7 @@ bool EditFilter::touches(const Vec3f& position_mm) const {
 std::vector<double> EditFilter::times_at(const Vec3f& position_mm) const {
   std::vector<double> times_s;
   for (const Stroke& stroke : strokes_) {
-    if (stroke.touches(position_mm)) times_s.push_back(stroke.edit->made_at_s);
+    if (stroke.touches(position_mm)) times_s.push_back(stroke.edit().made_at_s);
   }
   std::sort(times_s.begin(), times_s.end());
   return times_s;
@@ -111,9 +141,9 @@ std::vector<double> EditFilter::times_at(const Vec3f& position_mm) const {
 bool EditFilter::keeps(const Vec3f& position_mm, const Vec3f& normal, double seen_at_s) const {
   bool kept_by_lock = false, kept_out_by_lock = false;
   for (const Stroke& stroke : strokes_) {
-    if (!stroke.box.contains(position_mm) || !reaches(*stroke.edit, position_mm, normal)) continue;
-    const bool seen_before = seen_at_s <= stroke.edit->made_at_s;
-    switch (stroke.edit->kind) {
+    if (!stroke.reaches(position_mm, normal)) continue;
+    const bool seen_before = seen_at_s <= stroke.edit().made_at_s;
+    switch (stroke.edit().kind) {
       case EditKind::kTrim:
         if (seen_before && !kept_by_lock) return false;
         break;

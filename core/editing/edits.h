@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/geometry/point_grid.h"
 #include "core/geometry/rigid.h"
 
 namespace flytri::editing {
@@ -82,11 +84,23 @@ class EditFilter {
   [[nodiscard]] std::vector<double> times_at(const Vec3f& position_mm) const;
 
  private:
-  /// A stroke and its bounding box.
-  struct Stroke {
-    std::shared_ptr<const Edit> edit;
-    Eigen::AlignedBox3f box;
+  /// A stroke, prepared for many questions.
+  class Stroke {
+   public:
+    explicit Stroke(std::shared_ptr<const Edit> edit);
+    [[nodiscard]] const Edit& edit() const { return *edit_; }
+    [[nodiscard]] const Eigen::AlignedBox3f& box() const { return box_; }
     [[nodiscard]] bool touches(const Vec3f& position_mm) const;
+    [[nodiscard]] bool reaches(const Vec3f& position_mm, const Vec3f& normal) const;
+
+   private:
+    template <typename Test>
+    [[nodiscard]] bool any_dab(const Vec3f& position_mm, const Test& test) const;
+
+    std::shared_ptr<const Edit> edit_;
+    Eigen::AlignedBox3f box_;
+    float largest_radius_mm_ = 0.0F;
+    std::optional<PointGrid> centers_;  ///< of its dabs; none: there are only a few
   };
   EditList edits_;
   std::vector<Stroke> strokes_;

@@ -80,6 +80,7 @@ Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& op
   const Progress topology = progress.part((1.0 - kExtractionShare) / 3.0);
   SurfaceMesh result;
   result.mesh = std::move(*mesh);
+  result.spacing_mm = spacing_mm;
   repair_manifold(result.mesh);
   topology.advance();
   if (progress.cancelled()) return stopped();

@@ -40,7 +40,8 @@ struct MeshOptions {
 ///
 /// The surface is the zero of a weighted mean of the points' tangent planes, extracted by surface
 /// nets on a sparse grid; vertices that the points do not surround are dropped, so that unmeasured
-/// places stay open.
+/// places stay open. The grid lies fixed in the world: the same points and spacing give the same
+/// vertices, whatever points there are farther away.
 /// @source  implicit surface: Kolluri, "Provably good moving least squares", SODA 2005; surface
 ///          nets: Gibson, MICCAI 1998. docs/adr/0003-meshing.md gives the reasons.
 /// @param progress  advanced by one step

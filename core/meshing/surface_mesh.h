@@ -26,6 +26,7 @@ struct SurfaceMesh {
   TriangleMesh mesh;
   std::vector<BoundaryLoop> boundaries;  ///< see find_boundaries()
   std::size_t closed_holes = 0;          ///< holes that were closed, see close_holes()
+  double spacing_mm = 0.0;               ///< of the vertices, see MeshOptions; 0: not known
 };
 
 }  // namespace flytri::meshing

@@ -12,8 +12,6 @@ namespace flytri::meshing {
 namespace {
 
 constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-/// Cells below the lowest point: more than the surface extends beyond the points.
-constexpr int kMargin = 64;
 /// Steps that move a vertex onto the surface; after the second step, the error is far below the
 /// noise.
 constexpr int kProjections = 3;
@@ -75,9 +73,9 @@ class Extraction {
   [[nodiscard]] bool connect(const Progress& progress);
   void add_quad(const std::array<std::uint32_t, 4>& ring);
   [[nodiscard]] Vec3f position_of(CellKey corner) const {
-    return origin_mm_ + spacing_mm_ * Vec3f(static_cast<float>(grid_number(corner, 0)),
-                                            static_cast<float>(grid_number(corner, 1)),
-                                            static_cast<float>(grid_number(corner, 2)));
+    return spacing_mm_ * Vec3f(static_cast<float>(grid_number(corner, 0)),
+                               static_cast<float>(grid_number(corner, 1)),
+                               static_cast<float>(grid_number(corner, 2)));
   }
   [[nodiscard]] std::optional<SurfacePoint> vertex_in(CellKey cell,
                                                       const std::array<float, 8>& value) const;
@@ -86,7 +84,6 @@ class Extraction {
   float spacing_mm_;
   const Workers& workers_;
   const Progress& progress_;
-  Vec3f origin_mm_ = Vec3f::Zero();
   CornerValues grid_;                                  ///< NaN: no estimate
   std::vector<CellKey> cells_;                         ///< sorted
   std::vector<std::optional<SurfacePoint>> vertices_;  ///< by cell
@@ -111,14 +108,12 @@ Result<TriangleMesh> Extraction::run(const PointCloud& points) {
 }
 
 std::vector<CellKey> Extraction::cells_with_points(const PointCloud& points) {
-  Vec3f low = points.front().position_mm;
-  for (const SurfacePoint& point : points) low = low.cwiseMin(point.position_mm);
-  origin_mm_ = low - Vec3f::Constant(spacing_mm_ * static_cast<float>(kMargin));
   std::vector<CellKey> cells;
+  cells.reserve(points.size());
   for (const SurfacePoint& point : points) {
-    const Vec3f p = (point.position_mm - origin_mm_) / spacing_mm_;
-    cells.push_back(grid_key(static_cast<std::int32_t>(p.x()), static_cast<std::int32_t>(p.y()),
-                             static_cast<std::int32_t>(p.z())));
+    const Vec3f p = point.position_mm / spacing_mm_;
+    cells.push_back(
+        grid_key(CellKey::number(p.x()), CellKey::number(p.y()), CellKey::number(p.z())));
   }
   sort_unique(cells);
   return cells;

@@ -1,5 +1,6 @@
 #include "core/reconstruct/finish_scan.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -7,6 +8,7 @@
 
 #include "core/editing/serving_views.h"
 #include "core/meshing/mesh_topology.h"
+#include "core/reconstruct/locked_surface.h"
 #include "core/texture/level_frames.h"
 #include "core/texture/observe.h"
 #include "core/texture/vertex_colors.h"
@@ -30,7 +32,8 @@ class Finisher {
         workers_(workers),
         progress_(progress),
         clock_(clock),
-        edits_(scanned.edits) {}
+        edits_(scanned.edits),
+        locked_(scanned.views, scanned.edits, scanned.held) {}
 
   Result<FinishedScan> run();
 
@@ -42,7 +45,10 @@ class Finisher {
   Result<void> make_points();
   Result<void> make_surface();
   Result<void> judge_distances();
+  [[nodiscard]] std::vector<texture::TextureFrame> usable_frames() const;
+  void add_former_frames(std::vector<texture::TextureFrame>& frames) const;
   Result<void> apply_texture();
+  void note_surface();
 
   ScannedViews& scanned_;
   const FinishOptions& options_;
@@ -50,7 +56,9 @@ class Finisher {
   const Progress& progress_;
   StageClock& clock_;
   const editing::EditFilter edits_;
+  const LockedSurface locked_;
   std::vector<AlignedView> serving_;  ///< what the edits keep of the views of the result
+  std::vector<editing::HeldSurface::PlacedFrame> textures_;  ///< that colored the surface
   FinishedScan result_;
 };
 
@@ -62,6 +70,11 @@ Result<void> Finisher::refine_views() {
       refinement::refine_jointly(serving, options_.refinement, workers_, progress_);
   take_poses(serving);
   if (!refined) return tl::unexpected(refined.error());
+  if (!locked_.empty()) {
+    const Isometry T_held_world = locked_.place(scanned_.views);
+    for (AlignedView& view : scanned_.views)
+      view.T_world_sensor = T_held_world * view.T_world_sensor;
+  }
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (refined->contradicts(i, options_.refinement)) {
       result_.contradicting.push_back(views[i].view->frame);
@@ -121,14 +134,17 @@ Result<void> Finisher::make_points() {
       reduction::reduce_samples(*samples, options_.reduction, workers_, progress_);
   if (!reduction) return tl::unexpected(reduction.error());
   result_.points = std::move(reduction->points);
+  locked_.keep_points(result_.points);
   clock_.end_stage("reduction", samples->size(), "points");
   return {};
 }
 
 Result<void> Finisher::make_surface() {
   progress_.begin_stage(kMeshing);
-  Result<meshing::SurfaceMesh> surface = meshing::mesh_surface(
-      result_.points, options_.meshing, workers_, progress_.part(1.0 - kJudgingShare));
+  meshing::MeshOptions options = options_.meshing;
+  if (!locked_.empty()) options.spacing_mm = locked_.spacing_mm();
+  Result<meshing::SurfaceMesh> surface =
+      meshing::mesh_surface(result_.points, options, workers_, progress_.part(1.0 - kJudgingShare));
   if (!surface) return tl::unexpected(surface.error());
   result_.surface = std::move(*surface);
   clock_.end_stage("meshing", result_.points.size(), "points");
@@ -146,8 +162,8 @@ Result<void> Finisher::judge_distances() {
   return {};
 }
 
-/// Colors points and mesh from the texture frames that have a pose.
-Result<void> Finisher::apply_texture() {
+/// The texture frames that have a pose.
+std::vector<texture::TextureFrame> Finisher::usable_frames() const {
   std::vector<texture::TextureFrame> frames;
   for (std::size_t i = 0; i < scanned_.texture_frames.size(); ++i) {
     if (!result_.T_world_texture[i]) continue;
@@ -155,9 +171,28 @@ Result<void> Finisher::apply_texture() {
     if (edits_.empty()) continue;
     frames.back().serves = [this, time_s = scanned_.texture_frames[i].time_s](
                                const Vec3f& position_mm, const Vec3f& normal) {
-      return edits_.keeps(position_mm, normal, time_s);
+      return !locked_.holds(position_mm, normal) && edits_.keeps(position_mm, normal, time_s);
     };
   }
+  return frames;
+}
+
+/// What is locked is colored by the same frames as before, with their former poses and brightness.
+void Finisher::add_former_frames(std::vector<texture::TextureFrame>& frames) const {
+  for (const Frame& frame : scanned_.texture_frames) {
+    const auto former = locked_.former_texture(frame.time_s);
+    if (!former) continue;
+    frames.push_back({frame.image, former->T_world_sensor, former->gain,
+                      [this, time_s = frame.time_s](const Vec3f& position_mm, const Vec3f& normal) {
+                        return locked_.holds(position_mm, normal) &&
+                               edits_.keeps(position_mm, normal, time_s);
+                      }});
+  }
+}
+
+/// Colors points and mesh.
+Result<void> Finisher::apply_texture() {
+  std::vector<texture::TextureFrame> frames = usable_frames();
   if (frames.empty()) return {};
   const calibration::Calibration& calibration = *scanned_.calibration;
   progress_.begin_stage(kTexturing);
@@ -166,12 +201,19 @@ Result<void> Finisher::apply_texture() {
       !leveled) {
     return tl::unexpected(leveled.error());
   }
+  for (std::size_t i = 0, used = 0; i < scanned_.texture_frames.size(); ++i) {
+    if (!result_.T_world_texture[i]) continue;
+    textures_.push_back(
+        {scanned_.texture_frames[i].time_s, *result_.T_world_texture[i], frames[used++].gain});
+  }
+  add_former_frames(frames);
   const std::array<std::span<SurfacePoint>, 2> surfaces = {result_.points,
                                                            result_.surface.mesh.vertices};
   for (const std::span<SurfacePoint> points : surfaces) {
     const auto counts = texture::color_points(points, frames, calibration, options_.atlas.coloring,
                                               workers_, progress_.part(kColoringShare));
     if (!counts) return tl::unexpected(counts.error());
+    locked_.keep_colors(points);
   }
   Result<texture::BakedAtlas> baked =
       texture::bake_atlas(result_.surface.mesh, frames, calibration, options_.atlas, workers_,
@@ -182,6 +224,21 @@ Result<void> Finisher::apply_texture() {
   return {};
 }
 
+/// Notes what the next run needs to keep the surface.
+void Finisher::note_surface() {
+  auto held = std::make_shared<editing::HeldSurface>();
+  held->spacing_mm = result_.surface.spacing_mm;
+  for (const AlignedView& view : scanned_.views) {
+    held->seen_until_s = std::max(held->seen_until_s, view.view->time_s);
+    held->views.push_back({view.view->time_s, view.T_world_sensor});
+  }
+  for (const auto& edit : *scanned_.edits) held->edited_at_s.push_back(edit->made_at_s);
+  held->textures = std::move(textures_);
+  held->points = result_.points;
+  held->vertices = result_.surface.mesh.vertices;
+  result_.held = std::move(held);
+}
+
 Result<FinishedScan> Finisher::run() {
   if (auto ok = refine_views(); !ok) return tl::unexpected(ok.error());
   place_texture_frames();
@@ -189,6 +246,7 @@ Result<FinishedScan> Finisher::run() {
   if (auto ok = make_surface(); !ok) return tl::unexpected(ok.error());
   if (auto ok = judge_distances(); !ok) return tl::unexpected(ok.error());
   if (auto ok = apply_texture(); !ok) return tl::unexpected(ok.error());
+  note_surface();
   // The user may have canceled after the last check.
   if (progress_.cancelled()) return stopped();
   return std::move(result_);

@@ -1,6 +1,7 @@
 /// @file  From registered views to a textured model: all steps after the scan.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/base/workers.h"
 #include "core/calibration/record/calibration.h"
 #include "core/editing/edits.h"
+#include "core/editing/held_surface.h"
 #include "core/geometry/point_cloud.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/imaging/frame.h"
@@ -42,6 +44,9 @@ struct ScannedViews {
   editing::EditList edits = editing::EditStack().state();
   /// Calibration of the camera that took the texture frames; may be null without texture frames.
   const calibration::Calibration* calibration = nullptr;
+  /// The surface of the last run, in the same world: what is locked of it stays the same to the
+  /// bit. Null: there is none.
+  std::shared_ptr<const editing::HeldSurface> held = nullptr;
 };
 
 /// The model, and the fate of each input.
@@ -54,13 +59,16 @@ struct FinishedScan {
   meshing::SurfaceMesh surface;   ///< with its list of holes
   TexturedMesh model;             ///< the same mesh, cut into charts if there is texture
   std::vector<JudgedSpan> spans;  ///< distances across the jaw
+  std::shared_ptr<const editing::HeldSurface> held;  ///< for the next run
 };
 
 /// Restores a result from a saved model: the surface, its holes and the model. Views and points are
 /// empty.
 [[nodiscard]] FinishedScan finished_scan_of(TexturedMesh model);
 
-/// Optimizes all poses together, reduces the points, then makes the mesh and its texture.
+/// Optimizes all poses together, reduces the points, then makes the mesh and its texture. Where the
+/// user has locked the surface of the last run, points and vertices stay the same to the bit, with
+/// their colors; see HeldPlaces.
 /// @param scanned  its views get the optimized poses; of a run that was canceled, the best ones
 ///                 found so far
 /// @source  Arold et al., "Global Optimization" to "Texture Acquisition and Mapping"; the joint

@@ -239,6 +239,8 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
   result_.surface = std::move(finished->surface);
   result_.model = std::move(finished->model);
   result_.spans = std::move(finished->spans);
+  result_.pattern_shift = calibration::find_pattern_shift(finished->views);
+  result_.held = std::move(finished->held);
   result_.stages = clock_.stages();
   return std::move(result_);
 }
@@ -281,6 +283,8 @@ Result<Reconstruction> Run::from_stage(const io::StoredStage& stage,
     aligned_.push_back({stored.view, *stored.T_world_sensor});
     report_of(stored.view->frame).fate = FrameFate::kRegistered;
   }
+  // Views that are registered anew have another world than the model before.
+  const auto held = aligned_.empty() ? nullptr : stage.held;
   if (aligned_.empty()) {
     if (auto done = register_views(); !done) return tl::unexpected(done.error());
   } else {
@@ -288,7 +292,7 @@ Result<Reconstruction> Run::from_stage(const io::StoredStage& stage,
       if (!stored.T_world_sensor) reject(stored.view->frame, "was not registered");
     }
   }
-  return finish({aligned_, stage.texture_frames, stage.edits.state(), &calibration});
+  return finish({aligned_, stage.texture_frames, stage.edits.state(), &calibration, held});
 }
 
 Result<Reconstruction> Run::from_views(std::vector<std::shared_ptr<const View>> views) {

@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/base/workers.h"
 #include "core/calibration/record/calibration.h"
+#include "core/calibration/verify/pattern_shift.h"
 #include "core/io/cases/case_file.h"
 #include "core/io/recordings/recording.h"
 #include "core/measurement/measure_view.h"
@@ -51,6 +52,9 @@ struct Reconstruction {
   meshing::SurfaceMesh surface;     ///< with its list of holes
   TexturedMesh model;               ///< the same mesh, cut into charts if there is texture
   std::vector<JudgedSpan> spans;    ///< distances across the jaw
+  /// Where the patterns disagree most; none: too few views.
+  std::optional<calibration::PatternShift> pattern_shift;
+  std::shared_ptr<const editing::HeldSurface> held;  ///< for the next run
   std::vector<StageTime> stages;
 };
 

@@ -20,6 +20,7 @@ reconstruct::ScannedViews collect(FinishingInput& input, const Progress& progres
   scanned.texture_frames = std::move(input.texture_frames);
   scanned.edits = input.edits;
   scanned.calibration = input.calibration.get();
+  scanned.held = std::move(input.held);
   return scanned;
 }
 

@@ -20,7 +20,8 @@ struct FinishingInput {
   std::vector<Frame> texture_frames;
   editing::EditList edits;
   std::shared_ptr<const calibration::Calibration> calibration;
-  double close_holes_mm = 0.0;  ///< as MeshOptions, in place of the options'
+  double close_holes_mm = 0.0;                       ///< as MeshOptions, in place of the options'
+  std::shared_ptr<const editing::HeldSurface> held;  ///< as ScannedViews
 };
 
 struct FinishingOutput {

@@ -149,6 +149,7 @@ void GrowingScan::register_view(const IntakeResult& result, const std::shared_pt
         s.T_world_sensor = registered.T_world_sensor;
         if (registered.rms_mm > 0.0) s.residual_mm = registered.rms_mm;
       });
+      watch_projectors({view, registered.T_world_sensor});
       step(ScanEvent::kRegistered);
       break;
     case tracking::ViewFate::kInterpolated:
@@ -163,6 +164,15 @@ void GrowingScan::register_view(const IntakeResult& result, const std::shared_pt
     s.lost_sensor = registrar_->lost_sensor();
   });
   hand_over_growth(result.offered_at_s);
+}
+
+void GrowingScan::watch_projectors(const AlignedView& registered) {
+  pattern_shift_.add(registered);
+  constexpr int kEvery = 30;
+  if (registered.view->frame.value % kEvery != 0 || board_.snapshot()->moved_projector) return;
+  const auto shift = pattern_shift_.shift();
+  if (shift && shift->is_large())
+    board_.update([&](ScanSnapshot& s) { s.moved_projector = shift; });
 }
 
 void GrowingScan::missed(double time_s, const std::string& reason) {
@@ -237,6 +247,7 @@ void GrowingScan::retire_past() {
 void GrowingScan::restore(const KeptScan& kept) {
   registrar_->restore(kept.views);
   edits_ = kept.edits;
+  held_ = kept.held;
   known_views_ = kept.views.size();
   for (const AlignedView& view : kept.views) journaled_.insert(view.view->frame);
   if (!kept.views.empty()) last_time_s_ = kept.views.back().view->time_s;
@@ -374,8 +385,8 @@ void GrowingScan::finish(double close_holes_mm) {
   step(ScanEvent::kFinish);
   board_.update([](ScanSnapshot& s) { s.failure.clear(); });
   // A std::function must be copyable, and the input is not.
-  auto input = std::make_shared<FinishingInput>(
-      FinishingInput{std::move(registrar_), {}, edits_.state(), calibration_, close_holes_mm});
+  auto input = std::make_shared<FinishingInput>(FinishingInput{
+      std::move(registrar_), {}, edits_.state(), calibration_, close_holes_mm, held_});
   model_.with_textures([this, input](const std::vector<PlacedTexture>& placed) {
     for (const PlacedTexture& texture : placed) input->texture_frames.push_back(texture.frame);
     finishing_.run(std::move(*input), [this](FinishingOutput output) {
@@ -399,6 +410,7 @@ void GrowingScan::take_output(FinishingOutput output) {
 
 void GrowingScan::take_result(reconstruct::FinishedScan finished) {
   const auto result = std::make_shared<const reconstruct::FinishedScan>(std::move(finished));
+  held_ = result->held;
   journal([result](ScanJournal& journal) { journal.keep_result(*result); });
   board_.update([&](ScanSnapshot& s) { s.result = result; });
   step(ScanEvent::kResult);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/task_thread.h"
+#include "core/calibration/verify/pattern_shift.h"
 #include "core/scan/background_refinement.h"
 #include "core/scan/distance_gauge.h"
 #include "core/scan/finishing_thread.h"
@@ -67,6 +68,7 @@ class GrowingScan {
   void take_view(const IntakeResult& result, bool is_late);
   void register_view(const IntakeResult& result, const std::shared_ptr<const View>& view,
                      bool is_late);
+  void watch_projectors(const AlignedView& registered);
   void missed(double time_s, const std::string& reason);
   void show_frame(const IntakeResult& result, std::shared_ptr<const View> view);
   void hand_over_growth(std::optional<double> offered_at_s);
@@ -104,6 +106,7 @@ class GrowingScan {
   ScanPhase phase_ = ScanPhase::kPreview;
   FrameCounter frame_counter_;
   editing::EditStack edits_;
+  std::shared_ptr<const editing::HeldSurface> held_;  ///< of the last result
   ReentryImages pictures_;
   Waiting waiting_;
   bool is_model_asked_ = false;      ///< the model's thread will report when it is done
@@ -113,6 +116,7 @@ class GrowingScan {
   std::int64_t offered_ = 0;
   double last_time_s_ = 0.0, scanned_s_ = 0.0;
   DistanceGauge distance_;
+  calibration::PatternShiftGauge pattern_shift_;
 
   // Destroyed first: these threads use the members above.
   JournalThread journal_;

@@ -57,6 +57,8 @@ struct KeptScan {
   editing::EditStack edits;
   std::shared_ptr<const reconstruct::FinishedScan>
       result;  ///< null: none, or the scan has changed since
+  /// Of the last result, also if the scan has changed since. Null: there is none.
+  std::shared_ptr<const editing::HeldSurface> held;
 };
 
 /// Owns its threads: some measure, one registers, one keeps the model, one optimizes and looks for

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/calibration/verify/pattern_shift.h"
 #include "core/editing/edits.h"
 #include "core/geometry/jaw_axes.h"
 #include "core/geometry/surfel.h"
@@ -94,6 +95,8 @@ struct ScanSnapshot {
   std::optional<SensorDistance> distance;
   std::optional<double> residual_mm;       ///< RMS at the crossings of the latest registration
   std::optional<Isometry> T_world_sensor;  ///< of the latest registered view
+  /// A projector has probably moved since the calibration. Stays until the scan is opened anew.
+  std::optional<calibration::PatternShift> moved_projector;
 
   SurfelModel model;
   double good_share = 0.0;                   ///< share of well-covered surfels: 0..1

@@ -164,7 +164,6 @@ std::optional<Observation> FrameObserver::observe(const SurfacePoint& point) con
   const Vec3 p_sensor = T_sensor_world_ * point.position_mm.cast<double>();
   const auto pixel = project(p_sensor);
   if (!pixel) return std::nullopt;
-  if (frame_.serves && !frame_.serves(point.position_mm, point.normal)) return std::nullopt;
   const ImageSize& size = calibration_.texture_size;
   const double du = pixel->u_px - 0.5 * size.width_px, dv = pixel->v_px - 0.5 * size.height_px;
   const double diagonal2 = std::pow(size.width_px, 2) + std::pow(size.height_px, 2);
@@ -177,6 +176,7 @@ std::optional<Observation> FrameObserver::observe(const SurfacePoint& point) con
       static_cast<float>(options_.depth_tolerance_share * calibration_.volume.size_mm.z());
   const auto depth_mm = static_cast<float>(shading_.depth_mm(p_sensor));
   if (depth_mm > depths_.closest_mm(*pixel) + tolerance_mm) return std::nullopt;
+  if (frame_.serves && !frame_.serves(point.position_mm, point.normal)) return std::nullopt;
   const Sampled sampled = sample(frame_.image, *pixel);
   if (sampled.brightest > options_.max_channel || !(sampled.light.sum() > 0.0F))
     return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "core/io/cases/case_codec.h"
 #include "core/io/cases/case_records.h"
+#include "core/io/cases/held_codec.h"
 #include "core/io/cases/stage_scans.h"
 #include "core/io/cases/view_codec.h"
 
@@ -227,6 +228,11 @@ Result<void> CaseFile::write_result(ScanStage stage, const StageResult& result) 
   Result<void> outcome = records_->replace(CaseTable::kModels, id, result.glb);
   add_outcome(outcome, records_->replace(CaseTable::kSummaries, id,
                                          encode_summary(result.summary_json, result.made_of)));
+  const std::int64_t held_id = scans_of(stage).shown_id(stage, kHeldNumber);
+  add_outcome(outcome, result.held == nullptr
+                           ? records_->erase(CaseTable::kModels, {held_id, held_id})
+                           : records_->replace(CaseTable::kModels, held_id,
+                                               encode_held_surface(*result.held)));
   return outcome;
 }
 
@@ -315,11 +321,13 @@ Result<void> CaseFile::copy_stage(ScanStage from, ScanStage to, bool with_model)
   const std::int64_t other_shift = target.shown_id(to) - source.shown_id(from);
   std::vector<CaseRecords::RecordCopy> copies;
   for (const CaseTable table : kCaseTables) {
-    const bool is_of_model = table == CaseTable::kModels || table == CaseTable::kSummaries;
-    if (is_of_model && !with_model) continue;
-    for (const RecordRange& range : source.records_of(table, from, source.shown()))
+    if (table == CaseTable::kSummaries && !with_model) continue;
+    for (RecordRange range : source.records_of(table, from, source.shown())) {
+      if (table == CaseTable::kModels && !with_model)
+        range.first = range.last = source.shown_id(from, kHeldNumber);
       copies.push_back({table, range, is_by_frame(table) ? frame_shift : other_shift,
                         table == CaseTable::kViews ? renumbered_view : nullptr});
+    }
   }
   return records_->copy_records(copies);
 }

@@ -18,6 +18,7 @@
 #include "core/base/result.h"
 #include "core/base/secret.h"
 #include "core/editing/edits.h"
+#include "core/editing/held_surface.h"
 #include "core/geometry/jaw_axes.h"
 #include "core/geometry/view.h"
 #include "core/imaging/frame.h"
@@ -82,6 +83,8 @@ struct StageResult {
   /// Kept in the summary under "made_of". None: the model is not known to be current, and the
   /// window does not show it.
   std::optional<ResultBasis> made_of = std::nullopt;
+  /// Its surface, for the next run; see StoredStage. Only written with the model.
+  std::shared_ptr<const editing::HeldSurface> held = nullptr;
 };
 
 /// All of a stage that is needed to continue its scan or to reconstruct it.
@@ -93,6 +96,9 @@ struct StoredStage {
   std::vector<Measurement> measurements;
   std::optional<OcclusalPoints> plane;  ///< that the user has set
   std::vector<StoredMargin> margins;
+  /// The surface of the finished model, also if the stage has changed since: what is locked of it
+  /// stays. Null: there is none.
+  std::shared_ptr<const editing::HeldSurface> held;
   /// The largest frame index in the stage, also of a scan that was cleared; -1: none. New frames
   /// come after it.
   FrameIndex last_frame{-1};
@@ -227,7 +233,8 @@ class CaseFile {
   [[nodiscard]] Result<void> bring_back_stage(ScanStage stage);
   /// Starts an empty stage as a copy of another scan of the same jaw: its views, poses, texture
   /// frames, edits and distances, and so in its frame. Commits. After a failure the stage is still
-  /// empty. What it keeps of a scan that was cleared stays.
+  /// empty. What it keeps of a scan that was cleared stays. Locks hold the surface of the former
+  /// model in the copy, too.
   /// @param with_model  the finished model, too
   /// @errors  Also kBadOption: not of the same jaw; kInsufficient: `from` is empty; kInconsistent:
   ///          `to` is not; kBadFormat: `from` is damaged.

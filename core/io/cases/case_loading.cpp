@@ -7,6 +7,7 @@
 #include "core/io/cases/case_codec.h"
 #include "core/io/cases/case_file.h"
 #include "core/io/cases/case_records.h"
+#include "core/io/cases/held_codec.h"
 #include "core/io/cases/stage_scans.h"
 
 namespace flytri::io {
@@ -27,6 +28,12 @@ class StageReader {
   template <typename Take>
   void read_margins(const Take& take) {
     read(CaseTable::kSummaries, {scans_.margins_of(stage_)}, take);
+  }
+
+  template <typename Take>
+  void read_held(const Take& take) {
+    const std::int64_t id = scans_.shown_id(stage_, kHeldNumber);
+    read(CaseTable::kModels, {{id, id}}, take);
   }
 
   [[nodiscard]] const Result<void>& outcome() const { return outcome_; }
@@ -116,6 +123,14 @@ void read_measurements(StageReader& reader) {
   });
 }
 
+void read_held(StageReader& reader) {
+  reader.read_held([&](std::int64_t, std::string_view data) {
+    return decode_held_surface(data).map([&](editing::HeldSurface&& held) {
+      reader.loaded.held = std::make_shared<const editing::HeldSurface>(std::move(held));
+    });
+  });
+}
+
 void read_margins(StageReader& reader) {
   reader.read_margins([&](std::int64_t id, std::string_view data) {
     return decode_margin(data, id).map(
@@ -133,6 +148,7 @@ Result<StoredStage> CaseFile::load_stage(ScanStage stage) {
   read_edits(reader);
   read_measurements(reader);
   read_margins(reader);
+  read_held(reader);
   if (!reader.outcome()) return tl::unexpected(reader.outcome().error());
   // A damaged table may not say; then the frames that could be read do.
   if (auto set = plane(stage)) {
@@ -175,7 +191,9 @@ Result<StageCounts> CaseFile::counts_of(ScanStage stage, int scan) {
        {CaseTable::kMeasurements, &counts.measurements},
        {CaseTable::kModels, &models}}};
   for (const auto& [table, number] : wanted) {
-    for (const RecordRange& range : scans_of(stage).records_of(table, stage, scan)) {
+    for (RecordRange range : scans_of(stage).records_of(table, stage, scan)) {
+      // The first one is the model.
+      if (table == CaseTable::kModels) range.last = range.first;
       const Result<std::int64_t> count = records_->count(table, range);
       if (!count) return tl::unexpected(count.error());
       *number += *count;

@@ -5,6 +5,7 @@
 #include "core/io/cases/case_codec.h"
 #include "core/io/cases/case_file.h"
 #include "core/io/cases/case_records.h"
+#include "core/io/cases/held_codec.h"
 #include "core/io/cases/stage_scans.h"
 
 namespace flytri::io {
@@ -40,8 +41,10 @@ Result<void> check_record(CaseTable table, std::int64_t id, std::string_view dat
       if (number_of(id) % kScanNumbers == kPlaneNumber) return decode_plane(data).map(kForget);
       if (is_margin(table, id)) return decode_margin(data, id).map(kForget);
       break;
-    case CaseTable::kCalibration:
     case CaseTable::kModels:
+      if (is_held(table, id)) return decode_held_surface(data).map(kForget);
+      break;
+    case CaseTable::kCalibration:
     case CaseTable::kEvents:
       break;
   }
@@ -54,11 +57,11 @@ bool is_in(const std::vector<RecordRange>& ranges, std::int64_t id) {
   });
 }
 
-void count_record(CaseTable table, StageCounts& counts) {
+void count_record(CaseTable table, std::int64_t id, StageCounts& counts) {
   counts.views += table == CaseTable::kViews ? 1 : 0;
   counts.texture_frames += table == CaseTable::kTextures ? 1 : 0;
   counts.measurements += table == CaseTable::kMeasurements ? 1 : 0;
-  counts.has_result |= table == CaseTable::kModels;
+  counts.has_result |= table == CaseTable::kModels && !is_held(table, id);
 }
 
 /// A finished model that has views which are lost now is still the model of what is left: the copy
@@ -83,7 +86,7 @@ Result<CaseSurvey> CaseFile::rescue(CaseRecords* target) {
           if (!stage) return;
           const StageScans& scans = scans_of(*stage);
           if (is_in(scans.records_of(table, *stage, scans.shown()), id))
-            count_record(table, survey.readable[index_of(*stage)]);
+            count_record(table, id, survey.readable[index_of(*stage)]);
         });
       });
   if (!lost) return tl::unexpected(lost.error());

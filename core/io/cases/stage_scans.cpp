@@ -10,6 +10,10 @@ bool is_by_frame(CaseTable table) {
          table == CaseTable::kFrames || table == CaseTable::kPoses;
 }
 
+bool is_held(CaseTable table, std::int64_t id) {
+  return table == CaseTable::kModels && number_of(id) % kScanNumbers == kHeldNumber;
+}
+
 bool is_margin(CaseTable table, std::int64_t id) {
   const int number = number_of(id);
   return table == CaseTable::kSummaries && number != kScansNumber &&

@@ -18,6 +18,9 @@ namespace flytri::io {
 inline constexpr int kScanNumbers = 1 << 29;
 /// The number of the record that says which frames belong to which scan.
 inline constexpr int kScansNumber = 1 << 30;
+/// In the models, the number of the record with the surface, see encode_held_surface(). Programs
+/// that do not know it pass it over.
+inline constexpr int kHeldNumber = 1;
 /// In the summaries, the number of the record with the occlusal plane that the user has set.
 inline constexpr int kPlaneNumber = 1;
 /// The numbers of margin lines begin here, in the table of summaries: programs that know none of
@@ -55,6 +58,9 @@ class StageScans {
   };
   std::vector<Start> starts_ = {{0, 0}};  ///< by rising frame; the first is 0
 };
+
+/// Whether a record is the surface of a model.
+[[nodiscard]] bool is_held(CaseTable table, std::int64_t id);
 
 /// Whether a record is a margin line.
 [[nodiscard]] bool is_margin(CaseTable table, std::int64_t id);

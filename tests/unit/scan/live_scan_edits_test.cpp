@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/io/cases/case_file.h"
+#include "tests/support/point_bits.h"
 #include "tests/support/steered_scan.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wavy_scene.h"
@@ -68,7 +69,9 @@ class CaseNotes final : public ScanJournal {
   void keep_edits(const editing::EditStack& edits) override {
     check(file_.write_edits(kStage, edits));
   }
-  void keep_result(const reconstruct::FinishedScan&) override {}
+  void keep_result(const reconstruct::FinishedScan& result) override {
+    check(file_.write_result(kStage, {"model", "", std::nullopt, result.held}));
+  }
   void commit() override { check(file_.commit()); }
 
   static KeptScan load(const std::filesystem::path& path) {
@@ -79,6 +82,7 @@ class CaseNotes final : public ScanJournal {
     }
     kept.texture_frames = stage.texture_frames;
     kept.edits = stage.edits;
+    kept.held = stage.held;
     return kept;
   }
 
@@ -264,6 +268,75 @@ TEST_F(ScanOfAGroundTooth, AClosedCaseGoesOnAsIfItHadNotBeenClosed) {
   EXPECT_LT(farthest_mm(reopened.registered, open.registered), kSamePose_mm);
   EXPECT_LT(farthest_mm(reopened.finished->views, open.finished->views), kSamePose_mm);
   EXPECT_LT(off_rms_mm(reopened.finished->points, ground_height), 0.1);
+}
+
+/// The jaw was finished, and all but the tooth is locked; then the tooth is trimmed and scanned
+/// again.
+class ScanWithALock : public ScanOfAGroundTooth {
+ protected:
+  static constexpr float kLock_mm = 4.0F;
+  /// Vertices farther inside depend on locked points alone.
+  static constexpr float kInside_mm = 3.0F;
+
+  /// A finished scan; what lies beside the tooth is locked then, and the tooth trimmed away.
+  struct Locked {
+    std::unique_ptr<LiveScan> scan;
+    std::shared_ptr<const reconstruct::FinishedScan> finished;
+    Vec3f middle_mm = Vec3f::Zero();  ///< of the lock
+  };
+  [[nodiscard]] Locked finish_and_lock(std::shared_ptr<ScanJournal> journal) const {
+    LiveScanOptions with_journal = options();
+    with_journal.journal = std::move(journal);
+    Locked locked;
+    locked.scan = testing::make_scan(with_journal);
+    LiveScan& scan = *locked.scan;
+    scan.start();
+    testing::offer(scan, 0, kBefore);
+    scan.pause();
+    locked.finished = testing::finish(scan)->result;
+    testing::offer(scan, kBefore, kBefore + 1);
+    locked.middle_mm = beside_the_tooth(locked.finished->points);
+    scan.edit(EditKind::kLock, {{locked.middle_mm, brush().normal, kLock_mm}});
+    scan.edit(EditKind::kTrim, {brush()});
+    scan.wait_until_idle();
+    return locked;
+  }
+  /// The point nearest to a place outside of the brush on the tooth.
+  static Vec3f beside_the_tooth(const PointCloud& points) {
+    const Vec3f place_mm = brush().center_mm + Vec3f(kBrush_mm + kLock_mm, 0.0F, 0.0F);
+    const auto nearest = std::min_element(
+        points.begin(), points.end(), [&](const SurfacePoint& a, const SurfacePoint& b) {
+          return (a.position_mm - place_mm).norm() < (b.position_mm - place_mm).norm();
+        });
+    return nearest->position_mm;
+  }
+  static void expect_same_where_locked(const Locked& locked,
+                                       const reconstruct::FinishedScan& after) {
+    const reconstruct::FinishedScan& before = *locked.finished;
+    const auto points = testing::bits_in_ball(before.points, locked.middle_mm, kLock_mm);
+    EXPECT_GT(points.size(), 500U);
+    EXPECT_TRUE(testing::bits_in_ball(after.points, locked.middle_mm, kLock_mm) == points);
+    const auto vertices =
+        testing::bits_in_ball(before.surface.mesh.vertices, locked.middle_mm, kInside_mm);
+    EXPECT_GT(vertices.size(), 200U);
+    EXPECT_TRUE(testing::bits_in_ball(after.surface.mesh.vertices, locked.middle_mm, kInside_mm) ==
+                vertices);
+    EXPECT_LT(off_rms_mm(after.points, ground_height), 0.1) << "the tooth is the new one";
+  }
+};
+
+TEST_F(ScanWithALock, WhatIsLockedStaysToTheBit) {
+  const Locked locked = finish_and_lock(nullptr);
+  const Continued continued = go_on(*locked.scan);
+  EXPECT_EQ(continued.registered.size(), static_cast<std::size_t>(kBefore + kAfter - 1));
+  EXPECT_TRUE(continued.finished->contradicting.empty());
+  expect_same_where_locked(locked, *continued.finished);
+}
+
+TEST_F(ScanWithALock, WhatIsLockedStaysToTheBitAlsoAfterTheCaseWasClosed) {
+  Locked locked = finish_and_lock(std::make_shared<CaseNotes>(case_path()));
+  locked.scan.reset();
+  expect_same_where_locked(locked, *go_on(kept()).finished);
 }
 
 TEST_F(ScanOfAGroundTooth, UndoBringsBackWhatWasCut) {
