@@ -76,6 +76,38 @@ double pose_rms_mm(const std::vector<AlignedView>& views) {
   return std::sqrt(sum / static_cast<double>(views.size()));
 }
 
+/// Scans with vertical lines that are measured too far away from a frame on, as if their projector
+/// had moved. @return  the frame after which it was reported; 0: it was not
+int frame_of_report(double shift_mm, int moved_at) {
+  constexpr int kFrames = 360, kStep = 30;
+  const Scene scene;
+  const auto scan = make_scan(testing::steered_options([=](const Frame& frame) {
+    auto measured = scene.measure(frame);
+    if (frame.index.value < moved_at || frame.kind != FrameKind::kVertical) return measured;
+    for (Profile& profile : measured->view.profiles) {
+      for (ProfilePoint& point : profile.points) point.position_mm.z() += shift_mm;
+    }
+    return measured;
+  }));
+  scan->start();
+  for (int i = 0; i < kFrames; i += kStep) {
+    offer(*scan, i, i + kStep);
+    const auto now = scan->snapshot();
+    if (!now->moved_projector) continue;
+    EXPECT_NEAR(now->moved_projector->shift_mm.z(), shift_mm, 0.3 * shift_mm);
+    return i + kStep;
+  }
+  return 0;
+}
+
+TEST(LiveScan, AProjectorThatHasMovedIsReported) {
+  EXPECT_EQ(frame_of_report(0.0, 0), 0);
+  constexpr int kMovedAt = 90;
+  const int reported = frame_of_report(0.15, kMovedAt);
+  EXPECT_GT(reported, kMovedAt);
+  EXPECT_LT(reported, kMovedAt + 200);
+}
+
 TEST(LiveScan, BeforeTheStartItMeasuresButSavesNothing) {
   const auto scan = make_scan(options_for({}));
   offer(*scan, 0, 6);
