@@ -141,8 +141,7 @@ Json report_json(const occlusion::ClosedJaws& jaws, const Parts& parts,
   json["contact"] = {{"nearer_than_mm", kContact_mm},
                      {"area_mm2", contact.area_mm2},
                      {"penetration_area_mm2", contact.penetration_area_mm2},
-                     {"deepest_penetration_mm", contact.deepest_mm},
-                     {"parted_mm", occlusion.parted_mm}};
+                     {"deepest_penetration_mm", contact.deepest_mm}};
   return json;
 }
 
@@ -161,10 +160,8 @@ void print_occlusion(const occlusion::ClosedJaws& jaws, const Parts& parts,
       "largest, {:.0f} mm from there; {:.3f} degrees\n",
       1e3 * occlusion.uncertainty_mm(occlusion.middle_mm), 1e3 * occlusion.uncertainty_mm(worst_mm),
       (worst_mm - occlusion.middle_mm).norm(), rotation_uncertainty_deg(occlusion));
-  print_out(
-      "contact (nearer than {:.0f} µm): {:.1f} mm²; deepest penetration: {:.0f} µm; touching teeth "
-      "were moved apart by up to {:.0f} µm\n",
-      1e3 * kContact_mm, contact.area_mm2, 1e3 * contact.deepest_mm, 1e3 * occlusion.parted_mm);
+  print_out("contact (nearer than {:.0f} µm): {:.1f} mm²; deepest penetration: {:.0f} µm\n",
+            1e3 * kContact_mm, contact.area_mm2, 1e3 * contact.deepest_mm);
 }
 
 Result<void> write_occlusion(const OccludeArguments& arguments, const occlusion::ClosedJaws& jaws,

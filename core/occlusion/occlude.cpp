@@ -9,7 +9,6 @@
 #include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/cell_key.h"
-#include "core/occlusion/keep_apart.h"
 #include "core/occlusion/place_bite.h"
 #include "core/occlusion/relation_sums.h"
 
@@ -363,7 +362,6 @@ Result<Occlusion> Occluder::run() {
                 "of the closed teeth",
                 bites_.front().name, uncertainty_mm, options_.max_uncertainty_mm);
   }
-  result_.parted_mm = keep_apart(upper_.surface, lower_.surface.mesh(), workers_, result_);
   return result_;
 }
 

@@ -61,9 +61,6 @@ struct Occlusion {
   /// Of the small motion of the lower jaw about the middle: rotation (rad), translation (mm).
   Matrix6 covariance = Matrix6::Zero();
   std::vector<BiteFit> bites;  ///< parallel to the bite scans
-  /// How far touching teeth were moved at most, so that none is inside another one, mm; see
-  /// keep_apart().
-  double parted_mm = 0.0;
 
   /// Standard uncertainty of where a point of the lower jaw is, mm: RMS length of its error.
   /// @param p_mm  frame of the upper jaw
@@ -74,7 +71,7 @@ struct Occlusion {
 
 /// Finds the bite scans on both jaws, and optimizes their places and the relation of the jaws
 /// together. The uncertainty is found by leaving out one cell of the bite after the other; to this
-/// comes what the scans bend. Within that, teeth are kept from penetrating each other.
+/// comes what the scans bend.
 /// @param upper, lower  finished and welded; each in its own world frame
 /// @source  jackknife: Efron and Tibshirani, "An Introduction to the Bootstrap", 1993, chapter 11.
 /// @errors  kBadOption; kInsufficient: no bite scan, a mesh is empty, or the bite is too small or

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/occlusion/clearance.h"
-#include "core/occlusion/keep_apart.h"
 #include "tests/support/cheek.h"
 
 namespace flytri::occlusion {
@@ -156,30 +155,6 @@ TEST(Clearance, IsTheDistanceToTheOtherJawAndNegativeInsideIt) {
     EXPECT_NEAR(contact.penetration_area_mm2, height_mm < -0.05 ? 100.0 : 0.0, 25.0);
     EXPECT_NEAR(contact.deepest_mm, std::max(0.0, -height_mm), 1e-5);
   }
-}
-
-/// How deep a ceiling is inside a floor after they were kept apart.
-/// @param sigma_mm  of its height, as far as a bite scan tells
-double kept_at_mm(double height_mm, double sigma_mm) {
-  const TriangleMesh floor = square(0.0, true), ceiling = square(height_mm, false);
-  Occlusion found;
-  found.middle_mm = Vec3(5.0, 5.0, 0.0);
-  found.covariance.diagonal() << Vec3::Constant(1e-8), Vec3::Constant(sigma_mm * sigma_mm);
-  const double parted_mm = keep_apart(JawSurface(floor), ceiling, Workers(1), found);
-  const double moved_mm = found.T_upper_lower.translation().z();
-  EXPECT_NEAR(parted_mm, std::abs(moved_mm), 1e-5);
-  return height_mm + moved_mm;
-}
-
-TEST(KeepApart, MovesTeethOutOfEachOtherAsFarAsTheUncertaintyAllows) {
-  EXPECT_NEAR(kept_at_mm(-0.02, 0.05), 0.0, 0.001);
-  // A certain relation gives way less: it weighs as much as a tenth of the area.
-  EXPECT_NEAR(kept_at_mm(-0.02, 0.005), -0.002, 0.001);
-}
-
-TEST(KeepApart, ChangesNothingWhereTeethDoNotPenetrateOrMuchMoreThanIsExplained) {
-  EXPECT_EQ(kept_at_mm(0.02, 0.05), 0.02);
-  EXPECT_EQ(kept_at_mm(-0.2, 0.005), -0.2);
 }
 
 }  // namespace
