@@ -25,6 +25,7 @@ using Json = nlohmann::ordered_json;
 struct OcclusionArguments {
   std::filesystem::path output;
   bool force = false;
+  int first_jaw = 1;
   int jaw_count = 20;
   int view_count = 500;
   int bite_view_count = 90;
@@ -152,7 +153,8 @@ Result<void> run(const OcclusionArguments& arguments, const Progress& progress) 
   fmt::print("{:>4} {:>5}   {:^13}   {:^13}   {:^13}   {:^13}   {:>6}\n", "seed", "sides", "middle",
              "last molar", "far molar", "angle", "contact");
   Json rows = Json::array();
-  for (int seed = 1; seed <= arguments.jaw_count; ++seed) {
+  for (int i = 0; i < arguments.jaw_count; ++i) {
+    const int seed = arguments.first_jaw + i;
     const auto of_jaws = try_jaws(arguments, static_cast<std::uint64_t>(seed), workers, progress);
     if (!of_jaws) return tl::unexpected(of_jaws.error());
     rows.insert(rows.end(), of_jaws->begin(), of_jaws->end());
@@ -173,6 +175,11 @@ void add_occlusion_study(CLI::App& lab, cli::Invocation& invocation) {
   cli::add_force_option(*command, arguments->force);
   command->add_option("--jaws", arguments->jaw_count, "Pairs of jaws")
       ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--first", arguments->first_jaw,
+                   "Number of the first pair: parts of the study can run one after the other")
+      ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   command->add_option("--views", arguments->view_count, "Views of each jaw")
       ->check(CLI::Range(100, 5000))

@@ -61,6 +61,8 @@ class SessionOnARecording : public ::testing::Test {
     ASSERT_TRUE(calibration_);
     ASSERT_TRUE(io::write_calibration(folder_.path() / "calibration.json", *calibration_));
     options_.scan.background = TaskThread::Priority::kNormal;
+    // A busy machine skips no frames.
+    options_.scan.max_frames_underway = options_.scan.max_views_waiting = 1000;
     options_.source.name = kRecordingSource;
     options_.source.path = testing::shared_data() / "recording-quadrant";
     options_.source.calibration = folder_.path() / "calibration.json";
