@@ -159,26 +159,31 @@ class FinishScanAgain : public FinishScan {
     StageClock clock({});
     return finish_scan(scanned, options, Workers(2), {}, clock).value();
   }
-  /// The middle of the lock.
-  [[nodiscard]] static editing::EditStack lock_at(const SurfacePoint& middle, double made_at_s) {
+  /// The whole scan, after its first half was finished and a part of that locked.
+  struct Locked {
+    FinishedScan before;
+    Vec3f middle_mm = Vec3f::Zero();  ///< of the lock
+    ScannedViews scanned;
+  };
+  [[nodiscard]] Locked lock_first_half() const {
+    Locked locked{finished(first_half()), Vec3f::Zero(), whole()};
+    const PointCloud& points = locked.before.points;
+    locked.middle_mm =
+        std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
+          return a.position_mm.norm() < b.position_mm.norm();
+        })->position_mm;
     editing::EditStack edits;
-    edits.push(
-        {editing::EditKind::kLock, made_at_s, {{middle.position_mm, -Vec3f::UnitZ(), kLocked_mm}}});
-    return edits;
-  }
-  static const SurfacePoint& nearest_to_origin(const PointCloud& points) {
-    return *std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
-      return a.position_mm.norm() < b.position_mm.norm();
-    });
+    edits.push({editing::EditKind::kLock,
+                locked.before.held->seen_until_s,
+                {{locked.middle_mm, -Vec3f::UnitZ(), kLocked_mm}}});
+    locked.scanned.edits = edits.state();
+    locked.scanned.held = locked.before.held;
+    return locked;
   }
 };
 
 TEST_F(FinishScanAgain, KeepsWhatIsLockedToTheBit) {
-  const FinishedScan before = finished(first_half());
-  const Vec3f middle_mm = nearest_to_origin(before.points).position_mm;
-  ScannedViews scanned = whole();
-  scanned.edits = lock_at(nearest_to_origin(before.points), before.held->seen_until_s).state();
-  scanned.held = before.held;
+  auto [before, middle_mm, scanned] = lock_first_half();
   const FinishedScan after = finished(scanned);
   const auto locked = bits_in_ball(before.points, middle_mm, kLocked_mm);
   EXPECT_GT(locked.size(), 150U);
@@ -188,8 +193,6 @@ TEST_F(FinishScanAgain, KeepsWhatIsLockedToTheBit) {
   EXPECT_TRUE(bits_in_ball(after.surface.mesh.vertices, middle_mm, kInside_mm) == inside);
   EXPECT_GT(after.points.size(), before.points.size()) << "the rest has the new views";
   // A third run holds the second.
-  scanned = whole();
-  scanned.edits = lock_at(nearest_to_origin(before.points), before.held->seen_until_s).state();
   scanned.held = after.held;
   scanned.views.pop_back();
   EXPECT_TRUE(bits_in_ball(finished(scanned).points, middle_mm, kLocked_mm) == locked);
@@ -207,18 +210,14 @@ TEST_F(FinishScanAgain, WithoutALockNothingIsHeld) {
 }
 
 TEST_F(FinishScanAgain, TheSurfaceHasNoStepAroundALock) {
-  const FinishedScan before = finished(first_half());
-  const Vec3f middle_mm = nearest_to_origin(before.points).position_mm;
-  ScannedViews scanned = whole();
-  scanned.edits = lock_at(nearest_to_origin(before.points), before.held->seen_until_s).state();
-  scanned.held = before.held;
-  const FinishedScan after = finished(scanned);
+  const Locked locked = lock_first_half();
+  const FinishedScan after = finished(locked.scanned);
   // What was held comes from eight views with 30 µm of noise.
   const auto mean_off_mm = [&](float from_mm, float to_mm) {
     double sum = 0.0;
     int count = 0;
     for (const SurfacePoint& point : after.points) {
-      const float distance_mm = (point.position_mm - middle_mm).norm();
+      const float distance_mm = (point.position_mm - locked.middle_mm).norm();
       if (distance_mm < from_mm || distance_mm > to_mm) continue;
       const Vec3 p_mm = point.position_mm.cast<double>();  // the first view lies as the scene
       sum += p_mm.z() - testing::cusped_height(p_mm.x(), p_mm.y());
