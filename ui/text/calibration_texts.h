@@ -135,7 +135,7 @@ FLYTRI_TEXT(kProjectorMoved,
             "Check the calibration.",
             "Vertikale und horizontale Linien weichen um {0:.0f} µm voneinander ab: Ein Projektor "
             "hat sich wohl bewegt. Die Kalibrierung prüfen.",
-            "Les lignes verticales et horizontales s’écartent de {0:.0f} µm : un projecteur a sans "
+            "Les lignes verticales et horizontales s’écartent de {0:.0f} µm : un projecteur a sans "
             "doute bougé. Contrôler l’étalonnage.",
             "Las líneas verticales y horizontales difieren en {0:.0f} µm: es probable que un "
             "proyector se haya movido. Comprobar la calibración.")
