@@ -303,7 +303,7 @@ std::function<void()> StageController::wait_until_kept() const {
   };
 }
 
-/// Once for each source: the scan goes on, and the user checks the sensor when there is time.
+/// Once: the scan goes on, and the user checks the sensor when there is time.
 void StageController::report_moved_projector(const ui::AppView& view) {
   if (has_reported_projector_ || view.scan == nullptr || !view.scan->moved_projector) return;
   has_reported_projector_ = true;

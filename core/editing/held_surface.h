@@ -1,5 +1,5 @@
-/// @file  A finished surface that stays the same to the bit where it is locked, when the scan goes
-/// on and is finished again.
+/// @file  The part of a finished surface that is locked: it stays the same to the bit when the scan
+/// is finished again.
 #pragma once
 
 #include <memory>

@@ -177,7 +177,7 @@ std::vector<texture::TextureFrame> Finisher::usable_frames() const {
   return frames;
 }
 
-/// What is locked is colored by the same frames as before, with their former poses and brightness.
+/// Frames that colored the last run do it again where it is locked, with their former poses.
 void Finisher::add_former_frames(std::vector<texture::TextureFrame>& frames) const {
   for (const Frame& frame : scanned_.texture_frames) {
     const auto former = locked_.former_texture(frame.time_s);

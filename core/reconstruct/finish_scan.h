@@ -66,9 +66,8 @@ struct FinishedScan {
 /// empty.
 [[nodiscard]] FinishedScan finished_scan_of(TexturedMesh model);
 
-/// Optimizes all poses together, reduces the points, then makes the mesh and its texture. Where the
-/// user has locked the surface of the last run, points and vertices stay the same to the bit, with
-/// their colors; see HeldPlaces.
+/// Optimizes all poses together, reduces the points, then makes the mesh and its texture. What is
+/// locked of the last run's surface stays the same to the bit; see HeldPlaces.
 /// @param scanned  its views get the optimized poses; of a run that was canceled, the best ones
 ///                 found so far
 /// @source  Arold et al., "Global Optimization" to "Texture Acquisition and Mapping"; the joint

@@ -1,13 +1,11 @@
 /// @file  Plans when each light is on: the sequence of the paper, synchronized with the camera.
 ///
-/// Until the latency is known, patterns and times are random. A periodic sequence would be
-/// ambiguous: shifted by one period it looks the same, by half a period like swapped patterns. Once
-/// the latency is known, the light changes in the gaps between exposures, one frame per pattern. If
-/// the gaps are too short, each pattern stays on for two frames, so that one whole exposure fits
-/// in.
+/// While the latency is unknown, patterns and times are random: a regular sequence looks the same
+/// when it is shifted by a period. Once it is known, the light changes between exposures, one frame
+/// per pattern. Where the gaps are too short, a pattern stays on for two frames, of which one is
+/// whole.
 /// @source  Arold et al., "Sensor Setup" (alternating patterns) and "Texture Acquisition and
-/// Mapping"
-///          (the acquisition is interrupted about every second for a flash).
+///          Mapping" (the acquisition is interrupted about every second for a flash).
 #pragma once
 
 #include <optional>

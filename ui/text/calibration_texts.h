@@ -121,8 +121,7 @@ FLYTRI_TEXT(
     "The calibration was last found valid {0} days ago. Check it on the plane or the sphere.",
     "Die Kalibrierung wurde zuletzt vor {0} Tagen für gültig befunden. Sie an der Ebene oder "
     "der Kugel prüfen.",
-    "L’étalonnage a été jugé valable pour la dernière fois il y a {0} jours. Le contrôler sur "
-    "le plan ou la sphère.",
+    "Étalonnage trouvé valable il y a {0} jours. Le contrôler sur le plan ou la sphère.",
     "La calibración se dio por válida por última vez hace {0} días. Comprobarla con el plano "
     "o la esfera.")
 FLYTRI_TEXT(kCalibrationFailedCheck,

@@ -15,7 +15,7 @@ enum class TargetFace { kWhitePlane, kDots };
 
 /// Kind of an image. kVerticalAgain does not belong to the set: it shows whether the plane moved
 /// during the shots before. kDots is taken by the measurement camera, kDotsTexture by the texture
-/// camera, both with the flash. Without a texture camera there is no flash: a lamp lights the dots.
+/// camera, both with the flash. A sensor without a texture camera has no flash: use a lamp.
 enum class ShotKind { kDark, kVertical, kHorizontal, kVerticalAgain, kDots, kDotsTexture };
 
 /// The name shown to the user.

@@ -8,8 +8,7 @@
 
 namespace flytri::calibration {
 
-/// A sensor that is used daily should be checked about so often: temperature and small knocks move
-/// lenses and slides.
+/// Check the sensor about so often: heat and small knocks move lenses and slides.
 inline constexpr int kCheckEvery_days = 30;
 
 /// Whole days since the calibration was made, or passed a check, whichever is later. None: not

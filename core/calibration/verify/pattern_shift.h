@@ -23,10 +23,9 @@ struct PatternShift {
   [[nodiscard]] bool is_large() const;
 };
 
-/// If a projector moves by 20 µm, all of its lines are measured some 0.15 mm too near or too far.
-/// The registration brings them onto those of the other pattern all the same, as each view has a
-/// pose of its own. But then the path of the sensor jumps to and fro from view to view, in step
-/// with the patterns. A hand does not: over many views its jumps average out.
+/// If a projector moves by 20 µm, its lines are measured 0.15 mm too near or too far. Registration
+/// hides that: it moves these views until they fit. So the path of the sensor jumps to and fro in
+/// step with the patterns. A hand does not: its motion averages out over many views.
 class PatternShiftGauge {
  public:
   /// @param view  the next registered one, by rising time

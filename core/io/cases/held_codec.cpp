@@ -30,8 +30,7 @@ void put_point(std::string& bytes, const SurfacePoint& point) {
   append_number(bytes, point.patterns);
 }
 
-/// Reads what follows, and remembers whether it was possible and plausible. A crafted file may hold
-/// any numbers.
+/// Reads part after part. One that is missing or impossible makes the whole bad.
 class HeldReader {
  public:
   explicit HeldReader(std::string_view bytes) : reader_(bytes) {}

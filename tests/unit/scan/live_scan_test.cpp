@@ -76,8 +76,8 @@ double pose_rms_mm(const std::vector<AlignedView>& views) {
   return std::sqrt(sum / static_cast<double>(views.size()));
 }
 
-/// Scans with vertical lines that are measured too far away from a frame on, as if their projector
-/// had moved. @return  the frame after which it was reported; 0: it was not
+/// From a frame on, vertical lines are measured too far away: their projector has moved.
+/// @return  the frame after which that was reported; 0: it was not
 int frame_of_report(double shift_mm, int moved_at) {
   constexpr int kFrames = 360, kStep = 30;
   const Scene scene;
