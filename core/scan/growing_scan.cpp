@@ -268,7 +268,7 @@ void GrowingScan::restore(const KeptScan& kept) {
   model_.show_holes(kept.result->surface);
 }
 
-void GrowingScan::step(ScanEvent event) {
+void GrowingScan::step(ScanEvent event, const std::function<void(ScanSnapshot&)>& also) {
   const ScanPhase next = next_phase(phase_, event, has_model());
   if (next == phase_) return;
   const ScanPhase before = std::exchange(phase_, next);
@@ -282,6 +282,7 @@ void GrowingScan::step(ScanEvent event) {
       s.lost_sensor = {};
       s.chosen_reentry = 0;
     }
+    if (also) also(s);
   });
   if (next != ScanPhase::kContinuation) registrar_->expect_entry_at(std::nullopt);
 }
@@ -412,15 +413,13 @@ void GrowingScan::take_result(reconstruct::FinishedScan finished) {
   const auto result = std::make_shared<const reconstruct::FinishedScan>(std::move(finished));
   held_ = result->held;
   journal([result](ScanJournal& journal) { journal.keep_result(*result); });
-  board_.update([&](ScanSnapshot& s) { s.result = result; });
-  step(ScanEvent::kResult);
+  step(ScanEvent::kResult, [&](ScanSnapshot& s) { s.result = result; });
   model_.show_holes(result->surface);
 }
 
 void GrowingScan::take_no_result(const Error& why) {
   const bool cancelled = why.code == ErrorCode::kCancelled;
-  board_.update([&](ScanSnapshot& s) { s.failure = cancelled ? "" : why.message; });
-  step(ScanEvent::kNoResult);
+  step(ScanEvent::kNoResult, [&](ScanSnapshot& s) { s.failure = cancelled ? "" : why.message; });
   model_.look_for_holes();
 }
 

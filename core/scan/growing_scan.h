@@ -2,6 +2,7 @@
 /// thread owns it; long work runs on threads of its own.
 #pragma once
 
+#include <functional>
 #include <set>
 
 #include "core/base/task_thread.h"
@@ -75,7 +76,8 @@ class GrowingScan {
   void hand_over_waiting();
   void hand_over_later();
   void restore(const KeptScan& kept);
-  void step(ScanEvent event);
+  /// @param also  shown together with the new phase: who sees a result may leave the stage at once
+  void step(ScanEvent event, const std::function<void(ScanSnapshot&)>& also = {});
   void show_reentry();
   void take_edits();
   void show_edits();
