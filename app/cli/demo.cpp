@@ -134,7 +134,7 @@ Result<void> run(const DemoArguments& arguments, const Progress& progress) {
   const auto reconstruction =
       reconstruct::reconstruct(*recording, *calibration, options, workers, progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
-  print_summary(*reconstruction);
+  print_summary(*reconstruction, calibration->volume.size_mm);
   return write_results(arguments, *reconstruction, calibration->volume, workers, progress);
 }
 

@@ -24,6 +24,7 @@ struct Jaw {
 Result<std::vector<Jaw>> load_jaws(io::CaseFile& file) {
   std::vector<Jaw> jaws;
   for (const io::ScanStage stage : io::kScanStages) {
+    if (stage == io::ScanStage::kFace) continue;
     const Result<io::StageCounts> counts = file.counts(stage);
     if (!counts) return tl::unexpected(counts.error());
     if (!counts->has_result) continue;
@@ -33,7 +34,7 @@ Result<std::vector<Jaw>> load_jaws(io::CaseFile& file) {
   }
   if (!jaws.empty()) return jaws;
   return fail(ErrorCode::kInsufficient,
-              "{}: no stage has a finished model; make one with flytri reconstruct --keep",
+              "{}: no jaw has a finished model; make one with flytri reconstruct --keep",
               file.path().string());
 }
 

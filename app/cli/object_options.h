@@ -20,7 +20,7 @@ inline std::vector<CLI::Option*> add_object_options(CLI::App& command,
                                                        {"lower", JawKind::kLower}};
   CLI::Option* mesh = command.add_option(
       "--mesh", object.mesh,
-      fmt::format("Model that the virtual sensor scans, in mm ({}). Default: a sample jaw",
+      fmt::format("Model that the virtual sensor scans, in mm ({}). Default: a sample",
                   io::extension_list(io::FormatUse::kRead)));
   CLI::Option* jaw =
       command

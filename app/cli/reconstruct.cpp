@@ -69,6 +69,7 @@ report::ScanFacts facts_of(const ReconstructArguments& arguments, const Origin& 
   }
   facts.edits = report::count_edits(origin.edits);
   facts.calibration = report::facts_of(origin.calibration);
+  facts.volume_mm = origin.calibration.volume.size_mm;
   return facts;
 }
 
@@ -132,7 +133,7 @@ Result<void> run_on_recording(const ReconstructArguments& arguments, const Progr
       reconstruct::reconstruct(*recording, used->calibration, options_of(arguments),
                                Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
-  print_summary(*reconstruction);
+  print_summary(*reconstruction, used->calibration.volume.size_mm);
   std::vector<fs::path> written;
   return write_outputs(arguments, *reconstruction, {used->calibration}, progress, written);
 }
@@ -209,7 +210,7 @@ Result<void> reconstruct_case(const ReconstructArguments& arguments, CaseAccess&
       named, *calibration, options_of(arguments, reconstruct::jaw_of(*stage)),
       Workers(arguments.thread_count), progress);
   if (!reconstruction) return tl::unexpected(reconstruction.error());
-  print_summary(*reconstruction);
+  print_summary(*reconstruction, calibration->volume.size_mm);
   if (arguments.keep) {
     auto kept = keep_result(*file, *stage, named.stage, *reconstruction, calibration->volume);
     if (!kept) return kept;

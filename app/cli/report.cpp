@@ -11,6 +11,7 @@
 
 #include "app/cli/console.h"
 #include "app/report/span_json.h"
+#include "core/calibration/record/sensor_size.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/json_place.h"
 #include "core/io/models/model.h"
@@ -136,7 +137,9 @@ double steady_seconds() {
   return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-void print_summary(const reconstruct::Reconstruction& reconstruction) {
+void print_summary(const reconstruct::Reconstruction& reconstruction, const Vec3& volume_mm) {
+  const double least_mm =
+      meshing::kLeastHoleWidth_mm * calibration::line_distance_factor(volume_mm);
   print_out("{} frames: {} registered, {} interpolated, {} for texture\n",
             reconstruction.frames.size(),
             count_fate(reconstruction, reconstruct::FrameFate::kRegistered),
@@ -153,8 +156,7 @@ void print_summary(const reconstruct::Reconstruction& reconstruction) {
   }
   print_out("{} points, {} triangles, {} holes at least {} mm wide\n", reconstruction.points.size(),
             reconstruction.surface.mesh.triangles.size(),
-            meshing::coverage_holes(reconstruction.surface.boundaries).size(),
-            meshing::kLeastHoleWidth_mm);
+            meshing::coverage_holes(reconstruction.surface.boundaries, least_mm).size(), least_mm);
   if (const auto& shift = reconstruction.pattern_shift; shift && shift->is_large()) {
     print_error(
         "flytri: warning: vertical and horizontal lines disagree by {:.0f} µm: a projector has "

@@ -20,7 +20,8 @@ inline constexpr std::string_view kReportFormat = "flytri.report";
 [[nodiscard]] double steady_seconds();
 
 /// Prints counts of frames, points, triangles and holes, and the time of each stage.
-void print_summary(const reconstruct::Reconstruction& reconstruction);
+/// @param volume_mm  of the sensor
+void print_summary(const reconstruct::Reconstruction& reconstruction, const Vec3& volume_mm);
 
 /// Prints how large the written mesh is, and what its simplification has added.
 void print_density(const reconstruct::ModelAtDensity& model);

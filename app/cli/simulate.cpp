@@ -23,7 +23,7 @@ struct SimulateArguments {
   fs::path output;
   session::ScannedObject object;
   std::string sensor = "intraoral";
-  std::string path = "quadrant";
+  std::string path;
   double duration_s = 7.0;
   std::array<double, 3> up = {0.0, 0.0, 1.0};
   std::array<double, 3> front = {0.0, 1.0, 0.0};
@@ -42,7 +42,7 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   auto checked = check_recording_folder(arguments.output, arguments.force);
   if (!checked) return checked;
   const Workers workers(arguments.thread_count);
-  const auto mesh = session::load_object(arguments.object, workers);
+  const auto mesh = session::load_object(arguments.object, arguments.sensor, workers);
   if (!mesh) return tl::unexpected(mesh.error());
   simulated::RecordingOptions options;
   options.sensor = shots::sensor_named(arguments.sensor);
@@ -56,7 +56,10 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   options.faults.away_duration_s = arguments.away_s[1];
   options.faults.bump_mm = 1e-3 * arguments.bump[0];
   options.faults.bump_at_s = arguments.bump[1];
-  if (arguments.path == "quadrant") {
+  const bool of_face = simulated::is_face_sensor(arguments.sensor) && arguments.path.empty();
+  if (of_face || arguments.path == "front") {
+    options.path.kind = simulated::PathKind::kFront;
+  } else if (arguments.path.empty() || arguments.path == "quadrant") {
     options.path.kind = simulated::PathKind::kQuadrant;
   } else if (arguments.path == "arch") {
     options.path.kind = simulated::PathKind::kArch;
@@ -107,20 +110,22 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
   CLI::App* recording = simulate->add_subcommand("recording", "Make a recording, with its truth");
   add_common_options(*recording, *arguments);
   add_object_options(*recording, arguments->object);
-  recording
-      ->add_option("--path", arguments->path,
-                   "quadrant, arch, orbit, or a truth.json: the sensor follows its poses")
-      ->capture_default_str();
+  recording->add_option(
+      "--path", arguments->path,
+      "quadrant, arch, orbit, front, or a truth.json: the sensor follows its poses. "
+      "Default: quadrant; for the face sensor, front");
   recording->add_option("--duration", arguments->duration_s, "Length of the scan in seconds")
       ->check(CLI::Range(0.2, 600.0))
       ->capture_default_str();
   recording
       ->add_option(
           "--up", arguments->up,
-          "Direction in the frame of the model, from the teeth towards the opposite jaw, or the "
-          "axis of an orbit; for an upper jaw often 0 0 -1")
+          "Direction in the frame of the model: from the teeth towards the opposite jaw, for an "
+          "upper jaw often 0 0 -1; of a face, or of the axis of an orbit, upwards")
       ->capture_default_str();
-  recording->add_option("--front", arguments->front, "Direction from the throat to the incisors")
+  recording
+      ->add_option("--front", arguments->front,
+                   "Direction from the throat to the incisors, or in which a face looks")
       ->capture_default_str();
   recording->add_option("--away", arguments->away_s,
                         "Take the sensor away: from when and for how long, in seconds");

@@ -8,6 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/object_options.h"
+#include "app/cli/sensor_option.h"
 #include "app/session/source.h"
 
 namespace flytri::cli {
@@ -29,6 +30,8 @@ inline void add_source_options(CLI::App& command, session::SourceChoice& source)
                   "Speed of the replay; 1: as recorded, 0: as fast as possible")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
+  CLI::Option* sensor = add_sensor_option(command, source.sensor);
+  for (CLI::Option* real : paths) real->excludes(sensor);
   for (CLI::Option* option : add_object_options(command, source.object)) paths.push_back(option);
   for (CLI::Option* one : paths) {
     for (CLI::Option* other : paths) {

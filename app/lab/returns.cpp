@@ -324,7 +324,7 @@ void print(const std::vector<Return>& returns) {
 
 Result<void> run(const ReturnsArguments& arguments, const Progress& progress) {
   const Workers workers(arguments.thread_count);
-  const auto mesh = session::load_object(arguments.object, workers);
+  const auto mesh = session::load_object(arguments.object, "intraoral", workers);
   if (!mesh) return tl::unexpected(mesh.error());
   auto simulator = simulated::ViewSimulator::create(*mesh, simulated::intraoral_sensor());
   if (!simulator) return tl::unexpected(simulator.error());

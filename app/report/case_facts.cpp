@@ -67,7 +67,10 @@ Result<CaseFacts> facts_in(io::CaseFile& file, io::ScanStage stage) {
   facts.edits = count_edits(finished->stored.edits.state());
   const auto calibration = file.calibration().and_then(
       [&](const std::string& json) { return io::parse_calibration(json, file.path().string()); });
-  if (calibration) facts.calibration = facts_of(*calibration);
+  if (calibration) {
+    facts.calibration = facts_of(*calibration);
+    facts.volume_mm = calibration->volume.size_mm;
+  }
   return found;
 }
 

@@ -4,7 +4,6 @@
 
 #include "app/report/coverage_figures.h"
 #include "app/report/span_json.h"
-#include "core/meshing/coverage_holes.h"
 
 namespace flytri::report {
 namespace {
@@ -57,7 +56,7 @@ std::string report_json(const ScanFacts& facts) {
   json["coverage"] = coverage_json(coverage_figures(facts.surface.mesh));
   json["frames"] = {{"used", facts.registered}, {"rejected", facts.rejected}};
   json["holes"] = Json::array();
-  for (const auto& hole : meshing::coverage_holes(facts.surface.boundaries)) {
+  for (const auto& hole : facts.holes()) {
     json["holes"].push_back(hole_json(hole));
   }
   json["calibration"] = calibration_json(facts.calibration);

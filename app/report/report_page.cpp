@@ -66,10 +66,7 @@ std::string shown_time(const std::string& time) {
 class Page {
  public:
   explicit Page(const ScanFacts& facts)
-      : facts_(facts),
-        mesh_(facts.surface.mesh),
-        axes_(jaw_axes(mesh_)),
-        holes_(meshing::coverage_holes(facts.surface.boundaries)) {}
+      : facts_(facts), mesh_(facts.surface.mesh), axes_(jaw_axes(mesh_)), holes_(facts.holes()) {}
 
   Result<std::string> write() const;
 
@@ -153,14 +150,18 @@ std::string Page::coverage_table() const {
 }
 
 std::string Page::hole_table() const {
-  if (holes_.empty()) return table("Holes", row("none", "that are at least 1 mm wide"));
+  if (holes_.empty()) {
+    return table("Holes", row("none", fmt::format("that are at least {} mm wide",
+                                                  facts_.least_hole_width_mm())));
+  }
   static const ui::Texts kEnglish;
   std::string rows;
   for (std::size_t i = 0; i < std::min(holes_.size(), kShownHoles); ++i) {
     const JawKind jaw = ui::jaw_of(facts_.stage.value_or(io::ScanStage::kUpper));
     // Which jaw a recording shows, and so what is left, is not known.
-    const std::string text = facts_.stage ? ui::hole_text(holes_[i], &axes_, jaw, kEnglish)
-                                          : fmt::format("{:.1f} mm wide", holes_[i].width_mm);
+    const bool is_known = facts_.stage && *facts_.stage != io::ScanStage::kFace;
+    const std::string text = is_known ? ui::hole_text(holes_[i], &axes_, jaw, kEnglish)
+                                      : fmt::format("{:.1f} mm wide", holes_[i].width_mm);
     rows += row(fmt::format("{}", i + 1), escaped(text));
   }
   if (holes_.size() > kShownHoles) {

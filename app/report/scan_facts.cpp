@@ -4,7 +4,9 @@
 #include <system_error>
 
 #include "core/base/iso_time.h"
+#include "core/calibration/record/sensor_size.h"
 #include "core/io/calibrations/calibration_json.h"
+#include "core/meshing/coverage_holes.h"
 
 namespace flytri::report {
 
@@ -24,6 +26,14 @@ EditCounts count_edits(const editing::EditList& edits) {
     }
   }
   return counts;
+}
+
+double ScanFacts::least_hole_width_mm() const {
+  return meshing::kLeastHoleWidth_mm * calibration::line_distance_factor(volume_mm);
+}
+
+std::vector<meshing::BoundaryLoop> ScanFacts::holes() const {
+  return meshing::coverage_holes(surface.boundaries, least_hole_width_mm());
 }
 
 CalibrationFacts facts_of(const calibration::Calibration& calibration) {

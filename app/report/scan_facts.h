@@ -39,6 +39,11 @@ struct ScanFacts {
   std::map<std::string, int> rejected;  ///< frames by reason
   EditCounts edits;
   CalibrationFacts calibration;
+  Vec3 volume_mm = Vec3(20, 15, 15);  ///< of the sensor
+
+  /// The holes to scan, see meshing::coverage_holes().
+  [[nodiscard]] std::vector<meshing::BoundaryLoop> holes() const;
+  [[nodiscard]] double least_hole_width_mm() const;
   std::string made_at;  ///< ISO 8601, UTC
   std::string program;  ///< "flytri 0.1.0"
 };

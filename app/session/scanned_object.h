@@ -1,8 +1,9 @@
-/// @file  The object that a virtual sensor scans: a model from a file, or a sample jaw.
+/// @file  The object that a virtual sensor scans: a model from a file, or a sample.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "core/base/result.h"
 #include "core/base/workers.h"
@@ -12,11 +13,14 @@
 namespace flytri::session {
 
 struct ScannedObject {
-  std::optional<std::filesystem::path> mesh;  ///< in mm; none: a sample jaw
-  JawKind jaw = JawKind::kUpper;              ///< of the sample jaw
+  std::optional<std::filesystem::path> mesh;  ///< in mm
+  std::optional<JawKind> jaw;                 ///< a sample jaw; unless there is a mesh
 };
 
+/// @param sensor  as simulated::layout_named() knows it. Without mesh and jaw, it scans what it is
+///   made for: the sample upper jaw, or the sample face.
 /// @errors  As io::read_model.
-[[nodiscard]] Result<TriangleMesh> load_object(const ScannedObject& object, const Workers& workers);
+[[nodiscard]] Result<TriangleMesh> load_object(const ScannedObject& object,
+                                               const std::string& sensor, const Workers& workers);
 
 }  // namespace flytri::session

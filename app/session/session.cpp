@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/session/settings_file.h"
+#include "core/calibration/record/sensor_size.h"
 #include "hw/device/clock.h"
 
 namespace flytri::session {
@@ -32,7 +33,7 @@ Session::Session(SessionOptions options)
               [this] {
                 if (stages_.is_started()) case_.save_unnamed();
                 case_.warn_of_other_calibration();
-                stages_.show();
+                stages_.begin();
               }),
       stages_(with_clock(std::move(options.scan)), source_, background_, notices_),
       case_(std::move(options.unnamed_folder), source_, stages_, background_, notices_),
@@ -67,7 +68,7 @@ void Session::carry_out(const ui::Command& command) {
           },
           [&](const ui::PauseScan&) { stages_.pause(); },
           [&](const ui::ResumeScan&) { stages_.start(); },
-          [&](const ui::Finish&) { stages_.finish(settings_.close_holes_mm); },
+          [&](const ui::Finish&) { finish(); },
           [&](const ui::CancelFinish&) { stages_.cancel_finish(); },
           [&](const ui::Undo&) { stages_.undo(); },
           [&](const ui::Redo&) { stages_.redo(); },
@@ -121,13 +122,20 @@ void Session::carry_out(const ui::Command& command) {
       command);
 }
 
+void Session::finish() {
+  if (source_.calibration() == nullptr) return;
+  stages_.finish(settings_.close_holes_mm *
+                 calibration::line_distance_factor(source_.calibration()->volume.size_mm));
+}
+
 void Session::export_scan(const ui::Export& command) {
   if (scan() == nullptr) return;
   if (command.target.all_jaws) {
     std::vector<JawToExport> jaws;
     for (const io::ScanStage stage : io::kScanStages) {
       const StageController::StageModel model = stages_.model_of(stage);
-      if (model.is_finished) jaws.push_back({stage, model.scan, nullptr});
+      if (model.is_finished && stage != io::ScanStage::kFace)
+        jaws.push_back({stage, model.scan, nullptr});
     }
     if (jaws.empty() || stages_.store() == nullptr) return;
     return exports_.export_jaws(command, std::move(jaws),

@@ -13,6 +13,7 @@
 #include "hw/simulated/datasets/sensor_calibration.h"
 #include "hw/simulated/devices/faulty_sensor.h"
 #include "hw/simulated/devices/live_sensor.h"
+#include "hw/simulated/optics/sensor_layout.h"
 
 namespace flytri::session {
 namespace {
@@ -50,12 +51,15 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
         "--calibration needs --recording or --rig: the virtual sensor has its own calibration");
   }
   const Workers workers;
-  const Result<TriangleMesh> mesh = load_object(choice.object, workers);
+  const Result<TriangleMesh> mesh = load_object(choice.object, choice.sensor, workers);
   if (!mesh) return tl::unexpected(mesh.error());
   simulated::LiveSensorOptions options;
+  options.sensor = simulated::make_sensor(simulated::layout_named(choice.sensor));
   options.path.duration_s = kPathDuration_s;
   std::string warning;
-  if (choice.object.mesh) {
+  if (simulated::is_face_sensor(choice.sensor)) {
+    options.path.kind = simulated::PathKind::kFront;
+  } else if (choice.object.mesh) {
     constexpr double kUpright = 0.9;
     const Vec3 up = options.path.up = teeth_direction(*mesh);
     if (std::abs(up.dot(options.path.front)) > kUpright) options.path.front = Vec3::UnitZ();

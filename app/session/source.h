@@ -31,6 +31,7 @@ struct SourceChoice {
   std::filesystem::path path;  ///< the recording's folder, the rig's file; as the name asks
   std::optional<std::filesystem::path> calibration;  ///< replaces the one that the source names
   double replay_speed = 1.0;                         ///< > 0; 0: as fast as possible
+  std::string sensor = "intraoral";                  ///< the virtual one, or "face"
   ScannedObject object;                              ///< of the virtual sensor
   std::optional<std::uint64_t> fault_seed;  ///< for tests: makes the source fail now and then
 

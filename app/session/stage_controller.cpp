@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/calibration/record/sensor_size.h"
+
 namespace flytri::session {
 
 namespace {
@@ -200,6 +202,13 @@ void StageController::select(io::ScanStage stage) {
   if (!may_leave()) return;
   pause();
   stage_ = static_cast<std::size_t>(stage);
+  show();
+}
+
+void StageController::begin() {
+  const bool is_for_faces = !calibration::fits_mouth(source_.calibration()->volume.size_mm);
+  if (is_for_faces != (stage() == io::ScanStage::kFace))
+    stage_ = index_of(is_for_faces ? io::ScanStage::kFace : io::ScanStage::kUpper);
   show();
 }
 

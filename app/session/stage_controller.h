@@ -54,6 +54,8 @@ class StageController {
 
   /// Pauses, and turns to another stage.
   void select(io::ScanStage stage);
+  /// Shows the stage that a new sensor is for: a jaw or a face.
+  void begin();
   /// Creates the scan of the current stage if there is none, and sends it the frames. What the case
   /// has of the stage is loaded in the background.
   void show();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "assets/sample_jaw/smooth.h"
+#include "assets/shapes/smooth.h"
 
 namespace flytri::sample_jaw {
 namespace {
@@ -31,7 +31,7 @@ Gum::Station Gum::compute_station(const Vec2& p) const {
   here.place = dentition_.arch.locate(p);
   double weight_sum = 0.0;
   for (const PlacedTooth& placed : dentition_.teeth) {
-    const double weight = bump(here.place.along_mm - placed.along_mm, 5.0) + 1e-9;
+    const double weight = shapes::bump(here.place.along_mm - placed.along_mm, 5.0) + 1e-9;
     weight_sum += weight;
     here.neck_mm += weight * placed.origin_mm.z();
     here.half_depth_mm += weight * 0.5 * placed.tooth.form().depth_mm;
@@ -70,16 +70,18 @@ double Gum::ridge_height(const Vec2& p, const Station& here) const {
   double height = here.neck_mm - 0.7;
   if (place.outward_mm > 0.0) {
     const double beyond = place.outward_mm - edge_mm;
-    return height - 8.0 * smooth_step(-1.2, 4.2, beyond) - 0.12 * std::max(beyond, 0.0);
+    return height - 8.0 * shapes::smooth_step(-1.2, 4.2, beyond) - 0.12 * std::max(beyond, 0.0);
   }
   const double beyond = -place.outward_mm - edge_mm;
-  if (dentition_.kind == JawKind::kLower) return height - 9.0 * smooth_step(-1.2, 5.5, beyond);
-  height -= 12.0 * smooth_step(-2.0, 17.0, beyond);
+  if (dentition_.kind == JawKind::kLower)
+    return height - 9.0 * shapes::smooth_step(-1.2, 5.5, beyond);
+  height -= 12.0 * shapes::smooth_step(-2.0, 17.0, beyond);
   // Folds across the front of the palate (rugae), and a raphe along its middle.
-  const double front = smooth_step(20.0, 26.0, p.y()) * smooth_step(0.0, 3.0, beyond);
+  const double front =
+      shapes::smooth_step(20.0, 26.0, p.y()) * shapes::smooth_step(0.0, 3.0, beyond);
   const double fold = std::sin(1.5 * p.y() + 0.09 * p.x() * p.x() * 0.5 + 0.3 * std::abs(p.x()));
-  height += 0.35 * front * fold * (1.0 - bump(p.x(), 1.2));
-  return height + 0.3 * smooth_step(3.0, 8.0, beyond) * bump(p.x(), 1.3);
+  height += 0.35 * front * fold * (1.0 - shapes::bump(p.x(), 1.2));
+  return height + 0.3 * shapes::smooth_step(3.0, 8.0, beyond) * shapes::bump(p.x(), 1.3);
 }
 
 double Gum::collar(const PlacedTooth& placed, const Vec3& p) const {
@@ -91,7 +93,7 @@ double Gum::collar(const PlacedTooth& placed, const Vec3& p) const {
   const double papilla_mm = placed.tooth.form().rim.empty() ? 4.6 : 2.9;
   const double margin_mm = 0.3 + papilla_mm * beside * beside;
   const double thickness_mm = 0.35 + 0.16 * std::clamp(margin_mm - q.z(), 0.0, 5.0);
-  return smooth_max(placed.tooth.wall(q) - thickness_mm, 0.8 * (q.z() - margin_mm), 0.9);
+  return shapes::smooth_max(placed.tooth.wall(q) - thickness_mm, 0.8 * (q.z() - margin_mm), 0.9);
 }
 
 double Gum::operator()(const Vec3& p) const {
@@ -99,8 +101,8 @@ double Gum::operator()(const Vec3& p) const {
   double shape = 0.45 * (p.z() - station(p.head<2>()).ridge_mm);
   for (const PlacedTooth& placed : dentition_.teeth)
     if ((p - placed.origin_mm).head<2>().norm() < kCollarReach_mm)
-      shape = smooth_min(shape, collar(placed, p), 1.6);
-  return shape + 0.03 * value_noise(1.6 * p, dentition_.seed + 11);
+      shape = shapes::smooth_min(shape, collar(placed, p), 1.6);
+  return shape + 0.03 * shapes::value_noise(1.6 * p, dentition_.seed + 11);
 }
 
 bool Gum::covers(const Vec3& p) const {
@@ -122,12 +124,12 @@ Vec3 Gum::color(const Vec3& p) const {
   const double depth_mm = here.neck_mm - p.z();
   Vec3 color = attached;
   if (place.outward_mm > 0.0)
-    color += (movable - attached) * smooth_step(4.0, 8.0, depth_mm);
+    color += (movable - attached) * shapes::smooth_step(4.0, 8.0, depth_mm);
   else
-    color += (palate - attached) * smooth_step(1.0, 6.0, depth_mm);
-  const double tone = 1.0 + 0.05 * value_noise(0.35 * p, dentition_.seed + 12) +
-                      0.04 * value_noise(1.3 * p, dentition_.seed + 13);
-  color.tail<2>() *= 1.0 + 0.06 * value_noise(0.7 * p, dentition_.seed + 14);
+    color += (palate - attached) * shapes::smooth_step(1.0, 6.0, depth_mm);
+  const double tone = 1.0 + 0.05 * shapes::value_noise(0.35 * p, dentition_.seed + 12) +
+                      0.04 * shapes::value_noise(1.3 * p, dentition_.seed + 13);
+  color.tail<2>() *= 1.0 + 0.06 * shapes::value_noise(0.7 * p, dentition_.seed + 14);
   return color * tone;
 }
 

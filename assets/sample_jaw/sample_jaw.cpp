@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "assets/sample_jaw/gum.h"
-#include "assets/sample_jaw/smooth.h"
-#include "assets/sample_jaw/surface_nets.h"
+#include "assets/shapes/smooth.h"
+#include "assets/shapes/surface_nets.h"
 #include "core/base/check_options.h"
 
 namespace flytri::sample_jaw {
@@ -51,10 +51,10 @@ TriangleMesh cut(const TriangleMesh& mesh, const std::function<bool(const Vec3&)
 Vec3 treated(const Dentition& dentition, std::size_t index, const Vec3& p_tooth, Vec3 color) {
   const Tooth& tooth = dentition.teeth[index].tooth;
   const double from_top = tooth.form().height_mm - p_tooth.z();
-  const double on_top = 1.0 - smooth_step(2.6, 3.2, from_top);
-  const double wobble = 0.25 * value_noise(1.5 * p_tooth, dentition.seed + 21);
+  const double on_top = 1.0 - shapes::smooth_step(2.6, 3.2, from_top);
+  const double wobble = 0.25 * shapes::value_noise(1.5 * p_tooth, dentition.seed + 21);
   const auto blot = [&](const Vec2& at, const Vec2& size, const Vec2& p) {
-    return 1.0 - smooth_step(0.85, 1.0, (p - at).cwiseQuotient(size).norm() + wobble);
+    return 1.0 - shapes::smooth_step(0.85, 1.0, (p - at).cwiseQuotient(size).norm() + wobble);
   };
   const Vec2 seen = p_tooth.head<2>();
   if (index == 1) color += (Vec3(118, 122, 128) - color) * on_top * blot({0, 0}, {3.4, 1.7}, seen);
@@ -73,15 +73,16 @@ TriangleMesh make_tooth(const Dentition& dentition, std::size_t index, const Gum
   const ToothForm& form = placed.tooth.form();
   const double reach_mm = 0.5 * std::hypot(form.width_mm, form.depth_mm) + 1.5;
   const Vec3 half(reach_mm, reach_mm, 0.0);
-  const NetBox box{placed.origin_mm - half - Vec3(0.0, 0.0, 2.5),
-                   placed.origin_mm + half + Vec3(0.0, 0.0, form.height_mm + 1.5), cell_mm};
+  const shapes::NetBox box{placed.origin_mm - half - Vec3(0.0, 0.0, 2.5),
+                           placed.origin_mm + half + Vec3(0.0, 0.0, form.height_mm + 1.5), cell_mm};
   const auto visible = [&](const Vec3& p) {
     if (gum(p) < -kHidden_mm) return false;
     for (const std::size_t other : {index - 1, index + 1})
       if (other < dentition.teeth.size() && dentition.teeth[other](p) < -kHidden_mm) return false;
     return true;
   };
-  TriangleMesh mesh = cut(surface_nets([&](const Vec3& p) { return placed(p); }, box), visible);
+  TriangleMesh mesh =
+      cut(shapes::surface_nets([&](const Vec3& p) { return placed(p); }, box), visible);
   for (SurfacePoint& vertex : mesh.vertices) {
     const Vec3 p_tooth = placed.to_tooth(vertex.position_mm.cast<double>());
     vertex.color = to_rgb(treated(dentition, index, p_tooth, placed.tooth.color(p_tooth)));
@@ -89,14 +90,14 @@ TriangleMesh make_tooth(const Dentition& dentition, std::size_t index, const Gum
   return mesh;
 }
 
-TriangleMesh make_gum_strip(const Dentition& dentition, const Gum& gum, const NetBox& box) {
+TriangleMesh make_gum_strip(const Dentition& dentition, const Gum& gum, const shapes::NetBox& box) {
   const auto visible = [&](const Vec3& p) {
     if (!gum.covers(p)) return false;
     for (const PlacedTooth& placed : dentition.teeth)
       if ((p - placed.origin_mm).norm() < 14.0 && placed(p) < -kHidden_mm) return false;
     return true;
   };
-  TriangleMesh mesh = cut(surface_nets(std::cref(gum), box), visible);
+  TriangleMesh mesh = cut(shapes::surface_nets(std::cref(gum), box), visible);
   for (SurfacePoint& vertex : mesh.vertices)
     vertex.color = to_rgb(gum.color(vertex.position_mm.cast<double>()));
   return mesh;
@@ -122,7 +123,7 @@ Result<TriangleMesh> make_sample_jaw(const SampleJawOptions& options, const Work
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   const Dentition dentition = make_dentition(options.kind, options.seed);
   const Gum gum(dentition);
-  const NetBox gum_box{{-40.0, -8.0, -14.0}, {40.0, 56.0, 8.0}, options.gum_cell_mm};
+  const shapes::NetBox gum_box{{-40.0, -8.0, -14.0}, {40.0, 56.0, 8.0}, options.gum_cell_mm};
   std::vector<TriangleMesh> parts(dentition.teeth.size() + 1);
   workers.for_each(parts.size(), [&](std::size_t i) {
     // Start with the gum, which takes longest.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assets/sample_jaw/smooth.h"
+#include "assets/shapes/smooth.h"
 
 namespace flytri::sample_jaw {
 namespace {
@@ -61,9 +61,9 @@ Tooth::Tooth(ToothForm form, std::uint64_t seed) : form_(std::move(form)), seed_
 double Tooth::operator()(const Vec3& p) const {
   const double top = form_.rim.empty() ? edge_height(p.x()) : chewing_height(p.head<2>());
   const double rounding_mm = form_.rim.empty() ? 0.7 : 1.1;
-  const double waves_mm = 0.03 * value_noise(1.1 * p, seed_);
+  const double waves_mm = 0.03 * shapes::value_noise(1.1 * p, seed_);
   // Scaled down, because the slope of the top makes the value grow faster than the distance.
-  return smooth_max(wall(p), 0.85 * (p.z() - top), rounding_mm) + waves_mm;
+  return shapes::smooth_max(wall(p), 0.85 * (p.z() - top), rounding_mm) + waves_mm;
 }
 
 double Tooth::wall(const Vec3& p) const {
@@ -81,9 +81,10 @@ double Tooth::molar_wall(const Vec3& p) const {
   const double radius = std::pow(std::pow(x, exponent) + std::pow(y, exponent), 1.0 / exponent);
   // A shallow groove runs down both faces between the cusps of a molar.
   const bool molar = form_.width_mm > 9.0;
-  const double groove =
-      molar ? 0.35 * bump(p.x() + 0.3, 0.9) * smooth_step(0.25, 0.9, t) * smooth_step(0.3, 0.9, y)
-            : 0.0;
+  const double groove = molar ? 0.35 * shapes::bump(p.x() + 0.3, 0.9) *
+                                    shapes::smooth_step(0.25, 0.9, t) *
+                                    shapes::smooth_step(0.3, 0.9, y)
+                              : 0.0;
   return (radius - 1.0) * std::min(half_width, half_depth) + groove;
 }
 
@@ -97,19 +98,19 @@ double Tooth::front_wall(const Vec3& p) const {
       half_depth * (0.92 - 0.50 * std::max(t - 0.15, 0.0) - 0.12 * std::max(-t, 0.0)) -
       0.15 * half_depth * x * x;
   // The inner face has a bulge above the neck and is concave between two marginal ridges.
-  const double taper = smooth_step(0.02, 0.85, t);
-  const double hollow = 0.45 * bump(x, 0.55) * bump(t - 0.58, 0.26);
+  const double taper = shapes::smooth_step(0.02, 0.85, t);
+  const double hollow = 0.45 * shapes::bump(x, 0.55) * shapes::bump(t - 0.58, 0.26);
   const double inner = -half_depth * (0.95 - 1.08 * taper) + hollow + 0.12 * half_depth * x * x -
-                       0.35 * bump(x, 0.6) * bump(t - 0.22, 0.14);
-  const double thickness = smooth_max(0.93 * (p.y() - outer), 0.9 * (inner - p.y()), 0.5);
+                       0.35 * shapes::bump(x, 0.6) * shapes::bump(t - 0.22, 0.14);
+  const double thickness = shapes::smooth_max(0.93 * (p.y() - outer), 0.9 * (inner - p.y()), 0.5);
   // The 0.12 mm compensate for material removed by the rounding.
-  return smooth_max(thickness, std::abs(p.x()) - half_width - 0.12, 1.1);
+  return shapes::smooth_max(thickness, std::abs(p.x()) - half_width - 0.12, 1.1);
 }
 
 double Tooth::chewing_height(const Vec2& p) const {
   double height = -1e3;
   for (const Ridge& ridge : ridges_)
-    height = smooth_max(height, ridge.height(p), kFissureRadius_mm);
+    height = shapes::smooth_max(height, ridge.height(p), kFissureRadius_mm);
   return height;
 }
 
@@ -139,17 +140,18 @@ Vec3 Tooth::color(const Vec3& p) const {
   const Vec3 edge(214, 214, 208);
   const Vec3 fissure(150, 112, 74);
   const double t = p.z() / form_.height_mm;
-  Vec3 color = enamel + (neck - enamel) * (1.0 - smooth_step(0.0, 0.45, t));
-  if (form_.rim.empty()) color += (edge - color) * 0.7 * smooth_step(0.8, 1.0, t);
+  Vec3 color = enamel + (neck - enamel) * (1.0 - shapes::smooth_step(0.0, 0.45, t));
+  if (form_.rim.empty()) color += (edge - color) * 0.7 * shapes::smooth_step(0.8, 1.0, t);
   if (!form_.rim.empty()) {
     const Vec2 q = p.head<2>();
     const double height_mm = chewing_height(q);
-    const double on_top = smooth_step(-1.2, -0.3, p.z() - height_mm);
+    const double on_top = shapes::smooth_step(-1.2, -0.3, p.z() - height_mm);
     if (on_top > 0.0)
-      color += (fissure - color) * 0.9 * on_top * smooth_step(0.03, 0.16, depth_mm(q, height_mm));
+      color += (fissure - color) * 0.9 * on_top *
+               shapes::smooth_step(0.03, 0.16, depth_mm(q, height_mm));
   }
-  const double tone =
-      1.0 + 0.025 * value_noise(0.8 * p, seed_ + 1) + 0.02 * value_noise(2.5 * p, seed_ + 2);
+  const double tone = 1.0 + 0.025 * shapes::value_noise(0.8 * p, seed_ + 1) +
+                      0.02 * shapes::value_noise(2.5 * p, seed_ + 2);
   return color * tone;
 }
 

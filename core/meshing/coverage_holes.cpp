@@ -4,9 +4,10 @@
 
 namespace flytri::meshing {
 
-std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries) {
-  std::erase_if(boundaries, [](const BoundaryLoop& loop) {
-    return loop.is_outer || loop.width_mm < kLeastHoleWidth_mm;
+std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries,
+                                         double least_width_mm) {
+  std::erase_if(boundaries, [&](const BoundaryLoop& loop) {
+    return loop.is_outer || loop.width_mm < least_width_mm;
   });
   std::stable_sort(
       boundaries.begin(), boundaries.end(),

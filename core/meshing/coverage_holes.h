@@ -7,11 +7,14 @@
 
 namespace flytri::meshing {
 
-/// Narrower holes need no scan: lines of a view lie about 2 mm apart, so that a line falls into
-/// such a hole only by chance; the surface around shows its shape, and CAD programs close it.
+/// Of a sensor for teeth. Narrower holes need no scan: lines of a view lie about 2 mm apart, so
+/// that a line falls into such a hole only by chance; the surface around shows its shape, and CAD
+/// programs close it.
 inline constexpr double kLeastHoleWidth_mm = 1.0;
 
-/// The holes to scan: at least kLeastHoleWidth_mm wide, without the outer borders; widest first.
-[[nodiscard]] std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries);
+/// The holes to scan, without the outer borders; widest first.
+/// @param least_width_mm  kLeastHoleWidth_mm times calibration::line_distance_factor()
+[[nodiscard]] std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries,
+                                                       double least_width_mm = kLeastHoleWidth_mm);
 
 }  // namespace flytri::meshing

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/calibration/record/sensor_size.h"
 #include "core/editing/serving_views.h"
 #include "core/meshing/mesh_topology.h"
 #include "core/reconstruct/locked_surface.h"
@@ -153,6 +154,8 @@ Result<void> Finisher::make_surface() {
 }
 
 Result<void> Finisher::judge_distances() {
+  // A face has no teeth.
+  if (!calibration::fits_mouth(scanned_.calibration->volume.size_mm)) return {};
   Result<std::vector<JudgedSpan>> spans =
       judge_spans(result_.surface.mesh, options_.jaw, serving_, options_.refinement, workers_,
                   progress_.part(kJudgingShare));

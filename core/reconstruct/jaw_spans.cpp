@@ -125,7 +125,7 @@ std::string name_of(const JawSpan& span) {
 }
 
 std::optional<JawKind> jaw_of(io::ScanStage stage) {
-  if (io::is_bite(stage)) return std::nullopt;
+  if (!io::is_jaw(stage)) return std::nullopt;
   return base_of(stage) == io::ScanStage::kUpper ? JawKind::kUpper : JawKind::kLower;
 }
 

@@ -53,14 +53,14 @@ GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibra
                   [this](const std::vector<AlignedView>& refined) {
                     if (phase_ != ScanPhase::kFinishing) take_refined(refined);
                   }),
-      model_(std::move(model), {board_, background_thread_, options.now_s,
-                                [this](std::vector<double> times_s) {
-                                  ask_([this, times_s = std::move(times_s)] {
-                                    redundant_s_.insert(redundant_s_.end(), times_s.begin(),
-                                                        times_s.end());
-                                  });
-                                },
-                                options.holes_period_s, options.finish.meshing}),
+      model_(std::move(model),
+             {board_, background_thread_, options.now_s,
+              [this](std::vector<double> times_s) {
+                ask_([this, times_s = std::move(times_s)] {
+                  redundant_s_.insert(redundant_s_.end(), times_s.begin(), times_s.end());
+                });
+              },
+              options.holes_period_s, options.finish.meshing, calibration_->volume.size_mm}),
       finishing_(options.finish, options.now_s) {
   restore(kept);
 }

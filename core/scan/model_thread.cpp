@@ -5,6 +5,7 @@
 
 #include "core/base/free_memory.h"
 #include "core/base/median.h"
+#include "core/calibration/record/sensor_size.h"
 #include "core/meshing/coverage_holes.h"
 
 namespace flytri::scan {
@@ -18,8 +19,12 @@ constexpr double kPublishPeriod_s = 0.03;
 /// A finished scan shows the holes of its mesh, not those of the surfels.
 bool is_finished(const ScanSnapshot& scan) { return scan.phase == ScanPhase::kFinished; }
 
-FoundHoles holes_of(const meshing::SurfaceMesh& surface) {
-  return {meshing::coverage_holes(surface.boundaries), jaw_axes(surface.mesh)};
+FoundHoles holes_of(const meshing::SurfaceMesh& surface, const Vec3& volume_mm) {
+  const double least_mm =
+      meshing::kLeastHoleWidth_mm * calibration::line_distance_factor(volume_mm);
+  FoundHoles found{meshing::coverage_holes(surface.boundaries, least_mm), std::nullopt};
+  if (calibration::fits_mouth(volume_mm)) found.jaw = jaw_axes(surface.mesh);
+  return found;
 }
 
 }  // namespace
@@ -160,7 +165,8 @@ void ModelThread::search_holes_if_grown() {
     Result<meshing::SurfaceMesh> mesh = meshing::mesh_surface(points, around_.meshing, Workers(1));
     release_free_memory();
     // Without a mesh there are too few points for holes.
-    thread_.post([this, began_s, found = mesh ? holes_of(*mesh) : FoundHoles{}]() mutable {
+    thread_.post([this, began_s,
+                  found = mesh ? holes_of(*mesh, around_.volume_mm) : FoundHoles{}]() mutable {
       take_holes(std::move(found), began_s);
     });
   });
@@ -180,7 +186,7 @@ void ModelThread::take_holes(FoundHoles found, double began_s) {
 }
 
 void ModelThread::show_holes(const meshing::SurfaceMesh& surface) {
-  thread_.post([this, found = holes_of(surface)]() mutable {
+  thread_.post([this, found = holes_of(surface, around_.volume_mm)]() mutable {
     // The surfels' holes are searched as soon as the scan is no longer finished.
     has_grown_since_holes_ = is_at_rest_ = true;
     around_.board.update([&](ScanSnapshot& s) {

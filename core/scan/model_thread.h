@@ -22,12 +22,13 @@ struct ModelSurroundings {
   std::function<void(std::vector<double>)> tell_redundant;
   double holes_period_s = 4.0;   ///< > 0, shortest time between two searches
   meshing::MeshOptions meshing;  ///< for the surface in which holes are searched
+  Vec3 volume_mm;                ///< of the sensor
 };
 
 /// The holes of a surface, and how it lies.
 struct FoundHoles {
   std::vector<meshing::BoundaryLoop> holes;
-  JawAxes jaw;
+  std::optional<JawAxes> jaw;  ///< none: a face, or too few points
 };
 
 /// Thread-safe. The functions post a task and do not wait for it.

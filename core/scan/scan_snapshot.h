@@ -103,7 +103,8 @@ struct ScanSnapshot {
   double area_mm2 = 0.0;                     ///< of the surface seen so far
   std::vector<meshing::BoundaryLoop> holes;  ///< see coverage_holes(); empty until searched
   bool holes_are_current = false;            ///< the surface has not changed since the search
-  std::optional<JawAxes> jaw;                ///< how the jaw lay at the latest search for holes
+  /// How the jaw lay at the latest search for holes; none of a face.
+  std::optional<JawAxes> jaw;
 
   std::vector<ReentryPlace> reentry;  ///< best first; empty unless in continuation
   std::size_t chosen_reentry = 0;

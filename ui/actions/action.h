@@ -23,6 +23,7 @@ enum class Action {
   kStageLower,
   kStageBite,
   kStageBite2,
+  kStageFace,
   kStages,
   // Editing
   kUndo,

@@ -46,6 +46,7 @@ void change_blend(const ActionRunner& run, double step) {
 }
 
 ActionState side_state(const Situation& now) {
+  if (now.view.stage == io::ScanStage::kFace) return disabled(Text::kOnlyForAJaw);
   return only_if(now.has_surface(), Text::kNothingScanned);
 }
 
@@ -58,7 +59,7 @@ void look_from(const ActionRunner& run) {
 
 /// Of a quadrant nothing shows whether it is the right or the left one.
 ActionState arch_side_state(const Situation& now) {
-  if (!now.has_surface()) return disabled(Text::kNothingScanned);
+  if (const ActionState any = side_state(now); !any.is_enabled) return any;
   if (const JawPair* jaws = shown_jaws(now.view, now.state); jaws != nullptr)
     return only_if(jaws->upper_axes.is_arch, Text::kNeedsWholeArch);
   return only_if(now.view.scan->jaw && now.view.scan->jaw->is_arch, Text::kNeedsWholeArch);
@@ -89,7 +90,8 @@ void toggle_clearance(const ActionRunner& run) {
 }
 
 ActionState plane_state(const Situation& now) {
-  if (now.view.stage == io::ScanStage::kBite) return disabled(Text::kNotForTheBite);
+  if (io::is_bite(now.view.stage)) return disabled(Text::kNotForTheBite);
+  if (!io::is_jaw(now.view.stage)) return disabled(Text::kOnlyForAJaw);
   const bool has_model = now.is_finished() && now.view.scan->result != nullptr;
   if (!has_model) return disabled(Text::kAfterFinish);
   return chosen(now.state.tool == Tool::kPlane, Text::kActive);

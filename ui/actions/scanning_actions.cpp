@@ -58,6 +58,9 @@ ActionState next_hole_state(const Situation& now) {
 template <io::ScanStage kStage>
 ActionState stage_state(const Situation& now) {
   if (!now.may_leave()) return disabled(Text::kFinishing);
+  const std::vector<io::ScanStage> tabs = offered_tabs(now.view);
+  if (std::find(tabs.begin(), tabs.end(), base_of(kStage)) == tabs.end())
+    return disabled(Text::kOtherSensor);
   const bool has_data = now.view.stage_has_data[index_of(kStage)];
   return {.is_on = base_of(now.view.stage) == kStage,
           .why = has_data ? Text::kScanned : Text::kEmpty};
@@ -80,7 +83,7 @@ void select_stage(const ActionRunner& run) {
 
 ActionState stages_state(const Situation& now) {
   if (!now.may_leave()) return disabled(Text::kFinishing);
-  return only_if(!io::is_bite(now.view.stage), Text::kOnlyForAJaw);
+  return only_if(io::is_jaw(now.view.stage), Text::kOnlyForAJaw);
 }
 
 void open_stages(const ActionRunner& run) {
@@ -138,6 +141,13 @@ constexpr std::array kScanningActions = {
               .shortcut = {GLFW_KEY_F4},
               .state = bite_2_state,
               .perform = select_stage<io::ScanStage::kBite2>},
+    ActionRow{.action = Action::kStageFace,
+              .id = "face",
+              .name = Text::kFace,
+              .shortcut = {GLFW_KEY_F7},
+              .state = stage_state<io::ScanStage::kFace>,
+              .perform = select_stage<io::ScanStage::kFace>,
+              .is_listed = false},
     ActionRow{.action = Action::kStages,
               .id = "stages",
               .name = Text::kScansOfJaw,

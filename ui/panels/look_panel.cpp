@@ -105,6 +105,9 @@ void draw_sides(const PanelContext& context) {
   const Plate plate("sides", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
   const auto row = [&] { return rest.take_top(context.px(kSideButton), context.px(kGapXs)); };
+  const ActionLook all = {nullptr, context.text(Text::kViewAll)};
+  if (context.view.stage == io::ScanStage::kFace)
+    return (void)small_action(context, row(), Action::kShowAll, all);
   const auto& jaw = context.view.scan == nullptr ? std::nullopt : context.view.scan->jaw;
   small_action(context, row(), Action::kOcclusal, {nullptr, context.text(Text::kViewOcclusal)});
   small_action(context, row(), Action::kBuccal,
@@ -118,7 +121,7 @@ void draw_sides(const PanelContext& context) {
                {.label = context.text(Text::kViewLeft), .shows_key = false});
   small_action(context, row(), Action::kLingual,
                {nullptr, context.text(lingual_name(jaw_of(context.view.stage)))});
-  small_action(context, row(), Action::kShowAll, {nullptr, context.text(Text::kViewAll)});
+  small_action(context, row(), Action::kShowAll, all);
 }
 
 /// Two buttons side by side hold their labels.
@@ -142,8 +145,9 @@ Rect colors_box(const PanelContext& context) {
 
 Rect sides_box(const PanelContext& context) {
   const float width = sides_width(context);
-  return {context.layout.picture.right() - context.px(kGapM) - width, top_of(context), width,
-          context.px(height_of(5.0F, kSideButton))};
+  return {
+      context.layout.picture.right() - context.px(kGapM) - width, top_of(context), width,
+      context.px(height_of(context.view.stage == io::ScanStage::kFace ? 1.0F : 5.0F, kSideButton))};
 }
 
 void draw_look_panel(const PanelContext& context) {

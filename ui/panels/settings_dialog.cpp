@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "core/calibration/record/sensor_size.h"
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/recording_text.h"
@@ -82,7 +83,7 @@ void draw_full_screen(const PanelContext& context, Rect row) {
   draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, context.text(Text::kFullScreen));
 }
 
-/// Widths of holes to choose from, mm.
+/// Widths of holes to choose from, of a sensor for teeth.
 constexpr std::array kHoleWidths_mm = {0.0, 0.5, 1.0, 2.0};
 
 void draw_close_holes(const PanelContext& context, Rect row) {
@@ -90,7 +91,8 @@ void draw_close_holes(const PanelContext& context, Rect row) {
   for (const double width_mm : kHoleWidths_mm) {
     const Rect box = buttons.take_left(context.px(64.0F), context.px(kGapXs));
     const std::string id = fmt::format("close_holes_{}", width_mm);
-    const std::string label = width_mm > 0.0 ? fmt::format("{} mm", width_mm)
+    const double shown_mm = width_mm * calibration::line_distance_factor(context.view.volume_mm);
+    const std::string label = width_mm > 0.0 ? fmt::format("{} mm", shown_mm)
                                              : std::string(context.text(Text::kButtonOff));
     ButtonLook look;
     look.id = id.c_str();

@@ -139,7 +139,7 @@ void draw_ordinary(const PanelContext& context, Rect rest) {
   hint_over(bar, context.text(Text::kDistanceHint));
   draw_figures(context, rest.take_top(context.px(kFigureRows), gap));
   const bool is_finished = context.phase() == scan::ScanPhase::kFinished;
-  if (is_finished && rest.height >= context.px(44.0F))
+  if (is_finished && context.view.stage != io::ScanStage::kFace && rest.height >= context.px(44.0F))
     small_action(context, rest.take_top(context.px(44.0F), gap), Action::kOcclusalPlane, {});
   draw_preview(context, rest);
 }

@@ -44,7 +44,7 @@ void draw_stage_row(const PanelContext& context, Rect& rest) {
   const io::ScanStage shown = context.view.stage;
   const std::vector<io::ScanStage> stages = offered_with(shown, context.view);
   const bool has_others =
-      !io::is_bite(shown) && progress_of_group(shown, context.view) != StageProgress::kEmpty;
+      io::is_jaw(shown) && progress_of_group(shown, context.view) != StageProgress::kEmpty;
   if ((stages.size() < 2 && !has_others) || context.view.is_scanning) return;
   // Two labels and the button do not fit beside each other in a narrow panel.
   const std::size_t in_first = has_others ? 1 : stages.size();

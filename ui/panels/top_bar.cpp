@@ -64,10 +64,12 @@ float case_width(const PanelContext& context) {
          context.px(2.0F * kCaseMargin + kCaseIcon + kCaseIconGap);
 }
 
-constexpr std::array<std::pair<Action, io::ScanStage>, 3> kTabs = {
-    {{Action::kStageUpper, io::ScanStage::kUpper},
-     {Action::kStageLower, io::ScanStage::kLower},
-     {Action::kStageBite, io::ScanStage::kBite}}};
+Action action_of(io::ScanStage tab) {
+  if (tab == io::ScanStage::kFace) return Action::kStageFace;
+  if (tab == io::ScanStage::kBite) return Action::kStageBite;
+  return tab == io::ScanStage::kLower ? Action::kStageLower : Action::kStageUpper;
+}
+
 constexpr float kStagesWidth = 312.0F;
 
 /// The tab of the shown stage says which scan of its jaw or of the bite that is.
@@ -80,18 +82,24 @@ const char* tab_label(const PanelContext& context, io::ScanStage tab) {
 float least_stages_width(const PanelContext& context) {
   const Fonts& fonts = context.theme.fonts;
   float label = 0.0F;
-  for (const auto& [action, stage] : kTabs) {
+  const std::vector<io::ScanStage> tabs = offered_tabs(context.view);
+  for (const io::ScanStage stage : tabs) {
     label = std::max(label, text_width(fonts.small, tab_label(context, stage)));
   }
   const float mark = text_width(fonts.strong, icon::kSaved) + context.px(kGapS);
-  return 3.0F * (std::ceil(label + mark) + context.px(24.0F)) + 2.0F * context.px(kGapXs);
+  const auto count = static_cast<float>(tabs.size());
+  return count * (std::ceil(label + mark) + context.px(24.0F)) +
+         (count - 1.0F) * context.px(kGapXs);
 }
 
 void draw_stages(const PanelContext& context, Rect row) {
-  const float width = (row.width - 2.0F * context.px(kGapXs)) / 3.0F;
-  for (const auto& [action, stage] : kTabs) {
+  const std::vector<io::ScanStage> tabs = offered_tabs(context.view);
+  // A single tab need not fill the row.
+  const auto count = static_cast<float>(std::max<std::size_t>(tabs.size(), 3));
+  const float width = (row.width - (count - 1.0F) * context.px(kGapXs)) / count;
+  for (const io::ScanStage stage : tabs) {
     const char* mark = mark_of(progress_of_group(stage, context.view));
-    small_action(context, row.take_left(width, context.px(kGapXs)), action,
+    small_action(context, row.take_left(width, context.px(kGapXs)), action_of(stage),
                  {mark, tab_label(context, stage), false, kNeutral, false});
   }
 }

@@ -187,7 +187,9 @@ struct Settings {
   std::set<std::string> export_formats = {".glb", ".stl", ".ply"};         ///< extensions
   bool export_report = false;                                              ///< beside the models
   reconstruct::MeshDensity mesh_density = reconstruct::MeshDensity::kCad;  ///< of exports
-  double close_holes_mm = 0.0;  ///< 0..10, see meshing::MeshOptions; from the next Finish on
+  /// 0..10, see meshing::MeshOptions; from the next Finish on. Of a sensor for teeth; others times
+  /// calibration::line_distance_factor().
+  double close_holes_mm = 0.0;
   bool operator==(const Settings&) const = default;
 };
 

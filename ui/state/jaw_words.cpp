@@ -42,9 +42,9 @@ JawKind jaw_of(io::ScanStage stage) {
 }
 
 Text stage_name(io::ScanStage stage) {
-  constexpr std::array kNames = {Text::kUpperJaw,      Text::kLowerJaw,     Text::kBite,
-                                 Text::kBiteOtherSide, Text::kUpperPreop,   Text::kLowerPreop,
-                                 Text::kUpperScanBody, Text::kLowerScanBody};
+  constexpr std::array kNames = {Text::kUpperJaw,      Text::kLowerJaw,      Text::kBite,
+                                 Text::kBiteOtherSide, Text::kUpperPreop,    Text::kLowerPreop,
+                                 Text::kUpperScanBody, Text::kLowerScanBody, Text::kFace};
   static_assert(kNames.size() == io::kScanStages.size());
   return kNames[index_of(stage)];
 }

@@ -1,5 +1,7 @@
 #include "ui/state/stage_group.h"
 
+#include "core/calibration/record/sensor_size.h"
+
 namespace flytri::ui {
 
 std::vector<io::ScanStage> offered_with(io::ScanStage stage, const AppView& view) {
@@ -15,10 +17,23 @@ std::vector<io::ScanStage> offered_with(io::ScanStage stage, const AppView& view
   return offered;
 }
 
+std::vector<io::ScanStage> offered_tabs(const AppView& view) {
+  std::vector<io::ScanStage> tabs;
+  for (const io::ScanStage stage : io::kScanStages) {
+    if (stage != base_of(stage)) continue;
+    const bool is_for_sensor =
+        calibration::fits_mouth(view.volume_mm) != (stage == io::ScanStage::kFace);
+    if (is_for_sensor || progress_of_group(stage, view) != StageProgress::kEmpty ||
+        base_of(view.stage) == stage)
+      tabs.push_back(stage);
+  }
+  return tabs;
+}
+
 Text name_in_group(io::ScanStage stage) {
   constexpr std::array kNames = {Text::kUpperJaw,  Text::kLowerJaw, Text::kBite,
                                  Text::kOtherSide, Text::kPreop,    Text::kPreop,
-                                 Text::kScanBody,  Text::kScanBody};
+                                 Text::kScanBody,  Text::kScanBody, Text::kFace};
   static_assert(kNames.size() == io::kScanStages.size());
   return kNames[index_of(stage)];
 }
@@ -26,7 +41,7 @@ Text name_in_group(io::ScanStage stage) {
 Text tab_name(io::ScanStage stage) {
   constexpr std::array kNames = {Text::kStageUpper, Text::kStageLower, Text::kStageBite,
                                  Text::kStageBite2, Text::kPreop,      Text::kPreop,
-                                 Text::kScanBody,   Text::kScanBody};
+                                 Text::kScanBody,   Text::kScanBody,   Text::kFace};
   static_assert(kNames.size() == io::kScanStages.size());
   return kNames[index_of(stage)];
 }

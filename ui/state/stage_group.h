@@ -12,6 +12,10 @@ namespace flytri::ui {
 /// is scanned.
 [[nodiscard]] std::vector<io::ScanStage> offered_with(io::ScanStage stage, const AppView& view);
 
+/// The first stages of the groups that have a tab: those that the sensor is for, and those that
+/// hold something.
+[[nodiscard]] std::vector<io::ScanStage> offered_tabs(const AppView& view);
+
 /// What the stage is called among those of its group: "Upper jaw", "Pre-op", "Other side".
 [[nodiscard]] Text name_in_group(io::ScanStage stage);
 /// As short as a tab needs: "Upper", "Pre-op", "Bite 2".

@@ -16,6 +16,7 @@ FLYTRI_TEXT(kStageUpper, "Upper", "Oben", "Haut", "Superior")
 FLYTRI_TEXT(kStageLower, "Lower", "Unten", "Bas", "Inferior")
 FLYTRI_TEXT(kStageBite, "Bite", "Biss", "Mordu", "Mordida")
 FLYTRI_TEXT(kStageBite2, "Bite 2", "Biss 2", "Mordu 2", "Mordida 2")
+FLYTRI_TEXT(kFace, "Face", "Gesicht", "Visage", "Cara")
 FLYTRI_TEXT(kOtherSide, "Other side", "Gegenseite", "Autre côté", "Otro lado")
 FLYTRI_TEXT(kPreop, "Pre-op", "Präop", "Pré-op", "Preop")
 FLYTRI_TEXT(kScanBody, "Scan body", "Scanbody", "Scanbody", "Scanbody")
@@ -273,6 +274,8 @@ FLYTRI_TEXT(kHintNameAndKey, "{0}, key: {1}", "{0}, Taste: {1}", "{0}, touche :
 FLYTRI_TEXT(kClearAll, "Clear all", "Alles leeren", "Tout effacer", "Vaciar todo")
 
 // The scans of a jaw.
+FLYTRI_TEXT(kOtherSensor, "for another sensor", "für einen anderen Sensor", "pour un autre capteur",
+            "para otro sensor")
 FLYTRI_TEXT(kOnlyForAJaw, "only for a jaw", "nur für einen Kiefer", "arcade seulement",
             "solo un maxilar")
 FLYTRI_TEXT(kScanAnew, "Scan anew", "Neu scannen", "Scanner", "Escanear")

@@ -6,8 +6,8 @@ namespace flytri::io {
 
 std::string_view to_string(ScanStage stage) {
   constexpr std::array<std::string_view, kScanStages.size()> kNames = {
-      "upper",       "lower",       "bite",           "bite-2",
-      "upper-preop", "lower-preop", "upper-scanbody", "lower-scanbody"};
+      "upper",       "lower",          "bite",           "bite-2", "upper-preop",
+      "lower-preop", "upper-scanbody", "lower-scanbody", "face"};
   return kNames[index_of(stage)];
 }
 

@@ -20,11 +20,12 @@ enum class ScanStage {
   kLowerPreop,
   kUpperScanBody,
   kLowerScanBody,
+  kFace,  ///< by a sensor for faces
 };
-inline constexpr std::array kScanStages = {ScanStage::kUpper,         ScanStage::kLower,
-                                           ScanStage::kBite,          ScanStage::kBite2,
-                                           ScanStage::kUpperPreop,    ScanStage::kLowerPreop,
-                                           ScanStage::kUpperScanBody, ScanStage::kLowerScanBody};
+inline constexpr std::array kScanStages = {
+    ScanStage::kUpper,         ScanStage::kLower,         ScanStage::kBite,
+    ScanStage::kBite2,         ScanStage::kUpperPreop,    ScanStage::kLowerPreop,
+    ScanStage::kUpperScanBody, ScanStage::kLowerScanBody, ScanStage::kFace};
 inline constexpr std::array kBites = {ScanStage::kBite, ScanStage::kBite2};
 
 [[nodiscard]] constexpr std::size_t index_of(ScanStage stage) {
@@ -34,7 +35,13 @@ inline constexpr std::array kBites = {ScanStage::kBite, ScanStage::kBite2};
   return stage == ScanStage::kBite || stage == ScanStage::kBite2;
 }
 
-/// kUpper, kLower or kBite: the stage that comes first of those of the same jaw or of the bite.
+/// True of all scans of one jaw.
+[[nodiscard]] constexpr bool is_jaw(ScanStage stage) {
+  return !is_bite(stage) && stage != ScanStage::kFace;
+}
+
+/// kUpper, kLower, kBite or kFace: the stage that comes first of those of the same jaw or of the
+/// bite.
 [[nodiscard]] constexpr ScanStage base_of(ScanStage stage) {
   switch (stage) {
     case ScanStage::kBite:
@@ -44,6 +51,8 @@ inline constexpr std::array kBites = {ScanStage::kBite, ScanStage::kBite2};
     case ScanStage::kLowerPreop:
     case ScanStage::kLowerScanBody:
       return ScanStage::kLower;
+    case ScanStage::kFace:
+      return ScanStage::kFace;
     case ScanStage::kUpper:
     case ScanStage::kUpperPreop:
     case ScanStage::kUpperScanBody:
@@ -56,11 +65,11 @@ inline constexpr std::array kBites = {ScanStage::kBite, ScanStage::kBite2};
 }
 /// Whether both are scans of the same jaw, so that one can start as a copy of the other.
 [[nodiscard]] constexpr bool are_of_one_jaw(ScanStage a, ScanStage b) {
-  return a != b && !is_bite(a) && base_of(a) == base_of(b);
+  return a != b && is_jaw(a) && base_of(a) == base_of(b);
 }
 
 /// "upper", "lower", "bite", "bite-2", "upper-preop", "lower-preop", "upper-scanbody",
-/// "lower-scanbody".
+/// "lower-scanbody", "face".
 [[nodiscard]] std::string_view to_string(ScanStage stage);
 /// None: no stage has this name.
 [[nodiscard]] std::optional<ScanStage> stage_named(std::string_view name);

@@ -106,27 +106,55 @@ class ArchAims {
   double tilt_rad_;
 };
 
+/// The middle of the mesh, and how far it reaches from there along `up`.
+struct Extent {
+  Extent(const RayScene& scene, const Vec3& up) {
+    Eigen::AlignedBox3f box;
+    for (const SurfacePoint& vertex : scene.mesh().vertices) box.extend(vertex.position_mm);
+    center_mm = box.center().cast<double>();
+    half_height_mm = 0.5 * std::abs(box.sizes().cast<double>().dot(up.cwiseAbs()));
+  }
+  Vec3 center_mm;
+  double half_height_mm;
+};
+
 // One turn around the axis through the middle, looking inwards, with up and down movement.
 class OrbitAims {
  public:
-  OrbitAims(const RayScene& scene, const JawAxes& axes) : axes_(axes) {
-    Eigen::AlignedBox3f box;
-    for (const SurfacePoint& vertex : scene.mesh().vertices) box.extend(vertex.position_mm);
-    center_ = box.center().cast<double>();
-    half_height_ = 0.5 * std::abs(box.sizes().cast<double>().dot(axes.up.cwiseAbs()));
-  }
+  OrbitAims(const RayScene& scene, const JawAxes& axes) : axes_(axes), extent_(scene, axes.up) {}
   device::HandAim operator()(double progress) const {
     const double around = 2.0 * kPi * progress;
     const double rise = std::sin(3.0 * around);
     const Vec3 level = std::cos(around) * axes_.front + std::sin(around) * axes_.right;
     const Vec3 towards = (level + 0.5 * rise * axes_.up).normalized();
-    return {center_ + 0.35 * half_height_ * rise * axes_.up, towards, axes_.up.cross(level)};
+    return {extent_.center_mm + 0.35 * extent_.half_height_mm * rise * axes_.up, towards,
+            axes_.up.cross(level)};
   }
 
  private:
   JawAxes axes_;
-  Vec3 center_;
-  double half_height_ = 0.0;
+  Extent extent_;
+};
+
+// From side to side, seen from below at first and from above in the end.
+class FrontAims {
+ public:
+  FrontAims(const RayScene& scene, const JawAxes& axes) : axes_(axes), extent_(scene, axes.up) {}
+  device::HandAim operator()(double progress) const {
+    constexpr double kFarthest_rad = 0.95, kHighest_rad = 0.35;
+    constexpr double kPasses = 2.0;
+    const double side_rad = kFarthest_rad * std::sin(2.0 * kPi * kPasses * progress);
+    const double rise = 2.0 * progress - 1.0;
+    const Vec3 level = std::cos(side_rad) * axes_.front + std::sin(side_rad) * axes_.right;
+    const Vec3 towards =
+        std::cos(kHighest_rad * rise) * level + std::sin(kHighest_rad * rise) * axes_.up;
+    return {extent_.center_mm + 0.4 * extent_.half_height_mm * rise * axes_.up, towards,
+            axes_.up.cross(level)};
+  }
+
+ private:
+  JawAxes axes_;
+  Extent extent_;
 };
 
 std::vector<double> running_mean(const std::vector<double>& values, int reach) {
@@ -220,6 +248,8 @@ Result<SensorPath> plan_path(const RayScene& scene, const SensorModel& sensor,
   std::vector<PathPose> poses;
   if (options.kind == PathKind::kOrbit) {
     poses = aimed_poses(OrbitAims(scene, axes), options, random);
+  } else if (options.kind == PathKind::kFront) {
+    poses = aimed_poses(FrontAims(scene, axes), options, random);
   } else {
     Result<std::vector<Vec3>> line = find_arch_line(scene, axes);
     if (!line) return tl::unexpected(line.error());

@@ -30,7 +30,8 @@ struct SensorLayout {
 [[nodiscard]] SensorLayout intraoral_layout();
 [[nodiscard]] SensorLayout face_layout();
 
-/// The layout of the paper's sensor for faces if the name is "face", else of the intra-oral one.
+/// True of the name of the paper's sensor for faces. All other names are of the intra-oral one.
+[[nodiscard]] inline bool is_face_sensor(const std::string& name) { return name == "face"; }
 [[nodiscard]] SensorLayout layout_named(const std::string& name);
 
 /// The sensor with the same mounting errors and lens distortions for every layout.

@@ -36,14 +36,15 @@ class SensorPath {
 };
 
 /// kQuadrant: half of a dental arch, first from above, then tilted outwards and inwards. kArch: the
-/// same over the whole arch. kOrbit: one turn around the mesh with up and down movement.
-enum class PathKind { kQuadrant, kArch, kOrbit };
+/// same over the whole arch. kOrbit: one turn around the mesh with up and down movement. kFront:
+/// from side to side in front of the mesh, from below to above.
+enum class PathKind { kQuadrant, kArch, kOrbit, kFront };
 
 struct PathOptions {
   PathKind kind = PathKind::kArch;
   double duration_s = 1000.0 / 30.0;  ///< > 0; default: the paper's 1000 views at 30 Hz
-  Vec3 up = Vec3::UnitZ();            ///< arch: towards the opposing teeth; orbit: the axis
-  Vec3 front = Vec3::UnitY();     ///< arch: from the throat to the incisors; not parallel to `up`
+  Vec3 up = Vec3::UnitZ();            ///< arch: towards the opposing teeth; else the axis
+  Vec3 front = Vec3::UnitY();         ///< to the incisors, or in which a face looks; not along `up`
   double tilt_rad = 0.785;        ///< 0..1.2, tilt in an arch's second and third pass; default 45°
   double speed_variation = 0.25;  ///< 0..0.9, relative variation of the hand's speed
   double tremor_mm = 0.15;        ///< >= 0, standard deviation of the hand's random translation

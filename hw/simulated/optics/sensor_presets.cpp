@@ -46,7 +46,7 @@ SensorLayout face_layout() {
 }
 
 SensorLayout layout_named(const std::string& name) {
-  return name == "face" ? face_layout() : intraoral_layout();
+  return is_face_sensor(name) ? face_layout() : intraoral_layout();
 }
 
 SensorModel intraoral_sensor() { return make_sensor(intraoral_layout()); }

@@ -57,6 +57,32 @@ TEST_F(SessionOnAMesh, FindsTheTeethOfAJawThatIsUpsideDownAndPointsTheHandAfterA
   EXPECT_EQ(session.view().scan->phase, scan::ScanPhase::kMeasurement);
 }
 
+/// Nothing that the window shows of a face speaks of teeth, and small gaps are no holes.
+TEST_F(SessionOnAMesh, TheFaceSensorScansAFace) {
+  options_.source = {};
+  options_.source.sensor = "face";
+  Session session(options_);
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
+  EXPECT_EQ(session.view().stage, io::ScanStage::kFace);
+  const std::string path = (folder_.path() / "face.flytri").string();
+  session.carry_out(ui::NewCase{path, {}, {}});
+  session.carry_out(ui::StartScan{});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 100; }));
+  session.carry_out(ui::Finish{});
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan->result != nullptr; }));
+  const ui::AppView view = session.view();
+  EXPECT_EQ(view.stage, io::ScanStage::kFace);
+  EXPECT_TRUE(view.stage_is_finished[index_of(io::ScanStage::kFace)]);
+  EXPECT_TRUE(view.scan->result->spans.empty());
+  EXPECT_FALSE(view.scan->jaw);
+  for (const auto& hole : view.scan->holes) EXPECT_GE(hole.width_mm, 10.0);
+  // Larger than any jaw.
+  Eigen::AlignedBox3f box;
+  for (const SurfacePoint& vertex : view.scan->result->surface.mesh.vertices)
+    box.extend(vertex.position_mm);
+  EXPECT_GT(box.sizes().maxCoeff(), 100.0F);
+}
+
 TEST_F(SessionOnAMesh, ACheckOfTheCalibrationIsNotedForReports) {
   setenv("XDG_CACHE_HOME", (folder_.path() / "cache").c_str(), 1);
   options_.source = {};

@@ -32,6 +32,18 @@ TEST(StageGroup, TheSecondBiteIsOfferedOnceTheFirstIsScanned) {
               ElementsAre(ScanStage::kBite, ScanStage::kBite2));
 }
 
+TEST(StageGroup, TabsAreThoseOfTheSensorAndOfWhatIsThere) {
+  AppView view = view_with({}, ScanStage::kUpper);
+  EXPECT_THAT(offered_tabs(view),
+              ElementsAre(ScanStage::kUpper, ScanStage::kLower, ScanStage::kBite));
+  view.stage_has_data[index_of(ScanStage::kFace)] = true;
+  EXPECT_THAT(offered_tabs(view), ElementsAre(ScanStage::kUpper, ScanStage::kLower,
+                                              ScanStage::kBite, ScanStage::kFace));
+  view = view_with({ScanStage::kLowerPreop}, ScanStage::kFace);
+  view.volume_mm = Vec3(200.0, 150.0, 100.0);
+  EXPECT_THAT(offered_tabs(view), ElementsAre(ScanStage::kLower, ScanStage::kFace));
+}
+
 TEST(StageGroup, OtherScansOfAJawAreOfferedOnceTheyHoldSomething) {
   AppView view = view_with({ScanStage::kUpper, ScanStage::kLowerPreop}, ScanStage::kUpper);
   EXPECT_THAT(offered_with(ScanStage::kUpper, view), ElementsAre(ScanStage::kUpper));

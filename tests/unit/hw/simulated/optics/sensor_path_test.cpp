@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/sample_face/sample_face.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/io/recordings/truth.h"
 #include "hw/simulated/optics/view_simulator.h"
@@ -68,6 +69,15 @@ TEST(SensorPath, OrbitKeepsTheSurfaceOfAHeadInTheVolume) {
   const auto path =
       plan_path(simulator.scene(), simulator.sensor(), {.kind = PathKind::kOrbit}).value();
   EXPECT_GT(count_points(simulator, path, 30).fewest, 2000U);
+}
+
+TEST(SensorPath, FromTheFrontTheSurfaceOfAFaceStaysInTheVolume) {
+  const auto simulator =
+      ViewSimulator::create(sample_face::make_sample_face({.cell_mm = 3.0}).value(), face_sensor())
+          .value();
+  const auto path =
+      plan_path(simulator.scene(), simulator.sensor(), {.kind = PathKind::kFront}).value();
+  EXPECT_GT(count_points(simulator, path, 30).fewest, 1500U);
 }
 
 TEST(SensorPath, MovesLikeAHand) {

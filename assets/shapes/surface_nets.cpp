@@ -1,4 +1,4 @@
-#include "assets/sample_jaw/surface_nets.h"
+#include "assets/shapes/surface_nets.h"
 
 #include <array>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "core/geometry/mesh_normals.h"
 #include "core/geometry/surface_net.h"
 
-namespace flytri::sample_jaw {
+namespace flytri::shapes {
 namespace {
 
 using Cell = Eigen::Vector3i;
@@ -108,4 +108,4 @@ TriangleMesh surface_nets(const ImplicitShape& shape, const NetBox& box) {
   return Net(shape, box).mesh();
 }
 
-}  // namespace flytri::sample_jaw
+}  // namespace flytri::shapes

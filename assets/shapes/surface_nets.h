@@ -6,7 +6,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 
-namespace flytri::sample_jaw {
+namespace flytri::shapes {
 
 /// Negative inside, positive outside, in mm; its gradient is at most 1.4.
 using ImplicitShape = std::function<double(const Vec3&)>;
@@ -19,4 +19,4 @@ struct NetBox {
 /// The surface of `shape` inside the box, open at the box's sides. Sets positions and normals.
 [[nodiscard]] TriangleMesh surface_nets(const ImplicitShape& shape, const NetBox& box);
 
-}  // namespace flytri::sample_jaw
+}  // namespace flytri::shapes

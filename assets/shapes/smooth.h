@@ -7,7 +7,7 @@
 
 #include "core/geometry/rigid.h"
 
-namespace flytri::sample_jaw {
+namespace flytri::shapes {
 
 /// The maximum, rounded where the values differ by less than `radius`.
 [[nodiscard]] inline double smooth_max(double a, double b, double radius) {
@@ -33,4 +33,4 @@ namespace flytri::sample_jaw {
 /// Smooth noise in -1..1 with features of about one unit, the same for the same seed.
 [[nodiscard]] double value_noise(const Vec3& p, std::uint64_t seed);
 
-}  // namespace flytri::sample_jaw
+}  // namespace flytri::shapes

@@ -1,8 +1,8 @@
-#include "assets/sample_jaw/smooth.h"
+#include "assets/shapes/smooth.h"
 
 #include "core/base/random.h"
 
-namespace flytri::sample_jaw {
+namespace flytri::shapes {
 namespace {
 
 double lattice_value(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t seed) {
@@ -32,4 +32,4 @@ double value_noise(const Vec3& p, std::uint64_t seed) {
   return sum;
 }
 
-}  // namespace flytri::sample_jaw
+}  // namespace flytri::shapes
