@@ -17,7 +17,8 @@ SampleJawOptions coarse(JawKind kind) {
 
 TEST(SurfaceNets, ASphereIsMetToASmallShareOfACell) {
   const shapes::ImplicitShape ball = [](const Vec3& p) { return p.norm() - 3.03; };
-  const TriangleMesh mesh = shapes::surface_nets(ball, {Vec3::Constant(-4.0), Vec3::Constant(4.0), 0.2});
+  const TriangleMesh mesh =
+      shapes::surface_nets(ball, {Vec3::Constant(-4.0), Vec3::Constant(4.0), 0.2});
   ASSERT_GT(mesh.triangles.size(), 1000U);
   for (const SurfacePoint& vertex : mesh.vertices) {
     // The mean of a cell's crossings lies inside by at most the sagitta of a cell's diagonal.
