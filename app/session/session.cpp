@@ -62,8 +62,10 @@ void Session::carry_out(const ui::Command& command) {
       Overloaded{
           [&](const ui::StartScan&) {
             case_.save_unnamed();
-            // A recording plays while cases are chosen, too.
-            if (scan() != nullptr && scan()->snapshot()->model.empty()) source_.replay_if_ended();
+            // A recording plays while cases are chosen, too; the scan has it from its first frame.
+            const bool begins = scan() != nullptr && !stages_.is_started() &&
+                                scan()->snapshot()->model.empty();
+            if (begins) source_.replay();
             stages_.start();
           },
           [&](const ui::PauseScan&) { stages_.pause(); },

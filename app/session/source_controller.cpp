@@ -75,8 +75,8 @@ void SourceController::start_capture() {
       source_.sensor, [router = router_](Frame frame) { router->offer(std::move(frame)); });
 }
 
-void SourceController::replay_if_ended() {
-  if (choice_.name == kRecordingSource && state().has_ended) start_capture();
+void SourceController::replay() {
+  if (choice_.name == kRecordingSource) start_capture();
 }
 
 /// A sensor that starts again counts its times from zero: that is another recording.

@@ -35,8 +35,8 @@ class SourceController {
   void rest(bool rests);
   /// Ends capturing for good.
   void stop();
-  /// Plays a recording from its beginning if it has been played to its end.
-  void replay_if_ended();
+  /// Plays a recording from its beginning. Other sources go on.
+  void replay();
 
   /// Begins or ends the recording of raw frames, at once or as soon as there are any.
   void record(const ui::RecordFrames& command);
