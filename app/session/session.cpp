@@ -63,8 +63,8 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::StartScan&) {
             case_.save_unnamed();
             // A recording plays while cases are chosen, too; the scan has it from its first frame.
-            const bool begins = scan() != nullptr && !stages_.is_started() &&
-                                scan()->snapshot()->model.empty();
+            const bool begins =
+                scan() != nullptr && !stages_.is_started() && scan()->snapshot()->model.empty();
             if (begins) source_.replay();
             stages_.start();
           },
