@@ -156,6 +156,13 @@ class ScanOfAGroundTooth : public ::testing::Test {
   }
   /// What the case holds.
   [[nodiscard]] KeptScan kept() const { return CaseNotes::load(case_path()); }
+  /// What is on disk while the scan goes on: the case and its log.
+  [[nodiscard]] KeptScan left_by_a_kill() const {
+    const std::filesystem::path left = folder_.path() / "killed.flytri";
+    for (const char* ending : {"", "-wal"})
+      std::filesystem::copy_file(case_path().string() + ending, left.string() + ending);
+    return CaseNotes::load(left);
+  }
   /// The scan in which the old tooth never existed.
   [[nodiscard]] KeptScan kept_without_tooth() const {
     KeptScan without = kept();
@@ -262,9 +269,10 @@ TEST_F(ScanOfAGroundTooth, PosesAreThoseOfAScanThatNeverSawTheOldTooth) {
               static_cast<double>(without.finished->points.size()), 50.0);
 }
 
-TEST_F(ScanOfAGroundTooth, AClosedCaseGoesOnAsIfItHadNotBeenClosed) {
-  scan_and_trim(std::make_shared<CaseNotes>(case_path()));
-  const Continued reopened = go_on(kept()), open = go_on(*scan_and_trim());
+TEST_F(ScanOfAGroundTooth, ACaseOfAKilledProgramGoesOnAsIfNothingHadHappened) {
+  const auto scan = scan_and_trim(std::make_shared<CaseNotes>(case_path()));
+  scan->wait_until_kept();
+  const Continued reopened = go_on(left_by_a_kill()), open = go_on(*scan_and_trim());
   EXPECT_LT(farthest_mm(reopened.registered, open.registered), kSamePose_mm);
   EXPECT_LT(farthest_mm(reopened.finished->views, open.finished->views), kSamePose_mm);
   EXPECT_LT(off_rms_mm(reopened.finished->points, ground_height), 0.1);
@@ -333,10 +341,10 @@ TEST_F(ScanWithALock, WhatIsLockedStaysToTheBit) {
   expect_same_where_locked(locked, *continued.finished);
 }
 
-TEST_F(ScanWithALock, WhatIsLockedStaysToTheBitAlsoAfterTheCaseWasClosed) {
-  Locked locked = finish_and_lock(std::make_shared<CaseNotes>(case_path()));
-  locked.scan.reset();
-  expect_same_where_locked(locked, *go_on(kept()).finished);
+TEST_F(ScanWithALock, WhatIsLockedStaysToTheBitAlsoAfterTheProgramWasKilled) {
+  const Locked locked = finish_and_lock(std::make_shared<CaseNotes>(case_path()));
+  locked.scan->wait_until_kept();
+  expect_same_where_locked(locked, *go_on(left_by_a_kill()).finished);
 }
 
 TEST_F(ScanOfAGroundTooth, UndoBringsBackWhatWasCut) {
