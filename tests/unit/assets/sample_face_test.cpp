@@ -13,7 +13,7 @@ TEST(SampleFace, HasTheSizeAndTheColorsOfAFace) {
     box.extend(vertex.position_mm);
     const int red = vertex.color[0], green = vertex.color[1];
     lips += red > green + 70 ? 1 : 0;
-    dark += red < 100 ? 1 : 0;
+    dark += red < 130 ? 1 : 0;
   }
   EXPECT_NEAR(box.sizes().x(), 152.0, 15.0);
   EXPECT_NEAR(box.sizes().y(), 105.0, 15.0);
