@@ -22,6 +22,7 @@ std::string joined(const std::vector<std::string>& names) {
 
 void add_case_options(CLI::App& command, CaseArguments& arguments) {
   std::vector<std::string> names;
+  names.reserve(io::kScanStages.size());
   for (const io::ScanStage stage : io::kScanStages) names.emplace_back(to_string(stage));
   command
       .add_option("--stage", arguments.stage,

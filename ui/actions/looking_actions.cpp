@@ -59,7 +59,7 @@ void look_from(const ActionRunner& run) {
 
 /// Of a quadrant nothing shows whether it is the right or the left one.
 ActionState arch_side_state(const Situation& now) {
-  if (const ActionState any = side_state(now); !any.is_enabled) return any;
+  if (ActionState any = side_state(now); !any.is_enabled) return any;
   if (const JawPair* jaws = shown_jaws(now.view, now.state); jaws != nullptr)
     return only_if(jaws->upper_axes.is_arch, Text::kNeedsWholeArch);
   return only_if(now.view.scan->jaw && now.view.scan->jaw->is_arch, Text::kNeedsWholeArch);
@@ -98,7 +98,7 @@ ActionState plane_state(const Situation& now) {
 }
 
 ActionState automatic_plane_state(const Situation& now) {
-  const ActionState plane = plane_state(now);
+  ActionState plane = plane_state(now);
   if (!plane.is_enabled) return plane;
   if (now.view.file.is_read_only) return disabled(Text::kCaseIsReadOnly);
   return only_if(now.view.has_set_plane, Text::kPlaneIsAutomatic);

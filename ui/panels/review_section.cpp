@@ -38,6 +38,7 @@ void turn_plot_wheel(ReviewForm& form) {
 std::vector<Vec3> marks_of(const review::ReviewedSection& section,
                            const std::vector<Vec3>& clicked_mm) {
   std::vector<Vec3> marks_mm;
+  marks_mm.reserve(clicked_mm.size());
   for (const Vec3& p_mm : clicked_mm)
     marks_mm.push_back(review::nearest_place(section.outlines, p_mm).point.position_mm);
   return marks_mm;
