@@ -17,8 +17,8 @@ struct ScannedObject {
   std::optional<JawKind> jaw;                 ///< a sample jaw; unless there is a mesh
 };
 
-/// @param sensor  as simulated::layout_named() knows it. Without mesh and jaw, it scans what it is
-///   made for: the sample upper jaw, or the sample face.
+/// @param sensor  "intraoral" or "face": without mesh and jaw, it scans the sample upper jaw or the
+///   sample face
 /// @errors  As io::read_model.
 [[nodiscard]] Result<TriangleMesh> load_object(const ScannedObject& object,
                                                const std::string& sensor, const Workers& workers);

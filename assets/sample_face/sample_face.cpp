@@ -32,7 +32,7 @@ double ellipsoid(const Vec3& p, const Vec3& half_axes) {
   return slope < 1e-9 ? -half_axes.minCoeff() : inside * (inside - 1.0) / slope;
 }
 
-/// Both halves of the face are the same but for this: the features of one half are drawn for x > 0.
+/// The face is symmetric: its features are drawn for x > 0.
 Vec3 mirrored(const Vec3& p) { return {std::abs(p.x()), p.y(), p.z()}; }
 
 constexpr double kMouth_mm = -50.0;  ///< z of the line between the lips

@@ -7,9 +7,9 @@
 
 namespace flytri::meshing {
 
-/// Of a sensor for teeth. Narrower holes need no scan: lines of a view lie about 2 mm apart, so
-/// that a line falls into such a hole only by chance; the surface around shows its shape, and CAD
-/// programs close it.
+/// Of a sensor for teeth. Its lines lie about 2 mm apart, so they meet a narrower hole only by
+/// chance. Such a hole needs no scan: the surface around shows its shape, and CAD programs close
+/// it.
 inline constexpr double kLeastHoleWidth_mm = 1.0;
 
 /// The holes to scan, without the outer borders; widest first.

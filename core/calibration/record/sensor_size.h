@@ -5,11 +5,11 @@
 
 namespace flytri::calibration {
 
-/// True of a sensor for teeth: the volume is narrower than any mouth opens. Others are for faces.
+/// True if a sensor is for teeth: its volume fits into a mouth. Else it is for faces.
 [[nodiscard]] inline bool fits_mouth(const Vec3& volume_mm) { return volume_mm.x() < 60.0; }
 
-/// How many times farther apart the lines of a sensor lie than those of a sensor for teeth, about
-/// 2 mm; 1 for every sensor for teeth.
+/// Distance of a sensor's lines, relative to that of a sensor for teeth (about 2 mm); 1 for every
+/// sensor for teeth.
 [[nodiscard]] inline double line_distance_factor(const Vec3& volume_mm) {
   constexpr double kIntraoralWidth_mm = 20.0;
   return fits_mouth(volume_mm) ? 1.0 : volume_mm.x() / kIntraoralWidth_mm;
