@@ -138,8 +138,7 @@ double steady_seconds() {
 }
 
 void print_summary(const reconstruct::Reconstruction& reconstruction, const Vec3& volume_mm) {
-  const double least_mm =
-      meshing::kLeastHoleWidth_mm * calibration::line_distance_factor(volume_mm);
+  const double least_mm = calibration::least_hole_width_mm(volume_mm);
   print_out("{} frames: {} registered, {} interpolated, {} for texture\n",
             reconstruction.frames.size(),
             count_fate(reconstruction, reconstruct::FrameFate::kRegistered),

@@ -10,8 +10,8 @@
 #include "app/report/base64.h"
 #include "app/report/coverage_figures.h"
 #include "app/report/jaw_picture.h"
+#include "core/calibration/record/sensor_size.h"
 #include "core/io/files/png.h"
-#include "core/meshing/coverage_holes.h"
 #include "ui/scene/scene_options.h"
 #include "ui/state/jaw_words.h"
 
@@ -151,8 +151,9 @@ std::string Page::coverage_table() const {
 
 std::string Page::hole_table() const {
   if (holes_.empty()) {
-    return table("Holes", row("none", fmt::format("that are at least {} mm wide",
-                                                  facts_.least_hole_width_mm())));
+    return table("Holes",
+                 row("none", fmt::format("that are at least {} mm wide",
+                                         calibration::least_hole_width_mm(facts_.volume_mm))));
   }
   static const ui::Texts kEnglish;
   std::string rows;

@@ -28,12 +28,8 @@ EditCounts count_edits(const editing::EditList& edits) {
   return counts;
 }
 
-double ScanFacts::least_hole_width_mm() const {
-  return meshing::kLeastHoleWidth_mm * calibration::line_distance_factor(volume_mm);
-}
-
 std::vector<meshing::BoundaryLoop> ScanFacts::holes() const {
-  return meshing::coverage_holes(surface.boundaries, least_hole_width_mm());
+  return meshing::coverage_holes(surface.boundaries, calibration::least_hole_width_mm(volume_mm));
 }
 
 CalibrationFacts facts_of(const calibration::Calibration& calibration) {

@@ -43,7 +43,6 @@ struct ScanFacts {
 
   /// The holes to scan, see meshing::coverage_holes().
   [[nodiscard]] std::vector<meshing::BoundaryLoop> holes() const;
-  [[nodiscard]] double least_hole_width_mm() const;
   std::string made_at;  ///< ISO 8601, UTC
   std::string program;  ///< "flytri 0.1.0"
 };

@@ -7,14 +7,9 @@
 
 namespace flytri::meshing {
 
-/// Of a sensor for teeth. Its lines lie about 2 mm apart, so they meet a narrower hole only by
-/// chance. Such a hole needs no scan: the surface around shows its shape, and CAD programs close
-/// it.
-inline constexpr double kLeastHoleWidth_mm = 1.0;
-
 /// The holes to scan, without the outer borders; widest first.
-/// @param least_width_mm  kLeastHoleWidth_mm times calibration::line_distance_factor()
+/// @param least_width_mm  as calibration::least_hole_width_mm() gives it
 [[nodiscard]] std::vector<BoundaryLoop> coverage_holes(std::vector<BoundaryLoop> boundaries,
-                                                       double least_width_mm = kLeastHoleWidth_mm);
+                                                       double least_width_mm);
 
 }  // namespace flytri::meshing

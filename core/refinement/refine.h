@@ -62,7 +62,7 @@ struct Refinement {
 
 /// Optimizes all poses together over all overlaps, V-H, V-V and H-H: in every cell of space the
 /// surface is a quadric whose six parameters are eliminated. Each measured point has a residual
-/// along its measurement ray. The pose of the first view does not change.
+/// along its measurement ray. The surface as a whole stays where it was, in least squares.
 ///
 /// The Jacobian is computed at the foot point on the quadric: at the noisy point it would bias the
 /// solution. A quadric can follow each rigid motion of its cell, so a motion of the whole scan does

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/check_options.h"
+#include "core/geometry/decompositions.h"
 #include "core/refinement/joint_equations.h"
 #include "core/refinement/refine.h"
 
@@ -14,6 +15,9 @@ constexpr double kMaxWorsening = 1.02;
 /// Shares of time: of a step in the remaining time (the number of steps is unknown); of the
 /// surfaces in a step; of the sums in the pose update.
 constexpr double kStepShare = 0.25, kSurfaceShare = 0.5, kSumShare = 0.4;
+
+/// Enough data to tell how the whole scan has moved.
+constexpr std::size_t kMostMotionData = 20000;
 
 /// Joint optimization of one scan.
 class JointRefiner {
@@ -97,14 +101,21 @@ void JointRefiner::rate_views(const FittedSurfaces& step) {
   }
 }
 
+/// The surface as a whole stays where it was: a single view is too weak a hold.
 void JointRefiner::fix_world() {
-  const Isometry T_old_new = views_.front().T_world_sensor * poses_.front().inverse();
+  std::vector<Vec3> new_mm, old_mm;
+  const std::size_t stride = 1 + equations_.data().size() / kMostMotionData;
+  for (std::size_t i = 0; i < equations_.data().size(); i += stride) {
+    const Datum& datum = equations_.data()[i];
+    new_mm.push_back(poses_[datum.view.at()] * datum.position_mm);
+    old_mm.push_back(views_[datum.view.at()].T_world_sensor * datum.position_mm);
+  }
+  const Isometry T_old_new = best_motion(new_mm, old_mm);
   for (std::size_t v = 0; v < poses_.size(); ++v) {
     // Normalize the rotation after many products.
     const Isometry T = T_old_new * poses_[v];
     views_[v].T_world_sensor = make_isometry(Eigen::Quaterniond(T.linear()), T.translation());
   }
-  views_.front().T_world_sensor = T_old_new * poses_.front();
 }
 
 tl::unexpected<Error> JointRefiner::stop_at(std::vector<Isometry> best) {

@@ -20,8 +20,7 @@ constexpr double kPublishPeriod_s = 0.03;
 bool is_finished(const ScanSnapshot& scan) { return scan.phase == ScanPhase::kFinished; }
 
 FoundHoles holes_of(const meshing::SurfaceMesh& surface, const Vec3& volume_mm) {
-  const double least_mm =
-      meshing::kLeastHoleWidth_mm * calibration::line_distance_factor(volume_mm);
+  const double least_mm = calibration::least_hole_width_mm(volume_mm);
   FoundHoles found{meshing::coverage_holes(surface.boundaries, least_mm), std::nullopt};
   if (calibration::fits_mouth(volume_mm)) found.jaw = jaw_axes(surface.mesh);
   return found;

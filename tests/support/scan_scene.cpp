@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/geometry/decompositions.h"
+
 namespace flytri::testing {
 
 TrueScan scan_cusps(int view_count, const SceneSensor& sensor, std::uint64_t seed) {
@@ -46,19 +48,23 @@ std::vector<AlignedView> with_drift(const std::vector<AlignedView>& truth, doubl
 
 double displacement_rms_mm(const std::vector<AlignedView>& views,
                            const std::vector<AlignedView>& truth) {
+  const std::vector<Vec3> points_mm = placed_points_mm(views), true_mm = placed_points_mm(truth);
+  const Isometry T_truth_world = best_motion(points_mm, true_mm);
   double sum = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    for (const Profile& profile : views[i].view->profiles) {
-      for (const ProfilePoint& point : profile.points) {
-        sum += (views[i].T_world_sensor * point.position_mm -
-                truth[i].T_world_sensor * point.position_mm)
-                   .squaredNorm();
-        count += 1.0;
-      }
+  for (std::size_t i = 0; i < points_mm.size(); ++i)
+    sum += (T_truth_world * points_mm[i] - true_mm[i]).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(points_mm.size()));
+}
+
+std::vector<Vec3> placed_points_mm(const std::vector<AlignedView>& views) {
+  std::vector<Vec3> points_mm;
+  for (const AlignedView& view : views) {
+    for (const Profile& profile : view.view->profiles) {
+      for (const ProfilePoint& point : profile.points)
+        points_mm.emplace_back(view.T_world_sensor * point.position_mm);
     }
   }
-  return std::sqrt(sum / count);
+  return points_mm;
 }
 
 }  // namespace flytri::testing

@@ -20,9 +20,11 @@ struct TrueScan {
 [[nodiscard]] std::vector<AlignedView> with_drift(const std::vector<AlignedView>& truth,
                                                   double end_mm, std::uint64_t seed);
 
-/// RMS distance of the points of `views` from their true positions, mm, without aligning the world
-/// frames.
+/// RMS distance of the points of `views` from their true positions at best fit, mm.
 [[nodiscard]] double displacement_rms_mm(const std::vector<AlignedView>& views,
                                          const std::vector<AlignedView>& truth);
+
+/// All points of all views, world frame.
+[[nodiscard]] std::vector<Vec3> placed_points_mm(const std::vector<AlignedView>& views);
 
 }  // namespace flytri::testing

@@ -15,4 +15,11 @@ namespace flytri::calibration {
   return fits_mouth(volume_mm) ? 1.0 : volume_mm.x() / kIntraoralWidth_mm;
 }
 
+/// Lines meet a narrower hole only by chance. It needs no scan: the surface around shows its shape,
+/// and CAD programs close it.
+[[nodiscard]] inline double least_hole_width_mm(const Vec3& volume_mm) {
+  constexpr double kOfTeeth_mm = 1.0;
+  return kOfTeeth_mm * line_distance_factor(volume_mm);
+}
+
 }  // namespace flytri::calibration

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/decompositions.h"
 #include "core/refinement/reduced_system.h"
 #include "tests/support/scan_scene.h"
 
@@ -54,11 +55,20 @@ TEST(RefineJointly, NoiseCausesNoBias) {
   EXPECT_LT(displacement_rms_mm(twice, once), 0.008);
 }
 
-TEST(RefineJointly, DoesNotMoveTheFirstView) {
+/// Edits and measurements lie in the world of the scan.
+TEST(RefineJointly, DoesNotMoveTheSurfaceAsAWhole) {
   const auto truth = scan_cusps(10, SceneSensor{}, 5).views;
-  auto views = with_drift(truth, 0.1, 6);
+  // A weak first view: it shows a tenth of what the others show.
+  auto before = with_drift(truth, 0.1, 6);
+  View first = *before[0].view;
+  for (Profile& profile : first.profiles) profile.points.resize(profile.points.size() / 10);
+  before[0].view = std::make_shared<View>(first);
+  auto views = before;
   refine(views);
-  EXPECT_TRUE(views[0].T_world_sensor.isApprox(truth[0].T_world_sensor, 1e-12));
+  const Isometry T_before_after =
+      best_motion(testing::placed_points_mm(views), testing::placed_points_mm(before));
+  EXPECT_LT(T_before_after.translation().norm(), 5e-3);
+  EXPECT_LT(Eigen::AngleAxisd(T_before_after.linear()).angle(), 5e-4);
 }
 
 TEST(RefineJointly, OneThreadAndManyGiveTheSameBits) {
@@ -102,7 +112,6 @@ TEST(RefineJointly, KeepsTheBestPosesWhenCanceled) {
   ASSERT_FALSE(refined.has_value());
   EXPECT_EQ(refined.error().code, ErrorCode::kCancelled);
   EXPECT_LT(displacement_rms_mm(views, truth), 0.3 * before_mm);
-  EXPECT_TRUE(views[0].T_world_sensor.isApprox(truth[0].T_world_sensor, 1e-12));
 }
 
 TEST(RefineJointly, RejectsOptionsOutOfRange) {

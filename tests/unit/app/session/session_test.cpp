@@ -144,7 +144,8 @@ TEST_F(SessionOnARecording, AScanWithoutACaseIsFoundAgainAndCanBeNamed) {
     EXPECT_FALSE(session.view().file.is_unnamed);
     EXPECT_FALSE(session.view().scan->model.empty());
     EXPECT_FALSE(fs::exists(unnamed));
-    // The scan goes on in the named case.
+    // The scan goes on in the named case, with the recording from its beginning.
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.has_ended; }));
     session.carry_out(ui::StartScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
   }
