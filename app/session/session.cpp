@@ -62,8 +62,8 @@ void Session::carry_out(const ui::Command& command) {
       Overloaded{
           [&](const ui::StartScan&) {
             case_.save_unnamed();
-            // A recording plays while cases are chosen, too. A new scan has it from its first frame;
-            // a scan that goes on has it again once it is over.
+            // A recording plays while cases are chosen, too. A new scan has it from its first
+            // frame; a scan that goes on has it again once it is over.
             const bool begins =
                 scan() != nullptr && !stages_.is_started() && scan()->snapshot()->model.empty();
             if (begins || source_.state().has_ended) source_.replay();
