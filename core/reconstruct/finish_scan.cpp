@@ -155,7 +155,8 @@ Result<void> Finisher::make_surface() {
 
 Result<void> Finisher::judge_distances() {
   // A face has no teeth.
-  if (!calibration::fits_mouth(scanned_.calibration->volume.size_mm)) return {};
+  const calibration::Calibration* calibration = scanned_.calibration;
+  if (calibration != nullptr && !calibration::fits_mouth(calibration->volume.size_mm)) return {};
   Result<std::vector<JudgedSpan>> spans =
       judge_spans(result_.surface.mesh, options_.jaw, serving_, options_.refinement, workers_,
                   progress_.part(kJudgingShare));

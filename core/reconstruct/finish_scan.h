@@ -39,7 +39,7 @@ struct FinishOptions {
 
 /// The data of a finished scan.
 struct ScannedViews {
-  std::vector<AlignedView> views;     ///< by rising time; the world is the frame of the first
+  std::vector<AlignedView> views;     ///< by rising time
   std::vector<Frame> texture_frames;  ///< by rising time
   editing::EditList edits = editing::EditStack().state();
   /// Calibration of the camera that took the texture frames; may be null without texture frames.

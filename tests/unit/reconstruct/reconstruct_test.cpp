@@ -34,5 +34,17 @@ TEST(Reconstruct, SaysWhichPatternIsMissing) {
   }
 }
 
+TEST(Reconstruct, MakesASurfaceOfViewsWithoutACalibration) {
+  std::vector<std::shared_ptr<const View>> views;
+  for (const AlignedView& view : testing::scan_cusps(16, {.points_per_line = 150}, 1).views) {
+    View numbered = *view.view;
+    numbered.frame = FrameIndex(views.size());
+    views.push_back(std::make_shared<const View>(std::move(numbered)));
+  }
+  const auto reconstruction = reconstruct_views(std::move(views), {}, Workers(1), {});
+  ASSERT_TRUE(reconstruction) << reconstruction.error().message;
+  EXPECT_FALSE(reconstruction->model.mesh.triangles.empty());
+}
+
 }  // namespace
 }  // namespace flytri::reconstruct
