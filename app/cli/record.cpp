@@ -62,7 +62,7 @@ bool is_over(device::SensorState state) {
 
 /// Returns at Ctrl-C, at the end of the time, or when the rig or the disk fails for good.
 void watch(const RecordArguments& arguments, const recording::RecorderSensor& recorder,
-           const rig::RigSensor& rig, const Progress& progress) {
+           const rig::Rig& rig, const Progress& progress) {
   const device::Clock clock = device::machine_clock();
   const double start_s = clock.now_s();
   RecordLine line;

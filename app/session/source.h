@@ -41,7 +41,7 @@ struct SourceChoice {
 
 /// The rig of a source with devices.
 struct RigSource {
-  std::shared_ptr<rig::RigSensor> sensor;
+  std::shared_ptr<rig::Rig> sensor;
   rig::RigSettings settings;
 };
 

@@ -34,6 +34,8 @@ DeviceNode describe(udev_device* device) {
   udev_device* usb = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device");
   udev_device* parent = usb != nullptr ? usb : udev_device_get_parent(device);
   if (usb != nullptr) node.serial = c_text(udev_device_get_sysattr_value(usb, "serial"));
+  if (usb != nullptr && node.name.empty())
+    node.name = c_text(udev_device_get_sysattr_value(usb, "product"));
   if (parent != nullptr) node.bus_path = c_text(udev_device_get_sysname(parent));
   return node;
 }

@@ -9,7 +9,7 @@ namespace flytri::device {
 /// A device file and the device that it belongs to.
 struct DeviceNode {
   std::string node;      ///< e.g. /dev/video0; may change when the device is plugged in again
-  std::string name;      ///< of the device; empty if this kind has no names
+  std::string name;      ///< of the device, else of the USB product; empty if it has none
   std::string serial;    ///< of the USB device; empty if it has none
   std::string bus_path;  ///< USB socket, e.g. "1-4.2"; else the name of the parent device
   int index = 0;         ///< of the file among the files of this kind that the device has

@@ -151,6 +151,21 @@ Result<void> check_size(const OpenCamera& open, const ImageSize& size) {
               height.most);
 }
 
+Result<void> check_trigger(const OpenCamera& open, const std::string& trigger) {
+  if (trigger.empty()) return {};
+  ArvFailure failure;
+  guint count = 0;
+  const OwnedArray<const char*> names(
+      arv_camera_dup_available_trigger_sources(&open.camera, &count, failure.out()));
+  std::string offered;
+  for (guint i = 0; names && i < count; ++i) {
+    if (names.get()[i] == trigger) return {};
+    offered += (offered.empty() ? "" : ", ") + std::string(names.get()[i]);
+  }
+  return fail(ErrorCode::kBadOption, "camera {} has no trigger input \"{}\": choose one of {}",
+              open.label, trigger, offered.empty() ? "none" : offered);
+}
+
 Result<void> check_controls(const OpenCamera& open, const device::CameraSettings& settings) {
   for (const auto& [name, value] : settings.controls) {
     const auto feature = NumberFeature::find(open.camera, name);
@@ -282,6 +297,7 @@ Result<void> check_settings(const OpenCamera& open, const device::CameraSettings
   if (const auto name = format_name(open, settings.format); !name)
     return tl::unexpected(name.error());
   if (auto size = check_size(open, settings.size); !size) return size;
+  if (auto trigger = check_trigger(open, settings.trigger); !trigger) return trigger;
   return check_controls(open, settings);
 }
 
@@ -302,6 +318,12 @@ Result<device::CameraSettings> set_up(const OpenCamera& open,
   if (auto set = set_controls(open, settings); !set) return tl::unexpected(set.error());
   const auto rate_hz = set_rate(open, settings.rate_hz);
   if (!rate_hz) return tl::unexpected(rate_hz.error());
+  if (!settings.trigger.empty()) {
+    // Last, as it turns off the camera's own rate.
+    arv_camera_set_trigger(&open.camera, settings.trigger.c_str(), failure.out());
+    if (failure)
+      return tl::unexpected(failure.told(open.label, "setting the trigger " + settings.trigger));
+  }
   device::CameraSettings agreed = settings;
   agreed.rate_hz = *rate_hz;
   read_back(open.camera, agreed);

@@ -15,7 +15,7 @@ struct OpenCamera {
   const std::string& label;
 };
 
-/// Sets format, size, rate, exposure and gain. Turns off triggers, automatic modes, sharpness and
+/// Sets format, size, rate, exposure, gain and trigger. Turns off automatic modes, sharpness and
 /// noise filters, and sets gamma to 1. The image is taken from the middle of the chip.
 /// @return  the settings read back; missing controls have no value
 /// @errors  kBadOption: unsupported format, size or control, or out of range; else as

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "hw/gpio/open_chip.h"
+#include "hw/gpio/sequencer.h"
 
 namespace flytri::gpio {
 
@@ -22,7 +23,7 @@ Error cannot_open(const device::DeviceNode& device, int error_number) {
 }
 
 GpioChip describe(const device::DeviceNode& device) {
-  GpioChip description{device, {}, {}, {}};
+  GpioChip description{.device = device};
   const auto chip = open_chip(device.node);
   if (!chip) {
     description.problems.push_back(cannot_open(device, errno));
@@ -31,6 +32,14 @@ GpioChip describe(const device::DeviceNode& device) {
   description.label = chip->label();
   description.lines = chip->lines();
   return description;
+}
+
+// Not opened: that would turn its lights off.
+GpioChip describe_sequencer(const device::DeviceNode& device) {
+  return {.device = device,
+          .label = kSequencerName,
+          .lines = std::vector<GpioLine>(kSequencerOutputs),
+          .is_sequencer = true};
 }
 
 // A chip that may not be opened does not tell its label: it may be the one.
@@ -73,6 +82,9 @@ std::vector<GpioChip> list_chips() {
   std::vector<GpioChip> chips;
   for (const device::DeviceNode& device : device::list_device_nodes("gpio"))
     chips.push_back(describe(device));
+  for (const device::DeviceNode& device : device::list_device_nodes("tty")) {
+    if (device.name == kSequencerName) chips.push_back(describe_sequencer(device));
+  }
   return chips;
 }
 

@@ -1,4 +1,5 @@
-/// @file  Which GPIO chips there are, found by what does not change when they are plugged in again.
+/// @file  Which GPIO chips and sequencers there are, found by what does not change when they are
+/// plugged in again.
 #pragma once
 
 #include <string>
@@ -15,12 +16,15 @@ struct GpioLine {
   std::string consumer;  ///< who holds it; empty where it is free
 };
 
-/// A chip as it is listed.
+/// A chip as it is listed. A sequencer (sequencer.h) is listed as a chip whose label is
+/// kSequencerName and whose lines are its outputs.
 struct GpioChip {
   device::DeviceNode device;
-  std::string label;            ///< empty where it may not be opened
-  std::vector<GpioLine> lines;  ///< by their numbers
-  std::vector<Error> problems;  ///< what keeps it from being used, with the remedy; empty: nothing
+  std::string label = {};            ///< empty where it may not be opened
+  std::vector<GpioLine> lines = {};  ///< by their numbers
+  /// What keeps it from being used, with the remedy; empty: nothing.
+  std::vector<Error> problems = {};
+  bool is_sequencer = false;
 };
 
 /// Every chip, those that cannot be used among them.

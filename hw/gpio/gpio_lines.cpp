@@ -9,6 +9,7 @@
 #include "hw/gpio/dark_guard.h"
 #include "hw/gpio/gpio_chips.h"
 #include "hw/gpio/open_chip.h"
+#include "hw/gpio/sequencer_lines.h"
 
 namespace flytri::gpio {
 
@@ -104,6 +105,7 @@ Result<std::unique_ptr<LightLines>> open_gpio_lines(const LightWiring& wiring) {
   if (const auto valid = wiring.validate(); !valid) return tl::unexpected(valid.error());
   auto chip = find_chip(list_chips(), wiring.chip);
   if (!chip) return tl::unexpected(chip.error());
+  if (chip->is_sequencer) return open_sequencer_lines(chip->device.node, wiring);
   auto lights = wire(*chip, wiring);
   if (!lights) return tl::unexpected(lights.error());
   auto lines = std::make_unique<GpioLines>(std::move(*chip), std::move(*lights), wiring.limits);

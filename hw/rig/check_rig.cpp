@@ -54,6 +54,13 @@ std::vector<Error> check_rig(const RigSettings& rig, const CameraDrivers& driver
   }
   const auto chip = gpio::find_chip(chips, rig.lights.chip);
   append(problems, chip ? check_lines(*chip, rig.lights) : std::vector{chip.error()});
+  if (chip && rig.is_triggered() && !chip->is_sequencer) {
+    problems.push_back(
+        {ErrorCode::kBadOption,
+         fmt::format("{} cannot trigger cameras: remove \"trigger\" from rig.json, or "
+                     "connect a sequencer (docs/sequencer.md)",
+                     chip->label)});
+  }
   if (rig.calibration) {
     const auto calibration = io::read_calibration(*rig.calibration);
     if (!calibration) problems.push_back(calibration.error());

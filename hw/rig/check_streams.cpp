@@ -114,8 +114,9 @@ void judge_images(const CheckedCamera& camera, std::vector<Error>& problems) {
 
 }  // namespace
 
-std::vector<Error> check_streams(const RigSettings& rig, const CameraDrivers& drivers,
+std::vector<Error> check_streams(const RigSettings& settings, const CameraDrivers& drivers,
                                  const device::Clock& clock, double duration_s) {
+  const RigSettings rig = settings.free_running();
   std::vector<const RigCamera*> wanted = {&rig.measurement};
   if (rig.texture) wanted.push_back(&*rig.texture);
   std::vector<Error> problems;

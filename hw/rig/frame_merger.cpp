@@ -39,6 +39,11 @@ void FrameMerger::add_texture(const cv::Mat& image, const sync::FrameLabel& labe
   texture_seen_s_ = label.time_s;
 }
 
+void FrameMerger::add_flash(const cv::Mat& image, double time_s, double now_s) {
+  textures_.push_back({{FrameIndex(), FrameKind::kTexture, time_s, image}, now_s});
+  texture_seen_s_ = time_s + options_.flash_s;
+}
+
 // A flash began before this frame, and the texture camera has not sent a frame after the flash.
 bool FrameMerger::waits_for_texture(const Waiting& pattern) const {
   return std::any_of(flashes_s_.begin(), flashes_s_.end(), [&](double flash_s) {

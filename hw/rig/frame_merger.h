@@ -36,6 +36,10 @@ class FrameMerger {
   /// A frame without flash only shows that the flash is over.
   void add_texture(const cv::Mat& image, const sync::FrameLabel& label, double now_s);
 
+  /// Adds the one image of a flash.
+  /// @param time_s  middle of its exposure
+  void add_flash(const cv::Mat& image, double time_s, double now_s);
+
   /// The next frame of the stream, with its index.
   /// @param texture_comes  whether the texture camera is running
   /// @return  nothing if there is none, or the next one waits for the other camera

@@ -12,13 +12,14 @@ namespace flytri::rig {
 
 /// Opens no device before start().
 /// @errors  kBadOption; as read_calibration, if the rig names a calibration.
-[[nodiscard]] Result<std::shared_ptr<RigSensor>> open_rig(const RigSettings& rig);
+[[nodiscard]] Result<std::shared_ptr<Rig>> open_rig(const RigSettings& rig);
 
-/// Creates only the cameras and the light switch; opens none of them.
+/// Creates only the cameras and the light switch; opens none of them. The cameras need no triggers.
 /// @errors  kBadOption.
 [[nodiscard]] Result<RigDevices> open_devices(const RigSettings& rig);
 
 /// Uses devices of the caller, for tests and simulated rigs.
+/// @param rig  not triggered
 /// @errors  As open_rig.
 [[nodiscard]] Result<std::shared_ptr<RigSensor>> assemble_rig(const RigSettings& rig,
                                                               RigDevices devices);

@@ -61,6 +61,7 @@ RigCamera read_camera(const io::JsonPlace& place, device::Channels channels) {
   if (place.has("gain")) settings.gain = place.at("gain").number();
   settings.white_balance_k = positive_or_nothing(place, "white_balance_k");
   if (place.has("focus")) settings.focus = place.at("focus").number();
+  if (place.has("trigger")) settings.trigger = place.at("trigger").text();
   if (place.has("bits")) settings.bits = place.at("bits").whole_number();
   if (place.has("controls")) {
     const io::JsonPlace controls = place.at("controls");
@@ -132,6 +133,7 @@ Json to_json(const RigCamera& camera) {
   add_number(json, "gain", settings.gain);
   add_number(json, "white_balance_k", settings.white_balance_k);
   add_number(json, "focus", settings.focus);
+  add_text(json, "trigger", settings.trigger);
   if (settings.bits) json["bits"] = *settings.bits;
   if (!settings.controls.empty()) json["controls"] = settings.controls;
   if (camera.readout_s > 0.0) json["readout_s"] = camera.readout_s;

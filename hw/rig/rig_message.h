@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hw/rig/rig_sensor.h"
+#include "hw/rig/rig.h"
 
 namespace flytri::rig {
 

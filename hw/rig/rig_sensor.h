@@ -13,7 +13,7 @@
 #include "hw/device/sensor.h"
 #include "hw/device/status_keeper.h"
 #include "hw/rig/frame_merger.h"
-#include "hw/rig/rig_camera.h"
+#include "hw/rig/rig.h"
 #include "hw/sync/light_plan.h"
 
 namespace flytri::rig {
@@ -38,22 +38,12 @@ struct RigDevices {
   device::Clock clock;  ///< clock of all camera stamps and light times
 };
 
-/// Counts since start().
-struct RigStatus {
-  RigCameraStatus measurement;
-  std::optional<RigCameraStatus> texture;
-  device::LightSwitchStatus lights;
-  int frames_per_pattern = 1;
-  bool keeps_step = false;  ///< lights are switched in the gaps between exposures
-  std::int64_t late = 0;    ///< frames dropped because a later one was already delivered
-};
-
 /// Runs the light sequence of the paper (section "Sensor Setup"): the patterns alternate, and about
 /// once a second there is a flash for the texture camera. Frames whose light is uncertain are
 /// skipped and counted. The sensor is lost while the measurement camera or the light switch is
 /// lost. If the texture camera is lost, the sensor continues and the status has a message. All
 /// lights are dark after stop().
-class RigSensor final : public device::Sensor {
+class RigSensor final : public Rig {
  public:
   /// @param calibration  of this rig; may be null
   /// @errors  kBadOption. start(): as Camera::start and LightSwitch::start; kBadOption if flashes
@@ -76,8 +66,7 @@ class RigSensor final : public device::Sensor {
   }
   [[nodiscard]] std::string name() const override { return options_.name; }
 
-  /// Thread-safe.
-  [[nodiscard]] RigStatus rig_status() const;
+  [[nodiscard]] RigStatus rig_status() const override;
 
  private:
   RigSensor(RigDevices devices, const RigSensorOptions& options,

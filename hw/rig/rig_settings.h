@@ -29,6 +29,10 @@ struct RigSettings {
   gpio::LightWiring lights;
   double flash_period_s = 1.0;                       ///< > 0; about 1 s in the paper
   std::optional<std::filesystem::path> calibration;  ///< of this sensor
+  /// Whether the light switch triggers the cameras; then it is a sequencer.
+  [[nodiscard]] bool is_triggered() const;
+  /// The same rig with cameras that need no triggers: for calibration shots and checks.
+  [[nodiscard]] RigSettings free_running() const;
   [[nodiscard]] Result<void> validate() const;
 };
 

@@ -103,6 +103,9 @@ TEST_F(GenicamCamera, GivesColorAsRedGreenBlue) {
 }
 
 TEST_F(GenicamCamera, NamesWhatItDoesNotOffer) {
+  settings_.trigger = "Line77";
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("Line77"), HasSubstr("Software")));
+  settings_.trigger.clear();
   settings_.size = {5000, 200};
   EXPECT_THAT(refusal(), AllOf(HasSubstr("5000 x 200"), HasSubstr("2048 x 2048")));
   settings_.size = {320, 200};
@@ -163,6 +166,27 @@ TEST_F(GigeCamera, StreamsOverTheNetwork) {
   ASSERT_TRUE(started) << started.error().message;
   const auto frames = read(*camera, 10);
   for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_GT(frames[i].time_s, frames[i - 1].time_s);
+}
+
+/// Without triggers it is silent, and that is no fault.
+TEST_F(GigeCamera, WaitsForItsTrigger) {
+  plug_in();
+  settings_.trigger = "Software";
+  const auto camera = make(match_);
+  const auto started = camera->start();
+  ASSERT_TRUE(started) << started.error().message;
+  for (int i = 0; i < 8; ++i) {
+    const auto next = camera->next(0.1);
+    ASSERT_TRUE(next);
+    EXPECT_FALSE(*next);
+  }
+  EXPECT_EQ(camera->status().state, device::CameraState::kRunning);
+  EXPECT_EQ(camera->status().restarted, 0);
+  camera->stop();
+  settings_.trigger.clear();
+  const auto free_running = make(match_);
+  ASSERT_TRUE(free_running->start());
+  (void)read(*free_running, 3);
 }
 
 TEST_F(GigeCamera, GoesOnAfterItWasUnplugged) {

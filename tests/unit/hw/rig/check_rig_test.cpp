@@ -54,6 +54,13 @@ class CheckRigTest : public ::testing::Test {
 
 TEST_F(CheckRigTest, FindsNoProblemIfAllDevicesArePresent) { EXPECT_THAT(problems(), IsEmpty()); }
 
+TEST_F(CheckRigTest, TriggersNeedASequencer) {
+  rig_.measurement.settings.trigger = rig_.texture->settings.trigger = "Line1";
+  EXPECT_THAT(problems(), ElementsAre(HasSubstr("cannot trigger cameras")));
+  chips_.front().is_sequencer = true;
+  EXPECT_THAT(problems(), IsEmpty());
+}
+
 TEST_F(CheckRigTest, ReportsEveryMissingDevice) {
   measurement_->present = texture_->present = false;
   chips_.clear();

@@ -83,6 +83,26 @@ TEST(RigFile, ReportsFileAndKeyAndExpectedValueOfABadKey) {
   EXPECT_THAT(message("\"max_duty\": 0.1", "\"max_duty\": 0.98"), HasSubstr("max_duty"));
 }
 
+TEST(RigFile, TriggersAreForGenicamCamerasAndForAllOrNone) {
+  RigSettings rig = parse_rig(kRig, "rig.json").value();
+  const auto message = [&] {
+    const auto valid = rig.validate();
+    return valid ? std::string() : valid.error().message;
+  };
+  rig.measurement.settings.trigger = "Line1";
+  EXPECT_THAT(message(), HasSubstr("genicam"));
+  rig.measurement.driver = DriverKind::kGenicam;
+  EXPECT_THAT(message(), HasSubstr("both cameras"));
+  rig.texture->driver = DriverKind::kGenicam;
+  rig.texture->settings.trigger = "Line0";
+  EXPECT_EQ(message(), "");
+  EXPECT_TRUE(rig.is_triggered());
+  const RigSettings again = parse_rig(rig_to_json(rig), "again").value();
+  EXPECT_EQ(again.texture->settings.trigger, "Line0");
+  EXPECT_FALSE(again.free_running().is_triggered());
+  EXPECT_EQ(again.free_running().texture->settings.trigger, "");
+}
+
 TEST(RigFile, CalibrationPathIsRelativeToTheFile) {
   const TemporaryFolder folder;
   ASSERT_TRUE(io::write_file(folder.path() / "rig.json", kRig));
