@@ -12,7 +12,6 @@ constexpr double kPatience_s = 0.5;
 constexpr double kDelaySpread = 0.4;
 /// Weight of the latest image in the delay, which may change slowly.
 constexpr double kDelayWeight = 0.1;
-constexpr std::size_t kMostWaiting = 64;
 
 }  // namespace
 
@@ -31,9 +30,8 @@ void TriggeredCamera::begin_anew() {
 }
 
 bool TriggeredCamera::takes_trigger(double now_s) {
-  if (is_in_step()) return true;
   if (waiting_.empty()) return true;
-  if (now_s - waiting_.back().time_s < kPatience_s) return false;
+  if (now_s - waiting_.front().time_s < kPatience_s) return is_in_step();
   ++unanswered_;
   begin_anew();
   return true;
@@ -41,8 +39,6 @@ bool TriggeredCamera::takes_trigger(double now_s) {
 
 void TriggeredCamera::triggered(device::Light light, double time_s) {
   waiting_.push_back({count_++, light, time_s});
-  // A camera in step that went silent.
-  if (waiting_.size() > kMostWaiting) begin_anew();
 }
 
 /// The trigger of an image, if it is certain.

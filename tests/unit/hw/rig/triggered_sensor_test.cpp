@@ -231,6 +231,33 @@ TEST_F(TriggeredSensorTest, SaysThatATriggerIsNotWiredAndGoesOnOnceItIs) {
   EXPECT_EQ(sensor->status().message, "");
 }
 
+TEST_F(TriggeredSensorTest, NoticesAWireThatComesOffWhileScanning) {
+  const auto sensor = make();
+  ASSERT_TRUE(sensor->start());
+  std::vector<Frame> frames = take(*sensor, 30);
+  texture_->is_unwired = true;
+  for (const double end_s = clock_.now_s() + 10.0;
+       clock_.now_s() < end_s && sensor->status().message.empty();) {
+    const auto frame = sensor->next(0.05);
+    ASSERT_TRUE(frame);
+    if (*frame) frames.push_back(**frame);
+  }
+  EXPECT_THAT(sensor->status().message, HasSubstr("trigger 1"));
+  EXPECT_EQ(sensor->status().state, device::SensorState::kRunning) << "it goes on without texture";
+  measurement_->is_unwired = true;
+  for (const double end_s = clock_.now_s() + 10.0;
+       clock_.now_s() < end_s && sensor->status().state != device::SensorState::kLost;)
+    ASSERT_TRUE(sensor->next(0.05));
+  EXPECT_THAT(sensor->status().message, HasSubstr("trigger 0"));
+  measurement_->is_unwired = texture_->is_unwired = false;
+  const std::vector<Frame> more = take(*sensor, 60);
+  EXPECT_EQ(more.size(), 60U);
+  EXPECT_GT(count(more, FrameKind::kTexture), 0U);
+  frames.insert(frames.end(), more.begin(), more.end());
+  EXPECT_EQ(wrong_labels(frames), 0U);
+  EXPECT_EQ(sensor->status().message, "");
+}
+
 TEST_F(TriggeredSensorTest, ASequencerThatHangsIsDarkAndFoundAgain) {
   const auto sensor = make();
   ASSERT_TRUE(sensor->start());
