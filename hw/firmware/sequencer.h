@@ -8,11 +8,12 @@
 #include <stdint.h>
 
 enum {
-  kLights = 3,           ///< outputs 0 to 2
-  kTriggers = 2,         ///< trigger outputs 0 and 1
-  kSilence_us = 100000,  ///< without a byte for so long, all lights go dark
-  kLongestExposure_us = 50000
+  kLights = 3,   ///< outputs 0 to 2
+  kTriggers = 2  ///< trigger outputs 0 and 1
 };
+/// Without a byte for so long, all lights go dark.
+static const uint32_t kSilence_us = 100000;
+static const long kLongestExposure_us = 50000;
 
 /// All lights dark, all triggers low.
 void sequencer_start(uint32_t now_us);

@@ -113,9 +113,9 @@ TEST(Sequencer, ExposesWithinItsLightAndIsDarkAfterwards) {
   const auto changes = board.changes();
   ASSERT_EQ(changes.size(), 8U);
   const int lights[] = {1, 2};
-  for (int k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < 2; ++k) {
     const auto* of = &changes[4 * k];
-    const int trigger = SequencerBoard::kFirstTrigger + k;
+    const int trigger = SequencerBoard::kFirstTrigger + static_cast<int>(k);
     EXPECT_EQ(of[0].pin, lights[k]);
     EXPECT_EQ(of[1].pin, trigger) << "light before the exposure";
     EXPECT_EQ(of[2].pin, trigger) << "exposure before the dark";
