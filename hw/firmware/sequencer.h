@@ -1,6 +1,6 @@
 /// @file  The sequencer: a microcontroller that switches the lights and triggers the cameras.
 ///
-/// Its board calls sequencer_byte() for each byte that arrives and sequencer_tick() at least once a
+/// The board calls sequencer_byte() for each byte, and sequencer_tick() at least once a
 /// millisecond. docs/sequencer.md has the protocol and the wiring. Portable C without a heap.
 #pragma once
 

@@ -23,8 +23,8 @@ struct SequencedExposure {
   double board_s = 0.0;     ///< its begin on the clock of the board; wraps around every 71 minutes
 };
 
-/// Its lights go dark when this program is silent for 0.1 s, however it ended or hangs, and at the
-/// limits of each light. While this object lives, a thread says that the program is there.
+/// It turns its lights dark when this program is silent for 0.1 s (ended, killed or hanging), and
+/// at the limits of each light. A thread of this object tells it that the program lives.
 /// Thread-safe.
 class Sequencer {
  public:

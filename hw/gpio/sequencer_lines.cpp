@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "hw/gpio/gpio_chips.h"
-
 namespace flytri::gpio {
 namespace {
 
@@ -66,16 +64,21 @@ Result<Wired> wire_outputs(const LightWiring& wiring) {
 
 }  // namespace
 
+Result<void> check_triggers(const GpioChip& chip) {
+  if (chip.is_sequencer) return {};
+  return fail(ErrorCode::kBadOption,
+              "{} is no sequencer and cannot trigger cameras: remove \"trigger\" from rig.json, or "
+              "connect a sequencer (docs/sequencer.md)",
+              chip.label);
+}
+
 Result<std::unique_ptr<Sequencer>> open_sequencer(const LightWiring& wiring) {
   const auto wired = wire_outputs(wiring);
   if (!wired) return tl::unexpected(wired.error());
   const auto chip = find_chip(list_chips(), wiring.chip);
   if (!chip) return tl::unexpected(chip.error());
-  if (chip->is_sequencer) return Sequencer::open(chip->device.node, wired->limits);
-  return fail(ErrorCode::kBadOption,
-              "{} is no sequencer and cannot trigger cameras: remove \"trigger\" from rig.json, or "
-              "connect a sequencer (docs/sequencer.md)",
-              chip->label);
+  if (auto able = check_triggers(*chip); !able) return tl::unexpected(able.error());
+  return Sequencer::open(chip->device.node, wired->limits);
 }
 
 Result<std::unique_ptr<LightLines>> open_sequencer_lines(const std::string& node,

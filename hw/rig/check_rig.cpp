@@ -1,6 +1,7 @@
 #include "hw/rig/check_rig.h"
 
 #include "core/io/calibrations/calibration_file.h"
+#include "hw/gpio/sequencer_lines.h"
 #include "hw/rig/flash_timing.h"
 
 namespace flytri::rig {
@@ -54,12 +55,8 @@ std::vector<Error> check_rig(const RigSettings& rig, const CameraDrivers& driver
   }
   const auto chip = gpio::find_chip(chips, rig.lights.chip);
   append(problems, chip ? check_lines(*chip, rig.lights) : std::vector{chip.error()});
-  if (chip && rig.is_triggered() && !chip->is_sequencer) {
-    problems.push_back(
-        {ErrorCode::kBadOption,
-         fmt::format("{} cannot trigger cameras: remove \"trigger\" from rig.json, or "
-                     "connect a sequencer (docs/sequencer.md)",
-                     chip->label)});
+  if (chip && rig.is_triggered()) {
+    if (auto able = gpio::check_triggers(*chip); !able) problems.push_back(able.error());
   }
   if (rig.calibration) {
     const auto calibration = io::read_calibration(*rig.calibration);

@@ -18,6 +18,18 @@ Result<std::shared_ptr<const calibration::Calibration>> calibration_of(const Rig
   return std::make_shared<const calibration::Calibration>(*std::move(read));
 }
 
+/// What both sensors take from a rig.
+template <typename Options>
+Options options_of(const RigSettings& rig) {
+  Options options;
+  options.name = rig.name;
+  options.flash_period_s = rig.flash_period_s;
+  options.limits = rig.lights.limits;
+  options.measurement_readout_s = rig.measurement.readout_s;
+  if (rig.texture) options.texture_readout_s = rig.texture->readout_s;
+  return options;
+}
+
 struct RigCameras {
   std::shared_ptr<device::Camera> measurement;
   std::shared_ptr<device::Camera> texture;
@@ -45,12 +57,7 @@ Result<std::shared_ptr<Rig>> open_triggered(const RigSettings& rig) {
   if (!calibration) return tl::unexpected(calibration.error());
   auto cameras = make_cameras(rig);
   if (!cameras) return tl::unexpected(cameras.error());
-  TriggeredSensorOptions options;
-  options.name = rig.name;
-  options.flash_period_s = rig.flash_period_s;
-  options.limits = rig.lights.limits;
-  options.measurement_readout_s = rig.measurement.readout_s;
-  if (rig.texture) options.texture_readout_s = rig.texture->readout_s;
+  auto options = options_of<TriggeredSensorOptions>(rig);
   options.vertical = rig.lights.vertical.offset.value_or(options.vertical);
   options.horizontal = rig.lights.horizontal.offset.value_or(options.horizontal);
   if (rig.lights.flash) options.flash = rig.lights.flash->offset.value_or(options.flash);
@@ -66,12 +73,7 @@ Result<std::shared_ptr<RigSensor>> assemble_rig(const RigSettings& rig, RigDevic
   if (auto valid = rig.validate(); !valid) return tl::unexpected(valid.error());
   auto calibration = calibration_of(rig);
   if (!calibration) return tl::unexpected(calibration.error());
-  RigSensorOptions options;
-  options.name = rig.name;
-  options.flash_period_s = rig.flash_period_s;
-  options.limits = rig.lights.limits;
-  options.measurement_readout_s = rig.measurement.readout_s;
-  if (rig.texture) options.texture_readout_s = rig.texture->readout_s;
+  const auto options = options_of<RigSensorOptions>(rig);
   return RigSensor::create(std::move(devices), options, *std::move(calibration));
 }
 

@@ -14,7 +14,7 @@ namespace flytri::rig {
 /// @errors  kBadOption; as read_calibration, if the rig names a calibration.
 [[nodiscard]] Result<std::shared_ptr<Rig>> open_rig(const RigSettings& rig);
 
-/// Creates only the cameras and the light switch; opens none of them. The cameras need no triggers.
+/// Creates the cameras, without triggers, and the light switch; opens none of them.
 /// @errors  kBadOption.
 [[nodiscard]] Result<RigDevices> open_devices(const RigSettings& rig);
 

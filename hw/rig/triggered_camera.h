@@ -18,11 +18,11 @@ struct TriggeredImage {
   double time_s = 0.0;  ///< middle of the exposure
 };
 
-/// Counts triggers and images. At first, triggers come one at a time: the image that follows a
-/// trigger is its own. Three of these tell how the camera numbers its images and how late they are;
-/// from then on an image belongs to the trigger with its number, and must be as late as the others.
-/// If one is not (a trigger that the camera missed, a camera that started anew), nothing is
-/// labeled until three single triggers have shown it again. Not thread-safe.
+/// Finds the trigger of each image. It starts with single triggers: each waits for its image. Three
+/// of them show the camera's numbers and its delay. Then many triggers may be on their way: an
+/// image belongs to the trigger with its number, and must have the usual delay. If it does not,
+/// because the camera missed a trigger or was restarted, the single triggers begin again, and until
+/// they are done no image has a label. Not thread-safe.
 class TriggeredCamera {
  public:
   /// @param period_s  > 0, least time from one trigger to the next
@@ -42,7 +42,7 @@ class TriggeredCamera {
   /// @return  nothing if there is none yet, or its light is not known
   /// @errors  As Camera::next.
   [[nodiscard]] Result<std::optional<TriggeredImage>> next(double timeout_s);
-  /// The triggers so far have no images: their lights were off, or nobody knows.
+  /// Forgets the triggers so far, and starts with single ones.
   void begin_anew();
 
   [[nodiscard]] bool is_in_step() const { return first_ && agreeing_ >= kProbes; }

@@ -8,15 +8,15 @@ namespace flytri::calibration {
 /// True if a sensor is for teeth: its volume fits into a mouth. Else it is for faces.
 [[nodiscard]] inline bool fits_mouth(const Vec3& volume_mm) { return volume_mm.x() < 60.0; }
 
-/// Distance of a sensor's lines, relative to that of a sensor for teeth (about 2 mm); 1 for every
-/// sensor for teeth.
+/// Distance between a sensor's lines, divided by that of sensors for teeth (about 2 mm); 1 for
+/// these.
 [[nodiscard]] inline double line_distance_factor(const Vec3& volume_mm) {
   constexpr double kIntraoralWidth_mm = 20.0;
   return fits_mouth(volume_mm) ? 1.0 : volume_mm.x() / kIntraoralWidth_mm;
 }
 
-/// Lines meet a narrower hole only by chance. It needs no scan: the surface around shows its shape,
-/// and CAD programs close it.
+/// Narrower holes need no scan: a line meets them only by chance, and CAD programs close them by
+/// the surface around.
 [[nodiscard]] inline double least_hole_width_mm(const Vec3& volume_mm) {
   constexpr double kOfTeeth_mm = 1.0;
   return kOfTeeth_mm * line_distance_factor(volume_mm);
