@@ -16,12 +16,14 @@
 #include "core/evaluation/delta_e.h"
 #include "core/evaluation/pose_error.h"
 #include "core/evaluation/surface_error.h"
+#include "core/io/calibrations/recording_calibration.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/models/model.h"
 #include "core/io/models/model_formats.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
 #include "core/io/recordings/truth.h"
+#include "core/measurement/measure_view.h"
 
 namespace flytri::cli {
 namespace {
@@ -31,6 +33,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "flytri.evaluation";
 constexpr double kMicronsOfMm = 1e3;
+/// Lines of both patterns confirm a place if both are this near, in distances up to which the
+/// surface counts as found.
+constexpr double kCrossedWithin = 3.0;
 /// A vertex this close to a true one has its color. Smaller than a painted spot.
 constexpr double kColorWithinMm = 0.3;
 constexpr double kPercent = 1e2;
@@ -38,6 +43,7 @@ constexpr double kPercent = 1e2;
 struct EvaluateArguments {
   fs::path result;
   fs::path recording;
+  fs::path calibration;
   fs::path report;
   fs::path output;
   bool force = false;
@@ -45,12 +51,16 @@ struct EvaluateArguments {
   int thread_count = 0;
 
   [[nodiscard]] fs::path truth_file() const { return recording / "truth.json"; }
+  [[nodiscard]] double crossed_within_mm() const {
+    return kCrossedWithin * surface.complete_within_mm;
+  }
 };
 
 /// The true surface, and which of its vertices the sensor could measure.
 struct TrueSurface {
   TriangleMesh mesh;
   std::vector<bool> selected;  ///< empty: all
+  std::vector<bool> crossed;   ///< those where lines of both patterns were; empty: not known
 };
 
 /// What the model is compared with.
@@ -65,6 +75,7 @@ struct Reference {
 struct Evaluation {
   evaluation::SurfaceError as_it_stands;
   evaluation::SurfaceError fitted;
+  std::optional<evaluation::Completeness> crossed;  ///< where lines of both patterns were
   evaluation::BestFitOutcome outcome = evaluation::BestFitOutcome::kStillMoving;
   evaluation::ColorError colors;
   evaluation::DeltaE delta_e = {};
@@ -152,7 +163,54 @@ Result<io::Truth> read_truth_of(const EvaluateArguments& arguments) {
               arguments.truth_file().string());
 }
 
-Result<Reference> read_reference(const EvaluateArguments& arguments) {
+/// The views of the recording at their true poses. A frame that cannot be measured has none.
+Result<std::vector<AlignedView>> true_views(const EvaluateArguments& arguments,
+                                            const io::Truth& truth, const io::Recording& recording,
+                                            const calibration::Calibration& calibration,
+                                            const Workers& workers) {
+  std::vector<std::shared_ptr<const View>> views(recording.frames.size());
+  workers.for_each(views.size(), [&](std::size_t i) {
+    if (recording.frames[i].kind == FrameKind::kTexture) return;
+    const auto frame = io::load_frame(recording, FrameIndex(i));
+    if (!frame) return;
+    auto measured = measurement::measure_view(*frame, calibration, {});
+    if (measured) views[i] = std::make_shared<const View>(std::move(measured->view));
+  });
+  std::vector<AlignedView> aligned;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (views[i] == nullptr) continue;
+    const auto T_model_sensor = true_pose(arguments, truth, FrameIndex(i));
+    if (!T_model_sensor) return tl::unexpected(T_model_sensor.error());
+    aligned.push_back({views[i], *T_model_sensor});
+  }
+  return aligned;
+}
+
+/// Of the vertices that the sensor could measure, those where lines of both patterns were. Without
+/// a calibration they stay unknown.
+Result<void> find_crossed(const EvaluateArguments& arguments, const io::Truth& truth,
+                          TrueSurface& surface, const Workers& workers) {
+  const auto recording = io::open_recording(arguments.recording);
+  if (!recording) return tl::unexpected(recording.error());
+  if (arguments.calibration.empty() && !recording->calibration) return {};
+  const auto used = io::calibration_of(*recording, arguments.calibration);
+  if (!used && arguments.calibration.empty()) {
+    print_error("flytri: warning: {}; completeness by both patterns is left out\n",
+                used.error().message);
+    return {};
+  }
+  if (!used) return tl::unexpected(used.error());
+  const auto views = true_views(arguments, truth, *recording, used->calibration, workers);
+  if (!views) return tl::unexpected(views.error());
+  surface.crossed =
+      evaluation::crossed_vertices(surface.mesh, *views, arguments.crossed_within_mm(), workers);
+  for (std::size_t i = 0; i < surface.selected.size(); ++i) {
+    if (!surface.selected[i]) surface.crossed[i] = false;
+  }
+  return {};
+}
+
+Result<Reference> read_reference(const EvaluateArguments& arguments, const Workers& workers) {
   const auto truth = read_truth_of(arguments);
   if (!truth) return tl::unexpected(truth.error());
   Reference reference;
@@ -162,12 +220,14 @@ Result<Reference> read_reference(const EvaluateArguments& arguments) {
   auto surface = read_true_surface(truth->mesh);
   if (!surface) return tl::unexpected(surface.error());
   reference.surface = std::move(*surface);
+  auto found = find_crossed(arguments, *truth, reference.surface, workers);
+  if (!found) return tl::unexpected(found.error());
   return reference;
 }
 
 Result<Evaluation> evaluate(const TexturedMesh& result, const Reference& reference,
-                            const EvaluateArguments& arguments, const Progress& progress) {
-  const Workers workers(arguments.thread_count);
+                            const EvaluateArguments& arguments, const Workers& workers,
+                            const Progress& progress) {
   const TrueSurface& truth = reference.surface;
   const auto error_of = [&](const TriangleMesh& mesh) {
     return evaluation::surface_error(mesh, truth.mesh, truth.selected, arguments.surface, workers);
@@ -185,7 +245,11 @@ Result<Evaluation> evaluate(const TexturedMesh& result, const Reference& referen
   progress.advance();
   const evaluation::ColorError colors = evaluation::color_error(
       {placed, result.uv, result.atlas}, truth.mesh, kColorWithinMm, workers);
-  Evaluation evaluation{*as_it_stands, *fitted, fit->outcome, colors};
+  Evaluation evaluation{*as_it_stands, *fitted, std::nullopt, fit->outcome, colors};
+  if (!truth.crossed.empty()) {
+    evaluation.crossed = evaluation::completeness(placed, truth.mesh, truth.crossed,
+                                                  arguments.surface.complete_within_mm, workers);
+  }
   evaluation.delta_e =
       evaluation::delta_e({placed, result.uv, result.atlas}, truth.mesh, kColorWithinMm, workers);
   evaluation.registered_count = reference.registered.size();
@@ -235,6 +299,11 @@ void print_evaluation(const Evaluation& evaluation, const EvaluateArguments& arg
             "95 %", "max", "%", "surf. %", "vert. %");
   print_row("as it stands", evaluation.as_it_stands);
   print_row("best fit", evaluation.fitted);
+  if (evaluation.crossed) {
+    print_out("Of {} vertices with lines of both patterns within {:g} mm, {:.2f} % are complete.\n",
+              evaluation.crossed->selected, arguments.crossed_within_mm(),
+              kPercent * evaluation.crossed->near_surface);
+  }
   if (evaluation.outcome == evaluation::BestFitOutcome::kStillMoving) {
     print_out("The best fit did not converge: it was still moving after its last step.\n");
   }
@@ -271,6 +340,12 @@ Json to_json(const Evaluation& evaluation, const EvaluateArguments& arguments) {
                {"complete_within_mm", arguments.surface.complete_within_mm},
                {"as_it_stands", surface_json(evaluation.as_it_stands)},
                {"best_fit", surface_json(evaluation.fitted)}};
+  if (evaluation.crossed) {
+    json["crossed"] = {{"within_mm", arguments.crossed_within_mm()},
+                       {"true_vertices", evaluation.crossed->selected},
+                       {"complete_surface_share", evaluation.crossed->near_surface},
+                       {"complete_vertex_share", evaluation.crossed->near_vertex}};
+  }
   json["best_fit"]["converged"] = evaluation.outcome == evaluation::BestFitOutcome::kConverged;
   json["color"] = {{"vertices", evaluation.colors.count},
                    {"median", evaluation.colors.median},
@@ -295,9 +370,10 @@ Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
   if (!checked) return checked;
   const auto model = io::read_model(arguments.result);
   if (!model) return tl::unexpected(model.error());
-  const auto reference = read_reference(arguments);
+  const Workers workers(arguments.thread_count);
+  const auto reference = read_reference(arguments, workers);
   if (!reference) return tl::unexpected(reference.error());
-  const auto evaluation = evaluate(*model, *reference, arguments, progress);
+  const auto evaluation = evaluate(*model, *reference, arguments, workers, progress);
   if (!evaluation) return tl::unexpected(evaluation.error());
   print_evaluation(*evaluation, arguments);
   if (arguments.output.empty()) return {};
@@ -320,6 +396,9 @@ void add_evaluate_command(CLI::App& app, Invocation& invocation) {
       ->add_option("--recording", arguments->recording,
                    "Folder of the simulated recording, with recording.json and truth.json")
       ->required();
+  command->add_option("--calibration", arguments->calibration,
+                      "Adds how complete the surface is where lines of both patterns were; "
+                      "needed only if recording.json does not name it");
   command->add_option(
       "--report", arguments->report,
       "report.json of the reconstruction: says which view was registered first, and "

@@ -6,6 +6,7 @@
 #include "core/base/check_options.h"
 #include "core/base/median.h"
 #include "core/geometry/mesh_distance.h"
+#include "core/geometry/point_grid.h"
 
 namespace flytri::evaluation {
 namespace {
@@ -45,6 +46,18 @@ double share_within(const MeshDistance& target, const TriangleMesh& truth,
          static_cast<double>(indices.size());
 }
 
+std::vector<Vec3f> points_of(const std::vector<AlignedView>& views, Pattern pattern) {
+  std::vector<Vec3f> points_mm;
+  for (const AlignedView& aligned : views) {
+    if (aligned.view->pattern != pattern) continue;
+    for (const Profile& profile : aligned.view->profiles) {
+      for (const ProfilePoint& point : profile.points)
+        points_mm.push_back((aligned.T_world_sensor * point.position_mm).cast<float>());
+    }
+  }
+  return points_mm;
+}
+
 double share_above(const std::vector<double>& values, double threshold) {
   const auto above = std::count_if(values.begin(), values.end(),
                                    [threshold](double value) { return value > threshold; });
@@ -80,6 +93,35 @@ Result<void> SurfaceErrorOptions::validate() const {
       .result();
 }
 
+std::vector<bool> crossed_vertices(const TriangleMesh& truth, const std::vector<AlignedView>& views,
+                                   double within_mm, const Workers& workers) {
+  const auto reach_mm = static_cast<float>(within_mm);
+  std::vector<bool> is_crossed(truth.vertices.size(), true);
+  for (const Pattern pattern : kPatterns) {
+    const PointGrid measured(points_of(views, pattern), reach_mm);
+    std::vector<char> is_near(is_crossed.size());
+    workers.for_each(
+        is_near.size(),
+        [&](std::size_t i) {
+          is_near[i] = measured.nearest(truth.vertices[i].position_mm, reach_mm) ? 1 : 0;
+        },
+        kQueryGrain);
+    for (std::size_t i = 0; i < is_near.size(); ++i) {
+      if (is_near[i] == 0) is_crossed[i] = false;
+    }
+  }
+  return is_crossed;
+}
+
+Completeness completeness(const TriangleMesh& result, const TriangleMesh& truth,
+                          const std::vector<bool>& selected, double within_mm,
+                          const Workers& workers) {
+  const std::vector<std::uint32_t> indices = selected_indices(truth, selected);
+  return {static_cast<std::int64_t>(indices.size()),
+          share_within(MeshDistance(result), truth, indices, within_mm, workers),
+          share_within(MeshDistance(vertices_alone(result)), truth, indices, within_mm, workers)};
+}
+
 Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMesh& truth,
                                    const std::vector<bool>& selected,
                                    const SurfaceErrorOptions& options, const Workers& workers) {
@@ -103,13 +145,7 @@ Result<SurfaceError> surface_error(const TriangleMesh& result, const TriangleMes
   error.far_share = share_above(distances_mm, options.far_above_mm);
   error.distance = distance_statistics(std::move(distances_mm));
 
-  const std::vector<std::uint32_t> indices = selected_indices(truth, selected);
-  const double within_mm = options.complete_within_mm;
-  error.completeness.selected = static_cast<std::int64_t>(indices.size());
-  error.completeness.near_surface =
-      share_within(MeshDistance(result), truth, indices, within_mm, workers);
-  error.completeness.near_vertex =
-      share_within(MeshDistance(vertices_alone(result)), truth, indices, within_mm, workers);
+  error.completeness = completeness(result, truth, selected, options.complete_within_mm, workers);
   return error;
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/geometry/view.h"
 
 namespace flytri::evaluation {
 
@@ -42,6 +43,20 @@ struct SurfaceError {
   double far_share = 0.0;       ///< share of those above far_above_mm, 0..1
   Completeness completeness;
 };
+
+/// Which vertices lie where lines of both patterns were: a measured point of each is near.
+/// @param views      at their true poses
+/// @param within_mm  > 0
+[[nodiscard]] std::vector<bool> crossed_vertices(const TriangleMesh& truth,
+                                                 const std::vector<AlignedView>& views,
+                                                 double within_mm, const Workers& workers);
+
+/// How much of the true surface a result covers.
+/// @param selected   parallel to truth.vertices: which of them count; empty: all
+/// @param within_mm  > 0
+[[nodiscard]] Completeness completeness(const TriangleMesh& result, const TriangleMesh& truth,
+                                        const std::vector<bool>& selected, double within_mm,
+                                        const Workers& workers);
 
 /// Compares two meshes that lie in the same frame.
 /// @param result    all its vertices count, including outliers

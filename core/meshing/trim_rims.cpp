@@ -18,6 +18,9 @@ namespace {
 constexpr float kFar = std::numeric_limits<float>::max();
 /// A hole with a shorter rim, in strip widths, is smaller across than a strip is wide.
 constexpr float kPinholeRim = 2.0F;
+/// A pinhole this near to a rim, in strip widths, is part of it, and so on for so many rounds.
+constexpr float kPinholeReach = 0.5F;
+constexpr int kPinholeRounds = 3;
 /// The disk reaches farther back by so many spacings: the core ends up to one before its true rim,
 /// and so does what the disk covers.
 constexpr float kBackReachSpacings = 1.5F;
@@ -121,12 +124,32 @@ void keep_between(TriangleMesh& mesh, const Stays& stays) {
   keep_triangles(mesh, keep);
 }
 
-/// The vertices along rims; pinholes have none.
-std::vector<char> rim_vertices(const TriangleMesh& mesh, float strip_mm) {
+/// The vertices along rims. Pinholes have none, but those next to a rim are part of it: where a
+/// scan runs out it is riddled first.
+std::vector<char> rim_vertices(const TriangleMesh& mesh, const Neighborhood& around,
+                               float strip_mm) {
   std::vector<char> is_rim(mesh.vertices.size(), 0);
-  for (const std::vector<std::uint32_t>& line : boundary_lines(mesh)) {
-    if (length_mm(mesh, line) < kPinholeRim * strip_mm) continue;
+  const auto mark = [&](const std::vector<std::uint32_t>& line) {
     for (const std::uint32_t v : line) is_rim[v] = 1;
+  };
+  std::vector<std::vector<std::uint32_t>> pinholes;
+  for (std::vector<std::uint32_t>& line : boundary_lines(mesh)) {
+    if (length_mm(mesh, line) >= kPinholeRim * strip_mm) {
+      mark(line);
+    } else {
+      pinholes.push_back(std::move(line));
+    }
+  }
+  for (int round = 0; round < kPinholeRounds; ++round) {
+    const std::vector<float> from_rim =
+        distances_mm(mesh, around, is_rim, kPinholeReach * strip_mm);
+    const auto joins = [&](const std::vector<std::uint32_t>& line) {
+      return std::any_of(line.begin(), line.end(),
+                         [&](std::uint32_t v) { return from_rim[v] < kFar; });
+    };
+    const auto apart = std::partition(pinholes.begin(), pinholes.end(), joins);
+    std::for_each(pinholes.begin(), apart, mark);
+    pinholes.erase(pinholes.begin(), apart);
   }
   return is_rim;
 }
@@ -161,7 +184,7 @@ void drop_uncrossed_rims(TriangleMesh& mesh, float strip_mm) {
     if (is_crossed[v] != 0 || std::exchange(is_dropped[v], 1) != 0) return;
     front.push_back(v);
   };
-  const std::vector<char> is_rim = rim_vertices(mesh, strip_mm);
+  const std::vector<char> is_rim = rim_vertices(mesh, around, strip_mm);
   for (std::uint32_t v = 0; v < is_rim.size(); ++v) {
     if (is_rim[v] != 0) visit(v);
   }
@@ -176,8 +199,8 @@ void drop_uncrossed_rims(TriangleMesh& mesh, float strip_mm) {
 
 /// Opens the surface by a disk: what no disk covers that lies on the surface goes.
 void open_by_disk(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
-  const std::vector<char> is_rim = rim_vertices(mesh, strip_mm);
   const Neighborhood around(mesh);
+  const std::vector<char> is_rim = rim_vertices(mesh, around, strip_mm);
   const float radius_mm = 0.5F * strip_mm;
   const std::vector<float> from_rim = distances_mm(mesh, around, is_rim, radius_mm);
   std::vector<char> is_core(mesh.vertices.size());

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "core/base/random.h"
 #include "core/geometry/mesh_distance.h"
@@ -113,6 +115,30 @@ TEST(SurfaceError, OnlySelectedVerticesCount) {
   EXPECT_EQ(surface_error(left, truth, asked, {}, Workers(1))->completeness.near_surface, 1.0);
   EXPECT_NEAR(surface_error(left, truth, {}, {}, Workers(1))->completeness.near_surface, 0.51,
               0.03);
+}
+
+TEST(Completeness, CountsWhereLinesOfBothPatternsWere) {
+  const auto line_at = [](Pattern pattern, double x_mm) {
+    View view;
+    view.pattern = pattern;
+    Profile& profile = view.profiles.emplace_back();
+    for (double y_mm = -1.0; y_mm <= 1.0; y_mm += 0.05)
+      profile.points.push_back({Vec3(x_mm, y_mm, 0.0), Vec3f::Zero()});
+    return AlignedView{std::make_shared<const View>(std::move(view))};
+  };
+  const std::vector<AlignedView> views = {line_at(Pattern::kVertical, 0.0),
+                                          line_at(Pattern::kHorizontal, 0.5)};
+  const TriangleMesh truth = plane();
+  const std::vector<bool> crossed = crossed_vertices(truth, views, 0.3, Workers(2));
+  std::int64_t count = 0;
+  for (std::size_t i = 0; i < crossed.size(); ++i) {
+    if (!crossed[i]) continue;
+    ++count;
+    EXPECT_EQ(truth.vertices[i].position_mm.x(), 0.25F) << "the only column near both lines";
+  }
+  EXPECT_EQ(count, 9);
+  EXPECT_EQ(completeness(truth, truth, crossed, 0.1, Workers(1)).selected, count);
+  EXPECT_EQ(completeness(truth, truth, crossed, 0.1, Workers(1)).near_vertex, 1.0);
 }
 
 TEST(SurfaceError, RejectsInputThatCannotBeCompared) {

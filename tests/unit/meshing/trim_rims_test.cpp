@@ -102,6 +102,18 @@ TEST(TrimRims, PinholesCostNothingAroundThem) {
   expect_manifold(mesh);
 }
 
+TEST(TrimRims, PinholesAlongARimGoWithIt) {
+  const auto has_pinholes = [](std::uint32_t column, std::uint32_t row) {
+    return column % 3 == 1 && (row == 37 || row == 20);
+  };
+  TriangleMesh mesh = plate_without(has_pinholes);
+  trim_rims(mesh, 0.8F, kCell_mm);
+  EXPECT_NEAR(highest_mm(mesh), 3.7F, 0.15F) << "the row at 3.7 mm is the rim";
+  EXPECT_GT(find_boundaries(mesh).size(), 10U) << "the row inside stays";
+  EXPECT_NEAR(area_mm2(mesh), 4.0 * 3.7, 0.4);
+  expect_manifold(mesh);
+}
+
 TEST(TrimRims, AJaggedRimBecomesSmoothAndStaysWhereItWas) {
   TriangleMesh mesh =
       plate_without([](std::uint32_t column, std::uint32_t row) { return row >= 30 + column % 2; });
