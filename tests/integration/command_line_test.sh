@@ -52,6 +52,10 @@ expect 'no such density' 2 '--mesh-density' "$flytri" reconstruct scan -o out.pl
 expect 'no such width' 2 '--close-holes' "$flytri" reconstruct scan -o out.ply --close-holes -1
 expect 'evaluate' 0 'poses, RMS at the corners .* registered' \
   "$flytri" evaluate 1.ply --recording scan --report 1.json
+expect 'where both patterns were' 0 'lines of both patterns within 0\.3 mm, [0-9.]* % are complete' \
+  "$flytri" evaluate 1.ply --recording scan --report 1.json --calibration calibration.json
+expect 'another calibration' 1 'none\.json' \
+  "$flytri" evaluate 1.ply --recording scan --report 1.json --calibration none.json
 
 # Guided calibration: interrupted, continued, checked.
 live() { "$flytri" calibrate --live --simulated -o chair --planes 5; }
