@@ -62,15 +62,12 @@ void Session::carry_out(const ui::Command& command) {
       Overloaded{
           [&](const ui::StartScan&) {
             case_.save_unnamed();
-            // A recording plays while cases are chosen, too. A new scan has it from its first
-            // frame; a scan that goes on has it again once it is over.
-            const bool begins =
+            const bool is_new =
                 scan() != nullptr && !stages_.is_started() && scan()->snapshot()->model.empty();
-            if (begins || source_.state().has_ended) source_.replay();
-            stages_.start();
+            start(is_new);
           },
           [&](const ui::PauseScan&) { stages_.pause(); },
-          [&](const ui::ResumeScan&) { stages_.start(); },
+          [&](const ui::ResumeScan&) { start(false); },
           [&](const ui::Finish&) { finish(); },
           [&](const ui::CancelFinish&) { stages_.cancel_finish(); },
           [&](const ui::Undo&) { stages_.undo(); },
@@ -123,6 +120,13 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::Quit&) { is_closing_ = true; },
       },
       command);
+}
+
+/// A recording plays while cases are chosen, too. A new scan has it from its first frame; one that
+/// goes on has it again once it is over.
+void Session::start(bool is_new) {
+  if (is_new || source_.state().has_ended) source_.replay();
+  stages_.start();
 }
 
 void Session::finish() {

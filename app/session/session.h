@@ -57,6 +57,7 @@ class Session {
   [[nodiscard]] const Source& source() const { return source_.source(); }
 
  private:
+  void start(bool is_new);
   void finish();
   void export_scan(const ui::Export& command);
   void change_settings(const ui::Settings& settings);

@@ -235,7 +235,8 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
     EXPECT_EQ(scan->holes.size(), holes);
     EXPECT_FALSE(scan->result->spans.empty()) << "the window shows the first";
     EXPECT_GT(scan->result->surface.mesh.vertices.front().sigma_mm, 0.0F);
-    // A scan that continues has no result any more.
+    // A scan that continues has no result any more. The recording is played again for it.
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.has_ended; }));
     session.carry_out(ui::ResumeScan{});
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 10; }));
     session.carry_out(ui::PauseScan{});
