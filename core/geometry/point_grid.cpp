@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace flytri {
 namespace {
@@ -78,30 +78,88 @@ const PointGrid::Row* PointGrid::find_row(CellKey key) const {
   return nullptr;
 }
 
-template <typename Visit>
-void PointGrid::visit_within(const Vec3f& center_mm, float radius_mm, const Visit& visit) const {
-  float limit2 = square(radius_mm);
+template <typename BeginAt, typename Visit>
+void PointGrid::visit_rows(const Vec3f& center_mm, float radius_mm, const float& limit2_mm2,
+                           const BeginAt& begin_at, const Visit& visit) const {
   const std::int32_t z_end = cell_of(center_mm.z() + radius_mm);
+  const std::int32_t y_begin = cell_of(center_mm.y() - radius_mm);
   const std::int32_t y_end = cell_of(center_mm.y() + radius_mm);
   for (std::int32_t iz = cell_of(center_mm.z() - radius_mm); iz <= z_end; ++iz) {
     const float gap_z2 = square(gap_to_cell(center_mm.z(), iz, cell_mm_));
-    for (std::int32_t iy = cell_of(center_mm.y() - radius_mm); iy <= y_end; ++iy) {
+    for (std::int32_t iy = y_begin; iy <= y_end; ++iy) {
       const float gap2 = gap_z2 + square(gap_to_cell(center_mm.y(), iy, cell_mm_));
       // The bounds of the cell are rounded: the margin keeps points on the bounds.
-      const float rest2 = limit2 * 1.0001F - gap2;
+      const float rest2 = limit2_mm2 * 1.0001F - gap2;
       if (rest2 < 0.0F) continue;
-      const Row* row = find_row({0, iy, iz});
-      if (row == nullptr) continue;
       const float reach_x = std::sqrt(rest2);
-      const auto end = points_.begin() + row->end;
-      auto entry = std::lower_bound(points_.begin() + row->begin, end, center_mm.x() - reach_x,
-                                    [](const Entry& e, float x) { return e.position_mm.x() < x; });
-      for (; entry != end && entry->position_mm.x() <= center_mm.x() + reach_x; ++entry) {
-        const float distance2 = (entry->position_mm - center_mm).squaredNorm();
-        if (distance2 <= limit2) limit2 = visit(*entry, distance2);
-      }
+      const auto [row, begin] = begin_at(iy, iz, center_mm.x() - reach_x);
+      if (row != nullptr) visit(begin, row->end, center_mm.x() + reach_x);
     }
   }
+}
+
+std::uint32_t PointGrid::first_from(const Row& row, float x_mm) const {
+  const auto first =
+      std::lower_bound(points_.begin() + row.begin, points_.begin() + row.end, x_mm,
+                       [](const Entry& e, float x) { return e.position_mm.x() < x; });
+  return static_cast<std::uint32_t>(first - points_.begin());
+}
+
+template <typename Visit>
+void PointGrid::visit_within(const Vec3f& center_mm, float radius_mm, const Visit& visit) const {
+  float limit2 = square(radius_mm);
+  const auto begin_at = [&](std::int32_t iy, std::int32_t iz, float x_mm) {
+    const Row* row = find_row({0, iy, iz});
+    return std::pair(row, row == nullptr ? 0U : first_from(*row, x_mm));
+  };
+  visit_rows(center_mm, radius_mm, limit2, begin_at,
+             [&](std::uint32_t i, std::uint32_t end, float end_x_mm) {
+               for (; i != end && points_[i].position_mm.x() <= end_x_mm; ++i) {
+                 const float distance2 = (points_[i].position_mm - center_mm).squaredNorm();
+                 if (distance2 <= limit2) limit2 = visit(points_[i], distance2);
+               }
+             });
+}
+
+std::pair<const PointGrid::Row*, std::uint32_t> PointGrid::Walk::begin_at(std::int32_t iy,
+                                                                          std::int32_t iz,
+                                                                          float x_mm) {
+  /// From an entry farther off than this, the first one is searched anew.
+  constexpr std::uint32_t kSteps = 8;
+  const std::vector<Entry>& points = grid_.points_;
+  Place& place = places_[static_cast<std::size_t>((iz & (kSide - 1)) * kSide + (iy & (kSide - 1)))];
+  const CellKey key{0, iy, iz};
+  if (!place.is_known || place.key != key) {
+    place = {key, grid_.find_row(key), 0, true};
+    if (place.row != nullptr) place.at = grid_.first_from(*place.row, x_mm);
+    return {place.row, place.at};
+  }
+  if (place.row == nullptr) return {nullptr, 0};
+  std::uint32_t at = place.at, steps = 0;
+  for (; at > place.row->begin && points[at - 1].position_mm.x() >= x_mm && steps < kSteps; --at)
+    ++steps;
+  for (; at < place.row->end && points[at].position_mm.x() < x_mm && steps < kSteps; ++at) ++steps;
+  place.at = steps < kSteps ? at : grid_.first_from(*place.row, x_mm);
+  return {place.row, place.at};
+}
+
+std::span<const Neighbor> PointGrid::Walk::within(const Vec3f& center_mm, float radius_mm) {
+  const float radius2 = square(radius_mm);
+  const std::vector<Entry>& points = grid_.points_;
+  std::size_t count = 0;
+  grid_.visit_rows(
+      center_mm, radius_mm, radius2,
+      [&](std::int32_t iy, std::int32_t iz, float x_mm) { return begin_at(iy, iz, x_mm); },
+      [&](std::uint32_t i, std::uint32_t end, float end_x_mm) {
+        for (; i != end && points[i].position_mm.x() <= end_x_mm; ++i) {
+          if (count == found_.size()) found_.resize(2 * count + kSide);
+          // Written in any case, and counted if it is near: no branch that is hard to foresee.
+          const float distance2 = (points[i].position_mm - center_mm).squaredNorm();
+          found_[count] = {points[i].index, distance2};
+          count += distance2 <= radius2 ? 1 : 0;
+        }
+      });
+  return std::span(found_).first(count);
 }
 
 void PointGrid::within(const Vec3f& center_mm, float radius_mm,

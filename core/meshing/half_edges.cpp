@@ -2,12 +2,32 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
+#include <span>
 
 namespace flytri::meshing {
 
+namespace {
+
+/// Keeps the order of edges with the same high vertex. By insertion: most vertices have few edges.
+void sort_by_high(std::span<HalfEdge> edges) {
+  constexpr std::size_t kFew = 32;
+  if (edges.size() > kFew) {
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const HalfEdge& a, const HalfEdge& b) { return a.high < b.high; });
+    return;
+  }
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const HalfEdge edge = edges[i];
+    std::size_t place = i;
+    for (; place > 0 && edges[place - 1].high > edge.high; --place) edges[place] = edges[place - 1];
+    edges[place] = edge;
+  }
+}
+
+}  // namespace
+
 std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh) {
-  // Bucket sort by the low vertex, then sort the few edges in each bucket.
+  // Bucket sort by the low vertex, then by the high one in each bucket.
   std::vector<std::size_t> starts(mesh.vertices.size() + 1, 0);
   const auto for_each_edge = [&](const auto& visit) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -23,13 +43,8 @@ std::vector<HalfEdge> half_edges_of(const TriangleMesh& mesh) {
   std::vector<HalfEdge> edges(3 * mesh.triangles.size());
   std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
   for_each_edge([&](const HalfEdge& edge) { edges[next[edge.low]++] = edge; });
-  for (std::size_t v = 0; v + 1 < starts.size(); ++v) {
-    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(starts[v]),
-              edges.begin() + static_cast<std::ptrdiff_t>(starts[v + 1]),
-              [](const HalfEdge& a, const HalfEdge& b) {
-                return std::tuple(a.high, a.corner) < std::tuple(b.high, b.corner);
-              });
-  }
+  for (std::size_t v = 0; v + 1 < starts.size(); ++v)
+    sort_by_high(std::span(edges).subspan(starts[v], starts[v + 1] - starts[v]));
   return edges;
 }
 

@@ -26,23 +26,42 @@ class ImplicitSurface {
   ///                  reach_mm
   ImplicitSurface(const PointCloud& points, float sigma_mm, float reach_mm, float gap_mm);
 
-  /// The estimate at a place; nullopt if fewer than three points are near. Far from points the
-  /// Gaussian is wider, so that both sides of a gap are blended.
-  [[nodiscard]] std::optional<SurfaceEstimate> at(const Vec3f& place_mm) const;
-
-  /// True if a place on the surface has points all around: their centroid is near it, or, in a
-  /// wider gap, there are points in all directions and the surface is smooth.
-  [[nodiscard]] bool surrounded(const Vec3f& place_mm, const Vec3f& normal) const;
-
  private:
-  [[nodiscard]] bool surrounded_closely(const Vec3f& place_mm, const Vec3f& normal) const;
-  [[nodiscard]] bool in_smooth_gap(const Vec3f& place_mm, const Vec3f& normal) const;
+  friend class SurfaceProbe;
 
   const PointCloud& points_;
   float sigma_mm_;
   float reach_mm_;
   float gap_mm_;
   PointGrid grid_;
+};
+
+/// Reads an implicit surface at places of which each is near the one before. One for each thread.
+class SurfaceProbe {
+ public:
+  /// @param surface  kept by reference
+  explicit SurfaceProbe(const ImplicitSurface& surface) : surface_(surface), near_(surface.grid_) {}
+
+  /// The estimate at a place; nullopt if fewer than three points are near. Far from points the
+  /// Gaussian is wider, so that both sides of a gap are blended.
+  [[nodiscard]] std::optional<SurfaceEstimate> at(const Vec3f& place_mm);
+
+  /// SurfaceEstimate::distance_mm alone.
+  [[nodiscard]] std::optional<float> distance_mm(const Vec3f& place_mm);
+
+  /// True if a place on the surface has points all around: their centroid is near it, or, in a
+  /// wider gap, there are points in all directions and the surface is smooth.
+  [[nodiscard]] bool surrounded(const Vec3f& place_mm, const Vec3f& normal);
+
+ private:
+  template <typename Visit>
+  [[nodiscard]] bool weigh(const Vec3f& place_mm, const Visit& visit);
+  [[nodiscard]] bool surrounded_closely(const Vec3f& place_mm, const Vec3f& normal);
+  [[nodiscard]] bool in_smooth_gap(const Vec3f& place_mm, const Vec3f& normal);
+
+  const ImplicitSurface& surface_;
+  PointGrid::Walk near_;
+  std::vector<float> angles_;
 };
 
 }  // namespace flytri::meshing

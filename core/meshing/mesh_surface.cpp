@@ -86,7 +86,7 @@ Result<SurfaceMesh> mesh_surface(const PointCloud& points, const MeshOptions& op
   if (progress.cancelled()) return stopped();
   if (options.min_strip_spacings > 0.0) {
     trim_rims(result.mesh, static_cast<float>(options.min_strip_spacings * spacing_mm),
-              static_cast<float>(spacing_mm));
+              static_cast<float>(spacing_mm), workers);
   }
   drop_islands(result.mesh, options.min_island_spacings2 * spacing_mm * spacing_mm);
   if (result.mesh.triangles.empty()) return too_few();

@@ -43,26 +43,6 @@ int corner_of(const Triangle& triangle, std::uint32_t vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
 }
 
-/// Each fan of triangles at a vertex gets its own vertex.
-void split_fans(TriangleMesh& mesh) {
-  DisjointSets fans = fans_of(mesh);
-  std::vector<std::uint32_t> first_fan(mesh.vertices.size(), kNone);
-  std::map<std::uint32_t, std::uint32_t> vertex_of_fan;
-  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
-    std::uint32_t& v = mesh.triangles[corner / 3][corner % 3];
-    const std::uint32_t fan = fans.find(corner);
-    if (first_fan[v] == kNone) first_fan[v] = fan;
-    if (first_fan[v] == fan) continue;
-    const auto [it, is_new] =
-        vertex_of_fan.try_emplace(fan, static_cast<std::uint32_t>(mesh.vertices.size()));
-    if (is_new) {
-      mesh.vertices.push_back(SurfacePoint(mesh.vertices[v]));
-      first_fan.push_back(fan);
-    }
-    v = it->second;
-  }
-}
-
 /// Mean normal of the vertices of a rim.
 Vec3 mean_normal(const TriangleMesh& mesh, const std::vector<std::uint32_t>& rim) {
   Vec3 sum = Vec3::Zero();
@@ -194,6 +174,25 @@ DisjointSets pieces_of(const TriangleMesh& mesh) {
     pieces.join(t[1], t[2]);
   }
   return pieces;
+}
+
+void split_fans(TriangleMesh& mesh) {
+  DisjointSets fans = fans_of(mesh);
+  std::vector<std::uint32_t> first_fan(mesh.vertices.size(), kNone);
+  std::map<std::uint32_t, std::uint32_t> vertex_of_fan;
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    std::uint32_t& v = mesh.triangles[corner / 3][corner % 3];
+    const std::uint32_t fan = fans.find(corner);
+    if (first_fan[v] == kNone) first_fan[v] = fan;
+    if (first_fan[v] == fan) continue;
+    const auto [it, is_new] =
+        vertex_of_fan.try_emplace(fan, static_cast<std::uint32_t>(mesh.vertices.size()));
+    if (is_new) {
+      mesh.vertices.push_back(SurfacePoint(mesh.vertices[v]));
+      first_fan.push_back(fan);
+    }
+    v = it->second;
+  }
 }
 
 void keep_triangles(TriangleMesh& mesh, const std::vector<char>& keep) {

@@ -13,6 +13,10 @@ namespace flytri::meshing {
 /// is an oriented manifold with boundary.
 void repair_manifold(TriangleMesh& mesh);
 
+/// Gives each fan of triangles at a vertex its own vertex: after triangles of a manifold were
+/// dropped, it is one again.
+void split_fans(TriangleMesh& mesh);
+
 /// Corners (3 t + k) at a vertex whose triangles share an edge there: each set is one fan.
 [[nodiscard]] DisjointSets fans_of(const TriangleMesh& mesh);
 

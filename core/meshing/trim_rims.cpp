@@ -1,6 +1,7 @@
 #include "core/meshing/trim_rims.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "core/geometry/mesh_normals.h"
+#include "core/geometry/point_grid.h"
 #include "core/meshing/mesh_topology.h"
 
 namespace flytri::meshing {
@@ -124,50 +126,61 @@ void keep_between(TriangleMesh& mesh, const Stays& stays) {
   keep_triangles(mesh, keep);
 }
 
+/// Moves the pinholes near one of the places to the end of the list.
+/// @returns the first of them
+template <typename Lines>
+auto near_to(const TriangleMesh& mesh, Lines& pinholes, const std::vector<Vec3f>& places_mm,
+             float reach_mm) {
+  const PointGrid places(places_mm, reach_mm);
+  return std::stable_partition(pinholes.begin(), pinholes.end(), [&](const auto& line) {
+    return std::none_of(line.begin(), line.end(), [&](std::uint32_t v) {
+      return places.nearest(mesh.vertices[v].position_mm, reach_mm).has_value();
+    });
+  });
+}
+
 /// The vertices along rims. Pinholes have none, but those next to a rim are part of it: where a
 /// scan runs out it is riddled first.
-std::vector<char> rim_vertices(const TriangleMesh& mesh, const Neighborhood& around,
-                               float strip_mm) {
+std::vector<char> rim_vertices(const TriangleMesh& mesh, float strip_mm) {
+  std::vector<std::vector<std::uint32_t>> pinholes = boundary_lines(mesh);
   std::vector<char> is_rim(mesh.vertices.size(), 0);
-  const auto mark = [&](const std::vector<std::uint32_t>& line) {
-    for (const std::uint32_t v : line) is_rim[v] = 1;
-  };
-  std::vector<std::vector<std::uint32_t>> pinholes;
-  for (std::vector<std::uint32_t>& line : boundary_lines(mesh)) {
-    if (length_mm(mesh, line) >= kPinholeRim * strip_mm) {
-      mark(line);
-    } else {
-      pinholes.push_back(std::move(line));
+  const auto take = [&](auto first) {
+    std::vector<Vec3f> places_mm;
+    for (auto line = first; line != pinholes.end(); ++line) {
+      for (const std::uint32_t v : *line) {
+        is_rim[v] = 1;
+        places_mm.push_back(mesh.vertices[v].position_mm);
+      }
     }
-  }
-  for (int round = 0; round < kPinholeRounds; ++round) {
-    const std::vector<float> from_rim =
-        distances_mm(mesh, around, is_rim, kPinholeReach * strip_mm);
-    const auto joins = [&](const std::vector<std::uint32_t>& line) {
-      return std::any_of(line.begin(), line.end(),
-                         [&](std::uint32_t v) { return from_rim[v] < kFar; });
-    };
-    const auto apart = std::partition(pinholes.begin(), pinholes.end(), joins);
-    std::for_each(pinholes.begin(), apart, mark);
-    pinholes.erase(pinholes.begin(), apart);
-  }
+    pinholes.erase(first, pinholes.end());
+    return places_mm;
+  };
+  std::vector<Vec3f> new_rims_mm = take(
+      std::partition(pinholes.begin(), pinholes.end(), [&](const std::vector<std::uint32_t>& line) {
+        return length_mm(mesh, line) < kPinholeRim * strip_mm;
+      }));
+  for (int round = 0; round < kPinholeRounds && !new_rims_mm.empty(); ++round)
+    new_rims_mm = take(near_to(mesh, pinholes, new_rims_mm, kPinholeReach * strip_mm));
   return is_rim;
 }
 
 /// Marks vertices with lines of both patterns within a distance, and those whose patterns are not
 /// known.
 std::vector<char> crossed_vertices(const TriangleMesh& mesh, const Neighborhood& around,
-                                   float reach_mm) {
-  std::vector<char> is_crossed(mesh.vertices.size(), 1);
-  for (const Pattern pattern : kPatterns) {
+                                   float reach_mm, const Workers& workers) {
+  std::array<std::vector<float>, kPatterns.size()> from_measured;
+  workers.for_each(kPatterns.size(), [&](std::size_t k) {
     std::vector<char> is_measured(mesh.vertices.size());
     std::transform(mesh.vertices.begin(), mesh.vertices.end(), is_measured.begin(),
                    [&](const SurfacePoint& v) {
-                     return v.patterns == 0 || (v.patterns & set_of(pattern)) != 0 ? 1 : 0;
+                     return v.patterns == 0 || (v.patterns & set_of(kPatterns[k])) != 0 ? 1 : 0;
                    });
-    const std::vector<float> from_measured = distances_mm(mesh, around, is_measured, reach_mm);
+    from_measured[k] = distances_mm(mesh, around, is_measured, reach_mm);
+  });
+  std::vector<char> is_crossed(mesh.vertices.size(), 1);
+  for (const std::vector<float>& distances : from_measured) {
     for (std::size_t v = 0; v < is_crossed.size(); ++v) {
-      if (from_measured[v] == kFar) is_crossed[v] = 0;
+      if (distances[v] == kFar) is_crossed[v] = 0;
     }
   }
   return is_crossed;
@@ -175,16 +188,17 @@ std::vector<char> crossed_vertices(const TriangleMesh& mesh, const Neighborhood&
 
 /// From the rims inwards, drops what only one pattern measured: the ends of single lines, which
 /// nothing confirms.
-void drop_uncrossed_rims(TriangleMesh& mesh, float strip_mm) {
+void drop_uncrossed_rims(TriangleMesh& mesh, float strip_mm, const Workers& workers) {
   const Neighborhood around(mesh);
-  const std::vector<char> is_crossed = crossed_vertices(mesh, around, kCrossingStrips * strip_mm);
+  const std::vector<char> is_crossed =
+      crossed_vertices(mesh, around, kCrossingStrips * strip_mm, workers);
   std::vector<char> is_dropped(mesh.vertices.size(), 0);
   std::vector<std::uint32_t> front;
   const auto visit = [&](std::uint32_t v) {
     if (is_crossed[v] != 0 || std::exchange(is_dropped[v], 1) != 0) return;
     front.push_back(v);
   };
-  const std::vector<char> is_rim = rim_vertices(mesh, around, strip_mm);
+  const std::vector<char> is_rim = rim_vertices(mesh, strip_mm);
   for (std::uint32_t v = 0; v < is_rim.size(); ++v) {
     if (is_rim[v] != 0) visit(v);
   }
@@ -194,13 +208,13 @@ void drop_uncrossed_rims(TriangleMesh& mesh, float strip_mm) {
     for (const std::uint32_t next : around.of(v)) visit(next);
   }
   keep_between(mesh, [&](std::uint32_t v) { return is_dropped[v] == 0; });
-  repair_manifold(mesh);
+  split_fans(mesh);
 }
 
 /// Opens the surface by a disk: what no disk covers that lies on the surface goes.
 void open_by_disk(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
   const Neighborhood around(mesh);
-  const std::vector<char> is_rim = rim_vertices(mesh, around, strip_mm);
+  const std::vector<char> is_rim = rim_vertices(mesh, strip_mm);
   const float radius_mm = 0.5F * strip_mm;
   const std::vector<float> from_rim = distances_mm(mesh, around, is_rim, radius_mm);
   std::vector<char> is_core(mesh.vertices.size());
@@ -245,11 +259,11 @@ void smooth_rim(TriangleMesh& mesh, const std::vector<std::uint32_t>& line, floa
 
 }  // namespace
 
-void trim_rims(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
+void trim_rims(TriangleMesh& mesh, float strip_mm, float spacing_mm, const Workers& workers) {
   TriangleMesh opened = mesh;
-  drop_uncrossed_rims(opened, strip_mm);
+  drop_uncrossed_rims(opened, strip_mm, workers);
   open_by_disk(opened, strip_mm, spacing_mm);
-  repair_manifold(opened);
+  split_fans(opened);
   drop_islands(opened, kLeastPiece * strip_mm * strip_mm);
   if (area_mm2(opened) < kLeastShare * area_mm2(mesh)) return;
   mesh = std::move(opened);

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
 
 #include "core/base/random.h"
 
@@ -71,6 +74,24 @@ TEST_P(PointGridRadius, FindsTheSamePointsAsBruteForce) {
     if (nearest) {
       EXPECT_EQ(nearest->index, expected.front().index);
     }
+  }
+}
+
+TEST_P(PointGridRadius, AWalkFindsWhatSingleSearchesFind) {
+  const std::vector<Vec3f> points = random_points(3000, 2.0);
+  const PointGrid grid(points, 0.3F);
+  PointGrid::Walk walk(grid);
+  const float radius = 0.3F * GetParam();
+  std::vector<Neighbor> expected;
+  Vec3f center(-2.5F, 0.0F, 0.0F);
+  const std::vector<Vec3f> jumps = random_points(40, 2.5);
+  for (int step = 0; step < 2000; ++step) {
+    // Small steps forth and back, and now and then to another place.
+    center += 0.02F * Vec3f(std::sin(0.1F * static_cast<float>(step)) + 0.2F, 0.3F, -0.1F);
+    if (step % 50 == 49) center = jumps[static_cast<std::size_t>(step / 50)];
+    grid.within(center, radius, expected);
+    const std::span<const Neighbor> found = walk.within(center, radius);
+    ASSERT_EQ(indices({found.begin(), found.end()}), indices(expected)) << "step " << step;
   }
 }
 

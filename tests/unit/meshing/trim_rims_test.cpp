@@ -64,7 +64,7 @@ void expect_manifold(const TriangleMesh& mesh) {
 TEST(TrimRims, ACombOfSingleLinesGoes) {
   TriangleMesh mesh = plate_without(
       [](std::uint32_t column, std::uint32_t row) { return row >= 20 && column % 6 >= 3; });
-  trim_rims(mesh, 0.8F, kCell_mm);
+  trim_rims(mesh, 0.8F, kCell_mm, Workers(2));
   // The lines are 0.3 mm wide; the plate below them is 2 mm high.
   EXPECT_NEAR(highest_mm(mesh), 2.0F, 0.25F);
   EXPECT_NEAR(area_mm2(mesh), 8.0, 0.5);
@@ -75,7 +75,7 @@ TEST(TrimRims, AThinBridgeGoesAndBothSidesStay) {
   TriangleMesh mesh = plate_without([](std::uint32_t column, std::uint32_t row) {
     return column >= 15 && column < 25 && (row < 18 || row >= 21);
   });
-  trim_rims(mesh, 0.8F, kCell_mm);
+  trim_rims(mesh, 0.8F, kCell_mm, Workers(2));
   EXPECT_NEAR(area_mm2(mesh), 12.0, 0.4);
   expect_manifold(mesh);
   const std::vector<BoundaryLoop> loops = find_boundaries(mesh);
@@ -87,7 +87,7 @@ TEST(TrimRims, AScanOfNothingButLinesStays) {
   TriangleMesh mesh =
       plate_without([](std::uint32_t column, std::uint32_t /*row*/) { return column % 6 >= 3; });
   const double before_mm2 = area_mm2(mesh);
-  trim_rims(mesh, 0.8F, kCell_mm);
+  trim_rims(mesh, 0.8F, kCell_mm, Workers(2));
   EXPECT_EQ(area_mm2(mesh), before_mm2);
 }
 
@@ -97,7 +97,7 @@ TEST(TrimRims, PinholesCostNothingAroundThem) {
   };
   TriangleMesh mesh = plate_without(has_pinholes);
   const double before_mm2 = area_mm2(mesh);
-  trim_rims(mesh, 0.8F, kCell_mm);
+  trim_rims(mesh, 0.8F, kCell_mm, Workers(2));
   EXPECT_NEAR(area_mm2(mesh), before_mm2, 0.2);
   expect_manifold(mesh);
 }
@@ -107,7 +107,7 @@ TEST(TrimRims, PinholesAlongARimGoWithIt) {
     return column % 3 == 1 && (row == 37 || row == 20);
   };
   TriangleMesh mesh = plate_without(has_pinholes);
-  trim_rims(mesh, 0.8F, kCell_mm);
+  trim_rims(mesh, 0.8F, kCell_mm, Workers(2));
   EXPECT_NEAR(highest_mm(mesh), 3.7F, 0.15F) << "the row at 3.7 mm is the rim";
   EXPECT_GT(find_boundaries(mesh).size(), 10U) << "the row inside stays";
   EXPECT_NEAR(area_mm2(mesh), 4.0 * 3.7, 0.4);
@@ -119,7 +119,7 @@ TEST(TrimRims, AJaggedRimBecomesSmoothAndStaysWhereItWas) {
       plate_without([](std::uint32_t column, std::uint32_t row) { return row >= 30 + column % 2; });
   const double before_mm2 = area_mm2(mesh);
   const double jagged_mm = find_boundaries(mesh).front().perimeter_mm;
-  trim_rims(mesh, 0.8F, kCell_mm);
+  trim_rims(mesh, 0.8F, kCell_mm, Workers(2));
   EXPECT_LT(find_boundaries(mesh).front().perimeter_mm, jagged_mm - 2.0);
   EXPECT_NEAR(area_mm2(mesh), before_mm2, 0.04 * before_mm2);
   expect_manifold(mesh);
@@ -137,11 +137,11 @@ TEST(TrimRims, WhatOnePatternAloneMeasuredGoes) {
   TriangleMesh mesh = plate_without([](std::uint32_t, std::uint32_t) { return false; });
   TriangleMesh not_known = mesh;
   mark_crossed_up_to(mesh, 2.5F);
-  trim_rims(mesh, 0.8F, kCell_mm);
+  trim_rims(mesh, 0.8F, kCell_mm, Workers(2));
   // A line confirms what is nearer than most of a strip.
   EXPECT_NEAR(highest_mm(mesh), 2.5F + 0.68F, 0.15F);
   expect_manifold(mesh);
-  trim_rims(not_known, 0.8F, kCell_mm);
+  trim_rims(not_known, 0.8F, kCell_mm, Workers(2));
   EXPECT_NEAR(highest_mm(not_known), 4.0F, 0.05F) << "nothing says who measured it";
 }
 
@@ -153,7 +153,7 @@ TEST(TrimRims, WhatOnePatternMeasuredStaysInside) {
     if (!is_inside) vertex.patterns |= set_of(Pattern::kHorizontal);
   }
   TriangleMesh trimmed = mesh;
-  trim_rims(trimmed, 0.8F, kCell_mm);
+  trim_rims(trimmed, 0.8F, kCell_mm, Workers(2));
   EXPECT_EQ(find_boundaries(trimmed).size(), 1U);
 }
 
