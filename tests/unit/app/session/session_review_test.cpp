@@ -189,9 +189,9 @@ TEST_F(SessionReview, NumbersAreThoseOfTheReviewOfAFile) {
   ASSERT_TRUE(io::write_model(file, {jaw_.mesh, {}, {}}, jaw_.mesh));
   const TriangleMesh mesh = review::made_ready(io::read_model(file)->mesh);
   const MeshDistance distance(mesh);
-  const auto same = [](const review::Measured& window, const review::Measured& file) {
-    EXPECT_NEAR(window.value, file.value, 1e-6);
-    EXPECT_NEAR(window.uncertainty, file.uncertainty, 1e-6);
+  const auto same = [](const review::Measured& window, const review::Measured& in_file) {
+    EXPECT_NEAR(window.value, in_file.value, 1e-6);
+    EXPECT_NEAR(window.uncertainty, in_file.uncertainty, 1e-6);
   };
   same(shown.distances_mm.front(), review::reviewed_number(mesh, distance, ends_mm).measured);
   same(shown.angles_rad.front().measured,
