@@ -55,6 +55,8 @@ void print(const device::CameraDescription& camera) {
   for (const device::CameraControl& control : camera.controls)
     print_out("    {}: {} of {} to {}\n", control.name, control.value, control.minimum,
               control.maximum);
+  if (!camera.trigger_inputs.empty())
+    print_out("    triggered by {}\n", fmt::format("{}", fmt::join(camera.trigger_inputs, ", ")));
   print_problems(camera.problems);
 }
 
@@ -77,6 +79,7 @@ Json to_json(const device::CameraDescription& camera) {
                {"bus_path", camera.bus_path},
                {"modes", Json::array()},
                {"controls", Json::array()},
+               {"trigger_inputs", camera.trigger_inputs},
                {"problems", messages(camera.problems)}};
   for (const device::CameraMode& mode : camera.modes)
     json["modes"].push_back({{"format", mode.format},

@@ -185,6 +185,7 @@ struct CameraDescription {
   std::string bus_path;  ///< identifies the USB socket: bus path, and ID_PATH if known
   std::vector<CameraMode> modes;
   std::vector<CameraControl> controls;
+  std::vector<std::string> trigger_inputs;  ///< names for CameraSettings::trigger
   std::vector<Error> problems;  ///< why it cannot be used, and what to do; empty if it can
 };
 

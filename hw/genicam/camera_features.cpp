@@ -151,19 +151,22 @@ Result<void> check_size(const OpenCamera& open, const ImageSize& size) {
               height.most);
 }
 
-Result<void> check_trigger(const OpenCamera& open, const std::string& trigger) {
-  if (trigger.empty()) return {};
+std::vector<std::string> trigger_sources(ArvCamera& camera) {
   ArvFailure failure;
   guint count = 0;
   const OwnedArray<const char*> names(
-      arv_camera_dup_available_trigger_sources(&open.camera, &count, failure.out()));
-  std::string offered;
-  for (guint i = 0; names && i < count; ++i) {
-    if (names.get()[i] == trigger) return {};
-    offered += (offered.empty() ? "" : ", ") + std::string(names.get()[i]);
-  }
+      arv_camera_dup_available_trigger_sources(&camera, &count, failure.out()));
+  if (!names) return {};
+  return {names.get(), names.get() + count};
+}
+
+Result<void> check_trigger(const OpenCamera& open, const std::string& trigger) {
+  if (trigger.empty()) return {};
+  const std::vector<std::string> inputs = trigger_sources(open.camera);
+  if (std::find(inputs.begin(), inputs.end(), trigger) != inputs.end()) return {};
   return fail(ErrorCode::kBadOption, "camera {} has no trigger input \"{}\": choose one of {}",
-              open.label, trigger, offered.empty() ? "none" : offered);
+              open.label, trigger,
+              inputs.empty() ? "none" : fmt::format("{}", fmt::join(inputs, ", ")));
 }
 
 Result<void> check_controls(const OpenCamera& open, const device::CameraSettings& settings) {
@@ -345,6 +348,12 @@ std::vector<device::CameraMode> list_modes(ArvCamera& camera) {
     modes.push_back(mode);
   }
   return modes;
+}
+
+std::vector<std::string> list_trigger_inputs(ArvCamera& camera) {
+  std::vector<std::string> inputs = trigger_sources(camera);
+  std::erase(inputs, "Software");
+  return inputs;
 }
 
 std::vector<device::CameraControl> list_controls(ArvCamera& camera) {

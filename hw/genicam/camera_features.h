@@ -30,6 +30,8 @@ struct OpenCamera {
 
 /// Each supported format with the size of the whole chip, and the ends of the range of rates.
 [[nodiscard]] std::vector<device::CameraMode> list_modes(ArvCamera& camera);
+/// What can trigger the camera from outside: its inputs, without triggers by software.
+[[nodiscard]] std::vector<std::string> list_trigger_inputs(ArvCamera& camera);
 /// Exposure, gain and the controls that rig.json can name, as far as the camera has them.
 [[nodiscard]] std::vector<device::CameraControl> list_controls(ArvCamera& camera);
 

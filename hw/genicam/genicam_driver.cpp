@@ -15,7 +15,8 @@ Result<Owned<ArvCamera>> open_camera(const SeenCamera& seen) {
 }
 
 device::CameraDescription describe(const SeenCamera& seen) {
-  device::CameraDescription description{seen.name, seen.serial, seen.id, seen.address, {}, {}, {}};
+  device::CameraDescription description{seen.name, seen.serial, seen.id, seen.address,
+                                        {},        {},          {},      {}};
   const auto camera = open_camera(seen);
   if (!camera) {
     description.problems.push_back(camera.error());
@@ -23,6 +24,7 @@ device::CameraDescription describe(const SeenCamera& seen) {
   }
   description.modes = list_modes(**camera);
   description.controls = list_controls(**camera);
+  description.trigger_inputs = list_trigger_inputs(**camera);
   return description;
 }
 

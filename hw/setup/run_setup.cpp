@@ -8,8 +8,8 @@
 #include "hw/rig/check_rig.h"
 #include "hw/rig/check_streams.h"
 #include "hw/rig/flash_timing.h"
-#include "hw/rig/open_rig.h"
 #include "hw/setup/choose_cameras.h"
+#include "hw/setup/choose_triggers.h"
 #include "hw/setup/find_lights.h"
 #include "hw/setup/set_exposures.h"
 
@@ -34,9 +34,7 @@ struct Trial {
 };
 
 Result<Trial> run_rig(const rig::RigSettings& rig, const SetupContext& context) {
-  auto devices = context.machine.open(rig);
-  if (!devices) return tl::unexpected(devices.error());
-  auto sensor = rig::assemble_rig(rig, *std::move(devices));
+  auto sensor = context.machine.open_rig(rig);
   if (!sensor) return tl::unexpected(sensor.error());
   if (auto started = (*sensor)->start(); !started) return tl::unexpected(started.error());
   const device::Clock& clock = context.machine.clock;
@@ -55,7 +53,7 @@ Result<Trial> run_rig(const rig::RigSettings& rig, const SetupContext& context) 
   return trial;
 }
 
-void tell_timing(const Trial& trial, const SetupContext& context) {
+void tell_timing(const Trial& trial, bool is_triggered, const SetupContext& context) {
   const rig::RigCameraStatus& camera = trial.status.measurement;
   if (!camera.is_learned) {
     context.talk.tell("The latency of the measurement camera stayed unknown.");
@@ -66,7 +64,8 @@ void tell_timing(const Trial& trial, const SetupContext& context) {
         1e3 * camera.latency.latency_s, 1e3 * camera.latency.window_s,
         1e3 * trial.status.lights.slowest_s));
     context.talk.tell(
-        trial.status.frames_per_pattern == 1
+        trial.status.keeps_step && is_triggered ? "Each image sees the light of its trigger."
+        : trial.status.frames_per_pattern == 1
             ? "The lights change between two frames: each frame can be used."
             : "Exposures leave no gap to change the lights: every second frame can be used. A "
               "shorter exposure needs more light.");
@@ -86,7 +85,7 @@ Result<rig::RigSettings> try_out(rig::RigSettings rig, const SetupContext& conte
     trial = run_rig(rig, context);
     if (!trial) return tl::unexpected(trial.error());
   }
-  tell_timing(*trial, context);
+  tell_timing(*trial, rig.is_triggered(), context);
   return rig;
 }
 
@@ -115,6 +114,9 @@ Result<rig::RigSettings> run_setup(const std::string& name, const SetupContext& 
   if (!lights) return tl::unexpected(lights.error());
   rig.lights = *std::move(lights);
   if (!rig.lights.flash) rig.texture.reset();
+  auto triggered = choose_triggers(rig, context);
+  if (!triggered) return triggered;
+  rig = *std::move(triggered);
   auto exposed = set_exposures(rig, context);
   if (!exposed) return exposed;
   rig = *std::move(exposed);

@@ -24,6 +24,8 @@ constexpr double kTooDark = 0.3;
 constexpr double kBrightest = 0.005;
 constexpr double kShortest_s = 1e-4;
 constexpr double kPatternShare = 0.45, kFlashShare = 0.5;  // of a frame
+/// A triggered exposure needs no gap to the next one but for the camera's readout.
+constexpr double kTriggeredShare = 0.8;
 constexpr int kExposures = 6;
 
 /// The gray value, 0..1, that a share kBrightest of the pixels exceeds; of color images, of the
@@ -130,7 +132,8 @@ Result<rig::RigSettings> set_exposures(const rig::RigSettings& rig, const SetupC
   rig::RigCamera& measurement = search.rig().measurement;
   const auto set = search.set(measurement, {{ShotKind::kVertical, ShotKind::kHorizontal},
                                             "measurement camera",
-                                            kPatternShare / measurement.settings.rate_hz});
+                                            (rig.is_triggered() ? kTriggeredShare : kPatternShare) /
+                                                measurement.settings.rate_hz});
   if (!set) return tl::unexpected(set.error());
   if (auto& texture = search.rig().texture) {
     const auto flash = search.set(

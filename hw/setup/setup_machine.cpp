@@ -5,7 +5,8 @@
 namespace flytri::setup {
 
 SetupMachine this_machine() {
-  return {rig::machine_drivers(), gpio::list_chips, rig::open_devices, device::machine_clock()};
+  return {rig::machine_drivers(), gpio::list_chips, rig::open_devices, rig::open_rig,
+          device::machine_clock()};
 }
 
 Result<std::size_t> SetupContext::choose(const std::string& question,

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "hw/device/clock.h"
 #include "hw/gpio/gpio_chips.h"
 #include "hw/rig/camera_drivers.h"
+#include "hw/rig/rig.h"
 #include "hw/setup/setup_talk.h"
 #include "hw/shots/check_linearity.h"
 
@@ -17,6 +19,7 @@ struct SetupMachine {
   rig::CameraDrivers drivers;
   std::function<std::vector<gpio::GpioChip>()> list_chips;
   shots::OpenDevices open;
+  std::function<Result<std::shared_ptr<rig::Rig>>(const rig::RigSettings&)> open_rig;
   device::Clock clock;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/rig/open_rig.h"
 #include "hw/simulated/devices/simulated_camera.h"
 #include "tests/support/simulated_rig.h"
 
@@ -109,7 +110,8 @@ device::CameraDescription SimulatedHead::camera_named(const std::string& name,
 
 setup::SetupMachine SimulatedHead::machine() {
   setup::SetupMachine machine;
-  machine.drivers = {std::make_shared<Driver>(this), std::make_shared<Driver>(nullptr)};
+  machine.drivers = {std::make_shared<Driver>(has_genicam ? nullptr : this),
+                     std::make_shared<Driver>(has_genicam ? this : nullptr)};
   machine.list_chips = [this] { return chips; };
   machine.clock = clock.clock();
   machine.open = [this](const rig::RigSettings& rig) -> Result<rig::RigDevices> {
@@ -121,6 +123,12 @@ setup::SetupMachine SimulatedHead::machine() {
     devices.lights = lights;
     devices.clock = clock.clock();
     return devices;
+  };
+  machine.open_rig = [this, open = machine.open](const rig::RigSettings& rig) {
+    opened = rig;
+    return open(rig).and_then([&](rig::RigDevices devices) -> Result<std::shared_ptr<rig::Rig>> {
+      return rig::assemble_rig(rig, std::move(devices));
+    });
   };
   return machine;
 }

@@ -39,6 +39,8 @@ class SimulatedHead {
   std::vector<HeadCamera> cameras;
   std::vector<gpio::GpioChip> chips;
   std::map<int, HeadLamp> lamps;  ///< by line
+  bool has_genicam = false;       ///< its cameras are reached by that driver
+  rig::RigSettings opened;        ///< the last rig that ran
   double room = 12.0;             ///< gray value without lights, of 255
   std::shared_ptr<simulated::SimulatedLights> lights;
 

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <functional>
 #include <opencv2/imgproc.hpp>
 
@@ -135,6 +136,16 @@ TEST_F(GenicamCamera, ListsFormatsByTheNamesOfRigJson) {
   std::vector<std::string> formats;
   for (const device::CameraMode& mode : cameras.front().modes) formats.push_back(mode.format);
   EXPECT_THAT(formats, ::testing::IsSupersetOf({"GREY", "Y16", "RGB3"}));
+}
+
+TEST_F(GenicamCamera, ListsItsTriggerInputsWithoutSoftware) {
+  const auto cameras = driver_->list();
+  ASSERT_FALSE(cameras.empty());
+  const std::vector<std::string>& inputs = cameras.front().trigger_inputs;
+  ASSERT_FALSE(inputs.empty());
+  EXPECT_EQ(std::count(inputs.begin(), inputs.end(), "Software"), 0);
+  settings_.trigger = inputs.front();
+  EXPECT_THAT(driver_->check({cameras.front().name, "", ""}, settings_), ::testing::IsEmpty());
 }
 
 /// A camera that speaks GigE Vision, over the loopback network. It can be unplugged.

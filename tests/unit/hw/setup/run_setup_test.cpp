@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "hw/gpio/sequencer.h"
 #include "tests/support/simulated_head.h"
 
 namespace flytri::setup {
@@ -141,6 +142,51 @@ TEST_F(RunSetup, ExchangesThePatternsThatTheUserMixedUp) {
   EXPECT_EQ(rig->lights.vertical.offset, 3);
   EXPECT_EQ(rig->lights.horizontal.offset, 2);
   EXPECT_THAT(talk_.told, HasSubstr("are exchanged"));
+}
+
+class RunSetupWithASequencer : public RunSetup {
+ protected:
+  RunSetupWithASequencer() {
+    head_.has_genicam = true;
+    head_.chips[0].label = gpio::kSequencerName;
+    head_.chips[0].is_sequencer = true;
+    for (auto& camera : head_.cameras)
+      camera.description.trigger_inputs = {"Counter0", "Line0", "Line1"};
+  }
+};
+
+TEST_F(RunSetupWithASequencer, AsksForTheTriggerOfEachCamera) {
+  talk_.on("trigger 1", [](std::size_t) { return std::size_t{1}; });
+  const auto rig = run();
+  ASSERT_TRUE(rig) << rig.error().message;
+  EXPECT_EQ(rig->measurement.settings.trigger, "Line0") << "sockets are suggested first";
+  EXPECT_EQ(rig->texture.value().settings.trigger, "Line1");
+  EXPECT_TRUE(head_.opened.is_triggered()) << "it is tried out with its triggers";
+  EXPECT_TRUE(rig->validate());
+}
+
+TEST_F(RunSetupWithASequencer, WithoutAWireTheCamerasRunFreely) {
+  talk_.on("trigger 0", [](std::size_t) { return std::size_t{3}; });
+  const auto rig = run();
+  ASSERT_TRUE(rig) << rig.error().message;
+  EXPECT_FALSE(rig->is_triggered());
+  EXPECT_TRUE(rig->texture);
+}
+
+TEST_F(RunSetupWithASequencer, ExposesUpToFourFifthsOfAPeriod) {
+  for (auto& [line, lamp] : head_.lamps) lamp.brightness = 0.3;
+  head_.room = 1.0;
+  const auto rig = run();
+  ASSERT_TRUE(rig) << rig.error().message;
+  EXPECT_NEAR(rig->measurement.settings.exposure_s.value(), 0.8 / 30.0, 1e-4);
+}
+
+TEST_F(RunSetupWithASequencer, SaysThatACameraHasNoTriggerInput) {
+  head_.cameras[0].description.trigger_inputs.clear();
+  const auto rig = run();
+  ASSERT_TRUE(rig) << rig.error().message;
+  EXPECT_FALSE(rig->is_triggered());
+  EXPECT_THAT(talk_.told, HasSubstr("has no trigger input"));
 }
 
 TEST_F(RunSetup, NamesTheLightThatNoLineSwitches) {
