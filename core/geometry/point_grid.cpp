@@ -121,12 +121,11 @@ void PointGrid::visit_within(const Vec3f& center_mm, float radius_mm, const Visi
              });
 }
 
-std::pair<const PointGrid::Row*, std::uint32_t> PointGrid::Walk::begin_at(std::int32_t iy,
-                                                                          std::int32_t iz,
-                                                                          float x_mm) {
+std::pair<const PointGrid::Row*, std::uint32_t> PointWalk::begin_at(std::int32_t iy,
+                                                                    std::int32_t iz, float x_mm) {
   /// From an entry farther off than this, the first one is searched anew.
   constexpr std::uint32_t kSteps = 8;
-  const std::vector<Entry>& points = grid_.points_;
+  const std::vector<PointGrid::Entry>& points = grid_.points_;
   Place& place = places_[static_cast<std::size_t>((iz & (kSide - 1)) * kSide + (iy & (kSide - 1)))];
   const CellKey key{0, iy, iz};
   if (!place.is_known || place.key != key) {
@@ -143,9 +142,9 @@ std::pair<const PointGrid::Row*, std::uint32_t> PointGrid::Walk::begin_at(std::i
   return {place.row, place.at};
 }
 
-std::span<const Neighbor> PointGrid::Walk::within(const Vec3f& center_mm, float radius_mm) {
+std::span<const Neighbor> PointWalk::within(const Vec3f& center_mm, float radius_mm) {
   const float radius2 = square(radius_mm);
-  const std::vector<Entry>& points = grid_.points_;
+  const std::vector<PointGrid::Entry>& points = grid_.points_;
   std::size_t count = 0;
   grid_.visit_rows(
       center_mm, radius_mm, radius2,

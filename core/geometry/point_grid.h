@@ -29,8 +29,6 @@ class PointGrid {
   /// @param cell_mm  > 0: width of a row. Fastest near the usual search radius.
   PointGrid(std::span<const Vec3f> points_mm, float cell_mm);
 
-  class Walk;
-
   [[nodiscard]] std::size_t size() const { return points_.size(); }
 
   /// Replaces `found` by all points at most `radius_mm` from `center_mm`. Their order is
@@ -47,6 +45,7 @@ class PointGrid {
                std::vector<Neighbor>& found) const;
 
  private:
+  friend class PointWalk;
   struct Entry {
     Vec3f position_mm;
     std::uint32_t index;
@@ -82,10 +81,10 @@ class PointGrid {
 
 /// Searches around places of which each is near the one before: remembers the rows that it has
 /// read, and where in them, so that the next search is quick. One for each thread.
-class PointGrid::Walk {
+class PointWalk {
  public:
   /// @param grid  kept by reference
-  explicit Walk(const PointGrid& grid) : grid_(grid) {}
+  explicit PointWalk(const PointGrid& grid) : grid_(grid) {}
   /// As PointGrid::within, in the same order; until the next search.
   [[nodiscard]] std::span<const Neighbor> within(const Vec3f& center_mm, float radius_mm);
 
@@ -93,12 +92,13 @@ class PointGrid::Walk {
   static constexpr int kSide = 8;
   struct Place {
     CellKey key{0, 0, 0};
-    const Row* row = nullptr;  ///< null: the grid has no such row
-    std::uint32_t at = 0;      ///< an entry of the row, or its end
+    const PointGrid::Row* row = nullptr;  ///< null: the grid has no such row
+    std::uint32_t at = 0;                 ///< an entry of the row, or its end
     bool is_known = false;
   };
-  [[nodiscard]] std::pair<const Row*, std::uint32_t> begin_at(std::int32_t iy, std::int32_t iz,
-                                                              float x_mm);
+  [[nodiscard]] std::pair<const PointGrid::Row*, std::uint32_t> begin_at(std::int32_t iy,
+                                                                         std::int32_t iz,
+                                                                         float x_mm);
 
   const PointGrid& grid_;
   std::array<Place, kSide * kSide> places_;  ///< by the last digits of y and z

@@ -60,7 +60,7 @@ class SurfaceProbe {
   [[nodiscard]] bool in_smooth_gap(const Vec3f& place_mm, const Vec3f& normal);
 
   const ImplicitSurface& surface_;
-  PointGrid::Walk near_;
+  PointWalk near_;
   std::vector<float> angles_;
 };
 

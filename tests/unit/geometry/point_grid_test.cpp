@@ -80,7 +80,7 @@ TEST_P(PointGridRadius, FindsTheSamePointsAsBruteForce) {
 TEST_P(PointGridRadius, AWalkFindsWhatSingleSearchesFind) {
   const std::vector<Vec3f> points = random_points(3000, 2.0);
   const PointGrid grid(points, 0.3F);
-  PointGrid::Walk walk(grid);
+  PointWalk walk(grid);
   const float radius = 0.3F * GetParam();
   std::vector<Neighbor> expected;
   Vec3f center(-2.5F, 0.0F, 0.0F);
