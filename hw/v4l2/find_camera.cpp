@@ -68,7 +68,7 @@ bool any_known(const std::vector<device::CameraMode>& modes) {
 
 device::CameraDescription describe(VideoSystem& system, const device::DeviceNode& node) {
   device::CameraDescription description{node.name, node.serial, node.node, device::place_of(node),
-                                        {},        {},          {}};
+                                        {},        {},          {},        {}};
   const auto device = system.open(node.node);
   if (!device) {
     description.problems.push_back(video_failure(node, "opening it", device.error()));
