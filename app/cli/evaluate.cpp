@@ -33,8 +33,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "flytri.evaluation";
 constexpr double kMicronsOfMm = 1e3;
-/// Lines of both patterns confirm a place if both are this near, in distances up to which the
-/// surface counts as found.
+/// A place counts as seen by both patterns if points of both are this near; a multiple of
+/// complete_within_mm.
 constexpr double kCrossedWithin = 3.0;
 /// A vertex this close to a true one has its color. Smaller than a painted spot.
 constexpr double kColorWithinMm = 0.3;
@@ -186,8 +186,7 @@ Result<std::vector<AlignedView>> true_views(const EvaluateArguments& arguments,
   return aligned;
 }
 
-/// Of the vertices that the sensor could measure, those where lines of both patterns were. Without
-/// a calibration they stay unknown.
+/// Marks the measurable vertices where lines of both patterns were; none without a calibration.
 Result<void> find_crossed(const EvaluateArguments& arguments, const io::Truth& truth,
                           TrueSurface& surface, const Workers& workers) {
   const auto recording = io::open_recording(arguments.recording);

@@ -122,8 +122,8 @@ void Session::carry_out(const ui::Command& command) {
       command);
 }
 
-/// A recording plays while cases are chosen, too. A new scan has it from its first frame; one that
-/// goes on has it again once it is over.
+/// A recording has been playing since it was opened. A new scan starts it again; a resumed scan
+/// only if it is over.
 void Session::start(bool is_new) {
   if (is_new || source_.state().has_ended) source_.replay();
   stages_.start();

@@ -79,8 +79,8 @@ class PointGrid {
   std::vector<std::uint32_t> slots_;  ///< hash table into rows_, kNoRow where empty
 };
 
-/// Searches around places of which each is near the one before: remembers the rows that it has
-/// read, and where in them, so that the next search is quick. One for each thread.
+/// Searches a grid: fast if each place is near the last one, because it remembers where it has
+/// read. Not thread-safe.
 class PointWalk {
  public:
   /// @param grid  kept by reference

@@ -8,7 +8,7 @@ namespace flytri::meshing {
 
 namespace {
 
-/// Keeps the order of edges with the same high vertex. By insertion: most vertices have few edges.
+/// A stable sort: by insertion, because most vertices have few edges.
 void sort_by_high(std::span<HalfEdge> edges) {
   constexpr std::size_t kFew = 32;
   if (edges.size() > kFew) {

@@ -36,7 +36,7 @@ class ImplicitSurface {
   PointGrid grid_;
 };
 
-/// Reads an implicit surface at places of which each is near the one before. One for each thread.
+/// Evaluates an implicit surface: fast if each place is near the last one. Not thread-safe.
 class SurfaceProbe {
  public:
   /// @param surface  kept by reference

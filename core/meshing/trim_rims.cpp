@@ -20,7 +20,8 @@ namespace {
 constexpr float kFar = std::numeric_limits<float>::max();
 /// A hole with a shorter rim, in strip widths, is smaller across than a strip is wide.
 constexpr float kPinholeRim = 2.0F;
-/// A pinhole this near to a rim, in strip widths, is part of it, and so on for so many rounds.
+/// A pinhole this near to a rim, in strip widths, becomes part of it; so do its neighbors, in so
+/// many rounds.
 constexpr float kPinholeReach = 0.5F;
 constexpr int kPinholeRounds = 3;
 /// The disk reaches farther back by so many spacings: the core ends up to one before its true rim,
@@ -139,8 +140,8 @@ auto near_to(const TriangleMesh& mesh, Lines& pinholes, const std::vector<Vec3f>
   });
 }
 
-/// The vertices along rims. Pinholes have none, but those next to a rim are part of it: where a
-/// scan runs out it is riddled first.
+/// The vertices along rims. Pinholes do not count, except near a rim: a scan ends in rows of
+/// them.
 std::vector<char> rim_vertices(const TriangleMesh& mesh, float strip_mm) {
   std::vector<std::vector<std::uint32_t>> pinholes = boundary_lines(mesh);
   std::vector<char> is_rim(mesh.vertices.size(), 0);
@@ -213,8 +214,8 @@ void drop_uncrossed_rims(TriangleMesh& mesh, float strip_mm, const Workers& work
 
 /// Opens the surface by a disk: what no disk covers that lies on the surface goes.
 void open_by_disk(TriangleMesh& mesh, float strip_mm, float spacing_mm) {
-  const Neighborhood around(mesh);
   const std::vector<char> is_rim = rim_vertices(mesh, strip_mm);
+  const Neighborhood around(mesh);
   const float radius_mm = 0.5F * strip_mm;
   const std::vector<float> from_rim = distances_mm(mesh, around, is_rim, radius_mm);
   std::vector<char> is_core(mesh.vertices.size());

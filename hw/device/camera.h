@@ -63,8 +63,7 @@ struct CameraSettings {
   /// 8..16, only for kGrey16: how many low bits of each number the camera uses. Default: learned
   /// from the brightest pixel so far, one of 10, 12, 14 and 16.
   std::optional<int> bits;
-  /// The input that triggers each image, by the camera's own name, e.g. "Line1". Empty: the camera
-  /// runs freely.
+  /// Name of the camera's trigger input, e.g. "Line1". Empty: it runs without triggers.
   std::string trigger = {};
   /// Further controls by name, in steps of the camera: "gamma", "contrast", "sharpness",
   /// "backlight_compensation", "power_line_frequency", "wide_dynamic_range", or the driver's own

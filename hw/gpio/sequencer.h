@@ -23,8 +23,8 @@ struct SequencedExposure {
   double board_s = 0.0;     ///< its begin on the clock of the board; wraps around every 71 minutes
 };
 
-/// It turns its lights dark when this program is silent for 0.1 s (ended, killed or hanging), and
-/// at the limits of each light. A thread of this object tells it that the program lives.
+/// A sequencer turns all lights off if this program sends nothing for 0.1 s, and each light off at
+/// its limits. A thread of this object keeps sending while the program runs.
 /// Thread-safe.
 class Sequencer {
  public:

@@ -16,7 +16,7 @@ namespace flytri::gpio {
 [[nodiscard]] Result<void> check_triggers(const GpioChip& chip);
 
 /// The sequencer that is the wiring's chip.
-/// @errors  As find_chip, check_triggers and Sequencer::open; kBadOption: see open_sequencer_lines.
+/// @errors  As find_chip, check_triggers, Sequencer::open and open_sequencer_lines.
 [[nodiscard]] Result<std::unique_ptr<Sequencer>> open_sequencer(const LightWiring& wiring);
 
 /// Needs no guard process: the sequencer turns the lights off when this program is silent.

@@ -18,11 +18,11 @@ struct TriggeredImage {
   double time_s = 0.0;  ///< middle of the exposure
 };
 
-/// Finds the trigger of each image. It starts with single triggers: each waits for its image. Three
-/// of them show the camera's numbers and its delay. Then many triggers may be on their way: an
-/// image belongs to the trigger with its number, and must have the usual delay. If it does not,
-/// because the camera missed a trigger or was restarted, the single triggers begin again, and until
-/// they are done no image has a label. Not thread-safe.
+/// Finds the trigger of each image. At first one trigger at a time waits for its image: three such
+/// images show how the camera numbers them and how late they are. After that, triggers need not
+/// wait: an image belongs to the trigger with its number. An image with another delay means that
+/// the camera missed a trigger or was restarted. Then this starts again with one at a time, and no
+/// image has a label until it is done. Not thread-safe.
 class TriggeredCamera {
  public:
   /// @param period_s  > 0, least time from one trigger to the next

@@ -6,9 +6,9 @@
 
 namespace flytri::setup {
 
-/// Sets the triggers of a rig whose light switch can trigger cameras, if all cameras have trigger
-/// inputs and the user says that they are wired.
+/// Asks the user which inputs are wired.
 /// @param rig  with cameras and lights
+/// @return  the rig with triggers; unchanged without a sequencer, a trigger input or a wire
 /// @errors  kCancelled: the user stops.
 [[nodiscard]] Result<rig::RigSettings> choose_triggers(const rig::RigSettings& rig,
                                                        const SetupContext& context);

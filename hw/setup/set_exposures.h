@@ -6,10 +6,10 @@
 
 namespace flytri::setup {
 
-/// Exposes a white sheet under each light until the brightest places reach 70 % of full scale. At
-/// most 45 % of a frame for the measurement camera, so that the lights can change between frames
-/// (80 % where it is triggered), and half of a frame for the texture camera. Tells if a light is
-/// too weak or too bright.
+/// Exposes a white sheet under each light until the brightest places reach 70 % of full scale. The
+/// longest exposure of the measurement camera is 45 % of a frame: the rest is for changing the
+/// lights. With a trigger it is 80 %. That of the texture camera is half of a frame. Tells if a
+/// light is too weak or too bright.
 /// @param rig  with cameras and lights
 /// @return  the rig with exposures
 /// @errors  kCancelled; of the devices.

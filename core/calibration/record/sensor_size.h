@@ -15,8 +15,7 @@ namespace flytri::calibration {
   return fits_mouth(volume_mm) ? 1.0 : volume_mm.x() / kIntraoralWidth_mm;
 }
 
-/// Narrower holes need no scan: a line meets them only by chance, and CAD programs close them by
-/// the surface around.
+/// Narrower holes need not be scanned: lines seldom reach them, and CAD programs close them.
 [[nodiscard]] inline double least_hole_width_mm(const Vec3& volume_mm) {
   constexpr double kOfTeeth_mm = 1.0;
   return kOfTeeth_mm * line_distance_factor(volume_mm);
