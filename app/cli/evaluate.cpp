@@ -167,15 +167,17 @@ Result<io::Truth> read_truth_of(const EvaluateArguments& arguments) {
 Result<std::vector<AlignedView>> true_views(const EvaluateArguments& arguments,
                                             const io::Truth& truth, const io::Recording& recording,
                                             const calibration::Calibration& calibration,
-                                            const Workers& workers) {
+                                            const Workers& workers, const Progress& progress) {
   std::vector<std::shared_ptr<const View>> views(recording.frames.size());
-  workers.for_each(views.size(), [&](std::size_t i) {
+  progress.begin_stage("Measuring the frames");
+  const auto measure = [&](std::size_t i) {
     if (recording.frames[i].kind == FrameKind::kTexture) return;
     const auto frame = io::load_frame(recording, FrameIndex(i));
     if (!frame) return;
     auto measured = measurement::measure_view(*frame, calibration, {});
     if (measured) views[i] = std::make_shared<const View>(std::move(measured->view));
-  });
+  };
+  if (!workers.for_each_unless_cancelled(views.size(), measure, progress)) return stopped();
   std::vector<AlignedView> aligned;
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i] == nullptr) continue;
@@ -188,7 +190,7 @@ Result<std::vector<AlignedView>> true_views(const EvaluateArguments& arguments,
 
 /// Marks the measurable vertices where lines of both patterns were; none without a calibration.
 Result<void> find_crossed(const EvaluateArguments& arguments, const io::Truth& truth,
-                          TrueSurface& surface, const Workers& workers) {
+                          TrueSurface& surface, const Workers& workers, const Progress& progress) {
   const auto recording = io::open_recording(arguments.recording);
   if (!recording) return tl::unexpected(recording.error());
   if (arguments.calibration.empty() && !recording->calibration) return {};
@@ -199,7 +201,7 @@ Result<void> find_crossed(const EvaluateArguments& arguments, const io::Truth& t
     return {};
   }
   if (!used) return tl::unexpected(used.error());
-  const auto views = true_views(arguments, truth, *recording, used->calibration, workers);
+  const auto views = true_views(arguments, truth, *recording, used->calibration, workers, progress);
   if (!views) return tl::unexpected(views.error());
   surface.crossed =
       evaluation::crossed_vertices(surface.mesh, *views, arguments.crossed_within_mm(), workers);
@@ -209,7 +211,8 @@ Result<void> find_crossed(const EvaluateArguments& arguments, const io::Truth& t
   return {};
 }
 
-Result<Reference> read_reference(const EvaluateArguments& arguments, const Workers& workers) {
+Result<Reference> read_reference(const EvaluateArguments& arguments, const Workers& workers,
+                                 const Progress& progress) {
   const auto truth = read_truth_of(arguments);
   if (!truth) return tl::unexpected(truth.error());
   Reference reference;
@@ -219,7 +222,7 @@ Result<Reference> read_reference(const EvaluateArguments& arguments, const Worke
   auto surface = read_true_surface(truth->mesh);
   if (!surface) return tl::unexpected(surface.error());
   reference.surface = std::move(*surface);
-  auto found = find_crossed(arguments, *truth, reference.surface, workers);
+  auto found = find_crossed(arguments, *truth, reference.surface, workers, progress);
   if (!found) return tl::unexpected(found.error());
   return reference;
 }
@@ -370,7 +373,7 @@ Result<void> run(const EvaluateArguments& arguments, const Progress& progress) {
   const auto model = io::read_model(arguments.result);
   if (!model) return tl::unexpected(model.error());
   const Workers workers(arguments.thread_count);
-  const auto reference = read_reference(arguments, workers);
+  const auto reference = read_reference(arguments, workers, progress);
   if (!reference) return tl::unexpected(reference.error());
   const auto evaluation = evaluate(*model, *reference, arguments, workers, progress);
   if (!evaluation) return tl::unexpected(evaluation.error());

@@ -25,8 +25,7 @@ struct MeshQuality {
   std::size_t not_measured = 0;  ///< vertices of closed holes
 };
 
-/// @param mesh  indices valid; of a textured one welded(), as the cuts between charts would count
-/// as
+/// @param mesh  indices valid; of a textured one welded(): cuts between charts would count as
 ///              boundaries
 [[nodiscard]] MeshQuality mesh_quality(const TriangleMesh& mesh);
 

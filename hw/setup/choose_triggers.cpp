@@ -8,16 +8,19 @@
 #include <vector>
 
 #include "hw/gpio/sequencer_lines.h"
+#include "hw/rig/camera_drivers.h"
 
 namespace flytri::setup {
 namespace {
 
 /// The trigger inputs of a camera. Names of sockets come first: they begin with "Line".
-std::vector<std::string> inputs_of(const rig::RigCamera& camera, const SetupContext& context) {
-  stream::CameraDriver& driver = *context.machine.drivers.of(camera.driver);
-  const auto found = driver.find(camera.match);
+/// @param cameras  all cameras of this machine
+std::vector<std::string> inputs_of(const rig::RigCamera& camera,
+                                   const std::vector<device::CameraDescription>& cameras,
+                                   const SetupContext& context) {
+  const auto found = context.machine.drivers.of(camera.driver)->find(camera.match);
   if (!found) return {};
-  for (const device::CameraDescription& each : driver.list()) {
+  for (const device::CameraDescription& each : cameras) {
     if (each.node != found->node) continue;
     std::vector<std::string> inputs = each.trigger_inputs;
     std::stable_partition(inputs.begin(), inputs.end(),
@@ -51,9 +54,10 @@ bool can_trigger(const rig::RigSettings& rig, const SetupContext& context) {
 
 Result<rig::RigSettings> choose_triggers(const rig::RigSettings& rig, const SetupContext& context) {
   if (!can_trigger(rig, context)) return rig;
-  const std::vector<std::string> inputs = inputs_of(rig.measurement, context);
+  const auto cameras = rig::list_cameras(context.machine.drivers);
+  const std::vector<std::string> inputs = inputs_of(rig.measurement, cameras, context);
   const std::vector<std::string> texture_inputs =
-      rig.texture ? inputs_of(*rig.texture, context) : std::vector<std::string>();
+      rig.texture ? inputs_of(*rig.texture, cameras, context) : std::vector<std::string>();
   if (inputs.empty() || (rig.texture && texture_inputs.empty())) {
     context.talk.tell(
         "The sequencer could trigger cameras, but not these: a webcam has no trigger input. They "

@@ -64,7 +64,7 @@ void tell_timing(const Trial& trial, bool is_triggered, const SetupContext& cont
         1e3 * camera.latency.latency_s, 1e3 * camera.latency.window_s,
         1e3 * trial.status.lights.slowest_s));
     context.talk.tell(
-        trial.status.keeps_step && is_triggered ? "Each image sees the light of its trigger."
+        is_triggered ? "Each image sees the light of its trigger."
         : trial.status.frames_per_pattern == 1
             ? "The lights change between two frames: each frame can be used."
             : "Exposures leave no gap to change the lights: every second frame can be used. A "

@@ -56,6 +56,9 @@ expect 'where both patterns were' 0 'lines of both patterns within 0\.3 mm, [0-9
   "$flytri" evaluate 1.ply --recording scan --report 1.json --calibration calibration.json
 expect 'another calibration' 1 'none\.json' \
   "$flytri" evaluate 1.ply --recording scan --report 1.json --calibration none.json
+bad_copy moved && sed -i '1s/{/{ "calibration": "gone.json",/' moved/recording.json
+expect 'the calibration of the recording is gone' 0 'warning: .*gone\.json.*both patterns is left out' \
+  "$flytri" evaluate 1.ply --recording moved --report 1.json
 
 # Guided calibration: interrupted, continued, checked.
 live() { "$flytri" calibrate --live --simulated -o chair --planes 5; }
