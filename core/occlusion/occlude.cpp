@@ -58,6 +58,8 @@ class Occluder {
 
  private:
   Result<void> place_bites();
+  [[nodiscard]] Result<void> place_bite_on_both(std::size_t k, const SearchedJaw& first,
+                                                const SearchedJaw& second);
   /// That a bite scan gives alone.
   [[nodiscard]] Isometry relation_of(std::size_t bite) const {
     return result_.bites[bite].T_upper_bite * T_lower_bites_[bite].inverse();
@@ -92,28 +94,40 @@ class Occluder {
   Occlusion result_;
 };
 
+/// A bite that shows much more of one jaw is found there. On the other one, chance can look better
+/// than the truth, until the points of the first are out of the way.
 Result<void> Occluder::place_bites() {
-  for (const BiteScan& bite : bites_) {
-    const BitePlacement on_upper = place_bite(upper_, bite.points, workers_);
+  for (std::size_t k = 0; k < bites_.size(); ++k) {
+    result_.bites.emplace_back();
+    T_lower_bites_.emplace_back();
+    auto fits = place_bite_on_both(k, upper_, lower_);
     progress_.advance();
     if (progress_.cancelled()) return stopped();
-    // What lies on the upper jaw is not on the lower one.
-    std::vector<SurfacePoint> others;
-    for (std::size_t i = 0; i < bite.points.size(); ++i) {
-      if (!on_upper.on_jaw[i]) others.push_back(bite.points[i]);
-    }
-    const Isometry T_lower_bite = place_bite(lower_, others, workers_).T_jaw_bite;
+    if (!fits && place_bite_on_both(k, lower_, upper_)) fits = {};
     progress_.advance();
     if (progress_.cancelled()) return stopped();
-    result_.bites.push_back({on_upper.T_jaw_bite});
-    T_lower_bites_.push_back(T_lower_bite);
-    const std::size_t k = result_.bites.size() - 1;
-    result_.T_upper_lower = relation_of(k);
-    rate_bite(k);
-    if (auto fits = check_bite(k); !fits) return fits;
+    if (!fits) return fits;
   }
   result_.T_upper_lower = relation_of(0);
   return compare_bites();
+}
+
+/// Places the bite on one jaw, and what does not lie there on the other.
+Result<void> Occluder::place_bite_on_both(std::size_t k, const SearchedJaw& first,
+                                          const SearchedJaw& second) {
+  const std::span<const SurfacePoint> points = bites_[k].points;
+  const BitePlacement on_first = place_bite(first, points, workers_);
+  std::vector<SurfacePoint> others;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!on_first.on_jaw[i]) others.push_back(points[i]);
+  }
+  const Isometry T_second_bite = place_bite(second, others, workers_).T_jaw_bite;
+  const bool is_upper_first = &first == &upper_;
+  result_.bites[k] = {is_upper_first ? on_first.T_jaw_bite : T_second_bite};
+  T_lower_bites_[k] = is_upper_first ? T_second_bite : on_first.T_jaw_bite;
+  result_.T_upper_lower = relation_of(k);
+  rate_bite(k);
+  return check_bite(k);
 }
 
 /// The relations that two bite scans give alone differ by the error of each.

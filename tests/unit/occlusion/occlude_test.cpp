@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -78,6 +79,21 @@ TEST_F(Occlude, ACheekInFrontOfTheTeethDoesNoHarm) {
   const auto found = occlude({{"bite", right.points()}});
   ASSERT_TRUE(found.has_value()) << found.error().message;
   EXPECT_LT(error_mm(*found, found->middle_mm), 0.005);
+}
+
+TEST_F(Occlude, FindsABiteThatShowsLittleOfTheUpperJaw) {
+  const Cheek right = cheek(true, 7);
+  std::vector<SurfacePoint> points = right.upper_part();
+  const auto lower_begin = right.points().begin() + static_cast<std::ptrdiff_t>(points.size());
+  std::sort(points.begin(), points.end(), [](const SurfacePoint& a, const SurfacePoint& b) {
+    return a.position_mm.x() < b.position_mm.x();
+  });
+  points.resize(points.size() / 4);
+  points.insert(points.end(), lower_begin, right.points().end());
+  const auto found = occlude({{"bite", points}});
+  ASSERT_TRUE(found.has_value()) << found.error().message;
+  EXPECT_LT(found->bites[0].upper_share, 0.2);
+  EXPECT_LT(error_mm(*found, found->middle_mm), 3.0 * found->uncertainty_mm(found->middle_mm));
 }
 
 /// All sample jaws have teeth of much the same size: another patient's are larger.
