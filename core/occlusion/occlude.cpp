@@ -94,8 +94,8 @@ class Occluder {
   Occlusion result_;
 };
 
-/// A bite that shows much more of one jaw is found there. On the other one, chance can look better
-/// than the truth, until the points of the first are out of the way.
+/// If the bite shows little of the upper jaw, a wrong place there can hold more points than the
+/// right one. Then the lower jaw goes first, and the upper one gets the points that are left.
 Result<void> Occluder::place_bites() {
   for (std::size_t k = 0; k < bites_.size(); ++k) {
     result_.bites.emplace_back();
