@@ -72,6 +72,8 @@ void draw_dialog(const PanelContext& context) {
       return draw_device_panel(context);
     case Dialog::kCalibration:
       return draw_calibration_panel(context);
+    case Dialog::kSetup:
+      return draw_setup_panel(context);
     case Dialog::kQuestion:
       return draw_question_dialog(context);
     case Dialog::kStages:

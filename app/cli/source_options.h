@@ -30,9 +30,11 @@ inline void add_source_options(CLI::App& command, session::SourceChoice& source)
                   "Speed of the replay; 1: as recorded, 0: as fast as possible")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  CLI::Option* sensor = add_sensor_option(command, source.sensor);
+  const auto note = [&source](const std::string& /*value*/) { source.is_given = true; };
+  CLI::Option* sensor = add_sensor_option(command, source.sensor)->each(note);
   for (CLI::Option* real : paths) real->excludes(sensor);
-  for (CLI::Option* option : add_object_options(command, source.object)) paths.push_back(option);
+  for (CLI::Option* option : add_object_options(command, source.object))
+    paths.push_back(option->each(note));
   for (CLI::Option* one : paths) {
     for (CLI::Option* other : paths) {
       if (one != other) one->excludes(other);

@@ -63,7 +63,7 @@ void CalibrationController::begin(const ui::BeginCalibration& command) {
   if (checks && source_.calibration() == nullptr) return;
   if (command.task == ui::CalibrationTask::kCheckOnSphere && !has_rig) return;
   stages_.pause();
-  source_.lend();
+  source_.lend(ui::Text::kSensorIsBeingCalibrated);
   CalibrationJob job;
   job.task = command.task;
   if (!checks) job.folder = command.folder;

@@ -14,6 +14,14 @@ scan::LiveScanOptions with_clock(scan::LiveScanOptions options) {
   return options;
 }
 
+/// The sensor that was set up, unless the command line asks for another one.
+SourceChoice with_known_rig(SourceChoice choice, const ui::Settings& settings) {
+  if (!choice.is_virtual() || choice.is_given || settings.rig_file.empty()) return choice;
+  choice.name = kRigSource;
+  choice.path = settings.rig_file;
+  return choice;
+}
+
 /// Calls the one of several functions that takes the command.
 template <typename... Functions>
 struct Overloaded : Functions... {
@@ -29,7 +37,7 @@ Session::Session(SessionOptions options)
       settings_(read_settings(settings_path())),
       texts_(ui::chosen_language(settings_.language, desktop_language_)),
       notices_(texts_),
-      source_(std::move(options.source), background_, notices_,
+      source_(with_known_rig(std::move(options.source), settings_), background_, notices_,
               [this] {
                 if (stages_.is_started()) case_.save_unnamed();
                 case_.warn_of_other_calibration();
@@ -38,6 +46,7 @@ Session::Session(SessionOptions options)
       stages_(with_clock(std::move(options.scan)), source_, background_, notices_),
       case_(std::move(options.unnamed_folder), source_, stages_, background_, notices_),
       calibration_(source_, stages_, background_, notices_),
+      setup_(std::move(options.machine), source_, stages_, background_, notices_),
       exports_(background_, notices_),
       occlusion_(stages_, background_, notices_),
       plane_(stages_, background_, notices_),
@@ -50,6 +59,7 @@ Session::Session(SessionOptions options)
 Session::~Session() {
   background_.cancel();
   calibration_.stop();
+  setup_.stop();
   source_.stop();
   background_.stop();
   case_.close();
@@ -107,6 +117,11 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::RetakeCalibrationPlace& place) { calibration_.retake(place.index); },
           [&](const ui::UseCalibration&) { calibration_.use(); },
           [&](const ui::EndCalibration&) { calibration_.end(); },
+          [&](const ui::BeginSetup&) { setup_.begin(); },
+          [&](const ui::AnswerSetup& given) { setup_.answer(given.index); },
+          [&](const ui::UseSetup&) { use_set_up_sensor(); },
+          [&](const ui::UseVirtualSensor&) { use_virtual_sensor(); },
+          [&](const ui::EndSetup&) { setup_.end(); },
           [&](const ui::Export& wanted) { export_scan(wanted); },
           [&](const ui::PrepareExport&) {
             if (scan() != nullptr) exports_.prepare(scan()->snapshot()->result);
@@ -160,6 +175,24 @@ void Session::change_settings(const ui::Settings& settings) {
   }
 }
 
+void Session::keep_rig(const std::string& file) {
+  ui::Settings settings = settings_;
+  settings.rig_file = file;
+  change_settings(settings);
+}
+
+void Session::use_set_up_sensor() {
+  const auto file = setup_.use();
+  if (!file) return;
+  keep_rig(file->string());
+  notices_.add(ui::Severity::kInformation,
+               texts_.fill<ui::Text::kCalibrationInUse>(file->string()));
+}
+
+void Session::use_virtual_sensor() {
+  if (setup_.use_virtual_sensor()) keep_rig({});
+}
+
 ui::AppView Session::view() {
   background_.settle();
   ui::AppView view;
@@ -175,6 +208,7 @@ ui::AppView Session::view() {
   view.chooser = chooser_.state();
   calibration_.note_finished_check();
   view.calibration = calibration_.state();
+  view.setup = setup_.state();
   view.file = case_.state();
   view.occlusion = occlusion_.state();
   view.plane = plane_.state();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "app/session/background_work.h"
@@ -14,6 +15,7 @@
 #include "app/session/path_chooser.h"
 #include "app/session/plane_controller.h"
 #include "app/session/review_controller.h"
+#include "app/session/setup_controller.h"
 #include "app/session/source_controller.h"
 #include "app/session/stage_controller.h"
 #include "app/session/user_folders.h"
@@ -34,6 +36,8 @@ struct SessionOptions {
   std::filesystem::path recording;
   /// Null: the desktop's portal.
   std::shared_ptr<desktop::FileChooser> file_chooser;
+  /// The devices that a setup finds.
+  std::function<setup::SetupMachine()> machine = setup::this_machine;
 };
 
 /// Connects the controllers. Used by the window's thread only; long work runs in the background.
@@ -61,6 +65,10 @@ class Session {
   void finish();
   void export_scan(const ui::Export& command);
   void change_settings(const ui::Settings& settings);
+  void use_set_up_sensor();
+  void use_virtual_sensor();
+  /// The next start scans with this sensor. @param file  empty: the virtual sensor
+  void keep_rig(const std::string& file);
 
   bool is_closing_ = false;
   WindowUse window_use_;
@@ -74,6 +82,7 @@ class Session {
   StageController stages_;
   CaseController case_;
   CalibrationController calibration_;
+  SetupController setup_;
   ExportController exports_;
   OcclusionController occlusion_;
   PlaneController plane_;

@@ -80,6 +80,9 @@ ui::Settings parse_settings(std::string_view text) {
       folder != json.end() && folder->is_string()) {
     settings.recording_folder = folder->get<std::string>();
   }
+  if (const auto file = json.find("rig_file"); file != json.end() && file->is_string()) {
+    settings.rig_file = file->get<std::string>();
+  }
   settings.window_width = size_at(json, "window_width", settings.window_width, 640);
   settings.window_height = size_at(json, "window_height", settings.window_height, 400);
   if (const auto width = json.find("close_holes_mm"); width != json.end() && width->is_number()) {
@@ -106,7 +109,8 @@ std::string settings_to_json(const ui::Settings& settings) {
                                {"export_report", settings.export_report},
                                {"mesh_density", to_string(settings.mesh_density)},
                                {"close_holes_mm", settings.close_holes_mm},
-                               {"recording_folder", settings.recording_folder}};
+                               {"recording_folder", settings.recording_folder},
+                               {"rig_file", settings.rig_file}};
   return json.dump(2) + "\n";
 }
 

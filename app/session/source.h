@@ -33,6 +33,7 @@ struct SourceChoice {
   double replay_speed = 1.0;                         ///< > 0; 0: as fast as possible
   std::string sensor = "intraoral";                  ///< the virtual one, or "face"
   ScannedObject object;                              ///< of the virtual sensor
+  bool is_given = false;  ///< the command line names the virtual sensor or its object
   std::optional<std::uint64_t> fault_seed;  ///< for tests: makes the source fail now and then
 
   [[nodiscard]] bool is_virtual() const { return name.empty(); }

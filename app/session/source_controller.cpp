@@ -35,10 +35,11 @@ SourceController::SourceController(SourceChoice choice, BackgroundWork& backgrou
       opened_(std::move(opened)) {}
 
 void SourceController::open() {
-  background_.run([this, texts = notices_.texts()] {
+  background_.run([this, choice = choice_, number = ++opening_, texts = notices_.texts()] {
     auto opened =
-        std::make_shared<Result<Source>>(open_source(choice_, background_.progress(), texts));
-    return [this, opened] {
+        std::make_shared<Result<Source>>(open_source(choice, background_.progress(), texts));
+    return [this, opened, number] {
+      if (number != opening_) return;
       if (!*opened) {
         failure_ = opened->error().message;
         return notices_.add(ui::Severity::kError, failure_);
@@ -67,7 +68,7 @@ void SourceController::remind_of_check() {
 
 void SourceController::start_capture() {
   capture_.reset();
-  if (is_lent_) return;
+  if (lent_) return;
   router_->begin_sensor();
   begin_recording();
   source_.sensor->rest(rests_);
@@ -136,13 +137,22 @@ void SourceController::keep_history(const calibration::Calibration& checked,
   source_.calibration = std::make_shared<const calibration::Calibration>(std::move(calibration));
 }
 
-void SourceController::lend() {
-  is_lent_ = true;
+void SourceController::choose(SourceChoice choice) {
+  capture_.reset();
+  source_ = {};
+  failure_.clear();
+  checked_ = {};
+  choice_ = std::move(choice);
+  ++opening_;
+}
+
+void SourceController::lend(ui::Text why) {
+  lent_ = why;
   capture_.reset();
 }
 
 void SourceController::take_back() {
-  is_lent_ = false;
+  lent_.reset();
   if (source_.sensor != nullptr) start_capture();
 }
 
@@ -175,8 +185,8 @@ void SourceController::check_devices() {
     return;
   }
   checked_.is_checking = true;
-  background_.run([this] {
-    auto problems = std::make_shared<std::vector<std::string>>(check_chosen_rig(choice_));
+  background_.run([this, choice = choice_] {
+    auto problems = std::make_shared<std::vector<std::string>>(check_chosen_rig(choice));
     return [this, problems] {
       checked_.problems = *problems;
       checked_.is_checked = true;
@@ -254,7 +264,7 @@ ui::SourceState SourceController::state() const {
   }
   state.name = source_.sensor->name();
   if (capture_ == nullptr) {
-    state.message = notices_.texts()[ui::Text::kSensorIsBeingCalibrated];
+    if (lent_) state.message = notices_.texts()[*lent_];
     return state;
   }
   const device::SensorStatus status = capture_->status();

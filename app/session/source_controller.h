@@ -27,8 +27,11 @@ class SourceController {
   void open();
   /// Forgets the source, until open() opens it again.
   void forget() { source_ = {}; }
+  /// Takes another source in place of this one, until open() opens it.
+  void choose(SourceChoice choice);
   /// Stops capturing and leaves the devices to somebody else.
-  void lend();
+  /// @param why  told meanwhile
+  void lend(ui::Text why);
   /// The devices are back: captures again, if the source is open.
   void take_back();
   /// Call often: the lights are dark while nobody needs frames, see device::Sensor::rest().
@@ -79,7 +82,7 @@ class SourceController {
   [[nodiscard]] bool is_running() const;
   [[nodiscard]] bool has_failed() const;
 
-  const SourceChoice choice_;
+  SourceChoice choice_;
   BackgroundWork& background_;
   Notices& notices_;
   const std::function<void()> opened_;
@@ -88,7 +91,8 @@ class SourceController {
   std::optional<Isometry> related_at_;     ///< the registered pose that gave it
   std::string failure_;                    ///< why the source could not be opened
   ui::DevicesState checked_;  ///< result of the latest check; devices_state() adds the devices
-  bool is_lent_ = false;
+  int opening_ = 0;  ///< number of the latest source; an earlier one is not wanted any more
+  std::optional<ui::Text> lent_;  ///< why the devices are lent; none: they are not
   bool rests_ = false;
   std::filesystem::path records_in_;      ///< folder of recordings, or of the next one; empty: off
   bool records_in_named_folder_ = false;  ///< `records_in_` is the next recording's own

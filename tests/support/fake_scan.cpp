@@ -9,6 +9,7 @@
 #include "tests/support/fake_devices.h"
 #include "tests/support/fake_jaw.h"
 #include "tests/support/fake_occlusion.h"
+#include "tests/support/fake_setup.h"
 #include "ui/state/command.h"
 
 namespace flytri::testing {
@@ -410,6 +411,7 @@ struct FakeScan::Parts {
     view.source.kind = ui::SourceKind::kDevices;
     view.source.name = "Intra-oral rig 04";
     view.devices = std::move(devices);
+    view.setup.has_rig = true;
     scan::ScanSnapshot scan = *view.scan;
     scan.latest_texture = jaw.flash_frame();
     set_scan(view, std::move(scan));
@@ -431,6 +433,12 @@ struct FakeScan::Parts {
     AppView view = with_devices(running_devices(texts));
     view.calibration->why_not_used.clear();
     view.calibration->running = std::move(running);
+    return view;
+  }
+
+  [[nodiscard]] AppView setting_up(ui::SetupStep step) const {
+    AppView view = paused();
+    view.setup.running = fake_setup(step);
     return view;
   }
 
@@ -490,7 +498,11 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
       [&] { return parts.other_side(texts); },
       [&] { return parts.two_bites(texts); },
       [&] { return parts.scan_body(); },
-      [&] { return parts.preop(); }};
+      [&] { return parts.preop(); },
+      [&] { return parts.setting_up(ui::SetupStep::kWorking); },
+      [&] { return parts.setting_up(ui::SetupStep::kAsking); },
+      [&] { return parts.setting_up(ui::SetupStep::kDone); },
+      [&] { return parts.setting_up(ui::SetupStep::kFailed); }};
   std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {

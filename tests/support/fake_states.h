@@ -11,7 +11,8 @@ inline constexpr std::array kFakeStates = {
     "not_saved",  "devices",      "devices_wrong", "calibrating",  "shot_refused", "set_refused",
     "calibrated", "check_broken", "lost_smooth",   "damaged",      "cleared",      "recording",
     "bite",       "closing",      "jaws",          "jaws_refused", "prepared",     "reviewed",
-    "other_side", "two_bites",    "scan_body",     "preop"};
+    "other_side", "two_bites",    "scan_body",     "preop",        "setting_up",   "setup_asks",
+    "set_up",     "setup_failed"};
 
 /// States of the export dialog, all of a finished scan: files exist, they are being written, they
 /// were written, it failed.

@@ -118,7 +118,7 @@ TEST_P(SmallestWindow, FitsWithEachTool) {
 TEST_P(SmallestWindow, FitsInEachDialog) {
   for (const char* state : kFakeStates) {
     for (const char* dialog :
-         {"help", "export", "case", "settings", "devices", "calibration", "stages"}) {
+         {"help", "export", "case", "settings", "devices", "calibration", "set_up", "stages"}) {
       show(state);
       check_after(dialog, state);
     }

@@ -81,6 +81,36 @@ TEST_F(RealWindow, TheCalibrationPanelStartsTakesImagesAndEnds) {
   EXPECT_EQ(window().state()["dialog"], "none");
 }
 
+TEST_F(RealWindow, TheSetupAsksAndItsSensorIsCalibratedNext) {
+  show("scanning");
+  EXPECT_EQ(after_key("shift+v"), Names{}) << "only in the panel";
+  window().key("shift+c");
+  EXPECT_EQ(window().state()["dialog"], "setup");
+  EXPECT_EQ(after_click("virtual_sensor"), Names{}) << "it is in use";
+  EXPECT_EQ(after_click("begin_setup"), Names{"BeginSetup"});
+
+  show("setup_asks");
+  EXPECT_EQ(after_click("answer_1"), Names{"AnswerSetup"});
+  EXPECT_EQ(after_key("Return"), Names{"AnswerSetup"});
+  window().click_at(5.0, 5.0);
+  EXPECT_EQ(window().commands(), Names{}) << "a click beside must not end the setup";
+  EXPECT_EQ(after_key("space"), Names{}) << "no scanning meanwhile";
+  EXPECT_EQ(after_key("Escape"), Names{"EndSetup"});
+  show("setting_up");
+  EXPECT_EQ(after_key("Return"), Names{}) << "nothing is asked";
+  show("setup_failed");
+  EXPECT_EQ(after_key("Return"), Names{});
+  EXPECT_EQ(after_click("cancel"), Names{"EndSetup"});
+
+  show("set_up");
+  EXPECT_EQ(after_key("Return"), Names{"UseSetup"});
+  EXPECT_EQ(window().state()["dialog"], "calibration");
+  window().key("Escape");
+  show("devices");
+  window().key("shift+c");
+  EXPECT_EQ(after_click("virtual_sensor"), Names{"UseVirtualSensor"});
+}
+
 TEST_F(RealWindow, OnlyAUsableCalibrationCanBeUsed) {
   show("calibrated");
   window().key("c");

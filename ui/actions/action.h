@@ -81,6 +81,9 @@ enum class Action {
   kCheckOnPlane,
   kCheckOnSphere,
   kPreviousPlace,
+  kSetUp,
+  kBeginSetup,
+  kVirtualSensor,
   // Program
   kExport,
   kOpenExportFolder,

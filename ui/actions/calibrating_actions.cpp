@@ -1,4 +1,4 @@
-/// @file  Calibrate the sensor, or check its calibration.
+/// @file  Calibrate the sensor, check its calibration, or set up another one.
 #include <GLFW/glfw3.h>
 
 #include "ui/actions/action_groups.h"
@@ -54,7 +54,26 @@ void retake_previous_place(const ActionRunner& run) {
   run.send(RetakeCalibrationPlace{*previous_place(*run.view.calibration->running)});
 }
 
-constexpr Dialogs kInPanel = in(Dialog::kCalibration);
+ActionState set_up_state(const Situation& now) {
+  if (!now.may_leave()) return disabled(Text::kFinishing);
+  if (now.is_calibrating()) return disabled(Text::kRunning);
+  return only_if(!now.is_setting_up() || now.state.dialog != Dialog::kSetup, Text::kRunning);
+}
+
+/// What both ways to another sensor have in common.
+ActionState other_sensor_state(const Situation& now) {
+  if (now.state.dialog != Dialog::kSetup) return disabled(Text::kOpenSetup);
+  return only_if(!now.is_setting_up(), Text::kRunning);
+}
+
+ActionState virtual_sensor_state(const Situation& now) {
+  const ActionState state = other_sensor_state(now);
+  if (!state.is_enabled) return state;
+  if (!now.view.setup.why_not_used.empty()) return disabled(now.view.setup.why_not_used);
+  return only_if(now.view.setup.has_rig, Text::kInUse);
+}
+
+constexpr Dialogs kInPanel = in(Dialog::kCalibration), kInSetup = in(Dialog::kSetup);
 
 constexpr std::array kCalibratingActions = {
     ActionRow{.action = Action::kCalibration,
@@ -91,7 +110,30 @@ constexpr std::array kCalibratingActions = {
               .shortcut = {GLFW_KEY_BACKSPACE},
               .state = previous_place_state,
               .perform = retake_previous_place,
-              .works_in = kInPanel}};
+              .works_in = kInPanel},
+    ActionRow{.action = Action::kSetUp,
+              .id = "set_up",
+              .name = Text::kSetUpSensor,
+              .shortcut = {GLFW_KEY_C, GLFW_MOD_SHIFT},
+              .state = set_up_state,
+              .perform = toggle_dialog<Dialog::kSetup>,
+              .works_in = kInSetup | in(Dialog::kDevices) | in(Dialog::kSettings)},
+    ActionRow{.action = Action::kBeginSetup,
+              .id = "begin_setup",
+              .name = Text::kBeginSetup,
+              .shortcut = {GLFW_KEY_V, GLFW_MOD_SHIFT},
+              .state = other_sensor_state,
+              .perform = send<BeginSetup>,
+              .works_in = kInSetup,
+              .is_listed = false},
+    ActionRow{.action = Action::kVirtualSensor,
+              .id = "virtual_sensor",
+              .name = Text::kUseVirtualSensor,
+              .shortcut = {GLFW_KEY_P, GLFW_MOD_SHIFT},
+              .state = virtual_sensor_state,
+              .perform = send<UseVirtualSensor>,
+              .works_in = kInSetup,
+              .is_listed = false}};
 static_assert(lists_all_of(ActionGroup::kCalibrating, kCalibratingActions));
 
 }  // namespace

@@ -87,6 +87,22 @@ ActionState confirm_calibration_state(const CalibrationState& calibration) {
   return disabled(Text::kPleaseWait);
 }
 
+/// Whether the main button of the setup panel does something now.
+ActionState confirm_setup_state(const SetupState& setup) {
+  if (!setup.running) return disabled(Text::kChooseTaskFirst);
+  switch (setup.running->step) {
+    case SetupStep::kAsking:
+      return enabled();
+    case SetupStep::kDone:
+      return setup.why_not_used.empty() ? enabled() : disabled(setup.why_not_used);
+    case SetupStep::kFailed:
+      return disabled(Text::kFailed);
+    case SetupStep::kWorking:
+      break;
+  }
+  return disabled(Text::kPleaseWait);
+}
+
 bool can_be_rescued(const CaseState& file) {
   return file.damaged && file.damaged->survey && !file.damaged->is_copying;
 }
@@ -109,6 +125,7 @@ bool can_confirm(const Situation& now) {
     case Dialog::kSettings:
     case Dialog::kDevices:
     case Dialog::kCalibration:
+    case Dialog::kSetup:
     case Dialog::kQuestion:
     case Dialog::kStages:
       break;
@@ -120,6 +137,7 @@ ActionState confirm_state(const Situation& now) {
   if (now.state.dialog == Dialog::kCalibration && now.view.calibration) {
     return confirm_calibration_state(*now.view.calibration);
   }
+  if (now.state.dialog == Dialog::kSetup) return confirm_setup_state(now.view.setup);
   return only_if(can_confirm(now), Text::kNothingToConfirm);
 }
 
@@ -199,10 +217,20 @@ void keep_margin(const ActionRunner& run) {
   run.state.review.margin_mm.clear();
 }
 
+/// Gives the suggested answer, or takes the sensor into use, which then has to be calibrated.
+void confirm_setup(const ActionRunner& run) {
+  const RunningSetup& running = *run.view.setup.running;
+  if (running.step == SetupStep::kAsking) return run.send(AnswerSetup{running.question.suggested});
+  run.send(UseSetup{});
+  run.state.dialog = Dialog::kCalibration;
+}
+
 void confirm(const ActionRunner& run) {
   switch (run.state.dialog) {
     case Dialog::kCalibration:
       return confirm_calibration(run);
+    case Dialog::kSetup:
+      return confirm_setup(run);
     case Dialog::kExport:
       // The dialog stays open: it shows what was written.
       return run.send(requested_export(run.view, run.state.export_form));
@@ -222,12 +250,13 @@ void confirm(const ActionRunner& run) {
 }
 
 /// What Cancel does now. Its state and what it does follow from the same list.
-enum class CancelTarget { kCalibration, kDialog, kTool, kFinishing, kHole, kNothing };
+enum class CancelTarget { kCalibration, kSetup, kDialog, kTool, kFinishing, kHole, kNothing };
 
 CancelTarget cancel_target(const Situation& now) {
   if (now.state.dialog == Dialog::kCalibration && now.is_calibrating()) {
     return CancelTarget::kCalibration;
   }
+  if (now.state.dialog == Dialog::kSetup && now.is_setting_up()) return CancelTarget::kSetup;
   if (now.state.dialog != Dialog::kNone) return CancelTarget::kDialog;
   if (now.state.tool != Tool::kNone) return CancelTarget::kTool;
   if (now.is_finishing()) return CancelTarget::kFinishing;
@@ -238,6 +267,8 @@ ActionState cancel_state(const Situation& now) {
   switch (cancel_target(now)) {
     case CancelTarget::kCalibration:
       return enabled(Text::kStopsCalibration);
+    case CancelTarget::kSetup:
+      return enabled(Text::kStopsSetup);
     case CancelTarget::kDialog:
       return enabled(Text::kClosesDialog);
     case CancelTarget::kTool:
@@ -256,6 +287,8 @@ void cancel(const ActionRunner& run) {
   switch (cancel_target({run.view, run.state})) {
     case CancelTarget::kCalibration:
       return run.send(EndCalibration{});
+    case CancelTarget::kSetup:
+      return run.send(EndSetup{});
     case CancelTarget::kDialog:
       if (run.state.dialog == Dialog::kCase && run.state.case_form.discards) {
         run.state.case_form.discards = false;

@@ -31,6 +31,8 @@ struct Situation {
   [[nodiscard]] bool steers_by_hand() const;
   /// A calibration, or a check of one, is under way.
   [[nodiscard]] bool is_calibrating() const;
+  /// A sensor is being set up.
+  [[nodiscard]] bool is_setting_up() const { return view.setup.running.has_value(); }
 };
 
 [[nodiscard]] ActionState disabled(Text why);

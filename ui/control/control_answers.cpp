@@ -282,6 +282,8 @@ std::string ControlAnswers::state_as_json(const DrawnFrame& frame) {
                            {"message", running.message},
                            {"verdict", running.outcome.verdict}};
   }
+  if (const auto& setup = frame.view.setup.running)
+    json["setup"] = {{"step", to_string(setup->step)}, {"question", setup->question.text}};
   if (state.selected_hole) json["selected_hole"] = state.selected_hole->index;
   commands_.clear();
   // Text that is not UTF-8 must not end the program.

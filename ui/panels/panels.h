@@ -51,5 +51,6 @@ void draw_stages_dialog(const PanelContext& context);
 void draw_settings_dialog(const PanelContext& context);
 void draw_device_panel(const PanelContext& context);
 void draw_calibration_panel(const PanelContext& context);
+void draw_setup_panel(const PanelContext& context);
 
 }  // namespace flytri::ui

@@ -21,7 +21,7 @@ constexpr float kSettingsWidth = 680.0F, kSettingsRow = 48.0F, kLanguageCaption 
 /// What the dialog needs beside its rows: the caption of the languages and the folder of
 /// recordings.
 constexpr float kBesideRows = kLanguageCaption + kGapXs + kFieldRow;
-constexpr float kSettingsRows = 8.0F;
+constexpr float kSettingsRows = 9.0F;
 
 /// @param code  of the language; empty: that of the desktop
 void draw_language_button(const PanelContext& context, const Rect& box, const std::string& code,
@@ -122,6 +122,12 @@ void draw_calibration(const PanelContext& context, Rect row) {
             context.text(Text::kSensorCalibration));
 }
 
+void draw_set_up(const PanelContext& context, Rect row) {
+  small_action(context, row.take_right(context.px(64.0F * 2.0F + 80.0F + 2.0F * kGapXs)),
+               Action::kSetUp, {icon::kSettings, context.text(Text::kShow)});
+  draw_text(row, {context.theme.fonts.body, kText, Align::kLeft}, context.text(Text::kSetUpSensor));
+}
+
 void draw_recording(const PanelContext& context, DialogPlate& dialog, float row_height) {
   RecordingForm& form = context.state.recording_form;
   const RecordingState& recording = context.view.recording;
@@ -159,6 +165,7 @@ void draw_settings_dialog(const PanelContext& context) {
   draw_close_holes(context, next_row());
   draw_devices(context, next_row());
   draw_calibration(context, next_row());
+  draw_set_up(context, next_row());
   draw_recording(context, dialog, row);
 }
 

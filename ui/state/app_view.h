@@ -19,6 +19,7 @@
 #include "ui/state/calibration_state.h"
 #include "ui/state/devices_state.h"
 #include "ui/state/review_state.h"
+#include "ui/state/setup_state.h"
 #include "ui/text/texts.h"
 
 namespace flytri::ui {
@@ -184,6 +185,7 @@ struct Settings {
   int window_width = 1280;       ///< >= 640; with window_height at scale 1, when not in full screen
   int window_height = 800;       ///< >= 400
   std::string recording_folder;  ///< empty: the proposed one
+  std::string rig_file;          ///< of the sensor that was set up; empty: the virtual one
   std::set<std::string> export_formats = {".glb", ".stl", ".ply"};         ///< extensions
   bool export_report = false;                                              ///< beside the models
   reconstruct::MeshDensity mesh_density = reconstruct::MeshDensity::kCad;  ///< of exports
@@ -234,6 +236,7 @@ struct AppView {
   std::optional<DevicesState> devices;  ///< of a rig; none: simulated or recorded
   std::optional<CalibrationState>
       calibration;  ///< none for a recording: its sensor is not connected
+  SetupState setup;
 };
 
 }  // namespace flytri::ui

@@ -53,6 +53,11 @@ std::string_view name_of(const Command& command) {
       "RetakeCalibrationPlace",
       "UseCalibration",
       "EndCalibration",
+      "BeginSetup",
+      "AnswerSetup",
+      "UseSetup",
+      "UseVirtualSensor",
+      "EndSetup",
       "Tell",
       "Quit"};
   return kNames[command.index()];

@@ -165,22 +165,31 @@ struct RetakeCalibrationPlace {
 struct UseCalibration {};
 /// Ends the task and frees the sensor. Images on disk are kept.
 struct EndCalibration {};
+/// Pauses scanning, and finds out which cameras and lights there are.
+struct BeginSetup {};
+struct AnswerSetup {
+  std::size_t index = 0;  ///< in SetupQuestion::answers
+};
+/// Scans with the sensor that was set up, also after the next start.
+struct UseSetup {};
+struct UseVirtualSensor {};
+/// Ends the setup and frees the devices.
+struct EndSetup {};
 /// A message from the control channel to the program, such as "lose source" of a test.
 struct Tell {
   std::string words;
 };
 struct Quit {};
 
-using Command =
-    std::variant<StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage,
-                 CopyStage, AddMeasurement, RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane,
-                 BeginReview, MeasureAngle, RemoveAngle, CutSection, FindUndercut, DrawMargin,
-                 KeepMargin, RemoveMargin, Finish, CancelFinish, ResumeScan, ChooseReentry,
-                 SelectStage, Export, PrepareExport, OpenExportFolder, NewCase, OpenCase,
-                 DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand, FollowPath, TakeSensorAway,
-                 PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices,
-                 BeginCalibration, TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration,
-                 EndCalibration, Tell, Quit>;
+using Command = std::variant<
+    StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage, CopyStage,
+    AddMeasurement, RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane, BeginReview,
+    MeasureAngle, RemoveAngle, CutSection, FindUndercut, DrawMargin, KeepMargin, RemoveMargin,
+    Finish, CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, PrepareExport,
+    OpenExportFolder, NewCase, OpenCase, DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand,
+    FollowPath, TakeSensorAway, PointHand, ChangeSettings, RecordFrames, ChoosePath, CheckDevices,
+    BeginCalibration, TakeCalibrationImages, RetakeCalibrationPlace, UseCalibration, EndCalibration,
+    BeginSetup, AnswerSetup, UseSetup, UseVirtualSensor, EndSetup, Tell, Quit>;
 
 /// The name of a command for logs and tests: "StartScan".
 [[nodiscard]] std::string_view name_of(const Command& command);

@@ -36,6 +36,8 @@ std::string_view to_string(Dialog dialog) {
       return "devices";
     case Dialog::kCalibration:
       return "calibration";
+    case Dialog::kSetup:
+      return "setup";
     case Dialog::kQuestion:
       return "question";
     case Dialog::kStages:

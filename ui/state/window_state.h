@@ -40,6 +40,7 @@ enum class Dialog {
   kSettings,
   kDevices,
   kCalibration,
+  kSetup,
   kQuestion,
   kStages
 };

@@ -100,6 +100,12 @@ FLYTRI_TEXT(kCheckOnSphere, "Check on a sphere", "An Kugel prüfen", "Vérifier 
 FLYTRI_TEXT(kRepeatPlace, "Repeat previous place", "Vorige wiederholen", "Refaire précédente",
             "Repetir anterior")
 
+FLYTRI_TEXT(kSetUpSensor, "Set up sensor", "Sensor einrichten", "Installer capteur",
+            "Instalar sensor")
+FLYTRI_TEXT(kBeginSetup, "Find devices", "Geräte suchen", "Chercher appareils", "Buscar equipos")
+FLYTRI_TEXT(kUseVirtualSensor, "Use virtual sensor", "Virtueller Sensor", "Capteur virtuel",
+            "Sensor virtual")
+
 // Program.
 FLYTRI_TEXT(kExport, "Export", "Export", "Exporter", "Exportar")
 FLYTRI_TEXT(kOpenExportFolder, "Open export folder", "Ordner öffnen", "Ouvrir le dossier",
@@ -166,6 +172,9 @@ FLYTRI_TEXT(kNotForRecordings, "needs the sensor", "Sensor nötig", "capteur req
 FLYTRI_TEXT(kRunning, "running", "läuft", "en cours", "en curso")
 FLYTRI_TEXT(kOpenCalibration, "open Calibration", "Kalibrierung öffnen", "ouvrir Étalonnage",
             "abrir Calibración")
+FLYTRI_TEXT(kOpenSetup, "open Set up sensor", "Einrichten öffnen", "ouvrir Installer",
+            "abrir Instalar")
+FLYTRI_TEXT(kInUse, "in use", "in Verwendung", "utilisé", "en uso")
 FLYTRI_TEXT(kNoCalibration, "no calibration yet", "nicht kalibriert", "pas d’étalonnage",
             "sin calibración")
 FLYTRI_TEXT(kRealSensorOnly, "real sensor only", "nur echter Sensor", "capteur réel seul",
@@ -191,6 +200,8 @@ FLYTRI_TEXT(kCloseDialogFirst, "close the dialog first", "erst Fenster schließe
             "fermer la fenêtre", "cerrar la ventana")
 FLYTRI_TEXT(kStopsCalibration, "stops the calibration", "beendet Kalibrierung",
             "arrête l’étalonnage", "detiene calibración")
+FLYTRI_TEXT(kStopsSetup, "stops the setup", "beendet Einrichtung", "arrête l’installation",
+            "detiene instalación")
 FLYTRI_TEXT(kClosesDialog, "closes the dialog", "schließt das Fenster", "ferme la fenêtre",
             "cierra la ventana")
 FLYTRI_TEXT(kPutsToolAway, "puts the tool away", "legt Werkzeug weg", "pose l’outil",

@@ -15,3 +15,4 @@
 #include "ui/text/review_texts.h"
 #include "ui/text/scanning_texts.h"
 #include "ui/text/settings_texts.h"
+#include "ui/text/setup_texts.h"

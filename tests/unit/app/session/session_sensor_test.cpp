@@ -15,6 +15,7 @@
 #include "core/io/models/model.h"
 #include "core/io/recordings/recording.h"
 #include "core/measurement/measure_view.h"
+#include "tests/support/simulated_head.h"
 #include "tests/unit/app/session/session_fixture.h"
 
 namespace flytri::session {
@@ -55,6 +56,45 @@ TEST_F(SessionOnAMesh, FindsTheTeethOfAJawThatIsUpsideDownAndPointsTheHandAfterA
     return registered(view) > before + 5;
   }));
   EXPECT_EQ(session.view().scan->phase, scan::ScanPhase::kMeasurement);
+}
+
+TEST_F(SessionOnAMesh, ScansWithTheSensorThatWasSetUp) {
+  testing::SimulatedHead head;
+  options_.source = {};
+  options_.machine = [&head] { return head.machine(); };
+  const auto uses_rig = [](const ui::AppView& view) { return view.devices.has_value(); };
+  {
+    Session session(options_);
+    EXPECT_FALSE(uses_rig(session.view()));
+    session.carry_out(ui::UseSetup{});
+    EXPECT_EQ(session.view().settings.rig_file, "") << "nothing was set up";
+    session.carry_out(ui::BeginSetup{});
+    ASSERT_TRUE(wait_for(session, [&](const ui::AppView& view) {
+      const ui::RunningSetup& running = view.setup.running.value();
+      if (running.step == ui::SetupStep::kAsking)
+        session.carry_out(ui::AnswerSetup{running.question.suggested});
+      return running.step == ui::SetupStep::kDone;
+    }));
+    session.carry_out(ui::UseSetup{});
+    ASSERT_TRUE(wait_for(session, [](const ui::AppView& view) {
+      return !view.setup.running && view.source.is_lost;
+    })) << "this machine has no such cameras";
+    const ui::AppView view = session.view();
+    EXPECT_TRUE(uses_rig(view));
+    EXPECT_TRUE(view.setup.has_rig);
+    EXPECT_TRUE(fs::exists(view.settings.rig_file));
+    ASSERT_TRUE(view.calibration);
+    EXPECT_FALSE(view.calibration->has_calibration);
+  }
+  options_.source.is_given = true;
+  EXPECT_FALSE(uses_rig(Session(options_).view())) << "the command line asks for another one";
+  options_.source.is_given = false;
+  Session session(options_);
+  EXPECT_TRUE(uses_rig(session.view()));
+  session.carry_out(ui::UseVirtualSensor{});
+  EXPECT_TRUE(wait_for(session, [](const ui::AppView& view) { return view.source.is_running; }));
+  EXPECT_FALSE(uses_rig(session.view()));
+  EXPECT_EQ(session.view().settings.rig_file, "");
 }
 
 /// Nothing that the window shows of a face speaks of teeth, and small gaps are no holes.
