@@ -118,7 +118,7 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::UseCalibration&) { calibration_.use(); },
           [&](const ui::EndCalibration&) { calibration_.end(); },
           [&](const ui::BeginSetup&) { setup_.begin(); },
-          [&](const ui::AnswerSetup& given) { setup_.answer(given.index); },
+          [&](const ui::AnswerSetup& given) { setup_.answer(given); },
           [&](const ui::UseSetup&) { use_set_up_sensor(); },
           [&](const ui::UseVirtualSensor&) { use_virtual_sensor(); },
           [&](const ui::EndSetup&) { setup_.end(); },

@@ -34,8 +34,8 @@ void SetupController::begin() {
   run_ = std::make_shared<SetupRun>(machine_(), new_rig_file());
 }
 
-void SetupController::answer(std::size_t index) {
-  if (run_ != nullptr) run_->answer(index);
+void SetupController::answer(const ui::AnswerSetup& given) {
+  if (run_ != nullptr) run_->answer(given.question, given.index);
 }
 
 void SetupController::close(std::function<void()> then) {

@@ -10,6 +10,7 @@
 #include "app/session/setup_run.h"
 #include "app/session/stage_controller.h"
 #include "hw/setup/setup_machine.h"
+#include "ui/state/command.h"
 
 namespace flytri::session {
 
@@ -21,7 +22,7 @@ class SetupController {
 
   /// Pauses the scan and lends the devices to a setup.
   void begin();
-  void answer(std::size_t index);
+  void answer(const ui::AnswerSetup& given);
   /// Ends the setup and scans with its sensor from now on.
   /// @return  its rig.json; none: it cannot be used now
   std::optional<std::filesystem::path> use();

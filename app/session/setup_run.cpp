@@ -29,11 +29,14 @@ ui::RunningSetup SetupRun::state() const {
   return state_;
 }
 
-void SetupRun::answer(std::size_t index) {
+void SetupRun::answer(int question, std::size_t index) {
   {
     const std::lock_guard lock(mutex_);
-    if (state_.step != ui::SetupStep::kAsking || index >= state_.question.answers.size()) return;
+    const ui::SetupQuestion& asked = state_.question;
+    if (state_.step != ui::SetupStep::kAsking || question != asked.number) return;
+    if (index >= asked.answers.size()) return;
     answer_ = index;
+    state_.step = ui::SetupStep::kWorking;
   }
   answered_.notify_all();
 }
@@ -67,7 +70,7 @@ std::optional<std::size_t> SetupRun::choose(const std::string& question,
                                             const std::vector<std::string>& answers,
                                             std::size_t suggested) {
   std::unique_lock lock(mutex_);
-  state_.question = {question, answers, suggested};
+  state_.question = {state_.question.number + 1, question, answers, suggested};
   state_.step = ui::SetupStep::kAsking;
   answer_.reset();
   answered_.wait(lock, [this] { return answer_ || progress_.cancelled(); });

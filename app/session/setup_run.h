@@ -21,8 +21,8 @@ class SetupRun final : private setup::SetupTalk {
   SetupRun(setup::SetupMachine machine, std::filesystem::path file);
   ~SetupRun() override;
 
-  /// Answers the question that is asked now. Does nothing if there is none, or no such answer.
-  void answer(std::size_t index);
+  /// Does nothing unless this question is asked now and has such an answer.
+  void answer(int question, std::size_t index);
 
   [[nodiscard]] ui::RunningSetup state() const;
 

@@ -14,7 +14,8 @@ ui::RunningSetup fake_setup(ui::SetupStep step) {
       "Turning on FT232H, line 3 (C3) for a moment ..."};
   switch (step) {
     case ui::SetupStep::kAsking:
-      setup.question = {"What lit up? The camera saw: vertical lines.",
+      setup.question = {1,
+                        "What lit up? The camera saw: vertical lines.",
                         {"Vertical lines", "Horizontal lines", "The flash", "Nothing",
                          "It was lit and went dark", "Show it again"},
                         0};

@@ -220,7 +220,10 @@ void keep_margin(const ActionRunner& run) {
 /// Gives the suggested answer, or takes the sensor into use, which then has to be calibrated.
 void confirm_setup(const ActionRunner& run) {
   const RunningSetup& running = *run.view.setup.running;
-  if (running.step == SetupStep::kAsking) return run.send(AnswerSetup{running.question.suggested});
+  if (running.step == SetupStep::kAsking) {
+    const SetupQuestion& question = running.question;
+    return run.send(AnswerSetup{question.number, question.suggested});
+  }
   run.send(UseSetup{});
   run.state.dialog = Dialog::kCalibration;
 }

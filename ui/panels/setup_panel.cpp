@@ -83,7 +83,8 @@ void draw_answers(const PanelContext& context, Rect rest, const SetupQuestion& q
     look.is_main = i == question.suggested;
     if (look.is_main) look.key = context.text(Text::kKeyEnter);
     context.places.set(id, box);
-    if (small_button(context.theme, box, look)) context.commands.emplace_back(AnswerSetup{i});
+    if (small_button(context.theme, box, look))
+      context.commands.emplace_back(AnswerSetup{question.number, i});
   }
 }
 

@@ -168,6 +168,7 @@ struct EndCalibration {};
 /// Pauses scanning, and finds out which cameras and lights there are.
 struct BeginSetup {};
 struct AnswerSetup {
+  int question = 0;       ///< SetupQuestion::number
   std::size_t index = 0;  ///< in SetupQuestion::answers
 };
 /// Scans with the sensor that was set up, also after the next start.

@@ -15,6 +15,7 @@ enum class SetupStep { kWorking, kAsking, kDone, kFailed };
 
 /// A question to the user.
 struct SetupQuestion {
+  int number = 0;  ///< an answer to an earlier question does not count
   std::string text;
   std::vector<std::string> answers;
   std::size_t suggested = 0;  ///< index of the answer that setup expects

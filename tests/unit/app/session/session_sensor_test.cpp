@@ -72,7 +72,7 @@ TEST_F(SessionOnAMesh, ScansWithTheSensorThatWasSetUp) {
     ASSERT_TRUE(wait_for(session, [&](const ui::AppView& view) {
       const ui::RunningSetup& running = view.setup.running.value();
       if (running.step == ui::SetupStep::kAsking)
-        session.carry_out(ui::AnswerSetup{running.question.suggested});
+        session.carry_out(ui::AnswerSetup{running.question.number, running.question.suggested});
       return running.step == ui::SetupStep::kDone;
     }));
     session.carry_out(ui::UseSetup{});

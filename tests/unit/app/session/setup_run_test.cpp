@@ -37,9 +37,10 @@ TEST_F(SetupRunTest, WritesTheRigThatTheAnswersDescribe) {
   int asked = 0;
   for (; now.step == SetupStep::kAsking; now = next(run)) {
     ASSERT_LT(++asked, 50);
-    run.answer(now.question.answers.size());
-    EXPECT_EQ(run.state().question.text, now.question.text) << "there is no such answer";
-    run.answer(now.question.suggested);
+    const ui::SetupQuestion& question = now.question;
+    run.answer(question.number, question.answers.size());
+    EXPECT_EQ(run.state().question.text, question.text) << "there is no such answer";
+    run.answer(question.number, question.suggested);
   }
   EXPECT_GT(asked, 2);
   ASSERT_EQ(now.step, SetupStep::kDone) << now.message;
@@ -50,6 +51,18 @@ TEST_F(SetupRunTest, WritesTheRigThatTheAnswersDescribe) {
   ASSERT_TRUE(rig) << rig.error().message;
   EXPECT_EQ(rig->name, "first");
   EXPECT_EQ(rig->measurement.match.name, "Mono");
+}
+
+TEST_F(SetupRunTest, ASecondAnswerToAQuestionDoesNotAnswerTheNextOne) {
+  SetupRun run(head_.machine(), file_);
+  const ui::SetupQuestion first = next(run).question;
+  run.answer(first.number, first.suggested);
+  const ui::RunningSetup now = next(run);
+  ASSERT_EQ(now.step, SetupStep::kAsking);
+  ASSERT_NE(now.question.text, first.text);
+  run.answer(first.number, 0);
+  EXPECT_EQ(run.state().step, SetupStep::kAsking);
+  EXPECT_EQ(run.state().question.text, now.question.text);
 }
 
 TEST_F(SetupRunTest, SaysWhatIsMissing) {
