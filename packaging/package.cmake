@@ -144,7 +144,7 @@ virtual sensor to try it.${processor}
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 # What the headers include, and what a program that uses the library is linked with.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libdeflate-dev, libeigen3-dev, libexpected-dev, libfmt-dev, \
-libopencv-core-dev, libopencv-imgcodecs-dev, libopencv-imgproc-dev, libsqlcipher-dev, libtbb-dev, \
+libopencv-calib3d-dev, libopencv-core-dev, libopencv-imgcodecs-dev, libopencv-imgproc-dev, libsqlcipher-dev, libtbb-dev, \
 libtinygltf-dev, nlohmann-json3-dev, zlib1g-dev")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "hand-guided 3D scanner for dentistry (library)
 Reconstruction of surfaces from the camera frames of a scanner that

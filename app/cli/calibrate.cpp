@@ -12,6 +12,8 @@
 #include "app/cli/output_files.h"
 #include "core/base/iso_time.h"
 #include "core/calibration/fit/calibrate.h"
+#include "core/calibration/fit/calibrate_board.h"
+#include "core/io/calibrations/board_set_file.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/calibrations/calibration_set_file.h"
 
@@ -30,15 +32,41 @@ struct CalibrateArguments {
   CalibrateCheckArguments of_check;
 };
 
+/// What a calibration by hand tells beside its residuals.
+void print_board(const calibration::BoardCalibration& fitted) {
+  constexpr double kMicrons = 1e3, kPercent = 1e2;
+  print_out(
+      "dots of the board: {:.3f} px off, RMS; distance to the middle of the volume {:.2f} mm\n",
+      fitted.rms_px, fitted.distance_mm);
+  print_out("depths are uncertain by {:.3f} %; the board moved by up to {:.0f} µm during a pose\n",
+            kPercent * fitted.depth_sigma_share, kMicrons * fitted.largest_motion_mm);
+}
+
+Result<calibration::Calibration> fit_board(const CalibrateArguments& arguments,
+                                           const Progress& progress) {
+  const auto set = io::read_board_set(arguments.set);
+  if (!set) return tl::unexpected(set.error());
+  auto fitted =
+      calibration::calibrate_board(*set, {}, Workers(arguments.of_live.thread_count), progress);
+  if (!fitted) return tl::unexpected(fitted.error());
+  print_board(*fitted);
+  return std::move(fitted->calibration);
+}
+
+Result<calibration::Calibration> fit_stage(const CalibrateArguments& arguments,
+                                           const Progress& progress) {
+  const auto set = io::read_calibration_set(arguments.set);
+  if (!set) return tl::unexpected(set.error());
+  return calibration::calibrate(*set, {}, Workers(arguments.of_live.thread_count), progress);
+}
+
 Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& progress) {
   const std::filesystem::path output =
       arguments.output.empty() ? "calibration.json" : arguments.output;
   auto checked = check_output_files({}, {{output, kCalibrationFormat}}, arguments.force);
   if (!checked) return checked;
-  const Result<calibration::CalibrationSet> set = io::read_calibration_set(arguments.set);
-  if (!set) return tl::unexpected(set.error());
-  Result<calibration::Calibration> calibration = calibration::calibrate(
-      *set, calibration::CalibrateOptions{}, Workers(arguments.of_live.thread_count), progress);
+  const bool by_hand = std::filesystem::exists(arguments.set / io::kBoardSetFile);
+  auto calibration = by_hand ? fit_board(arguments, progress) : fit_stage(arguments, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   calibration->history.made_at = iso_time(std::time(nullptr));
   if (auto written = io::write_calibration(output, *calibration); !written) return written;
@@ -137,7 +165,8 @@ void add_calibrate_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App* command = app.add_subcommand(
       "calibrate", "Calibrate a sensor from target images, or check a calibration");
-  const auto set = command->add_option("SET", arguments->set, "Folder with calibration-set.json");
+  const auto set = command->add_option("SET", arguments->set,
+                                       "Folder with calibration-set.json or board-set.json");
   command->add_option(
       "-o,--output", arguments->output,
       "File to write. Default: calibration.json. With --live: folder for images and "

@@ -10,7 +10,9 @@
 #include "app/cli/object_options.h"
 #include "app/cli/output_files.h"
 #include "app/cli/sensor_option.h"
+#include "core/io/calibrations/board_set_file.h"
 #include "hw/shots/open_shots.h"
+#include "hw/simulated/datasets/simulate_board_set.h"
 #include "hw/simulated/datasets/simulate_calibration_set.h"
 #include "hw/simulated/datasets/simulate_recording.h"
 
@@ -35,6 +37,8 @@ struct SimulateArguments {
   bool force = false;
   std::array<double, 2> stage_tilt_deg = {0.0, 0.0};
   bool no_texture = false;
+  double tremor_um = 0.0;
+  int exposures = 16;
   int thread_count = 0;
 };
 
@@ -87,6 +91,22 @@ Result<void> run_calibration_set(const SimulateArguments& arguments, const Progr
   options.has_texture = !arguments.no_texture;
   auto written = simulated::simulate_calibration_set(options, arguments.output,
                                                      Workers(arguments.thread_count), progress);
+  if (written) print_out("wrote {}\n", arguments.output.string());
+  return written;
+}
+
+Result<void> run_board_set(const SimulateArguments& arguments, const Progress& progress) {
+  auto checked = check_replaceable({arguments.output / io::kBoardSetFile, "flytri.board-set"},
+                                   arguments.force);
+  if (!checked) return checked;
+  simulated::BoardSetOptions options;
+  options.sensor = shots::sensor_named(arguments.sensor);
+  options.images.seed = arguments.seed;
+  options.images.exposures = arguments.exposures;
+  options.has_texture = !arguments.no_texture;
+  options.tremor_mm = 1e-3 * arguments.tremor_um;
+  auto written = simulated::simulate_board_set(options, arguments.output,
+                                               Workers(arguments.thread_count), progress);
   if (written) print_out("wrote {}\n", arguments.output.string());
   return written;
 }
@@ -157,6 +177,25 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
   set->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) {
       return run_calibration_set(*arguments, progress);
+    };
+  });
+
+  CLI::App* board = simulate->add_subcommand(
+      "board-set", "Make images of a board held by hand for flytri calibrate");
+  add_common_options(*board, *arguments);
+  board
+      ->add_option("--tremor", arguments->tremor_um,
+                   "How much the board moves between two images, standard deviation in µm")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  board->add_option("--exposures", arguments->exposures, "Exposures averaged into each image")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  board->add_flag("--no-texture", arguments->no_texture, "The sensor has no texture camera");
+  board->footer("Example: flytri simulate board-set -o out/board");
+  board->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress& progress) {
+      return run_board_set(*arguments, progress);
     };
   });
 }

@@ -29,8 +29,6 @@ Result<void> check_dots(const DotTarget& dots) {
       .result();
 }
 
-bool is_marker(int i, int j) { return (j == 0 && (i == 0 || i == 1)) || (i == 0 && j == 2); }
-
 /// Whole dots that fill the field.
 struct DotRange {
   Eigen::Vector2i first, last;
@@ -41,10 +39,8 @@ struct DotRange {
 
 void draw_dots(Drawing& page, const Vec2& origin_mm, const DotRange& range, const DotTarget& dots) {
   for (int j = range.first.y(); j <= range.last.y(); ++j)
-    for (int i = range.first.x(); i <= range.last.x(); ++i) {
-      const double diameter_mm = is_marker(i, j) ? dots.marker_diameter_mm : dots.diameter_mm;
-      page.disk(origin_mm + dots.pitch_mm * Vec2(i, j), 0.5 * diameter_mm);
-    }
+    for (int i = range.first.x(); i <= range.last.x(); ++i)
+      page.disk(origin_mm + dots.pitch_mm * Vec2(i, j), 0.5 * dots.diameter_of(i, j));
 }
 
 /// Marks outside of the target where its axes x = 0 and y = 0 are.

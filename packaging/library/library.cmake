@@ -25,7 +25,7 @@ endif()
 target_include_directories(flytri_core INTERFACE $<INSTALL_INTERFACE:include>)
 # flytri-config.cmake finds these. tests/package/check_library links all of core: it fails if one is missing.
 foreach(library Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json TBB::tbb ZLIB::ZLIB
-        flytri::deflate flytri::opencv_core flytri::opencv_imgcodecs flytri::opencv_imgproc
+        flytri::deflate flytri::opencv_calib3d flytri::opencv_core flytri::opencv_imgcodecs flytri::opencv_imgproc
         flytri::sqlcipher flytri::tinygltf)
   target_link_libraries(flytri_core INTERFACE $<INSTALL_INTERFACE:${library}>)
 endforeach()

@@ -21,28 +21,6 @@ Result<void> check_image(const cv::Mat& image, const std::string& name, const cv
   return {};
 }
 
-Result<void> check_gray(const cv::Mat& image, const std::string& name) {
-  if (image.type() == CV_8UC1 || image.type() == CV_16UC1) return {};
-  return fail(ErrorCode::kBadFormat,
-              "{}: images of the measurement camera must be 8- or 16-bit gray", name);
-}
-
-/// All planes have an image of the texture camera, or none has.
-Result<void> check_texture(const CalibrationPlane& plane, const CalibrationPlane& first) {
-  if (first.dots_texture.empty() && plane.dots_texture.empty()) return {};
-  if (first.dots_texture.empty()) {
-    return fail(ErrorCode::kInconsistent,
-                "{}: there is no such image of the first plane; take it at all depths, or at none",
-                plane.dots_texture_name);
-  }
-  if (!plane.dots_texture.empty() && plane.dots_texture.type() != CV_8UC3) {
-    return fail(ErrorCode::kBadFormat, "{}: texture images must be 8-bit RGB",
-                plane.dots_texture_name);
-  }
-  return check_image(plane.dots_texture, plane.dots_texture_name, first.dots_texture,
-                     first.dots_texture_name);
-}
-
 Result<void> check_plane(const CalibrationPlane& plane, const CalibrationPlane& first) {
   const auto first_error = [](std::initializer_list<Result<void>> results) -> Result<void> {
     for (const auto& result : results) {
@@ -51,33 +29,13 @@ Result<void> check_plane(const CalibrationPlane& plane, const CalibrationPlane& 
     return {};
   };
   return first_error({
-      check_image(plane.vertical, plane.vertical_name, first.vertical, first.vertical_name),
-      check_image(plane.horizontal, plane.horizontal_name, first.vertical, first.vertical_name),
-      check_image(plane.dots, plane.dots_name, first.vertical, first.vertical_name),
-      check_texture(plane, first),
-      check_gray(plane.vertical, plane.vertical_name),
-      check_gray(plane.horizontal, plane.horizontal_name),
-      check_gray(plane.dots, plane.dots_name),
+      check_gray_image(plane.vertical, plane.vertical_name, first.vertical, first.vertical_name),
+      check_gray_image(plane.horizontal, plane.horizontal_name, first.vertical,
+                       first.vertical_name),
+      check_gray_image(plane.dots, plane.dots_name, first.vertical, first.vertical_name),
+      check_texture_image(plane.dots_texture, plane.dots_texture_name, first.dots_texture,
+                          first.dots_texture_name),
   });
-}
-
-Result<void> check_scene(const CalibrationSet& set) {
-  if (!(set.volume.size_mm.minCoeff() > 0) || !set.volume.size_mm.allFinite()) {
-    return fail(ErrorCode::kInconsistent,
-                "the size of the measurement volume must be above 0 in all directions");
-  }
-  if (*std::min_element(set.line_counts.begin(), set.line_counts.end()) < 1) {
-    return fail(ErrorCode::kInconsistent, "each pattern must have at least one line");
-  }
-  const DotTarget& dots = set.dots;
-  const bool ordered = dots.diameter_mm > 0 && dots.marker_diameter_mm > dots.diameter_mm &&
-                       dots.pitch_mm > dots.marker_diameter_mm;
-  if (!ordered) {
-    return fail(ErrorCode::kInconsistent,
-                "dots must have 0 < diameter < marker diameter < pitch, not {}, {}, {} mm",
-                dots.diameter_mm, dots.marker_diameter_mm, dots.pitch_mm);
-  }
-  return {};
 }
 
 Result<void> check_depths(const std::vector<double>& z_mm, double depth_mm) {
@@ -108,9 +66,49 @@ Result<void> check_depths(const std::vector<double>& z_mm, double depth_mm) {
 
 }  // namespace
 
-Result<void> check_numbers(const CalibrationSet& set, const std::vector<double>& z_mm) {
-  if (auto scene = check_scene(set); !scene) return scene;
-  return check_depths(z_mm, set.volume.size_mm.z());
+Result<void> check_gray_image(const cv::Mat& image, const std::string& name, const cv::Mat& first,
+                              const std::string& first_name) {
+  if (auto good = check_image(image, name, first, first_name); !good) return good;
+  if (image.type() == CV_8UC1 || image.type() == CV_16UC1) return {};
+  return fail(ErrorCode::kBadFormat,
+              "{}: images of the measurement camera must be 8- or 16-bit gray", name);
+}
+
+Result<void> check_texture_image(const cv::Mat& image, const std::string& name,
+                                 const cv::Mat& first, const std::string& first_name) {
+  if (first.empty() && image.empty()) return {};
+  if (first.empty()) {
+    return fail(ErrorCode::kInconsistent,
+                "{}: there is no such image of the first placement; take it each time, or never",
+                name);
+  }
+  if (!image.empty() && image.type() != CV_8UC3)
+    return fail(ErrorCode::kBadFormat, "{}: texture images must be 8-bit RGB", name);
+  return check_image(image, name, first, first_name);
+}
+
+Result<void> check_scene(const CalibrationScene& scene) {
+  if (!(scene.volume.size_mm.minCoeff() > 0) || !scene.volume.size_mm.allFinite()) {
+    return fail(ErrorCode::kInconsistent,
+                "the size of the measurement volume must be above 0 in all directions");
+  }
+  if (*std::min_element(scene.line_counts.begin(), scene.line_counts.end()) < 1) {
+    return fail(ErrorCode::kInconsistent, "each pattern must have at least one line");
+  }
+  const DotTarget& dots = scene.dots;
+  const bool ordered = dots.diameter_mm > 0 && dots.marker_diameter_mm > dots.diameter_mm &&
+                       dots.pitch_mm > dots.marker_diameter_mm;
+  if (!ordered) {
+    return fail(ErrorCode::kInconsistent,
+                "dots must have 0 < diameter < marker diameter < pitch, not {}, {}, {} mm",
+                dots.diameter_mm, dots.marker_diameter_mm, dots.pitch_mm);
+  }
+  return {};
+}
+
+Result<void> check_numbers(const CalibrationScene& scene, const std::vector<double>& z_mm) {
+  if (auto good = check_scene(scene); !good) return good;
+  return check_depths(z_mm, scene.volume.size_mm.z());
 }
 
 Result<void> check_set(const CalibrationSet& set) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/base/median.h"
 #include "core/imaging/srgb.h"
@@ -11,7 +12,8 @@
 namespace flytri::calibration {
 namespace {
 
-/// Only the middle of a dot is looked at, as its border is blurred: half width by its diameter.
+/// Only the middle of a white place is looked at, as its border is blurred: half width by its
+/// diameter.
 constexpr double kPatchShare = 0.15;
 constexpr double kWhiteLight = 65535.0;  ///< of to_linear()
 constexpr int kBrightestDot = 250;       ///< a brighter channel is saturated
@@ -28,7 +30,7 @@ constexpr double kFarthest = 20.0;  ///< of the lamp, in diagonals of the volume
 using LampUnknowns = Eigen::Matrix<double, kLampUnknowns, 1>;
 
 struct LitDot {
-  Vec3 p_sensor;
+  WhitePlace place;
   double rho2 = 0.0;          ///< square of the distance from the image's middle, see Flash
   Vec3 light = Vec3::Zero();  ///< linear
   double log_light = 0.0;     ///< of the mean of the channels
@@ -55,25 +57,22 @@ std::optional<Vec3> patch_light(const cv::Mat& image, const Pixel& center, int h
   return sum / ((2 * half_px + 1) * (2 * half_px + 1));
 }
 
-/// The dots of one plane that are whole, lit and not saturated.
-std::vector<LitDot> lit_dots(const CalibrationPlane& plane, const CalibrationSet& set,
-                             const TrivariateCubic& u_px, const TrivariateCubic& v_px) {
-  const cv::Mat& image = plane.dots_texture;
-  const Vec3 middle(0.0, 0.0, plane.z_mm);
+/// The places of one image that are whole, lit and not saturated.
+std::vector<LitDot> lit_dots(const FlashImage& flash, const TrivariateCubic& u_px,
+                             const TrivariateCubic& v_px) {
+  const cv::Mat& image = flash.image;
+  if (flash.places.empty()) return {};
+  const Vec3 middle(0.0, 0.0, flash.places[flash.places.size() / 2].p_sensor.z());
   const double px_per_mm = u_px.gradient(middle).norm();
-  const int half_px = std::max(1, static_cast<int>(kPatchShare * set.dots.diameter_mm * px_per_mm));
-  const Eigen::Array2i reach = (set.volume.size_mm.head<2>() / set.dots.pitch_mm).cast<int>();
+  const int half_px = std::max(1, static_cast<int>(kPatchShare * flash.white_mm * px_per_mm));
   const double half_diagonal2 = 0.25 * (image.cols * image.cols + image.rows * image.rows);
   std::vector<LitDot> dots;
-  for (int j = -reach.y(); j <= reach.y(); ++j) {
-    for (int i = -reach.x(); i <= reach.x(); ++i) {
-      const Vec3 p(i * set.dots.pitch_mm, j * set.dots.pitch_mm, plane.z_mm);
-      const Pixel center{u_px(p), v_px(p)};
-      const auto light = patch_light(image, center, half_px);
-      if (!light || !(light->minCoeff() > 0.0)) continue;
-      const double du = center.u_px - 0.5 * image.cols, dv = center.v_px - 0.5 * image.rows;
-      dots.push_back({p, (du * du + dv * dv) / half_diagonal2, *light, std::log(light->mean())});
-    }
+  for (const WhitePlace& place : flash.places) {
+    const Pixel center{u_px(place.p_sensor), v_px(place.p_sensor)};
+    const auto light = patch_light(image, center, half_px);
+    if (!light || !(light->minCoeff() > 0.0)) continue;
+    const double du = center.u_px - 0.5 * image.cols, dv = center.v_px - 0.5 * image.rows;
+    dots.push_back({place, (du * du + dv * dv) / half_diagonal2, *light, std::log(light->mean())});
   }
   std::vector<double> brightness;
   brightness.reserve(dots.size());
@@ -84,16 +83,16 @@ std::vector<LitDot> lit_dots(const CalibrationPlane& plane, const CalibrationSet
   return dots;
 }
 
-/// Log of the model's light minus that of the dot, and its derivatives. The planes face -z.
+/// Log of the model's light minus that of the dot, and its derivatives.
 double residual_of(const LitDot& dot, const LampUnknowns& x, LampUnknowns& slope) {
-  const Vec3 to_lamp = x.head<3>() - dot.p_sensor;
+  const Vec3 to_lamp = x.head<3>() - dot.place.p_sensor;
+  const double towards_mm = dot.place.normal.dot(to_lamp);
   const double squared = to_lamp.squaredNorm();
   const double shaded = 1.0 - x[4] * dot.rho2;
-  slope.head<3>() = -3.0 / squared * to_lamp;
-  slope[2] += 1.0 / to_lamp.z();
+  slope.head<3>() = -3.0 / squared * to_lamp + dot.place.normal / towards_mm;
   slope[3] = 1.0;
   slope[4] = -dot.rho2 / shaded;
-  return x[3] + std::log(-to_lamp.z()) - 1.5 * std::log(squared) +
+  return x[3] + std::log(towards_mm) - 1.5 * std::log(squared) +
          2.0 * std::log(Flash::kFlashDistance_mm) + std::log(shaded) - dot.log_light;
 }
 
@@ -187,26 +186,44 @@ double even_rms(std::span<const LitDot> dots) {
 
 }  // namespace
 
-std::optional<Flash> fit_flash(const CalibrationSet& set, const TrivariateCubic& texture_u_px,
+std::optional<Flash> fit_flash(const std::vector<FlashImage>& images,
+                               const MeasurementVolume& volume, const TrivariateCubic& texture_u_px,
                                const TrivariateCubic& texture_v_px, const Workers& workers) {
-  std::vector<std::vector<LitDot>> planes(set.planes.size());
+  std::vector<std::vector<LitDot>> planes(images.size());
   workers.for_each(planes.size(), [&](std::size_t i) {
-    planes[i] = lit_dots(set.planes[i], set, texture_u_px, texture_v_px);
+    planes[i] = lit_dots(images[i], texture_u_px, texture_v_px);
   });
   std::vector<LitDot> dots;
   for (const auto& plane : planes) dots.insert(dots.end(), plane.begin(), plane.end());
   if (dots.size() < kFewestDots) return std::nullopt;
-  const LampUnknowns x = fit_lamp(dots, set.volume);
+  const LampUnknowns x = fit_lamp(dots, volume);
   Flash flash;
   flash.p_sensor_mm = x.head<3>();
   flash.light = std::exp(x[3]) / kTargetAlbedo * channel_shares(dots);
   flash.vignetting = std::max(0.0, x[4]);
   flash.residual = residual_of(dots, x);
-  const bool is_near = flash.p_sensor_mm.norm() < kFarthest * set.volume.size_mm.norm();
+  const bool is_near = flash.p_sensor_mm.norm() < kFarthest * volume.size_mm.norm();
   const bool is_explained = flash.residual.rms < kLargestResidual &&
                             flash.residual.rms < kLargestShareOfEven * even_rms(dots);
   if (!is_near || !is_explained) return std::nullopt;
   return flash;
+}
+
+std::optional<Flash> fit_flash(const CalibrationSet& set, const TrivariateCubic& texture_u_px,
+                               const TrivariateCubic& texture_v_px, const Workers& workers) {
+  const Eigen::Array2i reach = (set.volume.size_mm.head<2>() / set.dots.pitch_mm).cast<int>();
+  std::vector<FlashImage> images;
+  for (const CalibrationPlane& plane : set.planes) {
+    FlashImage image{plane.dots_texture, {}, set.dots.diameter_mm};
+    for (int j = -reach.y(); j <= reach.y(); ++j) {
+      for (int i = -reach.x(); i <= reach.x(); ++i) {
+        const Vec3 p(i * set.dots.pitch_mm, j * set.dots.pitch_mm, plane.z_mm);
+        image.places.push_back({p, -Vec3::UnitZ()});
+      }
+    }
+    images.push_back(std::move(image));
+  }
+  return fit_flash(images, set.volume, texture_u_px, texture_v_px, workers);
 }
 
 }  // namespace flytri::calibration

@@ -7,12 +7,6 @@
 namespace flytri::calibration {
 namespace {
 
-/// A dot with its position in the sensor frame and in the image.
-struct PlacedDot {
-  Vec3 p_sensor;  ///< mm
-  Pixel center;
-};
-
 Result<std::vector<PlacedDot>> dots_of(const cv::Mat& image, const std::string& name, double z_mm,
                                        const DotTarget& target) {
   const auto numbered = number_dots(find_dots(linear_gray(image)), target);
@@ -47,12 +41,10 @@ Result<TrivariateCubic> fit_named(const std::vector<CubicDatum>& data, const cha
   return cubic;
 }
 
-Result<void> fit_measurement_camera(const CalibrationSet& set, const Workers& workers,
+Result<void> fit_measurement_camera(const std::vector<PlacedDot>& dots,
                                     LateralCalibration& lateral) {
-  const auto dots = all_dots(set, false, workers);
-  if (!dots) return tl::unexpected(dots.error());
   std::vector<CubicDatum> x, y;
-  for (const PlacedDot& dot : *dots) {
+  for (const PlacedDot& dot : dots) {
     const Vec3 uvz(dot.center.u_px, dot.center.v_px, dot.p_sensor.z());
     x.push_back({uvz, dot.p_sensor.x()});
     y.push_back({uvz, dot.p_sensor.y()});
@@ -66,12 +58,9 @@ Result<void> fit_measurement_camera(const CalibrationSet& set, const Workers& wo
   return {};
 }
 
-Result<void> fit_texture_camera(const CalibrationSet& set, const Workers& workers,
-                                LateralCalibration& lateral) {
-  const auto dots = all_dots(set, true, workers);
-  if (!dots) return tl::unexpected(dots.error());
+Result<void> fit_texture_camera(const std::vector<PlacedDot>& dots, LateralCalibration& lateral) {
   std::vector<CubicDatum> u, v;
-  for (const PlacedDot& dot : *dots) {
+  for (const PlacedDot& dot : dots) {
     u.push_back({dot.p_sensor, dot.center.u_px});
     v.push_back({dot.p_sensor, dot.center.v_px});
   }
@@ -86,14 +75,24 @@ Result<void> fit_texture_camera(const CalibrationSet& set, const Workers& worker
 
 }  // namespace
 
-Result<LateralCalibration> fit_lateral(const CalibrationSet& set, const Workers& workers) {
+Result<LateralCalibration> fit_lateral(const std::vector<PlacedDot>& dots,
+                                       const std::vector<PlacedDot>& texture_dots) {
   LateralCalibration lateral;
-  return fit_measurement_camera(set, workers, lateral)
+  return fit_measurement_camera(dots, lateral)
       .and_then([&]() -> Result<void> {
-        if (!set.has_texture()) return {};
-        return fit_texture_camera(set, workers, lateral);
+        if (texture_dots.empty()) return {};
+        return fit_texture_camera(texture_dots, lateral);
       })
       .map([&] { return lateral; });
+}
+
+Result<LateralCalibration> fit_lateral(const CalibrationSet& set, const Workers& workers) {
+  const auto dots = all_dots(set, false, workers);
+  if (!dots) return tl::unexpected(dots.error());
+  if (!set.has_texture()) return fit_lateral(*dots, {});
+  const auto texture_dots = all_dots(set, true, workers);
+  if (!texture_dots) return tl::unexpected(texture_dots.error());
+  return fit_lateral(*dots, *texture_dots);
 }
 
 }  // namespace flytri::calibration

@@ -12,6 +12,19 @@ struct LateralCalibration {
   TrivariateCubic texture_u_px, texture_v_px;
 };
 
+/// A dot whose place is known.
+struct PlacedDot {
+  Vec3 p_sensor;  ///< mm
+  Pixel center;   ///< in the image
+};
+
+/// @param dots          in images of the measurement camera
+/// @param texture_dots  in those of the texture camera; empty: there is none, and U and V stay
+/// empty
+/// @errors  kInsufficient.
+[[nodiscard]] Result<LateralCalibration> fit_lateral(const std::vector<PlacedDot>& dots,
+                                                     const std::vector<PlacedDot>& texture_dots);
+
 /// Without a texture camera, U and V stay empty.
 /// @source  Arold et al., "xy-Calibration" and "Inverse Lateral Calibration".
 /// @errors  kInsufficient or kInconsistent, naming the image.

@@ -25,9 +25,10 @@ struct SurfaceData {
 SurfaceData data_of(const std::vector<LineOnPlane>& line) {
   SurfaceData data;
   for (const LineOnPlane& plane : line) {
-    for (const localization::LineSample& sample : plane.samples) {
+    for (std::size_t i = 0; i < plane.samples.size(); ++i) {
+      const localization::LineSample& sample = plane.samples[i];
       if (sample.saturated) continue;
-      data.depth.push_back({sample.across_px, double(sample.along_px), plane.z_mm});
+      data.depth.push_back({sample.across_px, double(sample.along_px), plane.z_mm[i]});
       data.width.push_back({sample.across_px, double(sample.along_px), sample.width_px});
     }
   }

@@ -158,7 +158,8 @@ Result<NumberedLines> number_lines(const CalibrationSet& set, Pattern pattern,
   NumberedLines lines(expected);
   for (std::size_t n = 0; n < expected; ++n) {
     for (auto& [plane, samples] : by_plane[n]) {
-      lines[n].push_back({set.planes[plane].z_mm, std::move(samples)});
+      std::vector<double> z_mm(samples.size(), set.planes[plane].z_mm);
+      lines[n].push_back({plane, std::move(samples), std::move(z_mm)});
     }
   }
   return lines;

@@ -11,11 +11,12 @@ namespace flytri::calibration {
 
 /// The samples of one line on one plane.
 struct LineOnPlane {
-  double z_mm = 0.0;
-  std::vector<localization::LineSample> samples;  ///< by rising along_px
+  std::size_t plane = 0;  ///< number of the plane in its set
+  std::vector<localization::LineSample> samples;
+  std::vector<double> z_mm;  ///< depth of each sample
 };
 
-/// By line n: the planes on which the line was seen, by rising z.
+/// By line n: the planes on which the line was seen, by rising number.
 using NumberedLines = std::vector<std::vector<LineOnPlane>>;
 
 /// Localizes the lines of `pattern` on every plane and numbers them.

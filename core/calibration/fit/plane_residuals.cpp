@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/base/check_options.h"
-#include "core/calibration/fit/number_lines.h"
 
 namespace flytri::calibration {
 namespace {
@@ -15,13 +13,14 @@ struct DepthSum {
   std::int64_t count = 0;
 };
 
-/// Sums of the measured depth minus z_mm over all samples of a line on a plane.
+/// Sums of the measured depth minus the true one over all samples of a line on a plane.
 DepthSum sum_of(const LineOnPlane& plane, const std::vector<LineRow>& rows) {
   DepthSum sum;
-  for (const localization::LineSample& sample : plane.samples) {
+  for (std::size_t i = 0; i < plane.samples.size(); ++i) {
+    const localization::LineSample& sample = plane.samples[i];
     const LineRow& row = rows[static_cast<std::size_t>(sample.along_px)];
     if (!row.valid() || sample.saturated) continue;
-    const double off_mm = row.depth_mm(sample.across_px) - plane.z_mm;
+    const double off_mm = row.depth_mm(sample.across_px) - plane.z_mm[i];
     sum.first += off_mm;
     sum.second += off_mm * off_mm;
     sum.count += 1;
@@ -42,38 +41,39 @@ Result<void> PlaneResidualOptions::validate() const {
       .result();
 }
 
+void add_residuals(const NumberedLines& lines, const PatternCalibration& calibration,
+                   Pattern pattern, std::vector<PlaneResidual>& planes) {
+  const auto p = static_cast<std::size_t>(pattern);
+  std::vector<DepthSum> sums(planes.size());
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    for (const LineOnPlane& plane : lines[n]) {
+      const DepthSum part = sum_of(plane, calibration.lines[n]);
+      DepthSum& sum = sums[plane.plane];
+      sum.first += part.first;
+      sum.second += part.second;
+      sum.count += part.count;
+    }
+  }
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    planes[i].count[p] = sums[i].count;
+    if (sums[i].count == 0) continue;
+    const double n = static_cast<double>(sums[i].count);
+    planes[i].offset_mm[p] = sums[i].first / n;
+    planes[i].rms_mm[p] =
+        std::sqrt(std::max(sums[i].second / n - std::pow(planes[i].offset_mm[p], 2), 0.0));
+  }
+}
+
 Result<std::vector<PlaneResidual>> plane_residuals(const CalibrationSet& set,
                                                    const Calibration& calibration,
                                                    const localization::LocalizeOptions& options,
                                                    const Workers& workers) {
   std::vector<PlaneResidual> planes(set.planes.size());
-  std::map<double, std::size_t> index_of;
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    planes[i].z_mm = set.planes[i].z_mm;
-    index_of[planes[i].z_mm] = i;
-  }
+  for (std::size_t i = 0; i < planes.size(); ++i) planes[i].z_mm = set.planes[i].z_mm;
   for (const Pattern pattern : kPatterns) {
-    const auto p = static_cast<std::size_t>(pattern);
     const auto numbered = number_lines(set, pattern, options, workers);
     if (!numbered) return tl::unexpected(numbered.error());
-    std::vector<DepthSum> sums(planes.size());
-    for (std::size_t n = 0; n < numbered->size(); ++n) {
-      for (const LineOnPlane& plane : (*numbered)[n]) {
-        const DepthSum part = sum_of(plane, calibration.of(pattern).lines[n]);
-        DepthSum& sum = sums[index_of.at(plane.z_mm)];
-        sum.first += part.first;
-        sum.second += part.second;
-        sum.count += part.count;
-      }
-    }
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-      planes[i].count[p] = sums[i].count;
-      if (sums[i].count == 0) continue;
-      const double n = static_cast<double>(sums[i].count);
-      planes[i].offset_mm[p] = sums[i].first / n;
-      planes[i].rms_mm[p] =
-          std::sqrt(std::max(sums[i].second / n - std::pow(planes[i].offset_mm[p], 2), 0.0));
-    }
+    add_residuals(*numbered, calibration.of(pattern), pattern, planes);
   }
   return planes;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/workers.h"
+#include "core/calibration/fit/number_lines.h"
 #include "core/calibration/record/calibration_set.h"
 #include "core/localization/localize.h"
 
@@ -13,8 +14,8 @@ namespace flytri::calibration {
 
 /// Residuals of one plane.
 struct PlaneResidual {
-  double z_mm = 0.0;
-  std::array<double, 2> offset_mm{};    ///< by Pattern: mean measured depth minus z_mm
+  double z_mm = 0.0;                    ///< of the plane, if it is not tilted
+  std::array<double, 2> offset_mm{};    ///< by Pattern: mean measured depth minus the true one
   std::array<double, 2> rms_mm{};       ///< by Pattern: standard deviation of single samples
   std::array<std::int64_t, 2> count{};  ///< by Pattern: number of samples; 0: no line in the image
 };
@@ -26,6 +27,11 @@ struct PlaneResidualOptions {
   double max_offset_share = 0.001;
   [[nodiscard]] Result<void> validate() const;
 };
+
+/// Adds what one pattern shows of each plane.
+/// @param planes  by the number of the plane
+void add_residuals(const NumberedLines& lines, const PatternCalibration& calibration,
+                   Pattern pattern, std::vector<PlaneResidual>& planes);
 
 /// @param calibration  fitted to this set
 /// @errors  As number_lines.

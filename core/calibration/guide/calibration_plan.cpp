@@ -41,7 +41,7 @@ const std::vector<ShotKind>& shots_of(TargetFace face, bool has_texture) {
 }
 
 Result<void> CalibrationPlan::validate() const {
-  return check_numbers({volume, line_counts, dots, {}}, z_mm);
+  return check_numbers({volume, line_counts, dots}, z_mm);
 }
 
 std::vector<Placement> placements_of(const CalibrationPlan& plan) {

@@ -15,6 +15,11 @@ struct DotTarget {
   double pitch_mm = 0.0;
   double diameter_mm = 0.0;
   double marker_diameter_mm = 0.0;
+
+  [[nodiscard]] double diameter_of(int i, int j) const {
+    const bool is_marker = (j == 0 && (i == 0 || i == 1)) || (i == 0 && j == 2);
+    return is_marker ? marker_diameter_mm : diameter_mm;
+  }
 };
 
 /// The images of the plane z = z_mm with each light. Names are for messages.
@@ -26,11 +31,15 @@ struct CalibrationPlane {
   std::string vertical_name, horizontal_name, dots_name, dots_texture_name;
 };
 
-/// A calibration set, see docs/formats.md.
-struct CalibrationSet {
+/// What a set of calibration images tells beside its images.
+struct CalibrationScene {
   MeasurementVolume volume;
   std::array<int, 2> line_counts{};  ///< by Pattern
   DotTarget dots;
+};
+
+/// A calibration set, see docs/formats.md.
+struct CalibrationSet : CalibrationScene {
   std::vector<CalibrationPlane> planes;  ///< by rising z
 
   /// Whether a texture camera took part: then in all planes.

@@ -21,7 +21,8 @@ calibration::DotTarget read_dots(const JsonPlace& place) {
 
 }  // namespace
 
-void put_calibration_scene(nlohmann::ordered_json& json, const calibration::CalibrationSet& scene) {
+void put_calibration_scene(nlohmann::ordered_json& json,
+                           const calibration::CalibrationScene& scene) {
   const Vec3& size = scene.volume.size_mm;
   json["measurement_volume_mm"] = {size.x(), size.y(), size.z()};
   json["lines"] = {{"vertical", scene.line_counts[0]}, {"horizontal", scene.line_counts[1]}};
@@ -30,8 +31,8 @@ void put_calibration_scene(nlohmann::ordered_json& json, const calibration::Cali
                   {"marker_diameter_mm", scene.dots.marker_diameter_mm}};
 }
 
-calibration::CalibrationSet read_calibration_scene(const JsonPlace& json) {
-  calibration::CalibrationSet scene;
+calibration::CalibrationScene read_calibration_scene(const JsonPlace& json) {
+  calibration::CalibrationScene scene;
   const JsonPlace volume = json.at("measurement_volume_mm");
   const std::vector<double> size = volume.numbers(3);
   scene.volume.size_mm = Vec3(size[0], size[1], size[2]);

@@ -10,11 +10,11 @@
 
 namespace flytri::io {
 
-/// Adds measurement_volume_mm, lines and dots. The caller adds the planes.
-void put_calibration_scene(nlohmann::ordered_json& json, const calibration::CalibrationSet& scene);
+/// Adds measurement_volume_mm, lines and dots. The caller adds the images.
+void put_calibration_scene(nlohmann::ordered_json& json,
+                           const calibration::CalibrationScene& scene);
 
 /// Reads what put_calibration_scene wrote; failures are recorded at the place.
-/// @return  a set without planes
-[[nodiscard]] calibration::CalibrationSet read_calibration_scene(const JsonPlace& json);
+[[nodiscard]] calibration::CalibrationScene read_calibration_scene(const JsonPlace& json);
 
 }  // namespace flytri::io

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/io/calibrations/calibration_image.h"
 #include "core/io/calibrations/calibration_scene.h"
 #include "core/io/files/file_bytes.h"
 #include "core/io/files/json_place.h"
@@ -53,25 +54,6 @@ std::vector<calibration::CalibrationPlane> read_planes(const JsonPlace& list) {
   return planes;
 }
 
-/// Loads an image, which must have the size of the earlier images of its camera.
-Result<cv::Mat> load_image(const std::filesystem::path& path, bool color, cv::Size& size) {
-  Result<cv::Mat> image = read_png(path);
-  if (!image) return image;
-  if ((image->channels() == 3) != color) {
-    return fail(ErrorCode::kBadFormat, "{}: must be {}; convert the image", path.string(),
-                color ? "8-bit RGB" : "8- or 16-bit grey");
-  }
-  if (size.empty()) size = image->size();
-  if (image->size() != size) {
-    return fail(
-        ErrorCode::kInconsistent,
-        "{}: is {} x {} pixels, but earlier images of this camera are {} x {}; take all images "
-        "with the same camera settings",
-        path.string(), image->cols, image->rows, size.width, size.height);
-  }
-  return image;
-}
-
 std::string name_in(const calibration::CalibrationPlane& plane, const Slot& slot,
                     std::size_t index) {
   if (!(plane.*slot.name).empty()) return plane.*slot.name;
@@ -100,7 +82,7 @@ Result<calibration::CalibrationSet> parse_calibration_set(std::string_view text,
   const Result<JsonPlace> json = JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
   json->expect_format(kSetFormat, kSetVersion);
-  calibration::CalibrationSet set = read_calibration_scene(*json);
+  calibration::CalibrationSet set{read_calibration_scene(*json), {}};
   set.planes = read_planes(json->at("planes"));
   if (Result<void> outcome = json->outcome(); !outcome) return tl::unexpected(outcome.error());
   return set;
@@ -116,8 +98,8 @@ Result<calibration::CalibrationSet> read_calibration_set(const std::filesystem::
   for (calibration::CalibrationPlane& plane : set->planes) {
     for (const Slot& slot : kSlots) {
       if ((plane.*slot.name).empty()) continue;
-      Result<cv::Mat> image =
-          load_image(folder / (plane.*slot.name), slot.color, sizes[slot.color ? 1 : 0]);
+      Result<cv::Mat> image = load_calibration_image(folder / (plane.*slot.name), slot.color,
+                                                     sizes[slot.color ? 1 : 0]);
       if (!image) return tl::unexpected(image.error());
       plane.*slot.image = *std::move(image);
     }

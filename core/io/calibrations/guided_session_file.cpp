@@ -47,7 +47,7 @@ Result<calibration::CalibrationPlan> parse_guided_plan(std::string_view text,
   const Result<JsonPlace> json = JsonPlace::parse(text, name);
   if (!json) return tl::unexpected(json.error());
   json->expect_format(kSessionFormat, kSessionVersion);
-  const calibration::CalibrationSet scene = read_calibration_scene(*json);
+  const calibration::CalibrationScene scene = read_calibration_scene(*json);
   calibration::CalibrationPlan plan{
       scene.volume, scene.line_counts, scene.dots, {}, read_order(json->at("order"))};
   for (const JsonPlace& z : json->at("z_mm").elements()) plan.z_mm.push_back(z.number());
@@ -73,7 +73,7 @@ Result<void> write_guided_plan(const std::filesystem::path& folder,
                                const calibration::CalibrationPlan& plan) {
   if (auto made = create_folder(folder); !made) return made;
   nlohmann::ordered_json json = {{"format", kSessionFormat}, {"version", kSessionVersion}};
-  put_calibration_scene(json, {plan.volume, plan.line_counts, plan.dots, {}});
+  put_calibration_scene(json, {plan.volume, plan.line_counts, plan.dots});
   json["order"] = plan.order == calibration::PlacementOrder::kByTarget ? kByTarget : kByPlane;
   json["z_mm"] = plan.z_mm;
   if (!plan.has_texture) json[kTextureKey] = kNone;

@@ -61,13 +61,19 @@ cv::Mat CalibrationCamera::take(calibration::ShotKind kind, double z_mm,
     case calibration::ShotKind::kHorizontal:
       return lines(Pattern::kHorizontal, z_mm, stream);
     case calibration::ShotKind::kDots:
-      return evenly_lit(dots_.light(z_mm, z_mm * options_.stage_shear), stream);
+      return evenly_lit(dots_.light(dots_at(z_mm)), stream);
     case calibration::ShotKind::kDotsTexture:
       break;
   }
   cv::Mat color;
-  cv::cvtColor(texture_dots_.light(z_mm, z_mm * options_.stage_shear), color, cv::COLOR_GRAY2RGB);
+  cv::cvtColor(texture_dots_.light(dots_at(z_mm)), color, cv::COLOR_GRAY2RGB);
   return chip_.read_out_color(color, {8, 1, options_.noise, options_.seed, stream});
+}
+
+Isometry CalibrationCamera::dots_at(double z_mm) const {
+  Isometry T_sensor_target = Isometry::Identity();
+  T_sensor_target.translation() << z_mm * options_.stage_shear, z_mm;
+  return T_sensor_target;
 }
 
 cv::Mat CalibrationCamera::lines(Pattern pattern, double z_mm, std::uint64_t stream) const {

@@ -35,6 +35,7 @@ class CalibrationCamera {
 
  private:
   CalibrationCamera(const SensorModel& sensor, const Options& options, ImageSimulator simulator);
+  [[nodiscard]] Isometry dots_at(double z_mm) const;
   [[nodiscard]] cv::Mat lines(Pattern pattern, double z_mm, std::uint64_t stream) const;
   [[nodiscard]] cv::Mat evenly_lit(const cv::Mat& light, std::uint64_t stream) const;
 

@@ -1,28 +1,43 @@
-/// @file  Simulates the image of the dot target.
+/// @file  Simulates the image of a target with dots.
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
 
+#include "core/geometry/rigid.h"
 #include "hw/simulated/optics/sensor_model.h"
 
 namespace flytri::simulated {
 
-/// A camera in front of the target: bright dots on black, evenly lit. Immutable.
+/// How bright a target is, as a share of full scale. Default: bright dots on black, evenly lit.
+struct DotLook {
+  double dot_level = 0.7;
+  double background_level = 0.02;
+  /// A small lamp there lights the target, which is that bright in the middle of the volume.
+  std::optional<Vec3> lamp_mm;
+};
+
+/// A camera in front of the target. Immutable.
 class DotImage {
  public:
-  DotImage(const CameraModel& camera, const calibration::DotTarget& target);
+  DotImage(const CameraModel& camera, const calibration::DotTarget& target,
+           const DotLook& look = {});
 
-  /// The image of the target at z = `z_mm`, moved aside by `aside_mm`.
+  /// @param T_sensor_target  the dots are in its plane z = 0, dot (0, 0) at its origin
   /// @return  CV_32FC1, share of full scale, without noise
-  [[nodiscard]] cv::Mat light(double z_mm, const Vec2& aside_mm = Vec2::Zero()) const;
+  [[nodiscard]] cv::Mat light(const Isometry& T_sensor_target) const;
 
  private:
-  [[nodiscard]] std::vector<Vec2> places_on_plane(double z_mm, const Vec2& aside_mm) const;
-  [[nodiscard]] double bright_share(const Vec2& place, const Vec2& right, const Vec2& down) const;
+  struct Seen;
+  [[nodiscard]] Seen seen_of(const Isometry& T_sensor_target) const;
+  [[nodiscard]] double dot_share(const Vec2& place, const Vec2& right, const Vec2& down) const;
+  [[nodiscard]] double shading(const Vec3& p_sensor, const Vec3& normal) const;
+  [[nodiscard]] cv::Mat blurred(const cv::Mat& light, const Seen& seen) const;
 
   CameraModel camera_;
   calibration::DotTarget target_;
+  DotLook look_;
   std::vector<Vec3> directions_;  // by pixel
 };
 

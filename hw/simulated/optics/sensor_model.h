@@ -106,6 +106,11 @@ struct SensorModel {
   double frame_period_s = 1.0 / 30.0;
   double depth_sigma_mm = 0.03;  ///< > 0, typical uncertainty of one point along z
 
+  /// The dots of the board that is held by hand: black on white, with room for the lines between
+  /// them.
+  [[nodiscard]] calibration::DotTarget board_dots() const {
+    return {1.5 * dots.pitch_mm, 0.6 * dots.pitch_mm, dots.pitch_mm};
+  }
   [[nodiscard]] const ProjectorModel& projector(Pattern pattern) const {
     return projectors[static_cast<std::size_t>(pattern)];
   }

@@ -231,7 +231,7 @@ TEST(LensBlur, KernelsSumToOneAndWidenWithDefocus) {
 
 TEST(DotImage, IsBrightWhereDotsAre) {
   const SensorModel sensor = intraoral_sensor();
-  const cv::Mat light = DotImage(sensor.camera, sensor.dots).light(0.0);
+  const cv::Mat light = DotImage(sensor.camera, sensor.dots).light(Isometry::Identity());
   double dark = 0.0, bright = 0.0;
   cv::minMaxLoc(light, &dark, &bright);
   // An area of six pitches each way, away from the markers.
