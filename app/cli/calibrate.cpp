@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/cli/calibrate_by_hand.h"
 #include "app/cli/calibrate_check.h"
 #include "app/cli/calibrate_live.h"
 #include "app/cli/commands.h"
@@ -26,21 +27,12 @@ struct CalibrateArguments {
   std::filesystem::path set;
   std::filesystem::path output;
   bool live = false;
+  bool by_hand = false;
   bool check = false;
   bool force = false;
   CalibrateLiveArguments of_live;
   CalibrateCheckArguments of_check;
 };
-
-/// What a calibration by hand tells beside its residuals.
-void print_board(const calibration::BoardCalibration& fitted) {
-  constexpr double kMicrons = 1e3, kPercent = 1e2;
-  print_out(
-      "dots of the board: {:.3f} px off, RMS; distance to the middle of the volume {:.2f} mm\n",
-      fitted.rms_px, fitted.distance_mm);
-  print_out("depths are uncertain by {:.3f} %; the board moved by up to {:.0f} µm during a pose\n",
-            kPercent * fitted.depth_sigma_share, kMicrons * fitted.largest_motion_mm);
-}
 
 Result<calibration::Calibration> fit_board(const CalibrateArguments& arguments,
                                            const Progress& progress) {
@@ -49,7 +41,7 @@ Result<calibration::Calibration> fit_board(const CalibrateArguments& arguments,
   auto fitted =
       calibration::calibrate_board(*set, {}, Workers(arguments.of_live.thread_count), progress);
   if (!fitted) return tl::unexpected(fitted.error());
-  print_board(*fitted);
+  print_board_figures(*fitted);
   return std::move(fitted->calibration);
 }
 
@@ -78,6 +70,7 @@ Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& 
 /// A session may continue in its own folder. A calibration that no session made is another one.
 Result<void> check_session_folder(const std::filesystem::path& folder, bool force) {
   if (std::filesystem::exists(folder / "calibration-session.json")) return {};
+  if (std::filesystem::exists(folder / io::kBoardSetFile)) return {};
   return check_replaceable({folder / "calibration.json", kCalibrationFormat}, force);
 }
 
@@ -120,15 +113,18 @@ Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
   if (arguments.check) return run_check(arguments, progress);
   if (!arguments.live) {
     if (!arguments.set.empty()) return calibrate_set(arguments, progress);
-    return fail(ErrorCode::kBadOption,
-                "give a folder with calibration-set.json, or take its images with --live");
+    return fail(
+        ErrorCode::kBadOption,
+        "give a folder with calibration-set.json or board-set.json, or take its images with "
+        "--live");
   }
   arguments.of_live.output = arguments.output;
   if (arguments.output.empty()) {
     return fail(ErrorCode::kBadOption, "give the folder for the images with -o");
   }
   return check_session_folder(arguments.output, arguments.force).and_then([&] {
-    return calibrate_live(arguments.of_live, progress);
+    return arguments.by_hand ? calibrate_by_hand(arguments.of_live, progress)
+                             : calibrate_live(arguments.of_live, progress);
   });
 }
 
@@ -173,6 +169,10 @@ void add_calibrate_command(CLI::App& app, Invocation& invocation) {
       "calibration; an interrupted session continues there");
   const auto live =
       command->add_flag("--live", arguments->live, "Take the images step by step")->excludes(set);
+  command
+      ->add_flag("--by-hand", arguments->by_hand,
+                 "Hold a dotted board by hand (flytri make hand-board); no stage is needed")
+      ->needs(live);
   const auto check =
       command
           ->add_flag("--check", arguments->check,
@@ -194,6 +194,7 @@ void add_calibrate_command(CLI::App& app, Invocation& invocation) {
       "Examples: flytri calibrate scans/calibration-set -o calibration.json\n"
       "          flytri calibrate --live -o out/calibration --rig rig.json\n"
       "          flytri calibrate --live --simulated -o out/calibration\n"
+      "          flytri calibrate --live --by-hand -o out/calibration --rig rig.json\n"
       "          flytri calibrate --check --calibration out/calibration/calibration.json");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };

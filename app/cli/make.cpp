@@ -126,6 +126,15 @@ void add_make_command(CLI::App& app, Invocation& invocation) {
     };
   });
 
+  CLI::App* hand_board =
+      add_sheet(*make, "hand-board", "Draw the dotted board for a calibration by hand", *arguments);
+  hand_board->footer("Example: flytri make hand-board -o hand-board.pdf");
+  hand_board->callback([arguments, &invocation] {
+    invocation.job = [arguments](const Progress&) {
+      return make_target(*arguments, sheets::hand_board_sheet);
+    };
+  });
+
   CLI::App* board = add_sheet(*make, "board", "Draw the white board", *arguments);
   board->footer("Example: flytri make board -o board.pdf");
   board->callback([arguments, &invocation] {

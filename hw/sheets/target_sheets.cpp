@@ -18,6 +18,8 @@ using drawing::TextAlign;
 // Room around a target for the marks of its middle.
 constexpr double kMarkRoom_mm = 7.0;
 constexpr double kMarkWidth_mm = 0.2;
+// A board that is tilted or held aside must still fill the image.
+constexpr double kHandBoardShare = 1.3;
 
 Result<void> check_dots(const DotTarget& dots) {
   return OptionCheck("DotTarget")
@@ -74,23 +76,49 @@ std::vector<std::string> dot_notes(const DotTarget& dots) {
                       kRuler_mm)};
 }
 
-}  // namespace
-
-Result<TargetSheet> dot_sheet(const simulated::SensorModel& sensor, double z_mm) {
-  const DotTarget& dots = sensor.dots;
+/// An empty sheet on which the dots will fill the field.
+Result<TargetSheet> start_dots(const char* title, const std::vector<std::string>& notes,
+                               const DotTarget& dots, const Field& field) {
   if (auto good = check_dots(dots); !good) return tl::unexpected(good.error());
-  const DotRange range(target_field(sensor, z_mm), dots.pitch_mm);
+  const DotRange range(field, dots.pitch_mm);
   const Vec2 least_mm = dots.pitch_mm * (range.first.cast<double>() - Vec2::Ones());
   const Vec2 most_mm = dots.pitch_mm * (range.last.cast<double>() + Vec2::Ones());
-  auto sheet = start_sheet("flytri: dot target", dot_notes(dots), room_for(most_mm - least_mm));
+  auto sheet = start_sheet(title, notes, room_for(most_mm - least_mm));
   if (!sheet) return tl::unexpected(sheet.error());
   TargetSheet target{*std::move(sheet), least_mm, most_mm};
   center(target);
-  Drawing& page = target.sheet.drawing;
-  page.box(target.sheet.middle_mm + least_mm, most_mm - least_mm);
-  draw_dots(page, target.sheet.middle_mm, range, dots);
-  page.fill(drawing::kBlack);
+  return target;
+}
+
+void finish_dots(TargetSheet& target, const DotTarget& dots, const Field& field) {
+  const DotRange range(field, dots.pitch_mm);
+  draw_dots(target.sheet.drawing, target.sheet.middle_mm, range, dots);
+  target.sheet.drawing.fill(drawing::kBlack);
   draw_axis_marks(target);
+}
+
+}  // namespace
+
+Result<TargetSheet> dot_sheet(const simulated::SensorModel& sensor, double z_mm) {
+  const Field field = target_field(sensor, z_mm);
+  auto target = start_dots("flytri: dot target", dot_notes(sensor.dots), sensor.dots, field);
+  if (!target) return target;
+  Drawing& page = target->sheet.drawing;
+  page.box(target->sheet.middle_mm + target->least_mm, target->most_mm - target->least_mm);
+  finish_dots(*target, sensor.dots, field);
+  return target;
+}
+
+Result<TargetSheet> hand_board_sheet(const simulated::SensorModel& sensor, double z_mm) {
+  const DotTarget dots = sensor.board_dots();
+  std::vector<std::string> notes = dot_notes(dots);
+  notes.emplace_back(
+      "For flytri calibrate --live --by-hand. Glue it on a flat plate: it may bend by a few "
+      "micrometers only.");
+  const Field seen = target_field(sensor, z_mm);
+  const Field field(kHandBoardShare * seen.min(), kHandBoardShare * seen.max());
+  auto target = start_dots("flytri: dotted board", notes, dots, field);
+  if (target) finish_dots(*target, dots, field);
   return target;
 }
 

@@ -1,4 +1,5 @@
-/// @file  The two targets of a calibration as sheets to print: the dot target and the white board.
+/// @file  The targets of a calibration as sheets to print: the dot target and the white board for a
+///        stage, and the dotted board that is held by hand.
 #pragma once
 
 #include "hw/sheets/sheet.h"
@@ -18,6 +19,11 @@ struct TargetSheet {
 /// @param z_mm  depth of the farthest plane of the calibration
 /// @errors  kBadOption: dots that overlap, or a target that is too large for A0.
 [[nodiscard]] Result<TargetSheet> dot_sheet(const simulated::SensorModel& sensor, double z_mm);
+
+/// The board of a calibration by hand: black dots on white, as SensorModel::board_dots.
+/// @param z_mm, @errors  As dot_sheet.
+[[nodiscard]] Result<TargetSheet> hand_board_sheet(const simulated::SensorModel& sensor,
+                                                   double z_mm);
 
 /// The white plane of a calibration and of its check. Marks show what the measurement camera sees.
 /// @errors  kBadOption: a board that is too large for A0.

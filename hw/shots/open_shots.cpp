@@ -15,13 +15,14 @@ simulated::SensorModel sensor_named(const std::string& name) {
 
 Result<std::shared_ptr<ShotSource>> open_shots(const ShotChoice& choice) {
   if (choice.simulated) {
-    auto shots = SimulatedShots::create(sensor_named(choice.sensor));
+    auto shots =
+        SimulatedShots::create(sensor_named(choice.sensor), {.exposures = choice.exposures});
     if (!shots) return tl::unexpected(shots.error());
     return std::shared_ptr<ShotSource>(*std::move(shots));
   }
   const auto rig = rig::read_rig(choice.rig);
   if (!rig) return tl::unexpected(rig.error());
-  auto shots = open_rig_shots(*rig);
+  auto shots = open_rig_shots(*rig, choice.exposures);
   if (!shots) return tl::unexpected(shots.error());
   return std::shared_ptr<ShotSource>(*std::move(shots));
 }

@@ -14,6 +14,7 @@ struct ShotChoice {
   bool simulated = false;
   std::string sensor = "intraoral";  ///< simulated sensor: "intraoral" or "face"
   std::filesystem::path rig = "rig.json";
+  int exposures = 16;  ///< 1..256, averaged into each image
 };
 
 /// The paper's sensor for faces if the name is "face", else its intra-oral sensor.

@@ -200,10 +200,11 @@ Result<cv::Mat> RigShots::look(calibration::ShotKind kind, double /*z_mm*/,
   return image;
 }
 
-Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig) {
+Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig, int exposures) {
   auto devices = rig::open_devices(rig);
   if (!devices) return tl::unexpected(devices.error());
   RigShotOptions options;
+  options.exposures = exposures;
   options.limits = rig.lights.limits;
   return RigShots::create(*std::move(devices), rig.name, options);
 }

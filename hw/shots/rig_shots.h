@@ -66,7 +66,9 @@ class RigShots final : public ShotSource {
 };
 
 /// Uses the devices of this machine that the rig names, for a calibration.
+/// @param exposures  as RigShotOptions
 /// @errors  As open_rig.
-[[nodiscard]] Result<std::unique_ptr<RigShots>> open_rig_shots(const rig::RigSettings& rig);
+[[nodiscard]] Result<std::unique_ptr<RigShots>> open_rig_shots(
+    const rig::RigSettings& rig, int exposures = RigShotOptions{}.exposures);
 
 }  // namespace flytri::shots

@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/calibration/guide/calibration_plan.h"
+#include "core/geometry/rigid.h"
 
 namespace flytri::shots {
 
@@ -32,6 +33,10 @@ class ShotSource {
   /// @errors  As take.
   [[nodiscard]] virtual Result<cv::Mat> look(calibration::ShotKind kind, double z_mm,
                                              const Progress& progress) = 0;
+
+  /// From now on the virtual sensor sees the dotted board there, in place of plane and dots. A rig
+  /// sees what the user holds.
+  virtual void hold_board(const Isometry& /*T_sensor_board*/) {}
 
   /// Whether it can take kDotsTexture. Otherwise it has no flash: kDots needs a lamp.
   [[nodiscard]] virtual bool has_texture() const { return true; }

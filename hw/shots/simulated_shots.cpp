@@ -5,22 +5,14 @@
 namespace flytri::shots {
 namespace {
 
-/// The lines at the near end of the volume are twice as bright as in its middle.
-constexpr double kShorterExposure = 0.5;
 /// The planes reach a little beyond the volume, so that the fits are accurate at its ends.
 constexpr double kDepthShare = 16.0 / 15.0;
-
-simulated::SensorModel with_shorter_exposure(simulated::SensorModel sensor) {
-  sensor.chip.line_level *= kShorterExposure;
-  sensor.chip.ambient_level *= kShorterExposure;
-  return sensor;
-}
 
 }  // namespace
 
 Result<std::unique_ptr<SimulatedShots>> SimulatedShots::create(
     const simulated::SensorModel& sensor, const simulated::CalibrationCamera::Options& options) {
-  const simulated::SensorModel exposed = with_shorter_exposure(sensor);
+  const simulated::SensorModel exposed = exposed_for_targets(sensor);
   auto camera = simulated::CalibrationCamera::create(exposed, options);
   if (!camera) return tl::unexpected(camera.error());
   return std::unique_ptr<SimulatedShots>(new SimulatedShots(exposed, options, *std::move(camera)));
@@ -52,9 +44,20 @@ cv::Mat SimulatedShots::shoot(calibration::ShotKind kind, double z_mm) {
   return image;
 }
 
+Result<cv::Mat> SimulatedShots::shoot_board(calibration::ShotKind kind) {
+  if (!board_) {
+    auto board = simulated::BoardScene::create(
+        sensor_, {options_.exposures, options_.bits, options_.noise, options_.seed});
+    if (!board) return tl::unexpected(board.error());
+    board_ = *std::move(board);
+  }
+  return board_->take(kind, *T_sensor_board_, stream_++);
+}
+
 Result<cv::Mat> SimulatedShots::take(calibration::ShotKind kind, double z_mm,
                                      const Progress& progress) {
   if (progress.cancelled()) return stopped();
+  if (T_sensor_board_) return shoot_board(kind);
   return shoot(kind, z_mm);
 }
 

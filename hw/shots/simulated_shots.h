@@ -7,6 +7,7 @@
 
 #include "hw/shots/shot_source.h"
 #include "hw/simulated/datasets/calibration_camera.h"
+#include "hw/simulated/datasets/simulate_board_set.h"
 
 namespace flytri::shots {
 
@@ -34,6 +35,7 @@ class SimulatedShots final : public ShotSource {
                                      const Progress& progress) override;
   [[nodiscard]] Result<cv::Mat> look(calibration::ShotKind kind, double z_mm,
                                      const Progress& progress) override;
+  void hold_board(const Isometry& T_sensor_board) override { T_sensor_board_ = T_sensor_board; }
   [[nodiscard]] std::string name() const override { return "virtual sensor"; }
 
   /// The sensor that takes the shots; a start for faults that change it.
@@ -46,12 +48,15 @@ class SimulatedShots final : public ShotSource {
                  const simulated::CalibrationCamera::Options& options,
                  simulated::CalibrationCamera camera);
   [[nodiscard]] cv::Mat shoot(calibration::ShotKind kind, double z_mm);
+  [[nodiscard]] Result<cv::Mat> shoot_board(calibration::ShotKind kind);
 
   simulated::SensorModel sensor_;
   simulated::CalibrationCamera::Options options_;
   simulated::CalibrationCamera camera_;
   ShotFaults faults_;
   std::uint64_t stream_ = 0;
+  std::optional<Isometry> T_sensor_board_;      // none: plane and dots
+  std::optional<simulated::BoardScene> board_;  // made when it is needed
 };
 
 /// Default number of planes: about one per millimeter in a volume of 15 mm depth.

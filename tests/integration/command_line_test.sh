@@ -74,12 +74,20 @@ expect 'check on a plane' 0 '^the calibration holds' \
 expect 'the check is noted' 0 '"checked_at":"20.*"check":"passed"' head -n 2 offline.json
 expect 'check without a plane' 1 'no verdict' \
   "$flytri" calibrate --check --calibration calibration.json --recording scan
+by_hand() { "$flytri" calibrate --live --by-hand --simulated -o hand; }
+expect 'calibration by hand, stopped' 0 '^stopped; hand keeps' by_hand <<< $'\n\nx\nq'
+expect 'calibration by hand continues' 0 '^hand: continuing, 2 of 30' by_hand <<< q
+expect 'too few poses' 1 'has 2 poses of the board, but a calibration needs at least 15' \
+  "$flytri" calibrate hand -o few.json
+absent 'stopped calibration by hand' hand/calibration.json few.json
+expect 'by hand is live' 2 '--live' "$flytri" calibrate --by-hand
+expect 'dotted board' 0 '^36.0 x 30.0 mm on A4' "$flytri" make hand-board -o hand-board.pdf
 expect 'live without a folder' 1 '-o' "$flytri" calibrate --live --simulated
 expect 'nothing to calibrate' 1 '--live' "$flytri" calibrate
 
 # Exit codes of usage.
-for command in '' simulate 'simulate recording' 'simulate calibration-set' calibrate reconstruct \
-  evaluate demo app devices record export occlude review make 'make slides' 'make target' 'make board' design; do
+for command in '' simulate 'simulate recording' 'simulate calibration-set' 'simulate board-set' calibrate reconstruct \
+  evaluate demo app devices record export occlude review make 'make slides' 'make target' 'make board' 'make hand-board' design; do
   # shellcheck disable=SC2086  # the words of a command
   expect "help: $command" 0 'Usage' "$flytri" $command --help
 done

@@ -12,7 +12,7 @@ struct BoardOptions {
   int least_poses = 15;  ///< 8..1000
   /// > 0. How far a point of the volume may move with the board between the first and the last
   /// image of a pose, as a share of the volume's depth. The board is taken to move evenly.
-  double max_motion_share = 0.005;
+  double max_motion_share = 0.01;
   /// > 0. Largest standard uncertainty of a depth, as a share of that depth: boards that are hardly
   /// tilted do not show how deep the volume is.
   double max_depth_sigma_share = 0.0005;

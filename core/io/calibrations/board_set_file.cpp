@@ -31,10 +31,6 @@ constexpr std::array<BoardSlot, 5> kBoardSlots = {{{"dots", &BoardPose::dots, fa
                                                    {"dots_texture", &BoardPose::dots_texture, true},
                                                    {"dots_after", &BoardPose::dots_after, false}}};
 
-bool has_image(const BoardSet& set, const BoardSlot& slot) {
-  return !slot.color || set.has_texture();
-}
-
 }  // namespace
 
 Result<BoardSet> parse_board_set(std::string_view text, const std::string& name) {
@@ -73,21 +69,32 @@ Result<BoardSet> read_board_set(const std::filesystem::path& folder) {
   return set;
 }
 
-Result<void> write_board_set(const std::filesystem::path& folder, const BoardSet& set) {
-  if (Result<void> made = create_folder(folder); !made) return made;
+Result<void> write_board_pose(const std::filesystem::path& folder, const BoardPose& pose) {
+  for (const BoardSlot& slot : kBoardSlots) {
+    const NamedImage& image = pose.*slot.image;
+    if (slot.color && image.image.empty()) continue;
+    if (auto written = write_png(folder / image.name, image.image); !written) return written;
+  }
+  return {};
+}
+
+Result<void> write_board_set_text(const std::filesystem::path& folder, const BoardSet& set) {
   nlohmann::ordered_json json = {{"format", kBoardFormat}, {"version", kBoardVersion}};
   put_calibration_scene(json, set);
-  for (std::size_t i = 0; i < set.poses.size(); ++i) {
+  for (const BoardPose& pose : set.poses) {
     nlohmann::ordered_json described;
-    for (const BoardSlot& slot : kBoardSlots) {
-      if (!has_image(set, slot)) continue;
-      const NamedImage& image = set.poses[i].*slot.image;
-      if (auto written = write_png(folder / image.name, image.image); !written) return written;
-      described[slot.key] = image.name;
-    }
+    for (const BoardSlot& slot : kBoardSlots)
+      if (!slot.color || set.has_texture()) described[slot.key] = (pose.*slot.image).name;
     json["poses"].push_back(std::move(described));
   }
   return write_file(folder / kBoardSetFile, json.dump(1) + "\n");
+}
+
+Result<void> write_board_set(const std::filesystem::path& folder, const BoardSet& set) {
+  if (Result<void> made = create_folder(folder); !made) return made;
+  for (const BoardPose& pose : set.poses)
+    if (auto written = write_board_pose(folder, pose); !written) return written;
+  return write_board_set_text(folder, set);
 }
 
 }  // namespace flytri::io

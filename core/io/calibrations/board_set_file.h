@@ -23,6 +23,16 @@ inline constexpr const char* kBoardSetFile = "board-set.json";
 /// @errors  As read_file, parse_board_set, read_png; kBadFormat, kInconsistent: an image.
 [[nodiscard]] Result<calibration::BoardSet> read_board_set(const std::filesystem::path& folder);
 
+/// Writes the images of one pose.
+/// @errors  As write_png.
+[[nodiscard]] Result<void> write_board_pose(const std::filesystem::path& folder,
+                                            const calibration::BoardPose& pose);
+
+/// Writes only board-set.json, for images that are already there.
+/// @errors  As write_file.
+[[nodiscard]] Result<void> write_board_set_text(const std::filesystem::path& folder,
+                                                const calibration::BoardSet& set);
+
 /// Writes the images, then board-set.json.
 /// @errors  As create_folder, write_png, write_file.
 [[nodiscard]] Result<void> write_board_set(const std::filesystem::path& folder,

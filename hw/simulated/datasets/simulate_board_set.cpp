@@ -10,6 +10,7 @@
 #include "core/base/random.h"
 #include "core/calibration/guide/board_places.h"
 #include "core/io/calibrations/board_set_file.h"
+#include "hw/simulated/datasets/calibration_camera.h"
 
 namespace flytri::simulated {
 namespace {
@@ -19,7 +20,7 @@ using calibration::BoardPose;
 using calibration::BoardSet;
 using calibration::ShotKind;
 
-constexpr DotLook kBlackOnWhite = {.dot_level = 0.03, .background_level = 0.6};
+constexpr double kBlackLevel = 0.03, kWhiteLevel = 0.6;
 constexpr double kBlackAlbedo = 0.04, kWhiteAlbedo = 0.8;
 constexpr double kVerticesPerDot = 16.0;  // along its diameter
 constexpr double kHalfBoard = 0.9;        // by the width of the volume
@@ -125,11 +126,8 @@ BoardScene::BoardScene(const SensorModel& sensor, const Options& options, ImageS
     : options_(options),
       simulator_(std::move(simulator)),
       chip_(sensor.chip),
-      dots_(sensor.camera, sensor.board_dots(), [&] {
-        DotLook look = kBlackOnWhite;
-        look.lamp_mm = sensor.texture_camera.center();
-        return look;
-      }()) {}
+      dots_(sensor.camera, sensor.board_dots(),
+            {kBlackLevel, kWhiteLevel, sensor.texture_camera.center()}) {}
 
 cv::Mat BoardScene::take(ShotKind kind, const Isometry& T_sensor_board,
                          std::uint64_t stream) const {
@@ -153,7 +151,6 @@ Result<void> BoardSetOptions::validate() const {
   return OptionCheck("BoardSetOptions")
       .nested(sensor)
       .nested(ImageOptions{.bits = images.bits, .exposures = images.exposures})
-      .in_range("rounds", rounds, 1, 20)
       .in_range("tremor_mm", tremor_mm, 0.0, 1.0)
       .result();
 }
@@ -161,15 +158,9 @@ Result<void> BoardSetOptions::validate() const {
 Result<BoardSet> take_board_set(const BoardSetOptions& options, const Workers& workers,
                                 const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  // As with a real sensor, the exposure is short enough for the lines at the near end.
-  SensorModel exposed = options.sensor;
-  exposed.chip.line_level *= 0.5;
-  exposed.chip.ambient_level *= 0.5;
-  const auto scene = BoardScene::create(exposed, options.images);
+  const auto scene = BoardScene::create(exposed_for_targets(options.sensor), options.images);
   if (!scene) return tl::unexpected(scene.error());
-  std::vector<BoardPlace> places;
-  for (int round = 0; round < options.rounds; ++round)
-    for (const BoardPlace& place : calibration::board_places()) places.push_back(place);
+  const std::vector<BoardPlace> places = calibration::board_places();
   BoardSet set;
   set.volume = options.sensor.volume;
   for (const Pattern pattern : kPatterns)

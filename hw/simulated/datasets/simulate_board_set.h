@@ -47,7 +47,6 @@ class BoardScene {
 struct BoardSetOptions {
   SensorModel sensor = intraoral_sensor();
   BoardScene::Options images;
-  int rounds = 1;           ///< 1..20, of the poses of calibration::board_places()
   bool has_texture = true;  ///< false: the sensor has no texture camera
   /// 0..1. A hand trembles: standard deviation of each coordinate of the board between its images.
   double tremor_mm = 0.0;

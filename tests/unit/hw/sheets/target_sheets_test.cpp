@@ -35,10 +35,11 @@ struct ReadTarget {
 
 /// Reads a page by the code of the calibration: numbers and places of the dots.
 ReadTarget read_target(const TargetSheet& target, const DotTarget& dots, const cv::Mat& page,
-                       double px_per_mm) {
+                       double px_per_mm, bool dots_are_black = false) {
   // Printed light is linear: no sRGB.
   cv::Mat gray;
   cv::extractChannel(cut_out(target, page, px_per_mm), gray, 1);
+  if (dots_are_black) gray = 255 - gray;
   const auto found = calibration::find_dots(calibration::linear_gray(gray));
   const auto numbered = calibration::number_dots(found, dots);
   if (!numbered) {
@@ -99,10 +100,21 @@ TEST_P(TargetSheets, OtherProgramsShowTheSvgInTheSameSize) {
   expect_exact(*target, page);
 }
 
-TEST_P(TargetSheets, BothFillWhatTheCameraSees) {
+TEST_P(TargetSheets, TheDotsOfTheHandBoardAreWhereTheyBelong) {
+  const auto target = hand_board_sheet(sensor, farthest_mm(sensor));
+  ASSERT_TRUE(target);
+  const auto page = target->sheet.drawing.image(px_per_mm);
+  ASSERT_TRUE(page);
+  const DotTarget dots = sensor.board_dots();
+  const ReadTarget read = read_target(*target, dots, *page, px_per_mm, true);
+  EXPECT_EQ(read.dots, dot_count(*target, dots.pitch_mm));
+  EXPECT_LT(read.largest_error_mm * px_per_mm, 0.05) << "pixels";
+}
+
+TEST_P(TargetSheets, AllFillWhatTheCameraSees) {
   const double z_mm = farthest_mm(sensor);
   const Field seen = seen_field(sensor.camera, z_mm);
-  for (const auto make : {dot_sheet, board_sheet}) {
+  for (const auto make : {dot_sheet, board_sheet, hand_board_sheet}) {
     const auto target = make(sensor, z_mm);
     ASSERT_TRUE(target);
     EXPECT_TRUE(Field(target->least_mm, target->most_mm).contains(seen));
