@@ -19,7 +19,7 @@ namespace {
 /// Dots nearer and farther than these shares of all do not count for the depths of the board.
 constexpr double kNearestShare = 0.01, kFarthestShare = 0.99;
 constexpr double kLeastCover = 0.8;  ///< of the volume's depth
-constexpr double kMicrons = 1e3;
+constexpr double kMicronsPerMm = 1e3;
 
 /// When the images of a pose were taken, from the first (0) to the last (1).
 struct Times {
@@ -204,8 +204,8 @@ class BoardFit {
       return fail(ErrorCode::kInconsistent,
                   "the board moved by {:.0f} µm from {} to {}, more than {:.0f} µm; rest it on "
                   "something, and take this pose again",
-                  kMicrons * moved_mm, set_.poses[i].dots.name, set_.poses[i].dots_after.name,
-                  kMicrons * limit_mm);
+                  kMicronsPerMm * moved_mm, set_.poses[i].dots.name, set_.poses[i].dots_after.name,
+                  kMicronsPerMm * limit_mm);
     }
     return {};
   }
@@ -266,7 +266,7 @@ class BoardFit {
                   "the board moved meanwhile, or it is bent; take this pose again",
                   pattern == Pattern::kVertical ? set_.poses[i].vertical.name
                                                 : set_.poses[i].horizontal.name,
-                  kMicrons * poses[i].offset_mm[p], kMicrons * limit_mm);
+                  kMicronsPerMm * poses[i].offset_mm[p], kMicronsPerMm * limit_mm);
     }
     return {};
   }

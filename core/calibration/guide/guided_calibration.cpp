@@ -178,7 +178,7 @@ ShotVerdict GuidedCalibration::check(const WantedShot& shot, const cv::Mat& imag
 
 CalibrationSet GuidedCalibration::set() const {
   assert(is_complete());
-  CalibrationSet set{plan_.volume, plan_.line_counts, plan_.dots, {}};
+  CalibrationSet set{{plan_.volume, plan_.line_counts, plan_.dots}, {}};
   set.planes.resize(plan_.z_mm.size());
   for (std::size_t i = 0; i < placements_.size(); ++i) {
     CalibrationPlane& plane = set.planes[placements_[i].plane];
