@@ -17,8 +17,9 @@ constexpr int kMostSteps = 100;
 constexpr double kLeastChange = 1e-10;
 constexpr int kRounds = 2;                // the shifts of the dots need poses, and the poses shifts
 constexpr double kDotOutlier = 6.0;       // robust standard deviations
+constexpr double kGoodDot_px = 0.1;       // a dot nearer than this is none
 constexpr double kLargestRms_px = 0.3;    // a flat board in focus has a tenth of this
-constexpr double kLargestOfMedian = 4.0;  // RMS of one view by that of the usual one
+constexpr double kLargestOfMedian = 3.0;  // RMS of one view by that of the usual one
 
 struct Lens {
   cv::Mat matrix, distortion;
@@ -167,7 +168,7 @@ struct Data {
       misfits.push_back(misfits_of(places[v], centers[v], bundle, v));
       all.insert(all.end(), misfits[v].begin(), misfits[v].end());
     }
-    const double limit_px = kDotOutlier * kSigmaOfMedian * median_of(all);
+    const double limit_px = std::max(kDotOutlier * kSigmaOfMedian * median_of(all), kGoodDot_px);
     for (std::size_t v = 0; v < views.size(); ++v) {
       std::size_t kept = 0;
       for (std::size_t d = 0; d < misfits[v].size(); ++d) {

@@ -18,7 +18,8 @@ namespace {
 
 /// Dots nearer and farther than these shares of all do not count for the depths of the board.
 constexpr double kNearestShare = 0.01, kFarthestShare = 0.99;
-constexpr double kLeastCover = 0.8;  ///< of the volume's depth
+constexpr double kLeastCover = 0.8;      ///< of the volume's depth
+constexpr double kLargestOfUsual = 4.0;  ///< scatter of one pose by the usual one
 constexpr double kMicronsPerMm = 1e3;
 
 /// When the images of a pose were taken, from the first (0) to the last (1).
@@ -255,18 +256,26 @@ class BoardFit {
     return fit_flash(images, set_.volume, lateral_.texture_u_px, lateral_.texture_v_px, workers_);
   }
 
+  /// No pose lies elsewhere than the others say, or scatters much more.
   [[nodiscard]] Result<void> check_offsets(const std::vector<PlaneResidual>& poses,
                                            Pattern pattern) const {
-    const double limit_mm = options_.max_offset_share * set_.volume.size_mm.z();
     const auto p = static_cast<std::size_t>(pattern);
+    std::vector<double> rms_mm;
+    for (const PlaneResidual& pose : poses) rms_mm.push_back(pose.rms_mm[p]);
+    const double most_rms_mm = kLargestOfUsual * median_of(rms_mm);
+    const double most_mm = options_.max_offset_share * set_.volume.size_mm.z();
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      if (std::abs(poses[i].offset_mm[p]) <= limit_mm) continue;
-      return fail(ErrorCode::kInconsistent,
-                  "{}: the lines are {:.0f} µm off those of the other poses, more than {:.0f} µm; "
-                  "the board moved meanwhile, or it is bent; take this pose again",
-                  pattern == Pattern::kVertical ? set_.poses[i].vertical.name
-                                                : set_.poses[i].horizontal.name,
-                  kMicronsPerMm * poses[i].offset_mm[p], kMicronsPerMm * limit_mm);
+      const double offset_mm = std::abs(poses[i].offset_mm[p]);
+      if (offset_mm <= most_mm && poses[i].rms_mm[p] <= most_rms_mm) continue;
+      return fail(
+          ErrorCode::kInconsistent,
+          "{}: the lines are {:.0f} µm off those of the other poses (at most {:.0f}) and "
+          "scatter by {:.0f} µm (at most {:.0f}); the board moved meanwhile, or it is bent; "
+          "take this pose again",
+          pattern == Pattern::kVertical ? set_.poses[i].vertical.name
+                                        : set_.poses[i].horizontal.name,
+          kMicronsPerMm * offset_mm, kMicronsPerMm * most_mm, kMicronsPerMm * poses[i].rms_mm[p],
+          kMicronsPerMm * most_rms_mm);
     }
     return {};
   }

@@ -16,7 +16,8 @@ struct BoardOptions {
   /// > 0. Largest standard uncertainty of a depth, as a share of that depth: boards that are hardly
   /// tilted do not show how deep the volume is.
   double max_depth_sigma_share = 0.0005;
-  /// > 0. Largest offset of the lines of a pose from the fit, as a share of the volume's depth.
+  /// > 0. Largest mean offset of the lines of a pose from the fit, as a share of the volume's
+  /// depth.
   double max_offset_share = 0.002;
 
   [[nodiscard]] Result<void> validate() const;

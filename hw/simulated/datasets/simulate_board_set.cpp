@@ -68,13 +68,17 @@ TriangleMesh board_mesh(const SensorModel& sensor) {
 /// Where a hand holds the board that shall be at this place.
 Isometry held_at(const BoardPlace& place, const calibration::MeasurementVolume& volume,
                  Random& random) {
+  // Compilers differ in the order in which they evaluate arguments.
+  const auto two_normals = [&random] {
+    const double x = random.normal();
+    return Vec2(x, random.normal());
+  };
   BoardPlace held = place;
   held.depth_share += kDepthError * random.normal();
-  held.nearer_deg += kTiltError_deg * Vec2(random.normal(), random.normal());
+  held.nearer_deg += kTiltError_deg * two_normals();
   held.turn_deg += kTurnError_deg * random.normal();
   Isometry T_sensor_board = pose_of(held, volume.size_mm.z());
-  T_sensor_board.translation().head<2>() +=
-      kAsideError * volume.size_mm.x() * Vec2(random.normal(), random.normal());
+  T_sensor_board.translation().head<2>() += kAsideError * volume.size_mm.x() * two_normals();
   return T_sensor_board;
 }
 

@@ -135,7 +135,7 @@ TEST(BoardCamera, LeavesOutADotThatIsElsewhereAndNamesAPoseThatIs) {
   EXPECT_EQ(camera->views[4].dots.size(), count - 1);
 
   Random random(3);
-  for (NumberedDot& dot : scene.views[4].dots) dot.center.v_px += 0.1 * random.normal();
+  for (NumberedDot& dot : scene.views[4].dots) dot.center.v_px += 0.2 * random.normal();
   const auto blurred = fit(scene);
   ASSERT_FALSE(blurred);
   EXPECT_THAT(blurred.error().message, HasSubstr(scene.views[4].name + ": its dots are"));

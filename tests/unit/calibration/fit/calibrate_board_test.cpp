@@ -114,18 +114,14 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         BoardRefusal{"FewPoses", [](BoardSet& set) { set.poses.resize(14); }, "has 14 poses"},
         BoardRefusal{"NoPoses", [](BoardSet& set) { set.poses.clear(); }, "has 0 poses"},
-        BoardRefusal{"OneDepth",
-                     [](BoardSet& set) {
-                       set.poses.resize(9);
-                       set.poses.insert(set.poses.end(), set.poses.begin(), set.poses.end() - 1);
-                     },
+        BoardRefusal{"DeeperVolume", [](BoardSet& set) { set.volume.size_mm.z() = 40.0; },
                      "nearer and farther"},
         BoardRefusal{"Moved",
                      [](BoardSet& set) { set.poses[3].dots_after = set.poses[4].dots_after; },
                      "from b03_d.png to b04_e.png"},
         BoardRefusal{"LinesMoved",
                      [](BoardSet& set) { set.poses[3].vertical = set.poses[6].vertical; },
-                     "b06_v.png: the lines are"},
+                     "b06_v.png: "},
         BoardRefusal{"Blank",
                      [](BoardSet& set) {
                        set.poses[2].horizontal.image = cv::Mat::zeros(768, 1024, CV_16UC1);
@@ -148,6 +144,14 @@ INSTANTIATE_TEST_SUITE_P(
         BoardRefusal{"OtherDots", [](BoardSet& set) { set.dots.marker_diameter_mm = 2.0; },
                      "marker diameter < pitch"}),
     [](const auto& refusal) { return refusal.param.name; });
+
+TEST(CalibrateBoard, RefusesDepthsThatAreNotSure) {
+  BoardOptions options;
+  options.max_depth_sigma_share = 1e-6;
+  const auto unsure = calibrate_board(testing::hand_board(), options, Workers(2), {});
+  ASSERT_FALSE(unsure);
+  EXPECT_THAT(unsure.error().message, HasSubstr("add poses in which the board is tilted"));
+}
 
 TEST(CalibrateBoard, WorksWithoutATextureCamera) {
   BoardSet set = testing::hand_board();

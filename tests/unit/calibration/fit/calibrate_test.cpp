@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
                 [](CalibrationSet& set) { set.planes[3].dots_texture.release(); }, "z3_t.png"},
         Refusal{"NoTextureOfTheFirstPlane",
                 [](CalibrationSet& set) { set.planes[0].dots_texture.release(); },
-                "z1_t.png: there is no such image of the first plane"},
+                "z1_t.png: there is no such image of the first placement"},
         Refusal{"LineCount", [](CalibrationSet& set) { set.line_counts[0] = 7; }, "z4_v.png"},
         Refusal{
             "BlankLines",
