@@ -19,7 +19,7 @@ constexpr int kExposures = 4;
 
 constexpr std::string_view kHelp =
     "Press Enter to take the images, a number to take that pose again, q to stop and keep what is "
-    "done.\n";
+    "done.";
 
 calibration::CalibrationScene make_scene(const PlanArguments& arguments) {
   const simulated::SensorModel sensor = shots::sensor_named(arguments.sensor);
@@ -67,7 +67,7 @@ Result<std::optional<calibration::BoardCalibration>> run_dialog(shots::BoardSess
                                                                 const Workers& workers,
                                                                 const Progress& progress) {
   Prompt prompt(progress);
-  print_out("{}", kHelp);
+  print_out("{}\n", kHelp);
   const std::size_t count = session.places().size();
   bool has_changed = true;
   while (true) {
@@ -79,12 +79,12 @@ Result<std::optional<calibration::BoardCalibration>> run_dialog(shots::BoardSess
     }
     has_changed = false;
     const auto line = prompt.ask(question_of(session));
+    if (line) print_out("\n");
     if (!line || *line == "q") return std::optional<calibration::BoardCalibration>{};
-    print_out("\n");
     const bool is_next = line->empty() && session.done() < count;
     const auto again = pose_in(*line, session.done());
     if (!is_next && !again) {
-      print_out("  {}", kHelp);
+      print_out("  {}\n", kHelp);
       continue;
     }
     auto taken = take_pose(session, is_next ? session.done() : *again, progress);
