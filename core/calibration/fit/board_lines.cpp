@@ -35,11 +35,6 @@ struct SpaceSample {
   Vec3 p_sensor = Vec3::Zero();
 };
 
-Pixel pixel_of(const localization::LineSample& sample, Pattern pattern) {
-  const double along = sample.along_px, across = sample.across_px;
-  return pattern == Pattern::kVertical ? Pixel{across, along} : Pixel{along, across};
-}
-
 /// Where the camera sees the board at a pixel. @source Newton's method in Z.
 std::optional<Vec3> place_on_board(const LateralCalibration& lateral, const Pixel& pixel,
                                    const Isometry& T_sensor_board) {
@@ -76,7 +71,9 @@ Result<std::vector<SpaceSample>> samples_of(const LitBoard& board, std::size_t p
   std::vector<SpaceSample> samples;
   for (const localization::LineTrace& trace : *traces) {
     for (const localization::LineSample& sample : trace) {
-      const auto p = place_on_board(scene.lateral, pixel_of(sample, pattern), board.T_sensor_board);
+      const auto p = place_on_board(scene.lateral,
+                                    to_pixel(pattern, {1.0 * sample.along_px, sample.across_px}),
+                                    board.T_sensor_board);
       if (!p || std::abs(p->z()) > reach_mm) continue;
       if (is_near_dot(T_board_sensor * *p, scene.scene.dots)) continue;
       samples.push_back({pose, sample, *p});

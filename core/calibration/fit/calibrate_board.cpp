@@ -261,6 +261,7 @@ class BoardFit {
                                            Pattern pattern) const {
     const auto p = static_cast<std::size_t>(pattern);
     std::vector<double> rms_mm;
+    rms_mm.reserve(poses.size());
     for (const PlaneResidual& pose : poses) rms_mm.push_back(pose.rms_mm[p]);
     const double most_rms_mm = kLargestOfUsual * median_of(rms_mm);
     const double most_mm = options_.max_offset_share * set_.volume.size_mm.z();
