@@ -118,8 +118,7 @@ Result<void> calibrate_by_hand(const CalibrateLiveArguments& arguments, const Pr
   if (!(*source)->has_texture()) {
     print_out(
         "The sensor has no texture camera, so no flash: light the board with a dim lamp, evenly "
-        "and "
-        "without glare, and leave it on. The lines must stay much brighter.\n");
+        "and without glare, and leave it on. The lines must stay much brighter.\n");
   }
   if (auto started = (*source)->start(); !started) return started;
   const auto fitted = run_dialog(*session, Workers(arguments.thread_count), progress);

@@ -1,5 +1,5 @@
-/// @file  The targets of a calibration as sheets to print: the dot target and the white board for a
-///        stage, and the dotted board that is held by hand.
+/// @file  Sheets to print for a calibration: dot target and white board for a stage, and the dotted
+///        board for the hand.
 #pragma once
 
 #include "hw/sheets/sheet.h"

@@ -1,5 +1,4 @@
-/// @file  A calibration by hand: takes the images of the dotted board pose by pose, checks them at
-///        once and saves them to a folder.
+/// @file  A calibration by hand: takes, checks and saves the images of the board, pose by pose.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +17,7 @@ class BoardSession {
  public:
   /// Continues the session in the folder, or creates one there.
   /// @param scene  must equal that of the folder, if there is one
-  /// @errors  kInconsistent: the folder has a session of another sensor or board; as read_board_set
+  /// @errors  kInconsistent: the folder belongs to another sensor or board; as read_board_set
   ///          and create_folder.
   [[nodiscard]] static Result<BoardSession> open(const std::filesystem::path& folder,
                                                  const calibration::CalibrationScene& scene,

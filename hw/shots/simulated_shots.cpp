@@ -46,8 +46,11 @@ cv::Mat SimulatedShots::shoot(calibration::ShotKind kind, double z_mm) {
 
 Result<cv::Mat> SimulatedShots::shoot_board(calibration::ShotKind kind) {
   if (!board_) {
-    auto board = simulated::BoardScene::create(
-        sensor_, {options_.exposures, options_.bits, options_.noise, options_.seed});
+    auto board = simulated::BoardScene::create(sensor_, {.bits = options_.bits,
+                                                         .noise = options_.noise,
+                                                         .motion = false,
+                                                         .exposures = options_.exposures,
+                                                         .seed = options_.seed});
     if (!board) return tl::unexpected(board.error());
     board_ = *std::move(board);
   }

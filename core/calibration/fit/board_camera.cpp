@@ -1,7 +1,6 @@
 #include "core/calibration/fit/board_camera.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <opencv2/calib3d.hpp>
@@ -78,6 +77,15 @@ cv::Point2d middle_of(const cv::Point2f* corners, int count) {
   return first + sum * (1.0 / (3.0 * area));
 }
 
+/// Where the camera sees places on the board in one view.
+std::vector<cv::Point2f> seen_places(const std::vector<cv::Point3f>& places, const Bundle& bundle,
+                                     std::size_t index) {
+  std::vector<cv::Point2f> seen;
+  cv::projectPoints(places, bundle.rotations[index], bundle.translations[index], bundle.lens.matrix,
+                    bundle.lens.distortion, seen);
+  return seen;
+}
+
 /// For each dot of a view, the middle of its image minus the image of its middle.
 std::vector<cv::Point2d> shifts_of(const BoardView& view, const std::vector<cv::Point3f>& places,
                                    const DotTarget& target, const Bundle& bundle,
@@ -91,11 +99,8 @@ std::vector<cv::Point2d> shifts_of(const BoardView& view, const std::vector<cv::
                           static_cast<float>(places[d].y + radius_mm * std::sin(angle)), 0.0F);
     }
   }
-  std::vector<cv::Point2f> seen, centers;
-  cv::projectPoints(border, bundle.rotations[index], bundle.translations[index], bundle.lens.matrix,
-                    bundle.lens.distortion, seen);
-  cv::projectPoints(places, bundle.rotations[index], bundle.translations[index], bundle.lens.matrix,
-                    bundle.lens.distortion, centers);
+  const auto seen = seen_places(border, bundle, index);
+  const auto centers = seen_places(places, bundle, index);
   std::vector<cv::Point2d> shifts;
   for (std::size_t d = 0; d < places.size(); ++d)
     shifts.push_back(middle_of(&seen[d * kBorderPoints], kBorderPoints) - cv::Point2d(centers[d]));
@@ -117,9 +122,7 @@ Isometry pose_of(const Bundle& bundle, std::size_t index) {
 std::vector<double> misfits_of(const std::vector<cv::Point3f>& places,
                                const std::vector<cv::Point2f>& centers, const Bundle& bundle,
                                std::size_t index) {
-  std::vector<cv::Point2f> seen;
-  cv::projectPoints(places, bundle.rotations[index], bundle.translations[index], bundle.lens.matrix,
-                    bundle.lens.distortion, seen);
+  const auto seen = seen_places(places, bundle, index);
   std::vector<double> misfits;
   for (std::size_t d = 0; d < seen.size(); ++d)
     misfits.push_back(cv::norm(cv::Point2d(seen[d]) - cv::Point2d(centers[d])));

@@ -1,4 +1,4 @@
-/// @file  The measurement camera and the poses of the board, from the dots of all poses together.
+/// @file  Finds the lens of the measurement camera and all poses of the board together.
 #pragma once
 
 #include <string>

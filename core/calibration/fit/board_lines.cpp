@@ -15,13 +15,13 @@ constexpr double kDotMargin = 0.3;
 /// Samples farther from the middle than this share of the volume's depth are left out, too: the
 /// polynomials of Z need to reach little beyond the volume.
 constexpr double kDepthReach = 0.6;
-/// A sheet is at most this far from a sample of its line, as a share of the distance of the sheets.
+/// Largest distance of a sample from the sheet of its line, as a share of the sheets' distance.
 constexpr double kSheetReach = 0.25;
 constexpr int kSheetRounds = 4;
 constexpr std::size_t kFewestPoses = 5;  ///< that show a line
 
-/// The search for the projector: where it may stand beside the camera, as a share of the distance
-/// to the volume, and how its lines may be turned.
+/// Where the projector is searched: beside the camera, as a share of the distance to the volume.
+/// And how far its lines may be turned.
 constexpr double kFarthestBeside = 0.8, kBesideStep = 0.01;
 constexpr double kLargestTurn = 0.14, kTurnStep = 0.01;  // rad
 constexpr std::size_t kSearchedSamples = 6000;

@@ -25,9 +25,9 @@ struct BoardLineScene {
   double distance_mm = 0.0;    ///< from the camera to the middle of the volume
 };
 
-/// Localizes the lines of `pattern` in all images, leaves out what is near dots, and numbers the
-/// lines in space: the samples of a line lie in the sheet of light that leaves the projector, whose
-/// place is searched.
+/// Localizes the lines of `pattern` in all images, but not near dots, and numbers them in space.
+/// All samples of a line lie in one sheet of light. The sheets come from the projector, whose place
+/// is searched.
 /// @param boards  one for each pose
 /// @return  LineOnPlane::plane is the number of the pose
 /// @errors  kInsufficient or kInconsistent, naming the image or the pattern.

@@ -1,5 +1,4 @@
-/// @file  Fits the calibration of a sensor to a dotted board that was held by hand in many poses:
-///        no stage is needed.
+/// @file  Calibrates a sensor without a stage, from a dotted board that was held by hand.
 #pragma once
 
 #include "core/calibration/fit/calibrate.h"

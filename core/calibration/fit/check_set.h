@@ -10,8 +10,8 @@ namespace flytri::calibration {
 [[nodiscard]] Result<void> check_gray_image(const cv::Mat& image, const std::string& name,
                                             const cv::Mat& first, const std::string& first_name);
 
-/// An image of the texture camera is in color and as large as the first one. There are such images
-/// of all placements, or of none.
+/// An image of the texture camera is in color and as large as the first one. All placements have
+/// one, or none has.
 /// @errors  As check_gray_image.
 [[nodiscard]] Result<void> check_texture_image(const cv::Mat& image, const std::string& name,
                                                const cv::Mat& first, const std::string& first_name);

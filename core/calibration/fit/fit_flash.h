@@ -1,4 +1,4 @@
-/// @file  Finds the lamp of the texture frames from the brightness of white places on the targets.
+/// @file  Finds the lamp of the texture frames: how bright are white places on the targets?
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -14,8 +14,8 @@ struct NamedImage {
   cv::Mat image;
 };
 
-/// The images of the board in one pose, in the order of their taking. What a hand moves meanwhile
-/// shows in the second image of the dots.
+/// The images of the board in one pose, in the order in which they were taken. The dots are taken
+/// first and last: so it shows how far the hand moved.
 struct BoardPose {
   NamedImage dots;          ///< measurement camera, CV_8UC1 or CV_16UC1, linear in light
   NamedImage vertical;      ///< the same camera, the board lit by one pattern

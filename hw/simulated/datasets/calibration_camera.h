@@ -13,8 +13,8 @@
 
 namespace flytri::simulated {
 
-/// The sensor with an exposure so short that nothing is overexposed on white at the near end of the
-/// volume: there, lines are twice as bright as in its middle.
+/// The sensor with half the exposure: at the near end of the volume, lines on white are twice as
+/// bright as in the middle.
 [[nodiscard]] SensorModel exposed_for_targets(SensorModel sensor);
 
 /// Immutable and thread-safe; an image depends only on the arguments.

@@ -115,18 +115,14 @@ BoardPose take_pose(const BoardScene& scene, const BoardSetOptions& options, std
 
 }  // namespace
 
-Result<BoardScene> BoardScene::create(const SensorModel& sensor, const Options& options) {
-  auto simulator = ImageSimulator::create(board_mesh(sensor), sensor,
-                                          {.bits = options.bits,
-                                           .noise = options.noise,
-                                           .motion = false,
-                                           .exposures = options.exposures,
-                                           .seed = options.seed});
+Result<BoardScene> BoardScene::create(const SensorModel& sensor, const ImageOptions& options) {
+  auto simulator = ImageSimulator::create(board_mesh(sensor), sensor, options);
   if (!simulator) return tl::unexpected(simulator.error());
   return BoardScene(sensor, options, *std::move(simulator));
 }
 
-BoardScene::BoardScene(const SensorModel& sensor, const Options& options, ImageSimulator simulator)
+BoardScene::BoardScene(const SensorModel& sensor, const ImageOptions& options,
+                       ImageSimulator simulator)
     : options_(options),
       simulator_(std::move(simulator)),
       chip_(sensor.chip),
@@ -154,7 +150,7 @@ cv::Mat BoardScene::take(ShotKind kind, const Isometry& T_sensor_board,
 Result<void> BoardSetOptions::validate() const {
   return OptionCheck("BoardSetOptions")
       .nested(sensor)
-      .nested(ImageOptions{.bits = images.bits, .exposures = images.exposures})
+      .nested(images)
       .in_range("tremor_mm", tremor_mm, 0.0, 1.0)
       .result();
 }

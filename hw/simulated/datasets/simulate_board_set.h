@@ -20,14 +20,9 @@ namespace flytri::simulated {
 /// Immutable and thread-safe; an image depends only on the arguments.
 class BoardScene {
  public:
-  struct Options {
-    int exposures = 16;  ///< 1..1000, averaged into each image
-    int bits = 16;       ///< 8 or 16, of the measurement camera's images
-    bool noise = true;
-    std::uint64_t seed = 1;
-  };
   /// @errors  As ImageSimulator::create.
-  [[nodiscard]] static Result<BoardScene> create(const SensorModel& sensor, const Options& options);
+  [[nodiscard]] static Result<BoardScene> create(const SensorModel& sensor,
+                                                 const ImageOptions& options);
 
   /// @param kind  of lines or dots
   /// @param stream  random stream of the noise
@@ -36,9 +31,9 @@ class BoardScene {
                              std::uint64_t stream) const;
 
  private:
-  BoardScene(const SensorModel& sensor, const Options& options, ImageSimulator simulator);
+  BoardScene(const SensorModel& sensor, const ImageOptions& options, ImageSimulator simulator);
 
-  Options options_;
+  ImageOptions options_;
   ImageSimulator simulator_;
   Chip chip_;
   DotImage dots_;
@@ -46,7 +41,7 @@ class BoardScene {
 
 struct BoardSetOptions {
   SensorModel sensor = intraoral_sensor();
-  BoardScene::Options images;
+  ImageOptions images = {.bits = 16, .motion = false, .exposures = 16};
   bool has_texture = true;  ///< false: the sensor has no texture camera
   /// 0..1. A hand trembles: standard deviation of each coordinate of the board between its images.
   double tremor_mm = 0.0;
