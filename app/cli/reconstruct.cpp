@@ -33,6 +33,7 @@ struct ReconstructArguments {
   fs::path input;  ///< recording or case
   CaseArguments case_options;
   bool keep = false;
+  bool as_measured = false;
   bool force = false;
   std::vector<fs::path> outputs;
   fs::path calibration;
@@ -115,6 +116,7 @@ reconstruct::ReconstructOptions options_of(const ReconstructArguments& arguments
   reconstruct::ReconstructOptions options;
   options.finish.jaw = jaw;
   options.finish.meshing.close_holes_mm = arguments.close_holes_mm;
+  options.finish.correct_projectors = !arguments.as_measured;
   options.now_s = steady_seconds;
   return options;
 }
@@ -268,6 +270,8 @@ void add_reconstruct_command(CLI::App& app, Invocation& invocation) {
                    "Close holes up to this width, mm, and mark them as not measured; 0: none")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
+  command->add_flag("--as-measured", arguments->as_measured,
+                    "Do not correct the model for a projector that was knocked during the scan");
   add_force_option(*command, arguments->force);
   add_threads_option(*command, arguments->thread_count);
   command->footer(

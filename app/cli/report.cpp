@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -68,6 +69,19 @@ Json stage_json(const StageTime& stage) {
           {"items_per_s", rate}};
 }
 
+/// Times before the first and after the last view are null.
+Json moved_projector_json(const refinement::ProjectorMotion& moved) {
+  const auto time_json = [](double time_s) {
+    return std::isfinite(time_s) ? Json(time_s) : Json(nullptr);
+  };
+  const Twist& motion = moved.motion;
+  return {{"pattern", to_string(moved.pattern)},
+          {"from_s", time_json(moved.from_s)},
+          {"to_s", time_json(moved.to_s)},
+          {"turn_rad", {motion[0], motion[1], motion[2]}},
+          {"shift_mm", {motion[3], motion[4], motion[5]}}};
+}
+
 Json hole_json(const meshing::BoundaryLoop& loop) {
   return {{"perimeter_mm", loop.perimeter_mm},
           {"area_mm2", loop.area_mm2},
@@ -118,6 +132,8 @@ Json to_json(const ReportedResult& result) {
         {"uncertainty_mm", shift->uncertainty_mm},
         {"is_large", shift->is_large()}};
   }
+  for (const refinement::ProjectorMotion& moved : reconstruction.moved_projectors)
+    json["moved_projectors"].push_back(moved_projector_json(moved));
   json["mesh"] = mesh_json(result.model, reconstruction.surface.closed_holes);
   for (const StageTime& stage : reconstruction.stages) json["stages"].push_back(stage_json(stage));
   json["frames"] = Json::array();
@@ -159,8 +175,9 @@ void print_summary(const reconstruct::Reconstruction& reconstruction, const Vec3
   if (const auto& shift = reconstruction.pattern_shift; shift && shift->is_large()) {
     print_error(
         "flytri: warning: vertical and horizontal lines disagree by {:.0f} µm: a projector has "
-        "probably moved since the calibration. Check the sensor with flytri calibrate --check\n",
-        1e3 * shift->shift_mm.norm());
+        "probably moved since the calibration{}. Check the sensor with flytri calibrate --check\n",
+        1e3 * shift->shift_mm.norm(),
+        reconstruction.moved_projectors.empty() ? "" : "; the model is corrected for it");
   }
   for (const StageTime& stage : reconstruction.stages) {
     print_out("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,

@@ -9,6 +9,7 @@
 #include "core/calibration/record/sensor_size.h"
 #include "core/editing/serving_views.h"
 #include "core/meshing/mesh_topology.h"
+#include "core/reconstruct/correct_projectors.h"
 #include "core/reconstruct/locked_surface.h"
 #include "core/texture/level_frames.h"
 #include "core/texture/observe.h"
@@ -40,6 +41,7 @@ class Finisher {
 
  private:
   Result<void> refine_views();
+  Result<void> correct_views(refinement::Refinement& refined, std::vector<AlignedView>& serving);
   void take_poses(std::span<const AlignedView> refined);
   void place_texture_frames();
   Result<std::vector<SurfaceSample>> find_samples();
@@ -67,7 +69,7 @@ Result<void> Finisher::refine_views() {
   const std::vector<AlignedView>& views = scanned_.views;
   progress_.begin_stage(kAligning);
   std::vector<AlignedView> serving = editing::serving_views(views, edits_, workers_);
-  const Result<refinement::Refinement> refined =
+  Result<refinement::Refinement> refined =
       refinement::refine_jointly(serving, options_.refinement, workers_, progress_);
   take_poses(serving);
   if (!refined) return tl::unexpected(refined.error());
@@ -76,15 +78,35 @@ Result<void> Finisher::refine_views() {
     for (AlignedView& view : scanned_.views)
       view.T_world_sensor = T_held_world * view.T_world_sensor;
   }
+  for (std::size_t i = 0; i < serving.size(); ++i)
+    serving[i].T_world_sensor = views[i].T_world_sensor;
+  clock_.end_stage("joint refinement", views.size(), "views");
+  if (auto ok = correct_views(*refined, serving); !ok) return tl::unexpected(ok.error());
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (refined->contradicts(i, options_.refinement)) {
       result_.contradicting.push_back(views[i].view->frame);
     } else {
       result_.views.push_back(views[i]);
-      serving_.push_back({serving[i].view, views[i].T_world_sensor});
+      result_.T_world_sensor.push_back(serving[i].T_world_sensor);
+      serving_.push_back(serving[i]);
     }
   }
-  clock_.end_stage("joint refinement", views.size(), "views");
+  return {};
+}
+
+/// Puts the points where they are if a projector had moved.
+Result<void> Finisher::correct_views(refinement::Refinement& refined,
+                                     std::vector<AlignedView>& serving) {
+  if (scanned_.calibration == nullptr || !options_.correct_projectors) return {};
+  progress_.begin_stage(kAligning);
+  auto corrected = correct_projectors(serving, refined, *scanned_.calibration, options_.refinement,
+                                      workers_, progress_);
+  if (!corrected) return tl::unexpected(corrected.error());
+  if (!*corrected) return {};
+  serving = std::move((*corrected)->views);
+  refined = std::move((*corrected)->refinement);
+  result_.moved_projectors = std::move((*corrected)->moved);
+  clock_.end_stage("moved projector", serving.size(), "views");
   return {};
 }
 
@@ -105,7 +127,7 @@ void Finisher::take_poses(std::span<const AlignedView> refined) {
 void Finisher::place_texture_frames() {
   if (scanned_.texture_frames.empty()) return;
   std::vector<trajectory::TimedPose> path;
-  for (const AlignedView& view : result_.views) {
+  for (const AlignedView& view : serving_) {
     path.push_back({view.view->time_s, view.T_world_sensor});
   }
   const trajectory::MotionModel motion(path, 0.5 * scanned_.calibration->volume.size_mm.norm(),

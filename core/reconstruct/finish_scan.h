@@ -33,6 +33,8 @@ struct FinishOptions {
   /// Default 0.5, > 0. Longest gap in time between views over which the pose of a texture frame is
   /// interpolated, s.
   double max_gap_s = 0.5;
+  /// Whether the model is corrected for projectors that moved.
+  bool correct_projectors = true;
   /// Which jaw it is, if known: tells left from right.
   std::optional<JawKind> jaw;
 };
@@ -51,7 +53,11 @@ struct ScannedViews {
 
 /// The model, and the fate of each input.
 struct FinishedScan {
-  std::vector<AlignedView> views;         ///< the views used, with their final poses
+  std::vector<AlignedView> views;  ///< the views used, with the poses that fit their points
+  /// Where the sensor was, by view. Where a projector had moved, it is not where the points as they
+  /// were measured fit.
+  std::vector<Isometry> T_world_sensor;
+  std::vector<refinement::ProjectorMotion> moved_projectors;  ///< that the model is corrected for
   std::vector<FrameIndex> contradicting;  ///< views not used, because they contradict the others
   /// By texture frame; nullopt: no registered view before or after it.
   std::vector<std::optional<Isometry>> T_world_texture;

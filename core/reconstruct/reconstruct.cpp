@@ -217,8 +217,8 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
   Result<FinishedScan> finished =
       finish_scan(scanned, options_.finish, workers_, progress_, clock_);
   if (!finished) return tl::unexpected(finished.error());
-  for (const AlignedView& view : finished->views) {
-    report_of(view.view->frame).T_world_sensor = view.T_world_sensor;
+  for (std::size_t i = 0; i < finished->views.size(); ++i) {
+    report_of(finished->views[i].view->frame).T_world_sensor = finished->T_world_sensor[i];
   }
   for (const FrameIndex frame : finished->contradicting)
     reject(frame, "contradicts the other views");
@@ -240,6 +240,7 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
   result_.model = std::move(finished->model);
   result_.spans = std::move(finished->spans);
   result_.pattern_shift = calibration::find_pattern_shift(finished->views);
+  result_.moved_projectors = std::move(finished->moved_projectors);
   result_.held = std::move(finished->held);
   result_.stages = clock_.stages();
   return std::move(result_);

@@ -54,7 +54,8 @@ struct Reconstruction {
   std::vector<JudgedSpan> spans;    ///< distances across the jaw
   /// Where the patterns disagree most; none: too few views.
   std::optional<calibration::PatternShift> pattern_shift;
-  std::shared_ptr<const editing::HeldSurface> held;  ///< for the next run
+  std::vector<refinement::ProjectorMotion> moved_projectors;  ///< that the model is corrected for
+  std::shared_ptr<const editing::HeldSurface> held;           ///< for the next run
   std::vector<StageTime> stages;
 };
 

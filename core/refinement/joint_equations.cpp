@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/median.h"
 #include "core/geometry/point_spacing.h"
+#include "core/refinement/sheet_shift.h"
 
 namespace flytri::refinement {
 namespace {
@@ -46,6 +48,13 @@ double valid_share(const FittedSurfaces& surfaces) {
   return all == 0 ? 0.0 : static_cast<double>(valid) / static_cast<double>(all);
 }
 
+/// Sums over one cell and view, for its projector.
+struct ProjectorSums {
+  std::size_t projector = 0;
+  Matrix6 SA = Matrix6::Zero(), JS = Matrix6::Zero(), SS = Matrix6::Zero();
+  Twist Sr = Twist::Zero();
+};
+
 /// Sums over one cell, by view.
 struct CellSums {
   struct ViewSums {
@@ -53,6 +62,7 @@ struct CellSums {
     Matrix6 JJ = Matrix6::Zero();
     Matrix6 JA = Matrix6::Zero();
     Twist Jr = Twist::Zero();
+    std::optional<ProjectorSums> projector = std::nullopt;
   };
   std::vector<ViewSums> views;  ///< by rising view
   Matrix6 AA = Matrix6::Zero();
@@ -74,6 +84,11 @@ std::vector<CellViewShare> without_surface(const CellSums& sums) {
     share.block.coupling = cholesky.matrixL().solve(of_view.JA.transpose()).transpose();
     share.information = of_view.JJ;
     share.gradient = of_view.Jr - share.block.coupling * LAr;
+    if (const auto& of_projector = of_view.projector) {
+      const Matrix6 coupling = cholesky.matrixL().solve(of_projector->SA.transpose()).transpose();
+      share.projector = {of_projector->projector, coupling, of_projector->JS, of_projector->SS,
+                         of_projector->Sr - coupling * LAr};
+    }
     shares.push_back(share);
   }
   return shares;
@@ -96,6 +111,25 @@ JointEquations::JointEquations(std::span<const AlignedView> views,
   cell_mm_ =
       options.cell_mm > 0.0 ? options.cell_mm : kCellSpacings * median_point_spacing_mm(views);
   if (cell_mm_ > 0.0) data_ = gather_data(views, kDatumShare * cell_mm_);
+}
+
+void JointEquations::set_projectors(MovedProjectors projectors) {
+  projectors_ = std::move(projectors);
+  calibrated_mm_.clear();
+  for (const Datum& datum : data_) calibrated_mm_.push_back(datum.position_mm);
+}
+
+void JointEquations::move_projectors(std::span<const Twist> motions) {
+  for (std::size_t i = 0; i < data_.size(); ++i) {
+    const auto moved = projector_of(data_[i].view.at());
+    if (!moved) continue;
+    data_[i].position_mm = seen_with(motions[*moved], calibrated_mm_[i], data_[i].sheet_normal,
+                                     projectors_.p_camera_mm);
+  }
+}
+
+std::optional<std::size_t> JointEquations::projector_of(std::size_t view) const {
+  return projectors_.of_view.empty() ? std::nullopt : projectors_.of_view[view];
 }
 
 double JointEquations::mean_radius_mm() const {
@@ -172,13 +206,26 @@ std::vector<CellViewShare> JointEquations::sum_cell(const FittedSurfaces& surfac
     const auto view = static_cast<std::uint32_t>(datum.view.value);
     const SurfaceResidual r = residual_of(cell, datum, poses[view], surfaces.cell_mm);
     // Data are sorted by view.
-    if (sums.views.empty() || sums.views.back().view != view) sums.views.push_back({view});
+    if (sums.views.empty() || sums.views.back().view != view) {
+      sums.views.push_back({view});
+      if (const auto moved = projector_of(view))
+        sums.views.back().projector.emplace().projector = *moved;
+    }
     auto& of_view = sums.views.back();
     Twist J;
     J << (r.foot_mm - centers_mm[view]).cross(r.gradient), r.gradient;
     of_view.JJ.noalias() += weight * J * J.transpose();
     of_view.JA.noalias() += weight * J * r.terms.transpose();
     of_view.Jr += weight * r.residual_mm * J;
+    if (auto& of_projector = of_view.projector) {
+      const SheetShift shift =
+          sheet_shift(calibrated_mm_[cell.data[k]], datum.sheet_normal, projectors_.p_camera_mm);
+      const Twist S = r.gradient.dot(poses[view].linear() * shift.ray) * shift.per_twist;
+      of_projector->SS.noalias() += weight * S * S.transpose();
+      of_projector->SA.noalias() += weight * S * r.terms.transpose();
+      of_projector->JS.noalias() += weight * J * S.transpose();
+      of_projector->Sr += weight * r.residual_mm * S;
+    }
     sums.AA.noalias() += weight * r.terms * r.terms.transpose();
     sums.Ar += weight * r.residual_mm * r.terms;
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,15 +33,34 @@ struct FittedSurfaces {
   double robust_sigma_mm = 0.0;  ///< of the residuals themselves
 };
 
+/// What one cell adds to the equations of the projector of one view after its surface is
+/// eliminated. S is the Jacobian of the residuals with respect to the projector's twist, the rest
+/// as in CellViewBlock.
+struct CellProjectorShare {
+  std::size_t projector = 0;
+  Matrix6 coupling = Matrix6::Zero();     ///< S^T W A L^-T
+  Matrix6 with_view = Matrix6::Zero();    ///< J^T W S
+  Matrix6 information = Matrix6::Zero();  ///< S^T W S
+  Twist gradient = Twist::Zero();
+};
+
 /// What one cell adds to the equations of one view after its surface is eliminated.
 struct CellViewShare {
   CellViewBlock block;
   Matrix6 information = Matrix6::Zero();
   Twist gradient = Twist::Zero();
+  std::optional<CellProjectorShare> projector;  ///< if the view's projector has moved
 };
 
 /// Adds a cell to the equations.
 void add_to(ReducedSystem& system, std::span<const CellViewShare> shares);
+
+/// Projectors that may have moved since the calibration.
+struct MovedProjectors {
+  std::vector<std::optional<std::size_t>> of_view;  ///< the projector of each view; none: not moved
+  std::size_t count = 0;
+  Vec3 p_camera_mm = Vec3::Zero();  ///< projection center of the camera, sensor frame
+};
 
 /// The data of a scan, and the sums over them.
 class JointEquations {
@@ -49,6 +69,12 @@ class JointEquations {
   /// @param options  valid; must outlive this
   JointEquations(std::span<const AlignedView> views, const JointRefineOptions& options,
                  const Workers& workers);
+
+  /// From now on, the equations have the twists of these projectors as unknowns, too.
+  void set_projectors(MovedProjectors projectors);
+  /// Puts the data where they are seen if the projectors have moved by these twists from where they
+  /// were calibrated, sensor frame.
+  void move_projectors(std::span<const Twist> motions);
 
   [[nodiscard]] bool empty() const { return data_.empty(); }
   [[nodiscard]] const std::vector<Datum>& data() const { return data_; }
@@ -87,6 +113,7 @@ class JointEquations {
                                                                   double radius_mm) const;
 
  private:
+  [[nodiscard]] std::optional<std::size_t> projector_of(std::size_t view) const;
   [[nodiscard]] Result<FittedSurfaces> fit_surfaces_of(std::span<const Isometry> poses,
                                                        double cell_mm,
                                                        const Progress& progress) const;
@@ -99,6 +126,8 @@ class JointEquations {
   const Workers& workers_;
   std::vector<Datum> data_;
   double cell_mm_ = 0.0;
+  MovedProjectors projectors_;
+  std::vector<Vec3> calibrated_mm_;  ///< positions of the data without the projectors' motions
 };
 
 }  // namespace flytri::refinement

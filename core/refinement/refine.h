@@ -79,6 +79,28 @@ struct Refinement {
                                                 const Workers& workers,
                                                 const Progress& progress = {});
 
+/// A time during which a projector was not where it was calibrated.
+struct ProjectorMotion {
+  Pattern pattern = Pattern::kVertical;
+  double from_s = 0.0, to_s = 0.0;  ///< of the views; the second is not included
+  Twist motion = Twist::Zero();     ///< about the sensor's origin, sensor frame
+
+  [[nodiscard]] bool concerns(const View& view) const {
+    return view.pattern == pattern && view.time_s >= from_s && view.time_s < to_s;
+  }
+};
+
+/// As refine_jointly(), with the motions of projectors as six more unknowns each, which all views
+/// of their time share.
+/// @param views        poses and points change: the points lie where the moved light shows them
+/// @param motions      at different times, or of different patterns; only their twists change
+/// @param p_camera_mm  projection center of the camera, sensor frame
+/// @source  this project's, see docs/adr/0021-projector-motion.md
+/// @errors  as refine_jointly(); then the points and motions do not change
+[[nodiscard]] Result<Refinement> refine_with_projectors(
+    std::vector<AlignedView>& views, std::vector<ProjectorMotion>& motions, const Vec3& p_camera_mm,
+    const JointRefineOptions& options, const Workers& workers, const Progress& progress = {});
+
 struct MetaviewRefineOptions {
   /// For aligning one view to its metaview. The guess is near, so there is no coarse stage.
   registration::AlignOptions align;

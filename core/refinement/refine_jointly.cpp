@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/base/check_options.h"
 #include "core/geometry/decompositions.h"
 #include "core/refinement/joint_equations.h"
+#include "core/refinement/projector_system.h"
 #include "core/refinement/refine.h"
+#include "core/refinement/sheet_shift.h"
 
 namespace flytri::refinement {
 namespace {
@@ -16,8 +20,29 @@ constexpr double kMaxWorsening = 1.02;
 /// surfaces in a step; of the sums in the pose update.
 constexpr double kStepShare = 0.25, kSurfaceShare = 0.5, kSumShare = 0.4;
 
+/// Standard uncertainties of where a projector is that was knocked.
+constexpr double kProjectorShift_mm = 0.1, kProjectorTurn_rad = 2e-3;
+
 /// Enough data to tell how the whole scan has moved.
 constexpr std::size_t kMostMotionData = 20000;
+
+Matrix6 projector_prior() {
+  Twist prior;
+  prior << Vec3::Constant(1.0 / kProjectorTurn_rad), Vec3::Constant(1.0 / kProjectorShift_mm);
+  return prior.cwiseAbs2().asDiagonal();
+}
+
+/// The view as it is seen with its projector moved.
+std::shared_ptr<const View> moved_view(const View& view, const Twist& motion,
+                                       const Vec3& p_camera_mm) {
+  auto moved = std::make_shared<View>(view);
+  for (Profile& profile : moved->profiles) {
+    for (ProfilePoint& point : profile.points) {
+      point.position_mm = seen_with(motion, point.position_mm, profile.sheet_normal, p_camera_mm);
+    }
+  }
+  return moved;
+}
 
 /// Joint optimization of one scan.
 class JointRefiner {
@@ -29,58 +54,102 @@ class JointRefiner {
         workers_(workers),
         progress_(progress),
         equations_(views, options, workers) {
-    for (const AlignedView& view : views) poses_.push_back(view.T_world_sensor);
+    for (const AlignedView& view : views) now_.poses.push_back(view.T_world_sensor);
   }
 
+  /// Solves for the motions of projectors, too.
+  void find_motions(std::span<const ProjectorMotion> motions, const Vec3& p_camera_mm);
   Result<Refinement> run();
+  /// By projector, as in find_motions().
+  [[nodiscard]] const std::vector<Twist>& motions() const { return now_.motions; }
 
  private:
+  struct State {
+    std::vector<Isometry> poses;
+    std::vector<Twist> motions;  ///< of the projectors, sensor frame
+  };
+
   /// Moves all poses by one Gauss-Newton step. False if canceled; then no pose moved.
   [[nodiscard]] bool move(const FittedSurfaces& step, const Progress& progress);
   void rate_views(const FittedSurfaces& step);
   void fix_world();
   /// Ends a run that was canceled with the best poses found so far.
-  [[nodiscard]] tl::unexpected<Error> stop_at(std::vector<Isometry> best);
+  [[nodiscard]] tl::unexpected<Error> stop_at(State best);
+  void go_to(State state);
+  [[nodiscard]] std::optional<std::size_t> projector_of(std::size_t view) const;
 
   std::vector<AlignedView>& views_;
   const JointRefineOptions& options_;
   const Workers& workers_;
   const Progress& progress_;
-  std::vector<Isometry> poses_;
+  State now_;
   JointEquations equations_;
+  MovedProjectors projectors_;
   Refinement result_;
 };
 
+void JointRefiner::find_motions(std::span<const ProjectorMotion> motions, const Vec3& p_camera_mm) {
+  projectors_.count = motions.size();
+  projectors_.p_camera_mm = p_camera_mm;
+  for (const AlignedView& view : views_) {
+    const auto fits = [&](const ProjectorMotion& m) { return m.concerns(*view.view); };
+    const auto found = std::find_if(motions.begin(), motions.end(), fits);
+    projectors_.of_view.emplace_back();
+    if (found != motions.end())
+      projectors_.of_view.back() = static_cast<std::size_t>(found - motions.begin());
+  }
+  equations_.set_projectors(projectors_);
+  for (const ProjectorMotion& m : motions) now_.motions.push_back(m.motion);
+  equations_.move_projectors(now_.motions);
+}
+
+std::optional<std::size_t> JointRefiner::projector_of(std::size_t view) const {
+  return projectors_.of_view.empty() ? std::nullopt : projectors_.of_view[view];
+}
+
+void JointRefiner::go_to(State state) {
+  now_ = std::move(state);
+  if (!now_.motions.empty()) equations_.move_projectors(now_.motions);
+}
+
 bool JointRefiner::move(const FittedSurfaces& step, const Progress& progress) {
-  const std::vector<Vec3> centers = equations_.view_centers_mm(poses_);
+  const std::vector<Vec3> centers = equations_.view_centers_mm(now_.poses);
   ReducedSystem system(centers);
   const double step_mm = options_.step_share * equations_.cell_mm();
   Twist prior;
   prior << Vec3::Constant(1.0 / (step_mm / equations_.mean_radius_mm())),
       Vec3::Constant(1.0 / step_mm);
-  for (std::size_t v = 0; v < poses_.size(); ++v) {
+  for (std::size_t v = 0; v < now_.poses.size(); ++v) {
     system.add_view(v, prior.cwiseAbs2().asDiagonal(), Twist::Zero());
   }
   system.reserve(equations_.count_views_of_cells(step));
-  const bool all = equations_.sum_cells(
-      step, poses_, centers, progress.part(kSumShare),
-      [&](std::size_t, std::span<const CellViewShare> shares) { add_to(system, shares); });
-  if (!all) return false;
+  ProjectorSystem bordered(system, now_.poses.size(), projectors_.count);
+  for (std::size_t k = 0; k < projectors_.count; ++k) {
+    bordered.add_prior(k, projector_prior(), now_.motions[k]);
+  }
+  const auto add = [&](std::size_t, std::span<const CellViewShare> shares) {
+    bordered.add_cell(shares);
+  };
+  if (!equations_.sum_cells(step, now_.poses, centers, progress.part(kSumShare), add)) return false;
   system.finish(workers_);
   if (progress.cancelled()) return false;
-  const auto x = system.solve(workers_, progress.part(1.0 - kSumShare));
+  const auto x = bordered.solve(workers_, progress.part(1.0 - kSumShare));
   if (!x) return false;
-  for (std::size_t v = 0; v < poses_.size(); ++v) {
-    const Twist twist = x->segment<6>(6 * static_cast<Eigen::Index>(v));
+  for (std::size_t v = 0; v < now_.poses.size(); ++v) {
+    const Twist twist = x->views.segment<6>(6 * static_cast<Eigen::Index>(v));
     const Eigen::Translation3d to_center(-centers[v]);
-    poses_[v] = to_center.inverse() * exp_twist(twist) * to_center * poses_[v];
+    now_.poses[v] = to_center.inverse() * exp_twist(twist) * to_center * now_.poses[v];
   }
+  for (std::size_t k = 0; k < projectors_.count; ++k) {
+    now_.motions[k] += x->projectors.segment<6>(6 * static_cast<Eigen::Index>(k));
+  }
+  if (projectors_.count > 0) equations_.move_projectors(now_.motions);
   return true;
 }
 
 void JointRefiner::rate_views(const FittedSurfaces& step) {
-  result_.views.assign(poses_.size(), {});
-  std::vector<std::size_t> inliers(poses_.size(), 0);
+  result_.views.assign(now_.poses.size(), {});
+  std::vector<std::size_t> inliers(now_.poses.size(), 0);
   const double limit = options_.tukey_sigmas * step.spread;
   for (std::size_t c = 0; c < step.cells.size(); ++c) {
     for (std::size_t k = 0; k < step.residuals[c].size(); ++k) {
@@ -93,7 +162,7 @@ void JointRefiner::rate_views(const FittedSurfaces& step) {
       result_.views[v].rms_mm += r.residual_mm * r.residual_mm;
     }
   }
-  for (std::size_t v = 0; v < poses_.size(); ++v) {
+  for (std::size_t v = 0; v < now_.poses.size(); ++v) {
     ViewResidual& view = result_.views[v];
     if (view.count == 0) continue;
     view.inlier_share = static_cast<double>(inliers[v]) / static_cast<double>(view.count);
@@ -101,51 +170,55 @@ void JointRefiner::rate_views(const FittedSurfaces& step) {
   }
 }
 
-/// The surface as a whole stays where it was: a single view is too weak a hold.
+/// The surface as a whole stays where it was: a single view is too weak a hold. What a moved
+/// projector showed was in a wrong place.
 void JointRefiner::fix_world() {
+  bool some_unmoved = false;
+  for (std::size_t v = 0; v < now_.poses.size(); ++v) some_unmoved |= !projector_of(v);
   std::vector<Vec3> new_mm, old_mm;
   const std::size_t stride = 1 + equations_.data().size() / kMostMotionData;
   for (std::size_t i = 0; i < equations_.data().size(); i += stride) {
     const Datum& datum = equations_.data()[i];
-    new_mm.push_back(poses_[datum.view.at()] * datum.position_mm);
+    if (some_unmoved && projector_of(datum.view.at())) continue;
+    new_mm.push_back(now_.poses[datum.view.at()] * datum.position_mm);
     old_mm.push_back(views_[datum.view.at()].T_world_sensor * datum.position_mm);
   }
   const Isometry T_old_new = best_motion(new_mm, old_mm);
-  for (std::size_t v = 0; v < poses_.size(); ++v) {
+  for (std::size_t v = 0; v < now_.poses.size(); ++v) {
     // Normalize the rotation after many products.
-    const Isometry T = T_old_new * poses_[v];
+    const Isometry T = T_old_new * now_.poses[v];
     views_[v].T_world_sensor = make_isometry(Eigen::Quaterniond(T.linear()), T.translation());
   }
 }
 
-tl::unexpected<Error> JointRefiner::stop_at(std::vector<Isometry> best) {
-  poses_ = std::move(best);
+tl::unexpected<Error> JointRefiner::stop_at(State best) {
+  go_to(std::move(best));
   fix_world();
   return stopped();
 }
 
 Result<Refinement> JointRefiner::run() {
-  result_.views.assign(poses_.size(), {});
+  result_.views.assign(now_.poses.size(), {});
   if (equations_.empty()) {
     progress_.advance();
     return result_;
   }
   const auto step_count = static_cast<std::size_t>(options_.max_steps);
-  std::vector<Isometry> best = poses_;
+  State best = now_;
   double former_sigma_mm = 0.0;
   double cell_mm = 0.0;
   double rest = 1.0;
   for (std::size_t i = 0; i <= step_count; ++i, rest *= 1.0 - kStepShare) {
     const Progress of_step = progress_.part(kStepShare * rest);
-    const auto step = equations_.fit_surfaces(poses_, of_step.part(kSurfaceShare));
+    const auto step = equations_.fit_surfaces(now_.poses, of_step.part(kSurfaceShare));
     if (!step) return stop_at(std::move(best));
     const bool comparable = step->cell_mm == cell_mm;
     if (comparable && step->robust_sigma_mm > kMaxWorsening * former_sigma_mm) {
-      poses_ = best;
+      go_to(best);
       break;
     }
     cell_mm = step->cell_mm;
-    best = poses_;
+    best = now_;
     result_.robust_sigma_mm.push_back(step->robust_sigma_mm);
     rate_views(*step);
     const double change_mm = std::abs(step->robust_sigma_mm - former_sigma_mm);
@@ -193,6 +266,28 @@ Result<Refinement> refine_jointly(std::vector<AlignedView>& views,
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
   return JointRefiner(views, options, workers, progress).run();
+}
+
+Result<Refinement> refine_with_projectors(std::vector<AlignedView>& views,
+                                          std::vector<ProjectorMotion>& motions,
+                                          const Vec3& p_camera_mm,
+                                          const JointRefineOptions& options, const Workers& workers,
+                                          const Progress& progress) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
+  JointRefiner refiner(views, options, workers, progress);
+  refiner.find_motions(motions, p_camera_mm);
+  const Result<Refinement> refined = refiner.run();
+  if (!refined) return refined;
+  for (std::size_t k = 0; k < motions.size(); ++k) motions[k].motion = refiner.motions()[k];
+  for (AlignedView& view : views) {
+    for (const ProjectorMotion& m : motions) {
+      if (!m.concerns(*view.view)) continue;
+      view.view = moved_view(*view.view, m.motion, p_camera_mm);
+      break;
+    }
+  }
+  return refined;
 }
 
 }  // namespace flytri::refinement

@@ -107,7 +107,7 @@ std::vector<Datum> gather_data(std::span<const AlignedView> views, double length
     for (const Profile& profile : views[v].view->profiles) {
       const auto& points = profile.points;
       for (std::size_t begin = 0; begin < points.size();) {
-        Datum datum{Vec3::Zero(), Vec3::Zero(), ViewIndex(v)};
+        Datum datum{Vec3::Zero(), Vec3::Zero(), profile.sheet_normal, ViewIndex(v)};
         std::size_t end = begin;
         while (end < points.size() &&
                (points[end].position_mm - points[begin].position_mm).norm() <= length_mm) {

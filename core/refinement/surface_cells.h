@@ -15,6 +15,7 @@ namespace flytri::refinement {
 struct Datum {
   Vec3 position_mm;   ///< sensor frame
   Vec3 deviation_mm;  ///< mean of the points' deviations, sensor frame
+  Vec3 sheet_normal;  ///< unit normal of the light sheet, sensor frame
   ViewIndex view;
 };
 

@@ -6,12 +6,12 @@
 
 namespace flytri::testing {
 
-TrueScan scan_cusps(int view_count, const SceneSensor& sensor, std::uint64_t seed) {
+TrueScan scan_cusps(int view_count, const SceneSensor& sensor, std::uint64_t seed, double speed) {
   TrueScan scan;
   Random random(seed);
   Isometry T_model_first = Isometry::Identity();
   for (int i = 0; i < view_count; ++i) {
-    const double phase = 0.15 * i;
+    const double phase = 0.15 * speed * i;
     Twist twist;
     twist << 0.10 * std::sin(0.7 * phase), 0.12 * std::sin(phase), 0.3 * std::sin(0.4 * phase),
         8.0 * std::sin(0.5 * phase), 5.0 * std::sin(0.8 * phase), 0.5 * std::sin(phase);

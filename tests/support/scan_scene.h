@@ -14,7 +14,9 @@ struct TrueScan {
 };
 
 /// A sensor that moves over the cusped surface, with alternating patterns.
-[[nodiscard]] TrueScan scan_cusps(int view_count, const SceneSensor& sensor, std::uint64_t seed);
+/// @param speed  1: by about 1 mm from view to view
+[[nodiscard]] TrueScan scan_cusps(int view_count, const SceneSensor& sensor, std::uint64_t seed,
+                                  double speed = 1.0);
 
 /// Adds drift: moves every pose except the first by a random walk that ends about `end_mm` away.
 [[nodiscard]] std::vector<AlignedView> with_drift(const std::vector<AlignedView>& truth,

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/geometry/decompositions.h"
+
 namespace flytri::calibration {
 namespace {
 
@@ -54,6 +56,29 @@ Vec3 Calibration::locate(Pattern pattern, LineIndex n, const LinePixel& pixel) c
   const Pixel at = to_pixel(pattern, pixel);
   const Vec3 uvz(at.u_px, at.v_px, z);
   return {x_mm(uvz), y_mm(uvz), z};
+}
+
+std::optional<Vec3> Calibration::camera_center_mm() const {
+  // The point nearest to the rays of a grid of pixels.
+  constexpr int kSteps = 9;
+  constexpr double kLeastShare = 1e-6;
+  Eigen::Matrix3d across = Eigen::Matrix3d::Zero();
+  Vec3 right = Vec3::Zero();
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = 0; j < kSteps; ++j) {
+      const Vec3 uvz(measurement_size.width_px * (i + 0.5) / kSteps,
+                     measurement_size.height_px * (j + 0.5) / kSteps, 0.0);
+      const Vec3 p(x_mm(uvz), y_mm(uvz), 0.0);
+      if (!volume.contains(p)) continue;
+      const Vec3 ray = Vec3(x_mm.gradient(uvz).z(), y_mm.gradient(uvz).z(), 1.0).normalized();
+      const Eigen::Matrix3d beside = Eigen::Matrix3d::Identity() - ray * ray.transpose();
+      across += beside;
+      right += beside * p;
+    }
+  }
+  const auto eigen = symmetric_eigen(across);
+  if (!(eigen.values[0] > kLeastShare * eigen.values[2])) return std::nullopt;
+  return eigen.vectors * (eigen.vectors.transpose() * right).cwiseQuotient(eigen.values);
 }
 
 Pixel Calibration::project_to_texture(const Vec3& p_sensor) const {

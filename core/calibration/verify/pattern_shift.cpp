@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,9 +13,9 @@ namespace {
 
 /// Views farther apart do not tell how the hand moved between them.
 constexpr double kLongestStep_s = 0.1;
-/// Long enough to average the hand out, short enough to notice a bump soon.
-constexpr double kRemembered_s = 12.0;
 constexpr std::size_t kLeastJumps = 100;
+/// In a span that is known to differ from the time beside it.
+constexpr std::size_t kLeastJumpsOfSpan = 60;
 /// The model is spoiled by a fraction of this; good calibrations stay below a fifth of it.
 constexpr double kLarge_mm = 0.05;
 constexpr double kCertainSigmas = 5.0;
@@ -28,8 +29,7 @@ std::vector<double> component(const std::vector<Vec3>& shifts_mm, Eigen::Index a
   return values;
 }
 
-std::optional<PatternShift> summary_of(const std::vector<Vec3>& shifts_mm) {
-  if (shifts_mm.size() < kLeastJumps) return std::nullopt;
+PatternShift summary_of(const std::vector<Vec3>& shifts_mm) {
   PatternShift found;
   found.views = shifts_mm.size();
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -44,6 +44,72 @@ std::optional<PatternShift> summary_of(const std::vector<Vec3>& shifts_mm) {
   return found;
 }
 
+/// Divides the time of a scan where its shift changes.
+class SpanFinder {
+ public:
+  explicit SpanFinder(const std::deque<PatternShiftGauge::Jump>& jumps) {
+    for (const auto& jump : jumps) shifts_mm_.push_back(jump.shift_mm);
+  }
+
+  struct Range {
+    std::size_t begin = 0, end = 0;
+    PatternShift shift;
+  };
+  /// By rising time.
+  [[nodiscard]] std::vector<Range> ranges() const {
+    std::vector<Range> found;
+    if (shifts_mm_.size() >= kLeastJumps) divide(0, shifts_mm_.size(), found);
+    return found;
+  }
+
+ private:
+  [[nodiscard]] PatternShift summary(std::size_t begin, std::size_t end) const {
+    const auto at = [&](std::size_t i) {
+      return shifts_mm_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    return summary_of({at(begin), at(end)});
+  }
+
+  /// Where both sides are most alike within themselves.
+  [[nodiscard]] std::size_t best_division(std::size_t begin, std::size_t end) const {
+    Vec3 all = Vec3::Zero();
+    for (std::size_t i = begin; i < end; ++i) all += shifts_mm_[i];
+    Vec3 left = Vec3::Zero();
+    std::size_t best = begin + kLeastJumpsOfSpan;
+    double most = -1.0;
+    for (std::size_t i = begin; i + kLeastJumpsOfSpan <= end; ++i) {
+      const auto on_left = static_cast<double>(i - begin), on_right = static_cast<double>(end - i);
+      if (i >= begin + kLeastJumpsOfSpan) {
+        const double between = left.squaredNorm() / on_left + (all - left).squaredNorm() / on_right;
+        if (between > most) {
+          most = between;
+          best = i;
+        }
+      }
+      left += shifts_mm_[i];
+    }
+    return best;
+  }
+
+  void divide(std::size_t begin, std::size_t end, std::vector<Range>& found) const {
+    if (end - begin >= 2 * kLeastJumpsOfSpan) {
+      const std::size_t middle = best_division(begin, end);
+      const PatternShift before = summary(begin, middle), after = summary(middle, end);
+      const PatternShift change{after.shift_mm - before.shift_mm,
+                                std::hypot(before.uncertainty_mm, after.uncertainty_mm),
+                                end - begin};
+      if (change.is_large()) {
+        divide(begin, middle, found);
+        divide(middle, end, found);
+        return;
+      }
+    }
+    found.push_back({begin, end, summary(begin, end)});
+  }
+
+  std::vector<Vec3> shifts_mm_;
+};
+
 }  // namespace
 
 bool PatternShift::is_large() const {
@@ -54,7 +120,7 @@ bool PatternShift::is_large() const {
 void PatternShiftGauge::add(const AlignedView& view) {
   latest_.push_back({view.view->pattern, view.view->time_s, view.T_world_sensor});
   if (latest_.size() > 3) latest_.pop_front();
-  while (!jumps_.empty() && jumps_.front().time_s < view.view->time_s - kRemembered_s)
+  while (!jumps_.empty() && jumps_.front().time_s < view.view->time_s - remembered_s_)
     jumps_.pop_front();
   if (latest_.size() < 3) return;
   const Placed &before = latest_[0], &middle = latest_[1], &after = latest_[2];
@@ -72,6 +138,7 @@ void PatternShiftGauge::add(const AlignedView& view) {
 }
 
 std::optional<PatternShift> PatternShiftGauge::shift() const {
+  if (jumps_.size() < kLeastJumps) return std::nullopt;
   std::vector<Vec3> shifts_mm;
   shifts_mm.reserve(jumps_.size());
   for (const Jump& jump : jumps_) shifts_mm.push_back(jump.shift_mm);
@@ -94,6 +161,21 @@ std::optional<PatternShift> find_pattern_shift(std::span<const AlignedView> view
     if (!worst || rank(*now) > rank(*worst)) worst = now;
   }
   return worst;
+}
+
+std::vector<ShiftedSpan> find_shifted_spans(std::span<const AlignedView> views) {
+  constexpr double kForever_s = std::numeric_limits<double>::infinity();
+  PatternShiftGauge gauge(kForever_s);
+  for (const AlignedView& view : views) gauge.add(view);
+  const auto time_s = [&](std::size_t jump) { return gauge.jumps()[jump].time_s; };
+  std::vector<ShiftedSpan> spans;
+  for (const auto& range : SpanFinder(gauge.jumps()).ranges()) {
+    if (!range.shift.is_large()) continue;
+    const bool is_first = range.begin == 0, is_last = range.end == gauge.jumps().size();
+    spans.push_back({is_first ? -kForever_s : time_s(range.begin),
+                     is_last ? kForever_s : time_s(range.end), range.shift});
+  }
+  return spans;
 }
 
 }  // namespace flytri::calibration

@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/geometry/view.h"
 
@@ -28,10 +29,21 @@ struct PatternShift {
 /// step with the patterns. A hand does not: its motion averages out over many views.
 class PatternShiftGauge {
  public:
+  /// @param remembered_s  > 0, what is older is forgotten: long enough to average the hand out,
+  ///                      short enough to notice a bump soon
+  explicit PatternShiftGauge(double remembered_s = 12.0) : remembered_s_(remembered_s) {}
+
   /// @param view  the next registered one, by rising time
   void add(const AlignedView& view);
-  /// Of the latest 12 s; none before there are enough views.
+  /// Of what is remembered; none before there are enough views.
   [[nodiscard]] std::optional<PatternShift> shift() const;
+
+  /// How the sensor jumped for one view.
+  struct Jump {
+    double time_s = 0.0;
+    Vec3 shift_mm = Vec3::Zero();
+  };
+  [[nodiscard]] const std::deque<Jump>& jumps() const { return jumps_; }  ///< by rising time
 
  private:
   struct Placed {
@@ -39,10 +51,7 @@ class PatternShiftGauge {
     double time_s = 0.0;
     Isometry T_world_sensor = Isometry::Identity();
   };
-  struct Jump {
-    double time_s = 0.0;
-    Vec3 shift_mm = Vec3::Zero();
-  };
+  const double remembered_s_;
   std::deque<Placed> latest_;  ///< three at most
   std::deque<Jump> jumps_;     ///< by rising time
 };
@@ -50,5 +59,16 @@ class PatternShiftGauge {
 /// Of a whole scan.
 /// @param views  registered, by rising time
 [[nodiscard]] std::optional<PatternShift> find_pattern_shift(std::span<const AlignedView> views);
+
+/// A time during which the patterns disagreed by the same shift.
+struct ShiftedSpan {
+  double from_s = 0.0, to_s = 0.0;  ///< of the views; the second is not included
+  PatternShift shift;               ///< large
+};
+
+/// The parts of a scan with a large shift, by rising time. One that begins or ends during the scan
+/// is found to within some views.
+/// @param views  as for find_pattern_shift()
+[[nodiscard]] std::vector<ShiftedSpan> find_shifted_spans(std::span<const AlignedView> views);
 
 }  // namespace flytri::calibration

@@ -4,6 +4,7 @@
 
 #include "core/geometry/decompositions.h"
 #include "core/refinement/reduced_system.h"
+#include "tests/support/moved_light.h"
 #include "tests/support/scan_scene.h"
 
 namespace flytri::refinement {
@@ -122,6 +123,32 @@ TEST(RefineJointly, RejectsOptionsOutOfRange) {
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ErrorCode::kBadOption);
   EXPECT_NE(result.error().message.find("max_steps"), std::string::npos);
+}
+
+TEST(RefineWithProjectors, PutsPointsWhereTheMovedLightShowsThem) {
+  const auto truth = testing::with_tilted_sheets(scan_cusps(60, SceneSensor{}, 11).views);
+  const ProjectorMotion moved = testing::bump(Pattern::kVertical, 0.5);
+  auto without = testing::misled(truth, moved);
+  auto with = without;
+  std::vector<ProjectorMotion> motions = {moved, moved};
+  motions[0].motion.setZero();
+  motions[1].motion.setZero();
+  motions[1].pattern = Pattern::kHorizontal;
+  ASSERT_TRUE(refine_jointly(without, {}, Workers(2), {}));
+  ASSERT_TRUE(refine_with_projectors(with, motions, testing::kCameraCenter_mm, {}, Workers(2), {}));
+  EXPECT_GT(displacement_rms_mm(without, truth), 0.03);
+  EXPECT_LT(displacement_rms_mm(with, truth), 0.015);
+  EXPECT_LT(motions[1].motion.tail<3>().norm(), 0.005);
+}
+
+TEST(RefineWithProjectors, GoodSensorsStayAsTheyAre) {
+  const auto truth = testing::with_tilted_sheets(scan_cusps(60, SceneSensor{}, 12).views);
+  auto views = truth;
+  std::vector<ProjectorMotion> motions = {testing::bump(Pattern::kVertical, 0.5)};
+  motions[0].motion.setZero();
+  ASSERT_TRUE(
+      refine_with_projectors(views, motions, testing::kCameraCenter_mm, {}, Workers(2), {}));
+  EXPECT_LT(displacement_rms_mm(views, truth), 0.015);
 }
 
 /// A system of random cells and views that satisfies M M^T <= D, as after the elimination of

@@ -82,5 +82,27 @@ TEST(PatternShift, FewViewsAndViewsFarApartTellNothing) {
   EXPECT_TRUE(!found || found->views < 300U);
 }
 
+TEST(ShiftedSpans, ABumpDuringTheScanDividesIt) {
+  const Vec3 shift_mm(0.01, 0.0, 0.15);
+  const auto spans = find_shifted_spans(scan(1800, 900, shift_mm));
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_NEAR(spans[0].from_s, 900 * kPeriod_s, 8 * kPeriod_s);
+  EXPECT_GT(spans[0].to_s, 1800 * kPeriod_s);
+  EXPECT_LT((spans[0].shift.shift_mm - shift_mm).norm(), 4.0 * spans[0].shift.uncertainty_mm);
+}
+
+TEST(ShiftedSpans, ScansWithoutAShiftHaveNone) {
+  EXPECT_TRUE(find_shifted_spans(scan(1800, 0, Vec3::Zero())).empty());
+  EXPECT_TRUE(find_shifted_spans(scan(90, 0, Vec3(0.0, 0.0, 0.15))).empty());
+  EXPECT_TRUE(find_shifted_spans({}).empty());
+}
+
+TEST(ShiftedSpans, AShiftOfTheWholeScanIsOneSpan) {
+  const auto spans = find_shifted_spans(scan(900, 0, Vec3(0.0, 0.0, -0.15)));
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_LT(spans[0].from_s, 0.0);
+  EXPECT_GT(spans[0].to_s, 900 * kPeriod_s);
+}
+
 }  // namespace
 }  // namespace flytri::calibration

@@ -1,0 +1,36 @@
+/// @file  Corrects a scan during which a projector was knocked.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/workers.h"
+#include "core/calibration/record/calibration.h"
+#include "core/refinement/refine.h"
+
+namespace flytri::reconstruct {
+
+/// A scan as its moved projectors show it.
+struct CorrectedScan {
+  std::vector<AlignedView> views;  ///< as those given; where a projector was moving, without points
+  std::vector<refinement::ProjectorMotion> moved;  ///< at least one
+  refinement::Refinement refinement;               ///< of these views
+};
+
+/// Finds when a projector was not where it was calibrated, and where it was. Both at once cannot be
+/// found from a scan: their common motion looks like another size of the surface. So one is taken
+/// to have moved at a time, the one with which the views fit better. If that is not clear, nothing
+/// is corrected: so it is if the projector had moved before the scan began.
+///
+/// @param views  optimized, by rising time
+/// @param fit    how well they fit
+/// @return  none if nothing was corrected
+/// @errors  as refine_jointly().
+[[nodiscard]] Result<std::optional<CorrectedScan>> correct_projectors(
+    std::span<const AlignedView> views, const refinement::Refinement& fit,
+    const calibration::Calibration& calibration, const refinement::JointRefineOptions& options,
+    const Workers& workers, const Progress& progress);
+
+}  // namespace flytri::reconstruct
