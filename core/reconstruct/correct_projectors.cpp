@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/calibration/verify/pattern_shift.h"
-
 namespace flytri::reconstruct {
 namespace {
 
@@ -74,17 +72,18 @@ Result<CorrectedScan> refined_with(std::span<const AlignedView> views,
 
 Result<std::optional<CorrectedScan>> correct_projectors(
     std::span<const AlignedView> views, const refinement::Refinement& fit,
-    const calibration::Calibration& calibration, const refinement::JointRefineOptions& options,
-    const Workers& workers, const Progress& progress) {
-  const auto spans = calibration::find_shifted_spans(views);
+    std::span<const calibration::ShiftedSpan> shifted, const calibration::Calibration& calibration,
+    const refinement::JointRefineOptions& options, const Workers& workers,
+    const Progress& progress) {
   const std::optional<Vec3> p_camera_mm = calibration.camera_center_mm();
-  if (spans.empty() || !p_camera_mm) {
+  if (shifted.empty() || !p_camera_mm) {
     progress.advance();
     return std::nullopt;
   }
-  const Progress of_one = progress.part(1.0 / static_cast<double>(kPatterns.size() * spans.size()));
+  const Progress of_one =
+      progress.part(1.0 / static_cast<double>(kPatterns.size() * shifted.size()));
   std::optional<CorrectedScan> corrected;
-  for (const calibration::ShiftedSpan& span : spans) {
+  for (const calibration::ShiftedSpan& span : shifted) {
     std::vector<CorrectedScan> scans;
     for (const Pattern pattern : kPatterns) {
       auto moved = corrected ? corrected->moved : std::vector<refinement::ProjectorMotion>();

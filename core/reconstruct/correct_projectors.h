@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/base/workers.h"
 #include "core/calibration/record/calibration.h"
+#include "core/calibration/verify/pattern_shift.h"
 #include "core/refinement/refine.h"
 
 namespace flytri::reconstruct {
@@ -19,18 +20,20 @@ struct CorrectedScan {
   refinement::Refinement refinement;               ///< of these views
 };
 
-/// Finds when a projector was not where it was calibrated, and where it was. Both at once cannot be
+/// Finds which projector was not where it was calibrated, and where it was. Both at once cannot be
 /// found from a scan: their common motion looks like another size of the surface. So one is taken
 /// to have moved at a time, the one with which the views fit better. If that is not clear, nothing
 /// is corrected: so it is if the projector had moved before the scan began.
 ///
-/// @param views  optimized, by rising time
-/// @param fit    how well they fit
+/// @param views    optimized, by rising time
+/// @param fit      how well they fit
+/// @param shifted  when the patterns disagree
 /// @return  none if nothing was corrected
 /// @errors  as refine_jointly().
 [[nodiscard]] Result<std::optional<CorrectedScan>> correct_projectors(
     std::span<const AlignedView> views, const refinement::Refinement& fit,
-    const calibration::Calibration& calibration, const refinement::JointRefineOptions& options,
-    const Workers& workers, const Progress& progress);
+    std::span<const calibration::ShiftedSpan> shifted, const calibration::Calibration& calibration,
+    const refinement::JointRefineOptions& options, const Workers& workers,
+    const Progress& progress);
 
 }  // namespace flytri::reconstruct

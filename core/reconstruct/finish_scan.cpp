@@ -98,9 +98,11 @@ Result<void> Finisher::refine_views() {
 Result<void> Finisher::correct_views(refinement::Refinement& refined,
                                      std::vector<AlignedView>& serving) {
   if (scanned_.calibration == nullptr || !options_.correct_projectors) return {};
+  const auto shifted = calibration::find_shifted_spans(serving);
+  if (shifted.empty()) return {};
   progress_.begin_stage(kAligning);
-  auto corrected = correct_projectors(serving, refined, *scanned_.calibration, options_.refinement,
-                                      workers_, progress_);
+  auto corrected = correct_projectors(serving, refined, shifted, *scanned_.calibration,
+                                      options_.refinement, workers_, progress_);
   if (!corrected) return tl::unexpected(corrected.error());
   if (!*corrected) return {};
   serving = std::move((*corrected)->views);

@@ -32,7 +32,8 @@ Corrected correct(const std::vector<AlignedView>& measured) {
   const auto fit = refinement::refine_jointly(corrected.before, {}, Workers(2), {});
   EXPECT_TRUE(fit);
   auto scan =
-      correct_projectors(corrected.before, *fit, testing::camera_calibration(), {}, Workers(2), {});
+      correct_projectors(corrected.before, *fit, calibration::find_shifted_spans(corrected.before),
+                         testing::camera_calibration(), {}, Workers(2), {});
   EXPECT_TRUE(scan) << scan.error().message;
   corrected.scan = *std::move(scan);
   return corrected;
@@ -101,7 +102,8 @@ TEST(CorrectedScan, ParallelRaysOfACameraCorrectNothing) {
   auto views = misled(truth(), bump(Pattern::kVertical, 4.0));
   const auto fit = refinement::refine_jointly(views, {}, Workers(2), {});
   ASSERT_TRUE(fit);
-  const auto scan = correct_projectors(views, *fit, {}, {}, Workers(2), {});
+  const auto scan = correct_projectors(views, *fit, calibration::find_shifted_spans(views), {}, {},
+                                       Workers(2), {});
   ASSERT_TRUE(scan);
   EXPECT_FALSE(*scan);
 }
