@@ -15,10 +15,10 @@ using testing::bump;
 using testing::displacement_rms_mm;
 using testing::misled;
 
-/// A scan of 9 s.
+/// A scan of 7 s.
 const std::vector<AlignedView>& truth() {
   static const std::vector<AlignedView> kViews =
-      testing::with_tilted_sheets(testing::scan_cusps(260, {.noise_mm = 0.02}, 21, 0.15).views);
+      testing::with_tilted_sheets(testing::scan_cusps(200, {.noise_mm = 0.02}, 21, 0.15).views);
   return kViews;
 }
 
@@ -42,11 +42,11 @@ Corrected correct(const std::vector<AlignedView>& measured) {
 class CorrectProjectors : public ::testing::TestWithParam<Pattern> {};
 
 TEST_P(CorrectProjectors, FindWhichOneMovedAndPutItsPointsInPlace) {
-  const Corrected corrected = correct(misled(truth(), bump(GetParam(), 4.0)));
+  const Corrected corrected = correct(misled(truth(), bump(GetParam(), 3.0)));
   ASSERT_TRUE(corrected.scan);
   for (const refinement::ProjectorMotion& moved : corrected.scan->moved)
     EXPECT_EQ(moved.pattern, GetParam());
-  EXPECT_NEAR(corrected.scan->moved.front().from_s, 4.0, 0.2);
+  EXPECT_NEAR(corrected.scan->moved.front().from_s, 3.0, 0.2);
   // The views where the projector may have been moving have no points.
   std::vector<AlignedView> after, before, true_views;
   for (std::size_t i = 0; i < truth().size(); ++i) {
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Patterns, CorrectProjectors, ::testing::ValuesIn(kPatte
 TEST(CorrectedScan, IsWhatTheModelIsMadeOf) {
   const calibration::Calibration calibration = testing::camera_calibration();
   ScannedViews scanned;
-  scanned.views = misled(truth(), bump(Pattern::kHorizontal, 4.0));
+  scanned.views = misled(truth(), bump(Pattern::kHorizontal, 3.0));
   const auto measured = scanned.views;
   scanned.calibration = &calibration;
   StageClock clock([] { return 0.0; });
@@ -99,7 +99,7 @@ TEST(CorrectedScan, IsWhatTheModelIsMadeOf) {
 TEST(CorrectedScan, GoodScansStayAsTheyAre) { EXPECT_FALSE(correct(truth()).scan); }
 
 TEST(CorrectedScan, ParallelRaysOfACameraCorrectNothing) {
-  auto views = misled(truth(), bump(Pattern::kVertical, 4.0));
+  auto views = misled(truth(), bump(Pattern::kVertical, 3.0));
   const auto fit = refinement::refine_jointly(views, {}, Workers(2), {});
   ASSERT_TRUE(fit);
   const auto scan = correct_projectors(views, *fit, calibration::find_shifted_spans(views), {}, {},
