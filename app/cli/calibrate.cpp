@@ -90,9 +90,17 @@ void add_check_options(CLI::App& command, CLI::Option& check, CLI::Option& simul
       ->check(CLI::PositiveNumber)
       ->group(group);
   command
+      .add_option("--against", arguments.against,
+                  "Compare with this calibration of the same sensor, made with a board held by "
+                  "hand: tells the tilt of the stage and both scales")
+      ->needs(&check)
+      ->excludes("--sphere")
+      ->excludes(&simulated)
+      ->group(group);
+  command
       .add_option("--correct", arguments.corrected,
-                  "Write this calibration, corrected for a stage that is not square to the target")
-      ->needs("--sphere")
+                  "Write this calibration, corrected for the tilt of the stage and both scales")
+      ->needs("--against")
       ->group(group);
   command
       .add_option("--recording", arguments.recording,

@@ -11,7 +11,7 @@
 #include "app/cli/output_files.h"
 #include "app/cli/prompt.h"
 #include "app/session/calibration_files.h"
-#include "core/calibration/verify/estimate_metric.h"
+#include "core/calibration/verify/compare_calibrations.h"
 #include "core/calibration/verify/verify.h"
 #include "core/io/calibrations/calibration_file.h"
 #include "hw/shots/open_shots.h"
@@ -78,49 +78,35 @@ Result<void> conclude(const calibration::VerificationReport& report) {
 constexpr double kSureAngle_deg = 0.03;
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-void print(const calibration::MetricEstimate& metric) {
-  const Eigen::Vector2d& shear = metric.correction.shear;
-  const Eigen::Vector2d sigma_deg = kDegreesPerRadian * metric.uncertainty;
-  print_out("stage to target: {:+.3f}° ± {:.3f}° along x, {:+.3f}° ± {:.3f}° along y\n",
-            kDegreesPerRadian * std::atan(shear.x()), sigma_deg.x(),
-            kDegreesPerRadian * std::atan(shear.y()), sigma_deg.y());
+void print(const calibration::CalibrationComparison& comparison) {
+  constexpr double kPercent = 1e2, kMicrons = 1e3;
+  const calibration::MetricCorrection& correction = comparison.correction;
+  const Eigen::Vector2d sigma_deg = kDegreesPerRadian * comparison.shear_sigma;
+  print_out("stage to target: {:+.3f}° ± {:.4f}° along x, {:+.3f}° ± {:.4f}° along y\n",
+            kDegreesPerRadian * std::atan(correction.shear.x()), sigma_deg.x(),
+            kDegreesPerRadian * std::atan(correction.shear.y()), sigma_deg.y());
+  print_out("scale: {:+.3f} % ± {:.3f} % across, {:+.3f} % ± {:.3f} % in depth\n",
+            kPercent * (correction.lateral - 1.0), kPercent * comparison.lateral_sigma,
+            kPercent * (correction.depth - 1.0), kPercent * comparison.depth_sigma);
+  print_out("without these the calibrations differ by {:.1f} µm; errors of the board come on top\n",
+            kMicrons * comparison.left_mm);
 }
 
-/// The views as the corrected calibration measures them.
-std::vector<calibration::VerificationPose> corrected(
-    std::vector<calibration::VerificationPose> poses,
-    const calibration::MetricCorrection& correction) {
-  const Eigen::Matrix3d map = correction.matrix();
-  for (calibration::VerificationPose& pose : poses)
-    for (View& view : pose.views)
-      for (Profile& profile : view.profiles)
-        for (ProfilePoint& point : profile.points) point.position_mm = map * point.position_mm;
-  return poses;
-}
-
-/// Writes the corrected calibration, and checks it on the same views.
+/// Writes the calibration with the millimeters of the other one.
 Result<void> correct(const CalibrateCheckArguments& arguments,
                      const calibration::Calibration& calibration,
-                     const std::vector<calibration::VerificationPose>& poses) {
-  const auto metric = calibration::estimate_metric(poses, arguments.sphere_mm);
-  if (!metric) return tl::unexpected(metric.error());
-  print(*metric);
-  const double angle_deg = kDegreesPerRadian * metric->uncertainty.maxCoeff();
+                     const calibration::CalibrationComparison& comparison) {
+  const double angle_deg = kDegreesPerRadian * comparison.shear_sigma.maxCoeff();
   if (angle_deg > kSureAngle_deg)
-    return fail(
-        ErrorCode::kInsufficient,
-        "not corrected: the sphere tells the angle to {:.3f}°, but {:.2f}° are needed. Show "
-        "it at more places, at several depths",
-        angle_deg, kSureAngle_deg);
-  calibration::Calibration better = calibration::corrected(calibration, metric->correction);
-  const auto report = calibration::check_on_sphere(corrected(poses, metric->correction),
-                                                   arguments.sphere_mm, better);
-  if (!report) return tl::unexpected(report.error());
-  better.history = session::checked_now(
-      better.history, report->outcome == calibration::VerificationOutcome::kValid);
+    return fail(ErrorCode::kInsufficient,
+                "not corrected: the angle is known to {:.3f}°, but {:.2f}° are needed. Calibrate "
+                "with the board in more poses",
+                angle_deg, kSureAngle_deg);
+  calibration::Calibration better = calibration::corrected(calibration, comparison.correction);
+  better.history = session::checked_now(better.history, true);
   if (auto written = io::write_calibration(arguments.corrected, better); !written) return written;
-  print_out("wrote {}; with it:\n", arguments.corrected.string());
-  return conclude(*report);
+  print_out("wrote {}\n", arguments.corrected.string());
+  return {};
 }
 
 /// Keeps the outcome with the calibration, for reports. That is no reason for the check to fail.
@@ -133,6 +119,19 @@ void keep_outcome(const std::filesystem::path& file, const calibration::Calibrat
   if (!noted) print_error("flytri: warning: the check is not noted: {}\n", noted.error().message);
 }
 
+Result<void> check_against(const CalibrateCheckArguments& arguments,
+                           const calibration::Calibration& calibration) {
+  const auto reference = io::read_calibration(arguments.against);
+  if (!reference) return tl::unexpected(reference.error());
+  const auto comparison = calibration::compare_calibrations(calibration, *reference);
+  if (!comparison) return tl::unexpected(comparison.error());
+  print(*comparison);
+  if (!arguments.corrected.empty()) return correct(arguments, calibration, *comparison);
+  const auto report = calibration::judge_comparison(*comparison, calibration);
+  keep_outcome(arguments.calibration, calibration, report.outcome);
+  return conclude(report);
+}
+
 }  // namespace
 
 Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Progress& progress) {
@@ -143,11 +142,11 @@ Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Pro
   }
   const auto calibration = io::read_calibration(arguments.calibration);
   if (!calibration) return tl::unexpected(calibration.error());
+  if (!arguments.against.empty()) return check_against(arguments, *calibration);
   const auto poses = arguments.recording.empty() ? take_poses(arguments, *calibration, progress)
                                                  : shots::read_verification_poses(
                                                        arguments.recording, *calibration, progress);
   if (!poses) return tl::unexpected(poses.error());
-  if (!arguments.corrected.empty()) return correct(arguments, *calibration, *poses);
   const auto report = arguments.sphere_mm > 0.0
                           ? calibration::check_on_sphere(*poses, arguments.sphere_mm, *calibration)
                           : calibration::check_on_plane(*poses, *calibration);

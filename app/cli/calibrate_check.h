@@ -1,4 +1,5 @@
-/// @file  flytri calibrate --check: checks on a plane or sphere whether a calibration still holds.
+/// @file  flytri calibrate --check: checks on a plane or a sphere, or against another calibration,
+///          whether a calibration holds.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +16,8 @@ struct CalibrateCheckArguments {
   bool simulated = false;
   std::string sensor = "intraoral";  ///< with `simulated`: which sensor
   double sphere_mm = 0.0;            ///< diameter; 0: a plane
-  std::filesystem::path corrected;   ///< calibration to write; empty: none. Needs a sphere
+  std::filesystem::path against;     ///< another calibration; empty: check on an object
+  std::filesystem::path corrected;   ///< calibration to write; empty: none. Needs `against`
   bool force = false;                ///< `corrected` may replace a file
 };
 

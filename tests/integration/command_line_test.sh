@@ -74,6 +74,15 @@ expect 'check on a plane' 0 '^the calibration holds' \
 expect 'the check is noted' 0 '"checked_at":"20.*"check":"passed"' head -n 2 offline.json
 expect 'check without a plane' 1 'no verdict' \
   "$flytri" calibrate --check --calibration calibration.json --recording scan
+expect 'against another calibration' 0 '^the calibration holds' \
+  "$flytri" calibrate --check --calibration offline.json --against chair/calibration.json
+expect 'the other calibration is missing' 1 'gone\.json' \
+  "$flytri" calibrate --check --calibration offline.json --against gone.json
+expect 'corrected' 0 '^wrote better.json' \
+  "$flytri" calibrate --check --calibration offline.json --against chair/calibration.json --correct better.json
+expect 'nothing to correct by' 2 '--against' \
+  "$flytri" calibrate --check --calibration offline.json --correct other.json
+absent 'a correction by nothing' other.json
 by_hand() { "$flytri" calibrate --live --by-hand --simulated -o hand; }
 expect 'calibration by hand, stopped' 0 '^stopped; hand keeps' by_hand <<< $'\n\nx\nq'
 expect 'calibration by hand continues' 0 '^hand: continuing, 2 of 30' by_hand <<< q

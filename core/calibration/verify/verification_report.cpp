@@ -61,11 +61,15 @@ std::vector<std::string> meanings_of(const VerificationReport& report) {
   }
   if (shows(report, kShear)) {
     meanings.emplace_back(
-        "A sphere is measured as a leaning egg: the stage did not move at right angles to the "
-        "target "
-        "when the sensor was calibrated. flytri calibrate --check --sphere MM --correct FILE "
-        "corrects "
-        "it.");
+        "The stage did not move at right angles to the target when the sensor was calibrated: a "
+        "sphere is measured as a leaning egg. Calibrate with a board that is held by hand; it "
+        "needs no stage, and flytri calibrate --check --against BOARD.json --correct FILE "
+        "corrects this calibration.");
+  }
+  if (shows(report, kScale)) {
+    meanings.emplace_back(
+        "Distances are too long or too short: the pitch of the target's dots or the step of the "
+        "stage is not as told. Measure the printed target and the board with a caliper.");
   }
   if (shows(report, kForm)) {
     meanings.emplace_back(

@@ -51,6 +51,7 @@ enum class VerificationSymptom {
   kBend,           ///< both patterns measure the same wrong curvature
   kDiameter,       ///< the measured diameter of the sphere is wrong
   kShear,          ///< planes at other depths are shifted sideways
+  kScale,          ///< distances are wrong by the same share everywhere
   kForm,           ///< points scatter more than expected from noise
 };
 
