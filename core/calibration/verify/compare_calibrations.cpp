@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "core/calibration/verify/verification_blocks.h"
 #include "core/geometry/decompositions.h"
@@ -67,6 +69,12 @@ Result<void> check_same_sensor(const Calibration& calibration, const Calibration
               "numbers of lines differ");
 }
 
+tl::unexpected<Error> hardly_overlap() {
+  return fail(ErrorCode::kInsufficient,
+              "the volumes of the calibrations hardly overlap; calibrate with the board again, and "
+              "hold it through the whole volume");
+}
+
 std::vector<Vec3> mapped(std::span<const Vec3> places_mm, const MetricCorrection& correction) {
   const Eigen::Matrix3d map = correction.matrix();
   std::vector<Vec3> result;
@@ -113,8 +121,7 @@ Result<CalibrationComparison> compare_calibrations(const Calibration& calibratio
   if (auto same = check_same_sensor(calibration, reference); !same)
     return tl::unexpected(same.error());
   const CommonPlaces places = common_places(calibration, reference);
-  if (places.line.size() < kFewestPlaces)
-    return fail(ErrorCode::kInsufficient, "the volumes of the calibrations hardly overlap");
+  if (places.line.size() < kFewestPlaces) return hardly_overlap();
   CalibrationComparison comparison;
   MetricCorrection& correction = comparison.correction;
   for (int step = 0; step < kComparisonSteps; ++step) {
@@ -124,8 +131,7 @@ Result<CalibrationComparison> compare_calibrations(const Calibration& calibratio
     SharedFit fit(kComparedUnknowns);
     fit.add_pose(equations.shared, equations.own, equations.values, equations.cluster);
     const auto solution = fit.solve();
-    if (!solution)
-      return fail(ErrorCode::kInsufficient, "the volumes of the calibrations hardly overlap");
+    if (!solution) return hardly_overlap();
     comparison.left_mm = std::sqrt(3.0 * solution->residuals.front().squaredNorm() /
                                    static_cast<double>(solution->residuals.front().size()));
     correction.lateral += solution->shared[0];

@@ -70,7 +70,7 @@ class SpanFinder {
     return summary_of({at(begin), at(end)});
   }
 
-  /// Where both sides are most alike within themselves.
+  /// Where the means of both sides differ most.
   [[nodiscard]] std::size_t best_division(std::size_t begin, std::size_t end) const {
     Vec3 all = Vec3::Zero();
     for (std::size_t i = begin; i < end; ++i) all += shifts_mm_[i];
