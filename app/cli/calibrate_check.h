@@ -1,5 +1,4 @@
-/// @file  flytri calibrate --check: checks on a plane or a sphere, or against another calibration,
-///          whether a calibration holds.
+/// @file  flytri calibrate --check: checks a calibration on an object, or against another one.
 #pragma once
 
 #include <filesystem>

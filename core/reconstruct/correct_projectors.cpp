@@ -7,11 +7,10 @@
 namespace flytri::reconstruct {
 namespace {
 
-/// The beginning and the end of a shift are found to within some views, and a head that was knocked
-/// shakes.
+/// Views this near to a knock do not count: its time is not exact, and the sensor shakes.
 constexpr double kKnock_s = 0.15;
-/// By which the views must fit better with one projector moved than with the other or with none. If
-/// both fit alike, the wrong one would change the size of the surface.
+/// Least improvement of the fit. With a smaller one, the wrong projector may have been taken, which
+/// would change the size of the surface.
 constexpr double kClearShare = 0.0015;
 
 /// True if the view's projector may have been moving.

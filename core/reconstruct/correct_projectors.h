@@ -20,10 +20,10 @@ struct CorrectedScan {
   refinement::Refinement refinement;               ///< of these views
 };
 
-/// Finds which projector was not where it was calibrated, and where it was. Both at once cannot be
-/// found from a scan: their common motion looks like another size of the surface. So one is taken
-/// to have moved at a time, the one with which the views fit better. If that is not clear, nothing
-/// is corrected: so it is if the projector had moved before the scan began.
+/// Finds which projector has moved, and how. A scan cannot show both motions at once: together they
+/// look like another size of the surface. So each projector is tried alone, and the better fit is
+/// taken. If neither is clearly better, nothing is corrected. An example is a knock before the
+/// scan.
 ///
 /// @param views    optimized, by rising time
 /// @param fit      how well they fit

@@ -121,15 +121,11 @@ void JointEquations::set_projectors(MovedProjectors projectors) {
 
 void JointEquations::move_projectors(std::span<const Twist> motions) {
   for (std::size_t i = 0; i < data_.size(); ++i) {
-    const auto moved = projector_of(data_[i].view.at());
+    const auto moved = projectors_.of(data_[i].view.at());
     if (!moved) continue;
     data_[i].position_mm = seen_with(motions[*moved], calibrated_mm_[i], data_[i].sheet_normal,
                                      projectors_.p_camera_mm);
   }
-}
-
-std::optional<std::size_t> JointEquations::projector_of(std::size_t view) const {
-  return projectors_.of_view.empty() ? std::nullopt : projectors_.of_view[view];
 }
 
 double JointEquations::mean_radius_mm() const {
@@ -208,7 +204,7 @@ std::vector<CellViewShare> JointEquations::sum_cell(const FittedSurfaces& surfac
     // Data are sorted by view.
     if (sums.views.empty() || sums.views.back().view != view) {
       sums.views.push_back({view});
-      if (const auto moved = projector_of(view))
+      if (const auto moved = projectors_.of(view))
         sums.views.back().projector.emplace().projector = *moved;
     }
     auto& of_view = sums.views.back();

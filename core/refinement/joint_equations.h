@@ -57,9 +57,14 @@ void add_to(ReducedSystem& system, std::span<const CellViewShare> shares);
 
 /// Projectors that may have moved since the calibration.
 struct MovedProjectors {
-  std::vector<std::optional<std::size_t>> of_view;  ///< the projector of each view; none: not moved
+  /// The projector of each view; none: not moved. Empty: no projector has moved.
+  std::vector<std::optional<std::size_t>> of_view;
   std::size_t count = 0;
   Vec3 p_camera_mm = Vec3::Zero();  ///< projection center of the camera, sensor frame
+
+  [[nodiscard]] std::optional<std::size_t> of(std::size_t view) const {
+    return of_view.empty() ? std::nullopt : of_view[view];
+  }
 };
 
 /// The data of a scan, and the sums over them.
@@ -72,6 +77,7 @@ class JointEquations {
 
   /// From now on, the equations have the twists of these projectors as unknowns, too.
   void set_projectors(MovedProjectors projectors);
+  [[nodiscard]] const MovedProjectors& projectors() const { return projectors_; }
   /// Puts the data where they are seen if the projectors have moved by these twists from where they
   /// were calibrated, sensor frame.
   void move_projectors(std::span<const Twist> motions);
@@ -113,7 +119,6 @@ class JointEquations {
                                                                   double radius_mm) const;
 
  private:
-  [[nodiscard]] std::optional<std::size_t> projector_of(std::size_t view) const;
   [[nodiscard]] Result<FittedSurfaces> fit_surfaces_of(std::span<const Isometry> poses,
                                                        double cell_mm,
                                                        const Progress& progress) const;

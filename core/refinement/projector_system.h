@@ -18,8 +18,7 @@ struct ProjectorStep {
   Eigen::VectorXd projectors;  ///< six entries per projector
 };
 
-/// Borders the equations of the poses by those of the projectors: six more unknowns for each, which
-/// many views share.
+/// The equations of the poses, with six more unknowns for each projector. Many views share these.
 class ProjectorSystem {
  public:
   /// @param poses  the equations of the poses alone; must outlive this

@@ -76,7 +76,6 @@ class JointRefiner {
   /// Ends a run that was canceled with the best poses found so far.
   [[nodiscard]] tl::unexpected<Error> stop_at(State best);
   void go_to(State state);
-  [[nodiscard]] std::optional<std::size_t> projector_of(std::size_t view) const;
 
   std::vector<AlignedView>& views_;
   const JointRefineOptions& options_;
@@ -84,27 +83,21 @@ class JointRefiner {
   const Progress& progress_;
   State now_;
   JointEquations equations_;
-  MovedProjectors projectors_;
   Refinement result_;
 };
 
 void JointRefiner::find_motions(std::span<const ProjectorMotion> motions, const Vec3& p_camera_mm) {
-  projectors_.count = motions.size();
-  projectors_.p_camera_mm = p_camera_mm;
+  MovedProjectors projectors{{}, motions.size(), p_camera_mm};
   for (const AlignedView& view : views_) {
     const auto fits = [&](const ProjectorMotion& m) { return m.concerns(*view.view); };
     const auto found = std::find_if(motions.begin(), motions.end(), fits);
-    projectors_.of_view.emplace_back();
+    projectors.of_view.emplace_back();
     if (found != motions.end())
-      projectors_.of_view.back() = static_cast<std::size_t>(found - motions.begin());
+      projectors.of_view.back() = static_cast<std::size_t>(found - motions.begin());
   }
-  equations_.set_projectors(projectors_);
+  equations_.set_projectors(std::move(projectors));
   for (const ProjectorMotion& m : motions) now_.motions.push_back(m.motion);
   equations_.move_projectors(now_.motions);
-}
-
-std::optional<std::size_t> JointRefiner::projector_of(std::size_t view) const {
-  return projectors_.of_view.empty() ? std::nullopt : projectors_.of_view[view];
 }
 
 void JointRefiner::go_to(State state) {
@@ -123,8 +116,8 @@ bool JointRefiner::move(const FittedSurfaces& step, const Progress& progress) {
     system.add_view(v, prior.cwiseAbs2().asDiagonal(), Twist::Zero());
   }
   system.reserve(equations_.count_views_of_cells(step));
-  ProjectorSystem bordered(system, now_.poses.size(), projectors_.count);
-  for (std::size_t k = 0; k < projectors_.count; ++k) {
+  ProjectorSystem bordered(system, now_.poses.size(), equations_.projectors().count);
+  for (std::size_t k = 0; k < equations_.projectors().count; ++k) {
     bordered.add_prior(k, projector_prior(), now_.motions[k]);
   }
   const auto add = [&](std::size_t, std::span<const CellViewShare> shares) {
@@ -140,10 +133,10 @@ bool JointRefiner::move(const FittedSurfaces& step, const Progress& progress) {
     const Eigen::Translation3d to_center(-centers[v]);
     now_.poses[v] = to_center.inverse() * exp_twist(twist) * to_center * now_.poses[v];
   }
-  for (std::size_t k = 0; k < projectors_.count; ++k) {
+  for (std::size_t k = 0; k < equations_.projectors().count; ++k) {
     now_.motions[k] += x->projectors.segment<6>(6 * static_cast<Eigen::Index>(k));
   }
-  if (projectors_.count > 0) equations_.move_projectors(now_.motions);
+  if (equations_.projectors().count > 0) equations_.move_projectors(now_.motions);
   return true;
 }
 
@@ -174,12 +167,13 @@ void JointRefiner::rate_views(const FittedSurfaces& step) {
 /// projector showed was in a wrong place.
 void JointRefiner::fix_world() {
   bool some_unmoved = false;
-  for (std::size_t v = 0; v < now_.poses.size(); ++v) some_unmoved |= !projector_of(v);
+  for (std::size_t v = 0; v < now_.poses.size(); ++v)
+    some_unmoved |= !equations_.projectors().of(v);
   std::vector<Vec3> new_mm, old_mm;
   const std::size_t stride = 1 + equations_.data().size() / kMostMotionData;
   for (std::size_t i = 0; i < equations_.data().size(); i += stride) {
     const Datum& datum = equations_.data()[i];
-    if (some_unmoved && projector_of(datum.view.at())) continue;
+    if (some_unmoved && equations_.projectors().of(datum.view.at())) continue;
     new_mm.push_back(now_.poses[datum.view.at()] * datum.position_mm);
     old_mm.push_back(views_[datum.view.at()].T_world_sensor * datum.position_mm);
   }

@@ -7,8 +7,8 @@
 
 namespace flytri::refinement {
 
-/// The camera sees a point of a light sheet at the same pixel, wherever the sheet is: so the point
-/// moves along the camera's ray.
+/// A measured point lies where the camera's ray meets the light sheet. If the sheet moves, the
+/// point moves along that ray.
 struct SheetShift {
   Vec3 ray;         ///< unit vector, sensor frame
   Twist per_twist;  ///< its product with the projector's twist: how far the point moves, mm
@@ -28,8 +28,8 @@ struct SheetShift {
   return shift;
 }
 
-/// Where the point is if its projector has moved by this twist about the sensor's origin from where
-/// it was calibrated.
+/// The true place of a measured point after a motion of its projector.
+/// @param motion  since the calibration, about the sensor's origin, sensor frame
 [[nodiscard]] inline Vec3 seen_with(const Twist& motion, const Vec3& p_mm, const Vec3& sheet_normal,
                                     const Vec3& p_camera_mm) {
   const SheetShift shift = sheet_shift(p_mm, sheet_normal, p_camera_mm);

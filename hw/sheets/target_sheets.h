@@ -1,5 +1,4 @@
-/// @file  Sheets to print for a calibration: dot target and white board for a stage, and the dotted
-///        board for the hand.
+/// @file  Sheets to print: the targets of a stage, and the dotted board of a calibration by hand.
 #pragma once
 
 #include "hw/sheets/sheet.h"

@@ -14,9 +14,8 @@ struct CalibrationComparison {
   double left_mm = 0.0;  ///< RMS distance between the places of both, after the correction
 };
 
-/// Locates the same lines at the same pixels with both. The frames of the sensor may differ by a
-/// rigid motion. A calibration on a board that was held by hand knows no stage, so as the reference
-/// it tells how the stage of the other one stood.
+/// Locates the same lines at the same pixels with both. Their sensor frames may differ by a rigid
+/// motion. A calibration by hand uses no stage. As the reference, it shows the errors of a stage.
 /// @errors  kInconsistent: not of the same sensor, or too far apart; kInsufficient: they share too
 ///          few places.
 [[nodiscard]] Result<CalibrationComparison> compare_calibrations(const Calibration& calibration,

@@ -66,8 +66,8 @@ struct ShiftedSpan {
   PatternShift shift;               ///< large
 };
 
-/// The parts of a scan with a large shift, by rising time. One that begins or ends during the scan
-/// is found to within some views.
+/// The parts of a scan with a large shift, by rising time. Where they begin and end is known to a
+/// few views only.
 /// @param views  as for find_pattern_shift()
 [[nodiscard]] std::vector<ShiftedSpan> find_shifted_spans(std::span<const AlignedView> views);
 
