@@ -34,10 +34,11 @@ Line fit_line(const std::vector<ExposureStep>& steps, const X& x, const Y& y) {
 }
 
 /// The black level is unknown, too: tries many, and returns the exponent of the best fit.
-double fit_gamma(const std::vector<ExposureStep>& steps, double darkest) {
+/// @param lowest  of the levels to try
+double fit_gamma(const std::vector<ExposureStep>& steps, double lowest, double darkest) {
   double best = 1.0, least = 1e300;
   for (int i = 0; i < 100; ++i) {
-    const double black = darkest * i / 100.0;
+    const double black = lowest + (darkest - lowest) * i / 100.0;
     const auto log_exposure = [](const ExposureStep& step) { return std::log(step.exposure_s); };
     const auto log_gray = [&](const ExposureStep& step) { return std::log(step.gray - black); };
     const Line line = fit_line(steps, log_exposure, log_gray);
@@ -83,7 +84,8 @@ Result<Linearity> judge_linearity(const std::vector<ExposureStep>& all) {
     const double expected = line.offset + line.slope * step.exposure_s;
     linearity.deviation = std::max(linearity.deviation, std::abs(step.gray - expected) / range);
   }
-  linearity.gamma = fit_gamma(steps, darkest->gray);
+  // A camera may cut off what is below its black level.
+  linearity.gamma = fit_gamma(steps, std::min(0.0, linearity.black), darkest->gray);
   linearity.is_linear = linearity.deviation <= kAllowed;
   return linearity;
 }

@@ -15,7 +15,6 @@ using device::PixelFormat;
 
 /// Share of the wanted rate below which a setting is slow.
 constexpr double kSlow = 0.8;
-constexpr double kUsualPixels = 1024.0 * 768.0;
 
 /// 8 bits need half of the bandwidth of 16, and the noise of a camera is above their steps.
 constexpr std::array kGreyFormats = {PixelFormat::kGrey8, PixelFormat::kGrey10,
@@ -38,6 +37,11 @@ std::optional<int> rank_of(PixelFormat format, device::Channels channels) {
   const bool is_sharp = format == PixelFormat::kYuyv || format == PixelFormat::kUyvy;
   if (channels == device::Channels::kGrey) return (is_sharp ? 10 : 20) + rank;
   return rank;
+}
+
+/// Of the sensors in hw/simulated.
+double usual_pixels(device::Channels channels) {
+  return channels == device::Channels::kRgb ? 1280.0 * 960.0 : 1024.0 * 768.0;
 }
 
 double nearest_rate_hz(const std::vector<double>& rates_hz, double wanted_hz) {
@@ -68,8 +72,8 @@ std::vector<device::CameraSettings> suitable_settings(const std::vector<device::
     settings.rate_hz = rate_hz;
     const double pixels = static_cast<double>(mode.size.width_px) * mode.size.height_px;
     const bool is_slow = rate_hz < kSlow * wanted_hz;
-    found.push_back(
-        {{is_slow, *rank, std::abs(std::log(pixels / kUsualPixels))}, std::move(settings)});
+    found.push_back({{is_slow, *rank, std::abs(std::log(pixels / usual_pixels(channels)))},
+                     std::move(settings)});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Ranked& a, const Ranked& b) { return a.rank < b.rank; });

@@ -11,8 +11,8 @@ namespace flytri::setup {
 inline constexpr double kSlowestShare = 1.0 / 3.0;
 
 /// The settings that suit a camera, best first: raw formats before converted and compressed ones,
-/// then the size nearest to the paper's 1024 x 768. Each has the rate nearest to the wanted one;
-/// slow ones come last.
+/// then the size nearest to 1024 x 768 (measurement camera) or 1280 x 960 (texture camera). Each
+/// has the rate nearest to the wanted one; slow ones come last.
 /// @param channels  kGrey for the measurement camera, kRgb for the texture camera
 /// @param rate_hz  > 0. A camera that does not tell its rates is expected to have this one.
 /// @return  empty: the camera has no such format at kSlowestShare of the rate or more

@@ -24,11 +24,12 @@ std::vector<ExposureStep> steps_of(double gamma, double black, double white) {
 }
 
 TEST(Linearity, AcceptsALinearCameraWithAnyBlackLevel) {
-  for (const double black : {0.0, 0.06}) {
+  for (const double black : {-0.07, 0.0, 0.06}) {
     const auto linearity = judge_linearity(steps_of(1.0, black, 0.9));
     ASSERT_TRUE(linearity) << linearity.error().message;
     EXPECT_TRUE(linearity->is_linear);
     EXPECT_NEAR(linearity->black, black, 0.005);
+    EXPECT_NEAR(linearity->gamma, 1.0, 0.02);
   }
 }
 

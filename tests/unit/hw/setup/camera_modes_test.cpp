@@ -33,6 +33,15 @@ TEST(SuitableSettings, PrefersTheUsualSizeAndRate) {
   EXPECT_EQ(text_of(settings[3]), "GREY, 1024 x 768 at 15 Hz");
 }
 
+TEST(SuitableSettings, PrefersALargerTextureImage) {
+  const std::vector<device::CameraMode> modes = {{"YUYV", {1024, 768}, {30.0}},
+                                                 {"YUYV", {1280, 960}, {30.0}}};
+  EXPECT_EQ(text_of(suitable_settings(modes, Channels::kRgb, 30.0)[0]),
+            "YUYV, 1280 x 960 at 30 Hz");
+  EXPECT_EQ(text_of(suitable_settings(modes, Channels::kGrey, 30.0)[0]),
+            "YUYV, 1024 x 768 at 30 Hz");
+}
+
 TEST(SuitableSettings, AreMonochromeOnlyWithoutAColorFormat) {
   EXPECT_TRUE(is_monochrome({{"GREY", {8, 8}, {}}}));
   EXPECT_FALSE(is_monochrome({{"GREY", {8, 8}, {}}, {"MJPG", {8, 8}, {}}}));
