@@ -19,7 +19,8 @@ inline void add_density_option(CLI::App& command, reconstruct::MeshDensity& dens
           "--mesh-density",
           [names, &density](const std::string& name) { density = names.at(name); },
           "full: as meshed; cad: few triangles, at most 0.002 mm RMS and 0.010 mm from the full "
-          "surface; light: 0.010 and 0.050 mm. Default: " +
+          "surface (or 1 % and 5 % of the spacing of its vertices, if that is more); light: five "
+          "times as much. Default: " +
               std::string(to_string(density)))
       ->check(CLI::IsMember({"full", "cad", "light"}));
 }

@@ -18,15 +18,14 @@ struct Corner {
   Eigen::Vector3f color = Eigen::Vector3f::Zero();
 };
 
-Eigen::Vector3f color_of(const SurfacePoint& point, const Vec3& normal) {
+Eigen::Vector3f color_of(const SurfacePoint& point, const Vec3& normal, double max_sigma_mm) {
   // Light from the front and from the viewer.
   static const Vec3 kLight = Vec3(-0.25, 0.35, 0.9).normalized();
   const auto light = static_cast<float>(0.35 + 0.65 * std::max(0.0, normal.dot(kLight)));
   if (!std::isfinite(point.sigma_mm)) return light * Eigen::Vector3f(0.62F, 0.36F, 0.82F);
-  const double max_mm = ui::SceneOptions{}.max_sigma_mm;
   const double octaves = std::log2(ui::kSigmaRange);
   const double share =
-      1.0 + std::log2(std::max(static_cast<double>(point.sigma_mm), 1e-9) / max_mm) / octaves;
+      1.0 + std::log2(std::max(static_cast<double>(point.sigma_mm), 1e-9) / max_sigma_mm) / octaves;
   const ui::Color color = ui::sigma_color(std::clamp(share, 0.0, 1.0));
   return light * Eigen::Vector3f(color[0], color[1], color[2]);
 }
@@ -67,7 +66,8 @@ void fill(const std::array<Corner, 3>& corners, cv::Mat& image, cv::Mat& nearest
 
 }  // namespace
 
-JawPicture::JawPicture(const TriangleMesh& mesh, const JawAxes& axes, int width_px)
+JawPicture::JawPicture(const TriangleMesh& mesh, const JawAxes& axes, int width_px,
+                       double max_sigma_mm)
     : R_jaw_world_(axes.R_jaw_world()) {
   const Vec3 size_mm = axes.box_mm.isEmpty() ? Vec3::Ones().eval() : axes.box_mm.sizes().eval();
   const Vec3 low = axes.box_mm.isEmpty() ? Vec3::Zero().eval() : axes.box_mm.min().eval();
@@ -76,7 +76,7 @@ JawPicture::JawPicture(const TriangleMesh& mesh, const JawAxes& axes, int width_
   const int height_px =
       std::max(1, static_cast<int>(std::lround((size_mm.y() + 2.0 * kBorder_mm) * px_per_mm_)));
   image_ = cv::Mat(height_px, width_px, CV_8UC3, cv::Scalar(255, 255, 255));
-  draw(mesh);
+  draw(mesh, max_sigma_mm);
 }
 
 Vec2 JawPicture::pixel_of(const Vec3& p_mm) const {
@@ -84,14 +84,14 @@ Vec2 JawPicture::pixel_of(const Vec3& p_mm) const {
   return {px_per_mm_ * p.x(), -px_per_mm_ * p.y()};
 }
 
-void JawPicture::draw(const TriangleMesh& mesh) {
+void JawPicture::draw(const TriangleMesh& mesh, double max_sigma_mm) {
   std::vector<Corner> corners;
   corners.reserve(mesh.vertices.size());
   for (const SurfacePoint& vertex : mesh.vertices) {
     const Vec3 p_mm = vertex.position_mm.cast<double>();
     Corner corner;
     corner.place << pixel_of(p_mm), R_jaw_world_.row(2).dot(p_mm);
-    corner.color = color_of(vertex, R_jaw_world_ * vertex.normal.cast<double>());
+    corner.color = color_of(vertex, R_jaw_world_ * vertex.normal.cast<double>(), max_sigma_mm);
     corners.push_back(corner);
   }
   cv::Mat nearest(image_.size(), CV_32F, cv::Scalar(-std::numeric_limits<float>::infinity()));

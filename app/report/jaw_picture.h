@@ -12,7 +12,8 @@ namespace flytri::report {
 class JawPicture {
  public:
   /// @param width_px  >= 64; the height follows from the jaw
-  JawPicture(const TriangleMesh& mesh, const JawAxes& axes, int width_px);
+  /// @param max_sigma_mm  > 0, end of the color scale
+  JawPicture(const TriangleMesh& mesh, const JawAxes& axes, int width_px, double max_sigma_mm);
 
   /// R, G, B; white where nothing was measured. The colors are those of the window: from blue (low)
   /// to orange; violet: a hole that was closed.
@@ -22,7 +23,7 @@ class JawPicture {
   [[nodiscard]] double px_per_mm() const { return px_per_mm_; }
 
  private:
-  void draw(const TriangleMesh& mesh);
+  void draw(const TriangleMesh& mesh, double max_sigma_mm);
 
   Eigen::Matrix3d R_jaw_world_;
   Vec3 corner_mm_ = Vec3::Zero();  ///< upper left, frame of the jaw

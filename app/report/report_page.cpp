@@ -79,7 +79,7 @@ class Page {
   [[nodiscard]] std::string calibration_table() const;
   [[nodiscard]] std::string edit_table() const;
   [[nodiscard]] std::string drawing(const JawPicture& picture, const std::string& png) const;
-  [[nodiscard]] static std::string legend();
+  [[nodiscard]] std::string legend() const;
 
   const ScanFacts& facts_;
   const TriangleMesh& mesh_;
@@ -198,9 +198,12 @@ std::string Page::edit_table() const {
 std::string Page::drawing(const JawPicture& picture, const std::string& png) const {
   const cv::Size size = picture.image().size();
   std::string svg = fmt::format(
-      "<svg viewBox=\"0 0 {} {}\" role=img aria-label=\"The jaw from above its teeth\">"
+      "<svg viewBox=\"0 0 {} {}\" role=img aria-label=\"{}\">"
       "<image width={} height={} href=\"data:image/png;base64,{}\"/>\n",
-      size.width, size.height, size.width, size.height, base64(png));
+      size.width, size.height,
+      calibration::fits_mouth(facts_.volume_mm) ? "The jaw from above its teeth"
+                                                : "The scanned surface",
+      size.width, size.height, base64(png));
   char letter = 'A';
   for (const reconstruct::JudgedSpan& judged : facts_.spans) {
     const Vec2 from = picture.pixel_of(judged.span.ends.from_mm),
@@ -223,7 +226,7 @@ std::string Page::drawing(const JawPicture& picture, const std::string& png) con
   return svg + "</svg>\n";
 }
 
-std::string Page::legend() {
+std::string Page::legend() const {
   constexpr int kSteps = 9;
   std::string stops;
   for (int i = 0; i < kSteps; ++i) {
@@ -231,7 +234,7 @@ std::string Page::legend() {
     stops += fmt::format("{}rgb({:.0f},{:.0f},{:.0f})", i == 0 ? "" : ",", 255.0F * color[0],
                          255.0F * color[1], 255.0F * color[2]);
   }
-  const double high = kMicrons * ui::SceneOptions{}.max_sigma_mm;
+  const double high = kMicrons * ui::max_sigma_mm(facts_.volume_mm);
   return fmt::format(
       "<div class=scale style=\"background:linear-gradient(90deg,{})\"></div><div class=ticks>"
       "<span>{:.0f} µm</span><span>standard uncertainty of a point</span><span>{:.0f} µm</span>"
@@ -269,7 +272,7 @@ text.hole{fill:#c5221f}
 )";
 
 Result<std::string> Page::write() const {
-  const JawPicture picture(mesh_, axes_, kPictureWidth_px);
+  const JawPicture picture(mesh_, axes_, kPictureWidth_px, ui::max_sigma_mm(facts_.volume_mm));
   const auto png = io::encode_png(picture.image());
   if (!png) return tl::unexpected(png.error());
   return fmt::format(

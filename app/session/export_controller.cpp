@@ -134,18 +134,22 @@ void ExportController::tell_sizes(const ui::AppView& view, ui::ExportState& stat
     lighter_.reset();
   if (view.scan == nullptr) return;
   const std::shared_ptr<const reconstruct::FinishedScan>& result = view.scan->result;
-  const auto model_in = [&](reconstruct::MeshDensity density) -> const TexturedMesh* {
-    if (result == nullptr) return nullptr;
-    if (density == reconstruct::MeshDensity::kFull) return &result->model;
-    const auto lighter = lighter_ != nullptr ? lighter_->made(density) : nullptr;
-    return lighter != nullptr ? &lighter->model : nullptr;
-  };
+  const TexturedMesh* chosen = nullptr;
   for (const reconstruct::MeshDensity density : reconstruct::kMeshDensities) {
-    const TexturedMesh* model = model_in(density);
-    state.triangles[static_cast<std::size_t>(density)] =
-        model == nullptr ? 0 : model->mesh.triangles.size();
+    const TexturedMesh* model = nullptr;
+    ui::DensityState& shown = state.densities[static_cast<std::size_t>(density)];
+    shown = {};
+    if (density == reconstruct::MeshDensity::kFull) {
+      if (result != nullptr) model = &result->model;
+    } else if (const auto lighter = lighter_ != nullptr ? lighter_->made(density) : nullptr) {
+      model = &lighter->model;
+      shown.rms_mm = lighter->rms_mm;
+      shown.max_mm = lighter->max_mm;
+    }
+    if (model != nullptr) shown.triangles = model->mesh.triangles.size();
+    if (density == view.settings.mesh_density) chosen = model;
   }
-  state.estimated_bytes = estimated_bytes(*view.scan, model_in(view.settings.mesh_density));
+  state.estimated_bytes = estimated_bytes(*view.scan, chosen);
 }
 
 void ExportController::open_folder() {

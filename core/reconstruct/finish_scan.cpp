@@ -98,7 +98,8 @@ Result<void> Finisher::refine_views() {
 Result<void> Finisher::correct_views(refinement::Refinement& refined,
                                      std::vector<AlignedView>& serving) {
   if (scanned_.calibration == nullptr || !options_.correct_projectors) return {};
-  const auto shifted = calibration::find_shifted_spans(serving);
+  const auto shifted =
+      calibration::find_shifted_spans(serving, scanned_.calibration->volume.size_mm);
   if (shifted.empty()) return {};
   progress_.begin_stage(kAligning);
   auto corrected = correct_projectors(serving, refined, shifted, *scanned_.calibration,

@@ -13,20 +13,35 @@
 namespace flytri::reconstruct {
 namespace {
 
+/// Vertices farther apart than this get bounds in proportion, mm. Those of a mouth sensor are half
+/// as far apart.
+constexpr double kFineSpacing_mm = 0.2;
+
+double area_mm2(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles) area += area_vector_mm2(mesh, t).norm();
+  return area;
+}
+
 /// Edge of a texel on the surface, in the mean; 0 without a texture.
 double texel_mm(const TexturedMesh& model) {
   if (model.atlas.empty()) return 0.0;
   const Eigen::Vector2d size_px(model.atlas.cols, model.atlas.rows);
-  double area_mm2 = 0.0, area_px2 = 0.0;
+  double area_px2 = 0.0;
   for (const Triangle& t : model.mesh.triangles) {
     const auto px = [&](std::size_t k) {
       return Eigen::Vector2d(model.uv[t[k]].cast<double>().cwiseProduct(size_px));
     };
     const Eigen::Vector2d u = px(1) - px(0), v = px(2) - px(0);
     area_px2 += 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
-    area_mm2 += area_vector_mm2(model.mesh, t).norm();
   }
-  return area_px2 > 0.0 ? std::sqrt(area_mm2 / area_px2) : 0.0;
+  return area_px2 > 0.0 ? std::sqrt(area_mm2(model.mesh) / area_px2) : 0.0;
+}
+
+/// Spacing of the vertices of a full mesh: a square of four has two triangles.
+double spacing_mm(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return 0.0;
+  return std::sqrt(2.0 * area_mm2(mesh) / static_cast<double>(mesh.triangles.size()));
 }
 
 /// The model with other triangles, and without the vertices that these do not use.
@@ -65,12 +80,11 @@ std::string_view to_string(MeshDensity density) {
   return "";
 }
 
-meshing::SimplifyOptions simplify_options(MeshDensity density, double texel_mm) {
+meshing::SimplifyOptions simplify_options(MeshDensity density, double spacing_mm, double texel_mm) {
   meshing::SimplifyOptions options;
-  if (density == MeshDensity::kLight) {
-    options.max_rms_mm = 0.010;
-    options.max_mm = 0.050;
-  }
+  const double scale = std::max(1.0, spacing_mm / kFineSpacing_mm);
+  options.max_rms_mm = scale * (density == MeshDensity::kLight ? 0.010 : 0.002);
+  options.max_mm = scale * (density == MeshDensity::kLight ? 0.050 : 0.010);
   // The margin around a chart is wider than a texel; 15 degrees are no sliver yet.
   options.max_seam_mm = std::max(options.max_mm, texel_mm);
   options.least_angle_rad = 0.26;
@@ -85,8 +99,9 @@ Result<ModelAtDensity> at_density(const TexturedMesh& model, MeshDensity density
     result.model = model;
     progress.advance();
   } else {
-    Result<meshing::Simplified> simplified =
-        meshing::simplify(model.mesh, simplify_options(density, texel_mm(model)), progress);
+    const meshing::SimplifyOptions options =
+        simplify_options(density, spacing_mm(model.mesh), texel_mm(model));
+    Result<meshing::Simplified> simplified = meshing::simplify(model.mesh, options, progress);
     if (!simplified) return tl::unexpected(simplified.error());
     result.model = with_triangles(model, std::move(simplified->triangles));
     result.rms_mm = simplified->rms_mm;

@@ -11,6 +11,8 @@
 
 namespace flytri::reconstruct {
 
+/// Where vertices of the full mesh are more than 0.2 mm apart, as those of a face are, the bounds
+/// grow in proportion.
 enum class MeshDensity {
   kFull,  ///< as it was meshed
   kCad,   ///< at most 2 um RMS and 10 um anywhere from the full surface
@@ -26,9 +28,11 @@ inline constexpr std::array kMeshDensities = {MeshDensity::kFull, MeshDensity::k
 inline constexpr auto kThinningTriangles = "Thinning the triangles";
 
 /// The bounds of a density other than kFull.
+/// @param spacing_mm  of the vertices of the full mesh
 /// @param texel_mm  edge of a texel on the surface: seams of the texture keep within one; 0
 ///                  without a texture
-[[nodiscard]] meshing::SimplifyOptions simplify_options(MeshDensity density, double texel_mm);
+[[nodiscard]] meshing::SimplifyOptions simplify_options(MeshDensity density, double spacing_mm,
+                                                        double texel_mm);
 
 /// A finished model in one density.
 struct ModelAtDensity {

@@ -239,7 +239,9 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
   result_.surface = std::move(finished->surface);
   result_.model = std::move(finished->model);
   result_.spans = std::move(finished->spans);
-  result_.pattern_shift = calibration::find_pattern_shift(finished->views);
+  if (scanned.calibration != nullptr)
+    result_.pattern_shift =
+        calibration::find_pattern_shift(finished->views, scanned.calibration->volume.size_mm);
   result_.moved_projectors = std::move(finished->moved_projectors);
   result_.held = std::move(finished->held);
   result_.stages = clock_.stages();

@@ -46,6 +46,7 @@ GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibra
       registrar_(std::make_unique<tracking::Registrar>(std::move(registrar))),
       pictures_(kPictureShare * half_diagonal_mm(*calibration_), half_diagonal_mm(*calibration_)),
       distance_(calibration_->volume.size_mm.z()),
+      pattern_shift_(calibration_->volume.size_mm),
       journal_(options.journal, options.now_s),
       background_thread_(options.background),
       refinement_({options.finish.refinement, options.refine_growth, options.min_refine_views},

@@ -149,26 +149,33 @@ void draw_report(const PanelContext& context, Rect row) {
 }
 
 struct DensityWords {
-  Text name, hint;
+  Text name = Text::kDensityFull;
+  std::string hint;  ///< empty while the mesh is being made
 };
 
-DensityWords words_of(reconstruct::MeshDensity density) {
+DensityWords words_of(const Texts& texts, reconstruct::MeshDensity density,
+                      const DensityState& state) {
+  const auto mm = [](double value) { return fmt::format("{:.4f}", value); };
   switch (density) {
     case reconstruct::MeshDensity::kFull:
-      return {Text::kDensityFull, Text::kDensityFullHint};
+      break;
     case reconstruct::MeshDensity::kCad:
-      return {Text::kDensityCad, Text::kDensityCadHint};
+      if (state.triangles == 0) return {Text::kDensityCad, {}};
+      return {Text::kDensityCad,
+              texts.fill<Text::kDensityCadHint>(mm(state.max_mm), mm(state.rms_mm))};
     case reconstruct::MeshDensity::kLight:
-      return {Text::kDensityLight, Text::kDensityLightHint};
+      if (state.triangles == 0) return {Text::kDensityLight, {}};
+      return {Text::kDensityLight, texts.fill<Text::kDensityLightHint>(mm(state.max_mm))};
   }
-  return {Text::kDensityFull, Text::kDensityFullHint};
+  return {Text::kDensityFull, texts[Text::kDensityFullHint]};
 }
 
 void draw_density_button(const PanelContext& context, const Rect& box,
                          reconstruct::MeshDensity density) {
   constexpr std::size_t kThousand = 1000;
-  const std::size_t count = context.view.exports.triangles[static_cast<std::size_t>(density)];
-  const DensityWords words = words_of(density);
+  const DensityState& state = context.view.exports.densities[static_cast<std::size_t>(density)];
+  const std::size_t count = state.triangles;
+  const DensityWords words = words_of(context.view.texts, density, state);
   const std::string id = fmt::format("density_{}", to_string(density));
   const std::string count_text =
       count == 0 ? "…"
@@ -183,7 +190,7 @@ void draw_density_button(const PanelContext& context, const Rect& box,
   look.label = label.c_str();
   look.is_on = context.view.settings.mesh_density == density;
   context.places.set(id, box);
-  hint_over(box, context.view.texts[words.hint]);
+  if (!words.hint.empty()) hint_over(box, words.hint);
   if (!small_button(context.theme, box, look)) return;
   Settings settings = context.view.settings;
   settings.mesh_density = density;
@@ -193,8 +200,9 @@ void draw_density_button(const PanelContext& context, const Rect& box,
 /// How many triangles the files get, which only a finished scan has.
 void draw_density(const PanelContext& context, Rect row) {
   if (!has_report(context.view)) return;
-  const auto& triangles = context.view.exports.triangles;
-  if (std::find(triangles.begin(), triangles.end(), 0U) != triangles.end())
+  const auto& densities = context.view.exports.densities;
+  if (std::any_of(densities.begin(), densities.end(),
+                  [](const DensityState& each) { return each.triangles == 0; }))
     context.commands.emplace_back(PrepareExport{});
   draw_text(row.take_left(context.px(kDensityCaption), context.px(kGapM)),
             {context.theme.fonts.body, kText, Align::kLeft}, context.text(Text::kTriangles));

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ui/panels/panels.h"
-#include "ui/panels/scene_view.h"
+#include "ui/scene/scene_options.h"
 #include "ui/state/jaw_words.h"
 #include "ui/state/jaws_look.h"
 #include "ui/widgets/badge.h"
@@ -53,7 +53,7 @@ void draw_sigma_legend(const PanelContext& context, Rect& rest) {
   for (std::size_t i = 0; i < kSteps; ++i) {
     colors[i] = sigma_color(static_cast<double>(i) / (kSteps - 1));
   }
-  const double most_mm = max_sigma_mm(context.view);
+  const double most_mm = max_sigma_mm(context.view.volume_mm);
   const Rect box = rest.take_top(context.px(34.0F));
   color_scale(context.theme, box,
               {colors, length_text(most_mm / kSigmaRange),

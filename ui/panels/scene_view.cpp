@@ -211,7 +211,7 @@ SceneOptions options_of(const PanelContext& context) {
   SceneOptions options;
   options.color_mode = shown_colors(context.view, context.state);
   options.texture_blend = context.state.texture_blend;
-  options.max_sigma_mm = max_sigma_mm(context.view);
+  options.max_sigma_mm = ui::max_sigma_mm(context.view.volume_mm);
   options.scale = static_cast<double>(context.theme.scale);
   // Surfels have no depth of undercut.
   if (options.color_mode == ColorMode::kUndercut) options.level_of_detail = false;
@@ -225,12 +225,6 @@ SceneOptions options_of(const PanelContext& context) {
 }
 
 }  // namespace
-
-double max_sigma_mm(const AppView& view) {
-  // 30 µm of 20 mm, as the intra-oral sensor has it.
-  constexpr double kShareOfWidth = 0.0015;
-  return kShareOfWidth * view.volume_mm.x();
-}
 
 void draw_scene(const PanelContext& context) {
   CameraState& camera = context.state.view;

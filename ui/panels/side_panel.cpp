@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ui/panels/panels.h"
-#include "ui/panels/scene_view.h"
 #include "ui/panels/stage_row.h"
+#include "ui/scene/scene_options.h"
 #include "ui/state/jaws_look.h"
 #include "ui/state/review_look.h"
 #include "ui/theme/icons.h"
@@ -107,7 +107,7 @@ void draw_figures(const PanelContext& context, Rect rest) {
   labeled_value(context.theme, delay, context.text(Text::kDelay),
                 is_known ? fmt::format("{:.0f} ms", 1e3 * scan->latency.median_s) : "\u2013");
   hint_over(alignment, context.view.texts.fill<Text::kAlignmentErrorHint>(
-                           length_text(max_sigma_mm(context.view))));
+                           length_text(max_sigma_mm(context.view.volume_mm))));
   hint_over(delay, context.text(Text::kDelayHint));
 }
 

@@ -33,6 +33,12 @@ Color color_on(std::span<const Color> ramp, double share) {
 
 }  // namespace
 
+double max_sigma_mm(const Vec3& volume_mm) {
+  // 30 µm of 20 mm, as the intra-oral sensor has it.
+  constexpr double kShareOfWidth = 0.0015;
+  return kShareOfWidth * volume_mm.x();
+}
+
 Color sigma_color(double share) {
   /// Blue over pale to orange: distinguishable with any color vision, and never dark, as the
   /// surface is shaded.

@@ -21,7 +21,7 @@ struct SceneOptions {
   double texture_blend = 1.0;  ///< 0..1, of kTexture: 0 is plaster, 1 the texture
   Color good_color = kNeutral;
   Color thin_color = kCaution;
-  double max_sigma_mm = 0.03;  ///< > 0, end of the color scale: about the noise of a single point
+  double max_sigma_mm = 0.03;  ///< > 0, end of the color scale of kUncertainty
   double contact_mm = 0.02;    ///< > 0, of kClearance: nearer than this is contact
   /// Moves the lower of two jaws from the place where they are closed.
   Isometry T_open_closed = Isometry::Identity();
@@ -37,6 +37,9 @@ struct SceneOptions {
 /// The colors of kUncertainty are logarithmic, from this part of max_sigma_mm to max_sigma_mm:
 /// places are measured once to a few hundred times.
 inline constexpr double kSigmaRange = 16.0;
+/// max_sigma_mm for a sensor: about the noise of a single point, which is proportional to the size
+/// of the measurement volume.
+[[nodiscard]] double max_sigma_mm(const Vec3& volume_mm);
 /// Their scale from its low end, `share` 0, to its high end 1, for a legend.
 [[nodiscard]] Color sigma_color(double share);
 

@@ -154,6 +154,12 @@ struct ExportTarget {
   bool operator==(const ExportTarget&) const = default;
 };
 
+/// The finished model in one density.
+struct DensityState {
+  std::size_t triangles = 0;          ///< 0: not known yet
+  double rms_mm = 0.0, max_mm = 0.0;  ///< from the full surface
+};
+
 /// What can be exported, and what was.
 struct ExportState {
   std::string folder;     ///< proposed
@@ -163,8 +169,7 @@ struct ExportState {
   /// shows are missing.
   /// 0: not known before the model of this density is made.
   std::map<std::string_view, std::uint64_t> estimated_bytes;
-  /// Triangles in each density, in the order of kMeshDensities; 0: not known yet.
-  std::array<std::size_t, reconstruct::kMeshDensities.size()> triangles{};
+  std::array<DensityState, reconstruct::kMeshDensities.size()> densities;  ///< as kMeshDensities
   bool is_running = false;
   bool has_model = false;  ///< the finished model that is shown was exported
   ExportTarget latest;     ///< of the latest export of this stage; the following is its outcome

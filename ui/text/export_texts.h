@@ -16,14 +16,14 @@ FLYTRI_TEXT(kThousands, "{0} k", "{0} Tsd.", "{0} k", "{0} mil")
 FLYTRI_TEXT(kDensityFullHint, "The surface as it was measured",
             "Die Fläche, wie sie gemessen wurde", "La surface telle que mesurée",
             "La superficie tal como se midió")
-FLYTRI_TEXT(kDensityCadHint, "At most 0.01 mm from the full surface, 0.002 mm RMS",
-            "Höchstens 0,01 mm neben der vollen Fläche, 0,002 mm RMS",
-            "À 0,01 mm au plus de la surface complète, 0,002 mm RMS",
-            "A 0,01 mm como máximo de la superficie completa, 0,002 mm RMS")
-FLYTRI_TEXT(kDensityLightHint, "At most 0.05 mm from the full surface: for a look",
-            "Höchstens 0,05 mm neben der vollen Fläche: zum Ansehen",
-            "À 0,05 mm au plus de la surface complète : pour voir",
-            "A 0,05 mm como máximo de la superficie completa: para ver")
+FLYTRI_TEXT(kDensityCadHint, "At most {0} mm from the full surface, {1} mm RMS",
+            "Höchstens {0} mm neben der vollen Fläche, {1} mm RMS",
+            "À {0} mm au plus de la surface complète, {1} mm RMS",
+            "A {0} mm como máximo de la superficie completa, {1} mm RMS")
+FLYTRI_TEXT(kDensityLightHint, "At most {0} mm from the full surface: for a look",
+            "Höchstens {0} mm neben der vollen Fläche: zum Ansehen",
+            "À {0} mm au plus de la surface complète : pour voir",
+            "A {0} mm como máximo de la superficie completa: para ver")
 FLYTRI_TEXT(kFolder, "Folder", "Ordner", "Dossier", "Carpeta")
 FLYTRI_TEXT(kName, "Name", "Name", "Nom", "Nombre")
 FLYTRI_TEXT(kAnd, "and", "und", "et", "y")

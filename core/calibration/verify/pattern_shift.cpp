@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/median.h"
+#include "core/calibration/record/sensor_size.h"
 
 namespace flytri::calibration {
 namespace {
@@ -16,8 +17,6 @@ constexpr double kLongestStep_s = 0.1;
 constexpr std::size_t kLeastJumps = 100;
 /// In a span that is known to differ from the time beside it.
 constexpr std::size_t kLeastJumpsOfSpan = 60;
-/// The model is spoiled by a fraction of this; good calibrations stay below a fifth of it.
-constexpr double kLarge_mm = 0.05;
 constexpr double kCertainSigmas = 5.0;
 /// Standard uncertainty of a median, by that of a mean, for normally distributed errors.
 constexpr double kMedianByMean = 1.2533;
@@ -29,8 +28,9 @@ std::vector<double> component(const std::vector<Vec3>& shifts_mm, Eigen::Index a
   return values;
 }
 
-PatternShift summary_of(const std::vector<Vec3>& shifts_mm) {
+PatternShift summary_of(const std::vector<Vec3>& shifts_mm, double harmful_mm) {
   PatternShift found;
+  found.harmful_mm = harmful_mm;
   found.views = shifts_mm.size();
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     std::vector<double> values = component(shifts_mm, axis);
@@ -47,7 +47,8 @@ PatternShift summary_of(const std::vector<Vec3>& shifts_mm) {
 /// Divides the time of a scan where its shift changes.
 class SpanFinder {
  public:
-  explicit SpanFinder(const std::deque<PatternShiftGauge::Jump>& jumps) {
+  SpanFinder(const std::deque<PatternShiftGauge::Jump>& jumps, double harmful_mm)
+      : harmful_mm_(harmful_mm) {
     for (const auto& jump : jumps) shifts_mm_.push_back(jump.shift_mm);
   }
 
@@ -67,7 +68,7 @@ class SpanFinder {
     const auto at = [&](std::size_t i) {
       return shifts_mm_.begin() + static_cast<std::ptrdiff_t>(i);
     };
-    return summary_of({at(begin), at(end)});
+    return summary_of({at(begin), at(end)}, harmful_mm_);
   }
 
   /// Where the means of both sides differ most.
@@ -97,7 +98,7 @@ class SpanFinder {
       const PatternShift before = summary(begin, middle), after = summary(middle, end);
       const PatternShift change{after.shift_mm - before.shift_mm,
                                 std::hypot(before.uncertainty_mm, after.uncertainty_mm),
-                                end - begin};
+                                end - begin, harmful_mm_};
       if (change.is_large()) {
         divide(begin, middle, found);
         divide(middle, end, found);
@@ -107,14 +108,21 @@ class SpanFinder {
     found.push_back({begin, end, summary(begin, end)});
   }
 
+  const double harmful_mm_;
   std::vector<Vec3> shifts_mm_;
 };
 
 }  // namespace
 
+double harmful_shift_mm(const Vec3& volume_mm) {
+  // Good calibrations stay below a fifth of it.
+  constexpr double kOfTeeth_mm = 0.05;
+  return kOfTeeth_mm * line_distance_factor(volume_mm);
+}
+
 bool PatternShift::is_large() const {
   const double length_mm = shift_mm.norm();
-  return length_mm > kLarge_mm && length_mm > kCertainSigmas * uncertainty_mm;
+  return length_mm > harmful_mm && length_mm > kCertainSigmas * uncertainty_mm;
 }
 
 void PatternShiftGauge::add(const AlignedView& view) {
@@ -142,12 +150,13 @@ std::optional<PatternShift> PatternShiftGauge::shift() const {
   std::vector<Vec3> shifts_mm;
   shifts_mm.reserve(jumps_.size());
   for (const Jump& jump : jumps_) shifts_mm.push_back(jump.shift_mm);
-  return summary_of(shifts_mm);
+  return summary_of(shifts_mm, harmful_mm_);
 }
 
-std::optional<PatternShift> find_pattern_shift(std::span<const AlignedView> views) {
+std::optional<PatternShift> find_pattern_shift(std::span<const AlignedView> views,
+                                               const Vec3& volume_mm) {
   // The gauge forgets; a whole scan is told by its worst time.
-  PatternShiftGauge gauge;
+  PatternShiftGauge gauge(volume_mm);
   std::optional<PatternShift> worst;
   constexpr std::size_t kStep = 30;
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -163,13 +172,14 @@ std::optional<PatternShift> find_pattern_shift(std::span<const AlignedView> view
   return worst;
 }
 
-std::vector<ShiftedSpan> find_shifted_spans(std::span<const AlignedView> views) {
+std::vector<ShiftedSpan> find_shifted_spans(std::span<const AlignedView> views,
+                                            const Vec3& volume_mm) {
   constexpr double kForever_s = std::numeric_limits<double>::infinity();
-  PatternShiftGauge gauge(kForever_s);
+  PatternShiftGauge gauge(volume_mm, kForever_s);
   for (const AlignedView& view : views) gauge.add(view);
   const auto time_s = [&](std::size_t jump) { return gauge.jumps()[jump].time_s; };
   std::vector<ShiftedSpan> spans;
-  for (const auto& range : SpanFinder(gauge.jumps()).ranges()) {
+  for (const auto& range : SpanFinder(gauge.jumps(), harmful_shift_mm(volume_mm)).ranges()) {
     if (!range.shift.is_large()) continue;
     const bool is_first = range.begin == 0, is_last = range.end == gauge.jumps().size();
     spans.push_back({is_first ? -kForever_s : time_s(range.begin),

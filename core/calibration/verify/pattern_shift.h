@@ -11,6 +11,10 @@
 
 namespace flytri::calibration {
 
+/// More than this spoils a model: 0.05 mm with a sensor for teeth, and as much more as the lines of
+/// another one are farther apart.
+[[nodiscard]] double harmful_shift_mm(const Vec3& volume_mm);
+
 /// How far the two patterns disagree.
 struct PatternShift {
   /// From where the horizontal lines see the surface to where the vertical ones see it, in the
@@ -18,6 +22,7 @@ struct PatternShift {
   Vec3 shift_mm = Vec3::Zero();
   double uncertainty_mm = 0.0;  ///< standard uncertainty of each component
   std::size_t views = 0;        ///< that it was found from
+  double harmful_mm = 0.0;      ///< harmful_shift_mm() of the sensor
 
   /// Whether the sensor should be calibrated again: far more than noise, and enough to spoil
   /// a model.
@@ -29,9 +34,11 @@ struct PatternShift {
 /// step with the patterns. A hand does not: its motion averages out over many views.
 class PatternShiftGauge {
  public:
+  /// @param volume_mm  of the sensor
   /// @param remembered_s  > 0, what is older is forgotten: long enough to average the hand out,
   ///                      short enough to notice a bump soon
-  explicit PatternShiftGauge(double remembered_s = 12.0) : remembered_s_(remembered_s) {}
+  explicit PatternShiftGauge(const Vec3& volume_mm, double remembered_s = 12.0)
+      : harmful_mm_(harmful_shift_mm(volume_mm)), remembered_s_(remembered_s) {}
 
   /// @param view  the next registered one, by rising time
   void add(const AlignedView& view);
@@ -51,14 +58,16 @@ class PatternShiftGauge {
     double time_s = 0.0;
     Isometry T_world_sensor = Isometry::Identity();
   };
-  const double remembered_s_;
+  const double harmful_mm_, remembered_s_;
   std::deque<Placed> latest_;  ///< three at most
   std::deque<Jump> jumps_;     ///< by rising time
 };
 
 /// Of a whole scan.
 /// @param views  registered, by rising time
-[[nodiscard]] std::optional<PatternShift> find_pattern_shift(std::span<const AlignedView> views);
+/// @param volume_mm  of the sensor
+[[nodiscard]] std::optional<PatternShift> find_pattern_shift(std::span<const AlignedView> views,
+                                                             const Vec3& volume_mm);
 
 /// A time during which the patterns disagreed by the same shift.
 struct ShiftedSpan {
@@ -68,7 +77,8 @@ struct ShiftedSpan {
 
 /// The parts of a scan with a large shift, by rising time. Where they begin and end is known to a
 /// few views only.
-/// @param views  as for find_pattern_shift()
-[[nodiscard]] std::vector<ShiftedSpan> find_shifted_spans(std::span<const AlignedView> views);
+/// @param views, volume_mm  as for find_pattern_shift()
+[[nodiscard]] std::vector<ShiftedSpan> find_shifted_spans(std::span<const AlignedView> views,
+                                                          const Vec3& volume_mm);
 
 }  // namespace flytri::calibration

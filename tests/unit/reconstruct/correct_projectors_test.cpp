@@ -32,7 +32,9 @@ Corrected correct(const std::vector<AlignedView>& measured) {
   const auto fit = refinement::refine_jointly(corrected.before, {}, Workers(2), {});
   EXPECT_TRUE(fit);
   auto scan =
-      correct_projectors(corrected.before, *fit, calibration::find_shifted_spans(corrected.before),
+      correct_projectors(corrected.before, *fit,
+                         calibration::find_shifted_spans(
+                             corrected.before, testing::camera_calibration().volume.size_mm),
                          testing::camera_calibration(), {}, Workers(2), {});
   EXPECT_TRUE(scan) << scan.error().message;
   corrected.scan = *std::move(scan);
@@ -102,8 +104,10 @@ TEST(CorrectedScan, ParallelRaysOfACameraCorrectNothing) {
   auto views = misled(truth(), bump(Pattern::kVertical, 3.0));
   const auto fit = refinement::refine_jointly(views, {}, Workers(2), {});
   ASSERT_TRUE(fit);
-  const auto scan = correct_projectors(views, *fit, calibration::find_shifted_spans(views), {}, {},
-                                       Workers(2), {});
+  const auto scan = correct_projectors(
+      views, *fit,
+      calibration::find_shifted_spans(views, testing::camera_calibration().volume.size_mm), {}, {},
+      Workers(2), {});
   ASSERT_TRUE(scan);
   EXPECT_FALSE(*scan);
 }

@@ -50,6 +50,20 @@ TEST(MeshDensity, KeepsPlacesOfTheTexture) {
   EXPECT_LE(cad->max_mm, 0.010);
 }
 
+TEST(MeshDensity, TenTimesAsLargeAMeshGetsTenTimesTheBounds) {
+  TexturedMesh full = wave();
+  const Result<ModelAtDensity> small = at_density(full, MeshDensity::kCad);
+  ASSERT_TRUE(small.has_value());
+  // Ten times as far apart as 0.2 mm.
+  constexpr float kScale = 20.0F;
+  for (SurfacePoint& p : full.mesh.vertices) p.position_mm *= kScale;
+  const Result<ModelAtDensity> large = at_density(full, MeshDensity::kCad);
+  ASSERT_TRUE(large.has_value());
+  EXPECT_LE(large->max_mm, 0.101);
+  EXPECT_GT(large->max_mm, 0.020);
+  EXPECT_LT(large->model.mesh.triangles.size(), full.mesh.triangles.size() / 2);
+}
+
 TEST(MeshDensity, FullIsTheModelAsItIs) {
   const TexturedMesh full = wave();
   const Result<ModelAtDensity> same = at_density(full, MeshDensity::kFull);

@@ -40,6 +40,13 @@ TEST(ReportPage, SaysHowCertainADistanceIs) {
   EXPECT_NE(page.find("90 used, 3 rejected"), std::string::npos);
 }
 
+TEST(ReportPage, TheColorScaleGrowsWithTheSensor) {
+  ScanFacts of_a_face = facts();
+  EXPECT_NE(report_page(of_a_face)->find("<span>30 µm</span>"), std::string::npos);
+  of_a_face.volume_mm = Vec3(200, 150, 100);
+  EXPECT_NE(report_page(of_a_face)->find("<span>300 µm</span>"), std::string::npos);
+}
+
 TEST(ReportPage, TextOfACaseIsNoPartOfThePage) {
   const std::string page = *report_page(facts());
   EXPECT_EQ(page.find("<script"), std::string::npos);
@@ -115,7 +122,8 @@ TEST(JawPicture, ShowsWhatIsOnTopAndMarksWhatWasNotMeasured) {
   add_square(0.0F, 0.002F);
   JawAxes axes;
   axes.box_mm = Eigen::AlignedBox3d(Vec3(-5, -5, 0), Vec3(5, 5, 1));
-  const JawPicture picture(mesh, axes, 160);
+  constexpr double kMaxSigma_mm = 0.03;
+  const JawPicture picture(mesh, axes, 160, kMaxSigma_mm);
   const Vec2 middle = picture.pixel_of(Vec3::Zero());
   EXPECT_NEAR(middle.x(), 80.0, 1.0);
   const auto color = picture.image().at<cv::Vec3b>(static_cast<int>(middle.y()), 80);

@@ -386,9 +386,9 @@ TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
   session.carry_out(ui::PrepareExport{});
   session.carry_out(ui::Export{{(folder_.path() / "out").string(), "jaw", {".glb"}}, {}});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return !view.exports.written.empty(); }));
-  const auto triangles = session.view().exports.triangles;
-  EXPECT_GT(triangles[static_cast<std::size_t>(reconstruct::MeshDensity::kCad)], 0U);
-  EXPECT_EQ(triangles[static_cast<std::size_t>(reconstruct::MeshDensity::kLight)], 0U)
+  const auto densities = session.view().exports.densities;
+  EXPECT_GT(densities[static_cast<std::size_t>(reconstruct::MeshDensity::kCad)].triangles, 0U);
+  EXPECT_EQ(densities[static_cast<std::size_t>(reconstruct::MeshDensity::kLight)].triangles, 0U)
       << "it would have kept the export waiting";
   const ui::ExportedFile written = session.view().exports.written.front();
   EXPECT_EQ(written.bytes, fs::file_size(folder_.path() / "out" / "jaw.glb"));

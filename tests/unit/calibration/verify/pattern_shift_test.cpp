@@ -12,6 +12,7 @@ namespace flytri::calibration {
 namespace {
 
 constexpr double kPeriod_s = 1.0 / 30.0;
+const Vec3 kVolume_mm(20, 15, 15);
 
 /// A hand that moves along an arch and trembles by 0.1 mm at 9 Hz.
 Isometry hand_pose(double time_s) {
@@ -43,7 +44,7 @@ std::vector<AlignedView> scan(int count, int bumped_at, const Vec3& shift_mm) {
 }
 
 TEST(PatternShift, ATremblingHandIsNoShift) {
-  const auto found = find_pattern_shift(scan(900, 0, Vec3::Zero()));
+  const auto found = find_pattern_shift(scan(900, 0, Vec3::Zero()), kVolume_mm);
   ASSERT_TRUE(found);
   EXPECT_LT(found->shift_mm.norm(), 4.0 * found->uncertainty_mm);
   EXPECT_LT(found->uncertainty_mm, 0.02);
@@ -52,15 +53,23 @@ TEST(PatternShift, ATremblingHandIsNoShift) {
 
 TEST(PatternShift, TellsHowFarAndWhereTo) {
   const Vec3 shift_mm(0.01, 0.0, 0.15);
-  const auto found = find_pattern_shift(scan(900, 0, shift_mm));
+  const auto found = find_pattern_shift(scan(900, 0, shift_mm), kVolume_mm);
   ASSERT_TRUE(found);
   EXPECT_LT((found->shift_mm - shift_mm).norm(), 4.0 * found->uncertainty_mm);
   EXPECT_TRUE(found->is_large());
 }
 
+TEST(PatternShift, HarmsAFaceOnlyIfItIsLarger) {
+  const Vec3 face_mm(200, 150, 100);
+  const auto found = find_pattern_shift(scan(900, 0, Vec3(0.0, 0.0, 0.15)), face_mm);
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->is_large());
+  EXPECT_TRUE(find_pattern_shift(scan(900, 0, Vec3(0.0, 0.0, 1.5)), face_mm)->is_large());
+}
+
 TEST(PatternShift, ABumpDuringTheScanIsNoticedSoon) {
   constexpr int kBumpedAt = 900;
-  PatternShiftGauge gauge;
+  PatternShiftGauge gauge(kVolume_mm);
   int noticed_at = 0;
   for (const AlignedView& view : scan(1800, kBumpedAt, Vec3(0.0, 0.0, 0.15))) {
     gauge.add(view);
@@ -72,19 +81,19 @@ TEST(PatternShift, ABumpDuringTheScanIsNoticedSoon) {
 }
 
 TEST(PatternShift, FewViewsAndViewsFarApartTellNothing) {
-  EXPECT_FALSE(find_pattern_shift(scan(90, 0, Vec3(0.0, 0.0, 0.15))));
+  EXPECT_FALSE(find_pattern_shift(scan(90, 0, Vec3(0.0, 0.0, 0.15)), kVolume_mm));
   std::vector<AlignedView> gaps;
   for (const AlignedView& view : scan(900, 0, Vec3(0.0, 0.0, 0.15))) {
     // Every third is lost: two of a pattern never stand around one of the other.
     if (view.view->frame.value % 3 != 2) gaps.push_back(view);
   }
-  const auto found = find_pattern_shift(gaps);
+  const auto found = find_pattern_shift(gaps, kVolume_mm);
   EXPECT_TRUE(!found || found->views < 300U);
 }
 
 TEST(ShiftedSpans, ABumpDuringTheScanDividesIt) {
   const Vec3 shift_mm(0.01, 0.0, 0.15);
-  const auto spans = find_shifted_spans(scan(1800, 900, shift_mm));
+  const auto spans = find_shifted_spans(scan(1800, 900, shift_mm), kVolume_mm);
   ASSERT_EQ(spans.size(), 1U);
   EXPECT_NEAR(spans[0].from_s, 900 * kPeriod_s, 8 * kPeriod_s);
   EXPECT_GT(spans[0].to_s, 1800 * kPeriod_s);
@@ -92,13 +101,13 @@ TEST(ShiftedSpans, ABumpDuringTheScanDividesIt) {
 }
 
 TEST(ShiftedSpans, ScansWithoutAShiftHaveNone) {
-  EXPECT_TRUE(find_shifted_spans(scan(1800, 0, Vec3::Zero())).empty());
-  EXPECT_TRUE(find_shifted_spans(scan(90, 0, Vec3(0.0, 0.0, 0.15))).empty());
-  EXPECT_TRUE(find_shifted_spans({}).empty());
+  EXPECT_TRUE(find_shifted_spans(scan(1800, 0, Vec3::Zero()), kVolume_mm).empty());
+  EXPECT_TRUE(find_shifted_spans(scan(90, 0, Vec3(0.0, 0.0, 0.15)), kVolume_mm).empty());
+  EXPECT_TRUE(find_shifted_spans({}, kVolume_mm).empty());
 }
 
 TEST(ShiftedSpans, AShiftOfTheWholeScanIsOneSpan) {
-  const auto spans = find_shifted_spans(scan(900, 0, Vec3(0.0, 0.0, -0.15)));
+  const auto spans = find_shifted_spans(scan(900, 0, Vec3(0.0, 0.0, -0.15)), kVolume_mm);
   ASSERT_EQ(spans.size(), 1U);
   EXPECT_LT(spans[0].from_s, 0.0);
   EXPECT_GT(spans[0].to_s, 900 * kPeriod_s);
