@@ -1,4 +1,5 @@
-// Creates the images of a scan for the USB cameras of the virtual machine, and checks the results.
+// Creates images for the USB cameras of the virtual machine, and checks what the program makes of
+// them there.
 //
 //     flytri_hardware_scan take FOLDER      writes pictures/, rig.json, calibration.json, and
 //                                           simulated/, the recording of a perfect rig
@@ -6,9 +7,9 @@
 //                                           its truth. Run it once only: it changes the frame times
 //     flytri_hardware_scan compare FOLDER   checks that recorded.json is as good as simulated.json;
 //                                           both are reports of flytri evaluate
-//     flytri_hardware_scan targets FOLDER   writes pictures/ and rig.json of a calibration
-//     flytri_hardware_scan fits FOLDER      checks that recorded/calibration.json has residuals as
-//                                           small as simulated/calibration.json
+//     flytri_hardware_scan guide FOLDER     writes pictures/ of all that docs/building.md asks for
+//     flytri_hardware_scan truth FOLDER     writes the truth of scan/, once only, as above
+//     flytri_hardware_scan judge FOLDER     checks what was made by the guide (guide_run.h)
 
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@
 #include "core/io/recordings/recording.h"
 #include "hw/rig/rig_file.h"
 #include "hw/simulated/datasets/sensor_calibration.h"
-#include "tests/hardware/scan/calibration_run.h"
+#include "tests/hardware/scan/guide_run.h"
 #include "tests/hardware/scan/picture_finder.h"
 #include "tests/hardware/scan/vm_rig.h"
 
@@ -182,17 +183,6 @@ Result<void> judge(const Labels& labels, const ScanOptions& options) {
   return {};
 }
 
-/// Scales the guest's times in the recording to the real speed of the hand, because the
-/// reconstruction judges gaps by that speed.
-Result<void> set_pace(const fs::path& recording, double pace) {
-  const fs::path file = recording / "recording.json";
-  const auto text = io::read_file(file);
-  if (!text) return tl::unexpected(text.error());
-  auto list = nlohmann::ordered_json::parse(*text);
-  for (auto& frame : list.at("frames")) frame["time_s"] = pace * frame.at("time_s").get<double>();
-  return io::write_file(file, list.dump(1) + "\n");
-}
-
 Result<void> check(const fs::path& folder) {
   const Workers workers;
   const ScanOptions options;
@@ -254,8 +244,9 @@ Result<void> run(std::string_view word, const fs::path& folder) {
   if (word == "take") return take(folder);
   if (word == "check") return check(folder);
   if (word == "compare") return compare(folder);
-  if (word == "targets") return write_targets(folder);
-  if (word == "fits") return check_fits(folder);
+  if (word == "guide") return write_guide(folder, Workers());
+  if (word == "truth") return write_guide_truth(folder, Workers());
+  if (word == "judge") return judge_guide(folder);
   return fail(ErrorCode::kBadOption, "unknown command: {}", word);
 }
 
@@ -264,7 +255,7 @@ Result<void> run(std::string_view word, const fs::path& folder) {
 
 int main(int count, char** words) {
   if (count != 3) {
-    fmt::print(stderr, "usage: flytri_hardware_scan take|check|compare|targets|fits FOLDER\n");
+    fmt::print(stderr, "usage: flytri_hardware_scan take|check|compare|guide|truth|judge FOLDER\n");
     return 2;
   }
   const auto done = flytri::scan::run(words[1], words[2]);

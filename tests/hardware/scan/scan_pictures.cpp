@@ -9,16 +9,6 @@
 namespace flytri::scan {
 namespace {
 
-std::vector<Moment> moments_of(const ScanOptions& options, const simulated::SensorPath& path) {
-  std::vector<Moment> moments;
-  for (int i = 0; i < options.resting + options.moving; ++i) {
-    // Before the start of the path, the sensor rests.
-    const double time_s = (i - options.resting) * options.sensor.frame_period_s;
-    moments.push_back({time_s, path.T_model_sensor(time_s)});
-  }
-  return moments;
-}
-
 std::string_view bytes_of(const cv::Mat& image) {
   return {reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()};
 }
@@ -28,11 +18,23 @@ std::string_view bytes_of(const cv::Mat& image) {
 Result<ScanPictures> ScanPictures::create(const ScanOptions& options, const Workers& workers) {
   auto mesh = sample_jaw::make_sample_jaw({}, workers);
   if (!mesh) return tl::unexpected(mesh.error());
-  auto scene = simulated::LitScene::create(*mesh, options.sensor, options.path,
-                                           {.tracing = simulated::Tracing::kGrid});
+  std::vector<double> times_s;
+  // Before the start of the path, the sensor rests.
+  for (int i = 0; i < options.resting + options.moving; ++i)
+    times_s.push_back((i - options.resting) * options.sensor.frame_period_s);
+  return create(*std::move(mesh), options.sensor, options.path, times_s);
+}
+
+Result<ScanPictures> ScanPictures::create(TriangleMesh mesh, const simulated::SensorModel& sensor,
+                                          const simulated::PathOptions& path,
+                                          const std::vector<double>& times_s) {
+  auto scene =
+      simulated::LitScene::create(mesh, sensor, path, {.tracing = simulated::Tracing::kGrid});
   if (!scene) return tl::unexpected(scene.error());
-  std::vector<Moment> moments = moments_of(options, scene->path());
-  return ScanPictures(*std::move(mesh), *std::move(scene), std::move(moments));
+  std::vector<Moment> moments;
+  for (const double time_s : times_s)
+    moments.push_back({time_s, scene->path().T_model_sensor(time_s)});
+  return ScanPictures(std::move(mesh), *std::move(scene), std::move(moments));
 }
 
 cv::Mat ScanPictures::picture(std::size_t number, FrameKind kind) const {

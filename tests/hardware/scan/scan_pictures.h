@@ -18,6 +18,7 @@ struct Moment {
   Isometry T_model_sensor = Isometry::Identity();
 };
 
+/// Of the sample jaw.
 struct ScanOptions {
   simulated::SensorModel sensor = simulated::intraoral_sensor();
   /// >= 0. Number of moments before the hand starts to move; the rig learns its latency meanwhile.
@@ -32,6 +33,12 @@ class ScanPictures {
   /// @errors  As make_sample_jaw and LitScene::create.
   [[nodiscard]] static Result<ScanPictures> create(const ScanOptions& options,
                                                    const Workers& workers);
+  /// @param times_s  on the path, of the moments
+  /// @errors  As LitScene::create.
+  [[nodiscard]] static Result<ScanPictures> create(TriangleMesh mesh,
+                                                   const simulated::SensorModel& sensor,
+                                                   const simulated::PathOptions& path,
+                                                   const std::vector<double>& times_s);
 
   [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }

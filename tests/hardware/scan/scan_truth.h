@@ -16,6 +16,11 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
+/// Changes the frame times of a recording of the guest to the real speed of the hand, because the
+/// reconstruction judges gaps by that speed.
+/// @errors  As read_file and write_file.
+[[nodiscard]] Result<void> set_pace(const std::filesystem::path& recording, double pace);
+
 /// Writes truth.json and the mesh, with its lit places, to the recording.
 /// @param shown  for each frame of the recording
 /// @errors  As open_recording, write_truth and write_ply.
@@ -24,5 +29,12 @@ struct Shown {
                                             const simulated::SensorModel& sensor,
                                             const std::vector<Shown>& shown,
                                             const Workers& workers);
+
+/// The same where only the first frame with lines is known: it shows the sensor at rest.
+/// @errors  As write_scan_truth; kInsufficient: no frame shows lines.
+[[nodiscard]] Result<void> write_resting_truth(const std::filesystem::path& recording,
+                                               const ScanPictures& pictures,
+                                               const simulated::SensorModel& sensor,
+                                               const Workers& workers);
 
 }  // namespace flytri::scan

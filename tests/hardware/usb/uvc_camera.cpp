@@ -161,6 +161,7 @@ void UvcCamera::stream(bool on) {
 
 void UvcCamera::show(const std::string& place) {
   place_ = place;
+  exposures_ = 0;
   const std::string folder = place.empty() ? options_.pictures : options_.pictures + "/" + place;
   picture_ = std::make_unique<Picture>(kUvcSizes[size_], folder, options_.color);
 }
@@ -195,7 +196,7 @@ void UvcCamera::expose(double time_s) {
                         interval_ * kInterval_s);
   const std::uint32_t number = options_.beside ? options_.beside->number_at(time_s) : own_number;
   const Exposure exposure{number, pins_.share(0, begin_s, time_s), pins_.share(1, begin_s, time_s),
-                          pins_.share(2, begin_s, time_s)};
+                          pins_.share(2, begin_s, time_s), time_s - begin_s};
   image_ = picture_->image(exposure, format_);
   if (std::exchange(next_short_, false)) image_.resize(image_.size() / 2);
   error_ = std::exchange(next_error_, false);

@@ -35,7 +35,7 @@ struct UvcControl {
 
 /// Commands: "freeze": stop sending frames; "thaw": send frames again; "short": half of the next
 /// frame is missing; "error": the next frame is marked as damaged; "place:NAME": show the pictures
-/// of this subfolder.
+/// of this subfolder, from the first on.
 class UvcCamera final : public UsbDevice {
  public:
   UvcCamera(int port, const UvcCameraOptions& options, const LightPins& pins);
