@@ -9,8 +9,7 @@ namespace {
 
 /// Views this near to a knock do not count: its time is not exact, and the sensor shakes.
 constexpr double kKnock_s = 0.15;
-/// Least improvement of the fit. With a smaller one, the wrong projector may have been taken, which
-/// would change the size of the surface.
+/// Least improvement of the fit: by less, the wrong projector can seem to be the better one.
 constexpr double kClearShare = 0.0015;
 
 /// True if the view's projector may have been moving.

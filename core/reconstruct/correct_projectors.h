@@ -20,10 +20,9 @@ struct CorrectedScan {
   refinement::Refinement refinement;               ///< of these views
 };
 
-/// Finds which projector has moved, and how. A scan cannot show both motions at once: together they
-/// look like another size of the surface. So each projector is tried alone, and the better fit is
-/// taken. If neither is clearly better, nothing is corrected. An example is a knock before the
-/// scan.
+/// Finds which projector has moved, and how. Each is tried alone, since both together look like
+/// another size of the surface. The better fit counts. If neither is clearly better, as after a
+/// knock before the scan, nothing is corrected.
 ///
 /// @param views    optimized, by rising time
 /// @param fit      how well they fit

@@ -13,8 +13,7 @@
 namespace flytri::reconstruct {
 namespace {
 
-/// Vertices farther apart than this get bounds in proportion, mm. Those of a mouth sensor are half
-/// as far apart.
+/// Vertices farther apart get larger bounds, mm. Those of a jaw are 0.1 mm apart.
 constexpr double kFineSpacing_mm = 0.2;
 
 double area_mm2(const TriangleMesh& mesh) {

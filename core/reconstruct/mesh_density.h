@@ -11,8 +11,7 @@
 
 namespace flytri::reconstruct {
 
-/// Where vertices of the full mesh are more than 0.2 mm apart, as those of a face are, the bounds
-/// grow in proportion.
+/// The bounds are those of a jaw. They grow with the spacing of the vertices, from 0.2 mm on.
 enum class MeshDensity {
   kFull,  ///< as it was meshed
   kCad,   ///< at most 2 um RMS and 10 um anywhere from the full surface

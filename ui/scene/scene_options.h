@@ -37,8 +37,7 @@ struct SceneOptions {
 /// The colors of kUncertainty are logarithmic, from this part of max_sigma_mm to max_sigma_mm:
 /// places are measured once to a few hundred times.
 inline constexpr double kSigmaRange = 16.0;
-/// max_sigma_mm for a sensor: about the noise of a single point, which is proportional to the size
-/// of the measurement volume.
+/// max_sigma_mm for a sensor: about the noise of a single point. It grows with the volume.
 [[nodiscard]] double max_sigma_mm(const Vec3& volume_mm);
 /// Their scale from its low end, `share` 0, to its high end 1, for a legend.
 [[nodiscard]] Color sigma_color(double share);

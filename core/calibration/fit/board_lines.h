@@ -26,8 +26,7 @@ struct BoardLineScene {
 };
 
 /// Localizes the lines of `pattern` in all images, but not near dots, and numbers them in space.
-/// All samples of a line lie in one sheet of light. All sheets start at the projector; its place is
-/// found by a search.
+/// A line is one sheet of light from the projector, whose place is searched.
 /// @param boards  one for each pose
 /// @return  LineOnPlane::plane is the number of the pose
 /// @errors  kInsufficient or kInconsistent, naming the image or the pattern.

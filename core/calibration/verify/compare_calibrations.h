@@ -15,7 +15,7 @@ struct CalibrationComparison {
 };
 
 /// Locates the same lines at the same pixels with both. Their sensor frames may differ by a rigid
-/// motion. A calibration by hand uses no stage. As the reference, it shows the errors of a stage.
+/// motion. A reference made by hand, without a stage, shows the errors of a stage.
 /// @errors  kInconsistent: not of the same sensor, or too far apart; kInsufficient: they share too
 ///          few places.
 [[nodiscard]] Result<CalibrationComparison> compare_calibrations(const Calibration& calibration,

@@ -11,8 +11,7 @@
 
 namespace flytri::calibration {
 
-/// More than this spoils a model: 0.05 mm with a sensor for teeth, and as much more as the lines of
-/// another one are farther apart.
+/// A larger shift spoils a model. 0.05 mm for teeth; it grows with the distance between the lines.
 [[nodiscard]] double harmful_shift_mm(const Vec3& volume_mm);
 
 /// How far the two patterns disagree.

@@ -17,7 +17,6 @@
 #include "tests/hardware/scan/scan_pictures.h"
 #include "tests/hardware/scan/scan_truth.h"
 #include "tests/hardware/scan/vm_rig.h"
-#include "tests/hardware/usb/jpeg.h"
 #include "tests/support/sample_meshes.h"
 
 namespace flytri::scan {
@@ -48,16 +47,6 @@ std::string_view file_of(ShotKind kind) {
       break;
   }
   return "flash.jpg";
-}
-
-Result<void> write_picture(const fs::path& file, const cv::Mat& image) {
-  const std::size_t bytes = image.total() * image.elemSize();
-  if (image.channels() == 1)
-    return io::write_file(file, {reinterpret_cast<const char*>(image.data), bytes});
-  const usb::Bytes jpeg = usb::encode_jpeg(
-      {image.data, bytes},
-      {static_cast<std::uint32_t>(image.cols), static_cast<std::uint32_t>(image.rows)});
-  return io::write_file(file, {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
 }
 
 Result<void> write_exposure(const fs::path& folder, double exposure_s) {
@@ -224,16 +213,6 @@ Result<bool> is_calibration_good(const fs::path& folder) {
   return is_good;
 }
 
-/// So that flytri evaluate does not measure the frames, for which it would need all poses.
-Result<void> forget_calibration(const fs::path& recording) {
-  const fs::path file = recording / "recording.json";
-  const auto text = io::read_file(file);
-  if (!text) return tl::unexpected(text.error());
-  auto list = nlohmann::ordered_json::parse(*text);
-  list.erase("calibration");
-  return io::write_file(file, list.dump(1) + "\n");
-}
-
 Result<bool> is_scan_good(const fs::path& folder) {
   const auto text = io::read_file(folder / "scan.json");
   if (!text) return tl::unexpected(text.error());
@@ -260,9 +239,11 @@ Result<void> write_guide_truth(const fs::path& folder, const Workers& workers) {
   if (!pictures) return tl::unexpected(pictures.error());
   const auto recording = io::open_recording(folder / "scan");
   if (!recording) return tl::unexpected(recording.error());
-  if (auto paced = set_pace(recording->folder, options.sensor.frame_period_s * kRate_hz); !paced)
+  // Without a calibration, flytri evaluate does not measure the frames, for which it needs all
+  // poses.
+  if (auto paced = set_pace(recording->folder, options.sensor.frame_period_s * kRate_hz, false);
+      !paced)
     return paced;
-  if (auto forgotten = forget_calibration(recording->folder); !forgotten) return forgotten;
   return write_resting_truth(recording->folder, *pictures, options.sensor, workers);
 }
 

@@ -1,5 +1,4 @@
-/// @file  What the emulated cameras see while the guest follows docs/building.md, and how good the
-/// result must be.
+/// @file  Pictures for the guest that follows docs/building.md, and the check of its result.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +21,7 @@ inline constexpr int kPlanes = 5;
 /// @errors  As SimulatedShots::create, ScanPictures::create, create_folder and write_file.
 [[nodiscard]] Result<void> write_guide(const std::filesystem::path& folder, const Workers& workers);
 
-/// Writes the truth of scan/, recorded at the place "jaw". Run it once only: it changes the frame
-/// times to the speed of the hand.
+/// Writes the truth of scan/, recorded at the place "jaw". Only once: it changes the frame times.
 /// @errors  As open_recording, write_truth and write_ply.
 [[nodiscard]] Result<void> write_guide_truth(const std::filesystem::path& folder,
                                              const Workers& workers);

@@ -7,7 +7,7 @@
 //                                           its truth. Run it once only: it changes the frame times
 //     flytri_hardware_scan compare FOLDER   checks that recorded.json is as good as simulated.json;
 //                                           both are reports of flytri evaluate
-//     flytri_hardware_scan guide FOLDER     writes pictures/ of all that docs/building.md asks for
+//     flytri_hardware_scan guide FOLDER     writes pictures/ for docs/building.md
 //     flytri_hardware_scan truth FOLDER     writes the truth of scan/, once only, as above
 //     flytri_hardware_scan judge FOLDER     checks what was made by the guide (guide_run.h)
 

@@ -7,13 +7,16 @@
 #include "tests/hardware/usb/jpeg.h"
 
 namespace flytri::scan {
-namespace {
 
-std::string_view bytes_of(const cv::Mat& image) {
-  return {reinterpret_cast<const char*>(image.data), image.total() * image.elemSize()};
+Result<void> write_picture(const std::filesystem::path& file, const cv::Mat& image) {
+  const std::size_t bytes = image.total() * image.elemSize();
+  if (image.channels() == 1)
+    return io::write_file(file, {reinterpret_cast<const char*>(image.data), bytes});
+  const usb::Bytes jpeg = usb::encode_jpeg(
+      {image.data, bytes},
+      {static_cast<std::uint32_t>(image.cols), static_cast<std::uint32_t>(image.rows)});
+  return io::write_file(file, {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
 }
-
-}  // namespace
 
 Result<ScanPictures> ScanPictures::create(const ScanOptions& options, const Workers& workers) {
   auto mesh = sample_jaw::make_sample_jaw({}, workers);
@@ -49,14 +52,10 @@ Result<void> ScanPictures::write(const std::filesystem::path& folder, std::size_
        {device::Light::kVertical, device::Light::kHorizontal, device::Light::kFlash}) {
     const cv::Mat image = scene_.measurement_image(light, moments_.at(number).time_s);
     const auto file = folder / fmt::format("{}_{}.grey", number, to_string(light));
-    if (auto written = io::write_file(file, bytes_of(image)); !written) return written;
+    if (auto written = write_picture(file, image); !written) return written;
   }
-  const cv::Mat color = picture(number, FrameKind::kTexture);
-  const usb::Bytes jpeg = usb::encode_jpeg(
-      {color.data, color.total() * color.elemSize()},
-      {static_cast<std::uint32_t>(color.cols), static_cast<std::uint32_t>(color.rows)});
-  return io::write_file(folder / fmt::format("{}_flash.jpg", number),
-                        {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
+  return write_picture(folder / fmt::format("{}_flash.jpg", number),
+                       picture(number, FrameKind::kTexture));
 }
 
 Result<void> ScanPictures::write(const std::filesystem::path& folder,

@@ -27,6 +27,10 @@ struct ScanOptions {
   simulated::PathOptions path = {.kind = simulated::PathKind::kQuadrant, .duration_s = 10.0};
 };
 
+/// Writes an image in the format of the emulated cameras: gray as it is, color as JPEG.
+/// @errors  As write_file.
+[[nodiscard]] Result<void> write_picture(const std::filesystem::path& file, const cv::Mat& image);
+
 /// The moments of a scan and their images.
 class ScanPictures {
  public:

@@ -25,12 +25,13 @@ Result<void> write(const std::filesystem::path& recording, io::Truth truth,
 
 }  // namespace
 
-Result<void> set_pace(const std::filesystem::path& recording, double pace) {
+Result<void> set_pace(const std::filesystem::path& recording, double pace, bool keeps_calibration) {
   const std::filesystem::path file = recording / "recording.json";
   const auto text = io::read_file(file);
   if (!text) return tl::unexpected(text.error());
   auto list = nlohmann::ordered_json::parse(*text);
   for (auto& frame : list.at("frames")) frame["time_s"] = pace * frame.at("time_s").get<double>();
+  if (!keeps_calibration) list.erase("calibration");
   return io::write_file(file, list.dump(1) + "\n");
 }
 

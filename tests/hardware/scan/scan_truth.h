@@ -18,8 +18,10 @@ struct Shown {
 
 /// Changes the frame times of a recording of the guest to the real speed of the hand, because the
 /// reconstruction judges gaps by that speed.
+/// @param keeps_calibration  whether the recording goes on naming its calibration
 /// @errors  As read_file and write_file.
-[[nodiscard]] Result<void> set_pace(const std::filesystem::path& recording, double pace);
+[[nodiscard]] Result<void> set_pace(const std::filesystem::path& recording, double pace,
+                                    bool keeps_calibration = true);
 
 /// Writes truth.json and the mesh, with its lit places, to the recording.
 /// @param shown  for each frame of the recording
