@@ -1,6 +1,8 @@
 /// @file  flytri calibrate: makes calibration.json from target images in a folder or from a sensor.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <ctime>
 #include <filesystem>
 #include <memory>
@@ -8,6 +10,7 @@
 #include "app/cli/calibrate_by_hand.h"
 #include "app/cli/calibrate_check.h"
 #include "app/cli/calibrate_live.h"
+#include "app/cli/calibration_in_use.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
@@ -29,6 +32,9 @@ struct CalibrateArguments {
   bool live = false;
   bool by_hand = false;
   bool check = false;
+  bool history = false;
+  std::filesystem::path use;
+  std::string note;
   bool force = false;
   CalibrateLiveArguments of_live;
   CalibrateCheckArguments of_check;
@@ -61,6 +67,7 @@ Result<void> calibrate_set(const CalibrateArguments& arguments, const Progress& 
   auto calibration = by_hand ? fit_board(arguments, progress) : fit_stage(arguments, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   calibration->history.made_at = iso_time(std::time(nullptr));
+  calibration->history.note = arguments.note;
   if (auto written = io::write_calibration(output, *calibration); !written) return written;
   print_residuals(*calibration);
   print_out("wrote {}\n", output.string());
@@ -78,10 +85,6 @@ Result<void> check_session_folder(const std::filesystem::path& folder, bool forc
 void add_check_options(CLI::App& command, CLI::Option& check, CLI::Option& simulated,
                        CalibrateCheckArguments& arguments) {
   const std::string group = "Checking a calibration (--check)";
-  command.add_option("--calibration", arguments.calibration, "calibration.json of the sensor")
-      ->needs(&check)
-      ->capture_default_str()
-      ->group(group);
   command
       .add_option("--sphere", arguments.sphere_mm,
                   "Check with a sphere of this diameter, mm. Default: a plane")
@@ -109,16 +112,33 @@ void add_check_options(CLI::App& command, CLI::Option& check, CLI::Option& simul
       ->group(group);
 }
 
+CLI::Option* add_note_option(CLI::App& command, std::string& note) {
+  static constexpr std::size_t kLongest = 200;
+  return command
+      .add_option("--note", note,
+                  "Keep this note with the calibration or the check, such as the temperature")
+      ->check([](const std::string& text) {
+        const bool is_line = std::none_of(text.begin(), text.end(), [](unsigned char character) {
+          return std::iscntrl(character) != 0;
+        });
+        if (is_line && text.size() <= kLongest) return std::string();
+        return fmt::format("expected one line of at most {} letters", kLongest);
+      });
+}
+
 Result<void> run_check(CalibrateArguments& arguments, const Progress& progress) {
   arguments.of_check.rig = arguments.of_live.rig;
   arguments.of_check.simulated = arguments.of_live.simulated;
   arguments.of_check.sensor = arguments.of_live.plan.sensor;
+  arguments.of_check.note = arguments.note;
   arguments.of_check.force = arguments.force;
   return calibrate_check(arguments.of_check, progress);
 }
 
 Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
   if (arguments.check) return run_check(arguments, progress);
+  if (arguments.history) return print_calibration_history(arguments.of_check.calibration);
+  if (!arguments.use.empty()) return use_calibration(arguments.use, arguments.of_live.rig);
   if (!arguments.live) {
     if (!arguments.set.empty()) return calibrate_set(arguments, progress);
     return fail(
@@ -127,6 +147,7 @@ Result<void> run(CalibrateArguments& arguments, const Progress& progress) {
         "--live");
   }
   arguments.of_live.output = arguments.output;
+  arguments.of_live.note = arguments.note;
   if (arguments.output.empty()) {
     return fail(ErrorCode::kBadOption, "give the folder for the images with -o");
   }
@@ -187,6 +208,29 @@ void add_calibrate_command(CLI::App& app, Invocation& invocation) {
                      "Check on a plane or a sphere whether a calibration still holds")
           ->excludes(set)
           ->excludes(live);
+  const auto history =
+      command
+          ->add_flag("--history", arguments->history,
+                     "Tell when a calibration was made and checked, and which ones came before it")
+          ->excludes(set)
+          ->excludes(live)
+          ->excludes(check);
+  command
+      ->add_option("--use", arguments->use,
+                   "Take this calibration into use: the rig measures with it from now on. The "
+                   "earlier one is kept")
+      ->excludes(set)
+      ->excludes(live)
+      ->excludes(check)
+      ->excludes(history);
+  command
+      ->add_option("--calibration", arguments->of_check.calibration,
+                   "calibration.json to check, or to tell the history of")
+      ->excludes(set)
+      ->excludes(live)
+      ->excludes("--use")
+      ->capture_default_str();
+  add_note_option(*command, arguments->note)->excludes(history)->excludes("--use");
   const auto simulated = command->add_flag("--simulated", arguments->of_live.simulated,
                                            "Take images with the virtual sensor");
   add_check_options(*command, *check, *simulated, arguments->of_check);
@@ -203,7 +247,9 @@ void add_calibrate_command(CLI::App& app, Invocation& invocation) {
       "          flytri calibrate --live -o out/calibration --rig rig.json\n"
       "          flytri calibrate --live --simulated -o out/calibration\n"
       "          flytri calibrate --live --by-hand -o out/calibration --rig rig.json\n"
-      "          flytri calibrate --check --calibration out/calibration/calibration.json");
+      "          flytri calibrate --check --calibration out/calibration/calibration.json\n"
+      "          flytri calibrate --use out/calibration/calibration.json --rig rig.json\n"
+      "          flytri calibrate --history --calibration calibration.json");
   command->callback([arguments, &invocation] {
     invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
   });

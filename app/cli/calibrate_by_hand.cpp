@@ -64,6 +64,7 @@ std::string question_of(const shots::BoardSession& session) {
 
 /// @return  nothing: the user stopped
 Result<std::optional<calibration::BoardCalibration>> run_dialog(shots::BoardSession& session,
+                                                                const std::string& note,
                                                                 const Workers& workers,
                                                                 const Progress& progress) {
   Prompt prompt(progress);
@@ -72,7 +73,7 @@ Result<std::optional<calibration::BoardCalibration>> run_dialog(shots::BoardSess
   bool has_changed = true;
   while (true) {
     if (session.done() == count && has_changed) {
-      auto fitted = session.finish(workers, progress);
+      auto fitted = session.finish(workers, progress, note);
       if (fitted) return std::optional(*std::move(fitted));
       if (!shots::is_refusal(fitted.error())) return tl::unexpected(fitted.error());
       print_out("REFUSED: {}\n", fitted.error().message);
@@ -121,7 +122,8 @@ Result<void> calibrate_by_hand(const CalibrateLiveArguments& arguments, const Pr
         "and without glare, and leave it on. The lines must stay much brighter.\n");
   }
   if (auto started = (*source)->start(); !started) return started;
-  const auto fitted = run_dialog(*session, Workers(arguments.thread_count), progress);
+  const auto fitted =
+      run_dialog(*session, arguments.note, Workers(arguments.thread_count), progress);
   (*source)->stop();
   if (!fitted) return tl::unexpected(fitted.error());
   if (!*fitted) {

@@ -103,19 +103,21 @@ Result<void> correct(const CalibrateCheckArguments& arguments,
                 "with the board in more poses",
                 angle_deg, kSureAngle_deg);
   calibration::Calibration better = calibration::corrected(calibration, comparison.correction);
-  better.history = session::checked_now(better.history, true);
+  better.history = session::checked_now(better.history, true, arguments.note);
   if (auto written = io::write_calibration(arguments.corrected, better); !written) return written;
   print_out("wrote {}\n", arguments.corrected.string());
   return {};
 }
 
 /// Keeps the outcome with the calibration, for reports. That is no reason for the check to fail.
-void keep_outcome(const std::filesystem::path& file, const calibration::Calibration& calibration,
+void keep_outcome(const CalibrateCheckArguments& arguments,
+                  const calibration::Calibration& calibration,
                   calibration::VerificationOutcome outcome) {
   if (outcome == calibration::VerificationOutcome::kUnclear) return;
   const bool has_passed = outcome == calibration::VerificationOutcome::kValid;
   const auto noted =
-      session::note_check(file, calibration, session::checked_now(calibration.history, has_passed));
+      session::note_check(arguments.calibration, calibration,
+                          session::checked_now(calibration.history, has_passed, arguments.note));
   if (!noted) print_error("flytri: warning: the check is not noted: {}\n", noted.error().message);
 }
 
@@ -128,7 +130,7 @@ Result<void> check_against(const CalibrateCheckArguments& arguments,
   print(*comparison);
   if (!arguments.corrected.empty()) return correct(arguments, calibration, *comparison);
   const auto report = calibration::judge_comparison(*comparison, calibration);
-  keep_outcome(arguments.calibration, calibration, report.outcome);
+  keep_outcome(arguments, calibration, report.outcome);
   return conclude(report);
 }
 
@@ -151,7 +153,7 @@ Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Pro
                           ? calibration::check_on_sphere(*poses, arguments.sphere_mm, *calibration)
                           : calibration::check_on_plane(*poses, *calibration);
   if (!report) return tl::unexpected(report.error());
-  keep_outcome(arguments.calibration, *calibration, report->outcome);
+  keep_outcome(arguments, *calibration, report->outcome);
   return conclude(*report);
 }
 

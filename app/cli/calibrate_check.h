@@ -17,6 +17,7 @@ struct CalibrateCheckArguments {
   double sphere_mm = 0.0;            ///< diameter; 0: a plane
   std::filesystem::path against;     ///< another calibration; empty: check on an object
   std::filesystem::path corrected;   ///< calibration to write; empty: none. Needs `against`
+  std::string note;                  ///< of the check
   bool force = false;                ///< `corrected` may replace a file
 };
 

@@ -98,7 +98,8 @@ Result<void> calibrate_live(const CalibrateLiveArguments& arguments, const Progr
         "without glare. Turn it off for the white plane.\n");
   }
   if (auto started = (*source)->start(); !started) return started;
-  const auto fit = run_guide_dialog(*session, Workers(arguments.thread_count), progress);
+  const auto fit =
+      run_guide_dialog(*session, arguments.note, Workers(arguments.thread_count), progress);
   (*source)->stop();
   if (!fit) return tl::unexpected(fit.error());
   if (!*fit) {

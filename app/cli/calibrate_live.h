@@ -25,6 +25,7 @@ struct CalibrateLiveArguments {
   std::filesystem::path rig = "rig.json";
   bool simulated = false;
   std::filesystem::path output;
+  std::string note;  ///< of the calibration's history
   int thread_count = 0;
 };
 

@@ -98,6 +98,7 @@ Result<bool> obey(const Choice& choice, shots::GuidedSession& session, const Pro
 }  // namespace
 
 Result<std::optional<calibration::GuidedFit>> run_guide_dialog(shots::GuidedSession& session,
+                                                               const std::string& note,
                                                                const Workers& workers,
                                                                const Progress& progress) {
   Prompt prompt(progress);
@@ -110,7 +111,7 @@ Result<std::optional<calibration::GuidedFit>> run_guide_dialog(shots::GuidedSess
     if (const auto shot = session.guide().wanted()) {
       question = describe(*shot, session.guide()) + " ";
     } else {
-      auto fit = session.finish(workers, progress);
+      auto fit = session.finish(workers, progress, note);
       if (fit) return std::optional(*std::move(fit));
       if (!shots::is_refusal(fit.error())) return tl::unexpected(fit.error());
       print_out("REFUSED: {}\n", fit.error().message);

@@ -36,9 +36,12 @@ Json calibration_json(const CalibrationFacts& facts) {
                {"vertical_rms_mm", facts.vertical_rms_mm},
                {"horizontal_rms_mm", facts.horizontal_rms_mm}};
   if (!facts.history.made_at.empty()) json["made_at"] = facts.history.made_at;
-  if (facts.history.checked_at.empty()) return json;
-  json["checked_at"] = facts.history.checked_at;
-  json["check"] = facts.history.has_passed ? "passed" : "failed";
+  if (!facts.history.note.empty()) json["note"] = facts.history.note;
+  const calibration::CalibrationCheck* check = facts.history.last_check();
+  if (check == nullptr) return json;
+  json["checked_at"] = check->at;
+  json["check"] = check->has_passed ? "passed" : "failed";
+  if (!check->note.empty()) json["check_note"] = check->note;
   return json;
 }
 

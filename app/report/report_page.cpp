@@ -10,6 +10,7 @@
 #include "app/report/base64.h"
 #include "app/report/coverage_figures.h"
 #include "app/report/jaw_picture.h"
+#include "core/base/iso_time.h"
 #include "core/calibration/record/sensor_size.h"
 #include "core/io/files/png.h"
 #include "ui/scene/scene_options.h"
@@ -57,10 +58,9 @@ std::string table(std::string_view title, std::string_view rows, std::string_vie
                      note.empty() ? "" : fmt::format("<p>{}</p>", note));
 }
 
-/// "2026-11-25T08:30:00Z" as "2026-11-25 08:30 UTC".
-std::string shown_time(const std::string& time) {
-  if (time.size() < 16) return "not known";
-  return fmt::format("{} {} UTC", time.substr(0, 10), time.substr(11, 5));
+/// A note of the user, after other words.
+std::string with_comma(const std::string& note) {
+  return note.empty() ? std::string() : ", " + escaped(note);
 }
 
 class Page {
@@ -103,10 +103,10 @@ std::string Page::scan_table() const {
     add("Number", facts_.patient->patient_id);
     add("Date of birth", facts_.patient->birth_date);
     add("Dentist", facts_.patient->clinician);
-    if (!facts_.patient->created.empty()) add("Case of", shown_time(facts_.patient->created));
+    if (!facts_.patient->created.empty()) add("Case of", readable_time(facts_.patient->created));
   }
   add(facts_.patient ? "File" : "Recording", facts_.source);
-  add("Report of", shown_time(facts_.made_at));
+  add("Report of", readable_time(facts_.made_at));
   return table("Scan", rows);
 }
 
@@ -174,12 +174,19 @@ std::string Page::hole_table() const {
 std::string Page::calibration_table() const {
   const CalibrationFacts& facts = facts_.calibration;
   std::string rows = row("Calibration", escaped(facts.fingerprint));
-  rows += row("Made", shown_time(facts.history.made_at));
-  rows += row("Last check",
-              facts.history.checked_at.empty()
-                  ? std::string("none is known; flytri calibrate --check makes one")
-                  : fmt::format("{}: {}", shown_time(facts.history.checked_at),
-                                facts.history.has_passed ? "passed" : "<b class=bad>failed</b>"));
+  const calibration::CalibrationHistory& history = facts.history;
+  rows += row("Made", readable_time(history.made_at) + with_comma(history.note));
+  const calibration::CalibrationCheck* check = history.last_check();
+  rows +=
+      row("Last check", check == nullptr
+                            ? std::string("none is known; flytri calibrate --check makes one")
+                            : fmt::format("{}: {}{}", readable_time(check->at),
+                                          check->has_passed ? "passed" : "<b class=bad>failed</b>",
+                                          with_comma(check->note)));
+  if (!history.past.empty())
+    rows += row("Before it", fmt::format("{} other calibration{} of this sensor, the last until {}",
+                                         history.past.size(), history.past.size() == 1 ? "" : "s",
+                                         readable_time(history.past.back().replaced_at)));
   rows += row("Fit of the planes",
               fmt::format("{:.1f} µm vertical, {:.1f} µm horizontal lines",
                           kMicrons * facts.vertical_rms_mm, kMicrons * facts.horizontal_rms_mm));

@@ -39,7 +39,7 @@ Result<std::unique_ptr<CalibrationWork>> begin_work(
   const auto plan =
       io::guided_plan_or(plan_for(calibration.get(), source->has_texture()), command.folder);
   if (!plan) return tl::unexpected(plan.error());
-  return calibrate_guided(command.folder, *plan, std::move(source), texts);
+  return calibrate_guided(command, *plan, std::move(source), texts);
 }
 
 std::filesystem::path propose_folder() {
@@ -76,6 +76,7 @@ void CalibrationController::begin(const ui::BeginCalibration& command) {
     return begin_work(command, calibration, std::move(source), texts);
   };
   checked_ = checks ? source_.calibration() : nullptr;
+  note_ = command.note;
   run_ = std::make_shared<CalibrationRun>(std::move(job));
 }
 
@@ -85,7 +86,7 @@ void CalibrationController::note_finished_check() {
   if (now.step != ui::CalibrationStep::kDone) return;
   const auto checked = std::exchange(checked_, nullptr);
   if (!now.outcome.has_passed) return;
-  const auto history = checked_now(checked->history, *now.outcome.has_passed);
+  const auto history = checked_now(checked->history, *now.outcome.has_passed, note_);
   source_.keep_history(*checked, history);
   background_.run(
       [this, file = source_.source().calibration_file, store = stages_.store(), checked, history] {
@@ -156,7 +157,7 @@ std::optional<ui::CalibrationState> CalibrationController::state() const {
   if (!source_.choice().is_rig() && !source_.choice().is_virtual()) return std::nullopt;
   ui::CalibrationState state;
   state.folder = proposed_folder_.string();
-  state.has_calibration = source_.calibration() != nullptr;
+  state.calibration = source_.calibration();
   state.is_simulated = source_.choice().is_virtual();
   state.why_not_used = why_not_used();
   if (run_ != nullptr) state.running = run_->state();

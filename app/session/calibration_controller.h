@@ -52,7 +52,8 @@ class CalibrationController {
   std::filesystem::path proposed_folder_;  ///< for the next calibration
   std::shared_ptr<CalibrationRun> run_;    ///< null: none is running
   std::shared_ptr<const calibration::Calibration>
-      checked_;  ///< by the run; null: no check, or noted
+      checked_;       ///< by the run; null: no check, or noted
+  std::string note_;  ///< of the run
   bool is_closing_ = false;
 };
 

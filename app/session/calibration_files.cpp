@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ctime>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/base/iso_time.h"
@@ -50,14 +51,14 @@ bool may_be_changed(const std::filesystem::path& file) {
 }
 
 /// Copies the file to a new name with date and time.
-Result<void> keep_former(const std::filesystem::path& file) {
+/// @return  that name; empty: there is no such file
+Result<std::string> keep_former(const std::filesystem::path& file) {
   const auto bytes = io::read_file(file);
-  if (!bytes && bytes.error().code == ErrorCode::kNotFound) return {};
+  if (!bytes && bytes.error().code == ErrorCode::kNotFound) return std::string();
   if (!bytes) return tl::unexpected(bytes.error());
-  const std::filesystem::path kept =
-      file.parent_path() /
+  const std::string kept =
       fmt::format("{}-until-{}{}", file.stem().string(), now_as_name(), file.extension().string());
-  return io::write_file(kept, *bytes);
+  return io::write_file(file.parent_path() / kept, *bytes).map([&] { return kept; });
 }
 
 }  // namespace
@@ -74,21 +75,27 @@ std::filesystem::path propose_calibration_folder(const std::filesystem::path& ca
 
 Result<std::filesystem::path> adopt_calibration(const SourceChoice& choice,
                                                 const std::filesystem::path& calibration) {
-  const auto bytes = io::read_file(calibration);
-  if (!bytes) return tl::unexpected(bytes.error());
+  auto next = io::read_calibration(calibration);
+  if (!next) return tl::unexpected(next.error());
   auto place = choice.calibration ? Result<std::filesystem::path>(*choice.calibration)
                                   : place_in_rig(choice.path);
   if (!place) return place;
-  if (auto kept = keep_former(*place); !kept) return tl::unexpected(kept.error());
-  if (auto written = io::write_file(*place, *bytes); !written)
+  // A file that cannot be read as a calibration is kept, too, but tells no history.
+  const auto former = io::read_calibration(*place);
+  if (former && io::fingerprint(*former) == io::fingerprint(*next)) return place;
+  const auto kept = keep_former(*place);
+  if (!kept) return tl::unexpected(kept.error());
+  if (former)
+    next->history = calibration::continued(former->history, std::move(next->history),
+                                           std::time(nullptr), *kept);
+  if (auto written = io::write_calibration(*place, *next); !written)
     return tl::unexpected(written.error());
   return place;
 }
 
 calibration::CalibrationHistory checked_now(calibration::CalibrationHistory history,
-                                            bool has_passed) {
-  history.checked_at = iso_time(std::time(nullptr));
-  history.has_passed = has_passed;
+                                            bool has_passed, const std::string& note) {
+  history.checks.push_back({iso_time(std::time(nullptr)), has_passed, note});
   return history;
 }
 

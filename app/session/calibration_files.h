@@ -14,16 +14,18 @@ namespace flytri::session {
 
 /// Lets the rig measure with this calibration. It replaces the file that the user or rig.json
 /// names. If there is no such file, it is created and named in rig.json. The earlier calibration is
-/// kept in the same folder under a name with date and time.
+/// kept in the same folder under a name with date and time, and is in the history of the new one.
+/// A calibration that is in use already stays as it is.
 /// @param choice  a source with a rig
 /// @return  the file that is in use now
-/// @errors  As read_file, parse_rig, write_file.
+/// @errors  As read_calibration, parse_rig, write_file.
 [[nodiscard]] Result<std::filesystem::path> adopt_calibration(
     const SourceChoice& choice, const std::filesystem::path& calibration);
 
 /// The history of a calibration after a check that ended now.
+/// @param note  see CalibrationCheck
 [[nodiscard]] calibration::CalibrationHistory checked_now(calibration::CalibrationHistory history,
-                                                          bool has_passed);
+                                                          bool has_passed, const std::string& note);
 
 /// Notes a check in the file of the calibration.
 /// @param checked  what was checked

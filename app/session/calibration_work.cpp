@@ -50,8 +50,8 @@ double worst_offset_mm(const std::vector<calibration::PlaneResidual>& planes) {
 
 class Calibrating final : public CalibrationWork {
  public:
-  Calibrating(shots::GuidedSession session, const ui::Texts& texts)
-      : session_(std::move(session)), texts_(texts) {}
+  Calibrating(shots::GuidedSession session, std::string note, const ui::Texts& texts)
+      : session_(std::move(session)), note_(std::move(note)), texts_(texts) {}
 
   std::vector<ui::CalibrationPlace> places() const override {
     const calibration::GuidedCalibration& guide = session_.guide();
@@ -91,7 +91,7 @@ class Calibrating final : public CalibrationWork {
   Result<void> reopen(std::size_t place) override { return session_.reopen(place); }
 
   Result<ui::CalibrationOutcome> conclude(const Progress& progress) override {
-    const auto fit = session_.finish(Workers(), progress);
+    const auto fit = session_.finish(Workers(), progress, note_);
     if (!fit) return tl::unexpected(fit.error());
     ui::CalibrationOutcome outcome;
     outcome.is_good = true;
@@ -111,6 +111,7 @@ class Calibrating final : public CalibrationWork {
 
  private:
   shots::GuidedSession session_;
+  const std::string note_;
   const ui::Texts texts_;
 };
 
@@ -208,13 +209,13 @@ class Checking final : public CalibrationWork {
 
 }  // namespace
 
-Result<std::unique_ptr<CalibrationWork>> calibrate_guided(const std::filesystem::path& folder,
+Result<std::unique_ptr<CalibrationWork>> calibrate_guided(const ui::BeginCalibration& begun,
                                                           const calibration::CalibrationPlan& plan,
                                                           std::shared_ptr<shots::ShotSource> source,
                                                           const ui::Texts& texts) {
-  auto session = shots::GuidedSession::open(folder, plan, std::move(source));
+  auto session = shots::GuidedSession::open(begun.folder, plan, std::move(source));
   if (!session) return tl::unexpected(session.error());
-  return std::make_unique<Calibrating>(*std::move(session), texts);
+  return std::make_unique<Calibrating>(*std::move(session), begun.note, texts);
 }
 
 std::unique_ptr<CalibrationWork> check_guided(

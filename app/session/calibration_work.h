@@ -1,7 +1,6 @@
 /// @file  The two jobs of a calibration run: to calibrate a sensor, and to check its calibration.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "core/calibration/record/calibration.h"
 #include "hw/shots/shot_source.h"
 #include "ui/state/calibration_state.h"
+#include "ui/state/command.h"
 #include "ui/text/texts.h"
 
 namespace flytri::session {
@@ -54,10 +54,11 @@ class CalibrationWork {
 };
 
 /// Calibrates, and continues with what the folder contains, see GuidedSession.
+/// @param begun  with the folder, and the note of the calibration
 /// @param texts  for places, images and results
 /// @errors  As GuidedSession::open.
 [[nodiscard]] Result<std::unique_ptr<CalibrationWork>> calibrate_guided(
-    const std::filesystem::path& folder, const calibration::CalibrationPlan& plan,
+    const ui::BeginCalibration& begun, const calibration::CalibrationPlan& plan,
     std::shared_ptr<shots::ShotSource> source, const ui::Texts& texts = {});
 
 /// Checks a calibration on a plane or on a sphere.

@@ -9,7 +9,7 @@
 
 #include "app/session/rig_devices.h"
 #include "app/session/user_folders.h"
-#include "core/calibration/record/calibration_age.h"
+#include "core/calibration/record/calibration_history.h"
 
 namespace flytri::session {
 namespace {
@@ -59,7 +59,7 @@ void SourceController::remind_of_check() {
   if (!choice_.is_rig() || source_.calibration == nullptr) return;
   const calibration::CalibrationHistory& history = source_.calibration->history;
   const ui::Texts& texts = notices_.texts();
-  if (!history.checked_at.empty() && !history.has_passed)
+  if (history.last_check() != nullptr && !history.last_check()->has_passed)
     return notices_.add(ui::Severity::kWarning, texts[ui::Text::kCalibrationFailedCheck]);
   const auto days = calibration::days_since_valid(history, std::time(nullptr));
   if (days && *days >= calibration::kCheckEvery_days)

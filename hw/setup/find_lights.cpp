@@ -213,7 +213,8 @@ Result<gpio::LightWiring> find_lights(const rig::RigCamera& measurement, bool ha
   const auto chip = choose_chip(context);
   if (!chip) return tl::unexpected(chip.error());
   context.talk.tell(
-      "Put a white sheet before the sensor, at its usual distance. Do not look into the lights.");
+      "Put a white sheet before the sensor, as near as you will scan. Do not look into the "
+      "lights.");
   FoundLines found;
   for (bool is_first = true;; is_first = false) {
     if (auto tried = try_lines(measurement, *chip, has_texture, found, context); !tried)

@@ -91,10 +91,12 @@ Result<void> BoardSession::take(std::size_t index, const Progress& progress) {
 }
 
 Result<calibration::BoardCalibration> BoardSession::finish(const Workers& workers,
-                                                           const Progress& progress) const {
+                                                           const Progress& progress,
+                                                           const std::string& note) const {
   auto fitted = calibration::calibrate_board(set_, {}, workers, progress);
   if (!fitted) return fitted;
   fitted->calibration.history.made_at = iso_time(std::time(nullptr));
+  fitted->calibration.history.note = note;
   const auto written = io::write_calibration(folder_ / "calibration.json", fitted->calibration);
   if (!written) return tl::unexpected(written.error());
   return fitted;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/calibration/fit/calibrate_board.h"
@@ -37,8 +38,10 @@ class BoardSession {
 
   /// Fits the poses and writes calibration.json.
   /// @errors  As calibrate_board and write_calibration.
+  /// @param note  of the calibration's history
   [[nodiscard]] Result<calibration::BoardCalibration> finish(const Workers& workers,
-                                                             const Progress& progress) const;
+                                                             const Progress& progress,
+                                                             const std::string& note = {}) const;
 
  private:
   BoardSession(std::filesystem::path folder, calibration::BoardSet set,

@@ -99,13 +99,15 @@ Result<void> GuidedSession::reopen(std::size_t placement) {
 }
 
 Result<calibration::GuidedFit> GuidedSession::finish(const Workers& workers,
-                                                     const Progress& progress) const {
+                                                     const Progress& progress,
+                                                     const std::string& note) const {
   auto fit = guide_.fit(workers, progress);
   if (!fit) return fit;
   if (auto written = io::write_calibration_set_text(folder_, guide_.set()); !written) {
     return tl::unexpected(written.error());
   }
   fit->calibration.history.made_at = iso_time(std::time(nullptr));
+  fit->calibration.history.note = note;
   auto written = io::write_calibration(folder_ / "calibration.json", fit->calibration);
   if (!written) return tl::unexpected(written.error());
   return fit;

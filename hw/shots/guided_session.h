@@ -56,8 +56,10 @@ class GuidedSession {
   /// Fits the complete session and writes set and calibration. Writes nothing if the set is
   /// refused.
   /// @errors  As GuidedCalibration::fit and write_file.
+  /// @param note  of the calibration's history
   [[nodiscard]] Result<calibration::GuidedFit> finish(const Workers& workers,
-                                                      const Progress& progress) const;
+                                                      const Progress& progress,
+                                                      const std::string& note = {}) const;
 
  private:
   GuidedSession(std::filesystem::path folder, calibration::GuidedCalibration guide,

@@ -18,6 +18,7 @@ constexpr int kAcross_px = 2;
 struct StripLight {
   double lines = 0.0;
   double area = 0.0;
+  double darkest = 0.0;
   int places = 0;
 };
 
@@ -51,7 +52,7 @@ StripLight measure_strips(const cv::Mat& strips, const ImageLightOptions& option
   std::nth_element(levels.begin(), low, levels.end());
   const int places = cv::countNonZero(lit);
   const double lines = cv::mean(hat, lit)[0] * places / static_cast<double>(hat.total());
-  return {lines, cv::mean(areas)[0] - *low, places};
+  return {lines, cv::mean(areas)[0] - *low, *low, places};
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ ImageLight measure_image_light(const cv::Mat& image, const ImageLightOptions& op
   const StripLight columns = measure_strips(blocks(kAcross_px, options.strip_px), options);
   const StripLight rows = measure_strips(blocks(options.strip_px, kAcross_px).t(), options);
   return {columns.lines, rows.lines, std::min(columns.area, rows.area),
-          columns.places + rows.places};
+          std::min(columns.darkest, rows.darkest), columns.places + rows.places};
 }
 
 }  // namespace flytri::sync

@@ -33,6 +33,7 @@ struct ImageLight {
   double along_columns = 0.0;  ///< light of narrow structures along columns
   double along_rows = 0.0;     ///< light of narrow structures along rows
   double area = 0.0;           ///< light of wide structures, above the darkest part of the image
+  double darkest = 0.0;        ///< the darkest part of the image
   int line_places = 0;         ///< strip pixels on a line, both directions
 
   /// Share of the line light along columns, 0..1; 0.5 without lines.

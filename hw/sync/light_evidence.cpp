@@ -54,6 +54,7 @@ LightEvidence EvidenceReader::read(const ImageLight& light) {
   evidence.has_lines = !evidence.is_flash && light.line_places >= options_.min_line_places;
   evidence.line_places = light.line_places;
   evidence.area = light.area;
+  evidence.darkest = light.darkest;
   evidence.column_share =
       evidence.has_lines ? stretched(light.column_share()) : light.column_share();
   areas_.push_back(light.area);

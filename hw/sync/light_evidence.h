@@ -29,8 +29,9 @@ struct LightEvidence {
   /// other direction even in an image of one pattern, so shares are scaled to map the usual
   /// extremes to 0 and 1.
   double column_share = 0.5;
-  int line_places = 0;  ///< see ImageLight
-  double area = 0.0;    ///< see ImageLight; the brightness of a flash
+  int line_places = 0;   ///< see ImageLight
+  double area = 0.0;     ///< see ImageLight; the brightness of a flash
+  double darkest = 0.0;  ///< see ImageLight
   /// No light seen: it is dark, or no object is in front of the sensor.
   [[nodiscard]] bool is_empty() const { return !is_flash && !has_lines; }
 };

@@ -60,6 +60,7 @@ Result<void> WatchOptions::validate() const {
       .at_least("enough", enough, 5)
       .must("enough", enough, enough <= memory, "at most memory")
       .in_range("alike", alike, 0.0, 1.0)
+      .in_range("brighter_all_over", brighter_all_over, 0.0, 1.0)
       .result();
 }
 
@@ -88,15 +89,28 @@ bool LightWatch::is_stuck() const {
          most - least < options_.alike;
 }
 
+double LightWatch::darkest_with_lines() const {
+  double sum = 0.0;
+  int count = 0;
+  for (const Seen& seen : seen_) {
+    if (!seen.evidence.has_lines) continue;
+    sum += seen.evidence.darkest;
+    ++count;
+  }
+  return sum / std::max(count, 1);
+}
+
 bool LightWatch::is_missing(device::Light light) const {
   int expected = 0, others = 0;
+  const double darkest = darkest_with_lines();
   for (const Seen& seen : seen_) {
     if (!seen.expected || *seen.expected == device::Light::kDark) continue;
     if (*seen.expected != light) {
       others += shows(seen.evidence, *seen.expected) ? 1 : 0;
     } else if (shows(seen.evidence, light)) {
       return false;
-    } else {
+    } else if (light != device::Light::kFlash || seen.evidence.has_lines ||
+               seen.evidence.darkest < darkest + options_.brighter_all_over) {
       ++expected;
     }
   }

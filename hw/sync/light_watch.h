@@ -37,6 +37,9 @@ struct WatchOptions {
   int enough = 30;
   /// 0..1. If the share of column light varies less than this, the images count as equal.
   double alike = 0.2;
+  /// 0..1. An image without lines that is brighter all over by this share of full scale may show an
+  /// even surface under the flash: it is no sign of a missing flash.
+  double brighter_all_over = 0.02;
   [[nodiscard]] Result<void> validate() const;
 };
 
@@ -58,6 +61,8 @@ class LightWatch {
 
  private:
   [[nodiscard]] bool is_stuck() const;
+  /// Mean of the images with lines.
+  [[nodiscard]] double darkest_with_lines() const;
   [[nodiscard]] bool is_missing(device::Light light) const;
 
   WatchOptions options_;

@@ -65,13 +65,26 @@ live() { "$flytri" calibrate --live --simulated -o chair --planes 5; }
 expect 'live calibration, stopped' 0 '^stopped; chair keeps' live <<< $'\n\n\nq'
 absent 'stopped calibration' chair/calibration.json chair/calibration-set.json
 expect 'live calibration continues' 0 '^chair: continuing, 3 of 10' live < <(yes '')
-expect 'offline as live' 0 '^wrote offline.json' "$flytri" calibrate chair -o offline.json
+expect 'offline as live' 0 '^wrote offline.json' "$flytri" calibrate chair -o offline.json --note '21 °C'
 # They differ in the time when they were made.
 without_history() { grep -v '^"history"' "$1"; }
 cmp <(without_history offline.json) <(without_history chair/calibration.json) > log 2>&1 || fail 'offline calibration differs'
 expect 'check on a plane' 0 '^the calibration holds' \
-  "$flytri" calibrate --check --simulated --calibration offline.json < <(yes '')
-expect 'the check is noted' 0 '"checked_at":"20.*"check":"passed"' head -n 2 offline.json
+  "$flytri" calibrate --check --simulated --calibration offline.json --note '23 °C' < <(yes '')
+expect 'the note of a calibration' 0 '^made  *20.* UTC  21 °C$' "$flytri" calibrate --history --calibration offline.json
+expect 'the check is noted' 0 '^checked  *20.* UTC  passed, 23 °C$' "$flytri" calibrate --history --calibration offline.json
+expect 'a note of two lines' 2 'note.*one line' "$flytri" calibrate chair -o few.json --note $'a\nb'
+# A rig that measures with it, and then with another one.
+mkdir clinic && echo '{ "format": "flytri.rig", "version": 1, "measurement_camera": { "match": { "name": "Mono" },
+  "format": "GREY", "size_px": [1024, 768], "rate_hz": 30 }, "lights": { "chip": { "label": "ftdi-cbus" },
+  "vertical": { "line": 0 }, "horizontal": { "line": 1 } } }' > clinic/rig.json
+expect 'a calibration is taken into use' 0 '^clinic/rig.json measures with clinic/calibration.json' \
+  "$flytri" calibrate --use offline.json --rig clinic/rig.json
+expect 'another one is taken into use' 0 '^clinic/rig.json measures with clinic/calibration.json' \
+  "$flytri" calibrate --use calibration.json --rig clinic/rig.json
+expect 'the former one is in the history' 0 '^replaced  *20.* UTC  kept in calibration-until-' \
+  "$flytri" calibrate --history --calibration clinic/calibration.json
+expect 'no rig to use it' 1 'gone\.json' "$flytri" calibrate --use calibration.json --rig gone.json
 expect 'check without a plane' 1 'no verdict' \
   "$flytri" calibrate --check --calibration calibration.json --recording scan
 expect 'against another calibration' 0 '^the calibration holds' \

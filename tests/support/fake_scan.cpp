@@ -17,6 +17,19 @@ namespace {
 
 using ui::AppView;
 
+std::shared_ptr<const calibration::Calibration> calibration_in_use() {
+  auto calibration = std::make_shared<calibration::Calibration>();
+  calibration->history = {"2031-03-01T08:30:00Z",
+                          "21 °C",
+                          {{"2031-04-02T07:10:00Z", true, "23 °C"}},
+                          {{"2030-11-12T09:00:00Z",
+                            "",
+                            {{"2031-02-27T16:20:00Z", false, "after a fall"}},
+                            "2031-03-01T08:30:00Z",
+                            "calibration-until-2031-03-01-083000.json"}}};
+  return calibration;
+}
+
 /// Common part of all states: a case, a simulated sensor, older cases.
 AppView ordinary_view() {
   AppView view;
@@ -33,7 +46,7 @@ AppView ordinary_view() {
   view.source.hand = ui::SimulatedHand{};
   view.calibration.emplace();
   view.calibration->folder = "/home/clinic/.local/share/flytri/calibrations/2031-05-02-081214";
-  view.calibration->has_calibration = true;
+  view.calibration->calibration = calibration_in_use();
   view.calibration->why_not_used = "the virtual sensor has its own calibration";
   view.recording.folder = "/home/clinic/.local/share/flytri/recordings";
   view.recording.is_possible = true;

@@ -10,7 +10,7 @@ ui::RunningSetup fake_setup(ui::SetupStep step) {
       "lines? Yes",
       "Which one is the texture camera, in color? HD Pro Webcam C920 (usb-0000:00:14.0-2)",
       "Light switch: FT232H (serial FT4ZS6I3)",
-      "Put a white sheet before the sensor, at its usual distance. Do not look into the lights.",
+      "Put a white sheet before the sensor, as near as you will scan. Do not look into the lights.",
       "Turning on FT232H, line 3 (C3) for a moment ..."};
   switch (step) {
     case ui::SetupStep::kAsking:

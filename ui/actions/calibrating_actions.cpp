@@ -23,7 +23,7 @@ ActionState task_state(const Situation& now) {
 ActionState check_on_plane_state(const Situation& now) {
   ActionState task = task_state(now);
   if (!task.is_enabled) return task;
-  return only_if(now.view.calibration->has_calibration, Text::kNoCalibration);
+  return only_if(now.view.calibration->calibration != nullptr, Text::kNoCalibration);
 }
 
 ActionState check_on_sphere_state(const Situation& now) {
@@ -38,7 +38,7 @@ template <CalibrationTask kTask>
 void begin_calibration(const ActionRunner& run) {
   const CalibrationForm& form = run.state.calibration_form;
   run.send(BeginCalibration{kTask, form.is_edited ? form.folder : run.view.calibration->folder,
-                            typed_length_mm(form.sphere_diameter_mm).value_or(0.0)});
+                            typed_length_mm(form.sphere_diameter_mm).value_or(0.0), form.note});
 }
 
 ActionState previous_place_state(const Situation& now) {

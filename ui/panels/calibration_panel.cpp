@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "ui/panels/calibration_cards.h"
+#include "ui/panels/calibration_history.h"
 #include "ui/panels/dialog.h"
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
@@ -53,7 +54,7 @@ void draw_choice(const PanelContext& context, Rect row, const Choice& choice) {
 void draw_choices(const PanelContext& context) {
   CalibrationForm& form = context.state.calibration_form;
   if (!form.is_edited) form.folder = context.view.calibration->folder;
-  DialogPlate dialog(context, context.text(Text::kCalibration), {880.0F, 448.0F});
+  DialogPlate dialog(context, context.text(Text::kCalibration), {880.0F, 696.0F});
   for (const Choice& choice : kChoices) {
     draw_choice(context, dialog.rest.take_top(context.px(kChoiceRow), context.px(kGapS)), choice);
   }
@@ -64,8 +65,15 @@ void draw_choices(const PanelContext& context) {
   form.is_edited |=
       path_field(context, fields, {"calibration_folder", context.text(Text::kCalibrationFolder)},
                  PathField::kCalibrationFolder, form.folder);
-  draw_wrapped(dialog.rest, {context.theme.fonts.small, kTextQuiet},
-               context.text(Text::kCalibrationContinues));
+  const std::string continues = context.text(Text::kCalibrationContinues);
+  ImFont* const small = context.theme.fonts.small;
+  draw_wrapped(
+      dialog.rest.take_top(wrapped_height(small, dialog.rest.width, continues), context.px(kGapM)),
+      {small, kTextQuiet}, continues);
+  text_field(context, dialog.rest.take_top(context.px(kFieldRow), context.px(kGapS)),
+             {"calibration_note", context.text(Text::kCalibrationNote)}, form.note);
+  if (const auto& calibration = context.view.calibration->calibration)
+    draw_calibration_history(context, dialog.rest, calibration->history);
 }
 
 std::string headline(const Texts& texts, const RunningCalibration& running) {

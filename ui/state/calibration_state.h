@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/calibration/fit/plane_residuals.h"
+#include "core/calibration/record/calibration.h"
 #include "core/calibration/verify/verification_report.h"
 #include "core/scan/scan_snapshot.h"
 
@@ -73,10 +74,10 @@ struct RunningCalibration {
 
 /// Which calibrations and checks are possible, and the running one.
 struct CalibrationState {
-  std::string folder;            ///< proposed for a new calibration
-  bool has_calibration = false;  ///< a calibration exists and can be checked
-  bool is_simulated = false;     ///< the simulated sensor: it can be checked on a plane only
-  std::string why_not_used;      ///< why a new calibration cannot be used; empty: it can
+  std::string folder;                                           ///< proposed for a new calibration
+  std::shared_ptr<const calibration::Calibration> calibration;  ///< in use; null: there is none
+  bool is_simulated = false;  ///< the simulated sensor: it can be checked on a plane only
+  std::string why_not_used;   ///< why a new calibration cannot be used; empty: it can
   std::optional<RunningCalibration> running;
 };
 

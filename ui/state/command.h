@@ -154,6 +154,7 @@ struct BeginCalibration {
   CalibrationTask task = CalibrationTask::kCalibrate;
   std::string folder;               ///< of a new calibration, or of one to continue
   double sphere_diameter_mm = 0.0;  ///< of a check on a sphere, > 0
+  std::string note;                 ///< kept with the calibration or the check
 };
 /// Takes the images at the next place.
 struct TakeCalibrationImages {};

@@ -107,6 +107,7 @@ struct CalibrationForm {
   std::string folder;
   bool is_edited = false;  ///< false: the folder is the proposed one
   std::string sphere_diameter_mm = "10";
+  std::string note;
 };
 
 struct RecordingForm {

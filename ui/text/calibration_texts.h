@@ -42,6 +42,19 @@ FLYTRI_TEXT(kCalibrationContinues,
             "pause pendant ce temps.",
             "Una calibración iniciada en esta carpeta continúa donde se detuvo. Entretanto, el "
             "escaneo queda en pausa.")
+FLYTRI_TEXT(kCalibrationNote, "Note, such as the temperature", "Notiz, z. B. Temperatur",
+            "Note, par ex. la température", "Nota, por ejemplo la temperatura")
+FLYTRI_TEXT(kCalibrationHistory, "Calibration in use", "Kalibrierung in Verwendung",
+            "Étalonnage utilisé", "Calibración en uso")
+FLYTRI_TEXT(kCalibrationMade, "calibrated", "kalibriert", "étalonné", "calibrado")
+FLYTRI_TEXT(kCheckHasPassed, "check passed", "Prüfung bestanden", "contrôle réussi",
+            "comprobación superada")
+FLYTRI_TEXT(kCheckHasFailed, "check failed", "Prüfung nicht bestanden", "contrôle échoué",
+            "comprobación fallida")
+FLYTRI_TEXT(kCalibrationReplaced, "replaced", "ersetzt", "remplacé", "reemplazada")
+FLYTRI_TEXT(kCalibrationReplacedKept, "replaced, kept as {0}", "ersetzt, aufbewahrt als {0}",
+            "remplacé, gardé sous {0}", "reemplazada, guardada como {0}")
+FLYTRI_TEXT(kDateUnknown, "date unknown", "Datum unbekannt", "date inconnue", "fecha desconocida")
 FLYTRI_TEXT(kStartingDevices, "Starting cameras and lights…", "Kameras und Lichter starten…",
             "Démarrage des caméras et de l’éclairage…", "Iniciando cámaras y luces…")
 FLYTRI_TEXT(kPutTarget, "Put the {0} {1}", "Aufstellen: {0}, {1}", "Placer : {0}, {1}",

@@ -13,6 +13,7 @@
 
 #include "core/base/index.h"
 #include "core/base/result.h"
+#include "core/calibration/record/calibration_history.h"
 #include "core/geometry/rigid.h"
 #include "core/imaging/frame.h"
 #include "core/imaging/pattern.h"
@@ -105,13 +106,6 @@ struct Flash {
   Vec3 light = Vec3::Ones();        ///< red, green and blue, with the camera's white balance
   double vignetting = 0.0;
   FitResidual residual;  ///< relative
-};
-
-/// When a calibration was made, and when it was last checked on an object. Empty: not known.
-struct CalibrationHistory {
-  std::string made_at;      ///< ISO 8601, UTC
-  std::string checked_at;   ///< ISO 8601, UTC
-  bool has_passed = false;  ///< the last check
 };
 
 /// Converts localized lines to points, and points to texture pixels.

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/fingerprint.h"
@@ -202,17 +204,40 @@ std::string write_content(const calibration::Calibration& calibration) {
   return text;
 }
 
+using Json = nlohmann::ordered_json;
+
+Json written(const std::vector<calibration::CalibrationCheck>& checks) {
+  Json list = Json::array();
+  for (const calibration::CalibrationCheck& check : checks) {
+    Json written;
+    if (!check.at.empty()) written["at"] = check.at;
+    written["check"] = check.has_passed ? kPassed : kFailed;
+    if (!check.note.empty()) written["note"] = check.note;
+    list.push_back(std::move(written));
+  }
+  return list;
+}
+
+/// What the calibration in use and those before it have in common.
+template <typename Calibration>
+Json written(const Calibration& history) {
+  Json json = Json::object();
+  if (!history.made_at.empty()) json["made_at"] = history.made_at;
+  if (!history.note.empty()) json["note"] = history.note;
+  if (!history.checks.empty()) json["checks"] = written(history.checks);
+  return json;
+}
+
 std::string write(const calibration::CalibrationHistory& history) {
-  std::vector<std::string> members;
-  if (!history.made_at.empty()) {
-    members.push_back(fmt::format(R"("made_at":"{}")", history.made_at));
+  Json json = written(history);
+  for (const calibration::PastCalibration& past : history.past) {
+    Json of_past = written(past);
+    if (!past.replaced_at.empty()) of_past["replaced_at"] = past.replaced_at;
+    if (!past.kept_in.empty()) of_past["kept_in"] = past.kept_in;
+    json["past"].push_back(std::move(of_past));
   }
-  if (!history.checked_at.empty()) {
-    members.push_back(fmt::format(R"("checked_at":"{}","check":"{}")", history.checked_at,
-                                  history.has_passed ? kPassed : kFailed));
-  }
-  if (members.empty()) return "";
-  return fmt::format("\"history\":{{{}}},\n", fmt::join(members, ","));
+  if (json.empty()) return "";
+  return "\"history\":" + json.dump(-1, ' ', false, Json::error_handler_t::replace) + ",\n";
 }
 
 std::string read_time(const JsonPlace& json) {
@@ -225,15 +250,43 @@ std::string read_time(const JsonPlace& json) {
   return text;
 }
 
+std::string optional_time(const JsonPlace& json, std::string_view key) {
+  return json.has(key) ? read_time(json.at(key)) : std::string();
+}
+
+std::string optional_text(const JsonPlace& json, std::string_view key) {
+  return json.has(key) ? json.at(key).text() : std::string();
+}
+
+bool read_passed(const JsonPlace& json) {
+  const std::string check = json.text();
+  if (check != kPassed && check != kFailed) json.reject("\"passed\" or \"failed\"");
+  return check == kPassed;
+}
+
+template <typename Calibration>
+Calibration read_life(const JsonPlace& json) {
+  Calibration history;
+  history.made_at = optional_time(json, "made_at");
+  history.note = optional_text(json, "note");
+  if (!json.has("checks")) return history;
+  for (const JsonPlace& check : json.at("checks").elements()) {
+    history.checks.push_back(
+        {optional_time(check, "at"), read_passed(check.at("check")), optional_text(check, "note")});
+  }
+  return history;
+}
+
 calibration::CalibrationHistory read_history(const JsonPlace& json) {
-  calibration::CalibrationHistory history;
-  if (json.has("made_at")) history.made_at = read_time(json.at("made_at"));
-  if (!json.has("checked_at")) return history;
-  history.checked_at = read_time(json.at("checked_at"));
-  const std::string check = json.at("check").text();
-  history.has_passed = check == kPassed;
-  if (!history.has_passed && check != kFailed) {
-    json.at("check").reject("\"passed\" or \"failed\"");
+  auto history = read_life<calibration::CalibrationHistory>(json);
+  if (json.has("checked_at"))
+    history.checks.push_back(
+        {read_time(json.at("checked_at")), read_passed(json.at("check")), std::string()});
+  if (!json.has("past")) return history;
+  for (const JsonPlace& past : json.at("past").elements()) {
+    auto& read = history.past.emplace_back(read_life<calibration::PastCalibration>(past));
+    read.replaced_at = optional_time(past, "replaced_at");
+    read.kept_in = optional_text(past, "kept_in");
   }
   return history;
 }

@@ -4,8 +4,7 @@
 /// variable is normalized first: (x - center) / half_range.
 ///
 ///     { "format": "flytri.calibration", "version": 1,
-///       "history": optional: { "made_at", "checked_at": ISO 8601, UTC, both optional,
-///                              "check": "passed" or "failed", with "checked_at" },
+///       "history": {history}, optional; it does not change what the sensor measures
 ///       "fingerprint": optional, 16 hex digits: FNV-1a (64 bits) of all that follows in the form
 ///                      that the program writes; names the calibration, and finds changed numbers
 ///       "measurement_volume_mm": [x, y, z],
@@ -15,6 +14,11 @@
 ///       "flash": optional: {flash}; without it the lamp is taken to be at the texture camera
 ///       "vertical": {pattern}, "horizontal": {pattern} }
 ///
+///     history = { "made_at", "note", "checks": [ {check}, ... ], "past": [ {past}, ... ] }; each
+///               key is optional, as in the next two. Times are ISO 8601, UTC.
+///               Older files have "checked_at" and "check" instead of "checks", of the last one
+///     check   = { "at", "check": "passed" or "failed" (required), "note" }
+///     past    = { "made_at", "note", "checks": [ {check}, ... ], "replaced_at", "kept_in" }
 ///     cubic   = { "center": [3], "half_range": [3], "coefficients": [20], "residual": {residual} }
 ///               terms in the order of TrivariateCubic::kExponents: 1, a, b, c, aa, ab, ac, bb, ...
 ///     residual = { "rms", "max", "count" }

@@ -64,9 +64,11 @@ TEST(ReportPage, SaysWhatIsNotKnown) {
 
 TEST(ReportPage, SaysThatTheLastCheckFailed) {
   ScanFacts failed = facts();
-  failed.calibration.history = {"2026-01-02T03:04:05Z", "2026-11-01T10:00:00Z", false};
+  failed.calibration.history = {
+      "2026-01-02T03:04:05Z", "", {{"2026-11-01T10:00:00Z", false, "fell <down>"}}, {}};
   const std::string page = *report_page(failed);
-  EXPECT_NE(page.find("2026-11-01 10:00 UTC: <b class=bad>failed</b>"), std::string::npos);
+  EXPECT_NE(page.find("2026-11-01 10:00 UTC: <b class=bad>failed</b>, fell &lt;down&gt;"),
+            std::string::npos);
 }
 
 TEST(ReportPage, OfAnEmptyScanIsWritten) { EXPECT_TRUE(report_page(ScanFacts{}).has_value()); }

@@ -46,48 +46,78 @@ TEST(CalibrationFiles, ProposesAnUnfinishedCalibration) {
   EXPECT_NE(propose_calibration_folder(folder.path()), begun);
 }
 
-TEST(CalibrationFiles, NamesTheFirstCalibrationInTheRig) {
-  const TemporaryFolder folder;
-  const fs::path made = folder.path() / "made.json", rig = folder.path() / "rig.json";
-  ASSERT_TRUE(io::write_file(made, "new"));
-  ASSERT_TRUE(rig::write_rig(rig, small_rig()));
-  SourceChoice choice;
-  choice.name = kRigSource;
-  choice.path = rig;
-  const auto adopted = adopt_calibration(choice, made);
+/// A rig whose sensor gets a new calibration.
+class NewCalibration : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(rig::write_rig(choice_.path, small_rig()));
+    former_.volume.size_mm.z() = 16.0;
+    former_.history.checks = {{"2031-02-01T08:00:00Z", false, "19 °C"}};
+    next_.history.note = "22 °C";
+    ASSERT_TRUE(io::write_calibration(made_, next_));
+  }
+  Result<fs::path> adopt() { return adopt_calibration(choice_, made_); }
+  fs::path kept() const {
+    const auto kept = files_like(folder_.path(), "calibration-until-");
+    EXPECT_EQ(kept.size(), 1U);
+    return kept.empty() ? fs::path() : kept.front();
+  }
+
+  TemporaryFolder folder_;
+  fs::path made_ = folder_ / "made.json", in_use_ = folder_ / "calibration.json";
+  SourceChoice choice_{.name = kRigSource, .path = folder_ / "rig.json"};
+  calibration::Calibration former_ = testing::small_calibration(), next_ = former_;
+};
+
+TEST_F(NewCalibration, IsNamedInTheRigIfItIsTheFirst) {
+  const auto adopted = adopt();
   ASSERT_TRUE(adopted.has_value()) << adopted.error().message;
-  EXPECT_EQ(*adopted, folder.path() / "calibration.json");
-  EXPECT_EQ(*rig::read_rig(rig)->calibration, folder.path() / "calibration.json");
-  EXPECT_EQ(io::read_file(*adopted).value(), "new");
+  EXPECT_EQ(*adopted, in_use_);
+  EXPECT_EQ(*rig::read_rig(choice_.path)->calibration, in_use_);
+  EXPECT_EQ(io::read_file(in_use_).value(), io::read_file(made_).value());
 }
 
-TEST(CalibrationFiles, KeepsTheFormerCalibration) {
-  const TemporaryFolder folder;
-  const fs::path made = folder.path() / "made.json", named = folder.path() / "named.json";
-  ASSERT_TRUE(io::write_file(made, "new"));
-  ASSERT_TRUE(io::write_file(named, "old"));
-  SourceChoice choice;
-  choice.name = kRigSource;
-  choice.path = folder.path() / "rig.json";
-  choice.calibration = named;
-  ASSERT_TRUE(adopt_calibration(choice, made).has_value());
-  EXPECT_EQ(io::read_file(named).value(), "new");
-  const auto kept = files_like(folder.path(), "named-until-");
-  ASSERT_EQ(kept.size(), 1U);
-  EXPECT_EQ(io::read_file(kept.front()).value(), "old");
+TEST_F(NewCalibration, KeepsTheFormerOneAndItsHistory) {
+  ASSERT_TRUE(io::write_calibration(in_use_, former_));
+  ASSERT_TRUE(adopt().has_value());
+  const auto used = io::read_calibration(in_use_).value();
+  EXPECT_EQ(io::fingerprint(used), io::fingerprint(next_));
+  EXPECT_EQ(used.history.note, "22 °C");
+  EXPECT_TRUE(used.history.checks.empty());
+  ASSERT_EQ(used.history.past.size(), 1U);
+  EXPECT_EQ(used.history.past[0].checks[0].note, "19 °C");
+  EXPECT_EQ(used.history.past[0].kept_in, kept().filename());
+  EXPECT_EQ(io::fingerprint(io::read_calibration(kept()).value()), io::fingerprint(former_));
 }
 
-TEST(CalibrationFiles, LeavesADamagedRigFileUnchanged) {
-  const TemporaryFolder folder;
-  const fs::path made = folder.path() / "made.json", rig = folder.path() / "rig.json";
-  ASSERT_TRUE(io::write_file(made, "new"));
-  ASSERT_TRUE(io::write_file(rig, "{"));
-  SourceChoice choice;
-  choice.name = kRigSource;
-  choice.path = rig;
-  EXPECT_FALSE(adopt_calibration(choice, made).has_value());
-  EXPECT_EQ(io::read_file(rig).value(), "{");
-  EXPECT_FALSE(fs::exists(folder.path() / "calibration.json"));
+TEST_F(NewCalibration, ThatIsInUseAlreadyKeepsItsChecks) {
+  calibration::Calibration checked = next_;
+  checked.history = checked_now(checked.history, true, "");
+  ASSERT_TRUE(io::write_calibration(in_use_, checked));
+  ASSERT_TRUE(adopt().has_value());
+  EXPECT_EQ(io::read_calibration(in_use_)->history.checks.size(), 1U);
+  EXPECT_TRUE(files_like(folder_.path(), "-until-").empty());
+}
+
+TEST_F(NewCalibration, ReplacesADamagedFileThatIsKept) {
+  ASSERT_TRUE(io::write_file(in_use_, "old"));
+  ASSERT_TRUE(adopt().has_value());
+  EXPECT_TRUE(io::read_calibration(in_use_)->history.past.empty());
+  EXPECT_EQ(io::read_file(kept()).value(), "old");
+}
+
+TEST_F(NewCalibration, ThatIsDamagedIsNotTakenIntoUse) {
+  ASSERT_TRUE(io::write_calibration(in_use_, former_));
+  ASSERT_TRUE(io::write_file(made_, "{"));
+  EXPECT_FALSE(adopt().has_value());
+  EXPECT_EQ(io::fingerprint(io::read_calibration(in_use_).value()), io::fingerprint(former_));
+}
+
+TEST_F(NewCalibration, LeavesADamagedRigFileUnchanged) {
+  ASSERT_TRUE(io::write_file(choice_.path, "{"));
+  EXPECT_FALSE(adopt().has_value());
+  EXPECT_EQ(io::read_file(choice_.path).value(), "{");
+  EXPECT_FALSE(fs::exists(in_use_));
 }
 
 /// The file of a calibration.
@@ -98,7 +128,7 @@ class NotedCheck : public ::testing::Test {
     ASSERT_TRUE(io::write_calibration(file_, made_));
   }
   Result<void> note(const calibration::Calibration& checked) {
-    return note_check(file_, checked, checked_now(checked.history, false));
+    return note_check(file_, checked, checked_now(checked.history, false, "22 °C"));
   }
 
   calibration::Calibration made_ = testing::small_calibration();
@@ -110,8 +140,10 @@ TEST_F(NotedCheck, IsInTheHistoryOfTheCalibration) {
   ASSERT_TRUE(note(made_));
   const auto kept = io::read_calibration(file_).value();
   EXPECT_EQ(kept.history.made_at, made_.history.made_at);
-  EXPECT_FALSE(kept.history.checked_at.empty());
-  EXPECT_FALSE(kept.history.has_passed);
+  ASSERT_EQ(kept.history.checks.size(), 1U);
+  EXPECT_FALSE(kept.history.checks[0].at.empty());
+  EXPECT_FALSE(kept.history.checks[0].has_passed);
+  EXPECT_EQ(kept.history.checks[0].note, "22 °C");
   EXPECT_EQ(io::fingerprint(kept), io::fingerprint(made_));
 }
 
@@ -128,7 +160,7 @@ TEST_F(NotedCheck, AnotherCalibrationStaysAsItIs) {
   calibration::Calibration other = made_;
   other.volume.size_mm.z() = 14.0;
   EXPECT_EQ(note(other).error().code, ErrorCode::kInconsistent);
-  EXPECT_TRUE(io::read_calibration(file_)->history.checked_at.empty());
+  EXPECT_TRUE(io::read_calibration(file_)->history.checks.empty());
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ CalibrationJob calibration_job(const std::filesystem::path& folder,
   job.folder = folder;
   job.open_source = [shots] { return Result<std::shared_ptr<shots::ShotSource>>(shots); };
   job.begin_work = [folder](std::shared_ptr<shots::ShotSource> source) {
-    return calibrate_guided(folder, shots::plan_of(simulated::intraoral_sensor(), kPlanes),
+    return calibrate_guided({.folder = folder},
+                            shots::plan_of(simulated::intraoral_sensor(), kPlanes),
                             std::move(source));
   };
   return job;

@@ -84,7 +84,7 @@ TEST_F(SessionOnAMesh, ScansWithTheSensorThatWasSetUp) {
     EXPECT_TRUE(view.setup.has_rig);
     EXPECT_TRUE(fs::exists(view.settings.rig_file));
     ASSERT_TRUE(view.calibration);
-    EXPECT_FALSE(view.calibration->has_calibration);
+    EXPECT_EQ(view.calibration->calibration, nullptr);
   }
   options_.source.is_given = true;
   EXPECT_FALSE(uses_rig(Session(options_).view())) << "the command line asks for another one";
@@ -132,7 +132,7 @@ TEST_F(SessionOnAMesh, ACheckOfTheCalibrationIsNotedForReports) {
   const std::string path = (folder_.path() / "checked.flytri").string();
   session.carry_out(ui::NewCase{path, {}, {}});
   const auto check = [&] {
-    session.carry_out(ui::BeginCalibration{ui::CalibrationTask::kCheckOnPlane, {}, 0.0});
+    session.carry_out(ui::BeginCalibration{ui::CalibrationTask::kCheckOnPlane, {}, 0.0, "22 °C"});
     const bool is_done = wait_for(session, [&](const ui::AppView& view) {
       if (!view.calibration->running) return false;
       if (view.calibration->running->step == ui::CalibrationStep::kTarget)
@@ -155,9 +155,10 @@ TEST_F(SessionOnAMesh, ACheckOfTheCalibrationIsNotedForReports) {
   EXPECT_TRUE(is_told("The check is noted in"));
   const fs::path file = session.source().calibration_file;
   const auto noted = io::read_calibration(file).value().history;
-  EXPECT_FALSE(noted.checked_at.empty());
-  EXPECT_TRUE(noted.has_passed);
-  EXPECT_EQ(session.source().calibration->history.checked_at, noted.checked_at);
+  ASSERT_FALSE(noted.checks.empty());
+  EXPECT_TRUE(noted.checks.back().has_passed);
+  EXPECT_EQ(noted.checks.back().note, "22 °C");
+  EXPECT_EQ(session.source().calibration->history.checks.size(), noted.checks.size());
   EXPECT_FALSE(warns_of_other_calibration(session.view()));
 }
 

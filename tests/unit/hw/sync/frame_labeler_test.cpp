@@ -129,6 +129,15 @@ TEST(FrameLabeler, ReportsAProjectorThatIsAlwaysDark) {
   EXPECT_EQ(run(options).fault, LightFault::kNoFlash);
 }
 
+TEST(FrameLabeler, AnEvenSurfaceUnderTheFlashIsNoMissingFlash) {
+  const auto even = [](device::Light light, double time_s) {
+    const cv::Mat image = testing::striped_scene(light, time_s);
+    if (light != device::Light::kFlash) return image;
+    return cv::Mat(image.size(), image.type(), cv::Scalar(140));
+  };
+  EXPECT_EQ(run(usual(), even).fault, LightFault::kNone);
+}
+
 TEST(FrameLabeler, AdaptsToADriftingLatency) {
   // The camera's clock is wrong by 0.33 %: the true period is learned.
   lab::LabelTrialOptions options = usual();

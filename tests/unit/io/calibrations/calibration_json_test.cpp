@@ -103,21 +103,46 @@ TEST(CalibrationJson, ReportsWhatIsWrongWithTheFlash) {
 TEST(CalibrationJson, KeepsItsHistoryWithoutChangingItsName) {
   calibration::Calibration calibration = small_calibration();
   const std::string name = fingerprint(calibration);
-  calibration.history = {"2026-11-25T08:30:00Z", "2026-11-26T09:00:00Z", true};
+  calibration.history = {
+      "2026-11-25T08:30:00Z",
+      "21 °C, \"new\" lens",
+      {{"2026-11-26T09:00:00Z", true, ""}, {"2026-12-26T09:00:00Z", false, "hot"}},
+      {{"", "", {{"", true, ""}}, "2026-11-25T09:30:00Z", "old.json"}}};
   EXPECT_EQ(fingerprint(calibration), name);
   const auto read = parse_calibration(to_json(calibration), "c.json");
   ASSERT_TRUE(read.has_value()) << read.error().message;
   EXPECT_EQ(read->history.made_at, "2026-11-25T08:30:00Z");
-  EXPECT_EQ(read->history.checked_at, "2026-11-26T09:00:00Z");
-  EXPECT_TRUE(read->history.has_passed);
+  EXPECT_EQ(read->history.note, "21 °C, \"new\" lens");
+  ASSERT_EQ(read->history.checks.size(), 2U);
+  EXPECT_TRUE(read->history.checks[0].has_passed);
+  EXPECT_FALSE(read->history.checks[1].has_passed);
+  EXPECT_EQ(read->history.checks[1].note, "hot");
+  ASSERT_EQ(read->history.past.size(), 1U);
+  EXPECT_EQ(read->history.past[0].checks.size(), 1U);
+  EXPECT_EQ(read->history.past[0].replaced_at, "2026-11-25T09:30:00Z");
+  EXPECT_EQ(read->history.past[0].kept_in, "old.json");
+}
+
+TEST(CalibrationJson, ReadsTheOneCheckOfOlderFiles) {
+  json text = sample_json();
+  text["history"] = {{"checked_at", "2026-11-26T09:00:00Z"}, {"check", "failed"}};
+  const auto read = parse_calibration(text.dump(), "c.json");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  ASSERT_EQ(read->history.checks.size(), 1U);
+  EXPECT_EQ(read->history.checks[0].at, "2026-11-26T09:00:00Z");
+  EXPECT_FALSE(read->history.checks[0].has_passed);
 }
 
 TEST(CalibrationJson, RefusesAHistoryThatIsNoTime) {
   json text = sample_json();
   text["history"] = {{"made_at", "<b>today</b>"}};
-  const auto read = parse_calibration(text.dump(), "c.json");
+  auto read = parse_calibration(text.dump(), "c.json");
   ASSERT_FALSE(read.has_value());
   EXPECT_THAT(read.error().message, HasSubstr("made_at"));
+  text["history"] = {{"checks", {{{"at", "2026-11-26T09:00:00Z"}, {"check", "well"}}}}};
+  read = parse_calibration(text.dump(), "c.json");
+  ASSERT_FALSE(read.has_value());
+  EXPECT_THAT(read.error().message, HasSubstr("history.checks[0].check"));
 }
 
 TEST(CalibrationJson, IgnoresUnknownKeys) {
