@@ -15,7 +15,9 @@ namespace flytri::cli {
 namespace {
 
 void print_event(std::string_view name, const std::string& time, const std::string& words) {
-  print_out("{:<10} {:<20}  {}\n", name, readable_time(time), words);
+  print_out(
+      "{:<10} {}\n", name,
+      words.empty() ? readable_time(time) : fmt::format("{:<20}  {}", readable_time(time), words));
 }
 
 /// What the calibration in use and those before it have in common.
