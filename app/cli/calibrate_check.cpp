@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string_view>
 
 #include "app/cli/console.h"
 #include "app/cli/output_files.h"
@@ -60,7 +61,8 @@ Result<std::vector<calibration::VerificationPose>> take_poses(
   return poses;
 }
 
-Result<void> conclude(const calibration::VerificationReport& report) {
+/// @param failure  what it means, and what to do, if the calibration does not hold
+Result<void> conclude(const calibration::VerificationReport& report, std::string_view failure) {
   print(report);
   if (report.outcome == calibration::VerificationOutcome::kUnclear) {
     return fail(ErrorCode::kInsufficient, "no verdict: {}", report.reason);
@@ -70,8 +72,7 @@ Result<void> conclude(const calibration::VerificationReport& report) {
     return {};
   }
   for (const std::string& meaning : report.meanings) print_out("{}\n", meaning);
-  return fail(ErrorCode::kInconsistent,
-              "the calibration no longer holds; calibrate again with flytri calibrate --live");
+  return fail(ErrorCode::kInconsistent, "{}", failure);
 }
 
 /// Largest standard uncertainty with which a correction is better than none.
@@ -131,7 +132,9 @@ Result<void> check_against(const CalibrateCheckArguments& arguments,
   if (!arguments.corrected.empty()) return correct(arguments, calibration, *comparison);
   const auto report = calibration::judge_comparison(*comparison, calibration);
   keep_outcome(arguments, calibration, report.outcome);
-  return conclude(report);
+  return conclude(report,
+                  "the calibrations differ by too much; correct this one with --correct FILE, or "
+                  "calibrate again");
 }
 
 }  // namespace
@@ -154,7 +157,8 @@ Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Pro
                           : calibration::check_on_plane(*poses, *calibration);
   if (!report) return tl::unexpected(report.error());
   keep_outcome(arguments, *calibration, report->outcome);
-  return conclude(*report);
+  return conclude(*report,
+                  "the calibration no longer holds; calibrate again with flytri calibrate --live");
 }
 
 }  // namespace flytri::cli
