@@ -45,7 +45,7 @@ std::optional<std::size_t> pose_in(const std::string& line, std::size_t count) {
 
 /// @errors  Of the devices and the disk.
 Result<void> take_pose(shots::BoardSession& session, std::size_t index, const Progress& progress) {
-  const auto taken = session.take(index, progress);
+  auto taken = session.take(index, progress);
   if (taken) {
     print_out("  good\n");
     return {};

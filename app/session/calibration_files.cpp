@@ -56,9 +56,9 @@ Result<std::string> keep_former(const std::filesystem::path& file) {
   const auto bytes = io::read_file(file);
   if (!bytes && bytes.error().code == ErrorCode::kNotFound) return std::string();
   if (!bytes) return tl::unexpected(bytes.error());
-  const std::string kept =
+  std::string kept =
       fmt::format("{}-until-{}{}", file.stem().string(), now_as_name(), file.extension().string());
-  return io::write_file(file.parent_path() / kept, *bytes).map([&] { return kept; });
+  return io::write_file(file.parent_path() / kept, *bytes).map([&] { return std::move(kept); });
 }
 
 }  // namespace

@@ -126,7 +126,8 @@ std::pair<const PointGrid::Row*, std::uint32_t> PointWalk::begin_at(std::int32_t
   /// From an entry farther off than this, the first one is searched anew.
   constexpr std::uint32_t kSteps = 8;
   const std::vector<PointGrid::Entry>& points = grid_.points_;
-  Place& place = places_[static_cast<std::size_t>((iz & (kSide - 1)) * kSide + (iy & (kSide - 1)))];
+  const auto digit = [](std::int32_t i) { return static_cast<std::uint32_t>(i) % kSide; };
+  Place& place = places_[digit(iz) * kSide + digit(iy)];
   const CellKey key{0, iy, iz};
   if (!place.is_known || place.key != key) {
     place = {key, grid_.find_row(key), 0, true};

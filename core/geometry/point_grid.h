@@ -89,7 +89,7 @@ class PointWalk {
   [[nodiscard]] std::span<const Neighbor> within(const Vec3f& center_mm, float radius_mm);
 
  private:
-  static constexpr int kSide = 8;
+  static constexpr std::size_t kSide = 8;
   struct Place {
     CellKey key{0, 0, 0};
     const PointGrid::Row* row = nullptr;  ///< null: the grid has no such row

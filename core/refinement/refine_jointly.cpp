@@ -271,7 +271,7 @@ Result<Refinement> refine_with_projectors(std::vector<AlignedView>& views,
   if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
   JointRefiner refiner(views, options, workers, progress);
   refiner.find_motions(motions, p_camera_mm);
-  const Result<Refinement> refined = refiner.run();
+  Result<Refinement> refined = refiner.run();
   if (!refined) return refined;
   for (std::size_t k = 0; k < motions.size(); ++k) motions[k].motion = refiner.motions()[k];
   for (AlignedView& view : views) {

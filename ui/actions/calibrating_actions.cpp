@@ -67,7 +67,7 @@ ActionState other_sensor_state(const Situation& now) {
 }
 
 ActionState virtual_sensor_state(const Situation& now) {
-  const ActionState state = other_sensor_state(now);
+  ActionState state = other_sensor_state(now);
   if (!state.is_enabled) return state;
   if (!now.view.setup.why_not_used.empty()) return disabled(now.view.setup.why_not_used);
   return only_if(now.view.setup.has_rig, Text::kInUse);

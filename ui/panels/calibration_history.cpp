@@ -13,7 +13,7 @@ constexpr float kHistoryTitle = 28.0F;
 constexpr float kEventRow = 24.0F;
 constexpr float kDateColumn = 104.0F;
 
-struct Event {
+struct HistoryEvent {
   std::string time;  ///< ISO 8601; empty: not known
   std::string words;
   Color color;
@@ -26,7 +26,7 @@ std::string with_note(std::string words, const std::string& note) {
 
 /// What the calibration in use and those before it have in common.
 template <typename Calibration>
-void add_life(const Calibration& history, const Texts& texts, std::vector<Event>& events) {
+void add_life(const Calibration& history, const Texts& texts, std::vector<HistoryEvent>& events) {
   events.push_back(
       {history.made_at, with_note(texts[Text::kCalibrationMade], history.note), kText});
   for (const calibration::CalibrationCheck& check : history.checks) {
@@ -37,8 +37,9 @@ void add_life(const Calibration& history, const Texts& texts, std::vector<Event>
 }
 
 /// By time.
-std::vector<Event> events_of(const calibration::CalibrationHistory& history, const Texts& texts) {
-  std::vector<Event> events;
+std::vector<HistoryEvent> events_of(const calibration::CalibrationHistory& history,
+                                    const Texts& texts) {
+  std::vector<HistoryEvent> events;
   for (const calibration::PastCalibration& past : history.past) {
     add_life(past, texts, events);
     events.push_back({past.replaced_at,
@@ -56,7 +57,7 @@ std::vector<Event> events_of(const calibration::CalibrationHistory& history, con
 void draw_calibration_history(const PanelContext& context, Rect box,
                               const calibration::CalibrationHistory& history) {
   const Fonts& fonts = context.theme.fonts;
-  const std::vector<Event> events = events_of(history, context.view.texts);
+  const std::vector<HistoryEvent> events = events_of(history, context.view.texts);
   draw_text(box.take_top(context.px(kHistoryTitle)), {fonts.strong, kNeutral, Align::kLeft},
             context.text(Text::kCalibrationHistory));
   for (auto event = events.rbegin(); event != events.rend(); ++event) {

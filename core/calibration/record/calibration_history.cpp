@@ -15,7 +15,7 @@ CalibrationHistory continued(const CalibrationHistory& replaced, CalibrationHist
 }
 
 std::optional<int> days_since_valid(const CalibrationHistory& history, std::time_t now) {
-  constexpr std::time_t kDay_s = 24 * 60 * 60;
+  constexpr std::time_t kDay_s = 86'400;
   std::optional<std::time_t> valid = parse_iso_time(history.made_at);
   for (const CalibrationCheck& check : history.checks) {
     const auto checked = parse_iso_time(check.at);

@@ -242,7 +242,7 @@ std::string write(const calibration::CalibrationHistory& history) {
 
 std::string read_time(const JsonPlace& json) {
   static const std::string kForm = "dddd-dd-ddTdd:dd:ddZ";
-  const std::string text = json.text();
+  std::string text = json.text();
   const bool is_time =
       std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(),
                  [](char c, char form) { return form == 'd' ? c >= '0' && c <= '9' : c == form; });

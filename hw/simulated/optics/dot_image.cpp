@@ -99,6 +99,7 @@ cv::Mat DotImage::blurred(const cv::Mat& light, const Seen& seen) const {
   if (seen.nearest_mm == seen.farthest_mm) return at(seen.nearest_mm);
   const double step_mm = (seen.farthest_mm - seen.nearest_mm) / (kBlurLayers - 1);
   std::vector<cv::Mat> layers;
+  layers.reserve(kBlurLayers);
   for (int k = 0; k < kBlurLayers; ++k) layers.push_back(at(seen.nearest_mm + k * step_mm));
   const Vec3 center = camera_.center();
   cv::Mat result(light.size(), CV_32FC1);

@@ -50,6 +50,8 @@ TEST(CalibrationFiles, ProposesAnUnfinishedCalibration) {
 class NewCalibration : public ::testing::Test {
  protected:
   void SetUp() override {
+    choice_.name = kRigSource;
+    choice_.path = folder_ / "rig.json";
     ASSERT_TRUE(rig::write_rig(choice_.path, small_rig()));
     former_.volume.size_mm.z() = 16.0;
     former_.history.checks = {{"2031-02-01T08:00:00Z", false, "19 °C"}};
@@ -65,7 +67,7 @@ class NewCalibration : public ::testing::Test {
 
   TemporaryFolder folder_;
   fs::path made_ = folder_ / "made.json", in_use_ = folder_ / "calibration.json";
-  SourceChoice choice_{.name = kRigSource, .path = folder_ / "rig.json"};
+  SourceChoice choice_;
   calibration::Calibration former_ = testing::small_calibration(), next_ = former_;
 };
 

@@ -44,9 +44,10 @@ CalibrationJob calibration_job(const std::filesystem::path& folder,
   CalibrationJob job;
   job.folder = folder;
   job.open_source = [shots] { return Result<std::shared_ptr<shots::ShotSource>>(shots); };
-  job.begin_work = [folder](std::shared_ptr<shots::ShotSource> source) {
-    return calibrate_guided({.folder = folder},
-                            shots::plan_of(simulated::intraoral_sensor(), kPlanes),
+  ui::BeginCalibration begun;
+  begun.folder = folder.string();
+  job.begin_work = [begun](std::shared_ptr<shots::ShotSource> source) {
+    return calibrate_guided(begun, shots::plan_of(simulated::intraoral_sensor(), kPlanes),
                             std::move(source));
   };
   return job;
