@@ -13,9 +13,9 @@ namespace flytri::session {
     const std::filesystem::path& calibrations);
 
 /// Lets the rig measure with this calibration. It replaces the file that the user or rig.json
-/// names. If there is no such file, it is created and named in rig.json. The earlier calibration is
-/// kept in the same folder under a name with date and time, and is in the history of the new one.
-/// A calibration that is in use already stays as it is.
+/// names. If there is no such file, it is created and named in rig.json. The earlier file is
+/// kept beside it, with date and time in its name, and its history goes on in the new one. If the
+/// calibration is in use already, its file stays as it is.
 /// @param choice  a source with a rig
 /// @return  the file that is in use now
 /// @errors  As read_calibration, parse_rig, write_file.

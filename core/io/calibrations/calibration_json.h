@@ -16,7 +16,7 @@
 ///
 ///     history = { "made_at", "note", "checks": [ {check}, ... ], "past": [ {past}, ... ] }; each
 ///               key is optional, as in the next two. Times are ISO 8601, UTC.
-///               Older files have "checked_at" and "check" instead of "checks", of the last one
+///               Older files tell only the last check: "checked_at", "check"
 ///     check   = { "at", "check": "passed" or "failed" (required), "note" }
 ///     past    = { "made_at", "note", "checks": [ {check}, ... ], "replaced_at", "kept_in" }
 ///     cubic   = { "center": [3], "half_range": [3], "coefficients": [20], "residual": {residual} }

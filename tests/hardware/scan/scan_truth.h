@@ -16,8 +16,8 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
-/// Changes the frame times of a recording of the guest to the real speed of the hand, because the
-/// reconstruction judges gaps by that speed.
+/// Gives the frames of a recording of the guest the times of the real hand: the reconstruction
+/// judges gaps by its speed.
 /// @param keeps_calibration  whether the recording goes on naming its calibration
 /// @errors  As read_file and write_file.
 [[nodiscard]] Result<void> set_pace(const std::filesystem::path& recording, double pace,
