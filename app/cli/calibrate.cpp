@@ -113,7 +113,7 @@ void add_check_options(CLI::App& command, CLI::Option& check, CLI::Option& simul
 }
 
 CLI::Option* add_note_option(CLI::App& command, std::string& note) {
-  static constexpr std::size_t kLongest = 200;
+  static constexpr std::ptrdiff_t kLongest = 200;
   return command
       .add_option("--note", note,
                   "Keep this note with the calibration or the check, such as the temperature")
@@ -121,7 +121,10 @@ CLI::Option* add_note_option(CLI::App& command, std::string& note) {
         const bool is_line = std::none_of(text.begin(), text.end(), [](unsigned char character) {
           return std::iscntrl(character) != 0;
         });
-        if (is_line && text.size() <= kLongest) return std::string();
+        const auto letters = std::count_if(text.begin(), text.end(), [](unsigned char byte) {
+          return (byte & 0xC0U) != 0x80U;  // not a later byte of a letter in UTF-8
+        });
+        if (is_line && letters <= kLongest) return std::string();
         return fmt::format("expected one line of at most {} letters", kLongest);
       });
 }

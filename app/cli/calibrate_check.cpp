@@ -104,7 +104,7 @@ Result<void> correct(const CalibrateCheckArguments& arguments,
                 "with the board in more poses",
                 angle_deg, kSureAngle_deg);
   calibration::Calibration better = calibration::corrected(calibration, comparison.correction);
-  better.history = session::checked_now(better.history, true, arguments.note);
+  better.history.checks.push_back(session::checked_now(true, arguments.note));
   if (auto written = io::write_calibration(arguments.corrected, better); !written) return written;
   print_out("wrote {}\n", arguments.corrected.string());
   return {};
@@ -116,9 +116,8 @@ void keep_outcome(const CalibrateCheckArguments& arguments,
                   calibration::VerificationOutcome outcome) {
   if (outcome == calibration::VerificationOutcome::kUnclear) return;
   const bool has_passed = outcome == calibration::VerificationOutcome::kValid;
-  const auto noted =
-      session::note_check(arguments.calibration, calibration,
-                          session::checked_now(calibration.history, has_passed, arguments.note));
+  const auto noted = session::note_check(arguments.calibration, calibration,
+                                         session::checked_now(has_passed, arguments.note));
   if (!noted) print_error("flytri: warning: the check is not noted: {}\n", noted.error().message);
 }
 

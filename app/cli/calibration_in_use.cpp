@@ -56,8 +56,8 @@ Result<void> print_calibration_history(const std::filesystem::path& calibration)
   }
   print_life(history);
   if (const auto days = calibration::days_since_valid(history, std::time(nullptr)))
-    print_out("last found valid {} days ago; check it every {} days\n", *days,
-              calibration::kCheckEvery_days);
+    print_out("last found valid {} {} ago; check it every {} days\n", *days,
+              *days == 1 ? "day" : "days", calibration::kCheckEvery_days);
   return {};
 }
 

@@ -86,13 +86,13 @@ void CalibrationController::note_finished_check() {
   if (now.step != ui::CalibrationStep::kDone) return;
   const auto checked = std::exchange(checked_, nullptr);
   if (!now.outcome.has_passed) return;
-  const auto history = checked_now(checked->history, *now.outcome.has_passed, note_);
-  source_.keep_history(*checked, history);
+  const auto check = checked_now(*now.outcome.has_passed, note_);
+  source_.note_check(*checked, check);
   background_.run(
-      [this, file = source_.source().calibration_file, store = stages_.store(), checked, history] {
-        auto noted = std::make_shared<Result<void>>(note_check(file, *checked, history));
+      [this, file = source_.source().calibration_file, store = stages_.store(), checked, check] {
+        auto noted = std::make_shared<Result<void>>(session::note_check(file, *checked, check));
         if (store != nullptr) {
-          if (auto kept = store->note_check(*checked, history); *noted && !kept) *noted = kept;
+          if (auto kept = store->note_check(*checked, check); *noted && !kept) *noted = kept;
         }
         return [this, noted, file] {
           const ui::Texts& texts = notices_.texts();

@@ -93,14 +93,12 @@ Result<std::filesystem::path> adopt_calibration(const SourceChoice& choice,
   return place;
 }
 
-calibration::CalibrationHistory checked_now(calibration::CalibrationHistory history,
-                                            bool has_passed, const std::string& note) {
-  history.checks.push_back({iso_time(std::time(nullptr)), has_passed, note});
-  return history;
+calibration::CalibrationCheck checked_now(bool has_passed, const std::string& note) {
+  return {iso_time(std::time(nullptr)), has_passed, note};
 }
 
 Result<void> note_check(const std::filesystem::path& file, const calibration::Calibration& checked,
-                        const calibration::CalibrationHistory& history) {
+                        const calibration::CalibrationCheck& check) {
   auto kept = io::read_calibration(file);
   if (!kept) return tl::unexpected(kept.error());
   if (io::fingerprint(*kept) != io::fingerprint(checked)) {
@@ -112,7 +110,7 @@ Result<void> note_check(const std::filesystem::path& file, const calibration::Ca
     return fail(ErrorCode::kNotPermitted, "{}: is read-only; make it writable and check again",
                 file.string());
   }
-  kept->history = history;
+  kept->history.checks.push_back(check);
   return io::write_calibration(file, *kept);
 }
 

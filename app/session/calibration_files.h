@@ -22,19 +22,16 @@ namespace flytri::session {
 [[nodiscard]] Result<std::filesystem::path> adopt_calibration(
     const SourceChoice& choice, const std::filesystem::path& calibration);
 
-/// The history of a calibration after a check that ended now.
+/// A check that ended now.
 /// @param note  see CalibrationCheck
-[[nodiscard]] calibration::CalibrationHistory checked_now(calibration::CalibrationHistory history,
-                                                          bool has_passed, const std::string& note);
+[[nodiscard]] calibration::CalibrationCheck checked_now(bool has_passed, const std::string& note);
 
-/// Notes a check in the file of the calibration.
+/// Adds a check to those that the file of the calibration has.
 /// @param checked  what was checked
-/// @param history  its new one
 /// @errors  As read_calibration and write_file; kNotPermitted: the file is read-only;
-/// kInconsistent:
-///          another calibration has taken its place in the file.
+///          kInconsistent: another calibration has taken its place in the file.
 [[nodiscard]] Result<void> note_check(const std::filesystem::path& file,
                                       const calibration::Calibration& checked,
-                                      const calibration::CalibrationHistory& history);
+                                      const calibration::CalibrationCheck& check);
 
 }  // namespace flytri::session

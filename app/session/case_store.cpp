@@ -229,12 +229,12 @@ Result<void> CaseStore::write_calibration(const calibration::Calibration& calibr
 }
 
 Result<void> CaseStore::note_check(const calibration::Calibration& checked,
-                                   const calibration::CalibrationHistory& history) {
+                                   const calibration::CalibrationCheck& check) {
   if (is_read_only()) return {};
   auto kept = calibration();
   if (!kept) return tl::unexpected(kept.error());
   if (!*kept || io::fingerprint(**kept) != io::fingerprint(checked)) return {};
-  (*kept)->history = history;
+  (*kept)->history.checks.push_back(check);
   return write_calibration(**kept);
 }
 

@@ -47,10 +47,10 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] Result<io::CaseFields> fields();
   [[nodiscard]] Result<void> write_fields(const io::CaseFields& fields);
   [[nodiscard]] Result<void> write_calibration(const calibration::Calibration& calibration);
-  /// Keeps the new history of a calibration with the case, if it was scanned with that. Does
-  /// nothing to a case that is read-only.
+  /// Adds a check to those of the case's calibration, if that is the one checked. Does nothing to
+  /// a case that is read-only.
   [[nodiscard]] Result<void> note_check(const calibration::Calibration& checked,
-                                        const calibration::CalibrationHistory& history);
+                                        const calibration::CalibrationCheck& check);
   /// None: the case has no calibration yet.
   [[nodiscard]] Result<std::optional<calibration::Calibration>> calibration();
   [[nodiscard]] Result<std::int64_t> add_measurement(io::ScanStage stage,

@@ -129,11 +129,11 @@ ui::RecordingState SourceController::recording_state(double now_s) {
   return state;
 }
 
-void SourceController::keep_history(const calibration::Calibration& checked,
-                                    const calibration::CalibrationHistory& history) {
+void SourceController::note_check(const calibration::Calibration& checked,
+                                  const calibration::CalibrationCheck& check) {
   if (source_.calibration.get() != &checked) return;
   calibration::Calibration calibration = checked;
-  calibration.history = history;
+  calibration.history.checks.push_back(check);
   source_.calibration = std::make_shared<const calibration::Calibration>(std::move(calibration));
 }
 

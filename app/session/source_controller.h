@@ -64,9 +64,9 @@ class SourceController {
   [[nodiscard]] const std::shared_ptr<const calibration::Calibration>& calibration() const {
     return source_.calibration;
   }
-  /// Keeps the new history of a calibration, if it is still that of the source.
-  void keep_history(const calibration::Calibration& checked,
-                    const calibration::CalibrationHistory& history);
+  /// Adds a check to those of a calibration, if it is still that of the source.
+  void note_check(const calibration::Calibration& checked,
+                  const calibration::CalibrationCheck& check);
   [[nodiscard]] FrameRouter& router() { return *router_; }
   [[nodiscard]] ui::SourceState state() const;
   /// Call it once a frame of the window. Looks at the disk once a second.

@@ -86,9 +86,9 @@ void LiveModel::keep_texture(const Frame& frame, const Isometry& T_world_sensor)
 /// Whether an edit came between the two times, in effect or not: undo and redo need the frames on
 /// both sides.
 bool LiveModel::is_edited_between(double one_s, double other_s) const {
-  const auto [from_s, to_s] = std::minmax(one_s, other_s);
+  const double from_s = std::min(one_s, other_s), to_s = std::max(one_s, other_s);
   const editing::EditSequence& edits = *edits_.all();
-  return std::any_of(edits.begin(), edits.end(), [from_s = from_s, to_s = to_s](const auto& edit) {
+  return std::any_of(edits.begin(), edits.end(), [&](const auto& edit) {
     return from_s <= edit->made_at_s && edit->made_at_s < to_s;
   });
 }

@@ -20,7 +20,7 @@ using reconstruct::JudgedSpan;
 ScanFacts facts() {
   ScanFacts facts;
   facts.source = "case.flytri";
-  facts.patient = io::CaseFields{.patient_name = "<script>alert('x')</script>"};
+  facts.patient.emplace().patient_name = "<script>alert('x')</script>";
   facts.stage = io::ScanStage::kUpper;
   facts.surface.mesh = sphere(Vec3::Zero(), 5.0, 12);
   for (SurfacePoint& vertex : facts.surface.mesh.vertices) vertex.sigma_mm = 0.01F;

@@ -94,7 +94,7 @@ TEST_F(NewCalibration, KeepsTheFormerOneAndItsHistory) {
 
 TEST_F(NewCalibration, ThatIsInUseAlreadyKeepsItsChecks) {
   calibration::Calibration checked = next_;
-  checked.history = checked_now(checked.history, true, "");
+  checked.history.checks.push_back(checked_now(true, ""));
   ASSERT_TRUE(io::write_calibration(in_use_, checked));
   ASSERT_TRUE(adopt().has_value());
   EXPECT_EQ(io::read_calibration(in_use_)->history.checks.size(), 1U);
@@ -130,7 +130,7 @@ class NotedCheck : public ::testing::Test {
     ASSERT_TRUE(io::write_calibration(file_, made_));
   }
   Result<void> note(const calibration::Calibration& checked) {
-    return note_check(file_, checked, checked_now(checked.history, false, "22 °C"));
+    return note_check(file_, checked, checked_now(false, "22 °C"));
   }
 
   calibration::Calibration made_ = testing::small_calibration();
@@ -147,6 +147,17 @@ TEST_F(NotedCheck, IsInTheHistoryOfTheCalibration) {
   EXPECT_FALSE(kept.history.checks[0].has_passed);
   EXPECT_EQ(kept.history.checks[0].note, "22 °C");
   EXPECT_EQ(io::fingerprint(kept), io::fingerprint(made_));
+}
+
+TEST_F(NotedCheck, ComesAfterThatOfAnotherProgramMeanwhile) {
+  calibration::Calibration meanwhile = made_;
+  meanwhile.history.checks = {{"2031-02-01T08:00:00Z", true, "in another window"}};
+  ASSERT_TRUE(io::write_calibration(file_, meanwhile));
+  ASSERT_TRUE(note(made_));
+  const auto kept = io::read_calibration(file_).value();
+  ASSERT_EQ(kept.history.checks.size(), 2U);
+  EXPECT_EQ(kept.history.checks[0].note, "in another window");
+  EXPECT_EQ(kept.history.checks[1].note, "22 °C");
 }
 
 TEST_F(NotedCheck, AReadOnlyFileStaysAsItIs) {
