@@ -66,7 +66,7 @@ TEST_P(CorrectProjectors, FindWhichOneMovedAndPutItsPointsInPlace) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, CorrectProjectors, ::testing::ValuesIn(kPatterns),
-                         [](const auto& info) { return std::string(to_string(info.param)); });
+                         [](const auto& test) { return std::string(to_string(test.param)); });
 
 TEST(CorrectedScan, IsWhatTheModelIsMadeOf) {
   const calibration::Calibration calibration = testing::camera_calibration();
