@@ -193,6 +193,8 @@ Result<std::string> Drawing::pdf() const {
   const Vec2 size_pt = kPointsPerMm * size_mm_;
   const Surface page(
       cairo_pdf_surface_create_for_stream(append_bytes, &bytes, size_pt.x(), size_pt.y()));
+  // Old printing programs read it, too, and its page sizes are plain text.
+  cairo_pdf_surface_restrict_to_version(page.get(), CAIRO_PDF_VERSION_1_4);
   if (auto drawn = draw_page(page.get(), kPointsPerMm); !drawn) {
     return tl::unexpected(drawn.error());
   }

@@ -60,9 +60,11 @@ cv::Mat render_svg(const std::string& bytes, double px_per_mm) {
 
 std::vector<std::vector<Vec2>> polygons_of(const std::string& svg) {
   std::vector<std::vector<Vec2>> polygons;
-  const std::regex path("<path [^>]*fill:rgb[^>]* d=\"([^\"]*)\"");
+  // As Cairo 1.16 and 1.18 write them.
+  const std::regex path("<path [^>]*fill(?::|=\")rgb[^>]* d=\"([^\"]*)\"");
+  const std::regex scaled(R"(matrix\(0\.001, ?0, ?0, ?0\.001, ?0, ?0\))");
   // Only what is drawn in micrometers, and scaled once.
-  if (svg.find("matrix(0.001,0,0,0.001,0,0)") == std::string::npos) return polygons;
+  if (!std::regex_search(svg, scaled)) return polygons;
   for (auto found = std::sregex_iterator(svg.begin(), svg.end(), path);
        found != std::sregex_iterator(); ++found) {
     const auto subpaths = subpaths_of((*found)[1]);
