@@ -8,12 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "app/cli/output_files.h"
 #include "app/lab/closed_jaws.h"
 #include "app/lab/reconstructed_scan.h"
 #include "app/lab/studies.h"
 #include "core/base/median.h"
-#include "core/io/files/file_bytes.h"
 #include "core/occlusion/clearance.h"
 #include "core/occlusion/occlude.h"
 
@@ -23,10 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct OcclusionArguments {
-  std::filesystem::path output;
-  bool force = false;
-  int first_jaw = 1;
-  int jaw_count = 20;
+  SeedArguments seeds{{}, false, 1, 20, {}};
   int view_count = 500;
   int bite_view_count = 90;
   int thread_count = 0;
@@ -81,12 +76,11 @@ OcclusionError error_of(const occlusion::Occlusion& found, const ClosedJaws& jaw
   return error;
 }
 
-Json json_of(const OcclusionError& error, std::uint64_t seed, std::size_t sides) {
+Json json_of(const OcclusionError& error, std::size_t sides) {
   const auto place = [](const PlaceError& at) {
     return Json{{"error_um", kMicrons * at.error_mm}, {"predicted_um", kMicrons * at.predicted_mm}};
   };
-  return {{"seed", seed},
-          {"sides", sides},
+  return {{"sides", sides},
           {"middle", place(error.middle)},
           {"last_molar_scanned_side", place(error.ends[0])},
           {"last_molar_other_side", place(error.ends[1])},
@@ -95,19 +89,9 @@ Json json_of(const OcclusionError& error, std::uint64_t seed, std::size_t sides)
           {"contact_median_um", kMicrons * error.contact_median_mm}};
 }
 
-void print_error(const OcclusionError& error, std::uint64_t seed, std::size_t sides) {
-  const auto place = [](const PlaceError& at) {
-    return fmt::format("{:6.1f} {:6.1f}", kMicrons * at.error_mm, kMicrons * at.predicted_mm);
-  };
-  fmt::print("{:4} {:5}   {}   {}   {}   {:6.4f} {:6.4f}   {:6.1f}\n", seed, sides,
-             place(error.middle), place(error.ends[0]), place(error.ends[1]), error.angle_deg,
-             error.predicted_angle_deg, kMicrons * error.contact_median_mm);
-  std::fflush(stdout);
-}
-
 /// One pair of jaws, with one and with two bite scans.
-Result<Json> try_jaws(const OcclusionArguments& arguments, std::uint64_t seed,
-                      const Workers& workers, const Progress& progress) {
+Result<Json> measure(const OcclusionArguments& arguments, std::uint64_t seed,
+                     const Workers& workers, const Progress& progress) {
   const auto jaws = close_sample_jaws(seed, workers);
   if (!jaws) return tl::unexpected(jaws.error());
   const auto upper = scan_arch(jaws->upper, JawKind::kUpper, arguments.view_count, 10 * seed + 1,
@@ -132,55 +116,48 @@ Result<Json> try_jaws(const OcclusionArguments& arguments, std::uint64_t seed,
     const auto found =
         occlusion::find_occlusion(upper->surface, lower->surface, scans, {}, workers, progress);
     if (!found) {
-      fmt::print("{:4} {:5}   {}\n", seed, scans.size(), found.error().message);
-      rows.push_back({{"seed", seed}, {"sides", scans.size()}, {"refused", found.error().message}});
+      rows.push_back({{"sides", scans.size()}, {"refused", found.error().message}});
       continue;
     }
     const OcclusionError error = error_of(*found, *jaws, *upper, *lower, workers);
-    print_error(error, seed, scans.size());
-    rows.push_back(json_of(error, seed, scans.size()));
+    rows.push_back(json_of(error, scans.size()));
   }
-  return rows;
-}
-
-Result<void> run(const OcclusionArguments& arguments, const Progress& progress) {
-  auto checked = cli::check_output_files({}, {{arguments.output, "flytri.study"}}, arguments.force);
-  if (!checked) return checked;
-  const Workers workers(arguments.thread_count);
-  fmt::print(
-      "Error and predicted standard uncertainty, um; angle in degrees; median error of clearances, "
-      "um\n");
-  fmt::print("{:>4} {:>5}   {:^13}   {:^13}   {:^13}   {:^13}   {:>6}\n", "seed", "sides", "middle",
-             "last molar", "far molar", "angle", "contact");
-  Json rows = Json::array();
-  for (int i = 0; i < arguments.jaw_count; ++i) {
-    const int seed = arguments.first_jaw + i;
-    const auto of_jaws = try_jaws(arguments, static_cast<std::uint64_t>(seed), workers, progress);
-    if (!of_jaws) return tl::unexpected(of_jaws.error());
-    rows.insert(rows.end(), of_jaws->begin(), of_jaws->end());
-  }
-  if (arguments.output.empty()) return {};
-  const Json json = {
-      {"format", "flytri.study"}, {"version", 1}, {"study", "occlusion"}, {"jaws", rows}};
-  return io::write_file(arguments.output, json.dump(1) + "\n");
+  return Json{{"bites", std::move(rows)}};
 }
 
 }  // namespace
+
+void print_occlusion(const Json& records) {
+  const auto number = [](const Json& bite, const char* key) { return bite.at(key).get<double>(); };
+  const auto place = [&](const Json& bite, const char* key) {
+    return fmt::format("{:6.1f} {:6.1f}", number(bite.at(key), "error_um"),
+                       number(bite.at(key), "predicted_um"));
+  };
+  fmt::print(
+      "Error and predicted standard uncertainty, µm; angle in degrees; median error of clearances, "
+      "µm\n");
+  fmt::print("{:>4} {:>5}   {:^13}   {:^13}   {:^13}   {:^13}   {:>6}\n", "seed", "sides", "middle",
+             "last molar", "far molar", "angle", "contact");
+  for (const Json& record : records) {
+    for (const Json& bite : record.at("bites")) {
+      fmt::print("{:4} {:5}   ", record.at("seed").get<int>(), bite.at("sides").get<int>());
+      if (bite.contains("refused")) {
+        fmt::print("{}\n", bite.at("refused").get<std::string>());
+        continue;
+      }
+      fmt::print("{}   {}   {}   {:6.4f} {:6.4f}   {:6.1f}\n", place(bite, "middle"),
+                 place(bite, "last_molar_scanned_side"), place(bite, "last_molar_other_side"),
+                 number(bite, "angle_deg"), number(bite, "predicted_angle_deg"),
+                 number(bite, "contact_median_um"));
+    }
+  }
+}
 
 void add_occlusion_study(CLI::App& lab, cli::Invocation& invocation) {
   const auto arguments = std::make_shared<OcclusionArguments>();
   CLI::App* command =
       lab.add_subcommand("occlusion", "Measure how well bite scans bring simulated jaws together");
-  command->add_option("-o,--output", arguments->output, "Also write the figures as .json");
-  cli::add_force_option(*command, arguments->force);
-  command->add_option("--jaws", arguments->jaw_count, "Pairs of jaws")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      ->add_option("--first", arguments->first_jaw,
-                   "Number of the first pair: parts of the study can run one after the other")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
+  add_seed_options(*command, arguments->seeds, "--jaws", "Pairs of jaws");
   command->add_option("--views", arguments->view_count, "Views of each jaw")
       ->check(CLI::Range(100, 5000))
       ->capture_default_str();
@@ -190,7 +167,13 @@ void add_occlusion_study(CLI::App& lab, cli::Invocation& invocation) {
   cli::add_threads_option(*command, arguments->thread_count);
   command->footer("Example: flytri-lab occlusion --jaws 20 -o occlusion.json");
   command->callback([arguments, &invocation] {
-    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
+    invocation.job = [arguments](const Progress& progress) {
+      const Workers workers(arguments->thread_count);
+      const SeededStudy occlusion = {
+          {{"views", arguments->view_count}, {"bite_views", arguments->bite_view_count}},
+          [&](std::uint64_t seed) { return measure(*arguments, seed, workers, progress); }};
+      return run_seeds(occlusion, kOcclusionPrinter, arguments->seeds);
+    };
   });
 }
 

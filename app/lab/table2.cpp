@@ -1,178 +1,211 @@
 /// @file  flytri-lab table2: the figures of the paper's Table 2, measured on simulated views.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/output_files.h"
-#include "app/cli/report.h"
+#include "app/lab/length_error.h"
 #include "app/lab/simulated_scan.h"
 #include "app/lab/studies.h"
 #include "assets/sample_jaw/sample_jaw.h"
+#include "core/base/median.h"
+#include "core/evaluation/best_fit.h"
 #include "core/evaluation/pose_error.h"
-#include "core/io/files/file_bytes.h"
+#include "core/evaluation/surface_error.h"
+#include "core/normals/normals.h"
+#include "core/reconstruct/jaw_spans.h"
+#include "core/reduction/reduce.h"
 #include "core/refinement/refine.h"
-#include "core/tracking/registrar.h"
 
 namespace flytri::lab {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Practically no noise, but above 0, so that weights are finite.
-constexpr double kIdealSigmaMm = 1e-6;
-/// Noise is correlated over this many neighboring rows, if speckle or smoothing correlates it.
-constexpr double kCorrelationSamples = 1.5;
-
-struct StudyArguments {
-  fs::path output;
-  bool force = false;
+struct Table2Arguments {
+  SeedArguments seeds{{}, false, 1, 1, {}};
   int view_count = 1000;
   int thread_count = 0;
 };
 
-/// The results of one scan through the real pipeline.
-struct ScanResult {
-  std::size_t views = 0;
-  std::size_t registered = 0;
-  std::size_t points = 0;
-  evaluation::PoseError live;  ///< after registration, before the joint refinement
-  evaluation::PoseError refined;
-  double live_point_error_mm = 0.0;  ///< with noise, best fit
-  double refined_point_error_mm = 0.0;
-  double registration_s = 0.0;
-  double refinement_s = 0.0;
-};
+/// The paper's noise: a standard deviation along z.
+constexpr double kSigma_mm = 0.03;
+/// Practically no noise, but above 0, so that weights are finite.
+constexpr double kIdealSigma_mm = 1e-6;
+/// Noise is correlated over this many neighboring rows, if speckle or smoothing correlates it.
+constexpr double kCorrelationSamples = 1.5;
 
-Result<ScanResult> run_scan(const TriangleMesh& jaw, const SimulatedScanOptions& options,
-                            const Workers& workers, const Progress& progress) {
+Json json_of(const evaluation::PoseError& poses, double points_mm) {
+  return {{"points_um", kMicrons * points_mm},
+          {"best_fit_um", kMicrons * poses.best_fit_mm},
+          {"first_view_um", kMicrons * poses.first_view_mm}};
+}
+
+/// Errors of the points as they are now: with their noise, and by the poses alone.
+Json pose_figures(const RegisteredTruth& truth) {
+  return json_of(evaluation::pose_error(truth.aligned, truth.T_model_sensor),
+                 evaluation::point_error_mm(truth.aligned, truth.ideal, truth.T_model_sensor));
+}
+
+/// Errors of the thinned points, laid on the true jaw.
+Result<Json> thinned_figures(const RegisteredTruth& truth, const TriangleMesh& jaw,
+                             const Workers& workers, const Progress& progress) {
+  const auto normals = normals::crossing_normals(truth.aligned, {}, workers, progress);
+  if (!normals) return tl::unexpected(normals.error());
+  const auto reduced = reduction::reduce_samples(normals::surface_samples(truth.aligned, *normals),
+                                                 {}, workers, progress);
+  if (!reduced) return tl::unexpected(reduced.error());
+  TriangleMesh thinned;
+  thinned.vertices = reduced->points;
+  const Isometry T_model_world =
+      truth.T_model_sensor.front() * truth.aligned.front().T_world_sensor.inverse();
+  thinned = evaluation::transformed(thinned, T_model_world);
+  const auto fit = evaluation::best_fit(thinned, jaw, {}, workers);
+  if (!fit) return tl::unexpected(fit.error());
+  thinned = evaluation::transformed(thinned, fit->T_truth_result);
+  const auto error = evaluation::surface_error(thinned, jaw, {}, {}, workers);
+  if (!error) return tl::unexpected(error.error());
+  Json figures = {{"rms_um", kMicrons * error->distance.rms_mm},
+                  {"median_um", kMicrons * error->distance.median_mm},
+                  {"far_percent", 100.0 * error->far_share}};
+  for (const reconstruct::JawSpan& span : reconstruct::jaw_spans(jaw, JawKind::kUpper)) {
+    if (span.kind != reconstruct::JawSpanKind::kLastTeeth) continue;
+    const auto longer_mm =
+        length_error_mm(thinned, jaw, span.ends.from_mm, span.ends.to_mm, workers);
+    // A short scan does not reach them.
+    if (!longer_mm && longer_mm.error().code == ErrorCode::kInsufficient) continue;
+    if (!longer_mm) return tl::unexpected(longer_mm.error());
+    figures["last_molars_um"] = kMicrons * std::abs(*longer_mm);
+  }
+  return figures;
+}
+
+/// The figures of one scan with one kind of noise.
+Result<Json> scan_figures(const TriangleMesh& jaw, const SimulatedScanOptions& options,
+                          const Workers& workers, const Progress& progress) {
   const auto scan = simulate_scan(jaw, simulated::intraoral_sensor(), options, workers, progress);
   if (!scan) return tl::unexpected(scan.error());
-  ScanResult result;
-  result.views = scan->views.size();
-  for (const auto& view : scan->views) result.points += view->point_count();
-  const double start_s = cli::steady_seconds();
   auto truth = register_scan(*scan, progress);
   if (!truth) return tl::unexpected(truth.error());
-  result.registration_s = cli::steady_seconds() - start_s;
-  result.registered = truth->aligned.size();
-  result.live = evaluation::pose_error(truth->aligned, truth->T_model_sensor);
-  result.live_point_error_mm =
-      evaluation::point_error_mm(truth->aligned, truth->ideal, truth->T_model_sensor);
-  const double refinement_start_s = cli::steady_seconds();
+  Json figures = {{"registered", truth->aligned.size()}, {"live", pose_figures(*truth)}};
   progress.begin_stage("Optimizing together");
   const auto refinement = refinement::refine_jointly(truth->aligned, {}, workers, progress);
   if (!refinement) return tl::unexpected(refinement.error());
-  result.refinement_s = cli::steady_seconds() - refinement_start_s;
-  result.refined = evaluation::pose_error(truth->aligned, truth->T_model_sensor);
-  result.refined_point_error_mm =
-      evaluation::point_error_mm(truth->aligned, truth->ideal, truth->T_model_sensor);
-  return result;
+  figures["final"] = pose_figures(*truth);
+  progress.begin_stage("Thinning");
+  auto thinned = thinned_figures(*truth, jaw, workers, progress);
+  if (!thinned) return thinned;
+  figures["thinned"] = *std::move(thinned);
+  return figures;
 }
 
-/// A row of the table, with the figure of the paper in µm.
-struct PaperRow {
+Result<Json> measure(const Table2Arguments& arguments, const TriangleMesh& jaw, std::uint64_t seed,
+                     const Workers& workers, const Progress& progress) {
+  struct Noise {
+    const char* name;
+    double sigma_mm, correlation_samples;
+  };
+  constexpr std::array<Noise, 3> kNoises = {{{"ideal", kIdealSigma_mm, 0.0},
+                                             {"white", kSigma_mm, 0.0},
+                                             {"correlated", kSigma_mm, kCorrelationSamples}}};
+  Json record = {{"views", arguments.view_count}};
+  for (const Noise& noise : kNoises) {
+    SimulatedScanOptions options;
+    options.view_count = arguments.view_count;
+    options.path.seed = options.noise.seed = seed;
+    options.noise.sigma_mm = noise.sigma_mm;
+    options.noise.correlation_samples = noise.correlation_samples;
+    auto figures = scan_figures(jaw, options, workers, progress);
+    if (!figures) return figures;
+    record[noise.name] = *std::move(figures);
+  }
+  return record;
+}
+
+/// A row of the table: where its figure is in a record.
+struct Table2Row {
   std::string_view name;
-  double paper_um;
-  double best_fit_um;
-  double first_view_um;  ///< NaN: not defined for this row
+  const char* stage;
+  const char* figure;
+  double paper = 0.0;  ///< its figure in the paper; 0: there is none
 };
 
-void print_row(const PaperRow& row) {
-  const std::string first =
-      std::isnan(row.first_view_um) ? "-" : fmt::format("{:.1f}", row.first_view_um);
-  fmt::print("{:<46} {:>8.0f} {:>10.1f} {:>11}\n", row.name, row.paper_um, row.best_fit_um, first);
-}
+constexpr std::array<Table2Row, 10> kRows = {
+    {{"real-time, noise included, best fit", "live", "points_um", 300.0},
+     {"real-time, poses alone, best fit", "live", "best_fit_um", 300.0},
+     {"real-time, poses alone, first view", "live", "first_view_um"},
+     {"final, noise included, best fit", "final", "points_um", 32.0},
+     {"final, noise removed, best fit", "final", "best_fit_um", 24.0},
+     {"final, noise removed, first view", "final", "first_view_um"},
+     {"thinned points to the surface, RMS", "thinned", "rms_um"},
+     {"the same, median", "thinned", "median_um"},
+     {"thinned points off by over 0.1 mm, %", "thinned", "far_percent"},
+     {"distance of the last molars", "thinned", "last_molars_um"}}};
 
-std::vector<PaperRow> rows_of(const ScanResult& noisy, const ScanResult& ideal) {
-  const double none = std::nan("");
-  return {{"real-time error (noise included)", 300, kMicrons * noisy.live_point_error_mm, none},
-          {"real-time error (poses only)", 300, kMicrons * noisy.live.best_fit_mm,
-           kMicrons * noisy.live.first_view_mm},
-          {"final error (noise included)", 32, kMicrons * noisy.refined_point_error_mm, none},
-          {"final error (noise removed)", 24, kMicrons * noisy.refined.best_fit_mm,
-           kMicrons * noisy.refined.first_view_mm},
-          {"final error (ideal data)", 5, kMicrons * ideal.refined.best_fit_mm,
-           kMicrons * ideal.refined.first_view_mm}};
-}
-
-Json to_json(const std::string& noise, const ScanResult& noisy, const ScanResult& ideal) {
-  Json rows = Json::array();
-  for (const PaperRow& row : rows_of(noisy, ideal)) {
-    Json entry = {{"name", row.name}, {"paper_um", row.paper_um}, {"best_fit_um", row.best_fit_um}};
-    if (!std::isnan(row.first_view_um)) entry["first_view_um"] = row.first_view_um;
-    rows.push_back(entry);
+/// Median and largest of a figure over the seeds: "2.4 (2.9)". "-": no record has it.
+std::string over_seeds(const Json& records, const char* noise, const Table2Row& row) {
+  std::vector<double> values;
+  for (const Json& record : records) {
+    const Json& stage = record.at(noise).at(row.stage);
+    if (stage.contains(row.figure)) values.push_back(stage.at(row.figure).get<double>());
   }
-  return {{"noise", noise},
-          {"views", noisy.views},
-          {"registered", noisy.registered},
-          {"points", noisy.points},
-          {"registration_s", noisy.registration_s},
-          {"refinement_s", noisy.refinement_s},
-          {"rows", rows}};
-}
-
-void print_table(std::string_view noise, const ScanResult& noisy, const ScanResult& ideal) {
-  fmt::print(
-      "\n{}: {} of {} views registered, {} points; registration {:.1f} s, refinement {:.1f} s\n",
-      noise, noisy.registered, noisy.views, noisy.points, noisy.registration_s, noisy.refinement_s);
-  fmt::print("{:<46} {:>8} {:>10} {:>11}\n", "error, µm", "paper", "best fit", "first view");
-  for (const PaperRow& row : rows_of(noisy, ideal)) print_row(row);
-}
-
-Result<void> run(const StudyArguments& arguments, const Progress& progress) {
-  auto checked = cli::check_output_files({}, {{arguments.output, "flytri.study"}}, arguments.force);
-  if (!checked) return checked;
-  const Workers workers(arguments.thread_count);
-  const auto jaw = sample_jaw::make_sample_jaw({}, workers);
-  if (!jaw) return tl::unexpected(jaw.error());
-  SimulatedScanOptions options;
-  options.view_count = arguments.view_count;
-  const auto scan_with = [&](double sigma_mm, double correlation_samples) {
-    options.noise.sigma_mm = sigma_mm;
-    options.noise.correlation_samples = correlation_samples;
-    return run_scan(*jaw, options, workers, progress);
-  };
-  // The paper's 30 µm is a standard deviation along z.
-  const auto ideal = scan_with(kIdealSigmaMm, 0.0);
-  if (!ideal) return tl::unexpected(ideal.error());
-  const auto white = scan_with(0.03, 0.0);
-  if (!white) return tl::unexpected(white.error());
-  const auto correlated = scan_with(0.03, kCorrelationSamples);
-  if (!correlated) return tl::unexpected(correlated.error());
-  const std::string correlated_name =
-      fmt::format("30 µm, correlated over {} samples", kCorrelationSamples);
-  print_table("30 µm, white", *white, *ideal);
-  print_table(correlated_name, *correlated, *ideal);
-  if (arguments.output.empty()) return {};
-  const Json json = {
-      {"format", "flytri.study"},
-      {"version", 1},
-      {"study", "table2"},
-      {"scans",
-       {to_json("30 µm, white", *white, *ideal), to_json(correlated_name, *correlated, *ideal)}}};
-  return io::write_file(arguments.output, json.dump(1) + "\n");
+  if (values.empty()) return "-";
+  const double largest = *std::max_element(values.begin(), values.end());
+  std::sort(values.begin(), values.end());
+  const int decimals = quantile_of(values, 0.5) < 1.0 ? 3 : 1;
+  return fmt::format("{:.{}f} ({:.{}f})", quantile_of(values, 0.5), decimals, largest, decimals);
 }
 
 }  // namespace
 
+void print_table2(const Json& records) {
+  fmt::print("\n{} scans of {} views; µm, median and largest over the scans\n", records.size(),
+             records.front().at("views").get<int>());
+  constexpr std::array<const char*, 3> kNoises = {"white", "correlated", "ideal"};
+  fmt::print("{:<38} {:>6}", "", "paper");
+  for (const char* noise : kNoises) fmt::print(" {:>17}", noise);
+  fmt::print("\n{:<38} {:>6}", "registered views, least", "");
+  for (const char* noise : kNoises) {
+    int least = std::numeric_limits<int>::max();
+    for (const Json& record : records) {
+      least = std::min(least, record.at(noise).at("registered").get<int>());
+    }
+    fmt::print(" {:>17}", least);
+  }
+  for (const Table2Row& row : kRows) {
+    fmt::print("\n{:<38} {:>6}", row.name,
+               row.paper > 0.0 ? fmt::format("{:.0f}", row.paper) : std::string());
+    for (const char* noise : kNoises) fmt::print(" {:>17}", over_seeds(records, noise, row));
+  }
+  fmt::print("\n");
+}
+
 void add_table2_study(CLI::App& study, cli::Invocation& invocation) {
-  const auto arguments = std::make_shared<StudyArguments>();
+  const auto arguments = std::make_shared<Table2Arguments>();
   CLI::App* command = study.add_subcommand(
       "table2",
       "Measure the errors of the registration on simulated views of a dental arch (Table 2)");
-  command->add_option("-o,--output", arguments->output, "Also write the figures as .json");
-  cli::add_force_option(*command, arguments->force);
-  command->add_option("--views", arguments->view_count, "Views to simulate")
+  add_seed_options(*command, arguments->seeds, "--seeds",
+                   "Scans with each kind of noise, each on another path");
+  command->add_option("--views", arguments->view_count, "Views of each scan")
       ->check(CLI::Range(20, 5000))
       ->capture_default_str();
   cli::add_threads_option(*command, arguments->thread_count);
-  command->footer("Example: flytri-lab table2 -o table2.json");
+  command->footer("Example: flytri-lab table2 --seeds 10 -o table2.json");
   command->callback([arguments, &invocation] {
-    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
+    invocation.job = [arguments](const Progress& progress) -> Result<void> {
+      const Workers workers(arguments->thread_count);
+      const auto jaw = sample_jaw::make_sample_jaw({}, workers);
+      if (!jaw) return tl::unexpected(jaw.error());
+      const SeededStudy table2 = {{{"views", arguments->view_count}}, [&](std::uint64_t seed) {
+                                    return measure(*arguments, *jaw, seed, workers, progress);
+                                  }};
+      return run_seeds(table2, kTable2Printer, arguments->seeds);
+    };
   });
 }
 

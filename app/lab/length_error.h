@@ -1,0 +1,19 @@
+/// @file  How far off a distance across a scanned jaw is.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/workers.h"
+#include "core/geometry/triangle_mesh.h"
+
+namespace flytri::lab {
+
+/// How much longer the scan makes the distance of two places, mm. Each place moves as the scanned
+/// surface within 5 mm of it must to lie on the true one.
+/// @param scanned  in the frame of the truth; its vertices count
+/// @param from_mm, to_mm  on the true surface
+/// @errors  As evaluation::best_fit.
+[[nodiscard]] Result<double> length_error_mm(const TriangleMesh& scanned, const TriangleMesh& truth,
+                                             const Vec3& from_mm, const Vec3& to_mm,
+                                             const Workers& workers);
+
+}  // namespace flytri::lab
