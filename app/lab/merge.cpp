@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 #include "app/cli/output_files.h"
@@ -31,7 +30,6 @@ Result<void> run(const MergeArguments& arguments) {
   }
   const auto study = merged(texts, names);
   if (!study) return tl::unexpected(study.error());
-  static constexpr std::array kPrinters = {kTable2Printer, kOcclusionPrinter, kLengthsPrinter};
   const auto printer = std::find_if(kPrinters.begin(), kPrinters.end(),
                                     [&](const auto& one) { return (*study)["study"] == one.name; });
   if (printer == kPrinters.end()) {

@@ -2,6 +2,8 @@
 /// docs/.
 #pragma once
 
+#include <array>
+
 #include "app/cli/command.h"
 #include "app/lab/seeded_study.h"
 
@@ -16,6 +18,7 @@ void print_lengths(const nlohmann::ordered_json& records);
 inline constexpr StudyPrinter kTable2Printer{"table2", print_table2};
 inline constexpr StudyPrinter kOcclusionPrinter{"occlusion", print_occlusion};
 inline constexpr StudyPrinter kLengthsPrinter{"lengths", print_lengths};
+inline constexpr std::array kPrinters = {kTable2Printer, kOcclusionPrinter, kLengthsPrinter};
 
 void add_table2_study(CLI::App& lab, cli::Invocation& invocation);
 void add_refinement_study(CLI::App& lab, cli::Invocation& invocation);
