@@ -105,7 +105,7 @@ Json to_json(const GrowthStep& step) {
 }
 
 Result<void> run(const GrowthArguments& arguments, const Progress& progress) {
-  auto checked = cli::check_output_files({}, {{arguments.output, "flytri.study"}}, arguments.force);
+  auto checked = cli::check_output_files({}, {{arguments.output, kStudyFormat}}, arguments.force);
   if (!checked) return checked;
   const Workers workers(arguments.thread_count);
   const auto jaw = sample_jaw::make_sample_jaw({}, workers);
@@ -121,7 +121,7 @@ Result<void> run(const GrowthArguments& arguments, const Progress& progress) {
   print_table(steps);
   if (arguments.output.empty()) return {};
   const Json document = {
-      {"format", "flytri.study"}, {"version", 1}, {"study", "growth"}, {"scans", scans}};
+      {"format", kStudyFormat}, {"version", 1}, {"study", "growth"}, {"scans", scans}};
   return io::write_file(arguments.output, document.dump(1) + "\n");
 }
 

@@ -7,8 +7,8 @@
 
 namespace flytri::lab {
 
-/// How much longer the scan makes the distance of two places, mm. Each place moves as the scanned
-/// surface within 5 mm of it must to lie on the true one.
+/// By how much the distance of two places is too long in the scan, mm. To find where a place is in
+/// the scan, the scanned surface within 5 mm of it is laid on the true one.
 /// @param scanned  in the frame of the truth; its vertices count
 /// @param from_mm, to_mm  on the true surface
 /// @errors  As evaluation::best_fit.

@@ -19,7 +19,7 @@ struct MergeArguments {
 };
 
 Result<void> run(const MergeArguments& arguments) {
-  auto checked = cli::check_output_files({}, {{arguments.output, "flytri.study"}}, arguments.force);
+  auto checked = cli::check_output_files({}, {{arguments.output, kStudyFormat}}, arguments.force);
   if (!checked) return checked;
   std::vector<std::string> texts, names;
   for (const std::filesystem::path& part : arguments.parts) {
@@ -43,7 +43,7 @@ Result<void> run(const MergeArguments& arguments) {
                 fmt::join(names, ", "));
   }
   if (arguments.output.empty()) return {};
-  return io::write_file(arguments.output, study->dump(1) + "\n");
+  return io::write_file(arguments.output, text_of(*study));
 }
 
 }  // namespace

@@ -134,8 +134,8 @@ void print_occlusion(const Json& records) {
                        number(bite.at(key), "predicted_um"));
   };
   fmt::print(
-      "Error and predicted standard uncertainty, µm; angle in degrees; median error of clearances, "
-      "µm\n");
+      "Each: error, and its predicted standard uncertainty. µm; angle in degrees. Contact: median "
+      "error\n");
   fmt::print("{:>4} {:>5}   {:^13}   {:^13}   {:^13}   {:^13}   {:>6}\n", "seed", "sides", "middle",
              "last molar", "far molar", "angle", "contact");
   for (const Json& record : records) {

@@ -17,8 +17,7 @@ using nlohmann::ordered_json;
 
 constexpr int kMostSeeds = 1000, kHighestSeed = 100000;
 
-/// The studies whose records can be read. Version 1 had other records.
-constexpr const char* kFormat = "flytri.study";
+/// Version 1 had other records.
 constexpr int kVersion = 2;
 
 /// "2/10"
@@ -41,8 +40,6 @@ std::vector<int> seeds_of(const SeedArguments& arguments) {
   return seeds;
 }
 
-std::string text_of(const ordered_json& study) { return study.dump(1) + "\n"; }
-
 /// A file of a study, with all that merging reads.
 Result<ordered_json> parse_study(const std::string& text, const std::string& name) {
   const auto refuse = [&](const char* what) {
@@ -54,8 +51,10 @@ Result<ordered_json> parse_study(const std::string& text, const std::string& nam
   const auto is = [&](const char* key, auto has_type) {
     return study.contains(key) && has_type(study[key]);
   };
-  const auto is_number = [](const ordered_json& value) { return value.is_number_integer(); };
-  if (!is("format", [](const ordered_json& value) { return value == kFormat; })) {
+  const auto is_in = [](const ordered_json& value, int low, int high) {
+    return value.is_number_integer() && value >= low && value <= high;
+  };
+  if (!is("format", [](const ordered_json& value) { return value == kStudyFormat; })) {
     return refuse("is not a study");
   }
   if (!is("version", [](const ordered_json& value) { return value == kVersion; })) {
@@ -63,13 +62,16 @@ Result<ordered_json> parse_study(const std::string& text, const std::string& nam
   }
   if (!is("study", [](const ordered_json& value) { return value.is_string(); }) ||
       !is("options", [](const ordered_json& value) { return value.is_object(); }) ||
-      !is("first_seed", is_number) || !is("seed_count", is_number) ||
+      !is("first_seed", [&](const ordered_json& value) { return is_in(value, 1, kHighestSeed); }) ||
+      !is("seed_count", [&](const ordered_json& value) { return is_in(value, 1, kMostSeeds); }) ||
       !is("records", [](const ordered_json& value) { return value.is_array(); })) {
     return refuse("is incomplete");
   }
+  const int first = study["first_seed"].get<int>();
+  const int last = first + study["seed_count"].get<int>() - 1;
   for (const ordered_json& record : study["records"]) {
-    if (!record.is_object() || !record.contains("seed") || !is_number(record["seed"])) {
-      return refuse("has a record without its seed");
+    if (!record.is_object() || !record.contains("seed") || !is_in(record["seed"], first, last)) {
+      return refuse("has a record without a seed of the study");
     }
   }
   return study;
@@ -105,6 +107,8 @@ Result<void> check_complete(const ordered_json& study) {
 
 }  // namespace
 
+std::string text_of(const ordered_json& study) { return study.dump(1) + "\n"; }
+
 void add_seed_options(CLI::App& command, SeedArguments& arguments, const std::string& count_option,
                       const std::string& what) {
   command.add_option("-o,--output", arguments.output, "Also write the figures as .json");
@@ -119,8 +123,7 @@ void add_seed_options(CLI::App& command, SeedArguments& arguments, const std::st
       .add_option_function<std::string>(
           "--shard",
           [&arguments](const std::string& text) { arguments.shard = *parse_shard(text); },
-          "Run only part I of N, as I/N: the files of all parts, merged by flytri-lab merge, are "
-          "that of one run")
+          "Run only part I of N, given as I/N; flytri-lab merge makes one file of all parts")
       ->check([](const std::string& text) {
         const auto shard = parse_shard(text);
         return shard ? std::string() : shard.error().message;
@@ -129,7 +132,7 @@ void add_seed_options(CLI::App& command, SeedArguments& arguments, const std::st
 
 Result<void> run_seeds(const SeededStudy& study, const StudyPrinter& printer,
                        const SeedArguments& arguments) {
-  auto checked = cli::check_output_files({}, {{arguments.output, kFormat}}, arguments.force);
+  auto checked = cli::check_output_files({}, {{arguments.output, kStudyFormat}}, arguments.force);
   if (!checked) return checked;
   ordered_json records = ordered_json::array();
   for (const int seed : seeds_of(arguments)) {
@@ -141,7 +144,7 @@ Result<void> run_seeds(const SeededStudy& study, const StudyPrinter& printer,
   }
   if (!records.empty()) printer.print(records);
   if (arguments.output.empty()) return {};
-  const ordered_json json = {{"format", kFormat},
+  const ordered_json json = {{"format", kStudyFormat},
                              {"version", kVersion},
                              {"study", printer.name},
                              {"options", study.options},

@@ -1,4 +1,4 @@
-/// @file  A study that repeats one measurement with seeds 1, 2, 3 ..., in one run or in parts.
+/// @file  A study that measures the same with seeds 1, 2, 3 ..., in one run or in parts.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,9 @@
 #include "app/cli/command.h"
 
 namespace flytri::lab {
+
+/// The "format" of a study's file.
+inline constexpr const char* kStudyFormat = "flytri.study";
 
 /// Part `index` of `count`: every count-th seed, beginning with number `index`.
 struct Shard {
@@ -28,7 +31,7 @@ struct SeedArguments {
   Shard shard;
 };
 
-/// What is measured. Nothing in it depends on the shard, on other seeds, or on the time it takes:
+/// What is measured. The figures of a seed depend on the options alone, not on the shard, so that
 /// merged parts have the bits of one run.
 struct SeededStudy {
   nlohmann::ordered_json options;  ///< all that changes the figures, but the seed
@@ -55,12 +58,15 @@ void add_seed_options(CLI::App& command, SeedArguments& arguments, const std::st
 [[nodiscard]] Result<void> run_seeds(const SeededStudy& study, const StudyPrinter& printer,
                                      const SeedArguments& arguments);
 
-/// The text of one run, from those of its parts.
+/// The study of which these are the parts.
 /// @param texts  of the files
 /// @param names  of the files, for messages
-/// @errors  kBadFormat; kInconsistent: the parts are not of one study, or have a seed twice;
+/// @errors  kBadFormat; kInconsistent: they are of different studies, or two have the same seed;
 ///          kInsufficient: seeds are missing.
 [[nodiscard]] Result<nlohmann::ordered_json> merged(const std::vector<std::string>& texts,
                                                     const std::vector<std::string>& names);
+
+/// The text of a study's file.
+[[nodiscard]] std::string text_of(const nlohmann::ordered_json& study);
 
 }  // namespace flytri::lab

@@ -146,7 +146,7 @@ constexpr std::array<Table2Row, 10> kRows = {
      {"thinned points off by over 0.1 mm, %", "thinned", "far_percent"},
      {"distance of the last molars", "thinned", "last_molars_um"}}};
 
-/// Median and largest of a figure over the seeds: "2.4 (2.9)". "-": no record has it.
+/// Median and largest of a figure over the seeds, as "2.4 (2.9)"; "-" if no record has it.
 std::string over_seeds(const Json& records, const char* noise, const Table2Row& row) {
   std::vector<double> values;
   for (const Json& record : records) {

@@ -14,8 +14,8 @@ namespace flytri::session {
 
 /// Lets the rig measure with this calibration. It replaces the file that the user or rig.json
 /// names. If there is no such file, it is created and named in rig.json. The earlier file is
-/// kept beside it, with date and time in its name, and its history goes on in the new one. If the
-/// calibration is in use already, its file stays as it is.
+/// kept beside it, with date and time in its name; the new one continues its history. A calibration
+/// that is in use already stays as it is.
 /// @param choice  a source with a rig
 /// @return  the file that is in use now
 /// @errors  As read_calibration, parse_rig, write_file.

@@ -47,8 +47,8 @@ class CaseStore : public std::enable_shared_from_this<CaseStore> {
   [[nodiscard]] Result<io::CaseFields> fields();
   [[nodiscard]] Result<void> write_fields(const io::CaseFields& fields);
   [[nodiscard]] Result<void> write_calibration(const calibration::Calibration& calibration);
-  /// Adds a check to those of the case's calibration, if that is the one checked. Does nothing to
-  /// a case that is read-only.
+  /// Adds a check to the case's calibration, if it is the one that was checked and the case is not
+  /// read-only.
   [[nodiscard]] Result<void> note_check(const calibration::Calibration& checked,
                                         const calibration::CalibrationCheck& check);
   /// None: the case has no calibration yet.

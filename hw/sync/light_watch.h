@@ -37,8 +37,8 @@ struct WatchOptions {
   int enough = 30;
   /// 0..1. If the share of column light varies less than this, the images count as equal.
   double alike = 0.2;
-  /// 0..1. An image without lines may show an even surface under the flash: then it is brighter
-  /// all over, by this share of full scale. It counts as no missing flash.
+  /// 0..1. An even surface shows no lines. If the image is brighter all over by this share of full
+  /// scale, the flash is not missing.
   double brighter_all_over = 0.02;
   [[nodiscard]] Result<void> validate() const;
 };

@@ -16,8 +16,8 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
-/// Gives the frames of a recording of the guest the times of the real hand: the reconstruction
-/// judges gaps by its speed.
+/// The virtual machine is slow: gives the frames of its recording the times of the real hand, since
+/// the reconstruction judges gaps by the speed.
 /// @param keeps_calibration  whether the recording goes on naming its calibration
 /// @errors  As read_file and write_file.
 [[nodiscard]] Result<void> set_pace(const std::filesystem::path& recording, double pace,

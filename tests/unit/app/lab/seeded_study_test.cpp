@@ -74,8 +74,13 @@ TEST_F(PartsOfAStudy, ADamagedFileIsNamed) {
   without_records.erase("records");
   ordered_json without_seed = ordered_json::parse(good);
   without_seed["records"][0].erase("seed");
-  for (const std::string& text : {std::string("{"), std::string("[]"), std::string("{}"),
-                                  without_records.dump(), without_seed.dump()}) {
+  ordered_json of_another_seed = ordered_json::parse(good);
+  of_another_seed["records"][0]["seed"] = 99;
+  ordered_json of_no_seed = ordered_json::parse(good);
+  of_no_seed["seed_count"] = 0;
+  for (const std::string& text :
+       {std::string("{"), std::string("[]"), std::string("{}"), without_records.dump(),
+        without_seed.dump(), of_another_seed.dump(), of_no_seed.dump()}) {
     const Error error = refusal({good, text});
     EXPECT_EQ(error.code, ErrorCode::kBadFormat);
     EXPECT_THAT(error.message, HasSubstr("b.json: "));
