@@ -15,6 +15,14 @@ Result<Vec3> displacement_at(const TriangleMesh& scanned, const Vec3& p_mm,
       patch.vertices.push_back(vertex);
     }
   }
+  // Fewer points of a tooth do not determine where it is.
+  constexpr std::size_t kLeastPoints = 100;
+  if (patch.vertices.size() < kLeastPoints) {
+    return fail(ErrorCode::kInsufficient,
+                "only {} points were scanned within {} mm of ({:.1f}, {:.1f}, {:.1f}), at least {} "
+                "are needed; scan more views",
+                patch.vertices.size(), kPatch_mm, p_mm.x(), p_mm.y(), p_mm.z(), kLeastPoints);
+  }
   const auto fit = evaluation::best_fit(patch, truth, {}, workers);
   if (!fit) return tl::unexpected(fit.error());
   return Vec3(fit->T_truth_result * p_mm - p_mm);

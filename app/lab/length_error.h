@@ -11,7 +11,7 @@ namespace flytri::lab {
 /// the scan, the scanned surface within 5 mm of it is laid on the true one.
 /// @param scanned  in the frame of the truth; its vertices count
 /// @param from_mm, to_mm  on the true surface
-/// @errors  As evaluation::best_fit.
+/// @errors  kInsufficient: hardly anything was scanned at one of the places.
 [[nodiscard]] Result<double> length_error_mm(const TriangleMesh& scanned, const TriangleMesh& truth,
                                              const Vec3& from_mm, const Vec3& to_mm,
                                              const Workers& workers);

@@ -43,8 +43,8 @@ std::vector<int> seeds_of(const SeedArguments& arguments) {
 /// A file of a study, with all that merging reads.
 Result<ordered_json> parse_study(const std::string& text, const std::string& name) {
   const auto refuse = [&](const char* what) {
-    return fail(ErrorCode::kBadFormat, "{}: {}; give files that flytri-lab wrote with --shard",
-                name, what);
+    return fail(ErrorCode::kBadFormat, "{}: {}; give files that flytri-lab wrote with -o", name,
+                what);
   };
   ordered_json study = ordered_json::parse(text, nullptr, false);
   if (study.is_discarded() || !study.is_object()) return refuse("is not JSON");

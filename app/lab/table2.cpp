@@ -39,16 +39,31 @@ constexpr double kIdealSigma_mm = 1e-6;
 /// Noise is correlated over this many neighboring rows, if speckle or smoothing correlates it.
 constexpr double kCorrelationSamples = 1.5;
 
-Json json_of(const evaluation::PoseError& poses, double points_mm) {
-  return {{"points_um", kMicrons * points_mm},
-          {"best_fit_um", kMicrons * poses.best_fit_mm},
-          {"first_view_um", kMicrons * poses.first_view_mm}};
+/// RMS of the errors of neighboring views, µm: so many parts that a plot shows them.
+Json over_views(const std::vector<double>& errors_mm) {
+  constexpr std::size_t kMostParts = 100;
+  const std::size_t parts = std::min(kMostParts, errors_mm.size());
+  Json all = Json::array();
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t begin = part * errors_mm.size() / parts;
+    const std::size_t end = (part + 1) * errors_mm.size() / parts;
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) sum += errors_mm[i] * errors_mm[i];
+    all.push_back(kMicrons * std::sqrt(sum / static_cast<double>(end - begin)));
+  }
+  return all;
 }
 
 /// Errors of the points as they are now: with their noise, and by the poses alone.
 Json pose_figures(const RegisteredTruth& truth) {
-  return json_of(evaluation::pose_error(truth.aligned, truth.T_model_sensor),
-                 evaluation::point_error_mm(truth.aligned, truth.ideal, truth.T_model_sensor));
+  const evaluation::PoseError poses = evaluation::pose_error(truth.aligned, truth.T_model_sensor);
+  const double points_mm =
+      evaluation::point_error_mm(truth.aligned, truth.ideal, truth.T_model_sensor);
+  return {{"points_um", kMicrons * points_mm},
+          {"best_fit_um", kMicrons * poses.best_fit_mm},
+          {"first_view_um", kMicrons * poses.first_view_mm},
+          {"by_view_um",
+           over_views(evaluation::pose_errors_by_view_mm(truth.aligned, truth.T_model_sensor))}};
 }
 
 /// Errors of the thinned points, laid on the true jaw.
@@ -96,6 +111,8 @@ Result<Json> scan_figures(const TriangleMesh& jaw, const SimulatedScanOptions& o
   const auto refinement = refinement::refine_jointly(truth->aligned, {}, workers, progress);
   if (!refinement) return tl::unexpected(refinement.error());
   figures["final"] = pose_figures(*truth);
+  // Ideal views agree to a nanometer, their poses do not: thinning takes most points for outliers.
+  if (options.noise.sigma_mm <= kIdealSigma_mm) return figures;
   progress.begin_stage("Thinning");
   auto thinned = thinned_figures(*truth, jaw, workers, progress);
   if (!thinned) return thinned;
@@ -150,8 +167,9 @@ constexpr std::array<Table2Row, 10> kRows = {
 std::string over_seeds(const Json& records, const char* noise, const Table2Row& row) {
   std::vector<double> values;
   for (const Json& record : records) {
-    const Json& stage = record.at(noise).at(row.stage);
-    if (stage.contains(row.figure)) values.push_back(stage.at(row.figure).get<double>());
+    const Json& stages = record.at(noise);
+    if (!stages.contains(row.stage) || !stages.at(row.stage).contains(row.figure)) continue;
+    values.push_back(stages.at(row.stage).at(row.figure).get<double>());
   }
   if (values.empty()) return "-";
   const double largest = *std::max_element(values.begin(), values.end());

@@ -42,6 +42,13 @@ PointPairs gather(std::span<const PosePair> views, std::span<const Vec3> points_
   return pairs;
 }
 
+std::vector<std::shared_ptr<const View>> views_of(std::span<const AlignedView> aligned) {
+  std::vector<std::shared_ptr<const View>> views;
+  views.reserve(aligned.size());
+  for (const AlignedView& view : aligned) views.push_back(view.view);
+  return views;
+}
+
 double rms_after(const Isometry& T_model_world, const PointPairs& pairs) {
   double sum = 0.0;
   for (std::size_t i = 0; i < pairs.placed.size(); ++i) {
@@ -84,11 +91,24 @@ std::vector<Vec3> volume_corners(const Vec3& size_mm) {
 
 PoseError pose_error(std::span<const AlignedView> estimated,
                      std::span<const Isometry> T_model_sensor) {
-  std::vector<std::shared_ptr<const View>> views;
-  for (const AlignedView& view : estimated) views.push_back(view.view);
-  const PointPairs pairs = gather(estimated, views, T_model_sensor);
+  const PointPairs pairs = gather(estimated, views_of(estimated), T_model_sensor);
   if (pairs.placed.empty()) return {};
   return in_both_gauges(pairs, {estimated.front().T_world_sensor, T_model_sensor.front()});
+}
+
+std::vector<double> pose_errors_by_view_mm(std::span<const AlignedView> estimated,
+                                           std::span<const Isometry> T_model_sensor) {
+  const std::vector<std::shared_ptr<const View>> views = views_of(estimated);
+  const PointPairs all = gather(estimated, views, T_model_sensor);
+  std::vector<double> errors_mm(estimated.size());
+  if (all.placed.empty()) return errors_mm;
+  const Isometry T_model_world = best_motion(all.placed, all.truth);
+  for (std::size_t v = 0; v < estimated.size(); ++v) {
+    const PointPairs pairs = gather(estimated.subspan(v, 1), std::span(views).subspan(v, 1),
+                                    T_model_sensor.subspan(v, 1));
+    if (!pairs.placed.empty()) errors_mm[v] = rms_after(T_model_world, pairs);
+  }
+  return errors_mm;
 }
 
 double point_error_mm(std::span<const AlignedView> estimated,

@@ -43,6 +43,11 @@ struct PoseError {
 [[nodiscard]] PoseError pose_error(std::span<const AlignedView> estimated,
                                    std::span<const Isometry> T_model_sensor);
 
+/// The same for each view alone, after the rigid motion that fits all views best, mm.
+/// @returns parallel to `estimated`
+[[nodiscard]] std::vector<double> pose_errors_by_view_mm(std::span<const AlignedView> estimated,
+                                                         std::span<const Isometry> T_model_sensor);
+
 /// RMS distance of measured points (with noise) from the true positions of the same points without
 /// noise, after the best rigid fit, mm.
 /// @param ideal  the same views without noise, with the same points

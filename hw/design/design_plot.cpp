@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "hw/drawing/ticks.h"
+
 namespace flytri::design {
 namespace {
 
@@ -61,16 +63,6 @@ Range range_of(const Row& row, const std::vector<Sweep>& sweeps) {
   return range;
 }
 
-/// 1, 2 or 5 times a power of ten, three to six steps in the range.
-double tick_step(const Range& range) {
-  const double raw = (range.most - range.least) / 4.0;
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= raw) return factor * power;
-  }
-  return 10.0 * power;
-}
-
 /// One panel: places of values on the page.
 class Panel {
  public:
@@ -83,7 +75,7 @@ class Panel {
     return corner_mm_ + kPanel_mm.cwiseProduct(Vec2(x, 1.0 - y));
   }
   void draw_axes(Drawing& page, bool is_first) const {
-    const double step = tick_step(range_);
+    const double step = drawing::tick_step(range_.most - range_.least);
     for (double value = std::ceil(range_.least / step) * step; value <= range_.most;
          value += step) {
       page.line(at(0.5, value), at(2.0, value), 0.1, kGrid);

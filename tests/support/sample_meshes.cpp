@@ -1,7 +1,6 @@
 #include "tests/support/sample_meshes.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "core/geometry/mesh_normals.h"
 
@@ -35,25 +34,6 @@ TriangleMesh height_field(const HeightFieldSize& size,
     }
   connect_grid(mesh, count, count);
   compute_vertex_normals(mesh);
-  return mesh;
-}
-
-TriangleMesh sphere(const Vec3& center_mm, double radius_mm, int rings) {
-  const auto rows = static_cast<std::uint32_t>(rings) + 1;
-  const std::uint32_t columns = 2 * static_cast<std::uint32_t>(rings) + 1;
-  TriangleMesh mesh;
-  for (std::uint32_t j = 0; j < rows; ++j)
-    for (std::uint32_t i = 0; i < columns; ++i) {
-      const double polar = std::numbers::pi * j / rings;
-      const double around = std::numbers::pi * i / rings;
-      const Vec3 normal(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around),
-                        std::cos(polar));
-      SurfacePoint vertex;
-      vertex.position_mm = (center_mm + radius_mm * normal).cast<float>();
-      vertex.normal = normal.cast<float>();
-      mesh.vertices.push_back(vertex);
-    }
-  connect_grid(mesh, rows, columns);
   return mesh;
 }
 

@@ -16,7 +16,4 @@ struct HeightFieldSize {
 [[nodiscard]] TriangleMesh height_field(const HeightFieldSize& size,
                                         const std::function<double(double, double)>& depth);
 
-/// A sphere around `center_mm`, facing outwards, made of `rings` x 2 `rings` quads.
-[[nodiscard]] TriangleMesh sphere(const Vec3& center_mm, double radius_mm, int rings);
-
 }  // namespace flytri

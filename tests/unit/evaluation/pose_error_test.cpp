@@ -100,6 +100,22 @@ TEST(PoseError, AnErrorOfTheFirstViewMovesTheOthersInItsGauge) {
   EXPECT_LT(error.best_fit_mm, 0.035);
 }
 
+TEST(PoseErrorsByView, NameTheViewThatIsOff) {
+  auto views = scan_cusps(10, SceneSensor{}, 2).views;
+  const auto truth = poses_of(views);
+  Twist twist;
+  twist << 0.1, 0.2, -0.1, 3, -2, 1;
+  for (AlignedView& view : views) view.T_world_sensor = exp_twist(twist) * view.T_world_sensor;
+  for (const double error_mm : pose_errors_by_view_mm(views, truth)) EXPECT_LT(error_mm, 1e-9);
+  views[3].T_world_sensor.translation().x() += 0.1;
+  const auto errors_mm = pose_errors_by_view_mm(views, truth);
+  ASSERT_EQ(errors_mm.size(), 10U);
+  // The best fit follows the nine others, but for about a tenth of the shift.
+  for (std::size_t i = 0; i < errors_mm.size(); ++i) {
+    i == 3 ? EXPECT_GT(errors_mm[i], 0.07) : EXPECT_LT(errors_mm[i], 0.04);
+  }
+}
+
 TEST(PointError, EqualsTheNoiseIfThePosesAreRight) {
   SceneSensor ideal_sensor;
   ideal_sensor.noise_mm = 1e-9;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "assets/shapes/sphere.h"
 #include "core/base/random.h"
 #include "core/review/closed_line.h"
 #include "tests/support/revolved.h"
-#include "tests/support/sample_meshes.h"
 
 namespace flytri::review {
 namespace {
@@ -148,7 +148,7 @@ TEST(Margin, NeedsAnEdgeNearEachClick) {
 }
 
 TEST(Margin, OfASmoothSurfaceIsNone) {
-  const TriangleMesh smooth = sphere(Vec3::Zero(), 4.0, 60);
+  const TriangleMesh smooth = shapes::sphere(Vec3::Zero(), 4.0, 60);
   const std::vector<Vec3> clicks_mm = {{4, 0, 0}, {0, 4, 0}, {-4, 0, 0}};
   EXPECT_EQ(find_margin(smooth, clicks_mm, {}, Workers(1)).error().code, ErrorCode::kInsufficient);
 }

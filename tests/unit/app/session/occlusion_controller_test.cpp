@@ -40,7 +40,7 @@ class JawsOfACase : public ::testing::Test {
   }
   ui::OcclusionState wait_for_end() {
     ui::OcclusionState state = controller_.state();
-    for (int i = 0; i < 3000 && state.is_running; ++i) {
+    while (state.is_running) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       background_.settle();
       state = controller_.state();

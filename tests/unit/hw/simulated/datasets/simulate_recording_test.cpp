@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/shapes/sphere.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
 #include "core/io/recordings/truth.h"
 #include "hw/simulated/datasets/simulate_calibration_set.h"
-#include "tests/support/sample_meshes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::simulated {
@@ -35,7 +35,7 @@ RecordingOptions second_over_a_ball() {
   return options;
 }
 
-TriangleMesh ball() { return sphere(Vec3::Zero(), 12.0, 30); }
+TriangleMesh ball() { return shapes::sphere(Vec3::Zero(), 12.0, 30); }
 
 TEST(SimulateRecording, WritesFramesAndTruePoses) {
   const TemporaryFolder folder;

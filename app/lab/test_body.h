@@ -1,0 +1,45 @@
+/// @file  A jaw with spheres and a plate of known size, for the standard tests of scanners.
+#pragma once
+
+#include <vector>
+
+#include "assets/sample_jaw/dentition.h"
+#include "core/base/result.h"
+#include "core/geometry/triangle_mesh.h"
+
+namespace flytri::lab {
+
+/// Jaw frame, mm. Spheres lie half in a last molar, a canine, a central incisor, the other canine
+/// and the other last molar; the plate lies on the second premolar and the first molar of one side.
+struct TestBody {
+  TriangleMesh surface;
+  std::vector<Vec3> spheres_mm;  ///< centers, along the arch
+  double radius_mm = 0.0;        ///< of all spheres
+  /// z is its normal, its measured face is at z = 0, x is along the arch.
+  Isometry T_jaw_plate = Isometry::Identity();
+  Vec2 plate_mm = Vec2::Zero();  ///< its size in x and y
+};
+
+/// @param jaw  the surface of this dentition
+[[nodiscard]] TestBody make_test_body(const TriangleMesh& jaw,
+                                      const sample_jaw::Dentition& dentition);
+
+struct FittedSphere {
+  Vec3 center_mm = Vec3::Zero();
+  double radius_mm = 0.0;
+  double rms_mm = 0.0;  ///< of the points' distances from it
+};
+
+/// The sphere of a body as a scan shows it, by least squares over its upper cap, 60 degrees wide.
+/// @param scanned  laid on the body
+/// @param sphere   number of the sphere
+/// @errors  kInsufficient: it was hardly scanned.
+[[nodiscard]] Result<FittedSphere> fit_sphere(const TriangleMesh& scanned, const TestBody& body,
+                                              std::size_t sphere);
+
+/// How rough the plate is in a scan: RMS distance of its points from their best plane, mm. A border
+/// of 0.5 mm does not count.
+/// @param scanned, @errors  As fit_sphere.
+[[nodiscard]] Result<double> plate_noise_mm(const TriangleMesh& scanned, const TestBody& body);
+
+}  // namespace flytri::lab
