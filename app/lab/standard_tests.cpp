@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/lab/reconstructed_scan.h"
+#include "app/lab/standard_body.h"
 #include "app/lab/studies.h"
-#include "app/lab/test_body.h"
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/median.h"
 #include "core/evaluation/surface_error.h"
@@ -45,7 +45,7 @@ struct Jaw {
   sample_jaw::Dentition dentition;
   TriangleMesh surface;
   std::vector<Place> places;
-  TestBody body;
+  StandardBody body;
 };
 
 std::vector<Place> choose_places(const TriangleMesh& surface,
@@ -77,7 +77,7 @@ Result<Jaw> make_jaw(const Workers& workers) {
   if (!surface) return tl::unexpected(surface.error());
   auto dentition = sample_jaw::make_dentition(options.kind, options.seed);
   auto places = choose_places(*surface, dentition);
-  auto body = make_test_body(*surface, dentition);
+  auto body = make_standard_body(*surface, dentition);
   return Jaw{std::move(dentition), *std::move(surface), std::move(places), std::move(body)};
 }
 
@@ -109,7 +109,7 @@ Json deviations(const TriangleMesh& scanned, const std::vector<Place>& places) {
 }
 
 /// The spheres and the plate of a scanned body.
-Result<Json> body_figures(const TriangleMesh& scanned, const TestBody& body) {
+Result<Json> body_figures(const TriangleMesh& scanned, const StandardBody& body) {
   std::vector<FittedSphere> fitted;
   Json spheres = Json::array(), distances = Json::array();
   for (std::size_t i = 0; i < body.spheres_mm.size(); ++i) {

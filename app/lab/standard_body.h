@@ -11,7 +11,7 @@ namespace flytri::lab {
 
 /// Jaw frame, mm. Spheres lie half in a last molar, a canine, a central incisor, the other canine
 /// and the other last molar; the plate lies on the second premolar and the first molar of one side.
-struct TestBody {
+struct StandardBody {
   TriangleMesh surface;
   std::vector<Vec3> spheres_mm;  ///< centers, along the arch
   double radius_mm = 0.0;        ///< of all spheres
@@ -21,8 +21,8 @@ struct TestBody {
 };
 
 /// @param jaw  the surface of this dentition
-[[nodiscard]] TestBody make_test_body(const TriangleMesh& jaw,
-                                      const sample_jaw::Dentition& dentition);
+[[nodiscard]] StandardBody make_standard_body(const TriangleMesh& jaw,
+                                              const sample_jaw::Dentition& dentition);
 
 struct FittedSphere {
   Vec3 center_mm = Vec3::Zero();
@@ -34,12 +34,12 @@ struct FittedSphere {
 /// @param scanned  laid on the body
 /// @param sphere   number of the sphere
 /// @errors  kInsufficient: it was hardly scanned.
-[[nodiscard]] Result<FittedSphere> fit_sphere(const TriangleMesh& scanned, const TestBody& body,
+[[nodiscard]] Result<FittedSphere> fit_sphere(const TriangleMesh& scanned, const StandardBody& body,
                                               std::size_t sphere);
 
 /// How rough the plate is in a scan: RMS distance of its points from their best plane, mm. A border
 /// of 0.5 mm does not count.
 /// @param scanned, @errors  As fit_sphere.
-[[nodiscard]] Result<double> plate_noise_mm(const TriangleMesh& scanned, const TestBody& body);
+[[nodiscard]] Result<double> plate_noise_mm(const TriangleMesh& scanned, const StandardBody& body);
 
 }  // namespace flytri::lab

@@ -1,4 +1,4 @@
-#include "app/lab/test_body.h"
+#include "app/lab/standard_body.h"
 
 #include <fmt/format.h>
 
@@ -92,8 +92,8 @@ Result<void> check_scanned(std::string_view part, const std::vector<Vec3>& point
 
 }  // namespace
 
-TestBody make_test_body(const TriangleMesh& jaw, const sample_jaw::Dentition& dentition) {
-  TestBody body;
+StandardBody make_standard_body(const TriangleMesh& jaw, const sample_jaw::Dentition& dentition) {
+  StandardBody body;
   body.surface = jaw;
   body.radius_mm = kRadius_mm;
   for (const std::size_t tooth : kSphereTeeth) {
@@ -106,7 +106,7 @@ TestBody make_test_body(const TriangleMesh& jaw, const sample_jaw::Dentition& de
   return body;
 }
 
-Result<FittedSphere> fit_sphere(const TriangleMesh& scanned, const TestBody& body,
+Result<FittedSphere> fit_sphere(const TriangleMesh& scanned, const StandardBody& body,
                                 std::size_t sphere) {
   const Vec3& true_center_mm = body.spheres_mm[sphere];
   std::vector<Vec3> points_mm;
@@ -142,7 +142,7 @@ Result<FittedSphere> fit_sphere(const TriangleMesh& scanned, const TestBody& bod
   return fit;
 }
 
-Result<double> plate_noise_mm(const TriangleMesh& scanned, const TestBody& body) {
+Result<double> plate_noise_mm(const TriangleMesh& scanned, const StandardBody& body) {
   const Isometry T_plate_jaw = body.T_jaw_plate.inverse();
   const Vec2 inside_mm = 0.5 * body.plate_mm - Vec2::Constant(kPlateBorder_mm);
   std::vector<Vec3> points_mm;

@@ -1,4 +1,4 @@
-#include "app/lab/test_body.h"
+#include "app/lab/standard_body.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,12 @@ namespace {
 using ::testing::HasSubstr;
 
 /// Spheres and plate without a jaw.
-TestBody bare_body() { return make_test_body({}, sample_jaw::make_dentition(JawKind::kUpper, 1)); }
+StandardBody bare_body() {
+  return make_standard_body({}, sample_jaw::make_dentition(JawKind::kUpper, 1));
+}
 
 /// Points all over the plate, with noise along its normal.
-TriangleMesh scanned_plate(const TestBody& body, double noise_mm) {
+TriangleMesh scanned_plate(const StandardBody& body, double noise_mm) {
   TriangleMesh scanned;
   Random random(3);
   for (int i = 0; i < 5000; ++i) {
@@ -29,8 +31,8 @@ TriangleMesh scanned_plate(const TestBody& body, double noise_mm) {
   return scanned;
 }
 
-TEST(TestBody, ASphereIsFoundWhereItIsAndAsLargeAsItIs) {
-  const TestBody body = bare_body();
+TEST(StandardBody, ASphereIsFoundWhereItIsAndAsLargeAsItIs) {
+  const StandardBody body = bare_body();
   const Vec3 shift_mm(0.02, -0.01, 0.03);
   const TriangleMesh scanned =
       shapes::sphere(body.spheres_mm[2] + shift_mm, body.radius_mm + 0.015, 60);
@@ -41,24 +43,24 @@ TEST(TestBody, ASphereIsFoundWhereItIsAndAsLargeAsItIs) {
   EXPECT_LT(fit->rms_mm, 1e-5);
 }
 
-TEST(TestBody, ASphereThatWasNotScannedIsNamed) {
-  const TestBody body = bare_body();
+TEST(StandardBody, ASphereThatWasNotScannedIsNamed) {
+  const StandardBody body = bare_body();
   const auto fit = fit_sphere(shapes::sphere(body.spheres_mm[0], body.radius_mm, 60), body, 1);
   ASSERT_FALSE(fit);
   EXPECT_EQ(fit.error().code, ErrorCode::kInsufficient);
   EXPECT_THAT(fit.error().message, HasSubstr("sphere 2: only 0 points"));
 }
 
-TEST(TestBody, ThePlateShowsTheNoiseAlongItsNormal) {
-  const TestBody body = bare_body();
+TEST(StandardBody, ThePlateShowsTheNoiseAlongItsNormal) {
+  const StandardBody body = bare_body();
   const auto noise_mm = plate_noise_mm(scanned_plate(body, 0.01), body);
   ASSERT_TRUE(noise_mm);
   EXPECT_NEAR(*noise_mm, 0.01, 0.0005);
   EXPECT_FALSE(plate_noise_mm({}, body));
 }
 
-TEST(TestBody, ItsOwnSurfaceHasNoError) {
-  const TestBody body = bare_body();
+TEST(StandardBody, ItsOwnSurfaceHasNoError) {
+  const StandardBody body = bare_body();
   for (std::size_t i = 0; i < body.spheres_mm.size(); ++i) {
     const auto fit = fit_sphere(body.surface, body, i);
     ASSERT_TRUE(fit);
