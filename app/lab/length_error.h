@@ -7,8 +7,8 @@
 
 namespace flytri::lab {
 
-/// By how much the distance of two places is too long in the scan, mm. To find where a place is in
-/// the scan, the scanned surface within 5 mm of it is laid on the true one.
+/// By how much the distance of two places is too long in the scan, mm. Around each place, the
+/// scanned surface within 5 mm is laid on the true one.
 /// @param scanned  in the frame of the truth; its vertices count
 /// @param from_mm, to_mm  on the true surface
 /// @errors  kInsufficient: hardly anything was scanned at one of the places.

@@ -9,8 +9,8 @@
 
 namespace flytri::lab {
 
-/// Jaw frame, mm. Spheres lie half in a last molar, a canine, a central incisor, the other canine
-/// and the other last molar; the plate lies on the second premolar and the first molar of one side.
+/// Jaw frame, mm. Five teeth carry a sphere: both last molars, both canines and a central incisor.
+/// The plate lies on two teeth of one side.
 struct StandardBody {
   TriangleMesh surface;
   std::vector<Vec3> spheres_mm;  ///< centers, along the arch
@@ -30,15 +30,15 @@ struct FittedSphere {
   double rms_mm = 0.0;  ///< of the points' distances from it
 };
 
-/// The sphere of a body as a scan shows it, by least squares over its upper cap, 60 degrees wide.
+/// Fits a sphere to the scanned points within 60 degrees of its top, by least squares.
 /// @param scanned  laid on the body
 /// @param sphere   number of the sphere
 /// @errors  kInsufficient: it was hardly scanned.
 [[nodiscard]] Result<FittedSphere> fit_sphere(const TriangleMesh& scanned, const StandardBody& body,
                                               std::size_t sphere);
 
-/// How rough the plate is in a scan: RMS distance of its points from their best plane, mm. A border
-/// of 0.5 mm does not count.
+/// RMS distance of the plate's scanned points from their best plane, mm. A border of 0.5 mm does
+/// not count.
 /// @param scanned, @errors  As fit_sphere.
 [[nodiscard]] Result<double> plate_noise_mm(const TriangleMesh& scanned, const StandardBody& body);
 

@@ -111,7 +111,7 @@ Result<Json> scan_figures(const TriangleMesh& jaw, const SimulatedScanOptions& o
   const auto refinement = refinement::refine_jointly(truth->aligned, {}, workers, progress);
   if (!refinement) return tl::unexpected(refinement.error());
   figures["final"] = pose_figures(*truth);
-  // Ideal views agree to a nanometer, their poses do not: thinning takes most points for outliers.
+  // Without noise, thinning takes the small errors of the poses for outliers.
   if (options.noise.sigma_mm <= kIdealSigma_mm) return figures;
   progress.begin_stage("Thinning");
   auto thinned = thinned_figures(*truth, jaw, workers, progress);
