@@ -98,6 +98,7 @@ void Session::carry_out(const ui::Command& command) {
           [&](const ui::DrawMargin& wanted) { review_.draw_margin(wanted); },
           [&](const ui::KeepMargin&) { review_.keep_margin(); },
           [&](const ui::RemoveMargin& removed) { review_.remove_margin(removed.index); },
+          [&](const ui::ShowCrossed& wanted) { stages_.show_crossed(wanted.are_shown); },
           [&](const ui::ChooseReentry& chosen) { stages_.choose_reentry(chosen.index); },
           [&](const ui::SelectStage& selected) { stages_.select(selected.stage); },
           [&](const ui::NewCase& wanted) { case_.create(wanted); },

@@ -83,6 +83,10 @@ void StageController::edit(const ui::EditSurface& command) {
   if (scan()) scan()->edit(command.kind, command.dabs);
 }
 
+void StageController::show_crossed(bool is_shown) {
+  if (scan()) scan()->show_crossed(is_shown);
+}
+
 void StageController::choose_reentry(std::size_t index) {
   if (scan()) scan()->choose_reentry(index);
 }

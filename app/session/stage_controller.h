@@ -33,6 +33,7 @@ class StageController {
   void undo();
   void redo();
   void edit(const ui::EditSurface& command);
+  void show_crossed(bool is_shown);
   void choose_reentry(std::size_t index);
   /// Empties the current stage; the case keeps what was in it. Does nothing for another stage.
   void clear(io::ScanStage stage);

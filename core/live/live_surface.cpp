@@ -45,14 +45,16 @@ Result<void> LiveSurfaceOptions::validate() const {
       .at_least("min_points", min_points, 1)
       .at_least("good_views", good_views, 1)
       .must("enough_views", enough_views, enough_views >= good_views, "at least good_views")
+      .at_least("free_views", free_views, 0)
       .positive("noise_length_samples", noise_length_samples)
       .nested(texture)
       .result();
 }
 
-Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options) {
+Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options,
+                                        const std::optional<Vec3>& camera_center_mm) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  return LiveSurface(options);
+  return LiveSurface(options, camera_center_mm);
 }
 
 CellKey LiveSurface::key(const Vec3f& p_mm, int cells) const {
@@ -74,6 +76,7 @@ double LiveSurface::add(const AlignedView& view) {
   refresh_normals();
   for (const std::uint32_t cell : touched_cells_) refresh_cell(cell);
   touched_cells_.clear();
+  look_through(view);
   const std::size_t count = view.view->point_count();
   return count > 0 ? static_cast<double>(enough) / static_cast<double>(count) : 0.0;
 }
@@ -113,6 +116,8 @@ bool LiveSurface::add_point(const SeenPoint& point) {
   touch(index);
   if (!cube.touched) touched_normals_.push_back(cell.normal_cell);
   cube.touched = true;
+  cell.crossing_views = 0;
+  if (cell.is_crossed) set_crossed(index, false);
   return is_enough;
 }
 

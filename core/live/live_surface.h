@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -40,6 +41,9 @@ struct LiveSurfaceOptions {
   /// the calibration error. A line passes a cube only in one of several views, so about a hundred
   /// views are kept of each place.
   int enough_views = 16;
+  /// >= 0. Views that must look through a surfel, since it was last measured, before it is hidden:
+  /// what was there, a tongue or a finger, has gone. A surfel of many points needs more. 0: never.
+  int free_views = 2;
   /// > 0. As ReduceOptions::noise_length_samples.
   double noise_length_samples = reduction::kNoiseLengthSamples;
   texture::TextureOptions texture;
@@ -56,12 +60,20 @@ struct LiveSurfaceOptions {
 /// Edits act on whole cells: a dab reaches a cell whose center it holds, if the profiles of the
 /// cube around face the dab. What an edit removes is kept aside. So undo and redo take
 /// milliseconds, and the result is bit for bit the surface built anew from all views.
+///
+/// Between a measured point and the camera there is nothing: otherwise the camera had not seen the
+/// point. A surfel that rays of several views cross is hidden until its place is measured again.
+/// What is locked is never hidden.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
 /// reduction during the scan to future work.
 class LiveSurface {
  public:
+  /// @param camera_center_mm  sensor frame, see Calibration::camera_center_mm; none: the rays of
+  /// the
+  ///                          camera are parallel to the z axis of the sensor
   /// @errors  kBadOption.
-  [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {});
+  [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {},
+                                                  const std::optional<Vec3>& camera_center_mm = {});
 
   /// Adds the points of a view; those that the edits do not keep are not shown.
   /// @return  share of the points at places that enough views had seen before, 0..1
@@ -72,6 +84,8 @@ class LiveSurface {
   /// Applies the edits once more, by the normals of all views. Call it after the last of the views
   /// that were added with the edits known before.
   void settle_edits();
+  /// Shows also what views have looked through, or hides it again.
+  void show_crossed(bool is_shown);
   /// Colors the surfels that the texture frame shows.
   /// @errors  as observe_points.
   [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
@@ -93,6 +107,8 @@ class LiveSurface {
   [[nodiscard]] double area_mm2() const { return area_mm2_; }
   /// Share of the area that is covered well.
   [[nodiscard]] double good_share() const { return area_mm2_ > 0.0 ? good_mm2_ / area_mm2_ : 0.0; }
+  /// Number of surfels that are hidden, or would be, since views have looked through them.
+  [[nodiscard]] std::size_t crossed_count() const { return crossed_count_; }
   /// Edge of a cell; 0 before the first point.
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
 
@@ -110,6 +126,9 @@ class LiveSurface {
     std::uint32_t edited = kNotEdited;  ///< its number among edited_cells_
     int normal_of_views =
         kNormalIsOld;  ///< number of views of its cube when its normal was last computed
+    std::uint32_t crossed_by = 0;  ///< number of the latest view that looked through it
+    int crossing_views = 0;        ///< number of views that did, since it was last measured
+    bool is_crossed = false;       ///< enough views did
     bool touched = false;
     bool in_block = false;  ///< set when the cell is shown for the first time
     texture::ObservedColor color;
@@ -149,8 +168,10 @@ class LiveSurface {
     std::shared_ptr<const SurfelBlock> published;
   };
 
-  explicit LiveSurface(const LiveSurfaceOptions& options)
-      : options_(options), mean_variance_(options.noise_length_samples) {}
+  LiveSurface(const LiveSurfaceOptions& options, const std::optional<Vec3>& camera_center_mm)
+      : options_(options),
+        camera_center_mm_(camera_center_mm),
+        mean_variance_(options.noise_length_samples) {}
 
   /// A point of a view, world frame.
   struct SeenPoint {
@@ -180,6 +201,14 @@ class LiveSurface {
   }
   void begin_normal_cell(std::uint32_t index, const SeenPoint& point);
   void count_around(NormalCell& cube);
+  // Free space
+  void look_through(const AlignedView& view);
+  void look_along(const Vec3f& from_mm, const Vec3f& direction);
+  void cross(const NormalCell& cube, const Vec3f& from_mm, const Vec3f& direction);
+  void count_crossing(std::uint32_t index);
+  [[nodiscard]] bool is_locked(const Cell& cell) const;
+  void set_crossed(std::uint32_t index, bool is_crossed);
+
   void refresh_normals();
   void refresh_cell(std::uint32_t cell);
   [[nodiscard]] Surfel surfel_of(std::uint32_t index);
@@ -188,7 +217,8 @@ class LiveSurface {
   [[nodiscard]] Vec3f normal_at(const Vec3f& p_mm, const NormalCell& own) const;
   [[nodiscard]] CellKey key(const Vec3f& p_mm, int cells) const;
   [[nodiscard]] bool shown(const Cell& cell) const {
-    return cell.kept.point_count >= static_cast<std::uint32_t>(options_.min_points);
+    return cell.kept.point_count >= static_cast<std::uint32_t>(options_.min_points) &&
+           (!cell.is_crossed || shows_crossed_);
   }
   /// The shown cells that may be in the measurement volume of a sensor at this pose.
   [[nodiscard]] std::vector<std::uint32_t> cells_around(
@@ -224,6 +254,7 @@ class LiveSurface {
   void refresh_around(const std::vector<std::uint32_t>& cubes);
 
   LiveSurfaceOptions options_;
+  std::optional<Vec3> camera_center_mm_;
   reduction::MeanVariance mean_variance_;
   std::uint32_t view_count_ = 0;  ///< also the number of the view being added
   double cell_mm_ = 0.0;
@@ -239,6 +270,8 @@ class LiveSurface {
   std::vector<Edited<CellSums>> edited_cells_;
   std::vector<Edited<ViewCounts>> edited_cubes_;
   std::vector<std::uint32_t> touched_normals_, touched_cells_;  ///< by the view that is being added
+  bool shows_crossed_ = false;
+  std::size_t crossed_count_ = 0;
   double area_mm2_ = 0.0, good_mm2_ = 0.0;
 };
 

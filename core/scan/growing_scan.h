@@ -42,6 +42,7 @@ class GrowingScan {
   void pause();
   void edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs);
   void change_edits(void (editing::EditStack::*change)());
+  void show_crossed(bool is_shown) { model_.show_crossed(is_shown); }
   void choose_reentry(std::size_t index);
   void keep_in(std::shared_ptr<ScanJournal> journal);
   void finish(double close_holes_mm);

@@ -30,7 +30,8 @@ LiveModel::LiveModel(live::LiveSurface surface, const live::LiveSurfaceOptions& 
 
 Result<LiveModel> LiveModel::create(const live::LiveSurfaceOptions& options,
                                     const calibration::Calibration& calibration, double max_gap_s) {
-  Result<live::LiveSurface> surface = live::LiveSurface::create(options);
+  Result<live::LiveSurface> surface =
+      live::LiveSurface::create(options, calibration.camera_center_mm());
   if (!surface) return tl::unexpected(surface.error());
   return LiveModel(std::move(*surface), options, calibration, max_gap_s);
 }
@@ -135,6 +136,12 @@ void LiveModel::set_edits(const editing::EditStack& edits) {
   if (rebuild_) rebuild_->surface.set_edits(edits_);
 }
 
+void LiveModel::show_crossed(bool is_shown) {
+  shows_crossed_ = is_shown;
+  surface_.show_crossed(is_shown);
+  if (rebuild_) rebuild_->surface.show_crossed(is_shown);
+}
+
 double LiveModel::follow(std::span<const AlignedView> views) {
   const double arm_mm = 0.5 * calibration_->volume.size_mm.norm();
   double farthest_mm = 0.0;
@@ -163,8 +170,10 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   // This rebuild replaces one for another world that is still running.
   is_other = is_other || (rebuild_ && rebuild_->is_other);
   // The options were validated when the model was created.
-  rebuild_.emplace(Rebuild{*live::LiveSurface::create(options_), std::move(views), is_other});
+  rebuild_.emplace(Rebuild{*live::LiveSurface::create(options_, calibration_->camera_center_mm()),
+                           std::move(views), is_other});
   rebuild_->surface.set_edits(edits_);
+  rebuild_->surface.show_crossed(shows_crossed_);
 }
 
 bool LiveModel::continue_rebuild() {

@@ -39,6 +39,8 @@ class LiveModel {
   void add_texture(const Frame& frame);
   /// Shows what these edits keep, at once, see LiveSurface::set_edits.
   void set_edits(const editing::EditStack& edits);
+  /// See LiveSurface::show_crossed.
+  void show_crossed(bool is_shown);
 
   /// Places later texture frames by these poses of the views.
   /// @return  error of the surface by these poses, mm: the largest displacement of a view since it
@@ -82,6 +84,7 @@ class LiveModel {
   const calibration::Calibration* calibration_;
   double max_gap_s_;
   live::LiveSurface surface_;
+  bool shows_crossed_ = false;
   editing::EditStack edits_;
   editing::EditFilter filter_{edits_.state()};
   trajectory::Trajectory trajectory_;

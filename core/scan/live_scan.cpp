@@ -180,6 +180,9 @@ void LiveScan::undo() {
 void LiveScan::redo() {
   impl_->ask([this] { impl_->scan().change_edits(&editing::EditStack::redo); });
 }
+void LiveScan::show_crossed(bool is_shown) {
+  impl_->ask([this, is_shown] { impl_->scan().show_crossed(is_shown); });
+}
 void LiveScan::choose_reentry(std::size_t index) {
   impl_->ask([this, index] { impl_->scan().choose_reentry(index); });
 }

@@ -85,6 +85,8 @@ class LiveScan {
   void edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs);
   void undo();
   void redo();
+  /// Shows also what has gone from the view, such as a tongue, or hides it again.
+  void show_crossed(bool is_shown);
   /// Chooses one of ScanSnapshot::reentry.
   void choose_reentry(std::size_t index);
   /// @param close_holes_mm  as MeshOptions

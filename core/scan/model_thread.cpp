@@ -78,6 +78,16 @@ void ModelThread::set_edits(editing::EditStack edits) {
   });
 }
 
+void ModelThread::show_crossed(bool is_shown) {
+  thread_.post([this, is_shown] {
+    model_.show_crossed(is_shown);
+    around_.board.update([&](ScanSnapshot& s) { s.shows_crossed = is_shown; });
+    has_changed_ = has_grown_since_holes_ = true;
+    publish_if_due(true);
+    if (is_at_rest_) search_holes_if_grown();
+  });
+}
+
 void ModelThread::build_in_other_world(std::vector<AlignedView> views) {
   thread_.post([this, views = std::move(views)] { begin_rebuild(views, true); });
 }
@@ -131,6 +141,7 @@ void ModelThread::publish() {
   around_.board.update([&](ScanSnapshot& s) {
     s.model = std::move(model);
     s.area_mm2 = surface.area_mm2();
+    s.crossed_count = surface.crossed_count();
     s.good_share = surface.good_share();
     s.holes_are_current = s.holes_are_current && (is_finished(s) || !has_grown_since_holes_);
     if (!latency) return;

@@ -44,6 +44,8 @@ class ModelThread {
                editing::EditStack edits);
   /// Applies, undoes or redoes edits, and publishes the model at once.
   void set_edits(editing::EditStack edits);
+  /// See LiveSurface::show_crossed. Publishes the model at once.
+  void show_crossed(bool is_shown);
   /// Rebuilds the model from views that have another world frame than before.
   void build_in_other_world(std::vector<AlignedView> views);
   /// Rebuilds the model only if the surface is off by more than `tolerated_cells`, see

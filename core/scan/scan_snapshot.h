@@ -99,8 +99,12 @@ struct ScanSnapshot {
   std::optional<calibration::PatternShift> moved_projector;
 
   SurfelModel model;
-  double good_share = 0.0;                   ///< share of well-covered surfels: 0..1
-  double area_mm2 = 0.0;                     ///< of the surface seen so far
+  double good_share = 0.0;  ///< share of well-covered surfels: 0..1
+  double area_mm2 = 0.0;    ///< of the surface seen so far
+  /// Number of surfels that views have looked through, and whether the model shows them, see
+  /// live::LiveSurface.
+  std::size_t crossed_count = 0;
+  bool shows_crossed = false;
   std::vector<meshing::BoundaryLoop> holes;  ///< see coverage_holes(); empty until searched
   bool holes_are_current = false;            ///< the surface has not changed since the search
   /// How the jaw lay at the latest search for holes; none of a face.

@@ -146,6 +146,14 @@ struct FakeScan::Parts {
     return view;
   }
 
+  [[nodiscard]] AppView tongue_gone() const {
+    AppView view = scanning();
+    scan::ScanSnapshot scan = *view.scan;
+    scan.crossed_count = surfel_count(scan.model) / 50;
+    set_scan(view, std::move(scan));
+    return view;
+  }
+
   [[nodiscard]] AppView paused() const {
     AppView view = scanning();
     view.is_scanning = false;
@@ -483,6 +491,7 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
       [&] { return parts.preview(); },
       [&] { return parts.scanning(); },
       [&] { return parts.too_near(); },
+      [&] { return parts.tongue_gone(); },
       [&] { return parts.paused(); },
       [&] { return parts.lost(); },
       [&] { return parts.finishing(); },

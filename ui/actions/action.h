@@ -47,6 +47,7 @@ enum class Action {
   kTexture,
   kCoverage,
   kUncertainty,
+  kShowCrossed,
   kBlendLess,
   kBlendMore,
   kOcclusal,

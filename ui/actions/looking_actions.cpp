@@ -37,6 +37,16 @@ void color_by(const ActionRunner& run) {
   run.state.color_mode = kMode;
 }
 
+ActionState crossed_state(const Situation& now) {
+  if (now.view.scan == nullptr || now.is_finished() || now.view.scan->crossed_count == 0)
+    return disabled(Text::kNothingHasGone);
+  return chosen(now.view.scan->shows_crossed);
+}
+
+void toggle_crossed(const ActionRunner& run) {
+  run.send(ShowCrossed{!run.view.scan->shows_crossed});
+}
+
 ActionState blend_state(const Situation& now) {
   return only_if(now.state.color_mode == ColorMode::kTexture, Text::kOnlyWithTexture);
 }
@@ -143,6 +153,12 @@ constexpr std::array kLookingActions = {
               .shortcut = {GLFW_KEY_4},
               .state = color_state<ColorMode::kUncertainty>,
               .perform = color_by<ColorMode::kUncertainty>},
+    ActionRow{.action = Action::kShowCrossed,
+              .id = "show_crossed",
+              .name = Text::kShowCrossed,
+              .shortcut = {GLFW_KEY_U},
+              .state = crossed_state,
+              .perform = toggle_crossed},
     ActionRow{.action = Action::kBlendLess,
               .id = "blend_less",
               .name = Text::kLessTexture,

@@ -25,6 +25,17 @@ void draw_modes(const PanelContext& context, Rect& rest) {
   }
 }
 
+/// Share of the surfels. Of every scan some tenth of a percent is hidden at the rims.
+constexpr double kWorthShowing = 0.003;
+
+/// Of a tongue or a finger that was in the way.
+bool offers_crossed(const PanelContext& context) {
+  const scan::ScanSnapshot* scan = context.view.scan.get();
+  if (scan == nullptr || scan->phase == scan::ScanPhase::kFinished) return false;
+  const double least = kWorthShowing * static_cast<double>(surfel_count(scan->model));
+  return scan->shows_crossed || static_cast<double>(scan->crossed_count) > least;
+}
+
 void draw_blend(const PanelContext& context, Rect& rest) {
   Rect box = rest.take_top(context.px(64.0F));
   draw_text(box.take_top(context.px(20.0F), context.px(kGapXs)),
@@ -93,6 +104,10 @@ void draw_colors(const PanelContext& context) {
   const Plate plate("colors", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
   draw_modes(context, rest);
+  if (offers_crossed(context)) {
+    small_action(context, rest.take_top(context.px(kLookButton), context.px(kGapXs)),
+                 Action::kShowCrossed, {nullptr, context.text(Text::kHasGone)});
+  }
   rest.take_top(context.px(kGapXs));
   const ColorMode colors = shown_colors(context.view, context.state);
   if (colors == ColorMode::kTexture) draw_blend(context, rest);
@@ -137,8 +152,8 @@ float sides_width(const PanelContext& context) {
 }  // namespace
 
 Rect colors_box(const PanelContext& context) {
-  const float height =
-      height_of(4.0F, kLookButton) + extra_height(shown_colors(context.view, context.state));
+  const float height = height_of(offers_crossed(context) ? 5.0F : 4.0F, kLookButton) +
+                       extra_height(shown_colors(context.view, context.state));
   return {context.layout.picture.x + context.px(kGapM), top_of(context), context.px(kWidth),
           context.px(height)};
 }

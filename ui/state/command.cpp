@@ -12,6 +12,7 @@ std::string_view name_of(const Command& command) {
       "Undo",
       "Redo",
       "EditSurface",
+      "ShowCrossed",
       "ClearStage",
       "BringBackStage",
       "CopyStage",

@@ -25,6 +25,10 @@ struct EditSurface {
   editing::EditKind kind = editing::EditKind::kTrim;
   std::vector<editing::BrushDab> dabs;  ///< at least 1, world frame
 };
+/// Shows or hides what was in the way for a time, such as a tongue.
+struct ShowCrossed {
+  bool are_shown = true;
+};
 /// Empties a stage, so that it can be scanned again. The case keeps what was in it.
 struct ClearStage {
   io::ScanStage stage = io::ScanStage::kUpper;
@@ -184,8 +188,8 @@ struct Tell {
 struct Quit {};
 
 using Command = std::variant<
-    StartScan, PauseScan, Undo, Redo, EditSurface, ClearStage, BringBackStage, CopyStage,
-    AddMeasurement, RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane, BeginReview,
+    StartScan, PauseScan, Undo, Redo, EditSurface, ShowCrossed, ClearStage, BringBackStage,
+    CopyStage, AddMeasurement, RemoveMeasurement, FindOcclusalPlane, SetOcclusalPlane, BeginReview,
     MeasureAngle, RemoveAngle, CutSection, FindUndercut, DrawMargin, KeepMargin, RemoveMargin,
     Finish, CancelFinish, ResumeScan, ChooseReentry, SelectStage, Export, PrepareExport,
     OpenExportFolder, NewCase, OpenCase, DiscardCase, SaveRescueCopy, SetCaseFields, SteerHand,

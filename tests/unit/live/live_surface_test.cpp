@@ -127,6 +127,126 @@ TEST(LiveSurface, OneViewHasNormalsAcrossItsLines) {
   }
 }
 
+/// As plane_view, but of 4 x 4 mm, and nearer to the sensor.
+AlignedView tongue_view(Pattern pattern, double time_s, double line_offset_mm) {
+  AlignedView tongue = plane_view(pattern, time_s, line_offset_mm);
+  auto view = std::make_shared<View>(*tongue.view);
+  for (Profile& profile : view->profiles) {
+    std::erase_if(profile.points, [](const ProfilePoint& point) {
+      return point.position_mm.x() > 4.0 || point.position_mm.y() < -4.0;
+    });
+  }
+  std::erase_if(view->profiles, [](const Profile& profile) { return profile.points.size() < 2; });
+  tongue.view = std::move(view);
+  tongue.T_world_sensor.translation().z() = 5.0;
+  return tongue;
+}
+
+/// Shows a tongue, then the plane behind it.
+struct ScanWithATongue {
+  LiveSurface surface;
+  double time_s = 0.0;
+
+  explicit ScanWithATongue(const LiveSurfaceOptions& options = {},
+                           const std::optional<Vec3>& camera_center_mm = {})
+      : surface(LiveSurface::create(options, camera_center_mm).value()) {}
+
+  template <typename ViewAt>
+  void show(const ViewAt& view_at, int rounds) {
+    for (int i = 0; i < rounds; ++i) {
+      for (const Pattern pattern : kPatterns) {
+        surface.add(view_at(pattern, time_s += 0.033, 0.1 * (i % 10)));
+      }
+    }
+  }
+  void show_tongue() { show(tongue_view, 2); }
+  void show_plane(int rounds = 10) {
+    show([](Pattern pattern, double at_s,
+            double offset_mm) { return plane_view(pattern, at_s, offset_mm); },
+         rounds);
+  }
+  [[nodiscard]] std::size_t shown_above_plane() const {
+    const PointCloud points = surface.points();
+    return static_cast<std::size_t>(std::count_if(
+        points.begin(), points.end(), [](const auto& p) { return p.position_mm.z() > 1.0F; }));
+  }
+};
+
+TEST(LiveSurface, HidesWhatViewsHaveLookedThrough) {
+  ScanWithATongue scan;
+  scan.show_tongue();
+  const std::size_t before = scan.shown_above_plane();
+  ASSERT_GT(before, 100U);
+  scan.show_plane();
+  EXPECT_LT(scan.shown_above_plane(), before / 20);
+  EXPECT_EQ(scan.surface.crossed_count(), before - scan.shown_above_plane());
+  scan.surface.publish();
+  EXPECT_NEAR(scan.surface.area_mm2(), 100.0, 8.0);
+}
+
+TEST(LiveSurface, RaysThatMeetInTheCameraHideItToo) {
+  ScanWithATongue scan({}, Vec3(5.0, -5.0, -30.0));
+  scan.show_tongue();
+  const std::size_t before = scan.shown_above_plane();
+  scan.show_plane();
+  // Rays from the middle of the plane pass beside the far corner of the tongue.
+  EXPECT_LT(scan.shown_above_plane(), before / 4);
+}
+
+TEST(LiveSurface, OneViewHidesNothing) {
+  ScanWithATongue scan;
+  scan.show_tongue();
+  const std::size_t before = scan.shown_above_plane();
+  scan.surface.add(plane_view(Pattern::kVertical, scan.time_s += 0.033));
+  EXPECT_EQ(scan.shown_above_plane(), before);
+}
+
+TEST(LiveSurface, ShowsAgainWhatIsMeasuredAgain) {
+  ScanWithATongue scan;
+  scan.show_tongue();
+  const std::size_t before = scan.shown_above_plane();
+  scan.show_plane();
+  scan.show_tongue();
+  EXPECT_EQ(scan.shown_above_plane(), before);
+  EXPECT_EQ(scan.surface.crossed_count(), 0U);
+}
+
+TEST(LiveSurface, ShowsWhatHasGoneOnRequest) {
+  ScanWithATongue scan;
+  scan.show_tongue();
+  const std::size_t before = scan.shown_above_plane();
+  scan.show_plane();
+  const std::size_t left = scan.shown_above_plane();
+  const SurfelModel hidden = scan.surface.publish();
+  scan.surface.show_crossed(true);
+  EXPECT_EQ(scan.shown_above_plane(), before);
+  EXPECT_EQ(surfel_count(scan.surface.publish()), surfel_count(hidden) + before - left);
+  scan.surface.show_crossed(false);
+  EXPECT_EQ(scan.shown_above_plane(), left);
+  EXPECT_EQ(surfel_count(scan.surface.publish()), surfel_count(hidden));
+}
+
+TEST(LiveSurface, NeverHidesWhatIsLocked) {
+  ScanWithATongue scan;
+  scan.show_tongue();
+  const std::size_t before = scan.shown_above_plane();
+  editing::EditStack edits;
+  edits.push({editing::EditKind::kLock, scan.time_s, {{{2.0F, 2.0F, 5.0F}, Vec3f::UnitZ(), 4.0F}}});
+  scan.surface.set_edits(edits);
+  scan.show_plane();
+  EXPECT_EQ(scan.shown_above_plane(), before);
+}
+
+TEST(LiveSurface, HidesNothingWithoutFreeViews) {
+  LiveSurfaceOptions options;
+  options.free_views = 0;
+  ScanWithATongue scan(options);
+  scan.show_tongue();
+  const std::size_t before = scan.shown_above_plane();
+  scan.show_plane();
+  EXPECT_EQ(scan.shown_above_plane(), before);
+}
+
 TEST(LiveSurface, UnchangedBlocksStayTheSameObjects) {
   LiveSurface surface = scanned_plane();
   const SurfelModel before = surface.publish();

@@ -108,6 +108,19 @@ TEST(LiveScan, AProjectorThatHasMovedIsReported) {
   EXPECT_LT(reported, kMovedAt + 200);
 }
 
+TEST(LiveScan, ShowsAndHidesWhatHasGone) {
+  const auto scan = make_scan(options_for({}));
+  scan->start();
+  offer(*scan, 0, 30);
+  EXPECT_FALSE(scan->snapshot()->shows_crossed);
+  scan->show_crossed(true);
+  scan->wait_until_idle();
+  EXPECT_TRUE(scan->snapshot()->shows_crossed);
+  scan->show_crossed(false);
+  scan->wait_until_idle();
+  EXPECT_FALSE(scan->snapshot()->shows_crossed);
+}
+
 TEST(LiveScan, BeforeTheStartItMeasuresButSavesNothing) {
   const auto scan = make_scan(options_for({}));
   offer(*scan, 0, 6);
