@@ -1,6 +1,7 @@
 /// @file  flytri-lab tissue: how soon the live surface loses what moved through the view.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -185,9 +186,8 @@ void print(const std::vector<Moment>& moments) {
         100.0 - 100.0 * share(now.uncrossed.true_surface.size(), now.all.true_surface.size()));
   }
   fmt::print(
-      "Numbers of surfels. stray: more than {} mm from the true surface. hidden: views have "
-      "looked\n"
-      "through it.\n",
+      "Numbers of surfels. stray: more than {} mm from the true surface.\n"
+      "hidden: views have looked through it.\n",
       kStray_mm);
 }
 

@@ -61,16 +61,14 @@ struct LiveSurfaceOptions {
 /// cube around face the dab. What an edit removes is kept aside. So undo and redo take
 /// milliseconds, and the result is bit for bit the surface built anew from all views.
 ///
-/// Between a measured point and the camera there is nothing: otherwise the camera had not seen the
-/// point. A surfel that rays of several views cross is hidden until its place is measured again.
-/// What is locked is never hidden.
+/// The camera sees a point only if nothing is in between. A surfel that rays of several views cross
+/// is hidden until its place is measured again. What is locked is never hidden.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
 /// reduction during the scan to future work.
 class LiveSurface {
  public:
-  /// @param camera_center_mm  sensor frame, see Calibration::camera_center_mm; none: the rays of
-  /// the
-  ///                          camera are parallel to the z axis of the sensor
+  /// @param camera_center_mm  Calibration::camera_center_mm(); none: the rays of the camera are
+  ///                          parallel to the z axis of the sensor
   /// @errors  kBadOption.
   [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {},
                                                   const std::optional<Vec3>& camera_center_mm = {});
