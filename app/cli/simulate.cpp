@@ -33,6 +33,7 @@ struct SimulateArguments {
   bool unknown_patterns = false;
   std::array<double, 2> away_s = {0.0, 0.0};
   std::array<double, 2> bump = {0.0, 0.0};
+  double tissue_share = 0.0;
   std::uint64_t seed = 1;
   bool force = false;
   std::array<double, 2> stage_tilt_deg = {0.0, 0.0};
@@ -60,6 +61,7 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   options.faults.away_duration_s = arguments.away_s[1];
   options.faults.bump_mm = 1e-3 * arguments.bump[0];
   options.faults.bump_at_s = arguments.bump[1];
+  options.faults.tissue_share = arguments.tissue_share;
   const bool of_face = simulated::is_face_sensor(arguments.sensor) && arguments.path.empty();
   if (of_face || arguments.path == "front") {
     options.path.kind = simulated::PathKind::kFront;
@@ -152,6 +154,11 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
   recording->add_option("--bump", arguments->bump,
                         "Move the projector of the vertical lines across them: by how many "
                         "micrometers, and from when on, in seconds");
+  recording
+      ->add_option("--tissue", arguments->tissue_share,
+                   "Share of the time in which a tongue or a finger is in view")
+      ->check(CLI::Range(0.0, 0.5))
+      ->capture_default_str();
   recording->add_option("--drop", arguments->dropped_share, "Share of frames that are lost")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "assets/shapes/sphere.h"
 #include "core/geometry/decompositions.h"
+#include "core/geometry/sphere_mesh.h"
 
 namespace flytri::lab {
 namespace {
@@ -98,7 +98,7 @@ StandardBody make_standard_body(const TriangleMesh& jaw, const sample_jaw::Denti
   body.radius_mm = kRadius_mm;
   for (const std::size_t tooth : kSphereTeeth) {
     body.spheres_mm.push_back(top_of(dentition.teeth[tooth]));
-    append(body.surface, shapes::sphere(body.spheres_mm.back(), kRadius_mm, kRings));
+    append(body.surface, sphere_mesh(body.spheres_mm.back(), kRadius_mm, kRings));
   }
   body.T_jaw_plate = place_plate(dentition);
   body.plate_mm = kPlate_mm;

@@ -11,6 +11,7 @@
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
 #include "core/io/recordings/truth.h"
+#include "hw/simulated/datasets/passing_tissue.h"
 #include "hw/simulated/optics/lit_surface.h"
 
 namespace flytri::simulated {
@@ -115,9 +116,33 @@ class BumpedSensor {
   double bump_at_s_ = 0.0;
 };
 
-Frame take_frame(const BumpedSensor& sensor, const SensorPath& path, const PlannedFrame& planned,
-                 std::uint64_t stream) {
-  const ImageSimulator& simulator = sensor.at(planned.time_s - path.start_s());
+/// Before a mesh that tissue hides for a moment.
+struct Scanning {
+  const BumpedSensor& sensor;
+  const SensorPath& path;
+  const PassingTissue& tissue;
+  const ImageOptions& image;
+};
+
+/// What takes an image of the mesh and of the tissue before it.
+ImageSimulator with_tissue(const ImageSimulator& simulator, const TriangleMesh& tissue,
+                           const ImageOptions& options) {
+  TriangleMesh both = simulator.scene().mesh();
+  const auto first = static_cast<std::uint32_t>(both.vertices.size());
+  both.vertices.insert(both.vertices.end(), tissue.vertices.begin(), tissue.vertices.end());
+  for (const Triangle& triangle : tissue.triangles) {
+    both.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+  }
+  // The sensor and the options are those of the simulator.
+  return ImageSimulator::create(both, simulator.sensor(), options).value();
+}
+
+Frame take_frame(const Scanning& scanning, const PlannedFrame& planned, std::uint64_t stream) {
+  const SensorPath& path = scanning.path;
+  const TriangleMesh tissue = scanning.tissue.at(planned.time_s);
+  const ImageSimulator& clear = scanning.sensor.at(planned.time_s - path.start_s());
+  const ImageSimulator simulator =
+      tissue.triangles.empty() ? clear : with_tissue(clear, tissue, scanning.image);
   Frame frame;
   frame.kind = planned.kind;
   frame.time_s = planned.time_s;
@@ -129,9 +154,8 @@ Frame take_frame(const BumpedSensor& sensor, const SensorPath& path, const Plann
 }
 
 // Takes frames in batches: many in parallel, but few in memory.
-Result<void> write_frames(const BumpedSensor& sensor, const SensorPath& path,
-                          const std::vector<PlannedFrame>& planned, const Workers& workers,
-                          const Progress& progress, bool unknown_patterns,
+Result<void> write_frames(const Scanning& scanning, const std::vector<PlannedFrame>& planned,
+                          const Workers& workers, const Progress& progress, bool unknown_patterns,
                           io::RecordingWriter& writer) {
   const auto batch_size = 4 * static_cast<std::size_t>(workers.thread_count());
   std::vector<Frame> batch(batch_size);
@@ -139,7 +163,7 @@ Result<void> write_frames(const BumpedSensor& sensor, const SensorPath& path,
     if (progress.cancelled()) return {};
     const std::size_t count = std::min(batch_size, planned.size() - begin);
     workers.for_each(count, [&](std::size_t i) {
-      batch[i] = take_frame(sensor, path, planned[begin + i], begin + i);
+      batch[i] = take_frame(scanning, planned[begin + i], begin + i);
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (unknown_patterns && batch[i].kind != FrameKind::kTexture)
@@ -185,6 +209,7 @@ Result<void> RecordingFaults::validate() const {
       .not_negative("away_duration_s", away_duration_s)
       .in_range("bump_mm", bump_mm, -1.0, 1.0)
       .not_negative("bump_at_s", bump_at_s)
+      .in_range("tissue_share", tissue_share, 0.0, 0.5)
       .result();
 }
 
@@ -214,8 +239,10 @@ Result<RecordingCounts> simulate_recording(const TriangleMesh& mesh,
   RecordingCounts counts;
   const std::vector<PlannedFrame> planned = plan_frames(options, *path, counts);
   progress.begin_stage("Scanning with the virtual sensor", planned.size());
-  const auto written = write_frames(*sensor, *path, planned, workers, progress,
-                                    options.faults.unknown_patterns, *writer);
+  const PassingTissue tissue(*path, options.sensor, options.faults.tissue_share,
+                             options.image.seed);
+  const auto written = write_frames({*sensor, *path, tissue, options.image}, planned, workers,
+                                    progress, options.faults.unknown_patterns, *writer);
   if (!written) return tl::unexpected(written.error());
   if (const std::size_t count = writer->frames().size(); count > 0) {
     const std::vector<PlannedFrame> taken(planned.begin(),

@@ -24,6 +24,7 @@ struct RecordingFaults {
   double away_duration_s = 0.0;   ///< >= 0, ... and for how long; 0: never
   double bump_mm = 0.0;    ///< by which the projector of the vertical lines moves across them ...
   double bump_at_s = 0.0;  ///< >= 0, ... from this time of the scan on
+  double tissue_share = 0.0;  ///< 0..0.5, share of the time with a tongue or a finger in view
   [[nodiscard]] Result<void> validate() const;
 };
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "assets/shapes/sphere.h"
 #include "core/base/random.h"
+#include "core/geometry/sphere_mesh.h"
 #include "core/review/closed_line.h"
 #include "tests/support/revolved.h"
 
@@ -148,7 +148,7 @@ TEST(Margin, NeedsAnEdgeNearEachClick) {
 }
 
 TEST(Margin, OfASmoothSurfaceIsNone) {
-  const TriangleMesh smooth = shapes::sphere(Vec3::Zero(), 4.0, 60);
+  const TriangleMesh smooth = sphere_mesh(Vec3::Zero(), 4.0, 60);
   const std::vector<Vec3> clicks_mm = {{4, 0, 0}, {0, 4, 0}, {-4, 0, 0}};
   EXPECT_EQ(find_margin(smooth, clicks_mm, {}, Workers(1)).error().code, ErrorCode::kInsufficient);
 }

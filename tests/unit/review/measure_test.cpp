@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "assets/shapes/sphere.h"
 #include "core/base/random.h"
+#include "core/geometry/sphere_mesh.h"
 
 namespace flytri::review {
 namespace {
@@ -84,7 +84,7 @@ TEST(Measure, APointOnTheSurfaceHasTheSigmaBetweenItsCorners) {
 }
 
 TEST(Measure, AMeshOfAnotherProgramHasNoUncertainty) {
-  EXPECT_FALSE(has_uncertainty(shapes::sphere(Vec3::Zero(), 1.0, 4)));
+  EXPECT_FALSE(has_uncertainty(sphere_mesh(Vec3::Zero(), 1.0, 4)));
 }
 
 }  // namespace

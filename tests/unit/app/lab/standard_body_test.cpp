@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "assets/shapes/sphere.h"
 #include "core/base/random.h"
+#include "core/geometry/sphere_mesh.h"
 
 namespace flytri::lab {
 namespace {
@@ -35,7 +35,7 @@ TEST(StandardBody, ASphereIsFoundWhereItIsAndAsLargeAsItIs) {
   const StandardBody body = bare_body();
   const Vec3 shift_mm(0.02, -0.01, 0.03);
   const TriangleMesh scanned =
-      shapes::sphere(body.spheres_mm[2] + shift_mm, body.radius_mm + 0.015, 60);
+      sphere_mesh(body.spheres_mm[2] + shift_mm, body.radius_mm + 0.015, 60);
   const auto fit = fit_sphere(scanned, body, 2);
   ASSERT_TRUE(fit);
   EXPECT_LT((fit->center_mm - body.spheres_mm[2] - shift_mm).norm(), 1e-5);
@@ -45,7 +45,7 @@ TEST(StandardBody, ASphereIsFoundWhereItIsAndAsLargeAsItIs) {
 
 TEST(StandardBody, ASphereThatWasNotScannedIsNamed) {
   const StandardBody body = bare_body();
-  const auto fit = fit_sphere(shapes::sphere(body.spheres_mm[0], body.radius_mm, 60), body, 1);
+  const auto fit = fit_sphere(sphere_mesh(body.spheres_mm[0], body.radius_mm, 60), body, 1);
   ASSERT_FALSE(fit);
   EXPECT_EQ(fit.error().code, ErrorCode::kInsufficient);
   EXPECT_THAT(fit.error().message, HasSubstr("sphere 2: only 0 points"));

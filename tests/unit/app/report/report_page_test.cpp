@@ -9,7 +9,7 @@
 #include "app/report/jaw_picture.h"
 #include "app/report/report_json.h"
 #include "app/report/span_json.h"
-#include "assets/shapes/sphere.h"
+#include "core/geometry/sphere_mesh.h"
 
 namespace flytri::report {
 namespace {
@@ -22,7 +22,7 @@ ScanFacts facts() {
   facts.source = "case.flytri";
   facts.patient.emplace().patient_name = "<script>alert('x')</script>";
   facts.stage = io::ScanStage::kUpper;
-  facts.surface.mesh = shapes::sphere(Vec3::Zero(), 5.0, 12);
+  facts.surface.mesh = sphere_mesh(Vec3::Zero(), 5.0, 12);
   for (SurfacePoint& vertex : facts.surface.mesh.vertices) vertex.sigma_mm = 0.01F;
   facts.spans = {{{JawSpanKind::kLength, std::nullopt, {Vec3(-4, 0, 3), Vec3(4, 0, 3)}}, 0.005}};
   facts.registered = 90;

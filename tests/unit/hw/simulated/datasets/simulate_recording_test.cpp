@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assets/shapes/sphere.h"
+#include "core/geometry/sphere_mesh.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
 #include "core/io/recordings/truth.h"
@@ -35,7 +35,7 @@ RecordingOptions second_over_a_ball() {
   return options;
 }
 
-TriangleMesh ball() { return shapes::sphere(Vec3::Zero(), 12.0, 30); }
+TriangleMesh ball() { return sphere_mesh(Vec3::Zero(), 12.0, 30); }
 
 TEST(SimulateRecording, WritesFramesAndTruePoses) {
   const TemporaryFolder folder;
@@ -79,6 +79,27 @@ TEST(SimulateRecording, IsBitIdenticalForAnyNumberOfThreads) {
     const cv::Mat other_image = io::load_frame(*b, FrameIndex(i))->image;
     EXPECT_TRUE(std::equal(image.data, image.data + image.total(), other_image.data));
   }
+}
+
+TEST(SimulateRecording, TissueIsInTheImagesButNotInTheTruth) {
+  const TemporaryFolder folder;
+  RecordingOptions options = second_over_a_ball();
+  ASSERT_TRUE(simulate_recording(ball(), options, folder / "clear", Workers(2), Progress()));
+  options.faults.tissue_share = 0.4;
+  ASSERT_TRUE(simulate_recording(ball(), options, folder / "tissue", Workers(2), Progress()));
+  const auto clear = io::open_recording(folder / "clear");
+  const auto tissue = io::open_recording(folder / "tissue");
+  ASSERT_EQ(clear->frames.size(), tissue->frames.size());
+  int differ = 0;
+  for (std::size_t i = 0; i < clear->frames.size(); ++i) {
+    const cv::Mat one = io::load_frame(*clear, FrameIndex(i))->image;
+    const cv::Mat other_image = io::load_frame(*tissue, FrameIndex(i))->image;
+    differ += std::equal(one.datastart, one.dataend, other_image.datastart) ? 0 : 1;
+  }
+  EXPECT_GT(differ, 5);
+  EXPECT_LT(differ, 20);
+  const auto truth = io::read_truth(folder / "tissue" / "truth.json");
+  EXPECT_EQ(io::read_ply(truth->mesh)->mesh.vertices.size(), ball().vertices.size());
 }
 
 TEST(SimulateRecording, SimulatesDroppedFramesUnknownPatternsAndALiftedSensor) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assets/shapes/sphere.h"
+#include "core/geometry/sphere_mesh.h"
 #include "hw/simulated/optics/view_simulator.h"
 
 namespace flytri::simulated {
@@ -28,7 +28,7 @@ std::vector<double> distances(const TriangleMesh& mesh, const std::vector<Exposu
 }
 
 TEST(CountLit, CountsVerticesNearMeasuredPoints) {
-  const TriangleMesh ball = shapes::sphere(Vec3(0.0, 0.0, 6.0), 6.0, 60);
+  const TriangleMesh ball = sphere_mesh(Vec3(0.0, 0.0, 6.0), 6.0, 60);
   const auto simulator = ViewSimulator::create(ball, intraoral_sensor());
   ASSERT_TRUE(simulator.has_value());
   Isometry moved = Isometry::Identity();
@@ -55,7 +55,7 @@ TEST(CountLit, CountsVerticesNearMeasuredPoints) {
 }
 
 TEST(CountLit, IsZeroOnTheFarSide) {
-  const TriangleMesh ball = shapes::sphere(Vec3(0.0, 0.0, 6.0), 6.0, 30);
+  const TriangleMesh ball = sphere_mesh(Vec3(0.0, 0.0, 6.0), 6.0, 30);
   const auto simulator = ViewSimulator::create(ball, intraoral_sensor());
   ASSERT_TRUE(simulator.has_value());
   const std::vector<Exposure> exposures{{Pattern::kVertical, Isometry::Identity()}};

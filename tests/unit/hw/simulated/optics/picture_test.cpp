@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assets/shapes/sphere.h"
+#include "core/geometry/sphere_mesh.h"
 #include "tests/support/sample_meshes.h"
 
 namespace flytri::simulated {
@@ -17,7 +17,7 @@ PictureOptions small() {
 }
 
 TEST(Picture, ShowsTheSphereInTheMiddleOfTheBackground) {
-  TexturedMesh ball{shapes::sphere(Vec3(5.0, 0.0, 0.0), 2.0, 20), {}, {}};
+  TexturedMesh ball{sphere_mesh(Vec3(5.0, 0.0, 0.0), 2.0, 20), {}, {}};
   for (SurfacePoint& vertex : ball.mesh.vertices) vertex.color = {200, 50, 50};
   const cv::Mat image = draw_picture(ball, small(), Workers(1)).value();
   EXPECT_EQ(image.at<cv::Vec3b>(0, 0), cv::Vec3b(250, 250, 252));
@@ -38,7 +38,7 @@ TEST(Picture, PrefersTheAtlasToVertexColors) {
 }
 
 TEST(Picture, IsBitIdenticalForAnyNumberOfThreads) {
-  const TexturedMesh ball{shapes::sphere(Vec3::Zero(), 2.0, 12), {}, {}};
+  const TexturedMesh ball{sphere_mesh(Vec3::Zero(), 2.0, 12), {}, {}};
   const cv::Mat a = draw_picture(ball, small(), Workers(1)).value();
   const cv::Mat b = draw_picture(ball, small(), Workers(2)).value();
   EXPECT_TRUE(std::equal(a.begin<cv::Vec3b>(), a.end<cv::Vec3b>(), b.begin<cv::Vec3b>()));
@@ -47,7 +47,7 @@ TEST(Picture, IsBitIdenticalForAnyNumberOfThreads) {
 TEST(Picture, RefusesAViewAlongTheUpDirection) {
   PictureOptions options = small();
   options.up = options.from_direction;
-  const TexturedMesh ball{shapes::sphere(Vec3::Zero(), 2.0, 6), {}, {}};
+  const TexturedMesh ball{sphere_mesh(Vec3::Zero(), 2.0, 6), {}, {}};
   EXPECT_EQ(draw_picture(ball, options, Workers(1)).error().code, ErrorCode::kBadOption);
 }
 

@@ -7,7 +7,7 @@
 
 #include "assets/sample_face/sample_face.h"
 #include "assets/sample_jaw/sample_jaw.h"
-#include "assets/shapes/sphere.h"
+#include "core/geometry/sphere_mesh.h"
 #include "core/io/recordings/truth.h"
 #include "hw/simulated/optics/view_simulator.h"
 #include "tests/support/temporary_folder.h"
@@ -65,8 +65,7 @@ TEST(SensorPath, ArchKeepsTheSurfaceOfAJawInTheVolume) {
 
 TEST(SensorPath, OrbitKeepsTheSurfaceOfAHeadInTheVolume) {
   const auto simulator =
-      ViewSimulator::create(shapes::sphere(Vec3(10.0, -20.0, 30.0), 90.0, 60), face_sensor())
-          .value();
+      ViewSimulator::create(sphere_mesh(Vec3(10.0, -20.0, 30.0), 90.0, 60), face_sensor()).value();
   const auto path =
       plan_path(simulator.scene(), simulator.sensor(), {.kind = PathKind::kOrbit}).value();
   EXPECT_GT(count_points(simulator, path, 30).fewest, 2000U);

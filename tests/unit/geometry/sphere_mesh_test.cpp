@@ -1,4 +1,4 @@
-#include "assets/shapes/sphere.h"
+#include "core/geometry/sphere_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <numbers>
 #include <utility>
 
-namespace flytri::shapes {
+namespace flytri {
 namespace {
 
-TEST(Sphere, IsClosedFacesOutwardsAndHasItsVolume) {
+TEST(SphereMesh, IsClosedFacesOutwardsAndHasItsVolume) {
   const Vec3 center_mm(5.0, -2.0, 1.0);
-  const TriangleMesh mesh = sphere(center_mm, 3.0, 40);
+  const TriangleMesh mesh = sphere_mesh(center_mm, 3.0, 40);
   double volume_mm3 = 0.0;
   // By its ends: how often an edge is passed in this direction. A pole is one point.
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> passes;
@@ -35,4 +35,4 @@ TEST(Sphere, IsClosedFacesOutwardsAndHasItsVolume) {
 }
 
 }  // namespace
-}  // namespace flytri::shapes
+}  // namespace flytri

@@ -1,11 +1,11 @@
-#include "assets/shapes/sphere.h"
+#include "core/geometry/sphere_mesh.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace flytri::shapes {
+namespace flytri {
 
-TriangleMesh sphere(const Vec3& center_mm, double radius_mm, int rings) {
+TriangleMesh sphere_mesh(const Vec3& center_mm, double radius_mm, int rings) {
   const auto row_count = static_cast<std::uint32_t>(rings);
   const std::uint32_t around = 2 * row_count;
   TriangleMesh mesh;
@@ -32,4 +32,4 @@ TriangleMesh sphere(const Vec3& center_mm, double radius_mm, int rings) {
   return mesh;
 }
 
-}  // namespace flytri::shapes
+}  // namespace flytri
