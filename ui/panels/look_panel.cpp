@@ -104,10 +104,6 @@ void draw_colors(const PanelContext& context) {
   const Plate plate("colors", box, overlay(context.theme));
   Rect rest = box.inset(context.px(kGapS));
   draw_modes(context, rest);
-  if (offers_crossed(context)) {
-    small_action(context, rest.take_top(context.px(kLookButton), context.px(kGapXs)),
-                 Action::kShowCrossed, {nullptr, context.text(Text::kHasGone)});
-  }
   rest.take_top(context.px(kGapXs));
   const ColorMode colors = shown_colors(context.view, context.state);
   if (colors == ColorMode::kTexture) draw_blend(context, rest);
@@ -121,8 +117,14 @@ void draw_sides(const PanelContext& context) {
   Rect rest = box.inset(context.px(kGapS));
   const auto row = [&] { return rest.take_top(context.px(kSideButton), context.px(kGapXs)); };
   const ActionLook all = {nullptr, context.text(Text::kViewAll)};
-  if (context.view.stage == io::ScanStage::kFace)
-    return (void)small_action(context, row(), Action::kShowAll, all);
+  const auto draw_crossed = [&] {
+    if (!offers_crossed(context)) return;
+    small_action(context, row(), Action::kShowCrossed, {nullptr, context.text(Text::kHasGone)});
+  };
+  if (context.view.stage == io::ScanStage::kFace) {
+    small_action(context, row(), Action::kShowAll, all);
+    return draw_crossed();
+  }
   const auto& jaw = context.view.scan == nullptr ? std::nullopt : context.view.scan->jaw;
   small_action(context, row(), Action::kOcclusal, {nullptr, context.text(Text::kViewOcclusal)});
   small_action(context, row(), Action::kBuccal,
@@ -137,6 +139,7 @@ void draw_sides(const PanelContext& context) {
   small_action(context, row(), Action::kLingual,
                {nullptr, context.text(lingual_name(jaw_of(context.view.stage)))});
   small_action(context, row(), Action::kShowAll, all);
+  draw_crossed();
 }
 
 /// Two buttons side by side hold their labels.
@@ -152,17 +155,18 @@ float sides_width(const PanelContext& context) {
 }  // namespace
 
 Rect colors_box(const PanelContext& context) {
-  const float height = height_of(offers_crossed(context) ? 5.0F : 4.0F, kLookButton) +
-                       extra_height(shown_colors(context.view, context.state));
+  const float height =
+      height_of(4.0F, kLookButton) + extra_height(shown_colors(context.view, context.state));
   return {context.layout.picture.x + context.px(kGapM), top_of(context), context.px(kWidth),
           context.px(height)};
 }
 
 Rect sides_box(const PanelContext& context) {
   const float width = sides_width(context);
-  return {
-      context.layout.picture.right() - context.px(kGapM) - width, top_of(context), width,
-      context.px(height_of(context.view.stage == io::ScanStage::kFace ? 1.0F : 5.0F, kSideButton))};
+  const float rows = (context.view.stage == io::ScanStage::kFace ? 1.0F : 5.0F) +
+                     (offers_crossed(context) ? 1.0F : 0.0F);
+  return {context.layout.picture.right() - context.px(kGapM) - width, top_of(context), width,
+          context.px(height_of(rows, kSideButton))};
 }
 
 void draw_look_panel(const PanelContext& context) {

@@ -61,10 +61,8 @@ FLYTRI_TEXT(kLingualView, "Lingual view", "Linguale Ansicht", "Vue linguale", "V
 FLYTRI_TEXT(kRightSide, "Right side", "Rechte Seite", "Côté droit", "Lado derecho")
 FLYTRI_TEXT(kLeftSide, "Left side", "Linke Seite", "Côté gauche", "Lado izquierdo")
 FLYTRI_TEXT(kShowAll, "Show all", "Alles zeigen", "Tout afficher", "Mostrar todo")
-FLYTRI_TEXT(kShowCrossed, "Show what has gone", "Zeigen, was weg ist", "Montrer ce qui est parti",
-            "Mostrar lo que se fue")
-FLYTRI_TEXT(kNothingHasGone, "nothing has gone", "nichts ist weg", "rien n'est parti",
-            "nada se ha ido")
+FLYTRI_TEXT(kHasGone, "What has gone", "Was weg ist", "Ce qui est parti", "Lo que se fue")
+FLYTRI_TEXT(kNothingHasGone, "nothing yet", "noch nichts", "encore rien", "nada aún")
 FLYTRI_TEXT(kOcclusalPlane, "Occlusal plane", "Okklusionsebene", "Plan occlusal", "Plano oclusal")
 FLYTRI_TEXT(kAutomaticPlane, "Automatic plane", "Ebene automatisch", "Plan automatique",
             "Plano automático")

@@ -319,4 +319,3 @@ FLYTRI_TEXT(kKeptAsPreop, "Kept as pre-op. Cut out what is prepared, and scan it
             "Als Präop behalten. Ausschneiden, was präpariert ist, und neu scannen.",
             "Gardé comme pré-op. Découper ce qui est préparé et le scanner de nouveau.",
             "Guardado como preop. Recortar lo preparado y volver a escanearlo.")
-FLYTRI_TEXT(kHasGone, "What has gone", "Was weg ist", "Ce qui est parti", "Lo que se fue")

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "hw/simulated/optics/view_simulator.h"
 #include "tests/support/orthographic_calibration.h"
@@ -180,7 +181,7 @@ TEST(LiveSurface, HidesWhatViewsHaveLookedThrough) {
   scan.show_plane();
   EXPECT_LT(scan.shown_above_plane(), before / 20);
   EXPECT_EQ(scan.surface.crossed_count(), before - scan.shown_above_plane());
-  scan.surface.publish();
+  std::ignore = scan.surface.publish();
   EXPECT_NEAR(scan.surface.area_mm2(), 100.0, 8.0);
 }
 
