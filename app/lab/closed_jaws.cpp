@@ -9,6 +9,7 @@
 #include "assets/sample_jaw/sample_jaw.h"
 #include "core/base/random.h"
 #include "core/evaluation/surface_error.h"
+#include "core/geometry/append_mesh.h"
 #include "core/geometry/cell_key.h"
 #include "hw/simulated/hand/aimed_pose.h"
 #include "hw/simulated/hand/arch_line.h"
@@ -40,10 +41,7 @@ double gap_mm(const TriangleMesh& upper, const TriangleMesh& lower, const Isomet
 }
 
 TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
-  const auto offset = static_cast<std::uint32_t>(first.vertices.size());
-  first.vertices.insert(first.vertices.end(), second.vertices.begin(), second.vertices.end());
-  for (const Triangle& t : second.triangles)
-    first.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  append(first, second);
   return first;
 }
 

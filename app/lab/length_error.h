@@ -7,7 +7,7 @@
 
 namespace flytri::lab {
 
-/// By how much the distance of two places is too long in the scan, mm. Around each place, the
+/// Error of the distance of two places in the scan, mm; positive: too long. Around each place, the
 /// scanned surface within 5 mm is laid on the true one.
 /// @param scanned  in the frame of the truth; its vertices count
 /// @param from_mm, to_mm  on the true surface

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/geometry/append_mesh.h"
 #include "core/geometry/decompositions.h"
 #include "core/geometry/sphere_mesh.h"
 
@@ -27,14 +28,6 @@ constexpr double kOfPart_mm = 0.3;
 constexpr double kCapCosine = 0.5;
 constexpr double kPlateBorder_mm = 0.5;
 constexpr std::size_t kLeastPoints = 100;
-
-void append(TriangleMesh& all, const TriangleMesh& part) {
-  const auto first = static_cast<std::uint32_t>(all.vertices.size());
-  all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
-  for (const Triangle& t : part.triangles) {
-    all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-}
 
 SurfacePoint point_at(const Vec3& position_mm, const Vec3& normal) {
   SurfacePoint point;

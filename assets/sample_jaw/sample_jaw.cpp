@@ -10,6 +10,7 @@
 #include "assets/shapes/smooth.h"
 #include "assets/shapes/surface_nets.h"
 #include "core/base/check_options.h"
+#include "core/geometry/append_mesh.h"
 
 namespace flytri::sample_jaw {
 namespace {
@@ -101,13 +102,6 @@ TriangleMesh make_gum_strip(const Dentition& dentition, const Gum& gum, const sh
   for (SurfacePoint& vertex : mesh.vertices)
     vertex.color = to_rgb(gum.color(vertex.position_mm.cast<double>()));
   return mesh;
-}
-
-void append(TriangleMesh& whole, const TriangleMesh& part) {
-  const auto offset = static_cast<std::uint32_t>(whole.vertices.size());
-  whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
-  for (const Triangle& t : part.triangles)
-    whole.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
 }
 
 }  // namespace

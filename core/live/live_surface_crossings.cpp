@@ -10,13 +10,12 @@ namespace {
 
 /// Rays of a profile lie this far apart, in cells: none misses a surfel.
 constexpr double kRaySpacing = 1.0;
-/// Part of a ray that is looked at, in cells from its point. Nearer lies the surface of the point
-/// itself; farther away nothing of this scan is in the way.
+/// A ray counts between these distances from its point, in cells. Nearer lies the point's own
+/// surface; farther away is nothing of the scan.
 constexpr float kFromCells = 5.0F, kToCells = 100.0F;
-/// Distance from the center of a surfel in its plane, in cells: near it the plane is the surface.
+/// A ray crosses a surfel if it passes its center no farther than this, in cells.
 constexpr float kNearCells = 1.5F;
-/// Cosine between a ray and the normal of a surfel that it crosses. Flatter rays may pass beside
-/// the rim of a true surface.
+/// Least cosine between ray and normal. Flatter rays may pass beside the rim of a true surface.
 constexpr float kMinCosine = 0.2F;
 /// A surfel of this many points needs one more view.
 constexpr std::uint32_t kPointsPerView = 16;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "assets/sample_jaw/dentition.h"
+#include "core/geometry/append_mesh.h"
 #include "core/geometry/mesh_normals.h"
 #include "core/meshing/mesh_topology.h"
 #include "tests/support/revolved.h"
@@ -86,13 +87,6 @@ TriangleMesh without_tooth(TriangleMesh jaw, const sample_jaw::PlacedTooth& toot
   meshing::drop_unused_vertices(jaw);
   for (SurfacePoint& vertex : jaw.vertices) vertex.sigma_mm = kSigma_mm;
   return jaw;
-}
-
-void append(TriangleMesh& mesh, const TriangleMesh& more) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const Triangle& t : more.triangles)
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace flytri::simulated {
 
-/// Rounded bodies that come from a side into the measurement volume and leave again, one after the
-/// other. They do not change their shape.
+/// Rounded bodies of fixed shape. One after the other comes from a side into the measurement volume
+/// and leaves again.
 class PassingTissue {
  public:
   /// @param share  of the time, 0..0.5; 0: never

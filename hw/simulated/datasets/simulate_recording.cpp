@@ -8,6 +8,7 @@
 
 #include "core/base/check_options.h"
 #include "core/base/random.h"
+#include "core/geometry/append_mesh.h"
 #include "core/io/models/ply.h"
 #include "core/io/recordings/recording.h"
 #include "core/io/recordings/truth.h"
@@ -128,11 +129,7 @@ struct Scanning {
 ImageSimulator with_tissue(const ImageSimulator& simulator, const TriangleMesh& tissue,
                            const ImageOptions& options) {
   TriangleMesh both = simulator.scene().mesh();
-  const auto first = static_cast<std::uint32_t>(both.vertices.size());
-  both.vertices.insert(both.vertices.end(), tissue.vertices.begin(), tissue.vertices.end());
-  for (const Triangle& triangle : tissue.triangles) {
-    both.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
-  }
+  append(both, tissue);
   // The sensor and the options are those of the simulator.
   return ImageSimulator::create(both, simulator.sensor(), options).value();
 }
