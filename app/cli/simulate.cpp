@@ -156,7 +156,7 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
                         "micrometers, and from when on, in seconds");
   recording
       ->add_option("--tissue", arguments->tissue_share,
-                   "Share of the time in which a tongue or a finger is in view")
+                   "Share of the time with a tongue or a finger in view")
       ->check(CLI::Range(0.0, 0.5))
       ->capture_default_str();
   recording->add_option("--drop", arguments->dropped_share, "Share of frames that are lost")

@@ -40,11 +40,6 @@ double gap_mm(const TriangleMesh& upper, const TriangleMesh& lower, const Isomet
   return gap_mm;
 }
 
-TriangleMesh joined(TriangleMesh first, const TriangleMesh& second) {
-  append(first, second);
-  return first;
-}
-
 /// Along the teeth of one side and back, a little higher and lower: the share of the arch at a
 /// share of the time, and the tilt up or down.
 std::pair<double, double> bite_aim(double time, bool is_right) {
@@ -75,7 +70,8 @@ Result<ClosedJaws> close_sample_jaws(std::uint64_t seed, const Workers& workers)
   jaws.upper = *std::move(upper);
   jaws.lower = *std::move(lower);
   jaws.T_upper_lower = T_upper_lower;
-  jaws.closed = joined(jaws.upper, evaluation::transformed(jaws.lower, T_upper_lower));
+  jaws.closed = jaws.upper;
+  append(jaws.closed, evaluation::transformed(jaws.lower, T_upper_lower));
   const simulated::RayScene scene(jaws.upper);
   const auto line = simulated::find_arch_line(scene, {});
   if (!line) return tl::unexpected(line.error());

@@ -7,8 +7,8 @@
 
 namespace flytri::lab {
 
-/// Error of the distance of two places in the scan, mm; positive: too long. Around each place, the
-/// scanned surface within 5 mm is laid on the true one.
+/// Error of a scanned distance, mm; positive: too long. Within 5 mm of each end, the scanned
+/// surface is laid on the true one.
 /// @param scanned  in the frame of the truth; its vertices count
 /// @param from_mm, to_mm  on the true surface
 /// @errors  kInsufficient: hardly anything was scanned at one of the places.

@@ -41,8 +41,8 @@ struct LiveSurfaceOptions {
   /// the calibration error. A line passes a cube only in one of several views, so about a hundred
   /// views are kept of each place.
   int enough_views = 16;
-  /// >= 0. A surfel is hidden if so many views have looked through it since it was last measured: a
-  /// tongue or a finger has gone. A surfel of many points needs more views. 0: never hidden.
+  /// >= 0. After its last measurement, this many views must look through a surfel to hide it: the
+  /// tongue or finger has gone. A surfel of many points needs more views. 0: never hidden.
   int free_views = 2;
   /// > 0. As ReduceOptions::noise_length_samples.
   double noise_length_samples = reduction::kNoiseLengthSamples;

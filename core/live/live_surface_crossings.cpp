@@ -10,12 +10,12 @@ namespace {
 
 /// Rays of a profile lie this far apart, in cells: none misses a surfel.
 constexpr double kRaySpacing = 1.0;
-/// A ray counts between these distances from its point, in cells. Nearer lies the point's own
-/// surface; farther away is nothing of the scan.
+/// The part of a ray that counts, as distances from its point in cells. Nearer is the surface of
+/// the point itself; farther away there is no scan.
 constexpr float kFromCells = 5.0F, kToCells = 100.0F;
-/// A ray crosses a surfel if it passes its center no farther than this, in cells.
+/// A ray crosses a surfel if it passes within this distance of its center, in cells.
 constexpr float kNearCells = 1.5F;
-/// Least cosine between ray and normal. Flatter rays may pass beside the rim of a true surface.
+/// Smallest cosine between ray and normal. Flatter rays may just pass a rim of the true surface.
 constexpr float kMinCosine = 0.2F;
 /// A surfel of this many points needs one more view.
 constexpr std::uint32_t kPointsPerView = 16;

@@ -29,8 +29,8 @@ PassingTissue::PassingTissue(const SensorPath& path, const SensorModel& sensor, 
     visit.half_axes_mm =
         half_mm.x() * Vec3(0.5 + 0.3 * random.uniform(), 0.5 + 0.3 * random.uniform(),
                            0.6 + 0.3 * random.uniform());
-    // In the sensor frame; z points away from the camera. The body is before the middle of the
-    // volume.
+    // Sensor frame, z away from the camera: the body's near end lies between the camera and the
+    // middle of the volume.
     const double from = 2.0 * std::numbers::pi * random.uniform();
     const Vec3 side(std::cos(from), std::sin(from), 0.0);
     const double radius_mm = visit.half_axes_mm.head<2>().maxCoeff();

@@ -117,7 +117,7 @@ class BumpedSensor {
   double bump_at_s_ = 0.0;
 };
 
-/// Before a mesh that tissue hides for a moment.
+/// A scan of a mesh, with tissue that passes in front of it.
 struct Scanning {
   const BumpedSensor& sensor;
   const SensorPath& path;
@@ -125,7 +125,7 @@ struct Scanning {
   const ImageOptions& image;
 };
 
-/// What takes an image of the mesh and of the tissue before it.
+/// Takes images of the mesh with the tissue in front of it.
 ImageSimulator with_tissue(const ImageSimulator& simulator, const TriangleMesh& tissue,
                            const ImageOptions& options) {
   TriangleMesh both = simulator.scene().mesh();
