@@ -17,6 +17,7 @@ void set_up_command_line(CLI::App& lab, cli::Invocation& invocation) {
   add_occlusion_study(lab, invocation);
   add_lengths_study(lab, invocation);
   add_standard_tests_study(lab, invocation);
+  add_structure_study(lab, invocation);
   add_merge_command(lab, invocation);
   add_plot_command(lab, invocation);
   add_growth_study(lab, invocation);

@@ -16,12 +16,14 @@ void print_table2(const nlohmann::ordered_json& records);
 void print_occlusion(const nlohmann::ordered_json& records);
 void print_lengths(const nlohmann::ordered_json& records);
 void print_standard_tests(const nlohmann::ordered_json& records);
+void print_structure(const nlohmann::ordered_json& records);
 inline constexpr StudyPrinter kTable2Printer{"table2", print_table2};
 inline constexpr StudyPrinter kOcclusionPrinter{"occlusion", print_occlusion};
 inline constexpr StudyPrinter kLengthsPrinter{"lengths", print_lengths};
 inline constexpr StudyPrinter kStandardTestsPrinter{"standard-tests", print_standard_tests};
+inline constexpr StudyPrinter kStructurePrinter{"structure", print_structure};
 inline constexpr std::array kPrinters = {kTable2Printer, kOcclusionPrinter, kLengthsPrinter,
-                                         kStandardTestsPrinter};
+                                         kStandardTestsPrinter, kStructurePrinter};
 
 void add_table2_study(CLI::App& lab, cli::Invocation& invocation);
 void add_refinement_study(CLI::App& lab, cli::Invocation& invocation);
@@ -31,6 +33,7 @@ void add_returns_study(CLI::App& lab, cli::Invocation& invocation);
 void add_occlusion_study(CLI::App& lab, cli::Invocation& invocation);
 void add_lengths_study(CLI::App& lab, cli::Invocation& invocation);
 void add_standard_tests_study(CLI::App& lab, cli::Invocation& invocation);
+void add_structure_study(CLI::App& lab, cli::Invocation& invocation);
 void add_merge_command(CLI::App& lab, cli::Invocation& invocation);
 void add_plot_command(CLI::App& lab, cli::Invocation& invocation);
 void add_growth_study(CLI::App& lab, cli::Invocation& invocation);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/lab/right_views.h"
 #include "app/lab/simulated_scan.h"
 #include "app/lab/studies.h"
 #include "assets/sample_jaw/sample_jaw.h"
@@ -16,12 +17,6 @@ namespace {
 
 /// Views of the arch at the speed of the paper.
 constexpr int kViewsAtPace = 1000;
-/// A view is wrong if it is further than this from where most others place it. Several times the
-/// drift over a whole arch.
-constexpr double kWrongMm = 0.5;
-/// Every n-th point of a view is compared.
-constexpr std::size_t kStride = 50;
-
 struct TrackingArguments {
   int seed_count = 2;
   int thread_count = 0;
@@ -41,33 +36,6 @@ struct Counts {
   double pace_mm_s = 0.0;
 };
 
-/// A registered view, and the pose of the world frame that follows from it.
-struct Placed {
-  std::vector<Vec3> points_mm;  ///< world frame
-  Isometry T_model_world;
-};
-
-/// RMS distance between the points of the view and where another view would place them.
-double distance_mm(const Placed& view, const Placed& other) {
-  double sum = 0.0;
-  for (const Vec3& p : view.points_mm) {
-    sum += (view.T_model_world * p - other.T_model_world * p).squaredNorm();
-  }
-  return std::sqrt(sum / std::max<double>(1.0, static_cast<double>(view.points_mm.size())));
-}
-
-/// The number of views that agree with the view that most agree with.
-int count_right(const std::vector<Placed>& placed) {
-  int most = 0;
-  for (const Placed& gauge : placed) {
-    const auto agree = std::count_if(placed.begin(), placed.end(), [&](const Placed& view) {
-      return distance_mm(view, gauge) < kWrongMm;
-    });
-    most = std::max(most, static_cast<int>(agree));
-  }
-  return most;
-}
-
 bool sees_nothing(const Scenario& scenario, std::size_t i) {
   if (scenario.gap_every == 0) return false;
   return static_cast<int>(i) % scenario.gap_every >= scenario.gap_every - scenario.gap_views;
@@ -80,16 +48,6 @@ double mean_pace_mm_s(const SimulatedScan& scan) {
         (scan.T_model_sensor[i].translation() - scan.T_model_sensor[i - 1].translation()).norm();
   }
   return length_mm / (scan.views.back()->time_s - scan.views.front()->time_s);
-}
-
-Placed placed_at(const tracking::RegisteredView& view, const Isometry& T_model_sensor) {
-  Placed placed{{}, T_model_sensor * view.T_world_sensor.inverse()};
-  for (const Profile& profile : view.view->profiles) {
-    for (std::size_t k = 0; k < profile.points.size(); k += kStride) {
-      placed.points_mm.push_back(view.T_world_sensor * profile.points[k].position_mm);
-    }
-  }
-  return placed;
 }
 
 Result<Counts> track(const TriangleMesh& jaw, const Scenario& scenario, int seed,
@@ -113,15 +71,17 @@ Result<Counts> track(const TriangleMesh& jaw, const Scenario& scenario, int seed
     registrar->add(scan->views[i]);
     ++counts.views;
   }
-  std::vector<Placed> placed;
+  std::vector<AlignedView> placed;
+  std::vector<Isometry> T_model_sensor;
   for (const tracking::RegisteredView& view : registrar->finish()) {
     if (view.fate == tracking::ViewFate::kRejected) {
       ++counts.rejected;
     } else {
-      placed.push_back(placed_at(view, scan->T_model_sensor[view.view->frame.at()]));
+      placed.push_back({view.view, view.T_world_sensor});
+      T_model_sensor.push_back(scan->T_model_sensor[view.view->frame.at()]);
     }
   }
-  counts.right = count_right(placed);
+  counts.right = count_right(placed, T_model_sensor);
   counts.wrong = static_cast<int>(placed.size()) - counts.right;
   return counts;
 }

@@ -1,6 +1,7 @@
 /// @file  Places fourteen teeth on the arch of a jaw.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -22,12 +23,18 @@ struct PlacedTooth {
   [[nodiscard]] double operator()(const Vec3& p_jaw) const { return tooth(to_tooth(p_jaw)); }
 };
 
+inline constexpr std::size_t kToothCount = 14;
+/// Teeth by their number in Dentition.
+using ToothSet = std::bitset<kToothCount>;
+inline constexpr ToothSet kAllTeeth{(1U << kToothCount) - 1U};
+
 /// The teeth from one end of the arch to the other.
 struct Dentition {
   JawKind kind = JawKind::kUpper;
   Arch arch;
   std::vector<PlacedTooth> teeth;
   std::uint64_t seed = 1;
+  ToothSet present = kAllTeeth;  ///< where another one was, the gum has healed to a ridge
 };
 
 [[nodiscard]] Dentition make_dentition(JawKind kind, std::uint64_t seed);

@@ -99,9 +99,11 @@ double Gum::collar(const PlacedTooth& placed, const Vec3& p) const {
 double Gum::operator()(const Vec3& p) const {
   // Scaled down, because at steep walls the height difference grows faster than the distance.
   double shape = 0.45 * (p.z() - station(p.head<2>()).ridge_mm);
-  for (const PlacedTooth& placed : dentition_.teeth)
-    if ((p - placed.origin_mm).head<2>().norm() < kCollarReach_mm)
+  for (std::size_t i = 0; i < dentition_.teeth.size(); ++i) {
+    const PlacedTooth& placed = dentition_.teeth[i];
+    if (dentition_.present[i] && (p - placed.origin_mm).head<2>().norm() < kCollarReach_mm)
       shape = shapes::smooth_min(shape, collar(placed, p), 1.6);
+  }
   return shape + 0.03 * shapes::value_noise(1.6 * p, dentition_.seed + 11);
 }
 

@@ -79,7 +79,9 @@ TriangleMesh make_tooth(const Dentition& dentition, std::size_t index, const Gum
   const auto visible = [&](const Vec3& p) {
     if (gum(p) < -kHidden_mm) return false;
     for (const std::size_t other : {index - 1, index + 1})
-      if (other < dentition.teeth.size() && dentition.teeth[other](p) < -kHidden_mm) return false;
+      if (other < dentition.teeth.size() && dentition.present[other] &&
+          dentition.teeth[other](p) < -kHidden_mm)
+        return false;
     return true;
   };
   TriangleMesh mesh =
@@ -94,8 +96,11 @@ TriangleMesh make_tooth(const Dentition& dentition, std::size_t index, const Gum
 TriangleMesh make_gum_strip(const Dentition& dentition, const Gum& gum, const shapes::NetBox& box) {
   const auto visible = [&](const Vec3& p) {
     if (!gum.covers(p)) return false;
-    for (const PlacedTooth& placed : dentition.teeth)
-      if ((p - placed.origin_mm).norm() < 14.0 && placed(p) < -kHidden_mm) return false;
+    for (std::size_t i = 0; i < dentition.teeth.size(); ++i) {
+      const PlacedTooth& placed = dentition.teeth[i];
+      if (dentition.present[i] && (p - placed.origin_mm).norm() < 14.0 && placed(p) < -kHidden_mm)
+        return false;
+    }
     return true;
   };
   TriangleMesh mesh = cut(shapes::surface_nets(std::cref(gum), box), visible);
@@ -115,14 +120,17 @@ Result<void> SampleJawOptions::validate() const {
 
 Result<TriangleMesh> make_sample_jaw(const SampleJawOptions& options, const Workers& workers) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  const Dentition dentition = make_dentition(options.kind, options.seed);
+  Dentition dentition = make_dentition(options.kind, options.seed);
+  dentition.present = options.teeth;
   const Gum gum(dentition);
   const shapes::NetBox gum_box{{-40.0, -8.0, -14.0}, {40.0, 56.0, 8.0}, options.gum_cell_mm};
   std::vector<TriangleMesh> parts(dentition.teeth.size() + 1);
   workers.for_each(parts.size(), [&](std::size_t i) {
     // Start with the gum, which takes longest.
-    parts[i] = i == 0 ? make_gum_strip(dentition, gum, gum_box)
-                      : make_tooth(dentition, i - 1, gum, options.tooth_cell_mm);
+    if (i == 0)
+      parts[i] = make_gum_strip(dentition, gum, gum_box);
+    else if (dentition.present[i - 1])
+      parts[i] = make_tooth(dentition, i - 1, gum, options.tooth_cell_mm);
   });
   TriangleMesh jaw;
   for (const TriangleMesh& part : parts) append(jaw, part);

@@ -15,6 +15,9 @@ struct SampleJawOptions {
   double tooth_cell_mm = 0.15;  ///< 0.05..2, length of the triangles on the teeth
   double gum_cell_mm = 0.3;     ///< 0.05..2, length of the triangles on the gum, which is smoother
   std::uint64_t seed = 1;       ///< seed of the individual shapes
+  /// The teeth that the jaw has, by their number from -x to +x. Where one is missing, the gum has
+  /// healed to a ridge; none(): an edentulous jaw.
+  ToothSet teeth = kAllTeeth;
   [[nodiscard]] Result<void> validate() const;
 };
 

@@ -20,7 +20,8 @@ class Stage {
         const Isometry& T_world_guess)
       : source_(source), metaview_(metaview), options_(options), T_world_guess_(T_world_guess) {
     const double start_mm = options.start_distance_share * source.radius_mm;
-    step_options_ = {options.residual, options.weight, options.prior};
+    step_options_ = {options.residual, options.weight, options.prior, std::nullopt};
+    if (options.known) step_options_.known = options.known->information;
     if (options.prior.rotation_rad <= 0.0) {
       step_options_.prior.rotation_rad = options.start_distance_share;
     }
@@ -40,7 +41,9 @@ class Stage {
     found_ = find_crossings(placed_, metaview_, pairs, search_limits_);
     crossings_ = within_limits(found_);
     const StepFrame frame{placed_.center_mm, placed_.radius_mm};
-    const Isometry T_searched_guess = T_world_guess_ * result.T_target_source.inverse();
+    const Isometry& T_world_prior =
+        options_.known ? options_.known->T_target_source : T_world_guess_;
+    const Isometry T_searched_guess = T_world_prior * result.T_target_source.inverse();
     T_moved_ = Isometry::Identity();
     for (int i = 0; i < options_.max_iterations; ++i) {
       if (i > 0) {
@@ -65,6 +68,7 @@ class Stage {
     result.inlier_share = step_.inlier_share;
     result.rms_mm = step_.rms_mm;
     result.uncertainty_mm = step_.sigma_mm.maxCoeff();
+    result.information = step_.information;
     result.covered_share = covered_share();
     // Crossings that the iteration dropped count too: they are evidence against the pose.
     result.agreement = judge(follow_crossings(placed_, metaview_, T_moved_, found_, search_limits_),
@@ -112,7 +116,11 @@ class Stage {
   [[nodiscard]] AlignOutcome outcome(const Alignment& result) const {
     if (result.crossings < options_.min_crossings) return AlignOutcome::kTooFewCrossings;
     if (result.agreement.evidence < options_.min_evidence) return AlignOutcome::kPoorFit;
-    if (result.uncertainty_mm > options_.max_uncertainty_share * source_.radius_mm) {
+    const double uncertainty_mm =
+        options_.known ? worst_sigma_mm(options_.known->information + result.information)
+                       : result.uncertainty_mm;
+    if ((step_.is_open && !options_.known) ||
+        uncertainty_mm > options_.max_uncertainty_share * source_.radius_mm) {
       return AlignOutcome::kUndetermined;
     }
     return converged_ ? AlignOutcome::kAligned : AlignOutcome::kNotConverged;

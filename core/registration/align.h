@@ -22,6 +22,12 @@ enum class AlignOutcome {
 
 [[nodiscard]] std::string_view to_string(AlignOutcome outcome);
 
+/// A pose that is known with some uncertainty.
+struct KnownPose {
+  Isometry T_target_source = Isometry::Identity();
+  Matrix6 information = Matrix6::Zero();  ///< in the unknowns of StepFrame, mm^-2
+};
+
 /// Lengths are shares of the source view's radius (RMS distance of its points from their center),
 /// so that the same values serve every sensor.
 struct AlignOptions {
@@ -50,6 +56,9 @@ struct AlignOptions {
   CrossingWeight weight = CrossingWeight::kUncertainty;
   /// Expected error of the guess. Zero: start_distance_share of the radius for each direction.
   PosePrior prior{0.0, 0.0};
+  /// What is known of the pose beside the views: then it counts in place of `prior`, and the
+  /// uncertainty that must not be too large is that of both together.
+  std::optional<KnownPose> known;
   /// Seed of the random subsets.
   std::uint64_t seed = 1;
 
@@ -65,9 +74,12 @@ struct Alignment {
   double inlier_share = 0.0;  ///< of these, within three robust sigmas
   double rms_mm = 0.0;        ///< of the inliers
   double uncertainty_mm = 0;  ///< standard uncertainty in the worst of the six directions
-  Agreement agreement;        ///< at the final pose
-  double moved_mm = 0.0;      ///< RMS displacement of the source's points from the guess
-  double covered_share = 0;   ///< share of the source's profile length with inlier crossings
+  /// Of the crossings alone, in the unknowns of StepFrame (target frame), mm^-2.
+  Matrix6 information = Matrix6::Zero();
+  bool is_held = false;      ///< in some direction by what was known beside the views
+  Agreement agreement;       ///< at the final pose
+  double moved_mm = 0.0;     ///< RMS displacement of the source's points from the guess
+  double covered_share = 0;  ///< share of the source's profile length with inlier crossings
 
   [[nodiscard]] bool aligned() const { return outcome == AlignOutcome::kAligned; }
 };

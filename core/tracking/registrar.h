@@ -120,6 +120,10 @@ class Registrar {
   /// tracking is not lost.
   [[nodiscard]] double entry_share() const { return lost_views_ == 0 ? 1.0 : entry_share_; }
 
+  [[nodiscard]] SurfaceHold surface_hold() const {
+    return submaps_.empty() || interrupted() ? SurfaceHold{} : submaps_[scan_]->surface_hold();
+  }
+
   /// Empty if tracking is not lost.
   [[nodiscard]] const LostSensor& lost_sensor() const { return lost_sensor_; }
 

@@ -16,12 +16,23 @@ constexpr double kPathWindow_s = 0.4;
 constexpr std::size_t kMinPathPoses = 8;
 /// Aligned views needed to know the usual fit.
 constexpr std::size_t kMinAlignedViews = 8;
-/// Limit of a usual fit: this many times the median RMS, plus a minimum as a share of the radius,
+/// Limit of a usual fit: some times the median RMS, plus this minimum as a share of the radius,
 /// because the median of ideal data is almost zero.
-constexpr double kUsualSpread = 2.0;
 constexpr double kLeastRmsShare = 0.001;
 /// Guesses of the next pose that are nearer to each other than this lead to the same fit.
 constexpr double kOtherGuessShare = 0.05;
+/// Weight of one view in the mean of the latest: about as many as in a quarter of a second.
+constexpr double kLatestShare = 0.15;
+/// The operator is told from this weakness on: half of a second is enough to turn back.
+constexpr double kWeak = 0.5;
+/// Crossings to look for where the surface leaves a direction open: each one counts there.
+constexpr int kHeldPairs = 2000;
+/// The first views see one or two others: too little to weigh their motion against.
+constexpr std::size_t kFirstViews = 8;
+/// The first view is where it is.
+constexpr double kFirstSigma_mm = 1e-3;
+/// Small relief fits in a wrong place, too, but not as well: limit of its fit, see usual_rms_mm().
+constexpr double kHeldSpread = 1.3;
 /// After so many time steps the pose cannot be predicted.
 constexpr double kPredictableSteps = 5.5;
 
@@ -61,6 +72,7 @@ Result<void> TrackOptions::validate() const {
       .at_least("metaview_views", metaview_views, 1)
       .at_least("min_points", min_points, 6)
       .positive_up_to("max_surprise_share", max_surprise_share, 5.0)
+      .in_range("max_held_share", max_held_share, 0.0, 1.0)
       .result();
 }
 
@@ -68,7 +80,8 @@ TrackedScan::TrackedScan(const TrackOptions& options, double radius_mm)
     : options_(options),
       radius_mm_(std::max(radius_mm, 1e-6)),
       grid_(radius_mm_),
-      trajectory_(radius_mm_) {}
+      trajectory_(radius_mm_),
+      motion_(radius_mm_) {}
 
 IncomingView TrackedScan::incoming(std::size_t i) const {
   const AlignedView& aligned = views_[i].aligned;
@@ -80,6 +93,10 @@ void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor,
   TrackedView view{{std::move(incoming.view), T_world_sensor},
                    incoming.prepared.moved(T_world_sensor),
                    uncertainty_mm};
+  if (views_.empty()) {
+    motion_.add({view.aligned.view->time_s, T_world_sensor, incoming.prepared.center_mm,
+                 Matrix6::Identity() / (kFirstSigma_mm * kFirstSigma_mm), false});
+  }
   grid_.add(extent_of(view.placed, T_world_sensor));
   trajectory_.set(view.aligned.view->time_s, T_world_sensor);
   views_.push_back(std::move(view));
@@ -90,15 +107,34 @@ void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor,
 }
 
 void TrackedScan::add(IncomingView incoming, const registration::Alignment& alignment) {
+  motion_.add({incoming.view->time_s, alignment.T_target_source, incoming.prepared.center_mm,
+               alignment.information, alignment.is_held});
+  ++averaged_views_;
+  const double share = std::max(kLatestShare, 1.0 / static_cast<double>(averaged_views_));
+  latest_information_ += share * (alignment.information - latest_information_);
   add(std::move(incoming), alignment.T_target_source, alignment.uncertainty_mm);
   rms_mm_.push_back(alignment.rms_mm);
 }
 
-double TrackedScan::usual_rms_mm() const {
+double TrackedScan::usual_rms_mm(double spread) const {
   if (rms_mm_.size() < kMinAlignedViews) return std::numeric_limits<double>::infinity();
   const std::size_t count = std::min(rms_mm_.size(), 4 * kMinAlignedViews);
   std::vector<double> latest(rms_mm_.end() - static_cast<std::ptrdiff_t>(count), rms_mm_.end());
-  return kUsualSpread * median_of(latest) + kLeastRmsShare * radius_mm_;
+  return spread * median_of(latest) + kLeastRmsShare * radius_mm_;
+}
+
+SurfaceHold TrackedScan::surface_hold() const {
+  SurfaceHold hold;
+  if (averaged_views_ < kMinAlignedViews) return hold;
+  const auto eigen = symmetric_eigen(latest_information_);
+  const double sigma_mm = 1.0 / std::sqrt(std::max(eigen.values[0], 1e-6));
+  hold.weakness = sigma_mm / (options_.align.max_uncertainty_share * radius_mm_);
+  hold.is_weak = hold.weakness > kWeak;
+  const Twist open = eigen.vectors.col(0);
+  const bool is_turn = open.head<3>().norm() > open.tail<3>().norm();
+  hold.direction = {views_.back().placed.center_mm,
+                    (is_turn ? open.head<3>() : open.tail<3>()).normalized(), is_turn};
+  return hold;
 }
 
 bool TrackedScan::continues(double time_s) const {
@@ -131,6 +167,7 @@ void TrackedScan::move(std::size_t i, const Isometry& T_world_sensor) {
     locate_extent(i);
   }
   trajectory_.set(view.aligned.view->time_s, T_world_sensor);
+  motion_.move(view.aligned.view->time_s, T_world_sensor);
 }
 
 void TrackedScan::locate_extent(std::size_t i) {
@@ -189,6 +226,9 @@ registration::Alignment TrackedScan::align(
 registration::Alignment TrackedScan::track(const IncomingView& incoming) const {
   const trajectory::PosePrediction prediction = trajectory_.predict(incoming.view->time_s);
   registration::Alignment result = track_from(incoming, prediction);
+  if (result.outcome == registration::AlignOutcome::kUndetermined) {
+    if (registration::Alignment held = hold(incoming); held.aligned()) return held;
+  }
   // If the prediction was wrong, try other guesses.
   std::vector<Isometry> tried = {prediction.T_world_sensor};
   for (const Isometry& T_world_guess : trajectory_.guesses(incoming.view->time_s)) {
@@ -203,6 +243,34 @@ registration::Alignment TrackedScan::track(const IncomingView& incoming) const {
     if (other.aligned()) result = other;
   }
   return result;
+}
+
+registration::Alignment TrackedScan::hold(const IncomingView& incoming) const {
+  if (options_.max_held_share <= 0.0 || views_.size() < kFirstViews) return {};
+  const auto prediction = motion_.predict(incoming.view->time_s, incoming.prepared.center_mm);
+  if (!prediction) return {};
+  registration::AlignOptions held = options_.align;
+  held.coarse_pairs = 0;
+  held.fine_pairs = std::max(held.fine_pairs, kHeldPairs);
+  held.max_uncertainty_share = options_.max_held_share;
+  held.known = registration::KnownPose{prediction->T_world_sensor,
+                                       inverse_of_symmetric(prediction->covariance)};
+  const auto seen = metaview(incoming, prediction->T_world_sensor, kSkipNone);
+  const auto eigen = symmetric_eigen(prediction->covariance);
+  const Twist open_mm = std::sqrt(eigen.values[5]) * eigen.vectors.col(5);
+  const double usual_mm = usual_rms_mm(kHeldSpread);
+  registration::Alignment best;
+  for (const double sigmas : {0.0, -1.0, 1.0, -2.0, 2.0}) {
+    const Isometry T_world_start =
+        registration::motion_of(sigmas * open_mm, {prediction->center_mm, radius_mm_}) *
+        prediction->T_world_sensor;
+    registration::Alignment found = align(incoming, seen, T_world_start, held);
+    found.is_held = true;
+    if (found.aligned() && (!best.aligned() || found.rms_mm < best.rms_mm)) best = found;
+    if (best.aligned() && best.rms_mm <= usual_mm) return best;
+  }
+  // Small relief fits in a wrong place, too, but not as well.
+  return {};
 }
 
 registration::Alignment TrackedScan::track_from(

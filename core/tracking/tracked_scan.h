@@ -9,6 +9,8 @@
 #include "core/editing/edits.h"
 #include "core/registration/align.h"
 #include "core/registration/overlap_grid.h"
+#include "core/tracking/surface_hold.h"
+#include "core/trajectory/hand_motion.h"
 #include "core/trajectory/trajectory.h"
 
 namespace flytri::tracking {
@@ -30,6 +32,9 @@ struct TrackOptions {
   /// Default 0.5, range (0, 5]. A view farther from its predicted pose than this share of the
   /// radius does not count as tracked, even if it fits.
   double max_surprise_share = 0.5;
+  /// Default 0.03, range [0, 1). Where the surface leaves a direction open, the motion of the hand
+  /// holds it, as long as the standard uncertainty of both together is at most this. 0: never.
+  double max_held_share = 0.03;
   /// Default true. Check the path with RANSAC, as in the paper, section "Sensor Movement
   /// Reconstruction".
   bool check_path = true;
@@ -86,7 +91,9 @@ class TrackedScan {
   void add(IncomingView incoming, const registration::Alignment& alignment);
   /// Largest usual RMS distance of crossings in this scan; at a wrong pose it is several times
   /// larger. Infinite until enough views were aligned.
-  [[nodiscard]] double usual_rms_mm() const;
+  /// @param spread  times the median
+  [[nodiscard]] double usual_rms_mm(double spread = 2.0) const;
+  [[nodiscard]] SurfaceHold surface_hold() const;
   /// True if the view comes so soon after the last that its pose can be predicted.
   [[nodiscard]] bool continues(double time_s) const;
   /// From now on, only samples that these edits keep serve the registration. The edits are in the
@@ -116,6 +123,8 @@ class TrackedScan {
       const IncomingView& incoming, const Isometry& T_world_sensor, std::size_t skip_view) const;
 
  private:
+  /// Finds the pose of a view that the surface alone does not determine.
+  [[nodiscard]] registration::Alignment hold(const IncomingView& incoming) const;
   /// One attempt of track().
   [[nodiscard]] registration::Alignment track_from(
       const IncomingView& incoming, const trajectory::PosePrediction& prediction) const;
@@ -135,6 +144,9 @@ class TrackedScan {
   editing::EditFilter edits_{editing::EditStack().state()};
   registration::OverlapGrid grid_;
   trajectory::Trajectory trajectory_;
+  trajectory::HandMotion motion_;
+  Matrix6 latest_information_ = Matrix6::Zero();  ///< mean of the latest aligned views
+  std::size_t averaged_views_ = 0;
   std::vector<double> rms_mm_;  ///< of the aligned views, in order
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/base/check_options.h"
 #include "core/base/random.h"
+#include "hw/simulated/hand/aimed_path.h"
 #include "hw/simulated/hand/aimed_pose.h"
 #include "hw/simulated/hand/arch_line.h"
 #include "hw/simulated/optics/sensor_path.h"
@@ -203,8 +204,8 @@ void add_tremor(const PathOptions& options, double scale, Random& random,
   }
 }
 
-template <typename Aims>
-std::vector<PathPose> aimed_poses(const Aims& aims, const PathOptions& options, Random& random) {
+std::vector<PathPose> aimed_poses(const HandAims& aims, const PathOptions& options,
+                                  Random& random) {
   const std::array<double, 3> phases = {random.uniform(0.0, 2.0 * kPi),
                                         random.uniform(0.0, 2.0 * kPi),
                                         random.uniform(0.0, 2.0 * kPi)};
@@ -217,6 +218,17 @@ std::vector<PathPose> aimed_poses(const Aims& aims, const PathOptions& options, 
     poses.push_back({share * options.duration_s, aimed_pose(aims(progress))});
   }
   return poses;
+}
+
+/// Adds what a real hand does.
+Result<SensorPath> held_by_hand(const RayScene& scene, const SensorModel& sensor,
+                                const PathOptions& options, Random& random,
+                                std::vector<PathPose> poses) {
+  if (auto followed = follow_surface(scene, sensor, poses); !followed)
+    return tl::unexpected(followed.error());
+  // The tremor scales with the size of the measurement volume.
+  add_tremor(options, sensor.volume.size_mm.z() / 15.0, random, poses);
+  return SensorPath::from_poses(std::move(poses));
 }
 
 JawAxes axes_of(const PathOptions& options) {
@@ -256,11 +268,15 @@ Result<SensorPath> plan_path(const RayScene& scene, const SensorModel& sensor,
     if (options.kind == PathKind::kQuadrant) line->resize(line->size() / 2);
     poses = aimed_poses(ArchAims(std::move(*line), axes, options.tilt_rad), options, random);
   }
-  if (auto followed = follow_surface(scene, sensor, poses); !followed)
-    return tl::unexpected(followed.error());
-  // The tremor scales with the size of the measurement volume.
-  add_tremor(options, sensor.volume.size_mm.z() / 15.0, random, poses);
-  return SensorPath::from_poses(std::move(poses));
+  return held_by_hand(scene, sensor, options, random, std::move(poses));
+}
+
+Result<SensorPath> plan_aimed_path(const RayScene& scene, const SensorModel& sensor,
+                                   const HandAims& aims, const PathOptions& options) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  Random random(options.seed);
+  std::vector<PathPose> poses = aimed_poses(aims, options, random);
+  return held_by_hand(scene, sensor, options, random, std::move(poses));
 }
 
 }  // namespace flytri::simulated
