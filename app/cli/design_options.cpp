@@ -66,10 +66,7 @@ void add_design_options(CLI::App& command, DesignArguments& arguments) {
       ->delimiter(',')
       ->expected(2)
       ->group(kChangeGroup);
-  command.add_option("--lines", arguments.lines, "Number of vertical and horizontal lines, as V,H")
-      ->delimiter(',')
-      ->expected(2)
-      ->group(kChangeGroup);
+  add_lines_option(command, arguments.lines)->group(kChangeGroup);
   command
       .add_option("--pixel-um", arguments.change.pixel_um,
                   "Pitch of the measurement camera's pixels, for focal lengths in mm")

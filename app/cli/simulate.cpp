@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
@@ -11,7 +12,7 @@
 #include "app/cli/output_files.h"
 #include "app/cli/sensor_option.h"
 #include "core/io/calibrations/board_set_file.h"
-#include "hw/shots/open_shots.h"
+#include "hw/design/design_change.h"
 #include "hw/simulated/datasets/simulate_board_set.h"
 #include "hw/simulated/datasets/simulate_calibration_set.h"
 #include "hw/simulated/datasets/simulate_recording.h"
@@ -25,6 +26,7 @@ struct SimulateArguments {
   fs::path output;
   session::ScannedObject object;
   std::string sensor = "intraoral";
+  std::vector<int> lines;
   std::string path;
   double duration_s = 7.0;
   std::array<double, 3> up = {0.0, 0.0, 1.0};
@@ -43,14 +45,24 @@ struct SimulateArguments {
   int thread_count = 0;
 };
 
+Result<simulated::SensorModel> sensor_of(const SimulateArguments& arguments) {
+  design::DesignChange change;
+  if (!arguments.lines.empty()) change.lines = {arguments.lines[0], arguments.lines[1]};
+  const auto layout = design::changed(simulated::layout_named(arguments.sensor), change);
+  if (!layout) return tl::unexpected(layout.error());
+  return make_sensor(*layout);
+}
+
 Result<void> run_recording(const SimulateArguments& arguments, const Progress& progress) {
   auto checked = check_recording_folder(arguments.output, arguments.force);
   if (!checked) return checked;
   const Workers workers(arguments.thread_count);
   const auto mesh = session::load_object(arguments.object, arguments.sensor, workers);
   if (!mesh) return tl::unexpected(mesh.error());
+  const auto sensor = sensor_of(arguments);
+  if (!sensor) return tl::unexpected(sensor.error());
   simulated::RecordingOptions options;
-  options.sensor = shots::sensor_named(arguments.sensor);
+  options.sensor = *sensor;
   options.path.duration_s = arguments.duration_s;
   options.path.seed = arguments.seed;
   options.path.up = Vec3(arguments.up.data());
@@ -86,8 +98,10 @@ Result<void> run_calibration_set(const SimulateArguments& arguments, const Progr
   auto checked = check_replaceable(
       {arguments.output / "calibration-set.json", "flytri.calibration-set"}, arguments.force);
   if (!checked) return checked;
+  const auto sensor = sensor_of(arguments);
+  if (!sensor) return tl::unexpected(sensor.error());
   simulated::CalibrationSetOptions options;
-  options.sensor = shots::sensor_named(arguments.sensor);
+  options.sensor = *sensor;
   options.seed = arguments.seed;
   options.stage_tilt_deg = Vec2(arguments.stage_tilt_deg.data());
   options.has_texture = !arguments.no_texture;
@@ -101,8 +115,10 @@ Result<void> run_board_set(const SimulateArguments& arguments, const Progress& p
   auto checked = check_replaceable({arguments.output / io::kBoardSetFile, "flytri.board-set"},
                                    arguments.force);
   if (!checked) return checked;
+  const auto sensor = sensor_of(arguments);
+  if (!sensor) return tl::unexpected(sensor.error());
   simulated::BoardSetOptions options;
-  options.sensor = shots::sensor_named(arguments.sensor);
+  options.sensor = *sensor;
   options.images.seed = arguments.seed;
   options.images.exposures = arguments.exposures;
   options.has_texture = !arguments.no_texture;
@@ -116,6 +132,7 @@ Result<void> run_board_set(const SimulateArguments& arguments, const Progress& p
 void add_common_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("-o,--output", arguments.output, "Folder to write")->required();
   add_sensor_option(command, arguments.sensor);
+  add_lines_option(command, arguments.lines);
   command.add_option("--seed", arguments.seed, "Random seed for the path and the noise")
       ->capture_default_str();
   add_force_option(command, arguments.force);

@@ -79,12 +79,14 @@ std::vector<IndexedTrace> without(const IndexedTrace& segment, const std::vector
   return pieces;
 }
 
-/// True if the sample lies in the line's own unique area, so in no other.
+/// True if the sample lies in the line's own area, enlarged by the margin.
 bool is_in_area(const calibration::PatternCalibration& pattern, LineIndex line,
-                const localization::LineSample& sample) {
+                const localization::LineSample& sample, double margin) {
   const calibration::LineRow& row =
       pattern.lines[line.at()][static_cast<std::size_t>(sample.along_px)];
-  return row.valid() && sample.across_px >= row.area_min_px && sample.across_px <= row.area_max_px;
+  const double reach = margin * (row.area_max_px - row.area_min_px);
+  return row.valid() && sample.across_px >= row.area_min_px - reach &&
+         sample.across_px <= row.area_max_px + reach;
 }
 
 /// Cuts a trace into the longest runs with one line index. Samples without an index are counted.
@@ -95,7 +97,7 @@ std::vector<IndexedTrace> cut(const localization::LineTrace& trace,
   std::optional<LineIndex> current;
   for (const localization::LineSample& sample : trace) {
     // The line of the previous sample is tried first: the other lines are far away in memory.
-    const auto line = current && is_in_area(pattern, *current, sample)
+    const auto line = current && is_in_area(pattern, *current, sample, 0.0)
                           ? current
                           : line_at(pattern, sample, margin);
     if (!line) {
@@ -110,6 +112,36 @@ std::vector<IndexedTrace> cut(const localization::LineTrace& trace,
   return segments;
 }
 
+/// The parts of all traces on whose lines the image agrees. Samples of the others, and those
+/// outside the area of their line, are counted.
+std::vector<IndexedTrace> cut_dense(const std::vector<localization::LineTrace>& traces,
+                                    const calibration::Calibration& calibration, Pattern pattern,
+                                    const IndexOptions& options, IndexCounts& counts) {
+  const std::vector<TracePart> parts = cut_at_depth_steps(traces);
+  const auto lines = agree_on_lines(collect_evidence(parts, calibration, pattern), options.agree);
+  std::vector<IndexedTrace> segments;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const localization::LineTrace& samples = parts[p].samples;
+    if (!lines[p]) {
+      counts.ambiguous += static_cast<int>(samples.size());
+      continue;
+    }
+    bool is_open = false;
+    for (const localization::LineSample& sample : samples) {
+      const bool is_inside =
+          is_in_area(calibration.of(pattern), *lines[p], sample, options.area_margin);
+      if (is_inside) {
+        if (!is_open) segments.push_back({*lines[p], {}});
+        segments.back().samples.push_back(sample);
+      } else {
+        ++counts.outside_areas;
+      }
+      is_open = is_inside;
+    }
+  }
+  return segments;
+}
+
 }  // namespace
 
 Result<void> IndexOptions::validate() const {
@@ -119,6 +151,7 @@ Result<void> IndexOptions::validate() const {
       .must("max_local_width_ratio", max_local_width_ratio,
             max_local_width_ratio >= max_width_ratio, "at least max_width_ratio")
       .at_least("min_segment_length", min_segment_length, 2)
+      .nested(agree)
       .result();
 }
 
@@ -149,6 +182,12 @@ IndexedLines index_lines(const std::vector<localization::LineTrace>& traces,
       result.traces.push_back(std::move(piece));
     }
   };
+  if (lines.has_shared_areas()) {
+    for (const IndexedTrace& segment :
+         cut_dense(traces, calibration, pattern, options, result.counts))
+      judge(segment);
+    return result;
+  }
   for (const localization::LineTrace& trace : traces) {
     for (const IndexedTrace& segment : cut(trace, lines, options.area_margin, result.counts)) {
       judge(segment);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/calibration/record/calibration.h"
+#include "core/indexing/agree_on_lines.h"
 #include "core/localization/line_trace.h"
 
 namespace flytri::indexing {
@@ -23,6 +24,8 @@ struct IndexOptions {
   double max_local_width_ratio = 1.6;
   /// >= 2. Segments with fewer samples have no reliable width.
   int min_segment_length = 6;
+  /// Where unique areas overlap: when the number of a line is certain.
+  AgreeOptions agree;
 
   [[nodiscard]] Result<void> validate() const;
 };
@@ -34,8 +37,11 @@ struct IndexCounts {
   int wrong_width = 0;     ///< wrong normalized width of the segment or of a part of it: outside
                            ///< the volume
   int short_segments = 0;  ///< too few connected samples with one index
+  int ambiguous = 0;       ///< dense lines: several indexes are about as likely
 
-  [[nodiscard]] int total() const { return indexed + outside_areas + wrong_width + short_segments; }
+  [[nodiscard]] int total() const {
+    return indexed + outside_areas + wrong_width + short_segments + ambiguous;
+  }
 };
 
 /// Connected samples of one line.
@@ -50,6 +56,7 @@ struct IndexedLines {
 };
 
 /// Cuts each trace where it leaves a unique area, and checks the normalized width of each segment.
+/// Where areas overlap, agree_on_lines() chooses among the lines that can be at a place.
 /// @source  Arold et al., "Line Indexing"; here the width is checked per segment, because the noise
 ///          of a single width is as large as the difference to detect.
 [[nodiscard]] IndexedLines index_lines(const std::vector<localization::LineTrace>& traces,

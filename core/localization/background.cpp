@@ -54,10 +54,9 @@ class Histogram {
   std::array<std::uint16_t, 256> counts_{};
 };
 
-/// The median; of two middle values the upper one. Counts the high bytes and then the low bytes,
+/// The value of this rank by rising value. Counts the high bytes and then the low bytes,
 /// which avoids mispredicted branches.
-Gray middle_of(std::span<const Gray> values) {
-  std::size_t rank = values.size() / 2;
+Gray value_of_rank(std::span<const Gray> values, std::size_t rank) {
   Histogram high_bytes;
   for (const Gray value : values) high_bytes.add(value >> 8U);
   const unsigned high = high_bytes.take_rank(rank);
@@ -68,16 +67,51 @@ Gray middle_of(std::span<const Gray> values) {
   return static_cast<Gray>((high << 8U) + low_bytes.take_rank(rank));
 }
 
-/// Standard deviation from the median, estimated from the darker half: lines only make pixels
+/// Root mean square distance from `level` of the `count` values below it: lines only make pixels
 /// brighter.
-float dark_deviation(std::span<const Gray> values, Gray median) {
+float dark_deviation(std::span<const Gray> values, Gray level, std::size_t count) {
   std::uint64_t sum = 0;
   for (const Gray value : values) {
-    const std::uint64_t below = value < median ? median - value : 0;
+    const std::uint64_t below = value < level ? level - value : 0;
     sum += below * below;
   }
-  const std::size_t half = values.size() / 2 + 1;
-  return static_cast<float>(std::sqrt(double(sum) / double(half)));
+  return static_cast<float>(std::sqrt(double(sum) / double(count)));
+}
+
+/// Level and noise of a tile whose median is dark: of two middle values the upper one.
+Background::Tile dark_tile(std::span<const Gray> values) {
+  const Gray median = value_of_rank(values, values.size() / 2);
+  return {float(median), dark_deviation(values, median, values.size() / 2 + 1)};
+}
+
+/// The same of a tile of which lines may light all but the `dark_share`.
+Background::Tile lit_tile(std::span<const Gray> values, double dark_share) {
+  const auto rank = static_cast<std::size_t>(dark_share * static_cast<double>(values.size()));
+  const Gray dark = value_of_rank(values, rank);
+  const Background::Tile lit{float(dark), dark_deviation(values, dark, rank + 1)};
+  // Without light, the brightest pixels are as far from the median as the darkest ones.
+  constexpr float kUnlit = 6.0F, kLeastNoise = 0.5F;
+  const float bright = value_of_rank(values, values.size() - 1 - rank);
+  const bool is_lit = bright - lit.level > kUnlit * std::max(lit.noise, kLeastNoise);
+  return is_lit ? lit : dark_tile(values);
+}
+
+/// Gray value of the lines of a tile.
+float high_level(std::span<const Gray> values) {
+  return value_of_rank(values, values.size() - 1 - values.size() / 20);
+}
+
+/// Far behind the volume, lines are so wide that no pixel between them is dark: the level there is
+/// at most a share of their height, above the darkest tile.
+/// @param highest  high_level of each tile
+void limit_levels(std::vector<Background::Tile>& tiles, const std::vector<float>& highest) {
+  constexpr float kMaxShare = 0.15F;  // at the far end of the volume, at four times the usual lines
+  float darkest = std::numeric_limits<float>::max();
+  for (const Background::Tile& tile : tiles) darkest = std::min(darkest, tile.level);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const float most = darkest + kMaxShare * std::max(highest[i] - darkest, 0.0F);
+    tiles[i].level = std::min(tiles[i].level, most);
+  }
 }
 
 /// The set of gray values that occur.
@@ -105,20 +139,24 @@ class GraySet {
 
 }  // namespace
 
-Background::Background(const cv::Mat& image)
+Background::Background(const cv::Mat& image, double dark_share)
     : tiles_across_((image.cols + kTileSize - 1) / kTileSize) {
   const cv::Rect whole(0, 0, image.cols, image.rows);
+  const bool is_dense = dark_share < kHalf;
+  std::vector<float> highest;
   GraySet grays;
   for (int r = 0; r < image.rows; r += kTileSize) {
     for (int c = 0; c < image.cols; c += kTileSize) {
       const TileSample sample(image, cv::Rect(c, r, kTileSize, kTileSize) & whole);
-      const Gray median = middle_of(sample.values());
-      tiles_.push_back({float(median), dark_deviation(sample.values(), median)});
+      tiles_.push_back(is_dense ? lit_tile(sample.values(), dark_share)
+                                : dark_tile(sample.values()));
+      if (is_dense) highest.push_back(high_level(sample.values()));
       for (const Gray value : sample.values()) grays.add(value);
     }
   }
   const float rounding = kRoundingNoise * grays.smallest_step();
   for (Tile& tile : tiles_) tile.noise = std::hypot(tile.noise, rounding);
+  if (is_dense) limit_levels(tiles_, highest);
 }
 
 }  // namespace flytri::localization

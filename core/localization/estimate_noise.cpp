@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/median.h"
+#include "core/localization/level_under_line.h"
 
 namespace flytri::localization {
 namespace {
@@ -11,11 +12,10 @@ namespace {
 constexpr float kMaxContrast = 0.5F;
 
 /// Median background noise of the tiles that the lines cross.
-float read_variance(const Background& background, const std::vector<LineFit>& fits,
-                    const std::vector<int>& fit_rows) {
+float read_variance(const Background& background, const FittedLines& lines) {
   std::vector<float> noise;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    noise.push_back(background.noise(fit_rows[i], static_cast<int>(fits[i].center_px)));
+  for (std::size_t i = 0; i < lines.fits.size(); ++i) {
+    noise.push_back(background.noise(lines.rows[i], static_cast<int>(lines.fits[i].center_px)));
   }
   const float median = median_of(noise);
   return median * median;
@@ -24,18 +24,17 @@ float read_variance(const Background& background, const std::vector<LineFit>& fi
 }  // namespace
 
 NoiseModel estimate_noise(const cv::Mat& rows, const Background& background,
-                          const std::vector<LineFit>& fits, const std::vector<int>& fit_rows,
-                          float full_scale) {
+                          const FittedLines& lines, float full_scale, bool is_dense) {
   NoiseModel noise;
-  if (fits.empty()) return noise;
-  noise.read_variance = read_variance(background, fits, fit_rows);
+  if (lines.fits.empty()) return noise;
+  noise.read_variance = read_variance(background, lines);
   // Squared residual minus reading noise = gain * signal + contrast^2 * signal^2, divided by the
   // signal, so that each pixel has a similar weight. This is a straight line in the signal.
   double n = 0, sum_s = 0, sum_ss = 0, sum_q = 0, sum_qs = 0;
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const LineFit& fit = fits[i];
-    const float* row = rows.ptr<float>(fit_rows[i]);
-    const auto flank = flank_level({row, static_cast<std::size_t>(rows.cols)}, fit);
+  for (std::size_t i = 0; i < lines.fits.size(); ++i) {
+    const LineFit& fit = lines.fits[i];
+    const float* row = rows.ptr<float>(lines.rows[i]);
+    const auto flank = level_under_line(rows, lines.rows[i], fit, background, is_dense);
     if (!flank) continue;
     const int first = std::max(static_cast<int>(std::ceil(fit.center_px - 1.8F * fit.sigma_px)), 0);
     const int last =

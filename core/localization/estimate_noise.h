@@ -10,12 +10,17 @@
 
 namespace flytri::localization {
 
+/// Fitted lines, and the image row of each.
+struct FittedLines {
+  std::vector<LineFit> fits;
+  std::vector<int> rows;  ///< parallel
+};
+
 /// Reading noise comes from the unlit pixels, shot noise and speckle from the residuals of the line
 /// fits.
-/// @param fits, fit_rows  parallel: fitted lines, and the image row of each.
+/// @param is_dense  as in RefineOptions
 [[nodiscard]] NoiseModel estimate_noise(const cv::Mat& rows, const Background& background,
-                                        const std::vector<LineFit>& fits,
-                                        const std::vector<int>& fit_rows, float full_scale);
+                                        const FittedLines& lines, float full_scale, bool is_dense);
 
 /// Ratio of the measured scatter of the samples to their sigma_px. The scatter is the median of
 /// third differences along the traces, which are near zero for a smooth curve. 1 if there are too

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/imaging/pattern.h"
+#include "core/localization/background.h"
 #include "core/localization/line_trace.h"
 #include "core/localization/refine_traces.h"
 #include "core/localization/trim_traces.h"
@@ -24,6 +25,9 @@ struct LocalizeOptions {
   double max_slope = 2.0;
   /// The weighted fit has a third less noise under speckle; the other one is for comparison.
   LineEstimator estimator = LineEstimator::kWeightedFit;
+  /// 0.05..0.5. Share of the pixels of a tile of 64 x 64 px that are surely between the lines.
+  /// Below 0.5 the lines count as dense: there is no background beside each one.
+  double dark_share = Background::kHalf;
   /// How ends of lines and depth steps are treated.
   TrimOptions trim;
 
@@ -39,5 +43,8 @@ struct LocalizeOptions {
 /// @errors  kBadOption for options out of range, kBadFormat for another type of image.
 [[nodiscard]] Result<std::vector<LineTrace>> localize_lines(const cv::Mat& image, Pattern pattern,
                                                             const LocalizeOptions& options);
+
+/// The same options for lines so dense that their unique areas overlap.
+[[nodiscard]] LocalizeOptions for_dense_lines(LocalizeOptions options);
 
 }  // namespace flytri::localization

@@ -8,6 +8,7 @@
 #include "core/base/median.h"
 #include "core/localization/estimate_noise.h"
 #include "core/localization/fit_line.h"
+#include "core/localization/level_under_line.h"
 
 namespace flytri::localization {
 namespace {
@@ -85,7 +86,7 @@ class Refiner {
     for (std::size_t i = 0; i < trace.size(); i += kShapeStep) {
       const Peak& peak = trace[i];
       const LineFit start{peak.center_px, peak.sigma_px, peak.amplitude, 0.0F};
-      const auto flank = flank_level(row_of(peak), start);
+      const auto flank = level_under_line(rows_, peak.row, start, background_, options_.is_dense);
       noise.read_variance = std::pow(background_.noise(peak.row, int(peak.center_px)), 2.0F);
       std::optional<LineFit> line;
       if (flank) line = fit(peak, start, *flank, noise, true);
@@ -142,19 +143,18 @@ class Refiner {
 /// The noise model of the image, from some of the fits.
 NoiseModel noise_of(const cv::Mat& rows, const Background& background,
                     const std::vector<PeakTrace>& traces, const std::vector<TraceFits>& fits,
-                    float full_scale) {
+                    const RefineOptions& options) {
   constexpr std::size_t kNoiseStep = 2;  // every second fit is enough to estimate the noise
-  std::vector<LineFit> some;
-  std::vector<int> some_rows;
+  FittedLines some;
   std::size_t counter = 0;
   for (std::size_t t = 0; t < traces.size(); ++t) {
     for (std::size_t i = 0; i < fits[t].size(); ++i) {
       if (!fits[t][i] || counter++ % kNoiseStep != 0) continue;
-      some.push_back(fits[t][i]->line);
-      some_rows.push_back(traces[t][i * kShapeStep].row);
+      some.fits.push_back(fits[t][i]->line);
+      some.rows.push_back(traces[t][i * kShapeStep].row);
     }
   }
-  return estimate_noise(rows, background, some, some_rows, full_scale);
+  return estimate_noise(rows, background, some, options.full_scale, options.is_dense);
 }
 
 }  // namespace
@@ -166,7 +166,7 @@ std::vector<LineTrace> refine_traces(const cv::Mat& rows, const Background& back
   std::vector<TraceFits> fits;
   fits.reserve(traces.size());
   for (const PeakTrace& trace : traces) fits.push_back(refiner.fit_shapes(trace));
-  const NoiseModel noise = noise_of(rows, background, traces, fits, options.full_scale);
+  const NoiseModel noise = noise_of(rows, background, traces, fits, options);
   std::vector<LineTrace> samples;
   for (std::size_t t = 0; t < traces.size(); ++t) {
     LineTrace trace = refiner.fit_positions(traces[t], fits[t], noise);

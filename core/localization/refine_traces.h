@@ -20,6 +20,8 @@ enum class LineEstimator {
 struct RefineOptions {
   LineEstimator estimator = LineEstimator::kWeightedFit;
   float full_scale = 255.0F;  ///< gray value at which the camera clips
+  /// The background beside a line is that of the tile: the flanks of neighboring lines cover it.
+  bool is_dense = false;
 };
 
 /// Fits every peak with the noise model of the image and the line's own width.

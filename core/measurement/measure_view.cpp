@@ -9,7 +9,9 @@ namespace {
 Result<MeasuredView> measure_pattern(const Frame& frame, Pattern pattern,
                                      const calibration::Calibration& calibration,
                                      const MeasureOptions& options) {
-  const auto traces = localization::localize_lines(frame.image, pattern, options.localize);
+  const bool is_dense = calibration.of(pattern).has_shared_areas();
+  const auto traces = localization::localize_lines(
+      frame.image, pattern, is_dense ? for_dense_lines(options.localize) : options.localize);
   if (!traces) return tl::unexpected(traces.error());
   const indexing::IndexedLines lines =
       indexing::index_lines(*traces, calibration, pattern, options.index);

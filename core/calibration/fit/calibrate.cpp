@@ -10,13 +10,24 @@
 namespace flytri::calibration {
 namespace {
 
-Result<PatternCalibration> calibrate_pattern(const CalibrationSet& set, Pattern pattern,
-                                             const CalibrateOptions& options,
-                                             const Workers& workers) {
+Result<PatternCalibration> fit_pattern(const CalibrationSet& set, Pattern pattern,
+                                       const CalibrateOptions& options, const Workers& workers) {
   const auto lines = number_lines(set, pattern, options.localize, workers);
   if (!lines) return tl::unexpected(lines.error());
   const cv::Mat& image = set.planes.front().vertical;
   return fit_lines(*lines, pattern, set.volume, {image.cols, image.rows}, options.lines);
+}
+
+/// Whether lines are dense shows in their areas, or in that they are not found as usual.
+Result<PatternCalibration> calibrate_pattern(const CalibrationSet& set, Pattern pattern,
+                                             const CalibrateOptions& options,
+                                             const Workers& workers) {
+  auto usual = fit_pattern(set, pattern, options, workers);
+  if (usual && !usual->has_shared_areas()) return usual;
+  CalibrateOptions dense_options = options;
+  dense_options.localize = for_dense_lines(options.localize);
+  auto dense = fit_pattern(set, pattern, dense_options, workers);
+  return dense && dense->has_shared_areas() ? dense : usual;
 }
 
 }  // namespace

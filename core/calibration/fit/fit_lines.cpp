@@ -133,25 +133,39 @@ Result<std::vector<LineRow>> fit_line(const std::vector<LineOnPlane>& line,
   return rows;
 }
 
-/// Makes the areas of neighboring lines disjoint: positions in both areas are removed from both.
-Result<void> separate_areas(PatternCalibration& pattern, std::size_t along) {
-  for (std::size_t n = 0; n + 1 < pattern.lines.size(); ++n) {
-    LineRow& left = pattern.lines[n][along];
-    LineRow& right = pattern.lines[n + 1][along];
-    if (!left.valid() || !right.valid() || left.area_max_px < right.area_min_px) continue;
-    const double shared = left.area_max_px - right.area_min_px;
-    if (shared > 0.1 * (left.area_max_px - left.area_min_px)) {
-      return fail(
-          ErrorCode::kInconsistent,
-          "the image areas of lines {} and {} overlap by {:.1f} px at position {} along the line: "
-          "the volume is too deep for this number of lines; use fewer lines or a smaller volume",
-          n, n + 1, shared, along);
+/// The areas of two neighboring lines in one row; none if one of them is not calibrated there.
+struct Neighbors {
+  LineRow& left;
+  LineRow& right;
+  [[nodiscard]] double shared_px() const { return left.area_max_px - right.area_min_px; }
+};
+
+template <typename ActT>
+void for_each_neighbors(PatternCalibration& pattern, const ActT& act) {
+  for (std::size_t along = 0; along < pattern.lines.front().size(); ++along) {
+    for (std::size_t n = 0; n + 1 < pattern.lines.size(); ++n) {
+      const Neighbors two{pattern.lines[n][along], pattern.lines[n + 1][along]};
+      if (two.left.valid() && two.right.valid()) act(two);
     }
-    const double left_end = right.area_min_px;
-    right.area_min_px = std::nextafter(left.area_max_px, right.area_max_px);
-    left.area_max_px = std::nextafter(left_end, left.area_min_px);
   }
-  return {};
+}
+
+/// Makes the areas of neighboring lines disjoint: positions in both areas are removed from both.
+/// Areas that share more are those of dense lines, and stay as they are.
+void separate_areas(PatternCalibration& pattern) {
+  constexpr double kMaxShared = 0.1;
+  bool is_dense = false;
+  for_each_neighbors(pattern, [&](const Neighbors& two) {
+    const double width_px = two.left.area_max_px - two.left.area_min_px;
+    is_dense = is_dense || two.shared_px() > kMaxShared * width_px;
+  });
+  if (is_dense) return;
+  for_each_neighbors(pattern, [](const Neighbors& two) {
+    if (two.shared_px() < 0.0) return;
+    const double left_end = two.right.area_min_px;
+    two.right.area_min_px = std::nextafter(two.left.area_max_px, two.right.area_max_px);
+    two.left.area_max_px = std::nextafter(left_end, two.left.area_min_px);
+  });
 }
 
 }  // namespace
@@ -177,10 +191,7 @@ Result<PatternCalibration> fit_lines(const NumberedLines& lines, Pattern pattern
     }
     result.lines.push_back(std::move(*rows));
   }
-  for (int along = 0; along < along_count; ++along) {
-    const auto separated = separate_areas(result, static_cast<std::size_t>(along));
-    if (!separated) return tl::unexpected(separated.error());
-  }
+  separate_areas(result);
   return result;
 }
 

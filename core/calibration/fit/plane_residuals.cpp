@@ -71,7 +71,9 @@ Result<std::vector<PlaneResidual>> plane_residuals(const CalibrationSet& set,
   std::vector<PlaneResidual> planes(set.planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i) planes[i].z_mm = set.planes[i].z_mm;
   for (const Pattern pattern : kPatterns) {
-    const auto numbered = number_lines(set, pattern, options, workers);
+    const auto numbered = number_lines(
+        set, pattern,
+        calibration.of(pattern).has_shared_areas() ? for_dense_lines(options) : options, workers);
     if (!numbered) return tl::unexpected(numbered.error());
     add_residuals(*numbered, calibration.of(pattern), pattern, planes);
   }

@@ -48,6 +48,17 @@ Vec3 TrivariateCubic::gradient(const Vec3& p) const {
   return Vec3(by_x, by_y, by_z).cwiseQuotient(half_range);
 }
 
+bool PatternCalibration::has_shared_areas() const {
+  constexpr std::size_t kAlongStep = 32;  // dense lines share areas in all rows
+  for (std::size_t n = 0; n + 1 < lines.size(); ++n) {
+    for (std::size_t along = 0; along < lines[n].size(); along += kAlongStep) {
+      const LineRow &left = lines[n][along], &right = lines[n + 1][along];
+      if (left.valid() && right.valid() && left.area_max_px >= right.area_min_px) return true;
+    }
+  }
+  return false;
+}
+
 Vec3 Calibration::locate(Pattern pattern, LineIndex n, const LinePixel& pixel) const {
   const auto& rows = of(pattern).lines[n.at()];
   const LineRow& row = rows[static_cast<std::size_t>(std::lround(pixel.along_px))];

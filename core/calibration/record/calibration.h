@@ -77,7 +77,8 @@ struct TrivariateCubic {
 struct LineRow {
   Polynomial<4> depth_mm;   ///< Z: across -> z; paper, section "z-Calibration"
   Polynomial<3> width_px;   ///< across -> full width at half maximum of the line
-  double area_min_px = 0;   ///< unique area: smallest `across` of this line inside the volume
+  double area_min_px = 0;   ///< area: smallest `across` of this line inside the volume; unique
+                            ///< unless the lines are dense
   double area_max_px = -1;  ///< largest `across`; below area_min_px: the line is not calibrated in
                             ///< this row
   [[nodiscard]] bool valid() const { return area_max_px >= area_min_px; }
@@ -91,6 +92,8 @@ struct PatternCalibration {
   FitResidual width_residual_px;
 
   [[nodiscard]] int line_count() const { return static_cast<int>(lines.size()); }
+  /// True if a position in the image can be of several lines: their areas overlap.
+  [[nodiscard]] bool has_shared_areas() const;
 };
 
 /// The lamp of the texture frames. It is small. A matte surface reflects the share `albedo` of its
