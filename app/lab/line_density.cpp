@@ -42,12 +42,15 @@ struct LineArguments {
 /// Samples of some frames, and the time that they took.
 struct LabelCounts {
   int visible = 0;  ///< localized, with a true place inside the volume
-  int indexed = 0, wrong = 0;
+  int found = 0;    ///< of these, with an index
+  int indexed = 0;  ///< all with an index
+  int wrong = 0;
   double localize_s = 0.0, index_s = 0.0;
   int frames = 0;
 
   LabelCounts& operator+=(const LabelCounts& other) {
-    visible += other.visible, indexed += other.indexed, wrong += other.wrong;
+    visible += other.visible, found += other.found;
+    indexed += other.indexed, wrong += other.wrong;
     localize_s += other.localize_s, index_s += other.index_s, frames += other.frames;
     return *this;
   }
@@ -70,6 +73,7 @@ LabelCounts count_labels(const std::vector<localization::LineTrace>& traces,
   for (const indexing::IndexedTrace& trace : lines.traces) {
     for (const localization::LineSample& sample : trace.samples) {
       ++counts.indexed;
+      counts.found += truth.is_in_volume(sample) ? 1 : 0;
       counts.wrong += truth.is(trace.line, sample) ? 0 : 1;
     }
   }
@@ -163,7 +167,7 @@ Result<Calibration> calibration_of(const SensorModel& sensor, const LineArgument
 
 void print_density_head() {
   fmt::print("{:>7} {:>9} {:>4} {:>10} {:>10} {:>9} {:>10} {:>8}\n", "density", "lines", "jaw",
-             "samples", "indexed %", "wrong %", "localize", "index ms");
+             "samples", "indexed %", "wrong %", "find ms", "index ms");
 }
 
 void print_density_row(double density, const SensorModel& sensor, const std::string& jaw,
@@ -173,7 +177,7 @@ void print_density_row(double density, const SensorModel& sensor, const std::str
   fmt::print(
       "{:>7g} {:>9} {:>4} {:>10} {:>10.2f} {:>9.4f} {:>10.1f} {:>8.1f}\n", density,
       fmt::format("{},{}", sensor.projectors[0].line_count(), sensor.projectors[1].line_count()),
-      jaw, counts.visible, percent(counts.indexed, counts.visible),
+      jaw, counts.visible, percent(counts.found, counts.visible),
       percent(counts.wrong, counts.indexed), kMilli * counts.localize_s / counts.frames,
       kMilli * counts.index_s / counts.frames);
   std::fflush(stdout);

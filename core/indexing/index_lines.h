@@ -25,7 +25,7 @@ struct IndexOptions {
   /// >= 2. Segments with fewer samples have no reliable width.
   int min_segment_length = 6;
   /// Where unique areas overlap: when the number of a line is certain.
-  AgreeOptions agree;
+  AgreeOptions agree{};
 
   [[nodiscard]] Result<void> validate() const;
 };

@@ -10,8 +10,9 @@ namespace {
 
 constexpr int kLines = 12;
 
-/// A part whose width is right for line `n`; 1.0 apart is one standard deviation.
-WidthEvidence width_of(double n, double sigma = 1.5) {
+/// A part whose width is right for line `n`.
+/// @param sigma  standard deviation, in lines
+WidthEvidence width_of(double n, double sigma = 0.5) {
   WidthEvidence evidence;
   for (int i = 0; i < kLines; ++i) {
     const double distance = (i - n) / sigma;
@@ -42,7 +43,7 @@ TEST(AgreeOnLines, NeighborsTogetherKnowWhatEachAloneDoesNot) {
   LineEvidence evidence;
   const std::array<double, 6> errors = {1.0, -1.0, 1.0, -1.0, 1.0, -1.0};
   for (std::size_t i = 0; i < errors.size(); ++i)
-    evidence.widths.push_back(width_of(3.0 + double(i) + errors[i]));
+    evidence.widths.push_back(width_of(3.0 + double(i) + errors[i], 0.8));
   for (std::size_t i = 0; i + 1 < errors.size(); ++i)
     evidence.pairs.push_back(pair_of(i, i + 1, 1, 6.0F));
   EXPECT_EQ(numbers_of(evidence), (std::vector<int>{3, 4, 5, 6, 7, 8}));
@@ -69,7 +70,7 @@ TEST(AgreeOnLines, LeavesOutWhatIsAmbiguous) {
 }
 
 TEST(AgreeOnLines, ACommonErrorOfTheWidthsIsNotTakenForKnowledge) {
-  // Twenty parts, all a little nearer to the next number.
+  // Five parts, all a little nearer to the next number.
   LineEvidence evidence;
   for (int i = 0; i < 5; ++i) evidence.widths.push_back(width_of(i + 0.6));
   for (std::size_t i = 0; i < 4; ++i) evidence.pairs.push_back(pair_of(i, i + 1, 1, 9.0F));
