@@ -190,8 +190,9 @@ void print_warnings(const Design& design) {
     const PatternFigures& lines = figures.patterns[static_cast<std::size_t>(pattern)];
     if (lines.areas.gap_px >= design::kLeastGap_px) continue;
     print_out(
-        "The {} lines cannot be told apart: their areas must be {:g} px apart. Take at most {} "
-        "lines, or a volume at most {:.1f} mm deep, or a smaller baseline.\n",
+        "The {} lines cannot be told apart by their places alone: their areas must be {:g} px "
+        "apart. Take at most {} lines, or a volume at most {:.1f} mm deep, or a smaller baseline. "
+        "Otherwise width and order tell them apart, which takes more time and fails more often.\n",
         to_string(pattern), design::kLeastGap_px, lines.most_lines, lines.largest_depth_mm);
   }
   const double modelled_px = make_sensor(design.layout).camera.diffraction_sigma_px;

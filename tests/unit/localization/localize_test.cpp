@@ -203,6 +203,33 @@ TEST(Localize, SeparatesLinesThatAreCloseTogether) {
   EXPECT_LT(std::abs(compare({traces[1]}, right).bias_px), 0.05);
 }
 
+TEST(Localize, FindsDenseLinesWithoutADarkPixelBesideThem) {
+  LineImage image;
+  image.across_count = 256;
+  std::vector<TrueLine> lines;
+  for (int k = 0; k < 10; ++k) {
+    lines.push_back(
+        {[k](double r) { return 24.3 + 22.5 * k + 0.02 * r; }, 4.3, [](double) { return 100.0; }});
+  }
+  for (const Pattern pattern : kPatterns) {
+    const auto traces = localize(draw(image, lines, pattern), pattern, for_dense_lines({}));
+    ASSERT_EQ(traces.size(), lines.size());
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const Statistics s = compare({traces[k]}, lines[k]);
+      EXPECT_GT(s.count, 200);
+      EXPECT_LT(std::abs(s.bias_px), 0.2);  // the outer lines have one neighbor alone
+      // The darkest places between the lines are not quite dark.
+      EXPECT_NEAR(s.mean_width_px, kFwhmOfSigma * 4.3, 1.5);
+    }
+  }
+  // The median of a tile is far too bright for a background.
+  const auto usual = localize(draw(image, lines, Pattern::kVertical), Pattern::kVertical);
+  int samples = 0;
+  for (const LineTrace& trace : usual)
+    for (const LineSample& sample : trace) samples += sample.width_px > 8.0F ? 1 : 0;
+  EXPECT_LT(samples, 5 * image.along_count);  // half of the lines
+}
+
 TEST(Localize, DoesNotSplitAWideLineWithSpeckle) {
   LineImage image;
   image.speckle_contrast = 0.2;
