@@ -24,7 +24,7 @@ bad_copy() { rm -rf "$1" && cp -r scan "$1"; }
 # Data for the tests below.
 expect 'simulate recording' 0 '^wrote scan' \
   "$flytri" simulate recording -o scan --path "$short_path" --duration 0.4
-expect 'simulate without lines' 2 'lines' "$flytri" simulate recording -o none --lines 0,7
+expect 'simulate without lines' 1 'DesignChange.lines is 0' "$flytri" simulate recording -o none --lines 0,7
 expect 'simulate calibration set' 0 '^wrote set' "$flytri" simulate calibration-set -o set
 expect 'calibrate' 0 '^wrote calibration.json' "$flytri" calibrate set -o calibration.json
 [ "$failed" = 0 ] || exit 1
