@@ -36,6 +36,8 @@ struct SimulateArguments {
   std::array<double, 2> away_s = {0.0, 0.0};
   std::array<double, 2> bump = {0.0, 0.0};
   double tissue_share = 0.0;
+  double readout_ms = 0.0;
+  double exposure_ms = 0.0;
   std::uint64_t seed = 1;
   bool force = false;
   std::array<double, 2> stage_tilt_deg = {0.0, 0.0};
@@ -74,6 +76,8 @@ Result<void> run_recording(const SimulateArguments& arguments, const Progress& p
   options.faults.bump_mm = 1e-3 * arguments.bump[0];
   options.faults.bump_at_s = arguments.bump[1];
   options.faults.tissue_share = arguments.tissue_share;
+  options.image.readout_s = 1e-3 * arguments.readout_ms;
+  if (arguments.exposure_ms > 0.0) options.sensor.exposure_s = 1e-3 * arguments.exposure_ms;
   const bool of_face = simulated::is_face_sensor(arguments.sensor) && arguments.path.empty();
   if (of_face || arguments.path == "front") {
     options.path.kind = simulated::PathKind::kFront;
@@ -176,6 +180,15 @@ void add_simulate_command(CLI::App& app, Invocation& invocation) {
                    "Share of the time with a tongue or a finger in view")
       ->check(CLI::Range(0.0, 0.5))
       ->capture_default_str();
+  recording
+      ->add_option("--readout", arguments->readout_ms,
+                   "Rolling shutter of the measurement camera: delay of the last row after the "
+                   "first, in ms. Default: 0, a global shutter")
+      ->check(CLI::Range(0.0, 100.0));
+  recording
+      ->add_option("--exposure", arguments->exposure_ms,
+                   "Exposure of a measurement frame, in ms. Default: that of the sensor, 10 ms")
+      ->check(CLI::Range(0.1, 33.0));
   recording->add_option("--drop", arguments->dropped_share, "Share of frames that are lost")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();

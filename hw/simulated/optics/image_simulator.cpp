@@ -18,6 +18,9 @@ namespace {
 
 // Number of moments that are averaged over an exposure.
 constexpr int kMotionSteps = 5;
+// Rows of a rolling shutter that are exposed together. In 16 of 768 rows a sensor moves by 3 µm at
+// most (10 mm/s, 15 ms).
+constexpr int kBand_px = 16;
 // Room light varies slowly: one ray per block with this side length.
 constexpr int kAmbientBlock_px = 8;
 // In real time, one ray per block with this side length; about the color resolution of a fine mesh.
@@ -85,6 +88,8 @@ struct ImageSimulator::Parts {
     for (const cv::Vec3f& color : colors) albedo.push_back((color[0] + color[1] + color[2]) / 3.0F);
   }
 
+  LineExposure exposure_at(const SensorPath& path, double time_s) const;
+  cv::Mat line_image(Pattern pattern, const SensorPath& path, double time_s) const;
   cv::Mat ambient_light(const Isometry& T_model_sensor) const;
   cv::Vec3f flash_light(const Isometry& T_model_sensor, const RayHit& hit) const;
   cv::Mat flash_image(const Isometry& T_model_sensor) const;
@@ -103,6 +108,34 @@ struct ImageSimulator::Parts {
   std::vector<GridLight> grids;  // by Pattern
   Chip chip;
 };
+
+LineExposure ImageSimulator::Parts::exposure_at(const SensorPath& path, double time_s) const {
+  const Isometry T_model_middle = path.T_model_sensor(time_s);
+  std::vector<Isometry> T_then_middle;
+  for (int i = 0; i < kMotionSteps; ++i) {
+    const double moment = (i + 0.5) / kMotionSteps - 0.5;
+    const double offset_s = options.motion ? moment * sensor.exposure_s : 0.0;
+    T_then_middle.push_back(path.T_model_sensor(time_s + offset_s).inverse() * T_model_middle);
+  }
+  return {scene, albedo, directions, blur, T_model_middle, T_then_middle};
+}
+
+// Traced pixel by pixel. With a rolling shutter each band of rows is exposed at its own time.
+cv::Mat ImageSimulator::Parts::line_image(Pattern pattern, const SensorPath& path,
+                                          double time_s) const {
+  const LineLight& light = lines[static_cast<std::size_t>(pattern)];
+  if (options.readout_s == 0.0) return light.image(exposure_at(path, time_s));
+  const int row_count = sensor.camera.size.height_px;
+  cv::Mat image(row_count, sensor.camera.size.width_px, CV_32FC1);
+  for (int begin = 0; begin < row_count; begin += kBand_px) {
+    const cv::Range rows(begin, std::min(begin + kBand_px, row_count));
+    const double share = 0.5 * (rows.start + rows.end) / row_count - 0.5;
+    LineExposure exposure = exposure_at(path, time_s + share * options.readout_s);
+    exposure.rows = rows;
+    light.image(exposure).rowRange(rows).copyTo(image.rowRange(rows));
+  }
+  return image;
+}
 
 cv::Mat ImageSimulator::Parts::ambient_light(const Isometry& T_model_sensor) const {
   const ImageSize size = sensor.camera.size;
@@ -166,6 +199,9 @@ Result<void> ImageOptions::validate() const {
   return OptionCheck("ImageOptions")
       .must("bits", bits, bits == 8 || bits == 16, "8 or 16")
       .in_range("exposures", exposures, 1, 1000)
+      .must("readout_s", readout_s,
+            readout_s >= 0.0 && (readout_s == 0.0 || tracing == Tracing::kEveryPixel),
+            "0 or more, and 0 with Tracing::kGrid")
       .result();
 }
 
@@ -180,21 +216,12 @@ Result<ImageSimulator> ImageSimulator::create(const TriangleMesh& mesh, const Se
 
 cv::Mat ImageSimulator::measurement_image(Pattern pattern, const SensorPath& path, double time_s,
                                           std::uint64_t stream) const {
-  const Isometry T_model_middle = path.T_model_sensor(time_s);
-  std::vector<Isometry> T_then_middle;
-  for (int i = 0; i < kMotionSteps; ++i) {
-    const double moment = (i + 0.5) / kMotionSteps - 0.5;
-    const double offset_s = parts_->options.motion ? moment * parts_->sensor.exposure_s : 0.0;
-    T_then_middle.push_back(path.T_model_sensor(time_s + offset_s).inverse() * T_model_middle);
-  }
-  const LineExposure exposure{parts_->scene, parts_->albedo, parts_->directions,
-                              parts_->blur,  T_model_middle, T_then_middle};
-  const auto index = static_cast<std::size_t>(pattern);
   const ImageOptions& options = parts_->options;
   const bool grid = options.tracing == Tracing::kGrid;
-  const Chip::Light light = grid ? parts_->grids[index].light(exposure)
-                                 : Chip::Light{parts_->lines[index].image(exposure),
-                                               parts_->ambient_light(T_model_middle)};
+  const Chip::Light light = grid ? parts_->grids[static_cast<std::size_t>(pattern)].light(
+                                       parts_->exposure_at(path, time_s))
+                                 : Chip::Light{parts_->line_image(pattern, path, time_s),
+                                               parts_->ambient_light(path.T_model_sensor(time_s))};
   return parts_->chip.read_out(light, {.bits = options.bits,
                                        .exposures = options.exposures,
                                        .noise = options.noise,

@@ -27,7 +27,10 @@ struct ImageOptions {
   int bits = 8;        ///< 8 or 16, of measurement frames
   bool noise = true;   ///< false: the image without noise
   bool motion = true;  ///< false: the sensor rests during each exposure
-  int exposures = 1;   ///< 1..1000, averaged into one image
+  /// >= 0, delay of the last row after the first (rolling shutter); 0: global shutter. Of
+  /// measurement frames; only for Tracing::kEveryPixel.
+  double readout_s = 0.0;
+  int exposures = 1;  ///< 1..1000, averaged into one image
   Tracing tracing = Tracing::kEveryPixel;
   std::uint64_t seed = 1;
   [[nodiscard]] Result<void> validate() const;
@@ -42,8 +45,8 @@ class ImageSimulator {
                                                      const SensorModel& sensor,
                                                      const ImageOptions& options = {});
 
-  /// A measurement frame with the middle of its exposure at `time_s` on the path. `stream` is the
-  /// random stream of its noise.
+  /// A measurement frame with the middle of its exposure at `time_s` on the path; with a rolling
+  /// shutter, that of the middle row. `stream` is the random stream of its noise.
   /// @return  CV_8UC1 or CV_16UC1, linear in light
   [[nodiscard]] cv::Mat measurement_image(Pattern pattern, const SensorPath& path, double time_s,
                                           std::uint64_t stream) const;

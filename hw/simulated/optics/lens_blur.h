@@ -16,6 +16,8 @@ class LensBlur {
 
   /// Square kernel with odd sides and sum 1, CV_32FC1.
   [[nodiscard]] const cv::Mat& kernel(double distance_mm) const;
+  /// Light is spread by at most this many pixels.
+  [[nodiscard]] int reach_px() const { return kernels_.back().rows / 2; }
   /// Adds `light` at a pixel, spread by the kernel. `image` is CV_32FC1.
   void spread(float light, int u, int v, double distance_mm, cv::Mat& image) const;
   /// The same for a block of pixels at one distance with left upper pixel (u, v); pixels outside

@@ -67,7 +67,14 @@ std::vector<int> LineLight::pixels_near_lines(const LineExposure& exposure) cons
   for (const auto& hit : hits)
     if (hit) mark_around(T_sensor_model * hit->point_mm, near);
   std::vector<int> pixels;
-  for (int i = 0; i < near.rows * near.cols; ++i)
+  // Light of the rows beside these reaches them, and edges of shadows need their surroundings.
+  const int beside_px = exposure.camera_blur.reach_px() + kPenumbra_px;
+  const cv::Range all(0, near.rows);
+  const cv::Range rows =
+      exposure.rows == cv::Range::all()
+          ? all
+          : all & cv::Range(exposure.rows.start - beside_px, exposure.rows.end + beside_px);
+  for (int i = rows.start * near.cols; i < rows.end * near.cols; ++i)
     if (near.data[i] != 0) pixels.push_back(i);
   return pixels;
 }

@@ -22,6 +22,8 @@ struct LineExposure {
   Isometry T_model_sensor;  ///< at the middle of the exposure
   /// At equal time steps: from the sensor frame of the middle to theirs.
   std::vector<Isometry> T_then_middle;
+  /// Rows of the image that are needed; unused by GridLight. Of the others, some are computed.
+  cv::Range rows = cv::Range::all();
 };
 
 /// A point that the camera sees, in front of the projector; sensor frame.

@@ -165,6 +165,35 @@ TEST(ImageSimulator, MotionBlursLinesOnASlope) {
   EXPECT_NEAR(added_px, 3.3, 0.5);
 }
 
+TEST(ImageSimulator, RollingShutterShowsEachRowAtItsOwnTime) {
+  const SensorModel sensor = intraoral_sensor();
+  constexpr double kReadout_s = 0.02;
+  // 50 mm/s towards the surface: 1 mm, or 6 px, from the first row to the last.
+  Isometry T_before = Isometry::Identity(), T_after = Isometry::Identity();
+  T_before.translation().z() = -1.0;
+  T_after.translation().z() = 1.0;
+  const auto path = SensorPath::from_poses({{-0.02, T_before}, {0.02, T_after}}).value();
+  const auto rolling = ImageSimulator::create(
+      gentle_waves(), sensor, {.bits = 16, .noise = false, .readout_s = kReadout_s});
+  const ImageSimulator global = noise_free(gentle_waves(), sensor);
+  for (const Pattern pattern : kPatterns) {
+    const cv::Mat image = rolling->measurement_image(pattern, path, 0.0, 0);
+    // The 16 rows of a band are exposed together; 392 is the middle of the band from 384 on.
+    for (const int row : {104, 392, 680}) {
+      const double late_s = kReadout_s * (static_cast<double>(row) / image.rows - 0.5);
+      const cv::Mat then = global.measurement_image(pattern, path, late_s, 0);
+      // The room light is that of the middle row.
+      EXPECT_LT(cv::norm(image.row(row), then.row(row), cv::NORM_INF), 100.0) << row;
+      if (row != 392) {
+        EXPECT_GT(cv::norm(image.row(row), global.measurement_image(pattern, path, 0.0, 0).row(row),
+                           cv::NORM_INF),
+                  500.0)
+            << row;
+      }
+    }
+  }
+}
+
 TEST(ImageSimulator, IsBitIdenticalForAnyNumberOfThreadsAndStreamsDiffer) {
   const auto simulator = ImageSimulator::create(gentle_waves(), intraoral_sensor()).value();
   const SensorPath path = resting_at(Isometry::Identity());
