@@ -34,7 +34,10 @@ struct PlannedFrame {
 std::vector<PlannedFrame> plan_frames(const RecordingOptions& options, const SensorPath& path,
                                       RecordingCounts& counts) {
   const double period_s = options.sensor.frame_period_s;
-  const int count = static_cast<int>(std::floor((path.end_s() - path.start_s()) / period_s)) + 1;
+  // The sensor moves while each row is exposed, also at both ends of the path.
+  const double start_s = path.start_s() + 0.5 * options.image.readout_s;
+  const double end_s = path.end_s() - 0.5 * options.image.readout_s;
+  const int count = static_cast<int>(std::floor((end_s - start_s) / period_s)) + 1;
   const int texture_every =
       options.texture_period_s > 0.0
           ? std::max(static_cast<int>(std::lround(options.texture_period_s / period_s)), 2)
@@ -42,7 +45,7 @@ std::vector<PlannedFrame> plan_frames(const RecordingOptions& options, const Sen
   std::vector<PlannedFrame> frames;
   Pattern next = Pattern::kVertical;
   for (int i = 0; i < count; ++i) {
-    PlannedFrame frame{path.start_s() + i * period_s, FrameKind::kTexture};
+    PlannedFrame frame{start_s + i * period_s, FrameKind::kTexture};
     if (texture_every == 0 || i == 0 || i % texture_every != 0) {
       frame.kind = next == Pattern::kVertical ? FrameKind::kVertical : FrameKind::kHorizontal;
       next = other(next);
