@@ -117,6 +117,7 @@ reconstruct::ReconstructOptions options_of(const ReconstructArguments& arguments
   options.finish.jaw = jaw;
   options.finish.meshing.close_holes_mm = arguments.close_holes_mm;
   options.finish.correct_projectors = !arguments.as_measured;
+  options.finish.correct_rolling_shutter = !arguments.as_measured;
   options.now_s = steady_seconds;
   return options;
 }
@@ -271,7 +272,8 @@ void add_reconstruct_command(CLI::App& app, Invocation& invocation) {
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
   command->add_flag("--as-measured", arguments->as_measured,
-                    "Do not correct the model for a projector that was knocked during the scan");
+                    "Do not correct the model for a projector that was knocked during the scan, or "
+                    "for a rolling shutter");
   add_force_option(*command, arguments->force);
   add_threads_option(*command, arguments->thread_count);
   command->footer(

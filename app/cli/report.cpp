@@ -134,6 +134,10 @@ Json to_json(const ReportedResult& result) {
   }
   for (const refinement::ProjectorMotion& moved : reconstruction.moved_projectors)
     json["moved_projectors"].push_back(moved_projector_json(moved));
+  if (const auto& readout = reconstruction.readout) {
+    json["rolling_shutter"] = {{"readout_s", readout->readout_s},
+                               {"uncertainty_s", readout->uncertainty_s}};
+  }
   json["mesh"] = mesh_json(result.model, reconstruction.surface.closed_holes);
   for (const StageTime& stage : reconstruction.stages) json["stages"].push_back(stage_json(stage));
   json["frames"] = Json::array();
@@ -178,6 +182,10 @@ void print_summary(const reconstruct::Reconstruction& reconstruction, const Vec3
         "probably moved since the calibration{}. Check the sensor with flytri calibrate --check\n",
         1e3 * shift->shift_mm.norm(),
         reconstruction.moved_projectors.empty() ? "" : "; the model is corrected for it");
+  }
+  if (const auto& readout = reconstruction.readout) {
+    print_out("rolling shutter of {:.1f} ms; the model is corrected for it\n",
+              1e3 * readout->readout_s);
   }
   for (const StageTime& stage : reconstruction.stages) {
     print_out("  {:<24} {:8.2f} s  {} {}\n", stage.name, stage.seconds, stage.item_count,

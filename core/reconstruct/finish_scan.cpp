@@ -11,6 +11,7 @@
 #include "core/meshing/mesh_topology.h"
 #include "core/reconstruct/correct_projectors.h"
 #include "core/reconstruct/locked_surface.h"
+#include "core/reconstruct/row_share.h"
 #include "core/texture/level_frames.h"
 #include "core/texture/observe.h"
 #include "core/texture/vertex_colors.h"
@@ -21,6 +22,8 @@ namespace {
 
 /// Share of the meshing time for judging distances.
 constexpr double kJudgingShare = 0.2;
+/// Share of the aligning time for finding out whether the shutter is a rolling one.
+constexpr double kReadoutShare = 0.15;
 /// Share of the texturing time for coloring the points, and the same share for the vertices.
 constexpr double kColoringShare = 0.15;
 
@@ -41,6 +44,7 @@ class Finisher {
 
  private:
   Result<void> refine_views();
+  Result<void> correct_rows(refinement::Refinement& refined, std::vector<AlignedView>& serving);
   Result<void> correct_views(refinement::Refinement& refined, std::vector<AlignedView>& serving);
   void take_poses(std::span<const AlignedView> refined);
   void place_texture_frames();
@@ -69,8 +73,10 @@ Result<void> Finisher::refine_views() {
   const std::vector<AlignedView>& views = scanned_.views;
   progress_.begin_stage(kAligning);
   std::vector<AlignedView> serving = editing::serving_views(views, edits_, workers_);
+  const bool checks_rows = scanned_.calibration != nullptr && options_.correct_rolling_shutter;
   Result<refinement::Refinement> refined =
-      refinement::refine_jointly(serving, options_.refinement, workers_, progress_);
+      refinement::refine_jointly(serving, options_.refinement, workers_,
+                                 progress_.part(checks_rows ? 1.0 - kReadoutShare : 1.0));
   take_poses(serving);
   if (!refined) return tl::unexpected(refined.error());
   if (!locked_.empty()) {
@@ -81,6 +87,9 @@ Result<void> Finisher::refine_views() {
   for (std::size_t i = 0; i < serving.size(); ++i)
     serving[i].T_world_sensor = views[i].T_world_sensor;
   clock_.end_stage("joint refinement", views.size(), "views");
+  if (checks_rows) {
+    if (auto ok = correct_rows(*refined, serving); !ok) return tl::unexpected(ok.error());
+  }
   if (auto ok = correct_views(*refined, serving); !ok) return tl::unexpected(ok.error());
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (refined->contradicts(i, options_.refinement)) {
@@ -91,6 +100,26 @@ Result<void> Finisher::refine_views() {
       serving_.push_back(serving[i]);
     }
   }
+  return {};
+}
+
+/// Puts the points where they were at the time of their view if the shutter is a rolling one.
+Result<void> Finisher::correct_rows(refinement::Refinement& refined,
+                                    std::vector<AlignedView>& serving) {
+  const refinement::RowShare row_share = row_share_of(*scanned_.calibration);
+  auto readout = refinement::estimate_readout(serving, row_share, options_.refinement, workers_,
+                                              progress_.part(kReadoutShare));
+  if (!readout) return tl::unexpected(readout.error());
+  if (!readout->is_long()) return {};
+  progress_.begin_stage(kAligning);
+  std::vector<AlignedView> corrected = serving;
+  auto fit = refinement::refine_with_readout(corrected, *readout, row_share, options_.refinement,
+                                             workers_, progress_);
+  if (!fit) return tl::unexpected(fit.error());
+  serving = std::move(corrected);
+  refined = *std::move(fit);
+  result_.readout = *readout;
+  clock_.end_stage("rolling shutter", serving.size(), "views");
   return {};
 }
 

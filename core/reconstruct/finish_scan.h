@@ -35,6 +35,8 @@ struct FinishOptions {
   double max_gap_s = 0.5;
   /// Whether the model is corrected for projectors that moved.
   bool correct_projectors = true;
+  /// Whether the model is corrected for a rolling shutter of the measurement camera.
+  bool correct_rolling_shutter = true;
   /// Which jaw it is, if known: tells left from right.
   std::optional<JawKind> jaw;
 };
@@ -54,10 +56,11 @@ struct ScannedViews {
 /// The model, and the fate of each input.
 struct FinishedScan {
   std::vector<AlignedView> views;  ///< the views used, with the poses that fit their points
-  /// Where the sensor was, by view. Where a projector had moved, it is not where the points as they
-  /// were measured fit.
+  /// Where the sensor was, by view. Where a projector had moved, or with a rolling shutter, it is
+  /// not where the points as they were measured fit.
   std::vector<Isometry> T_world_sensor;
   std::vector<refinement::ProjectorMotion> moved_projectors;  ///< that the model is corrected for
+  std::optional<refinement::Readout> readout;  ///< of the rolling shutter it is corrected for
   std::vector<FrameIndex> contradicting;  ///< views not used, because they contradict the others
   /// By texture frame; nullopt: no registered view before or after it.
   std::vector<std::optional<Isometry>> T_world_texture;

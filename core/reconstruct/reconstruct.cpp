@@ -6,10 +6,15 @@
 #include <map>
 #include <utility>
 
+#include "core/reconstruct/recover_views.h"
 #include "core/texture/observe.h"
 
 namespace flytri::reconstruct {
 namespace {
+
+/// Share of the time in which lost views are tried again, for those that a rolling shutter has
+/// distorted.
+constexpr double kRecoveringShare = 0.3;
 
 io::FrameSizes sizes_of(const calibration::Calibration& calibration) {
   return {calibration.measurement_size, calibration.texture_size};
@@ -39,7 +44,8 @@ class Run {
   Result<void> measure_frame(const io::Recording& recording,
                              const calibration::Calibration& calibration, std::size_t i);
   void accept_frames(std::size_t count);
-  Result<void> register_views();
+  /// @param calibration  of the sensor; null: not known
+  Result<void> register_views(const calibration::Calibration* calibration);
   [[nodiscard]] Error nothing_registered() const;
   void accept_stage(const io::StoredStage& stage);
   FrameReport& report_of(FrameIndex frame);
@@ -132,7 +138,7 @@ Result<void> Run::measure_frames(const io::Recording& recording,
   return {};
 }
 
-Result<void> Run::register_views() {
+Result<void> Run::register_views(const calibration::Calibration* calibration) {
   Result<tracking::Registrar> registrar = tracking::Registrar::create(options_.registration);
   if (!registrar) return tl::unexpected(registrar.error());
   progress_.begin_stage("Registering views", views_.size());
@@ -145,9 +151,18 @@ Result<void> Run::register_views() {
     ++view_count;
   }
   progress_.begin_stage(kRecovering);
-  const std::vector<tracking::RegisteredView> settled =
-      registrar->finish(tracking::Registrar::World::kFirstView, progress_);
+  const bool recovers = calibration != nullptr && options_.finish.correct_rolling_shutter;
+  std::vector<tracking::RegisteredView> settled =
+      registrar->finish(tracking::Registrar::World::kFirstView,
+                        progress_.part(recovers ? 1.0 - kRecoveringShare : 1.0));
   if (progress_.cancelled()) return stopped();
+  if (recovers) {
+    auto recovered =
+        recover_views(*registrar, std::move(settled), *calibration, {options_.finish.refinement},
+                      workers_, progress_.part(kRecoveringShare));
+    if (!recovered) return tl::unexpected(recovered.error());
+    settled = *std::move(recovered);
+  }
   for (const tracking::RegisteredView& registered : settled) {
     const FrameIndex frame = registered.view->frame;
     if (registered.fate == tracking::ViewFate::kRejected) {
@@ -243,6 +258,7 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
     result_.pattern_shift =
         calibration::find_pattern_shift(finished->views, scanned.calibration->volume.size_mm);
   result_.moved_projectors = std::move(finished->moved_projectors);
+  result_.readout = finished->readout;
   result_.held = std::move(finished->held);
   result_.stages = clock_.stages();
   return std::move(result_);
@@ -253,7 +269,7 @@ Result<Reconstruction> Run::from_recording(const io::Recording& recording,
   if (auto done = measure_frames(recording, calibration); !done) {
     return tl::unexpected(done.error());
   }
-  if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  if (auto done = register_views(&calibration); !done) return tl::unexpected(done.error());
   return finish({aligned_, load_texture_frames(recording, calibration),
                  editing::EditStack().state(), &calibration});
 }
@@ -289,7 +305,7 @@ Result<Reconstruction> Run::from_stage(const io::StoredStage& stage,
   // Views that are registered anew have another world than the model before.
   const auto held = aligned_.empty() ? nullptr : stage.held;
   if (aligned_.empty()) {
-    if (auto done = register_views(); !done) return tl::unexpected(done.error());
+    if (auto done = register_views(&calibration); !done) return tl::unexpected(done.error());
   } else {
     for (const io::StoredView& stored : stage.views) {
       if (!stored.T_world_sensor) reject(stored.view->frame, "was not registered");
@@ -304,7 +320,7 @@ Result<Reconstruction> Run::from_views(std::vector<std::shared_ptr<const View>> 
   for (std::size_t i = 0; i < views_.size(); ++i) {
     result_.frames[i].point_count = views_[i]->point_count();
   }
-  if (auto done = register_views(); !done) return tl::unexpected(done.error());
+  if (auto done = register_views(nullptr); !done) return tl::unexpected(done.error());
   ScannedViews scanned;
   scanned.views = aligned_;
   return finish(std::move(scanned));

@@ -55,7 +55,8 @@ struct Reconstruction {
   /// Where the patterns disagree most; none: too few views.
   std::optional<calibration::PatternShift> pattern_shift;
   std::vector<refinement::ProjectorMotion> moved_projectors;  ///< that the model is corrected for
-  std::shared_ptr<const editing::HeldSurface> held;           ///< for the next run
+  std::optional<refinement::Readout> readout;        ///< of the rolling shutter it is corrected for
+  std::shared_ptr<const editing::HeldSurface> held;  ///< for the next run
   std::vector<StageTime> stages;
 };
 

@@ -1,74 +1,77 @@
-#include "core/refinement/projector_system.h"
+#include "core/refinement/bordered_system.h"
 
 namespace flytri::refinement {
 namespace {
 
-/// First entry of a view or projector.
-Eigen::Index first_of(std::size_t index) { return 6 * static_cast<Eigen::Index>(index); }
+/// First entry of a view.
+Eigen::Index first_of_view(std::size_t view) { return 6 * static_cast<Eigen::Index>(view); }
 
 }  // namespace
 
-ProjectorSystem::ProjectorSystem(ReducedSystem& poses, std::size_t view_count,
-                                 std::size_t projector_count)
-    : poses_(poses),
-      projector_count_(projector_count),
-      with_views_(Eigen::MatrixXd::Zero(first_of(view_count), first_of(projector_count))),
-      information_(Eigen::MatrixXd::Zero(first_of(projector_count), first_of(projector_count))),
-      gradient_(Eigen::VectorXd::Zero(first_of(projector_count))) {}
+BorderedSystem::BorderedSystem(ReducedSystem& poses, std::size_t view_count,
+                               std::size_t group_count, std::size_t group_size)
+    : poses_(poses), group_count_(group_count), size_(static_cast<Eigen::Index>(group_size)) {
+  const Eigen::Index count = first_of(group_count);
+  with_views_ = Eigen::MatrixXd::Zero(first_of_view(view_count), count);
+  information_ = Eigen::MatrixXd::Zero(count, count);
+  gradient_ = Eigen::VectorXd::Zero(count);
+}
 
-void ProjectorSystem::add_cell(std::span<const CellViewShare> shares) {
+void BorderedSystem::add_cell(std::span<const CellViewShare> shares) {
   add_to(poses_, shares);
-  std::vector<Matrix6> couplings(projector_count_, Matrix6::Zero());
-  std::vector<bool> used(projector_count_, false);
+  std::vector<SharedMatrix> couplings(group_count_, SharedMatrix::Zero(size_, 6));
+  std::vector<bool> used(group_count_, false);
   for (const CellViewShare& share : shares) {
-    if (!share.projector) continue;
-    const CellProjectorShare& of_projector = *share.projector;
-    const Eigen::Index at = first_of(of_projector.projector);
-    information_.block<6, 6>(at, at) += of_projector.information;
-    gradient_.segment<6>(at) += of_projector.gradient;
-    with_views_.block<6, 6>(first_of(share.block.view), at) += of_projector.with_view;
-    couplings[of_projector.projector] += of_projector.coupling;
-    used[of_projector.projector] = true;
+    if (!share.shared) continue;
+    const CellSharedShare& shared = *share.shared;
+    const Eigen::Index at = first_of(shared.group);
+    information_.block(at, at, size_, size_) += shared.information;
+    gradient_.segment(at, size_) += shared.gradient;
+    with_views_.block(first_of_view(share.block.view), at, 6, size_) += shared.with_view;
+    couplings[shared.group] += shared.coupling;
+    used[shared.group] = true;
   }
-  for (std::size_t k = 0; k < projector_count_; ++k) {
+  for (std::size_t k = 0; k < group_count_; ++k) {
     if (!used[k]) continue;
-    const Matrix6 transposed = couplings[k].transpose();
+    const SharedMatrix transposed = couplings[k].transpose();
     for (const CellViewShare& share : shares) {
-      with_views_.block<6, 6>(first_of(share.block.view), first_of(k)).noalias() -=
+      with_views_.block(first_of_view(share.block.view), first_of(k), 6, size_).noalias() -=
           share.block.coupling * transposed;
     }
-    for (std::size_t l = 0; l < projector_count_; ++l) {
+    for (std::size_t l = 0; l < group_count_; ++l) {
       if (!used[l]) continue;
-      information_.block<6, 6>(first_of(l), first_of(k)).noalias() -= couplings[l] * transposed;
+      information_.block(first_of(l), first_of(k), size_, size_).noalias() -=
+          couplings[l] * transposed;
     }
   }
 }
 
-void ProjectorSystem::add_prior(std::size_t projector, const Matrix6& information,
-                                const Twist& motion) {
-  const Eigen::Index at = first_of(projector);
-  information_.block<6, 6>(at, at) += information;
-  gradient_.segment<6>(at) += information * motion;
+void BorderedSystem::add_prior(std::size_t group, const Eigen::MatrixXd& information,
+                               const Eigen::VectorXd& value) {
+  const Eigen::Index at = first_of(group);
+  information_.block(at, at, size_, size_) += information;
+  gradient_.segment(at, size_) += information * value;
 }
 
-Result<ProjectorStep> ProjectorSystem::solve(const Workers& workers,
-                                             const Progress& progress) const {
+Result<BorderedStep> BorderedSystem::solve(const Workers& workers, const Progress& progress) const {
   const Eigen::Index count = gradient_.size();
   const Progress of_one = progress.part(1.0 / static_cast<double>(count + 1));
   auto views = poses_.solve(workers, of_one);
   if (!views) return tl::unexpected(views.error());
-  // How the poses follow each unknown of the projectors.
+  // How the poses follow each of the shared unknowns.
   Eigen::MatrixXd following(with_views_.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto column = poses_.solve_for(with_views_.col(k), workers, of_one);
     if (!column) return tl::unexpected(column.error());
     following.col(k) = *column;
   }
-  // What the poses leave to the projectors (Schur complement).
+  // What the poses leave to the shared unknowns (Schur complement).
   const Eigen::MatrixXd left = information_ - with_views_.transpose() * following;
   const Eigen::VectorXd right = -gradient_ - with_views_.transpose() * *views;
-  const Eigen::VectorXd projectors = Eigen::LDLT<Eigen::MatrixXd>(left).solve(right);
-  return ProjectorStep{*views - following * projectors, projectors};
+  const Eigen::LDLT<Eigen::MatrixXd> ldlt(left);
+  const Eigen::VectorXd shared = ldlt.solve(right);
+  return BorderedStep{*views - following * shared, shared,
+                      ldlt.solve(Eigen::MatrixXd::Identity(count, count))};
 }
 
 }  // namespace flytri::refinement

@@ -1,4 +1,4 @@
-/// @file  The normal equations of the poses, with the motions of a few projectors beside them.
+/// @file  The normal equations of the poses, with a few unknowns beside them that many views share.
 #pragma once
 
 #include <span>
@@ -13,33 +13,43 @@
 namespace flytri::refinement {
 
 /// The solution of one step.
-struct ProjectorStep {
-  Eigen::VectorXd views;       ///< six entries per view
-  Eigen::VectorXd projectors;  ///< six entries per projector
+struct BorderedStep {
+  Eigen::VectorXd views;   ///< six entries per view
+  Eigen::VectorXd shared;  ///< SharedUnknowns::size entries per group
+  /// Covariance of these, if the residuals have unit variance and are independent.
+  Eigen::MatrixXd shared_covariance;
 };
 
-/// The equations of the poses, with six more unknowns for each projector. Many views share these.
-class ProjectorSystem {
+/// The equations of the poses, bordered by those of the shared unknowns.
+class BorderedSystem {
  public:
   /// @param poses  the equations of the poses alone; must outlive this
-  ProjectorSystem(ReducedSystem& poses, std::size_t view_count, std::size_t projector_count);
+  BorderedSystem(ReducedSystem& poses, std::size_t view_count, std::size_t group_count,
+                 std::size_t group_size);
 
   /// Adds a cell to both.
   void add_cell(std::span<const CellViewShare> shares);
-  /// Holds a projector near where it was calibrated.
-  /// @param motion  by how much it has moved so far
-  void add_prior(std::size_t projector, const Matrix6& information, const Twist& motion);
+  /// Holds a group near zero.
+  /// @param value  of its unknowns so far
+  void add_prior(std::size_t group, const Eigen::MatrixXd& information,
+                 const Eigen::VectorXd& value);
 
   /// After ReducedSystem::finish().
   /// @errors  kCancelled.
-  [[nodiscard]] Result<ProjectorStep> solve(const Workers& workers, const Progress& progress) const;
+  [[nodiscard]] Result<BorderedStep> solve(const Workers& workers, const Progress& progress) const;
 
  private:
+  /// First entry of a group.
+  [[nodiscard]] Eigen::Index first_of(std::size_t group) const {
+    return static_cast<Eigen::Index>(group) * size_;
+  }
+
   ReducedSystem& poses_;
-  std::size_t projector_count_;
-  Eigen::MatrixXd with_views_;   ///< rows: views, columns: projectors
-  Eigen::MatrixXd information_;  ///< of the projectors
-  Eigen::VectorXd gradient_;     ///< of the projectors
+  std::size_t group_count_;
+  Eigen::Index size_;            ///< of a group
+  Eigen::MatrixXd with_views_;   ///< rows: views, columns: shared unknowns
+  Eigen::MatrixXd information_;  ///< of the shared unknowns
+  Eigen::VectorXd gradient_;     ///< of the shared unknowns
 };
 
 }  // namespace flytri::refinement

@@ -48,11 +48,18 @@ double valid_share(const FittedSurfaces& surfaces) {
   return all == 0 ? 0.0 : static_cast<double>(valid) / static_cast<double>(all);
 }
 
-/// Sums over one cell and view, for its projector.
-struct ProjectorSums {
-  std::size_t projector = 0;
-  Matrix6 SA = Matrix6::Zero(), JS = Matrix6::Zero(), SS = Matrix6::Zero();
-  Twist Sr = Twist::Zero();
+/// Sums over one cell and view, for the group of shared unknowns that it depends on.
+struct SharedSums {
+  SharedSums(std::size_t index, Eigen::Index size)
+      : group(index),
+        SA(SharedMatrix::Zero(size, 6)),
+        JS(SharedMatrix::Zero(6, size)),
+        SS(SharedMatrix::Zero(size, size)),
+        Sr(SharedVector::Zero(size)) {}
+
+  std::size_t group;
+  SharedMatrix SA, JS, SS;
+  SharedVector Sr;
 };
 
 /// Sums over one cell, by view.
@@ -62,7 +69,7 @@ struct CellSums {
     Matrix6 JJ = Matrix6::Zero();
     Matrix6 JA = Matrix6::Zero();
     Twist Jr = Twist::Zero();
-    std::optional<ProjectorSums> projector = std::nullopt;
+    std::optional<SharedSums> shared = std::nullopt;
   };
   std::vector<ViewSums> views;  ///< by rising view
   Matrix6 AA = Matrix6::Zero();
@@ -84,10 +91,10 @@ std::vector<CellViewShare> without_surface(const CellSums& sums) {
     share.block.coupling = cholesky.matrixL().solve(of_view.JA.transpose()).transpose();
     share.information = of_view.JJ;
     share.gradient = of_view.Jr - share.block.coupling * LAr;
-    if (const auto& of_projector = of_view.projector) {
-      const Matrix6 coupling = cholesky.matrixL().solve(of_projector->SA.transpose()).transpose();
-      share.projector = {of_projector->projector, coupling, of_projector->JS, of_projector->SS,
-                         of_projector->Sr - coupling * LAr};
+    if (const auto& shared = of_view.shared) {
+      const SharedMatrix coupling =
+          cholesky.matrixL().solve(Eigen::MatrixXd(shared->SA.transpose())).transpose();
+      share.shared = {shared->group, coupling, shared->JS, shared->SS, shared->Sr - coupling * LAr};
     }
     shares.push_back(share);
   }
@@ -115,17 +122,47 @@ JointEquations::JointEquations(std::span<const AlignedView> views,
 
 void JointEquations::set_projectors(MovedProjectors projectors) {
   projectors_ = std::move(projectors);
-  calibrated_mm_.clear();
-  for (const Datum& datum : data_) calibrated_mm_.push_back(datum.position_mm);
+  measured_mm_.clear();
+  for (const Datum& datum : data_) measured_mm_.push_back(datum.position_mm);
 }
 
 void JointEquations::move_projectors(std::span<const Twist> motions) {
   for (std::size_t i = 0; i < data_.size(); ++i) {
     const auto moved = projectors_.of(data_[i].view.at());
     if (!moved) continue;
-    data_[i].position_mm = seen_with(motions[*moved], calibrated_mm_[i], data_[i].sheet_normal,
-                                     projectors_.p_camera_mm);
+    data_[i].position_mm =
+        seen_with(motions[*moved], measured_mm_[i], data_[i].sheet_normal, projectors_.p_camera_mm);
   }
+}
+
+void JointEquations::set_rolling_shutter(const RowShare& row_share) {
+  measured_mm_.clear();
+  for (const Datum& datum : data_) {
+    measured_mm_.push_back(datum.position_mm);
+    row_shares_.push_back(row_share(datum.position_mm));
+  }
+}
+
+void JointEquations::move_rows(std::span<const Twist> velocities, double readout_s) {
+  velocities_.assign(velocities.begin(), velocities.end());
+  readout_s_ = readout_s;
+  for (std::size_t i = 0; i < data_.size(); ++i) {
+    data_[i].position_mm =
+        seen_late(velocities_[data_[i].view.at()], readout_s * row_shares_[i], measured_mm_[i]);
+  }
+}
+
+/// Of the residual with this gradient by position, sensor frame.
+SharedVector JointEquations::shared_jacobian(std::size_t i, const Vec3& gradient_sensor) const {
+  const Datum& datum = data_[i];
+  if (has_rolling_shutter()) {
+    const Vec3 per_s = seen_late_derivative(velocities_[datum.view.at()],
+                                            readout_s_ * row_shares_[i], datum.position_mm);
+    return SharedVector::Constant(1, row_shares_[i] * gradient_sensor.dot(per_s));
+  }
+  const SheetShift shift =
+      sheet_shift(measured_mm_[i], datum.sheet_normal, projectors_.p_camera_mm);
+  return gradient_sensor.dot(shift.ray) * shift.per_twist;
 }
 
 double JointEquations::mean_radius_mm() const {
@@ -204,8 +241,8 @@ std::vector<CellViewShare> JointEquations::sum_cell(const FittedSurfaces& surfac
     // Data are sorted by view.
     if (sums.views.empty() || sums.views.back().view != view) {
       sums.views.push_back({view});
-      if (const auto moved = projectors_.of(view))
-        sums.views.back().projector.emplace().projector = *moved;
+      if (const auto group = group_of(view))
+        sums.views.back().shared.emplace(*group, static_cast<Eigen::Index>(group_size()));
     }
     auto& of_view = sums.views.back();
     Twist J;
@@ -213,14 +250,13 @@ std::vector<CellViewShare> JointEquations::sum_cell(const FittedSurfaces& surfac
     of_view.JJ.noalias() += weight * J * J.transpose();
     of_view.JA.noalias() += weight * J * r.terms.transpose();
     of_view.Jr += weight * r.residual_mm * J;
-    if (auto& of_projector = of_view.projector) {
-      const SheetShift shift =
-          sheet_shift(calibrated_mm_[cell.data[k]], datum.sheet_normal, projectors_.p_camera_mm);
-      const Twist S = r.gradient.dot(poses[view].linear() * shift.ray) * shift.per_twist;
-      of_projector->SS.noalias() += weight * S * S.transpose();
-      of_projector->SA.noalias() += weight * S * r.terms.transpose();
-      of_projector->JS.noalias() += weight * J * S.transpose();
-      of_projector->Sr += weight * r.residual_mm * S;
+    if (auto& shared = of_view.shared) {
+      const SharedVector S =
+          shared_jacobian(cell.data[k], poses[view].linear().transpose() * r.gradient);
+      shared->SS.noalias() += weight * S * S.transpose();
+      shared->SA.noalias() += weight * S * r.terms.transpose();
+      shared->JS.noalias() += weight * J * S.transpose();
+      shared->Sr += weight * r.residual_mm * S;
     }
     sums.AA.noalias() += weight * r.terms * r.terms.transpose();
     sums.Ar += weight * r.residual_mm * r.terms;

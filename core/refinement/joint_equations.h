@@ -13,6 +13,7 @@
 #include "core/base/workers.h"
 #include "core/refinement/reduced_system.h"
 #include "core/refinement/refine.h"
+#include "core/refinement/rolling_shutter.h"
 #include "core/refinement/surface_cells.h"
 
 namespace flytri::refinement {
@@ -33,15 +34,19 @@ struct FittedSurfaces {
   double robust_sigma_mm = 0.0;  ///< of the residuals themselves
 };
 
-/// What one cell adds to the equations of the projector of one view after its surface is
-/// eliminated. S is the Jacobian of the residuals with respect to the projector's twist, the rest
-/// as in CellViewBlock.
-struct CellProjectorShare {
-  std::size_t projector = 0;
-  Matrix6 coupling = Matrix6::Zero();     ///< S^T W A L^-T
-  Matrix6 with_view = Matrix6::Zero();    ///< J^T W S
-  Matrix6 information = Matrix6::Zero();  ///< S^T W S
-  Twist gradient = Twist::Zero();
+/// Unknowns that many views share come in groups: the six of a projector, or a single one. They
+/// have as many rows or columns as a group has unknowns.
+using SharedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+using SharedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+
+/// What one cell and view add to the equations of a group after the cell's surface is eliminated. S
+/// is the Jacobian of the residuals with respect to the group, the rest as in CellViewBlock.
+struct CellSharedShare {
+  std::size_t group = 0;
+  SharedMatrix coupling;     ///< S^T W A L^-T
+  SharedMatrix with_view;    ///< J^T W S
+  SharedMatrix information;  ///< S^T W S
+  SharedVector gradient;
 };
 
 /// What one cell adds to the equations of one view after its surface is eliminated.
@@ -49,7 +54,7 @@ struct CellViewShare {
   CellViewBlock block;
   Matrix6 information = Matrix6::Zero();
   Twist gradient = Twist::Zero();
-  std::optional<CellProjectorShare> projector;  ///< if the view's projector has moved
+  std::optional<CellSharedShare> shared;  ///< if the view depends on a group
 };
 
 /// Adds a cell to the equations.
@@ -81,6 +86,20 @@ class JointEquations {
   /// Puts the data where they are seen if the projectors have moved by these twists from where they
   /// were calibrated, sensor frame.
   void move_projectors(std::span<const Twist> motions);
+
+  /// From now on, the equations have the readout of a rolling shutter as an unknown, too. Not
+  /// together with projectors.
+  void set_rolling_shutter(const RowShare& row_share);
+  [[nodiscard]] bool has_rolling_shutter() const { return !row_shares_.empty(); }
+  /// Puts the data where they were at the time of their view.
+  /// @param velocities  of the sensor, by view
+  void move_rows(std::span<const Twist> velocities, double readout_s);
+
+  /// Number of groups of shared unknowns, and of unknowns in each.
+  [[nodiscard]] std::size_t group_count() const {
+    return has_rolling_shutter() ? 1 : projectors_.count;
+  }
+  [[nodiscard]] std::size_t group_size() const { return has_rolling_shutter() ? 1 : 6; }
 
   [[nodiscard]] bool empty() const { return data_.empty(); }
   [[nodiscard]] const std::vector<Datum>& data() const { return data_; }
@@ -125,6 +144,10 @@ class JointEquations {
   [[nodiscard]] std::vector<CellViewShare> sum_cell(const FittedSurfaces& surfaces, std::size_t c,
                                                     std::span<const Isometry> poses,
                                                     std::span<const Vec3> centers_mm) const;
+  [[nodiscard]] std::optional<std::size_t> group_of(std::size_t view) const {
+    return has_rolling_shutter() ? std::optional<std::size_t>(0) : projectors_.of(view);
+  }
+  [[nodiscard]] SharedVector shared_jacobian(std::size_t datum, const Vec3& gradient_sensor) const;
   [[nodiscard]] double weight_of(const ResidualSize& size, double spread) const;
 
   const JointRefineOptions& options_;
@@ -132,7 +155,10 @@ class JointEquations {
   std::vector<Datum> data_;
   double cell_mm_ = 0.0;
   MovedProjectors projectors_;
-  std::vector<Vec3> calibrated_mm_;  ///< positions of the data without the projectors' motions
+  std::vector<double> row_shares_;  ///< by datum; empty: no rolling shutter
+  std::vector<Twist> velocities_;   ///< of the sensor, by view
+  double readout_s_ = 0.0;
+  std::vector<Vec3> measured_mm_;  ///< positions of the data as measured, if they can move
 };
 
 }  // namespace flytri::refinement

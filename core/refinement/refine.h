@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/base/workers.h"
 #include "core/geometry/view.h"
+#include "core/refinement/rolling_shutter.h"
 #include "core/registration/align.h"
 
 namespace flytri::refinement {
@@ -100,6 +102,29 @@ struct ProjectorMotion {
 [[nodiscard]] Result<Refinement> refine_with_projectors(
     std::vector<AlignedView>& views, std::vector<ProjectorMotion>& motions, const Vec3& p_camera_mm,
     const JointRefineOptions& options, const Workers& workers, const Progress& progress = {});
+
+/// Estimates the readout from views whose poses are optimized without one. The velocities of the
+/// sensor follow from the poses.
+/// @param views  by time, at least one
+/// @return  of one step of the solution: to some percent
+/// @source  this project's, see docs/adr/0023-rolling-shutter.md
+/// @errors  kBadOption, kInsufficient, kCancelled
+[[nodiscard]] Result<Readout> estimate_readout(std::span<const AlignedView> views,
+                                               const RowShare& row_share,
+                                               const JointRefineOptions& options,
+                                               const Workers& workers,
+                                               const Progress& progress = {});
+
+/// As refine_jointly(), with the readout as one more unknown, which all views share.
+/// @param views    poses and points change: the points lie where they were at their view's time
+/// @param readout  where the search begins; then the result
+/// @source  this project's, see docs/adr/0023-rolling-shutter.md
+/// @errors  as refine_jointly(); then points and readout do not change
+[[nodiscard]] Result<Refinement> refine_with_readout(std::vector<AlignedView>& views,
+                                                     Readout& readout, const RowShare& row_share,
+                                                     const JointRefineOptions& options,
+                                                     const Workers& workers,
+                                                     const Progress& progress = {});
 
 struct MetaviewRefineOptions {
   /// For aligning one view to its metaview. The guess is near, so there is no coarse stage.

@@ -6,8 +6,8 @@
 
 #include "core/base/check_options.h"
 #include "core/geometry/decompositions.h"
+#include "core/refinement/bordered_system.h"
 #include "core/refinement/joint_equations.h"
-#include "core/refinement/projector_system.h"
 #include "core/refinement/refine.h"
 #include "core/refinement/sheet_shift.h"
 
@@ -23,6 +23,10 @@ constexpr double kStepShare = 0.25, kSurfaceShare = 0.5, kSumShare = 0.4;
 /// Standard uncertainties of where a projector is that was knocked.
 constexpr double kProjectorShift_mm = 0.1, kProjectorTurn_rad = 2e-3;
 
+/// Standard uncertainty of a readout of which nothing is known.
+constexpr double kReadout_s = 0.1;
+/// A solution is not converged while the readout changes by more than this.
+constexpr double kSettledReadout_s = 1e-4;
 /// Enough data to tell how the whole scan has moved.
 constexpr std::size_t kMostMotionData = 20000;
 
@@ -60,6 +64,11 @@ class JointRefiner {
   /// Solves for the motions of projectors, too.
   void find_motions(std::span<const ProjectorMotion> motions, const Vec3& p_camera_mm);
   Result<Refinement> run();
+  /// Solves for the readout of a rolling shutter, too.
+  void find_readout(const RowShare& row_share, double from_s);
+  /// One solution from the present poses, which do not change.
+  Result<Readout> estimate();
+  [[nodiscard]] Readout readout() const { return {now_.readout_s, readout_uncertainty_s_}; }
   /// By projector, as in find_motions().
   [[nodiscard]] const std::vector<Twist>& motions() const { return now_.motions; }
 
@@ -67,8 +76,13 @@ class JointRefiner {
   struct State {
     std::vector<Isometry> poses;
     std::vector<Twist> motions;  ///< of the projectors, sensor frame
+    double readout_s = 0.0;      ///< of a rolling shutter
   };
 
+  [[nodiscard]] Result<BorderedStep> solve(const FittedSurfaces& step,
+                                           std::span<const Vec3> centers_mm,
+                                           const Progress& progress);
+  void place_data();
   /// Moves all poses by one Gauss-Newton step. False if canceled; then no pose moved.
   [[nodiscard]] bool move(const FittedSurfaces& step, const Progress& progress);
   void rate_views(const FittedSurfaces& step);
@@ -83,6 +97,8 @@ class JointRefiner {
   const Progress& progress_;
   State now_;
   JointEquations equations_;
+  double readout_uncertainty_s_ = 0.0;
+  double readout_change_s_ = 0.0;  ///< by the last step
   Refinement result_;
 };
 
@@ -97,17 +113,30 @@ void JointRefiner::find_motions(std::span<const ProjectorMotion> motions, const 
   }
   equations_.set_projectors(std::move(projectors));
   for (const ProjectorMotion& m : motions) now_.motions.push_back(m.motion);
-  equations_.move_projectors(now_.motions);
+  place_data();
+}
+
+void JointRefiner::find_readout(const RowShare& row_share, double from_s) {
+  equations_.set_rolling_shutter(row_share);
+  now_.readout_s = from_s;
+  place_data();
+}
+
+/// Puts the data where they are seen with the present motions or readout.
+void JointRefiner::place_data() {
+  if (equations_.has_rolling_shutter())
+    equations_.move_rows(velocities_of(views_, now_.poses), now_.readout_s);
+  if (!now_.motions.empty()) equations_.move_projectors(now_.motions);
 }
 
 void JointRefiner::go_to(State state) {
   now_ = std::move(state);
-  if (!now_.motions.empty()) equations_.move_projectors(now_.motions);
+  place_data();
 }
 
-bool JointRefiner::move(const FittedSurfaces& step, const Progress& progress) {
-  const std::vector<Vec3> centers = equations_.view_centers_mm(now_.poses);
-  ReducedSystem system(centers);
+Result<BorderedStep> JointRefiner::solve(const FittedSurfaces& step, std::span<const Vec3> centers,
+                                         const Progress& progress) {
+  ReducedSystem system({centers.begin(), centers.end()});
   const double step_mm = options_.step_share * equations_.cell_mm();
   Twist prior;
   prior << Vec3::Constant(1.0 / (step_mm / equations_.mean_radius_mm())),
@@ -116,17 +145,28 @@ bool JointRefiner::move(const FittedSurfaces& step, const Progress& progress) {
     system.add_view(v, prior.cwiseAbs2().asDiagonal(), Twist::Zero());
   }
   system.reserve(equations_.count_views_of_cells(step));
-  ProjectorSystem bordered(system, now_.poses.size(), equations_.projectors().count);
+  BorderedSystem bordered(system, now_.poses.size(), equations_.group_count(),
+                          equations_.group_size());
   for (std::size_t k = 0; k < equations_.projectors().count; ++k) {
     bordered.add_prior(k, projector_prior(), now_.motions[k]);
+  }
+  if (equations_.has_rolling_shutter()) {
+    bordered.add_prior(0, Eigen::MatrixXd::Constant(1, 1, 1.0 / (kReadout_s * kReadout_s)),
+                       Eigen::VectorXd::Constant(1, now_.readout_s));
   }
   const auto add = [&](std::size_t, std::span<const CellViewShare> shares) {
     bordered.add_cell(shares);
   };
-  if (!equations_.sum_cells(step, now_.poses, centers, progress.part(kSumShare), add)) return false;
+  if (!equations_.sum_cells(step, now_.poses, centers, progress.part(kSumShare), add))
+    return stopped();
   system.finish(workers_);
-  if (progress.cancelled()) return false;
-  const auto x = bordered.solve(workers_, progress.part(1.0 - kSumShare));
+  if (progress.cancelled()) return stopped();
+  return bordered.solve(workers_, progress.part(1.0 - kSumShare));
+}
+
+bool JointRefiner::move(const FittedSurfaces& step, const Progress& progress) {
+  const std::vector<Vec3> centers = equations_.view_centers_mm(now_.poses);
+  const auto x = solve(step, centers, progress);
   if (!x) return false;
   for (std::size_t v = 0; v < now_.poses.size(); ++v) {
     const Twist twist = x->views.segment<6>(6 * static_cast<Eigen::Index>(v));
@@ -134,9 +174,14 @@ bool JointRefiner::move(const FittedSurfaces& step, const Progress& progress) {
     now_.poses[v] = to_center.inverse() * exp_twist(twist) * to_center * now_.poses[v];
   }
   for (std::size_t k = 0; k < equations_.projectors().count; ++k) {
-    now_.motions[k] += x->projectors.segment<6>(6 * static_cast<Eigen::Index>(k));
+    now_.motions[k] += x->shared.segment<6>(6 * static_cast<Eigen::Index>(k));
   }
-  if (equations_.projectors().count > 0) equations_.move_projectors(now_.motions);
+  if (equations_.has_rolling_shutter()) {
+    readout_change_s_ = x->shared[0];
+    readout_uncertainty_s_ = std::sqrt(x->shared_covariance(0, 0));
+    now_.readout_s += readout_change_s_;
+  }
+  place_data();
   return true;
 }
 
@@ -191,6 +236,18 @@ tl::unexpected<Error> JointRefiner::stop_at(State best) {
   return stopped();
 }
 
+Result<Readout> JointRefiner::estimate() {
+  if (equations_.empty()) return Readout{0.0, kReadout_s};
+  const auto step = equations_.fit_surfaces(now_.poses, progress_.part(kSurfaceShare));
+  if (!step) return tl::unexpected(step.error());
+  const auto x =
+      solve(*step, equations_.view_centers_mm(now_.poses), progress_.part(1.0 - kSurfaceShare));
+  if (!x) return tl::unexpected(x.error());
+  const double factor = equations_.step_factor(*step);
+  return Readout{now_.readout_s + factor * x->shared[0],
+                 factor * std::sqrt(x->shared_covariance(0, 0))};
+}
+
 Result<Refinement> JointRefiner::run() {
   result_.views.assign(now_.poses.size(), {});
   if (equations_.empty()) {
@@ -216,8 +273,9 @@ Result<Refinement> JointRefiner::run() {
     result_.robust_sigma_mm.push_back(step->robust_sigma_mm);
     rate_views(*step);
     const double change_mm = std::abs(step->robust_sigma_mm - former_sigma_mm);
-    const bool converged =
-        comparable && change_mm < options_.convergence_share * step->robust_sigma_mm;
+    const bool converged = comparable &&
+                           change_mm < options_.convergence_share * step->robust_sigma_mm &&
+                           std::abs(readout_change_s_) < kSettledReadout_s;
     former_sigma_mm = step->robust_sigma_mm;
     result_.outcome = converged ? RefineOutcome::kConverged : RefineOutcome::kStepLimit;
     if (converged || i == step_count) break;
@@ -281,6 +339,31 @@ Result<Refinement> refine_with_projectors(std::vector<AlignedView>& views,
       break;
     }
   }
+  return refined;
+}
+
+Result<Readout> estimate_readout(std::span<const AlignedView> views, const RowShare& row_share,
+                                 const JointRefineOptions& options, const Workers& workers,
+                                 const Progress& progress) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
+  std::vector<AlignedView> unchanged(views.begin(), views.end());
+  JointRefiner refiner(unchanged, options, workers, progress);
+  refiner.find_readout(row_share, 0.0);
+  return refiner.estimate();
+}
+
+Result<Refinement> refine_with_readout(std::vector<AlignedView>& views, Readout& readout,
+                                       const RowShare& row_share, const JointRefineOptions& options,
+                                       const Workers& workers, const Progress& progress) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
+  JointRefiner refiner(views, options, workers, progress);
+  refiner.find_readout(row_share, readout.readout_s);
+  Result<Refinement> refined = refiner.run();
+  if (!refined) return refined;
+  readout = refiner.readout();
+  views = without_rolling_shutter(std::move(views), readout.readout_s, row_share);
   return refined;
 }
 

@@ -3,17 +3,30 @@
 #include <utility>
 
 #include "core/base/free_memory.h"
+#include "core/reconstruct/recover_views.h"
 
 namespace flytri::scan {
 namespace {
 
+/// Share of recovering for views that a rolling shutter has distorted.
+constexpr double kDistortedShare = 0.3;
+
 /// Registers what could not be registered during the scan, then lists all registered views.
-reconstruct::ScannedViews collect(FinishingInput& input, const Progress& progress) {
+reconstruct::ScannedViews collect(FinishingInput& input, const reconstruct::FinishOptions& options,
+                                  const Progress& progress) {
+  constexpr auto kWorld = tracking::Registrar::World::kUnchanged;
   reconstruct::ScannedViews scanned;
   progress.begin_stage(reconstruct::kRecovering);
   input.registrar->set_edits(input.edits);
-  for (const tracking::RegisteredView& view :
-       input.registrar->finish(tracking::Registrar::World::kUnchanged, progress)) {
+  auto settled = input.registrar->finish(kWorld, progress.part(1.0 - kDistortedShare));
+  if (input.edits->empty() && input.calibration != nullptr && options.correct_rolling_shutter) {
+    auto recovered = reconstruct::recover_views(*input.registrar, settled, *input.calibration,
+                                                {options.refinement, kWorld}, Workers(),
+                                                progress.part(kDistortedShare));
+    // A run that was canceled stops in the next stage.
+    if (recovered) settled = *std::move(recovered);
+  }
+  for (const tracking::RegisteredView& view : settled) {
     if (view.fate == tracking::ViewFate::kRejected || view.view->profiles.empty()) continue;
     scanned.views.push_back({view.view, view.T_world_sensor});
   }
@@ -43,7 +56,7 @@ void FinishingThread::run(FinishingInput input, Done done) {
   thread_.post([this, shared = std::move(shared), done = std::move(done)] {
     const Progress progress = this->progress();
     StageClock clock(now_s_);
-    reconstruct::ScannedViews scanned = collect(*shared, progress);
+    reconstruct::ScannedViews scanned = collect(*shared, options_, progress);
     reconstruct::FinishOptions options = options_;
     options.meshing.close_holes_mm = shared->close_holes_mm;
     Result<reconstruct::FinishedScan> finished =

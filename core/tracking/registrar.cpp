@@ -385,6 +385,24 @@ std::vector<AlignedView> Registrar::serving_views() const {
   return result;
 }
 
+void Registrar::change_points(const ChangePoints& change) {
+  std::map<FrameIndex, std::shared_ptr<const View>> changed;
+  for (const auto& submap : submaps_) {
+    if (submap->size() < 2) continue;
+    std::vector<AlignedView> views;
+    for (const TrackedView& view : submap->views()) views.push_back(view.aligned);
+    sort_by_time(views);
+    for (const AlignedView& view : change(std::move(views))) changed[view.view->frame] = view.view;
+    for (std::size_t i = 0; i < submap->size(); ++i)
+      submap->replace(i, changed.at(submap->views()[i].aligned.view->frame));
+  }
+  for (Added& added : added_) {
+    const auto found = changed.find(added.view->frame);
+    if (found != changed.end()) added.view = found->second;
+  }
+  entry_search_.forget();
+}
+
 void Registrar::retry_submaps(const Progress& progress) {
   for (std::size_t submap = 0; submap < submaps_.size() && !progress.cancelled(); ++submap) {
     if (submap != scan_) retry_submap(submap);

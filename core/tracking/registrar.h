@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -155,6 +156,13 @@ class Registrar {
     kFirstView,  ///< the sensor frame of the first view
     kUnchanged   ///< as before: edits and measurements refer to it
   };
+  /// Gives new points to views. Takes and returns those of one part of the scan, by rising time,
+  /// with their poses; each part has a frame of its own.
+  using ChangePoints = std::function<std::vector<AlignedView>(std::vector<AlignedView>)>;
+  /// Changes the points of all views that were registered to others, also in parts that are not
+  /// connected; finish() then tries these again. Not together with edits or retired views.
+  void change_points(const ChangePoints& change);
+
   /// After the scan: tries submaps and rejected views again with the whole model, then returns the
   /// final fate of every view, in the order of add().
   /// @param progress  advances by at most one step. After a cancellation, views that were not tried

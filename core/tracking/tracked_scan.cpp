@@ -170,6 +170,14 @@ void TrackedScan::move(std::size_t i, const Isometry& T_world_sensor) {
   motion_.move(view.aligned.view->time_s, T_world_sensor);
 }
 
+void TrackedScan::replace(std::size_t i, std::shared_ptr<const View> view) {
+  TrackedView& replaced = views_[i];
+  replaced.aligned.view = std::move(view);
+  replaced.placed = registration::prepare_view(*replaced.aligned.view, options_.smoothing)
+                        .moved(replaced.aligned.T_world_sensor);
+  locate_extent(i);
+}
+
 void TrackedScan::locate_extent(std::size_t i) {
   const TrackedView& view = views_[i];
   if (view.placed.profiles.empty()) {

@@ -101,6 +101,8 @@ class TrackedScan {
   void set_edits(const editing::EditFilter& edits);
   /// Drops the points of a view. It keeps its pose, but no view is registered to it any more.
   void retire(std::size_t i);
+  /// Takes other points for view i, which keeps its pose. Not together with edits.
+  void replace(std::size_t i, std::shared_ptr<const View> view);
   /// Changes the pose of view i.
   void move(std::size_t i, const Isometry& T_world_sensor);
 

@@ -92,6 +92,23 @@ std::optional<Vec3> Calibration::camera_center_mm() const {
   return eigen.vectors * (eigen.vectors.transpose() * right).cwiseQuotient(eigen.values);
 }
 
+Pixel Calibration::project_to_measurement(const Vec3& p_sensor) const {
+  // Newton's method. The polynomials are nearly linear in u and v.
+  constexpr int kSteps = 4;
+  Vec3 uvz(0.5 * measurement_size.width_px, 0.5 * measurement_size.height_px, p_sensor.z());
+  for (int i = 0; i < kSteps; ++i) {
+    Eigen::Matrix2d J;
+    J << x_mm.gradient(uvz).head<2>().transpose(), y_mm.gradient(uvz).head<2>().transpose();
+    const double determinant = J.determinant();
+    if (determinant == 0.0) break;
+    const Vec2 off(x_mm(uvz) - p_sensor.x(), y_mm(uvz) - p_sensor.y());
+    uvz.head<2>() -=
+        Vec2(J(1, 1) * off[0] - J(0, 1) * off[1], J(0, 0) * off[1] - J(1, 0) * off[0]) /
+        determinant;
+  }
+  return {uvz[0], uvz[1]};
+}
+
 Pixel Calibration::project_to_texture(const Vec3& p_sensor) const {
   return {texture_u_px(p_sensor), texture_v_px(p_sensor)};
 }

@@ -133,6 +133,8 @@ struct Calibration {
   [[nodiscard]] Vec3 locate(Pattern pattern, LineIndex n, const LinePixel& pixel) const;
   /// Where the rays of the measurement camera meet, sensor frame; none if they are parallel.
   [[nodiscard]] std::optional<Vec3> camera_center_mm() const;
+  /// Position of a point in the image of the measurement camera; may be outside the image.
+  [[nodiscard]] Pixel project_to_measurement(const Vec3& p_sensor) const;
   /// Position of a point in the texture image; may be outside the image.
   [[nodiscard]] Pixel project_to_texture(const Vec3& p_sensor) const;
 };
