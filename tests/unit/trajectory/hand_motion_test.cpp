@@ -9,7 +9,7 @@
 namespace flytri::trajectory {
 namespace {
 
-constexpr double kPeriod_s = 1.0 / 30.0, kArm_mm = 8.0, kSigma_mm = 0.02;
+constexpr double kPeriod_s = 1.0 / 30.0, kViewRadius_mm = 8.0, kSigma_mm = 0.02;
 
 /// A hand of constant velocity but for white acceleration.
 class WhiteHand {
@@ -21,7 +21,7 @@ class WhiteHand {
     for (int kick = 0; kick < kKicks; ++kick) {
       for (int i = 0; i < 6; ++i) velocity_mm_s_[i] += kick_mm_s_ * random_.normal();
       T_world_sensor_ = registration::motion_of(kPeriod_s / kKicks * velocity_mm_s_,
-                                                {T_world_sensor_.translation(), kArm_mm}) *
+                                                {T_world_sensor_.translation(), kViewRadius_mm}) *
                         T_world_sensor_;
     }
     return T_world_sensor_;
@@ -37,7 +37,7 @@ class WhiteHand {
 
 /// Follows a hand whose poses are measured, but for one direction after some time.
 struct Followed {
-  HandMotion motion{kArm_mm};
+  HandMotion motion{kViewRadius_mm};
   WhiteHand hand;
   Random noise{5};
   int frame = 0;
@@ -48,7 +48,7 @@ struct Followed {
     const double time_s = ++frame * kPeriod_s;
     const auto predicted = motion.predict(time_s, Vec3::Zero());
     Twist error = Twist::Zero();
-    const registration::StepFrame at{T_true.translation(), kArm_mm};
+    const registration::StepFrame at{T_true.translation(), kViewRadius_mm};
     Isometry T_found = T_true;
     if (predicted) {
       error = registration::unknowns_of(T_true * predicted->T_world_sensor.inverse(), at);
@@ -108,7 +108,7 @@ TEST(HandMotion, AnOpenDirectionGrowsUncertainAndTheOthersDoNot) {
 }
 
 TEST(HandMotion, AfterAGapNothingIsPredicted) {
-  HandMotion motion(kArm_mm);
+  HandMotion motion(kViewRadius_mm);
   EXPECT_FALSE(motion.predict(0.0, Vec3::Zero()));
   motion.add({0.0, Isometry::Identity(), Vec3::Zero(), information_without(-1), false});
   EXPECT_TRUE(motion.predict(kPeriod_s, Vec3::Zero()));

@@ -8,7 +8,7 @@
 namespace flytri::trajectory {
 namespace {
 
-constexpr double kGap_s = 0.15;
+constexpr double kLongestGap_s = 0.15;
 
 /// The pose of a sensor that moves in all directions.
 Isometry pose_at(double time_s) {
@@ -29,7 +29,7 @@ TEST(SensorVelocities, AreTheMotionInTheSensorsFrame) {
   // One frame in ten is missing.
   for (int i = 0; i < 60; ++i)
     if (i % 10 != 7) path.push_back({i / 30.0, pose_at(i / 30.0)});
-  const std::vector<Twist> velocities = sensor_velocities(path, kGap_s);
+  const std::vector<Twist> velocities = sensor_velocities(path, kLongestGap_s);
   ASSERT_EQ(velocities.size(), path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Twist error = velocities[i] - true_velocity(path[i].time_s);
@@ -47,7 +47,7 @@ TEST(SensorVelocities, FollowATremblingHand) {
     T_world_sensor.translation().x() = std::sin(omega * i / 30.0);
     path.push_back({i / 30.0, T_world_sensor});
   }
-  const std::vector<Twist> velocities = sensor_velocities(path, kGap_s);
+  const std::vector<Twist> velocities = sensor_velocities(path, kLongestGap_s);
   for (std::size_t i = 2; i + 2 < path.size(); ++i)
     EXPECT_NEAR(velocities[i][3], 0.965 * omega * std::cos(omega * path[i].time_s), 0.003 * omega);
 }
@@ -59,7 +59,7 @@ TEST(SensorVelocities, DoNotReachAcrossAGap) {
     T_world_sensor.translation().y() = 3.0 * time_s + (time_s > 4.0 ? 100.0 : 0.0);
     path.push_back({time_s, T_world_sensor});
   }
-  const std::vector<Twist> velocities = sensor_velocities(path, kGap_s);
+  const std::vector<Twist> velocities = sensor_velocities(path, kLongestGap_s);
   EXPECT_EQ(velocities[0], Twist::Zero());
   EXPECT_NEAR(velocities[1][4], 3.0, 1e-9);
   EXPECT_NEAR(velocities[2][4], 3.0, 1e-9);
