@@ -145,7 +145,7 @@ Result<LabelCounts> measure_jaw(const LineScan& scan, const LineArguments& argum
     frames[i] = measure_frame(scan, static_cast<int>(i), arguments.frame_count);
     progress.advance();
   });
-  if (progress.cancelled()) return fail(ErrorCode::kCancelled, "stopped while measuring");
+  if (progress.cancelled()) return stopped();
   LabelCounts sum;
   for (const auto& frame : frames) {
     if (!frame) return tl::unexpected(frame.error());

@@ -25,8 +25,7 @@ struct StructureArguments {
   int thread_count = 0;
 };
 
-/// A scan has finished if tracking was never interrupted and at least this share of its views has a
-/// pose.
+/// A scan has finished if tracking was never interrupted and this share of its views has poses.
 constexpr double kFinishedShare = 0.95;
 
 /// The operator should be warned so long before tracking is lost.

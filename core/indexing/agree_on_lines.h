@@ -24,8 +24,8 @@ struct AgreeOptions {
 ///
 /// Parts are joined to groups whose numbers differ by known amounts, the clearest pair first, like
 /// Kruskal's spanning tree. Each group takes the number that the widths of all its parts suggest
-/// together. At last each group that was ever joined is moved to other numbers as a whole: the best
-/// move is kept, and what a move costs is the margin of its parts.
+/// together. Last, each group is tried with other numbers as a whole. The best ones are kept. How
+/// much less likely the next best are is the margin of its parts.
 /// @source  After Brink et al., "Indexing uncoded stripe patterns in structured light systems by
 ///          maximum spanning trees", 2008; the widths and the groups' margins are added.
 [[nodiscard]] std::vector<std::optional<LineIndex>> agree_on_lines(const LineEvidence& evidence,

@@ -35,13 +35,10 @@ struct LineEvidence {
 
 /// Collects the evidence.
 ///
-/// - Width: a line number and the place give a depth, also somewhat outside the volume, and the
-/// depth
-///   gives the width that defocus makes. A tilted surface stretches the projector's share of the
-///   width like the distance of neighboring lines, which is measured.
-/// - Order: neighbors in an image row are neighboring lines, n and n + 1, unless the surface
-/// between
-///   them is steeper than teeth are. Then lines may be hidden in between.
+/// - Width: a line number and a place give a depth, and defocus at this depth gives a width. A
+///   tilted surface widens a line as it widens the distance to its neighbors, which is measured.
+/// - Order: neighbors in an image row are the lines n and n + 1. Only a surface steeper than teeth
+///   can hide lines in between.
 /// - Continuity: where a trace ends and another one begins near by, both are probably one line.
 /// @source  Arold et al., "Line Indexing" (normalized width), for one line alone.
 [[nodiscard]] LineEvidence collect_evidence(const std::vector<TracePart>& parts,

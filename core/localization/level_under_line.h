@@ -9,8 +9,8 @@
 
 namespace flytri::localization {
 
-/// Background under `line` in row `r`: that of its flanks or, if lines are dense, that of the tile,
-/// because the neighbors cover the flanks. None if the flanks are outside the image.
+/// Background under `line` in row `r`, taken from its flanks. Neighbors cover the flanks of dense
+/// lines: there it is that of the tile. None if the flanks are outside the image.
 /// @param rows  CV_32FC1; lines cross the rows.
 [[nodiscard]] std::optional<FlankLevel> level_under_line(const cv::Mat& rows, int r,
                                                          const LineFit& line,

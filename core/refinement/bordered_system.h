@@ -1,4 +1,4 @@
-/// @file  The normal equations of the poses, with a few unknowns beside them that many views share.
+/// @file  The normal equations of the poses, and of a few more unknowns that many views share.
 #pragma once
 
 #include <span>

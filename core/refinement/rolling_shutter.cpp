@@ -10,8 +10,8 @@
 namespace flytri::refinement {
 namespace {
 
-/// The shortest readout that is worth a correction: at 10 mm/s the points at both ends of the image
-/// are 15 µm off their place.
+/// Shorter readouts are not corrected. At 10 mm/s, points at the image border are then at most
+/// 15 µm off.
 constexpr double kLongReadout_s = 3e-3;
 /// An estimate this many times its uncertainty is sure: the data of a scan are not independent.
 constexpr double kSureSigmas = 8.0;

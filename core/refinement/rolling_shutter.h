@@ -1,5 +1,5 @@
-/// @file  Where a measured point was at the time of its view, if a rolling shutter saw it before or
-///        after that time.
+/// @file  A rolling shutter sees points before or after the time of their view: moves them to where
+///        they were at that time.
 #pragma once
 
 #include <functional>

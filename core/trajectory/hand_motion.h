@@ -1,5 +1,5 @@
-/// @file  Predicts the next pose of a hand, and how far it may be off in each direction: from poses
-///          that the surface fixes only in some directions.
+/// @file  Predicts the next pose of a hand, and how far off it may be in each direction. The
+///        surface need not fix all directions of the poses before.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace flytri::trajectory {
 
-/// Unknowns as in registration::StepFrame: rotation about a center times the arm, then translation,
-/// world axes, mm.
+/// Unknowns as in registration::StepFrame, along world axes, mm: rotation about a center times the
+/// arm, then translation.
 struct MotionPrediction {
   Isometry T_world_sensor = Isometry::Identity();
   Vec3 center_mm = Vec3::Zero();             ///< of the view, world frame

@@ -12,9 +12,9 @@ namespace flytri::trajectory {
 /// T_world_sensor * exp_twist(dt_s * velocity), to first order in dt_s. So it is a twist per
 /// second, in the frame of the sensor: rad/s and mm/s.
 ///
-/// The derivative of a cubic in time through two poses before and two after. It follows a hand that
-/// trembles: at 30 poses a second it loses 4 % of a motion of 5 Hz. At an end of the path, or
-/// beside a gap, it is that of a parabola; zero if a pose has no neighbor.
+/// The slope of a cubic through a pose, two before and two after. At 30 poses a second it loses
+/// only 4 % of a tremor of 5 Hz. At an end of the path, or beside a gap, a parabola takes its
+/// place. Zero if a pose has no neighbor.
 /// @param path       by rising time, at distinct times
 /// @param max_gap_s  > 0. Poses across a longer gap are not used together.
 [[nodiscard]] std::vector<Twist> sensor_velocities(std::span<const TimedPose> path,

@@ -18,8 +18,8 @@ namespace {
 
 // Number of moments that are averaged over an exposure.
 constexpr int kMotionSteps = 5;
-// Rows of a rolling shutter that are exposed together. In 16 of 768 rows a sensor moves by 3 µm at
-// most (10 mm/s, 15 ms).
+// Rows of a rolling shutter that are exposed together. While 16 of 768 rows are read in 15 ms, a
+// sensor of 10 mm/s moves by 3 µm.
 constexpr int kBand_px = 16;
 // Room light varies slowly: one ray per block with this side length.
 constexpr int kAmbientBlock_px = 8;
