@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/rigid.h"
@@ -79,6 +80,11 @@ class CellKey {
 
 /// Sorts keys and removes duplicates.
 void sort_unique(std::vector<CellKey>& keys);
+
+/// The cell of something, and its index in a list.
+using CellMember = std::pair<CellKey, std::uint32_t>;
+/// Sorts by cell; members of one cell keep their order.
+void sort_by_cell(std::vector<CellMember>& members);
 
 /// Position of a cell along a Morton curve: cells that are near in space are usually near on the
 /// curve.

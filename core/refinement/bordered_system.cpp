@@ -1,18 +1,11 @@
 #include "core/refinement/bordered_system.h"
 
 namespace flytri::refinement {
-namespace {
-
-/// First entry of a view.
-Eigen::Index first_of_view(std::size_t view) { return 6 * static_cast<Eigen::Index>(view); }
-
-}  // namespace
-
 BorderedSystem::BorderedSystem(ReducedSystem& poses, std::size_t view_count,
                                std::size_t group_count, std::size_t group_size)
     : poses_(poses), group_count_(group_count), size_(static_cast<Eigen::Index>(group_size)) {
   const Eigen::Index count = first_of(group_count);
-  with_views_ = Eigen::MatrixXd::Zero(first_of_view(view_count), count);
+  with_views_ = Eigen::MatrixXd::Zero(first_entry_of(view_count), count);
   information_ = Eigen::MatrixXd::Zero(count, count);
   gradient_ = Eigen::VectorXd::Zero(count);
 }
@@ -27,7 +20,7 @@ void BorderedSystem::add_cell(std::span<const CellViewShare> shares) {
     const Eigen::Index at = first_of(shared.group);
     information_.block(at, at, size_, size_) += shared.information;
     gradient_.segment(at, size_) += shared.gradient;
-    with_views_.block(first_of_view(share.block.view), at, 6, size_) += shared.with_view;
+    with_views_.block(first_entry_of(share.block.view), at, 6, size_) += shared.with_view;
     couplings[shared.group] += shared.coupling;
     used[shared.group] = true;
   }
@@ -35,7 +28,7 @@ void BorderedSystem::add_cell(std::span<const CellViewShare> shares) {
     if (!used[k]) continue;
     const SharedMatrix transposed = couplings[k].transpose();
     for (const CellViewShare& share : shares) {
-      with_views_.block(first_of_view(share.block.view), first_of(k), 6, size_).noalias() -=
+      with_views_.block(first_entry_of(share.block.view), first_of(k), 6, size_).noalias() -=
           share.block.coupling * transposed;
     }
     for (std::size_t l = 0; l < group_count_; ++l) {

@@ -21,9 +21,11 @@ constexpr double kMinValidShare = 0.5;
 constexpr double kEnlargement = 1.5;
 constexpr int kMaxEnlargements = 3;
 
-double median_abs(std::vector<double>& values) { return values.empty() ? 0.0 : median_of(values); }
+double robust_sigma_of(std::vector<double>& sizes) {
+  return sizes.empty() ? 0.0 : kSigmaOfMedian * median_of(sizes);
+}
 
-void measure_spread(FittedSurfaces& surfaces) {
+void measure_spread(FittedSurfaces& surfaces, const Workers& workers) {
   std::vector<double> normalized;
   std::vector<double> plain;
   for (const auto& cell : surfaces.residuals) {
@@ -33,8 +35,10 @@ void measure_spread(FittedSurfaces& surfaces) {
       plain.push_back(std::abs(r.residual_mm));
     }
   }
-  surfaces.spread = std::max(kSigmaOfMedian * median_abs(normalized), 1e-12);
-  surfaces.robust_sigma_mm = kSigmaOfMedian * median_abs(plain);
+  workers.for_each(2, [&](std::size_t i) {
+    if (i == 0) surfaces.spread = std::max(robust_sigma_of(normalized), 1e-12);
+    if (i == 1) surfaces.robust_sigma_mm = robust_sigma_of(plain);
+  });
 }
 
 /// Share of the data that lies in cells with a surface.
@@ -117,7 +121,7 @@ JointEquations::JointEquations(std::span<const AlignedView> views,
     : options_(options), workers_(workers) {
   cell_mm_ =
       options.cell_mm > 0.0 ? options.cell_mm : kCellSpacings * median_point_spacing_mm(views);
-  if (cell_mm_ > 0.0) data_ = gather_data(views, kDatumShare * cell_mm_);
+  if (cell_mm_ > 0.0) data_ = gather_data(views, kDatumShare * cell_mm_, workers);
 }
 
 void JointEquations::set_projectors(MovedProjectors projectors) {
@@ -188,7 +192,7 @@ std::vector<Vec3> JointEquations::view_centers_mm(std::span<const Isometry> pose
 Result<FittedSurfaces> JointEquations::fit_surfaces_of(std::span<const Isometry> poses,
                                                        double cell_mm,
                                                        const Progress& progress) const {
-  FittedSurfaces surfaces{cell_mm, divide_space(data_, poses, cell_mm), {}, 1.0, 0.0};
+  FittedSurfaces surfaces{cell_mm, divide_space(data_, poses, cell_mm, workers_), {}, 1.0, 0.0};
   surfaces.residuals.resize(surfaces.cells.size());
   const auto fit = [&](std::size_t c) {
     SurfaceCell& cell = surfaces.cells[c];
@@ -201,7 +205,7 @@ Result<FittedSurfaces> JointEquations::fit_surfaces_of(std::span<const Isometry>
     }
   };
   if (!workers_.for_each_unless_cancelled(surfaces.cells.size(), fit, progress)) return stopped();
-  measure_spread(surfaces);
+  measure_spread(surfaces, workers_);
   return surfaces;
 }
 

@@ -107,7 +107,7 @@ bool LengthJudge::add_motion(const FittedSurfaces& surfaces, const Vec3& p_mm,
     const Twist pull = information * *share;
     Twist of_view = pull;
     of_view.head<3>() += (p_mm - centers_mm_[view]).cross(pull.tail<3>());
-    motion.segment<6>(6 * static_cast<Eigen::Index>(view)) += of_view;
+    motion.segment<6>(first_entry_of(view)) += of_view;
   }
   return true;
 }
@@ -117,8 +117,7 @@ double LengthJudge::scatter_of(const Eigen::VectorXd& influence) const {
   for (const Cluster& cluster : clusters_) {
     double of_cluster = 0.0;
     for (const ViewGradient& part : cluster.gradients) {
-      of_cluster +=
-          part.gradient.dot(influence.segment<6>(6 * static_cast<Eigen::Index>(part.view)));
+      of_cluster += part.gradient.dot(influence.segment<6>(first_entry_of(part.view)));
     }
     sum += of_cluster * of_cluster;
   }
@@ -129,7 +128,7 @@ Result<std::optional<double>> LengthJudge::judge(const Span& span, const FittedS
                                                  const ReducedSystem& system,
                                                  const Progress& progress) const {
   const Vec3 direction = (span.to_mm - span.from_mm).normalized();
-  Eigen::VectorXd motion = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(poses_.size()));
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(first_entry_of(poses_.size()));
   if (!add_motion(surfaces, span.to_mm, direction, motion) ||
       !add_motion(surfaces, span.from_mm, -direction, motion)) {
     progress.advance();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace flytri::refinement {
 namespace {
@@ -13,6 +14,9 @@ constexpr int kMaxIterations = 400;
 /// Relative to the norm of the first residual; far below the change in one step of the outer
 /// iteration.
 constexpr double kTolerance = 1e-5;
+/// Parts of the cells whose products with x are summed by themselves. Their number is fixed, so
+/// that the sums do not depend on the number of threads.
+constexpr std::size_t kParts = 32;
 
 Eigen::Matrix3d cross_matrix(const Vec3& v) {
   Eigen::Matrix3d m;
@@ -25,21 +29,15 @@ Eigen::Matrix3d cross_matrix(const Vec3& v) {
 ReducedSystem::ReducedSystem(std::vector<Vec3> centers_mm)
     : centers_mm_(std::move(centers_mm)),
       information_(centers_mm_.size(), Matrix6::Zero()),
-      gradient_(Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(centers_mm_.size()))),
-      blocks_of_view_(centers_mm_.size()) {
+      coupled_(centers_mm_.size(), Matrix6::Zero()),
+      gradient_(Eigen::VectorXd::Zero(first_entry_of(centers_mm_.size()))) {
   group_size_ = std::max<std::size_t>(1, (centers_mm_.size() + kMaxGroups - 1) / kMaxGroups);
   group_count_ = (centers_mm_.size() + group_size_ - 1) / group_size_;
 }
 
-void ReducedSystem::reserve(std::size_t block_count) {
-  blocks_.reserve(block_count);
-  cell_of_block_.reserve(block_count);
-}
-
 void ReducedSystem::add_cell(const std::vector<CellViewBlock>& blocks) {
   for (const CellViewBlock& block : blocks) {
-    blocks_of_view_[block.view].push_back(static_cast<std::uint32_t>(blocks_.size()));
-    cell_of_block_.push_back(static_cast<std::uint32_t>(cell_starts_.size() - 1));
+    coupled_[block.view].noalias() += block.coupling * block.coupling.transpose();
     blocks_.push_back(block);
   }
   cell_starts_.push_back(blocks_.size());
@@ -47,12 +45,23 @@ void ReducedSystem::add_cell(const std::vector<CellViewBlock>& blocks) {
 
 void ReducedSystem::add_view(std::size_t view, const Matrix6& information, const Twist& gradient) {
   information_[view] += information;
-  gradient_.segment<6>(6 * static_cast<Eigen::Index>(view)) += gradient;
+  gradient_.segment<6>(first_entry_of(view)) += gradient;
 }
 
 void ReducedSystem::finish(const Workers& workers, double damping) {
   finish_views(workers, damping);
   finish_groups();
+  divide_into_parts();
+}
+
+/// Into parts with about the same number of blocks.
+void ReducedSystem::divide_into_parts() {
+  part_starts_.clear();
+  for (std::size_t part = 0; part <= kParts; ++part) {
+    const auto first = std::lower_bound(cell_starts_.begin(), cell_starts_.end() - 1,
+                                        part * blocks_.size() / kParts);
+    part_starts_.push_back(static_cast<std::size_t>(first - cell_starts_.begin()));
+  }
 }
 
 void ReducedSystem::finish_views(const Workers& workers, double damping) {
@@ -62,10 +71,7 @@ void ReducedSystem::finish_views(const Workers& workers, double damping) {
     D.diagonal() += damping * D.diagonal();
     // A view that is in no cell does not move.
     if (D.trace() <= 0.0) D = Matrix6::Identity();
-    Matrix6 own = D;
-    for (const std::uint32_t b : blocks_of_view_[v]) {
-      own.noalias() -= blocks_[b].coupling * blocks_[b].coupling.transpose();
-    }
+    Matrix6 own = D - coupled_[v];
     own.diagonal() += damping * D.diagonal();
     view_inverse_[v] = inverse_of_symmetric(own);
   });
@@ -79,10 +85,10 @@ Matrix6 ReducedSystem::lift(std::size_t view) const {
 }
 
 void ReducedSystem::finish_groups() {
-  const auto size = 6 * static_cast<Eigen::Index>(group_count_);
+  const auto size = first_entry_of(group_count_);
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t v = 0; v < centers_mm_.size(); ++v) {
-    const auto at = 6 * static_cast<Eigen::Index>(group_of(v));
+    const auto at = first_entry_of(group_of(v));
     const Matrix6 P = lift(v);
     H.block<6, 6>(at, at) += P.transpose() * information_[v] * P;
   }
@@ -90,7 +96,7 @@ void ReducedSystem::finish_groups() {
   for (std::size_t cell = 0; cell + 1 < cell_starts_.size(); ++cell) {
     lifted.clear();
     for (std::size_t b = cell_starts_[cell]; b < cell_starts_[cell + 1]; ++b) {
-      const auto at = 6 * static_cast<Eigen::Index>(group_of(blocks_[b].view));
+      const auto at = first_entry_of(group_of(blocks_[b].view));
       const Matrix6 M = lift(blocks_[b].view).transpose() * blocks_[b].coupling;
       if (lifted.empty() || lifted.back().first != at) lifted.emplace_back(at, Matrix6::Zero());
       lifted.back().second += M;
@@ -107,44 +113,39 @@ void ReducedSystem::finish_groups() {
 }
 
 Eigen::VectorXd ReducedSystem::apply(const Eigen::VectorXd& x, const Workers& workers) const {
-  const std::size_t cell_count = cell_starts_.size() - 1;
-  std::vector<Twist> cell_sums(cell_count);
-  constexpr std::size_t kGrain = 64;
-  workers.for_each(
-      cell_count,
-      [&](std::size_t cell) {
-        Twist sum = Twist::Zero();
-        for (std::size_t b = cell_starts_[cell]; b < cell_starts_[cell + 1]; ++b) {
-          const auto at = 6 * static_cast<Eigen::Index>(blocks_[b].view);
-          sum.noalias() += blocks_[b].coupling.transpose() * x.segment<6>(at);
-        }
-        cell_sums[cell] = sum;
-      },
-      kGrain);
-  Eigen::VectorXd y(x.size());
-  workers.for_each(centers_mm_.size(), [&](std::size_t v) {
-    const auto at = 6 * static_cast<Eigen::Index>(v);
-    Twist sum = information_[v] * x.segment<6>(at);
-    for (const std::uint32_t b : blocks_of_view_[v]) {
-      sum.noalias() -= blocks_[b].coupling * cell_sums[cell_of_block_[b]];
+  // Reading the blocks takes most of the time, so each cell is read once.
+  Eigen::MatrixXd of_parts(x.size(), static_cast<Eigen::Index>(kParts));
+  workers.for_each(kParts, [&](std::size_t part) {
+    auto y = of_parts.col(static_cast<Eigen::Index>(part));
+    y.setZero();
+    for (std::size_t cell = part_starts_[part]; cell < part_starts_[part + 1]; ++cell) {
+      const std::span blocks(blocks_.data() + cell_starts_[cell],
+                             blocks_.data() + cell_starts_[cell + 1]);
+      Twist sum = Twist::Zero();
+      for (const CellViewBlock& block : blocks)
+        sum.noalias() += block.coupling.transpose() * x.segment<6>(first_entry_of(block.view));
+      for (const CellViewBlock& block : blocks)
+        y.segment<6>(first_entry_of(block.view)).noalias() -= block.coupling * sum;
     }
-    y.segment<6>(at) = sum;
   });
+  Eigen::VectorXd y = of_parts.rowwise().sum();
+  for (std::size_t v = 0; v < centers_mm_.size(); ++v)
+    y.segment<6>(first_entry_of(v)).noalias() += information_[v] * x.segment<6>(first_entry_of(v));
   return y;
 }
 
 Eigen::VectorXd ReducedSystem::precondition(const Eigen::VectorXd& r) const {
-  Eigen::VectorXd coarse = Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(group_count_));
+  Eigen::VectorXd coarse = Eigen::VectorXd::Zero(first_entry_of(group_count_));
   for (std::size_t v = 0; v < centers_mm_.size(); ++v) {
-    coarse.segment<6>(6 * static_cast<Eigen::Index>(group_of(v))) +=
-        lift(v).transpose() * r.segment<6>(6 * static_cast<Eigen::Index>(v));
+    coarse.segment<6>(first_entry_of(group_of(v))) +=
+        lift(v).transpose() * r.segment<6>(first_entry_of(v));
   }
   coarse = group_solver_.solve(coarse).eval();
   Eigen::VectorXd z(r.size());
   for (std::size_t v = 0; v < centers_mm_.size(); ++v) {
-    const auto at = 6 * static_cast<Eigen::Index>(v);
+    const auto at = first_entry_of(v);
     z.segment<6>(at) = view_inverse_[v] * r.segment<6>(at) +
-                       lift(v) * coarse.segment<6>(6 * static_cast<Eigen::Index>(group_of(v)));
+                       lift(v) * coarse.segment<6>(first_entry_of(group_of(v)));
   }
   return z;
 }

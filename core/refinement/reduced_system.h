@@ -13,6 +13,11 @@
 
 namespace flytri::refinement {
 
+/// The first of the six entries of a view, or of a group of views, in a vector.
+[[nodiscard]] inline Eigen::Index first_entry_of(std::size_t index) {
+  return 6 * static_cast<Eigen::Index>(index);
+}
+
 /// Contribution of one cell to one of its views. J is the Jacobian of the residuals with respect to
 /// the view's twist, A with respect to the surface's six parameters, W the weights, and L L^T = A^T
 /// W A.
@@ -29,7 +34,7 @@ class ReducedSystem {
   explicit ReducedSystem(std::vector<Vec3> centers_mm);
 
   /// Reserves memory for the blocks, which need most of the memory.
-  void reserve(std::size_t block_count);
+  void reserve(std::size_t block_count) { blocks_.reserve(block_count); }
   /// Adds a cell; `blocks` by rising view.
   void add_cell(const std::vector<CellViewBlock>& blocks);
   /// Adds to a view's own information J^T W J and to its gradient.
@@ -66,14 +71,15 @@ class ReducedSystem {
   [[nodiscard]] Eigen::VectorXd precondition(const Eigen::VectorXd& r) const;
   void finish_views(const Workers& workers, double damping);
   void finish_groups();
+  void divide_into_parts();
 
   std::vector<Vec3> centers_mm_;
   std::vector<Matrix6> information_;  ///< D, by view
+  std::vector<Matrix6> coupled_;      ///< sum of M M^T, by view
   Eigen::VectorXd gradient_;
   std::vector<CellViewBlock> blocks_;           ///< cell after cell
   std::vector<std::size_t> cell_starts_ = {0};  ///< in blocks_
-  std::vector<std::vector<std::uint32_t>> blocks_of_view_;
-  std::vector<std::uint32_t> cell_of_block_;
+  std::vector<std::size_t> part_starts_;        ///< parts of the cells, for H x
   std::vector<Matrix6> view_inverse_;
   std::size_t group_size_ = 1;
   std::size_t group_count_ = 1;

@@ -27,6 +27,8 @@ constexpr double kProjectorShift_mm = 0.1, kProjectorTurn_rad = 2e-3;
 constexpr double kReadout_s = 0.1;
 /// A solution is not converged while the readout changes by more than this.
 constexpr double kSettledReadout_s = 1e-4;
+/// Enough views to tell the readout, which is the same for all.
+constexpr std::size_t kMostReadoutViews = 300;
 /// Enough data to tell how the whole scan has moved.
 constexpr std::size_t kMostMotionData = 20000;
 
@@ -169,12 +171,12 @@ bool JointRefiner::move(const FittedSurfaces& step, const Progress& progress) {
   const auto x = solve(step, centers, progress);
   if (!x) return false;
   for (std::size_t v = 0; v < now_.poses.size(); ++v) {
-    const Twist twist = x->views.segment<6>(6 * static_cast<Eigen::Index>(v));
+    const Twist twist = x->views.segment<6>(first_entry_of(v));
     const Eigen::Translation3d to_center(-centers[v]);
     now_.poses[v] = to_center.inverse() * exp_twist(twist) * to_center * now_.poses[v];
   }
   for (std::size_t k = 0; k < equations_.projectors().count; ++k) {
-    now_.motions[k] += x->shared.segment<6>(6 * static_cast<Eigen::Index>(k));
+    now_.motions[k] += x->shared.segment<6>(first_entry_of(k));
   }
   if (equations_.has_rolling_shutter()) {
     readout_change_s_ = x->shared[0];
@@ -256,12 +258,13 @@ Result<Refinement> JointRefiner::run() {
   }
   const auto step_count = static_cast<std::size_t>(options_.max_steps);
   State best = now_;
+  std::optional<FittedSurfaces> best_surfaces;
   double former_sigma_mm = 0.0;
   double cell_mm = 0.0;
   double rest = 1.0;
   for (std::size_t i = 0; i <= step_count; ++i, rest *= 1.0 - kStepShare) {
     const Progress of_step = progress_.part(kStepShare * rest);
-    const auto step = equations_.fit_surfaces(now_.poses, of_step.part(kSurfaceShare));
+    auto step = equations_.fit_surfaces(now_.poses, of_step.part(kSurfaceShare));
     if (!step) return stop_at(std::move(best));
     const bool comparable = step->cell_mm == cell_mm;
     if (comparable && step->robust_sigma_mm > kMaxWorsening * former_sigma_mm) {
@@ -270,18 +273,19 @@ Result<Refinement> JointRefiner::run() {
     }
     cell_mm = step->cell_mm;
     best = now_;
-    result_.robust_sigma_mm.push_back(step->robust_sigma_mm);
-    rate_views(*step);
-    const double change_mm = std::abs(step->robust_sigma_mm - former_sigma_mm);
-    const bool converged = comparable &&
-                           change_mm < options_.convergence_share * step->robust_sigma_mm &&
+    best_surfaces = *std::move(step);
+    const double sigma_mm = best_surfaces->robust_sigma_mm;
+    result_.robust_sigma_mm.push_back(sigma_mm);
+    const double change_mm = std::abs(sigma_mm - former_sigma_mm);
+    const bool converged = comparable && change_mm < options_.convergence_share * sigma_mm &&
                            std::abs(readout_change_s_) < kSettledReadout_s;
-    former_sigma_mm = step->robust_sigma_mm;
+    former_sigma_mm = sigma_mm;
     result_.outcome = converged ? RefineOutcome::kConverged : RefineOutcome::kStepLimit;
     if (converged || i == step_count) break;
-    if (!move(*step, of_step.part(1.0 - kSurfaceShare))) return stop_at(std::move(best));
+    if (!move(*best_surfaces, of_step.part(1.0 - kSurfaceShare))) return stop_at(std::move(best));
     result_.steps = static_cast<int>(i) + 1;
   }
+  if (best_surfaces) rate_views(*best_surfaces);
   progress_.advance(rest * (1.0 - kStepShare * kSurfaceShare));
   fix_world();
   return result_;
@@ -347,7 +351,9 @@ Result<Readout> estimate_readout(std::span<const AlignedView> views, const RowSh
                                  const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
-  std::vector<AlignedView> unchanged(views.begin(), views.end());
+  const std::size_t count = std::min(views.size(), kMostReadoutViews);
+  const auto some = views.subspan((views.size() - count) / 2, count);
+  std::vector<AlignedView> unchanged(some.begin(), some.end());
   JointRefiner refiner(unchanged, options, workers, progress);
   refiner.find_readout(row_share, 0.0);
   return refiner.estimate();

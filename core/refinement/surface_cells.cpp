@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/base/median.h"
 #include "core/geometry/cell_key.h"
@@ -28,11 +29,10 @@ Quadric terms_at(double a, double b) {
   return terms;
 }
 
-/// A datum in the frame of its cell.
-struct LocalDatum {
-  double a, b;  ///< in units of the cell
-  double h_mm;
-  double sigma_mm;
+/// The data of a cell in its frame, a row each.
+struct LocalData {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> terms;
+  Eigen::ArrayXd h_mm, sigma_mm;
 };
 
 bool seen_by_two_views(const SurfaceCell& cell, std::span<const Datum> data) {
@@ -59,35 +59,28 @@ bool orient(SurfaceCell& cell, std::span<const Vec3> points, const Vec3& ray) {
   return true;
 }
 
-double robust_sigma(std::vector<double> normalized) {
-  for (double& value : normalized) value = std::abs(value);
-  return kSigmaOfMedian * median_of(normalized);
+double robust_sigma(const Eigen::ArrayXd& normalized) {
+  std::vector<double> sizes(normalized.begin(), normalized.end());
+  for (double& size : sizes) size = std::abs(size);
+  return kSigmaOfMedian * median_of(sizes);
 }
 
 /// Iteratively reweighted least squares. False if the data do not determine the surface.
-bool fit_quadric(SurfaceCell& cell, std::span<const LocalDatum> local) {
-  std::vector<double> weights(local.size(), 1.0);
-  std::vector<double> normalized(local.size());
+bool fit_quadric(SurfaceCell& cell, const LocalData& local) {
+  const Eigen::ArrayXd information = local.sigma_mm.square().inverse();
+  Eigen::ArrayXd weights = information;
   for (int iteration = 0; iteration < kFitIterations; ++iteration) {
-    Matrix6 N = Matrix6::Zero();
-    Quadric right = Quadric::Zero();
-    for (std::size_t i = 0; i < local.size(); ++i) {
-      const Quadric terms = terms_at(local[i].a, local[i].b);
-      const double weight = weights[i] / (local[i].sigma_mm * local[i].sigma_mm);
-      N += weight * terms * terms.transpose();
-      right += weight * local[i].h_mm * terms;
-    }
+    const Eigen::Matrix<double, Eigen::Dynamic, 6> weighted =
+        local.terms.array().colwise() * weights;
+    const Matrix6 N = weighted.transpose() * local.terms;
+    const Quadric right = weighted.transpose() * local.h_mm.matrix();
     const auto surface = solve_symmetric(N, right, kMinCondition);
     if (!surface) return false;
     cell.surface = *surface;
-    for (std::size_t i = 0; i < local.size(); ++i) {
-      const double height = cell.surface.dot(terms_at(local[i].a, local[i].b));
-      normalized[i] = (local[i].h_mm - height) / local[i].sigma_mm;
-    }
+    const Eigen::ArrayXd normalized =
+        (local.h_mm - (local.terms * cell.surface).array()) / local.sigma_mm;
     const double limit = kFitTukeySigmas * std::max(robust_sigma(normalized), 1e-9);
-    for (std::size_t i = 0; i < local.size(); ++i) {
-      weights[i] = tukey_weight(normalized[i], limit);
-    }
+    weights = information * normalized.unaryExpr([&](double r) { return tukey_weight(r, limit); });
   }
   return true;
 }
@@ -101,40 +94,60 @@ double tukey_weight(double normalized_residual, double limit) {
   return rest * rest;
 }
 
-std::vector<Datum> gather_data(std::span<const AlignedView> views, double length_mm) {
-  std::vector<Datum> data;
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    for (const Profile& profile : views[v].view->profiles) {
-      const auto& points = profile.points;
-      for (std::size_t begin = 0; begin < points.size();) {
-        Datum datum{Vec3::Zero(), Vec3::Zero(), profile.sheet_normal, ViewIndex(v)};
-        std::size_t end = begin;
-        while (end < points.size() &&
-               (points[end].position_mm - points[begin].position_mm).norm() <= length_mm) {
-          datum.position_mm += points[end].position_mm;
-          datum.deviation_mm += points[end].deviation_mm.cast<double>();
-          ++end;
-        }
-        const double count = static_cast<double>(end - begin);
-        datum.position_mm /= count;
-        // The uncertainty of the mean of n points is smaller by sqrt(n).
-        datum.deviation_mm /= count * std::sqrt(count);
-        data.push_back(datum);
-        begin = end;
-      }
+namespace {
+
+void gather_data(const Profile& profile, ViewIndex view, double length_mm,
+                 std::vector<Datum>& data) {
+  const auto& points = profile.points;
+  for (std::size_t begin = 0; begin < points.size();) {
+    Datum datum{Vec3::Zero(), Vec3::Zero(), profile.sheet_normal, view};
+    std::size_t end = begin;
+    while (end < points.size() &&
+           (points[end].position_mm - points[begin].position_mm).norm() <= length_mm) {
+      datum.position_mm += points[end].position_mm;
+      datum.deviation_mm += points[end].deviation_mm.cast<double>();
+      ++end;
     }
+    const double count = static_cast<double>(end - begin);
+    datum.position_mm /= count;
+    // The uncertainty of the mean of n points is smaller by sqrt(n).
+    datum.deviation_mm /= count * std::sqrt(count);
+    data.push_back(datum);
+    begin = end;
   }
+}
+
+}  // namespace
+
+std::vector<Datum> gather_data(std::span<const AlignedView> views, double length_mm,
+                               const Workers& workers) {
+  std::vector<std::vector<Datum>> of_views(views.size());
+  workers.for_each(views.size(), [&](std::size_t v) {
+    for (const Profile& profile : views[v].view->profiles)
+      gather_data(profile, ViewIndex(v), length_mm, of_views[v]);
+  });
+  std::size_t count = 0;
+  for (const std::vector<Datum>& of_view : of_views) count += of_view.size();
+  std::vector<Datum> data;
+  data.reserve(count);
+  for (const std::vector<Datum>& of_view : of_views)
+    data.insert(data.end(), of_view.begin(), of_view.end());
   return data;
 }
 
 std::vector<SurfaceCell> divide_space(std::span<const Datum> data,
-                                      std::span<const Isometry> T_world_sensor, double cell_mm) {
-  std::vector<std::pair<CellKey, std::uint32_t>> keys(data.size());
-  for (std::uint32_t i = 0; i < data.size(); ++i) {
-    const Vec3 p_world = T_world_sensor[data[i].view.at()] * data[i].position_mm;
-    keys[i] = {CellKey::at(p_world, cell_mm), i};
-  }
-  std::sort(keys.begin(), keys.end());
+                                      std::span<const Isometry> T_world_sensor, double cell_mm,
+                                      const Workers& workers) {
+  constexpr std::size_t kGrain = 4096;
+  std::vector<CellMember> keys(data.size());
+  workers.for_each(
+      data.size(),
+      [&](std::size_t i) {
+        const Vec3 p_world = T_world_sensor[data[i].view.at()] * data[i].position_mm;
+        keys[i] = {CellKey::at(p_world, cell_mm), static_cast<std::uint32_t>(i)};
+      },
+      kGrain);
+  sort_by_cell(keys);
   std::vector<SurfaceCell> cells;
   for (std::size_t begin = 0; begin < keys.size();) {
     std::size_t end = begin;
@@ -163,14 +176,25 @@ void fit_surface(SurfaceCell& cell, std::span<const Datum> data,
     ray += T.linear().col(2);
   }
   if (!orient(cell, points, ray)) return;
-  std::vector<LocalDatum> local;
+  LocalData local;
+  const auto size = static_cast<Eigen::Index>(points.size());
+  local.terms.resize(size, 6);
+  local.h_mm.resize(size);
+  local.sigma_mm.resize(size);
+  Eigen::Index count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3 p = cell.R_world_cell.transpose() * (points[i] - cell.origin_mm);
     const double sigma_mm = std::abs(rays[i].dot(cell.R_world_cell.col(2)));
     if (sigma_mm < kMinRaySine * rays[i].norm()) continue;
-    local.push_back({p.x() / cell_mm, p.y() / cell_mm, p.z(), sigma_mm});
+    local.terms.row(count) = terms_at(p.x() / cell_mm, p.y() / cell_mm);
+    local.h_mm[count] = p.z();
+    local.sigma_mm[count] = sigma_mm;
+    ++count;
   }
-  if (local.size() < kMinData) return;
+  if (count < static_cast<Eigen::Index>(kMinData)) return;
+  local.terms.conservativeResize(count, 6);
+  local.h_mm.conservativeResize(count);
+  local.sigma_mm.conservativeResize(count);
   cell.valid = fit_quadric(cell, local);
 }
 

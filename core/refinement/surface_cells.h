@@ -21,7 +21,8 @@ struct Datum {
 
 /// All data of a scan, sorted by view.
 /// @param length_mm  > 0, length of a profile that becomes one datum
-[[nodiscard]] std::vector<Datum> gather_data(std::span<const AlignedView> views, double length_mm);
+[[nodiscard]] std::vector<Datum> gather_data(std::span<const AlignedView> views, double length_mm,
+                                             const Workers& workers);
 
 /// Terms of the local surface h(a, b) = s . (1, a, b, aa, ab, bb), a and b in units of the cell.
 using Quadric = Eigen::Matrix<double, 6, 1>;
@@ -49,7 +50,7 @@ struct SurfaceResidual {
 /// Sorts the data into cubes of space.
 [[nodiscard]] std::vector<SurfaceCell> divide_space(std::span<const Datum> data,
                                                     std::span<const Isometry> T_world_sensor,
-                                                    double cell_mm);
+                                                    double cell_mm, const Workers& workers);
 
 /// Fits the surface of a cell robustly. The cell stays invalid if its data do not form one surface.
 void fit_surface(SurfaceCell& cell, std::span<const Datum> data,
