@@ -7,12 +7,12 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/square.h"
+
 namespace flytri {
 namespace {
 
 constexpr std::uint32_t kNoRow = std::numeric_limits<std::uint32_t>::max();
-
-float square(float x) { return x * x; }
 
 /// Distance from `x` to the interval of cell `i`.
 float gap_to_cell(float x, std::int32_t i, float cell) {

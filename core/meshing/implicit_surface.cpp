@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/square.h"
 #include "core/geometry/decompositions.h"
 
 namespace flytri::meshing {
@@ -27,8 +28,6 @@ constexpr float kMaxEmptyAngle = 2.1F;
 constexpr float kSmoothShare = 0.9F;
 constexpr float kMinSmoothCosine = 0.8F;
 constexpr float kMaxSmoothOffset = 0.2F;
-
-float square(float x) { return x * x; }
 
 std::vector<Vec3f> positions_of(const PointCloud& points) {
   std::vector<Vec3f> positions;

@@ -39,20 +39,28 @@ class Run {
   Result<Reconstruction> from_views(std::vector<std::shared_ptr<const View>> views);
 
  private:
-  Result<void> measure_frames(const io::Recording& recording,
-                              const calibration::Calibration& calibration);
+  /// Reads all frames; registers the views of some while others are measured.
+  Result<void> read_frames(const io::Recording& recording,
+                           const calibration::Calibration& calibration,
+                           tracking::Registrar& registrar);
+  Result<void> read_frame(const io::Recording& recording,
+                          const calibration::Calibration& calibration, std::size_t i);
   Result<void> measure_frame(const io::Recording& recording,
-                             const calibration::Calibration& calibration, std::size_t i);
+                             const calibration::Calibration& calibration, std::size_t i,
+                             const Frame& frame);
   void accept_frames(std::size_t count);
+  /// Registers views_[begin] to views_[end - 1].
+  void register_views(tracking::Registrar& registrar, std::size_t begin, std::size_t end) const;
+  Result<void> register_all_views(const calibration::Calibration* calibration);
+  /// Takes the registered views, and registers lost ones again.
   /// @param calibration  of the sensor; null: not known
-  Result<void> register_views(const calibration::Calibration* calibration);
+  Result<void> settle_views(tracking::Registrar& registrar,
+                            const calibration::Calibration* calibration);
   [[nodiscard]] Error nothing_registered() const;
   void accept_stage(const io::StoredStage& stage);
   FrameReport& report_of(FrameIndex frame);
   void reject(FrameIndex frame, std::string reason);
   [[nodiscard]] std::string first_rejection() const;
-  std::vector<Frame> load_texture_frames(const io::Recording& recording,
-                                         const calibration::Calibration& calibration);
   Result<Reconstruction> finish(ScannedViews scanned);
 
   std::string source_;
@@ -61,6 +69,7 @@ class Run {
   const Progress& progress_;
   StageClock clock_;
   std::vector<std::shared_ptr<const View>> views_;  ///< by frame; null: not measured
+  std::vector<Frame> texture_frames_;               ///< by rising time
   std::vector<AlignedView> aligned_;                ///< registered views by time
   Reconstruction result_;
 };
@@ -79,21 +88,30 @@ void Run::reject(FrameIndex frame, std::string reason) {
   report.T_world_sensor.reset();
 }
 
-/// Measures frame i, or writes into its report why not. A frame of the wrong size is an error: it
-/// is damaged, or the calibration belongs to another sensor.
-Result<void> Run::measure_frame(const io::Recording& recording,
-                                const calibration::Calibration& calibration, std::size_t i) {
+/// Reads frame i, or writes into its report why not. A frame of the wrong size is an error: it is
+/// damaged, or the calibration belongs to another sensor.
+Result<void> Run::read_frame(const io::Recording& recording,
+                             const calibration::Calibration& calibration, std::size_t i) {
   const FrameIndex index(i);
-  if (recording.frames[i].kind == FrameKind::kTexture) return {};
-  const Result<Frame> frame = io::load_frame(recording, index, sizes_of(calibration));
-  if (!frame && frame.error().code == ErrorCode::kInconsistent)
+  const bool is_texture = recording.frames[i].kind == FrameKind::kTexture;
+  Result<Frame> frame = io::load_frame(recording, index, sizes_of(calibration));
+  if (!frame && !is_texture && frame.error().code == ErrorCode::kInconsistent)
     return tl::unexpected(frame.error());
   if (!frame) {
     reject(index, frame.error().message);
     return {};
   }
+  if (!is_texture) return measure_frame(recording, calibration, i, *frame);
+  texture_frames_[i] = *std::move(frame);
+  return {};
+}
+
+Result<void> Run::measure_frame(const io::Recording& recording,
+                                const calibration::Calibration& calibration, std::size_t i,
+                                const Frame& frame) {
+  const FrameIndex index(i);
   Result<measurement::MeasuredView> measured =
-      measurement::measure_view(*frame, calibration, options_.measure);
+      measurement::measure_view(frame, calibration, options_.measure);
   if (!measured && measured.error().code == ErrorCode::kInconsistent) {
     const auto path = recording.folder / recording.frames[i].file;
     return fail(ErrorCode::kInconsistent, "{}: {}", path.string(), measured.error().message);
@@ -117,16 +135,26 @@ void Run::accept_frames(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) result_.frames[i].frame = FrameIndex(i);
 }
 
-Result<void> Run::measure_frames(const io::Recording& recording,
-                                 const calibration::Calibration& calibration) {
+Result<void> Run::read_frames(const io::Recording& recording,
+                              const calibration::Calibration& calibration,
+                              tracking::Registrar& registrar) {
+  constexpr std::size_t kBlock = 64;
   const std::size_t count = recording.frames.size();
   accept_frames(count);
-  progress_.begin_stage("Measuring lines");
+  texture_frames_.resize(count);
+  progress_.begin_stage("Measuring and registering lines", count);
   std::vector<Result<void>> outcomes(count);
-  const bool complete = workers_.for_each_unless_cancelled(
-      count, [&](std::size_t i) { outcomes[i] = measure_frame(recording, calibration, i); },
-      progress_);
-  if (!complete) return stopped();
+  for (std::size_t begin = 0; begin < count + kBlock; begin += kBlock) {
+    const std::size_t size = std::min(kBlock, count - std::min(begin, count));
+    // Views can only be registered in order: those of the block before meanwhile.
+    workers_.for_each(size + 1, [&](std::size_t i) {
+      if (progress_.cancelled()) return;
+      if (i == 0) return register_views(registrar, std::max(begin, kBlock) - kBlock, begin);
+      outcomes[begin + i - 1] = read_frame(recording, calibration, begin + i - 1);
+      progress_.advance();
+    });
+    if (progress_.cancelled()) return stopped();
+  }
   const bool is_of_this_sensor =
       std::any_of(views_.begin(), views_.end(), [](const auto& view) { return view != nullptr; });
   for (std::size_t i = 0; i < count; ++i) {
@@ -134,31 +162,41 @@ Result<void> Run::measure_frames(const io::Recording& recording,
     if (!is_of_this_sensor) return outcomes[i];
     reject(FrameIndex(i), outcomes[i].error().message);
   }
-  clock_.end_stage("image to view", count, "frames");
+  std::erase_if(texture_frames_, [](const Frame& frame) { return frame.image.empty(); });
+  clock_.end_stage("image to registered view", count, "frames");
   return {};
 }
 
-Result<void> Run::register_views(const calibration::Calibration* calibration) {
+void Run::register_views(tracking::Registrar& registrar, std::size_t begin, std::size_t end) const {
+  for (std::size_t i = begin; i < std::min(end, views_.size()); ++i) {
+    if (progress_.cancelled()) return;
+    if (views_[i] != nullptr) registrar.add(views_[i]);
+  }
+}
+
+Result<void> Run::register_all_views(const calibration::Calibration* calibration) {
   Result<tracking::Registrar> registrar = tracking::Registrar::create(options_.registration);
   if (!registrar) return tl::unexpected(registrar.error());
   progress_.begin_stage("Registering views", views_.size());
-  std::size_t view_count = 0;
-  for (const auto& view : views_) {
-    if (progress_.cancelled()) return stopped();
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    register_views(*registrar, i, i + 1);
     progress_.advance();
-    if (view == nullptr) continue;
-    registrar->add(view);
-    ++view_count;
   }
+  if (progress_.cancelled()) return stopped();
+  return settle_views(*registrar, calibration);
+}
+
+Result<void> Run::settle_views(tracking::Registrar& registrar,
+                               const calibration::Calibration* calibration) {
   progress_.begin_stage(kRecovering);
   const bool recovers = calibration != nullptr && options_.finish.correct_rolling_shutter;
   std::vector<tracking::RegisteredView> settled =
-      registrar->finish(tracking::Registrar::World::kFirstView,
-                        progress_.part(recovers ? 1.0 - kRecoveringShare : 1.0));
+      registrar.finish(tracking::Registrar::World::kFirstView,
+                       progress_.part(recovers ? 1.0 - kRecoveringShare : 1.0));
   if (progress_.cancelled()) return stopped();
   if (recovers) {
     auto recovered =
-        recover_views(*registrar, std::move(settled), *calibration, {options_.finish.refinement},
+        recover_views(registrar, std::move(settled), *calibration, {options_.finish.refinement},
                       workers_, progress_.part(kRecoveringShare));
     if (!recovered) return tl::unexpected(recovered.error());
     settled = *std::move(recovered);
@@ -174,7 +212,7 @@ Result<void> Run::register_views(const calibration::Calibration* calibration) {
                                 : FrameFate::kInterpolated;
     aligned_.push_back({registered.view, registered.T_world_sensor});
   }
-  clock_.end_stage("registration", view_count, "views");
+  clock_.end_stage("registration", settled.size(), "views");
   if (aligned_.size() >= 2) return {};
   return tl::unexpected(nothing_registered());
 }
@@ -209,22 +247,6 @@ std::string Run::first_rejection() const {
                                   [](const FrameReport& report) { return !report.reason.empty(); });
   if (first == result_.frames.end()) return {};
   return fmt::format("; frame {} was rejected: {}", first->frame.value, first->reason);
-}
-
-/// Loads the texture frames; rejects those that cannot be read.
-std::vector<Frame> Run::load_texture_frames(const io::Recording& recording,
-                                            const calibration::Calibration& calibration) {
-  std::vector<Frame> frames;
-  for (std::size_t i = 0; i < recording.frames.size(); ++i) {
-    if (recording.frames[i].kind != FrameKind::kTexture) continue;
-    Result<Frame> frame = io::load_frame(recording, FrameIndex(i), sizes_of(calibration));
-    if (!frame) {
-      reject(FrameIndex(i), frame.error().message);
-    } else {
-      frames.push_back(std::move(*frame));
-    }
-  }
-  return frames;
 }
 
 /// Finishes the scan and completes the frame reports.
@@ -266,12 +288,13 @@ Result<Reconstruction> Run::finish(ScannedViews scanned) {
 
 Result<Reconstruction> Run::from_recording(const io::Recording& recording,
                                            const calibration::Calibration& calibration) {
-  if (auto done = measure_frames(recording, calibration); !done) {
+  Result<tracking::Registrar> registrar = tracking::Registrar::create(options_.registration);
+  if (!registrar) return tl::unexpected(registrar.error());
+  if (auto done = read_frames(recording, calibration, *registrar); !done)
     return tl::unexpected(done.error());
-  }
-  if (auto done = register_views(&calibration); !done) return tl::unexpected(done.error());
-  return finish({aligned_, load_texture_frames(recording, calibration),
-                 editing::EditStack().state(), &calibration});
+  if (auto done = settle_views(*registrar, &calibration); !done)
+    return tl::unexpected(done.error());
+  return finish({aligned_, std::move(texture_frames_), editing::EditStack().state(), &calibration});
 }
 
 /// Creates a report for each frame of the stage.
@@ -305,7 +328,7 @@ Result<Reconstruction> Run::from_stage(const io::StoredStage& stage,
   // Views that are registered anew have another world than the model before.
   const auto held = aligned_.empty() ? nullptr : stage.held;
   if (aligned_.empty()) {
-    if (auto done = register_views(&calibration); !done) return tl::unexpected(done.error());
+    if (auto done = register_all_views(&calibration); !done) return tl::unexpected(done.error());
   } else {
     for (const io::StoredView& stored : stage.views) {
       if (!stored.T_world_sensor) reject(stored.view->frame, "was not registered");
@@ -320,7 +343,7 @@ Result<Reconstruction> Run::from_views(std::vector<std::shared_ptr<const View>> 
   for (std::size_t i = 0; i < views_.size(); ++i) {
     result_.frames[i].point_count = views_[i]->point_count();
   }
-  if (auto done = register_views(nullptr); !done) return tl::unexpected(done.error());
+  if (auto done = register_all_views(nullptr); !done) return tl::unexpected(done.error());
   ScannedViews scanned;
   scanned.views = aligned_;
   return finish(std::move(scanned));

@@ -1,10 +1,12 @@
 #include "core/reduction/cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "core/base/square.h"
 #include "core/geometry/cell_key.h"
 #include "core/geometry/point_grid.h"
 
@@ -108,31 +110,50 @@ class NearCenters {
 
   /// The nearest cell; among equally near ones the first. The sample must lie in a cell.
   std::uint32_t nearest_to(const SurfaceSample& sample) {
-    const float slack_mm = shape_.width_mm;
-    if (cells_.empty() || (sample.position_mm - middle_mm_).squaredNorm() > slack_mm * slack_mm) {
+    const float slack_mm = kSlackCells * shape_.width_mm;
+    if (cells_.empty() || (sample.position_mm - middle_mm_).squaredNorm() > square(slack_mm))
       gather(sample.position_mm, std::hypot(shape_.width_mm, shape_.half_length_mm) + slack_mm);
-    }
-    std::uint32_t best = kNone;
-    float best2 = std::numeric_limits<float>::infinity();
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const float d2 = distance2_from_axis(near_[i], sample, shape_);
-      if (d2 < best2 || (d2 == best2 && cells_[i] < best)) {
-        best2 = d2;
-        best = cells_[i];
-      }
-    }
-    return best;
+    measure_distances(sample);
+    const auto nearest = std::min_element(distances2_mm2_.begin(), distances2_mm2_.end());
+    if (!(*nearest < std::numeric_limits<float>::infinity())) return kNone;
+    return cells_[static_cast<std::size_t>(nearest - distances2_mm2_.begin())];
   }
 
  private:
+  /// A wider list is read more often, and made less often.
+  static constexpr float kSlackCells = 2.0F;
+
   void gather(const Vec3f& middle_mm, float reach_mm) {
     middle_mm_ = middle_mm;
     grid_.within(middle_mm, reach_mm, found_);
     cells_.clear();
-    near_.clear();
-    for (const Neighbor& n : found_) {
-      cells_.push_back(n.index);
-      near_.push_back(samples_[centers_[n.index]]);
+    for (const Neighbor& n : found_) cells_.push_back(n.index);
+    std::sort(cells_.begin(), cells_.end());
+    for (int axis = 0; axis < 3; ++axis) {
+      center_mm_[axis].resize(cells_.size());
+      normal_[axis].resize(cells_.size());
+      for (std::size_t i = 0; i < cells_.size(); ++i) {
+        center_mm_[axis][i] = samples_[centers_[cells_[i]]].position_mm[axis];
+        normal_[axis][i] = samples_[centers_[cells_[i]]].normal[axis];
+      }
+    }
+    distances2_mm2_.resize(cells_.size());
+  }
+
+  /// As distance2_from_axis, of all cells of the list at once.
+  void measure_distances(const SurfaceSample& sample) {
+    const float *cx = center_mm_[0].data(), *cy = center_mm_[1].data(), *cz = center_mm_[2].data();
+    const float *nx = normal_[0].data(), *ny = normal_[1].data(), *nz = normal_[2].data();
+    const Vec3f p = sample.position_mm, n = sample.normal;
+    const float width2 = square(shape_.width_mm), half_length = shape_.half_length_mm,
+                min_cos = shape_.min_normal_cos;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const float dx = p.x() - cx[i], dy = p.y() - cy[i], dz = p.z() - cz[i];
+      const float along = dx * nx[i] + dy * ny[i] + dz * nz[i];
+      const float across2 = dx * dx + dy * dy + dz * dz - along * along;
+      const bool inside = (across2 < width2) & (std::abs(along) <= half_length) &
+                          (n.x() * nx[i] + n.y() * ny[i] + n.z() * nz[i] >= min_cos);
+      distances2_mm2_[i] = inside ? across2 : std::numeric_limits<float>::infinity();
     }
   }
 
@@ -142,8 +163,9 @@ class NearCenters {
   CellShape shape_;
   Vec3f middle_mm_ = Vec3f::Zero();  ///< center of the list below
   std::vector<Neighbor> found_;
-  std::vector<std::uint32_t> cells_;
-  std::vector<SurfaceSample> near_;  ///< their centers
+  std::vector<std::uint32_t> cells_;                      ///< rising
+  std::array<std::vector<float>, 3> center_mm_, normal_;  ///< of these, by axis
+  std::vector<float> distances2_mm2_;                     ///< of one sample from their axes
 };
 
 /// The cell whose axis is nearest to each sample.
