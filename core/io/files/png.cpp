@@ -1,7 +1,6 @@
 #include "core/io/files/png.h"
 
 #include <libdeflate.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -13,6 +12,7 @@
 
 #include "core/io/files/deflate_limit.h"
 #include "core/io/files/file_bytes.h"
+#include "core/io/files/png_pixels.h"
 
 namespace flytri::io {
 namespace {
@@ -27,6 +27,7 @@ constexpr std::uint32_t kMaxSide = 1U << 16U;
 struct Header {
   std::uint32_t width = 0, height = 0;
   int bit_depth = 0, color_type = 0;
+  bool is_interlaced = false;
 
   [[nodiscard]] std::optional<int> matrix_type() const {
     if (color_type == kGrey && bit_depth == 8) return CV_8UC1;
@@ -43,19 +44,31 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Verifies the checksums of all chunks up to IEND.
-Result<void> check_chunks(std::string_view bytes, const std::string& name) {
+/// What the chunks after the header hold.
+struct Content {
+  std::string packed;  ///< the pixels, compressed
+  bool has_transparency = false;
+};
+
+std::uint32_t checksum_of(std::string_view bytes) {
+  return libdeflate_crc32(0, bytes.data(), bytes.size());
+}
+
+/// Reads the chunks up to IEND and verifies their checksums.
+Result<Content> read_chunks(std::string_view bytes, const std::string& name) {
+  Content content;
   std::size_t at = kSignature.size();
   while (at + kChunkFrame <= bytes.size()) {
     const std::size_t length = big_endian(bytes, at);
     if (length > bytes.size() - at - kChunkFrame) break;
     const std::string_view body = bytes.substr(at + 4, length + 4);
-    const auto checksum = crc32_z(0, reinterpret_cast<const Bytef*>(body.data()), body.size());
-    if (checksum != big_endian(bytes, at + 8 + length)) {
+    if (checksum_of(body) != big_endian(bytes, at + 8 + length)) {
       return fail(ErrorCode::kBadFormat,
                   "{}: damaged PNG: wrong checksum at byte {}; copy the file again", name, at);
     }
-    if (body.starts_with("IEND")) return {};
+    if (body.starts_with("IEND")) return content;
+    if (body.starts_with("IDAT")) content.packed += body.substr(4);
+    content.has_transparency |= body.starts_with("tRNS");
     at += length + kChunkFrame;
   }
   return fail(ErrorCode::kBadFormat,
@@ -67,14 +80,10 @@ std::optional<Header> stated_header(std::string_view bytes) {
       bytes.substr(12, 4) != "IHDR" || big_endian(bytes, 8) != 13) {
     return std::nullopt;
   }
-  return Header{big_endian(bytes, 16), big_endian(bytes, 20), bytes[24], bytes[25]};
+  return Header{big_endian(bytes, 16), big_endian(bytes, 20), bytes[24], bytes[25], bytes[28] != 0};
 }
 
 Result<Header> parse_header(std::string_view bytes, const std::string& name) {
-  if (!bytes.starts_with(kSignature)) {
-    return fail(ErrorCode::kBadFormat, "{}: is not a PNG image", name);
-  }
-  if (Result<void> whole = check_chunks(bytes, name); !whole) return tl::unexpected(whole.error());
   const std::optional<Header> header = stated_header(bytes);
   if (header) return *header;
   return fail(ErrorCode::kBadFormat, "{}: damaged PNG: no header at the start", name);
@@ -119,8 +128,7 @@ void append_big_endian(std::string& bytes, std::uint32_t value) {
 void append_chunk(std::string& bytes, std::string_view body) {
   append_big_endian(bytes, static_cast<std::uint32_t>(body.size() - 4));
   bytes += body;
-  append_big_endian(bytes, static_cast<std::uint32_t>(crc32_z(
-                               0, reinterpret_cast<const Bytef*>(body.data()), body.size())));
+  append_big_endian(bytes, checksum_of(body));
 }
 
 std::string png_header(const cv::Mat& image) {
@@ -177,29 +185,43 @@ void swap_red_and_blue(cv::Mat& image) {
   for (cv::Vec3b& pixel : cv::Mat_<cv::Vec3b>(image)) std::swap(pixel[0], pixel[2]);
 }
 
+/// An interlaced image; empty if it is damaged.
+cv::Mat decode_interlaced(std::string_view bytes) {
+  try {
+    const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
+    cv::Mat image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+    if (image.channels() == 3) swap_red_and_blue(image);
+    return image;
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 Result<cv::Mat> decode_png(std::string_view bytes, const std::string& name) {
+  if (!bytes.starts_with(kSignature))
+    return fail(ErrorCode::kBadFormat, "{}: is not a PNG image", name);
+  const Result<Content> content = read_chunks(bytes, name);
+  if (!content) return tl::unexpected(content.error());
   const Result<Header> header = parse_header(bytes, name);
   if (!header) return tl::unexpected(header.error());
-  if (Result<void> fine = check_header(*header, bytes.size(), name); !fine) {
+  if (Result<void> fine = check_header(*header, bytes.size(), name); !fine)
     return tl::unexpected(fine.error());
-  }
+  if (content->has_transparency)
+    return fail(ErrorCode::kBadFormat, "{}: PNG with transparency; save it without", name);
   cv::Mat image;
-  try {
-    const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
-    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    image.release();
+  if (header->is_interlaced) {
+    image = decode_interlaced(bytes);
+  } else {
+    image.create(static_cast<int>(header->height), static_cast<int>(header->width),
+                 *header->matrix_type());
+    if (!unpack_png_pixels(content->packed, image)) image.release();
   }
-  if (image.empty()) {
+  if (image.empty() || image.type() != *header->matrix_type()) {
     return fail(ErrorCode::kBadFormat,
                 "{}: damaged PNG: the pixels cannot be decoded; copy the file again", name);
   }
-  if (image.type() != *header->matrix_type()) {
-    return fail(ErrorCode::kBadFormat, "{}: PNG with transparency; save it without", name);
-  }
-  if (image.channels() == 3) swap_red_and_blue(image);
   return image;
 }
 

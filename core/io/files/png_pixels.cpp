@@ -1,0 +1,96 @@
+#include "core/io/files/png_pixels.h"
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace flytri::io {
+namespace {
+
+enum Filter : std::uint8_t { kNone = 0, kSub = 1, kUp = 2, kAverage = 3, kPaeth = 4 };
+
+/// The one of three neighbors that is nearest to left + up - corner.
+std::uint8_t paeth(int left, int up, int corner) {
+  const int to_left = std::abs(up - corner), to_up = std::abs(left - corner);
+  const int to_corner = std::abs(left + up - 2 * corner);
+  if (to_left <= to_up && to_left <= to_corner) return static_cast<std::uint8_t>(left);
+  return static_cast<std::uint8_t>(to_up <= to_corner ? up : corner);
+}
+
+/// Calls undo(byte, left, up, corner) for each byte of a row; what is outside the image is zero.
+template <typename Undo>
+void undo_filter(std::span<std::uint8_t> row, const std::uint8_t* above, std::size_t step,
+                 const Undo& undo) {
+  for (std::size_t i = 0; i < step; ++i) row[i] = undo(row[i], 0, above[i], 0);
+  for (std::size_t i = step; i < row.size(); ++i)
+    row[i] = undo(row[i], row[i - step], above[i], above[i - step]);
+}
+
+/// @param step  bytes of a pixel
+/// @return  false if there is no such filter
+bool undo_filter(std::uint8_t filter, std::span<std::uint8_t> row, const std::uint8_t* above,
+                 std::size_t step) {
+  const auto byte = [](int sum) { return static_cast<std::uint8_t>(sum); };
+  switch (filter) {
+    case kNone:
+      return true;
+    case kSub:
+      undo_filter(row, above, step, [&](int x, int left, int, int) { return byte(x + left); });
+      return true;
+    case kUp:
+      undo_filter(row, above, step, [&](int x, int, int up, int) { return byte(x + up); });
+      return true;
+    case kAverage:
+      undo_filter(row, above, step,
+                  [&](int x, int left, int up, int) { return byte(x + (left + up) / 2); });
+      return true;
+    case kPaeth:
+      undo_filter(row, above, step, [&](int x, int left, int up, int corner) {
+        return byte(x + paeth(left, up, corner));
+      });
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Copies a row into the image; in PNG, the high byte of a number is the first.
+void copy_row(std::span<const std::uint8_t> row, int depth, std::uint8_t* to) {
+  if (depth != CV_16U) {
+    std::copy(row.begin(), row.end(), to);
+    return;
+  }
+  for (std::size_t i = 0; i < row.size(); ++i) to[i ^ 1U] = row[i];
+}
+
+}  // namespace
+
+bool unpack_png_pixels(std::string_view packed, cv::Mat& image) {
+  const std::size_t step = image.elemSize();
+  const std::size_t width = step * static_cast<std::size_t>(image.cols);
+  // Each row begins with the number of its filter.
+  std::vector<std::uint8_t> rows((width + 1) * static_cast<std::size_t>(image.rows));
+  const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
+      decompressor(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (libdeflate_zlib_decompress(decompressor.get(), packed.data(), packed.size(), rows.data(),
+                                 rows.size(), nullptr) != LIBDEFLATE_SUCCESS) {
+    return false;
+  }
+  const std::vector<std::uint8_t> nothing(width, 0);
+  const std::uint8_t* above = nothing.data();
+  for (int r = 0; r < image.rows; ++r) {
+    std::uint8_t* begin = rows.data() + (width + 1) * static_cast<std::size_t>(r);
+    const std::span row(begin + 1, width);
+    if (!undo_filter(*begin, row, above, step)) return false;
+    copy_row(row, image.depth(), image.ptr(r));
+    above = row.data();
+  }
+  return true;
+}
+
+}  // namespace flytri::io
