@@ -81,6 +81,18 @@ std::optional<float> SurfaceProbe::distance_mm(const Vec3f& place_mm) {
   return sum_mm / sum_w;
 }
 
+std::optional<Vec3f> SurfaceProbe::offset_mm(const Vec3f& place_mm) {
+  float sum_mm = 0.0F, sum_w = 0.0F;
+  Vec3f normal = Vec3f::Zero();
+  const bool is_known = weigh(place_mm, [&](const SurfacePoint& point, float w) {
+    sum_w += w;
+    sum_mm += w * point.normal.dot(place_mm - point.position_mm);
+    normal += w * point.normal;
+  });
+  if (!is_known) return std::nullopt;
+  return Vec3f(sum_mm / sum_w * normal.normalized());
+}
+
 std::optional<SurfaceEstimate> SurfaceProbe::at(const Vec3f& place_mm) {
   SurfaceEstimate sum;
   sum.mean.position_mm = sum.mean.normal = Vec3f::Zero();

@@ -46,6 +46,9 @@ class SurfaceProbe {
   /// Gaussian is wider, so that both sides of a gap are blended.
   [[nodiscard]] std::optional<SurfaceEstimate> at(const Vec3f& place_mm);
 
+  /// From the surface to a place, along the estimated normal: a part of at().
+  [[nodiscard]] std::optional<Vec3f> offset_mm(const Vec3f& place_mm);
+
   /// SurfaceEstimate::distance_mm alone.
   [[nodiscard]] std::optional<float> distance_mm(const Vec3f& place_mm);
 

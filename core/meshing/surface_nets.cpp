@@ -213,12 +213,14 @@ std::optional<SurfacePoint> Extraction::vertex_in(CellKey cell, const std::array
     count += 1.0F;
   });
   Vec3f place = sum / count;
-  std::optional<SurfaceEstimate> estimate;
-  for (int i = 0; i < kProjections; ++i) {
-    estimate = probe.at(place);
-    if (!estimate) return std::nullopt;
-    place -= estimate->distance_mm * estimate->mean.normal;
+  for (int i = 1; i < kProjections; ++i) {
+    const std::optional<Vec3f> offset_mm = probe.offset_mm(place);
+    if (!offset_mm) return std::nullopt;
+    place -= *offset_mm;
   }
+  const std::optional<SurfaceEstimate> estimate = probe.at(place);
+  if (!estimate) return std::nullopt;
+  place -= estimate->distance_mm * estimate->mean.normal;
   // A vertex far away from its cell belongs to another sheet of the surface.
   if ((place - sum / count).norm() > spacing_mm_) return std::nullopt;
   if (!probe.surrounded(place, estimate->mean.normal)) return std::nullopt;

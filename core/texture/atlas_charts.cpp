@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <unordered_set>
 
 #include "core/meshing/half_edges.h"
 #include "core/texture/texel_raster.h"
@@ -44,7 +44,9 @@ class ChartCutter {
         options_(options),
         neighbors_(find_neighbors(mesh)),
         chart_of_(mesh.triangles.size(), kNone),
-        visit_(mesh.triangles.size(), kNone) {}
+        visit_(mesh.triangles.size(), kNone),
+        window_px_(std::bit_ceil(static_cast<std::uint32_t>(options.max_chart_px))),
+        taken_by_(std::size_t{window_px_} * window_px_, kNone) {}
 
   Result<std::vector<Chart>> cut(const Progress& progress) {
     std::vector<Chart> charts;
@@ -89,7 +91,6 @@ class ChartCutter {
   Chart grow(std::uint32_t seed, std::uint32_t number) {
     Chart chart;
     choose_axes(chart, seed);
-    taken_.clear();
     low_px_ = Eigen::Array2f::Constant(std::numeric_limits<float>::infinity());
     high_px_ = -low_px_;
     // The seed is always taken, so a degenerate triangle becomes a separate chart.
@@ -124,15 +125,14 @@ class ChartCutter {
     }
     const int room_px = options_.max_chart_px - 2 * options_.gutter_px - 2;
     if (!always && (high - low).maxCoeff() > static_cast<float>(room_px)) return false;
-    std::vector<std::uint64_t> texels;
+    texels_.clear();
     bool free = true;
     for_each_texel(corners, [&](int x, int y, const Vec3f&) {
-      texels.push_back((static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32U) |
-                       static_cast<std::uint32_t>(y));
-      free = free && !taken_.contains(texels.back());
+      texels_.push_back(place_of(x, y));
+      free = free && taken_by_[texels_.back()] != number;
     });
     if (!always && !free) return false;
-    taken_.insert(texels.begin(), texels.end());
+    for (const std::size_t texel : texels_) taken_by_[texel] = number;
     low_px_ = low;
     high_px_ = high;
     chart_of_[t] = number;
@@ -140,12 +140,21 @@ class ChartCutter {
     return true;
   }
 
+  /// Place of a texel in the window. A chart fits into it, so its texels have different places;
+  /// only a single triangle may be larger.
+  [[nodiscard]] std::size_t place_of(int x, int y) const {
+    const auto wrapped = [&](int i) { return static_cast<std::uint32_t>(i) % window_px_; };
+    return std::size_t{wrapped(y)} * window_px_ + wrapped(x);
+  }
+
   const TriangleMesh& mesh_;
   const ChartOptions& options_;
   std::vector<std::array<std::uint32_t, 3>> neighbors_;
   std::vector<std::uint32_t> chart_of_;
-  std::vector<std::uint32_t> visit_;         ///< the last seed that reached each triangle
-  std::unordered_set<std::uint64_t> taken_;  ///< texels of the present chart
+  std::vector<std::uint32_t> visit_;     ///< the last seed that reached each triangle
+  std::uint32_t window_px_;              ///< a power of two
+  std::vector<std::uint32_t> taken_by_;  ///< the last chart that took each texel of the window
+  std::vector<std::size_t> texels_;      ///< of one triangle
   Vec3f chart_normal_ = Vec3f::UnitZ();
   Eigen::Array2f low_px_ = {0, 0};
   Eigen::Array2f high_px_ = {0, 0};

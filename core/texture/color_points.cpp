@@ -12,8 +12,6 @@ namespace {
 
 /// Shares of the time for the z-buffers and the colors; the rest is for points that no frame saw.
 constexpr double kDepthsShare = 0.3, kColorsShare = 0.6;
-/// Points tested together: neighbors in the list are usually neighbors in space.
-constexpr std::size_t kColorBlock = 256;
 constexpr std::size_t kGrain = 1024;
 
 /// The points that were observed, and where they are.
@@ -33,9 +31,8 @@ ObservedPoints list_observed(std::span<const SurfacePoint> points, std::span<con
 }
 
 /// Colors the points of a block that at least one frame observes, and marks them.
-void color_block(std::span<SurfacePoint> block, std::span<char> observed,
-                 std::span<const FrameObserver> observers) {
-  const BoundingSphere sphere = bounding_sphere(block);
+void color_block(std::span<SurfacePoint> block, const BoundingSphere& sphere,
+                 std::span<char> observed, std::span<const FrameObserver> observers) {
   std::vector<const FrameObserver*> near;
   for (const FrameObserver& observer : observers) {
     if (observer.may_see(sphere.middle_mm, sphere.radius_mm)) near.push_back(&observer);
@@ -89,6 +86,7 @@ Result<ColorCounts> color_points(std::span<SurfacePoint> points,
                                  const TextureOptions& options, const Workers& workers,
                                  const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  const std::vector<BoundingSphere> spheres = block_spheres(points, workers);
   std::vector<FrameObserver> observers;
   observers.reserve(frames.size());
   for (const TextureFrame& frame : frames) {
@@ -97,17 +95,17 @@ Result<ColorCounts> color_points(std::span<SurfacePoint> points,
       return tl::unexpected(fits.error());
     }
     observers.emplace_back(frame, calibration, options);
-    observers.back().find_depths(points, workers);
+    observers.back().find_depths(points, spheres, workers);
     progress.advance(kDepthsShare / static_cast<double>(frames.size()));
   }
   if (frames.empty()) progress.advance(kDepthsShare);
   std::vector<char> observed(points.size(), 0);
   const auto color = [&](std::size_t b) {
-    const std::size_t first = b * kColorBlock, count = std::min(kColorBlock, points.size() - first);
-    color_block(points.subspan(first, count), std::span(observed).subspan(first, count), observers);
+    const std::size_t first = b * kPointBlock, count = std::min(kPointBlock, points.size() - first);
+    color_block(points.subspan(first, count), spheres[b], std::span(observed).subspan(first, count),
+                observers);
   };
-  if (!workers.for_each_unless_cancelled((points.size() + kColorBlock - 1) / kColorBlock, color,
-                                         progress.part(kColorsShare))) {
+  if (!workers.for_each_unless_cancelled(spheres.size(), color, progress.part(kColorsShare))) {
     return stopped();
   }
   return spread_colors(points, observed,

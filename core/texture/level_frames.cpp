@@ -92,11 +92,12 @@ Result<void> level_frames(std::span<TextureFrame> frames, std::span<const Surfac
     frame.gain = Vec3f::Ones();
   }
   if (frames.size() < 2) return {};
+  const std::vector<BoundingSphere> spheres = block_spheres(points, workers);
   std::vector<FrameObserver> observers;
   observers.reserve(frames.size());
   for (const TextureFrame& frame : frames) {
     observers.emplace_back(frame, calibration, options);
-    observers.back().find_depths(points, workers);
+    observers.back().find_depths(points, spheres, workers);
   }
   const Shared shared = compare(observers, points, workers);
   for (int channel = 0; channel < 3; ++channel) {

@@ -26,9 +26,13 @@ Vec3f weighted_mean(std::span<const Observation> seen, float around) {
 /// Brightness at the start quantile of the weights. Interpolated, so that nothing jumps where the
 /// weights change from place to place.
 float start_of(std::span<Observation> seen) {
-  std::stable_sort(seen.begin(), seen.end(), [](const Observation& a, const Observation& b) {
-    return a.albedo.sum() < b.albedo.sum();
-  });
+  // By insertion: few frames see a place.
+  for (auto it = seen.begin(); it != seen.end(); ++it) {
+    const auto place = std::upper_bound(
+        seen.begin(), it, *it,
+        [](const Observation& a, const Observation& b) { return a.albedo.sum() < b.albedo.sum(); });
+    std::rotate(place, it, it + 1);
+  }
   float total = 0.0F;
   for (const Observation& observation : seen) total += observation.weight;
   const float wanted = kStartQuantile * total;

@@ -9,8 +9,6 @@
 namespace flytri::texture {
 namespace {
 
-/// Points tested together: neighbors in the list are usually neighbors in space.
-constexpr std::size_t kBlock = 256;
 /// Weight that is left at the border of the image: better than no color.
 constexpr double kBorderWeight = 0.01;
 /// Weight beside a step in depth, where a pixel may show the surface in front.
@@ -95,14 +93,19 @@ Rgb to_color(const Vec3f& light) {
   return color;
 }
 
-BoundingSphere bounding_sphere(std::span<const SurfacePoint> points) {
-  Vec3f low = points.front().position_mm;
-  Vec3f high = low;
-  for (const SurfacePoint& point : points) {
-    low = low.cwiseMin(point.position_mm);
-    high = high.cwiseMax(point.position_mm);
-  }
-  return {0.5F * (low + high), 0.5F * (high - low).norm()};
+std::vector<BoundingSphere> block_spheres(std::span<const SurfacePoint> points,
+                                          const Workers& workers) {
+  std::vector<BoundingSphere> spheres((points.size() + kPointBlock - 1) / kPointBlock);
+  workers.for_each(
+      spheres.size(),
+      [&](std::size_t b) {
+        Eigen::AlignedBox3f box;
+        const std::size_t end = std::min(points.size(), (b + 1) * kPointBlock);
+        for (std::size_t i = b * kPointBlock; i < end; ++i) box.extend(points[i].position_mm);
+        spheres[b] = {0.5F * (box.min() + box.max()), 0.5F * (box.max() - box.min()).norm()};
+      },
+      16);
+  return spheres;
 }
 
 FrameObserver::FrameObserver(const TextureFrame& frame, const calibration::Calibration& calibration,
@@ -127,17 +130,18 @@ std::optional<Pixel> FrameObserver::project(const Vec3& p_sensor) const {
   return pixel;
 }
 
-void FrameObserver::find_depths(std::span<const SurfacePoint> points, const Workers& workers) {
+void FrameObserver::find_depths(std::span<const SurfacePoint> points,
+                                std::span<const BoundingSphere> spheres, const Workers& workers) {
   struct Depth {
     Pixel pixel;
     float depth_mm;
   };
-  std::vector<std::vector<Depth>> blocks((points.size() + kBlock - 1) / kBlock);
+  std::vector<std::vector<Depth>> blocks(spheres.size());
   workers.for_each(blocks.size(), [&](std::size_t b) {
-    const auto block = points.subspan(b * kBlock, std::min(kBlock, points.size() - b * kBlock));
-    const BoundingSphere sphere = bounding_sphere(block);
-    if (!may_see(sphere.middle_mm, sphere.radius_mm)) return;
-    for (const SurfacePoint& point : block) {
+    if (!may_see(spheres[b].middle_mm, spheres[b].radius_mm)) return;
+    const std::size_t first = b * kPointBlock;
+    for (const SurfacePoint& point :
+         points.subspan(first, std::min(kPointBlock, points.size() - first))) {
       const Vec3 p_sensor = T_sensor_world_ * point.position_mm.cast<double>();
       const auto pixel = project(p_sensor);
       if (!pixel) continue;
@@ -224,13 +228,13 @@ Result<void> observe_points(std::span<const SurfacePoint> points, std::span<Obse
                             const TextureOptions& options, const Workers& workers) {
   if (auto fits = check_texture_image(frame.image, calibration); !fits) return fits;
   FrameObserver observer(frame, calibration, options);
-  observer.find_depths(points, workers);
+  observer.find_depths(points, block_spheres(points, workers), workers);
   workers.for_each(
       points.size(),
       [&](std::size_t i) {
         if (const auto seen = observer.observe(points[i])) colors[i].add(*seen);
       },
-      kBlock);
+      kPointBlock);
   return {};
 }
 

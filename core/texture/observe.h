@@ -74,6 +74,18 @@ class ObservedColor {
 /// sRGB of linear light.
 [[nodiscard]] Rgb to_color(const Vec3f& light);
 
+/// The smallest box around points as the sphere around it.
+struct BoundingSphere {
+  Vec3f middle_mm = Vec3f::Zero();
+  float radius_mm = 0.0F;
+};
+
+/// Points tested together: neighbors in the list are usually neighbors in space.
+inline constexpr std::size_t kPointBlock = 256;
+/// The spheres around successive blocks of points.
+[[nodiscard]] std::vector<BoundingSphere> block_spheres(std::span<const SurfacePoint> points,
+                                                        const Workers& workers);
+
 /// One frame, prepared for questions about many points. Refers to frame, calibration and options.
 class FrameObserver {
  public:
@@ -81,7 +93,9 @@ class FrameObserver {
                 const TextureOptions& options);
 
   /// Fills the z-buffer: these points may hide others.
-  void find_depths(std::span<const SurfacePoint> points, const Workers& workers);
+  /// @param spheres  around each block of points, see block_spheres()
+  void find_depths(std::span<const SurfacePoint> points, std::span<const BoundingSphere> spheres,
+                   const Workers& workers);
   /// False if no point of this sphere is in the measurement volume.
   [[nodiscard]] bool may_see(const Vec3f& middle_mm, float radius_mm) const;
   /// The color of a point; nullopt if it is out of sight, hidden, turned away or saturated, or if
@@ -112,13 +126,6 @@ class FrameObserver {
 /// @errors  kBadFormat: not CV_8UC3; kInconsistent: its size differs from the calibration.
 [[nodiscard]] Result<void> check_texture_image(const cv::Mat& image,
                                                const calibration::Calibration& calibration);
-
-/// The smallest box around points as the sphere around it: middle and radius.
-struct BoundingSphere {
-  Vec3f middle_mm = Vec3f::Zero();
-  float radius_mm = 0.0F;
-};
-[[nodiscard]] BoundingSphere bounding_sphere(std::span<const SurfacePoint> points);
 
 /// Adds the colors that a frame saw to those of the points. A pixel sees only the points on its ray
 /// that are closest to the camera.
