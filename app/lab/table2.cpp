@@ -71,8 +71,8 @@ Result<Json> thinned_figures(const RegisteredTruth& truth, const TriangleMesh& j
                              const Workers& workers, const Progress& progress) {
   const auto normals = normals::crossing_normals(truth.aligned, {}, workers, progress);
   if (!normals) return tl::unexpected(normals.error());
-  const auto reduced = reduction::reduce_samples(normals::surface_samples(truth.aligned, *normals),
-                                                 {}, workers, progress);
+  const auto reduced = reduction::reduce_samples(
+      normals::surface_samples(truth.aligned, *normals, workers), {}, workers, progress);
   if (!reduced) return tl::unexpected(reduced.error());
   TriangleMesh thinned;
   thinned.vertices = reduced->points;

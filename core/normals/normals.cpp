@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "core/base/check_options.h"
@@ -89,13 +90,10 @@ const TangentCell* find_cell(std::span<const TangentCell> cells, const CellKey& 
   return it != cells.end() && it->key == key ? &*it : nullptr;
 }
 
-/// A cell and the index of its summand. Sorting keeps the order of the summands of one cell.
-using Keyed = std::pair<CellKey, std::uint32_t>;
-
-/// Sums item(index) over equal keys.
+/// Sums item(index) over the members of each cell.
 template <typename Item>
-std::vector<TangentCell> sum_by_key(std::vector<Keyed> keyed, const Item& item) {
-  std::sort(keyed.begin(), keyed.end());
+std::vector<TangentCell> sum_by_key(std::vector<CellMember> keyed, const Item& item) {
+  sort_by_cell(keyed);
   std::vector<TangentCell> sums;
   for (std::size_t i = 0; i < keyed.size(); ++i) {
     const TangentCell& cell = item(keyed[i].second);
@@ -114,8 +112,10 @@ std::vector<TangentCell> sum_by_key(std::vector<Keyed> keyed, const Item& item) 
 std::vector<TangentCell> gather_cells(const AlignedView& aligned, const ViewTangents& tangents,
                                       double cell_mm) {
   const Isometry& T_world_sensor = aligned.T_world_sensor;
-  std::vector<Keyed> keyed;
+  std::vector<CellMember> keyed;
   std::vector<Vec3> directions;  // by point
+  keyed.reserve(aligned.view->point_count());
+  directions.reserve(aligned.view->point_count());
   for (std::size_t k = 0; k < tangents.size(); ++k) {
     for (std::size_t i = 0; i < tangents[k].size(); ++i) {
       const Vec3& p_sensor = aligned.view->profiles[k].points[i].position_mm;
@@ -145,7 +145,7 @@ Result<std::vector<TangentCell>> gather_cells(std::span<const AlignedView> views
       [&](std::size_t v) { of_views[v] = gather_cells(views[v], tangents[v], cell_mm); }, progress);
   if (!complete) return stopped();
   std::vector<const TangentCell*> all;
-  std::vector<Keyed> keyed;
+  std::vector<CellMember> keyed;
   for (const auto& cells : of_views) {
     for (const TangentCell& cell : cells) {
       keyed.emplace_back(cell.key, static_cast<std::uint32_t>(all.size()));
@@ -250,12 +250,14 @@ Vec3 in_plane_normal(const Vec3& sheet_normal, const Vec3& o, const Vec3& toward
 ViewNormals normals_of(const AlignedView& aligned, const ViewTangents& tangents,
                        std::span<const TangentCell> cells, double cell_mm) {
   ViewNormals normals(aligned.view->profiles.size());
+  const TangentCell* cell = nullptr;  // often that of the point before
   const Isometry& T_world_sensor = aligned.T_world_sensor;
   for (std::size_t k = 0; k < normals.size(); ++k) {
     const auto& points = aligned.view->profiles[k].points;
+    normals[k].reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const CellKey key = CellKey::at(Vec3(T_world_sensor * points[i].position_mm), cell_mm);
-      const TangentCell* cell = find_cell(cells, key);
+      if (cell == nullptr || cell->key != key) cell = find_cell(cells, key);
       const Vec3 o = T_world_sensor.linear() * tangents[k][i];
       Vec3 normal = perpendicular(cell->normal, o);
       if (normal.isZero()) {
@@ -313,20 +315,31 @@ Result<std::vector<ViewNormals>> crossing_normals(std::span<const AlignedView> v
 }
 
 std::vector<SurfaceSample> surface_samples(std::span<const AlignedView> views,
-                                           std::span<const ViewNormals> normals) {
-  std::vector<SurfaceSample> samples;
-  for (std::size_t v = 0; v < views.size(); ++v) {
+                                           std::span<const ViewNormals> normals,
+                                           const Workers& workers) {
+  std::vector<std::size_t> starts(views.size() + 1, 0);
+  workers.for_each(views.size(), [&](std::size_t v) {
+    for (const std::vector<Vec3f>& of_profile : normals[v]) {
+      starts[v + 1] += static_cast<std::size_t>(
+          std::count_if(of_profile.begin(), of_profile.end(),
+                        [](const Vec3f& normal) { return !normal.isZero(); }));
+    }
+  });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<SurfaceSample> samples(starts.back());
+  workers.for_each(views.size(), [&](std::size_t v) {
     const Isometry& T_world_sensor = views[v].T_world_sensor;
+    auto sample = samples.begin() + static_cast<std::ptrdiff_t>(starts[v]);
     for (std::size_t k = 0; k < views[v].view->profiles.size(); ++k) {
       const auto& points = views[v].view->profiles[k].points;
       for (std::size_t i = 0; i < points.size(); ++i) {
         if (normals[v][k][i].isZero()) continue;
-        samples.push_back({(T_world_sensor * points[i].position_mm).cast<float>(), normals[v][k][i],
-                           T_world_sensor.linear().cast<float>() * points[i].deviation_mm,
-                           ViewIndex(v), views[v].view->pattern});
+        *sample++ = {(T_world_sensor * points[i].position_mm).cast<float>(), normals[v][k][i],
+                     T_world_sensor.linear().cast<float>() * points[i].deviation_mm, ViewIndex(v),
+                     views[v].view->pattern};
       }
     }
-  }
+  });
   return samples;
 }
 

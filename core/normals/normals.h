@@ -48,6 +48,7 @@ using ViewNormals = std::vector<std::vector<Vec3f>>;
 /// All points with their normals, in the world frame, view after view.
 /// @param normals  of the same views
 [[nodiscard]] std::vector<SurfaceSample> surface_samples(std::span<const AlignedView> views,
-                                                         std::span<const ViewNormals> normals);
+                                                         std::span<const ViewNormals> normals,
+                                                         const Workers& workers);
 
 }  // namespace flytri::normals

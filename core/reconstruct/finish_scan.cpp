@@ -176,7 +176,7 @@ Result<std::vector<SurfaceSample>> Finisher::find_samples() {
   progress_.begin_stage(kNormals);
   const auto normals = normals::crossing_normals(serving_, options_.normals, workers_, progress_);
   if (!normals) return tl::unexpected(normals.error());
-  std::vector<SurfaceSample> samples = normals::surface_samples(serving_, *normals);
+  std::vector<SurfaceSample> samples = normals::surface_samples(serving_, *normals, workers_);
   clock_.end_stage("normals", samples.size(), "points");
   return samples;
 }

@@ -73,7 +73,7 @@ struct CellSums {
     Matrix6 JJ = Matrix6::Zero();
     Matrix6 JA = Matrix6::Zero();
     Twist Jr = Twist::Zero();
-    std::optional<SharedSums> shared = std::nullopt;
+    std::unique_ptr<SharedSums> shared = nullptr;
   };
   std::vector<ViewSums> views;  ///< by rising view
   Matrix6 AA = Matrix6::Zero();
@@ -98,9 +98,10 @@ std::vector<CellViewShare> without_surface(const CellSums& sums) {
     if (const auto& shared = of_view.shared) {
       const SharedMatrix coupling =
           cholesky.matrixL().solve(Eigen::MatrixXd(shared->SA.transpose())).transpose();
-      share.shared = {shared->group, coupling, shared->JS, shared->SS, shared->Sr - coupling * LAr};
+      share.shared = std::make_unique<CellSharedShare>(CellSharedShare{
+          shared->group, coupling, shared->JS, shared->SS, shared->Sr - coupling * LAr});
     }
-    shares.push_back(share);
+    shares.push_back(std::move(share));
   }
   return shares;
 }
@@ -108,12 +109,11 @@ std::vector<CellViewShare> without_surface(const CellSums& sums) {
 }  // namespace
 
 void add_to(ReducedSystem& system, std::span<const CellViewShare> shares) {
-  std::vector<CellViewBlock> blocks;
   for (const CellViewShare& share : shares) {
     system.add_view(share.block.view, share.information, share.gradient);
-    blocks.push_back(share.block);
+    system.add_block(share.block);
   }
-  system.add_cell(blocks);
+  system.end_cell();
 }
 
 JointEquations::JointEquations(std::span<const AlignedView> views,
@@ -246,7 +246,8 @@ std::vector<CellViewShare> JointEquations::sum_cell(const FittedSurfaces& surfac
     if (sums.views.empty() || sums.views.back().view != view) {
       sums.views.push_back({view});
       if (const auto group = group_of(view))
-        sums.views.back().shared.emplace(*group, static_cast<Eigen::Index>(group_size()));
+        sums.views.back().shared =
+            std::make_unique<SharedSums>(*group, static_cast<Eigen::Index>(group_size()));
     }
     auto& of_view = sums.views.back();
     Twist J;

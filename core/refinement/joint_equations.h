@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,7 +55,7 @@ struct CellViewShare {
   CellViewBlock block;
   Matrix6 information = Matrix6::Zero();
   Twist gradient = Twist::Zero();
-  std::optional<CellSharedShare> shared;  ///< if the view depends on a group
+  std::unique_ptr<CellSharedShare> shared;  ///< if the view depends on a group
 };
 
 /// Adds a cell to the equations.

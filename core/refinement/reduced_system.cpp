@@ -35,12 +35,9 @@ ReducedSystem::ReducedSystem(std::vector<Vec3> centers_mm)
   group_count_ = (centers_mm_.size() + group_size_ - 1) / group_size_;
 }
 
-void ReducedSystem::add_cell(const std::vector<CellViewBlock>& blocks) {
-  for (const CellViewBlock& block : blocks) {
-    coupled_[block.view].noalias() += block.coupling * block.coupling.transpose();
-    blocks_.push_back(block);
-  }
-  cell_starts_.push_back(blocks_.size());
+void ReducedSystem::add_block(const CellViewBlock& block) {
+  coupled_[block.view].noalias() += block.coupling * block.coupling.transpose();
+  blocks_.push_back(block);
 }
 
 void ReducedSystem::add_view(std::size_t view, const Matrix6& information, const Twist& gradient) {

@@ -35,8 +35,10 @@ class ReducedSystem {
 
   /// Reserves memory for the blocks, which need most of the memory.
   void reserve(std::size_t block_count) { blocks_.reserve(block_count); }
-  /// Adds a cell; `blocks` by rising view.
-  void add_cell(const std::vector<CellViewBlock>& blocks);
+  /// Adds a block to the present cell; by rising view.
+  void add_block(const CellViewBlock& block);
+  /// The next blocks belong to another cell.
+  void end_cell() { cell_starts_.push_back(blocks_.size()); }
   /// Adds to a view's own information J^T W J and to its gradient.
   void add_view(std::size_t view, const Matrix6& information, const Twist& gradient);
   /// Share of a view's own information that is added as damping, for directions that the other

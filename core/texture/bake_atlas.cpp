@@ -2,7 +2,7 @@
 
 #include <bit>
 #include <cmath>
-#include <unordered_map>
+#include <limits>
 
 #include "core/base/check_options.h"
 #include "core/geometry/mesh_normals.h"
@@ -75,16 +75,18 @@ Result<Layout> lay_out(const TriangleMesh& mesh, double finest_mm, int max_side_
 /// coordinates.
 void unfold(const TriangleMesh& mesh, const Layout& layout, TexturedMesh& model) {
   model.mesh.triangles.resize(mesh.triangles.size());
-  std::unordered_map<std::uint32_t, std::uint32_t> new_index;
+  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> last_copy(mesh.vertices.size(), kNone);  // of each vertex
   for (const Chart& chart : layout.charts) {
-    new_index.clear();
+    const auto first = static_cast<std::uint32_t>(model.mesh.vertices.size());
     for (const std::uint32_t t : chart.triangles) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::uint32_t old = mesh.triangles[t][corner];
         const auto next = static_cast<std::uint32_t>(model.mesh.vertices.size());
-        const auto [entry, added] = new_index.try_emplace(old, next);
-        model.mesh.triangles[t][corner] = entry->second;
-        if (!added) continue;
+        const bool is_new = last_copy[old] == kNone || last_copy[old] < first;
+        if (is_new) last_copy[old] = next;
+        model.mesh.triangles[t][corner] = last_copy[old];
+        if (!is_new) continue;
         model.mesh.vertices.push_back(mesh.vertices[old]);
         const Eigen::Array2f px = to_atlas(
             chart, project_to_chart(chart, mesh.vertices[old].position_mm, layout.texel_mm));

@@ -89,7 +89,7 @@ TEST(CrossingNormals, OneThreadAndManyGiveTheSameBits) {
 TEST(SurfaceSamples, AreAllPointsInTheWorldFrame) {
   const auto views = scan_cusps(4, SceneSensor{}, 5).views;
   const auto normals = crossing_normals(views, {}, Workers(1));
-  const auto samples = surface_samples(views, *normals);
+  const auto samples = surface_samples(views, *normals, Workers(2));
   std::size_t expected = 0;
   for (const AlignedView& view : views) expected += view.view->point_count();
   ASSERT_EQ(samples.size(), expected);

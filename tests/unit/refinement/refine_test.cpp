@@ -172,7 +172,8 @@ ReducedSystem random_system(int view_count, Random& random) {
                           root * root.transpose(),
                       Twist::Constant(random.normal()));
     }
-    system.add_cell(blocks);
+    for (const CellViewBlock& block : blocks) system.add_block(block);
+    system.end_cell();
   }
   return system;
 }
