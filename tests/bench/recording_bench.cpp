@@ -1,7 +1,10 @@
 /// @file  Benchmarks of recording: writes frames of two cameras to disk like the recorder's thread.
 #include <benchmark/benchmark.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "assets/sample_jaw/sample_jaw.h"
+#include "core/io/files/png.h"
 #include "core/io/recordings/recording.h"
 #include "hw/simulated/devices/lit_scene.h"
 #include "hw/sync/frame_labeler.h"
@@ -38,6 +41,24 @@ void record(benchmark::State& state, FrameKind kind) {
 }
 BENCHMARK_CAPTURE(record, grey, FrameKind::kVertical)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(record, color, FrameKind::kTexture)->Unit(benchmark::kMillisecond);
+
+std::string png_of_camera() {
+  return io::encode_camera_png(image_of(device::Light::kVertical, false)).value();
+}
+
+void decode_png(benchmark::State& state) {
+  const std::string bytes = png_of_camera();
+  for (auto _ : state) benchmark::DoNotOptimize(io::decode_png(bytes, "frame.png"));
+}
+BENCHMARK(decode_png)->Unit(benchmark::kMillisecond);
+
+/// The peer.
+void decode_png_by_opencv(benchmark::State& state) {
+  const std::string bytes = png_of_camera();
+  const std::vector<std::uint8_t> buffer(bytes.begin(), bytes.end());
+  for (auto _ : state) benchmark::DoNotOptimize(cv::imdecode(buffer, cv::IMREAD_UNCHANGED));
+}
+BENCHMARK(decode_png_by_opencv)->Unit(benchmark::kMillisecond);
 
 /// Time to label a frame in the capture thread.
 void label_frame(benchmark::State& state) {

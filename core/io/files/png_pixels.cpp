@@ -3,6 +3,7 @@
 #include <libdeflate.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -15,48 +16,58 @@ namespace {
 enum Filter : std::uint8_t { kNone = 0, kSub = 1, kUp = 2, kAverage = 3, kPaeth = 4 };
 
 /// The one of three neighbors that is nearest to left + up - corner.
-std::uint8_t paeth(int left, int up, int corner) {
+int paeth(int left, int up, int corner) {
   const int to_left = std::abs(up - corner), to_up = std::abs(left - corner);
   const int to_corner = std::abs(left + up - 2 * corner);
-  if (to_left <= to_up && to_left <= to_corner) return static_cast<std::uint8_t>(left);
-  return static_cast<std::uint8_t>(to_up <= to_corner ? up : corner);
+  if (to_left <= to_up && to_left <= to_corner) return left;
+  return to_up <= to_corner ? up : corner;
 }
 
 /// Calls undo(byte, left, up, corner) for each byte of a row; what is outside the image is zero.
-template <typename Undo>
-void undo_filter(std::span<std::uint8_t> row, const std::uint8_t* above, std::size_t step,
-                 const Undo& undo) {
-  for (std::size_t i = 0; i < step; ++i) row[i] = undo(row[i], 0, above[i], 0);
-  for (std::size_t i = step; i < row.size(); ++i)
-    row[i] = undo(row[i], row[i - step], above[i], above[i - step]);
+/// @tparam kStep  bytes of a pixel; the pixel before stays in registers
+template <std::size_t kStep, typename Undo>
+void undo_each(std::span<std::uint8_t> row, const std::uint8_t* above, const Undo& undo) {
+  std::array<std::uint8_t, kStep> left{}, corner{};
+  for (std::size_t i = 0; i < row.size(); i += kStep) {
+    for (std::size_t k = 0; k < kStep; ++k) {
+      row[i + k] = left[k] =
+          static_cast<std::uint8_t>(undo(row[i + k], left[k], above[i + k], corner[k]));
+      corner[k] = above[i + k];
+    }
+  }
 }
 
-/// @param step  bytes of a pixel
 /// @return  false if there is no such filter
-bool undo_filter(std::uint8_t filter, std::span<std::uint8_t> row, const std::uint8_t* above,
-                 std::size_t step) {
-  const auto byte = [](int sum) { return static_cast<std::uint8_t>(sum); };
+template <std::size_t kStep>
+bool undo_filter(std::uint8_t filter, std::span<std::uint8_t> row, const std::uint8_t* above) {
   switch (filter) {
     case kNone:
       return true;
     case kSub:
-      undo_filter(row, above, step, [&](int x, int left, int, int) { return byte(x + left); });
+      undo_each<kStep>(row, above, [](int x, int left, int, int) { return x + left; });
       return true;
     case kUp:
-      undo_filter(row, above, step, [&](int x, int, int up, int) { return byte(x + up); });
+      undo_each<kStep>(row, above, [](int x, int, int up, int) { return x + up; });
       return true;
     case kAverage:
-      undo_filter(row, above, step,
-                  [&](int x, int left, int up, int) { return byte(x + (left + up) / 2); });
+      undo_each<kStep>(row, above,
+                       [](int x, int left, int up, int) { return x + (left + up) / 2; });
       return true;
     case kPaeth:
-      undo_filter(row, above, step, [&](int x, int left, int up, int corner) {
-        return byte(x + paeth(left, up, corner));
+      undo_each<kStep>(row, above, [](int x, int left, int up, int corner) {
+        return x + paeth(left, up, corner);
       });
       return true;
     default:
       return false;
   }
+}
+
+/// @param step  bytes of a pixel: 1, 2 or 3
+bool undo_filter(std::uint8_t filter, std::span<std::uint8_t> row, const std::uint8_t* above,
+                 std::size_t step) {
+  if (step == 1) return undo_filter<1>(filter, row, above);
+  return step == 2 ? undo_filter<2>(filter, row, above) : undo_filter<3>(filter, row, above);
 }
 
 /// Copies a row into the image; in PNG, the high byte of a number is the first.

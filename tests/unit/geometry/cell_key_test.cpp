@@ -54,6 +54,19 @@ TEST(CellKey, TheHashTellsNearCellsApart) {
   EXPECT_GT(slots.size(), 3700U);
 }
 
+TEST(CellKey, MembersAreSortedByCellAndKeepTheirOrder) {
+  std::vector<CellMember> members;
+  for (std::uint32_t i = 0; i < 5000; ++i) {
+    const auto at = static_cast<std::int32_t>(i * 2654435761U >> 20U);
+    members.emplace_back(CellKey(at % 13 - 6, at % 7 - 40, at % 31), i);
+  }
+  members.emplace_back(CellKey(CellKey::kHighest, 0, CellKey::kLowest), 5000);
+  std::vector<CellMember> expected = members;
+  std::sort(expected.begin(), expected.end());
+  sort_by_cell(members);
+  EXPECT_EQ(members, expected);
+}
+
 TEST(CellKey, TheMortonCurvePassesACubeOfEightCellsBeforeItGoesOn) {
   std::vector<std::uint64_t> codes;
   for (int x = 0; x < 2; ++x)
