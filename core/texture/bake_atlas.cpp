@@ -75,15 +75,15 @@ Result<Layout> lay_out(const TriangleMesh& mesh, double finest_mm, int max_side_
 /// coordinates.
 void unfold(const TriangleMesh& mesh, const Layout& layout, TexturedMesh& model) {
   model.mesh.triangles.resize(mesh.triangles.size());
-  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> last_copy(mesh.vertices.size(), kNone);  // of each vertex
+  constexpr auto kNoCopy = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> last_copy(mesh.vertices.size(), kNoCopy);  // of each vertex
   for (const Chart& chart : layout.charts) {
     const auto first = static_cast<std::uint32_t>(model.mesh.vertices.size());
     for (const std::uint32_t t : chart.triangles) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::uint32_t old = mesh.triangles[t][corner];
         const auto next = static_cast<std::uint32_t>(model.mesh.vertices.size());
-        const bool is_new = last_copy[old] == kNone || last_copy[old] < first;
+        const bool is_new = last_copy[old] == kNoCopy || last_copy[old] < first;
         if (is_new) last_copy[old] = next;
         model.mesh.triangles[t][corner] = last_copy[old];
         if (!is_new) continue;
