@@ -11,8 +11,8 @@
 
 namespace flytri {
 
-/// Sorts `items` by key_of(item), a std::uint64_t. Equal keys keep their order. Fast if the keys
-/// differ in few bits: it takes one pass for each eleven of them.
+/// Sorts by key_of(item), a std::uint64_t. Equal keys keep their order. Takes one pass for each
+/// eleven bits in which the keys differ.
 template <typename Item, typename KeyOf>
 void radix_sort(std::vector<Item>& items, const KeyOf& key_of) {
   constexpr int kBits = 11;

@@ -88,8 +88,8 @@ void Run::reject(FrameIndex frame, std::string reason) {
   report.T_world_sensor.reset();
 }
 
-/// Reads frame i, or writes into its report why not. A frame of the wrong size is an error: it is
-/// damaged, or the calibration belongs to another sensor.
+/// Reads frame i. If that fails, its report says why. A measurement frame of another size is an
+/// error: it is damaged, or the calibration is of another sensor.
 Result<void> Run::read_frame(const io::Recording& recording,
                              const calibration::Calibration& calibration, std::size_t i) {
   const FrameIndex index(i);

@@ -9,6 +9,7 @@
 #include "core/base/square.h"
 #include "core/geometry/cell_key.h"
 #include "core/geometry/point_grid.h"
+#include "core/reduction/wide_search.h"
 
 namespace flytri::reduction {
 namespace {
@@ -22,17 +23,13 @@ constexpr float kMaxReach_cells = 0.25F * CellKey::kHighest;
 /// Share of the total time of each part.
 constexpr double kGrowingShare = 0.5, kNearestShare = 0.5;
 
-/// Squared distance of `sample` from the axis of the cell around `center`; infinite outside the
-/// cell or on another surface.
-float distance2_from_axis(const SurfaceSample& center, const SurfaceSample& sample,
-                          const CellShape& shape) {
+/// Whether the cell around `center` holds a sample of the same surface.
+bool holds(const SurfaceSample& center, const SurfaceSample& sample, const CellShape& shape) {
   const Vec3f d = sample.position_mm - center.position_mm;
   const float along = d.dot(center.normal);
   const float across2 = d.squaredNorm() - along * along;
-  const bool inside = across2 < shape.width_mm * shape.width_mm &&
-                      std::abs(along) <= shape.half_length_mm &&
-                      sample.normal.dot(center.normal) >= shape.min_normal_cos;
-  return inside ? across2 : std::numeric_limits<float>::infinity();
+  return across2 < square(shape.width_mm) && std::abs(along) <= shape.half_length_mm &&
+         sample.normal.dot(center.normal) >= shape.min_normal_cos;
 }
 
 tl::unexpected<Error> too_far() {
@@ -58,7 +55,7 @@ class GrowingCenters {
 
   /// Makes sample i a center unless it lies in an existing cell.
   void offer(std::uint32_t i) {
-    if (!centers_.empty() && holds(last_, i)) return;
+    if (!centers_.empty() && is_in(last_, i)) return;
     const CellKey cube = CellKey::at(samples_[i].position_mm, cube_mm_);
     for (int dz = -1; dz <= 1; ++dz) {
       for (int dy = -1; dy <= 1; ++dy) {
@@ -79,12 +76,12 @@ class GrowingCenters {
  private:
   /// Cubes may share a slot, because the centers found there are tested anyway.
   std::size_t slot_of(CellKey cube) const { return hash_of(cube) & (heads_.size() - 1); }
-  bool holds(std::uint32_t cell, std::uint32_t i) const {
-    return std::isfinite(distance2_from_axis(samples_[centers_[cell]], samples_[i], shape_));
+  bool is_in(std::uint32_t cell, std::uint32_t i) const {
+    return holds(samples_[centers_[cell]], samples_[i], shape_);
   }
   bool find_in_cube(CellKey cube, std::uint32_t i) {
     for (std::uint32_t cell = heads_[slot_of(cube)]; cell != kNone; cell = next_[cell]) {
-      if (!holds(cell, i)) continue;
+      if (!is_in(cell, i)) continue;
       last_ = cell;  // the next sample is near and most likely in the same cell
       return true;
     }
@@ -100,19 +97,20 @@ class GrowingCenters {
   std::uint32_t last_ = 0;
 };
 
-/// Finds the center with the nearest axis. Successive samples are usually close together, so the
-/// list of near centers is used for several samples.
+/// Finds the center with the nearest axis.
 class NearCenters {
  public:
   NearCenters(std::span<const SurfaceSample> samples, std::span<const std::uint32_t> centers,
               const PointGrid& grid, const CellShape& shape)
-      : samples_(samples), centers_(centers), grid_(grid), shape_(shape) {}
+      : samples_(samples),
+        centers_(centers),
+        shape_(shape),
+        search_(grid, std::hypot(shape.width_mm, shape.half_length_mm),
+                kSlackCells * shape.width_mm) {}
 
   /// The nearest cell; among equally near ones the first. The sample must lie in a cell.
   std::uint32_t nearest_to(const SurfaceSample& sample) {
-    const float slack_mm = kSlackCells * shape_.width_mm;
-    if (cells_.empty() || (sample.position_mm - middle_mm_).squaredNorm() > square(slack_mm))
-      gather(sample.position_mm, std::hypot(shape_.width_mm, shape_.half_length_mm) + slack_mm);
+    if (search_.go_to(sample.position_mm)) gather();
     measure_distances(sample);
     const auto nearest = std::min_element(distances2_mm2_.begin(), distances2_mm2_.end());
     if (!(*nearest < std::numeric_limits<float>::infinity())) return kNone;
@@ -120,14 +118,11 @@ class NearCenters {
   }
 
  private:
-  /// A wider list is read more often, and made less often.
   static constexpr float kSlackCells = 2.0F;
 
-  void gather(const Vec3f& middle_mm, float reach_mm) {
-    middle_mm_ = middle_mm;
-    grid_.within(middle_mm, reach_mm, found_);
+  void gather() {
     cells_.clear();
-    for (const Neighbor& n : found_) cells_.push_back(n.index);
+    for (const Neighbor& n : search_.found()) cells_.push_back(n.index);
     std::sort(cells_.begin(), cells_.end());
     for (int axis = 0; axis < 3; ++axis) {
       center_mm_[axis].resize(cells_.size());
@@ -140,7 +135,8 @@ class NearCenters {
     distances2_mm2_.resize(cells_.size());
   }
 
-  /// As distance2_from_axis, of all cells of the list at once.
+  /// From the axes of all cells of the list at once; infinite where the cell does not hold the
+  /// sample.
   void measure_distances(const SurfaceSample& sample) {
     const float *cx = center_mm_[0].data(), *cy = center_mm_[1].data(), *cz = center_mm_[2].data();
     const float *nx = normal_[0].data(), *ny = normal_[1].data(), *nz = normal_[2].data();
@@ -161,10 +157,8 @@ class NearCenters {
 
   std::span<const SurfaceSample> samples_;
   std::span<const std::uint32_t> centers_;
-  const PointGrid& grid_;
   CellShape shape_;
-  Vec3f middle_mm_ = Vec3f::Zero();  ///< center of the list below
-  std::vector<Neighbor> found_;
+  WideSearch search_;
   std::vector<std::uint32_t> cells_;                      ///< rising
   std::array<std::vector<float>, 3> center_mm_, normal_;  ///< of these, by axis
   std::vector<float> distances2_mm2_;                     ///< of one sample from their axes

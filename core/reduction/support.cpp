@@ -7,6 +7,7 @@
 #include "core/base/square.h"
 #include "core/geometry/point_grid.h"
 #include "core/reduction/sample_noise.h"
+#include "core/reduction/wide_search.h"
 #include "core/reduction/witness_table.h"
 
 namespace flytri::reduction {
@@ -28,38 +29,34 @@ SampleOfView sample_of_view(ViewIndex view, std::uint32_t sample) {
 std::uint32_t view_of(SampleOfView w) { return static_cast<std::uint32_t>(w >> 32U); }
 std::uint32_t sample_of(SampleOfView w) { return static_cast<std::uint32_t>(w); }
 
-/// Lists the cells around one cell after another. Successive cells are usually close together, so
-/// a wider list serves for several of them.
+/// The cells around one cell after another.
 class NearCells {
  public:
   /// @param centers_mm  kept by reference
   NearCells(std::span<const Vec3f> centers_mm, const PointGrid& grid, float reach_mm,
             float slack_mm)
-      : centers_mm_(centers_mm), grid_(grid), reach_mm_(reach_mm), slack_mm_(slack_mm) {}
+      : centers_mm_(centers_mm), reach_mm_(reach_mm), search_(grid, reach_mm, slack_mm) {}
 
   /// Calls visit(cell, its center from there) for all centers within reach.
   template <typename Visit>
   void visit(const Vec3f& center_mm, const Visit& visit) {
-    if (found_.empty() || (center_mm - middle_mm_).squaredNorm() > square(slack_mm_)) {
-      middle_mm_ = center_mm;
-      // Rounding must not lose a cell at the border.
-      grid_.within(center_mm, 1.001F * (reach_mm_ + slack_mm_), found_);
+    const bool is_new = search_.go_to(center_mm);
+    const std::span<const Neighbor> found = search_.found();
+    if (is_new) {
       found_mm_.clear();
-      for (const Neighbor& n : found_) found_mm_.push_back(centers_mm_[n.index]);
+      for (const Neighbor& n : found) found_mm_.push_back(centers_mm_[n.index]);
     }
-    for (std::size_t i = 0; i < found_.size(); ++i) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
       const Vec3f d = found_mm_[i] - center_mm;
-      if (d.squaredNorm() <= square(reach_mm_)) visit(found_[i].index, d);
+      if (d.squaredNorm() <= square(reach_mm_)) visit(found[i].index, d);
     }
   }
 
  private:
   std::span<const Vec3f> centers_mm_;
-  const PointGrid& grid_;
-  float reach_mm_, slack_mm_;
-  Vec3f middle_mm_ = Vec3f::Zero();  ///< of the list
-  std::vector<Neighbor> found_;
-  std::vector<Vec3f> found_mm_;  ///< their centers
+  float reach_mm_;
+  WideSearch search_;
+  std::vector<Vec3f> found_mm_;  ///< centers of what it found
 };
 
 /// Judges the samples of one cell after another and reuses its buffers.

@@ -31,8 +31,7 @@ struct AgreementLimits {
   float sigmas2 = 0.0F;      ///< squared difference of heights, in variances
 };
 
-/// Compares a sample with many witnesses at once: a field of 64 witnesses is one array, and what
-/// they say is one bit each.
+/// Compares a sample with 64 witnesses at once. What they say is a word, a bit for each.
 class WitnessTable {
  public:
   void clear();

@@ -29,6 +29,28 @@ Quadric terms_at(double a, double b) {
   return terms;
 }
 
+/// Adds the data of one profile.
+void gather_data(const Profile& profile, ViewIndex view, double length_mm,
+                 std::vector<Datum>& data) {
+  const auto& points = profile.points;
+  for (std::size_t begin = 0; begin < points.size();) {
+    Datum datum{Vec3::Zero(), Vec3::Zero(), profile.sheet_normal, view};
+    std::size_t end = begin;
+    while (end < points.size() &&
+           (points[end].position_mm - points[begin].position_mm).norm() <= length_mm) {
+      datum.position_mm += points[end].position_mm;
+      datum.deviation_mm += points[end].deviation_mm.cast<double>();
+      ++end;
+    }
+    const double count = static_cast<double>(end - begin);
+    datum.position_mm /= count;
+    // The uncertainty of the mean of n points is smaller by sqrt(n).
+    datum.deviation_mm /= count * std::sqrt(count);
+    data.push_back(datum);
+    begin = end;
+  }
+}
+
 /// The data of a cell in its frame, a row each.
 struct LocalData {
   Eigen::Matrix<double, Eigen::Dynamic, 6> terms;
@@ -93,31 +115,6 @@ double tukey_weight(double normalized_residual, double limit) {
   const double rest = 1.0 - share * share;
   return rest * rest;
 }
-
-namespace {
-
-void gather_data(const Profile& profile, ViewIndex view, double length_mm,
-                 std::vector<Datum>& data) {
-  const auto& points = profile.points;
-  for (std::size_t begin = 0; begin < points.size();) {
-    Datum datum{Vec3::Zero(), Vec3::Zero(), profile.sheet_normal, view};
-    std::size_t end = begin;
-    while (end < points.size() &&
-           (points[end].position_mm - points[begin].position_mm).norm() <= length_mm) {
-      datum.position_mm += points[end].position_mm;
-      datum.deviation_mm += points[end].deviation_mm.cast<double>();
-      ++end;
-    }
-    const double count = static_cast<double>(end - begin);
-    datum.position_mm /= count;
-    // The uncertainty of the mean of n points is smaller by sqrt(n).
-    datum.deviation_mm /= count * std::sqrt(count);
-    data.push_back(datum);
-    begin = end;
-  }
-}
-
-}  // namespace
 
 std::vector<Datum> gather_data(std::span<const AlignedView> views, double length_mm,
                                const Workers& workers) {

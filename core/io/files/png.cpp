@@ -141,16 +141,6 @@ std::string png_header(const cv::Mat& image) {
   return body + std::string(3, '\0');
 }
 
-/// Copies a row in the byte order of PNG: high byte first.
-void copy_row(const cv::Mat& image, int row, std::vector<std::uint8_t>& to) {
-  const std::uint8_t* from = image.ptr(row);
-  if (image.depth() != CV_16U) {
-    std::copy_n(from, to.size(), to.begin());
-    return;
-  }
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i ^ 1U];
-}
-
 /// The difference of each pixel to the one before: of a smooth image only noise remains.
 std::vector<std::uint8_t> filtered_rows(const cv::Mat& image) {
   constexpr std::uint8_t kSub = 1;
@@ -160,7 +150,7 @@ std::vector<std::uint8_t> filtered_rows(const cv::Mat& image) {
   rows.reserve((width + 1) * static_cast<std::size_t>(image.rows));
   std::vector<std::uint8_t> row(width), difference(width);
   for (int i = 0; i < image.rows; ++i) {
-    copy_row(image, i, row);
+    copy_png_row({image.ptr(i), width}, image.depth(), row.data());
     std::copy_n(row.begin(), step, difference.begin());
     for (std::size_t k = step; k < width; ++k)
       difference[k] = static_cast<std::uint8_t>(row[k] - row[k - step]);

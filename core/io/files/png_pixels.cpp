@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace flytri::io {
@@ -23,7 +22,7 @@ int paeth(int left, int up, int corner) {
   return to_up <= to_corner ? up : corner;
 }
 
-/// Calls undo(byte, left, up, corner) for each byte of a row; what is outside the image is zero.
+/// Calls undo(byte, left, up, corner) for each byte of a row. Outside the image there are zeros.
 /// @tparam kStep  bytes of a pixel; the pixel before stays in registers
 template <std::size_t kStep, typename Undo>
 void undo_each(std::span<std::uint8_t> row, const std::uint8_t* above, const Undo& undo) {
@@ -70,16 +69,15 @@ bool undo_filter(std::uint8_t filter, std::span<std::uint8_t> row, const std::ui
   return step == 2 ? undo_filter<2>(filter, row, above) : undo_filter<3>(filter, row, above);
 }
 
-/// Copies a row into the image; in PNG, the high byte of a number is the first.
-void copy_row(std::span<const std::uint8_t> row, int depth, std::uint8_t* to) {
+}  // namespace
+
+void copy_png_row(std::span<const std::uint8_t> from, int depth, std::uint8_t* to) {
   if (depth != CV_16U) {
-    std::copy(row.begin(), row.end(), to);
+    std::copy(from.begin(), from.end(), to);
     return;
   }
-  for (std::size_t i = 0; i < row.size(); ++i) to[i ^ 1U] = row[i];
+  for (std::size_t i = 0; i < from.size(); ++i) to[i ^ 1U] = from[i];
 }
-
-}  // namespace
 
 bool unpack_png_pixels(std::string_view packed, cv::Mat& image) {
   const std::size_t step = image.elemSize();
@@ -98,7 +96,7 @@ bool unpack_png_pixels(std::string_view packed, cv::Mat& image) {
     std::uint8_t* begin = rows.data() + (width + 1) * static_cast<std::size_t>(r);
     const std::span row(begin + 1, width);
     if (!undo_filter(*begin, row, above, step)) return false;
-    copy_row(row, image.depth(), image.ptr(r));
+    copy_png_row(row, image.depth(), image.ptr(r));
     above = row.data();
   }
   return true;
