@@ -17,35 +17,51 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249ULL;
 }
 
+/// Numbers the cells of the smallest box that holds all of a list, in their order: few bits differ.
+class NumberInBox {
+ public:
+  template <typename Item, typename KeyOf>
+  NumberInBox(const std::vector<Item>& items, const KeyOf& key_of) {
+    std::array<std::int32_t, 3> most{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto along = [&](const Item& item) { return key_of(item)[static_cast<int>(axis)]; };
+      least_[axis] = most[axis] = along(items.front());
+      for (const Item& item : items) {
+        least_[axis] = std::min(least_[axis], along(item));
+        most[axis] = std::max(most[axis], along(item));
+      }
+    }
+    const auto bits = [&](std::size_t axis) {
+      return std::bit_width(static_cast<std::uint32_t>(most[axis] - least_[axis]));
+    };
+    y_shift_ = bits(2);
+    x_shift_ = y_shift_ + bits(1);
+  }
+
+  std::uint64_t operator()(CellKey key) const {
+    const auto place = [&](int axis) {
+      return static_cast<std::uint64_t>(key[axis] - least_[static_cast<std::size_t>(axis)]);
+    };
+    return place(0) << x_shift_ | place(1) << y_shift_ | place(2);
+  }
+
+ private:
+  std::array<std::int32_t, 3> least_{};
+  int x_shift_ = 0, y_shift_ = 0;
+};
+
 }  // namespace
 
 void sort_unique(std::vector<CellKey>& keys) {
-  std::sort(keys.begin(), keys.end());
+  if (keys.empty()) return;
+  radix_sort(keys, NumberInBox(keys, [](CellKey key) { return key; }));
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
 void sort_by_cell(std::vector<CellMember>& members) {
   if (members.empty()) return;
-  std::array<std::int32_t, 3> least{}, most{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    least[a] = most[a] = members.front().first[axis];
-    for (const CellMember& member : members) {
-      least[a] = std::min(least[a], member.first[axis]);
-      most[a] = std::max(most[a], member.first[axis]);
-    }
-  }
-  // The cells of the smallest box that holds all differ in few bits.
-  const auto bits = [&](std::size_t a) {
-    return std::bit_width(static_cast<std::uint32_t>(most[a] - least[a]));
-  };
-  const int y_shift = bits(2), x_shift = y_shift + bits(1);
-  radix_sort(members, [&](const CellMember& member) {
-    const auto place = [&](int axis) {
-      return static_cast<std::uint64_t>(member.first[axis] - least[static_cast<std::size_t>(axis)]);
-    };
-    return place(0) << x_shift | place(1) << y_shift | place(2);
-  });
+  const NumberInBox number(members, [](const CellMember& member) { return member.first; });
+  radix_sort(members, [&](const CellMember& member) { return number(member.first); });
 }
 
 std::uint64_t morton_code(CellKey key) {

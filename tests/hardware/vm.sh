@@ -3,13 +3,14 @@
 # devices. Source this file in a script:
 #     vm_require                            exits with code 77 and a message if a tool is missing
 #     vm_fetch_kernel WORK                  downloads and unpacks the kernel package into WORK, once
-#     vm_boot WORK SCRIPT MODULES PROGRAM...  boots and runs SCRIPT in the guest; returns 0 if it passed
+#     vm_boot WORK NAME SCRIPT MODULES PROGRAM...  boots and runs SCRIPT in the guest NAME; returns 0 if it passed
 #
 # The guest has virtual time (-icount): it stops while the host is busy and jumps ahead while the
 # guest is idle. So tests do not fail under load and do not wait, but times measured in the guest are
 # meaningless. An instruction takes 2^VM_TICK ns of virtual time (default: 2 ns); with a smaller
 # VM_TICK, the guest does more in the same virtual time. SCRIPT is a shell script; it finds WORK/share
-# in /share, and the PROGRAMs with their libraries in /bin. Log: WORK/console.log.
+# in /share, and the PROGRAMs with their libraries in /bin. Log: WORK/NAME.log. Guests of different names can run at
+# the same time.
 
 vm_packages="busybox-static cpio kmod qemu-system-x86 seabios xz-utils"
 
@@ -76,8 +77,8 @@ vm_libraries() {
 }
 
 vm_pack() {
-  local work=$1 script=$2 modules=$3 root=$1/root file
-  shift 3
+  local work=$1 name=$2 script=$3 modules=$4 root=$1/$2.root file
+  shift 4
   rm -rf "${root:?}"
   mkdir -p "$root"/{bin,dev,modules,proc,share,sys,tmp}
   cp "$(command -v busybox)" "$root/bin/busybox"
@@ -92,20 +93,21 @@ vm_pack() {
     mkdir -p "$root${file%/*}"
     cp -L "$file" "$root$file"
   done
-  (cd "$root" && find . | cpio -o -H newc --quiet) > "$work/initramfs"
+  (cd "$root" && find . | cpio -o -H newc --quiet) > "$work/$name.initramfs"
+  rm -rf "${root:?}"
 }
 
 vm_boot() {
-  local work=$1
+  local work=$1 name=$2
   mkdir -p "$work/share"
   vm_pack "$@"
   timeout "${VM_TIMEOUT_S:-1500}" qemu-system-x86_64 -accel tcg -cpu max -smp 1 -m 1536 \
     -icount "shift=${VM_TICK:-1},sleep=off" -rtc clock=vm -nodefaults -display none -no-reboot \
-    -serial "file:$work/console.log" \
+    -serial "file:$work/$name.log" \
     -virtfs "local,path=$work/share,mount_tag=share,security_model=none" \
-    -kernel "$work/vmlinux" -initrd "$work/initramfs" -append 'console=ttyS0 panic=-1 quiet' < /dev/null ||
-    echo "vm: QEMU was stopped after ${VM_TIMEOUT_S:-1500} s, or could not be started; see $work/console.log"
-  tr -d '\r' < "$work/console.log" | sed -n '/^guest: /,$p'
+    -kernel "$work/vmlinux" -initrd "$work/$name.initramfs" -append 'console=ttyS0 panic=-1 quiet' < /dev/null ||
+    echo "vm: QEMU was stopped after ${VM_TIMEOUT_S:-1500} s, or could not be started; see $work/$name.log"
+  tr -d '\r' < "$work/$name.log" | sed -n '/^guest: /,$p'
   # The test passed only if this is the last line; after a kernel panic, for example, it is missing.
-  tr -d '\r' < "$work/console.log" | tail -n 5 | grep -q '^guest: passed$'
+  tr -d '\r' < "$work/$name.log" | tail -n 5 | grep -q '^guest: passed$'
 }

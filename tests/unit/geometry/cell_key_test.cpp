@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 #include <unordered_set>
 
 namespace flytri {
@@ -65,6 +66,20 @@ TEST(CellKey, MembersAreSortedByCellAndKeepTheirOrder) {
   std::sort(expected.begin(), expected.end());
   sort_by_cell(members);
   EXPECT_EQ(members, expected);
+}
+
+TEST(CellKey, CellsAreSortedAndEachIsKeptOnce) {
+  std::vector<CellKey> keys = {CellKey(CellKey::kLowest, 0, CellKey::kHighest)};
+  for (std::uint32_t i = 0; i < 5000; ++i) {
+    const auto at = static_cast<std::int32_t>(i * 2654435761U >> 20U);
+    keys.emplace_back(at % 13 - 6, at % 7 - 40, at % 31);
+  }
+  const std::set<CellKey> expected(keys.begin(), keys.end());
+  sort_unique(keys);
+  EXPECT_EQ(keys, std::vector(expected.begin(), expected.end()));
+  std::vector<CellKey> none;
+  sort_unique(none);
+  EXPECT_TRUE(none.empty());
 }
 
 TEST(CellKey, TheMortonCurvePassesACubeOfEightCellsBeforeItGoesOn) {

@@ -12,8 +12,10 @@
 #include "core/evaluation/surface_error.h"
 #include "core/io/models/glb.h"
 #include "core/io/models/model.h"
+#include "core/io/models/ply.h"
 #include "core/review/measure.h"
 #include "tests/support/fake_jaw.h"
+#include "tests/support/sample_meshes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/app/session/session_fixture.h"
 
@@ -32,6 +34,10 @@ class SessionReview : public ::testing::Test {
       setenv(folder, folder_.path().c_str(), 1);
     options_.unnamed_folder = unnamed_cases_folder();
     options_.source = {};
+    // The jaw comes from the case. What the virtual sensor sees costs as little as possible.
+    const fs::path object = folder_.path() / "object.ply";
+    ASSERT_TRUE(io::write_ply(object, height_field({}, [](double, double) { return 0.0; })));
+    options_.source.object.mesh = object;
     {
       Session session(options_);
       ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));

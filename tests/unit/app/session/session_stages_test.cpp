@@ -72,7 +72,7 @@ TEST_F(SessionOnARecording, AStageStartsAsACopyOfItsJaw) {
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
     session.carry_out(ui::NewCase{path, {}, {}});
     session.carry_out(ui::StartScan{});
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 90; }));
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 45; }));
     session.carry_out(ui::PauseScan{});
     session.scan()->wait_until_idle();
     scanned = session.view().scan->view_count();
@@ -153,7 +153,7 @@ TEST_F(SessionOnARecording, KeepsAFinishedJawAsPreop) {
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
   session.carry_out(ui::NewCase{path, {}, {}});
   session.carry_out(ui::StartScan{});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
   session.carry_out(ui::Finish{});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan->result != nullptr; }));
   const std::size_t triangles = session.view().scan->result->surface.mesh.triangles.size();

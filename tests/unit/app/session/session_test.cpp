@@ -46,7 +46,7 @@ TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
     io::CaseFields fields;
     fields.patient_name = "Smith";
     session.carry_out(ui::NewCase{path, {}, fields});
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
     session.carry_out(ui::PauseScan{});
     session.carry_out(ui::AddMeasurement{{0, Vec3(0, 0, 0), Vec3(1, 0, 0), ""}});
     session.scan()->wait_until_idle();
@@ -62,7 +62,7 @@ TEST_F(SessionOnARecording, AScanIsSavedInItsCase) {
   EXPECT_FALSE(warns_of_other_calibration(session.view()));
   auto stored = io::CaseFile::open(path, {.passphrase = {}, .read_only = true});
   ASSERT_FALSE(stored) << "one program at a time has a case open for writing";
-  EXPECT_GT(scanned, 60);
+  EXPECT_GT(scanned, 30);
 }
 
 TEST_F(SessionOnARecording, ARecordingThatEndedBeforeTheScanBeganIsPlayedAgain) {
@@ -147,7 +147,7 @@ TEST_F(SessionOnARecording, AScanWithoutACaseIsFoundAgainAndCanBeNamed) {
     // The scan goes on in the named case, with the recording from its beginning.
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.source.has_ended; }));
     session.carry_out(ui::StartScan{});
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 50; }));
   }
   auto stored = io::CaseFile::open(named, {.passphrase = passphrase});
   ASSERT_TRUE(stored) << stored.error().message;
@@ -197,7 +197,7 @@ TEST_F(SessionOnARecording, AFinishedModelIsSavedInItsCase) {
     ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan != nullptr; }));
     session.carry_out(ui::NewCase{path, {}, {}});
     session.carry_out(ui::StartScan{});
-    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+    ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
     session.carry_out(ui::Finish{});
     ASSERT_TRUE(wait_for(session, has_result));
     triangles = session.view().scan->result->model.mesh.triangles.size();
@@ -341,7 +341,7 @@ TEST_F(SessionOnARecording, SpeaksTheLanguageOfTheDesktopOrOfTheSettings) {
 TEST_F(SessionOnARecording, WhileFinishingNoOtherCaseOrStageCanBeChosen) {
   Session session(options_);
   session.carry_out(ui::StartScan{});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
   session.carry_out(ui::Finish{});
   const auto is_finishing = [](const auto& view) {
     return view.scan->phase == scan::ScanPhase::kFinishing;
@@ -379,7 +379,7 @@ TEST_F(SessionOnARecording, WarnsOfACaseOfAnotherCalibration) {
 TEST_F(SessionOnARecording, FinishesAndExportsWhatIsShown) {
   Session session(options_);
   session.carry_out(ui::StartScan{});
-  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 60; }));
+  ASSERT_TRUE(wait_for(session, [](const auto& view) { return registered(view) > 30; }));
   session.carry_out(ui::Finish{});
   ASSERT_TRUE(wait_for(session, [](const auto& view) { return view.scan->result != nullptr; }));
   // The dialog asks for sizes, and the user does not wait for them.
