@@ -57,6 +57,10 @@ FakeJaw::FakeJaw()
     frames_[static_cast<std::size_t>(pattern)] = frame_at(pattern, kLiveShare);
   }
   other_ = frame_at(Pattern::kVertical, kOtherShare);
+  auto flash = std::make_shared<scan::LiveFrame>();
+  flash->frame.kind = FrameKind::kTexture;
+  flash->frame.image = images_->texture_image(T_world_sensor(), 1);
+  flash_ = flash;
   surfels_ = seen_until(kLiveShare);
   places_ = find_places();
   result_ = finish();
@@ -90,13 +94,6 @@ std::shared_ptr<const scan::LiveFrame> FakeJaw::frame_at(Pattern pattern, double
 
 std::shared_ptr<const scan::LiveFrame> FakeJaw::live_frame(Pattern pattern) const {
   return frames_[static_cast<std::size_t>(pattern)];
-}
-
-std::shared_ptr<const scan::LiveFrame> FakeJaw::flash_frame() const {
-  auto frame = std::make_shared<scan::LiveFrame>();
-  frame->frame.kind = FrameKind::kTexture;
-  frame->frame.image = images_->texture_image(T_world_sensor(), 1);
-  return frame;
 }
 
 SurfelModel FakeJaw::seen_until(double share) const {

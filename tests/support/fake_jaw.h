@@ -24,7 +24,7 @@ class FakeJaw {
   [[nodiscard]] std::vector<meshing::BoundaryLoop> holes() const;
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> live_frame(Pattern pattern) const;
   /// A texture frame from the same place as the live frames.
-  [[nodiscard]] std::shared_ptr<const scan::LiveFrame> flash_frame() const;
+  [[nodiscard]] std::shared_ptr<const scan::LiveFrame> flash_frame() const { return flash_; }
   /// A frame from another place, as after the tracking was lost.
   [[nodiscard]] std::shared_ptr<const scan::LiveFrame> other_frame() const { return other_; }
   [[nodiscard]] Isometry T_world_sensor() const;
@@ -52,7 +52,7 @@ class FakeJaw {
   std::unique_ptr<simulated::ViewSimulator> views_;
   simulated::SensorPath path_;  ///< over the arch, three times
   std::array<std::shared_ptr<const scan::LiveFrame>, 2> frames_;
-  std::shared_ptr<const scan::LiveFrame> other_;
+  std::shared_ptr<const scan::LiveFrame> other_, flash_;
   SurfelModel surfels_;
   std::vector<scan::ReentryPlace> places_;
   std::shared_ptr<const reconstruct::FinishedScan> result_;
