@@ -17,7 +17,7 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249ULL;
 }
 
-/// Numbers the cells of the smallest box that holds all of a list, in their order: few bits differ.
+/// Number of a cell in the smallest box around a list of cells: the same order, in fewer bits.
 class NumberInBox {
  public:
   template <typename Item, typename KeyOf>

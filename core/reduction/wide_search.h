@@ -1,4 +1,4 @@
-/// @file  Points near one place after another, where successive places are close together.
+/// @file  Points near many places, each of which is close to the one before.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ class WideSearch {
  public:
   /// @param grid      kept by reference
   /// @param reach_mm  > 0. The list has all points this near to the place
-  /// @param slack_mm  > 0. A place farther than this from that of the last search needs a new one
+  /// @param slack_mm  > 0. The list serves for places this near to the one that was searched
   WideSearch(const PointGrid& grid, float reach_mm, float slack_mm)
       : grid_(grid), reach_mm_(reach_mm), slack_mm_(slack_mm) {}
 

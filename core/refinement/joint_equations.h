@@ -40,8 +40,8 @@ struct FittedSurfaces {
 using SharedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using SharedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
-/// What one cell and view add to the equations of a group, without the cell's surface. S is the
-/// derivative of the residuals by the unknowns of the group; the rest is as in CellViewBlock.
+/// What a cell adds for one view to the equations of a group, without the cell's surface. S: the
+/// residuals derived by the unknowns of the group; other letters as in CellViewBlock.
 struct CellSharedShare {
   std::size_t group = 0;
   SharedMatrix coupling;     ///< S^T W A L^-T

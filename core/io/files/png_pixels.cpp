@@ -22,7 +22,7 @@ int paeth(int left, int up, int corner) {
   return to_up <= to_corner ? up : corner;
 }
 
-/// Calls undo(byte, left, up, corner) for each byte of a row. Outside the image there are zeros.
+/// Calls undo(byte, left, up, corner) for each byte of a row. Neighbors outside the image are 0.
 /// @tparam kStep  bytes of a pixel; the pixel before stays in registers
 template <std::size_t kStep, typename Undo>
 void undo_each(std::span<std::uint8_t> row, const std::uint8_t* above, const Undo& undo) {

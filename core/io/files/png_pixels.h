@@ -8,8 +8,8 @@
 
 namespace flytri::io {
 
-/// Copies a row from the byte order of PNG to that of an image, or back: in PNG, the high byte of a
-/// 16-bit number is the first.
+/// Copies a row from PNG to an image, or back. In PNG, the high byte of a 16-bit number comes
+/// first.
 /// @param depth  of the image
 void copy_png_row(std::span<const std::uint8_t> from, int depth, std::uint8_t* to);
 
