@@ -42,9 +42,9 @@ TEST(WithoutRollingShutter, PutsThePointsWhereTheyWere) {
   EXPECT_LT(displacement_rms_mm(without_rolling_shutter(seen, 0.015, camera_rows()), truth), 1e-6);
 }
 
-class RollingShutter : public ::testing::TestWithParam<double> {};
+class EstimateReadout : public ::testing::TestWithParam<double> {};
 
-TEST_P(RollingShutter, ReadoutIsFound) {
+TEST_P(EstimateReadout, ReadoutIsFound) {
   const auto truth = true_scan(2);
   auto without = testing::with_drift(rolled(truth, GetParam()), 0.1, 3);
   ASSERT_TRUE(refine_jointly(without, {}, Workers(2), {}));
@@ -61,9 +61,9 @@ TEST_P(RollingShutter, ReadoutIsFound) {
 }
 
 /// Also with the last row first.
-INSTANTIATE_TEST_SUITE_P(Readouts, RollingShutter, ::testing::Values(-0.02, 0.008, 0.015, 0.03));
+INSTANTIATE_TEST_SUITE_P(Readouts, EstimateReadout, ::testing::Values(-0.02, 0.008, 0.015, 0.03));
 
-TEST(RollingShutter, GlobalShutterHasNoReadout) {
+TEST(EstimateReadout, GlobalShutterHasNoReadout) {
   for (const std::uint64_t seed : {4, 5}) {
     auto views = testing::with_drift(true_scan(seed), 0.1, seed);
     ASSERT_TRUE(refine_jointly(views, {}, Workers(2), {}));
@@ -74,14 +74,14 @@ TEST(RollingShutter, GlobalShutterHasNoReadout) {
   }
 }
 
-TEST(RollingShutter, SensorAtRestTellsNoReadout) {
+TEST(EstimateReadout, SensorAtRestTellsNoReadout) {
   const auto views = scan_cusps(20, SceneSensor{}, 6, 0.0).views;
   const auto readout = estimate_readout(views, camera_rows(), {}, Workers(2), {});
   ASSERT_TRUE(readout);
   EXPECT_FALSE(readout->is_long());
 }
 
-TEST(RollingShutter, RefusesNoViewsAndStopsWhenCanceled) {
+TEST(EstimateReadout, RefusesNoViewsAndStopsWhenCanceled) {
   const auto none = estimate_readout({}, camera_rows(), {}, Workers(2), {});
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, ErrorCode::kInsufficient);
