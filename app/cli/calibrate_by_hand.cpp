@@ -10,6 +10,7 @@
 #include "hw/shots/board_session.h"
 #include "hw/shots/guided_session.h"
 #include "hw/shots/open_shots.h"
+#include "hw/simulated/datasets/simulate_board_set.h"
 
 namespace flytri::cli {
 namespace {
@@ -22,10 +23,8 @@ constexpr std::string_view kHelp =
     "done.";
 
 calibration::CalibrationScene make_scene(const PlanArguments& arguments) {
-  const simulated::SensorModel sensor = shots::sensor_named(arguments.sensor);
-  calibration::CalibrationScene scene{sensor.volume, {}, sensor.board_dots()};
-  for (const Pattern pattern : kPatterns)
-    scene.line_counts[static_cast<std::size_t>(pattern)] = sensor.projector(pattern).line_count();
+  calibration::CalibrationScene scene =
+      simulated::board_scene_of(shots::sensor_named(arguments.sensor));
   if (const auto& size = arguments.volume_mm; !size.empty())
     scene.volume.size_mm = Vec3(size[0], size[1], size[2]);
   if (const auto& lines = arguments.lines; !lines.empty()) scene.line_counts = {lines[0], lines[1]};

@@ -101,12 +101,12 @@ vm_boot() {
   local work=$1 name=$2
   mkdir -p "$work/share"
   vm_pack "$@"
-  timeout "${VM_TIMEOUT_S:-1500}" qemu-system-x86_64 -accel tcg -cpu max -smp 1 -m 1536 \
+  timeout "${VM_TIMEOUT_S:-3600}" qemu-system-x86_64 -accel tcg -cpu max -smp 1 -m 1536 \
     -icount "shift=${VM_TICK:-1},sleep=off" -rtc clock=vm -nodefaults -display none -no-reboot \
     -serial "file:$work/$name.log" \
     -virtfs "local,path=$work/share,mount_tag=share,security_model=none" \
     -kernel "$work/vmlinux" -initrd "$work/$name.initramfs" -append 'console=ttyS0 panic=-1 quiet' < /dev/null ||
-    echo "vm: QEMU was stopped after ${VM_TIMEOUT_S:-1500} s, or could not be started; see $work/$name.log"
+    echo "vm: QEMU was stopped after ${VM_TIMEOUT_S:-3600} s, or could not be started; see $work/$name.log"
   tr -d '\r' < "$work/$name.log" | sed -n '/^guest: /,$p'
   # The test passed only if this is the last line; after a kernel panic, for example, it is missing.
   tr -d '\r' < "$work/$name.log" | tail -n 5 | grep -q '^guest: passed$'

@@ -113,6 +113,11 @@ BoardPose take_pose(const BoardScene& scene, const BoardSetOptions& options, std
   return pose;
 }
 
+Result<BoardScene> scene_of(const BoardSetOptions& options) {
+  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  return BoardScene::create(exposed_for_targets(options.sensor), options.images);
+}
+
 }  // namespace
 
 Result<BoardScene> BoardScene::create(const SensorModel& sensor, const ImageOptions& options) {
@@ -155,18 +160,25 @@ Result<void> BoardSetOptions::validate() const {
       .result();
 }
 
+calibration::CalibrationScene board_scene_of(const SensorModel& sensor) {
+  calibration::CalibrationScene scene{sensor.volume, {}, sensor.board_dots()};
+  for (const Pattern pattern : kPatterns)
+    scene.line_counts[static_cast<std::size_t>(pattern)] = sensor.projector(pattern).line_count();
+  return scene;
+}
+
+Result<BoardPose> take_board_pose(const BoardSetOptions& options, std::size_t index) {
+  const auto scene = scene_of(options);
+  if (!scene) return tl::unexpected(scene.error());
+  return take_pose(*scene, options, index, calibration::board_places().at(index));
+}
+
 Result<BoardSet> take_board_set(const BoardSetOptions& options, const Workers& workers,
                                 const Progress& progress) {
-  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
-  const auto scene = BoardScene::create(exposed_for_targets(options.sensor), options.images);
+  const auto scene = scene_of(options);
   if (!scene) return tl::unexpected(scene.error());
   const std::vector<BoardPlace> places = calibration::board_places();
-  BoardSet set;
-  set.volume = options.sensor.volume;
-  for (const Pattern pattern : kPatterns)
-    set.line_counts[static_cast<std::size_t>(pattern)] =
-        options.sensor.projector(pattern).line_count();
-  set.dots = options.sensor.board_dots();
+  BoardSet set{board_scene_of(options.sensor), {}};
   set.poses.resize(places.size());
   progress.begin_stage("Taking images of the board", places.size());
   workers.for_each(places.size(), [&](std::size_t i) {

@@ -48,6 +48,15 @@ struct BoardSetOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
+/// The board for a sensor.
+[[nodiscard]] calibration::CalibrationScene board_scene_of(const SensorModel& sensor);
+
+/// The images of one pose, as in take_board_set.
+/// @param index  of calibration::board_places()
+/// @errors  kBadOption.
+[[nodiscard]] Result<calibration::BoardPose> take_board_pose(const BoardSetOptions& options,
+                                                             std::size_t index);
+
 /// Creates the images of all poses in memory.
 /// @errors  kBadOption, kCancelled.
 [[nodiscard]] Result<calibration::BoardSet> take_board_set(const BoardSetOptions& options,

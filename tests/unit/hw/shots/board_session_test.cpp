@@ -8,6 +8,7 @@
 #include "core/io/calibrations/calibration_file.h"
 #include "hw/shots/guided_session.h"
 #include "hw/shots/simulated_shots.h"
+#include "hw/simulated/datasets/simulate_board_set.h"
 #include "tests/support/hand_board.h"
 #include "tests/support/temporary_folder.h"
 
@@ -18,7 +19,7 @@ using calibration::BoardPose;
 using calibration::CalibrationScene;
 using ::testing::HasSubstr;
 
-CalibrationScene board_scene() { return testing::hand_board(); }
+CalibrationScene board_scene() { return simulated::board_scene_of(simulated::intraoral_sensor()); }
 
 /// Gives the images of testing::hand_board() in place of a sensor's.
 class RecordedBoard final : public ShotSource {
@@ -103,7 +104,7 @@ struct BadPose {
 class CheckBoardPose : public ::testing::TestWithParam<BadPose> {};
 
 TEST_P(CheckBoardPose, SaysWhatIsWrong) {
-  BoardPose pose = testing::hand_board_pose(1);
+  BoardPose pose = testing::one_board_pose();
   ASSERT_TRUE(check_board_pose(pose, board_scene(), {}));
   GetParam().spoil(pose);
   const auto refused = check_board_pose(pose, board_scene(), {});
