@@ -48,7 +48,7 @@ struct BoardSetOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// The board for a sensor.
+/// Measurement volume, lines and dots of the board for a sensor.
 [[nodiscard]] calibration::CalibrationScene board_scene_of(const SensorModel& sensor);
 
 /// The images of one pose, as in take_board_set.
