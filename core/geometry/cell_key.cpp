@@ -17,7 +17,7 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249ULL;
 }
 
-/// Number of a cell in the smallest box around a list of cells: the same order, in fewer bits.
+/// Numbers the cells of a list within their bounding box: the order of the keys, in fewer bits.
 class NumberInBox {
  public:
   template <typename Item, typename KeyOf>

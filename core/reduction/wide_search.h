@@ -1,4 +1,4 @@
-/// @file  Points near many places, each of which is close to the one before.
+/// @file  Finds the points near one place after another; places close together share a search.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ class WideSearch {
  public:
   /// @param grid      kept by reference
   /// @param reach_mm  > 0. The list has all points this near to the place
-  /// @param slack_mm  > 0. The list serves for places this near to the one that was searched
+  /// @param slack_mm  > 0. The list of one place is also used for places within this distance
   WideSearch(const PointGrid& grid, float reach_mm, float slack_mm)
       : grid_(grid), reach_mm_(reach_mm), slack_mm_(slack_mm) {}
 

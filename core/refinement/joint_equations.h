@@ -40,8 +40,8 @@ struct FittedSurfaces {
 using SharedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using SharedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
-/// What a cell adds for one view to the equations of a group, without the cell's surface. S: the
-/// residuals derived by the unknowns of the group; other letters as in CellViewBlock.
+/// Part of a group's equations from one cell and one view, without the cell's surface. S:
+/// derivatives of the residuals by the group's unknowns; other letters as in CellViewBlock.
 struct CellSharedShare {
   std::size_t group = 0;
   SharedMatrix coupling;     ///< S^T W A L^-T

@@ -3,7 +3,6 @@
 #include "hw/simulated/datasets/simulate_board_set.h"
 
 namespace flytri::testing {
-
 namespace {
 
 simulated::BoardSetOptions steady_hand() {
