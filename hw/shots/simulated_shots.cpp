@@ -72,9 +72,7 @@ Result<cv::Mat> SimulatedShots::look(calibration::ShotKind kind, double z_mm,
 calibration::CalibrationPlan plan_of(const simulated::SensorModel& sensor, int plane_count) {
   calibration::CalibrationPlan plan;
   plan.volume = sensor.volume;
-  for (const Pattern pattern : kPatterns) {
-    plan.line_counts[static_cast<std::size_t>(pattern)] = sensor.projector(pattern).line_count();
-  }
+  plan.line_counts = sensor.line_counts();
   plan.dots = sensor.dots;
   plan.z_mm = calibration::even_depths_mm(sensor.volume, plane_count, kDepthShare);
   return plan;

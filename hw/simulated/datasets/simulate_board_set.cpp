@@ -161,10 +161,7 @@ Result<void> BoardSetOptions::validate() const {
 }
 
 calibration::CalibrationScene board_scene_of(const SensorModel& sensor) {
-  calibration::CalibrationScene scene{sensor.volume, {}, sensor.board_dots()};
-  for (const Pattern pattern : kPatterns)
-    scene.line_counts[static_cast<std::size_t>(pattern)] = sensor.projector(pattern).line_count();
-  return scene;
+  return {sensor.volume, sensor.line_counts(), sensor.board_dots()};
 }
 
 Result<BoardPose> take_board_pose(const BoardSetOptions& options, std::size_t index) {

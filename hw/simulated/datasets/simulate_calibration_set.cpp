@@ -51,8 +51,7 @@ Result<calibration::CalibrationSet> take_calibration_set(const CalibrationSetOpt
 
   calibration::CalibrationSet set;
   set.volume = sensor.volume;
-  for (const Pattern pattern : kPatterns)
-    set.line_counts[static_cast<std::size_t>(pattern)] = sensor.projector(pattern).line_count();
+  set.line_counts = sensor.line_counts();
   set.dots = sensor.dots;
   set.planes.resize(static_cast<std::size_t>(options.plane_count));
   const std::vector<double> z_mm =

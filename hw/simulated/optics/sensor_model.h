@@ -114,6 +114,9 @@ struct SensorModel {
   [[nodiscard]] const ProjectorModel& projector(Pattern pattern) const {
     return projectors[static_cast<std::size_t>(pattern)];
   }
+  [[nodiscard]] std::array<int, 2> line_counts() const {  ///< by Pattern
+    return {projectors[0].line_count(), projectors[1].line_count()};
+  }
   /// The error names the first invalid part.
   [[nodiscard]] Result<void> validate() const;
 };
