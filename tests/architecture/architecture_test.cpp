@@ -1,5 +1,6 @@
 /// @file  What the compiler cannot check of the architecture: which libraries from outside a layer
-/// may use, that each folder is described, that each class has a name of its own.
+/// may use, that each folder is described, that documents name only files that exist, that each
+/// class has a name of its own.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -27,13 +28,14 @@ std::vector<std::string> lines_of(const fs::path& path) {
   return lines;
 }
 
-/// First groups of a pattern in the lines that match it.
+/// The first group of a pattern wherever a line of a file matches it.
 std::vector<std::string> matches_in(const fs::path& path, const std::string& pattern) {
   const std::regex regex(pattern);
   std::vector<std::string> found;
-  std::smatch match;
   for (const std::string& line : lines_of(path)) {
-    if (std::regex_search(line, match, regex)) found.push_back(match[1]);
+    for (std::sregex_iterator match(line.begin(), line.end(), regex), end; match != end; ++match) {
+      found.push_back((*match)[1]);
+    }
   }
   return found;
 }
@@ -94,6 +96,26 @@ TEST(Architecture, EachFolderIsDescribed) {
     }
   }
   EXPECT_GT(count, 40) << "no lines with flytri_library were read";
+}
+
+TEST(Architecture, FilesNamedInDocumentsExist) {
+  int count = 0;
+  const auto expect_file = [&](const fs::path& document, const fs::path& file) {
+    ++count;
+    EXPECT_TRUE(fs::exists(file)) << document << " names " << file << ", which does not exist";
+  };
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / "docs")) {
+    const fs::path& document = entry.path();
+    if (document.extension() != ".md") continue;
+    for (const std::string& link : matches_in(document, R"(\]\(([^):#]+)[#)])")) {
+      expect_file(document, document.parent_path() / link);
+    }
+    for (const std::string& file :
+         matches_in(document, R"(\b((?:core|hw|ui|app|assets|tests)/[a-z0-9_/]+\.[a-z]+)\b)")) {
+      expect_file(document, kRoot / file);
+    }
+  }
+  EXPECT_GT(count, 100) << "no names of files were read";
 }
 
 /// Names of the classes, structs and enums that a file declares outside of others, with their
