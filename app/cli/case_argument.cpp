@@ -1,6 +1,7 @@
 #include "app/cli/case_argument.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>

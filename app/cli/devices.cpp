@@ -1,5 +1,6 @@
 /// @file  flytri devices: lists what is plugged in and what is wrong with it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>

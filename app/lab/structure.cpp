@@ -1,6 +1,7 @@
 /// @file  flytri-lab structure: which scans of surfaces with little structure finish, and whether
 /// any view gets a wrong pose.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -162,10 +163,13 @@ void add_structure_study(CLI::App& lab, cli::Invocation& invocation) {
       "structure",
       "Scan surfaces that hardly fix the pose of a view: ridges, palates, flat pieces");
   add_seed_options(*command, arguments->seeds, "--seeds", "Scans, each of another shape and hand");
-  command->add_option("--scenes", arguments->scenes, "Surfaces to scan")
+  // Both lists in the option's own line would make it longer than a line of the manual page.
+  command
+      ->add_option("--scenes", arguments->scenes,
+                   fmt::format("Surfaces to scan: {}", fmt::join(structure_scene_names(), ", ")))
       ->delimiter(',')
-      ->check(CLI::IsMember(structure_scene_names()))
-      ->capture_default_str();
+      ->check(CLI::IsMember(structure_scene_names()).description(""))
+      ->default_str(fmt::format("{}", fmt::join(arguments->scenes, ",")));
   command->add_option("--views", arguments->view_count, "Views of each scan")
       ->check(CLI::Range(20, 5000))
       ->capture_default_str();

@@ -1,5 +1,7 @@
 #include "hw/genicam/camera_features.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 /// @file  Calibration at the chair: what to put where, the live image, and what to correct.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ui/panels/calibration_cards.h"
 #include "ui/panels/calibration_history.h"
