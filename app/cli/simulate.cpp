@@ -143,98 +143,116 @@ void add_common_options(CLI::App& command, SimulateArguments& arguments) {
   add_threads_option(command, arguments.thread_count);
 }
 
+/// How the hand moves over the object.
+void add_path_options(CLI::App& command, SimulateArguments& arguments) {
+  command.add_option("--path", arguments.path,
+                     "quadrant, arch, orbit, front, or a truth.json: the sensor follows its poses. "
+                     "Default: quadrant; for the face sensor, front");
+  command.add_option("--duration", arguments.duration_s, "Length of the scan in seconds")
+      ->check(CLI::Range(0.2, 600.0))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--up", arguments.up,
+          "Direction in the frame of the model: from the teeth towards the opposite jaw, for an "
+          "upper jaw often 0 0 -1; of a face, or of the axis of an orbit, upwards")
+      ->capture_default_str();
+  command
+      .add_option("--front", arguments.front,
+                  "Direction from the throat to the incisors, or in which a face looks")
+      ->capture_default_str();
+  command.add_option("--away", arguments.away_s,
+                     "Take the sensor away: from when and for how long, in seconds");
+}
+
+/// What makes a scan difficult.
+void add_fault_options(CLI::App& command, SimulateArguments& arguments) {
+  command.add_option("--bump", arguments.bump,
+                     "Move the projector of the vertical lines across them: by how many "
+                     "micrometers, and from when on, in seconds");
+  command
+      .add_option("--tissue", arguments.tissue_share,
+                  "Share of the time with a tongue or a finger in view")
+      ->check(CLI::Range(0.0, 0.5))
+      ->capture_default_str();
+  command
+      .add_option("--readout", arguments.readout_ms,
+                  "Rolling shutter of the measurement camera: delay of the last row after the "
+                  "first, in ms. Default: 0, a global shutter")
+      ->check(CLI::Range(0.0, 100.0));
+  command
+      .add_option("--exposure", arguments.exposure_ms,
+                  "Exposure of a measurement frame, in ms. Default: that of the sensor, 10 ms")
+      ->check(CLI::Range(0.1, 33.0));
+  command.add_option("--drop", arguments.dropped_share, "Share of frames that are lost")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  command.add_flag("--unknown", arguments.unknown_patterns,
+                   "Do not write which pattern lit a frame");
+}
+
+void add_recording_options(CLI::App& command, SimulateArguments& arguments) {
+  add_object_options(command, arguments.object);
+  add_path_options(command, arguments);
+  add_fault_options(command, arguments);
+}
+
+void add_calibration_set_options(CLI::App& command, SimulateArguments& arguments) {
+  command
+      .add_option(
+          "--stage-tilt", arguments.stage_tilt_deg,
+          "Angles in degrees by which the stage misses the right angle to the target, towards "
+          "x and y, to see what that does")
+      ->capture_default_str();
+  command.add_flag("--no-texture", arguments.no_texture, "The sensor has no texture camera");
+}
+
+void add_board_set_options(CLI::App& command, SimulateArguments& arguments) {
+  command
+      .add_option("--tremor", arguments.tremor_um,
+                  "How much the board moves between two images, standard deviation in µm")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command.add_option("--exposures", arguments.exposures, "Exposures averaged into each image")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_flag("--no-texture", arguments.no_texture, "The sensor has no texture camera");
+}
+
+/// What `flytri simulate` can make.
+struct Dataset {
+  const char *name, *description, *example;
+  void (*add_options)(CLI::App&, SimulateArguments&);
+  Result<void> (*make)(const SimulateArguments&, const Progress&);
+};
+constexpr std::array kDatasets = {
+    Dataset{"recording", "Make a recording, with its truth",
+            "Example: flytri simulate recording -o out/scan --path quadrant --duration 7",
+            add_recording_options, run_recording},
+    Dataset{"calibration-set", "Make target images for flytri calibrate",
+            "Example: flytri simulate calibration-set -o out/set", add_calibration_set_options,
+            run_calibration_set},
+    Dataset{"board-set", "Make images of a board held by hand for flytri calibrate",
+            "Example: flytri simulate board-set -o out/board", add_board_set_options,
+            run_board_set}};
+
 }  // namespace
 
 void add_simulate_command(CLI::App& app, Invocation& invocation) {
   const auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* simulate = app.add_subcommand("simulate", "Make images with the virtual sensor");
   simulate->require_subcommand(1);
-
-  CLI::App* recording = simulate->add_subcommand("recording", "Make a recording, with its truth");
-  add_common_options(*recording, *arguments);
-  add_object_options(*recording, arguments->object);
-  recording->add_option(
-      "--path", arguments->path,
-      "quadrant, arch, orbit, front, or a truth.json: the sensor follows its poses. "
-      "Default: quadrant; for the face sensor, front");
-  recording->add_option("--duration", arguments->duration_s, "Length of the scan in seconds")
-      ->check(CLI::Range(0.2, 600.0))
-      ->capture_default_str();
-  recording
-      ->add_option(
-          "--up", arguments->up,
-          "Direction in the frame of the model: from the teeth towards the opposite jaw, for an "
-          "upper jaw often 0 0 -1; of a face, or of the axis of an orbit, upwards")
-      ->capture_default_str();
-  recording
-      ->add_option("--front", arguments->front,
-                   "Direction from the throat to the incisors, or in which a face looks")
-      ->capture_default_str();
-  recording->add_option("--away", arguments->away_s,
-                        "Take the sensor away: from when and for how long, in seconds");
-  recording->add_option("--bump", arguments->bump,
-                        "Move the projector of the vertical lines across them: by how many "
-                        "micrometers, and from when on, in seconds");
-  recording
-      ->add_option("--tissue", arguments->tissue_share,
-                   "Share of the time with a tongue or a finger in view")
-      ->check(CLI::Range(0.0, 0.5))
-      ->capture_default_str();
-  recording
-      ->add_option("--readout", arguments->readout_ms,
-                   "Rolling shutter of the measurement camera: delay of the last row after the "
-                   "first, in ms. Default: 0, a global shutter")
-      ->check(CLI::Range(0.0, 100.0));
-  recording
-      ->add_option("--exposure", arguments->exposure_ms,
-                   "Exposure of a measurement frame, in ms. Default: that of the sensor, 10 ms")
-      ->check(CLI::Range(0.1, 33.0));
-  recording->add_option("--drop", arguments->dropped_share, "Share of frames that are lost")
-      ->check(CLI::Range(0.0, 0.9))
-      ->capture_default_str();
-  recording->add_flag("--unknown", arguments->unknown_patterns,
-                      "Do not write which pattern lit a frame");
-  recording->footer("Example: flytri simulate recording -o out/scan --path quadrant --duration 7");
-  recording->callback([arguments, &invocation] {
-    invocation.job = [arguments](const Progress& progress) {
-      return run_recording(*arguments, progress);
-    };
-  });
-
-  CLI::App* set =
-      simulate->add_subcommand("calibration-set", "Make target images for flytri calibrate");
-  add_common_options(*set, *arguments);
-  set->add_option(
-         "--stage-tilt", arguments->stage_tilt_deg,
-         "Angles in degrees by which the stage misses the right angle to the target, towards "
-         "x and y, to see what that does")
-      ->capture_default_str();
-  set->add_flag("--no-texture", arguments->no_texture, "The sensor has no texture camera");
-  set->footer("Example: flytri simulate calibration-set -o out/set");
-  set->callback([arguments, &invocation] {
-    invocation.job = [arguments](const Progress& progress) {
-      return run_calibration_set(*arguments, progress);
-    };
-  });
-
-  CLI::App* board = simulate->add_subcommand(
-      "board-set", "Make images of a board held by hand for flytri calibrate");
-  add_common_options(*board, *arguments);
-  board
-      ->add_option("--tremor", arguments->tremor_um,
-                   "How much the board moves between two images, standard deviation in µm")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
-  board->add_option("--exposures", arguments->exposures, "Exposures averaged into each image")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  board->add_flag("--no-texture", arguments->no_texture, "The sensor has no texture camera");
-  board->footer("Example: flytri simulate board-set -o out/board");
-  board->callback([arguments, &invocation] {
-    invocation.job = [arguments](const Progress& progress) {
-      return run_board_set(*arguments, progress);
-    };
-  });
+  for (const Dataset& dataset : kDatasets) {
+    CLI::App* command = simulate->add_subcommand(dataset.name, dataset.description);
+    add_common_options(*command, *arguments);
+    dataset.add_options(*command, *arguments);
+    command->footer(dataset.example);
+    command->callback([arguments, make = dataset.make, &invocation] {
+      invocation.job = [arguments, make](const Progress& progress) {
+        return make(*arguments, progress);
+      };
+    });
+  }
 }
 
 }  // namespace flytri::cli

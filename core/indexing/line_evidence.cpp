@@ -193,7 +193,7 @@ class Collector {
     const double weight = rows / kPairRows / sum.rows;
     for (int d = -PairEvidence::kReach; d <= PairEvidence::kReach; ++d) {
       const double total = sum.by_difference[static_cast<std::size_t>(std::max(d, 0))];
-      evidence.log_likelihood[static_cast<std::size_t>(d + PairEvidence::kReach)] =
+      evidence.log_likelihood[PairEvidence::place_of(d)] =
           static_cast<float>(std::max(weight * total, 2.0 * kImpossible));
     }
     return evidence;

@@ -2,6 +2,7 @@
 /// neighbors.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -22,9 +23,11 @@ struct PairEvidence {
   std::size_t first = 0, second = 0;
   std::array<float, 2 * kReach + 1> log_likelihood{};  ///< of n_second - n_first, from -kReach on
 
-  [[nodiscard]] float of(int difference) const {
-    const int i = difference < -kReach ? -kReach : difference > kReach ? kReach : difference;
-    return log_likelihood[static_cast<std::size_t>(i + kReach)];
+  [[nodiscard]] float of(int difference) const { return log_likelihood[place_of(difference)]; }
+  /// Where log_likelihood has a difference; those beyond the reach are at its ends.
+  [[nodiscard]] static constexpr std::size_t place_of(int difference) {
+    const int place = std::clamp(difference, -kReach, kReach) + kReach;
+    return static_cast<std::size_t>(place);
   }
 };
 

@@ -54,6 +54,7 @@ std::shared_ptr<const View> without_rolling_shutter(const View& view, const Twis
 std::vector<AlignedView> without_rolling_shutter(std::vector<AlignedView> views, double readout_s,
                                                  const RowShare& row_share) {
   std::vector<Isometry> poses;
+  poses.reserve(views.size());
   for (const AlignedView& view : views) poses.push_back(view.T_world_sensor);
   const std::vector<Twist> velocities = velocities_of(views, poses);
   for (std::size_t v = 0; v < views.size(); ++v)
