@@ -40,7 +40,7 @@ Result<Solution> solve_robustly(const Eigen::MatrixXd& rows, const Eigen::Vector
   }
   const Eigen::VectorXd first = solve_least_squares(rows, values).x;
   const auto kept = inliers(values - rows * first);
-  const Eigen::MatrixXd kept_rows = rows(kept, Eigen::all);
+  const Eigen::MatrixXd kept_rows = rows(kept, Eigen::seqN(0, rows.cols()));
   const Eigen::VectorXd kept_values = values(kept);
   const LeastSquares fit = solve_least_squares(kept_rows, kept_values);
   if (fit.rank < rows.cols()) {
