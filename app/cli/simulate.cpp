@@ -197,14 +197,17 @@ void add_recording_options(CLI::App& command, SimulateArguments& arguments) {
   add_fault_options(command, arguments);
 }
 
+void add_no_texture_flag(CLI::App& command, SimulateArguments& arguments) {
+  command.add_flag("--no-texture", arguments.no_texture, "The sensor has no texture camera");
+}
+
 void add_calibration_set_options(CLI::App& command, SimulateArguments& arguments) {
   command
       .add_option(
           "--stage-tilt", arguments.stage_tilt_deg,
-          "Angles in degrees by which the stage misses the right angle to the target, towards "
-          "x and y, to see what that does")
+          "Tilt of the stage against the target, towards x and y, in degrees: to see what it does")
       ->capture_default_str();
-  command.add_flag("--no-texture", arguments.no_texture, "The sensor has no texture camera");
+  add_no_texture_flag(command, arguments);
 }
 
 void add_board_set_options(CLI::App& command, SimulateArguments& arguments) {
@@ -216,7 +219,7 @@ void add_board_set_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--exposures", arguments.exposures, "Exposures averaged into each image")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command.add_flag("--no-texture", arguments.no_texture, "The sensor has no texture camera");
+  add_no_texture_flag(command, arguments);
 }
 
 /// What `flytri simulate` can make.

@@ -163,7 +163,7 @@ void add_structure_study(CLI::App& lab, cli::Invocation& invocation) {
       "structure",
       "Scan surfaces that hardly fix the pose of a view: ridges, palates, flat pieces");
   add_seed_options(*command, arguments->seeds, "--seeds", "Scans, each of another shape and hand");
-  // Both lists in the option's own line would make it longer than a line of the manual page.
+  // The lists stand in the description: before it they are too wide for the manual page.
   command
       ->add_option("--scenes", arguments->scenes,
                    fmt::format("Surfaces to scan: {}", fmt::join(structure_scene_names(), ", ")))

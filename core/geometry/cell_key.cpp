@@ -17,7 +17,7 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249ULL;
 }
 
-/// Numbers the cells of a list within their bounding box: the order of the keys, in fewer bits.
+/// Gives the cells of a list shorter keys, which sort in the same order.
 class NumberInBox {
  public:
   template <typename Item, typename KeyOf>

@@ -135,8 +135,7 @@ class NearCenters {
     distances2_mm2_.resize(cells_.size());
   }
 
-  /// Squared distance of the sample from the axis of each cell in the list; infinite if the cell
-  /// does not contain the sample.
+  /// For each cell: squared distance of the sample from its axis. Infinite for a cell without it.
   void measure_distances(const SurfaceSample& sample) {
     const float *cx = center_mm_[0].data(), *cy = center_mm_[1].data(), *cz = center_mm_[2].data();
     const float *nx = normal_[0].data(), *ny = normal_[1].data(), *nz = normal_[2].data();

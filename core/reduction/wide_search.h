@@ -1,4 +1,4 @@
-/// @file  Finds the points near one place after another; places close together share a search.
+/// @file  Finds the points near a place. The next place, if it is close, needs no new search.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ class WideSearch {
  public:
   /// @param grid      kept by reference
   /// @param reach_mm  > 0. The list has all points this near to the place
-  /// @param slack_mm  > 0. The list of one place is also used for places within this distance
+  /// @param slack_mm  > 0. Places nearer than this to the last one use its list
   WideSearch(const PointGrid& grid, float reach_mm, float slack_mm)
       : grid_(grid), reach_mm_(reach_mm), slack_mm_(slack_mm) {}
 

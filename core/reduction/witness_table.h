@@ -31,7 +31,7 @@ struct AgreementLimits {
   float sigmas2 = 0.0F;      ///< squared difference of heights, in variances
 };
 
-/// Compares a sample with 64 witnesses at once. The answer has one bit for each witness.
+/// Compares a sample with 64 witnesses at once: one bit each.
 class WitnessTable {
  public:
   void clear();

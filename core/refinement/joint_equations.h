@@ -40,8 +40,8 @@ struct FittedSurfaces {
 using SharedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using SharedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
-/// Part of a group's equations from one cell and one view, without the cell's surface. S:
-/// derivatives of the residuals by the group's unknowns; other letters as in CellViewBlock.
+/// What one cell and one view add to a group's equations, after the cell's surface was eliminated.
+/// S are the derivatives of the residuals by the group's unknowns; for the rest see CellViewBlock.
 struct CellSharedShare {
   std::size_t group = 0;
   SharedMatrix coupling;     ///< S^T W A L^-T

@@ -1,6 +1,5 @@
-/// @file  What the compiler cannot check of the architecture: which libraries from outside a layer
-/// may use, that each folder is described, that documents name only files that exist, that each
-/// class has a name of its own.
+/// @file  Rules of the architecture that the compiler cannot check: libraries that a layer may not
+/// use, folders without a description, files that documents name but nobody has, names used twice.
 #include <gtest/gtest.h>
 
 #include <filesystem>

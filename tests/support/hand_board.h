@@ -8,7 +8,7 @@ namespace flytri::testing {
 /// The virtual intra-oral sensor before a board that a steady hand holds.
 [[nodiscard]] const calibration::BoardSet& hand_board();
 
-/// A copy of pose 1, made without the other poses: they take minutes with sanitizers.
+/// A copy of pose 1. The other poses are not made: with sanitizers they take minutes.
 [[nodiscard]] calibration::BoardPose one_board_pose();
 
 }  // namespace flytri::testing

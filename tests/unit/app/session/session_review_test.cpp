@@ -34,7 +34,7 @@ class SessionReview : public ::testing::Test {
       setenv(folder, folder_.path().c_str(), 1);
     options_.unnamed_folder = unnamed_cases_folder();
     options_.source = {};
-    // The case has the jaw. The virtual sensor sees a flat object, which is made quickly.
+    // The jaw is in the case. The virtual sensor sees a plane: that is quick.
     const fs::path object = folder_.path() / "object.ply";
     ASSERT_TRUE(io::write_ply(object, height_field({}, [](double, double) { return 0.0; })));
     options_.source.object.mesh = object;
