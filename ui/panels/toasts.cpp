@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ui/imgui/releases.h"
 #include "ui/panels/panels.h"
 #include "ui/theme/icons.h"
 
@@ -45,7 +46,7 @@ float draw_toast(const PanelContext& context, const Notice& notice, float bottom
   draw_box({box.x, box.y, context.px(4.0F), box.height}, look.color, context.px(2.0F));
   Rect row = box.inset(padding);
   Rect icon_box = row.take_left(icon_width);
-  draw_text(icon_box.take_top(theme.fonts.body->FontSize), {theme.fonts.strong, look.color},
+  draw_text(icon_box.take_top(font_size_px(*theme.fonts.body)), {theme.fonts.strong, look.color},
             look.icon);
   draw_wrapped(row, {theme.fonts.body, kText}, notice.text);
   return box.y;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "ui/imgui/releases.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/palette.h"
 
@@ -49,6 +50,7 @@ ImFont* add_font(const FontFile& file, float size_px) {
   ImFontConfig text;
   text.OversampleH = 2;
   text.PixelSnapH = true;
+  leave_out(text, kIconGlyphs.data());
   ImFont* font = atlas.AddFontFromFileTTF(file.path, size_px, &text, kTextGlyphs.data());
   ImFontConfig icons;
   icons.MergeMode = true;

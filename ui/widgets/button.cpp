@@ -1,5 +1,6 @@
 #include "ui/widgets/button.h"
 
+#include "ui/imgui/releases.h"
 #include "ui/widgets/hint.h"
 
 namespace flytri::ui {
@@ -51,7 +52,7 @@ Color key_color(const ButtonLook& look) {
 void draw_key(const Theme& theme, const Rect& box, const ButtonLook& look) {
   if (look.key.empty()) return;
   Rect corner = box.inset(theme.px(kGapS), theme.px(6.0F));
-  corner = corner.take_top(theme.fonts.small->FontSize);
+  corner = corner.take_top(font_size_px(*theme.fonts.small));
   draw_text(corner, {theme.fonts.small, key_color(look), Align::kRight}, look.key);
 }
 
@@ -60,8 +61,8 @@ void draw_key(const Theme& theme, const Rect& box, const ButtonLook& look) {
 bool large_button(const Theme& theme, const Rect& box, const ButtonLook& look) {
   const Touch touched = draw_face(theme, box, look);
   const Color ink = ink_color(look);
-  const float icon_height = theme.fonts.icon->FontSize;
-  const float label_height = theme.fonts.strong->FontSize;
+  const float icon_height = font_size_px(*theme.fonts.icon);
+  const float label_height = font_size_px(*theme.fonts.strong);
   const float gap = theme.px(6.0F);
   Rect middle = box.centered(box.width - theme.px(kGapS), icon_height + gap + label_height);
   draw_text(middle.take_top(icon_height, gap), {theme.fonts.icon, ink, Align::kCenter}, look.icon);

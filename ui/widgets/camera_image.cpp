@@ -3,6 +3,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "ui/imgui/releases.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -75,11 +77,9 @@ Rect camera_image(const Theme& theme, const Rect& box, const CameraPicture& pict
   }
   const cv::Size size = picture.frame->frame.image.size();
   const Rect image = fitted(box, static_cast<float>(size.width), static_cast<float>(size.height));
-  ImGui::GetWindowDrawList()->AddImageRounded(
-      // Dear ImGui takes the number of an OpenGL texture as a pointer.
-      // NOLINTNEXTLINE(performance-no-int-to-ptr)
-      reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture.texture.name())),
-      image.min(), image.max(), {0, 0}, {1, 1}, IM_COL32_WHITE, theme.px(kGapXs));
+  ImGui::GetWindowDrawList()->AddImageRounded(texture_id(picture.texture.name()), image.min(),
+                                              image.max(), {0, 0}, {1, 1}, IM_COL32_WHITE,
+                                              theme.px(kGapXs));
   if (!picture.shows_lines) return image;
   for (const std::vector<Pixel>& line : picture.frame->lines) {
     draw_line(line, {image, size}, to_u32(kCaution), theme.px(2.0F));

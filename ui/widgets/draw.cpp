@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 
+#include "ui/imgui/releases.h"
 #include "ui/widgets/draw_record.h"
 
 namespace flytri::ui {
@@ -17,7 +18,7 @@ const char* end_of(std::string_view text) { return text.data() + text.size(); }
 constexpr float kRounding_px = 1.0F;
 
 ImVec2 size_of(ImFont* font, std::string_view text, float wrap_width = 0.0F) {
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap_width, text.data(), end_of(text));
+  return font->CalcTextSizeA(font_size_px(*font), FLT_MAX, wrap_width, text.data(), end_of(text));
 }
 
 /// Bytes that follow the first of a UTF-8 character.
@@ -77,14 +78,15 @@ std::string elided(ImFont* font, float width, std::string_view text) {
 
 void draw_text(const Rect& box, const TextStyle& style, std::string_view text) {
   const std::string shown = elided(style.font, box.width, text);
+  const float height = font_size_px(*style.font);
   note_cut(text, shown);
-  if (draw_record() != nullptr && box.height + kRounding_px < style.font->FontSize)
+  if (draw_record() != nullptr && box.height + kRounding_px < height)
     draw_record()->cut_texts.emplace_back(text);
   const float width = text_width(style.font, shown);
   const ImVec2 at = {left_of(box, style.align, width),
-                     std::round(box.y + (box.height - style.font->FontSize) / 2.0F)};
-  ImGui::GetWindowDrawList()->AddText(style.font, style.font->FontSize, at, to_u32(style.color),
-                                      shown.data(), end_of(shown));
+                     std::round(box.y + (box.height - height) / 2.0F)};
+  ImGui::GetWindowDrawList()->AddText(style.font, height, at, to_u32(style.color), shown.data(),
+                                      end_of(shown));
 }
 
 ImFont* fitting_font(std::initializer_list<ImFont*> fonts, float width, std::string_view text) {
@@ -96,7 +98,7 @@ float draw_wrapped(const Rect& box, const TextStyle& style, std::string_view tex
   if (draw_record() != nullptr && !fits_wrapped(box, style.font, text)) {
     draw_record()->cut_texts.emplace_back(text);
   }
-  ImGui::GetWindowDrawList()->AddText(style.font, style.font->FontSize, box.min(),
+  ImGui::GetWindowDrawList()->AddText(style.font, font_size_px(*style.font), box.min(),
                                       to_u32(style.color), text.data(), end_of(text), box.width);
   return wrapped_height(style.font, box.width, text);
 }

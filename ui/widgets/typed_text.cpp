@@ -1,11 +1,10 @@
 #include "ui/widgets/typed_text.h"
 
-#include <imgui.h>
-#include <imgui_internal.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+
+#include "ui/imgui/text_undo.h"
 
 namespace flytri::ui {
 namespace {
@@ -40,6 +39,7 @@ void for_each_text(State& state, const Wiping& wiping) {
   if constexpr (requires { state.TextA.Data; }) wiping(state.TextA);
   if constexpr (requires { state.InitialTextA.Data; }) wiping(state.InitialTextA);
   if constexpr (requires { state.TextToRevertTo.Data; }) wiping(state.TextToRevertTo);
+  if constexpr (requires { state.CallbackTextBackup.Data; }) wiping(state.CallbackTextBackup);
 }
 
 template <typename State>
@@ -66,6 +66,16 @@ void forget_deactivated(Context& context) {
   if constexpr (requires { context.InputTextDeactivatedState.TextA; }) {
     wipe_text(context.InputTextDeactivatedState.TextA);
     context.InputTextDeactivatedState.ID = 0;
+  }
+}
+
+/// The letters in events that Dear ImGui has passed on.
+template <typename Context>
+void wipe_past_events(Context& context) {
+  if constexpr (requires { context.InputEventsTrail.Data; }) {
+    wipe_text(context.InputEventsTrail);
+    auto& waiting = context.InputEventsQueue;
+    wipe_letters(waiting.Data + waiting.Size, waiting.Data + waiting.Capacity);
   }
 }
 
@@ -108,6 +118,7 @@ void wipe_typed_text() {
     wipe_remains(typed);
   }
   wipe_deactivated(context);
+  wipe_past_events(context);
   wipe_text(context.IO.InputQueueCharacters);
 }
 

@@ -2,8 +2,7 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
-#include <type_traits>
-
+#include "ui/imgui/releases.h"
 #include "ui/widgets/pixel_rows.h"
 
 namespace flytri::ui {
@@ -49,21 +48,6 @@ std::vector<ImDrawList*> reaching(const ImDrawData& data) {
     if (draws) lists.push_back(data.CmdLists[i]);
   }
   return lists;
-}
-
-/// Makes `part` draw these lists alone. Older versions of Dear ImGui (up to 1.89.7) point to an
-/// array of lists, later ones keep a vector.
-void set_lists(ImDrawData& part, std::vector<ImDrawList*>& lists) {
-  const auto set = [&]<typename Kept>(Kept& kept) {
-    if constexpr (std::is_pointer_v<Kept>) {
-      kept = lists.data();
-    } else {
-      kept.resize(static_cast<int>(lists.size()));
-      std::copy(lists.begin(), lists.end(), kept.begin());
-    }
-  };
-  set(part.CmdLists);
-  part.CmdListsCount = static_cast<int>(lists.size());
 }
 
 void clear(const PixelBox& box, const Color& color) {

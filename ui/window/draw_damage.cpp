@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "ui/imgui/releases.h"
+
 namespace flytri::ui {
 namespace {
 
@@ -59,9 +61,9 @@ class TilePrints {
 
  private:
   void add(const ImDrawList& list, const ImDrawCmd& command) {
-    const std::uint64_t style = mixed(mixed(reinterpret_cast<std::uintptr_t>(command.TextureId),
-                                            pair_of(command.ClipRect.x, command.ClipRect.y)),
-                                      pair_of(command.ClipRect.z, command.ClipRect.w));
+    const std::uint64_t style =
+        mixed(mixed(texture_number(command), pair_of(command.ClipRect.x, command.ClipRect.y)),
+              pair_of(command.ClipRect.z, command.ClipRect.w));
     const ImDrawIdx* index = list.IdxBuffer.Data + command.IdxOffset;
     const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
     for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "ui/imgui/releases.h"
 #include "ui/theme/palette.h"
 #include "ui/widgets/pixel_rows.h"
 #include "ui/widgets/typed_text.h"
@@ -15,37 +16,21 @@ namespace {
 /// As on common desktops. A slow picture takes a part of it.
 constexpr float kDoubleClick_s = 0.5F;
 
-/// The keys that the text fields of Dear ImGui use.
-void name_keys(ImGuiIO& io) {
-  io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
-  io.KeyMap[ImGuiKey_LeftArrow] = GLFW_KEY_LEFT;
-  io.KeyMap[ImGuiKey_RightArrow] = GLFW_KEY_RIGHT;
-  io.KeyMap[ImGuiKey_UpArrow] = GLFW_KEY_UP;
-  io.KeyMap[ImGuiKey_DownArrow] = GLFW_KEY_DOWN;
-  io.KeyMap[ImGuiKey_Home] = GLFW_KEY_HOME;
-  io.KeyMap[ImGuiKey_End] = GLFW_KEY_END;
-  io.KeyMap[ImGuiKey_Delete] = GLFW_KEY_DELETE;
-  io.KeyMap[ImGuiKey_Backspace] = GLFW_KEY_BACKSPACE;
-  io.KeyMap[ImGuiKey_Enter] = GLFW_KEY_ENTER;
-  io.KeyMap[ImGuiKey_Escape] = GLFW_KEY_ESCAPE;
-  io.KeyMap[ImGuiKey_A] = GLFW_KEY_A;
-  io.KeyMap[ImGuiKey_C] = GLFW_KEY_C;
-  io.KeyMap[ImGuiKey_V] = GLFW_KEY_V;
-  io.KeyMap[ImGuiKey_X] = GLFW_KEY_X;
-  io.KeyMap[ImGuiKey_Y] = GLFW_KEY_Y;
-  io.KeyMap[ImGuiKey_Z] = GLFW_KEY_Z;
-}
-
 /// Passes one event to Dear ImGui.
 struct Feed {
   ImGuiIO& io;
+  std::set<int>& held_keys;
 
   void operator()(const KeyEvent& event) const {
-    if (event.key < 0 || event.key >= IM_ARRAYSIZE(io.KeysDown)) return;
-    io.KeysDown[event.key] = event.is_down;
-    io.KeyCtrl = io.KeysDown[GLFW_KEY_LEFT_CONTROL] || io.KeysDown[GLFW_KEY_RIGHT_CONTROL];
-    io.KeyShift = io.KeysDown[GLFW_KEY_LEFT_SHIFT] || io.KeysDown[GLFW_KEY_RIGHT_SHIFT];
-    io.KeyAlt = io.KeysDown[GLFW_KEY_LEFT_ALT] || io.KeysDown[GLFW_KEY_RIGHT_ALT];
+    if (event.is_down) held_keys.insert(event.key);
+    if (!event.is_down) held_keys.erase(event.key);
+    set_key(io, event.key, event.is_down);
+    const auto either = [&](int left, int right) {
+      return held_keys.contains(left) || held_keys.contains(right);
+    };
+    set_modifiers(io, {either(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                       either(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+                       either(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)});
   }
   void operator()(const CharacterEvent& event) const { io.AddInputCharacter(event.code); }
   void operator()(const PointerEvent& event) const { io.MousePos = {event.x_px, event.y_px}; }
@@ -77,7 +62,7 @@ ImGuiHost::ImGuiHost(Window& window) : window_(window), context_(ImGui::CreateCo
   io.SetClipboardTextFn = write_clipboard;
   io.ClipboardUserData = window.handle();
   io.MouseDoubleClickTime = kDoubleClick_s;
-  name_keys(io);
+  prepare_keys(io);
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -91,9 +76,7 @@ Result<void> ImGuiHost::set_scale(float scale) {
   auto theme = make_theme(scale);
   if (!theme) return tl::unexpected(theme.error());
   theme_ = *theme;
-  ImGui_ImplOpenGL3_DestroyFontsTexture();
-  ImGui_ImplOpenGL3_CreateFontsTexture();
-  ImGui::GetIO().Fonts->ClearTexData();  // some 40 MB, now in the texture
+  replace_font_texture();
   damage_.forget();
   return {};
 }
@@ -112,7 +95,7 @@ std::vector<KeyEvent> ImGuiHost::begin_frame(const ImageSize& size, double now_s
     const bool is_text = io.WantTextInput && key != nullptr && key->key != GLFW_KEY_ENTER &&
                          key->key != GLFW_KEY_KP_ENTER;
     if (key != nullptr && key->is_down && !is_text) presses.push_back(*key);
-    std::visit(Feed{io}, event);
+    std::visit(Feed{io, held_keys_}, event);
   }
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
@@ -123,6 +106,7 @@ std::vector<PixelBox> ImGuiHost::end_frame(const std::vector<Rect>& repainted) {
   ImGui::Render();
   wipe_typed_text();
   ImDrawData& data = *ImGui::GetDrawData();
+  upload_fonts(data);
   if (canvas_.resize(size_)) damage_.forget();
   const std::vector<Rect> boxes = damage_.update(data, repainted);
   canvas_.draw(data, boxes, kBackground);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 
 #include "core/base/result.h"
 #include "ui/theme/theme.h"
@@ -45,6 +46,7 @@ class ImGuiHost {
   ImageSize size_;  ///< of the window in this frame
   DrawDamage damage_;
   Canvas canvas_;
+  std::set<int> held_keys_;  ///< by their GLFW names
   double last_now_s_ = -1.0;
 };
 
