@@ -90,9 +90,7 @@ class TissueTrial {
   }
 
  private:
-  void restart() {
-    surface_ = live::LiveSurface::create(options_, calibration_.camera_center_mm()).value();
-  }
+  void restart() { surface_ = live::LiveSurface::create(options_, calibration_).value(); }
 
   Result<void> add_frame(FrameIndex index) {
     if (recording_.frames[index.value].kind == FrameKind::kTexture) return {};
@@ -187,7 +185,7 @@ void print(const std::vector<Moment>& moments) {
   }
   fmt::print(
       "Numbers of surfels. stray: more than {} mm from the true surface.\n"
-      "hidden: views have looked through it.\n",
+      "hidden: views have looked through it, or light it and see nothing there.\n",
       kStray_mm);
 }
 
@@ -239,6 +237,11 @@ void add_tissue_study(CLI::App& lab, cli::Invocation& invocation) {
   command
       ->add_option("--free-views", arguments->surface.free_views,
                    "Views that must look through a surfel before it is hidden; 0: never")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--missing-views", arguments->surface.missing_views,
+                   "Views that must light a place and see nothing there to hide it; 0: never")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command->add_option("-o,--output", arguments->output, "JSON file for the figures");

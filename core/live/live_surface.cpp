@@ -46,6 +46,7 @@ Result<void> LiveSurfaceOptions::validate() const {
       .at_least("good_views", good_views, 1)
       .must("enough_views", enough_views, enough_views >= good_views, "at least good_views")
       .at_least("free_views", free_views, 0)
+      .at_least("missing_views", missing_views, 0)
       .positive("noise_length_samples", noise_length_samples)
       .nested(texture)
       .result();
@@ -55,6 +56,14 @@ Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options,
                                         const std::optional<Vec3>& camera_center_mm) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   return LiveSurface(options, camera_center_mm);
+}
+
+Result<LiveSurface> LiveSurface::create(const LiveSurfaceOptions& options,
+                                        const calibration::Calibration& calibration) {
+  ExpectedLight light(calibration);
+  auto surface = create(options, light.camera_center_mm());
+  if (surface) surface->light_ = std::move(light);
+  return surface;
 }
 
 CellKey LiveSurface::key(const Vec3f& p_mm, int cells) const {
@@ -77,6 +86,7 @@ double LiveSurface::add(const AlignedView& view) {
   for (const std::uint32_t cell : touched_cells_) refresh_cell(cell);
   touched_cells_.clear();
   look_through(view);
+  look_for_missing(view);
   const std::size_t count = view.view->point_count();
   return count > 0 ? static_cast<double>(enough) / static_cast<double>(count) : 0.0;
 }
@@ -118,6 +128,8 @@ bool LiveSurface::add_point(const SeenPoint& point) {
   cube.touched = true;
   cell.crossing_views = 0;
   if (cell.is_crossed) set_crossed(index, false);
+  cube.missing_views = 0;
+  if (cube.missing_count > 0) show_missing(cube);
   return is_enough;
 }
 

@@ -14,6 +14,7 @@
 #include "core/geometry/cell_key.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/view.h"
+#include "core/live/expected_light.h"
 #include "core/live/surface_sums.h"
 #include "core/live/time_layers.h"
 #include "core/reduction/sample_noise.h"
@@ -44,6 +45,9 @@ struct LiveSurfaceOptions {
   /// >= 0. After its last measurement, this many views must look through a surfel to hide it: the
   /// tongue or finger has gone. A surfel of many points needs more views. 0: never hidden.
   int free_views = 2;
+  /// >= 0. After its last measurement, this many views must light a cube of normal_cells and see
+  /// nothing there to hide it. A cube that many views saw needs more. 0: never hidden so.
+  int missing_views = 3;
   /// > 0. As ReduceOptions::noise_length_samples.
   double noise_length_samples = reduction::kNoiseLengthSamples;
   texture::TextureOptions texture;
@@ -62,7 +66,8 @@ struct LiveSurfaceOptions {
 /// milliseconds, and the result is bit for bit the surface built anew from all views.
 ///
 /// The camera sees a point only if nothing is in between. A surfel that rays of several views cross
-/// is hidden until its place is measured again. What is locked is never hidden.
+/// is hidden until its place is measured again. So is a cube that the lines of several views would
+/// light, but where they show nothing. What is locked is never hidden.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
 /// reduction during the scan to future work.
 class LiveSurface {
@@ -72,6 +77,10 @@ class LiveSurface {
   /// @errors  kBadOption.
   [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {},
                                                   const std::optional<Vec3>& camera_center_mm = {});
+  /// Knows from the calibration, which must outlive the surface, also what the lines would light.
+  /// @errors  kBadOption.
+  [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options,
+                                                  const calibration::Calibration& calibration);
 
   /// Adds the points of a view; those that the edits do not keep are not shown.
   /// @return  share of the points at places that enough views had seen before, 0..1
@@ -82,7 +91,7 @@ class LiveSurface {
   /// Applies the edits once more, by the normals of all views. Call it after the last of the views
   /// that were added with the edits known before.
   void settle_edits();
-  /// Shows also what views have looked through, or hides it again.
+  /// Shows also what has gone, or hides it again.
   void show_crossed(bool is_shown);
   /// Colors the surfels that the texture frame shows.
   /// @errors  as observe_points.
@@ -105,7 +114,7 @@ class LiveSurface {
   [[nodiscard]] double area_mm2() const { return area_mm2_; }
   /// Share of the area that is covered well.
   [[nodiscard]] double good_share() const { return area_mm2_ > 0.0 ? good_mm2_ / area_mm2_ : 0.0; }
-  /// Number of surfels that are hidden, or would be, since views have looked through them.
+  /// Number of surfels that are hidden, or would be, since what they show has gone.
   [[nodiscard]] std::size_t crossed_count() const { return crossed_count_; }
   /// Edge of a cell; 0 before the first point.
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
@@ -148,6 +157,8 @@ class LiveSurface {
                                                  ///< refreshed
     std::vector<std::uint32_t> cells;
     bool touched = false;
+    int missing_views = 0;  ///< views that lit it and saw nothing, since it was last measured
+    std::uint32_t missing_count = 0;  ///< number of its surfels that are hidden for that, if > 0
   };
   /// A cell or cube whose center is touched by an edit, in effect or not.
   template <typename Content>
@@ -206,6 +217,15 @@ class LiveSurface {
   void count_crossing(std::uint32_t index);
   [[nodiscard]] bool is_locked(const Cell& cell) const;
   void set_crossed(std::uint32_t index, bool is_crossed);
+  void look_for_missing(const AlignedView& view);
+  /// Whether a line of a view would light a cube, but shows nothing there or something behind.
+  [[nodiscard]] bool is_missing(const NormalCell& cube, const Isometry& T_sensor_world,
+                                const SeenLines& seen) const;
+  void hide_missing(NormalCell& cube);
+  void show_missing(NormalCell& cube);
+  [[nodiscard]] bool is_gone(const Cell& cell) const {
+    return cell.is_crossed || normal_cells_[cell.normal_cell].missing_count > 0;
+  }
 
   void refresh_normals();
   void refresh_cell(std::uint32_t cell);
@@ -216,7 +236,7 @@ class LiveSurface {
   [[nodiscard]] CellKey key(const Vec3f& p_mm, int cells) const;
   [[nodiscard]] bool shown(const Cell& cell) const {
     return cell.kept.point_count >= static_cast<std::uint32_t>(options_.min_points) &&
-           (!cell.is_crossed || shows_crossed_);
+           (shows_crossed_ || !is_gone(cell));
   }
   /// The shown cells that may be in the measurement volume of a sensor at this pose.
   [[nodiscard]] std::vector<std::uint32_t> cells_around(
@@ -253,6 +273,7 @@ class LiveSurface {
 
   LiveSurfaceOptions options_;
   std::optional<Vec3> camera_center_mm_;
+  std::optional<ExpectedLight> light_;
   reduction::MeanVariance mean_variance_;
   std::uint32_t view_count_ = 0;  ///< also the number of the view being added
   double cell_mm_ = 0.0;

@@ -1,4 +1,5 @@
-/// @file  The part of LiveSurface that hides what views have looked through.
+/// @file  The part of LiveSurface that hides what has gone: views have looked through it, or light
+/// it and see nothing.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +20,16 @@ constexpr float kNearCells = 1.5F;
 constexpr float kMinCosine = 0.2F;
 /// A surfel of this many points needs one more view.
 constexpr std::uint32_t kPointsPerView = 16;
+/// Each two views that measured a cube ask for one more that lights it and sees nothing.
+constexpr int kViewsPerMissing = 2;
+/// A cube that as many views measured stays.
+constexpr int kMostViews = 20;
+/// A cube is lit if the middle of a line passes a surfel within this distance, in cells.
+constexpr double kLitWithinCells = 1.5;
+/// What is turned farther away from the camera may be too dark: the smallest cosine.
+constexpr float kMinFacing = 0.3F;
+/// A line at this distance along the ray shows the cube itself, in cells.
+constexpr float kOwnCells = 8.0F;
 
 }  // namespace
 
@@ -81,7 +92,7 @@ void LiveSurface::cross(const NormalCell& cube, const Vec3f& from_mm, const Vec3
     if ((along_mm * direction - offset_mm).squaredNorm() > near_mm * near_mm) continue;
     const Cell& cell = cells_[index];
     if (cell.crossed_by == view_count_ || cell.of_view == view_count_) continue;
-    if (cell.is_crossed || !shown(cell)) continue;
+    if (is_gone(cell) || !shown(cell)) continue;
     count_crossing(index);
   }
 }
@@ -110,11 +121,70 @@ void LiveSurface::set_crossed(std::uint32_t index, bool is_crossed) {
   if (cell.in_block) blocks_[cell.block].changed = true;
 }
 
+void LiveSurface::look_for_missing(const AlignedView& view) {
+  if (!light_ || options_.missing_views == 0) return;
+  const Isometry T_sensor_world = view.T_world_sensor.inverse();
+  const Vec3f middle_mm = view.T_world_sensor.translation().cast<float>();
+  const auto reach_mm = static_cast<float>(0.5 * light_->calibration().volume.size_mm.norm());
+  const SeenLines seen(*view.view, light_->calibration());
+  for (NormalCell& cube : normal_cells_) {
+    const int views = cube.views[0] + cube.views[1];
+    if (cube.missing_count > 0 || !cube.has_points || views >= kMostViews) continue;
+    if (std::max(cube.latest_view[0], cube.latest_view[1]) == view_count_) continue;
+    if ((cube.center_mm - middle_mm).squaredNorm() > reach_mm * reach_mm) continue;
+    if (!is_missing(cube, T_sensor_world, seen)) continue;
+    if (++cube.missing_views >= options_.missing_views + views / kViewsPerMissing)
+      hide_missing(cube);
+  }
+}
+
+bool LiveSurface::is_missing(const NormalCell& cube, const Isometry& T_sensor_world,
+                             const SeenLines& seen) const {
+  const auto own_mm = static_cast<float>(kOwnCells * cell_mm_);
+  bool is_lit = false;
+  for (const std::uint32_t index : cube.cells) {
+    if (!shown(cells_[index])) continue;
+    const Surfel& surfel = surfels_[index];
+    const Vec3 p_sensor = T_sensor_world * surfel.position_mm.cast<double>();
+    const Vec3 normal = T_sensor_world.linear() * surfel.normal.cast<double>();
+    if (!light_->faces_camera(p_sensor, normal, kMinFacing)) continue;
+    const auto line = light_->line_at(seen.pattern(), p_sensor, kLitWithinCells * cell_mm_);
+    if (!line) continue;
+    const auto depth_mm = seen.depth_mm(*line);
+    // The line shows the place, or what hides it.
+    if (depth_mm && *depth_mm < static_cast<float>(p_sensor.z()) + own_mm) return false;
+    is_lit = true;
+  }
+  return is_lit;
+}
+
+/// What is locked stays.
+void LiveSurface::hide_missing(NormalCell& cube) {
+  std::uint32_t count = 0;
+  for (const std::uint32_t index : cube.cells) {
+    const Cell& cell = cells_[index];
+    if (is_locked(cell)) return;
+    if (!shown(cell) || cell.is_crossed) continue;
+    ++count;
+    if (cell.in_block) blocks_[cell.block].changed = true;
+  }
+  cube.missing_count = count;
+  crossed_count_ += count;
+}
+
+void LiveSurface::show_missing(NormalCell& cube) {
+  crossed_count_ -= cube.missing_count;
+  cube.missing_count = 0;
+  for (const std::uint32_t index : cube.cells) {
+    if (cells_[index].in_block) blocks_[cells_[index].block].changed = true;
+  }
+}
+
 void LiveSurface::show_crossed(bool is_shown) {
   if (shows_crossed_ == is_shown) return;
   shows_crossed_ = is_shown;
   for (const Cell& cell : cells_) {
-    if (cell.is_crossed && cell.in_block) blocks_[cell.block].changed = true;
+    if (is_gone(cell) && cell.in_block) blocks_[cell.block].changed = true;
   }
 }
 

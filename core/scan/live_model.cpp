@@ -30,8 +30,7 @@ LiveModel::LiveModel(live::LiveSurface surface, const live::LiveSurfaceOptions& 
 
 Result<LiveModel> LiveModel::create(const live::LiveSurfaceOptions& options,
                                     const calibration::Calibration& calibration, double max_gap_s) {
-  Result<live::LiveSurface> surface =
-      live::LiveSurface::create(options, calibration.camera_center_mm());
+  Result<live::LiveSurface> surface = live::LiveSurface::create(options, calibration);
   if (!surface) return tl::unexpected(surface.error());
   return LiveModel(std::move(*surface), options, calibration, max_gap_s);
 }
@@ -170,8 +169,8 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   // This rebuild replaces one for another world that is still running.
   is_other = is_other || (rebuild_ && rebuild_->is_other);
   // The options were validated when the model was created.
-  rebuild_.emplace(Rebuild{*live::LiveSurface::create(options_, calibration_->camera_center_mm()),
-                           std::move(views), is_other});
+  rebuild_.emplace(
+      Rebuild{*live::LiveSurface::create(options_, *calibration_), std::move(views), is_other});
   rebuild_->surface.set_edits(edits_);
   rebuild_->surface.show_crossed(shows_crossed_);
 }

@@ -101,7 +101,7 @@ struct ScanSnapshot {
   SurfelModel model;
   double good_share = 0.0;  ///< share of well-covered surfels: 0..1
   double area_mm2 = 0.0;    ///< of the surface seen so far
-  /// Number of surfels that views have looked through, and whether the model shows them, see
+  /// Number of surfels of what has gone from the view, and whether the model shows them, see
   /// live::LiveSurface.
   std::size_t crossed_count = 0;
   bool shows_crossed = false;
