@@ -27,7 +27,7 @@ constexpr int kMostViews = 20;
 /// A cube is lit if the middle of a line passes a surfel within this distance, in cells.
 constexpr double kLitWithinCells = 1.5;
 /// What is turned farther away from the camera may be too dark: the smallest cosine.
-constexpr float kMinFacing = 0.3F;
+constexpr float kMinFacing = 0.5F;
 /// A line at this distance along the ray shows the cube itself, in cells.
 constexpr float kOwnCells = 8.0F;
 

@@ -46,10 +46,9 @@ TEST(ExpectedLight, BetweenLinesAndOutsideTheVolumeThereIsNone) {
   }
 }
 
-/// What the sensor at x = y = shift_mm sees of a square of 5 x 5 mm in the plane z = z_mm of the
-/// world.
-AlignedView view_of_square(Pattern pattern, double time_s, double shift_mm, double z_mm) {
-  constexpr double kHalf_mm = 2.5;
+/// What the sensor at x = y = shift_mm sees of a square in the plane z = z_mm of the world.
+AlignedView view_of_square(Pattern pattern, double time_s, double shift_mm, double half_mm,
+                           double z_mm) {
   auto view = std::make_shared<View>();
   view->pattern = pattern;
   view->time_s = time_s;
@@ -60,7 +59,7 @@ AlignedView view_of_square(Pattern pattern, double time_s, double shift_mm, doub
     Profile profile{LineIndex(n), lines.sheet_normals[std::size_t(n)], {}};
     for (std::size_t along = 0; along < lines.lines[std::size_t(n)].size(); ++along) {
       const Vec3 p = lit_place(pattern, n, static_cast<double>(along), z_mm);
-      if ((aligned.T_world_sensor * p).cwiseAbs().maxCoeff() > kHalf_mm) continue;
+      if ((aligned.T_world_sensor * p).head<2>().cwiseAbs().maxCoeff() > half_mm) continue;
       profile.points.push_back({p, Vec3f(0, 0, 0.01F), static_cast<float>(along)});
     }
     if (profile.points.size() >= 2) view->profiles.push_back(std::move(profile));
@@ -70,12 +69,12 @@ AlignedView view_of_square(Pattern pattern, double time_s, double shift_mm, doub
 }
 
 AlignedView square_view(Pattern pattern, double time_s, double shift_mm) {
-  return view_of_square(pattern, time_s, shift_mm, 0.0);
+  return view_of_square(pattern, time_s, shift_mm, 2.5, 0.0);
 }
 
-/// A finger in front of the square.
+/// A finger in front of the square, in the way of the camera and of the light.
 AlignedView finger_view(Pattern pattern, double time_s, double shift_mm) {
-  return view_of_square(pattern, time_s, shift_mm, -3.0);
+  return view_of_square(pattern, time_s, shift_mm, 6.0, -3.0);
 }
 
 /// The same view of nothing.
@@ -139,13 +138,14 @@ TEST_F(MissingSquare, StaysWhereNoLineWouldLightIt) {
 TEST_F(MissingSquare, StaysBehindAFinger) {
   const std::size_t before = shown();
   look(finger_view, 45);
+  EXPECT_GT(surface_.points().size(), before) << "the finger is seen";
   EXPECT_EQ(shown(), before);
 }
 
 TEST_F(MissingSquare, StaysIfItIsLocked) {
   const std::size_t before = shown();
   editing::EditStack edits;
-  edits.push({editing::EditKind::kLock, time_s_, {{Vec3f::Zero(), Vec3f::UnitZ(), 20.0F}}});
+  edits.push({editing::EditKind::kLock, time_s_, {{Vec3f::Zero(), -Vec3f::UnitZ(), 20.0F}}});
   surface_.set_edits(edits);
   look(empty_view, 45);
   EXPECT_EQ(shown(), before);
