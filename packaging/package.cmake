@@ -68,12 +68,16 @@ foreach(size 16 22 24 32 48 64 128 256 512)
                 DEPENDS icon/flytri.svg)
   install(FILES ${made}/${size}.png DESTINATION ${icons}/${size}x${size}/apps RENAME flytri.png)
 endforeach()
+# The first scan with the virtual sensor needs not wait for it.
+add_made_file(calibrations.log
+  COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:flytri> simulate calibration --force -o ${made}/calibrations
+  DEPENDS flytri)
 add_custom_target(package_files ALL DEPENDS ${made_files})
 add_dependencies(package_files flytri flytri-lab flytri_core)
 configure_file(desktop/org.flytri.Flytri.metainfo.xml.in ${made}/org.flytri.Flytri.metainfo.xml @ONLY)
 
 install(TARGETS flytri flytri-lab DESTINATION bin)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/shaders DESTINATION share/flytri)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/shaders ${made}/calibrations DESTINATION share/flytri)
 install(FILES ${made}/formats.md.gz ${made}/hardware.md.gz DESTINATION share/doc/flytri)
 install(FILES icon/flytri.svg DESTINATION ${icons}/scalable/apps)
 install(FILES desktop/org.flytri.Flytri.desktop DESTINATION share/applications)

@@ -12,7 +12,10 @@
 #include "app/cli/output_files.h"
 #include "app/cli/sensor_option.h"
 #include "core/io/calibrations/board_set_file.h"
+#include "core/io/calibrations/calibration_file.h"
+#include "core/io/files/file_bytes.h"
 #include "hw/design/design_change.h"
+#include "hw/simulated/datasets/sensor_calibration.h"
 #include "hw/simulated/datasets/simulate_board_set.h"
 #include "hw/simulated/datasets/simulate_calibration_set.h"
 #include "hw/simulated/datasets/simulate_recording.h"
@@ -133,14 +136,34 @@ Result<void> run_board_set(const SimulateArguments& arguments, const Progress& p
   return written;
 }
 
+/// As in the window: without options for the images, and under the name by which it is found.
+Result<void> run_calibration(const SimulateArguments& arguments, const Progress& progress) {
+  const auto sensor = sensor_of(arguments);
+  if (!sensor) return tl::unexpected(sensor.error());
+  const fs::path file = simulated::sensor_calibration_file(*sensor, arguments.output);
+  auto checked = check_replaceable({file, "flytri.calibration"}, arguments.force);
+  if (!checked) return checked;
+  const auto calibration =
+      simulated::calibrate_virtual_sensor(*sensor, Workers(arguments.thread_count), progress);
+  if (!calibration) return tl::unexpected(calibration.error());
+  auto written = io::create_folder(arguments.output).and_then([&] {
+    return io::write_calibration(file, *calibration);
+  });
+  if (written) print_out("wrote {}\n", file.string());
+  return written;
+}
+
 void add_common_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("-o,--output", arguments.output, "Folder to write")->required();
   add_sensor_option(command, arguments.sensor);
   add_lines_option(command, arguments.lines);
-  command.add_option("--seed", arguments.seed, "Random seed for the path and the noise")
-      ->capture_default_str();
   add_force_option(command, arguments.force);
   add_threads_option(command, arguments.thread_count);
+}
+
+void add_seed_option(CLI::App& command, SimulateArguments& arguments) {
+  command.add_option("--seed", arguments.seed, "Random seed for the path and the noise")
+      ->capture_default_str();
 }
 
 /// How the hand moves over the object.
@@ -195,9 +218,11 @@ void add_recording_options(CLI::App& command, SimulateArguments& arguments) {
   add_object_options(command, arguments.object);
   add_path_options(command, arguments);
   add_fault_options(command, arguments);
+  add_seed_option(command, arguments);
 }
 
-void add_no_texture_flag(CLI::App& command, SimulateArguments& arguments) {
+void add_set_options(CLI::App& command, SimulateArguments& arguments) {
+  add_seed_option(command, arguments);
   command.add_flag("--no-texture", arguments.no_texture, "The sensor has no texture camera");
 }
 
@@ -207,7 +232,7 @@ void add_calibration_set_options(CLI::App& command, SimulateArguments& arguments
           "--stage-tilt", arguments.stage_tilt_deg,
           "Tilt of the stage against the target, towards x and y, in degrees: to see what it does")
       ->capture_default_str();
-  add_no_texture_flag(command, arguments);
+  add_set_options(command, arguments);
 }
 
 void add_board_set_options(CLI::App& command, SimulateArguments& arguments) {
@@ -219,7 +244,7 @@ void add_board_set_options(CLI::App& command, SimulateArguments& arguments) {
   command.add_option("--exposures", arguments.exposures, "Exposures averaged into each image")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  add_no_texture_flag(command, arguments);
+  add_set_options(command, arguments);
 }
 
 /// What `flytri simulate` can make.
@@ -237,7 +262,10 @@ constexpr std::array kDatasets = {
             run_calibration_set},
     Dataset{"board-set", "Make images of a board held by hand for flytri calibrate",
             "Example: flytri simulate board-set -o out/board", add_board_set_options,
-            run_board_set}};
+            run_board_set},
+    Dataset{"calibration", "Make the calibration of the virtual sensor that the window uses",
+            "Example: flytri simulate calibration -o out/calibrations",
+            [](CLI::App&, SimulateArguments&) {}, run_calibration}};
 
 }  // namespace
 

@@ -162,7 +162,8 @@ Result<Calibration> calibration_of(const SensorModel& sensor, const LineArgument
                                    const Workers& workers, const Progress& progress) {
   if (arguments.calibrations.empty())
     return simulated::calibrate_virtual_sensor(sensor, workers, progress);
-  return simulated::cached_sensor_calibration(sensor, arguments.calibrations, workers, progress);
+  return simulated::cached_sensor_calibration(sensor, {arguments.calibrations, {}}, workers,
+                                              progress);
 }
 
 void print_density_head() {

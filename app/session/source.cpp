@@ -14,6 +14,7 @@
 #include "hw/simulated/devices/faulty_sensor.h"
 #include "hw/simulated/devices/live_sensor.h"
 #include "hw/simulated/optics/sensor_layout.h"
+#include "ui/gpu/asset_path.h"
 
 namespace flytri::session {
 namespace {
@@ -70,8 +71,9 @@ Result<Source> open_virtual_sensor(const SourceChoice& choice, const Progress& p
   }
   // Each version of the program makes its own.
   const std::filesystem::path kept_in = cache_folder() / "calibration-" FLYTRI_VERSION;
-  const Result<calibration::Calibration> calibration =
-      simulated::cached_sensor_calibration(options.sensor, kept_in, workers, progress);
+  const auto shipped = ui::asset_path("calibrations");
+  const Result<calibration::Calibration> calibration = simulated::cached_sensor_calibration(
+      options.sensor, {kept_in, shipped.value_or(std::filesystem::path())}, workers, progress);
   if (!calibration) return tl::unexpected(calibration.error());
   const auto shared = std::make_shared<const calibration::Calibration>(*calibration);
   Result<std::shared_ptr<simulated::LiveSensor>> sensor =

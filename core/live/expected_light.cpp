@@ -26,9 +26,11 @@ std::vector<Vec3> lit_places(const calibration::Calibration& calibration, Patter
   return places;
 }
 
-int length_of(const calibration::Calibration& calibration, Pattern pattern) {
-  const ImageSize& size = calibration.measurement_size;
-  return pattern == Pattern::kVertical ? size.height_px : size.width_px;
+/// The most rows or columns of a line.
+std::size_t length_of(const calibration::PatternCalibration& lines) {
+  std::size_t length = 0;
+  for (const auto& rows : lines.lines) length = std::max(length, rows.size());
+  return length;
 }
 
 }  // namespace
@@ -90,10 +92,12 @@ std::optional<ExpectedLine> ExpectedLight::line_at(Pattern pattern, const Vec3& 
 
 SeenLines::SeenLines(const View& view, const calibration::Calibration& calibration)
     : pattern_(view.pattern),
-      rows_(static_cast<std::size_t>(length_of(calibration, view.pattern))),
+      rows_(length_of(calibration.of(view.pattern))),
       depths_mm_(calibration.of(view.pattern).lines.size() * rows_, kNotSeen) {
   const int last = static_cast<int>(rows_) - 1;
   for (const Profile& profile : view.profiles) {
+    // A line that the calibration does not know lights no place.
+    if ((profile.line.at() + 1) * rows_ > depths_mm_.size() || rows_ == 0) continue;
     float* const line = depths_mm_.data() + profile.line.at() * rows_;
     for (const ProfilePoint& point : profile.points) {
       const auto middle = static_cast<int>(std::lround(point.along_px));

@@ -109,7 +109,7 @@ expect 'live without a folder' 1 '-o' "$flytri" calibrate --live --simulated
 expect 'nothing to calibrate' 1 '--live' "$flytri" calibrate
 
 # Exit codes of usage.
-for command in '' simulate 'simulate recording' 'simulate calibration-set' 'simulate board-set' calibrate reconstruct \
+for command in '' simulate 'simulate recording' 'simulate calibration-set' 'simulate board-set' 'simulate calibration' calibrate reconstruct \
   evaluate demo app devices record export occlude review make 'make slides' 'make target' 'make board' 'make hand-board' design; do
   # shellcheck disable=SC2086  # the words of a command
   expect "help: $command" 0 'Usage' "$flytri" $command --help

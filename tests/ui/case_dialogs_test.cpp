@@ -100,7 +100,7 @@ TEST_F(RealWindow, TabMovesBetweenTheFieldsOfACaseAndEnterCreatesIt) {
   window().click("birth_date");
   window().key("ctrl+a");
   window().type("1984-03-12");
-  EXPECT_EQ(after_key("Return"), Names{"NewCase"});
+  EXPECT_EQ(after_key("Return"), Names{"NewCase"}) << window().state()["case_form"];
   window().ask("wait 2");
   EXPECT_EQ(window().state()["dialog"], "none");
 }
@@ -116,7 +116,7 @@ TEST_F(RealWindow, APassphraseIsTypedTwice) {
   EXPECT_EQ(after_click("confirm"), Names{});
   window().click("passphrase_again");
   window().type("secret");
-  EXPECT_EQ(after_key("Return"), Names{"NewCase"});
+  EXPECT_EQ(after_key("Return"), Names{"NewCase"}) << window().state()["case_form"];
 }
 
 TEST_F(RealWindow, APassphraseLeavesNoCopyInMemory) {
@@ -131,7 +131,7 @@ TEST_F(RealWindow, APassphraseLeavesNoCopyInMemory) {
   window().type(text);
   window().key("Tab");
   window().type(text);
-  EXPECT_EQ(after_key("Return"), Names{"NewCase"});
+  EXPECT_EQ(after_key("Return"), Names{"NewCase"}) << window().state()["case_form"];
   window().ask("wait 5");
   EXPECT_EQ(copies(), Names{}) << "after a new case";
 

@@ -8,32 +8,32 @@
 
 namespace flytri::ui {
 
-/// The keys that are held, each of the kind on either side.
+/// The modifier keys that are held, on either side of the keyboard.
 struct Modifiers {
   bool control = false, shift = false, alt = false;
 };
 
 /// The height of a line, px, for which a font was made.
 [[nodiscard]] float font_size_px(const ImFont& font);
-/// A font gets these characters from one that is merged, though its file has some of them, too.
-/// @param ranges  first and last, pairs that end with 0; they must stay alive
+/// These characters come from the font that is merged into this one, even if this one has them.
+/// @param ranges  pairs of first and last, ended by 0; they must stay alive
 void leave_out(ImFontConfig& font, const ImWchar* ranges);
-/// To be called after all fonts were replaced. Frees what is in the texture only.
+/// Call it after all fonts were replaced.
 void replace_font_texture();
-/// To be called before a frame is drawn. Fonts can grow while they are used.
+/// Call it before a frame is drawn: from 1.92 on, fonts load characters when they are needed.
 void upload_fonts(const ImDrawData& data);
 
 /// An OpenGL texture, as Dear ImGui takes it.
 [[nodiscard]] ImTextureID texture_id(unsigned name);
-/// The number of the texture that a command draws. The fonts must be uploaded.
+/// The number of the texture that a command draws. Call upload_fonts first.
 [[nodiscard]] std::uint64_t texture_number(const ImDrawCmd& command);
 
-/// Makes `data` draw these lists alone.
+/// Makes `data` draw these lists only. The lists must stay alive.
 void set_lists(ImDrawData& data, std::vector<ImDrawList*>& lists);
 
-/// Lets a frame take all events that it is given.
+/// Call it once. A frame then takes all key events that it is given.
 void prepare_keys(ImGuiIO& io);
-/// @param key  by its GLFW name; Dear ImGui gets those that its text fields use
+/// @param key  GLFW_KEY_*; Dear ImGui gets those that its text fields use
 void set_key(ImGuiIO& io, int key, bool is_down);
 void set_modifiers(ImGuiIO& io, const Modifiers& held);
 

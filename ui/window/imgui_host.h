@@ -46,7 +46,7 @@ class ImGuiHost {
   ImageSize size_;  ///< of the window in this frame
   DrawDamage damage_;
   Canvas canvas_;
-  std::set<int> held_keys_;  ///< by their GLFW names
+  std::set<int> held_keys_;  ///< GLFW_KEY_*
   double last_now_s_ = -1.0;
 };
 

@@ -9,6 +9,15 @@
 #include "hw/simulated/optics/sensor_fingerprint.h"
 
 namespace flytri::simulated {
+namespace {
+
+Result<calibration::Calibration> shipped_calibration(const SensorModel& sensor,
+                                                     const std::filesystem::path& folder) {
+  if (folder.empty()) return fail(ErrorCode::kNotFound, "no calibration is shipped");
+  return io::read_calibration(sensor_calibration_file(sensor, folder));
+}
+
+}  // namespace
 
 Result<calibration::Calibration> calibrate_virtual_sensor(const SensorModel& sensor,
                                                           const Workers& workers,
@@ -26,15 +35,16 @@ std::filesystem::path sensor_calibration_file(const SensorModel& sensor,
 }
 
 Result<calibration::Calibration> cached_sensor_calibration(const SensorModel& sensor,
-                                                           const std::filesystem::path& folder,
+                                                           const CalibrationFolders& folders,
                                                            const Workers& workers,
                                                            const Progress& progress) {
-  const auto file = sensor_calibration_file(sensor, folder);
+  const auto file = sensor_calibration_file(sensor, folders.cache);
   if (auto kept = io::read_calibration(file)) return kept;
-  auto calibration = calibrate_virtual_sensor(sensor, workers, progress);
+  auto calibration = shipped_calibration(sensor, folders.shipped);
+  if (!calibration) calibration = calibrate_virtual_sensor(sensor, workers, progress);
   if (!calibration) return calibration;
-  // A failed write is harmless: the calibration is then computed again next time.
-  if (io::create_folder(folder)) {
+  // A failed write is harmless: next time the calibration is made again.
+  if (io::create_folder(folders.cache)) {
     [[maybe_unused]] const auto written = io::write_calibration(file, *calibration);
   }
   return calibration;

@@ -21,11 +21,17 @@ namespace flytri::simulated {
 [[nodiscard]] std::filesystem::path sensor_calibration_file(const SensorModel& sensor,
                                                             const std::filesystem::path& folder);
 
-/// The calibration of exactly this sensor model, read from the cache in `folder`. If it is missing
-/// or damaged, computes it and, if possible, saves it there.
+struct CalibrationFolders {
+  std::filesystem::path cache;
+  std::filesystem::path shipped;  ///< what comes with the program, read only; empty: nothing
+};
+
+/// The calibration of exactly this sensor model, read from the cache. If it is missing or damaged
+/// there, takes the shipped one or, without one, computes it, and saves it in the cache if
+/// possible.
 /// @errors  As calibrate_virtual_sensor.
 [[nodiscard]] Result<calibration::Calibration> cached_sensor_calibration(
-    const SensorModel& sensor, const std::filesystem::path& folder, const Workers& workers,
+    const SensorModel& sensor, const CalibrationFolders& folders, const Workers& workers,
     const Progress& progress);
 
 }  // namespace flytri::simulated

@@ -85,7 +85,7 @@ Result<void> take(const fs::path& folder) {
   const ScanOptions options;
   if (auto made = io::create_folder(folder); !made) return made;
   const auto calibration =
-      simulated::cached_sensor_calibration(options.sensor, folder, workers, {});
+      simulated::cached_sensor_calibration(options.sensor, {folder, {}}, workers, {});
   if (!calibration) return tl::unexpected(calibration.error());
   auto written = io::write_calibration(folder / "calibration.json", *calibration);
   if (written)

@@ -151,6 +151,19 @@ TEST_F(MissingSquare, StaysIfItIsLocked) {
   EXPECT_EQ(shown(), before);
 }
 
+TEST(SeenLines, LeavesOutLinesThatTheCalibrationDoesNotHave) {
+  View view;
+  for (const int n : {1, 1000}) {
+    Profile profile{LineIndex(n), Vec3::UnitX(), {}};
+    profile.points.push_back({Vec3(0, 0, 2.0), Vec3f(0, 0, 0.01F), 150.0F});
+    view.profiles.push_back(std::move(profile));
+  }
+  const SeenLines seen(view, analytic_calibration());
+  EXPECT_EQ(seen.depth_mm({LineIndex(1), 150}), 2.0F);
+  EXPECT_FALSE(seen.depth_mm({LineIndex(2), 150}));
+  EXPECT_NO_FATAL_FAILURE(SeenLines(view, calibration::Calibration()));
+}
+
 TEST_F(MissingSquare, StaysAsLongAsItIsMeasured) {
   const std::size_t before = shown();
   look(square_view, 45);

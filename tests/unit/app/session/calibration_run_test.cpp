@@ -150,8 +150,8 @@ TEST(CalibrationRun, ReportsLostDevicesAndReleasesThem) {
 TEST(CalibrationRun, ACheckOnAPlanePassesWithTheRightCalibration) {
   const TemporaryFolder folder;
   const auto calibration = std::make_shared<const calibration::Calibration>(
-      simulated::cached_sensor_calibration(simulated::intraoral_sensor(), folder.path(), Workers(),
-                                           {})
+      simulated::cached_sensor_calibration(simulated::intraoral_sensor(), {folder.path(), {}},
+                                           Workers(), {})
           .value());
   CalibrationJob job;
   job.task = ui::CalibrationTask::kCheckOnPlane;

@@ -9,6 +9,7 @@
 #include "core/io/calibrations/calibration_file.h"
 #include "core/io/files/file_bytes.h"
 #include "hw/simulated/optics/sensor_fingerprint.h"
+#include "tests/support/analytic_calibration.h"
 #include "tests/support/temporary_folder.h"
 
 namespace flytri::simulated {
@@ -57,7 +58,9 @@ TEST(SensorCalibration, IsCachedAndComputedAgainIfTheFileIsDamaged) {
   const TemporaryFolder folder;
   const SensorModel sensor = intraoral_sensor();
   const fs::path cache = folder.path() / "cache";
-  const auto ask = [&] { return cached_sensor_calibration(sensor, cache, Workers(), {}).value(); };
+  const auto ask = [&] {
+    return cached_sensor_calibration(sensor, {cache, {}}, Workers(), {}).value();
+  };
 
   const calibration::Calibration made = ask();
   for (const Pattern pattern : kPatterns)
@@ -77,6 +80,21 @@ TEST(SensorCalibration, IsCachedAndComputedAgainIfTheFileIsDamaged) {
   EXPECT_EQ(ask().volume.size_mm, made.volume.size_mm);
   EXPECT_EQ(io::read_file(file).value(), whole) << "the same images give the same calibration";
   EXPECT_EQ(files_in(cache).size(), 1U);
+}
+
+TEST(SensorCalibration, TheShippedOneIsTakenAndCached) {
+  const TemporaryFolder folder;
+  const SensorModel sensor = intraoral_sensor();
+  const CalibrationFolders folders{folder.path() / "cache", folder.path() / "shipped"};
+  calibration::Calibration shipped = testing::analytic_calibration();
+  ASSERT_TRUE(io::create_folder(folders.shipped));
+  ASSERT_TRUE(io::write_calibration(sensor_calibration_file(sensor, folders.shipped), shipped));
+  const auto taken = cached_sensor_calibration(sensor, folders, Workers(), {});
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->volume.size_mm, shipped.volume.size_mm);
+  const auto cached = io::read_calibration(sensor_calibration_file(sensor, folders.cache));
+  ASSERT_TRUE(cached) << "where notes about it are kept";
+  EXPECT_EQ(cached->volume.size_mm, shipped.volume.size_mm);
 }
 
 TEST(SensorFingerprint, DependsOnlyOnTheContent) {
