@@ -68,7 +68,7 @@ foreach(size 16 22 24 32 48 64 128 256 512)
                 DEPENDS icon/flytri.svg)
   install(FILES ${made}/${size}.png DESTINATION ${icons}/${size}x${size}/apps RENAME flytri.png)
 endforeach()
-# The first scan with the virtual sensor needs not wait for it.
+# With it, the first scan with the virtual sensor begins sooner.
 add_made_file(calibrations.log
   COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:flytri> simulate calibration --force -o ${made}/calibrations
   DEPENDS flytri)

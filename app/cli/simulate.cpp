@@ -136,7 +136,7 @@ Result<void> run_board_set(const SimulateArguments& arguments, const Progress& p
   return written;
 }
 
-/// As in the window: without options for the images, and under the name by which it is found.
+/// Writes the file that the window makes at its first start.
 Result<void> run_calibration(const SimulateArguments& arguments, const Progress& progress) {
   const auto sensor = sensor_of(arguments);
   if (!sensor) return tl::unexpected(sensor.error());

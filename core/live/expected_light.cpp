@@ -62,8 +62,7 @@ Vec3 ExpectedLight::ray_per_mm(const Vec3& p_sensor) const {
 
 bool ExpectedLight::faces_camera(const Vec3& p_sensor, const Vec3& normal,
                                  double min_cosine) const {
-  return calibration_->volume.contains(p_sensor) &&
-         -normal.dot(ray_per_mm(p_sensor).normalized()) >= min_cosine;
+  return -normal.dot(ray_per_mm(p_sensor).normalized()) >= min_cosine;
 }
 
 std::optional<ExpectedLine> ExpectedLight::line_at(Pattern pattern, const Vec3& p_sensor,
@@ -94,10 +93,11 @@ SeenLines::SeenLines(const View& view, const calibration::Calibration& calibrati
     : pattern_(view.pattern),
       rows_(length_of(calibration.of(view.pattern))),
       depths_mm_(calibration.of(view.pattern).lines.size() * rows_, kNotSeen) {
+  if (depths_mm_.empty()) return;
   const int last = static_cast<int>(rows_) - 1;
   for (const Profile& profile : view.profiles) {
-    // A line that the calibration does not know lights no place.
-    if ((profile.line.at() + 1) * rows_ > depths_mm_.size() || rows_ == 0) continue;
+    // A line that the calibration does not have lights no place.
+    if (profile.line.at() * rows_ >= depths_mm_.size()) continue;
     float* const line = depths_mm_.data() + profile.line.at() * rows_;
     for (const ProfilePoint& point : profile.points) {
       const auto middle = static_cast<int>(std::lround(point.along_px));

@@ -11,8 +11,8 @@
 
 namespace flytri::live {
 
-/// A line that would light a place, and the image row (vertical pattern) or column (horizontal
-/// pattern) in which the camera would see it there.
+/// The line that would light a place, and where it would be in the image: the row, for the
+/// horizontal pattern the column.
 struct ExpectedLine {
   LineIndex line;
   int along_px = 0;
@@ -26,7 +26,7 @@ class ExpectedLight {
 
   [[nodiscard]] const calibration::Calibration& calibration() const { return *calibration_; }
   [[nodiscard]] const std::optional<Vec3>& camera_center_mm() const { return camera_center_mm_; }
-  /// Whether a surface inside the measurement volume is turned to the camera.
+  /// Whether a surface is turned to the camera.
   /// @param min_cosine  between its normal and the ray
   [[nodiscard]] bool faces_camera(const Vec3& p_sensor, const Vec3& normal,
                                   double min_cosine) const;
@@ -50,7 +50,7 @@ class ExpectedLight {
   std::array<std::vector<Sheet>, 2> sheets_;  ///< by Pattern
 };
 
-/// Where the lines of one view were seen: in each row or column the depth of the line's point.
+/// What one view saw: for each line, its depth in each image row or column.
 class SeenLines {
  public:
   SeenLines(const View& view, const calibration::Calibration& calibration);

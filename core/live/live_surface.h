@@ -66,8 +66,8 @@ struct LiveSurfaceOptions {
 /// milliseconds, and the result is bit for bit the surface built anew from all views.
 ///
 /// The camera sees a point only if nothing is in between. A surfel that rays of several views cross
-/// is hidden until its place is measured again. So is a cube that the lines of several views would
-/// light, but where they show nothing. What is locked is never hidden.
+/// is hidden until its place is measured again. So are the surfels of a small cube if several views
+/// light it and see nothing there. What is locked is never hidden.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
 /// reduction during the scan to future work.
 class LiveSurface {
@@ -77,7 +77,7 @@ class LiveSurface {
   /// @errors  kBadOption.
   [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options = {},
                                                   const std::optional<Vec3>& camera_center_mm = {});
-  /// Knows from the calibration, which must outlive the surface, also what the lines would light.
+  /// Also knows what the lines would light. The calibration must outlive the surface.
   /// @errors  kBadOption.
   [[nodiscard]] static Result<LiveSurface> create(const LiveSurfaceOptions& options,
                                                   const calibration::Calibration& calibration);

@@ -1,5 +1,4 @@
-/// @file  The part of LiveSurface that hides what has gone: views have looked through it, or light
-/// it and see nothing.
+/// @file  The part of LiveSurface that hides what has gone.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -143,13 +142,14 @@ bool LiveSurface::is_missing(const NormalCell& cube, const Isometry& T_sensor_wo
   const auto own_mm = static_cast<float>(kOwnCells * cell_mm_);
   bool is_lit = false;
   for (const std::uint32_t index : cube.cells) {
-    if (!shown(cells_[index])) continue;
+    // Also while the user looks at what has gone.
+    if (cells_[index].is_crossed || !shown(cells_[index])) continue;
     const Surfel& surfel = surfels_[index];
     const Vec3 p_sensor = T_sensor_world * surfel.position_mm.cast<double>();
-    const Vec3 normal = T_sensor_world.linear() * surfel.normal.cast<double>();
-    if (!light_->faces_camera(p_sensor, normal, kMinFacing)) continue;
     const auto line = light_->line_at(seen.pattern(), p_sensor, kLitWithinCells * cell_mm_);
     if (!line) continue;
+    const Vec3 normal = T_sensor_world.linear() * surfel.normal.cast<double>();
+    if (!light_->faces_camera(p_sensor, normal, kMinFacing)) continue;
     const auto depth_mm = seen.depth_mm(*line);
     // The line shows the place, or what hides it.
     if (depth_mm && *depth_mm < static_cast<float>(p_sensor.z()) + own_mm) return false;

@@ -135,7 +135,7 @@ class NearCenters {
     distances2_mm2_.resize(cells_.size());
   }
 
-  /// For each cell: squared distance of the sample from its axis. Infinite for a cell without it.
+  /// For each cell: the squared distance of the sample from its axis; infinite if it is outside.
   void measure_distances(const SurfaceSample& sample) {
     const float *cx = center_mm_[0].data(), *cy = center_mm_[1].data(), *cz = center_mm_[2].data();
     const float *nx = normal_[0].data(), *ny = normal_[1].data(), *nz = normal_[2].data();

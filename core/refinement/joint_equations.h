@@ -40,8 +40,8 @@ struct FittedSurfaces {
 using SharedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using SharedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
-/// What one cell and one view add to a group's equations, after the cell's surface was eliminated.
-/// S are the derivatives of the residuals by the group's unknowns; for the rest see CellViewBlock.
+/// The share of one cell and one view in a group's equations. The cell's surface is eliminated.
+/// S: derivatives of the residuals by the group's unknowns. Other letters: see CellViewBlock.
 struct CellSharedShare {
   std::size_t group = 0;
   SharedMatrix coupling;     ///< S^T W A L^-T

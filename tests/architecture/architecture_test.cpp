@@ -1,5 +1,5 @@
-/// @file  Rules of the architecture that the compiler cannot check: libraries that a layer may not
-/// use, folders without a description, files that documents name but nobody has, names used twice.
+/// @file  Checks what the compiler cannot: which libraries a layer uses, that each folder is
+/// described, that the files named in documents exist, that no two classes have the same name.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -15,7 +15,7 @@ struct Modifiers {
 
 /// The height of a line, px, for which a font was made.
 [[nodiscard]] float font_size_px(const ImFont& font);
-/// These characters come from the font that is merged into this one, even if this one has them.
+/// Leaves these characters to the font that is merged into this one.
 /// @param ranges  pairs of first and last, ended by 0; they must stay alive
 void leave_out(ImFontConfig& font, const ImWchar* ranges);
 /// Call it after all fonts were replaced.

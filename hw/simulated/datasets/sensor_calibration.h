@@ -21,14 +21,14 @@ namespace flytri::simulated {
 [[nodiscard]] std::filesystem::path sensor_calibration_file(const SensorModel& sensor,
                                                             const std::filesystem::path& folder);
 
+/// Where calibrations of virtual sensors may be.
 struct CalibrationFolders {
   std::filesystem::path cache;
   std::filesystem::path shipped;  ///< what comes with the program, read only; empty: nothing
 };
 
-/// The calibration of exactly this sensor model, read from the cache. If it is missing or damaged
-/// there, takes the shipped one or, without one, computes it, and saves it in the cache if
-/// possible.
+/// Reads the calibration of exactly this sensor model from the cache. If that fails, takes the
+/// shipped one, or else computes it; then saves it in the cache, if possible.
 /// @errors  As calibrate_virtual_sensor.
 [[nodiscard]] Result<calibration::Calibration> cached_sensor_calibration(
     const SensorModel& sensor, const CalibrationFolders& folders, const Workers& workers,
